@@ -1,0 +1,39 @@
+# Each library arrives here and leaves as one target. Nothing else calls
+# find_package, so a version is changed, or an engine dropped, in one place.
+# The installed package includes this file too: what it was built with is what
+# it asks its users for.
+
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt 9 REQUIRED)
+find_package(CLI11 2 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(Boost 1.74 REQUIRED)  # Multiprecision, headers only
+find_package(tomlplusplus 3.3 REQUIRED)
+pkg_check_modules(hwy REQUIRED IMPORTED_TARGET GLOBAL libhwy>=1.0)  # SIMD chosen at run time
+pkg_check_modules(mpfr REQUIRED IMPORTED_TARGET GLOBAL mpfr>=4)
+
+# Engines are optional: without one, its oracle says what to install.
+pkg_check_modules(ode QUIET IMPORTED_TARGET GLOBAL ode>=0.16)
+pkg_check_modules(bullet_double QUIET IMPORTED_TARGET GLOBAL bullet-float64>=3.24)
+pkg_check_modules(bullet_float QUIET IMPORTED_TARGET GLOBAL bullet>=3.24)
+pkg_check_modules(ccd QUIET IMPORTED_TARGET GLOBAL ccd>=2.0)
+find_package(fcl 0.7 QUIET)
+foreach(engine ode bullet_double bullet_float ccd fcl)
+  string(TOUPPER ${engine} upper)
+  option(TOUCHSTONE_WITH_${upper} "Build the ${engine} oracle where the library is present" ON)
+  if(TOUCHSTONE_WITH_${upper} AND (TARGET PkgConfig::${engine} OR TARGET ${engine}))
+    set(TOUCHSTONE_HAS_${upper} ON)
+  else()
+    set(TOUCHSTONE_HAS_${upper} OFF)
+  endif()
+endforeach()
+
+if(TOUCHSTONE_TESTS)
+  find_package(GTest 1.12 REQUIRED)
+  find_package(benchmark 1.7 REQUIRED)
+  find_package(rapidcheck REQUIRED)
+  find_package(CGAL 5.5 REQUIRED)
+  include(GoogleTest)
+endif()

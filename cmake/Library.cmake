@@ -1,0 +1,34 @@
+# Flags every target needs to be judged fairly, on one interface target.
+add_library(touchstone_flags INTERFACE)
+target_compile_features(touchstone_flags INTERFACE cxx_std_20)
+target_compile_options(touchstone_flags INTERFACE
+  # Fused multiply-add would make one source give two answers on two machines.
+  -ffp-contract=off
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  $<$<BOOL:${TOUCHSTONE_WARNINGS_AS_ERRORS}>:-Werror>)
+if(TOUCHSTONE_SANITIZE)
+  target_compile_options(touchstone_flags INTERFACE
+    -fsanitize=${TOUCHSTONE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(touchstone_flags INTERFACE -fsanitize=${TOUCHSTONE_SANITIZE})
+endif()
+
+# touchstone_library(<name> HEADERS <h>... SOURCES <cc>... [USES <target>...] [HIDES <target>...])
+#
+# USES appears in the public headers; HIDES only in the .cc files, so consumers
+# inherit neither its include path nor its flags. Every header compiles alone.
+function(touchstone_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "HEADERS;SOURCES;USES;HIDES")
+  add_library(touchstone_${name} STATIC ${ARG_SOURCES})
+  add_library(touchstone::${name} ALIAS touchstone_${name})
+  target_sources(touchstone_${name} PUBLIC FILE_SET HEADERS
+    BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
+  target_link_libraries(touchstone_${name}
+    PUBLIC ${ARG_USES} PRIVATE $<BUILD_INTERFACE:touchstone_flags> ${ARG_HIDES})
+  target_compile_features(touchstone_${name} PUBLIC cxx_std_20)
+  set_target_properties(touchstone_${name} PROPERTIES
+    VERIFY_INTERFACE_HEADER_SETS ON EXPORT_NAME ${name})
+  if(TOUCHSTONE_INSTALL)
+    install(TARGETS touchstone_${name} EXPORT touchstone
+      FILE_SET HEADERS DESTINATION include/touchstone)
+  endif()
+endfunction()

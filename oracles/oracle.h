@@ -1,0 +1,97 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oracles/contact_answer.h"
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** What an oracle can say about one ordered pair of shape kinds. */
+struct Capability {
+  bool supported = false;
+  std::string family;  ///< Algorithm, the unit of consensus: "sat", "gjk_epa", "mpr", …
+  bool depth = false;       ///< Gives the separation of penetrating pairs.
+  bool distance = false;    ///< Gives the separation of pairs apart.
+  bool normal = false;      ///< Gives the normal of penetrating pairs.
+  bool manifold = false;    ///< Gives contact points of touching pairs.
+  bool witnesses = false;   ///< Gives witness points.
+  /** The engine's own documented convergence tolerance or margin, added to the rounding
+   tolerance when its separation is judged. [m]; 0 for closed forms. */
+  double documented_error = 0;
+  /** As documented_error, but as a share of the true |separation|. */
+  double documented_relative_error = 0;
+  std::string documented_by;  ///< Where that figure is documented; empty when both are 0.
+  std::string reason;         ///< Why the pair is unsupported; empty when supported.
+};
+
+/** One thing an adapter sets or converts, as `touchstone oracles --settings` prints it. */
+struct Setting {
+  std::string name;   ///< E.g. "normal", "depth sign", "box margin".
+  std::string value;  ///< What is in force, e.g. "B->A, negated".
+  std::string why;    ///< One sentence.
+};
+
+/** Who an oracle is. */
+struct OracleInfo {
+  std::string name;     ///< Path-like: "cookbook", "bullet", "bullet/gjk", "fcl/collide", …
+  std::string library;  ///< "Bullet", "ODE", …; "Touchstone" for our own.
+  std::string version;  ///< Of the library, as the library itself says.
+  /** Unit roundoff of the arithmetic: 2^-53 for double, 2^-24 for float. */
+  double unit_roundoff = 0x1p-53;
+  /** Runs in a forked child with a deadline, because it can abort, crash or hang. */
+  bool isolated = false;
+  std::vector<Setting> settings;
+  std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
+
+  /** Returns the capability for A of kind `a` and B of kind `b`. */
+  const Capability& For(ShapeKind a, ShapeKind b) const {
+    return capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
+  }
+};
+
+/** A batch whose engine objects exist already, so that only the engine's work is timed. */
+class PreparedBatch {
+ public:
+  virtual ~PreparedBatch() = default;
+
+  /** Asks the engine every question of the batch once, without translating the answers. */
+  virtual void Run() = 0;
+
+  /** Returns, after Run(), the separation per question as the engine gave it, in the project's
+   sign; NaN where it gave none. [m] */
+  virtual std::span<const double> separations() const = 0;
+};
+
+/** Who answers: a library behind an adapter, the cookbook engine, or a user's function.
+
+ An oracle is library + entry point + precision. It is a pure function with a name: it keeps
+ nothing between calls, so questions may be asked in any order and from any thread. Nothing
+ throws across this interface: what went wrong is part of the answer.
+
+ Every oracle passes tests/conformance, which states this contract in full. */
+class Oracle {
+ public:
+  virtual ~Oracle() = default;
+
+  virtual const OracleInfo& info() const = 0;
+
+  /** Answers every query; `answers[i]` is overwritten with the answer to `queries[i]`.
+   @pre The sizes are equal and every query is valid (scenarios/validate.h). */
+  virtual void Answer(std::span<const ContactQuery> queries,
+                      std::span<ContactAnswer> answers) const = 0;
+
+  /** Returns `queries` ready for timing, or null where the oracle is not timed.
+   @pre Every query is supported by this oracle. */
+  virtual std::unique_ptr<PreparedBatch> Prepare(std::span<const ContactQuery> queries) const;
+
+  /** Answers one query. */
+  ContactAnswer Answer(const ContactQuery& query) const;
+};
+
+}  // namespace touchstone

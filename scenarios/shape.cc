@@ -1,0 +1,42 @@
+#include "scenarios/shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace touchstone {
+namespace {
+
+struct Radius {
+  double operator()(const Sphere& sphere) const { return sphere.radius; }
+  double operator()(const Box& box) const { return box.half_extents.norm(); }
+  double operator()(const Capsule& capsule) const {
+    return capsule.half_length + capsule.radius;
+  }
+  double operator()(const Cylinder& cylinder) const {
+    return std::hypot(cylinder.radius, cylinder.half_length);
+  }
+  double operator()(const Cone& cone) const {
+    return std::hypot(cone.radius, cone.half_height);
+  }
+  double operator()(const ConvexHull& hull) const {
+    double radius = 0;
+    for (const Eigen::Vector3d& v : hull.vertices) radius = std::max(radius, v.norm());
+    return radius;
+  }
+  double operator()(const HalfSpace&) const { return 0; }
+};
+
+}  // namespace
+
+ShapeKind KindOf(const Shape& shape) { return static_cast<ShapeKind>(shape.index()); }
+
+std::string_view NameOf(ShapeKind kind) {
+  constexpr std::array<std::string_view, kShapeKinds> kNames = {
+      "sphere", "box", "capsule", "cylinder", "cone", "convex_hull", "half_space"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+double BoundingRadius(const Shape& shape) { return std::visit(Radius{}, shape); }
+
+}  // namespace touchstone
