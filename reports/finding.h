@@ -1,0 +1,85 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace touchstone {
+
+/** What a measure's value means for the oracle that gave it. */
+enum class Verdict {
+  kPass,         ///< Within the derived tolerance of the certified truth.
+  kFail,         ///< Proved wrong.
+  kDisagree,     ///< Differs from the others, unproved.
+  kKnown,        ///< Proved wrong, and listed in the ledger.
+  kUndecidable,  ///< Inside the certified error band: nobody can be wrong.
+  kUnsupported,  ///< The oracle has no such query.
+  kCrashed,      ///< The engine died on the question.
+  kTimedOut,     ///< The engine did not answer in time.
+  kInvalid,      ///< NaN, infinite, non-unit normal, contact without a point.
+};
+
+/** Why an answer differs. */
+enum class Cause {
+  kNone,        ///< It does not.
+  kConvention,  ///< A known convention, applied, brings it to the truth.
+  kTie,         ///< Another answer is equally right.
+  kPrecision,   ///< The engine's arithmetic: rounding the input at the engine's precision moves
+                ///< the truth, or its answer, as much as the error.
+  kModel,       ///< A documented model (rounded corners, a margin) answers another question.
+  kDefect,      ///< None of these.
+};
+
+/** The comparable numbers of a contact answer. Each is one small function in
+ reports/measures/, which holds formula, unit and source. */
+enum class MeasureKind {
+  kTouching,             ///< 0 right, 1 wrong. [-]
+  kSeparationError,      ///< |separation − truth|. [m]
+  kConsistencyError,     ///< |depth − o(n)|: does its depth agree with its own normal. [m]
+  kExcess,               ///< o(n) − depth*: how much shorter another direction is. [m]
+  kDualityGap,           ///< |p_B − p_A| − support gap along its own direction. [m]
+  kContactSurfaceError,  ///< How far p ∓ n s/2 are from the surfaces. [m]
+  kContactOffPatch,      ///< How far a deepest contact lies outside the true patch. [m]
+  kPatchCoverage,        ///< Share of the patch's extent left unspanned by its contacts. [-]
+  kContactCount,         ///< Contacts short of, or beyond, what the patch needs. [-]
+  kContactTooDeep,       ///< How much a contact is deeper than the truth. [m]
+  kMixedNormals,         ///< Largest angle between the normals of one manifold. [rad]
+  kSwap,                 ///< Change when A and B are swapped. [m]
+  kRigidMotion,          ///< Change when both move rigidly. [m]
+  kScaling,              ///< Change, relative to the scale, when everything is scaled. [m]
+  kRelabelling,          ///< Change when a box's axes are relabelled. [m]
+  kPerturbation,         ///< Change beyond what a tiny motion of B can cause. [m]
+  kAnswering,            ///< 0 answered, 1 crashed, timed out or invalid. [-]
+};
+
+/** One oracle, one scenario, one measure: a number and what it means. */
+struct Finding {
+  std::string scenario;
+  std::string oracle;
+  /** The oracle whose answer is the other side; "referee" for the certified truth, empty for
+   the metamorphic measures, which need none. */
+  std::string reference;
+  MeasureKind measure;
+  double value = 0;
+  double tolerance = 0;
+  std::string tolerance_because;  ///< The origin of the tolerance, one sentence.
+  Verdict verdict = Verdict::kPass;
+  Cause cause = Cause::kNone;
+  std::string cause_because;  ///< E.g. "depth is half the overlap along its own normal".
+  /** The proof as a sentence: "fcl/collide says 0.0135 along n; moving B by 0.01341 along m
+   separates them." Empty for passes. */
+  std::string proof;
+  /** The ledger entry that makes it `known`: its index in the ledger file. */
+  std::optional<int> ledger_entry;
+};
+
+/** Returns the name used in tables and files: "separation_error", "touching", … */
+std::string_view NameOf(MeasureKind measure);
+/** Returns "pass", "fail", …, "timed out". */
+std::string_view NameOf(Verdict verdict);
+/** Returns "convention", "tie", …; "" for kNone. */
+std::string_view NameOf(Cause cause);
+/** Returns "m", "rad" or "". */
+std::string_view UnitOf(MeasureKind measure);
+
+}  // namespace touchstone

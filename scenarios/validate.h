@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** One fault of a query: which quantity, and what was expected instead. */
+struct Fault {
+  std::string where;     ///< E.g. "A.half_extents[1]".
+  std::string what;      ///< E.g. "is -0.5".
+  std::string expected;  ///< E.g. "a finite length > 0".
+};
+
+/** Largest accepted | |q| − 1 | of a quaternion, and largest accepted OrthonormalityDefect():
+ thousand times the rounding of a quaternion written with 16 digits, far below anything
+ that means a rotation. */
+inline constexpr double kUnitSlack = 1e-12;
+
+/** Returns every fault of `query`; empty for a valid one. Checked before any engine sees it:
+ finite numbers, positive sizes, unit quaternion, proper rotation, at least one hull vertex,
+ not two half-spaces. */
+std::vector<Fault> FaultsOf(const ContactQuery& query);
+
+}  // namespace touchstone
