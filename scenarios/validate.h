@@ -14,10 +14,13 @@ struct Fault {
   std::string expected;  ///< E.g. "a finite length > 0".
 };
 
-/** Largest accepted | |q| − 1 | of a quaternion, and largest accepted OrthonormalityDefect():
- thousand times the rounding of a quaternion written with 16 digits, far below anything
- that means a rotation. */
-inline constexpr double kUnitSlack = 1e-12;
+/** Largest accepted | |q| − 1 | of a quaternion: a thousand times the rounding of one written
+ with 16 digits, far below anything that means a rotation. */
+inline constexpr double kQuaternionSlack = 1e-12;
+
+/** Largest accepted OrthonormalityDefect(): matrices of bug reports come with seven digits, as
+ float engines print them. The defect of each query widens its certified band. */
+inline constexpr double kRotationSlack = 1e-6;
 
 /** Returns every fault of `query`; empty for a valid one. Checked before any engine sees it:
  finite numbers, positive sizes, unit quaternion, proper rotation, at least one hull vertex,
