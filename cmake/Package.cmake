@@ -1,0 +1,1 @@
+# The CMake package: find_package(touchstone) gives the targets touchstone::*.
