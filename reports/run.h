@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "oracles/oracle.h"
+#include "reports/finding.h"
+#include "reports/ledger.h"
+#include "reports/referee/contact_truth.h"
+#include "scenarios/scenario.h"
+
+namespace touchstone {
+
+/** One scenario with everything that was said about it. */
+struct ScenarioResult {
+  Scenario scenario;
+  ContactTruth truth;
+  std::vector<ContactAnswer> answers;  ///< In the order of RunReport::oracles.
+};
+
+/** The outcome of a run: data for the writers, which add nothing to it. */
+struct RunReport {
+  std::string subject;              ///< Name of the oracle under examination.
+  std::vector<OracleInfo> oracles;  ///< The subject first, then the references.
+  std::vector<ScenarioResult> scenarios;  ///< In the order of their ids.
+  /** Sorted by scenario, then oracle (as above), then measure. One finding per measure that
+   applies; a question that an oracle does not support gives one kUnsupported finding. */
+  std::vector<Finding> findings;
+  Ledger ledger;
+  std::vector<LedgerUse> ledger_use;  ///< Per entry of the ledger.
+  /** Faults of the catalogue and the ledger that fail the run: an expectation that the truth
+   contradicts, an indictment not found again, an entry exceeded, expired or improved. One
+   sentence each, with what to do. */
+  std::vector<std::string> faults;
+};
+
+/** How to run. */
+struct RunOptions {
+  int jobs = 0;  ///< Threads; 0: one per core. The result does not depend on it.
+  /** Called with (done, total) question-oracle pairs, from one thread at a time; may be empty. */
+  std::function<void(std::size_t, std::size_t)> on_progress;
+};
+
+/** Asks every oracle every scenario and judges the answers. `oracles[0]` is the subject.
+ Deterministic whatever the number of jobs. */
+RunReport Run(std::span<const Scenario> scenarios, std::span<const Oracle* const> oracles,
+              const Ledger& ledger, const RunOptions& options);
+
+/** Which failures count. */
+enum class FailOn {
+  kAnything,  ///< A reference proved wrong outside the ledger fails the run too.
+  kSubject,   ///< Only the subject's failures and the catalogue's own faults count.
+};
+
+/** Returns the exit code of a run: 0 all pass or known, 1 failures, 2 nothing verified. */
+int ExitCode(const RunReport& report, FailOn fail_on);
+
+}  // namespace touchstone
