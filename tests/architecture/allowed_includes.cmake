@@ -1,0 +1,114 @@
+# Fails when a room includes what it must not, or when headers include each other
+# in a circle. The architecture, executable.
+#   cmake -D ROOT=<source dir> -P allowed_includes.cmake
+#
+# A rule is "folder => headers it may include", both sides regular expressions; the
+# first folder that matches a file decides, so the narrower rules stand first.
+
+cmake_minimum_required(VERSION 3.24)
+
+set(own_rules
+  # The corrected engine never calls the specimens.
+  "engine/printed/ => engine/"
+  "engine/ => engine/[a-z_]+[.]h"
+  "scenarios/ => scenarios/"
+  # Only the cookbook adapter sees the engine: no oracle is right because it ran
+  # the code it judges.
+  "oracles/cookbook/ => (oracles|scenarios|engine)/"
+  "oracles/ => (oracles|scenarios)/"
+  # The referee sees questions, never an answer.
+  "reports/referee/ => (reports/referee|scenarios)/"
+  "reports/ => (reports|scenarios)/|oracles/(oracle|contact_answer)[.]h"
+  "cli/ => (cli|reports|oracles|scenarios)/")
+
+# The headers of a library appear in the sources of the one place that wraps it.
+set(library_rules
+  "ode/ => oracles/ode/.*[.]cc"
+  "fcl/ => oracles/fcl/.*[.]cc"
+  "ccd/ => oracles/libccd/.*[.]cc"
+  "(bt[A-Z]|Bullet|LinearMath/) => oracles/bullet/"
+  "hwy/ => engine/"
+  "toml[+][+]/ => (scenarios|reports)/.*[.]cc"
+  "(boost/multiprecision|mpfr) => reports/referee/"
+  "nlohmann/ => (reports|scenarios|cli)/.*[.]cc"
+  "CLI/ => cli/.*[.]cc"
+  "CGAL/ => tests/")
+
+# Sets `left` and `right` to the two sides of `rule`.
+macro(split_rule rule)
+  string(REGEX REPLACE " => .*" "" left "${rule}")
+  string(REGEX REPLACE ".* => " "" right "${rule}")
+endmacro()
+
+set(broken)
+set(headers)
+set(seen 0)
+foreach(room engine scenarios oracles reports cli)
+  file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${room}/*.h ${ROOT}/${room}/*.cc)
+  foreach(file IN LISTS files)
+    math(EXPR seen "${seen} + 1")
+    set(own)
+    file(STRINGS ${ROOT}/${file} includes REGEX "^#include")
+    foreach(line IN LISTS includes)
+      if(line MATCHES "\"(.*)\"")
+        set(header ${CMAKE_MATCH_1})
+        list(APPEND own ${header})
+        foreach(rule IN LISTS own_rules)
+          split_rule("${rule}")
+          if(file MATCHES "^${left}")
+            if(NOT header MATCHES "^(${right})")
+              list(APPEND broken "${file}: ${line}")
+            endif()
+            break()
+          endif()
+        endforeach()
+      elseif(line MATCHES "<(.*)>")
+        set(header ${CMAKE_MATCH_1})
+        foreach(rule IN LISTS library_rules)
+          split_rule("${rule}")
+          if(header MATCHES "^${left}" AND NOT file MATCHES "^${right}")
+            list(APPEND broken "${file}: ${line}")
+          endif()
+        endforeach()
+      endif()
+    endforeach()
+    if(file MATCHES "[.]h$")
+      list(APPEND headers ${file})
+      set(includes_of_${file} ${own})
+    endif()
+  endforeach()
+endforeach()
+
+if(seen LESS 20)
+  message(FATAL_ERROR "Only ${seen} files were read: is ROOT the source folder?")
+endif()
+if(broken)
+  list(JOIN broken "\n  " broken)
+  message(FATAL_ERROR "Includes against the architecture:\n  ${broken}")
+endif()
+
+# Headers whose includes are all settled are settled; what never settles is a circle.
+set(open ${headers})
+while(TRUE)
+  set(still_open)
+  foreach(header IN LISTS open)
+    set(waits FALSE)
+    foreach(included IN LISTS includes_of_${header})
+      if(included IN_LIST open)
+        set(waits TRUE)
+      endif()
+    endforeach()
+    if(waits)
+      list(APPEND still_open ${header})
+    endif()
+  endforeach()
+  if(NOT still_open)
+    break()
+  elseif(still_open STREQUAL open)
+    list(JOIN open "\n  " open)
+    message(FATAL_ERROR "Headers that include each other in a circle, or wait for one:\n  ${open}")
+  endif()
+  set(open ${still_open})
+endwhile()
+list(LENGTH headers count)
+message(STATUS "${seen} files, ${count} headers: every include points the right way")
