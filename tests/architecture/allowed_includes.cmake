@@ -79,7 +79,7 @@ foreach(room engine scenarios oracles reports cli)
   endforeach()
 endforeach()
 
-if(seen LESS 20)
+if(seen LESS 15)
   message(FATAL_ERROR "Only ${seen} files were read: is ROOT the source folder?")
 endif()
 if(broken)
