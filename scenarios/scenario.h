@@ -10,12 +10,14 @@
 
 namespace touchstone {
 
-/** What the author of a scenario derived by hand. Every field is optional; what is given is
- checked against the referee before any engine is judged, so a wrong derivation is found. */
+/** What the author of a scenario derived by hand. Every field is optional; what is given
+ is checked against the referee before any engine is judged, so a wrong derivation is
+ found. */
 struct ContactExpectation {
   std::optional<bool> touching;
   std::optional<double> separation;  ///< < 0 penetrating, 0 touching, > 0 apart. [m]
-  /** Unit normals from A to B, each as good as the others (a tie has several). World frame. */
+  /** Unit normals from A to B, each as good as the others (a tie has several); in the
+   world frame. */
   std::vector<Eigen::Vector3d> normals;
   std::optional<int> contacts;  ///< The fewest points that span the contact patch.
 };
@@ -26,7 +28,7 @@ struct ToleranceOverride {
   std::string because;  ///< One sentence, quoted in the report.
 };
 
-/** A claim that a fault of an engine shows in this scenario, to be found again by the suite. */
+/** A claim that a fault of an engine shows in this scenario, to be found again. */
 struct Indictment {
   std::string oracle;   ///< Oracle name, e.g. "fcl/signed_distance".
   std::string anomaly;  ///< What the source says goes wrong, in its words.

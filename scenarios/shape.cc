@@ -29,7 +29,9 @@ struct Radius {
 
 }  // namespace
 
-ShapeKind KindOf(const Shape& shape) { return static_cast<ShapeKind>(shape.index()); }
+ShapeKind KindOf(const Shape& shape) {
+  return static_cast<ShapeKind>(shape.index());
+}
 
 std::string_view NameOf(ShapeKind kind) {
   constexpr std::array<std::string_view, kShapeKinds> kNames = {
@@ -37,6 +39,8 @@ std::string_view NameOf(ShapeKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-double BoundingRadius(const Shape& shape) { return std::visit(Radius{}, shape); }
+double BoundingRadius(const Shape& shape) {
+  return std::visit(Radius{}, shape);
+}
 
 }  // namespace touchstone

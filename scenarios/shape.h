@@ -18,7 +18,7 @@ struct Box {
   Eigen::Vector3d half_extents;  ///< [m], each > 0
 };
 
-/** All points within `radius` of a segment on the body's z axis, centred on its origin. */
+/** All points within `radius` of a segment on the body's z axis, centred on the origin. */
 struct Capsule {
   double radius;       ///< [m], > 0
   double half_length;  ///< Half the segment, without the caps. [m], > 0
@@ -42,7 +42,7 @@ struct ConvexHull {
   std::vector<Eigen::Vector3d> vertices;  ///< Body frame, [m]; at least one.
 };
 
-/** The unbounded solid {x : z <= 0} in its body frame; its outward normal is the body's z. */
+/** The unbounded solid {x : z <= 0} in its body frame; its outward normal is +z. */
 struct HalfSpace {};
 
 /** The closed set of shapes. Adding one breaks every std::visit until each adapter either
@@ -50,15 +50,23 @@ struct HalfSpace {};
 using Shape = std::variant<Sphere, Box, Capsule, Cylinder, Cone, ConvexHull, HalfSpace>;
 
 /** The kinds of shape, in the order of Shape's alternatives. */
-enum class ShapeKind { kSphere, kBox, kCapsule, kCylinder, kCone, kConvexHull, kHalfSpace };
+enum class ShapeKind {
+  kSphere,
+  kBox,
+  kCapsule,
+  kCylinder,
+  kCone,
+  kConvexHull,
+  kHalfSpace
+};
 
 inline constexpr int kShapeKinds = static_cast<int>(std::variant_size_v<Shape>);
 
 /** Returns the kind of `shape`. */
 ShapeKind KindOf(const Shape& shape);
 
-/** Returns the name used in files and tables: "sphere", "box", "capsule", "cylinder", "cone",
- "convex_hull", "half_space". */
+/** Returns the name used in files and tables: "sphere", "box", "capsule", "cylinder",
+ "cone", "convex_hull", "half_space". */
 std::string_view NameOf(ShapeKind kind);
 
 /** Returns the radius of the smallest origin-centred ball that holds `shape`. [m]

@@ -14,17 +14,21 @@ struct Fault {
   std::string expected;  ///< E.g. "a finite length > 0".
 };
 
-/** Largest accepted | |q| − 1 | of a quaternion: a thousand times the rounding of one written
- with 16 digits, far below anything that means a rotation. */
+/** Largest accepted | |q| − 1 | of a quaternion: a thousand times the rounding of one
+ written with 16 digits, far below anything that means a rotation. */
 inline constexpr double kQuaternionSlack = 1e-12;
 
-/** Largest accepted OrthonormalityDefect(): matrices of bug reports come with seven digits, as
- float engines print them. The defect of each query widens its certified band. */
+/** Largest accepted OrthonormalityDefect(): matrices of bug reports come with the seven
+ digits that float engines print. The defect of a query widens its certified band. */
 inline constexpr double kRotationSlack = 1e-6;
 
-/** Returns every fault of `query`; empty for a valid one. Checked before any engine sees it:
- finite numbers, positive sizes, unit quaternion, proper rotation, at least one hull vertex,
- not two half-spaces. */
+/** Returns every fault of `body`; empty for a valid one. Finite numbers, positive sizes,
+ unit quaternion that gives the matrix, proper rotation, at least one hull vertex. `where`
+ is the key that a file uses, e.g. "half_extents[1]". */
+std::vector<Fault> FaultsOf(const Body& body);
+
+/** Returns every fault of `query`; empty for a valid one. Checked before any engine sees
+ it: both bodies valid, not two half-spaces. `where` starts with "A." or "B.". */
 std::vector<Fault> FaultsOf(const ContactQuery& query);
 
 }  // namespace touchstone

@@ -1,0 +1,175 @@
+#include "scenarios/schema/scenario_keys.h"
+
+#include <array>
+
+namespace touchstone {
+namespace {
+
+constexpr Key kFileKeys[] = {
+    {"id", ValueType::kId, true,
+     "The scenario's name: its path in the catalogue, without .toml."},
+    {"title", ValueType::kText, true, "What is there, in one line."},
+    {"source", ValueType::kText, true, "A citation or a derivation."},
+    {"bodies", ValueType::kBodies, true, "The two bodies, each under a name of its own."},
+    {"contact", ValueType::kTable, true, "The question: do A and B touch, and how?",
+     TableKind::kContact},
+    {"expect", ValueType::kTable, false,
+     "What the author derived by hand; checked against the certified truth.",
+     TableKind::kExpect},
+    {"tolerance", ValueType::kTable, false,
+     "How much error is granted beyond rounding, and why.", TableKind::kTolerance},
+    {"indicts", ValueType::kTables, false,
+     "Faults of engines that show here, to be found again by the suite.",
+     TableKind::kIndictment},
+};
+
+constexpr Key kContactKeys[] = {
+    {"A", ValueType::kBodyName, true, "The body that normals point out of."},
+    {"B", ValueType::kBodyName, true, "The body that normals point into."},
+};
+
+constexpr Key kExpectKeys[] = {
+    {"touching", ValueType::kBool, false,
+     "Whether A and B share a point; zero separation counts."},
+    {"separation", ValueType::kNumber, false,
+     "Distance where apart, minus the depth where penetrating. [m]"},
+    {"normals", ValueType::kUnitVectors, false,
+     "Unit normals from A to B in the world frame, each as good as the others."},
+    {"contacts", ValueType::kCount, false,
+     "The fewest contact points that span the contact patch."},
+};
+
+constexpr Key kToleranceKeys[] = {
+    {"separation", ValueType::kLength, true, "Added to the derived tolerance. [m]"},
+    {"because", ValueType::kText, true,
+     "The reason, one sentence, quoted in the report."},
+};
+
+constexpr Key kIndictmentKeys[] = {
+    {"oracle", ValueType::kText, true,
+     "The oracle's name, e.g. \"fcl/signed_distance\"."},
+    {"anomaly", ValueType::kText, true, "What the source says goes wrong, in its words."},
+    {"reproduces", ValueType::kBool, true,
+     "False: fixed since, or a control; the suite must not find it."},
+};
+
+constexpr Key kBodyKeys[] = {
+    {"shape", ValueType::kShape, true,
+     "The kind of shape, centred on the body's origin."},
+    {"position", ValueType::kPoint, false,
+     "The body's origin in the world frame; the world's where absent. [m]"},
+    {"quaternion", ValueType::kQuaternion, false,
+     "The body's orientation, w x y z; the world's where absent."},
+    {"rotation", ValueType::kRotation, false,
+     "The body's orientation as a matrix, three rows; instead of a quaternion."},
+};
+
+constexpr Key kSphereKeys[] = {
+    {"radius", ValueType::kLength, true, "Of the ball. [m]"},
+};
+constexpr Key kBoxKeys[] = {
+    {"half_extents", ValueType::kLengths, true,
+     "Half the lengths of the edges along the body's x, y and z axes. [m]"},
+};
+constexpr Key kCapsuleKeys[] = {
+    {"radius", ValueType::kLength, true, "Of the caps and the tube. [m]"},
+    {"half_length", ValueType::kLength, true,
+     "Half the segment on the body's z axis, without the caps. [m]"},
+};
+constexpr Key kCylinderKeys[] = {
+    {"radius", ValueType::kLength, true, "Of the discs. [m]"},
+    {"half_length", ValueType::kLength, true,
+     "Half the length along the body's z axis. [m]"},
+};
+constexpr Key kConeKeys[] = {
+    {"radius", ValueType::kLength, true, "Of the base disc, at z = -half_height. [m]"},
+    {"half_height", ValueType::kLength, true, "The apex is at z = +half_height. [m]"},
+};
+constexpr Key kConvexHullKeys[] = {
+    {"vertices", ValueType::kPoints, true,
+     "Points in the body frame whose convex hull is the shape. [m]"},
+};
+
+}  // namespace
+
+std::span<const Key> KeysOf(TableKind table) {
+  switch (table) {
+    case TableKind::kFile:
+      return kFileKeys;
+    case TableKind::kContact:
+      return kContactKeys;
+    case TableKind::kExpect:
+      return kExpectKeys;
+    case TableKind::kTolerance:
+      return kToleranceKeys;
+    case TableKind::kIndictment:
+      return kIndictmentKeys;
+  }
+  return {};
+}
+
+std::span<const Key> BodyKeys() {
+  return kBodyKeys;
+}
+
+std::span<const Key> ShapeKeys(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::kSphere:
+      return kSphereKeys;
+    case ShapeKind::kBox:
+      return kBoxKeys;
+    case ShapeKind::kCapsule:
+      return kCapsuleKeys;
+    case ShapeKind::kCylinder:
+      return kCylinderKeys;
+    case ShapeKind::kCone:
+      return kConeKeys;
+    case ShapeKind::kConvexHull:
+      return kConvexHullKeys;
+    case ShapeKind::kHalfSpace:
+      return {};
+  }
+  return {};
+}
+
+std::string_view ExpectationOf(ValueType type) {
+  switch (type) {
+    case ValueType::kText:
+      return "a string that says something";
+    case ValueType::kId:
+      return "a string: levels of a-z, 0-9 and _ joined by slashes";
+    case ValueType::kBodyName:
+      return "the name of a body";
+    case ValueType::kShape:
+      return "one of sphere, box, capsule, cylinder, cone, convex_hull, half_space";
+    case ValueType::kBool:
+      return "true or false";
+    case ValueType::kCount:
+      return "a count, 0 or more";
+    case ValueType::kNumber:
+      return "a finite number";
+    case ValueType::kLength:
+      return "a finite length > 0";
+    case ValueType::kPoint:
+      return "three finite numbers";
+    case ValueType::kLengths:
+      return "three finite lengths > 0";
+    case ValueType::kPoints:
+      return "a list of points, three numbers each";
+    case ValueType::kUnitVectors:
+      return "a list of unit vectors, three numbers each";
+    case ValueType::kQuaternion:
+      return "four numbers w, x, y, z";
+    case ValueType::kRotation:
+      return "three rows of three numbers";
+    case ValueType::kTable:
+      return "a table";
+    case ValueType::kBodies:
+      return "two bodies, each a table under its name";
+    case ValueType::kTables:
+      return "a list of tables";
+  }
+  return {};
+}
+
+}  // namespace touchstone

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "scenarios/scenario.h"
+
+namespace touchstone {
+
+/** Returns whether two scenarios are the same bit for bit: a -0 is not a 0. */
+bool SameBits(const Scenario& a, const Scenario& b);
+
+/** Returns whether two questions are the same bit for bit. */
+bool SameBits(const ContactQuery& a, const ContactQuery& b);
+
+}  // namespace touchstone
