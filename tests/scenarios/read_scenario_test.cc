@@ -103,9 +103,10 @@ TEST(ReadScenario, PlacesABodyWithoutAPoseAtTheOrigin) {
 
 TEST(ReadScenario, KeepsARotationMatrixAsItIs) {
   // A third of a turn about (1, 1, 1) carries x to y, y to z and z to x.
-  const ReadResult result = ReadScenario(
-      With("quaternion = [0.6, 0.0, 0.8, 0]", "rotation = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]"),
-      "f.toml");
+  const ReadResult result =
+      ReadScenario(With("quaternion = [0.6, 0.0, 0.8, 0]",
+                        "rotation = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]"),
+                   "f.toml");
   ASSERT_TRUE(result.scenario) << ToString(result.diagnostics.at(0));
   const Pose& X_WB = result.scenario->contact.A.X_WB;
   EXPECT_FALSE(X_WB.q_WB);
@@ -114,22 +115,24 @@ TEST(ReadScenario, KeepsARotationMatrixAsItIs) {
 
 TEST(ReadScenario, SuggestsTheNearestKeyForAnUnknownOne) {
   EXPECT_THAT(ErrorsOf(With("radius", "raduis")),
-              ElementsAre("f.toml:11:2: bodies.ball.radius is missing; "
+              ElementsAre("f.toml:11:1: bodies.ball.radius is missing; "
                           "expected a finite length > 0",
                           "f.toml:13:1: unknown key \"raduis\" in bodies.ball; "
                           "expected \"radius\""));
 }
 
 TEST(ReadScenario, ListsTheKnownKeysWhereNoneIsNear) {
-  EXPECT_THAT(ErrorsOf(With("radius = ", "radius = 1\nmass = ")),
-              ElementsAre("f.toml:14:1: unknown key \"mass\" in bodies.ball; expected one of "
-                          "shape, position, quaternion, rotation, radius"));
+  EXPECT_THAT(
+      ErrorsOf(With("radius = ", "radius = 1\nmass = ")),
+      ElementsAre("f.toml:14:1: unknown key \"mass\" in bodies.ball; expected one of "
+                  "shape, position, quaternion, rotation, radius"));
 }
 
 TEST(ReadScenario, RefusesAKeyOfAnotherShape) {
-  EXPECT_THAT(ErrorsOf(With("radius = ", "radius = 1\nhalf_height = ")),
-              ElementsAre("f.toml:14:1: unknown key \"half_height\" in bodies.ball; expected "
-                          "one of shape, position, quaternion, rotation, radius"));
+  EXPECT_THAT(
+      ErrorsOf(With("radius = ", "radius = 1\nhalf_height = ")),
+      ElementsAre("f.toml:14:1: unknown key \"half_height\" in bodies.ball; expected "
+                  "one of shape, position, quaternion, rotation, radius"));
 }
 
 TEST(ReadScenario, RefusesNaN) {
@@ -153,9 +156,10 @@ TEST(ReadScenario, RefusesASizeThatIsNotPositive) {
 }
 
 TEST(ReadScenario, RefusesAQuaternionThatIsNotUnit) {
-  EXPECT_THAT(ErrorsOf(With("0.8, 0]", "0.8, 1]")),
-              ElementsAre("f.toml:9:14: bodies.post.quaternion has norm 1.4142135623730951; "
-                          "expected a unit quaternion w, x, y, z, to 1e-12"));
+  EXPECT_THAT(
+      ErrorsOf(With("0.8, 0]", "0.8, 1]")),
+      ElementsAre("f.toml:9:14: bodies.post.quaternion has norm 1.4142135623730951; "
+                  "expected a unit quaternion w, x, y, z, to 1e-12"));
 }
 
 TEST(ReadScenario, RefusesARotationThatMirrors) {
@@ -168,11 +172,10 @@ TEST(ReadScenario, RefusesARotationThatMirrors) {
 
 TEST(ReadScenario, RefusesAMatrixThatIsNoRotation) {
   // The first row is (1, 0.5, 0): RᵀR has 0.5 off its diagonal, and 1 + 0.25 on it.
-  EXPECT_THAT(
-      ErrorsOf(With("quaternion = [0.6, 0.0, 0.8, 0]",
-                    "rotation = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]")),
-      ElementsAre("f.toml:9:12: bodies.post.rotation is off orthonormal by 0.5; "
-                  "expected three orthonormal rows of determinant +1, to 1e-06"));
+  EXPECT_THAT(ErrorsOf(With("quaternion = [0.6, 0.0, 0.8, 0]",
+                            "rotation = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]")),
+              ElementsAre("f.toml:9:12: bodies.post.rotation is off orthonormal by 0.5; "
+                          "expected three orthonormal rows of determinant +1, to 1e-06"));
 }
 
 TEST(ReadScenario, RefusesAQuaternionBesideARotation) {
@@ -198,17 +201,17 @@ TEST(ReadScenario, RefusesABodyThatTouchesItself) {
 }
 
 TEST(ReadScenario, RefusesAThirdBody) {
-  EXPECT_THAT(ErrorsOf(With("[contact]", "[bodies.idle]\nshape = \"half_space\"\n[contact]")),
-              ElementsAre("f.toml:15:1: bodies.idle is not in the question; "
-                          "expected two bodies, contact.A and contact.B"));
+  EXPECT_THAT(
+      ErrorsOf(With("[contact]", "[bodies.idle]\nshape = \"half_space\"\n[contact]")),
+      ElementsAre("f.toml:15:1: bodies.idle is not in the question; "
+                  "expected two bodies, contact.A and contact.B"));
 }
 
 TEST(ReadScenario, RefusesABodyNameThatNeedsQuotes) {
-  EXPECT_THAT(
-      ErrorsOf(With("[bodies.ball]", "[bodies.\"a ball\"]",
-                    With("B = \"ball\"", "B = \"a ball\""))),
-      ElementsAre("f.toml:11:9: a body is named \"a ball\"; "
-                  "expected a name of A-Z, a-z, 0-9, _ and -"));
+  EXPECT_THAT(ErrorsOf(With("[bodies.ball]", "[bodies.\"a ball\"]",
+                            With("B = \"ball\"", "B = \"a ball\""))),
+              ElementsAre("f.toml:11:9: a body is named \"a ball\"; "
+                          "expected a name of A-Z, a-z, 0-9, _ and -"));
 }
 
 TEST(ReadScenario, RefusesAValueOfTheWrongType) {
@@ -221,8 +224,9 @@ TEST(ReadScenario, RefusesAValueOfTheWrongType) {
   EXPECT_THAT(ErrorsOf(With("[1, 2.5, 3.0]", "[1, true, 3.0]")),
               ElementsAre("f.toml:7:20: bodies.post.half_extents[1] is a boolean; "
                           "expected a finite number"));
-  EXPECT_THAT(ErrorsOf(With("touching = true", "touching = 1979-05-27")),
-              ElementsAre("f.toml:20:12: expect.touching is a date; expected true or false"));
+  EXPECT_THAT(
+      ErrorsOf(With("touching = true", "touching = 1979-05-27")),
+      ElementsAre("f.toml:20:12: expect.touching is a date; expected true or false"));
   EXPECT_THAT(ErrorsOf(With("contacts = 1", "contacts = 1.0")),
               ElementsAre("f.toml:23:12: expect.contacts is a floating-point number; "
                           "expected a count, 0 or more"));
@@ -240,9 +244,10 @@ TEST(ReadScenario, RefusesAListOfTheWrongLength) {
 }
 
 TEST(ReadScenario, RefusesAShapeItDoesNotKnowWithoutFurtherComplaint) {
-  EXPECT_THAT(ErrorsOf(With("\"sphere\"", "\"ball\"")),
-              ElementsAre("f.toml:12:9: bodies.ball.shape is \"ball\"; expected one of "
-                          "sphere, box, capsule, cylinder, cone, convex_hull, half_space"));
+  EXPECT_THAT(
+      ErrorsOf(With("\"sphere\"", "\"ball\"")),
+      ElementsAre("f.toml:12:9: bodies.ball.shape is \"ball\"; expected one of "
+                  "sphere, box, capsule, cylinder, cone, convex_hull, half_space"));
 }
 
 TEST(ReadScenario, RefusesAHullWithoutVertices) {
@@ -253,13 +258,12 @@ TEST(ReadScenario, RefusesAHullWithoutVertices) {
 }
 
 TEST(ReadScenario, RefusesTwoHalfSpaces) {
-  EXPECT_THAT(
-      ErrorsOf(With("shape = \"sphere\"\nradius = 0.3333333333333333",
-                    "shape = \"half_space\"",
-                    With("shape = \"box\"\nhalf_extents = [1, 2.5, 3.0]",
-                         "shape = \"half_space\""))),
-      ElementsAre("f.toml:11:9: bodies.ball.shape is \"half_space\" like that of "
-                  "bodies.post; expected at most one half_space"));
+  EXPECT_THAT(ErrorsOf(With("shape = \"sphere\"\nradius = 0.3333333333333333",
+                            "shape = \"half_space\"",
+                            With("shape = \"box\"\nhalf_extents = [1, 2.5, 3.0]",
+                                 "shape = \"half_space\""))),
+              ElementsAre("f.toml:11:9: bodies.ball.shape is \"half_space\" like that of "
+                          "bodies.post; expected at most one half_space"));
 }
 
 TEST(ReadScenario, RefusesAFileWithoutARequiredKey) {
@@ -292,8 +296,9 @@ TEST(ReadScenario, RefusesAnExpectedNormalThatIsNotUnit) {
 }
 
 TEST(ReadScenario, RefusesANegativeCountOfContacts) {
-  EXPECT_THAT(ErrorsOf(With("contacts = 1", "contacts = -1")),
-              ElementsAre("f.toml:23:12: expect.contacts is -1; expected a count, 0 or more"));
+  EXPECT_THAT(
+      ErrorsOf(With("contacts = 1", "contacts = -1")),
+      ElementsAre("f.toml:23:12: expect.contacts is -1; expected a count, 0 or more"));
 }
 
 TEST(ReadScenario, RefusesACountBeyondAnInt) {
@@ -309,15 +314,17 @@ TEST(ReadScenario, RefusesAToleranceThatGrantsNothing) {
 }
 
 TEST(ReadScenario, NamesThePlaceOfASyntaxError) {
-  EXPECT_THAT(ErrorsOf("id = \"a\"\ntitle = [1, \n"),
-              ElementsAre("f.toml:3:1: Error while parsing array: encountered end-of-file; "
-                          "expected valid TOML 1.0"));
+  EXPECT_THAT(
+      ErrorsOf("id = \"a\"\ntitle = [1, \n"),
+      ElementsAre("f.toml:2:14: Error while parsing array: encountered end-of-file; "
+                  "expected valid TOML 1.0"));
 }
 
 TEST(ReadScenario, RefusesAKeyGivenTwice) {
-  EXPECT_THAT(ErrorsOf("id = \"a\"\nid = \"b\"\n"),
-              ElementsAre("f.toml:2:1: Error while parsing key-value pair: cannot redefine "
-                          "existing string 'id'; expected valid TOML 1.0"));
+  EXPECT_THAT(
+      ErrorsOf("id = \"a\"\nid = \"b\"\n"),
+      ElementsAre("f.toml:2:6: Error while parsing key-value pair: cannot redefine "
+                  "existing string 'id'; expected valid TOML 1.0"));
 }
 
 TEST(ReadScenario, ReportsEveryErrorInTheOrderOfLines) {

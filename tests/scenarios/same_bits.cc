@@ -60,7 +60,8 @@ bool Same(const Body& a, const Body& b) {
 }
 
 bool Same(const ContactExpectation& a, const ContactExpectation& b) {
-  return a.touching == b.touching && a.separation.has_value() == b.separation.has_value() &&
+  return a.touching == b.touching &&
+         a.separation.has_value() == b.separation.has_value() &&
          (!a.separation || Same(*a.separation, *b.separation)) &&
          Same(a.normals, b.normals) && a.contacts == b.contacts;
 }

@@ -1,0 +1,32 @@
+#include "scenarios/schema/nearest_name.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace touchstone {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames = {"radius", "half_length",
+                                                    "half_height", "position"};
+
+TEST(NearestName, FindsASlipOfEachKind) {
+  EXPECT_EQ(NearestName("raduis", kNames), "radius");            // swapped
+  EXPECT_EQ(NearestName("radus", kNames), "radius");             // left out
+  EXPECT_EQ(NearestName("raddius", kNames), "radius");           // put in
+  EXPECT_EQ(NearestName("half-height", kNames), "half_height");  // replaced
+}
+
+TEST(NearestName, OfTwoNearNamesTakesTheNearer) {
+  // Five letters from half_length, one from half_height.
+  EXPECT_EQ(NearestName("half_heighth", kNames), "half_height");
+}
+
+TEST(NearestName, DoesNotGuessWhereMoreThanAThirdDiffers) {
+  EXPECT_EQ(NearestName("mass", kNames), "");
+  EXPECT_EQ(NearestName("pos", kNames), "");
+  EXPECT_EQ(NearestName("", kNames), "");
+}
+
+}  // namespace
+}  // namespace touchstone
