@@ -1,0 +1,205 @@
+#include "oracles/ode/ode_oracles.h"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include <ode/ode.h>
+
+#include "oracles/no_answer.h"
+#include "oracles/ode/ode_contact_point.h"
+#include "oracles/ode/ode_geom.h"
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3d;
+
+// As many points as ODE returns for a pair of boxes.
+constexpr int kMaxContacts = 8;
+using Contacts = std::array<dContactGeom, kMaxContacts>;
+
+int Collide(const OdeGeom& a, const OdeGeom& b, Contacts& contacts) {
+  if (!a || !b) return 0;
+  return dCollide(a.get(), b.get(), kMaxContacts, contacts.data(), sizeof(dContactGeom));
+}
+
+// ODE is process-wide. It is never closed: oracles may be asked until the process ends.
+void Initialise() {
+  static const int initialised = dInitODE2(0);
+  (void)initialised;
+}
+
+std::string FamilyOf(ShapeKind a, ShapeKind b) {
+  const auto either = [&](ShapeKind kind) { return a == kind || b == kind; };
+  const auto both = [&](ShapeKind kind) { return a == kind && b == kind; };
+  if (either(ShapeKind::kHalfSpace)) return "closed_form";
+  if (either(ShapeKind::kConvexHull)) return "mpr";
+  if (both(ShapeKind::kBox)) return "box_box_sat";
+  if (either(ShapeKind::kCylinder)) {
+    if (either(ShapeKind::kSphere)) return "closed_form";
+    return either(ShapeKind::kBox) ? "cylinder_box_sat" : "mpr";
+  }
+  if (either(ShapeKind::kBox) && either(ShapeKind::kCapsule)) return "segment_box";
+  return "closed_form";
+}
+
+Capability CapabilityOf(ShapeKind a, ShapeKind b) {
+  Capability capability;
+  if (a == ShapeKind::kCone || b == ShapeKind::kCone) {
+    capability.reason = "ODE has no cone";
+    return capability;
+  }
+  if (a == ShapeKind::kHalfSpace && b == ShapeKind::kHalfSpace) {
+    capability.reason = "ODE does not collide planes";
+    return capability;
+  }
+  capability.supported = true;
+  capability.family = FamilyOf(a, b);
+  capability.depth = true;
+  capability.normal = true;
+  capability.manifold = true;
+  if (capability.family == "mpr") {
+    capability.documented_error = 1e-6;
+    capability.documented_by =
+        "ODE sets ccd_t::mpr_tolerance in ccdCollide(), "
+        "ode/src/collision_libccd.cpp";
+  }
+  return capability;
+}
+
+OracleInfo MakeInfo() {
+  OracleInfo info;
+  info.name = "ode";
+  info.library = "ODE";
+  info.version = dODE_VERSION;
+  info.settings = {
+      {"build", dGetConfiguration(), "What dGetConfiguration() says of the library."},
+      {"entry point", "dCollide, geoms made per question, no space",
+       "Spaces add culling, which is not what is asked."},
+      {"contacts", std::to_string(kMaxContacts), "As many as box on box can give."},
+      {"normal", "B->A, negated", "dContactGeom::normal points into g1."},
+      {"depth sign", "positive penetrating, negated", "dContactGeom::depth."},
+      {"contact position", "moved along the normal to midway",
+       "A surface point for most pairs: the table is in ode_contact_point.h."},
+      {"contact position, MPR pairs", "as it comes",
+       "Somewhere in the overlap, along no surface."},
+      {"answer's normal and separation", "of the deepest contact",
+       "Contacts of one pair may differ in both."},
+      {"sizes", "doubled", "dCreateBox, -Capsule and -Cylinder take full lengths."},
+      {"half-space", "dCreatePlane(n, n·p)", "A plane geom has no pose."},
+      {"convex hull", "faces computed here, origin moved inside if it is not",
+       "dCreateConvex takes planes and polygons; MPR starts from the origin."},
+  };
+  for (int a = 0; a < kShapeKinds; ++a) {
+    for (int b = 0; b < kShapeKinds; ++b) {
+      info.capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] =
+          CapabilityOf(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
+    }
+  }
+  return info;
+}
+
+ContactAnswer Translate(const ContactQuery& query, const Contacts& contacts, int count) {
+  ContactAnswer answer;
+  answer.status = AnswerStatus::kAnswered;
+  answer.touching = count > 0;
+  for (int i = 0; i < count; ++i) {
+    const dContactGeom& contact = contacts[static_cast<std::size_t>(i)];
+    const Vector3d n_AB_W = -Eigen::Map<const Vector3d>(contact.normal);
+    const Vector3d p_W = Eigen::Map<const Vector3d>(contact.pos);
+    answer.points.push_back(
+        {MidwayPoint(query, {p_W, n_AB_W, contact.depth}), -contact.depth, n_AB_W});
+    if (i == 0 || -contact.depth < *answer.separation) {
+      answer.separation = -contact.depth;
+      answer.n_AB_W = n_AB_W;
+    }
+  }
+  for (ContactPoint& point : answer.points) {
+    if (point.n_AB_W == answer.n_AB_W) point.n_AB_W.reset();
+  }
+  return answer;
+}
+
+class OdeBatch final : public PreparedBatch {
+ public:
+  explicit OdeBatch(std::span<const ContactQuery> queries)
+      : separations_(queries.size()) {
+    for (const ContactQuery& query : queries) {
+      pairs_.push_back({OdeGeom(query.A), OdeGeom(query.B)});
+    }
+  }
+
+  void Run() override {
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      Contacts contacts;
+      const int count = Collide(pairs_[i].a, pairs_[i].b, contacts);
+      double separation = std::numeric_limits<double>::quiet_NaN();
+      for (int k = 0; k < count; ++k) {
+        const double depth = contacts[static_cast<std::size_t>(k)].depth;
+        if (k == 0 || -depth < separation) separation = -depth;
+      }
+      separations_[i] = separation;
+    }
+  }
+
+  std::span<const double> separations() const override { return separations_; }
+
+ private:
+  struct Pair {
+    OdeGeom a;
+    OdeGeom b;
+  };
+  std::vector<Pair> pairs_;
+  std::vector<double> separations_;
+};
+
+class OdeOracle final : public Oracle {
+ public:
+  OdeOracle() : info_((Initialise(), MakeInfo())) {}
+
+  const OracleInfo& info() const override { return info_; }
+
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery> queries,
+              std::span<ContactAnswer> answers) const override {
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      try {
+        answers[i] = AnswerOne(queries[i]);
+      } catch (...) {
+        answers[i] = CrashedByException();
+      }
+    }
+  }
+
+  std::unique_ptr<PreparedBatch> Prepare(
+      std::span<const ContactQuery> queries) const override {
+    return std::make_unique<OdeBatch>(queries);
+  }
+
+ private:
+  ContactAnswer AnswerOne(const ContactQuery& query) const {
+    const Capability& capability =
+        info_.For(KindOf(query.A.shape), KindOf(query.B.shape));
+    if (!capability.supported) return UnsupportedAnswer(capability.reason);
+    const OdeGeom a(query.A);
+    const OdeGeom b(query.B);
+    if (!a || !b) return UnsupportedAnswer("ODE wants convex hulls to have volume");
+    Contacts contacts;
+    const int count = Collide(a, b, contacts);
+    return Translate(query, contacts, count);
+  }
+
+  OracleInfo info_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Oracle>> OdeOracles() {
+  std::vector<std::unique_ptr<Oracle>> oracles;
+  oracles.push_back(std::make_unique<OdeOracle>());
+  return oracles;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,152 @@
+#include "oracles/ode/ode_oracles.h"
+
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/oracles/constructed_contact.h"
+#include "tests/oracles/surface.h"
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3d;
+
+// A few dozen roundings of numbers of a few metres.
+constexpr double kRounding = 64 * 4 * 0x1p-53;  // [m]
+
+const Oracle& Ode() {
+  static const auto oracles = OdeOracles();
+  return *oracles.front();
+}
+
+// What ODE is documented, or its formula bound, to keep to when bodies overlap by
+// `depth`.
+Allowed AllowedFor(ShapeKind a, ShapeKind b, double depth) {
+  const Capability& capability = Ode().info().For(a, b);
+  if (capability.family == "mpr") {
+    // The point is somewhere in the overlap. Features are 0.2 m wide or more, so an error
+    // of the depth is one of the normal 5 times as large.
+    const double error = kRounding + capability.documented_error;
+    return {error, error / 0.2, depth / 2 + error};
+  }
+  if (capability.family == "cylinder_box_sat") {
+    // It takes sin from sqrt(1 − cos²): sqrt of two roundings, times the radius.
+    const double error = 0.35 * std::sqrt(2 * 0x1p-53) + kRounding;
+    return {error, kRounding, error};
+  }
+  return {kRounding, kRounding, kRounding};
+}
+
+bool IsSupported(ShapeKind a, ShapeKind b) {
+  return Ode().info().For(a, b).supported;
+}
+
+TEST(OdeOracle, AnswersInTheProjectsConventions) {
+  int supported = 0;
+  for (const auto& [a, b] : AllPairs()) {
+    SCOPED_TRACE(std::string(NameOf(a)) + " against " + std::string(NameOf(b)));
+    if (!IsSupported(a, b)) continue;
+    ++supported;
+    const ConstructedContact deep = PutTogether(a, b, -2e-3);
+    ContactAnswer answer = Ode().Answer(deep.query);
+    EXPECT_TRUE(answer.separation && answer.n_AB_W);
+    EXPECT_FALSE(answer.points.empty());
+    ExpectMatches(answer, deep, AllowedFor(a, b, 2e-3));
+
+    const ConstructedContact apart = PutTogether(a, b, 2e-3);
+    answer = Ode().Answer(apart.query);
+    ExpectMatches(answer, apart, AllowedFor(a, b, 0));
+    EXPECT_FALSE(answer.separation);
+    EXPECT_TRUE(answer.points.empty());
+  }
+  EXPECT_EQ(supported, 6 * 6 - 1);  // All but cones, and but a plane against a plane.
+}
+
+// Any depth, any attitude: for pairs on which ODE is exact, p ± n depth/2 are on the
+// surfaces.
+TEST(OdeOracle, PutsEveryContactMidwayThroughItsOverlap) {
+  std::mt19937_64 random(20240611);
+  const ShapeKind sphere = ShapeKind::kSphere;
+  const ShapeKind box = ShapeKind::kBox;
+  const std::pair<ShapeKind, ShapeKind> pairs[] = {
+      {sphere, sphere},
+      {sphere, box},
+      {box, sphere},
+      {sphere, ShapeKind::kCapsule},
+      {ShapeKind::kCylinder, sphere},
+      {sphere, ShapeKind::kHalfSpace},
+      {box, box},
+      {ShapeKind::kHalfSpace, box},
+      {ShapeKind::kConvexHull, ShapeKind::kHalfSpace}};
+  for (const auto& [a, b] : pairs) {
+    int contacts = 0;
+    for (int i = 0; i < 300; ++i) {
+      const ContactQuery query = {{RandomShape(a, random), RandomPose(0.8, random)},
+                                  {RandomShape(b, random), RandomPose(0.8, random)}};
+      const ContactAnswer answer = Ode().Answer(query);
+      ASSERT_EQ(answer.status, AnswerStatus::kAnswered);
+      for (const ContactPoint& point : answer.points) {
+        const Vector3d half_gap_W = point.separation / 2 * *answer.n_AB_W;
+        // Edge points of two boxes come from a division by sin² of the edges' angle.
+        constexpr double kIllConditioned = 1e-9;
+        EXPECT_NEAR(HeightAboveSurface(query.A, point.p_WC - half_gap_W), 0,
+                    kIllConditioned)
+            << NameOf(a) << " on " << NameOf(b) << ", question " << i;
+        EXPECT_NEAR(HeightAboveSurface(query.B, point.p_WC + half_gap_W), 0,
+                    kIllConditioned)
+            << NameOf(a) << " on " << NameOf(b) << ", question " << i;
+        ++contacts;
+      }
+    }
+    EXPECT_GT(contacts, 100) << NameOf(a) << " on " << NameOf(b);
+  }
+}
+
+TEST(OdeOracle, TakesHullsWhoseOriginIsFarOutside) {
+  const ConstructedContact near =
+      PutTogether(ShapeKind::kConvexHull, ShapeKind::kBox, -2e-3);
+  ConstructedContact far = near;
+  const Vector3d offset(3, -2, 5);
+  for (Vector3d& vertex : std::get<ConvexHull>(far.query.A.shape).vertices)
+    vertex += offset;
+  far.query.A.X_WB.p_WB -= far.query.A.X_WB.R_WB * offset;
+  ExpectMatches(Ode().Answer(far.query), far,
+                AllowedFor(ShapeKind::kConvexHull, ShapeKind::kBox, 2e-3));
+}
+
+TEST(OdeOracle, SaysThatAFlatHullIsUnsupported) {
+  ConstructedContact contact =
+      PutTogether(ShapeKind::kConvexHull, ShapeKind::kBox, -2e-3);
+  contact.query.A.shape = ConvexHull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const ContactAnswer answer = Ode().Answer(contact.query);
+  EXPECT_EQ(answer.status, AnswerStatus::kUnsupported);
+  EXPECT_FALSE(answer.reason.empty());
+}
+
+TEST(OdeOracle, SaysTheSameWhenPrepared) {
+  std::mt19937_64 random(5);
+  std::vector<ContactQuery> queries;
+  for (int i = 0; i < 200; ++i) {
+    queries.push_back(
+        {{RandomShape(ShapeKind::kBox, random), RandomPose(0.8, random)},
+         {RandomShape(ShapeKind::kSphere, random), RandomPose(0.8, random)}});
+  }
+  const auto batch = Ode().Prepare(queries);
+  batch->Run();
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const ContactAnswer answer = Ode().Answer(queries[i]);
+    EXPECT_EQ(std::isnan(batch->separations()[i]), !answer.touching);
+    if (answer.touching) {
+      EXPECT_EQ(batch->separations()[i], answer.separation);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace touchstone
