@@ -24,40 +24,40 @@ enum class Cause {
   kNone,        ///< It does not.
   kConvention,  ///< A known convention, applied, brings it to the truth.
   kTie,         ///< Another answer is equally right.
-  kPrecision,   ///< The engine's arithmetic: rounding the input at the engine's precision moves
-                ///< the truth, or its answer, as much as the error.
-  kModel,       ///< A documented model (rounded corners, a margin) answers another question.
-  kDefect,      ///< None of these.
+  kPrecision,   ///< The engine's arithmetic: rounding the input at the engine's precision
+               ///< moves the truth, or its answer, as much as the error.
+  kModel,   ///< A documented model (rounded corners, a margin) answers another question.
+  kDefect,  ///< None of these.
 };
 
 /** The comparable numbers of a contact answer. Each is one small function in
  reports/measures/, which holds formula, unit and source. */
 enum class MeasureKind {
-  kTouching,             ///< 0 right, 1 wrong. [-]
-  kSeparationError,      ///< |separation − truth|. [m]
-  kConsistencyError,     ///< |depth − o(n)|: does its depth agree with its own normal. [m]
-  kExcess,               ///< o(n) − depth*: how much shorter another direction is. [m]
-  kDualityGap,           ///< |p_B − p_A| − support gap along its own direction. [m]
+  kTouching,          ///< 0 right, 1 wrong. [-]
+  kSeparationError,   ///< |separation − truth|. [m]
+  kConsistencyError,  ///< |depth − o(n)|: does its depth agree with its own normal. [m]
+  kExcess,            ///< o(n) − depth*: how much shorter another direction is. [m]
+  kDualityGap,        ///< |p_B − p_A| − support gap along its own direction. [m]
   kContactSurfaceError,  ///< How far p ∓ n s/2 are from the surfaces. [m]
   kContactOffPatch,      ///< How far a deepest contact lies outside the true patch. [m]
-  kPatchCoverage,        ///< Share of the patch's extent left unspanned by its contacts. [-]
-  kContactCount,         ///< Contacts short of, or beyond, what the patch needs. [-]
-  kContactTooDeep,       ///< How much a contact is deeper than the truth. [m]
-  kMixedNormals,         ///< Largest angle between the normals of one manifold. [rad]
-  kSwap,                 ///< Change when A and B are swapped. [m]
-  kRigidMotion,          ///< Change when both move rigidly. [m]
-  kScaling,              ///< Change, relative to the scale, when everything is scaled. [m]
-  kRelabelling,          ///< Change when a box's axes are relabelled. [m]
-  kPerturbation,         ///< Change beyond what a tiny motion of B can cause. [m]
-  kAnswering,            ///< 0 answered, 1 crashed, timed out or invalid. [-]
+  kPatchCoverage,   ///< Share of the patch's extent left unspanned by its contacts. [-]
+  kContactCount,    ///< Contacts short of, or beyond, what the patch needs. [-]
+  kContactTooDeep,  ///< How much a contact is deeper than the truth. [m]
+  kMixedNormals,    ///< Largest angle between the normals of one manifold. [rad]
+  kSwap,            ///< Change when A and B are swapped. [m]
+  kRigidMotion,     ///< Change when both move rigidly. [m]
+  kScaling,         ///< Change, relative to the scale, when everything is scaled. [m]
+  kRelabelling,     ///< Change when a box's axes are relabelled. [m]
+  kPerturbation,    ///< Change beyond what a tiny motion of B can cause. [m]
+  kAnswering,       ///< 0 answered, 1 crashed, timed out or invalid. [-]
 };
 
 /** One oracle, one scenario, one measure: a number and what it means. */
 struct Finding {
   std::string scenario;
   std::string oracle;
-  /** The oracle whose answer is the other side; "referee" for the certified truth, empty for
-   the metamorphic measures, which need none. */
+  /** The oracle whose answer is the other side; "referee" for the certified truth, empty
+   for the metamorphic measures, which need none. */
   std::string reference;
   MeasureKind measure;
   double value = 0;
@@ -66,8 +66,8 @@ struct Finding {
   Verdict verdict = Verdict::kPass;
   Cause cause = Cause::kNone;
   std::string cause_because;  ///< E.g. "depth is half the overlap along its own normal".
-  /** The proof as a sentence: "fcl/collide says 0.0135 along n; moving B by 0.01341 along m
-   separates them." Empty for passes. */
+  /** The proof as a sentence: "fcl/collide says 0.0135 along n; moving B by 0.01341 along
+   m separates them." Empty for passes. */
   std::string proof;
   /** The ledger entry that makes it `known`: its index in the ledger file. */
   std::optional<int> ledger_entry;

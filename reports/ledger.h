@@ -13,28 +13,32 @@ namespace touchstone {
 
 /** A known and accepted difference. */
 struct LedgerEntry {
-  std::string scenarios;  ///< Glob over scenario ids: '*' within a level, '**' across levels.
-  std::string oracle;     ///< Exact oracle name.
-  std::string version;    ///< Library version it was seen in; another version voids the entry.
+  std::string
+      scenarios;  ///< Glob over scenario ids: '*' within a level, '**' across levels.
+  std::string oracle;  ///< Exact oracle name.
+  std::string
+      version;  ///< Library version it was seen in; another version voids the entry.
   std::vector<MeasureKind> measures;
   /** The verdict it excuses: kFail, kDisagree, kInvalid, kCrashed or kTimedOut. */
   Verdict verdict = Verdict::kFail;
-  /** Largest accepted value relative to SceneSize(), or absolute for dimensionless measures. A
-   worse value fails the run. */
+  /** Largest accepted value relative to SceneSize(), or absolute for dimensionless
+   measures. A worse value fails the run. */
   double bound = 0;
   Cause cause = Cause::kDefect;
-  std::string reason;    ///< One or two sentences: what goes wrong and why.
-  std::string upstream;  ///< Link or issue "owner/repo#123"; "unreported" where there is none.
-  std::string expires;   ///< ISO date after which the entry must be looked at again.
-  int line = 0;          ///< Of the entry in its file.
+  std::string reason;  ///< One or two sentences: what goes wrong and why.
+  std::string
+      upstream;  ///< Link or issue "owner/repo#123"; "unreported" where there is none.
+  std::string expires;  ///< ISO date after which the entry must be looked at again.
+  int line = 0;         ///< Of the entry in its file.
 };
 
 /** What an entry did in a run. Both sides fail: exceeded, and no longer reproduced. */
 struct LedgerUse {
   int hidden = 0;    ///< Findings that it made `known`.
   double worst = 0;  ///< Largest value among them, in the unit of `bound`.
-  int candidates = 0;  ///< Findings in its scenarios, for its oracle and measures, whatever the
-                       ///< verdict: an entry without candidates was not put to the test.
+  int candidates =
+      0;  ///< Findings in its scenarios, for its oracle and measures, whatever the
+          ///< verdict: an entry without candidates was not put to the test.
 };
 
 /** The known discrepancies, scenarios/known_discrepancies.toml. */

@@ -23,24 +23,32 @@ struct ScenarioResult {
 
 /** The outcome of a run: data for the writers, which add nothing to it. */
 struct RunReport {
-  std::string subject;              ///< Name of the oracle under examination.
-  std::vector<OracleInfo> oracles;  ///< The subject first, then the references.
+  std::string subject;                    ///< Name of the oracle under examination.
+  std::vector<OracleInfo> oracles;        ///< The subject first, then the references.
   std::vector<ScenarioResult> scenarios;  ///< In the order of their ids.
-  /** Sorted by scenario, then oracle (as above), then measure. One finding per measure that
-   applies; a question that an oracle does not support gives one kUnsupported finding. */
+  /** Sorted by scenario, then oracle (as above), then measure. One finding per measure
+   that applies; a question that an oracle does not support gives one kUnsupported
+   finding. */
   std::vector<Finding> findings;
   Ledger ledger;
   std::vector<LedgerUse> ledger_use;  ///< Per entry of the ledger.
-  /** Faults of the catalogue and the ledger that fail the run: an expectation that the truth
-   contradicts, an indictment not found again, an entry exceeded, expired or improved. One
-   sentence each, with what to do. */
+  /** Faults of the catalogue and the ledger that fail the run: an expectation that the
+   truth contradicts, an indictment not found again, an entry exceeded, expired or
+   improved. One sentence each, with what to do. */
   std::vector<std::string> faults;
 };
 
 /** How to run. */
 struct RunOptions {
   int jobs = 0;  ///< Threads; 0: one per core. The result does not depend on it.
-  /** Called with (done, total) question-oracle pairs, from one thread at a time; may be empty. */
+  /** ISO date, e.g. "2025-03-31", against which ledger entries expire; empty: none does.
+   Passed in, so that no judge reads the clock. */
+  std::string today;
+  /** The scenarios are not the whole catalogue: a ledger entry that hides nothing may
+   still be needed by those left out, and is not called improved. */
+  bool partial = false;
+  /** Called with (done, total) question-oracle pairs, from one thread at a time; may be
+   * empty. */
   std::function<void(std::size_t, std::size_t)> on_progress;
 };
 
@@ -55,7 +63,8 @@ enum class FailOn {
   kSubject,   ///< Only the subject's failures and the catalogue's own faults count.
 };
 
-/** Returns the exit code of a run: 0 all pass or known, 1 failures, 2 nothing verified. */
+/** Returns the exit code of a run: 0 all pass or known, 1 failures, 2 nothing verified.
+ */
 int ExitCode(const RunReport& report, FailOn fail_on);
 
 }  // namespace touchstone

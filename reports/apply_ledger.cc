@@ -1,0 +1,121 @@
+#include "reports/apply_ledger.h"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "reports/glob.h"
+
+namespace touchstone {
+namespace {
+
+/** An entry, with what it may be compared to. */
+struct Rule {
+  const LedgerEntry& entry;
+  LedgerUse& use;
+  int index;
+  bool voided;  ///< The library has another version.
+};
+
+std::string PlaceOf(const Ledger& ledger, const LedgerEntry& entry) {
+  return fmt::format("{}:{}", ledger.file.filename().string(), entry.line);
+}
+
+bool Concerns(const LedgerEntry& entry, const Finding& finding) {
+  return entry.oracle == finding.oracle &&
+         std::find(entry.measures.begin(), entry.measures.end(), finding.measure) !=
+             entry.measures.end() &&
+         MatchesGlob(entry.scenarios, finding.scenario);
+}
+
+bool HasValue(Verdict verdict) {
+  return verdict == Verdict::kFail || verdict == Verdict::kDisagree;
+}
+
+/** Excuses `finding` by the first rule that covers it. */
+void Excuse(Finding& finding, double size, std::span<Rule> rules, const Ledger& ledger) {
+  std::string refused;
+  const Verdict verdict = finding.verdict;
+  for (Rule& rule : rules) {
+    if (!Concerns(rule.entry, finding) || verdict == Verdict::kUnsupported) continue;
+    if (!rule.voided) ++rule.use.candidates;
+    if (finding.ledger_entry || verdict != rule.entry.verdict) continue;
+    const std::string place = PlaceOf(ledger, rule.entry);
+    if (rule.voided) {
+      refused =
+          fmt::format(" {} is void: it is for version {}.", place, rule.entry.version);
+      continue;
+    }
+    const double value = HasValue(verdict) ? ValueForLedger(finding, size) : 0;
+    // Written so that a NaN is refused.
+    if (!(value <= rule.entry.bound)) {
+      refused = fmt::format(" {} allows {:.3g}; {:.3g} exceeds it by {:.3g}.", place,
+                            rule.entry.bound, value, value - rule.entry.bound);
+      continue;
+    }
+    finding.verdict = Verdict::kKnown;
+    finding.ledger_entry = rule.index;
+    ++rule.use.hidden;
+    rule.use.worst = std::max(rule.use.worst, value);
+  }
+  if (!finding.ledger_entry) finding.proof += refused;
+}
+
+std::string ImprovementOf(const Rule& rule) {
+  if (rule.voided || rule.use.candidates == 0) return "";
+  if (rule.use.hidden == 0) return "improved: remove this entry, it hides nothing";
+  if (HasValue(rule.entry.verdict) && rule.use.worst < rule.entry.bound * kImproved) {
+    return fmt::format("improved: lower the bound {:.3g}, the worst it hides is {:.3g}",
+                       rule.entry.bound, rule.use.worst);
+  }
+  return "";
+}
+
+}  // namespace
+
+double ValueForLedger(const Finding& finding, double size) {
+  return UnitOf(finding.measure) == "m" ? finding.value / size : finding.value;
+}
+
+void ApplyLedger(RunReport& report, std::string_view today, bool partial) {
+  const std::vector<LedgerEntry>& entries = report.ledger.entries;
+  report.ledger_use.assign(entries.size(), {});
+  std::map<std::string, std::vector<Rule>> rules;  // By oracle.
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto oracle = std::find_if(
+        report.oracles.begin(), report.oracles.end(),
+        [&](const OracleInfo& info) { return info.name == entries[i].oracle; });
+    if (oracle == report.oracles.end()) continue;
+    rules[entries[i].oracle].push_back({entries[i], report.ledger_use[i],
+                                        static_cast<int>(i),
+                                        oracle->version != entries[i].version});
+  }
+  std::map<std::string_view, double> sizes;  // By scenario.
+  for (const ScenarioResult& result : report.scenarios) {
+    sizes[result.scenario.id] = SceneSize(result.scenario.contact);
+  }
+  for (Finding& finding : report.findings) {
+    const auto found = rules.find(finding.oracle);
+    if (found == rules.end()) continue;
+    Excuse(finding, sizes.at(finding.scenario), found->second, report.ledger);
+  }
+  for (const auto& [oracle, of_oracle] : rules) {
+    for (const Rule& rule : of_oracle) {
+      const std::string place = PlaceOf(report.ledger, rule.entry);
+      // ISO dates compare as strings.
+      if (!today.empty() && rule.entry.expires < today && rule.use.candidates > 0) {
+        report.faults.push_back(fmt::format(
+            "{}: expired on {}: look at it again and set a new date, or remove it.",
+            place, rule.entry.expires));
+      }
+      const std::string improvement = partial ? "" : ImprovementOf(rule);
+      if (!improvement.empty()) {
+        report.faults.push_back(fmt::format("{}: {} ({} in {}).", place, improvement,
+                                            oracle, rule.entry.scenarios));
+      }
+    }
+  }
+}
+
+}  // namespace touchstone

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string_view>
+
+#include "reports/run.h"
+
+namespace touchstone {
+
+/** Applies the ledger of `report` to its findings: makes `known` those that an entry
+ excuses, fills `ledger_use`, and adds a fault for every entry that is exceeded, has
+ expired by the ISO date `today`, or is no longer needed (not where `partial`: the
+ scenarios left out may need it).
+
+ An entry is void for another version of the library than its own. The unit of values and
+ bounds is SceneSize() for lengths, 1 for all else; verdicts without a value (crashed,
+ timed out, invalid) have no bound to exceed. */
+void ApplyLedger(RunReport& report, std::string_view today, bool partial);
+
+/** An entry whose worst hidden value is below this share of its bound is too wide: a
+ result that got an order of magnitude better must be written down, or a later regression
+ goes unseen. Source: Drake, characterization_utilities.h, which guards its table by the
+ same factor. */
+inline constexpr double kImproved = 1.0 / 12;
+
+/** Returns the value of a finding in the unit of ledger bounds.
+ @param size SceneSize() of its question. [m] */
+double ValueForLedger(const Finding& finding, double size);
+
+}  // namespace touchstone

@@ -1,0 +1,127 @@
+#include "reports/check_catalogue.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "reports/measures/excess.h"
+#include "reports/measures/outside.h"
+#include "reports/measures/overlap_along.h"
+#include "reports/proof.h"
+#include "reports/referee/referee.h"
+#include "reports/tolerance.h"
+
+namespace touchstone {
+namespace {
+
+/** What rounding an expectation is granted: that of the input, and of a double
+ * computation. */
+double RoundingGranted(const ScenarioResult& result) {
+  constexpr double kDouble = 0x1p-53;
+  return result.truth.input_rounding +
+         kRoundings * kDouble * SceneSize(result.scenario.contact);
+}
+
+void CheckTouching(const ScenarioResult& result, std::vector<std::string>& faults) {
+  const std::optional<bool> expected = result.scenario.expect.touching;
+  if (!expected || result.truth.touching == Touching::kUndecided) return;
+  const bool touching = result.truth.touching == Touching::kTouching;
+  if (touching == *expected) return;
+  faults.push_back(
+      fmt::format("{}: expects touching = {}, but the separation is certified to be in "
+                  "[{:.9g}, {:.9g}] m.",
+                  result.scenario.id, *expected, result.truth.separation.lo,
+                  result.truth.separation.hi));
+}
+
+void CheckSeparation(const ScenarioResult& result, std::vector<std::string>& faults) {
+  const std::optional<double> expected = result.scenario.expect.separation;
+  if (!expected) return;
+  const double slack = RoundingGranted(result) + kWritten * std::abs(*expected);
+  if (Outside(*expected, result.truth.separation) <= slack) return;
+  faults.push_back(
+      fmt::format("{}: expects separation = {:.12g} m, but it is certified to be in "
+                  "[{:.12g}, {:.12g}] m.",
+                  result.scenario.id, *expected, result.truth.separation.lo,
+                  result.truth.separation.hi));
+}
+
+void CheckNormals(const ScenarioResult& result, std::vector<std::string>& faults) {
+  const ContactQuery& query = result.scenario.contact;
+  // A normal off by kWritten tilts on a lever as long as the scene.
+  const double slack = RoundingGranted(result) + kWritten * SceneSize(query);
+  for (const Eigen::Vector3d& n : result.scenario.expect.normals) {
+    const double excess = Excess(query, result.truth, n);
+    if (excess <= slack) continue;
+    faults.push_back(fmt::format(
+        "{}: expects the normal {}, but {} is shorter by {:.9g} m.", result.scenario.id,
+        InWords(n), InWords(result.truth.certificate.n_AB_W), excess));
+  }
+}
+
+void CheckContacts(const ScenarioResult& result, std::vector<std::string>& faults) {
+  const ContactExpectation& expect = result.scenario.expect;
+  if (!expect.contacts || result.truth.touching != Touching::kTouching) return;
+  const ContactQuery& query = result.scenario.contact;
+  const Eigen::Vector3d n =
+      SupportingDirection(query, expect.normals.empty() ? result.truth.certificate.n_AB_W
+                                                        : expect.normals[0]);
+  const Enclosure overlap = Overlap(query, n);
+  const int least = PatchAlong(query, n, -(overlap.lo + overlap.hi) / 2,
+                               RoundingGranted(result) + kWritten * SceneSize(query))
+                        .least_contacts;
+  if (least == *expect.contacts) return;
+  faults.push_back(fmt::format("{}: expects {} contacts, but {} span the patch.",
+                               result.scenario.id, *expect.contacts, least));
+}
+
+bool Indicts(const Finding& finding) {
+  return finding.reference == "referee" &&
+         (finding.verdict == Verdict::kFail || finding.verdict == Verdict::kKnown ||
+          finding.verdict == Verdict::kInvalid || finding.verdict == Verdict::kCrashed ||
+          finding.verdict == Verdict::kTimedOut);
+}
+
+void CheckIndictments(RunReport& report) {
+  std::map<std::pair<std::string_view, std::string_view>, const Finding*> found;
+  for (const Finding& finding : report.findings) {
+    if (Indicts(finding)) found.try_emplace({finding.scenario, finding.oracle}, &finding);
+  }
+  for (const ScenarioResult& result : report.scenarios) {
+    for (const Indictment& indictment : result.scenario.indicts) {
+      const bool took_part = std::any_of(
+          report.oracles.begin(), report.oracles.end(),
+          [&](const OracleInfo& oracle) { return oracle.name == indictment.oracle; });
+      if (!took_part) continue;
+      const auto evidence = found.find({result.scenario.id, indictment.oracle});
+      if (indictment.reproduces && evidence == found.end()) {
+        report.faults.push_back(fmt::format(
+            "{}: indicts {} (\"{}\"), which is not found again: set reproduces = false.",
+            result.scenario.id, indictment.oracle, indictment.anomaly));
+      }
+      if (!indictment.reproduces && evidence != found.end()) {
+        report.faults.push_back(
+            fmt::format("{}: says that {} does not show \"{}\" any more, but: {} Set "
+                        "reproduces = true.",
+                        result.scenario.id, indictment.oracle, indictment.anomaly,
+                        evidence->second->proof));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void CheckCatalogue(RunReport& report) {
+  for (const ScenarioResult& result : report.scenarios) {
+    CheckTouching(result, report.faults);
+    CheckSeparation(result, report.faults);
+    CheckNormals(result, report.faults);
+    CheckContacts(result, report.faults);
+  }
+  CheckIndictments(report);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace touchstone {
+
+/** Returns whether `path`, levels joined by '/', matches `pattern`: '*' stands for any
+ characters within a level, '**' for any characters across levels. */
+bool MatchesGlob(std::string_view pattern, std::string_view path);
+
+}  // namespace touchstone

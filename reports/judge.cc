@@ -1,0 +1,307 @@
+#include "reports/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "reports/measures/consistency_error.h"
+#include "reports/measures/contact_count.h"
+#include "reports/measures/contact_off_patch.h"
+#include "reports/measures/contact_surface_error.h"
+#include "reports/measures/contact_too_deep.h"
+#include "reports/measures/duality_gap.h"
+#include "reports/measures/excess.h"
+#include "reports/measures/invalidity.h"
+#include "reports/measures/mixed_normals.h"
+#include "reports/measures/outside.h"
+#include "reports/measures/overlap_along.h"
+#include "reports/measures/patch_coverage.h"
+#include "reports/measures/separation_error.h"
+#include "reports/measures/touching.h"
+#include "reports/proof.h"
+#include "reports/referee/referee.h"
+#include "reports/tolerance.h"
+
+namespace touchstone {
+namespace {
+
+const ContactPoint* DeepestOf(const ContactAnswer& answer) {
+  const auto deepest = std::min_element(answer.points.begin(), answer.points.end(),
+                                        [](const ContactPoint& a, const ContactPoint& b) {
+                                          return a.separation < b.separation;
+                                        });
+  return deepest == answer.points.end() ? nullptr : &*deepest;
+}
+
+/** The judgement of one answer: each method adds the findings of one measure. */
+class Judgement {
+ public:
+  Judgement(const Scenario& scenario, const ContactTruth& truth, const OracleInfo& oracle,
+            const ContactAnswer& answer)
+      : scenario_(scenario),
+        query_(scenario.contact),
+        truth_(truth),
+        oracle_(oracle),
+        answer_(answer),
+        capability_(oracle.For(KindOf(query_.A.shape), KindOf(query_.B.shape))),
+        tolerances_(TolerancesOf(oracle, scenario, truth)),
+        dispute_{oracle.name, query_, truth, answer},
+        n_W_(NormalOf(answer)),
+        separation_(SeparationOf(answer)) {}
+
+  std::vector<Finding> Findings() && {
+    if (!Answered()) return std::move(findings_);
+    if (const auto fault = InvalidityOf(answer_, tolerances_.unit_normal)) {
+      Unanswered(Verdict::kInvalid, *fault);
+      return std::move(findings_);
+    }
+    if (const auto missing = MissingField()) {
+      Unanswered(Verdict::kInvalid, *missing);
+      return std::move(findings_);
+    }
+    JudgeTouching();
+    JudgeSeparation();
+    JudgeNormal();
+    JudgeWitnesses();
+    JudgeContacts();
+    JudgePatch();
+    JudgeMixedNormals();
+    Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"}, [] { return ""; });
+    return std::move(findings_);
+  }
+
+ private:
+  /** Adds a finding; `prove` makes its proof where it is a failure. */
+  template <typename Prove>
+  Finding& Add(MeasureKind measure, double value, const Tolerance& tolerance,
+               Prove prove) {
+    Finding& finding = findings_.emplace_back();
+    finding.scenario = scenario_.id;
+    finding.oracle = oracle_.name;
+    finding.reference = "referee";
+    finding.measure = measure;
+    finding.value = value;
+    finding.tolerance = tolerance.value;
+    finding.tolerance_because = tolerance.because;
+    // Written so that a NaN fails.
+    finding.verdict = value <= tolerance.value ? Verdict::kPass : Verdict::kFail;
+    if (finding.verdict == Verdict::kFail) finding.proof = prove();
+    return finding;
+  }
+
+  void Unanswered(Verdict verdict, const std::string& why) {
+    Finding& finding = Add(MeasureKind::kAnswering, 1, {0, "an answer is an answer"},
+                           [&] { return fmt::format("{}: {}.", oracle_.name, why); });
+    finding.verdict = verdict;
+  }
+
+  bool Answered() {
+    switch (answer_.status) {
+      case AnswerStatus::kAnswered:
+        return true;
+      case AnswerStatus::kUnsupported:
+        Unanswered(Verdict::kUnsupported, answer_.reason);
+        findings_.back().value = 0;
+        return false;
+      case AnswerStatus::kCrashed:
+        Unanswered(Verdict::kCrashed, answer_.reason);
+        return false;
+      case AnswerStatus::kTimedOut:
+        Unanswered(Verdict::kTimedOut, answer_.reason);
+        return false;
+    }
+    return false;
+  }
+
+  /** What the oracle promises for this pair and does not give. */
+  std::optional<std::string> MissingField() const {
+    if (!answer_.touching) {
+      if (capability_.distance && !separation_)
+        return "apart, without the promised distance";
+      return std::nullopt;
+    }
+    if (capability_.depth && !separation_) return "touching, without the promised depth";
+    if (capability_.normal && !n_W_) return "touching, without the promised normal";
+    if (capability_.manifold && answer_.points.empty()) {
+      return "touching, without a contact";
+    }
+    return std::nullopt;
+  }
+
+  bool IsApart() const { return truth_.separation.lo > 0; }
+
+  /** Of what depends on a normal. */
+  const Tolerance& ByNormal() const {
+    return IsApart() ? tolerances_.apart : tolerances_.separation;
+  }
+
+  void JudgeTouching() {
+    Finding& finding =
+        Add(MeasureKind::kTouching, TouchingError(truth_, answer_),
+            {0, "the truth is certified"}, [&] { return ProveTouching(dispute_); });
+    const double from_touching = Outside(0, truth_.separation);
+    if (truth_.touching == Touching::kUndecided) {
+      finding.verdict = Verdict::kUndecidable;
+      finding.tolerance_because = fmt::format(
+          "touching to within {:.2g} m, the rounding of the input, or undecided by {}",
+          truth_.input_rounding, truth_.method);
+    } else if (finding.value > 0 && from_touching <= tolerances_.separation.value) {
+      finding.verdict = Verdict::kUndecidable;
+      finding.tolerance_because =
+          fmt::format("{:.2g} m from touching, within {:.2g} m: {}", from_touching,
+                      tolerances_.separation.value, tolerances_.separation.because);
+      finding.proof.clear();
+    }
+  }
+
+  void JudgeSeparation() {
+    if (!separation_) return;
+    Add(MeasureKind::kSeparationError, SeparationError(truth_, *separation_),
+        tolerances_.separation, [&] { return ProveSeparation(dispute_, *separation_); });
+    if (!n_W_) return;
+    Add(MeasureKind::kConsistencyError, ConsistencyError(query_, *n_W_, *separation_),
+        ByNormal(), [&] { return ProveInconsistency(dispute_, *n_W_, *separation_); });
+  }
+
+  void JudgeNormal() {
+    if (!n_W_) return;
+    const Finding& finding =
+        Add(MeasureKind::kExcess, Excess(query_, truth_, *n_W_), ByNormal(),
+            [&] { return ProveExcess(dispute_, *n_W_); });
+    normal_is_right_ = finding.verdict == Verdict::kPass;
+  }
+
+  void JudgeWitnesses() {
+    if (!answer_.witnesses || !IsApart() || answer_.touching) return;
+    const WitnessPoints& w = *answer_.witnesses;
+    if (w.p_WCa == w.p_WCb) return;  // Found by the surface error below.
+    Add(MeasureKind::kDualityGap, DualityGap(query_, w), tolerances_.apart,
+        [&] { return ProveDualityGap(dispute_); });
+  }
+
+  void JudgeContacts() {
+    double surface = -1;
+    WitnessPoints worst;
+    const auto consider = [&](double error, const WitnessPoints& points) {
+      if (!(error <= surface)) {
+        surface = error;
+        worst = points;
+      }
+    };
+    if (answer_.witnesses) {
+      consider(WitnessSurfaceError(query_, *answer_.witnesses), *answer_.witnesses);
+    }
+    for (const ContactPoint& contact : answer_.points) {
+      const Eigen::Vector3d n = contact.n_AB_W.value_or(*n_W_).normalized();
+      consider(ContactSurfaceError(query_, *n_W_, contact),
+               {contact.p_WC - n * (contact.separation / 2),
+                contact.p_WC + n * (contact.separation / 2)});
+    }
+    if (surface < 0) return;
+    Add(MeasureKind::kContactSurfaceError, surface, tolerances_.separation,
+        [&] { return ProveSurfaceError(dispute_, worst.p_WCa, worst.p_WCb); });
+  }
+
+  /** Where contacts lie and how many there are. Applies where the normal is right, since
+   a patch belongs to a normal, and where the truth is known well enough to tell deepest
+   contacts. */
+  void JudgePatch() {
+    const ContactPoint* deepest = DeepestOf(answer_);
+    if (deepest == nullptr) return;
+    const double e = tolerances_.separation.value;
+    const bool certain = truth_.separation.hi - truth_.separation.lo <= e;
+    if (normal_is_right_ && certain && answer_.touching) {
+      JudgeOffPatch();
+      // Where all of the patch overlaps by more than rounding, none of it may be missed.
+      if (capability_.manifold && truth_.separation.hi < -2 * e) JudgeCoverage();
+    }
+    Add(MeasureKind::kContactTooDeep, ContactTooDeep(truth_, *deepest),
+        tolerances_.separation, [&] { return ProveTooDeep(dispute_, *deepest); });
+  }
+
+  ContactPatch PatchWithin(double slack) const {
+    const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
+    const Enclosure overlap = Overlap(query_, n);
+    return PatchAlong(query_, n, -(overlap.lo + (overlap.hi - overlap.lo) / 2), slack);
+  }
+
+  void JudgeOffPatch() {
+    const double e = tolerances_.separation.value;
+    // A contact as deep as the deepest to within e lies within √(2 e L) of features that
+    // are within as much of the supporting plane, L being the size of the scene.
+    const ContactPatch patch = PatchWithin(tolerances_.across.value / 2);
+    if (patch.vertices_W.empty()) return;
+    double off = -1;
+    const ContactPoint* worst = nullptr;
+    for (const ContactPoint& contact : answer_.points) {
+      if (contact.separation > truth_.separation.hi + e) continue;
+      const double distance = ContactOffPatch(patch, *n_W_, contact);
+      if (!(distance <= off)) {
+        off = distance;
+        worst = &contact;
+      }
+    }
+    if (worst == nullptr) return;
+    Add(MeasureKind::kContactOffPatch, off, tolerances_.across,
+        [&] { return ProveOffPatch(dispute_, *worst, off); });
+  }
+
+  void JudgeCoverage() {
+    const double e = tolerances_.separation.value;
+    const ContactPatch patch = PatchWithin(e);
+    if (patch.vertices_W.empty()) return;
+    if (patch.vertices_W.size() > 1) {
+      const double unspanned = PatchUnspanned(patch, *n_W_, answer_.points);
+      Add(MeasureKind::kPatchCoverage, unspanned,
+          {kLegalUnspanned,
+           "a triangle inscribed in a disc leaves a quarter of its diameter"},
+          [&] { return ProveUnspanned(dispute_, patch, unspanned); });
+    }
+    Add(MeasureKind::kContactCount, ContactCountError(patch, answer_.points, e),
+        {0, "the patch needs that many"}, [&] { return ProveCount(dispute_, patch); });
+  }
+
+  void JudgeMixedNormals() {
+    if (answer_.points.size() < 2) return;
+    const double angle = MixedNormals(answer_);
+    Add(MeasureKind::kMixedNormals, angle, tolerances_.angle,
+        [&] { return ProveMixedNormals(dispute_, angle); });
+  }
+
+  const Scenario& scenario_;
+  const ContactQuery& query_;
+  const ContactTruth& truth_;
+  const OracleInfo& oracle_;
+  const ContactAnswer& answer_;
+  const Capability& capability_;
+  const Tolerances tolerances_;
+  const Dispute dispute_;
+  const std::optional<Eigen::Vector3d> n_W_;
+  const std::optional<double> separation_;
+  bool normal_is_right_ = false;
+  std::vector<Finding> findings_;
+};
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> NormalOf(const ContactAnswer& answer) {
+  if (answer.n_AB_W) return answer.n_AB_W->normalized();
+  const ContactPoint* deepest = DeepestOf(answer);
+  if (deepest != nullptr && deepest->n_AB_W) return deepest->n_AB_W->normalized();
+  return std::nullopt;
+}
+
+std::optional<double> SeparationOf(const ContactAnswer& answer) {
+  if (answer.separation) return answer.separation;
+  const ContactPoint* deepest = DeepestOf(answer);
+  return deepest != nullptr ? std::optional(deepest->separation) : std::nullopt;
+}
+
+std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
+                                 const OracleInfo& oracle, const ContactAnswer& answer) {
+  return Judgement(scenario, truth, oracle, answer).Findings();
+}
+
+}  // namespace touchstone

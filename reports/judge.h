@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "oracles/oracle.h"
+#include "reports/finding.h"
+#include "reports/referee/contact_truth.h"
+#include "scenarios/scenario.h"
+
+namespace touchstone {
+
+/** Judges one answer against the certified truth: one finding per measure that applies,
+ in the order of MeasureKind.
+
+ A verdict is `pass`, `fail` with a proof, or `undecidable` where the truth itself is.
+ What is outside the enclosure of the truth by more than the derived tolerance is proved
+ wrong; nothing inside it is, see reports/consensus.h. An answer that is invalid is judged
+ no further. */
+std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
+                                 const OracleInfo& oracle, const ContactAnswer& answer);
+
+/** Returns the normal that an answer states, as a unit vector: its own, else that of its
+ deepest contact. */
+std::optional<Eigen::Vector3d> NormalOf(const ContactAnswer& answer);
+
+/** Returns the separation that an answer states: its own, else that of its deepest
+ * contact. [m] */
+std::optional<double> SeparationOf(const ContactAnswer& answer);
+
+}  // namespace touchstone

@@ -1,0 +1,68 @@
+#include "reports/measures/answer_change.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "reports/measures/outside.h"
+#include "reports/measures/overlap_along.h"
+
+namespace touchstone {
+namespace {
+
+template <typename MapNormal, typename MapPoint>
+void Map(ContactAnswer& answer, double lengths, MapNormal normal, MapPoint point) {
+  if (answer.separation) *answer.separation *= lengths;
+  if (answer.n_AB_W) answer.n_AB_W = normal(*answer.n_AB_W);
+  for (ContactPoint& contact : answer.points) {
+    contact.p_WC = point(contact.p_WC);
+    contact.separation *= lengths;
+    if (contact.n_AB_W) contact.n_AB_W = normal(*contact.n_AB_W);
+  }
+  if (answer.witnesses) {
+    answer.witnesses->p_WCa = point(answer.witnesses->p_WCa);
+    answer.witnesses->p_WCb = point(answer.witnesses->p_WCb);
+  }
+}
+
+}  // namespace
+
+double AnswerChange(const ContactQuery& query, const ContactTruth& truth,
+                    const ContactAnswer& answer, const ContactAnswer& brought_back) {
+  double change = 0;
+  if (answer.touching != brought_back.touching) change = Outside(0, truth.separation);
+  if (answer.separation && brought_back.separation) {
+    change = std::max(change, std::abs(*answer.separation - *brought_back.separation));
+  }
+  if (answer.n_AB_W && brought_back.n_AB_W) {
+    change = std::max(change, Apart(OverlapAlong(query, *answer.n_AB_W),
+                                    OverlapAlong(query, *brought_back.n_AB_W)));
+  }
+  return change;
+}
+
+ContactAnswer BackFromSwap(ContactAnswer answer) {
+  Map(
+      answer, 1, [](const Eigen::Vector3d& n) { return Eigen::Vector3d(-n); },
+      [](const Eigen::Vector3d& p) { return p; });
+  if (answer.witnesses) std::swap(answer.witnesses->p_WCa, answer.witnesses->p_WCb);
+  return answer;
+}
+
+ContactAnswer BackFromMotion(ContactAnswer answer, const Eigen::Isometry3d& X_VW) {
+  const Eigen::Isometry3d X_WV = X_VW.inverse();
+  Map(
+      answer, 1,
+      [&](const Eigen::Vector3d& n) { return Eigen::Vector3d(X_WV.linear() * n); },
+      [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(X_WV * p); });
+  return answer;
+}
+
+ContactAnswer BackFromScale(ContactAnswer answer, double factor) {
+  Map(
+      answer, 1 / factor, [](const Eigen::Vector3d& n) { return n; },
+      [&](const Eigen::Vector3d& p) { return Eigen::Vector3d(p / factor); });
+  return answer;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "oracles/contact_answer.h"
+#include "reports/referee/contact_truth.h"
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** Returns how much two answers to one question differ. [m]
+
+ The largest of |s − s'|; |o(n) − o(n')|, which compares normals by what they separate and
+ so forgives a tie; and, where one says touching and the other apart, the certified
+ distance from touching, so that nobody is blamed within the rounding of a touching pair.
+ Positions are not compared: manifolds may legally differ.
+
+ The metamorphic measures: the answer to a changed question, brought back by the functions
+ below, against the answer to the question itself. They need no reference.
+ Source: Chen, Cheung & Yiu, "Metamorphic testing", HKUST-CS98-01 (1998). */
+double AnswerChange(const ContactQuery& query, const ContactTruth& truth,
+                    const ContactAnswer& answer, const ContactAnswer& brought_back);
+
+/** Brings the answer to (B, A) back to (A, B): negates normals, swaps witnesses. */
+ContactAnswer BackFromSwap(ContactAnswer answer);
+
+/** Brings the answer back from the world frame W' = X_W'W W of a moved question. */
+ContactAnswer BackFromMotion(ContactAnswer answer, const Eigen::Isometry3d& X_VW);
+
+/** Brings the answer back from a world in which all lengths are `factor` times as long.
+ */
+ContactAnswer BackFromScale(ContactAnswer answer, double factor);
+
+}  // namespace touchstone

@@ -1,0 +1,70 @@
+#include "reports/measures/convex_polygon.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+namespace touchstone {
+namespace {
+
+double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+double DistanceFromSegment(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                           const Eigen::Vector2d& p) {
+  const Eigen::Vector2d ab = b - a;
+  const double length2 = ab.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - a).dot(ab) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - t * ab).norm();
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> ConvexHullOf(std::span<const Eigen::Vector2d> points) {
+  std::vector<Eigen::Vector2d> sorted(points.begin(), points.end());
+  const auto less = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  };
+  std::sort(sorted.begin(), sorted.end(), less);
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  if (sorted.size() < 3) return sorted;
+  std::vector<Eigen::Vector2d> hull;
+  const auto append = [&hull](const Eigen::Vector2d& p, std::size_t least) {
+    while (hull.size() > least &&
+           Cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+      hull.pop_back();
+    }
+    hull.push_back(p);
+  };
+  for (const Eigen::Vector2d& p : sorted) append(p, 1);
+  const std::size_t lower = hull.size();
+  for (auto p = sorted.rbegin() + 1; p != sorted.rend(); ++p) append(*p, lower);
+  hull.pop_back();  // The first point again.
+  return hull;
+}
+
+double DistanceFrom(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p) {
+  bool inside = hull.size() > 2;
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d& a = hull[i];
+    const Eigen::Vector2d& b = hull[(i + 1) % hull.size()];
+    if (Cross(b - a, p - a) < 0) inside = false;
+    distance = std::min(distance, DistanceFromSegment(a, b, p));
+  }
+  return inside ? 0 : distance;
+}
+
+std::vector<Eigen::Vector2d> ProjectedAlong(const Eigen::Vector3d& n,
+                                            std::span<const Eigen::Vector3d> points) {
+  const Eigen::Vector3d u = n.unitOrthogonal();
+  const Eigen::Vector3d v = n.cross(u);
+  std::vector<Eigen::Vector2d> projected;
+  projected.reserve(points.size());
+  for (const Eigen::Vector3d& p : points) projected.emplace_back(u.dot(p), v.dot(p));
+  return projected;
+}
+
+}  // namespace touchstone

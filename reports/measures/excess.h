@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "reports/referee/contact_truth.h"
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** Returns o(n) − depth*, as far as it is proved: how much shorter another direction is.
+ [m]
+
+ o(n) is an upper bound on the depth for every n, with equality for the best ones, so
+ normals are judged without comparing angles and a tie between two axes is never a false
+ alarm. Apart, it is the distance less the gap along n: how much of the distance n fails
+ to prove. Source: Cameron & Culley, ICRA 1986; the judging by excess is MuJoCo's
+ test/engine/engine_collision_box_fuzz_test.cc:384-386.
+ @pre `n_W` is finite and not zero. */
+double Excess(const ContactQuery& query, const ContactTruth& truth,
+              const Eigen::Vector3d& n_W);
+
+}  // namespace touchstone

@@ -1,0 +1,44 @@
+#include "reports/measures/invalidity.h"
+
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+std::optional<std::string> NotUnit(std::string_view name, const Eigen::Vector3d& n,
+                                   double slack) {
+  if (!n.allFinite()) return fmt::format("{} is not finite", name);
+  const double length = n.norm();
+  if (std::abs(length - 1) <= slack) return std::nullopt;
+  return fmt::format("{} has length {:.9g}, not 1", name, length);
+}
+
+}  // namespace
+
+std::optional<std::string> InvalidityOf(const ContactAnswer& answer, double unit_slack) {
+  if (answer.separation && !std::isfinite(*answer.separation)) {
+    return fmt::format("separation is {}", *answer.separation);
+  }
+  if (answer.n_AB_W) {
+    if (auto fault = NotUnit("n_AB_W", *answer.n_AB_W, unit_slack)) return fault;
+  }
+  for (std::size_t i = 0; i < answer.points.size(); ++i) {
+    const ContactPoint& contact = answer.points[i];
+    const std::string name = fmt::format("points[{}]", i);
+    if (!contact.p_WC.allFinite()) return name + ".p_WC is not finite";
+    if (!std::isfinite(contact.separation)) return name + ".separation is not finite";
+    if (!contact.n_AB_W && !answer.n_AB_W) return name + " has no normal";
+    if (!contact.n_AB_W) continue;
+    if (auto fault = NotUnit(name + ".n_AB_W", *contact.n_AB_W, unit_slack)) return fault;
+  }
+  if (answer.witnesses &&
+      !(answer.witnesses->p_WCa.allFinite() && answer.witnesses->p_WCb.allFinite())) {
+    return "a witness point is not finite";
+  }
+  return std::nullopt;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,68 @@
+#include "reports/measures/patch_coverage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include "reports/measures/convex_polygon.h"
+
+namespace touchstone {
+namespace {
+
+/** Maps the plane so that the corners spread by one along both principal axes; an axis
+ along which they spread by nothing is dropped. */
+Eigen::Matrix2d Whitening(std::span<const Eigen::Vector2d> corners) {
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& c : corners)
+    mean += c / static_cast<double>(corners.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector2d& c : corners) spread += (c - mean) * (c - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  // A spread below the rounding of the largest is that of a segment's own rounding; the
+  // sum of squares loses half the digits, hence the square root of the roundoff, 2^-26.
+  const double least = axes.eigenvalues()(1) * 0x1p-26;
+  Eigen::Vector2d scale = Eigen::Vector2d::Zero();
+  for (int i = 0; i < 2; ++i) {
+    const double variance = axes.eigenvalues()(i);
+    if (variance > least && variance > 0) scale(i) = 1 / std::sqrt(variance);
+  }
+  return scale.asDiagonal() * axes.eigenvectors().transpose();
+}
+
+std::vector<Eigen::Vector2d> Mapped(const Eigen::Matrix2d& map,
+                                    std::vector<Eigen::Vector2d> points) {
+  for (Eigen::Vector2d& p : points) p = map * p;
+  return points;
+}
+
+double Diameter(std::span<const Eigen::Vector2d> points) {
+  double diameter = 0;
+  for (const Eigen::Vector2d& a : points) {
+    for (const Eigen::Vector2d& b : points) diameter = std::max(diameter, (a - b).norm());
+  }
+  return diameter;
+}
+
+}  // namespace
+
+double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
+                      std::span<const ContactPoint> contacts) {
+  if (contacts.empty()) return 1;
+  std::vector<Eigen::Vector3d> positions;
+  for (const ContactPoint& contact : contacts) positions.push_back(contact.p_WC);
+  const std::vector<Eigen::Vector2d> plane = ProjectedAlong(n_AB_W, patch.vertices_W);
+  const Eigen::Matrix2d map = Whitening(plane);
+  const std::vector<Eigen::Vector2d> corners = Mapped(map, plane);
+  const double diameter = Diameter(corners);
+  if (diameter == 0) return 0;
+  const std::vector<Eigen::Vector2d> hull =
+      ConvexHullOf(Mapped(map, ProjectedAlong(n_AB_W, positions)));
+  double unspanned = 0;
+  for (const Eigen::Vector2d& c : corners) {
+    unspanned = std::max(unspanned, DistanceFrom(hull, c));
+  }
+  return std::min(1.0, unspanned / diameter);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include "oracles/contact_answer.h"
+#include "reports/referee/contact_truth.h"
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** A disputed answer with all that a proof of its error may cite. */
+struct Dispute {
+  const std::string& oracle;
+  const ContactQuery& query;
+  const ContactTruth& truth;
+  const ContactAnswer& answer;
+};
+
+/** Each function returns one sentence with numbers that a person can check by hand, given
+ that the measure of that name found an error. Lengths in m to nine digits, directions to
+ six. */
+std::string ProveTouching(const Dispute& dispute);
+std::string ProveSeparation(const Dispute& dispute, double separation);
+std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_W,
+                               double separation);
+std::string ProveExcess(const Dispute& dispute, const Eigen::Vector3d& n_W);
+std::string ProveDualityGap(const Dispute& dispute);
+std::string ProveSurfaceError(const Dispute& dispute, const Eigen::Vector3d& p_WCa,
+                              const Eigen::Vector3d& p_WCb);
+std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,
+                          double off);
+std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
+                           double unspanned);
+std::string ProveCount(const Dispute& dispute, const ContactPatch& patch);
+std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact);
+std::string ProveMixedNormals(const Dispute& dispute, double angle);
+
+/** Returns "(0.123457, -0.6, 0.790569)". */
+std::string InWords(const Eigen::Vector3d& v);
+
+}  // namespace touchstone

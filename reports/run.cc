@@ -1,0 +1,224 @@
+#include "reports/run.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "reports/apply_ledger.h"
+#include "reports/check_catalogue.h"
+#include "reports/consensus.h"
+#include "reports/judge.h"
+#include "reports/parallel.h"
+#include "reports/referee/referee.h"
+
+namespace touchstone {
+namespace {
+
+/** Questions to one oracle in one batch. Small enough that threads share the work evenly,
+ large enough that the start of a batch costs nothing beside it. */
+constexpr std::size_t kBatch = 64;
+
+/** A share of the questions, put to one oracle at once. */
+struct Batch {
+  std::size_t oracle;
+  std::size_t begin;
+  std::size_t end;
+};
+
+/** Splits `count` questions to each oracle into batches. An isolated oracle forks once a
+ batch and gets one, first, since it is the slowest. */
+std::vector<Batch> BatchesOf(std::span<const Oracle* const> oracles,
+                             const std::vector<std::size_t>& counts) {
+  std::vector<Batch> isolated;
+  std::vector<Batch> others;
+  for (std::size_t i = 0; i < oracles.size(); ++i) {
+    if (oracles[i]->info().isolated) {
+      if (counts[i] > 0) isolated.push_back({i, 0, counts[i]});
+      continue;
+    }
+    for (std::size_t begin = 0; begin < counts[i]; begin += kBatch) {
+      others.push_back({i, begin, std::min(begin + kBatch, counts[i])});
+    }
+  }
+  isolated.insert(isolated.end(), others.begin(), others.end());
+  return isolated;
+}
+
+/** The questions of each oracle, and its answers to them. */
+struct Round {
+  explicit Round(std::size_t oracles) : queries(oracles), answers(oracles) {}
+
+  /** Asks everything; what an oracle does not support is not asked. */
+  void Ask(std::span<const Oracle* const> oracles, int jobs,
+           const std::function<void(std::size_t)>& on_done);
+
+  std::vector<std::vector<ContactQuery>> queries;
+  std::vector<std::vector<ContactAnswer>> answers;
+};
+
+void AskSupported(const Oracle& oracle, std::span<const ContactQuery> queries,
+                  std::span<ContactAnswer> answers) {
+  std::vector<ContactQuery> supported;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const Capability& capability =
+        oracle.info().For(KindOf(queries[i].A.shape), KindOf(queries[i].B.shape));
+    if (capability.supported) {
+      supported.push_back(queries[i]);
+      places.push_back(i);
+    } else {
+      answers[i].status = AnswerStatus::kUnsupported;
+      answers[i].reason = capability.reason;
+    }
+  }
+  std::vector<ContactAnswer> given(supported.size());
+  if (!supported.empty()) oracle.Answer(supported, given);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    answers[places[i]] = std::move(given[i]);
+}
+
+void Round::Ask(std::span<const Oracle* const> oracles, int jobs,
+                const std::function<void(std::size_t)>& on_done) {
+  std::vector<std::size_t> counts;
+  for (std::size_t i = 0; i < oracles.size(); ++i) {
+    counts.push_back(queries[i].size());
+    answers[i].resize(queries[i].size());
+  }
+  const std::vector<Batch> batches = BatchesOf(oracles, counts);
+  ParallelFor(batches.size(), jobs, [&](std::size_t b) {
+    const auto& [i, begin, end] = batches[b];
+    AskSupported(*oracles[i], std::span(queries[i]).subspan(begin, end - begin),
+                 std::span(answers[i]).subspan(begin, end - begin));
+    if (on_done) on_done(end - begin);
+  });
+}
+
+/** A run in progress. */
+class Suite {
+ public:
+  Suite(std::span<const Scenario> scenarios, std::span<const Oracle* const> oracles,
+        const RunOptions& options)
+      : oracles_(oracles), options_(options) {
+    for (const Oracle* oracle : oracles) report_.oracles.push_back(oracle->info());
+    if (!oracles.empty()) report_.subject = oracles.front()->info().name;
+    for (const Scenario& scenario : scenarios)
+      report_.scenarios.push_back({scenario, {}, {}});
+    std::stable_sort(report_.scenarios.begin(), report_.scenarios.end(),
+                     [](const ScenarioResult& a, const ScenarioResult& b) {
+                       return a.scenario.id < b.scenario.id;
+                     });
+    findings_.resize(report_.scenarios.size());
+  }
+
+  RunReport Report(const Ledger& ledger) && {
+    EstablishTruth();
+    AskQuestions();
+    Judge();
+    Collect();
+    report_.ledger = ledger;
+    ApplyLedger(report_, options_.today, options_.partial);
+    CheckCatalogue(report_);
+    return std::move(report_);
+  }
+
+ private:
+  void EstablishTruth() {
+    ForEachScenario([](ScenarioResult& result, std::vector<Finding>&) {
+      result.truth = JudgeContact(result.scenario.contact);
+    });
+  }
+
+  void AskQuestions() {
+    Round round(oracles_.size());
+    for (auto& queries : round.queries) {
+      for (const ScenarioResult& r : report_.scenarios)
+        queries.push_back(r.scenario.contact);
+    }
+    std::mutex mutex;
+    std::size_t done = 0;
+    const std::size_t total = oracles_.size() * report_.scenarios.size();
+    round.Ask(oracles_, options_.jobs, [&](std::size_t more) {
+      const std::scoped_lock lock(mutex);
+      done += more;
+      if (options_.on_progress) options_.on_progress(done, total);
+    });
+    for (std::size_t s = 0; s < report_.scenarios.size(); ++s) {
+      for (auto& answers : round.answers) {
+        report_.scenarios[s].answers.push_back(std::move(answers[s]));
+      }
+    }
+  }
+
+  void Judge() {
+    ForEachScenario([this](ScenarioResult& result, std::vector<Finding>& findings) {
+      for (std::size_t i = 0; i < oracles_.size(); ++i) {
+        std::vector<Finding> of_oracle = JudgeAnswer(
+            result.scenario, result.truth, report_.oracles[i], result.answers[i]);
+        std::move(of_oracle.begin(), of_oracle.end(), std::back_inserter(findings));
+      }
+      SettleByConsensus(result, report_.oracles, findings);
+    });
+  }
+
+  void Collect() {
+    const auto place_of = [this](const Finding& finding) {
+      const auto found = std::find_if(
+          report_.oracles.begin(), report_.oracles.end(),
+          [&](const OracleInfo& oracle) { return oracle.name == finding.oracle; });
+      return found - report_.oracles.begin();
+    };
+    for (std::vector<Finding>& findings : findings_) {
+      std::stable_sort(
+          findings.begin(), findings.end(), [&](const Finding& a, const Finding& b) {
+            return std::pair(place_of(a), a.measure) < std::pair(place_of(b), b.measure);
+          });
+      std::move(findings.begin(), findings.end(), std::back_inserter(report_.findings));
+    }
+  }
+
+  template <typename Work>
+  void ForEachScenario(Work work) {
+    ParallelFor(report_.scenarios.size(), options_.jobs,
+                [&](std::size_t s) { work(report_.scenarios[s], findings_[s]); });
+  }
+
+  const std::span<const Oracle* const> oracles_;
+  const RunOptions& options_;
+  RunReport report_;
+  std::vector<std::vector<Finding>> findings_;  ///< Per scenario.
+};
+
+bool IsFailure(Verdict verdict) {
+  return verdict == Verdict::kFail || verdict == Verdict::kDisagree ||
+         verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
+         verdict == Verdict::kInvalid;
+}
+
+}  // namespace
+
+RunReport Run(std::span<const Scenario> scenarios, std::span<const Oracle* const> oracles,
+              const Ledger& ledger, const RunOptions& options) {
+  return Suite(scenarios, oracles, options).Report(ledger);
+}
+
+int ExitCode(const RunReport& report, FailOn fail_on) {
+  const auto verified = [](const Finding& f) {
+    return f.measure != MeasureKind::kAnswering && f.verdict != Verdict::kUnsupported &&
+           f.verdict != Verdict::kUndecidable;
+  };
+  const auto counts = [&](const Finding& f) {
+    return IsFailure(f.verdict) &&
+           (fail_on == FailOn::kAnything || f.oracle == report.subject);
+  };
+  if (!report.faults.empty() ||
+      std::any_of(report.findings.begin(), report.findings.end(), counts)) {
+    return 1;
+  }
+  const bool any =
+      std::any_of(report.findings.begin(), report.findings.end(), [&](const Finding& f) {
+        return verified(f) &&
+               (fail_on == FailOn::kAnything || f.oracle == report.subject);
+      });
+  return any ? 0 : 2;
+}
+
+}  // namespace touchstone
