@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+
+#include "oracles/contact_answer.h"
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** Which of Bullet's algorithms answers. */
+enum class BulletPath { kWorldDispatch, kClosestPoints };
+
+/** What a Bullet module offers.
+
+ Plain functions and no classes with virtual functions: program and module each have their
+ own type information, which would make them two types to a checker. Questions and answers
+ cross as they are, so both sides must come from the same headers and compiler flags. */
+struct BulletModule {
+  std::size_t query_size;  ///< sizeof(ContactQuery), to refuse a module of another build.
+  std::size_t answer_size;  ///< sizeof(ContactAnswer), likewise.
+  int version;              ///< What the library says: 324 is 3.24.
+  double unit_roundoff;     ///< Of btScalar.
+
+  /** Writes the answer to *queries[i] into *answers[i], for `count` supported queries. */
+  void (*answer)(BulletPath path, const ContactQuery* const* queries,
+                 ContactAnswer* const* answers, std::size_t count);
+
+  /** Returns shapes and poses of `count` supported queries in Bullet's form, for run().
+   */
+  void* (*prepare)(BulletPath path, const ContactQuery* queries, std::size_t count);
+
+  /** Asks every question of `batch` once; NaN where Bullet reports nothing. [m] */
+  void (*run)(void* batch, double* separations);
+
+  /** Frees what prepare() returned. */
+  void (*discard)(void* batch);
+};
+
+/** The one symbol a module exports, of type `const BulletModule* ()`. */
+inline constexpr char kBulletModuleSymbol[] = "TouchstoneBulletModule";
+
+}  // namespace touchstone

@@ -1,0 +1,89 @@
+#include "oracles/bullet/bullet_shape.h"
+
+#include <variant>
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btCapsuleShape.h>
+#include <BulletCollision/CollisionShapes/btConeShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <BulletCollision/CollisionShapes/btCylinderShape.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+
+namespace touchstone {
+namespace {
+
+btScalar ToBullet(double x) {
+  return static_cast<btScalar>(x);
+}
+
+btVector3 ToBullet(const Eigen::Vector3d& v) {
+  return {ToBullet(v.x()), ToBullet(v.y()), ToBullet(v.z())};
+}
+
+btTransform ToBullet(const Pose& X_WB) {
+  const Eigen::Matrix3d& R = X_WB.R_WB;
+  const btMatrix3x3 basis(ToBullet(R(0, 0)), ToBullet(R(0, 1)), ToBullet(R(0, 2)),
+                          ToBullet(R(1, 0)), ToBullet(R(1, 1)), ToBullet(R(1, 2)),
+                          ToBullet(R(2, 0)), ToBullet(R(2, 1)), ToBullet(R(2, 2)));
+  return btTransform(basis, ToBullet(X_WB.p_WB));
+}
+
+/* Bullet keeps half extents less the margin, and adds the margin back when it changes:
+ the round trip loses digits of a small shape, so they are set once more. */
+template <typename BulletShape>
+std::unique_ptr<btCollisionShape> WithoutMargin(const btVector3& half_extents) {
+  auto shape = std::make_unique<BulletShape>(half_extents);
+  shape->setMargin(0);
+  shape->setImplicitShapeDimensions(half_extents);
+  return shape;
+}
+
+struct MakeShape {
+  using Result = std::unique_ptr<btCollisionShape>;
+
+  Result operator()(const Sphere& sphere) const {
+    return std::make_unique<btSphereShape>(ToBullet(sphere.radius));
+  }
+  Result operator()(const Box& box) const {
+    return WithoutMargin<btBoxShape>(ToBullet(box.half_extents));
+  }
+  Result operator()(const Capsule& capsule) const {
+    return std::make_unique<btCapsuleShapeZ>(ToBullet(capsule.radius),
+                                             ToBullet(2 * capsule.half_length));
+  }
+  Result operator()(const Cylinder& cylinder) const {
+    return WithoutMargin<btCylinderShapeZ>(btVector3(ToBullet(cylinder.radius),
+                                                     ToBullet(cylinder.radius),
+                                                     ToBullet(cylinder.half_length)));
+  }
+  Result operator()(const Cone& cone) const {
+    auto shape = std::make_unique<btConeShapeZ>(ToBullet(cone.radius),
+                                                ToBullet(2 * cone.half_height));
+    shape->setMargin(0);
+    return shape;
+  }
+  Result operator()(const ConvexHull& hull) const {
+    auto shape = std::make_unique<btConvexHullShape>();
+    for (const Eigen::Vector3d& vertex : hull.vertices) {
+      shape->addPoint(ToBullet(vertex), false);
+    }
+    shape->setMargin(0);
+    shape->recalcLocalAabb();
+    return shape;
+  }
+  Result operator()(const HalfSpace&) const {
+    auto shape = std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0));
+    shape->setMargin(0);
+    return shape;
+  }
+};
+
+}  // namespace
+
+BulletBody::BulletBody(const Body& body) : shape_(std::visit(MakeShape{}, body.shape)) {
+  object_.setCollisionShape(shape_.get());
+  object_.setWorldTransform(ToBullet(body.X_WB));
+}
+
+}  // namespace touchstone

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <Eigen/Core>
+
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** A body in Bullet's form. Rounded to btScalar, and otherwise the very shape asked for:
+ every margin that rounds or enlarges a shape is 0. */
+class BulletBody {
+ public:
+  explicit BulletBody(const Body& body);
+
+  const btCollisionShape* shape() const { return shape_.get(); }
+  const btTransform& X_WB() const { return object_.getWorldTransform(); }
+  const btCollisionObject* object() const { return &object_; }
+
+ private:
+  std::unique_ptr<btCollisionShape> shape_;
+  btCollisionObject object_;
+};
+
+/** The two bodies of a question. */
+struct BulletPair {
+  explicit BulletPair(const ContactQuery& query) : A(query.A), B(query.B) {}
+
+  BulletBody A;
+  BulletBody B;
+};
+
+/** Returns `v` in the project's type. */
+inline Eigen::Vector3d FromBullet(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+}  // namespace touchstone
