@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "reports/referee/contact_truth.h"
+#include "reports/referee/precise.h"
+#include "reports/referee/vector.h"
+
+namespace touchstone::referee {
+
+/** A computed number with a running bound on its error: |true value − value| <= error.
+
+ Each operation adds what its operands' errors can do, by the exact formula, to what rounding
+ its own result can do, u |result|. The bound is itself computed in double with a handful of
+ roundings to nearest, each at most 2^-53 of a sum of positive terms: `kInflation` covers them.
+ Products that underflow lose at most 2^-1075 each: `kUnderflow` covers those. */
+template <typename Real>
+class Bounded {
+ public:
+  Bounded() : value_(0) {}
+  /** Holds `exact` without error. */
+  explicit Bounded(const Real& exact) : value_(exact) {}
+  explicit Bounded(double exact)
+    requires(!std::is_same_v<Real, double>)
+      : value_(exact) {}
+  Bounded(const Real& value, double error) : value_(value), error_(error) {}
+
+  const Real& value() const { return value_; }
+  double error() const { return error_; }
+
+  /** Returns the tightest doubles that certainly hold the true value. */
+  Enclosure enclosure() const {
+    return {Below(value_, error_), -Below(Real(-value_), error_)};
+  }
+
+  friend Bounded operator+(const Bounded& a, const Bounded& b) {
+    return Rounded(a.value_ + b.value_, a.error_ + b.error_);
+  }
+  friend Bounded operator-(const Bounded& a, const Bounded& b) {
+    return Rounded(a.value_ - b.value_, a.error_ + b.error_);
+  }
+  friend Bounded operator-(const Bounded& a) { return Bounded(Real(-a.value_), a.error_); }
+
+  friend Bounded operator*(const Bounded& a, const Bounded& b) {
+    return Rounded(a.value_ * b.value_, Magnitude(a.value_) * b.error_ +
+                                            Magnitude(b.value_) * a.error_ +
+                                            a.error_ * b.error_ + kUnderflow);
+  }
+
+  /** x/y − a/b = ((x − a) − (a/b)(y − b)) / y, and |y| >= |b| − e_b. An unbounded error where
+   the divisor may be zero. */
+  friend Bounded operator/(const Bounded& a, const Bounded& b) {
+    const double least = Below(Real(abs(b.value_)), b.error_);
+    if (!(least > 0)) return Bounded(Real(0), std::numeric_limits<double>::infinity());
+    Real quotient = a.value_ / b.value_;
+    const double carried =
+        (a.error_ + Magnitude(quotient) * b.error_ * kInflation) / least + kUnderflow;
+    return Rounded(quotient, carried);
+  }
+
+  /** |√x − √a| = |x − a| / (√x + √a) <= e / √a, or where a itself may be wrong in sign, both
+   roots lie in [0, √(a + e)]. @pre The true value is >= 0. */
+  friend Bounded Sqrt(const Bounded& a) {
+    using std::sqrt;
+    if (Below(a.value_, a.error_) <= 0) {
+      const double most = -Below(Real(-a.value_), a.error_);
+      return Bounded(Real(0), std::sqrt(std::fmax(most, 0)) * kInflation);
+    }
+    Real root = sqrt(a.value_);
+    const double least_root = std::fmax(Below(root, kRoundoff<Real> * Magnitude(root)),
+                                        std::numeric_limits<double>::min());
+    return Rounded(root, a.error_ / least_root);
+  }
+
+  friend Bounded Abs(const Bounded& a) { return Bounded(Real(abs(a.value_)), a.error_); }
+  /** max and min are 1-Lipschitz in the larger of the two errors. */
+  friend Bounded Max(const Bounded& a, const Bounded& b) {
+    return Bounded(a.value_ < b.value_ ? b.value_ : a.value_, std::fmax(a.error_, b.error_));
+  }
+  friend Bounded Min(const Bounded& a, const Bounded& b) {
+    return Bounded(a.value_ < b.value_ ? a.value_ : b.value_, std::fmax(a.error_, b.error_));
+  }
+
+ private:
+  static constexpr double kInflation = 1 + 0x1p-49;
+  static constexpr double kUnderflow = 4 * std::numeric_limits<double>::denorm_min();
+
+  static Real abs(const Real& x) { return x < 0 ? Real(-x) : x; }
+  static Bounded Rounded(const Real& value, double carried) {
+    return Bounded(value, (carried + kRoundoff<Real> * Magnitude(value)) * kInflation);
+  }
+
+  Real value_;
+  double error_ = 0;
+};
+
+template <typename Real>
+Bounded<Real> Norm(const Vector<Bounded<Real>>& a) {
+  return Sqrt(Dot(a, a));
+}
+
+}  // namespace touchstone::referee

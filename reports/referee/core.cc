@@ -1,0 +1,127 @@
+#include "reports/referee/core.h"
+
+namespace touchstone::referee {
+namespace {
+
+struct ToCore {
+  const Pose& X_WB;
+
+  RoundedCore operator()(const Sphere& sphere) const { return {Point{}, sphere.radius, X_WB}; }
+  RoundedCore operator()(const Capsule& capsule) const {
+    return {Segment{capsule.half_length}, capsule.radius, X_WB};
+  }
+  RoundedCore operator()(const ConvexHull& hull) const {
+    return {Vertices(hull.vertices), 0, X_WB};
+  }
+  // Excluded by the precondition; its boundary point keeps the visit total.
+  RoundedCore operator()(const HalfSpace&) const { return {Point{}, 0, X_WB}; }
+  template <typename Solid>
+  RoundedCore operator()(const Solid& solid) const {
+    return {solid, 0, X_WB};
+  }
+};
+
+template <typename Real>
+struct MaxDot {
+  using Number = Bounded<Real>;
+  const Vector<Number>& n;
+
+  Number operator()(const Point&) const { return Number(); }
+  Number operator()(const Segment& segment) const {
+    return Number(segment.half_length) * Abs(n.z);
+  }
+  Number operator()(const Box& box) const {
+    return Number(box.half_extents.x()) * Abs(n.x) + Number(box.half_extents.y()) * Abs(n.y) +
+           Number(box.half_extents.z()) * Abs(n.z);
+  }
+  Number operator()(const Vertices& vertices) const {
+    Number most = Dot(n, Exactly<Number>(vertices[0]));
+    for (const Eigen::Vector3d& v : vertices.subspan(1)) {
+      most = Max(most, Dot(n, Exactly<Number>(v)));
+    }
+    return most;
+  }
+  Number operator()(const Cylinder& cylinder) const {
+    return Number(cylinder.half_length) * Abs(n.z) + Number(cylinder.radius) * Radial();
+  }
+  Number operator()(const Cone& cone) const {
+    const Number apex = Number(cone.half_height) * n.z;
+    return Max(apex, Number(cone.radius) * Radial() - apex);
+  }
+  Number Radial() const { return Sqrt(n.x * n.x + n.y * n.y); }
+};
+
+template <typename Real>
+struct Farthest {
+  const Vector<Real>& n;
+
+  Vector<Real> operator()(const Point&) const { return {Real(0), Real(0), Real(0)}; }
+  Vector<Real> operator()(const Segment& segment) const {
+    return {Real(0), Real(0), Towards(n.z, segment.half_length)};
+  }
+  Vector<Real> operator()(const Box& box) const {
+    return {Towards(n.x, box.half_extents.x()), Towards(n.y, box.half_extents.y()),
+            Towards(n.z, box.half_extents.z())};
+  }
+  Vector<Real> operator()(const Vertices& vertices) const {
+    const Eigen::Vector3d* farthest = &vertices[0];
+    Real most = Dot(n, Exactly<Real>(*farthest));
+    for (const Eigen::Vector3d& v : vertices.subspan(1)) {
+      const Real along = Dot(n, Exactly<Real>(v));
+      if (along > most) {
+        most = along;
+        farthest = &v;
+      }
+    }
+    return Exactly<Real>(*farthest);
+  }
+  Vector<Real> operator()(const Cylinder& cylinder) const {
+    return Rim(cylinder.radius, Towards(n.z, cylinder.half_length));
+  }
+  Vector<Real> operator()(const Cone& cone) const {
+    using std::sqrt;
+    const Real apex = Real(cone.half_height) * n.z;
+    if (apex >= Real(cone.radius) * sqrt(n.x * n.x + n.y * n.y) - apex) {
+      return {Real(0), Real(0), Real(cone.half_height)};
+    }
+    return Rim(cone.radius, Real(-cone.half_height));
+  }
+
+  static Real Towards(const Real& along, double half) { return along < 0 ? Real(-half) : Real(half); }
+
+  /** A point of the disc of `radius` at height `z`. The quotient, root and products below err
+   by less than 6 u of its radius, so that a disc smaller by 8 u keeps it inside; squares
+   below 1e-280 could underflow and are left at the centre instead, 1e-140 short. */
+  Vector<Real> Rim(double radius, const Real& z) const {
+    using std::sqrt;
+    const Real square = n.x * n.x + n.y * n.y;
+    if (square < 1e-280) return {Real(0), Real(0), z};
+    const Real scale = Real(radius) * (Real(1) - Real(8 * kRoundoff<Real>)) / sqrt(square);
+    return {n.x * scale, n.y * scale, z};
+  }
+};
+
+}  // namespace
+
+RoundedCore CoreOf(const Body& body) { return std::visit(ToCore{body.X_WB}, body.shape); }
+
+bool IsCurved(const Core& core) {
+  return std::holds_alternative<Cylinder>(core) || std::holds_alternative<Cone>(core);
+}
+
+template <typename Real>
+Bounded<Real> SupportValue(const Core& core, const Vector<Bounded<Real>>& n) {
+  return std::visit(MaxDot<Real>{n}, core);
+}
+
+template <typename Real>
+Vector<Real> SupportPoint(const Core& core, const Vector<Real>& n) {
+  return std::visit(Farthest<Real>{n}, core);
+}
+
+template Bounded<double> SupportValue(const Core&, const Vector<Bounded<double>>&);
+template Bounded<Precise> SupportValue(const Core&, const Vector<Bounded<Precise>>&);
+template Vector<double> SupportPoint(const Core&, const Vector<double>&);
+template Vector<Precise> SupportPoint(const Core&, const Vector<Precise>&);
+
+}  // namespace touchstone::referee

@@ -1,0 +1,160 @@
+#include "reports/referee/nearest_point.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace touchstone::referee {
+namespace {
+
+// GJK gains at least a bit per step on flat faces and a constant factor on round ones; what
+// has not converged by then does not, and the enclosure says how far it came.
+constexpr int kMostSteps = 300;
+
+/** The mixture of `subset` of the points that is nearest to the origin within their affine
+ hull; false where it lies outside their convex hull. */
+template <typename Real>
+bool SolveSubset(const Simplex<Real>& all, unsigned subset, Simplex<Real>* solved) {
+  solved->count = 0;
+  solved->encloses_origin = false;
+  for (unsigned i = 0; i < static_cast<unsigned>(all.count); ++i) {
+    if (subset >> i & 1) {
+      solved->points[static_cast<std::size_t>(solved->count++)] = all.points[i];
+    }
+  }
+  auto& points = solved->points;
+  auto& weights = solved->weights;
+  const Vector<Real>& a = points[0].x;
+  const Vector<Real>& b = points[1].x;
+  const Vector<Real>& c = points[2].x;
+  const Vector<Real>& d = points[3].x;
+  switch (solved->count) {
+    case 1:
+      weights[0] = Real(1);
+      break;
+    case 2: {
+      const Vector<Real> e = b - a;
+      weights[0] = Dot(e, b);
+      weights[1] = Real(-Dot(e, a));
+      break;
+    }
+    case 3: {
+      // The weight of a corner is the area of the triangle that the foot of the origin makes
+      // with the other two; n · (b × c) is that times |n|², as the foot is along n.
+      const Vector<Real> n = Cross(b - a, c - a);
+      weights[0] = Dot(n, Cross(b, c));
+      weights[1] = Dot(n, Cross(c, a));
+      weights[2] = Dot(n, Cross(a, b));
+      break;
+    }
+    default: {
+      weights[0] = Real(-Dot(b, Cross(c, d)));
+      weights[1] = Dot(a, Cross(c, d));
+      weights[2] = Real(-Dot(a, Cross(b, d)));
+      weights[3] = Dot(a, Cross(b, c));
+      if (weights[0] < 0) {
+        for (Real& weight : weights) weight = Real(-weight);
+      }
+      solved->encloses_origin = true;
+    }
+  }
+  Real total(0);
+  Vector<Real> sum{Real(0), Real(0), Real(0)};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(solved->count); ++i) {
+    if (!(weights[i] > 0)) return false;
+    total = total + weights[i];
+    sum = sum + weights[i] * points[i].x;
+  }
+  solved->v = (Real(1) / total) * sum;
+  return true;
+}
+
+template <typename Real>
+Simplex<Real> NearestOnSimplex(const Simplex<Real>& all) {
+  Simplex<Real> best;
+  Simplex<Real> candidate;
+  Real least(std::numeric_limits<double>::max());
+  for (unsigned subset = 1; subset < 1u << all.count; ++subset) {
+    if (!SolveSubset(all, subset, &candidate)) continue;
+    if (candidate.encloses_origin) return candidate;
+    const Real square = Dot(candidate.v, candidate.v);
+    if (square < least) {
+      least = square;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+template <typename Real>
+Simplex<Real> FindNearest(const MinkowskiDifference& M, const Simplex<Real>& start) {
+  Simplex<Real> simplex = start;
+  if (simplex.count == 0) {
+    simplex.points[0] = M.Support(Vector<Real>{Real(1), Real(0.5), Real(0.25)});
+    simplex.weights[0] = Real(1);
+    simplex.count = 1;
+    simplex.v = simplex.points[0].x;
+  }
+  // v·w / |v| is uncertain by the rounding of numbers as large as M. Flat faces are found in
+  // finitely many steps, so rounding is all that has to be granted; round ones are only
+  // approached, and a sixteenth of a double's roundoff is near enough.
+  const double roundoff =
+      M.IsCurved() ? std::max(kRoundoff<Real>, kRoundoff<double> / 64) : kRoundoff<Real>;
+  const Real tolerance = Real(4 * roundoff * M.Size());
+  for (int step = 0; step < kMostSteps && !simplex.encloses_origin; ++step) {
+    using std::sqrt;
+    const Real square = Dot(simplex.v, simplex.v);
+    const Real length = sqrt(square);
+    if (length <= tolerance) break;
+    const DifferencePoint<Real> w = M.Support(-simplex.v);
+    if (square - Dot(simplex.v, w.x) <= tolerance * length) break;
+    Simplex<Real> extended = simplex;
+    extended.points[static_cast<std::size_t>(extended.count++)] = w;
+    extended = NearestOnSimplex(extended);
+    if (extended.count == 0) break;
+    if (!extended.encloses_origin && Dot(extended.v, extended.v) >= square) break;
+    simplex = extended;
+  }
+  return simplex;
+}
+
+Simplex<Precise> Sharpen(const MinkowskiDifference& M, const Simplex<double>& simplex) {
+  Simplex<Precise> all;
+  all.count = simplex.count;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
+    const DifferencePoint<double>& p = simplex.points[i];
+    DifferencePoint<Precise>& sharp = all.points[i];
+    sharp.q_A = Exactly<Precise>(p.q_A);
+    sharp.q_B = Exactly<Precise>(p.q_B);
+    const Vector<Bounded<Precise>> x = M.Place(sharp.q_A, sharp.q_B);
+    sharp.x = {x.x.value(), x.y.value(), x.z.value()};
+  }
+  Simplex<Precise> solved;
+  if (SolveSubset(all, (1u << all.count) - 1, &solved)) return solved;
+  return NearestOnSimplex(all);
+}
+
+template <typename Real>
+Enclosure CertifyNearest(const MinkowskiDifference& M, const Simplex<Real>& simplex) {
+  using Number = Bounded<Real>;
+  // The weights are positive numbers as they stand, so the mixture is a point of M.
+  Number total;
+  Vector<Number> sum;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
+    const Number weight(simplex.weights[i]);
+    total = total + weight;
+    sum = sum + weight * M.Place(simplex.points[i].q_A, simplex.points[i].q_B);
+  }
+  const Number distance = Norm(sum) / total;
+  const Vector<Number> n = Exactly<Number>(-simplex.v);
+  const Number overlap = M.SupportValue(n) / Norm(n);
+  return {(-overlap).enclosure().lo, distance.enclosure().hi};
+}
+
+template Simplex<double> FindNearest(const MinkowskiDifference&, const Simplex<double>&);
+template Simplex<Precise> FindNearest(const MinkowskiDifference&, const Simplex<Precise>&);
+template Enclosure CertifyNearest(const MinkowskiDifference&, const Simplex<double>&);
+template Enclosure CertifyNearest(const MinkowskiDifference&, const Simplex<Precise>&);
+
+}  // namespace touchstone::referee

@@ -1,0 +1,109 @@
+#include "reports/referee/referee.h"
+
+#include <cmath>
+#include <limits>
+
+#include "reports/referee/core_truth.h"
+#include "reports/referee/half_space.h"
+#include "reports/referee/input_rounding.h"
+
+namespace touchstone {
+namespace {
+
+using namespace referee;
+
+using Number = Bounded<Precise>;
+
+Touching Decide(const Enclosure& separation, double input_rounding) {
+  if (separation.lo > input_rounding) return Touching::kApart;
+  if (separation.hi < -input_rounding) return Touching::kTouching;
+  return Touching::kUndecided;
+}
+
+Enclosure MinusRadii(const Enclosure& separation, double r_A, double r_B) {
+  const auto rounded = [&](double bound) {
+    return (Number(bound) - Number(r_A) - Number(r_B)).enclosure();
+  };
+  return {rounded(separation.lo).lo, rounded(separation.hi).hi};
+}
+
+std::string MethodOf(const MinkowskiDifference& M) {
+  if (M.IsCurved()) return "bounds";
+  return M.A().radius > 0 || M.B().radius > 0 ? "core" : "polytope";
+}
+
+ContactTruth JudgeAgainstPlane(const ContactQuery& query) {
+  const PlaneOverlap plane = OverlapWithPlane(query);
+  const bool plane_is_A = KindOf(query.A.shape) == ShapeKind::kHalfSpace;
+  ContactTruth truth;
+  truth.separation = {-plane.overlap.hi, -plane.overlap.lo};
+  truth.certificate = {plane.n_AB_W, plane_is_A ? plane.p_WPlane : plane.p_WX,
+                       plane_is_A ? plane.p_WX : plane.p_WPlane};
+  truth.method = "half_space";
+  return truth;
+}
+
+ContactTruth JudgeBounded(const ContactQuery& query) {
+  const MinkowskiDifference M(query.A, query.B);
+  const CoreTruth core = JudgeCores(M);
+  ContactTruth truth;
+  truth.separation = MinusRadii(core.separation, M.A().radius, M.B().radius);
+  truth.certificate = {core.n_AB_W, core.p_WCa + M.A().radius * core.n_AB_W,
+                       core.p_WCb - M.B().radius * core.n_AB_W};
+  truth.method = MethodOf(M);
+  return truth;
+}
+
+/** Where B moved by t along n, t > 0, just leaves the half-space: t (n·m) is the overlap along
+ the plane's own normal m. A gap is shortened instead, so that both bound −separation. */
+Enclosure OverlapAlongTilted(const PlaneOverlap& plane, const Eigen::Vector3d& n_W) {
+  using Near = Bounded<double>;
+  // The normal is known to a few roundings of a unit vector.
+  constexpr double kNormalError = 8 * std::numeric_limits<double>::epsilon();
+  const Vector<Near> n = Exactly<Near>(n_W);
+  const Vector<Near> m = {Near(plane.n_AB_W.x(), kNormalError),
+                          Near(plane.n_AB_W.y(), kNormalError),
+                          Near(plane.n_AB_W.z(), kNormalError)};
+  const Near cosine = Dot(n, m) / Norm(n);
+  if (cosine.enclosure().lo <= 0) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {kInfinity, kInfinity};
+  }
+  const auto along = [&](double overlap) {
+    return (overlap > 0 ? Near(overlap) / cosine : Near(overlap) * cosine).enclosure();
+  };
+  return {along(plane.overlap.lo).lo, along(plane.overlap.hi).hi};
+}
+
+template <typename Real>
+Enclosure OverlapAlong(const MinkowskiDifference& M, const Eigen::Vector3d& n_W) {
+  const Vector<Bounded<Real>> n = Exactly<Bounded<Real>>(n_W);
+  return (M.SupportValue(n) / Norm(n) + Bounded<Real>(M.A().radius) +
+          Bounded<Real>(M.B().radius))
+      .enclosure();
+}
+
+}  // namespace
+
+ContactTruth JudgeContact(const ContactQuery& query) {
+  ContactTruth truth = HasHalfSpace(query) ? JudgeAgainstPlane(query) : JudgeBounded(query);
+  truth.input_rounding = InputRounding(query);
+  truth.touching = Decide(truth.separation, truth.input_rounding);
+  return truth;
+}
+
+Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {
+  if (HasHalfSpace(query)) return OverlapAlongTilted(OverlapWithPlane(query), n_W);
+  return OverlapAlong<Precise>(MinkowskiDifference(query.A, query.B), n_W);
+}
+
+Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W) {
+  // A ball without a radius: the separation from it is the distance of its centre.
+  const Body point{Sphere{0}, Pose::FromMatrix(p_W, Eigen::Matrix3d::Identity())};
+  const ContactQuery query{body, point};
+  const ContactTruth truth =
+      HasHalfSpace(query) ? JudgeAgainstPlane(query) : JudgeBounded(query);
+  return truth.separation;
+}
+
+}  // namespace touchstone
