@@ -11,18 +11,18 @@ namespace touchstone::referee {
 
 /** A computed number with a running bound on its error: |true value − value| <= error.
 
- Each operation adds what its operands' errors can do, by the exact formula, to what rounding
- its own result can do, u |result|. The bound is itself computed in double with a handful of
- roundings to nearest, each at most 2^-53 of a sum of positive terms: `kInflation` covers them.
- Products that underflow lose at most 2^-1075 each: `kUnderflow` covers those. */
+ Each operation adds what its operands' errors can do, by the exact formula, to what
+ rounding its own result can do, u |result|. The bound is itself computed in double with a
+ handful of roundings to nearest, each at most 2^-53 of a sum of positive terms:
+ `kInflation` covers them. Products that underflow lose at most 2^-1075 each: `kUnderflow`
+ covers those. */
 template <typename Real>
 class Bounded {
  public:
   Bounded() : value_(0) {}
   /** Holds `exact` without error. */
   explicit Bounded(const Real& exact) : value_(exact) {}
-  explicit Bounded(double exact)
-    requires(!std::is_same_v<Real, double>)
+  explicit Bounded(double exact) requires(!std::is_same_v<Real, double>)
       : value_(exact) {}
   Bounded(const Real& value, double error) : value_(value), error_(error) {}
 
@@ -40,7 +40,9 @@ class Bounded {
   friend Bounded operator-(const Bounded& a, const Bounded& b) {
     return Rounded(a.value_ - b.value_, a.error_ + b.error_);
   }
-  friend Bounded operator-(const Bounded& a) { return Bounded(Real(-a.value_), a.error_); }
+  friend Bounded operator-(const Bounded& a) {
+    return Bounded(Real(-a.value_), a.error_);
+  }
 
   friend Bounded operator*(const Bounded& a, const Bounded& b) {
     return Rounded(a.value_ * b.value_, Magnitude(a.value_) * b.error_ +
@@ -48,8 +50,8 @@ class Bounded {
                                             a.error_ * b.error_ + kUnderflow);
   }
 
-  /** x/y − a/b = ((x − a) − (a/b)(y − b)) / y, and |y| >= |b| − e_b. An unbounded error where
-   the divisor may be zero. */
+  /** x/y − a/b = ((x − a) − (a/b)(y − b)) / y, and |y| >= |b| − e_b. An unbounded error
+   where the divisor may be zero. */
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
     const double least = Below(Real(abs(b.value_)), b.error_);
     if (!(least > 0)) return Bounded(Real(0), std::numeric_limits<double>::infinity());
@@ -59,8 +61,8 @@ class Bounded {
     return Rounded(quotient, carried);
   }
 
-  /** |√x − √a| = |x − a| / (√x + √a) <= e / √a, or where a itself may be wrong in sign, both
-   roots lie in [0, √(a + e)]. @pre The true value is >= 0. */
+  /** |√x − √a| = |x − a| / (√x + √a) <= e / √a, or where a itself may be wrong in sign,
+   both roots lie in [0, √(a + e)]. @pre The true value is >= 0. */
   friend Bounded Sqrt(const Bounded& a) {
     using std::sqrt;
     if (Below(a.value_, a.error_) <= 0) {
@@ -76,10 +78,12 @@ class Bounded {
   friend Bounded Abs(const Bounded& a) { return Bounded(Real(abs(a.value_)), a.error_); }
   /** max and min are 1-Lipschitz in the larger of the two errors. */
   friend Bounded Max(const Bounded& a, const Bounded& b) {
-    return Bounded(a.value_ < b.value_ ? b.value_ : a.value_, std::fmax(a.error_, b.error_));
+    return Bounded(a.value_ < b.value_ ? b.value_ : a.value_,
+                   std::fmax(a.error_, b.error_));
   }
   friend Bounded Min(const Bounded& a, const Bounded& b) {
-    return Bounded(a.value_ < b.value_ ? a.value_ : b.value_, std::fmax(a.error_, b.error_));
+    return Bounded(a.value_ < b.value_ ? a.value_ : b.value_,
+                   std::fmax(a.error_, b.error_));
   }
 
  private:

@@ -6,7 +6,9 @@ namespace {
 struct ToCore {
   const Pose& X_WB;
 
-  RoundedCore operator()(const Sphere& sphere) const { return {Point{}, sphere.radius, X_WB}; }
+  RoundedCore operator()(const Sphere& sphere) const {
+    return {Point{}, sphere.radius, X_WB};
+  }
   RoundedCore operator()(const Capsule& capsule) const {
     return {Segment{capsule.half_length}, capsule.radius, X_WB};
   }
@@ -31,7 +33,8 @@ struct MaxDot {
     return Number(segment.half_length) * Abs(n.z);
   }
   Number operator()(const Box& box) const {
-    return Number(box.half_extents.x()) * Abs(n.x) + Number(box.half_extents.y()) * Abs(n.y) +
+    return Number(box.half_extents.x()) * Abs(n.x) +
+           Number(box.half_extents.y()) * Abs(n.y) +
            Number(box.half_extents.z()) * Abs(n.z);
   }
   Number operator()(const Vertices& vertices) const {
@@ -87,23 +90,29 @@ struct Farthest {
     return Rim(cone.radius, Real(-cone.half_height));
   }
 
-  static Real Towards(const Real& along, double half) { return along < 0 ? Real(-half) : Real(half); }
+  static Real Towards(const Real& along, double half) {
+    return along < 0 ? Real(-half) : Real(half);
+  }
 
-  /** A point of the disc of `radius` at height `z`. The quotient, root and products below err
-   by less than 6 u of its radius, so that a disc smaller by 8 u keeps it inside; squares
-   below 1e-280 could underflow and are left at the centre instead, 1e-140 short. */
+  /** A point of the disc of `radius` at height `z`. The quotient, root and products below
+   err by less than 6 u of its radius, so that a disc smaller by 8 u keeps it inside;
+   squares below 1e-280 could underflow and are left at the centre instead, 1e-140 short.
+ */
   Vector<Real> Rim(double radius, const Real& z) const {
     using std::sqrt;
     const Real square = n.x * n.x + n.y * n.y;
     if (square < 1e-280) return {Real(0), Real(0), z};
-    const Real scale = Real(radius) * (Real(1) - Real(8 * kRoundoff<Real>)) / sqrt(square);
+    const Real scale =
+        Real(radius) * (Real(1) - Real(8 * kRoundoff<Real>)) / sqrt(square);
     return {n.x * scale, n.y * scale, z};
   }
 };
 
 }  // namespace
 
-RoundedCore CoreOf(const Body& body) { return std::visit(ToCore{body.X_WB}, body.shape); }
+RoundedCore CoreOf(const Body& body) {
+  return std::visit(ToCore{body.X_WB}, body.shape);
+}
 
 bool IsCurved(const Core& core) {
   return std::holds_alternative<Cylinder>(core) || std::holds_alternative<Cone>(core);

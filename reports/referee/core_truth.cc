@@ -16,9 +16,13 @@ Enclosure Intersection(const Enclosure& a, const Enclosure& b) {
   return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
 }
 
-double Width(const Enclosure& e) { return e.hi - e.lo; }
+double Width(const Enclosure& e) {
+  return e.hi - e.lo;
+}
 
-Enclosure Negated(const Enclosure& e) { return {-e.hi, -e.lo}; }
+Enclosure Negated(const Enclosure& e) {
+  return {-e.hi, -e.lo};
+}
 
 /** Returns the overlap of the cores along the unit vector that `n` normalises to. */
 Enclosure OverlapAlong(const MinkowskiDifference& M, const Eigen::Vector3d& n) {
@@ -27,7 +31,8 @@ Enclosure OverlapAlong(const MinkowskiDifference& M, const Eigen::Vector3d& n) {
   return (M.SupportValue(exact) / Norm(exact)).enclosure();
 }
 
-/** Returns a unit vector perpendicular to a line along `direction`; any where it has none. */
+/** Returns a unit vector perpendicular to a line along `direction`; any where it has
+ * none. */
 Eigen::Vector3d Perpendicular(const Eigen::Vector3d& direction) {
   Eigen::Index least;
   direction.cwiseAbs().minCoeff(&least);
@@ -41,14 +46,14 @@ void SetSupportingPoints(const MinkowskiDifference& M, CoreTruth* truth) {
   truth->p_WCb = M.B().X_WB * ToEigen(deepest.q_B);
 }
 
-/** Returns the truth that `simplex` proves, searching on at high precision where its features
- turn out not to be the nearest. */
+/** Returns the truth that `simplex` proves, searching on at high precision where its
+ features turn out not to be the nearest. */
 CoreTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex) {
   Simplex<Precise> sharp = Sharpen(M, simplex);
   CoreTruth truth;
   truth.separation = CertifyNearest(M, sharp);
-  // Right features leave nothing but the rounding of the result. Of points on a round rim the
-  // simplex of doubles knows only that many digits, however right it is.
+  // Right features leave nothing but the rounding of the result. Of points on a round rim
+  // the simplex of doubles knows only that many digits, however right it is.
   const double rounding =
       M.IsCurved() ? 8 * kUlp * M.Size() : 4 * kUlp * std::abs(truth.separation.hi);
   if (!(Width(truth.separation) <= rounding)) {
@@ -69,8 +74,9 @@ CoreTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex) {
   }
   truth.p_WCa = M.A().X_WB * Eigen::Vector3d(q_A / total);
   truth.p_WCb = M.B().X_WB * Eigen::Vector3d(q_B / total);
-  truth.n_AB_W = -Eigen::Vector3d(Nearest(sharp.v.x), Nearest(sharp.v.y), Nearest(sharp.v.z))
-                      .stableNormalized();
+  truth.n_AB_W =
+      -Eigen::Vector3d(Nearest(sharp.v.x), Nearest(sharp.v.y), Nearest(sharp.v.z))
+           .stableNormalized();
   return truth;
 }
 
@@ -97,8 +103,7 @@ CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
     Improve(depth->n_AB_W, depth->depth, &truth);
   } else {
     const bool segment_A = std::holds_alternative<Segment>(M.A().core);
-    const Eigen::Vector3d n =
-        Perpendicular((segment_A ? M.A() : M.B()).X_WB.R_WB.col(2));
+    const Eigen::Vector3d n = Perpendicular((segment_A ? M.A() : M.B()).X_WB.R_WB.col(2));
     Improve(n, OverlapAlong(M, n), &truth);
   }
   return truth;

@@ -17,8 +17,7 @@ PlaneOverlap OverlapWithPlane(const ContactQuery& query) {
 
   const Vector<Number> m = Cross(Exactly<Number>(Eigen::Vector3d(plane.R_WB.col(0))),
                                  Exactly<Number>(Eigen::Vector3d(plane.R_WB.col(1))));
-  const Vector<Number> p =
-      Exactly<Number>(plane.p_WB) - Exactly<Number>(X.X_WB.p_WB);
+  const Vector<Number> p = Exactly<Number>(plane.p_WB) - Exactly<Number>(X.X_WB.p_WB);
   const Vector<Number> n_X = RotateBack(X.X_WB.R_WB, -m);
   const Number overlap =
       (Dot(m, p) + SupportValue(X.core, n_X)) / Norm(m) + Number(X.radius);
@@ -27,8 +26,8 @@ PlaneOverlap OverlapWithPlane(const ContactQuery& query) {
   result.overlap = overlap.enclosure();
   const Eigen::Vector3d m_W = plane.R_WB.col(0).cross(plane.R_WB.col(1)).normalized();
   result.n_AB_W = plane_is_A ? m_W : Eigen::Vector3d(-m_W);
-  const Vector<double> q =
-      SupportPoint(X.core, RotateBack(X.X_WB.R_WB, Exactly<double>(Eigen::Vector3d(-m_W))));
+  const Vector<double> q = SupportPoint(
+      X.core, RotateBack(X.X_WB.R_WB, Exactly<double>(Eigen::Vector3d(-m_W))));
   result.p_WX = X.X_WB * ToEigen(q) - X.radius * m_W;
   result.p_WPlane = result.p_WX - m_W.dot(result.p_WX - plane.p_WB) * m_W;
   return result;

@@ -13,7 +13,9 @@ double CoreRadius(const Core& core) {
       return most;
     }
     double operator()(const Box& box) const { return box.half_extents.norm(); }
-    double operator()(const Cylinder& c) const { return std::hypot(c.radius, c.half_length); }
+    double operator()(const Cylinder& c) const {
+      return std::hypot(c.radius, c.half_length);
+    }
     double operator()(const Cone& c) const { return std::hypot(c.radius, c.half_height); }
   };
   return std::visit(Radius{}, core);
@@ -57,12 +59,14 @@ double MinkowskiDifference::Size() const {
 
 template Vector<Bounded<double>> MinkowskiDifference::Centre() const;
 template Vector<Bounded<Precise>> MinkowskiDifference::Centre() const;
-template DifferencePoint<double> MinkowskiDifference::Support(const Vector<double>&) const;
-template DifferencePoint<Precise> MinkowskiDifference::Support(const Vector<Precise>&) const;
+template DifferencePoint<double> MinkowskiDifference::Support(
+    const Vector<double>&) const;
+template DifferencePoint<Precise> MinkowskiDifference::Support(
+    const Vector<Precise>&) const;
 template Vector<Bounded<double>> MinkowskiDifference::Place(const Vector<double>&,
                                                             const Vector<double>&) const;
-template Vector<Bounded<Precise>> MinkowskiDifference::Place(const Vector<Precise>&,
-                                                             const Vector<Precise>&) const;
+template Vector<Bounded<Precise>> MinkowskiDifference::Place(
+    const Vector<Precise>&, const Vector<Precise>&) const;
 template Bounded<double> MinkowskiDifference::SupportValue(
     const Vector<Bounded<double>>&) const;
 template Bounded<Precise> MinkowskiDifference::SupportValue(

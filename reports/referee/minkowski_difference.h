@@ -11,14 +11,15 @@ template <typename Real>
 struct DifferencePoint {
   Vector<Real> q_A;  ///< In the core of A, body frame. [m]
   Vector<Real> q_B;  ///< In the core of B, body frame. [m]
-  Vector<Real> x;    ///< a − b in the world frame, to rounding: for searches, not for proofs. [m]
+  Vector<Real>
+      x;  ///< a − b in the world frame, to rounding: for searches, not for proofs. [m]
 };
 
 /** M = {a − b : a in the core of A, b in the core of B}, world frame.
 
  The cores are apart by the distance of the origin from M, or the origin lies in M and the
- depth of the cores is its distance from the boundary of M; the separation of the shapes is
- that of their cores minus both radii. */
+ depth of the cores is its distance from the boundary of M; the separation of the shapes
+ is that of their cores minus both radii. */
 class MinkowskiDifference {
  public:
   /** @pre Both outlive this, and neither is a half-space. */
@@ -26,7 +27,9 @@ class MinkowskiDifference {
 
   const RoundedCore& A() const { return A_; }
   const RoundedCore& B() const { return B_; }
-  bool IsCurved() const { return referee::IsCurved(A_.core) || referee::IsCurved(B_.core); }
+  bool IsCurved() const {
+    return referee::IsCurved(A_.core) || referee::IsCurved(B_.core);
+  }
 
   /** Returns p_A − p_B. */
   template <typename Real>
@@ -40,7 +43,8 @@ class MinkowskiDifference {
   template <typename Real>
   Vector<Bounded<Real>> Place(const Vector<Real>& q_A, const Vector<Real>& q_B) const;
 
-  /** Returns max n · x over M: the overlap of the cores along n, times the length of n. */
+  /** Returns max n · x over M: the overlap of the cores along n, times the length of n.
+   */
   template <typename Real>
   Bounded<Real> SupportValue(const Vector<Bounded<Real>>& n) const;
 

@@ -6,12 +6,12 @@
 namespace touchstone::referee {
 namespace {
 
-// GJK gains at least a bit per step on flat faces and a constant factor on round ones; what
-// has not converged by then does not, and the enclosure says how far it came.
+// GJK gains at least a bit per step on flat faces and a constant factor on round ones;
+// what has not converged by then does not, and the enclosure says how far it came.
 constexpr int kMostSteps = 300;
 
-/** The mixture of `subset` of the points that is nearest to the origin within their affine
- hull; false where it lies outside their convex hull. */
+/** The mixture of `subset` of the points that is nearest to the origin within their
+ affine hull; false where it lies outside their convex hull. */
 template <typename Real>
 bool SolveSubset(const Simplex<Real>& all, unsigned subset, Simplex<Real>* solved) {
   solved->count = 0;
@@ -38,8 +38,8 @@ bool SolveSubset(const Simplex<Real>& all, unsigned subset, Simplex<Real>* solve
       break;
     }
     case 3: {
-      // The weight of a corner is the area of the triangle that the foot of the origin makes
-      // with the other two; n · (b × c) is that times |n|², as the foot is along n.
+      // The weight of a corner is the area of the triangle that the foot of the origin
+      // makes with the other two; n · (b × c) is that times |n|², as the foot is along n.
       const Vector<Real> n = Cross(b - a, c - a);
       weights[0] = Dot(n, Cross(b, c));
       weights[1] = Dot(n, Cross(c, a));
@@ -96,9 +96,9 @@ Simplex<Real> FindNearest(const MinkowskiDifference& M, const Simplex<Real>& sta
     simplex.count = 1;
     simplex.v = simplex.points[0].x;
   }
-  // v·w / |v| is uncertain by the rounding of numbers as large as M. Flat faces are found in
-  // finitely many steps, so rounding is all that has to be granted; round ones are only
-  // approached, and a sixteenth of a double's roundoff is near enough.
+  // v·w / |v| is uncertain by the rounding of numbers as large as M. Flat faces are found
+  // in finitely many steps, so rounding is all that has to be granted; round ones are
+  // only approached, and a sixteenth of a double's roundoff is near enough.
   const double roundoff =
       M.IsCurved() ? std::max(kRoundoff<Real>, kRoundoff<double> / 64) : kRoundoff<Real>;
   const Real tolerance = Real(4 * roundoff * M.Size());
@@ -153,7 +153,8 @@ Enclosure CertifyNearest(const MinkowskiDifference& M, const Simplex<Real>& simp
 }
 
 template Simplex<double> FindNearest(const MinkowskiDifference&, const Simplex<double>&);
-template Simplex<Precise> FindNearest(const MinkowskiDifference&, const Simplex<Precise>&);
+template Simplex<Precise> FindNearest(const MinkowskiDifference&,
+                                      const Simplex<Precise>&);
 template Enclosure CertifyNearest(const MinkowskiDifference&, const Simplex<double>&);
 template Enclosure CertifyNearest(const MinkowskiDifference&, const Simplex<Precise>&);
 

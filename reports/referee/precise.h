@@ -7,8 +7,8 @@
 
 namespace touchstone::referee {
 
-/** The reals of the second opinion: 257 bits, round to nearest. The product of two doubles
- is exact in them, and the sum of such products almost always. */
+/** The reals of the second opinion: 257 bits, round to nearest. The product of two
+ doubles is exact in them, and the sum of such products almost always. */
 using Precise = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<77, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
@@ -21,19 +21,26 @@ inline constexpr double kRoundoff<Precise> = 0x1p-256;
 static_assert(std::numeric_limits<Precise>::digits >= 256);
 
 /** Returns a double no smaller than |x|, and less than twice as large. */
-inline double Magnitude(double x) { return std::abs(x); }
+inline double Magnitude(double x) {
+  return std::abs(x);
+}
 inline double Magnitude(const Precise& x) {
   const auto& data = x.backend().data();
   return mpfr_zero_p(data) ? 0 : std::ldexp(1.0, static_cast<int>(mpfr_get_exp(data)));
 }
 
 /** Returns the double nearest to `x`. */
-inline double Nearest(double x) { return x; }
-inline double Nearest(const Precise& x) { return mpfr_get_d(x.backend().data(), MPFR_RNDN); }
+inline double Nearest(double x) {
+  return x;
+}
+inline double Nearest(const Precise& x) {
+  return mpfr_get_d(x.backend().data(), MPFR_RNDN);
+}
 
 /** Returns a double at most `x - error`. */
 inline double Below(double x, double error) {
-  return error == 0 ? x : std::nextafter(x - error, -std::numeric_limits<double>::infinity());
+  return error == 0 ? x
+                    : std::nextafter(x - error, -std::numeric_limits<double>::infinity());
 }
 inline double Below(Precise x, double error) {
   mpfr_sub_d(x.backend().data(), x.backend().data(), error, MPFR_RNDD);

@@ -54,8 +54,9 @@ ContactTruth JudgeBounded(const ContactQuery& query) {
   return truth;
 }
 
-/** Where B moved by t along n, t > 0, just leaves the half-space: t (n·m) is the overlap along
- the plane's own normal m. A gap is shortened instead, so that both bound −separation. */
+/** Where B moved by t along n, t > 0, just leaves the half-space: t (n·m) is the overlap
+ along the plane's own normal m. A gap is shortened instead, so that both bound
+ −separation. */
 Enclosure OverlapAlongTilted(const PlaneOverlap& plane, const Eigen::Vector3d& n_W) {
   using Near = Bounded<double>;
   // The normal is known to a few roundings of a unit vector.
@@ -86,7 +87,8 @@ Enclosure OverlapAlong(const MinkowskiDifference& M, const Eigen::Vector3d& n_W)
 }  // namespace
 
 ContactTruth JudgeContact(const ContactQuery& query) {
-  ContactTruth truth = HasHalfSpace(query) ? JudgeAgainstPlane(query) : JudgeBounded(query);
+  ContactTruth truth =
+      HasHalfSpace(query) ? JudgeAgainstPlane(query) : JudgeBounded(query);
   truth.input_rounding = InputRounding(query);
   truth.touching = Decide(truth.separation, truth.input_rounding);
   return truth;

@@ -16,7 +16,9 @@ struct Vector {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
   }
   friend Vector operator-(const Vector& a) { return {-a.x, -a.y, -a.z}; }
-  friend Vector operator*(const T& s, const Vector& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend Vector operator*(const T& s, const Vector& a) {
+    return {s * a.x, s * a.y, s * a.z};
+  }
 };
 
 template <typename T>
@@ -40,6 +42,8 @@ Vector<To> Exactly(const Eigen::Vector3d& a) {
   return {To(a.x()), To(a.y()), To(a.z())};
 }
 
-inline Eigen::Vector3d ToEigen(const Vector<double>& a) { return {a.x, a.y, a.z}; }
+inline Eigen::Vector3d ToEigen(const Vector<double>& a) {
+  return {a.x, a.y, a.z};
+}
 
 }  // namespace touchstone::referee

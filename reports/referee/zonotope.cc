@@ -8,14 +8,15 @@ namespace touchstone::referee {
 namespace {
 
 struct Generator {
-  Eigen::Vector3d direction;          ///< A column of a pose's matrix: exact.
+  Eigen::Vector3d direction;         ///< A column of a pose's matrix: exact.
   std::vector<double> half_lengths;  ///< Of parallel edges, whose sum counts. [m]
 };
 
 void AddGenerator(const Eigen::Vector3d& direction, double half_length,
                   std::vector<Generator>* generators) {
   // Bodies that share an orientation share edges to the bit. Merging them leaves fewer
-  // candidates; edges parallel only in exact arithmetic are told apart by their exact cross.
+  // candidates; edges parallel only in exact arithmetic are told apart by their exact
+  // cross.
   for (Generator& generator : *generators) {
     if (generator.direction == direction || generator.direction == -direction) {
       generator.half_lengths.push_back(half_length);
@@ -40,8 +41,9 @@ struct Candidate {
   Eigen::Vector3d n_AB_W = Eigen::Vector3d::Zero();
 };
 
-/** Returns the overlap along ± the cross product of two generators, whichever sign is less.
- Where the cross is exactly zero there is no such face, and the overlap is infinite. */
+/** Returns the overlap along ± the cross product of two generators, whichever sign is
+ less. Where the cross is exactly zero there is no such face, and the overlap is infinite.
+ */
 template <typename Real>
 Candidate Evaluate(const MinkowskiDifference& M, const std::vector<Generator>& generators,
                    std::size_t i, std::size_t j) {
@@ -49,8 +51,8 @@ Candidate Evaluate(const MinkowskiDifference& M, const std::vector<Generator>& g
   Candidate candidate;
   Vector<Number> n = Cross(Exactly<Number>(generators[i].direction),
                            Exactly<Number>(generators[j].direction));
-  // Products of two doubles are exact in Precise, and a correctly rounded difference is zero
-  // only where it is zero in truth.
+  // Products of two doubles are exact in Precise, and a correctly rounded difference is
+  // zero only where it is zero in truth.
   if (std::is_same_v<Real, Precise> && n.x.value() == 0 && n.y.value() == 0 &&
       n.z.value() == 0) {
     return candidate;
@@ -66,9 +68,9 @@ Candidate Evaluate(const MinkowskiDifference& M, const std::vector<Generator>& g
         overlap + half_length * Abs(Dot(n, Exactly<Number>(generators[k].direction)));
   }
   candidate.overlap = (overlap / Norm(n)).enclosure();
-  candidate.n_AB_W = Eigen::Vector3d(Nearest(n.x.value()), Nearest(n.y.value()),
-                                     Nearest(n.z.value()))
-                         .stableNormalized();
+  candidate.n_AB_W =
+      Eigen::Vector3d(Nearest(n.x.value()), Nearest(n.y.value()), Nearest(n.z.value()))
+          .stableNormalized();
   return candidate;
 }
 
@@ -97,10 +99,11 @@ std::optional<CoreDepth> ZonotopeDepth(const MinkowskiDifference& M) {
       least = std::min(least, overlap.hi);
     }
   }
-  // Every candidate that may be the least is evaluated again; the others cannot change it.
-  CoreDepth best{{std::numeric_limits<double>::infinity(),
-                  std::numeric_limits<double>::infinity()},
-                 Eigen::Vector3d::Zero()};
+  // Every candidate that may be the least is evaluated again; the others cannot change
+  // it.
+  CoreDepth best{
+      {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
+      Eigen::Vector3d::Zero()};
   for (const Pair& pair : pairs) {
     if (pair.lo > least) continue;
     const Candidate candidate = Evaluate<Precise>(M, generators, pair.i, pair.j);
