@@ -11,7 +11,6 @@
 #include <utility>
 
 #include <Eigen/Geometry>
-#include <boost/multiprecision/cpp_int.hpp>
 
 namespace touchstone {
 namespace {
@@ -21,22 +20,60 @@ using Vertices = std::vector<Vector3d>;
 using Triangle = std::array<int, 3>;  // Counterclockwise seen from outside.
 using Edge = std::pair<int, int>;
 
-// The sign of (b − a) × (c − a) · (d − a): positive where d is above the triangle abc.
-int ExactSide(const Vector3d& a, const Vector3d& b, const Vector3d& c,
-              const Vector3d& d) {
-  using Rational = boost::multiprecision::cpp_rational;
-  std::array<std::array<Rational, 3>, 3> m;
-  const std::array<const Vector3d*, 3> tips = {&b, &c, &d};
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      m[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-          Rational((*tips[static_cast<std::size_t>(row)])[column]) - Rational(a[column]);
+// The exact sum of what was added, as numbers that do not overlap, smallest first:
+// Shewchuk, "Adaptive Precision Floating-Point Arithmetic" (1997), GROW-EXPANSION,
+// theorem 10.
+class ExactSum {
+ public:
+  void Add(double x) {
+    for (double& part : parts_) {
+      const double sum = x + part;
+      const double rounded = sum - x;
+      part = (x - (sum - rounded)) + (part - rounded);
+      x = sum;
+    }
+    parts_.push_back(x);
+  }
+
+  void AddProduct(double x, double y, double z) {
+    const double xy = x * y;
+    const double xy_error = std::fma(x, y, -xy);
+    for (const double factor : {xy_error, xy}) {
+      Add(std::fma(factor, z, -(factor * z)));
+      Add(factor * z);
     }
   }
-  const Rational det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                       m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                       m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  return det.sign();
+
+  int sign() const {
+    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
+      if (*part != 0) return *part > 0 ? 1 : -1;
+    }
+    return 0;
+  }
+
+ private:
+  std::vector<double> parts_;
+};
+
+// The sign of (b − a) × (c − a) · (d − a): positive where d is above the triangle abc.
+// Written as the difference of four triple products, in which nothing is rounded.
+int ExactSide(const Vector3d& a, const Vector3d& b, const Vector3d& c,
+              const Vector3d& d) {
+  ExactSum sum;
+  const auto add_triple_product = [&](double sign, const Vector3d& p, const Vector3d& q,
+                                      const Vector3d& r) {
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      const int k = (i + 2) % 3;
+      sum.AddProduct(sign * p[i], q[j], r[k]);
+      sum.AddProduct(-sign * p[i], q[k], r[j]);
+    }
+  };
+  add_triple_product(1, b, c, d);
+  add_triple_product(-1, a, c, d);
+  add_triple_product(1, a, b, d);
+  add_triple_product(-1, a, b, c);
+  return sum.sign();
 }
 
 int Side(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {

@@ -1,6 +1,10 @@
 #include "oracles/ode/ode_geom.h"
 
 #include <algorithm>
+#include <optional>
+#include <variant>
+
+#include <ode/ode.h>
 
 #include "oracles/convex_facets.h"
 
@@ -27,6 +31,10 @@ struct MakePrimitive {
 };
 
 }  // namespace
+
+void OdeGeom::Destroy::operator()(dxGeom* geom) const {
+  dGeomDestroy(geom);
+}
 
 OdeGeom::OdeGeom(const Body& body) {
   const Eigen::Matrix3d& R = body.X_WB.R_WB;

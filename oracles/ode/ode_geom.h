@@ -1,12 +1,13 @@
 #pragma once
 
 #include <memory>
-#include <type_traits>
 #include <vector>
 
-#include <ode/ode.h>
+#include <Eigen/Core>
 
 #include "scenarios/contact_query.h"
+
+struct dxGeom;  // What ODE's dGeomID points to.
 
 namespace touchstone {
 
@@ -17,21 +18,21 @@ class OdeGeom {
    convex hull without volume. */
   explicit OdeGeom(const Body& body);
 
-  dGeomID get() const { return geom_.get(); }
+  dxGeom* get() const { return geom_.get(); }
   explicit operator bool() const { return geom_ != nullptr; }
 
  private:
   struct Destroy {
-    void operator()(dGeomID geom) const { dGeomDestroy(geom); }
+    void operator()(dxGeom* geom) const;
   };
 
   void MakeConvex(const ConvexHull& hull);
 
-  std::vector<dReal> planes_;
-  std::vector<dReal> points_;
+  std::vector<double> planes_;
+  std::vector<double> points_;
   std::vector<unsigned> polygons_;
   Eigen::Vector3d origin_B_ = Eigen::Vector3d::Zero();  // Of the geom, in the body. [m]
-  std::unique_ptr<std::remove_pointer_t<dGeomID>, Destroy> geom_;
+  std::unique_ptr<dxGeom, Destroy> geom_;
 };
 
 }  // namespace touchstone

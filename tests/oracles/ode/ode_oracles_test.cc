@@ -1,5 +1,6 @@
 #include "oracles/ode/ode_oracles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -85,7 +86,9 @@ TEST(OdeOracle, PutsEveryContactMidwayThroughItsOverlap) {
       {ShapeKind::kHalfSpace, box},
       {ShapeKind::kConvexHull, ShapeKind::kHalfSpace}};
   for (const auto& [a, b] : pairs) {
+    SCOPED_TRACE(std::string(NameOf(a)) + " against " + std::string(NameOf(b)));
     int contacts = 0;
+    int off_surface = 0;
     for (int i = 0; i < 300; ++i) {
       const ContactQuery query = {{RandomShape(a, random), RandomPose(0.8, random)},
                                   {RandomShape(b, random), RandomPose(0.8, random)}};
@@ -93,18 +96,21 @@ TEST(OdeOracle, PutsEveryContactMidwayThroughItsOverlap) {
       ASSERT_EQ(answer.status, AnswerStatus::kAnswered);
       for (const ContactPoint& point : answer.points) {
         const Vector3d half_gap_W = point.separation / 2 * *answer.n_AB_W;
-        // Edge points of two boxes come from a division by sin² of the edges' angle.
-        constexpr double kIllConditioned = 1e-9;
-        EXPECT_NEAR(HeightAboveSurface(query.A, point.p_WC - half_gap_W), 0,
-                    kIllConditioned)
-            << NameOf(a) << " on " << NameOf(b) << ", question " << i;
-        EXPECT_NEAR(HeightAboveSurface(query.B, point.p_WC + half_gap_W), 0,
-                    kIllConditioned)
-            << NameOf(a) << " on " << NameOf(b) << ", question " << i;
+        const double height_A = HeightAboveSurface(query.A, point.p_WC - half_gap_W);
+        const double height_B = HeightAboveSurface(query.B, point.p_WC + half_gap_W);
+        // Where two edges cross comes from a division by sin² of their angle, here >
+        // 1e-5.
+        constexpr double kIllConditioned = kRounding / 1e-5;
+        if (std::max(std::abs(height_A), std::abs(height_B)) > kIllConditioned)
+          ++off_surface;
         ++contacts;
       }
     }
-    EXPECT_GT(contacts, 100) << NameOf(a) << " on " << NameOf(b);
+    EXPECT_GT(contacts, 100);
+    // dBoxBox() keeps the first pair of edges within 5 % of the best, and where that is
+    // not the best its lines cross beyond the ends of the edges: 3 of 5126 contacts,
+    // measured.
+    EXPECT_LE(off_surface, a == box && b == box ? contacts / 200 : 0);
   }
 }
 
