@@ -39,8 +39,8 @@ struct Certificate {
  deepest contact lies. */
 struct ContactPatch {
   std::vector<Eigen::Vector3d> vertices_W;  ///< Corners, world frame. [m]
-  int least_contacts =
-      0;  ///< Fewest contacts that span it: 1 point, 2 segment, 3 or 4 face.
+  int least_contacts = 0;  ///< Fewest contacts that span it: 1 a point, 2 a segment, 3 a
+                           ///< triangle or a disc, 4 any other face.
 };
 
 /** The certified truth of one contact query. */

@@ -6,26 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "reports/referee/referee.h"
+#include "tests/reports/referee/awkward_scene.h"
 
 namespace touchstone {
 namespace {
-
-/** Turns the scene so that no coordinate is exact, and moves it off the origin. */
-Pose AwkwardPose() {
-  return Pose::FromQuaternion({0.31, -0.72, 0.53},
-                              Eigen::Quaterniond(0.61, -0.35, 0.52, 0.48).normalized());
-}
-
-/** `body` placed at `p` and turned by `q` in the awkward frame. */
-Body Place(const Shape& shape, const Eigen::Vector3d& p,
-           const Eigen::Quaterniond& q = Eigen::Quaterniond::Identity()) {
-  const Pose X_WF = AwkwardPose();
-  return {shape, Pose::FromQuaternion(X_WF * p, (*X_WF.q_WB * q).normalized())};
-}
-
-Eigen::Quaterniond Turn(double angle, const Eigen::Vector3d& axis) {
-  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized()));
-}
 
 /** Placing the bodies rounds the poses, which moves the truth by no more than the band of
  the input; the enclosure itself is a few ulps of the scene. */

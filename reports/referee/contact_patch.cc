@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/referee/planar_intersection.h"
+#include "reports/referee/referee.h"
+#include "reports/referee/support_feature.h"
+
+namespace touchstone {
+namespace {
+
+using namespace referee;
+
+/** Coordinates in the plane perpendicular to a normal, about an origin near the features.
+ */
+class Plane {
+ public:
+  Plane(const Eigen::Vector3d& n, const Eigen::Vector3d& origin)
+      : n_(n), origin_(origin) {
+    Eigen::Index least;
+    n.cwiseAbs().minCoeff(&least);
+    u_ = n.cross(Eigen::Vector3d::Unit(least)).normalized();
+    v_ = n.cross(u_);
+  }
+  Eigen::Vector2d Project(const Eigen::Vector3d& p) const {
+    return {u_.dot(p - origin_), v_.dot(p - origin_)};
+  }
+  /** The point over `p` whose coordinate along the normal is `height` from the origin. */
+  Eigen::Vector3d Lift(const Eigen::Vector2d& p, double height) const {
+    return origin_ + p.x() * u_ + p.y() * v_ + height * n_;
+  }
+
+ private:
+  Eigen::Vector3d n_, origin_, u_, v_;
+};
+
+std::vector<Eigen::Vector2d> Project(const Plane& plane,
+                                     const std::vector<Eigen::Vector3d>& points) {
+  std::vector<Eigen::Vector2d> projected;
+  for (const Eigen::Vector3d& p : points) projected.push_back(plane.Project(p));
+  return projected;
+}
+
+double Farthest(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& n,
+                const Eigen::Vector3d& origin) {
+  double most = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& p : points) most = std::max(most, n.dot(p - origin));
+  return most;
+}
+
+double Extent(const Polygon& polygon) {
+  double most = 0;
+  for (const Eigen::Vector2d& p : polygon) most = std::max(most, (p - polygon[0]).norm());
+  return most;
+}
+
+bool Same(const Polygon& P, const Polygon& Q, double slack) {
+  return P.size() == Q.size() && std::all_of(P.begin(), P.end(), [&](const auto& p) {
+           return std::any_of(Q.begin(), Q.end(),
+                              [&](const auto& q) { return (p - q).norm() <= 4 * slack; });
+         });
+}
+
+}  // namespace
+
+ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
+                        double separation, double slack) {
+  const Eigen::Vector3d n = n_W.normalized();
+  // Corners are placed, and projected, with a few roundings of the scene.
+  const double rounding =
+      slack + 32 * std::numeric_limits<double>::epsilon() * SceneSize(query);
+  const SupportFeature A = FeatureAlong(query.A, n, rounding);
+  const SupportFeature B = FeatureAlong(query.B, -n, rounding);
+
+  const Eigen::Vector3d origin = A.is_plane ? B.points_W[0] : A.points_W[0];
+  const Plane plane(n, origin);
+  // Midway through the overlap: half of it back from the front of A, which is as far
+  // beyond the back of B.
+  const double middle = A.is_plane ? -Farthest(B.points_W, -n, origin) - separation / 2
+                                   : Farthest(A.points_W, n, origin) + separation / 2;
+
+  const Polygon P = HullOf(Project(plane, A.points_W), rounding);
+  const Polygon Q = HullOf(Project(plane, B.points_W), rounding);
+  Polygon patch;
+  if (A.is_plane || B.is_plane) {
+    patch = A.is_plane ? Q : P;
+  } else {
+    // Round bodies that stray sideways by w are lower by w²/2R only.
+    const double parallel = std::sqrt(2 * rounding * std::max(Extent(P), Extent(Q)));
+    patch = Intersect(P, Q, rounding, parallel);
+  }
+
+  ContactPatch result;
+  for (const Eigen::Vector2d& p : patch)
+    result.vertices_W.push_back(plane.Lift(p, middle));
+  const bool whole_disc =
+      (A.is_disc && Same(patch, P, rounding)) || (B.is_disc && Same(patch, Q, rounding));
+  result.least_contacts = whole_disc ? 3 : std::min(static_cast<int>(patch.size()), 4);
+  return result;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,115 @@
+// Patches whose shape is known by hand.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "reports/referee/referee.h"
+#include "tests/reports/referee/awkward_scene.h"
+
+namespace touchstone {
+namespace {
+
+/** The frame the scenes are built in has its z as the contact normal. */
+Eigen::Vector3d Up() {
+  return AwkwardPose().R_WB.col(2);
+}
+
+ContactPatch PatchOf(const ContactQuery& query) {
+  const Enclosure overlap = Overlap(query, Up());
+  const double slack = 16 * std::numeric_limits<double>::epsilon() * SceneSize(query);
+  return PatchAlong(query, Up(), -overlap.hi, slack);
+}
+
+/** Each of `expected`, given in the awkward frame, is a corner of the patch and no other
+ * is. */
+void ExpectCorners(const ContactPatch& patch,
+                   const std::vector<Eigen::Vector3d>& expected) {
+  // Corners are known to some hundred roundings of a scene of size 1.
+  constexpr double kRounding = 1e-13;
+  EXPECT_EQ(patch.vertices_W.size(), expected.size());
+  for (const Eigen::Vector3d& p : expected) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& v : patch.vertices_W) {
+      least = std::min(least, (v - AwkwardPose() * p).norm());
+    }
+    EXPECT_LE(least, kRounding) << p.transpose();
+  }
+}
+
+//  A's top is [-0.5, 0.5] x [-0.4, 0.4] at z = 0.3; B is [0.3, 0.7] x [-0.6, 0.2], 0.01
+//  deep.
+TEST(ContactPatch, FaceOnFaceIsTheRectangleTheyShareMidwayThroughTheOverlap) {
+  const ContactPatch patch = PatchOf({Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
+                                      Place(Box{{0.2, 0.4, 0.1}}, {0.5, -0.2, 0.39})});
+  ExpectCorners(
+      patch,
+      {{0.3, -0.4, 0.295}, {0.5, -0.4, 0.295}, {0.5, 0.2, 0.295}, {0.3, 0.2, 0.295}});
+  EXPECT_EQ(patch.least_contacts, 4);
+}
+
+TEST(ContactPatch, CapsuleLyingAcrossTheRimOfABoxIsCutAtTheRim) {
+  const ContactPatch patch =
+      PatchOf({Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
+               Place(Capsule{0.1, 0.3}, {0.4, 0.1, 0.39}, Turn(M_PI / 2, {0, 1, 0}))});
+  ExpectCorners(patch, {{0.1, 0.1, 0.295}, {0.5, 0.1, 0.295}});
+  EXPECT_EQ(patch.least_contacts, 2);
+}
+
+TEST(ContactPatch, ParallelCapsulesTouchAlongTheSegmentTheyShare) {
+  const Eigen::Quaterniond along_x = Turn(M_PI / 2, {0, 1, 0});
+  const ContactPatch patch = PatchOf({Place(Capsule{0.1, 0.5}, {0, 0, 0}, along_x),
+                                      Place(Capsule{0.2, 0.5}, {0.3, 0, 0.29}, along_x)});
+  ExpectCorners(patch, {{-0.2, 0, 0.095}, {0.5, 0, 0.095}});
+  EXPECT_EQ(patch.least_contacts, 2);
+}
+
+TEST(ContactPatch, CrossedEdgesTouchAtAPoint) {
+  const double reach = std::sqrt(2.0) * 0.3;
+  const ContactPatch patch =
+      PatchOf({Place(Box{{0.3, 0.3, 0.3}}, {0, 0, 0}, Turn(M_PI / 4, {1, 0, 0})),
+               Place(Box{{0.3, 0.3, 0.3}}, {0.1, -0.05, 2 * reach - 0.02},
+                     Turn(M_PI / 4, {0, 1, 0}))});
+  ExpectCorners(patch, {{0.1, 0, reach - 0.01}});
+  EXPECT_EQ(patch.least_contacts, 1);
+}
+
+TEST(ContactPatch, CylinderStandingOnAFaceNeedsThreeContacts) {
+  const ContactPatch patch = PatchOf({Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
+                                      Place(Cylinder{0.2, 0.1}, {0.1, 0.05, 0.39})});
+  EXPECT_EQ(patch.least_contacts, 3);
+  for (const Eigen::Vector3d& v : patch.vertices_W) {
+    EXPECT_NEAR((v - AwkwardPose() * Eigen::Vector3d(0.1, 0.05, 0.295)).norm(),
+                0.2 / std::cos(M_PI / 16), 1e-13);
+  }
+}
+
+TEST(ContactPatch, CylinderLyingOnAPlaneTouchesAlongItsSide) {
+  const ContactPatch patch =
+      PatchOf({Place(HalfSpace{}, {0, 0, 0.2}),
+               Place(Cylinder{0.1, 0.3}, {0.4, 0.1, 0.29}, Turn(M_PI / 2, {0, 1, 0}))});
+  ExpectCorners(patch, {{0.1, 0.1, 0.195}, {0.7, 0.1, 0.195}});
+  EXPECT_EQ(patch.least_contacts, 2);
+}
+
+TEST(ContactPatch, ConeStandingOnItsApexTouchesAtAPoint) {
+  const ContactPatch patch =
+      PatchOf({Place(HalfSpace{}, {0, 0, 0.2}),
+               Place(Cone{0.1, 0.3}, {0.4, 0.1, 0.49}, Turn(M_PI, {0, 1, 0}))});
+  ExpectCorners(patch, {{0.4, 0.1, 0.195}});
+  EXPECT_EQ(patch.least_contacts, 1);
+}
+
+TEST(ContactPatch, TetrahedronOnAFaceNeedsThreeContacts) {
+  const ConvexHull hull{
+      {{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}, {0.03, 0.03, 0}, {0, 0, 0.1}}};
+  const ContactPatch patch =
+      PatchOf({Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}), Place(hull, {0.1, 0.05, 0.29})});
+  ExpectCorners(patch, {{0.1, 0.05, 0.295}, {0.2, 0.05, 0.295}, {0.1, 0.15, 0.295}});
+  EXPECT_EQ(patch.least_contacts, 3);
+}
+
+}  // namespace
+}  // namespace touchstone
