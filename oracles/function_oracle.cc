@@ -1,0 +1,121 @@
+#include "oracles/function_oracle.h"
+
+#include <exception>
+#include <limits>
+
+namespace touchstone {
+namespace {
+
+OracleInfo InfoOf(std::string name, const std::vector<ShapePair>& pairs,
+                  const Capability& gives) {
+  OracleInfo info;
+  info.name = std::move(name);
+  info.library = "user";
+  info.settings.push_back(
+      {"conventions", "as the function gives them", "a function adapts itself"});
+  for (auto& row : info.capabilities) {
+    for (Capability& capability : row) {
+      capability.reason = "the function of " + info.name + " is not for this pair";
+    }
+  }
+  for (const ShapePair& pair : pairs) {
+    info.capabilities[static_cast<std::size_t>(pair.A)]
+                     [static_cast<std::size_t>(pair.B)] = gives;
+  }
+  return info;
+}
+
+ContactAnswer Crashed(std::string reason) {
+  ContactAnswer answer;
+  answer.status = AnswerStatus::kCrashed;
+  answer.reason = std::move(reason);
+  return answer;
+}
+
+class FunctionOracle final : public Oracle {
+ public:
+  FunctionOracle(OracleInfo info, ContactFunction function)
+      : info_(std::move(info)), function_(std::move(function)) {}
+
+  const OracleInfo& info() const override { return info_; }
+
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery> queries,
+              std::span<ContactAnswer> answers) const override {
+    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = Ask(queries[i]);
+  }
+
+  std::unique_ptr<PreparedBatch> Prepare(
+      std::span<const ContactQuery> queries) const override;
+
+ private:
+  ContactAnswer Ask(const ContactQuery& query) const {
+    const Capability& capability =
+        info_.For(KindOf(query.A.shape), KindOf(query.B.shape));
+    if (!capability.supported) {
+      ContactAnswer answer;
+      answer.reason = capability.reason;
+      return answer;
+    }
+    try {
+      return function_(query);
+    } catch (const std::exception& error) {
+      return Crashed(std::string("threw: ") + error.what());
+    } catch (...) {
+      return Crashed("threw something that is no std::exception");
+    }
+  }
+
+  OracleInfo info_;
+  ContactFunction function_;
+};
+
+// A function has no objects to build beforehand: its questions are its batch.
+class FunctionBatch final : public PreparedBatch {
+ public:
+  FunctionBatch(const Oracle& oracle, std::span<const ContactQuery> queries)
+      : oracle_(oracle),
+        queries_(queries.begin(), queries.end()),
+        answers_(queries.size()) {}
+
+  void Run() override {
+    oracle_.Answer(queries_, answers_);
+    separations_.clear();
+    for (const ContactAnswer& answer : answers_) {
+      separations_.push_back(
+          answer.separation.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+  }
+
+  std::span<const double> separations() const override { return separations_; }
+
+ private:
+  const Oracle& oracle_;
+  std::vector<ContactQuery> queries_;
+  std::vector<ContactAnswer> answers_;
+  std::vector<double> separations_;
+};
+
+std::unique_ptr<PreparedBatch> FunctionOracle::Prepare(
+    std::span<const ContactQuery> queries) const {
+  return std::make_unique<FunctionBatch>(*this, queries);
+}
+
+}  // namespace
+
+Capability DepthAndNormal() {
+  Capability gives;
+  gives.supported = true;
+  gives.family = "user";
+  gives.depth = true;
+  gives.normal = true;
+  return gives;
+}
+
+std::unique_ptr<Oracle> MakeOracle(std::string name, const std::vector<ShapePair>& pairs,
+                                   ContactFunction function, Capability gives) {
+  return std::make_unique<FunctionOracle>(InfoOf(std::move(name), pairs, gives),
+                                          std::move(function));
+}
+
+}  // namespace touchstone

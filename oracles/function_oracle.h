@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "oracles/oracle.h"
+
+namespace touchstone {
+
+/** A user's collision routine: answers one query in the project's conventions
+ (contact_answer.h); may be called from several threads at once. What it throws becomes
+ AnswerStatus::kCrashed. */
+using ContactFunction = std::function<ContactAnswer(const ContactQuery&)>;
+
+/** The kind of A and the kind of B, in that order. */
+struct ShapePair {
+  ShapeKind A;
+  ShapeKind B;
+};
+
+/** Returns the capability of a routine that gives touching, the normal and the depth of
+ penetrating pairs: the least that can be judged beyond touching. Whatever else an answer
+ holds is judged too; a promise makes its absence a fault. */
+Capability DepthAndNormal();
+
+/** Returns an oracle that answers `pairs` by calling `function`, computing in double;
+ every other pair is unsupported. `gives` is what it promises of each pair; name a
+ `gives.family` to take part in the consensus. */
+std::unique_ptr<Oracle> MakeOracle(std::string name, const std::vector<ShapePair>& pairs,
+                                   ContactFunction function,
+                                   Capability gives = DepthAndNormal());
+
+/** Returns an oracle for one pair of shapes from `function(A, X_WA, B, X_WB) ->
+ ContactAnswer`, e.g. MakeOracle<Box, Box>("mine", MyBoxBox). */
+template <typename ShapeA, typename ShapeB, typename Function>
+std::unique_ptr<Oracle> MakeOracle(std::string name, Function function,
+                                   Capability gives = DepthAndNormal()) {
+  const ShapePair pair{static_cast<ShapeKind>(Shape(std::in_place_type<ShapeA>).index()),
+                       static_cast<ShapeKind>(Shape(std::in_place_type<ShapeB>).index())};
+  const ContactFunction ask = [function =
+                                   std::move(function)](const ContactQuery& query) {
+    return function(std::get<ShapeA>(query.A.shape), query.A.X_WB,
+                    std::get<ShapeB>(query.B.shape), query.B.X_WB);
+  };
+  return MakeOracle(std::move(name), {pair}, ask, std::move(gives));
+}
+
+}  // namespace touchstone

@@ -1,0 +1,285 @@
+#include "reports/writers/html_writer.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "reports/writers/describe.h"
+#include "reports/writers/outcome.h"
+#include "reports/writers/page_assets.h"
+#include "reports/writers/sketch.h"
+#include "reports/writers/xml_text.h"
+
+namespace touchstone {
+namespace {
+
+// A sign beside every colour, for those who do not see it.
+std::string_view SignOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kPass:
+      return "✓";
+    case Verdict::kKnown:
+      return "≈";
+    case Verdict::kUndecidable:
+      return "?";
+    case Verdict::kUnsupported:
+      return "·";
+    case Verdict::kFail:
+    case Verdict::kDisagree:
+    case Verdict::kInvalid:
+      return "✗";
+    case Verdict::kCrashed:
+    case Verdict::kTimedOut:
+      return "!";
+  }
+  return "!";
+}
+
+std::string CssClassOf(Verdict verdict) {
+  std::string name(NameOf(verdict));
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+std::string ToLower(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+std::string PrecisionOf(const OracleInfo& oracle) {
+  return oracle.unit_roundoff > 0x1p-40 ? "single" : "double";
+}
+
+std::string WorstOf(const Finding* worst) {
+  if (worst == nullptr) return "";
+  return fmt::format("{:.2g} × tolerance in {}", RelativeToTolerance(*worst),
+                     NameOf(worst->measure));
+}
+
+class Page {
+ public:
+  Page(const RunReport& report, std::ostream& out)
+      : report_(report), out_(out), outcomes_(OutcomesOf(report)) {}
+
+  void Write() {
+    out_ << "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+    out_ << fmt::format("<title>Touchstone: {}</title>\n", XmlText(report_.subject));
+    out_ << "<style>\n" << kPageCss << "</style>\n</head>\n<body>\n";
+    WriteSummary();
+    WriteOracles();
+    WriteFaults();
+    WriteScenarios();
+    WriteLedger();
+    out_ << "<script>\n" << kPageJs << "</script>\n</body>\n</html>\n";
+  }
+
+ private:
+  void WriteSummary() {
+    VerdictCounts counts;
+    for (const Outcome& outcome : outcomes_) ++counts[outcome.verdict];
+    out_ << fmt::format("<h1>Is {} right?</h1>\n", XmlText(report_.subject));
+    out_ << fmt::format("<p>{} scenarios, {} oracles.", report_.scenarios.size(),
+                        report_.oracles.size());
+    for (int i = 0; i < kVerdicts; ++i) {
+      const Verdict verdict = static_cast<Verdict>(i);
+      if (counts[verdict] == 0) continue;
+      out_ << fmt::format(" <span class=\"v {}\">{} {} {}</span>", CssClassOf(verdict),
+                          SignOf(verdict), counts[verdict], NameOf(verdict));
+    }
+    out_ << "</p>\n";
+  }
+
+  void WriteOracles() {
+    out_ << "<h2>Oracles</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>oracle"
+            "<th>library<th>precision<th class=\"n\">pass<th class=\"n\">known"
+            "<th class=\"n\">failed<th class=\"n\">undecidable<th class=\"n\">unsupported"
+            "<th>worst</tr></thead>\n";
+    const std::vector<Tally> tallies = TallyByOracle(report_, outcomes_);
+    for (std::size_t o = 0; o < tallies.size(); ++o) {
+      const OracleInfo& oracle = report_.oracles[o];
+      const VerdictCounts& counts = tallies[o].outcomes;
+      out_ << fmt::format(
+          "<tr><td>{}{}<td>{} {}<td>{}<td class=\"n pass\">{}<td class=\"n known\">{}"
+          "<td class=\"n fail\">{}<td class=\"n\">{}<td class=\"n\">{}<td>{}</tr>\n",
+          XmlText(oracle.name), o == 0 ? " <b>(subject)</b>" : "",
+          XmlText(oracle.library), XmlText(oracle.version), PrecisionOf(oracle),
+          counts[Verdict::kPass], counts[Verdict::kKnown], counts.failed(),
+          counts[Verdict::kUndecidable], counts[Verdict::kUnsupported],
+          WorstOf(tallies[o].worst));
+    }
+    out_ << "</table></div>\n";
+  }
+
+  void WriteFaults() {
+    if (report_.faults.empty()) return;
+    out_ << "<h2>Faults of the catalogue and the ledger</h2>\n<ul>\n";
+    for (const std::string& fault : report_.faults) {
+      out_ << fmt::format("<li class=\"fail\">{}\n", XmlText(fault));
+    }
+    out_ << "</ul>\n";
+  }
+
+  void WriteFilter() {
+    out_ << "<form id=\"filter\"><input id=\"text\" type=\"search\" placeholder=\"filter "
+            "by id "
+            "or title\" aria-label=\"filter by id or title\">\n<select id=\"oracle\" "
+            "aria-label=\"oracle\"><option value=\"\">any oracle</option>";
+    for (std::size_t o = 0; o < report_.oracles.size(); ++o) {
+      out_ << fmt::format("<option value=\"{}\">{}</option>", o,
+                          XmlText(report_.oracles[o].name));
+    }
+    out_ << "</select>\n<select id=\"verdict\" aria-label=\"verdict\">"
+            "<option value=\"\">any verdict</option>"
+            "<option value=\"fail disagree crashed timed_out invalid\">failed</option>";
+    for (const Verdict verdict : {Verdict::kKnown, Verdict::kUndecidable,
+                                  Verdict::kUnsupported, Verdict::kPass}) {
+      out_ << fmt::format("<option value=\"{}\">{}</option>", CssClassOf(verdict),
+                          NameOf(verdict));
+    }
+    out_ << "</select>\n<output id=\"count\"></output></form>\n";
+  }
+
+  void WriteScenarios() {
+    out_ << "<h2>Scenarios</h2>\n<p class=\"soft\">One sign an oracle, in the order of "
+            "the "
+            "table above: ✓ pass, ✗ proved wrong, ! no answer, ≈ known, ? undecidable, "
+            "· unsupported. Filled dots are the contacts of the subject, rings those of "
+            "the "
+            "others; dashed are the planes of the certificate.</p>\n";
+    WriteFilter();
+    for (std::size_t s = 0; s < report_.scenarios.size(); ++s) WriteScenario(s);
+  }
+
+  std::span<const Outcome> OutcomesIn(std::size_t scenario) const {
+    return std::span(outcomes_).subspan(scenario * report_.oracles.size(),
+                                        report_.oracles.size());
+  }
+
+  void WriteScenario(std::size_t index) {
+    const ScenarioResult& result = report_.scenarios[index];
+    const Scenario& scenario = result.scenario;
+    const std::span<const Outcome> outcomes = OutcomesIn(index);
+    std::string verdicts;
+    std::string chips;
+    for (const Outcome& outcome : outcomes) {
+      const std::string css_class = CssClassOf(outcome.verdict);
+      verdicts += (verdicts.empty() ? "" : " ") + css_class;
+      chips += fmt::format("<span class=\"{}\" title=\"{}: {}\">{}</span>", css_class,
+                           XmlText(report_.oracles[outcome.oracle].name),
+                           NameOf(outcome.verdict), SignOf(outcome.verdict));
+    }
+    const std::string id = XmlText(scenario.id);
+    out_ << fmt::format(
+        "<details class=\"scenario\" id=\"{0}\" data-outcomes=\"{1}\" data-text=\"{2}\">"
+        "<summary><code>{0}</code><span>{3}</span><span "
+        "class=\"chips\">{4}</span></summary>\n"
+        "<div>",
+        id, verdicts, XmlText(ToLower(scenario.id + " " + scenario.title)),
+        XmlText(scenario.title), chips);
+    out_ << "<div class=\"views\">"
+         << Sketch(scenario.contact, result.truth, result.answers, SketchView::kWhole)
+         << Sketch(scenario.contact, result.truth, result.answers, SketchView::kClose)
+         << "</div>\n";
+    out_ << fmt::format("<p>A: {}<br>B: {}</p>\n<p><b>Truth.</b> {}</p>\n",
+                        Describe(scenario.contact.A), Describe(scenario.contact.B),
+                        XmlText(Describe(result.truth)));
+    if (!scenario.source.empty()) {
+      out_ << fmt::format("<p class=\"soft\">Source: {}</p>\n", XmlText(scenario.source));
+    }
+    WriteAnswers(result, outcomes);
+    WriteFindings(outcomes);
+    out_ << "</div></details>\n";
+  }
+
+  void WriteAnswers(const ScenarioResult& result, std::span<const Outcome> outcomes) {
+    out_ << "<div class=\"scroll\"><table><thead><tr><th>oracle<th>verdict<th>says"
+            "<th class=\"n\">separation [m]<th class=\"n\">off the truth by "
+            "[m]<th>normal A to B"
+            "<th class=\"n\">contacts<th>worst</tr></thead>\n";
+    for (std::size_t o = 0; o < report_.oracles.size(); ++o) {
+      const ContactAnswer& answer = result.answers[o];
+      const Outcome& outcome = outcomes[o];
+      out_ << fmt::format("<tr><td>{}<td class=\"v {}\">{} {}",
+                          XmlText(report_.oracles[o].name), CssClassOf(outcome.verdict),
+                          SignOf(outcome.verdict), NameOf(outcome.verdict));
+      if (answer.status != AnswerStatus::kAnswered) {
+        out_ << fmt::format("<td colspan=\"6\" class=\"soft\">{}</tr>\n",
+                            XmlText(answer.reason));
+        continue;
+      }
+      out_ << fmt::format(
+          "<td>{}<td class=\"n\">{}<td class=\"n\">{}<td>{}<td "
+          "class=\"n\">{}<td>{}</tr>\n",
+          answer.touching ? "touching" : "apart",
+          answer.separation ? fmt::format("{:.9g}", *answer.separation) : "",
+          answer.separation
+              ? fmt::format("{:.2g}", LeastError(*answer.separation, result.truth))
+              : "",
+          answer.n_AB_W ? Describe(*answer.n_AB_W) : "", answer.points.size(),
+          WorstOf(outcome.worst));
+    }
+    out_ << "</table></div>\n";
+  }
+
+  void WriteFindings(std::span<const Outcome> outcomes) {
+    std::string items;
+    for (const Outcome& outcome : outcomes) {
+      for (const Finding& finding : outcome.findings) {
+        if (finding.verdict == Verdict::kPass ||
+            finding.verdict == Verdict::kUnsupported) {
+          continue;
+        }
+        items += fmt::format("<li><span class=\"{}\">{}</span> {}{}\n",
+                             CssClassOf(finding.verdict), SignOf(finding.verdict),
+                             XmlText(Sentence(finding)), LedgerReason(finding));
+      }
+    }
+    if (!items.empty()) out_ << "<ul>\n" << items << "</ul>\n";
+  }
+
+  std::string LedgerReason(const Finding& finding) const {
+    if (!finding.ledger_entry) return "";
+    const int index = *finding.ledger_entry;
+    return fmt::format(
+        " <a href=\"#ledger-{}\">Ledger</a>: {}", index,
+        XmlText(report_.ledger.entries[static_cast<std::size_t>(index)].reason));
+  }
+
+  void WriteLedger() {
+    if (report_.ledger.entries.empty()) return;
+    out_ << "<h2>Ledger of known discrepancies</h2>\n<div "
+            "class=\"scroll\"><table><thead><tr>"
+            "<th class=\"n\">hides<th class=\"n\">of<th>oracle<th>scenarios"
+            "<th class=\"n\">worst<th class=\"n\">bound<th>cause<th>reason<th>upstream"
+            "<th>expires</tr></thead>\n";
+    for (std::size_t i = 0; i < report_.ledger.entries.size(); ++i) {
+      const LedgerEntry& entry = report_.ledger.entries[i];
+      const LedgerUse& use = report_.ledger_use[i];
+      out_ << fmt::format(
+          "<tr id=\"ledger-{}\"><td class=\"n\">{}<td class=\"n\">{}<td>{} {}<td>{}"
+          "<td class=\"n\">{:.3g}<td class=\"n\">{:.3g}<td>{}<td>{}<td>{}<td>{}</tr>\n",
+          i, use.hidden, use.candidates, XmlText(entry.oracle), XmlText(entry.version),
+          XmlText(entry.scenarios), use.worst, entry.bound, NameOf(entry.cause),
+          XmlText(entry.reason), XmlText(entry.upstream), XmlText(entry.expires));
+    }
+    out_ << "</table></div>\n";
+  }
+
+  const RunReport& report_;
+  std::ostream& out_;
+  std::vector<Outcome> outcomes_;
+};
+
+}  // namespace
+
+void WriteHtml(const RunReport& report, std::ostream& out) {
+  Page(report, out).Write();
+}
+
+}  // namespace touchstone

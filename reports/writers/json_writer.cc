@@ -1,0 +1,293 @@
+#include "reports/writers/json_writer.h"
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+#include "reports/writers/outcome.h"
+
+namespace touchstone {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ToJson(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "Infinity" : "-Infinity";
+  return value;
+}
+
+Json ToJson(const Eigen::Vector3d& v) {
+  return Json::array({ToJson(v.x()), ToJson(v.y()), ToJson(v.z())});
+}
+
+template <typename T>
+Json ToJson(const std::optional<T>& value) {
+  return value ? ToJson(*value) : Json(nullptr);
+}
+
+Json ToJson(const std::vector<Eigen::Vector3d>& points) {
+  Json json = Json::array();
+  for (const Eigen::Vector3d& point : points) json.push_back(ToJson(point));
+  return json;
+}
+
+Json ToJson(const Enclosure& enclosure) {
+  return {{"lo", ToJson(enclosure.lo)}, {"hi", ToJson(enclosure.hi)}};
+}
+
+struct ShapeToJson {
+  Json& json;
+
+  void operator()(const Sphere& sphere) const { json["radius"] = ToJson(sphere.radius); }
+  void operator()(const Box& box) const {
+    json["half_extents"] = ToJson(box.half_extents);
+  }
+  void operator()(const Capsule& capsule) const {
+    json["radius"] = ToJson(capsule.radius);
+    json["half_length"] = ToJson(capsule.half_length);
+  }
+  void operator()(const Cylinder& cylinder) const {
+    json["radius"] = ToJson(cylinder.radius);
+    json["half_length"] = ToJson(cylinder.half_length);
+  }
+  void operator()(const Cone& cone) const {
+    json["radius"] = ToJson(cone.radius);
+    json["half_height"] = ToJson(cone.half_height);
+  }
+  void operator()(const ConvexHull& hull) const {
+    json["vertices"] = ToJson(hull.vertices);
+  }
+  void operator()(const HalfSpace&) const {}
+};
+
+Json ToJson(const Body& body) {
+  Json json;
+  json["shape"] = NameOf(KindOf(body.shape));
+  std::visit(ShapeToJson{json}, body.shape);
+  json["position"] = ToJson(body.X_WB.p_WB);
+  if (body.X_WB.q_WB) {
+    const Eigen::Quaterniond& q = *body.X_WB.q_WB;
+    json["quaternion_wxyz"] =
+        Json::array({ToJson(q.w()), ToJson(q.x()), ToJson(q.y()), ToJson(q.z())});
+  }
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    rows.push_back(ToJson(Eigen::Vector3d(body.X_WB.R_WB.row(row).transpose())));
+  }
+  json["rotation"] = rows;
+  return json;
+}
+
+Json ToJson(const ContactExpectation& expect) {
+  Json json = Json::object();
+  if (expect.touching) json["touching"] = *expect.touching;
+  if (expect.separation) json["separation"] = ToJson(*expect.separation);
+  if (!expect.normals.empty()) json["normals"] = ToJson(expect.normals);
+  if (expect.contacts) json["contacts"] = *expect.contacts;
+  return json;
+}
+
+const char* NameOfTouching(Touching touching) {
+  switch (touching) {
+    case Touching::kApart:
+      return "apart";
+    case Touching::kTouching:
+      return "touching";
+    case Touching::kUndecided:
+      return "undecided";
+  }
+  return "undecided";
+}
+
+Json ToJson(const ContactTruth& truth) {
+  Json json;
+  json["touching"] = NameOfTouching(truth.touching);
+  json["separation"] = ToJson(truth.separation);
+  json["input_rounding"] = ToJson(truth.input_rounding);
+  json["method"] = truth.method;
+  json["certificate"] = {{"normal", ToJson(truth.certificate.n_AB_W)},
+                         {"point_A", ToJson(truth.certificate.p_WCa)},
+                         {"point_B", ToJson(truth.certificate.p_WCb)}};
+  return json;
+}
+
+const char* NameOfStatus(AnswerStatus status) {
+  switch (status) {
+    case AnswerStatus::kAnswered:
+      return "answered";
+    case AnswerStatus::kUnsupported:
+      return "unsupported";
+    case AnswerStatus::kCrashed:
+      return "crashed";
+    case AnswerStatus::kTimedOut:
+      return "timed out";
+  }
+  return "crashed";
+}
+
+Json ToJson(const OracleInfo& oracle, const ContactAnswer& answer, Verdict verdict) {
+  Json json;
+  json["oracle"] = oracle.name;
+  json["verdict"] = NameOf(verdict);
+  json["status"] = NameOfStatus(answer.status);
+  if (answer.status != AnswerStatus::kAnswered) {
+    json["reason"] = answer.reason;
+    return json;
+  }
+  json["touching"] = answer.touching;
+  json["normal"] = ToJson(answer.n_AB_W);
+  json["separation"] = ToJson(answer.separation);
+  json["points"] = Json::array();
+  for (const ContactPoint& point : answer.points) {
+    Json contact;
+    contact["position"] = ToJson(point.p_WC);
+    contact["separation"] = ToJson(point.separation);
+    if (point.n_AB_W) contact["normal"] = ToJson(*point.n_AB_W);
+    json["points"].push_back(contact);
+  }
+  if (answer.witnesses) {
+    json["witnesses"] = {{"point_A", ToJson(answer.witnesses->p_WCa)},
+                         {"point_B", ToJson(answer.witnesses->p_WCb)}};
+  }
+  return json;
+}
+
+Json ScenarioToJson(const RunReport& report, std::span<const Outcome> outcomes,
+                    std::size_t index) {
+  const ScenarioResult& result = report.scenarios[index];
+  const Scenario& scenario = result.scenario;
+  Json json;
+  json["id"] = scenario.id;
+  json["title"] = scenario.title;
+  json["source"] = scenario.source;
+  json["A"] = ToJson(scenario.contact.A);
+  json["B"] = ToJson(scenario.contact.B);
+  json["expect"] = ToJson(scenario.expect);
+  json["truth"] = ToJson(result.truth);
+  json["answers"] = Json::array();
+  for (std::size_t o = 0; o < report.oracles.size(); ++o) {
+    json["answers"].push_back(
+        ToJson(report.oracles[o], result.answers[o],
+               outcomes[index * report.oracles.size() + o].verdict));
+  }
+  return json;
+}
+
+Json ToJson(const OracleInfo& oracle) {
+  Json json;
+  json["name"] = oracle.name;
+  json["library"] = oracle.library;
+  json["version"] = oracle.version;
+  json["unit_roundoff"] = ToJson(oracle.unit_roundoff);
+  json["isolated"] = oracle.isolated;
+  json["settings"] = Json::array();
+  for (const Setting& setting : oracle.settings) {
+    json["settings"].push_back(
+        {{"name", setting.name}, {"value", setting.value}, {"why", setting.why}});
+  }
+  return json;
+}
+
+Json ToJson(const Finding& finding) {
+  Json json;
+  json["scenario"] = finding.scenario;
+  json["oracle"] = finding.oracle;
+  json["reference"] = finding.reference;
+  json["measure"] = NameOf(finding.measure);
+  json["unit"] = UnitOf(finding.measure);
+  json["value"] = ToJson(finding.value);
+  json["tolerance"] = ToJson(finding.tolerance);
+  json["tolerance_because"] = finding.tolerance_because;
+  json["verdict"] = NameOf(finding.verdict);
+  if (finding.cause != Cause::kNone) {
+    json["cause"] = NameOf(finding.cause);
+    json["cause_because"] = finding.cause_because;
+  }
+  if (!finding.proof.empty()) json["proof"] = finding.proof;
+  if (finding.ledger_entry) json["ledger_entry"] = *finding.ledger_entry;
+  return json;
+}
+
+Json LedgerEntryToJson(const RunReport& report, std::size_t index) {
+  const LedgerEntry& entry = report.ledger.entries[index];
+  Json json;
+  json["scenarios"] = entry.scenarios;
+  json["oracle"] = entry.oracle;
+  json["version"] = entry.version;
+  json["measures"] = Json::array();
+  for (const MeasureKind measure : entry.measures) {
+    json["measures"].push_back(NameOf(measure));
+  }
+  json["verdict"] = NameOf(entry.verdict);
+  json["bound"] = ToJson(entry.bound);
+  json["cause"] = NameOf(entry.cause);
+  json["reason"] = entry.reason;
+  json["upstream"] = entry.upstream;
+  json["expires"] = entry.expires;
+  const LedgerUse& use = report.ledger_use[index];
+  json["hidden"] = use.hidden;
+  json["worst"] = ToJson(use.worst);
+  json["candidates"] = use.candidates;
+  return json;
+}
+
+Json ToJson(const VerdictCounts& counts) {
+  Json json;
+  for (int i = 0; i < kVerdicts; ++i) {
+    const Verdict verdict = static_cast<Verdict>(i);
+    json[std::string(NameOf(verdict))] = counts[verdict];
+  }
+  return json;
+}
+
+// One element a line, so that two reports can be compared line by line.
+template <typename ElementAt>
+void WriteArray(std::string_view name, std::size_t size, ElementAt element_at,
+                std::ostream& out) {
+  out << '"' << name << "\": [";
+  for (std::size_t i = 0; i < size; ++i) {
+    const Json element = element_at(i);
+    // Text of a foreign engine need not be UTF-8.
+    out << (i == 0 ? "\n" : ",\n")
+        << element.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  out << (size == 0 ? "]" : "\n]");
+}
+
+}  // namespace
+
+void WriteJson(const RunReport& report, std::ostream& out) {
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  VerdictCounts counts;
+  for (const Outcome& outcome : outcomes) ++counts[outcome.verdict];
+
+  out << "{\"format\": \"touchstone report\", \"version\": 1,\n";
+  out << "\"subject\": " << Json(report.subject).dump() << ",\n";
+  out << "\"outcomes\": " << ToJson(counts).dump() << ",\n";
+  WriteArray(
+      "oracles", report.oracles.size(),
+      [&](std::size_t i) { return ToJson(report.oracles[i]); }, out);
+  out << ",\n";
+  WriteArray(
+      "scenarios", report.scenarios.size(),
+      [&](std::size_t i) { return ScenarioToJson(report, outcomes, i); }, out);
+  out << ",\n";
+  WriteArray(
+      "findings", report.findings.size(),
+      [&](std::size_t i) { return ToJson(report.findings[i]); }, out);
+  out << ",\n";
+  WriteArray(
+      "ledger", report.ledger.entries.size(),
+      [&](std::size_t i) { return LedgerEntryToJson(report, i); }, out);
+  out << ",\n";
+  WriteArray(
+      "faults", report.faults.size(),
+      [&](std::size_t i) { return Json(report.faults[i]); }, out);
+  out << "\n}\n";
+}
+
+}  // namespace touchstone

@@ -1,0 +1,136 @@
+#include "reports/writers/junit_writer.h"
+
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "reports/writers/outcome.h"
+#include "reports/writers/xml_text.h"
+
+namespace touchstone {
+namespace {
+
+struct SuiteCounts {
+  int tests = 0;
+  int failures = 0;
+  int errors = 0;
+  int skipped = 0;
+
+  void Add(Verdict verdict) {
+    ++tests;
+    if (verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut) {
+      ++errors;
+    } else if (IsFailure(verdict)) {
+      ++failures;
+    } else if (verdict == Verdict::kKnown || verdict == Verdict::kUnsupported) {
+      ++skipped;
+    }
+  }
+
+  std::string Attributes() const {
+    return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}")", tests,
+                       failures, errors, skipped);
+  }
+};
+
+std::string Message(const RunReport& report, const Outcome& outcome) {
+  if (outcome.verdict == Verdict::kUnsupported) {
+    const std::string& reason =
+        report.scenarios[outcome.scenario].answers[outcome.oracle].reason;
+    return reason.empty() ? "unsupported" : reason;
+  }
+  const Finding& finding = *outcome.decisive;
+  if (outcome.verdict == Verdict::kKnown && finding.ledger_entry) {
+    return report.ledger.entries[static_cast<std::size_t>(*finding.ledger_entry)].reason;
+  }
+  return Sentence(finding);
+}
+
+std::string AllSentences(const Outcome& outcome) {
+  std::string text;
+  for (const Finding& finding : outcome.findings) {
+    if (finding.verdict != Verdict::kPass) text += Sentence(finding) + "\n";
+  }
+  return text;
+}
+
+void WriteCase(const RunReport& report, const Outcome& outcome, std::ostream& out) {
+  const Scenario& scenario = report.scenarios[outcome.scenario].scenario;
+  out << fmt::format(R"(    <testcase classname="{}" name="{}")",
+                     XmlText(report.oracles[outcome.oracle].name), XmlText(scenario.id));
+  if (outcome.verdict == Verdict::kPass) {
+    out << "/>\n";
+    return;
+  }
+  const std::string type = XmlText(NameOf(outcome.verdict));
+  const std::string message = XmlText(Message(report, outcome));
+  const std::string details = XmlText(AllSentences(outcome));
+  out << ">\n";
+  if (outcome.verdict == Verdict::kUndecidable) {
+    out << fmt::format("      <system-out>{}</system-out>\n", details);
+  } else if (outcome.verdict == Verdict::kKnown ||
+             outcome.verdict == Verdict::kUnsupported) {
+    out << fmt::format("      <skipped type=\"{}\" message=\"{}\"/>\n", type, message);
+  } else {
+    const char* element =
+        outcome.verdict == Verdict::kCrashed || outcome.verdict == Verdict::kTimedOut
+            ? "error"
+            : "failure";
+    out << fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{3}</{0}>\n", element,
+                       type, message, details);
+  }
+  out << "    </testcase>\n";
+}
+
+}  // namespace
+
+void WriteJUnit(const RunReport& report, std::ostream& out) {
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  std::vector<SuiteCounts> suites(report.oracles.size());
+  SuiteCounts total;
+  for (const Outcome& outcome : outcomes) {
+    suites[outcome.oracle].Add(outcome.verdict);
+    total.Add(outcome.verdict);
+  }
+  const int faults = static_cast<int>(report.faults.size());
+  total.tests += faults;
+  total.failures += faults;
+
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  out << fmt::format("<testsuites name=\"touchstone\" {}>\n", total.Attributes());
+  for (std::size_t o = 0; o < report.oracles.size(); ++o) {
+    const OracleInfo& oracle = report.oracles[o];
+    out << fmt::format("  <testsuite name=\"{}\" {}>\n", XmlText(oracle.name),
+                       suites[o].Attributes());
+    out << fmt::format(
+        "    <properties>\n"
+        "      <property name=\"library\" value=\"{} {}\"/>\n"
+        "      <property name=\"role\" value=\"{}\"/>\n"
+        "    </properties>\n",
+        XmlText(oracle.library), XmlText(oracle.version),
+        o == 0 ? "subject" : "reference");
+    for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
+      WriteCase(report, outcomes[s * report.oracles.size() + o], out);
+    }
+    out << "  </testsuite>\n";
+  }
+  if (faults > 0) {
+    out << fmt::format(
+        "  <testsuite name=\"catalogue and ledger\" tests=\"{0}\" failures=\"{0}\" "
+        "errors=\"0\" skipped=\"0\">\n",
+        faults);
+    for (int i = 0; i < faults; ++i) {
+      const std::string text = XmlText(report.faults[static_cast<std::size_t>(i)]);
+      out << fmt::format(
+          "    <testcase classname=\"catalogue and ledger\" name=\"fault {}\">\n"
+          "      <failure type=\"fault\" message=\"{}\"/>\n"
+          "    </testcase>\n",
+          i + 1, text);
+    }
+    out << "  </testsuite>\n";
+  }
+  out << "</testsuites>\n";
+}
+
+}  // namespace touchstone

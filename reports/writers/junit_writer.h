@@ -1,0 +1,18 @@
+#pragma once
+
+#include <ostream>
+
+#include "reports/run.h"
+
+namespace touchstone {
+
+/** Writes `report` as JUnit XML: a suite per oracle, a test case per scenario, and a
+ suite for the faults of the catalogue and the ledger.
+
+ A dashboard shows: pass and undecidable as passed; known and unsupported as skipped, each
+ with its reason (as pytest writes its expected failures); proved wrong, disagreeing and
+ invalid as failures; crashed and timed out as errors. No times: the same report gives the
+ same bytes. */
+void WriteJUnit(const RunReport& report, std::ostream& out);
+
+}  // namespace touchstone

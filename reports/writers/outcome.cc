@@ -1,0 +1,174 @@
+#include "reports/writers/outcome.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+// The order in which one verdict outweighs another in the sum of an oracle's findings.
+int Gravity(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kUnsupported:
+      return 0;
+    case Verdict::kPass:
+      return 1;
+    case Verdict::kUndecidable:
+      return 2;
+    case Verdict::kKnown:
+      return 3;
+    case Verdict::kDisagree:
+      return 4;
+    case Verdict::kFail:
+      return 5;
+    case Verdict::kInvalid:
+      return 6;
+    case Verdict::kTimedOut:
+      return 7;
+    case Verdict::kCrashed:
+      return 8;
+  }
+  return 8;
+}
+
+bool IsMeasured(const Finding& finding) {
+  return finding.verdict == Verdict::kPass || finding.verdict == Verdict::kFail ||
+         finding.verdict == Verdict::kDisagree || finding.verdict == Verdict::kKnown;
+}
+
+void TakeWorse(const Finding*& worst, const Finding* candidate) {
+  if (candidate == nullptr) return;
+  if (worst == nullptr || RelativeToTolerance(*candidate) > RelativeToTolerance(*worst)) {
+    worst = candidate;
+  }
+}
+
+Outcome Sum(std::size_t scenario, std::size_t oracle, std::span<const Finding> findings) {
+  Outcome outcome{.scenario = scenario, .oracle = oracle, .findings = findings};
+  for (const Finding& finding : findings) {
+    const bool graver = outcome.decisive == nullptr ||
+                        Gravity(finding.verdict) > Gravity(outcome.verdict);
+    if (graver ||
+        (finding.verdict == outcome.verdict &&
+         RelativeToTolerance(finding) > RelativeToTolerance(*outcome.decisive))) {
+      outcome.verdict = finding.verdict;
+      outcome.decisive = &finding;
+    }
+    if (IsMeasured(finding)) TakeWorse(outcome.worst, &finding);
+  }
+  return outcome;
+}
+
+}  // namespace
+
+int VerdictCounts::failed() const {
+  int sum = 0;
+  for (int i = 0; i < kVerdicts; ++i) {
+    if (IsFailure(static_cast<Verdict>(i))) sum += counts_[static_cast<std::size_t>(i)];
+  }
+  return sum;
+}
+
+int VerdictCounts::total() const {
+  int sum = 0;
+  for (const int count : counts_) sum += count;
+  return sum;
+}
+
+bool IsFailure(Verdict verdict) {
+  return Gravity(verdict) >= Gravity(Verdict::kDisagree);
+}
+
+double RelativeToTolerance(const Finding& finding) {
+  if (std::isnan(finding.value)) return std::numeric_limits<double>::infinity();
+  if (finding.value == 0) return 0;
+  return finding.value / finding.tolerance;
+}
+
+std::vector<Outcome> OutcomesOf(const RunReport& report) {
+  std::vector<Outcome> outcomes;
+  outcomes.reserve(report.scenarios.size() * report.oracles.size());
+  const std::span<const Finding> all = report.findings;
+  std::size_t at = 0;
+  for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
+    for (std::size_t o = 0; o < report.oracles.size(); ++o) {
+      const std::size_t begin = at;
+      while (at < all.size() && all[at].scenario == report.scenarios[s].scenario.id &&
+             all[at].oracle == report.oracles[o].name) {
+        ++at;
+      }
+      outcomes.push_back(Sum(s, o, all.subspan(begin, at - begin)));
+    }
+  }
+  return outcomes;
+}
+
+std::string_view GroupOf(std::string_view scenario_id) {
+  const std::size_t slash = scenario_id.rfind('/');
+  return slash == std::string_view::npos ? scenario_id : scenario_id.substr(0, slash);
+}
+
+void Tally::Add(const Outcome& outcome) {
+  ++outcomes[outcome.verdict];
+  TakeWorse(worst, outcome.worst);
+}
+
+void Tally::Add(const Tally& other) {
+  for (int i = 0; i < kVerdicts; ++i) {
+    outcomes[static_cast<Verdict>(i)] += other.outcomes[static_cast<Verdict>(i)];
+  }
+  TakeWorse(worst, other.worst);
+}
+
+std::vector<GroupTally> TallyByGroup(const RunReport& report,
+                                     std::span<const Outcome> outcomes) {
+  std::vector<GroupTally> groups;
+  for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
+    const std::string_view group = GroupOf(report.scenarios[s].scenario.id);
+    if (groups.empty() || groups.back().group != group) {
+      groups.push_back(
+          {std::string(group), 0, std::vector<Tally>(report.oracles.size())});
+    }
+    ++groups.back().scenarios;
+    for (std::size_t o = 0; o < report.oracles.size(); ++o) {
+      groups.back().oracles[o].Add(outcomes[s * report.oracles.size() + o]);
+    }
+  }
+  return groups;
+}
+
+std::vector<Tally> TallyByOracle(const RunReport& report,
+                                 std::span<const Outcome> outcomes) {
+  std::vector<Tally> tallies(report.oracles.size());
+  for (const Outcome& outcome : outcomes) tallies[outcome.oracle].Add(outcome);
+  return tallies;
+}
+
+std::string Quantity(double value, std::string_view unit) {
+  return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+std::string Sentence(const Finding& finding) {
+  std::string text = fmt::format("{}: {}", finding.oracle, NameOf(finding.verdict));
+  if (IsMeasured(finding)) {
+    text += fmt::format(" in {}, {} where {} is allowed", NameOf(finding.measure),
+                        Quantity(finding.value, UnitOf(finding.measure)),
+                        Quantity(finding.tolerance, UnitOf(finding.measure)));
+    if (!finding.tolerance_because.empty()) {
+      text += fmt::format(" ({})", finding.tolerance_because);
+    }
+  }
+  if (!finding.proof.empty()) text += fmt::format(". Proof: {}", finding.proof);
+  if (finding.cause != Cause::kNone) {
+    text += fmt::format("{} Cause: {}", text.ends_with('.') ? "" : ".",
+                        NameOf(finding.cause));
+    if (!finding.cause_because.empty())
+      text += fmt::format(", {}", finding.cause_because);
+  }
+  if (!text.ends_with('.')) text += '.';
+  return text;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** An orthographic view: a point of the world is seen at its coordinates along `right_W`
+ and `up_W` from `centre_W`, in units of `half_width`. */
+struct View {
+  Eigen::Vector3d right_W;   ///< Unit.
+  Eigen::Vector3d up_W;      ///< Unit, perpendicular to `right_W`.
+  Eigen::Vector3d centre_W;  ///< [m]
+  double half_width;         ///< [m], > 0; the picture is the square [-1, 1]².
+
+  /** Returns where `p_W` is seen. [-] */
+  Eigen::Vector2d operator*(const Eigen::Vector3d& p_W) const {
+    const Eigen::Vector3d p = (p_W - centre_W) / half_width;
+    return {right_W.dot(p), up_W.dot(p)};
+  }
+};
+
+using Polyline = std::vector<Eigen::Vector2d>;
+
+/** Returns the outline of `body` in `view`, counter-clockwise, not clipped. Curved
+ outlines are sampled, most finely near ±`n_W`, where they are magnified. A half-space
+ fills the picture up to its edge. */
+Polyline OutlineOf(const Body& body, const View& view, const Eigen::Vector3d& n_W);
+
+/** Returns the lines to be seen inside the outline: edges of a box that face the viewer,
+ rims of cylinders and cones. Empty for the others. */
+std::vector<Polyline> InnerLinesOf(const Body& body, const View& view);
+
+/** Returns the part of the convex polygon `outline` inside the picture, with a small
+ * border. */
+Polyline ClipToPicture(const Polyline& outline);
+
+/** Returns the parts of the open `line` inside the picture, with a small border. */
+std::vector<Polyline> ClipLineToPicture(const Polyline& line);
+
+}  // namespace touchstone

@@ -1,0 +1,213 @@
+#include "reports/writers/table_writer.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "reports/writers/outcome.h"
+
+namespace touchstone {
+namespace {
+
+enum class Colour { kPlain, kGood, kBad, kKnown, kDim, kBold };
+
+class Painter {
+ public:
+  explicit Painter(bool colours) : colours_(colours) {}
+
+  std::string operator()(Colour colour, std::string text) const {
+    if (!colours_ || colour == Colour::kPlain) return text;
+    return fmt::format("\x1b[{}m{}\x1b[0m", Code(colour), text);
+  }
+
+ private:
+  static std::string_view Code(Colour colour) {
+    switch (colour) {
+      case Colour::kPlain:
+        return "0";
+      case Colour::kGood:
+        return "32";
+      case Colour::kBad:
+        return "1;31";
+      case Colour::kKnown:
+        return "33";
+      case Colour::kDim:
+        return "2";
+      case Colour::kBold:
+        return "1";
+    }
+    return "0";
+  }
+
+  bool colours_;
+};
+
+// A count in a column: nothing to see where it is zero.
+std::string Count(const Painter& paint, Colour colour, int count, int width) {
+  const std::string text = count == 0 ? "." : fmt::format("{}", count);
+  return paint(count == 0 ? Colour::kDim : colour, fmt::format("{:>{}}", text, width));
+}
+
+std::string Worst(const Tally& tally) {
+  if (tally.worst == nullptr) return "";
+  return fmt::format("{:>9.2g}  {}", RelativeToTolerance(*tally.worst),
+                     NameOf(tally.worst->measure));
+}
+
+std::string Row(const Painter& paint, std::string_view name, const Tally& tally) {
+  const VerdictCounts& counts = tally.outcomes;
+  return fmt::format("  {:<28}{}{}{}{}{} {}\n", name,
+                     Count(paint, Colour::kGood, counts[Verdict::kPass], 7),
+                     Count(paint, Colour::kKnown, counts[Verdict::kKnown], 7),
+                     Count(paint, Colour::kBad, counts.failed(), 8),
+                     Count(paint, Colour::kPlain, counts[Verdict::kUndecidable], 12),
+                     Count(paint, Colour::kPlain, counts[Verdict::kUnsupported], 13),
+                     Worst(tally));
+}
+
+std::string Heading(const Painter& paint, std::string_view title) {
+  return paint(Colour::kBold, fmt::format("{:<30}{:>7}{:>7}{:>8}{:>12}{:>13} {:>9}  {}\n",
+                                          title, "pass", "known", "failed", "undecidable",
+                                          "unsupported", "worst/tol", "in"));
+}
+
+// References of which there is nothing to tell but that they passed are one row.
+bool IsWorthARow(std::size_t oracle, const Tally& tally) {
+  return oracle == 0 || tally.outcomes.failed() > 0 ||
+         tally.outcomes[Verdict::kKnown] > 0;
+}
+
+void WriteGroups(const RunReport& report, std::span<const Outcome> outcomes,
+                 const Painter& paint, std::ostream& out) {
+  for (const GroupTally& group : TallyByGroup(report, outcomes)) {
+    out << Heading(paint, fmt::format("{} ({})", group.group, group.scenarios));
+    Tally folded;
+    int others = 0;
+    for (std::size_t o = 0; o < group.oracles.size(); ++o) {
+      if (IsWorthARow(o, group.oracles[o])) {
+        out << Row(paint, report.oracles[o].name, group.oracles[o]);
+      } else {
+        folded.Add(group.oracles[o]);
+        ++others;
+      }
+    }
+    if (others > 0) {
+      out << Row(paint, fmt::format("{} other{}", others, others == 1 ? "" : "s"),
+                 folded);
+    }
+  }
+}
+
+void WriteOracles(const RunReport& report, std::span<const Outcome> outcomes,
+                  const Painter& paint, std::ostream& out) {
+  const std::vector<Tally> tallies = TallyByOracle(report, outcomes);
+  out << '\n' << Heading(paint, fmt::format("all {} scenarios", report.scenarios.size()));
+  for (std::size_t o = 0; o < tallies.size(); ++o) {
+    out << Row(paint, report.oracles[o].name, tallies[o]);
+  }
+}
+
+// The other measures that fail with the decisive one, so that one wrong answer is told
+// once.
+std::string AlsoFailing(const Outcome& outcome) {
+  std::string names;
+  for (const Finding& finding : outcome.findings) {
+    if (&finding == outcome.decisive || !IsFailure(finding.verdict)) continue;
+    names += fmt::format("{}{} {:.2g}×", names.empty() ? "" : ", ",
+                         NameOf(finding.measure), RelativeToTolerance(finding));
+  }
+  return names.empty() ? "" : fmt::format("      also: {} of the tolerance\n", names);
+}
+
+void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
+                   const Painter& paint, std::ostream& out) {
+  std::size_t last = report.scenarios.size();
+  for (const Outcome& outcome : outcomes) {
+    if (!IsFailure(outcome.verdict)) continue;
+    if (outcome.scenario != last) {
+      last = outcome.scenario;
+      const Scenario& scenario = report.scenarios[last].scenario;
+      out << '\n'
+          << paint(Colour::kBold, scenario.id) << fmt::format(": {}\n", scenario.title);
+    }
+    out << "  " << paint(Colour::kBad, "✗") << ' ' << Sentence(*outcome.decisive) << '\n'
+        << AlsoFailing(outcome);
+  }
+}
+
+void WriteFaults(const RunReport& report, const Painter& paint, std::ostream& out) {
+  if (report.faults.empty()) return;
+  out << '\n' << paint(Colour::kBold, "Faults of the catalogue and the ledger") << '\n';
+  for (const std::string& fault : report.faults) {
+    out << "  " << paint(Colour::kBad, "✗") << ' ' << fault << '\n';
+  }
+}
+
+void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& out) {
+  if (report.ledger.entries.empty()) return;
+  int hidden = 0;
+  int untested = 0;
+  for (const LedgerUse& use : report.ledger_use) {
+    hidden += use.hidden;
+    if (use.candidates == 0) ++untested;
+  }
+  out << '\n'
+      << paint(Colour::kBold, "Ledger")
+      << fmt::format(": {} entries hide {} findings; {} were not put to the test\n",
+                     report.ledger.entries.size(), hidden, untested);
+  for (std::size_t i = 0; i < report.ledger.entries.size(); ++i) {
+    const LedgerUse& use = report.ledger_use[i];
+    if (use.candidates == 0) continue;
+    const LedgerEntry& entry = report.ledger.entries[i];
+    out << fmt::format("  {:>5} of {:<5} {} {} {}: {} ({})\n", use.hidden, use.candidates,
+                       entry.oracle, entry.version, entry.scenarios, entry.reason,
+                       entry.upstream);
+  }
+}
+
+void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
+                 const Painter& paint, std::ostream& out) {
+  VerdictCounts counts;
+  int subject_failed = 0;
+  for (const Outcome& outcome : outcomes) {
+    ++counts[outcome.verdict];
+    if (outcome.oracle == 0 && IsFailure(outcome.verdict)) ++subject_failed;
+  }
+  std::string list;
+  for (int i = 0; i < kVerdicts; ++i) {
+    const Verdict verdict = static_cast<Verdict>(i);
+    list += fmt::format("{}{} {}", i == 0 ? "" : ", ", counts[verdict], NameOf(verdict));
+  }
+  out << fmt::format("\n{} scenarios × {} oracles: {}\n", report.scenarios.size(),
+                     report.oracles.size(), list);
+  const int failed = counts.failed();
+  const bool bad = failed > 0 || !report.faults.empty();
+  out << paint(bad ? Colour::kBad : Colour::kGood,
+               fmt::format(
+                   "{}: {} failed in {} scenarios, references in {}, {} faults of the "
+                   "catalogue and the ledger",
+                   bad ? "FAILED" : "OK", report.subject, subject_failed,
+                   failed - subject_failed, report.faults.size()))
+      << '\n';
+}
+
+}  // namespace
+
+void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& out) {
+  const Painter paint(style.colours);
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  if (!style.quiet) {
+    WriteGroups(report, outcomes, paint, out);
+    WriteOracles(report, outcomes, paint, out);
+  }
+  WriteFailures(report, outcomes, paint, out);
+  WriteFaults(report, paint, out);
+  if (!style.quiet) WriteLedger(report, paint, out);
+  WriteCounts(report, outcomes, paint, out);
+}
+
+}  // namespace touchstone

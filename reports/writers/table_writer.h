@@ -1,0 +1,20 @@
+#pragma once
+
+#include <ostream>
+
+#include "reports/run.h"
+
+namespace touchstone {
+
+/** How the terminal table looks. */
+struct TableStyle {
+  bool colours = false;  ///< ANSI colours; only for a terminal.
+  bool quiet = false;    ///< Failures and the last line only.
+};
+
+/** Writes `report` for a terminal: per group of scenarios and oracle the outcomes and the
+ worst measure relative to its tolerance; the sum per oracle; every failure as a sentence
+ with its proof; what each ledger entry hides; the counts of all verdicts. */
+void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& out);
+
+}  // namespace touchstone

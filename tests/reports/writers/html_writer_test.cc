@@ -1,0 +1,58 @@
+#include "reports/writers/html_writer.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hand_made_report.h"
+
+namespace touchstone {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string Html(const RunReport& report) {
+  std::ostringstream out;
+  WriteHtml(report, out);
+  return out.str();
+}
+
+TEST(WriteHtml, LoadsNothing) {
+  const std::string page = Html(HandMadeReport());
+  for (const char* loading : {"src=", "<link", "@import", "url(", "fetch(", "http://"}) {
+    EXPECT_THAT(page, Not(HasSubstr(loading)));
+  }
+}
+
+TEST(WriteHtml, ShowsTitleSourceTruthAnswersAndProofs) {
+  const std::string page = Html(HandMadeReport());
+  EXPECT_THAT(page, HasSubstr("A sphere in a &lt;box&gt; &amp; out again"));
+  EXPECT_THAT(page,
+              HasSubstr("Source: Derivation: centre at h + r - d on the face axis"));
+  EXPECT_THAT(page, HasSubstr("the separation lies in [-0.05, -0.05] m"));
+  EXPECT_THAT(page, HasSubstr("moving B by 0.04 along n leaves 0.01 of overlap"));
+  EXPECT_THAT(page, HasSubstr("href=\"#ledger-0\""));
+}
+
+TEST(WriteHtml, GivesTheFilterOneVerdictPerOracle) {
+  EXPECT_THAT(Html(HandMadeReport()), HasSubstr("data-outcomes=\"fail invalid\""));
+}
+
+TEST(WriteHtml, DrawsEveryScenarioTwice) {
+  const std::string page = Html(HandMadeReport());
+  std::size_t drawings = 0;
+  for (std::size_t at = page.find("<svg"); at != std::string::npos;
+       at = page.find("<svg", at + 1)) {
+    ++drawings;
+  }
+  EXPECT_EQ(drawings, 6u);
+}
+
+TEST(WriteHtml, GivesTheSameBytesForTheSameReport) {
+  EXPECT_EQ(Html(HandMadeReport()), Html(HandMadeReport()));
+}
+
+}  // namespace
+}  // namespace touchstone

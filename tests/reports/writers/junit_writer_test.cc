@@ -1,0 +1,52 @@
+#include "reports/writers/junit_writer.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hand_made_report.h"
+
+namespace touchstone {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string JUnit(const RunReport& report) {
+  std::ostringstream out;
+  WriteJUnit(report, out);
+  return out.str();
+}
+
+TEST(WriteJUnit, CountsFailuresAndSkipsForADashboard) {
+  // Six test cases and a fault; failed: one proof, one invalid, one fault; skipped: known
+  // and unsupported.
+  EXPECT_THAT(JUnit(HandMadeReport()),
+              HasSubstr("<testsuites name=\"touchstone\" tests=\"7\" failures=\"3\" "
+                        "errors=\"0\" skipped=\"2\">"));
+}
+
+TEST(WriteJUnit, SkipsTheKnownWithTheLedgersReason) {
+  EXPECT_THAT(JUnit(HandMadeReport()),
+              HasSubstr("<skipped type=\"known\" message=\"Float build\"/>"));
+}
+
+TEST(WriteJUnit, SkipsTheUnsupportedWithTheOraclesReason) {
+  EXPECT_THAT(JUnit(HandMadeReport()), HasSubstr("<skipped type=\"unsupported\""));
+}
+
+TEST(WriteJUnit, CallsACrashAnError) {
+  RunReport report = HandMadeReport();
+  report.findings[4].verdict = Verdict::kCrashed;
+  EXPECT_THAT(JUnit(report), HasSubstr("<error type=\"crashed\""));
+}
+
+TEST(WriteJUnit, EscapesMarkupAndControlCharacters) {
+  const std::string xml = JUnit(HandMadeReport());
+  EXPECT_THAT(xml, HasSubstr("expects &quot;apart&quot;"));
+  EXPECT_THAT(xml, Not(HasSubstr("\x01")));
+}
+
+}  // namespace
+}  // namespace touchstone

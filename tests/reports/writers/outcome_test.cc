@@ -1,0 +1,87 @@
+#include "reports/writers/outcome.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "hand_made_report.h"
+
+namespace touchstone {
+namespace {
+
+TEST(OutcomesOf, GivesOneOutcomePerScenarioAndOracle) {
+  const RunReport report = HandMadeReport();
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  ASSERT_EQ(outcomes.size(), 6u);
+  EXPECT_EQ(outcomes[0].verdict, Verdict::kPass);
+  EXPECT_EQ(outcomes[1].verdict, Verdict::kKnown);
+  EXPECT_EQ(outcomes[2].verdict, Verdict::kFail);
+  EXPECT_EQ(outcomes[3].verdict, Verdict::kInvalid);
+  EXPECT_EQ(outcomes[4].verdict, Verdict::kUndecidable);
+  EXPECT_EQ(outcomes[5].verdict, Verdict::kUnsupported);
+}
+
+TEST(OutcomesOf, DecidesByTheFindingFarthestBeyondItsTolerance) {
+  const RunReport report = HandMadeReport();
+  const Outcome outcome = OutcomesOf(report)[2];
+  ASSERT_EQ(outcome.findings.size(), 2u);
+  EXPECT_EQ(outcome.decisive->measure, MeasureKind::kSeparationError);
+}
+
+TEST(OutcomesOf, PutsAFailureBeforeAPass) {
+  RunReport report = HandMadeReport();
+  report.findings[2].verdict = Verdict::kPass;
+  EXPECT_EQ(OutcomesOf(report)[2].verdict, Verdict::kFail);
+}
+
+TEST(OutcomesOf, CountsAScenarioWithoutAnyMeasureAsUnsupported) {
+  RunReport report = HandMadeReport();
+  report.findings.clear();
+  for (const Outcome& outcome : OutcomesOf(report)) {
+    EXPECT_EQ(outcome.verdict, Verdict::kUnsupported);
+    EXPECT_EQ(outcome.decisive, nullptr);
+  }
+}
+
+TEST(RelativeToTolerance, TakesNanForInfinitelyBad) {
+  Finding finding;
+  finding.value = std::nan("");
+  finding.tolerance = 1;
+  EXPECT_TRUE(std::isinf(RelativeToTolerance(finding)));
+}
+
+TEST(RelativeToTolerance, TakesAnyErrorBeyondAToleranceOfZeroForInfinitelyBad) {
+  Finding finding;
+  finding.value = 1;
+  EXPECT_TRUE(std::isinf(RelativeToTolerance(finding)));
+  finding.value = 0;
+  EXPECT_EQ(RelativeToTolerance(finding), 0);
+}
+
+TEST(GroupOf, IsTheFolderOfTheId) {
+  EXPECT_EQ(GroupOf("contact/box_box/a"), "contact/box_box");
+  EXPECT_EQ(GroupOf("alone"), "alone");
+}
+
+TEST(TallyByGroup, KeepsGroupsApart) {
+  const RunReport report = HandMadeReport();
+  const std::vector<GroupTally> groups = TallyByGroup(report, OutcomesOf(report));
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].group, "contact/box_sphere");
+  EXPECT_EQ(groups[0].scenarios, 2);
+  EXPECT_EQ(groups[0].oracles[0].outcomes[Verdict::kPass], 1);
+  EXPECT_EQ(groups[0].oracles[0].outcomes.failed(), 1);
+  EXPECT_EQ(groups[1].oracles[1].outcomes[Verdict::kUnsupported], 1);
+}
+
+TEST(Sentence, TellsWhoMeasureValueToleranceProofAndCause) {
+  const RunReport report = HandMadeReport();
+  EXPECT_EQ(
+      Sentence(report.findings[2]),
+      "mine: fail in separation_error, 0.01 m where 1e-15 m is allowed (64 unit "
+      "roundoffs of the scene). Proof: mine says 0.04 deep; moving B by 0.04 along n "
+      "leaves 0.01 of overlap. Cause: defect.");
+}
+
+}  // namespace
+}  // namespace touchstone

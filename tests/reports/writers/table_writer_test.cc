@@ -1,0 +1,71 @@
+#include "reports/writers/table_writer.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hand_made_report.h"
+
+namespace touchstone {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string Table(const RunReport& report, const TableStyle& style = {}) {
+  std::ostringstream out;
+  WriteTable(report, style, out);
+  return out.str();
+}
+
+TEST(WriteTable, ShowsEveryFailureAsASentenceWithItsProof) {
+  const std::string table = Table(HandMadeReport());
+  EXPECT_THAT(table,
+              HasSubstr("contact/box_sphere/wrong: A sphere in a <box> & out again"));
+  EXPECT_THAT(table, HasSubstr("moving B by 0.04 along n leaves 0.01 of overlap"));
+  EXPECT_THAT(table, HasSubstr("also: consistency_error"));
+  EXPECT_THAT(table, HasSubstr("theirs/float: invalid"));
+}
+
+TEST(WriteTable, CountsEveryVerdict) {
+  EXPECT_THAT(
+      Table(HandMadeReport()),
+      HasSubstr("3 scenarios × 2 oracles: 1 pass, 1 fail, 0 disagree, 1 known, "
+                "1 undecidable, 1 unsupported, 0 crashed, 0 timed out, 1 invalid"));
+}
+
+TEST(WriteTable, ShowsWhatTheLedgerHides) {
+  const std::string table = Table(HandMadeReport());
+  EXPECT_THAT(table, HasSubstr("2 entries hide 1 findings; 1 were not put to the test"));
+  EXPECT_THAT(table,
+              HasSubstr("1 of 2     theirs/float 1.2 contact/box_sphere/*: Float build"));
+}
+
+TEST(WriteTable, ShowsFaultsOfTheCatalogue) {
+  EXPECT_THAT(Table(HandMadeReport()), HasSubstr("the author expects \"apart\""));
+}
+
+TEST(WriteTable, IsPlainWithoutColours) {
+  EXPECT_THAT(Table(HandMadeReport()), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(Table(HandMadeReport(), {.colours = true}), HasSubstr("\x1b["));
+}
+
+TEST(WriteTable, KeepsFailuresWhenQuiet) {
+  const std::string table = Table(HandMadeReport(), {.quiet = true});
+  EXPECT_THAT(table, HasSubstr("leaves 0.01 of overlap"));
+  EXPECT_THAT(table, Not(HasSubstr("unsupported worst/tol")));
+}
+
+TEST(WriteTable, SaysOkOnlyWithoutFailuresAndFaults) {
+  RunReport report = HandMadeReport();
+  EXPECT_THAT(Table(report),
+              HasSubstr("FAILED: mine failed in 1 scenarios, references in 1"));
+  for (Finding& finding : report.findings) finding.verdict = Verdict::kPass;
+  EXPECT_THAT(Table(report), HasSubstr("FAILED"));
+  report.faults.clear();
+  EXPECT_THAT(Table(report), HasSubstr("OK: mine failed in 0 scenarios"));
+}
+
+}  // namespace
+}  // namespace touchstone
