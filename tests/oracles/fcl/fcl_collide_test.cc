@@ -1,0 +1,164 @@
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "oracles/fcl/fcl_oracles.h"
+#include "tests/oracles/constructed_contact.h"
+#include "tests/oracles/surface.h"
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3d;
+
+// A few dozen roundings of numbers of a few metres.
+constexpr double kRounding = 64 * 4 * 0x1p-53;  // [m]
+
+const Oracle& Fcl(const std::string& name) {
+  static const auto oracles = FclOracles();
+  for (const auto& oracle : oracles) {
+    if (oracle->info().name == name) return *oracle;
+  }
+  throw std::logic_error("there is no oracle " + name);
+}
+
+// What FCL states, or its formula bounds, when bodies overlap by `depth`.
+Allowed AllowedFor(const Capability& capability, double depth) {
+  if (capability.documented_error == 0) return {kRounding, kRounding, kRounding};
+  // MPR: the point is somewhere in the overlap. Features are 0.2 m wide or more, so an
+  // error of the depth is one of the normal 5 times as large.
+  const double error = kRounding + capability.documented_error;
+  return {error, error / 0.2, depth / 2 + error};
+}
+
+bool IsSphereAndCapsule(ShapeKind a, ShapeKind b) {
+  return (a == ShapeKind::kSphere && b == ShapeKind::kCapsule) ||
+         (a == ShapeKind::kCapsule && b == ShapeKind::kSphere);
+}
+
+class FclCollide : public testing::TestWithParam<std::string> {};
+
+TEST_P(FclCollide, AnswersInTheProjectsConventions) {
+  const Oracle& fcl = Fcl(GetParam());
+  int judged = 0;
+  for (const auto& [a, b] : AllPairs()) {
+    SCOPED_TRACE(std::string(NameOf(a)) + " against " + std::string(NameOf(b)));
+    const Capability& capability = fcl.info().For(a, b);
+    EXPECT_EQ(capability.supported, !(a == ShapeKind::kHalfSpace && a == b));
+    // The next test has these.
+    if (!capability.supported || capability.family == "gjk_epa") continue;
+    ++judged;
+    const ConstructedContact deep = PutTogether(a, b, -2e-3);
+    ContactAnswer answer = fcl.Answer(deep.query);
+    EXPECT_TRUE(answer.separation && answer.n_AB_W);
+    EXPECT_FALSE(answer.points.empty());
+    Allowed allowed = AllowedFor(capability, 2e-3);
+    // FCL puts this point by the capsule's axis, up to its radius from the overlap.
+    if (IsSphereAndCapsule(a, b)) allowed.point = 0.37;
+    ExpectMatches(answer, deep, allowed);
+
+    const ConstructedContact apart = PutTogether(a, b, 2e-3);
+    answer = fcl.Answer(apart.query);
+    ExpectMatches(answer, apart, allowed);
+    EXPECT_FALSE(answer.separation);
+    EXPECT_TRUE(answer.points.empty());
+  }
+  // All 48, or those with a closed form: a sphere with four, a half-space with six, two
+  // boxes.
+  EXPECT_EQ(judged, GetParam() == "fcl/collide" ? 48 : 7 + 12 + 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothSolvers, FclCollide,
+                         testing::Values("fcl/collide", "fcl/collide_indep"),
+                         [](const auto& test) { return test.param.substr(4); });
+
+// FCL pull request #334: GST_INDEP's EPA returns the depth negative and the normal in a
+// body frame. What the adapter must not do is repair it.
+TEST(FclCollideIndep, PassesOnTheNegativeDepthsOfItsEpa) {
+  const Oracle& fcl = Fcl("fcl/collide_indep");
+  const ConstructedContact deep =
+      PutTogether(ShapeKind::kCapsule, ShapeKind::kBox, -2e-3);
+  const ContactAnswer answer = fcl.Answer(deep.query);
+  EXPECT_TRUE(answer.touching);
+  ASSERT_TRUE(answer.separation);
+  EXPECT_GT(*answer.separation, 0);
+}
+
+// Any depth, any attitude: for pairs on which FCL is exact, p ± n depth/2 are on the
+// surfaces.
+TEST(FclCollideOracle, PutsEveryContactMidwayThroughItsOverlap) {
+  const Oracle& fcl = Fcl("fcl/collide");
+  std::mt19937_64 random(20240611);
+  const ShapeKind sphere = ShapeKind::kSphere;
+  const ShapeKind box = ShapeKind::kBox;
+  const ShapeKind half_space = ShapeKind::kHalfSpace;
+  const std::pair<ShapeKind, ShapeKind> pairs[] = {{sphere, sphere},
+                                                   {sphere, box},
+                                                   {ShapeKind::kCylinder, sphere},
+                                                   {sphere, half_space},
+                                                   {half_space, ShapeKind::kCapsule},
+                                                   {ShapeKind::kCylinder, half_space},
+                                                   {ShapeKind::kConvexHull, half_space},
+                                                   {box, half_space},
+                                                   {box, box}};
+  for (const auto& [a, b] : pairs) {
+    SCOPED_TRACE(std::string(NameOf(a)) + " against " + std::string(NameOf(b)));
+    int contacts = 0;
+    for (int i = 0; i < 300; ++i) {
+      const ContactQuery query = {{RandomShape(a, random), RandomPose(0.8, random)},
+                                  {RandomShape(b, random), RandomPose(0.8, random)}};
+      const ContactAnswer answer = fcl.Answer(query);
+      ASSERT_EQ(answer.status, AnswerStatus::kAnswered);
+      for (const ContactPoint& point : answer.points) {
+        const Vector3d half_gap_W = point.separation / 2 * *answer.n_AB_W;
+        // Where two edges cross comes from a division by sin² of their angle, here >
+        // 1e-5.
+        constexpr double kIllConditioned = kRounding / 1e-5;
+        EXPECT_NEAR(HeightAboveSurface(query.A, point.p_WC - half_gap_W), 0,
+                    kIllConditioned);
+        EXPECT_NEAR(HeightAboveSurface(query.B, point.p_WC + half_gap_W), 0,
+                    kIllConditioned);
+        ++contacts;
+      }
+    }
+    EXPECT_GT(contacts, 100);
+  }
+}
+
+TEST(FclCollideOracle, SaysThatAFlatHullIsUnsupported) {
+  ConstructedContact contact =
+      PutTogether(ShapeKind::kConvexHull, ShapeKind::kBox, -2e-3);
+  contact.query.A.shape = ConvexHull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  const ContactAnswer answer = Fcl("fcl/collide").Answer(contact.query);
+  EXPECT_EQ(answer.status, AnswerStatus::kUnsupported);
+  EXPECT_FALSE(answer.reason.empty());
+}
+
+TEST(FclCollideOracle, SaysTheSameWhenPrepared) {
+  const Oracle& fcl = Fcl("fcl/collide");
+  std::mt19937_64 random(5);
+  std::vector<ContactQuery> queries;
+  for (int i = 0; i < 200; ++i) {
+    queries.push_back(
+        {{RandomShape(ShapeKind::kBox, random), RandomPose(0.8, random)},
+         {RandomShape(ShapeKind::kSphere, random), RandomPose(0.8, random)}});
+  }
+  const auto batch = fcl.Prepare(queries);
+  batch->Run();
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const ContactAnswer answer = fcl.Answer(queries[i]);
+    EXPECT_EQ(std::isnan(batch->separations()[i]), !answer.touching);
+    if (answer.touching) {
+      EXPECT_EQ(batch->separations()[i], answer.separation);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace touchstone
