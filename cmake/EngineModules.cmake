@@ -24,9 +24,7 @@ endfunction()
 #
 # The static library <target> opens <module>...; whatever links it gets the run path.
 function(touchstone_opens_modules target)
-  if(ARGN)  # none where its engine is not installed
-    add_dependencies(${target} ${ARGN})
-  endif()
+  add_dependencies(${target} ${ARGN})
   target_link_options(${target} INTERFACE
     $<INSTALL_INTERFACE:-Wl,-rpath,$<INSTALL_PREFIX>/${TOUCHSTONE_MODULE_DIR}>)
   if(NOT PROJECT_IS_TOP_LEVEL)  # CMAKE_BUILD_RPATH does not reach the parent's programs

@@ -36,7 +36,7 @@ class OracleRegistry {
   const std::vector<MissingOracle>& missing() const { return missing_; }
 
  private:
-  std::vector<std::unique_ptr<Oracle>> oracles_;
+  mutable std::vector<std::unique_ptr<Oracle>> oracles_;
   std::vector<MissingOracle> missing_;
 };
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace cookbook {
+
+/** Where a body is: x_W = R_WB x_B + p_WB. */
+struct Pose {
+  Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< A rotation, to rounding.
+  Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();      ///< [m]
+};
+
+/** A ball centred on its body origin. */
+struct Sphere {
+  double radius;  ///< [m], > 0
+};
+
+/** A rectangular solid centred on its body origin, edges along the body axes. */
+struct Box {
+  Eigen::Vector3d half_extents;  ///< [m], each > 0
+};
+
+}  // namespace cookbook

@@ -1,0 +1,117 @@
+#include "oracles/cookbook/cookbook_oracle.h"
+
+#include <tuple>
+#include <type_traits>
+
+#include "engine/collide.h"
+#include "oracles/cookbook/translate.h"
+
+namespace touchstone {
+namespace {
+
+template <class T>
+constexpr bool kKnown = std::is_same_v<T, Sphere> || std::is_same_v<T, Box>;
+
+/** Calls `visit` with the two shapes where the engine knows both, else `otherwise()`. */
+template <class Visit, class Otherwise>
+auto VisitKnown(const ContactQuery& query, const Visit& visit,
+                const Otherwise& otherwise) {
+  return std::visit(
+      [&]<class A, class B>(const A& a, const B& b) {
+        if constexpr (kKnown<A> && kKnown<B>) {
+          return visit(a, b);
+        } else {
+          return otherwise();
+        }
+      },
+      query.A.shape, query.B.shape);
+}
+
+/** Two shapes in place, in the engine's types, and where their answer goes. */
+template <class A, class B>
+struct PlacedPair {
+  A a;
+  cookbook::Pose X_WA;
+  B b;
+  cookbook::Pose X_WB;
+  std::size_t index;
+};
+
+/** Queries sorted by shape pair, so that a run is nothing but calls of the engine. */
+class PreparedManifolds final : public PreparedBatch {
+ public:
+  explicit PreparedManifolds(std::span<const ContactQuery> queries)
+      : separations_(queries.size()) {
+    for (std::size_t index = 0; index < queries.size(); ++index) {
+      const ContactQuery& query = queries[index];
+      VisitKnown(
+          query,
+          [&](const auto& shape_A, const auto& shape_B) {
+            const auto a = ToCookbook(shape_A);
+            const auto b = ToCookbook(shape_B);
+            using Pair = PlacedPair<std::remove_const_t<decltype(a)>,
+                                    std::remove_const_t<decltype(b)>>;
+            std::get<std::vector<Pair>>(pairs_).push_back(
+                {a, ToCookbook(query.A.X_WB), b, ToCookbook(query.B.X_WB), index});
+          },
+          [] {});
+    }
+  }
+
+  void Run() override {
+    std::apply([&](const auto&... pairs) { (CollideAll(pairs), ...); }, pairs_);
+  }
+
+  std::span<const double> separations() const override { return separations_; }
+
+ private:
+  void CollideAll(const auto& pairs) {
+    for (const auto& pair : pairs) {
+      const cookbook::Manifold manifold =
+          cookbook::Collide(pair.a, pair.X_WA, pair.b, pair.X_WB);
+      separations_[pair.index] = manifold.separation;
+    }
+  }
+
+  std::tuple<std::vector<PlacedPair<cookbook::Sphere, cookbook::Sphere>>,
+             std::vector<PlacedPair<cookbook::Sphere, cookbook::Box>>,
+             std::vector<PlacedPair<cookbook::Box, cookbook::Sphere>>,
+             std::vector<PlacedPair<cookbook::Box, cookbook::Box>>>
+      pairs_;
+  std::vector<double> separations_;
+};
+
+ContactAnswer AnswerOne(const ContactQuery& query) {
+  return VisitKnown(
+      query,
+      [&]<class A, class B>(const A& a, const B& b) {
+        constexpr bool kBoxes = std::is_same_v<A, Box> && std::is_same_v<B, Box>;
+        return ToAnswer(cookbook::Collide(ToCookbook(a), ToCookbook(query.A.X_WB),
+                                          ToCookbook(b), ToCookbook(query.B.X_WB)),
+                        !kBoxes);
+      },
+      [&] { return NoRecipe(query); });
+}
+
+}  // namespace
+
+CookbookOracle::CookbookOracle() {
+  info_.name = "cookbook";
+  info_.library = "Touchstone";
+  info_.version = "0.1.0";
+  info_.capabilities = SphereAndBoxCapabilities();
+  info_.settings = {{"separation of boxes apart", "left out",
+                     "the axis test gives only a lower bound"}};
+}
+
+void CookbookOracle::Answer(std::span<const ContactQuery> queries,
+                            std::span<ContactAnswer> answers) const {
+  for (std::size_t k = 0; k < queries.size(); ++k) answers[k] = AnswerOne(queries[k]);
+}
+
+std::unique_ptr<PreparedBatch> CookbookOracle::Prepare(
+    std::span<const ContactQuery> queries) const {
+  return std::make_unique<PreparedManifolds>(queries);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "engine/manifold.h"
+#include "engine/shape.h"
+#include "oracles/contact_answer.h"
+#include "oracles/oracle.h"
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+/** Returns `pose` in the engine's type. The matrix is passed on bit for bit. */
+inline cookbook::Pose ToCookbook(const Pose& pose) {
+  return {pose.R_WB, pose.p_WB};
+}
+inline cookbook::Sphere ToCookbook(const Sphere& sphere) {
+  return {sphere.radius};
+}
+inline cookbook::Box ToCookbook(const Box& box) {
+  return {box.half_extents};
+}
+
+/** Whether the engine has a recipe for this pair: spheres and boxes in any order. */
+bool HasRecipe(ShapeKind a, ShapeKind b);
+
+/** Returns the answer that says that the engine has no recipe for `query`. */
+ContactAnswer NoRecipe(const ContactQuery& query);
+
+/** Returns the table of an engine that knows spheres and boxes. */
+decltype(OracleInfo::capabilities) SphereAndBoxCapabilities();
+
+/** Returns what `manifold` says, as an answer. The separation is left out where it is
+ only a bound: `exact_when_apart` tells whether it is the distance of shapes apart. */
+ContactAnswer ToAnswer(const cookbook::Manifold& manifold, bool exact_when_apart);
+
+}  // namespace touchstone
