@@ -24,7 +24,9 @@ endfunction()
 #
 # The static library <target> opens <module>...; whatever links it gets the run path.
 function(touchstone_opens_modules target)
-  add_dependencies(${target} ${ARGN})
+  if(ARGN)  # none where its engine is not installed
+    add_dependencies(${target} ${ARGN})
+  endif()
   target_link_options(${target} INTERFACE
     $<INSTALL_INTERFACE:-Wl,-rpath,$<INSTALL_PREFIX>/${TOUCHSTONE_MODULE_DIR}>)
   if(NOT PROJECT_IS_TOP_LEVEL)  # CMAKE_BUILD_RPATH does not reach the parent's programs

@@ -36,7 +36,7 @@ class OracleRegistry {
   const std::vector<MissingOracle>& missing() const { return missing_; }
 
  private:
-  mutable std::vector<std::unique_ptr<Oracle>> oracles_;
+  std::vector<std::unique_ptr<Oracle>> oracles_;
   std::vector<MissingOracle> missing_;
 };
 

@@ -1,0 +1,111 @@
+#include "oracles/oracle_registry.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "oracles/bullet/bullet_oracles.h"
+#include "oracles/ode/ode_oracles.h"
+
+namespace touchstone {
+namespace {
+
+using Oracles = std::vector<std::unique_ptr<Oracle>>;
+
+// Of an adapter that is not built there is a header and no library; what `if constexpr`
+// discards needs no definition.
+
+Oracles BulletDouble() {
+  if constexpr (TOUCHSTONE_HAS_BULLET_DOUBLE) {
+    return BulletOracles(BulletPrecision::kDouble);
+  }
+  return {};
+}
+
+Oracles BulletFloat() {
+  if constexpr (TOUCHSTONE_HAS_BULLET_FLOAT) {
+    return BulletOracles(BulletPrecision::kFloat);
+  }
+  return {};
+}
+
+Oracles Ode() {
+  if constexpr (TOUCHSTONE_HAS_ODE) return OdeOracles();
+  return {};
+}
+
+/** One adapter, in this build or not. */
+struct Adapter {
+  std::string name;  ///< The common start of its oracles' names.
+  bool built;
+  std::string library;  ///< Its engine, to a person.
+  std::string package;  ///< The Debian package to build with.
+  Oracles (*make)();    ///< Throws std::runtime_error where its module does not load.
+};
+
+std::vector<Adapter> Adapters() {
+  return {
+      {"bullet", TOUCHSTONE_HAS_BULLET_DOUBLE, "Bullet (double)", "libbullet-dev",
+       BulletDouble},
+      {"bullet_float", TOUCHSTONE_HAS_BULLET_FLOAT, "Bullet (float)", "libbullet-dev",
+       BulletFloat},
+      {"ode", TOUCHSTONE_HAS_ODE, "ODE", "libode-dev", Ode},
+  };
+}
+
+bool IsBelow(std::string_view name, std::string_view pattern) {
+  return name.size() > pattern.size() && name.starts_with(pattern) &&
+         name[pattern.size()] == '/';
+}
+
+}  // namespace
+
+OracleRegistry OracleRegistry::BuiltIn() {
+  OracleRegistry registry;
+  for (const Adapter& adapter : Adapters()) {
+    if (!adapter.built) {
+      registry.missing_.push_back(
+          {adapter.name, adapter.library +
+                             " was not found by this build: apt-get install " +
+                             adapter.package + ", then configure and build again"});
+      continue;
+    }
+    try {
+      for (auto& oracle : adapter.make()) registry.Add(std::move(oracle));
+    } catch (const std::runtime_error& error) {
+      registry.missing_.push_back({adapter.name, error.what()});
+    }
+  }
+  return registry;
+}
+
+void OracleRegistry::Add(std::unique_ptr<Oracle> oracle) {
+  const std::string& name = oracle->info().name;
+  if (Find(name) != nullptr) {
+    throw std::invalid_argument("there already is an oracle named \"" + name + "\"");
+  }
+  oracles_.push_back(std::move(oracle));
+}
+
+const Oracle* OracleRegistry::Find(std::string_view name) const {
+  for (const std::unique_ptr<Oracle>& oracle : oracles_) {
+    if (oracle->info().name == name) return oracle.get();
+  }
+  return nullptr;
+}
+
+std::vector<const Oracle*> OracleRegistry::Matching(std::string_view pattern) const {
+  std::vector<const Oracle*> matching;
+  for (const std::unique_ptr<Oracle>& oracle : oracles_) {
+    const std::string& name = oracle->info().name;
+    if (name == pattern || IsBelow(name, pattern)) matching.push_back(oracle.get());
+  }
+  return matching;
+}
+
+std::vector<const Oracle*> OracleRegistry::All() const {
+  std::vector<const Oracle*> all;
+  for (const std::unique_ptr<Oracle>& oracle : oracles_) all.push_back(oracle.get());
+  return all;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,100 @@
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+#include "reports/referee/referee.h"
+#include "tests/catalogue/the_catalogue.h"
+
+// What the author of a scenario derived is what the referee certifies.
+
+namespace touchstone {
+namespace {
+
+/* How far the doubles of a file may be from the configuration that was meant, as a
+ multiple of unit roundoff times scene size.
+
+ Each quaternion component is rounded (u/2 relative) and the matrix computed from it in
+ double: an entry is off by at most 4u + 4u. A point of a body at radius r thus moves by
+ at most 8u · 3r, its position rounds by √3 u |p|_inf: below 24u · SceneSize a body, 48u
+ for both. An expected normal rounds by √3 u / 2 over a lever of at most 2√3 SceneSize: 3u
+ more. */
+constexpr double kRounding = 64 * 0x1p-53;
+
+/** A scenario and what is certain of it. */
+struct Judged {
+  const Scenario* scenario;
+  ContactTruth truth;
+  /** How far the written separation may be from that of the written poses. [m] */
+  double slack;
+};
+
+double SlackOf(const Scenario& scenario, const ContactTruth& truth) {
+  double slack = kRounding * SceneSize(scenario.contact) + truth.input_rounding;
+  if (scenario.tolerance) slack += scenario.tolerance->separation;
+  return slack;
+}
+
+const std::vector<Judged>& JudgedCatalogue() {
+  static const std::vector<Judged> judged = [] {
+    std::vector<Judged> all;
+    for (const auto& [id, scenario] : Below("contact/")) {
+      const ContactTruth truth = JudgeContact(scenario->contact);
+      all.push_back({scenario, truth, SlackOf(*scenario, truth)});
+    }
+    return all;
+  }();
+  return judged;
+}
+
+TEST(ExpectedSeparation, IsWhatTheRefereeCertifies) {
+  for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
+    const double expected = *scenario->expect.separation;
+    EXPECT_LE(truth.separation.lo, expected + slack) << scenario->id;
+    EXPECT_GE(truth.separation.hi, expected - slack) << scenario->id;
+  }
+}
+
+// The referee proves flat shapes, balls and capsules to rounding, so that an agreement
+// with it says something.
+TEST(ExpectedSeparation, IsCertifiedToRoundingForBallsBoxesAndCapsules) {
+  int certified = 0;
+  for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
+    if (KindOf(scenario->contact.A.shape) > ShapeKind::kCapsule) continue;
+    if (KindOf(scenario->contact.B.shape) > ShapeKind::kCapsule) continue;
+    ++certified;
+    EXPECT_LE(truth.separation.hi - truth.separation.lo, slack) << scenario->id;
+  }
+  EXPECT_GT(certified, 0);
+}
+
+TEST(ExpectedVerdict, IsNeverProvedWrong) {
+  for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
+    if (!scenario->expect.touching) continue;
+    EXPECT_NE(truth.touching,
+              *scenario->expect.touching ? Touching::kApart : Touching::kTouching)
+        << scenario->id;
+  }
+}
+
+TEST(ExpectedVerdict, IsLeftOutOnlyWhereTheGapIsRounding) {
+  for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
+    if (scenario->expect.touching) continue;
+    EXPECT_LE(std::abs(*scenario->expect.separation), slack) << scenario->id;
+  }
+}
+
+TEST(ExpectedNormals, EachSeparateByTheExpectedDepthOrGap) {
+  for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
+    const double expected = -*scenario->expect.separation;
+    for (const Eigen::Vector3d& n_AB_W : scenario->expect.normals) {
+      const Enclosure overlap = Overlap(scenario->contact, n_AB_W);
+      EXPECT_LE(overlap.lo, expected + slack) << scenario->id;
+      EXPECT_GE(overlap.hi, expected - slack) << scenario->id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace touchstone

@@ -1,0 +1,76 @@
+#include "oracles/oracle_registry.h"
+
+#include <memory>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace touchstone {
+namespace {
+
+/** An oracle with a name and nothing to say. */
+class Named : public Oracle {
+ public:
+  explicit Named(std::string name) { info_.name = std::move(name); }
+  const OracleInfo& info() const override { return info_; }
+  void Answer(std::span<const ContactQuery>, std::span<ContactAnswer>) const override {}
+
+ private:
+  OracleInfo info_;
+};
+
+std::vector<std::string> NamesOf(const std::vector<const Oracle*>& oracles) {
+  std::vector<std::string> names;
+  for (const Oracle* oracle : oracles) names.push_back(oracle->info().name);
+  return names;
+}
+
+TEST(OracleRegistry, PatternMatchesTheNameAndWhatIsBelowIt) {
+  OracleRegistry registry;
+  for (const char* name : {"alpha", "alpha/gjk", "alpha_float", "beta/collide"}) {
+    registry.Add(std::make_unique<Named>(name));
+  }
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(NamesOf(registry.Matching("alpha")), (Names{"alpha", "alpha/gjk"}));
+  EXPECT_EQ(NamesOf(registry.Matching("beta")), (Names{"beta/collide"}));
+  EXPECT_EQ(NamesOf(registry.Matching("alpha/gjk")), (Names{"alpha/gjk"}));
+  EXPECT_TRUE(registry.Matching("alp").empty());
+  EXPECT_TRUE(registry.Matching("").empty());
+}
+
+TEST(OracleRegistry, FindsExactNamesOnlyAndKeepsTheOrder) {
+  OracleRegistry registry;
+  registry.Add(std::make_unique<Named>("beta/collide"));
+  registry.Add(std::make_unique<Named>("alpha"));
+  EXPECT_EQ(registry.Find("alpha")->info().name, "alpha");
+  EXPECT_EQ(registry.Find("beta"), nullptr);
+  EXPECT_EQ(NamesOf(registry.All()), (std::vector<std::string>{"beta/collide", "alpha"}));
+}
+
+TEST(OracleRegistry, NameThatExistsIsRefusedAndTheFirstStays) {
+  OracleRegistry registry;
+  registry.Add(std::make_unique<Named>("mine"));
+  const Oracle* first = registry.Find("mine");
+  EXPECT_THROW(registry.Add(std::make_unique<Named>("mine")), std::invalid_argument);
+  EXPECT_EQ(registry.Find("mine"), first);
+  EXPECT_EQ(registry.All().size(), 1u);
+}
+
+TEST(OracleRegistry, EveryEngineIsThereOrSaysHowToGetIt) {
+  const OracleRegistry registry = OracleRegistry::BuiltIn();
+  std::set<std::string> names;
+  for (const Oracle* oracle : registry.All()) names.insert(oracle->info().name);
+  for (const MissingOracle& missing : registry.missing()) {
+    EXPECT_FALSE(missing.how_to_get.empty()) << missing.name;
+    names.insert(missing.name);
+  }
+  for (const char* engine : {"bullet", "bullet_float", "ode"}) {
+    EXPECT_TRUE(names.contains(engine)) << engine;
+  }
+}
+
+}  // namespace
+}  // namespace touchstone

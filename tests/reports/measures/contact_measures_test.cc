@@ -1,0 +1,202 @@
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "reports/measures/contact_count.h"
+#include "reports/measures/contact_off_patch.h"
+#include "reports/measures/contact_surface_error.h"
+#include "reports/measures/contact_too_deep.h"
+#include "reports/measures/mixed_normals.h"
+#include "reports/measures/patch_coverage.h"
+#include "tests/reports/specimens.h"
+
+namespace touchstone {
+namespace {
+
+constexpr double kDepth = 2e-3;        // [m]
+constexpr double kRounding = 0x1p-46;  // [m], 64 roundings of a scene below 2 m
+
+/** B's lower face in BoxOnBoxFace: its contacts, in order around it. */
+ContactPatch PatchOf(const Specimen& s) {
+  ContactPatch patch;
+  for (const ContactPoint& contact : s.right.points)
+    patch.vertices_W.push_back(contact.p_WC);
+  patch.least_contacts = 4;
+  return patch;
+}
+
+double WorstSurfaceError(const Specimen& s) {
+  double worst = 0;
+  for (const ContactPoint& contact : s.right.points) {
+    worst = std::max(worst, ContactSurfaceError(s.query, *s.right.n_AB_W, contact));
+  }
+  return worst;
+}
+
+TEST(ContactSurfaceError, IsNoneMidwayThroughTheOverlap) {
+  EXPECT_LE(WorstSurfaceError(SphereInBoxFace(kDepth)), kRounding);
+  EXPECT_LE(WorstSurfaceError(BoxOnBoxFace(kDepth)), kRounding);
+  EXPECT_LE(WorstSurfaceError(SphereInHalfSpace(kDepth)), kRounding);
+}
+
+TEST(ContactSurfaceError, OfAPointOnASurfaceIsHalfTheDepth) {
+  Specimen s = SphereInBoxFace(kDepth);
+  s.right.points[0].p_WC += *s.right.n_AB_W * (kDepth / 2);
+  EXPECT_NEAR(WorstSurfaceError(s), kDepth / 2, kRounding);
+}
+
+TEST(ContactSurfaceError, OfAHalvedDepthIsAQuarterOfTheDepth) {
+  Specimen s = SphereInBoxFace(kDepth);
+  s.right.points[0].separation /= 2;
+  EXPECT_NEAR(WorstSurfaceError(s), kDepth / 4, kRounding);
+}
+
+TEST(ContactSurfaceError, OfAFlippedNormalIsTheDepth) {
+  Specimen s = SphereInBoxFace(kDepth);
+  *s.right.n_AB_W *= -1;
+  EXPECT_NEAR(WorstSurfaceError(s), kDepth, kRounding);
+}
+
+TEST(ContactSurfaceError, SeesAContactInTheAirBesideTheFace) {
+  // A's face ends at x = 0.3: a contact 0.3 further along x is 0.07 beyond it, and B's
+  // sphere bends away underneath.
+  Specimen s = SphereInBoxFace(kDepth);
+  s.right.points[0].p_WC += 0.3 * s.query.A.X_WB.R_WB.col(0);
+  EXPECT_GE(WorstSurfaceError(s), 0.07 - kRounding);
+}
+
+TEST(ContactOffPatch, IsNoneAtAndBetweenTheCorners) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  const ContactPatch patch = PatchOf(s);
+  ContactPoint middle = s.right.points[0];
+  middle.p_WC = (s.right.points[0].p_WC + s.right.points[2].p_WC) / 2;
+  EXPECT_EQ(ContactOffPatch(patch, *s.right.n_AB_W, middle), 0);
+  for (const ContactPoint& contact : s.right.points) {
+    EXPECT_LE(ContactOffPatch(patch, *s.right.n_AB_W, contact), kRounding);
+  }
+}
+
+TEST(ContactOffPatch, IsTheDistanceBeyondTheEdge) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  ContactPoint contact = s.right.points[0];
+  contact.p_WC += 0.011 * s.query.B.X_WB.R_WB.col(0);
+  EXPECT_NEAR(ContactOffPatch(PatchOf(s), *s.right.n_AB_W, contact), 0.011, kRounding);
+}
+
+TEST(ContactOffPatch, DoesNotCountTheDistanceAlongTheNormal) {
+  const Specimen s = SphereInBoxFace(kDepth);
+  ContactPatch point;
+  point.vertices_W = {s.right.points[0].p_WC};
+  ContactPoint contact = s.right.points[0];
+  contact.p_WC += 0.4 * *s.right.n_AB_W;
+  EXPECT_LE(ContactOffPatch(point, *s.right.n_AB_W, contact), kRounding);
+}
+
+double Unspanned(const Specimen& s, std::span<const ContactPoint> contacts) {
+  return PatchUnspanned(PatchOf(s), *s.right.n_AB_W, contacts);
+}
+
+TEST(PatchCoverage, IsWholeWithEveryCorner) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  // 2^-46 m over a face 0.1 m wide.
+  EXPECT_LE(Unspanned(s, s.right.points), 10 * kRounding);
+}
+
+TEST(PatchCoverage, IsHalfWithOneContactInTheMiddle) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  ContactPoint middle = s.right.points[0];
+  middle.p_WC = (s.right.points[0].p_WC + s.right.points[2].p_WC) / 2;
+  EXPECT_NEAR(Unspanned(s, std::span(&middle, 1)), 0.5, 10 * kRounding);
+}
+
+TEST(PatchCoverage, IsHalfWithAMissingCorner) {
+  // The fourth corner is half a diagonal from the line between its neighbours, whatever
+  // the sides' ratio.
+  const Specimen s = BoxOnBoxFace(kDepth);
+  EXPECT_NEAR(Unspanned(s, std::span(s.right.points).first(3)), 0.5, 10 * kRounding);
+}
+
+TEST(PatchCoverage, CountsTheWidthOfASlabLikeItsLength) {
+  // A face of 2 m by 1 cm, held along its middle line only.
+  ContactPatch patch;
+  patch.vertices_W = {{1, 0.005, 0}, {-1, 0.005, 0}, {-1, -0.005, 0}, {1, -0.005, 0}};
+  const std::vector<ContactPoint> line = {{{1, 0, 0}, -1e-3, {}},
+                                          {{-1, 0, 0}, -1e-3, {}}};
+  EXPECT_GT(PatchUnspanned(patch, Eigen::Vector3d::UnitZ(), line), kLegalUnspanned);
+}
+
+TEST(PatchCoverage, OfADiscAllowsAnInscribedTriangle) {
+  ContactPatch disc;
+  std::vector<ContactPoint> triangle;
+  for (int i = 0; i < 48; ++i) {
+    const double angle = 0.3 + i * 2 * std::numbers::pi / 48;
+    const Eigen::Vector3d p(std::cos(angle), std::sin(angle), 0);
+    disc.vertices_W.push_back(p);
+    if (i % 16 == 0) triangle.push_back({p, -1e-3, {}});
+  }
+  const Eigen::Vector3d n = Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR(PatchUnspanned(disc, n, triangle), kLegalUnspanned, 1e-12);
+  EXPECT_GT(PatchUnspanned(disc, n, std::span(triangle).first(2)), kLegalUnspanned);
+}
+
+TEST(PatchCoverage, OfASegmentNeedsBothEnds) {
+  ContactPatch segment;
+  segment.vertices_W = {{0.1, 0.2, 0.3}, {0.5, 0.1, 0.3}};
+  const std::vector<ContactPoint> ends = {{{0.1, 0.2, 0.3}, -1e-3, {}},
+                                          {{0.5, 0.1, 0.3}, -1e-3, {}}};
+  const Eigen::Vector3d n = Eigen::Vector3d::UnitZ();
+  EXPECT_LE(PatchUnspanned(segment, n, ends), kRounding);
+  EXPECT_NEAR(PatchUnspanned(segment, n, std::span(ends).first(1)), 1, kRounding);
+}
+
+TEST(ContactCount, IsRightWithTheFewestAndWithMore) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  std::vector<ContactPoint> contacts = s.right.points;
+  EXPECT_EQ(ContactCountError(PatchOf(s), contacts, kRounding), 0);
+  contacts.push_back(contacts[0]);
+  contacts.back().p_WC = (contacts[0].p_WC + contacts[1].p_WC) / 2;
+  EXPECT_EQ(ContactCountError(PatchOf(s), contacts, kRounding), 0);
+}
+
+TEST(ContactCount, SeesMissingContacts) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  EXPECT_EQ(ContactCountError(PatchOf(s), std::span(s.right.points).first(1), kRounding),
+            3);
+}
+
+TEST(ContactCount, SeesRepeatedContacts) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  std::vector<ContactPoint> contacts = s.right.points;
+  contacts.push_back(contacts[0]);
+  contacts.push_back(contacts[2]);
+  EXPECT_EQ(ContactCountError(PatchOf(s), contacts, kRounding), 2);
+}
+
+TEST(ContactTooDeep, BlamesDeeperContactsOnly) {
+  const Specimen s = SphereInBoxFace(kDepth);
+  EXPECT_EQ(ContactTooDeep(s.truth, {s.right.points[0].p_WC, -kDepth, {}}), 0);
+  EXPECT_EQ(ContactTooDeep(s.truth, {s.right.points[0].p_WC, -kDepth / 2, {}}), 0);
+  EXPECT_NEAR(ContactTooDeep(s.truth, {s.right.points[0].p_WC, -2 * kDepth, {}}), kDepth,
+              kRounding);
+}
+
+TEST(MixedNormals, IsNoneWhereAllContactsShareOne) {
+  EXPECT_EQ(MixedNormals(BoxOnBoxFace(kDepth).right), 0);
+}
+
+TEST(MixedNormals, ResolvesATinyAngle) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  constexpr double kAngle = 1e-10;  // [rad], which acos of a dot product sees as 0
+  s.right.points[2].n_AB_W =
+      s.query.A.X_WB.R_WB * Eigen::Vector3d(std::sin(kAngle), 0, std::cos(kAngle));
+  EXPECT_NEAR(MixedNormals(s.right), kAngle, 0x1p-50);
+}
+
+TEST(MixedNormals, OfOppositeNormalsIsPi) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.points[1].n_AB_W = -*s.right.n_AB_W;
+  EXPECT_NEAR(MixedNormals(s.right), std::numbers::pi, 0x1p-50);
+}
+
+}  // namespace
+}  // namespace touchstone
