@@ -96,5 +96,16 @@ TEST(ExpectedNormals, EachSeparateByTheExpectedDepthOrGap) {
   }
 }
 
+TEST(ExpectedContacts, AreTheFewestThatSpanThePatch) {
+  for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
+    if (!scenario->expect.contacts) continue;
+    for (const Eigen::Vector3d& n_AB_W : scenario->expect.normals) {
+      const ContactPatch patch =
+          PatchAlong(scenario->contact, n_AB_W, *scenario->expect.separation, slack);
+      EXPECT_EQ(patch.least_contacts, *scenario->expect.contacts) << scenario->id;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace touchstone
