@@ -1,0 +1,166 @@
+#include "cli/command_line.h"
+
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/body_text.h"
+#include "cli/explain_command.h"
+#include "cli/input_error.h"
+#include "cli/list_command.h"
+#include "cli/oracles_command.h"
+#include "cli/run_command.h"
+
+namespace touchstone {
+namespace {
+
+constexpr const char* kIntroduction =
+    "Tells collision engines who is right, with a proof.\n\n"
+    "  touchstone run                          the whole catalogue, every engine\n"
+    "  touchstone run contact/box_box          one group; --subject fcl/collide: another "
+    "subject\n"
+    "  touchstone run mine.toml --out report   your own scenario; a page in "
+    "report/index.html\n"
+    "  touchstone explain contact/zoo/fcl_395  every answer to one scenario, side by "
+    "side\n"
+    "  touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0'\n"
+    "  touchstone COMMAND --help               what a command takes\n\n"
+    "Exit code: 0 all pass or known, 1 failures, 2 bad input or nothing verified.";
+
+constexpr const char* kPatterns =
+    "scenario ids, folders of ids, globs (* within a level, ** across), or TOML files "
+    "and "
+    "folders of your own; all of the catalogue without any";
+
+// The commands, their options, and what they do once the line is parsed.
+class CommandLine {
+ public:
+  CommandLine(OracleRegistry registry, const CommandLineDefaults& defaults)
+      : session_{std::move(registry), defaults, DetectTerminal()}, app_(kIntroduction) {
+    app_.name("touchstone");
+    app_.require_subcommand(1);
+    app_.set_version_flag("--version", TOUCHSTONE_VERSION);
+    AddRun();
+    AddExplain();
+    AddAsk();
+    AddList();
+    AddOracles();
+  }
+
+  int Run(int argc, const char* const* argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      // --help and --version arrive here too, as successes.
+      return app_.exit(error, std::cout, std::cerr) == 0 ? 0 : 2;
+    }
+    try {
+      return command_();
+    } catch (const InputError& error) {
+      std::cerr << "touchstone: " << error.what() << '\n';
+      return 2;
+    }
+  }
+
+ private:
+  CLI::App* AddCommand(const char* name, const char* description,
+                       std::function<int()> command) {
+    CLI::App* app = app_.add_subcommand(name, description);
+    app->callback([this, command = std::move(command)] { command_ = command; });
+    return app;
+  }
+
+  void AddScenarios(CLI::App* app, ScenarioSelection& selection) {
+    app->add_option("patterns", selection.patterns, kPatterns)->type_name("PATTERN");
+    selection.catalogues = {session_.catalogue()};
+    app->add_option("--catalogue", selection.catalogues, "where ids are looked up")
+        ->type_name("DIR")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+
+  void AddOracleOptions(CLI::App* app, OracleSelection& selection) {
+    selection.subject = session_.defaults.subject;
+    app->add_option("--subject", selection.subject, "the oracle under examination")
+        ->type_name("ORACLE")
+        ->capture_default_str();
+    app->add_option("--against", selection.against,
+                    "the references, e.g. bullet,fcl/collide; all others without it")
+        ->type_name("ORACLE,...")
+        ->delimiter(',');
+  }
+
+  void AddRun() {
+    CLI::App* app = AddCommand("run", "put scenarios to oracles and judge the answers",
+                               [this] { return RunCommand(session_, run_); });
+    AddScenarios(app, run_.scenarios);
+    AddOracleOptions(app, run_.oracles);
+    app->add_option("--out", run_.out,
+                    "write index.html, report.json and junit.xml there")
+        ->type_name("DIR");
+    const std::map<std::string, FailOn> kinds = {{"subject", FailOn::kSubject},
+                                                 {"anything", FailOn::kAnything}};
+    app->add_option("--fail-on", run_.fail_on,
+                    "whose failures give exit code 1: subject (default) or anything")
+        ->transform(CLI::CheckedTransformer(kinds).description(""))
+        ->type_name("WHOSE");
+    app->add_option("--jobs", run_.jobs, "threads; one a core without it")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("N");
+    app->add_flag("--quiet", run_.quiet, "only failures and the last line");
+  }
+
+  void AddExplain() {
+    CLI::App* app = AddCommand(
+        "explain", "every oracle's answer to a scenario, side by side, with the proofs",
+        [this] { return ExplainCommand(session_, explained_, oracles_); });
+    AddScenarios(app, explained_);
+    app->get_option("patterns")->required();
+    AddOracleOptions(app, oracles_);
+  }
+
+  void AddAsk() {
+    CLI::App* app = AddCommand("ask", "ask everybody about two shapes given here",
+                               [this] { return AskCommand(session_, ask_); });
+    app->footer("A body is " + std::string(kBodySyntax));
+    app->add_option("--A,-A", ask_.A, "the first body")->required()->type_name("BODY");
+    app->add_option("--B,-B", ask_.B, "the second body")->required()->type_name("BODY");
+    AddOracleOptions(app, ask_.oracles);
+  }
+
+  void AddList() {
+    CLI::App* app = AddCommand("list", "ids and titles of the scenarios",
+                               [this] { return ListCommand(listed_); });
+    AddScenarios(app, listed_);
+  }
+
+  void AddOracles() {
+    CLI::App* app =
+        AddCommand("oracles", "who can answer what, and what is not installed",
+                   [this] { return OraclesCommand(session_, settings_); });
+    app->add_flag("--settings", settings_, "what each adapter sets and converts");
+  }
+
+  Session session_;
+  CLI::App app_;
+  std::function<int()> command_;
+  RunArguments run_;
+  AskArguments ask_;
+  ScenarioSelection explained_;
+  OracleSelection oracles_;
+  ScenarioSelection listed_;
+  bool settings_ = false;
+};
+
+}  // namespace
+
+int RunCommandLine(int argc, const char* const* argv, OracleRegistry registry,
+                   const CommandLineDefaults& defaults) {
+  return CommandLine(std::move(registry), defaults).Run(argc, argv);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "oracles/oracle_registry.h"
+
+namespace touchstone {
+
+/** What the command line assumes where its user says nothing. */
+struct CommandLineDefaults {
+  std::string subject = "cookbook";  ///< The oracle under examination.
+  /** Holds catalogue/ and known_discrepancies.toml. */
+  std::filesystem::path data = TOUCHSTONE_DATA_DIR;
+};
+
+/** The whole `touchstone` program, with the oracles of `registry`: add your own to
+ OracleRegistry::BuiltIn() and call this from main(). Returns the exit code: 0 all pass or
+ known, 1 failures, 2 bad input or nothing verified. */
+int RunCommandLine(int argc, const char* const* argv, OracleRegistry registry,
+                   const CommandLineDefaults& defaults = {});
+
+}  // namespace touchstone

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "cli/select_oracles.h"
+#include "cli/select_scenarios.h"
+#include "cli/session.h"
+
+namespace touchstone {
+
+/** Prints, for each selected scenario, its file, the certified truth, every oracle's
+ answer side by side, and who is proved right and wrong. */
+int ExplainCommand(const Session& session, const ScenarioSelection& scenarios,
+                   const OracleSelection& oracles);
+
+/** The arguments of `touchstone ask`. */
+struct AskArguments {
+  std::string A;  ///< In the syntax of cli/body_text.h.
+  std::string B;
+  OracleSelection oracles;
+};
+
+/** As ExplainCommand(), for two shapes given on the command line. */
+int AskCommand(const Session& session, const AskArguments& arguments);
+
+}  // namespace touchstone

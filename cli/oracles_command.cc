@@ -1,0 +1,74 @@
+#include "cli/oracles_command.h"
+
+#include <iostream>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+std::string GivesOf(const Capability& capability) {
+  std::string gives;
+  const auto add = [&gives](bool given, const char* name) {
+    if (given) gives += (gives.empty() ? "" : ", ") + std::string(name);
+  };
+  add(capability.depth, "depth");
+  add(capability.distance, "distance");
+  add(capability.normal, "normal");
+  add(capability.manifold, "manifold");
+  add(capability.witnesses, "witnesses");
+  return gives.empty() ? "touching only" : gives;
+}
+
+std::string HeadingOf(const Capability& capability) {
+  if (!capability.supported) return fmt::format("unsupported: {}", capability.reason);
+  return fmt::format("{}: {}", capability.family, GivesOf(capability));
+}
+
+// Pairs that are answered alike, under one heading: "sat: depth, normal". A pair that is
+// answered alike in both orders is named once.
+void PrintCapabilities(const OracleInfo& info) {
+  std::map<std::string, std::string> pairs_by_heading;
+  for (int a = 0; a < kShapeKinds; ++a) {
+    for (int b = 0; b < kShapeKinds; ++b) {
+      const ShapeKind A = static_cast<ShapeKind>(a);
+      const ShapeKind B = static_cast<ShapeKind>(b);
+      const std::string heading = HeadingOf(info.For(A, B));
+      if (a > b && heading == HeadingOf(info.For(B, A))) continue;
+      std::string& pairs = pairs_by_heading[heading];
+      pairs += fmt::format("{}{}-{}", pairs.empty() ? "" : " ", NameOf(A), NameOf(B));
+    }
+  }
+  for (const auto& [heading, pairs] : pairs_by_heading) {
+    std::cout << fmt::format("    {}\n        {}\n", heading, pairs);
+  }
+}
+
+}  // namespace
+
+int OraclesCommand(const Session& session, bool settings) {
+  for (const Oracle* oracle : session.registry.All()) {
+    const OracleInfo& info = oracle->info();
+    std::cout << fmt::format("{}  {} {}, {} precision{}\n", info.name, info.library,
+                             info.version,
+                             info.unit_roundoff > 0x1p-40 ? "single" : "double",
+                             info.isolated ? ", in a child process" : "");
+    if (settings) {
+      for (const Setting& setting : info.settings) {
+        std::cout << fmt::format("    {} = {}  ({})\n", setting.name, setting.value,
+                                 setting.why);
+      }
+    } else {
+      PrintCapabilities(info);
+    }
+    std::cout << '\n';
+  }
+  for (const MissingOracle& missing : session.registry.missing()) {
+    std::cout << fmt::format("{}  missing: {}\n", missing.name, missing.how_to_get);
+  }
+  return 0;
+}
+
+}  // namespace touchstone

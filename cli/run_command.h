@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "cli/select_oracles.h"
+#include "cli/select_scenarios.h"
+#include "cli/session.h"
+
+namespace touchstone {
+
+/** The arguments of `touchstone run`. */
+struct RunArguments {
+  ScenarioSelection scenarios;
+  OracleSelection oracles;
+  std::optional<std::filesystem::path>
+      out;  ///< Folder for the page, the JSON and the JUnit.
+  FailOn fail_on = FailOn::kSubject;
+  int jobs = 0;
+  bool quiet = false;
+};
+
+/** Puts scenarios to oracles, prints what was found and writes the reports. Returns the
+ exit code of the run. */
+int RunCommand(const Session& session, const RunArguments& arguments);
+
+}  // namespace touchstone

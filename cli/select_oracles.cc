@@ -1,0 +1,71 @@
+#include "cli/select_oracles.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "cli/input_error.h"
+#include "scenarios/schema/nearest_name.h"
+
+namespace touchstone {
+namespace {
+
+[[noreturn]] void FailOnOracle(const OracleRegistry& registry, std::string_view name) {
+  for (const MissingOracle& missing : registry.missing()) {
+    if (name == missing.name || missing.name.starts_with(fmt::format("{}/", name))) {
+      throw InputError(fmt::format("the oracle '{}' is not in this build: {}", name,
+                                   missing.how_to_get));
+    }
+  }
+  std::vector<std::string_view> names;
+  std::string list;
+  for (const Oracle* oracle : registry.All()) {
+    names.push_back(oracle->info().name);
+    list += (list.empty() ? "" : ", ") + oracle->info().name;
+  }
+  const std::string_view nearest = NearestName(name, names);
+  throw InputError(fmt::format(
+      "there is no oracle '{}'{}; there are: {}", name,
+      nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest), list));
+}
+
+bool IsSpecimen(const Oracle& oracle) {
+  return oracle.info().name.starts_with("printed");
+}
+
+}  // namespace
+
+std::vector<const Oracle*> OraclesNamed(const OracleRegistry& registry,
+                                        const std::string& pattern) {
+  std::vector<const Oracle*> oracles = registry.Matching(pattern);
+  if (oracles.empty()) {
+    const Oracle* specimen = registry.Find(pattern);
+    if (specimen == nullptr) FailOnOracle(registry, pattern);
+    oracles.push_back(specimen);
+  }
+  return oracles;
+}
+
+std::vector<const Oracle*> SelectOracles(const OracleRegistry& registry,
+                                         const OracleSelection& selection) {
+  const Oracle* subject = registry.Find(selection.subject);
+  if (subject == nullptr) FailOnOracle(registry, selection.subject);
+  std::vector<const Oracle*> oracles = {subject};
+  const auto add = [&oracles](const Oracle* oracle) {
+    if (std::find(oracles.begin(), oracles.end(), oracle) == oracles.end()) {
+      oracles.push_back(oracle);
+    }
+  };
+  if (selection.against.empty()) {
+    for (const Oracle* oracle : registry.All()) {
+      if (!IsSpecimen(*oracle)) add(oracle);
+    }
+  }
+  for (const std::string& pattern : selection.against) {
+    for (const Oracle* oracle : OraclesNamed(registry, pattern)) add(oracle);
+  }
+  return oracles;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "cli/command_line.h"
+#include "cli/terminal.h"
+#include "reports/run.h"
+
+namespace touchstone {
+
+/** What every command works with. */
+struct Session {
+  OracleRegistry registry;
+  CommandLineDefaults defaults;
+  Terminal terminal;
+
+  std::filesystem::path catalogue() const { return defaults.data / "catalogue"; }
+};
+
+/** How a command runs scenarios. */
+struct SuiteOptions {
+  int jobs = 0;          ///< As RunOptions::jobs.
+  bool partial = false;  ///< As RunOptions::partial.
+  bool quiet = false;    ///< No progress bar.
+};
+
+/** Runs the scenarios with a progress bar, as of today. */
+RunReport RunSuite(const Session& session, std::span<const Scenario> scenarios,
+                   std::span<const Oracle* const> oracles, const Ledger& ledger,
+                   const SuiteOptions& options);
+
+}  // namespace touchstone
