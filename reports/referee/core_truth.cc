@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <limits>
 
+#include "reports/referee/inner_polytope.h"
 #include "reports/referee/nearest_point.h"
+#include "reports/referee/round_solid.h"
 #include "reports/referee/zonotope.h"
 
 namespace touchstone::referee {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
 
 Enclosure Intersection(const Enclosure& a, const Enclosure& b) {
   return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
+}
+
+Eigen::Vector3d Rounded(const Vector<Precise>& a) {
+  return {Nearest(a.x), Nearest(a.y), Nearest(a.z)};
 }
 
 double Width(const Enclosure& e) {
@@ -46,9 +51,15 @@ void SetSupportingPoints(const MinkowskiDifference& M, CoreTruth* truth) {
   truth->p_WCb = M.B().X_WB * ToEigen(deepest.q_B);
 }
 
+/** Where the search for the nearest point of M ended, and what that proves. */
+struct NearestTruth {
+  Simplex<Precise> simplex;
+  CoreTruth truth;
+};
+
 /** Returns the truth that `simplex` proves, searching on at high precision where its
  features turn out not to be the nearest. */
-CoreTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex) {
+NearestTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex) {
   Simplex<Precise> sharp = Sharpen(M, simplex);
   CoreTruth truth;
   truth.separation = CertifyNearest(M, sharp);
@@ -65,19 +76,14 @@ CoreTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex) {
   double total = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(sharp.count); ++i) {
     const double weight = Nearest(sharp.weights[i] / sharp.weights[0]);
-    const DifferencePoint<Precise>& point = sharp.points[i];
-    q_A += weight * Eigen::Vector3d(Nearest(point.q_A.x), Nearest(point.q_A.y),
-                                    Nearest(point.q_A.z));
-    q_B += weight * Eigen::Vector3d(Nearest(point.q_B.x), Nearest(point.q_B.y),
-                                    Nearest(point.q_B.z));
+    q_A += weight * Rounded(sharp.points[i].q_A);
+    q_B += weight * Rounded(sharp.points[i].q_B);
     total += weight;
   }
   truth.p_WCa = M.A().X_WB * Eigen::Vector3d(q_A / total);
   truth.p_WCb = M.B().X_WB * Eigen::Vector3d(q_B / total);
-  truth.n_AB_W =
-      -Eigen::Vector3d(Nearest(sharp.v.x), Nearest(sharp.v.y), Nearest(sharp.v.z))
-           .stableNormalized();
-  return truth;
+  truth.n_AB_W = -Rounded(sharp.v).stableNormalized();
+  return {sharp, truth};
 }
 
 /** Offers the overlap along `n` as a lower bound on the separation. */
@@ -96,7 +102,7 @@ CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
     SetSupportingPoints(M, &truth);
     return truth;
   }
-  CoreTruth truth = Refine(M, FindNearest<double>(M, {}));
+  CoreTruth truth = Refine(M, FindNearest<double>(M, {})).truth;
   if (truth.separation.lo > 0) return truth;
   // The origin is on M to rounding, where the mixture has no direction of its own.
   if (depth) {
@@ -109,12 +115,59 @@ CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   return truth;
 }
 
+CoreTruth FromDepth(const MinkowskiDifference& M, const DepthProof& proof) {
+  CoreTruth truth;
+  truth.separation = Negated(proof.depth);
+  truth.n_AB_W = proof.n_AB_W;
+  SetSupportingPoints(M, &truth);
+  return truth;
+}
+
+/** Returns the truth where the origin is in M, or on it to rounding. */
+CoreTruth JudgeDeep(const MinkowskiDifference& M, const Simplex<double>& simplex) {
+  // Flat faces are met exactly; what is left is the rounding of plane distances in
+  // double, sums of some ten terms as large as M. Round ones take a facet for each digit
+  // and direction; past the last of these, symmetric ties are being tiled in vain.
+  const double target = 8 * kUlp * M.Size();
+  constexpr std::size_t kMostVertices = 2000;
+  const InnerPolytope<double> polytope = Expand(M, simplex, target, kMostVertices);
+  const DepthProof proof = CertifyDepth(M, polytope, target);
+  if (proof.depth.lo > 0 && (M.IsCurved() || Width(proof.depth) <= target)) {
+    return FromDepth(M, proof);
+  }
+  const NearestTruth nearest = Refine(M, simplex);
+  CoreTruth truth = nearest.truth;
+  if (truth.separation.lo > 0) return truth;
+  Improve(proof.n_AB_W, proof.depth, &truth);
+  if (Width(truth.separation) <= target) return truth;
+  // The origin is so near the boundary, or the features are so thin, that doubles lost
+  // the way.
+  constexpr std::size_t kMostPreciseVertices = 400;
+  const InnerPolytope<Precise> sharp =
+      Expand(M, nearest.simplex, target / 64, kMostPreciseVertices);
+  const DepthProof sharper = CertifyDepth(M, sharp, target);
+  if (sharper.depth.lo > 0) return FromDepth(M, sharper);
+  Improve(sharper.n_AB_W, sharper.depth, &truth);
+  return truth;
+}
+
+CoreTruth JudgeAny(const MinkowskiDifference& M) {
+  const Simplex<double> simplex = FindNearest<double>(M, {});
+  if (!simplex.encloses_origin) {
+    const CoreTruth truth = Refine(M, simplex).truth;
+    if (truth.separation.lo > 0) return truth;
+  }
+  return JudgeDeep(M, simplex);
+}
+
 }  // namespace
 
 CoreTruth JudgeCores(const MinkowskiDifference& M) {
   if (IsZonotope(M.A().core) && IsZonotope(M.B().core)) return JudgeZonotopes(M);
-  const Simplex<double> simplex = FindNearest<double>(M, {});
-  const CoreTruth truth = Refine(M, simplex);
+  CoreTruth truth = JudgeAny(M);
+  if (const std::optional<Enclosure> distance = DistanceFromRoundSolid(M)) {
+    truth.separation = Intersection(truth.separation, *distance);
+  }
   return truth;
 }
 
