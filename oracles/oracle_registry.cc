@@ -4,12 +4,19 @@
 #include <utility>
 
 #include "oracles/bullet/bullet_oracles.h"
+#include "oracles/cookbook/cookbook_oracle.h"
 #include "oracles/ode/ode_oracles.h"
 
 namespace touchstone {
 namespace {
 
 using Oracles = std::vector<std::unique_ptr<Oracle>>;
+
+Oracles Cookbook() {
+  Oracles oracles;
+  oracles.push_back(std::make_unique<CookbookOracle>());
+  return oracles;
+}
 
 // Of an adapter that is not built there is a header and no library; what `if constexpr`
 // discards needs no definition.
@@ -44,6 +51,7 @@ struct Adapter {
 
 std::vector<Adapter> Adapters() {
   return {
+      {"cookbook", true, "", "", Cookbook},
       {"bullet", TOUCHSTONE_HAS_BULLET_DOUBLE, "Bullet (double)", "libbullet-dev",
        BulletDouble},
       {"bullet_float", TOUCHSTONE_HAS_BULLET_FLOAT, "Bullet (float)", "libbullet-dev",
