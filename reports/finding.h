@@ -25,7 +25,7 @@ enum class Cause {
   kConvention,  ///< A known convention, applied, brings it to the truth.
   kTie,         ///< Another answer is equally right.
   kPrecision,   ///< The engine's arithmetic: rounding the input at the engine's precision
-               ///< moves the truth, or its answer, as much as the error.
+                ///< moves the truth, or its answer, as much as the error.
   kModel,   ///< A documented model (rounded corners, a margin) answers another question.
   kDefect,  ///< None of these.
 };

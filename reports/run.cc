@@ -1,11 +1,14 @@
 #include "reports/run.h"
 
 #include <algorithm>
+#include <map>
 #include <mutex>
 
 #include "reports/apply_ledger.h"
+#include "reports/causes/precision.h"
 #include "reports/check_catalogue.h"
 #include "reports/consensus.h"
+#include "reports/explain.h"
 #include "reports/judge.h"
 #include "reports/parallel.h"
 #include "reports/referee/referee.h"
@@ -113,7 +116,10 @@ class Suite {
     EstablishTruth();
     AskQuestions();
     Judge();
+    SortFindings();
+    Explain();
     Collect();
+    ExplainTheRest(report_);
     report_.ledger = ledger;
     ApplyLedger(report_, options_.today, options_.partial);
     CheckCatalogue(report_);
@@ -159,19 +165,74 @@ class Suite {
     });
   }
 
-  void Collect() {
-    const auto place_of = [this](const Finding& finding) {
-      const auto found = std::find_if(
-          report_.oracles.begin(), report_.oracles.end(),
-          [&](const OracleInfo& oracle) { return oracle.name == finding.oracle; });
-      return found - report_.oracles.begin();
+  /** By oracle, in the order of the report, then by measure. */
+  void SortFindings() {
+    std::map<std::string_view, std::size_t> places;
+    for (std::size_t i = 0; i < oracles_.size(); ++i) places[report_.oracles[i].name] = i;
+    ForEachScenario([&](const ScenarioResult&, std::vector<Finding>& findings) {
+      std::stable_sort(findings.begin(), findings.end(),
+                       [&](const Finding& a, const Finding& b) {
+                         return std::pair(places.at(a.oracle), a.measure) <
+                                std::pair(places.at(b.oracle), b.measure);
+                       });
+    });
+  }
+
+  /** Finds causes: first those that the answers show, then, for failures without one, by
+   asking the oracle about neighbouring questions, again in one round. */
+  void Explain() {
+    ForEachScenario([this](const ScenarioResult& result, std::vector<Finding>& findings) {
+      ForEachOracle(findings, [&](std::size_t i, std::span<Finding> of_oracle) {
+        ExplainByAnswer(result, report_.oracles[i], result.answers[i], of_oracle);
+      });
+    });
+    Round round(oracles_.size());
+    struct Asked {
+      std::size_t begin = 0;  ///< In the round of its oracle.
+      std::size_t end = 0;
     };
+    std::vector<std::vector<Asked>> asked(report_.scenarios.size(),
+                                          std::vector<Asked>(oracles_.size()));
+    for (std::size_t s = 0; s < report_.scenarios.size(); ++s) {
+      ForEachOracle(findings_[s], [&](std::size_t i, std::span<Finding> of_oracle) {
+        if (std::none_of(of_oracle.begin(), of_oracle.end(), IsUnexplained)) return;
+        const std::vector<ContactQuery> neighbours = NeighboursOf(
+            report_.scenarios[s].scenario.contact, report_.oracles[i].unit_roundoff);
+        asked[s][i].begin = round.queries[i].size();
+        round.queries[i].insert(round.queries[i].end(), neighbours.begin(),
+                                neighbours.end());
+        asked[s][i].end = round.queries[i].size();
+      });
+    }
+    round.Ask(oracles_, options_.jobs, nullptr);
+    ParallelFor(findings_.size(), options_.jobs, [&](std::size_t s) {
+      const ScenarioResult& result = report_.scenarios[s];
+      ForEachOracle(findings_[s], [&](std::size_t i, std::span<Finding> of_oracle) {
+        const auto& [begin, end] = asked[s][i];
+        if (begin == end) return;
+        ExplainByNeighbours(result, report_.oracles[i], result.answers[i],
+                            std::span(round.answers[i]).subspan(begin, end - begin),
+                            of_oracle);
+      });
+    });
+  }
+
+  void Collect() {
     for (std::vector<Finding>& findings : findings_) {
-      std::stable_sort(
-          findings.begin(), findings.end(), [&](const Finding& a, const Finding& b) {
-            return std::pair(place_of(a), a.measure) < std::pair(place_of(b), b.measure);
-          });
       std::move(findings.begin(), findings.end(), std::back_inserter(report_.findings));
+    }
+  }
+
+  /** Calls `work(i, findings)` for the sorted findings of each oracle i that has some. */
+  template <typename Work>
+  void ForEachOracle(std::vector<Finding>& findings, Work work) {
+    auto begin = findings.begin();
+    for (std::size_t i = 0; i < oracles_.size() && begin != findings.end(); ++i) {
+      const auto end = std::find_if(begin, findings.end(), [&](const Finding& finding) {
+        return finding.oracle != report_.oracles[i].name;
+      });
+      if (begin != end) work(i, std::span(begin, end));
+      begin = end;
     }
   }
 

@@ -1,0 +1,60 @@
+#include "reports/causes/margin.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+/** The end of a run of equal errors that starts at `begin`, in sorted errors. */
+std::size_t EndOfRun(std::span<const SignedError> errors, std::size_t begin) {
+  std::size_t end = begin + 1;
+  while (end < errors.size() &&
+         errors[end].error - errors[begin].error <=
+             errors[begin].finding->tolerance + errors[end].finding->tolerance) {
+    ++end;
+  }
+  return end;
+}
+
+int DifferentTruths(std::span<const SignedError> run) {
+  std::vector<double> truths;
+  double widest = 0;
+  for (const SignedError& e : run) {
+    truths.push_back(e.truth);
+    widest = std::max(widest, 2 * e.finding->tolerance);
+  }
+  std::sort(truths.begin(), truths.end());
+  int different = 1;
+  double last = truths.front();
+  for (const double truth : truths) {
+    if (truth - last <= widest) continue;
+    ++different;
+    last = truth;
+  }
+  return different;
+}
+
+}  // namespace
+
+void ExplainByMargin(std::span<SignedError> errors) {
+  std::sort(errors.begin(), errors.end(),
+            [](const SignedError& a, const SignedError& b) { return a.error < b.error; });
+  for (std::size_t begin = 0; begin < errors.size();) {
+    const std::size_t end = EndOfRun(errors, begin);
+    const std::span<SignedError> run = errors.subspan(begin, end - begin);
+    if (DifferentTruths(run) >= kMarginWitnesses) {
+      for (SignedError& e : run) {
+        e.finding->cause = Cause::kConvention;
+        e.finding->cause_because = fmt::format(
+            "its separation is off by the same {:.6g} m in {} questions: a margin",
+            e.error, run.size());
+      }
+    }
+    begin = end;
+  }
+}
+
+}  // namespace touchstone

@@ -1,0 +1,17 @@
+#include "reports/causes/tie.h"
+
+#include <fmt/format.h>
+
+#include "reports/measures/mixed_normals.h"
+#include "reports/proof.h"
+
+namespace touchstone {
+
+std::optional<std::string> TieOf(const ContactTruth& truth, const Eigen::Vector3d& n_W) {
+  const double angle = AngleBetween(n_W, truth.certificate.n_AB_W);
+  if (angle <= kOtherNormal) return std::nullopt;
+  return fmt::format("{} is as short as {}, {:.3g} rad away", InWords(n_W),
+                     InWords(truth.certificate.n_AB_W), angle);
+}
+
+}  // namespace touchstone

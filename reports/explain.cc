@@ -1,0 +1,117 @@
+#include "reports/explain.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "reports/causes/convention.h"
+#include "reports/causes/margin.h"
+#include "reports/causes/precision.h"
+#include "reports/causes/tie.h"
+#include "reports/judge.h"
+#include "reports/tolerance.h"
+
+namespace touchstone {
+namespace {
+
+bool IsFailure(const Finding& finding) {
+  return finding.verdict == Verdict::kFail;
+}
+
+/** A pass that rounding alone would not have been is owed to the documented error. */
+void ExplainByModel(const ScenarioResult& result, const OracleInfo& oracle,
+                    Finding& finding) {
+  const ContactQuery& query = result.scenario.contact;
+  const Capability& capability = oracle.For(KindOf(query.A.shape), KindOf(query.B.shape));
+  const bool documented =
+      capability.documented_error > 0 || capability.documented_relative_error > 0;
+  const double rounding = RoundingOf(oracle, query) + result.truth.input_rounding;
+  if (!documented || UnitOf(finding.measure) != "m" || finding.value <= rounding) return;
+  finding.cause = Cause::kModel;
+  finding.cause_because =
+      fmt::format("{:.3g} m is more than rounding, and documented: {}", finding.value,
+                  capability.documented_by);
+}
+
+}  // namespace
+
+bool IsUnexplained(const Finding& finding) {
+  return IsFailure(finding) && finding.cause == Cause::kNone;
+}
+
+void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
+                     const ContactAnswer& answer, std::span<Finding> findings) {
+  std::vector<Finding*> of_answer;
+  for (Finding& finding : findings) {
+    if (finding.verdict == Verdict::kPass) ExplainByModel(result, oracle, finding);
+    if (finding.measure == MeasureKind::kExcess && finding.verdict == Verdict::kPass) {
+      const auto tie = TieOf(result.truth, NormalOf(answer).value());
+      if (tie) {
+        finding.cause = Cause::kTie;
+        finding.cause_because = *tie;
+      }
+    }
+    if (finding.reference == "referee") of_answer.push_back(&finding);
+  }
+  const bool any = std::any_of(of_answer.begin(), of_answer.end(),
+                               [](const Finding* f) { return IsFailure(*f); });
+  if (any) ExplainByConvention(result.scenario, result.truth, oracle, answer, of_answer);
+}
+
+void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
+                         const ContactAnswer& answer,
+                         std::span<const ContactAnswer> neighbours,
+                         std::span<Finding> findings) {
+  const double movement =
+      MovementOf(result.scenario.contact, result.truth, answer, neighbours);
+  for (Finding& finding : findings) {
+    if (!IsUnexplained(finding)) continue;
+    const auto why = PrecisionOf(finding, result.truth, movement, oracle.unit_roundoff);
+    if (!why) continue;
+    finding.cause = Cause::kPrecision;
+    finding.cause_because = *why;
+  }
+}
+
+void ExplainTheRest(RunReport& report) {
+  std::map<std::string_view, std::size_t> scenarios;
+  for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
+    scenarios[report.scenarios[s].scenario.id] = s;
+  }
+  std::map<std::string_view, std::size_t> oracles;
+  for (std::size_t i = 0; i < report.oracles.size(); ++i)
+    oracles[report.oracles[i].name] = i;
+
+  std::map<std::tuple<std::string_view, ShapeKind, ShapeKind>, std::vector<SignedError>>
+      off;
+  for (Finding& finding : report.findings) {
+    if (finding.measure != MeasureKind::kSeparationError || !IsUnexplained(finding))
+      continue;
+    const ScenarioResult& result = report.scenarios[scenarios.at(finding.scenario)];
+    const ContactQuery& query = result.scenario.contact;
+    const ContactAnswer& answer = result.answers[oracles.at(finding.oracle)];
+    const Enclosure& truth = result.truth.separation;
+    const double separation = SeparationOf(answer).value();
+    const double nearest = std::clamp(separation, truth.lo, truth.hi);
+    off[{finding.oracle, KindOf(query.A.shape), KindOf(query.B.shape)}].push_back(
+        {&finding, separation - nearest, nearest});
+  }
+  for (auto& [who, errors] : off) ExplainByMargin(errors);
+
+  for (Finding& finding : report.findings) {
+    if (IsUnexplained(finding)) {
+      finding.cause = Cause::kDefect;
+      finding.cause_because =
+          "no known convention, tie, rounding or model accounts for it";
+    } else if (finding.verdict == Verdict::kCrashed ||
+               finding.verdict == Verdict::kTimedOut ||
+               finding.verdict == Verdict::kInvalid) {
+      finding.cause = Cause::kDefect;
+      finding.cause_because = "a valid question, without a usable answer";
+    }
+  }
+}
+
+}  // namespace touchstone

@@ -1,0 +1,74 @@
+#include "tests/reports/fake_oracle.h"
+
+#include <utility>
+
+#include "reports/referee/referee.h"
+
+namespace touchstone {
+namespace {
+
+Capability Everything() {
+  Capability capability;
+  capability.supported = true;
+  capability.family = "certified";
+  capability.depth = true;
+  capability.distance = true;
+  capability.normal = true;
+  capability.manifold = true;
+  capability.witnesses = true;
+  return capability;
+}
+
+}  // namespace
+
+ContactAnswer RightAnswer(const ContactQuery& query) {
+  const ContactTruth truth = JudgeContact(query);
+  const double separation =
+      truth.separation.lo + (truth.separation.hi - truth.separation.lo) / 2;
+  ContactAnswer answer;
+  answer.status = AnswerStatus::kAnswered;
+  answer.touching = separation <= 0;
+  answer.separation = separation;
+  answer.n_AB_W = truth.certificate.n_AB_W.normalized();
+  if (!answer.touching) {
+    answer.witnesses = {truth.certificate.p_WCa, truth.certificate.p_WCb};
+    return answer;
+  }
+  const ContactPatch patch =
+      PatchAlong(query, *answer.n_AB_W, separation, 16 * 0x1p-53 * SceneSize(query));
+  for (const Eigen::Vector3d& p_WC : patch.vertices_W) {
+    answer.points.push_back({p_WC, separation, {}});
+  }
+  return answer;
+}
+
+FakeOracle::FakeOracle(std::string name, Function function)
+    : function_(std::move(function)) {
+  info_.name = std::move(name);
+  info_.library = "Fake";
+  info_.version = "1.0";
+  for (auto& row : info_.capabilities) row.fill(Everything());
+}
+
+FakeOracle FakeOracle::Wrong(
+    std::string name, std::function<void(const ContactQuery&, ContactAnswer&)> plant) {
+  return FakeOracle(std::move(name),
+                    [plant = std::move(plant)](const ContactQuery& query) {
+                      ContactAnswer answer = RightAnswer(query);
+                      plant(query, answer);
+                      return answer;
+                    });
+}
+
+void FakeOracle::Answer(std::span<const ContactQuery> queries,
+                        std::span<ContactAnswer> answers) const {
+  for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = function_(queries[i]);
+}
+
+void FakeOracle::ForEachPair(const std::function<void(Capability&)>& change) {
+  for (auto& row : info_.capabilities) {
+    for (Capability& capability : row) change(capability);
+  }
+}
+
+}  // namespace touchstone

@@ -1,0 +1,262 @@
+#include "reports/judge.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/referee/referee.h"
+#include "tests/reports/fake_oracle.h"
+#include "tests/reports/specimens.h"
+
+namespace touchstone {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr double kDepth = 2e-3;  // [m]
+
+std::vector<Finding> Judged(const ContactQuery& query, const ContactAnswer& answer,
+                            const FakeOracle& oracle = FakeOracle("mine")) {
+  Scenario scenario;
+  scenario.id = "contact/specimen";
+  scenario.contact = query;
+  return JudgeAnswer(scenario, JudgeContact(query), oracle.info(), answer);
+}
+
+const Finding& Of(MeasureKind measure, const std::vector<Finding>& findings) {
+  for (const Finding& finding : findings) {
+    if (finding.measure == measure) return finding;
+  }
+  static const Finding none{};
+  ADD_FAILURE() << NameOf(measure) << " does not apply";
+  return none;
+}
+
+std::vector<MeasureKind> Failed(const std::vector<Finding>& findings) {
+  std::vector<MeasureKind> failed;
+  for (const Finding& finding : findings) {
+    if (finding.verdict != Verdict::kPass) failed.push_back(finding.measure);
+  }
+  return failed;
+}
+
+TEST(Judge, PassesAnswersDerivedByHand) {
+  for (const double depth : {kDepth, -kDepth}) {
+    for (const Specimen& s :
+         {SphereInBoxFace(depth), BoxOnBoxFace(depth), SphereInHalfSpace(depth)}) {
+      const std::vector<Finding> findings = Judged(s.query, s.right);
+      EXPECT_THAT(Failed(findings), testing::IsEmpty());
+      EXPECT_GE(findings.size(), 6U);
+      for (const Finding& finding : findings) EXPECT_EQ(finding.proof, "");
+    }
+  }
+}
+
+TEST(Judge, AppliesEveryMeasureToATouchingManifold) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  std::vector<MeasureKind> applied;
+  for (const Finding& f : Judged(s.query, s.right)) applied.push_back(f.measure);
+  EXPECT_THAT(applied, testing::UnorderedElementsAre(
+                           MeasureKind::kTouching, MeasureKind::kSeparationError,
+                           MeasureKind::kConsistencyError, MeasureKind::kExcess,
+                           MeasureKind::kContactSurfaceError,
+                           MeasureKind::kContactOffPatch, MeasureKind::kPatchCoverage,
+                           MeasureKind::kContactCount, MeasureKind::kContactTooDeep,
+                           MeasureKind::kMixedNormals, MeasureKind::kAnswering));
+}
+
+TEST(Judge, ProvesAMissedContactByAPointInsideBoth) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.touching = false;
+  s.right.points.clear();
+  const Finding touching = Of(MeasureKind::kTouching, Judged(s.query, s.right));
+  EXPECT_EQ(touching.verdict, Verdict::kFail);
+  EXPECT_EQ(touching.reference, "referee");
+  // Midway through the overlap.
+  EXPECT_THAT(touching.proof, StartsWith("mine says apart; the point ("));
+  EXPECT_THAT(touching.proof, HasSubstr("lies 0.001 m inside both."));
+}
+
+TEST(Judge, ProvesAPhantomContactByASeparatingPlane) {
+  Specimen s = SphereInBoxFace(-kDepth);
+  s.right.touching = true;
+  s.right.points = {{s.right.witnesses->p_WCa, kDepth, {}}};
+  const Finding touching = Of(MeasureKind::kTouching, Judged(s.query, s.right));
+  EXPECT_EQ(touching.verdict, Verdict::kFail);
+  EXPECT_THAT(touching.proof, StartsWith("mine says they touch; the plane n·x = "));
+  EXPECT_THAT(touching.proof, HasSubstr("separates them by 0.002 m"));
+}
+
+TEST(Judge, ProvesATooLargeDepthByAShorterTranslation) {
+  Specimen s = SphereInBoxFace(kDepth);
+  s.right.separation = -3 * kDepth;
+  const Finding finding = Of(MeasureKind::kSeparationError, Judged(s.query, s.right));
+  EXPECT_EQ(finding.verdict, Verdict::kFail);
+  EXPECT_NEAR(finding.value, 2 * kDepth, 1e-12);
+  EXPECT_THAT(finding.proof,
+              StartsWith("mine says 0.006 m deep; moving B by 0.002 m along ("));
+  EXPECT_GT(finding.tolerance, 0);
+  EXPECT_THAT(finding.tolerance_because, StartsWith("64 roundings of 2^-53"));
+}
+
+TEST(Judge, ProvesATooSmallDepthByTheOverlapLeft) {
+  Specimen s = SphereInBoxFace(kDepth);
+  s.right.separation = -kDepth / 2;
+  const Finding finding = Of(MeasureKind::kSeparationError, Judged(s.query, s.right));
+  EXPECT_EQ(finding.verdict, Verdict::kFail);
+  EXPECT_THAT(finding.proof,
+              HasSubstr("no translation shorter than 0.002 m separates them"));
+  EXPECT_THAT(finding.proof, HasSubstr("leaves an overlap of 0.001 m"));
+}
+
+TEST(Judge, ProvesATooLargeDistanceByTwoPoints) {
+  Specimen s = SphereInBoxFace(-kDepth);
+  s.right.separation = 2 * kDepth;
+  const Finding finding = Of(MeasureKind::kSeparationError, Judged(s.query, s.right));
+  EXPECT_THAT(finding.proof, HasSubstr("says 0.004 m apart; the point ("));
+  EXPECT_THAT(finding.proof, HasSubstr("are 0.002 m apart"));
+}
+
+TEST(Judge, FindsAFlippedNormalByItsExcessAndInconsistency) {
+  Specimen s = SphereInBoxFace(kDepth);
+  *s.right.n_AB_W *= -1;
+  const std::vector<Finding> findings = Judged(s.query, s.right);
+  EXPECT_THAT(Failed(findings), testing::UnorderedElementsAre(
+                                    MeasureKind::kExcess, MeasureKind::kConsistencyError,
+                                    MeasureKind::kContactSurfaceError));
+  EXPECT_THAT(Of(MeasureKind::kExcess, findings).proof,
+              HasSubstr("moving B by 0.002 m along ("));
+}
+
+TEST(Judge, FindsAContactOnASurface) {
+  Specimen s = SphereInBoxFace(kDepth);
+  s.right.points[0].p_WC += *s.right.n_AB_W * (kDepth / 2);
+  EXPECT_THAT(Failed(Judged(s.query, s.right)),
+              testing::ElementsAre(MeasureKind::kContactSurfaceError));
+}
+
+TEST(Judge, FindsAContactOffThePatch) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.points[0].p_WC += 0.01 * s.query.B.X_WB.R_WB.col(0);
+  EXPECT_THAT(Failed(Judged(s.query, s.right)),
+              testing::Contains(MeasureKind::kContactOffPatch));
+}
+
+TEST(Judge, FindsMissingAndRepeatedContacts) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.points.resize(1);
+  EXPECT_THAT(
+      Failed(Judged(s.query, s.right)),
+      testing::ElementsAre(MeasureKind::kPatchCoverage, MeasureKind::kContactCount));
+  s = BoxOnBoxFace(kDepth);
+  s.right.points.push_back(s.right.points[1]);
+  EXPECT_THAT(Failed(Judged(s.query, s.right)),
+              testing::ElementsAre(MeasureKind::kContactCount));
+}
+
+TEST(Judge, FindsAContactTooDeepAndAllowsAShallowOne) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.points[0].separation = -2 * kDepth;
+  EXPECT_THAT(Failed(Judged(s.query, s.right)),
+              testing::Contains(MeasureKind::kContactTooDeep));
+  s = BoxOnBoxFace(kDepth);
+  // Of a tilted manifold: half as deep, and its two surface points half as far apart.
+  s.right.points[0].separation = -kDepth / 2;
+  EXPECT_THAT(Failed(Judged(s.query, s.right)),
+              testing::Not(testing::Contains(MeasureKind::kContactTooDeep)));
+}
+
+TEST(Judge, FindsMixedNormals) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.points[2].n_AB_W =
+      s.query.A.X_WB.R_WB * Eigen::Vector3d(std::sin(1e-6), 0, std::cos(1e-6));
+  const Finding finding = Of(MeasureKind::kMixedNormals, Judged(s.query, s.right));
+  EXPECT_EQ(finding.verdict, Verdict::kFail);
+  EXPECT_NEAR(finding.value, 1e-6, 1e-12);
+}
+
+TEST(Judge, CallsNanInvalidAndJudgesNoFurther) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.separation = NAN;
+  const std::vector<Finding> findings = Judged(s.query, s.right);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].measure, MeasureKind::kAnswering);
+  EXPECT_EQ(findings[0].verdict, Verdict::kInvalid);
+  EXPECT_EQ(findings[0].proof, "mine: separation is nan.");
+}
+
+TEST(Judge, CallsAPromiseThatIsNotKeptInvalid) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.points.clear();
+  EXPECT_EQ(Judged(s.query, s.right)[0].proof, "mine: touching, without a contact.");
+  FakeOracle modest("mine");
+  modest.ForEachPair([](Capability& capability) { capability.manifold = false; });
+  EXPECT_THAT(Failed(Judged(s.query, s.right, modest)), testing::IsEmpty());
+}
+
+TEST(Judge, PassesOnWhyThereIsNoAnswer) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  for (const auto& [status, verdict] :
+       {std::pair(AnswerStatus::kCrashed, Verdict::kCrashed),
+        std::pair(AnswerStatus::kTimedOut, Verdict::kTimedOut),
+        std::pair(AnswerStatus::kUnsupported, Verdict::kUnsupported)}) {
+    ContactAnswer answer;
+    answer.status = status;
+    answer.reason = "it said so";
+    const std::vector<Finding> findings = Judged(s.query, answer);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0].verdict, verdict);
+    EXPECT_EQ(findings[0].proof, "mine: it said so.");
+  }
+}
+
+TEST(Judge, BlamesNobodyAtTouchingToARounding) {
+  Specimen s = SphereInBoxFace(0);
+  for (const bool touching : {false, true}) {
+    ContactAnswer answer = s.right;
+    answer.touching = touching;
+    answer.points.clear();
+    if (touching) answer.points = {{s.truth.certificate.p_WCa, 0, {}}};
+    const std::vector<Finding> findings = Judged(s.query, answer);
+    EXPECT_EQ(Of(MeasureKind::kTouching, findings).verdict, Verdict::kUndecidable);
+    EXPECT_THAT(Failed(findings), testing::ElementsAre(MeasureKind::kTouching));
+  }
+}
+
+TEST(Judge, LeavesAFloatEngineItsOwnRounding) {
+  // A gap of 1e-7 m in a scene of 1.4 m is below 64 roundings of 2^-24, 5e-6 m.
+  Specimen s = SphereInBoxFace(-1e-7);
+  s.right.touching = true;
+  s.right.separation = 0;
+  s.right.points = {{s.right.witnesses->p_WCa, 0, {}}};
+  s.right.witnesses.reset();
+  FakeOracle coarse("mine");
+  coarse.info().unit_roundoff = 0x1p-24;
+  EXPECT_THAT(Failed(Judged(s.query, s.right, coarse)),
+              testing::ElementsAre(MeasureKind::kTouching));
+  EXPECT_EQ(Of(MeasureKind::kTouching, Judged(s.query, s.right, coarse)).verdict,
+            Verdict::kUndecidable);
+  EXPECT_EQ(Of(MeasureKind::kTouching, Judged(s.query, s.right)).verdict, Verdict::kFail);
+}
+
+TEST(Judge, GrantsADocumentedErrorAndQuotesIt) {
+  Specimen s = SphereInBoxFace(kDepth);
+  s.right.separation = -kDepth - 0.5e-6;
+  FakeOracle documented("mine");
+  documented.ForEachPair([](Capability& capability) {
+    capability.documented_error = 1e-6;
+    capability.documented_by = "its manual, section 4";
+  });
+  EXPECT_EQ(Of(MeasureKind::kSeparationError, Judged(s.query, s.right)).verdict,
+            Verdict::kFail);
+  const Finding granted =
+      Of(MeasureKind::kSeparationError, Judged(s.query, s.right, documented));
+  EXPECT_EQ(granted.verdict, Verdict::kPass);
+  EXPECT_THAT(granted.tolerance_because, HasSubstr("its manual, section 4"));
+}
+
+}  // namespace
+}  // namespace touchstone
