@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -56,24 +57,23 @@ TEST(ExpectedSeparation, IsWhatTheRefereeCertifies) {
   }
 }
 
-// The referee proves flat shapes, balls and capsules to rounding, so that an agreement
-// with it says something.
-TEST(ExpectedSeparation, IsCertifiedToRoundingForBallsBoxesAndCapsules) {
-  int certified = 0;
+// An agreement says as much as the enclosure is narrow. Curved surfaces are enclosed by
+// iteration: to a millionth of the expected value at worst.
+TEST(ExpectedSeparation, IsCertifiedToRoundingOrToAMillionthOfItselfOnCurvedSurfaces) {
+  constexpr double kCurved = 1e-6;
   for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
-    if (KindOf(scenario->contact.A.shape) > ShapeKind::kCapsule) continue;
-    if (KindOf(scenario->contact.B.shape) > ShapeKind::kCapsule) continue;
-    ++certified;
-    EXPECT_LE(truth.separation.hi - truth.separation.lo, slack) << scenario->id;
+    const bool curved = truth.method == "bounds";
+    const double share = curved ? kCurved * std::abs(*scenario->expect.separation) : 0;
+    EXPECT_LE(truth.separation.hi - truth.separation.lo, std::max(slack, share))
+        << scenario->id;
   }
-  EXPECT_GT(certified, 0);
 }
 
-TEST(ExpectedVerdict, IsNeverProvedWrong) {
+TEST(ExpectedVerdict, IsCertainWhereItIsGiven) {
   for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
     if (!scenario->expect.touching) continue;
-    EXPECT_NE(truth.touching,
-              *scenario->expect.touching ? Touching::kApart : Touching::kTouching)
+    EXPECT_EQ(truth.touching,
+              *scenario->expect.touching ? Touching::kTouching : Touching::kApart)
         << scenario->id;
   }
 }
