@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <fcl/config.h>
+#include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
 #include "oracles/fcl/fcl_geometry.h"
@@ -172,7 +173,20 @@ class FclDistanceBatch final : public PreparedBatch {
 class FclDistance final : public Oracle {
  public:
   FclDistance(FclSolver solver, FclDistanceKind kind)
-      : request_(MakeRequest(solver, kind)), info_(MakeInfo(solver, kind)) {}
+      : request_(MakeRequest(solver, kind)), info_(MakeInfo(solver, kind)) {
+    // FCL makes its tables of functions when first asked. A child forked while another
+    // thread makes them would wait for that thread for ever (isolated_oracle.h).
+    const FclBody sphere = ToFcl({Sphere{1}, {}});
+    const FclBody other =
+        ToFcl({Sphere{1}, Pose::FromQuaternion({3, 0.1, 0.2}, {1, 0, 0, 0})});
+    fcl::DistanceResultd distance;
+    Distance(request_, sphere, other, distance);
+    fcl::CollisionRequestd collision_request;
+    collision_request.gjk_solver_type = request_.gjk_solver_type;
+    fcl::CollisionResultd collision;
+    fcl::collide(sphere.geometry.get(), sphere.X_WB, other.geometry.get(), other.X_WB,
+                 collision_request, collision);
+  }
 
   const OracleInfo& info() const override { return info_; }
 

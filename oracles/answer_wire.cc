@@ -1,0 +1,156 @@
+#include "oracles/answer_wire.h"
+
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint8_t kVersion = 1;
+
+enum Flags : std::uint8_t {
+  kTouchingFlag = 1,
+  kNormalFlag = 2,
+  kSeparationFlag = 4,
+  kWitnessesFlag = 8,
+  kAllFlags = 15,
+};
+
+// The least a point takes: four doubles and a flag.
+constexpr std::size_t kSmallestPoint = 4 * sizeof(double) + 1;
+
+class Writer {
+ public:
+  template <typename Number>
+  void Put(Number number) {
+    bytes_.append(reinterpret_cast<const char*>(&number), sizeof(number));
+  }
+  void Put(const Vector3d& v) {
+    for (const double x : v) Put(x);
+  }
+  void Put(std::string_view text) {
+    Put(static_cast<std::uint32_t>(text.size()));
+    bytes_.append(text);
+  }
+  std::string Take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+// Reads from the front; after a failure all it gives is zeros.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : rest_(bytes) {}
+
+  template <typename Number>
+  Number Get() {
+    Number number{};
+    if (rest_.size() < sizeof(number)) {
+      Fail();
+      return number;
+    }
+    std::memcpy(&number, rest_.data(), sizeof(number));
+    rest_.remove_prefix(sizeof(number));
+    return number;
+  }
+  Vector3d GetVector() {
+    const double x = Get<double>();
+    const double y = Get<double>();
+    const double z = Get<double>();
+    return {x, y, z};
+  }
+  std::string GetText() {
+    const auto length = Get<std::uint32_t>();
+    if (length > rest_.size()) {
+      Fail();
+      return {};
+    }
+    std::string text(rest_.substr(0, length));
+    rest_.remove_prefix(length);
+    return text;
+  }
+  // A count of things that each take at least `smallest` bytes of what is left.
+  std::uint32_t GetCount(std::size_t smallest) {
+    const auto count = Get<std::uint32_t>();
+    if (count > rest_.size() / smallest) {
+      Fail();
+      return 0;
+    }
+    return count;
+  }
+  void Fail() {
+    failed_ = true;
+    rest_ = {};
+  }
+  bool AtEndWithoutFailure() const { return !failed_ && rest_.empty(); }
+
+ private:
+  std::string_view rest_;
+  bool failed_ = false;
+};
+
+}  // namespace
+
+std::string ToWire(const ContactAnswer& answer) {
+  Writer writer;
+  writer.Put(kVersion);
+  writer.Put(static_cast<std::uint8_t>(answer.status));
+  writer.Put(static_cast<std::uint8_t>((answer.touching ? kTouchingFlag : 0) |
+                                       (answer.n_AB_W ? kNormalFlag : 0) |
+                                       (answer.separation ? kSeparationFlag : 0) |
+                                       (answer.witnesses ? kWitnessesFlag : 0)));
+  writer.Put(std::string_view(answer.reason));
+  if (answer.n_AB_W) writer.Put(*answer.n_AB_W);
+  if (answer.separation) writer.Put(*answer.separation);
+  if (answer.witnesses) {
+    writer.Put(answer.witnesses->p_WCa);
+    writer.Put(answer.witnesses->p_WCb);
+  }
+  writer.Put(static_cast<std::uint32_t>(answer.points.size()));
+  for (const ContactPoint& point : answer.points) {
+    writer.Put(point.p_WC);
+    writer.Put(point.separation);
+    writer.Put(static_cast<std::uint8_t>(point.n_AB_W ? 1 : 0));
+    if (point.n_AB_W) writer.Put(*point.n_AB_W);
+  }
+  return writer.Take();
+}
+
+std::optional<ContactAnswer> FromWire(std::string_view bytes) {
+  Reader reader(bytes);
+  ContactAnswer answer;
+  if (reader.Get<std::uint8_t>() != kVersion) return std::nullopt;
+  const auto status = reader.Get<std::uint8_t>();
+  if (status > static_cast<std::uint8_t>(AnswerStatus::kTimedOut)) return std::nullopt;
+  answer.status = static_cast<AnswerStatus>(status);
+  const auto flags = reader.Get<std::uint8_t>();
+  if (flags > kAllFlags) return std::nullopt;
+  answer.touching = (flags & kTouchingFlag) != 0;
+  answer.reason = reader.GetText();
+  if ((flags & kNormalFlag) != 0) answer.n_AB_W = reader.GetVector();
+  if ((flags & kSeparationFlag) != 0) answer.separation = reader.Get<double>();
+  if ((flags & kWitnessesFlag) != 0) {
+    const Vector3d p_WCa = reader.GetVector();
+    const Vector3d p_WCb = reader.GetVector();
+    answer.witnesses = WitnessPoints{p_WCa, p_WCb};
+  }
+  const std::uint32_t count = reader.GetCount(kSmallestPoint);
+  answer.points.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    ContactPoint point;
+    point.p_WC = reader.GetVector();
+    point.separation = reader.Get<double>();
+    const auto has_normal = reader.Get<std::uint8_t>();
+    if (has_normal > 1) return std::nullopt;
+    if (has_normal == 1) point.n_AB_W = reader.GetVector();
+    answer.points.push_back(point);
+  }
+  if (!reader.AtEndWithoutFailure()) return std::nullopt;
+  return answer;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,300 @@
+#include "oracles/answering_child.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "oracles/answer_wire.h"
+#include "oracles/no_answer.h"
+
+namespace touchstone {
+namespace {
+
+// Where the child finds its end of the pipe, whatever it was before.
+constexpr int kAnswersFd = 3;
+// A child may print this much on one question; more is lost. [bytes]
+constexpr rlim_t kMostOutput = rlim_t{64} << 20;
+// Of what it printed, this much is searched for the last line. [bytes]
+constexpr off_t kTail = 4096;
+// A longer answer is none: a thousand times the longest of any engine. [bytes]
+constexpr std::uint32_t kLongestAnswer = std::uint32_t{1} << 20;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kLimitsMemory = false;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+constexpr bool kLimitsMemory = false;
+#else
+constexpr bool kLimitsMemory = true;
+#endif
+#else
+constexpr bool kLimitsMemory = true;
+#endif
+
+// Held from the making of a pipe to the closing of its other end, lest a child of another
+// thread hold that end open.
+std::mutex fork_mutex;
+
+[[noreturn]] void ThrowErrno(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+void CloseFd(int& fd) {
+  if (fd >= 0) close(fd);
+  fd = -1;
+}
+
+// Address space in use. [bytes]
+rlim_t AddressSpace() {
+  rlim_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+void LowerLimit(__rlimit_resource resource, rlim_t most) {
+  rlimit limit;
+  if (getrlimit(resource, &limit) != 0) return;
+  limit.rlim_cur = std::min(limit.rlim_cur, most);
+  setrlimit(resource, &limit);
+}
+
+// Signals do what they do by default, whatever the program has made of them; those of the
+// terminal are for the program, and the child ends with it.
+void ResetSignals() {
+  for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP,
+                           SIGPROF, SIGALRM, SIGTERM, SIGPIPE}) {
+    std::signal(signal, SIG_DFL);
+  }
+  for (const int signal : {SIGINT, SIGQUIT, SIGHUP, SIGXFSZ})
+    std::signal(signal, SIG_IGN);
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+// SIGPROF comes when this process has worked that long from now.
+void SetCpuDeadline(std::chrono::microseconds cpu) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(cpu);
+  itimerval timer{};
+  timer.it_value.tv_sec = seconds.count();
+  timer.it_value.tv_usec = (cpu - seconds).count();
+  setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+bool WriteAll(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(fd, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) return false;
+    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+ContactAnswer AskOrCrash(const Oracle& oracle, const ContactQuery& query) {
+  try {
+    return oracle.Answer(query);
+  } catch (...) {
+    return CrashedByException();
+  }
+}
+
+std::string Seconds(std::chrono::milliseconds duration) {
+  std::string text = std::to_string(static_cast<double>(duration.count()) / 1000);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text + " s";
+}
+
+}  // namespace
+
+AnsweringChild::AnsweringChild(const Oracle& oracle,
+                               std::span<const ContactQuery> queries,
+                               const IsolationLimits& limits)
+    : limits_(limits) {
+  const rlim_t address_space = AddressSpace();
+  const std::lock_guard lock(fork_mutex);
+  output_fd_ = memfd_create("touchstone-output", MFD_CLOEXEC);
+  if (output_fd_ < 0) ThrowErrno("memfd_create");
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+    CloseFd(output_fd_);
+    ThrowErrno("pipe2");
+  }
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ < 0) {
+    const int error = errno;
+    for (int fd : {ends[0], ends[1], output_fd_}) CloseFd(fd);
+    errno = error;
+    ThrowErrno("fork");
+  }
+  if (pid_ == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(0);  // It died before the line above.
+    ResetSignals();
+    fcntl(output_fd_, F_SETFL, O_APPEND);
+    // Copies first, so that no dup2 below closes what is still wanted.
+    const int answers_fd = fcntl(ends[1], F_DUPFD, 64);
+    const int output_fd = fcntl(output_fd_, F_DUPFD, 64);
+    dup2(output_fd, STDOUT_FILENO);
+    dup2(output_fd, STDERR_FILENO);
+    dup2(answers_fd, kAnswersFd);
+    close_range(kAnswersFd + 1, ~0U, 0);
+    LowerLimit(RLIMIT_CORE, 0);
+    LowerLimit(RLIMIT_FSIZE, kMostOutput);
+    if (kLimitsMemory) LowerLimit(RLIMIT_AS, address_space + limits_.memory);
+    Run(oracle, queries);
+  }
+  close(ends[1]);
+  answers_fd_ = ends[0];
+}
+
+AnsweringChild::~AnsweringChild() {
+  if (pid_ >= 0) Kill();
+  CloseFd(answers_fd_);
+  CloseFd(output_fd_);
+}
+
+// In the child. Never returns, so that nothing of the parent's is destroyed twice.
+void AnsweringChild::Run(const Oracle& oracle, std::span<const ContactQuery> queries) {
+  for (const ContactQuery& query : queries) {
+    if (lseek(STDERR_FILENO, 0, SEEK_END) > 0 && ftruncate(STDERR_FILENO, 0) != 0)
+      _exit(1);
+    SetCpuDeadline(limits_.cpu);
+    const std::string answer = ToWire(AskOrCrash(oracle, query));
+    const auto length = static_cast<std::uint32_t>(answer.size());
+    std::string frame(reinterpret_cast<const char*>(&length), sizeof(length));
+    frame += answer;
+    if (!WriteAll(kAnswersFd, frame)) _exit(1);
+  }
+  _exit(0);
+}
+
+// Waits for bytes; false where there will be none.
+bool AnsweringChild::ReadMore() {
+  const auto give_up = std::chrono::steady_clock::now() + limits_.wall;
+  for (;;) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(
+        give_up - std::chrono::steady_clock::now());
+    if (left.count() <= 0) {
+      silence_ = Silence::kBlocked;
+      return false;
+    }
+    pollfd waiting{answers_fd_, POLLIN, 0};
+    const int ready = poll(&waiting, 1, static_cast<int>(left.count()));
+    if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
+    std::array<char, 1 << 16> bytes;
+    const ssize_t count = read(answers_fd_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    received_.append(bytes.data(), static_cast<std::size_t>(count));
+    return true;
+  }
+}
+
+std::optional<ContactAnswer> AnsweringChild::Next() {
+  for (;;) {
+    std::uint32_t length = 0;
+    if (received_.size() >= sizeof(length)) {
+      std::memcpy(&length, received_.data(), sizeof(length));
+      if (length > kLongestAnswer) {
+        silence_ = Silence::kNonsense;
+        return std::nullopt;
+      }
+      if (received_.size() - sizeof(length) >= length) {
+        std::optional<ContactAnswer> answer =
+            FromWire(std::string_view(received_).substr(sizeof(length), length));
+        if (!answer) silence_ = Silence::kNonsense;
+        received_.erase(0, sizeof(length) + length);
+        return answer;
+      }
+    }
+    if (!ReadMore()) return std::nullopt;
+  }
+}
+
+// Returns the wait status. Killing the dead changes nothing of it.
+int AnsweringChild::Kill() {
+  kill(pid_, SIGKILL);
+  int status = 0;
+  while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  return status;
+}
+
+// Waits until the child, which has closed its pipe, is dead as well; false where it is
+// not.
+bool AnsweringChild::IsDead() const {
+  int process = static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));
+  pollfd waiting{process, POLLIN, 0};
+  int ready = 0;
+  do {
+    ready = poll(&waiting, 1, static_cast<int>(limits_.wall.count()));
+  } while (ready < 0 && errno == EINTR);
+  CloseFd(process);
+  return ready > 0;
+}
+
+std::string AnsweringChild::LastLine() const {
+  const off_t size = lseek(output_fd_, 0, SEEK_END);
+  std::array<char, kTail> bytes;
+  const ssize_t count =
+      pread(output_fd_, bytes.data(), bytes.size(), std::max<off_t>(0, size - kTail));
+  std::string text(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }, ' ');
+  text.erase(text.find_last_not_of(" \n") + 1);
+  text.erase(0, text.find_last_of('\n') + 1);
+  // assert() begins with the name of the program, which is no part of the finding.
+  const std::string program = std::string(program_invocation_short_name) + ": ";
+  if (text.starts_with(program)) text.erase(0, program.size());
+  return text;
+}
+
+ContactAnswer AnsweringChild::LastWords() {
+  if (silence_ == Silence::kDeath && !IsDead()) silence_ = Silence::kBlocked;
+  const int status = Kill();
+  const std::string line = LastLine();
+  const std::string said = line.empty() ? "" : ": " + line;
+  switch (silence_) {
+    case Silence::kNonsense:
+      return CrashedAnswer("sent bytes that are no answer" + said);
+    case Silence::kBlocked:
+      return TimedOutAnswer("no answer after " + Seconds(limits_.wall) + ", blocked");
+    case Silence::kDeath:
+      break;
+  }
+  if (WIFEXITED(status)) {
+    return CrashedAnswer("exited with status " + std::to_string(WEXITSTATUS(status)) +
+                         said);
+  }
+  const int signal = WTERMSIG(status);
+  if (signal == SIGPROF) {
+    return TimedOutAnswer("no answer after " + Seconds(limits_.cpu) + " of CPU time");
+  }
+  if (signal == SIGABRT) return CrashedAnswer("aborted" + said);
+  const char* name = sigabbrev_np(signal);
+  return CrashedAnswer(std::string("died of SIG") + (name != nullptr ? name : "?") +
+                       said);
+}
+
+}  // namespace touchstone

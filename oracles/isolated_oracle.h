@@ -1,0 +1,53 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <memory>
+
+#include "oracles/oracle.h"
+
+namespace touchstone {
+
+/** How much an isolated oracle may take for one question. */
+struct IsolationLimits {
+  /** CPU time, so that a busy machine changes no result: 10^4 times what the slowest
+   engine takes for a question that it answers (FCL's signed distance, 35 µs). */
+  std::chrono::milliseconds cpu{500};
+  /** Wall clock, for an engine that waits without working. Long enough for `cpu` on a
+   machine shared by a hundred others. */
+  std::chrono::milliseconds wall{60'000};
+  /** Address space beyond what the process has already; not enforced under
+   AddressSanitizer and ThreadSanitizer, which reserve terabytes. [bytes] */
+  std::size_t memory = std::size_t{4} << 30;
+};
+
+/** Returns an oracle that answers as `oracle` does, but in a child process, so that an
+ engine that aborts, crashes, hangs, exits or eats the memory loses one question and not
+ the run:
+
+ | the child                | the answer |
+ |--------------------------|-------------------------------------------------------------|
+ | aborts                   | kCrashed, "aborted: <the last line of its stderr>" | | dies
+ of a signal         | kCrashed, "died of SIGSEGV"                                 | |
+ throws                   | kCrashed, "threw std::logic_error: …"                       |
+ | exits                    | kCrashed, "exited with status 3" | | sends what is no answer
+ | kCrashed, "sent bytes that are no answer"                   | | uses up limits.cpu |
+ kTimedOut, "no answer after 0.5 s of CPU time"              | | waits for limits.wall |
+ kTimedOut, "no answer after 60 s, blocked"                  |
+
+ One child answers a whole batch, streaming; after a death a new one goes on with the next
+ question. Costs one fork a batch and some microseconds a question. What the child prints
+ is not shown. No child outlives the call, nor the process if that is killed.
+
+ Fork without exec is safe in a multithreaded process as far as glibc makes it so: fork()
+ takes and remakes the locks of malloc and stdio. A lock of anything else, held by another
+ thread at that moment, stays locked in the child: so `oracle` must take none while it
+ answers but those it takes for itself, and must have its lazily made tables made when it
+ is constructed.
+
+ Prepare() gives the inner oracle's batch, in process: the poses a benchmark times are
+ benign. Linux only. Thread safe. */
+std::unique_ptr<Oracle> Isolate(std::unique_ptr<Oracle> oracle,
+                                const IsolationLimits& limits = {});
+
+}  // namespace touchstone

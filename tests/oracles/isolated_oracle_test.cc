@@ -1,0 +1,330 @@
+#include "oracles/isolated_oracle.h"
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "oracles/oracle.h"
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3d;
+
+// An oracle that does to a question what the radius of its sphere A says.
+enum Deed {
+  kAnswer = 1,
+  kAbort,
+  kAssert,
+  kSegfault,
+  kHang,
+  kBlock,
+  kThrow,
+  kThrowNonsense,
+  kExit,
+  kFlood,
+  kFloodAndAbort,
+  kNonsense,
+  kCloseAllAndBlock,
+  kEatMemory,
+  kNaN,
+};
+
+ContactQuery Ask(Deed deed, double id = 0) {
+  return {{Sphere{static_cast<double>(deed)}, {}},
+          {Sphere{1}, {.p_WB = Vector3d(id, 0, 0), .q_WB = {}}}};
+}
+
+// Keeps the optimiser from seeing what is done to it.
+volatile int forever = 1;
+
+void Do(Deed deed) {
+  switch (deed) {
+    case kAbort:
+      std::abort();
+    case kAssert:
+      std::fputs("first line\nengine.cc:7: Assertion `depth >= 0' failed.\n", stderr);
+      std::abort();
+    case kSegfault:
+      std::raise(SIGSEGV);
+      break;
+    case kHang:
+      while (forever != 0) {
+      }
+      break;
+    case kCloseAllAndBlock:
+      for (int fd = 0; fd < 64; ++fd) close(fd);
+      [[fallthrough]];
+    case kBlock:
+      while (forever != 0) pause();
+      break;
+    case kThrow:
+      throw std::logic_error("origin outside the polytope");
+    case kThrowNonsense:
+      throw 7;
+    case kExit:
+      std::exit(3);
+    case kFlood:
+    case kFloodAndAbort:
+      for (int i = 0; i < 100'000; ++i) {
+        std::fputs("the same warning, on and on\n", stderr);
+        std::puts("and on stdout");
+      }
+      if (deed == kFloodAndAbort) {
+        std::fputs("the last straw\n", stderr);
+        std::abort();
+      }
+      break;
+    case kNonsense:
+      for (int fd = 3; fd < 8; ++fd) {
+        [[maybe_unused]] const ssize_t count = write(fd, "\xff\xff\xff\x7f nonsense", 13);
+      }
+      break;
+    case kEatMemory: {
+      std::vector<std::vector<char>> eaten;
+      while (forever != 0) eaten.emplace_back(std::size_t{1} << 28);
+      break;
+    }
+    case kAnswer:
+    case kNaN:
+      break;
+  }
+}
+
+class PlantedOracle final : public Oracle {
+ public:
+  PlantedOracle() { info_.name = "planted"; }
+
+  const OracleInfo& info() const override { return info_; }
+
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery> queries,
+              std::span<ContactAnswer> answers) const override {
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const auto deed = static_cast<Deed>(std::get<Sphere>(queries[i].A.shape).radius);
+      Do(deed);
+      answers[i] = ContactAnswer{};
+      answers[i].status = AnswerStatus::kAnswered;
+      answers[i].separation = deed == kNaN ? std::numeric_limits<double>::quiet_NaN()
+                                           : queries[i].B.X_WB.p_WB.x();
+    }
+  }
+
+ private:
+  OracleInfo info_;
+};
+
+IsolationLimits Limits() {
+  IsolationLimits limits;
+  limits.cpu = std::chrono::milliseconds(50);
+  limits.memory = std::size_t{1} << 30;
+  return limits;
+}
+
+std::unique_ptr<Oracle> Isolated(const IsolationLimits& limits = Limits()) {
+  return Isolate(std::make_unique<PlantedOracle>(), limits);
+}
+
+// Asks `deed` between two harmless questions, which must be answered whatever it does.
+ContactAnswer AnswerTo(Deed deed, const IsolationLimits& limits = Limits()) {
+  const std::vector<ContactQuery> queries = {Ask(kAnswer, 1), Ask(deed, 2),
+                                             Ask(kAnswer, 3)};
+  std::vector<ContactAnswer> answers(queries.size());
+  Isolated(limits)->Answer(queries, answers);
+  EXPECT_EQ(answers[0].separation, 1);
+  EXPECT_EQ(answers[2].separation, 3);
+  return answers[1];
+}
+
+void ExpectCrash(Deed deed, const std::string& reason) {
+  const ContactAnswer answer = AnswerTo(deed);
+  EXPECT_EQ(answer.status, AnswerStatus::kCrashed);
+  EXPECT_EQ(answer.reason, reason);
+}
+
+bool HasNoChildren() {
+  return waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD;
+}
+
+int OpenFiles() {
+  int open = 0;
+  for (int fd = 0; fd < 1024; ++fd) {
+    if (fcntl(fd, F_GETFD) != -1) ++open;
+  }
+  return open;
+}
+
+TEST(IsolatedOracle, ReportsAnAbort) {
+  ExpectCrash(kAbort, "aborted");
+}
+
+TEST(IsolatedOracle, ReportsTheAssertionThatFailed) {
+  ExpectCrash(kAssert, "aborted: engine.cc:7: Assertion `depth >= 0' failed.");
+}
+
+TEST(IsolatedOracle, ReportsASignal) {
+  ExpectCrash(kSegfault, "died of SIGSEGV");
+}
+
+TEST(IsolatedOracle, ReportsAnException) {
+  ExpectCrash(kThrow, "threw std::logic_error: origin outside the polytope");
+  ExpectCrash(kThrowNonsense, "threw something that is not a std::exception");
+}
+
+TEST(IsolatedOracle, ReportsAnExit) {
+  ExpectCrash(kExit, "exited with status 3");
+}
+
+TEST(IsolatedOracle, ReportsBytesThatAreNoAnswer) {
+  ExpectCrash(kNonsense, "sent bytes that are no answer");
+}
+
+TEST(IsolatedOracle, StopsAnEngineThatWorksForever) {
+  const ContactAnswer answer = AnswerTo(kHang);
+  EXPECT_EQ(answer.status, AnswerStatus::kTimedOut);
+  EXPECT_EQ(answer.reason, "no answer after 0.05 s of CPU time");
+}
+
+TEST(IsolatedOracle, StopsAnEngineThatWaitsForever) {
+  IsolationLimits limits = Limits();
+  limits.wall = std::chrono::milliseconds(2000);
+  for (const Deed deed : {kBlock, kCloseAllAndBlock}) {
+    const ContactAnswer answer = AnswerTo(deed, limits);
+    EXPECT_EQ(answer.status, AnswerStatus::kTimedOut);
+    EXPECT_EQ(answer.reason, "no answer after 2 s, blocked");
+  }
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(IsolatedOracle, StopsAnEngineThatEatsTheMemory) {
+  const ContactAnswer answer = AnswerTo(kEatMemory);
+  // Whichever limit it meets first: filling pages takes CPU time.
+  EXPECT_TRUE(answer.reason == "threw std::bad_alloc: std::bad_alloc" ||
+              answer.status == AnswerStatus::kTimedOut)
+      << answer.reason;
+}
+#endif
+
+TEST(IsolatedOracle, IsNotHeldUpByMegabytesOfOutput) {
+  EXPECT_EQ(AnswerTo(kFlood).separation, 2);
+  ExpectCrash(kFloodAndAbort, "aborted: the last straw");
+}
+
+TEST(IsolatedOracle, ForgetsWhatWasPrintedOnEarlierQuestions) {
+  const std::vector<ContactQuery> queries = {Ask(kFlood), Ask(kAbort)};
+  std::vector<ContactAnswer> answers(queries.size());
+  Isolated()->Answer(queries, answers);
+  EXPECT_EQ(answers[1].reason, "aborted");
+}
+
+TEST(IsolatedOracle, PassesOnNaN) {
+  EXPECT_TRUE(std::isnan(AnswerTo(kNaN).separation.value()));
+}
+
+TEST(IsolatedOracle, SaysThatItIsIsolated) {
+  EXPECT_TRUE(Isolated()->info().isolated);
+  EXPECT_EQ(Isolated()->info().name, "planted");
+}
+
+// One answer a question, in their order, whatever happens between them.
+TEST(IsolatedOracle, KeepsTheOrderOfALongBatch) {
+  std::vector<ContactQuery> queries;
+  for (int i = 0; i < 5000; ++i) {
+    queries.push_back(Ask(i % 500 == 250   ? kSegfault
+                          : i % 500 == 100 ? kThrow
+                                           : kAnswer,
+                          i));
+  }
+  std::vector<ContactAnswer> answers(queries.size());
+  Isolated()->Answer(queries, answers);
+  for (int i = 0; i < 5000; ++i) {
+    const ContactAnswer& answer = answers[static_cast<std::size_t>(i)];
+    if (i % 500 == 250) {
+      EXPECT_EQ(answer.reason, "died of SIGSEGV") << i;
+    } else if (i % 500 == 100) {
+      EXPECT_EQ(answer.status, AnswerStatus::kCrashed) << i;
+    } else {
+      EXPECT_EQ(answer.separation, i);
+    }
+  }
+}
+
+TEST(IsolatedOracle, LeavesNoProcessAndNoFileBehind) {
+  const int open_before = OpenFiles();
+  for (const Deed deed : {kAnswer, kAbort, kHang, kThrow, kExit, kNonsense})
+    AnswerTo(deed);
+  EXPECT_TRUE(HasNoChildren());
+  EXPECT_EQ(OpenFiles(), open_before);
+}
+
+// A child of one thread that held another's pipe would make that thread wait for it.
+TEST(IsolatedOracle, AnswersSeveralThreadsAtOnce) {
+  const std::unique_ptr<Oracle> oracle = Isolated();
+  std::atomic<int> right = 0;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 8; ++t) {
+    threads.emplace_back([&, t] {
+      for (int round = 0; round < 10; ++round) {
+        const std::vector<ContactQuery> queries = {
+            Ask(kAnswer, t), Ask(t % 2 == 0 ? kHang : kAbort), Ask(kAnswer, round)};
+        std::vector<ContactAnswer> answers(queries.size());
+        oracle->Answer(queries, answers);
+        const AnswerStatus expected =
+            t % 2 == 0 ? AnswerStatus::kTimedOut : AnswerStatus::kCrashed;
+        if (answers[0].separation == t && answers[1].status == expected &&
+            answers[2].separation == round) {
+          ++right;
+        }
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(right, 80);
+  EXPECT_TRUE(HasNoChildren());
+}
+
+// The program that asks is killed while its child blocks: the child must go with it.
+TEST(IsolatedOracle, DiesWithTheProgramThatAsks) {
+  ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);  // Orphans come to us.
+  const pid_t asker = fork();
+  if (asker == 0) {
+    Isolate(std::make_unique<PlantedOracle>())->Answer(Ask(kBlock));
+    _exit(0);
+  }
+  const std::string id = std::to_string(asker);
+  pid_t child = 0;
+  while (child == 0) {
+    std::ifstream("/proc/" + id + "/task/" + id + "/children") >> child;
+    std::this_thread::yield();
+  }
+  kill(asker, SIGKILL);
+  ASSERT_EQ(waitpid(asker, nullptr, 0), asker);
+  EXPECT_EQ(waitpid(child, nullptr, 0),
+            child);  // Would wait for a minute if it lived on.
+  EXPECT_TRUE(HasNoChildren());
+  prctl(PR_SET_CHILD_SUBREAPER, 0);
+}
+
+TEST(IsolatedOracle, AnswersAnEmptyBatch) {
+  Isolated()->Answer(std::span<const ContactQuery>(), std::span<ContactAnswer>());
+  EXPECT_TRUE(HasNoChildren());
+}
+
+}  // namespace
+}  // namespace touchstone
