@@ -116,6 +116,19 @@ ContactAnswer AskOrCrash(const Oracle& oracle, const ContactQuery& query) {
   }
 }
 
+// assert() says "program: file:line: the function's whole signature: Assertion `…'
+// failed.": what counts is where and which.
+std::string ShortAssertion(std::string line) {
+  const std::string program = std::string(program_invocation_short_name) + ": ";
+  if (line.starts_with(program)) line.erase(0, program.size());
+  const std::size_t place = line.find(": ");
+  const std::size_t assertion = line.find("Assertion `");
+  if (assertion != std::string::npos && place < assertion) {
+    line.erase(place + 2, assertion - place - 2);
+  }
+  return line;
+}
+
 std::string Seconds(std::chrono::milliseconds duration) {
   std::string text = std::to_string(static_cast<double>(duration.count()) / 1000);
   text.erase(text.find_last_not_of('0') + 1);
@@ -264,10 +277,7 @@ std::string AnsweringChild::LastLine() const {
       text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }, ' ');
   text.erase(text.find_last_not_of(" \n") + 1);
   text.erase(0, text.find_last_of('\n') + 1);
-  // assert() begins with the name of the program, which is no part of the finding.
-  const std::string program = std::string(program_invocation_short_name) + ": ";
-  if (text.starts_with(program)) text.erase(0, program.size());
-  return text;
+  return ShortAssertion(text);
 }
 
 ContactAnswer AnsweringChild::LastWords() {

@@ -59,7 +59,8 @@ void Do(Deed deed) {
     case kAbort:
       std::abort();
     case kAssert:
-      std::fputs("first line\nengine.cc:7: Assertion `depth >= 0' failed.\n", stderr);
+      std::fputs("first line\nengine.cc:7: void f(int): Assertion `depth >= 0' failed.\n",
+                 stderr);
       std::abort();
     case kSegfault:
       std::raise(SIGSEGV);
