@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -14,6 +15,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <stdio_ext.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -163,6 +165,7 @@ AnsweringChild::AnsweringChild(const Oracle& oracle,
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(0);  // It died before the line above.
     ResetSignals();
+    __fpurge(stdout);  // What the parent has not written yet is for the parent to write.
     fcntl(output_fd_, F_SETFL, O_APPEND);
     // Copies first, so that no dup2 below closes what is still wanted.
     const int answers_fd = fcntl(ends[1], F_DUPFD, 64);
