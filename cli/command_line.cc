@@ -79,8 +79,7 @@ class CommandLine {
     selection.catalogues = {session_.catalogue()};
     app->add_option("--catalogue", selection.catalogues, "where ids are looked up")
         ->type_name("DIR")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false);
   }
 
   void AddOracleOptions(CLI::App* app, OracleSelection& selection) {
@@ -91,7 +90,8 @@ class CommandLine {
     app->add_option("--against", selection.against,
                     "the references, e.g. bullet,fcl/collide; all others without it")
         ->type_name("ORACLE,...")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
   }
 
   void AddRun() {

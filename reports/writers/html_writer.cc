@@ -83,7 +83,19 @@ class Page {
   void WriteSummary() {
     VerdictCounts counts;
     for (const Outcome& outcome : outcomes_) ++counts[outcome.verdict];
+    const VerdictCounts subject = TallyByOracle(report_, outcomes_).front().outcomes;
     out_ << fmt::format("<h1>Is {} right?</h1>\n", XmlText(report_.subject));
+    if (subject.failed() > 0) {
+      out_ << fmt::format(
+          "<p><b class=\"fail\">No</b>: wrong, or without an answer, in {} of {} "
+          "scenarios.</p>\n",
+          subject.failed(), subject.total());
+    } else {
+      out_ << fmt::format(
+          "<p><b class=\"pass\">Nothing says otherwise</b>: {} of {} scenarios "
+          "passed, {} with known discrepancies.</p>\n",
+          subject[Verdict::kPass], subject.total(), subject[Verdict::kKnown]);
+    }
     out_ << fmt::format("<p>{} scenarios, {} oracles.", report_.scenarios.size(),
                         report_.oracles.size());
     for (int i = 0; i < kVerdicts; ++i) {

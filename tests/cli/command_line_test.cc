@@ -1,0 +1,246 @@
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "run_program.h"
+
+namespace touchstone {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+// Two spheres of radius 0.5 m, 0.9 m apart along (2, -1, 2)/3: 0.1 m deep.
+constexpr const char* kDeep = R"(id = "mine/deep"
+title = "Two balls, a tenth of a metre deep"
+source = "Centres 0.9 m apart, radii 0.5 m"
+
+[bodies.ball]
+shape = "sphere"
+radius = 0.5
+position = [0.3, -0.2, 0.7]
+quaternion = [0.4, -0.2, 0.8, 0.4]
+
+[bodies.other]
+shape = "sphere"
+radius = 0.5
+position = [0.9, -0.5, 1.3]
+quaternion = [0.4, -0.2, 0.8, 0.4]
+
+[contact]
+A = "ball"
+B = "other"
+
+[expect]
+touching = true
+)";
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+class CommandLineTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              ("command_line_test_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder_ / "mine");
+    Write("mine/deep.toml", kDeep);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void Write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+  }
+
+  std::string Path(const std::string& name) const { return (folder_ / name).string(); }
+
+  std::string Command(const std::string& arguments) const {
+    return std::string(TOUCHSTONE_PROGRAM) + " " + arguments;
+  }
+
+  Ended Touchstone(const std::string& arguments) const {
+    return InPipe(Command(arguments));
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(CommandLineTest, ExitsWithZeroWhereTheSubjectIsRight) {
+  const Ended ended = Touchstone("run " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("right failed in 0 scenarios"));
+}
+
+TEST_F(CommandLineTest, ExitsWithOneAndAProofWhereTheSubjectIsWrong) {
+  const Ended ended = Touchstone("run --subject half_depth " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth: fail in "),
+                               HasSubstr("Proof: half_depth says")));
+}
+
+TEST_F(CommandLineTest, CountsAReferencesFailureOnlyWhereAskedTo) {
+  const std::string run = "run --against half_depth " + Path("mine/deep.toml");
+  EXPECT_EQ(Touchstone(run).code, 0);
+  EXPECT_EQ(Touchstone(run + " --fail-on anything").code, 1);
+}
+
+TEST_F(CommandLineTest, ReportsWhatAFunctionThrowsAndGoesOn) {
+  const Ended ended = Touchstone("run --subject thrower " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out, HasSubstr("1 crashed"));
+}
+
+TEST_F(CommandLineTest, ExitsWithTwoWhereNothingWasVerified) {
+  Write(
+      "mine/boxes.toml",
+      Replaced(Replaced(Replaced(kDeep, "mine/deep", "mine/boxes"),
+                        "\"sphere\"\nradius = 0.5", "\"box\"\nhalf_extents = [1, 2, 3]"),
+               "\"sphere\"\nradius = 0.5", "\"box\"\nhalf_extents = [1, 2, 3]"));
+  const Ended ended = Touchstone("run " + Path("mine/boxes.toml"));
+  EXPECT_EQ(ended.code, 2) << ended.out;
+  EXPECT_THAT(ended.err, HasSubstr("nothing was verified"));
+}
+
+TEST_F(CommandLineTest, NamesTheNearestOracle) {
+  const Ended ended = Touchstone("run --subject half_dept " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("no oracle 'half_dept' (did you mean half_depth?)"));
+  EXPECT_EQ(ended.out, "");
+}
+
+TEST_F(CommandLineTest, NamesTheNearestScenario) {
+  const Ended ended = Touchstone("run --catalogue " + folder_.string() + " mine/dep");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err,
+              HasSubstr("no scenario matches 'mine/dep' (did you mean mine/deep?)"));
+}
+
+TEST_F(CommandLineTest, SelectsByFolderAndGlob) {
+  Write("mine/other.toml", Replaced(kDeep, "mine/deep", "mine/other"));
+  const std::string list = "list --catalogue " + folder_.string();
+  EXPECT_THAT(Touchstone(list).out, HasSubstr("2  scenarios"));
+  EXPECT_THAT(Touchstone(list + " mine").out, HasSubstr("2  scenarios"));
+  EXPECT_THAT(Touchstone(list + " 'mine/*p'").out,
+              AllOf(HasSubstr("mine/deep"), HasSubstr("1  scenarios")));
+  EXPECT_EQ(Touchstone(list + " '*p'").code, 2) << "* stays within a level";
+}
+
+TEST_F(CommandLineTest, RefusesTheRunAndNamesEveryErrorOfABrokenFile) {
+  Write("mine/broken.toml", Replaced(Replaced(kDeep, "radius = 0.5", "radius = -0.5"),
+                                     "B = \"other\"", "B = \"othr\""));
+  const Ended ended = Touchstone("run --out " + Path("report") + " " + Path("mine"));
+  EXPECT_EQ(ended.code, 2);
+  // The radius is in line 7, the name in line 19; the id is not the file's.
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("broken.toml:7:"), HasSubstr("broken.toml:19:"),
+                               HasSubstr("nothing was run")));
+  EXPECT_EQ(ended.out, "");
+  EXPECT_FALSE(std::filesystem::exists(Path("report")));
+}
+
+TEST_F(CommandLineTest, SaysThatAFileIsNotThere) {
+  const Ended ended = Touchstone("run " + Path("nowhere.toml"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("nowhere.toml"));
+}
+
+TEST_F(CommandLineTest, WritesTheSameReportsWhateverTheNumberOfThreads) {
+  const auto contents = [this](const std::string& name) {
+    std::ifstream in(folder_ / name);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+  };
+  const std::string run = "run --subject half_depth " + Path("mine/deep.toml");
+  EXPECT_EQ(Touchstone(run + " --jobs 1 --out " + Path("one")).code, 1);
+  EXPECT_EQ(Touchstone(run + " --jobs 4 --out " + Path("four")).code, 1);
+  for (const std::string file : {"index.html", "report.json", "junit.xml"}) {
+    EXPECT_NE(contents("one/" + file), "");
+    EXPECT_EQ(contents("one/" + file), contents("four/" + file)) << file;
+  }
+}
+
+TEST_F(CommandLineTest, SaysThatAReportCannotBeWritten) {
+  Write("file", "in the way");
+  const Ended ended =
+      Touchstone("run --out " + Path("file") + " " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("cannot make the folder"));
+}
+
+TEST_F(CommandLineTest, UsesColoursOnATerminalOnly) {
+  const std::string run = Command("run " + Path("mine/deep.toml"));
+  EXPECT_THAT(InPipe(run).out, Not(HasSubstr("\x1b[")));
+  EXPECT_THAT(OnTerminal("NO_COLOR= TERM=xterm " + run).out, HasSubstr("\x1b["));
+  EXPECT_THAT(OnTerminal("NO_COLOR=1 TERM=xterm " + run).out, Not(HasSubstr("\x1b[")));
+}
+
+TEST_F(CommandLineTest, ExplainsAScenarioWithItsFileAndWhoIsRight) {
+  const Ended ended = Touchstone("explain " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("[bodies.ball]"), HasSubstr("Right: right\n"),
+                               HasSubstr("Wrong: half_depth, thrower\n")));
+}
+
+TEST_F(CommandLineTest, AnswersAQuestionFromTheCommandLine) {
+  const Ended ended =
+      Touchstone("ask --A 'sphere 0.5 @ 0.3 -0.2 0.7' --B 'sphere 0.5 @ 0.9 -0.5 1.3'");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("Right: right\nWrong: half_depth, thrower"));
+}
+
+TEST_F(CommandLineTest, SaysWhatIsWrongWithABody) {
+  const auto error = [this](const std::string& body) {
+    const Ended ended = Touchstone("ask --A 'sphere 1' --B '" + body + "'");
+    EXPECT_EQ(ended.code, 2) << body;
+    return ended.err;
+  };
+  EXPECT_THAT(error("box 1 2"), HasSubstr("2 numbers after 'box', which takes three"));
+  EXPECT_THAT(error("sphre 1"), HasSubstr("did you mean sphere?"));
+  EXPECT_THAT(error("sphere 1 @ 1 2"), HasSubstr("2 numbers after '@'"));
+  EXPECT_THAT(error("sphere 1 and more"), HasSubstr("does not end at 'and'"));
+  EXPECT_THAT(error("sphere 1 q 0 0 0 0"), HasSubstr("quaternion zero"));
+  EXPECT_THAT(error("sphere -1"), HasSubstr("radius"));
+  EXPECT_THAT(error("convex_hull 1 2"), HasSubstr("three a vertex"));
+}
+
+TEST_F(CommandLineTest, PrintsOnlyFailuresWhenQuiet) {
+  const Ended ended = Touchstone("run --quiet " + Path("mine/deep.toml"));
+  EXPECT_THAT(ended.out, Not(HasSubstr("worst/tol")));
+  EXPECT_THAT(ended.out, HasSubstr("half_depth: fail"));
+}
+
+TEST_F(CommandLineTest, ShowsWhoCanAnswerWhat) {
+  const Ended ended = Touchstone("oracles");
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth"), HasSubstr("user: depth, normal"),
+                               HasSubstr("sphere-sphere")));
+  EXPECT_THAT(Touchstone("oracles --settings").out, HasSubstr("conventions = "));
+}
+
+TEST_F(CommandLineTest, ExitsWithTwoOnALineItDoesNotKnow) {
+  EXPECT_EQ(Touchstone("").code, 2);
+  EXPECT_EQ(Touchstone("jump").code, 2);
+  EXPECT_EQ(Touchstone("run --sujbect right").code, 2);
+  EXPECT_EQ(Touchstone("run --fail-on nothing").code, 2);
+}
+
+TEST_F(CommandLineTest, TeachesByHelp) {
+  const Ended ended = Touchstone("--help");
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, HasSubstr("touchstone run mine.toml --out report"));
+  for (const std::string command : {"run", "list", "oracles", "explain", "ask"}) {
+    EXPECT_EQ(Touchstone(command + " --help").code, 0) << command;
+  }
+}
+
+}  // namespace
+}  // namespace touchstone
