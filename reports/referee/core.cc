@@ -108,6 +108,21 @@ struct Farthest {
   }
 };
 
+struct Radius {
+  double operator()(const Point&) const { return 0; }
+  double operator()(const Segment& segment) const { return segment.half_length; }
+  double operator()(const Box& box) const { return box.half_extents.norm(); }
+  double operator()(const Vertices& vertices) const {
+    double most = 0;
+    for (const Eigen::Vector3d& v : vertices) most = std::fmax(most, v.norm());
+    return most;
+  }
+  double operator()(const Cylinder& c) const {
+    return std::hypot(c.radius, c.half_length);
+  }
+  double operator()(const Cone& c) const { return std::hypot(c.radius, c.half_height); }
+};
+
 }  // namespace
 
 RoundedCore CoreOf(const Body& body) {
@@ -116,6 +131,10 @@ RoundedCore CoreOf(const Body& body) {
 
 bool IsCurved(const Core& core) {
   return std::holds_alternative<Cylinder>(core) || std::holds_alternative<Cone>(core);
+}
+
+double CoreRadius(const Core& core) {
+  return std::visit(Radius{}, core);
 }
 
 template <typename Real>

@@ -42,6 +42,10 @@ RoundedCore CoreOf(const Body& body);
 /** Returns true for cylinders and cones, whose boundary is not made of flat faces. */
 bool IsCurved(const Core& core);
 
+/** Returns the largest distance of a point of the core from the body origin, to rounding.
+ * [m] */
+double CoreRadius(const Core& core);
+
 /** Returns n · x maximised over the core, in its body frame. The length of n scales it.
  */
 template <typename Real>

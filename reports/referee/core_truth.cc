@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "reports/referee/coaxial_depth.h"
 #include "reports/referee/inner_polytope.h"
 #include "reports/referee/nearest_point.h"
-#include "reports/referee/round_solid.h"
 #include "reports/referee/zonotope.h"
 
 namespace touchstone::referee {
@@ -123,31 +123,41 @@ CoreTruth FromDepth(const MinkowskiDifference& M, const DepthProof& proof) {
   return truth;
 }
 
+/** Returns what both proofs say together. */
+DepthProof Both(const DepthProof& a, const DepthProof& b) {
+  return {{std::max(a.depth.lo, b.depth.lo), std::min(a.depth.hi, b.depth.hi)},
+          a.depth.hi < b.depth.hi ? a.n_AB_W : b.n_AB_W};
+}
+
 /** Returns the truth where the origin is in M, or on it to rounding. */
 CoreTruth JudgeDeep(const MinkowskiDifference& M, const Simplex<double>& simplex) {
-  // Flat faces are met exactly; what is left is the rounding of plane distances in
-  // double, sums of some ten terms as large as M. Round ones take a facet for each digit
-  // and direction; past the last of these, symmetric ties are being tiled in vain.
+  // What is left to gain is the rounding of plane distances in double, sums of some ten
+  // terms as large as M. Flat faces are met exactly. Round ones take a few facets a
+  // digit, unless the least overlap is reached all around an axis of symmetry, which
+  // cannot be tiled.
   const double target = 8 * kUlp * M.Size();
-  constexpr std::size_t kMostVertices = 2000;
+  const std::optional<DepthProof> coaxial = CoaxialDepth(M);
+  if (coaxial && Width(coaxial->depth) <= 2 * target) return FromDepth(M, *coaxial);
+  constexpr std::size_t kMostVertices = 1000;
   const InnerPolytope<double> polytope = Expand(M, simplex, target, kMostVertices);
-  const DepthProof proof = CertifyDepth(M, polytope, target);
-  if (proof.depth.lo > 0 && (M.IsCurved() || Width(proof.depth) <= target)) {
-    return FromDepth(M, proof);
-  }
+  DepthProof proof = CertifyDepth(M, polytope, target);
+  if (coaxial) proof = Both(proof, *coaxial);
+  if (proof.depth.lo > 0 && Width(proof.depth) <= 2 * target) return FromDepth(M, proof);
+
   const NearestTruth nearest = Refine(M, simplex);
   CoreTruth truth = nearest.truth;
   if (truth.separation.lo > 0) return truth;
-  Improve(proof.n_AB_W, proof.depth, &truth);
-  if (Width(truth.separation) <= target) return truth;
-  // The origin is so near the boundary, or the features are so thin, that doubles lost
-  // the way.
-  constexpr std::size_t kMostPreciseVertices = 400;
+  if (!(proof.depth.lo > 0)) {
+    Improve(proof.n_AB_W, proof.depth, &truth);
+    if (Width(truth.separation) <= target) return truth;
+  }
+  // The origin is too near the boundary, or the facets are too thin, for doubles.
+  constexpr std::size_t kMostPreciseVertices = 200;
   const InnerPolytope<Precise> sharp =
-      Expand(M, nearest.simplex, target / 64, kMostPreciseVertices);
-  const DepthProof sharper = CertifyDepth(M, sharp, target);
-  if (sharper.depth.lo > 0) return FromDepth(M, sharper);
-  Improve(sharper.n_AB_W, sharper.depth, &truth);
+      Expand(M, nearest.simplex, target / 4, kMostPreciseVertices);
+  proof = Both(proof, CertifyDepth(M, sharp, target));
+  if (proof.depth.lo > 0) return FromDepth(M, proof);
+  Improve(proof.n_AB_W, proof.depth, &truth);
   return truth;
 }
 
@@ -164,11 +174,7 @@ CoreTruth JudgeAny(const MinkowskiDifference& M) {
 
 CoreTruth JudgeCores(const MinkowskiDifference& M) {
   if (IsZonotope(M.A().core) && IsZonotope(M.B().core)) return JudgeZonotopes(M);
-  CoreTruth truth = JudgeAny(M);
-  if (const std::optional<Enclosure> distance = DistanceFromRoundSolid(M)) {
-    truth.separation = Intersection(truth.separation, *distance);
-  }
-  return truth;
+  return JudgeAny(M);
 }
 
 }  // namespace touchstone::referee

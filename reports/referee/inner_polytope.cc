@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 
@@ -43,6 +44,10 @@ class Expansion {
         nearest_.pop();
         continue;
       }
+      // A growing convex polytope only moves outwards. One that does not has lost its
+      // convexity to rounding, and more steps would tear it further.
+      if (distance < reached_ - Real(4) * rounding_) break;
+      if (reached_ < distance) reached_ = distance;
       if (distance >= polytope_.overlap - target_) break;
       const DifferencePoint<Real> w = Try(facet(index).n);
       if (Dot(facet(index).n, w.x) - distance <= target_) break;
@@ -213,6 +218,7 @@ class Expansion {
   const MinkowskiDifference& M_;
   const Real rounding_;
   const Real target_;
+  Real reached_{0};  ///< The largest distance of a nearest facet yet. [m]
   InnerPolytope<Real> polytope_;
   std::priority_queue<Entry, std::vector<Entry>, FartherFirst> nearest_;
 };

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
+#include "reports/referee/depth_proof.h"
 #include "reports/referee/nearest_point.h"
 
 namespace touchstone::referee {
@@ -34,12 +34,6 @@ struct InnerPolytope {
 template <typename Real>
 InnerPolytope<Real> Expand(const MinkowskiDifference& M, const Simplex<Real>& simplex,
                            double target, std::size_t most_vertices);
-
-/** What an inner polytope proves about the depth of the origin in M. */
-struct DepthProof {
-  Enclosure depth;  ///< `lo` is 0 where the polytope does not provably surround it. [m]
-  Eigen::Vector3d n_AB_W;  ///< Unit direction along which `hi` separates.
-};
 
 /** Proves bounds on the depth of the origin in M.
 

@@ -1,28 +1,6 @@
 #include "reports/referee/minkowski_difference.h"
 
 namespace touchstone::referee {
-namespace {
-
-double CoreRadius(const Core& core) {
-  struct Radius {
-    double operator()(const Point&) const { return 0; }
-    double operator()(const Segment& segment) const { return segment.half_length; }
-    double operator()(const Vertices& vertices) const {
-      double most = 0;
-      for (const Eigen::Vector3d& v : vertices) most = std::fmax(most, v.norm());
-      return most;
-    }
-    double operator()(const Box& box) const { return box.half_extents.norm(); }
-    double operator()(const Cylinder& c) const {
-      return std::hypot(c.radius, c.half_length);
-    }
-    double operator()(const Cone& c) const { return std::hypot(c.radius, c.half_height); }
-  };
-  return std::visit(Radius{}, core);
-}
-
-}  // namespace
-
 template <typename Real>
 Vector<Bounded<Real>> MinkowskiDifference::Centre() const {
   return Exactly<Bounded<Real>>(A_.X_WB.p_WB) - Exactly<Bounded<Real>>(B_.X_WB.p_WB);
