@@ -9,24 +9,6 @@
 namespace touchstone {
 namespace {
 
-template <class T>
-constexpr bool kKnown = std::is_same_v<T, Sphere> || std::is_same_v<T, Box>;
-
-/** Calls `visit` with the two shapes where the engine knows both, else `otherwise()`. */
-template <class Visit, class Otherwise>
-auto VisitKnown(const ContactQuery& query, const Visit& visit,
-                const Otherwise& otherwise) {
-  return std::visit(
-      [&]<class A, class B>(const A& a, const B& b) {
-        if constexpr (kKnown<A> && kKnown<B>) {
-          return visit(a, b);
-        } else {
-          return otherwise();
-        }
-      },
-      query.A.shape, query.B.shape);
-}
-
 /** Two shapes in place, in the engine's types, and where their answer goes. */
 template <class A, class B>
 struct PlacedPair {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <type_traits>
+#include <variant>
+
 #include "engine/manifold.h"
 #include "engine/shape.h"
 #include "oracles/contact_answer.h"
@@ -17,6 +20,25 @@ inline cookbook::Sphere ToCookbook(const Sphere& sphere) {
 }
 inline cookbook::Box ToCookbook(const Box& box) {
   return {box.half_extents};
+}
+
+/** Whether the engines know shapes of type T. */
+template <class T>
+inline constexpr bool kHasRecipe = std::is_same_v<T, Sphere> || std::is_same_v<T, Box>;
+
+/** Calls `visit` with the two shapes where the engines know both, else `otherwise()`. */
+template <class Visit, class Otherwise>
+auto VisitKnown(const ContactQuery& query, const Visit& visit,
+                const Otherwise& otherwise) {
+  return std::visit(
+      [&]<class A, class B>(const A& a, const B& b) {
+        if constexpr (kHasRecipe<A> && kHasRecipe<B>) {
+          return visit(a, b);
+        } else {
+          return otherwise();
+        }
+      },
+      query.A.shape, query.B.shape);
 }
 
 /** Whether the engine has a recipe for this pair: spheres and boxes in any order. */

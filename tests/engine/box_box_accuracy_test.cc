@@ -15,7 +15,7 @@
 namespace cookbook::test {
 namespace {
 
-constexpr int kQuestions = 4000;
+constexpr int kQuestions = 1500;
 
 QuadVector Widen(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};

@@ -1,0 +1,140 @@
+#include "engine/printed/box_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "engine/rounding.h"
+
+namespace cookbook::printed {
+namespace {
+
+/** Contacts closer than this share of the boxes' size are one: far above what rounding
+ spreads them by, far below any feature. */
+constexpr double kMergedShare = 1e-6;
+
+struct Line {
+  Eigen::Vector3d p_W;
+  Eigen::Vector3d d_W;
+};
+
+/** The twelve edges, each as p + t d for t in [0, 1]. */
+std::array<Line, 12> Edges(const PlacedBox& box) {
+  std::array<Line, 12> edges;
+  std::size_t count = 0;
+  for (int k = 0; k < 3; ++k) {
+    for (const double s1 : {-1.0, 1.0}) {
+      for (const double s2 : {-1.0, 1.0}) {
+        const int k1 = (k + 1) % 3;
+        const int k2 = (k + 2) % 3;
+        const Eigen::Vector3d& h = box.box.half_extents;
+        const Eigen::Vector3d start = box.X_WB.p_WB - h[k] * box.axis(k) +
+                                      s1 * h[k1] * box.axis(k1) +
+                                      s2 * h[k2] * box.axis(k2);
+        edges[count++] = {start, 2 * h[k] * box.axis(k)};
+      }
+    }
+  }
+  return edges;
+}
+
+struct Chord {
+  double begin = -std::numeric_limits<double>::infinity();
+  double end = std::numeric_limits<double>::infinity();
+};
+
+/** Returns the part of `chord` for which p + t d is within `slack` of the box. */
+Chord Inside(const PlacedBox& box, const Line& line, double slack, Chord chord) {
+  const Eigen::Vector3d p = box.X_WB.R_WB.transpose() * (line.p_W - box.X_WB.p_WB);
+  const Eigen::Vector3d d = box.X_WB.R_WB.transpose() * line.d_W;
+  for (int k = 0; k < 3; ++k) {
+    const double h = box.box.half_extents[k] + slack;
+    if (d[k] == 0) {
+      if (std::abs(p[k]) > h) chord.end = -std::numeric_limits<double>::infinity();
+      continue;
+    }
+    const double near = (std::copysign(h, -d[k]) - p[k]) / d[k];
+    const double far = (std::copysign(h, d[k]) - p[k]) / d[k];
+    chord.begin = std::max(chord.begin, near);
+    chord.end = std::min(chord.end, far);
+  }
+  return chord;
+}
+
+/** The ends of the edges of one box clipped by the other, where the clipping cut them and
+ where it did not. */
+struct ClippedEdges {
+  std::vector<Eigen::Vector3d> crossings_W;
+  std::vector<Eigen::Vector3d> corners_W;
+};
+
+void ClipEdges(const PlacedBox& of, const PlacedBox& by, double slack,
+               ClippedEdges& clipped) {
+  for (const Line& edge : Edges(of)) {
+    const Chord chord = Inside(by, edge, slack, {0, 1});
+    if (chord.begin > chord.end) continue;
+    (chord.begin > 0 ? clipped.crossings_W : clipped.corners_W)
+        .push_back(edge.p_W + chord.begin * edge.d_W);
+    (chord.end < 1 ? clipped.crossings_W : clipped.corners_W)
+        .push_back(edge.p_W + chord.end * edge.d_W);
+  }
+}
+
+/** Keeps the first of any points closer to each other than `distance`. */
+std::vector<Eigen::Vector3d> Merged(const std::vector<Eigen::Vector3d>& points,
+                                    double distance) {
+  std::vector<Eigen::Vector3d> merged;
+  for (const Eigen::Vector3d& point : points) {
+    const bool known = std::ranges::any_of(merged, [&](const Eigen::Vector3d& other) {
+      return (point - other).squaredNorm() < distance * distance;
+    });
+    if (!known) merged.push_back(point);
+  }
+  return merged;
+}
+
+ClippedEdges ClipBoth(const PlacedBox& A, const PlacedBox& B) {
+  // A coordinate is a sum of some ten rounded terms, none above the size: 32 leaves room.
+  const double size = A.box.half_extents.sum() + B.box.half_extents.sum() +
+                      A.X_WB.p_WB.lpNorm<1>() + B.X_WB.p_WB.lpNorm<1>();
+  const double slack = 32 * kUnitRoundoff * size;
+  ClippedEdges clipped;
+  ClipEdges(B, A, slack, clipped);
+  ClipEdges(A, B, slack, clipped);
+  return clipped;
+}
+
+/** Returns corners of the place where the boxes meet once B is moved clear of A. */
+std::vector<Eigen::Vector3d> Patch(const PlacedBox& A, const PlacedBox& B,
+                                   const LeastDepth& least) {
+  const Pose moved{B.X_WB.R_WB, B.X_WB.p_WB + least.depth * least.n_AB_W};
+  const ClippedEdges clipped = ClipBoth(A, {B.box, moved});
+  std::vector<Eigen::Vector3d> points = clipped.corners_W;
+  points.insert(points.end(), clipped.crossings_W.begin(), clipped.crossings_W.end());
+  return points;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> Contacts(const PlacedBox& A, const PlacedBox& B,
+                                      const LeastDepth& least, const Errata& errata) {
+  const ClippedEdges clipped = ClipBoth(A, B);
+  if (clipped.crossings_W.empty() && errata.Has(Erratum::kE07)) return {};
+
+  std::vector<Eigen::Vector3d> points;
+  if (!errata.Has(Erratum::kE08)) points = Patch(A, B, least);
+  // Along the wrong axis of another erratum the boxes may not meet at all.
+  if (points.empty()) points = clipped.crossings_W;
+  if (points.empty()) points = clipped.corners_W;
+
+  const Eigen::Vector3d on_plane =
+      A.X_WB.p_WB + (A.Reach(least.n_AB_W) - least.depth / 2) * least.n_AB_W;
+  for (Eigen::Vector3d& point : points) {
+    point += least.n_AB_W.dot(on_plane - point) * least.n_AB_W;
+  }
+  const double size = A.box.half_extents.sum() + B.box.half_extents.sum();
+  return Merged(points, errata.Has(Erratum::kE09) ? 1e-2 : kMergedShare * size);
+}
+
+}  // namespace cookbook::printed

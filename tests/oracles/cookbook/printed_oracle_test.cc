@@ -1,0 +1,56 @@
+#include "oracles/cookbook/printed_oracle.h"
+
+#include <gtest/gtest.h>
+
+namespace touchstone {
+namespace {
+
+// Two unit spheres 1.9 m apart: the depth is 0.1 m.
+const ContactQuery kSpheres = {
+    {Sphere{1}, Pose::FromMatrix({0.3, -0.2, 0.7}, Eigen::Matrix3d::Identity())},
+    {Sphere{1}, Pose::FromMatrix({0.3, -0.2, 2.6}, Eigen::Matrix3d::Identity())}};
+
+double DepthSaidBy(std::string_view name) {
+  return -*MakePrintedOracle(name)->Answer(kSpheres).separation;
+}
+
+TEST(PrintedOracle, NameChoosesTheErrata) {
+  EXPECT_NEAR(DepthSaidBy("printed"), 0.5, 1e-15);  // E-03, halved by E-04.
+  EXPECT_NEAR(DepthSaidBy("printed:none"), 0.1, 1e-15);
+  EXPECT_NEAR(DepthSaidBy("printed:E-03"), 1.0, 1e-15);  // |1 − 2|, not halved.
+  EXPECT_NEAR(DepthSaidBy("printed:E-04"), 0.05, 1e-15);
+  EXPECT_NEAR(DepthSaidBy("printed:E-03+E-04"), 0.5, 1e-15);
+  EXPECT_NEAR(DepthSaidBy("printed:E-26"), 0.1, 1e-15);
+}
+
+TEST(PrintedOracle, UnknownNamesMakeNone) {
+  for (const char* name :
+       {"", "print", "cookbook", "printed:", "printed:E-10", "printed:E-4", "printed:all",
+        "printed:E-03+", "printed:+E-03", "printedE-03"}) {
+    EXPECT_EQ(MakePrintedOracle(name), nullptr) << name;
+  }
+}
+
+TEST(PrintedOracle, SaysNothingButTheVerdictOfShapesApart) {
+  ContactQuery query = kSpheres;
+  query.B.X_WB.p_WB[2] += 1;
+  const ContactAnswer answer = MakePrintedOracle("printed:none")->Answer(query);
+  EXPECT_EQ(answer.status, AnswerStatus::kAnswered);
+  EXPECT_FALSE(answer.touching);
+  EXPECT_FALSE(answer.n_AB_W.has_value());
+  EXPECT_FALSE(answer.separation.has_value());
+  EXPECT_TRUE(answer.points.empty());
+}
+
+TEST(PrintedOracle, KnowsSpheresAndBoxesAndNothingElse) {
+  const std::unique_ptr<Oracle> oracle = MakePrintedOracle("printed");
+  EXPECT_EQ(oracle->info().name, "printed");
+  EXPECT_TRUE(oracle->info().For(ShapeKind::kBox, ShapeKind::kSphere).supported);
+  EXPECT_FALSE(oracle->info().For(ShapeKind::kBox, ShapeKind::kCone).supported);
+  ContactQuery query = kSpheres;
+  query.A.shape = Cone{1, 1};
+  EXPECT_EQ(oracle->Answer(query).status, AnswerStatus::kUnsupported);
+}
+
+}  // namespace
+}  // namespace touchstone
