@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "reports/apply_ledger.h"
+#include "reports/ledger_file.h"
+
+namespace touchstone {
+namespace {
+
+bool IsFailure(Verdict verdict) {
+  return verdict == Verdict::kFail || verdict == Verdict::kDisagree ||
+         verdict == Verdict::kInvalid || verdict == Verdict::kCrashed ||
+         verdict == Verdict::kTimedOut;
+}
+
+bool HasValue(Verdict verdict) {
+  return verdict == Verdict::kFail || verdict == Verdict::kDisagree;
+}
+
+std::string FolderOf(const std::string& id) {
+  return id.substr(0, id.rfind('/'));
+}
+
+/** What the failures of one entry have in common. A bound has one unit: lengths are apart
+ from what has none. */
+struct Kind {
+  std::string oracle;
+  Verdict verdict;
+  Cause cause;
+  std::string unit;
+  auto operator<=>(const Kind&) const = default;
+};
+
+/** What one scenario shows of a kind. */
+struct Shown {
+  std::set<MeasureKind> measures;
+  double worst = 0;
+  std::string proof;  ///< Of the worst.
+};
+
+/** One entry to be, and the scenarios it is made of. */
+struct Proposal {
+  Kind kind;
+  std::string scenarios;
+  Shown shown;
+  std::size_t count = 0;
+};
+
+void Include(Shown& all, const Shown& one) {
+  all.measures.insert(one.measures.begin(), one.measures.end());
+  if (all.proof.empty() || one.worst > all.worst) all.proof = one.proof;
+  all.worst = std::max(all.worst, one.worst);
+}
+
+std::string Quoted(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+/** How many scenarios of each folder an oracle answers to, or ought to. */
+using Folders = std::map<std::pair<std::string, std::string>, std::set<std::string>>;
+
+Folders AnsweredFolders(const RunReport& report) {
+  Folders folders;
+  for (const Finding& finding : report.findings) {
+    if (finding.verdict == Verdict::kUnsupported) continue;
+    folders[{finding.oracle, FolderOf(finding.scenario)}].insert(finding.scenario);
+  }
+  return folders;
+}
+
+std::map<Kind, std::map<std::string, Shown>> FailuresOf(const RunReport& report) {
+  std::map<std::string_view, double> sizes;
+  for (const ScenarioResult& result : report.scenarios) {
+    sizes[result.scenario.id] = SceneSize(result.scenario.contact);
+  }
+  std::map<Kind, std::map<std::string, Shown>> failures;
+  for (const Finding& finding : report.findings) {
+    if (!IsFailure(finding.verdict)) continue;
+    const Kind kind{finding.oracle, finding.verdict, finding.cause,
+                    std::string(UnitOf(finding.measure))};
+    const double value = ValueForLedger(finding, sizes.at(finding.scenario));
+    Include(failures[kind][finding.scenario], {{finding.measure}, value, finding.proof});
+  }
+  return failures;
+}
+
+/** Groups the scenarios of one kind: those of a folder in which all fail alike become
+ * one. */
+std::vector<Proposal> Grouped(const Kind& kind,
+                              const std::map<std::string, Shown>& failures,
+                              const Folders& folders) {
+  std::map<std::pair<std::string, std::set<MeasureKind>>, std::vector<std::string>> alike;
+  for (const auto& [scenario, shown] : failures) {
+    alike[{FolderOf(scenario), shown.measures}].push_back(scenario);
+  }
+  std::vector<Proposal> proposals;
+  for (const auto& [key, scenarios] : alike) {
+    const std::string& folder = key.first;
+    const bool all = scenarios.size() > 1 &&
+                     scenarios.size() == folders.at({kind.oracle, folder}).size();
+    if (all) proposals.push_back({kind, folder + "/*", {}, 0});
+    for (const std::string& scenario : scenarios) {
+      if (!all) proposals.push_back({kind, scenario, {}, 0});
+      Include(proposals.back().shown, failures.at(scenario));
+      ++proposals.back().count;
+    }
+  }
+  return proposals;
+}
+
+LedgerEntry EntryOf(const Proposal& proposal, const RunReport& report,
+                    std::string_view expires) {
+  const auto oracle = std::find_if(
+      report.oracles.begin(), report.oracles.end(),
+      [&](const OracleInfo& info) { return info.name == proposal.kind.oracle; });
+  LedgerEntry entry;
+  entry.scenarios = proposal.scenarios;
+  entry.oracle = proposal.kind.oracle;
+  entry.version = oracle->version;
+  entry.measures.assign(proposal.shown.measures.begin(), proposal.shown.measures.end());
+  entry.verdict = proposal.kind.verdict;
+  entry.bound = RoundedUp(kProposedBound * proposal.shown.worst);
+  // What is not proved has no cause yet: a defect until somebody knows better.
+  entry.cause =
+      proposal.kind.cause == Cause::kNone ? Cause::kDefect : proposal.kind.cause;
+  entry.upstream = "unreported";
+  entry.expires = expires;
+  return entry;
+}
+
+}  // namespace
+
+double RoundedUp(double value) {
+  if (!(value > 0)) return 0;
+  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+  return std::ceil(value / digit) * digit;
+}
+
+std::string WriteLedgerEntry(const LedgerEntry& entry, std::string_view comment) {
+  std::vector<std::string> measures;
+  for (const MeasureKind measure : entry.measures) {
+    measures.push_back(Quoted(NameOf(measure)));
+  }
+  std::string text;
+  if (!comment.empty()) text += fmt::format("# {}\n", comment);
+  text +=
+      fmt::format("[[entry]]\nscenarios = {}\noracle = {}\nversion = {}\n",
+                  Quoted(entry.scenarios), Quoted(entry.oracle), Quoted(entry.version));
+  text += fmt::format("measures = [{}]\nverdict = {}\n", fmt::join(measures, ", "),
+                      Quoted(NameOf(entry.verdict)));
+  if (HasValue(entry.verdict)) text += fmt::format("bound = {:.6g}\n", entry.bound);
+  text +=
+      fmt::format("cause = {}\nreason = {}\nupstream = {}\nexpires = {}\n",
+                  Quoted(NameOf(entry.cause)), Quoted(entry.reason),
+                  Quoted(entry.upstream), entry.expires.empty() ? "\"\"" : entry.expires);
+  return text;
+}
+
+std::string ProposeLedger(const RunReport& report, std::string_view expires) {
+  const Folders folders = AnsweredFolders(report);
+  std::string text;
+  for (const auto& [kind, failures] : FailuresOf(report)) {
+    for (const Proposal& proposal : Grouped(kind, failures, folders)) {
+      std::string comment = proposal.shown.proof;
+      std::replace(comment.begin(), comment.end(), '\n', ' ');
+      if (proposal.count > 1) {
+        comment = fmt::format("{} scenarios; the worst: {}", proposal.count, comment);
+      }
+      if (!text.empty()) text += '\n';
+      text += WriteLedgerEntry(EntryOf(proposal, report, expires), comment);
+    }
+  }
+  return text;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,232 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include "reports/ledger_file.h"
+#include "scenarios/schema/nearest_name.h"
+
+namespace touchstone {
+namespace {
+
+constexpr std::array<std::string_view, 10> kKeys = {
+    "scenarios", "oracle", "version", "measures", "verdict",
+    "bound",     "cause",  "reason",  "upstream", "expires"};
+
+constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::kInvalid,
+                                  Verdict::kCrashed, Verdict::kTimedOut};
+
+constexpr std::array kCauses = {Cause::kConvention, Cause::kTie, Cause::kPrecision,
+                                Cause::kModel, Cause::kDefect};
+
+std::vector<MeasureKind> AllMeasures() {
+  std::vector<MeasureKind> measures;
+  for (int i = 0; i <= static_cast<int>(MeasureKind::kAnswering); ++i) {
+    measures.push_back(static_cast<MeasureKind>(i));
+  }
+  return measures;
+}
+
+template <typename Values>
+std::vector<std::string_view> NamesOf(const Values& values) {
+  std::vector<std::string_view> names;
+  for (const auto value : values) names.push_back(NameOf(value));
+  return names;
+}
+
+/** Reads one file and collects what is wrong with it. */
+class LedgerReader {
+ public:
+  explicit LedgerReader(const std::filesystem::path& file) : file_(file.string()) {
+    ledger_.file = file;
+  }
+
+  LedgerResult Read(std::string_view text) && {
+    try {
+      const toml::table root = toml::parse(text, file_);
+      ReadRoot(root);
+    } catch (const toml::parse_error& error) {
+      Add(error.source(), std::string(error.description()), "valid TOML");
+    }
+    std::stable_sort(diagnostics_.begin(), diagnostics_.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) {
+                       return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+                     });
+    if (!diagnostics_.empty()) return {std::nullopt, std::move(diagnostics_)};
+    return {std::move(ledger_), {}};
+  }
+
+ private:
+  void Add(const toml::source_region& at, std::string what, std::string expected) {
+    diagnostics_.push_back({file_, static_cast<int>(at.begin.line),
+                            static_cast<int>(at.begin.column), std::move(what),
+                            std::move(expected)});
+  }
+
+  void ReadRoot(const toml::table& root) {
+    for (const auto& [key, node] : root) {
+      if (key == "entry") continue;
+      Add(key.source(), fmt::format("unknown key \"{}\"", key.str()), "[[entry]] only");
+    }
+    const toml::node* entries = root.get("entry");
+    if (entries == nullptr) return;
+    const toml::array* array = entries->as_array();
+    if (array == nullptr) {
+      Add(entries->source(), "entry is not a list of tables", "[[entry]]");
+      return;
+    }
+    for (const toml::node& node : *array) {
+      if (const toml::table* table = node.as_table()) {
+        ReadEntry(*table);
+      } else {
+        Add(node.source(), "an entry is not a table", "[[entry]]");
+      }
+    }
+  }
+
+  void ReadEntry(const toml::table& table) {
+    for (const auto& [key, node] : table) {
+      if (std::find(kKeys.begin(), kKeys.end(), key.str()) != kKeys.end()) continue;
+      const std::string_view nearest = NearestName(key.str(), kKeys);
+      Add(key.source(), fmt::format("unknown key \"{}\"", key.str()),
+          nearest.empty() ? fmt::format("one of {}", fmt::join(kKeys, ", "))
+                          : fmt::format("\"{}\"", nearest));
+    }
+    LedgerEntry entry;
+    entry.line = static_cast<int>(table.source().begin.line);
+    entry.scenarios = Text(table, "scenarios", "a glob over scenario ids");
+    entry.oracle = Text(table, "oracle", "the name of an oracle");
+    entry.version = Text(table, "version", "the library version it was seen in");
+    entry.measures = Measures(table);
+    entry.verdict = OneOf(table, "verdict", kVerdicts, Verdict::kFail);
+    entry.bound = Bound(table, entry.verdict);
+    entry.cause = OneOf(table, "cause", kCauses, Cause::kDefect);
+    entry.reason = Text(table, "reason", "one or two sentences: what goes wrong and why");
+    entry.upstream =
+        Text(table, "upstream", "a link, an issue \"owner/repo#123\", or \"unreported\"");
+    entry.expires = Date(table, "expires");
+    ledger_.entries.push_back(std::move(entry));
+  }
+
+  /** Returns the node, having complained if there is none. */
+  const toml::node* Required(const toml::table& table, std::string_view key,
+                             const std::string& expected) {
+    const toml::node* node = table.get(key);
+    if (node == nullptr) Add(table.source(), fmt::format("{} is missing", key), expected);
+    return node;
+  }
+
+  std::string Text(const toml::table& table, std::string_view key,
+                   const std::string& expected) {
+    const toml::node* node = Required(table, key, expected);
+    if (node == nullptr) return "";
+    const auto text = node->value_exact<std::string>();
+    if (!text) Add(node->source(), fmt::format("{} is not a string", key), expected);
+    if (text && text->empty()) {
+      Add(node->source(), fmt::format("{} is empty", key), expected);
+    }
+    return text.value_or("");
+  }
+
+  template <typename Values>
+  auto Named(const toml::node& node, std::string_view key, const Values& values) {
+    using Value = std::decay_t<decltype(*values.begin())>;
+    const std::vector<std::string_view> names = NamesOf(values);
+    const auto text = node.value_exact<std::string>();
+    const auto found = std::find(names.begin(), names.end(), text.value_or(""));
+    if (found != names.end()) {
+      return std::optional<Value>(*(values.begin() + (found - names.begin())));
+    }
+    Add(node.source(),
+        text ? fmt::format("{} is \"{}\"", key, *text)
+             : fmt::format("{} is not a string", key),
+        fmt::format("one of {}", fmt::join(names, ", ")));
+    return std::optional<Value>();
+  }
+
+  template <typename Values, typename Value>
+  Value OneOf(const toml::table& table, std::string_view key, const Values& values,
+              Value otherwise) {
+    const toml::node* node =
+        Required(table, key, fmt::format("one of {}", fmt::join(NamesOf(values), ", ")));
+    return node == nullptr ? otherwise : Named(*node, key, values).value_or(otherwise);
+  }
+
+  std::vector<MeasureKind> Measures(const toml::table& table) {
+    const std::string expected = "a list of measures, e.g. [\"separation_error\"]";
+    std::vector<MeasureKind> measures;
+    const toml::node* node = Required(table, "measures", expected);
+    if (node == nullptr) return measures;
+    const toml::array* array = node->as_array();
+    if (array == nullptr || array->empty()) {
+      Add(node->source(), "measures names no measure", expected);
+      return measures;
+    }
+    for (const toml::node& element : *array) {
+      const auto measure = Named(element, "measure", AllMeasures());
+      if (measure) measures.push_back(*measure);
+    }
+    return measures;
+  }
+
+  double Bound(const toml::table& table, Verdict verdict) {
+    const std::string expected = "a number > 0, relative to the size of the scene";
+    const bool has_value = verdict == Verdict::kFail || verdict == Verdict::kDisagree;
+    const toml::node* node = table.get("bound");
+    if (node == nullptr) {
+      if (has_value) Add(table.source(), "bound is missing", expected);
+      return 0;
+    }
+    if (!has_value) {
+      Add(node->source(), fmt::format("bound of the verdict \"{}\"", NameOf(verdict)),
+          "none, as it has no value");
+      return 0;
+    }
+    const double bound = node->value<double>().value_or(NAN);
+    if (!node->is_number() || !std::isfinite(bound) || bound <= 0) {
+      Add(node->source(), "bound is not a positive number", expected);
+    }
+    return bound;
+  }
+
+  std::string Date(const toml::table& table, std::string_view key) {
+    const std::string expected = "a date, e.g. 2026-06-30";
+    const toml::node* node = Required(table, key, expected);
+    if (node == nullptr) return "";
+    const auto date = node->value_exact<toml::date>();
+    if (!date) {
+      Add(node->source(), fmt::format("{} is not a date", key), expected);
+      return "";
+    }
+    return fmt::format("{:04}-{:02}-{:02}", date->year, date->month, date->day);
+  }
+
+  std::string file_;
+  Ledger ledger_;
+  std::vector<Diagnostic> diagnostics_;
+};
+
+}  // namespace
+
+LedgerResult ReadLedger(std::string_view text, const std::filesystem::path& file) {
+  return LedgerReader(file).Read(text);
+}
+
+LedgerResult ReadLedgerFile(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    return {std::nullopt, {{file.string(), 1, 1, "cannot be read", "a ledger file"}}};
+  }
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return ReadLedger(text.str(), file);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,148 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/glob.h"
+#include "reports/ledger_file.h"
+
+namespace touchstone {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+constexpr std::string_view kEntry = R"([[entry]]
+scenarios = "contact/box_box/*"
+oracle = "ode"
+version = "0.16.2"
+measures = ["separation_error", "excess"]
+verdict = "fail"
+bound = 0.05
+cause = "defect"
+reason = "Prefers a face axis by 5 %."
+upstream = "unreported"
+expires = 2026-06-30
+)";
+
+std::vector<std::string> Complaints(std::string_view text) {
+  std::vector<std::string> complaints;
+  for (const Diagnostic& d : ReadLedger(text, "ledger.toml").diagnostics) {
+    complaints.push_back(ToString(d));
+  }
+  return complaints;
+}
+
+/** kEntry with `before` replaced. */
+std::string With(std::string_view before, std::string_view after) {
+  std::string text(kEntry);
+  text.replace(text.find(before), before.size(), after);
+  return text;
+}
+
+TEST(ReadLedger, ReadsEveryField) {
+  const LedgerResult result = ReadLedger(kEntry, "ledger.toml");
+  ASSERT_THAT(result.diagnostics, IsEmpty());
+  ASSERT_EQ(result.ledger->entries.size(), 1U);
+  const LedgerEntry& entry = result.ledger->entries[0];
+  EXPECT_EQ(entry.scenarios, "contact/box_box/*");
+  EXPECT_EQ(entry.oracle, "ode");
+  EXPECT_EQ(entry.version, "0.16.2");
+  EXPECT_THAT(entry.measures,
+              ElementsAre(MeasureKind::kSeparationError, MeasureKind::kExcess));
+  EXPECT_EQ(entry.verdict, Verdict::kFail);
+  EXPECT_EQ(entry.bound, 0.05);
+  EXPECT_EQ(entry.cause, Cause::kDefect);
+  EXPECT_EQ(entry.reason, "Prefers a face axis by 5 %.");
+  EXPECT_EQ(entry.upstream, "unreported");
+  EXPECT_EQ(entry.expires, "2026-06-30");
+  EXPECT_EQ(entry.line, 1);
+}
+
+TEST(ReadLedger, AcceptsAnEmptyLedger) {
+  EXPECT_THAT(Complaints("# Nothing is known.\n"), IsEmpty());
+}
+
+TEST(ReadLedger, RefusesAnEmptyReason) {
+  EXPECT_THAT(
+      Complaints(With("\"Prefers a face axis by 5 %.\"", "\"\"")),
+      ElementsAre("ledger.toml:9:10: reason is empty; expected one or two sentences: "
+                  "what goes wrong and why"));
+}
+
+TEST(ReadLedger, SuggestsTheKeyThatWasMeant) {
+  EXPECT_THAT(
+      Complaints(With("oracle =", "orcale =")),
+      ElementsAre("ledger.toml:1:1: oracle is missing; expected the name of an oracle",
+                  "ledger.toml:3:1: unknown key \"orcale\"; expected \"oracle\""));
+}
+
+TEST(ReadLedger, NamesTheMeasuresVerdictsAndCausesThereAre) {
+  const auto complaints = Complaints(With("\"excess\"", "\"depth\""));
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_THAT(
+      complaints[0],
+      testing::StartsWith("ledger.toml:5:33: measure is \"depth\"; expected one of "
+                          "touching, separation_error, "));
+  EXPECT_THAT(Complaints(With("\"fail\"", "\"pass\"")),
+              ElementsAre("ledger.toml:6:11: verdict is \"pass\"; expected one of fail, "
+                          "disagree, invalid, crashed, timed out"));
+  EXPECT_THAT(
+      Complaints(With("\"defect\"", "\"bug\"")),
+      ElementsAre("ledger.toml:8:9: cause is \"bug\"; expected one of convention, tie, "
+                  "precision, model, defect"));
+}
+
+TEST(ReadLedger, RefusesABoundThatIsNone) {
+  for (const std::string_view bound : {"0", "-1.0", "nan", "inf", "\"much\""}) {
+    EXPECT_THAT(Complaints(With("0.05", bound)),
+                ElementsAre("ledger.toml:7:9: bound is not a positive number; expected a "
+                            "number > 0, relative to the size of the scene"));
+  }
+  EXPECT_EQ(Complaints(With("\"fail\"", "\"crashed\"")).size(), 1U);
+}
+
+TEST(ReadLedger, WantsAProperDate) {
+  EXPECT_THAT(
+      Complaints(With("2026-06-30", "\"2026-06-30\"")),
+      ElementsAre("ledger.toml:11:11: expires is not a date; expected a date, e.g. "
+                  "2026-06-30"));
+}
+
+TEST(ReadLedger, ReportsAllErrorsAtOnceInTheOrderOfLines) {
+  std::string text = With("0.05", "0");
+  text += With("\"unreported\"", "3");
+  text += "[other]\n";
+  const auto complaints = Complaints(text);
+  ASSERT_EQ(complaints.size(), 3U);
+  EXPECT_THAT(complaints[0], testing::StartsWith("ledger.toml:7:"));
+  EXPECT_THAT(complaints[1], testing::StartsWith("ledger.toml:21:"));
+  EXPECT_THAT(complaints[2], testing::StartsWith("ledger.toml:23:"));
+}
+
+TEST(ReadLedger, SaysWhereTomlItselfIsBroken) {
+  const auto complaints = Complaints("[[entry]\n");
+  ASSERT_EQ(complaints.size(), 1U);
+  EXPECT_THAT(complaints[0], testing::StartsWith("ledger.toml:1:"));
+}
+
+TEST(ReadLedger, ReadsBackWhatIsWritten) {
+  const LedgerEntry entry = ReadLedger(kEntry, "ledger.toml").ledger->entries[0];
+  EXPECT_EQ(WriteLedgerEntry(entry, ""), kEntry);
+}
+
+TEST(MatchesGlob, KeepsOneStarWithinALevel) {
+  EXPECT_TRUE(MatchesGlob("contact/box_box/*", "contact/box_box/face_face"));
+  EXPECT_TRUE(MatchesGlob("contact/*_box/face*", "contact/box_box/face_face"));
+  EXPECT_FALSE(MatchesGlob("contact/*", "contact/box_box/face_face"));
+  EXPECT_FALSE(MatchesGlob("contact/box_box", "contact/box_box/face_face"));
+  EXPECT_FALSE(MatchesGlob("", "contact"));
+}
+
+TEST(MatchesGlob, LetsTwoStarsCrossLevels) {
+  EXPECT_TRUE(MatchesGlob("**", "contact/box_box/face_face"));
+  EXPECT_TRUE(MatchesGlob("contact/**", "contact/box_box/face_face"));
+  EXPECT_TRUE(MatchesGlob("**/face_*", "contact/box_box/face_face"));
+  EXPECT_FALSE(MatchesGlob("world/**", "contact/box_box/face_face"));
+}
+
+}  // namespace
+}  // namespace touchstone
