@@ -263,17 +263,21 @@ std::optional<ConvexFacets> FacetsOf(const ConvexHull& hull) {
       MergeCoplanar(hull.vertices, std::move(triangles), flatness);
   DropEdgePoints(polygons);
 
+  // Corners keep the order of the vertices: it decides ties in the engines' support
+  // functions.
   ConvexFacets result;
   std::map<int, int> corner_of;
   for (const auto& polygon : polygons) {
+    for (const int vertex : polygon) corner_of[vertex] = 0;
+  }
+  for (auto& [vertex, corner] : corner_of) {
+    corner = static_cast<int>(result.corners.size());
+    result.corners.push_back(At(hull.vertices, vertex));
+  }
+  for (const auto& polygon : polygons) {
     ConvexFacet facet;
     facet.n_B = PolygonNormal(hull.vertices, polygon);
-    for (const int vertex : polygon) {
-      const auto [at, is_new] =
-          corner_of.emplace(vertex, static_cast<int>(result.corners.size()));
-      if (is_new) result.corners.push_back(At(hull.vertices, vertex));
-      facet.corners.push_back(at->second);
-    }
+    for (const int vertex : polygon) facet.corners.push_back(corner_of.at(vertex));
     result.facets.push_back(std::move(facet));
   }
   result.centre = Vector3d::Zero();

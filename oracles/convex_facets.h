@@ -19,8 +19,9 @@ struct ConvexFacet {
 
 /** The boundary of a convex hull, for engines that want faces and not only vertices. */
 struct ConvexFacets {
-  /** The vertices that are corners, bit for bit; those inside, on a face or on an edge
-   (to kFlatness) are left out, since engines that walk along edges get stuck on them. */
+  /** The vertices that are corners, bit for bit and in their order; those inside, on a
+   face or on an edge (to kFlatness) are left out, since engines that walk along edges get
+   stuck on them. */
   std::vector<Eigen::Vector3d> corners;
   std::vector<ConvexFacet> facets;
   Eigen::Vector3d centre;  ///< Mean of the corners: inside. [m]

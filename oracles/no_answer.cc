@@ -1,5 +1,6 @@
 #include "oracles/no_answer.h"
 
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <memory>
@@ -25,6 +26,21 @@ std::string ReadableName(const std::type_info& type) {
   return name ? name.get() : type.name();
 }
 
+// The first of it, on one line: FCL's exceptions describe the whole question.
+std::string OneLine(const char* text) {
+  constexpr std::size_t kLongest = 300;
+  std::string line;
+  for (; *text != '\0' && line.size() < kLongest; ++text) {
+    const bool is_space = static_cast<unsigned char>(*text) <= ' ';
+    if (!is_space) {
+      line += *text;
+    } else if (!line.empty() && line.back() != ' ') {
+      line += ' ';
+    }
+  }
+  return *text == '\0' ? line : line + " ...";
+}
+
 }  // namespace
 
 ContactAnswer UnsupportedAnswer(std::string reason) {
@@ -44,7 +60,7 @@ ContactAnswer CrashedByException() {
     throw;
   } catch (const std::exception& exception) {
     return CrashedAnswer("threw " + ReadableName(typeid(exception)) + ": " +
-                         exception.what());
+                         OneLine(exception.what()));
   } catch (...) {
     return CrashedAnswer("threw something that is not a std::exception");
   }

@@ -1,0 +1,196 @@
+#include "oracles/libccd/ccd_oracles.h"
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <ccd/ccd.h>
+
+#include "oracles/isolated_oracle.h"
+#include "oracles/libccd/ccd_body.h"
+#include "oracles/no_answer.h"
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3d;
+
+enum class Algorithm { kEpa, kMpr };
+
+constexpr double kTolerance = 1e-6;
+constexpr unsigned long kMaxIterations = 500;
+
+Vector3d FromCcd(const ccd_vec3_t& v) {
+  return {ccdVec3X(&v), ccdVec3Y(&v), ccdVec3Z(&v)};
+}
+
+void Support(const void* body, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  const Vector3d p = CcdSupport(*static_cast<const Body*>(body), FromCcd(*direction));
+  ccdVec3Set(point, p.x(), p.y(), p.z());
+}
+
+void Centre(const void* body, ccd_vec3_t* point) {
+  const Vector3d p = CcdCentre(*static_cast<const Body*>(body));
+  ccdVec3Set(point, p.x(), p.y(), p.z());
+}
+
+ccd_t MakeCcd() {
+  ccd_t ccd;
+  CCD_INIT(&ccd);
+  ccd.support1 = Support;
+  ccd.support2 = Support;
+  ccd.center1 = Centre;
+  ccd.center2 = Centre;
+  ccd.max_iterations = kMaxIterations;
+  ccd.epa_tolerance = kTolerance;
+  ccd.mpr_tolerance = kTolerance;
+  return ccd;
+}
+
+struct Penetration {
+  int status;  // 0 touching, −1 apart, −2 out of memory.
+  double depth;
+  Vector3d n_AB_W;
+  Vector3d p_W;
+};
+
+Penetration Penetrate(Algorithm algorithm, const ccd_t& ccd, const ContactQuery& query) {
+  ccd_real_t depth = 0;
+  ccd_vec3_t direction{};
+  ccd_vec3_t position{};
+  const auto penetrate =
+      algorithm == Algorithm::kEpa ? ccdGJKPenetration : ccdMPRPenetration;
+  const int status = penetrate(&query.A, &query.B, &ccd, &depth, &direction, &position);
+  return {status, depth, FromCcd(direction), FromCcd(position)};
+}
+
+Capability CapabilityOf(Algorithm algorithm, ShapeKind a, ShapeKind b) {
+  Capability capability;
+  if (a == ShapeKind::kHalfSpace || b == ShapeKind::kHalfSpace) {
+    capability.reason = "libccd takes bounded shapes only";
+    return capability;
+  }
+  const bool epa = algorithm == Algorithm::kEpa;
+  capability.supported = true;
+  capability.family = epa ? "gjk_epa" : "mpr";
+  capability.depth = true;
+  capability.normal = true;
+  capability.manifold = true;
+  capability.documented_error = kTolerance;
+  capability.documented_by =
+      epa ? "ccd_t::epa_tolerance, ccd/ccd.h" : "ccd_t::mpr_tolerance, ccd/ccd.h";
+  return capability;
+}
+
+OracleInfo MakeInfo(Algorithm algorithm) {
+  const bool epa = algorithm == Algorithm::kEpa;
+  OracleInfo info;
+  info.name = epa ? "libccd/epa" : "libccd/mpr";
+  info.library = "libccd";
+  info.version = TOUCHSTONE_CCD_VERSION;
+  info.settings = {
+      {"entry point", epa ? "ccdGJKPenetration" : "ccdMPRPenetration",
+       "The calls that give a depth."},
+      {epa ? "epa_tolerance" : "mpr_tolerance", "1e-6",
+       "What ODE and FCL set; libccd's default is 1e-4."},
+      {"max_iterations", std::to_string(kMaxIterations),
+       "The default is 2^64 - 1. EPA does not heed it."},
+      {"support functions", "ours, after libccd's README",
+       "libccd has none; a zero component of the direction gives the middle."},
+      {"centres", "body origins; of a hull the mean of its vertices",
+       "MPR starts from a point inside each."},
+      {"normal", "A->B, as it comes",
+       "The direction in which B is to be moved; may be NaN."},
+      {"depth sign", "positive penetrating, negated", "ccd/ccd.h."},
+      {"contact position", "as it comes", "Somewhere in the overlap, on no surface."},
+      {"version", "of its pkg-config file",
+       "The library states none; Debian calls it 2.1."},
+  };
+  for (int a = 0; a < kShapeKinds; ++a) {
+    for (int b = 0; b < kShapeKinds; ++b) {
+      info.capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] =
+          CapabilityOf(algorithm, static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
+    }
+  }
+  return info;
+}
+
+ContactAnswer Translate(const Penetration& penetration) {
+  if (penetration.status == -2) return CrashedAnswer("libccd ran out of memory");
+  ContactAnswer answer;
+  answer.status = AnswerStatus::kAnswered;
+  answer.touching = penetration.status == 0;
+  if (!answer.touching) return answer;
+  answer.separation = -penetration.depth;
+  answer.n_AB_W = penetration.n_AB_W;
+  answer.points.push_back({penetration.p_W, -penetration.depth, std::nullopt});
+  return answer;
+}
+
+class CcdBatch final : public PreparedBatch {
+ public:
+  CcdBatch(Algorithm algorithm, std::span<const ContactQuery> queries)
+      : algorithm_(algorithm),
+        queries_(queries.begin(), queries.end()),
+        separations_(queries.size()) {}
+
+  void Run() override {
+    for (std::size_t i = 0; i < queries_.size(); ++i) {
+      const Penetration penetration = Penetrate(algorithm_, ccd_, queries_[i]);
+      separations_[i] = penetration.status == 0
+                            ? -penetration.depth
+                            : std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+  std::span<const double> separations() const override { return separations_; }
+
+ private:
+  Algorithm algorithm_;
+  ccd_t ccd_ = MakeCcd();
+  std::vector<ContactQuery> queries_;
+  std::vector<double> separations_;
+};
+
+class CcdOracle final : public Oracle {
+ public:
+  explicit CcdOracle(Algorithm algorithm)
+      : algorithm_(algorithm), info_(MakeInfo(algorithm)) {}
+
+  const OracleInfo& info() const override { return info_; }
+
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery> queries,
+              std::span<ContactAnswer> answers) const override {
+    const ccd_t ccd = MakeCcd();
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+      const ContactQuery& query = queries[i];
+      const Capability& capability =
+          info_.For(KindOf(query.A.shape), KindOf(query.B.shape));
+      answers[i] = capability.supported ? Translate(Penetrate(algorithm_, ccd, query))
+                                        : UnsupportedAnswer(capability.reason);
+    }
+  }
+
+  std::unique_ptr<PreparedBatch> Prepare(
+      std::span<const ContactQuery> queries) const override {
+    return std::make_unique<CcdBatch>(algorithm_, queries);
+  }
+
+ private:
+  Algorithm algorithm_;
+  OracleInfo info_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Oracle>> CcdOracles() {
+  std::vector<std::unique_ptr<Oracle>> oracles;
+  oracles.push_back(Isolate(std::make_unique<CcdOracle>(Algorithm::kEpa)));
+  oracles.push_back(std::make_unique<CcdOracle>(Algorithm::kMpr));
+  return oracles;
+}
+
+}  // namespace touchstone
