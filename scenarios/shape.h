@@ -18,7 +18,8 @@ struct Box {
   Eigen::Vector3d half_extents;  ///< [m], each > 0
 };
 
-/** All points within `radius` of a segment on the body's z axis, centred on the origin. */
+/** All points within `radius` of a segment on the body's z axis, centred on the origin.
+ */
 struct Capsule {
   double radius;       ///< [m], > 0
   double half_length;  ///< Half the segment, without the caps. [m], > 0
