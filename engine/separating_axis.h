@@ -43,6 +43,9 @@ struct AxisGap {
   int j;              ///< Axis of B; unused for a face of A.
   double separation;  ///< Signed gap along the unit axis: < 0 overlapping. [m]
   double sine;        ///< |a_i × b_j|; 1 for a face.
+  /** Centre of B from that of A along the axis before it is turned from A to B, times
+   `sine`: negative where it has to be turned. [m] */
+  double offset;
 };
 
 /** Whether the search ends at the first axis that separates, or tries all to find the one
@@ -70,7 +73,7 @@ inline AxisGap FindLeastOverlap(const Box& A, const Pose& X_WA, const Box& B,
   auto& R = pair.R_AB;
   std::array<std::array<double, 3>, 3> abs_R;
 
-  AxisGap face_A{AxisKind::kFaceOfA, 0, 0, 0, 1};
+  AxisGap face_A{AxisKind::kFaceOfA, 0, 0, 0, 1, 0};
   for (std::size_t i = 0; i < 3; ++i) {
     const double* a_i = a + 3 * i;
     for (std::size_t j = 0; j < 3; ++j) {
@@ -85,11 +88,12 @@ inline AxisGap FindLeastOverlap(const Box& A, const Pose& X_WA, const Box& B,
     if (i == 0 || gap > face_A.separation) {
       face_A.i = static_cast<int>(i);
       face_A.separation = gap;
+      face_A.offset = pair.p_AB_A[i];
     }
     if (search == Search::kFirstGap && gap > 0) return face_A;
   }
 
-  AxisGap face_B{AxisKind::kFaceOfB, 0, 0, 0, 1};
+  AxisGap face_B{AxisKind::kFaceOfB, 0, 0, 0, 1, 0};
   for (std::size_t j = 0; j < 3; ++j) {
     const double* b_j = b + 3 * j;
     pair.p_AB_B[j] = b_j[0] * d[0] + b_j[1] * d[1] + b_j[2] * d[2];
@@ -99,13 +103,14 @@ inline AxisGap FindLeastOverlap(const Box& A, const Pose& X_WA, const Box& B,
     if (j == 0 || gap > face_B.separation) {
       face_B.j = static_cast<int>(j);
       face_B.separation = gap;
+      face_B.offset = pair.p_AB_B[j];
     }
     if (search == Search::kFirstGap && gap > 0) return face_B;
   }
 
   // Gaps along a_i × b_j are compared as gap |gap| against squared lengths, which orders
   // like gap / length and leaves one root and one quotient for the winner.
-  AxisGap edges{AxisKind::kEdges, -1, 0, 0, 1};
+  AxisGap edges{AxisKind::kEdges, -1, 0, 0, 1, 0};
   double best_signed_square = 0;
   double best_squared_length = 1;
   const auto& t = pair.p_AB_A;
@@ -124,7 +129,8 @@ inline AxisGap FindLeastOverlap(const Box& A, const Pose& X_WA, const Box& B,
       const double squared_length = R[i1][j] * R[i1][j] + R[i2][j] * R[i2][j];
       const double reach = (h_A[i1] * abs_R[i2][j] + h_A[i2] * abs_R[i1][j]) +
                            (h_B[j1] * abs_minor[j2] + h_B[j2] * abs_minor[j1]);
-      const double gap = std::abs(t[i2] * R[i1][j] - t[i1] * R[i2][j]) - reach;
+      const double offset = t[i2] * R[i1][j] - t[i1] * R[i2][j];
+      const double gap = std::abs(offset) - reach;
       if (squared_length <= kParallelSquared) continue;
       const double signed_square = gap * std::abs(gap);
       if (edges.i < 0 ||
@@ -132,6 +138,7 @@ inline AxisGap FindLeastOverlap(const Box& A, const Pose& X_WA, const Box& B,
         edges.i = static_cast<int>(i);
         edges.j = static_cast<int>(j);
         edges.separation = gap;
+        edges.offset = offset;
         best_signed_square = signed_square;
         best_squared_length = squared_length;
       }
@@ -139,16 +146,34 @@ inline AxisGap FindLeastOverlap(const Box& A, const Pose& X_WA, const Box& B,
     if (search == Search::kFirstGap && edges.separation > 0) break;
   }
 
-  const double slack = kOverlapRounding * pair.Size();
-  const AxisGap& face = face_B.separation > face_A.separation + slack ? face_B : face_A;
-  if (edges.i < 0) return face;
   edges.sine = std::sqrt(best_squared_length);
   edges.separation /= edges.sine;
-  if (search == Search::kFirstGap && edges.separation > 0) return edges;
   // Against the better face, not the preferred one: where the boxes share an axis, edge
   // axes are face normals to rounding, and their edges meet nowhere.
   const double best_face = std::max(face_A.separation, face_B.separation);
-  return edges.separation > best_face + slack ? edges : face;
+  // No preference outweighs a gap: the verdict must not depend on it.
+  const bool apart = std::max(best_face, edges.separation) > 0;
+  const double slack = apart ? 0 : kOverlapRounding * pair.Size();
+  if (edges.i >= 0 && edges.separation > best_face + slack) return edges;
+  return face_B.separation > face_A.separation + slack ? face_B : face_A;
+}
+
+/** Returns a_i × b_j / |a_i × b_j| in A's frame, turned from A to B. `r1` and `r2` are
+ the entries of R_AB in column j, in the two rows after i. */
+inline Eigen::Vector3d EdgeNormal(const AxisGap& axis, double r1, double r2) {
+  const double scale = axis.offset < 0 ? -1 / axis.sine : 1 / axis.sine;
+  Eigen::Vector3d n_AB_A;
+  n_AB_A[axis.i] = 0;
+  n_AB_A[Next(axis.i)] = -r2 * scale;
+  n_AB_A[AfterNext(axis.i)] = r1 * scale;
+  return n_AB_A;
+}
+
+/** Returns the normal of the face of `axis` in the world, turned from A to B. */
+inline Eigen::Vector3d FaceNormal(const AxisGap& axis, const Eigen::Matrix3d& R_WA,
+                                  const Eigen::Matrix3d& R_WB) {
+  const double sign = axis.offset < 0 ? -1 : 1;
+  return sign * (axis.kind == AxisKind::kFaceOfA ? R_WA.col(axis.i) : R_WB.col(axis.j));
 }
 
 }  // namespace cookbook

@@ -1,0 +1,104 @@
+#include "engine/box_batch.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "engine/box_batch_layout.h"
+#include "engine/separating_axis.h"
+
+namespace cookbook {
+namespace {
+
+constexpr std::size_t kBlock = kRows * kLanes;
+
+AxisGap ToAxisGap(const BlockGaps& gaps, std::size_t lane) {
+  const int axis = static_cast<int>(gaps.axis[lane]);
+  AxisGap gap{AxisKind::kEdges, 0, 0, gaps.separation[lane], gaps.sine[lane],
+              gaps.offset[lane]};
+  if (axis < 3) {
+    gap.kind = AxisKind::kFaceOfA;
+    gap.i = axis;
+  } else if (axis < 6) {
+    gap.kind = AxisKind::kFaceOfB;
+    gap.j = axis - 3;
+  } else {
+    gap.i = (axis - 6) / 3;
+    gap.j = (axis - 6) % 3;
+  }
+  return gap;
+}
+
+/** Returns the normal of `gap` in the world. */
+Eigen::Vector3d Normal(const AxisGap& gap, const Eigen::Matrix3d& R_WA,
+                       const Eigen::Matrix3d& R_WB) {
+  if (gap.kind != AxisKind::kEdges) return FaceNormal(gap, R_WA, R_WB);
+  // As FindLeastOverlap() computes the entries of R_AB.
+  const auto entry = [&](int i) {
+    return R_WA(0, i) * R_WB(0, gap.j) + R_WA(1, i) * R_WB(1, gap.j) +
+           R_WA(2, i) * R_WB(2, gap.j);
+  };
+  return R_WA * EdgeNormal(gap, entry(Next(gap.i)), entry(AfterNext(gap.i)));
+}
+
+Eigen::Matrix3d Rotation(const double* rows, std::size_t lane) {
+  Eigen::Matrix3d R;
+  for (std::size_t k = 0; k < 9; ++k) R.data()[k] = rows[k * kLanes + lane];
+  return R;
+}
+
+}  // namespace
+
+BoxGap FindGap(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
+  BoxPair pair;
+  const AxisGap gap = FindLeastOverlap<Search::kGreatestGap>(A, X_WA, B, X_WB, pair);
+  return {gap.separation, Normal(gap, X_WA.R_WB, X_WB.R_WB)};
+}
+
+BoxBatch::BoxBatch(std::size_t size)
+    : size_(size), separations_(size), normals_(3 * size) {
+  // Lanes of the last block without a pair hold zeros; their results are not read.
+  const std::size_t blocks = (size + kLanes - 1) / kLanes;
+  constexpr std::size_t kLine = 64 / sizeof(double);
+  storage_ = std::make_unique<double[]>(blocks * kBlock + kLine);
+  const auto address = reinterpret_cast<std::uintptr_t>(storage_.get());
+  rows_ = storage_.get() + (64 - address % 64) % 64 / sizeof(double);
+}
+
+void BoxBatch::Set(std::size_t index, const Box& A, const Pose& X_WA, const Box& B,
+                   const Pose& X_WB) {
+  double* lane = rows_ + index / kLanes * kBlock + index % kLanes;
+  const auto put = [&](std::size_t first, const Box& box, const Pose& X_WO) {
+    for (std::size_t k = 0; k < 9; ++k) {
+      lane[(first + kRotationRow + k) * kLanes] = X_WO.R_WB.data()[k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      lane[(first + kPlaceRow + k) * kLanes] = X_WO.p_WB.data()[k];
+      lane[(first + kHalfExtentsRow + k) * kLanes] = box.half_extents.data()[k];
+    }
+  };
+  put(0, A, X_WA);
+  put(kRowsOfB, B, X_WB);
+}
+
+void BoxBatch::FindGaps() {
+  BlockGaps gaps;
+  for (std::size_t begin = 0; begin < size_; begin += kLanes) {
+    const double* rows = rows_ + begin / kLanes * kBlock;
+    FindBlockGaps(rows, gaps);
+    const std::size_t count = std::min(kLanes, size_ - begin);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const Eigen::Vector3d n_AB_W =
+          Normal(ToAxisGap(gaps, lane), Rotation(rows + kRotationRow * kLanes, lane),
+                 Rotation(rows + (kRowsOfB + kRotationRow) * kLanes, lane));
+      separations_[begin + lane] = gaps.separation[lane];
+      std::copy_n(n_AB_W.data(), 3,
+                  normals_.begin() + static_cast<std::ptrdiff_t>(3 * (begin + lane)));
+    }
+  }
+}
+
+BoxGap BoxBatch::gap(std::size_t index) const {
+  return {separations_[index], Eigen::Vector3d(&normals_[3 * index])};
+}
+
+}  // namespace cookbook

@@ -1,0 +1,110 @@
+// Many boxes at once: the same bits as one after the other, with every vector width.
+
+#include "engine/box_batch.h"
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+#include <hwy/targets.h>
+
+#include "engine/collide.h"
+#include "tests/engine/random_boxes.h"
+
+namespace cookbook::test {
+namespace {
+
+std::vector<BoxQuestion> Questions(int per_family) {
+  std::vector<BoxQuestion> questions;
+  Random random(3);
+  for (const Family& family : Families()) {
+    for (int k = 0; k < per_family; ++k) questions.push_back(family.draw(random));
+  }
+  return questions;
+}
+
+BoxBatch BatchOf(const std::vector<BoxQuestion>& questions) {
+  BoxBatch batch(questions.size());
+  for (std::size_t k = 0; k < questions.size(); ++k) {
+    const BoxQuestion& q = questions[k];
+    batch.Set(k, q.A, q.X_WA, q.B, q.X_WB);
+  }
+  batch.FindGaps();
+  return batch;
+}
+
+std::uint64_t Bits(double x) {
+  return std::bit_cast<std::uint64_t>(x);
+}
+
+void ExpectSameBits(const BoxGap& a, const BoxGap& b) {
+  EXPECT_EQ(Bits(a.separation), Bits(b.separation));
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(Bits(a.n_AB_W[k]), Bits(b.n_AB_W[k]));
+}
+
+/** Restores the choice of vectors after a test has narrowed it. */
+class BoxBatchOnTarget : public testing::TestWithParam<std::int64_t> {
+ protected:
+  void SetUp() override { Choose(GetParam()); }
+  void TearDown() override { Choose(0); }
+
+ private:
+  static void Choose(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+std::vector<std::int64_t> Targets() {
+  return hwy::SupportedAndGeneratedTargets();
+}
+
+TEST_P(BoxBatchOnTarget, GivesTheBitsOfOnePairAtATime) {
+  const std::vector<BoxQuestion> questions = Questions(1000);
+  const BoxBatch batch = BatchOf(questions);
+  for (std::size_t k = 0; k < questions.size() && !HasFailure(); ++k) {
+    const BoxQuestion& q = questions[k];
+    ExpectSameBits(batch.gap(k), FindGap(q.A, q.X_WA, q.B, q.X_WB));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, BoxBatchOnTarget, testing::ValuesIn(Targets()),
+                         [](const auto& target) {
+                           return std::string(hwy::TargetName(target.param));
+                         });
+
+TEST(BoxBatch, BlocksThatAreNotFullAreAnsweredInFull) {
+  const std::vector<BoxQuestion> all = Questions(2);
+  for (std::size_t count = 0; count <= all.size(); ++count) {
+    const std::vector<BoxQuestion> questions(
+        all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+    const BoxBatch batch = BatchOf(questions);
+    ASSERT_EQ(batch.size(), count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const BoxQuestion& q = questions[k];
+      ExpectSameBits(batch.gap(k), FindGap(q.A, q.X_WA, q.B, q.X_WB));
+      EXPECT_EQ(batch.separations()[k], batch.gap(k).separation);
+    }
+  }
+}
+
+TEST(BoxBatch, TouchingBoxesHaveTheBitsOfTheirManifold) {
+  int touching = 0;
+  for (const BoxQuestion& q : Questions(500)) {
+    const Manifold manifold = Collide(q.A, q.X_WA, q.B, q.X_WB);
+    const BoxGap gap = FindGap(q.A, q.X_WA, q.B, q.X_WB);
+    ASSERT_EQ(manifold.touching, gap.separation <= 0);
+    if (manifold.touching) {
+      ++touching;
+      ExpectSameBits(gap, {manifold.separation, manifold.n_AB_W});
+    } else {
+      EXPECT_LE(manifold.separation, gap.separation * (1 + 1e-15));
+    }
+  }
+  EXPECT_GT(touching, 1000);
+}
+
+}  // namespace
+}  // namespace cookbook::test
