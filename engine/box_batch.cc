@@ -1,6 +1,5 @@
 #include "engine/box_batch.h"
 
-#include <algorithm>
 #include <cstdint>
 
 #include "engine/box_batch_layout.h"
@@ -11,10 +10,9 @@ namespace {
 
 constexpr std::size_t kBlock = kRows * kLanes;
 
-AxisGap ToAxisGap(const BlockGaps& gaps, std::size_t lane) {
-  const int axis = static_cast<int>(gaps.axis[lane]);
-  AxisGap gap{AxisKind::kEdges, 0, 0, gaps.separation[lane], gaps.sine[lane],
-              gaps.offset[lane]};
+/** Returns the kernel's number of an axis as an AxisGap. */
+AxisGap ToAxisGap(int axis, double separation, double sine, double offset) {
+  AxisGap gap{AxisKind::kEdges, 0, 0, separation, sine, offset};
   if (axis < 3) {
     gap.kind = AxisKind::kFaceOfA;
     gap.i = axis;
@@ -40,9 +38,10 @@ Eigen::Vector3d Normal(const AxisGap& gap, const Eigen::Matrix3d& R_WA,
   return R_WA * EdgeNormal(gap, entry(Next(gap.i)), entry(AfterNext(gap.i)));
 }
 
-Eigen::Matrix3d Rotation(const double* rows, std::size_t lane) {
+/** Returns the rotation whose first row of a block begins at `lane`. */
+Eigen::Matrix3d Rotation(const double* lane) {
   Eigen::Matrix3d R;
-  for (std::size_t k = 0; k < 9; ++k) R.data()[k] = rows[k * kLanes + lane];
+  for (std::size_t k = 0; k < 9; ++k) R.data()[k] = lane[k * kLanes];
   return R;
 }
 
@@ -55,11 +54,15 @@ BoxGap FindGap(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
 }
 
 BoxBatch::BoxBatch(std::size_t size)
-    : size_(size), separations_(size), normals_(3 * size) {
+    : size_(size),
+      blocks_((size + kLanes - 1) / kLanes),
+      axes_(blocks_ * kLanes),
+      separations_(blocks_ * kLanes),
+      sines_(blocks_ * kLanes),
+      offsets_(blocks_ * kLanes) {
   // Lanes of the last block without a pair hold zeros; their results are not read.
-  const std::size_t blocks = (size + kLanes - 1) / kLanes;
   constexpr std::size_t kLine = 64 / sizeof(double);
-  storage_ = std::make_unique<double[]>(blocks * kBlock + kLine);
+  storage_ = std::make_unique<double[]>(blocks_ * kBlock + kLine);
   const auto address = reinterpret_cast<std::uintptr_t>(storage_.get());
   rows_ = storage_.get() + (64 - address % 64) % 64 / sizeof(double);
 }
@@ -81,24 +84,16 @@ void BoxBatch::Set(std::size_t index, const Box& A, const Pose& X_WA, const Box&
 }
 
 void BoxBatch::FindGaps() {
-  BlockGaps gaps;
-  for (std::size_t begin = 0; begin < size_; begin += kLanes) {
-    const double* rows = rows_ + begin / kLanes * kBlock;
-    FindBlockGaps(rows, gaps);
-    const std::size_t count = std::min(kLanes, size_ - begin);
-    for (std::size_t lane = 0; lane < count; ++lane) {
-      const Eigen::Vector3d n_AB_W =
-          Normal(ToAxisGap(gaps, lane), Rotation(rows + kRotationRow * kLanes, lane),
-                 Rotation(rows + (kRowsOfB + kRotationRow) * kLanes, lane));
-      separations_[begin + lane] = gaps.separation[lane];
-      std::copy_n(n_AB_W.data(), 3,
-                  normals_.begin() + static_cast<std::ptrdiff_t>(3 * (begin + lane)));
-    }
-  }
+  FindBlockGaps(rows_, blocks_,
+                {axes_.data(), separations_.data(), sines_.data(), offsets_.data()});
 }
 
 BoxGap BoxBatch::gap(std::size_t index) const {
-  return {separations_[index], Eigen::Vector3d(&normals_[3 * index])};
+  const double* lane = rows_ + index / kLanes * kBlock + index % kLanes;
+  const AxisGap gap = ToAxisGap(static_cast<int>(axes_[index]), separations_[index],
+                                sines_[index], offsets_[index]);
+  return {gap.separation, Normal(gap, Rotation(lane + kRotationRow * kLanes),
+                                 Rotation(lane + (kRowsOfB + kRotationRow) * kLanes))};
 }
 
 }  // namespace cookbook

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -41,19 +42,25 @@ class BoxBatch {
   void FindGaps();
 
   /** Returns, after FindGaps(), the separations of all pairs. [m] */
-  const double* separations() const { return separations_.data(); }
+  std::span<const double> separations() const {
+    return std::span(separations_).first(size_);
+  }
 
   /** Returns, after FindGaps(), the gap of one pair. */
   BoxGap gap(std::size_t index) const;
 
  private:
   std::size_t size_;
+  std::size_t blocks_;
   /** Blocks of eight pairs; in a block, each of 30 numbers of a pair has its row of
    * eight. */
   std::unique_ptr<double[]> storage_;
   double* rows_;  ///< The first block, aligned to a cache line.
+  // What was found, in whole blocks; the normal is made of it when asked for.
+  std::vector<double> axes_;
   std::vector<double> separations_;
-  std::vector<double> normals_;  ///< x, y, z pair after pair.
+  std::vector<double> sines_;
+  std::vector<double> offsets_;
 };
 
 }  // namespace cookbook

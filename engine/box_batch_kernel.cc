@@ -43,7 +43,8 @@ HWY_INLINE void Keep(hn::Mask<Tag> better, Vector axis, Vector separation, Vecto
   best.offset = hn::IfThenElse(better, offset, best.offset);
 }
 
-HWY_INLINE void FindLanes(const double* rows, std::size_t lane, BlockGaps& gaps) {
+HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays& gaps,
+                          std::size_t pair) {
   const Tag tag;
   const auto Row = [&](std::size_t row)
                        HWY_ATTR { return hn::Load(tag, rows + row * kLanes + lane); };
@@ -144,15 +145,17 @@ HWY_INLINE void FindLanes(const double* rows, std::size_t lane, BlockGaps& gaps)
       hn::And(hn::Ge(edges.axis, zero), hn::Gt(edge_separation, best_face + slack));
   Keep(edge_wins, edges.axis, edge_separation, edges.offset, best);
 
-  hn::Store(best.axis, tag, gaps.axis + lane);
-  hn::Store(best.separation, tag, gaps.separation + lane);
-  hn::Store(best.offset, tag, gaps.offset + lane);
-  hn::Store(hn::IfThenElse(edge_wins, sine, one), tag, gaps.sine + lane);
+  hn::StoreU(best.axis, tag, gaps.axis + pair);
+  hn::StoreU(best.separation, tag, gaps.separation + pair);
+  hn::StoreU(best.offset, tag, gaps.offset + pair);
+  hn::StoreU(hn::IfThenElse(edge_wins, sine, one), tag, gaps.sine + pair);
 }
 
-void FindBlock(const double* rows, BlockGaps& gaps) {
-  for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(Tag())) {
-    FindLanes(rows, lane, gaps);
+void FindBlocks(const double* rows, std::size_t blocks, const GapArrays& gaps) {
+  for (std::size_t block = 0; block < blocks; ++block) {
+    for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(Tag())) {
+      FindLanes(rows + block * kRows * kLanes, lane, gaps, block * kLanes + lane);
+    }
   }
 }
 
@@ -163,10 +166,10 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(FindBlock);
+HWY_EXPORT(FindBlocks);
 
-void FindBlockGaps(const double* rows, BlockGaps& gaps) {
-  HWY_DYNAMIC_DISPATCH(FindBlock)(rows, gaps);
+void FindBlockGaps(const double* rows, std::size_t blocks, const GapArrays& gaps) {
+  HWY_DYNAMIC_DISPATCH(FindBlocks)(rows, blocks, gaps);
 }
 }  // namespace cookbook
 #endif

@@ -15,15 +15,15 @@ inline constexpr std::size_t kHalfExtentsRow = 12;
 inline constexpr std::size_t kRowsOfB = 15;
 inline constexpr std::size_t kRows = 30;
 
-/** What the search finds for a block of pairs: AxisGap, lane by lane. */
-struct BlockGaps {
-  alignas(64) double axis[kLanes];  ///< 0…2 faces of A, 3…5 of B, 6 + 3 i + j edges.
-  alignas(64) double separation[kLanes];
-  alignas(64) double sine[kLanes];
-  alignas(64) double offset[kLanes];
+/** What the search finds: AxisGap, pair after pair, in arrays of whole blocks. */
+struct GapArrays {
+  double* axis;        ///< 0…2 faces of A, 3…5 of B, 6 + 3 i + j edges.
+  double* separation;  ///< [m]
+  double* sine;
+  double* offset;  ///< [m]
 };
 
-/** Finds the gaps of one block, with the vectors of this processor. */
-void FindBlockGaps(const double* rows, BlockGaps& gaps);
+/** Finds the gaps of `blocks` blocks, with the vectors of this processor. */
+void FindBlockGaps(const double* rows, std::size_t blocks, const GapArrays& gaps);
 
 }  // namespace cookbook
