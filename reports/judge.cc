@@ -165,8 +165,10 @@ class Judgement {
         ByNormal(), [&] { return ProveInconsistency(dispute_, *n_W_, *separation_); });
   }
 
+  /** Apart, a normal is a direction that separates; only an oracle that gives distances says
+   that it is the direction of the least. */
   void JudgeNormal() {
-    if (!n_W_) return;
+    if (!n_W_ || (IsApart() && !answer_.touching && !capability_.distance)) return;
     const Finding& finding =
         Add(MeasureKind::kExcess, Excess(query_, truth_, *n_W_), ByNormal(),
             [&] { return ProveExcess(dispute_, *n_W_); });

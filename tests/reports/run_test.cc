@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -120,6 +121,209 @@ TEST(Run, RaisesNoFalseAlarmOnARightOracle) {
       });
   EXPECT_GT(touching, static_cast<long>(scenarios.size() / 4));
   EXPECT_LT(touching, static_cast<long>(scenarios.size() * 9 / 10));
+}
+
+/** What differs between two reports, as text. */
+std::string Digest(const RunReport& report) {
+  std::string text;
+  for (const Finding& f : report.findings) {
+    text += f.scenario + f.oracle + std::string(NameOf(f.measure)) +
+            std::string(NameOf(f.verdict)) + std::string(NameOf(f.cause)) + f.proof +
+            f.cause_because + std::to_string(f.value) + "\n";
+  }
+  for (const std::string& fault : report.faults) text += fault + "\n";
+  return text;
+}
+
+TEST(Run, DoesNotDependOnTheNumberOfJobs) {
+  const std::vector<Scenario> scenarios = Sweep(4);
+  const FakeOracle right("right");
+  const FakeOracle wrong = FakeOracle::Wrong(
+      "wrong",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
+  RunOptions one;
+  one.jobs = 1;
+  RunOptions many;
+  many.jobs = 5;
+  const RunReport serial = RunAll(scenarios, {&right, &wrong}, {}, one);
+  const RunReport parallel = RunAll(scenarios, {&right, &wrong}, {}, many);
+  EXPECT_EQ(Digest(serial), Digest(parallel));
+  EXPECT_NE(ExitCode(serial, FailOn::kAnything), 0);
+}
+
+TEST(Run, SortsByScenarioOracleAndMeasure) {
+  const FakeOracle second("b");
+  const FakeOracle first("z");
+  std::vector<Scenario> scenarios = {
+      ScenarioOf("contact/y", BoxOnBoxFace(1e-3).query),
+      ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)};
+  const RunReport report = RunAll(scenarios, {&first, &second});
+  EXPECT_EQ(report.subject, "z");
+  EXPECT_EQ(report.scenarios[0].scenario.id, "contact/x");
+  const auto place = [](const Finding& f) {
+    return std::tuple(f.scenario, f.oracle == "z" ? 0 : 1, f.measure);
+  };
+  EXPECT_TRUE(std::is_sorted(
+      report.findings.begin(), report.findings.end(),
+      [&](const Finding& a, const Finding& b) { return place(a) < place(b); }));
+  EXPECT_EQ(report.findings.front().oracle, "z");
+  EXPECT_EQ(report.findings.back().oracle, "b");
+}
+
+TEST(Run, ReportsProgressUpToAllPairs) {
+  const FakeOracle first("a");
+  const FakeOracle second("b");
+  std::vector<std::pair<std::size_t, std::size_t>> calls;
+  RunOptions options;
+  options.on_progress = [&](std::size_t done, std::size_t total) {
+    calls.emplace_back(done, total);
+  };
+  RunAll(Sweep(4), {&first, &second}, {}, options);
+  ASSERT_FALSE(calls.empty());
+  EXPECT_EQ(calls.back(), std::pair(std::size_t{192}, std::size_t{192}));
+  EXPECT_TRUE(std::is_sorted(calls.begin(), calls.end()));
+}
+
+TEST(Run, AsksNoQuestionThatAnOracleDoesNotSupport) {
+  FakeOracle none = FakeOracle::Wrong(
+      "none", [](const ContactQuery&, ContactAnswer&) { ADD_FAILURE() << "was asked"; });
+  none.ForEachPair([](Capability& capability) {
+    capability.supported = false;
+    capability.reason = "no such pair";
+  });
+  const RunReport report =
+      RunAll({ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)}, {&none});
+  ASSERT_EQ(report.findings.size(), 1U);
+  EXPECT_EQ(report.findings[0].verdict, Verdict::kUnsupported);
+  EXPECT_EQ(report.findings[0].proof, "none: no such pair.");
+  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 2);
+}
+
+TEST(ExitCode, IsTwoWhenNothingWasAsked) {
+  const FakeOracle right("right");
+  EXPECT_EQ(ExitCode(RunAll({}, {&right}), FailOn::kAnything), 2);
+}
+
+TEST(ExitCode, CountsTheReferencesOnlyWhereAsked) {
+  const FakeOracle right("right");
+  const FakeOracle wrong = FakeOracle::Wrong(
+      "wrong",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
+  const std::vector<Scenario> scenarios = {
+      ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)};
+  EXPECT_EQ(ExitCode(RunAll(scenarios, {&right, &wrong}), FailOn::kSubject), 0);
+  EXPECT_EQ(ExitCode(RunAll(scenarios, {&right, &wrong}), FailOn::kAnything), 1);
+  EXPECT_EQ(ExitCode(RunAll(scenarios, {&wrong, &right}), FailOn::kSubject), 1);
+}
+
+/** The causes of the failures against the referee of one oracle, whose answers `plant`
+ * spoils. */
+std::vector<Cause> CausesOf(
+    std::function<void(const ContactQuery&, ContactAnswer&)> plant) {
+  const FakeOracle wrong = FakeOracle::Wrong("wrong", std::move(plant));
+  std::vector<Scenario> scenarios;
+  for (const double depth : {1e-3, 3e-3, 7e-3}) {
+    const std::string id = "contact/" + std::to_string(depth);
+    scenarios.push_back(ScenarioOf(id, SphereInBoxFace(depth).query));
+  }
+  std::vector<Cause> causes;
+  for (const Finding& finding : RunAll(scenarios, {&wrong}).findings) {
+    if (finding.verdict == Verdict::kFail && finding.reference == "referee") {
+      causes.push_back(finding.cause);
+    }
+  }
+  EXPECT_FALSE(causes.empty());
+  return causes;
+}
+
+TEST(Run, CallsAHalvedDepthAConvention) {
+  EXPECT_THAT(CausesOf([](const ContactQuery&, ContactAnswer& answer) {
+                *answer.separation *= 0.5;
+                for (ContactPoint& contact : answer.points) contact.separation *= 0.5;
+              }),
+              testing::Each(Cause::kConvention));
+}
+
+TEST(Run, CallsAnErrorOfTheSameLengthEverywhereAMargin) {
+  EXPECT_THAT(CausesOf([](const ContactQuery&, ContactAnswer& answer) {
+                *answer.separation -= 0.04;
+              }),
+              testing::Contains(Cause::kConvention));
+}
+
+TEST(Run, CallsNoiseThatRoundingSetsOffPrecision) {
+  // An answer that depends on the last bits of the question.
+  EXPECT_THAT(CausesOf([](const ContactQuery& query, ContactAnswer& answer) {
+                const double bits = std::sin(3e17 * query.B.X_WB.p_WB.sum());
+                *answer.separation *= 1.5 + 0.4 * bits;
+              }),
+              testing::Contains(Cause::kPrecision));
+}
+
+TEST(Run, CallsTheRestADefect) {
+  EXPECT_THAT(CausesOf([](const ContactQuery&, ContactAnswer& answer) {
+                *answer.separation *= 1.3;
+              }),
+              testing::Each(Cause::kDefect));
+}
+
+RunReport Indicting(const Oracle& oracle, bool reproduces) {
+  Scenario scenario = ScenarioOf("contact/x", SphereInBoxFace(1e-3).query);
+  scenario.indicts = {{oracle.info().name, "the depth is halved", reproduces},
+                      {"somebody/absent", "is not here", true}};
+  return RunAll({scenario}, {&oracle});
+}
+
+TEST(CheckCatalogue, WantsIndictmentsFoundAgain) {
+  const FakeOracle right("right");
+  const FakeOracle wrong = FakeOracle::Wrong(
+      "wrong",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
+  EXPECT_THAT(Indicting(wrong, true).faults, IsEmpty());
+  EXPECT_THAT(Indicting(right, false).faults, IsEmpty());
+  EXPECT_THAT(
+      Indicting(right, true).faults,
+      ElementsAre("contact/x: indicts right (\"the depth is halved\"), which is not "
+                  "found again: set reproduces = false."));
+  const RunReport found = Indicting(wrong, false);
+  ASSERT_EQ(found.faults.size(), 1U);
+  EXPECT_THAT(found.faults[0],
+              HasSubstr("wrong does not show \"the depth is halved\" any "
+                        "more, but: wrong says 0.0005 m deep"));
+  EXPECT_EQ(ExitCode(Indicting(right, true), FailOn::kSubject), 1);
+}
+
+std::vector<std::string> FaultsWith(const ContactExpectation& expect) {
+  const FakeOracle right("right");
+  Scenario scenario = ScenarioOf("contact/x", BoxOnBoxFace(1e-3).query);
+  scenario.expect = expect;
+  return RunAll({scenario}, {&right}).faults;
+}
+
+TEST(CheckCatalogue, AcceptsExpectationsThatAreTrue) {
+  ContactExpectation expect;
+  expect.touching = true;
+  expect.separation = -1e-3;
+  expect.normals = {AwkwardPose().R_WB.col(2)};
+  expect.contacts = 4;
+  EXPECT_THAT(FaultsWith(expect), IsEmpty());
+}
+
+TEST(CheckCatalogue, RefutesExpectationsThatAreFalse) {
+  ContactExpectation expect;
+  expect.touching = false;
+  EXPECT_THAT(FaultsWith(expect), ElementsAre(HasSubstr("expects touching = false")));
+  expect = {};
+  expect.separation = -1.0001e-3;
+  EXPECT_THAT(FaultsWith(expect),
+              ElementsAre(HasSubstr("expects separation = -0.0010001 m")));
+  expect = {};
+  expect.normals = {AwkwardPose().R_WB.col(0)};
+  EXPECT_THAT(FaultsWith(expect), ElementsAre(HasSubstr("expects the normal ")));
+  expect = {};
+  expect.contacts = 1;
+  EXPECT_THAT(FaultsWith(expect),
+              ElementsAre(HasSubstr("expects 1 contacts, but 4 span the patch")));
 }
 
 }  // namespace
