@@ -1,0 +1,150 @@
+// The catalogue as tests: one per scenario and oracle, CrossEngine/<oracle>.<scenario>,
+// answered from one run. Known discrepancies pass, as they do for `touchstone run`.
+//
+// CTest gets an entry per oracle (`ctest -R fcl`), since a process per test would ask
+// everybody everything thousands of times; --write-ctest FILE makes them.
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "cli/select_oracles.h"
+#include "reports/run.h"
+#include "reports/writers/outcome.h"
+#include "scenarios/scenario_file.h"
+
+namespace touchstone {
+namespace {
+
+// GoogleTest filters give ':', '*', '?' and '-' a meaning; names keep clear of all but
+// letters.
+std::string TestName(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; },
+      '_');
+  return name;
+}
+
+// Everything that the tests share: what is asked, who answers, and, once a test needs it,
+// what was found.
+class Suite {
+ public:
+  static Suite& Instance() {
+    static Suite suite;
+    return suite;
+  }
+
+  const std::vector<Scenario>& scenarios() const { return catalogue_.scenarios; }
+  const std::vector<const Oracle*>& oracles() const { return oracles_; }
+  const std::vector<Diagnostic>& diagnostics() const { return catalogue_.diagnostics; }
+
+  const RunReport& Report() {
+    if (outcomes_.empty()) {
+      report_ = Run(catalogue_.scenarios, oracles_, {}, {});
+      outcomes_ = OutcomesOf(report_);
+    }
+    return report_;
+  }
+
+  const Outcome& At(std::size_t scenario, std::size_t oracle) {
+    Report();
+    return outcomes_[scenario * oracles_.size() + oracle];
+  }
+
+ private:
+  Suite()
+      : catalogue_(
+            ReadCatalogue(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "catalogue")),
+        registry_(OracleRegistry::BuiltIn()),
+        oracles_(SelectOracles(registry_, {.subject = "cookbook", .against = {}})) {}
+
+  Catalogue catalogue_;
+  OracleRegistry registry_;
+  std::vector<const Oracle*> oracles_;
+  RunReport report_;
+  std::vector<Outcome> outcomes_;
+};
+
+class ScenarioTest : public testing::Test {
+ public:
+  ScenarioTest(std::size_t scenario, std::size_t oracle)
+      : scenario_(scenario), oracle_(oracle) {}
+
+  void TestBody() override {
+    const Outcome& outcome = Suite::Instance().At(scenario_, oracle_);
+    const ScenarioResult& result = Suite::Instance().Report().scenarios[scenario_];
+    if (outcome.verdict == Verdict::kUnsupported) {
+      GTEST_SKIP() << result.answers[oracle_].reason;
+    }
+    if (!IsFailure(outcome.verdict)) return;
+    std::string text = result.scenario.id + ": " + result.scenario.title + "\n";
+    for (const Finding& finding : outcome.findings) {
+      if (IsFailure(finding.verdict)) text += Sentence(finding) + "\n";
+    }
+    ADD_FAILURE() << text << "See it: touchstone explain " << result.scenario.id;
+  }
+
+ private:
+  std::size_t scenario_;
+  std::size_t oracle_;
+};
+
+class CatalogueTest : public testing::Test {
+ public:
+  void TestBody() override {
+    for (const Diagnostic& diagnostic : Suite::Instance().diagnostics()) {
+      ADD_FAILURE() << ToString(diagnostic);
+    }
+    for (const std::string& fault : Suite::Instance().Report().faults)
+      ADD_FAILURE() << fault;
+  }
+};
+
+std::string SuiteName(const Oracle& oracle) {
+  return "CrossEngine/" + TestName(oracle.info().name);
+}
+
+void RegisterTests() {
+  Suite& suite = Suite::Instance();
+  for (std::size_t o = 0; o < suite.oracles().size(); ++o) {
+    for (std::size_t s = 0; s < suite.scenarios().size(); ++s) {
+      testing::RegisterTest(
+          SuiteName(*suite.oracles()[o]).c_str(),
+          TestName(suite.scenarios()[s].id).c_str(), nullptr, nullptr, __FILE__, __LINE__,
+          [s, o]() -> testing::Test* { return new ScenarioTest(s, o); });
+    }
+  }
+  testing::RegisterTest("CrossEngine/catalogue", "HasNoFaults", nullptr, nullptr,
+                        __FILE__, __LINE__,
+                        []() -> testing::Test* { return new CatalogueTest; });
+}
+
+void WriteCTest(const std::string& program, const char* file) {
+  std::ofstream out(file);
+  const auto add = [&](const std::string& name, const std::string& suite) {
+    out << "add_test([=[cross_engine." << name << "]=] [=[" << program
+        << "]=] [=[--gtest_filter=" << suite << ".*]=] --gtest_brief=1)\n";
+  };
+  for (const Oracle* oracle : Suite::Instance().oracles()) {
+    add(oracle->info().name, SuiteName(*oracle));
+  }
+  add("catalogue", "CrossEngine/catalogue");
+}
+
+}  // namespace
+}  // namespace touchstone
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  if (argc == 3 && std::string_view(argv[1]) == "--write-ctest") {
+    touchstone::WriteCTest(argv[0], argv[2]);
+    return 0;
+  }
+  touchstone::RegisterTests();
+  return RUN_ALL_TESTS();
+}
