@@ -8,12 +8,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/bench_command.h"
 #include "cli/body_text.h"
 #include "cli/explain_command.h"
 #include "cli/input_error.h"
+#include "cli/ledger_command.h"
 #include "cli/list_command.h"
 #include "cli/oracles_command.h"
 #include "cli/run_command.h"
+#include "cli/sweep_command.h"
+#include "scenarios/schema/scenario_schema.h"
 
 namespace touchstone {
 namespace {
@@ -28,6 +32,7 @@ constexpr const char* kIntroduction =
     "  touchstone explain contact/zoo/fcl_395  every answer to one scenario, side by "
     "side\n"
     "  touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0'\n"
+    "  touchstone sweep contact --pair box box --count 100000\n"
     "  touchstone COMMAND --help               what a command takes\n\n"
     "Exit code: 0 all pass or known, 1 failures, 2 bad input or nothing verified.";
 
@@ -49,6 +54,10 @@ class CommandLine {
     AddAsk();
     AddList();
     AddOracles();
+    AddSweep();
+    AddBench();
+    AddSchema();
+    AddLedger();
   }
 
   int Run(int argc, const char* const* argv) {
@@ -102,6 +111,9 @@ class CommandLine {
     app->add_option("--out", run_.out,
                     "write index.html, report.json and junit.xml there")
         ->type_name("DIR");
+    app->add_option("--ledger", run_.ledger,
+                    "known discrepancies, instead of the built-in")
+        ->type_name("FILE");
     const std::map<std::string, FailOn> kinds = {{"subject", FailOn::kSubject},
                                                  {"anything", FailOn::kAnything}};
     app->add_option("--fail-on", run_.fail_on,
@@ -145,15 +157,96 @@ class CommandLine {
     app->add_flag("--settings", settings_, "what each adapter sets and converts");
   }
 
+  // Worlds will have sweeps and benchmarks of their own: the kind of question is an
+  // argument.
+  static void AddContact(CLI::App* app) {
+    app->add_option("questions", "the kind of question: contact")
+        ->required()
+        ->check(CLI::IsMember({"contact"}).description(""))
+        ->type_name("contact");
+  }
+
+  static void AddPair(CLI::App* app, std::vector<std::string>& pair) {
+    app->add_option("--pair", pair, "two shapes, e.g. --pair box sphere; all without it")
+        ->type_name("SHAPE SHAPE")
+        ->expected(2);
+  }
+
+  void AddSweep() {
+    CLI::App* app =
+        AddCommand("sweep", "generated questions by the thousand, with a seed",
+                   [this] { return SweepCommand(session_, sweep_); });
+    AddContact(app);
+    AddOracleOptions(app, sweep_.oracles);
+    app->add_option("--family", sweep_.family,
+                    "random, near_parallel, edge_edge, vertex_face, touching, deep, "
+                    "slabs_and_needles, extreme_scales, symmetries or all")
+        ->capture_default_str();
+    AddPair(app, sweep_.pair);
+    app->add_option("--count", sweep_.count, "questions per family and pair")
+        ->check(CLI::PositiveNumber.description(""))
+        ->capture_default_str();
+    app->add_option("--first", sweep_.first, "index of the first question")
+        ->capture_default_str();
+    app->add_option("--seed", sweep_.seed, "another seed, other questions")
+        ->capture_default_str();
+    app->add_option("--out", sweep_.out,
+                    "write the first failed questions there, as TOML")
+        ->type_name("DIR");
+    app->add_option("--jobs", sweep_.jobs, "threads; one a core without it")
+        ->check(CLI::PositiveNumber.description(""))
+        ->type_name("N");
+    app->add_flag("--quiet", sweep_.quiet, "only the table");
+  }
+
+  void AddBench() {
+    CLI::App* app = AddCommand("bench", "time of a query beside its accuracy",
+                               [this] { return BenchCommand(session_, bench_); });
+    AddContact(app);
+    app->add_option("--oracles", bench_.oracles, "e.g. cookbook,bullet; all without it")
+        ->type_name("ORACLE,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    AddPair(app, bench_.pair);
+    app->add_option("--count", bench_.count, "random poses per pair")
+        ->check(CLI::PositiveNumber.description(""))
+        ->capture_default_str();
+    app->add_option("--sample", bench_.sample,
+                    "how many of them are held against the truth")
+        ->capture_default_str();
+    app->add_option("--seed", bench_.seed, "another seed, other poses")
+        ->capture_default_str();
+  }
+
+  void AddLedger() {
+    CLI::App* app =
+        AddCommand("ledger", "entries for the failures that the ledger does not know yet",
+                   [this] { return LedgerCommand(session_); });
+    app->add_flag("--propose", propose_, "print them, for a person to complete")
+        ->required();
+    AddCommand("accuracy", "docs/accuracy.md: worst error per oracle and pair of shapes",
+               [this] { return AccuracyCommand(session_); });
+  }
+
+  void AddSchema() {
+    AddCommand("schema", "the JSON Schema of scenario files, for editors", [] {
+      std::cout << ScenarioSchema();
+      return 0;
+    });
+  }
+
   Session session_;
   CLI::App app_;
   std::function<int()> command_;
   RunArguments run_;
   AskArguments ask_;
+  SweepArguments sweep_;
+  BenchArguments bench_;
   ScenarioSelection explained_;
   OracleSelection oracles_;
   ScenarioSelection listed_;
   bool settings_ = false;
+  bool propose_ = false;
 };
 
 }  // namespace

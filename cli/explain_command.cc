@@ -28,7 +28,7 @@ int ExplainCommand(const Session& session, const ScenarioSelection& selection,
                    const OracleSelection& oracles) {
   const std::vector<Scenario> scenarios = SelectScenarios(selection);
   for (const Scenario& scenario : scenarios) std::cout << WriteScenario(scenario) << '\n';
-  return Explain(session, scenarios, oracles, {});
+  return Explain(session, scenarios, oracles, LoadLedger(session, {}));
 }
 
 int AskCommand(const Session& session, const AskArguments& arguments) {

@@ -39,6 +39,7 @@ void WriteReports(const std::filesystem::path& folder, const RunReport& report) 
 int RunCommand(const Session& session, const RunArguments& arguments) {
   const std::vector<const Oracle*> oracles =
       SelectOracles(session.registry, arguments.oracles);
+  const Ledger ledger = LoadLedger(session, arguments.ledger);
   const std::vector<Scenario> scenarios = SelectScenarios(arguments.scenarios);
   const SuiteOptions options{
       .jobs = arguments.jobs,
@@ -47,7 +48,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
                  !arguments.oracles.against.empty() ||
                  arguments.scenarios.catalogues != std::vector{session.catalogue()},
       .quiet = arguments.quiet};
-  const RunReport report = RunSuite(session, scenarios, oracles, {}, options);
+  const RunReport report = RunSuite(session, scenarios, oracles, ledger, options);
 
   WriteTable(report, {.colours = session.terminal.colours, .quiet = arguments.quiet},
              std::cout);

@@ -13,6 +13,7 @@ namespace touchstone {
 struct RunArguments {
   ScenarioSelection scenarios;
   OracleSelection oracles;
+  std::optional<std::filesystem::path> ledger;  ///< Instead of the built-in.
   std::optional<std::filesystem::path>
       out;  ///< Folder for the page, the JSON and the JUnit.
   FailOn fail_on = FailOn::kSubject;

@@ -2,11 +2,13 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/input_error.h"
 #include "cli/progress_bar.h"
+#include "reports/ledger_file.h"
 
 namespace touchstone {
 namespace {
@@ -21,8 +23,19 @@ std::string Today() {
 
 }  // namespace
 
-Ledger LoadLedger(const Session&, const std::optional<std::filesystem::path>&) {
-  return {};
+Ledger LoadLedger(const Session& session,
+                  const std::optional<std::filesystem::path>& file) {
+  const std::filesystem::path built_in =
+      session.defaults.data / "known_discrepancies.toml";
+  if (!file && !std::filesystem::exists(built_in)) return {};
+  LedgerResult result = ReadLedgerFile(file.value_or(built_in));
+  if (result.ledger) return std::move(*result.ledger);
+  std::string text;
+  for (const Diagnostic& diagnostic : result.diagnostics) {
+    text += ToString(diagnostic) + "\n";
+  }
+  throw InputError(text + fmt::format("{} errors in the ledger: nothing was run",
+                                      result.diagnostics.size()));
 }
 
 RunReport RunSuite(const Session& session, std::span<const Scenario> scenarios,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct Session {
 
   std::filesystem::path catalogue() const { return defaults.data / "catalogue"; }
 };
+
+/** Reads a ledger; throws InputError with all its errors. Without `file`, the default
+ one, or an empty one where that is not there. */
+Ledger LoadLedger(const Session& session,
+                  const std::optional<std::filesystem::path>& file);
 
 /** How a command runs scenarios. */
 struct SuiteOptions {

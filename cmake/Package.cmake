@@ -6,7 +6,7 @@ set(package_dir lib/cmake/touchstone)
 
 add_library(touchstone_touchstone INTERFACE)
 target_link_libraries(touchstone_touchstone INTERFACE
-  touchstone::cli touchstone::writers touchstone::oracles)
+  touchstone::cli touchstone::sweep touchstone::writers touchstone::oracles)
 set_target_properties(touchstone_touchstone PROPERTIES EXPORT_NAME touchstone)
 install(TARGETS touchstone_touchstone EXPORT touchstone)
 install(EXPORT touchstone NAMESPACE touchstone:: FILE touchstone-targets.cmake

@@ -146,6 +146,15 @@ TEST_F(CommandLineTest, RefusesTheRunAndNamesEveryErrorOfABrokenFile) {
   EXPECT_FALSE(std::filesystem::exists(Path("report")));
 }
 
+TEST_F(CommandLineTest, RefusesABrokenLedger) {
+  Write("ledger.toml", "[[entry]]\nscenarios = 3\n");
+  const Ended ended =
+      Touchstone("run --ledger " + Path("ledger.toml") + " " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err,
+              AllOf(HasSubstr("ledger.toml:2:"), HasSubstr("errors in the ledger")));
+}
+
 TEST_F(CommandLineTest, SaysThatAFileIsNotThere) {
   const Ended ended = Touchstone("run " + Path("nowhere.toml"));
   EXPECT_EQ(ended.code, 2);
@@ -226,6 +235,37 @@ TEST_F(CommandLineTest, ShowsWhoCanAnswerWhat) {
   EXPECT_THAT(Touchstone("oracles --settings").out, HasSubstr("conventions = "));
 }
 
+TEST_F(CommandLineTest, SweepsWithTheSameQuestionsForTheSameSeed) {
+  const std::string sweep =
+      "sweep contact --family random --pair sphere sphere --count 50 --quiet --seed ";
+  const Ended ended = Touchstone(sweep + "7");
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_EQ(Touchstone(sweep + "7 --jobs 3").out, ended.out);
+  EXPECT_NE(Touchstone(sweep + "8").out, ended.out);
+}
+
+TEST_F(CommandLineTest, WritesTheQuestionsThatFailedSoThatTheyCanBeRunAgain) {
+  const Ended ended = Touchstone(
+      "sweep contact --subject half_depth --family deep --pair sphere sphere --count 20 "
+      "--out " +
+      Path("failed"));
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("Again: touchstone sweep contact --family deep"));
+  EXPECT_EQ(Touchstone("run --subject half_depth " + Path("failed")).code, 1);
+  EXPECT_EQ(Touchstone("run " + Path("failed")).code, 0);
+}
+
+TEST_F(CommandLineTest, CallsASweepThatTouchedNothingNoSuccess) {
+  EXPECT_EQ(Touchstone("sweep contact --pair box box --count 10").code, 2);
+}
+
+TEST_F(CommandLineTest, ShowsTimeBesideAccuracy) {
+  const Ended ended =
+      Touchstone("bench contact --pair sphere sphere --count 100 --sample 100");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("ns/query"), HasSubstr("half_depth")));
+}
+
 TEST_F(CommandLineTest, ExitsWithTwoOnALineItDoesNotKnow) {
   EXPECT_EQ(Touchstone("").code, 2);
   EXPECT_EQ(Touchstone("jump").code, 2);
@@ -237,7 +277,8 @@ TEST_F(CommandLineTest, TeachesByHelp) {
   const Ended ended = Touchstone("--help");
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out, HasSubstr("touchstone run mine.toml --out report"));
-  for (const std::string command : {"run", "list", "oracles", "explain", "ask"}) {
+  for (const std::string command : {"run", "list", "oracles", "explain", "ask", "sweep",
+                                    "bench", "ledger", "accuracy", "schema"}) {
     EXPECT_EQ(Touchstone(command + " --help").code, 0) << command;
   }
 }

@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/select_oracles.h"
+#include "reports/ledger_file.h"
 #include "reports/run.h"
 #include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"
@@ -41,11 +42,17 @@ class Suite {
 
   const std::vector<Scenario>& scenarios() const { return catalogue_.scenarios; }
   const std::vector<const Oracle*>& oracles() const { return oracles_; }
-  const std::vector<Diagnostic>& diagnostics() const { return catalogue_.diagnostics; }
+
+  std::vector<Diagnostic> Diagnostics() const {
+    std::vector<Diagnostic> all = catalogue_.diagnostics;
+    all.insert(all.end(), ledger_.diagnostics.begin(), ledger_.diagnostics.end());
+    return all;
+  }
 
   const RunReport& Report() {
     if (outcomes_.empty()) {
-      report_ = Run(catalogue_.scenarios, oracles_, {}, {});
+      report_ =
+          Run(catalogue_.scenarios, oracles_, ledger_.ledger.value_or(Ledger{}), {});
       outcomes_ = OutcomesOf(report_);
     }
     return report_;
@@ -60,10 +67,13 @@ class Suite {
   Suite()
       : catalogue_(
             ReadCatalogue(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "catalogue")),
+        ledger_(ReadLedgerFile(std::filesystem::path(TOUCHSTONE_DATA_DIR) /
+                               "known_discrepancies.toml")),
         registry_(OracleRegistry::BuiltIn()),
         oracles_(SelectOracles(registry_, {.subject = "cookbook", .against = {}})) {}
 
   Catalogue catalogue_;
+  LedgerResult ledger_;
   OracleRegistry registry_;
   std::vector<const Oracle*> oracles_;
   RunReport report_;
@@ -97,7 +107,7 @@ class ScenarioTest : public testing::Test {
 class CatalogueTest : public testing::Test {
  public:
   void TestBody() override {
-    for (const Diagnostic& diagnostic : Suite::Instance().diagnostics()) {
+    for (const Diagnostic& diagnostic : Suite::Instance().Diagnostics()) {
       ADD_FAILURE() << ToString(diagnostic);
     }
     for (const std::string& fault : Suite::Instance().Report().faults)

@@ -1,0 +1,148 @@
+#include "cli/bench_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "cli/sweep_command.h"
+#include "reports/referee/referee.h"
+#include "reports/writers/describe.h"
+#include "scenarios/generators/generate.h"
+
+namespace touchstone {
+namespace {
+
+struct Accuracy {
+  double worst_error = 0;  ///< Of the separation, as far as it is certain. [m]
+  int measured = 0;        ///< Answers with a separation.
+  int wrong_verdicts = 0;  ///< Touching where certainly apart, or the reverse.
+  int without_answer = 0;
+};
+
+struct Row {
+  const Oracle* oracle;
+  std::optional<double> nanoseconds;  ///< A query; empty where the oracle is not timed.
+  Accuracy accuracy;
+};
+
+// The median of an odd number of passes: one pass is disturbed by whatever else the
+// machine does.
+std::optional<double> NanosecondsPerQuery(const Oracle& oracle,
+                                          std::span<const ContactQuery> queries) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int kPasses = 7;
+  const std::unique_ptr<PreparedBatch> batch = oracle.Prepare(queries);
+  if (batch == nullptr) return std::nullopt;
+  batch->Run();  // Warms caches; engines allocate in their first pass.
+  std::vector<double> passes;
+  for (int i = 0; i < kPasses; ++i) {
+    const auto start = Clock::now();
+    batch->Run();
+    const std::chrono::duration<double, std::nano> time = Clock::now() - start;
+    passes.push_back(time.count() / static_cast<double>(queries.size()));
+  }
+  std::nth_element(passes.begin(), passes.begin() + kPasses / 2, passes.end());
+  return passes[kPasses / 2];
+}
+
+Accuracy AccuracyOf(const Oracle& oracle, std::span<const ContactQuery> queries,
+                    std::span<const ContactTruth> truths) {
+  std::vector<ContactAnswer> answers(queries.size());
+  oracle.Answer(queries, answers);
+  Accuracy accuracy;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (answers[i].status != AnswerStatus::kAnswered) {
+      ++accuracy.without_answer;
+      continue;
+    }
+    const bool wrong = truths[i].touching ==
+                       (answers[i].touching ? Touching::kApart : Touching::kTouching);
+    if (wrong) ++accuracy.wrong_verdicts;
+    if (!answers[i].separation) continue;
+    ++accuracy.measured;
+    const double error = LeastError(*answers[i].separation, truths[i]);
+    // Written so that a NaN is the worst.
+    if (!(error <= accuracy.worst_error)) accuracy.worst_error = error;
+    if (std::isnan(accuracy.worst_error)) accuracy.worst_error = HUGE_VAL;
+  }
+  return accuracy;
+}
+
+void Print(std::vector<Row> rows) {
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    return a.nanoseconds.value_or(HUGE_VAL) < b.nanoseconds.value_or(HUGE_VAL);
+  });
+  for (const Row& row : rows) {
+    const std::string time =
+        row.nanoseconds ? fmt::format("{:>10.0f}{:>7.1f}×", *row.nanoseconds,
+                                      *row.nanoseconds / *rows.front().nanoseconds)
+                        : fmt::format("{:>18}", "not timed");
+    const Accuracy& accuracy = row.accuracy;
+    const std::string error = accuracy.measured == 0
+                                  ? "none given"
+                                  : fmt::format("{:.2g}", accuracy.worst_error);
+    std::cout << fmt::format("  {:<26}{} {:>16}{:>10}{:>15}{:>11}\n",
+                             row.oracle->info().name, time, error, accuracy.measured,
+                             accuracy.wrong_verdicts, accuracy.without_answer);
+  }
+}
+
+void BenchPair(ShapeKind A, ShapeKind B, std::span<const Oracle* const> oracles,
+               const BenchArguments& arguments) {
+  std::vector<ContactQuery> queries;
+  for (std::uint64_t i = 0; i < arguments.count; ++i) {
+    queries.push_back(Generate(Family::kRandom, A, B, arguments.seed, i));
+  }
+  const std::span<const ContactQuery> sample = std::span(queries).first(
+      static_cast<std::size_t>(std::min(arguments.sample, arguments.count)));
+  std::vector<ContactTruth> truths;
+  for (const ContactQuery& query : sample) truths.push_back(JudgeContact(query));
+  const auto touching = std::count_if(
+      truths.begin(), truths.end(),
+      [](const auto& truth) { return truth.touching == Touching::kTouching; });
+
+  std::vector<Row> rows;
+  for (const Oracle* oracle : oracles) {
+    if (!oracle->info().For(A, B).supported) continue;
+    rows.push_back({oracle, NanosecondsPerQuery(*oracle, queries),
+                    AccuracyOf(*oracle, sample, truths)});
+  }
+  if (rows.empty()) return;
+  std::cout << fmt::format(
+      "{} {}: {} random poses, {} held against the truth, {} of them touching\n"
+      "  {:<26}{:>10}{:>8} {:>16}{:>10}{:>15}{:>11}\n",
+      NameOf(A), NameOf(B), queries.size(), sample.size(), touching, "oracle", "ns/query",
+      "", "worst error [m]", "measured", "wrong touching", "no answer");
+  Print(std::move(rows));
+  std::cout << '\n';
+}
+
+}  // namespace
+
+int BenchCommand(const Session& session, const BenchArguments& arguments) {
+  std::vector<const Oracle*> oracles;
+  if (arguments.oracles.empty()) oracles = session.registry.All();
+  for (const std::string& pattern : arguments.oracles) {
+    for (const Oracle* oracle : OraclesNamed(session.registry, pattern)) {
+      oracles.push_back(oracle);
+    }
+  }
+  if (!arguments.pair.empty()) {
+    const auto [A, B] = PairNamed(arguments.pair);
+    BenchPair(A, B, oracles, arguments);
+    return 0;
+  }
+  for (int a = 0; a < kShapeKinds; ++a) {
+    for (int b = a; b < kShapeKinds; ++b) {
+      if (static_cast<ShapeKind>(a) == ShapeKind::kHalfSpace) continue;
+      BenchPair(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b), oracles, arguments);
+    }
+  }
+  return 0;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,33 @@
+#include "cli/ledger_command.h"
+
+#include <iostream>
+
+#include "cli/select_oracles.h"
+#include "cli/select_scenarios.h"
+#include "reports/accuracy.h"
+#include "reports/ledger_file.h"
+
+namespace touchstone {
+namespace {
+
+RunReport RunEverything(const Session& session) {
+  const OracleSelection everybody{.subject = session.defaults.subject, .against = {}};
+  const std::vector<const Oracle*> oracles = SelectOracles(session.registry, everybody);
+  const std::vector<Scenario> scenarios =
+      SelectScenarios({.patterns = {}, .catalogues = {session.catalogue()}});
+  return RunSuite(session, scenarios, oracles, LoadLedger(session, {}), {});
+}
+
+}  // namespace
+
+int LedgerCommand(const Session& session) {
+  std::cout << ProposeLedger(RunEverything(session));
+  return 0;
+}
+
+int AccuracyCommand(const Session& session) {
+  std::cout << AccuracyTable(RunEverything(session));
+  return 0;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,149 @@
+#include "cli/sweep_command.h"
+
+#include <array>
+#include <fstream>
+#include <iostream>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "cli/input_error.h"
+#include "cli/progress_bar.h"
+#include "reports/sweep/sweep.h"
+#include "reports/writers/explanation_writer.h"
+#include "scenarios/scenario_file.h"
+#include "scenarios/schema/nearest_name.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<Family> FamiliesNamed(const std::string& name) {
+  if (name == "all") return AllFamilies();
+  if (const std::optional<Family> family = FamilyNamed(name)) return {*family};
+  std::string list;
+  for (const Family family : AllFamilies()) list += fmt::format(", {}", NameOf(family));
+  throw InputError(fmt::format("there is no family '{}'; there are: all{}", name, list));
+}
+
+using KindPair = std::pair<ShapeKind, ShapeKind>;
+
+ShapeKind ShapeKindNamed(const std::string& name) {
+  std::array<std::string_view, kShapeKinds> names;
+  for (int i = 0; i < kShapeKinds; ++i) {
+    const ShapeKind kind = static_cast<ShapeKind>(i);
+    if (NameOf(kind) == name) return kind;
+    names[static_cast<std::size_t>(i)] = NameOf(kind);
+  }
+  const std::string_view nearest = NearestName(name, names);
+  throw InputError(
+      fmt::format("there is no shape '{}'{}; there are: {}", name,
+                  nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
+                  fmt::join(names, ", ")));
+}
+
+std::vector<KindPair> PairsOf(const SweepArguments& arguments,
+                              const OracleInfo& subject) {
+  if (!arguments.pair.empty()) return {PairNamed(arguments.pair)};
+  std::vector<KindPair> pairs;
+  for (int a = 0; a < kShapeKinds; ++a) {
+    for (int b = 0; b < kShapeKinds; ++b) {
+      const KindPair pair(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
+      if (subject.For(pair.first, pair.second).supported) pairs.push_back(pair);
+    }
+  }
+  return pairs;
+}
+
+// "separation_error 0.31, excess 0.02": how near each measure came to its tolerance.
+std::string WorstOf(const SweepResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < result.worst.size(); ++i) {
+    if (!result.worst[i] || result.worst[i]->relative == 0) continue;
+    text += fmt::format("{}{} {:.2g}", text.empty() ? "" : ", ",
+                        NameOf(static_cast<MeasureKind>(i)), result.worst[i]->relative);
+  }
+  return text;
+}
+
+void WriteFailures(const std::filesystem::path& folder, const SweepResult& result) {
+  for (const FailedQuestion& failure : result.first_failures) {
+    const Scenario& scenario = failure.report.scenarios[0].scenario;
+    const std::filesystem::path file = folder / (scenario.id + ".toml");
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    std::ofstream out(file, std::ios::binary);
+    out << WriteScenario(scenario);
+    out.close();
+    if (!out) throw InputError(fmt::format("cannot write {}", file.string()));
+  }
+}
+
+void PrintFailures(const QuestionSeries& series, const SweepResult& result) {
+  for (const FailedQuestion& failure : result.first_failures) {
+    std::cout << '\n' << WriteScenario(failure.report.scenarios[0].scenario) << '\n';
+    WriteExplanation(failure.report, std::cout);
+    std::cout << "Again: " << ReplayOf(series, failure.index) << '\n';
+  }
+}
+
+}  // namespace
+
+std::pair<ShapeKind, ShapeKind> PairNamed(const std::vector<std::string>& names) {
+  const KindPair pair(ShapeKindNamed(names[0]), ShapeKindNamed(names[1]));
+  if (pair == KindPair(ShapeKind::kHalfSpace, ShapeKind::kHalfSpace)) {
+    throw InputError("two half-spaces are no question: whether they touch has no answer");
+  }
+  return pair;
+}
+
+int SweepCommand(const Session& session, const SweepArguments& arguments) {
+  const std::vector<const Oracle*> oracles =
+      SelectOracles(session.registry, arguments.oracles);
+  std::vector<std::pair<QuestionSeries, SweepResult>> results;
+  std::uint64_t touching = 0;
+  std::uint64_t failed = 0;
+  std::cout << fmt::format("{:<17}{:<27}{:>9}{:>10}{:>11}{:>8}  worst, in tolerances\n",
+                           "family", "pair", "asked", "touching", "undecided", "failed");
+  for (const Family family : FamiliesNamed(arguments.family)) {
+    for (const auto& [A, B] : PairsOf(arguments, oracles.front()->info())) {
+      const QuestionSeries series{.family = family,
+                                  .A = A,
+                                  .B = B,
+                                  .seed = arguments.seed,
+                                  .first = arguments.first,
+                                  .count = arguments.count};
+      ProgressBar bar(session.terminal.progress && !arguments.quiet);
+      SweepResult result =
+          Sweep(series, oracles,
+                {.jobs = arguments.jobs,
+                 .on_progress = [&bar](std::size_t done, std::size_t all) {
+                   bar.Show(done, all);
+                 }});
+      // What the subject does not support verifies nothing, touching or not.
+      if (result.unsupported < result.asked) touching += result.touching;
+      failed += result.failed;
+      std::cout << fmt::format("{:<17}{:<27}{:>9}{:>9.1f}%{:>10.1f}%{:>8}  {}\n",
+                               NameOf(family), fmt::format("{} {}", NameOf(A), NameOf(B)),
+                               result.asked,
+                               100.0 * static_cast<double>(result.touching) /
+                                   static_cast<double>(result.asked),
+                               100.0 * static_cast<double>(result.undecided) /
+                                   static_cast<double>(result.asked),
+                               result.failed, WorstOf(result));
+      if (!result.first_failures.empty()) results.emplace_back(series, std::move(result));
+    }
+  }
+  for (const auto& [series, result] : results) {
+    if (arguments.out) WriteFailures(*arguments.out, result);
+    if (!arguments.quiet) PrintFailures(series, result);
+  }
+  std::cout << fmt::format("\n{}: {} failed\n", oracles.front()->info().name, failed);
+  if (failed > 0) return 1;
+  if (touching > 0) return 0;
+  std::cerr << "touchstone: nothing was verified: no question that "
+            << oracles.front()->info().name << " supports touched\n";
+  return 2;
+}
+
+}  // namespace touchstone
