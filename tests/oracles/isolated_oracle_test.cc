@@ -83,9 +83,11 @@ void Do(Deed deed) {
       std::exit(3);
     case kFlood:
     case kFloodAndAbort:
-      for (int i = 0; i < 100'000; ++i) {
-        std::fputs("the same warning, on and on\n", stderr);
-        std::puts("and on stdout");
+      // Long lines, since each is a system call of its own and the CPU time is limited.
+      for (int i = 0; i < 1000; ++i) {
+        const std::string line = std::string(3000, 'w') + '\n';
+        std::fputs(line.c_str(), stderr);
+        std::fputs(line.c_str(), stdout);
       }
       if (deed == kFloodAndAbort) {
         std::fputs("the last straw\n", stderr);
