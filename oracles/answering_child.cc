@@ -32,7 +32,7 @@ namespace {
 
 // Where the child finds its end of the pipe, whatever it was before.
 constexpr int kAnswersFd = 3;
-// A child may print this much on one question; more is lost. [bytes]
+// A child may print this much to stderr on one question; more is lost. [bytes]
 constexpr rlim_t kMostOutput = rlim_t{64} << 20;
 // Of what it printed, this much is searched for the last line. [bytes]
 constexpr off_t kTail = 4096;
@@ -170,7 +170,8 @@ AnsweringChild::AnsweringChild(const Oracle& oracle,
     // Copies first, so that no dup2 below closes what is still wanted.
     const int answers_fd = fcntl(ends[1], F_DUPFD, 64);
     const int output_fd = fcntl(output_fd_, F_DUPFD, 64);
-    dup2(output_fd, STDOUT_FILENO);
+    // Not into the same file: a buffer of half a line would run into an assertion.
+    dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
     dup2(output_fd, STDERR_FILENO);
     dup2(answers_fd, kAnswersFd);
     close_range(kAnswersFd + 1, ~0U, 0);

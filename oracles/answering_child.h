@@ -47,7 +47,7 @@ class AnsweringChild {
   IsolationLimits limits_;
   pid_t pid_ = -1;
   int answers_fd_ = -1;  // Our end of the pipe.
-  int output_fd_ = -1;   // An unnamed file with what the child printed on this question.
+  int output_fd_ = -1;   // An unnamed file: the child's stderr on this question.
   std::string received_;
   Silence silence_ = Silence::kDeath;
 };
