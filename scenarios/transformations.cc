@@ -1,0 +1,109 @@
+#include "scenarios/transformations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenarios/cube_rotations.h"
+
+namespace touchstone {
+namespace {
+
+constexpr double kUnitRoundoff = 0x1p-53;
+
+/** How far from the world's origin the question reaches: max |p_WB| + bounding radius.
+ * [m] */
+double Reach(const ContactQuery& query) {
+  return std::max(query.A.X_WB.p_WB.norm() + BoundingRadius(query.A.shape),
+                  query.B.X_WB.p_WB.norm() + BoundingRadius(query.B.shape));
+}
+
+struct ScaledBy {
+  double factor;
+
+  Shape operator()(const Sphere& sphere) const { return Sphere{factor * sphere.radius}; }
+  Shape operator()(const Box& box) const { return Box{factor * box.half_extents}; }
+  Shape operator()(const Capsule& capsule) const {
+    return Capsule{factor * capsule.radius, factor * capsule.half_length};
+  }
+  Shape operator()(const Cylinder& cylinder) const {
+    return Cylinder{factor * cylinder.radius, factor * cylinder.half_length};
+  }
+  Shape operator()(const Cone& cone) const {
+    return Cone{factor * cone.radius, factor * cone.half_height};
+  }
+  Shape operator()(const ConvexHull& hull) const {
+    ConvexHull scaled = hull;
+    for (Eigen::Vector3d& vertex : scaled.vertices) vertex *= factor;
+    return scaled;
+  }
+  Shape operator()(const HalfSpace& half_space) const { return half_space; }
+};
+
+Body Moved(const Body& body, const Pose& X_MW) {
+  return {body.shape,
+          Pose::FromMatrix(X_MW * body.X_WB.p_WB, X_MW.R_WB * body.X_WB.R_WB)};
+}
+
+Body ScaledBody(const Body& body, double factor) {
+  Body scaled{std::visit(ScaledBy{factor}, body.shape), body.X_WB};
+  scaled.X_WB.p_WB *= factor;
+  return scaled;
+}
+
+}  // namespace
+
+TransformedQuery Swapped(const ContactQuery& query) {
+  return {{query.B, query.A}, 0};
+}
+
+TransformedQuery MovedRigidly(const ContactQuery& query, const Pose& X_MW) {
+  // With u the unit roundoff, L the reach and t = p_MW:
+  // - An entry of a product of rotations is a sum of three products whose absolute values
+  // sum to
+  //   at most 1 (Cauchy-Schwarz): off by 3 u. All nine turn a point at a distance r by at
+  //   most 9 u r. For a half-space, r is that of the other shape: at most 2 L.
+  // - A coordinate of R p + t is a sum of four terms: off by 4 u (|p| + |t|), the place
+  // by √3
+  //   times that, at most 7 u (L + |t|).
+  //   Both bodies together: 2 (18 u L + 7 u (L + |t|)) <= 50 u (L + |t|); 64 covers the
+  //   terms of second order and the slack of R_WB.
+  // - R_MW stretches lengths by at most half of |RᵀR − 1| in the 2-norm, which is at most
+  // 3
+  //   times its largest entry; the longest length in question is 2 L.
+  const double L = Reach(query);
+  const double stretch = 3 * OrthonormalityDefect(X_MW.R_WB) * L;
+  return {{Moved(query.A, X_MW), Moved(query.B, X_MW)},
+          64 * kUnitRoundoff * (L + X_MW.p_WB.norm()) + stretch};
+}
+
+TransformedQuery Scaled(const ContactQuery& query, double factor) {
+  // Every size and coordinate is rounded once, by at most u of itself: a body of reach L
+  // moves and swells by at most u L, and there are two.
+  int exponent;
+  const bool is_power_of_two = std::frexp(factor, &exponent) == 0.5;
+  const ContactQuery scaled{ScaledBody(query.A, factor), ScaledBody(query.B, factor)};
+  return {scaled, is_power_of_two ? 0 : 2 * kUnitRoundoff * Reach(scaled)};
+}
+
+Body Relabelled(const Body& body, int symmetry) {
+  const Box* box = std::get_if<Box>(&body.shape);
+  if (!box) return body;
+  // x_B = S x_B', so that x_W = R S x_B' and h = |S| h'. Entries of S are 0 and ±1: sums
+  // with zeros and products with ±1 do not round.
+  const Eigen::Matrix3d S = CubeRotation(symmetry);
+  return {Box{S.transpose().cwiseAbs() * box->half_extents},
+          Pose::FromMatrix(body.X_WB.p_WB, body.X_WB.R_WB * S)};
+}
+
+TransformedQuery Relabelled(const ContactQuery& query, int symmetry_A, int symmetry_B) {
+  return {{Relabelled(query.A, symmetry_A), Relabelled(query.B, symmetry_B)}, 0};
+}
+
+TransformedQuery Perturbed(const ContactQuery& query, const Eigen::Vector3d& offset_W) {
+  ContactQuery perturbed = query;
+  perturbed.B.X_WB.p_WB += offset_W;
+  // Each coordinate of the sum is rounded once.
+  return {perturbed, kUnitRoundoff * perturbed.B.X_WB.p_WB.norm()};
+}
+
+}  // namespace touchstone

@@ -1,0 +1,36 @@
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scenarios/scenario_file.h"
+#include "tests/fuzz/scenario_file_property.h"
+
+namespace touchstone {
+namespace {
+
+// What the fuzzer starts from, and every input it has ever found a fault with.
+TEST(ScenarioFileCorpus, IsReadWithoutFault) {
+  int files = 0;
+  int accepted = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(TOUCHSTONE_CORPUS "/scenario_file")) {
+    std::ostringstream text;
+    text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    EXPECT_EQ(FaultOfReading(text.str()), "") << entry.path();
+    // Named for what they are: good_*.toml reads, bad_*.toml does not.
+    const std::string name = entry.path().filename().string();
+    const bool reads = ReadScenario(text.str(), name).scenario.has_value();
+    EXPECT_EQ(reads, name.starts_with("good_")) << name;
+    ++files;
+    if (reads) ++accepted;
+  }
+  EXPECT_GE(accepted, 5);
+  EXPECT_GE(files - accepted, 5);
+}
+
+}  // namespace
+}  // namespace touchstone
