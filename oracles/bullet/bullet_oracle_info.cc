@@ -45,15 +45,11 @@ Capability WorldDispatchCapability(ShapeKind a, ShapeKind b, BulletPrecision pre
   if (a_plane && b_plane) return Unsupported("two planes have no contact algorithm");
   Capability capability = GjkEpa(ConvergenceOf(precision));
   capability.manifold = true;
-  if (a_plane || b_plane) {
-    capability.family = "closed_form";  // btConvexPlaneCollisionAlgorithm
-  } else if (a == ShapeKind::kBox && b == ShapeKind::kBox) {
-    capability.family = "box_box_sat";  // btBoxBoxDetector, adapted from ODE
-  } else if (IsRound(a) && IsRound(b)) {
-    capability.family = "closed_form";
-  } else {
-    return capability;
-  }
+  const bool plane = a_plane || b_plane;  // btConvexPlaneCollisionAlgorithm
+  const bool boxes = a == ShapeKind::kBox && b == ShapeKind::kBox;
+  if (!plane && !boxes && !(IsRound(a) && IsRound(b))) return capability;
+  // btBoxBoxDetector is adapted from ODE.
+  capability.family = boxes ? "box_box_sat" : "closed_form";
   capability.documented_error = 0;
   capability.documented_by.clear();
   return capability;

@@ -54,8 +54,8 @@ ConstructedContact Moved(const ConstructedContact& contact, const Pose& X) {
  how a direction rounds shows it in some of sixteen. */
 std::vector<Pose> Placements() {
   std::mt19937_64 random(20260611);
-  std::vector<Pose> placements;
-  for (int i = 0; i < 16; ++i) placements.push_back(RandomPose(1, random));
+  std::vector<Pose> placements(16);
+  for (Pose& X : placements) X = RandomPose(1, random);
   return placements;
 }
 
