@@ -5,6 +5,9 @@
 
 #include "oracles/bullet/bullet_oracles.h"
 #include "oracles/cookbook/cookbook_oracle.h"
+#include "oracles/cookbook/printed_oracle.h"
+#include "oracles/fcl/fcl_oracles.h"
+#include "oracles/libccd/ccd_oracles.h"
 #include "oracles/ode/ode_oracles.h"
 
 namespace touchstone {
@@ -15,6 +18,7 @@ using Oracles = std::vector<std::unique_ptr<Oracle>>;
 Oracles Cookbook() {
   Oracles oracles;
   oracles.push_back(std::make_unique<CookbookOracle>());
+  oracles.push_back(MakePrintedOracle("printed"));
   return oracles;
 }
 
@@ -40,6 +44,16 @@ Oracles Ode() {
   return {};
 }
 
+Oracles Fcl() {
+  if constexpr (TOUCHSTONE_HAS_FCL) return FclOracles();
+  return {};
+}
+
+Oracles Ccd() {
+  if constexpr (TOUCHSTONE_HAS_CCD) return CcdOracles();
+  return {};
+}
+
 /** One adapter, in this build or not. */
 struct Adapter {
   std::string name;  ///< The common start of its oracles' names.
@@ -57,6 +71,8 @@ std::vector<Adapter> Adapters() {
       {"bullet_float", TOUCHSTONE_HAS_BULLET_FLOAT, "Bullet (float)", "libbullet-dev",
        BulletFloat},
       {"ode", TOUCHSTONE_HAS_ODE, "ODE", "libode-dev", Ode},
+      {"fcl", TOUCHSTONE_HAS_FCL, "FCL", "libfcl-dev", Fcl},
+      {"libccd", TOUCHSTONE_HAS_CCD, "libccd", "libccd-dev", Ccd},
   };
 }
 
@@ -83,6 +99,7 @@ OracleRegistry OracleRegistry::BuiltIn() {
       registry.missing_.push_back({adapter.name, error.what()});
     }
   }
+  registry.specimens_ = std::make_unique<Specimens>();  // Last: Add() asks Find().
   return registry;
 }
 
@@ -98,7 +115,20 @@ const Oracle* OracleRegistry::Find(std::string_view name) const {
   for (const std::unique_ptr<Oracle>& oracle : oracles_) {
     if (oracle->info().name == name) return oracle.get();
   }
-  return nullptr;
+  return FindSpecimen(name);
+}
+
+const Oracle* OracleRegistry::FindSpecimen(std::string_view name) const {
+  if (specimens_ == nullptr) return nullptr;
+  const std::lock_guard lock(specimens_->mutex);
+  auto& by_name = specimens_->by_name;
+  auto found = by_name.find(name);
+  if (found == by_name.end()) {
+    std::unique_ptr<Oracle> specimen = MakePrintedOracle(name);
+    if (specimen == nullptr) return nullptr;
+    found = by_name.emplace(name, std::move(specimen)).first;
+  }
+  return found->second.get();
 }
 
 std::vector<const Oracle*> OracleRegistry::Matching(std::string_view pattern) const {

@@ -26,7 +26,7 @@ Breaches KnownAnswer(const Oracle& oracle, ShapeKind a, ShapeKind b);
 Breaches Swap(const Oracle& oracle, ShapeKind a, ShapeKind b);
 
 /** B moved out along the normal by its depth and a clearance touches no more; moved a
- clearance less than its depth it still does. */
+ clearance less than its depth it still does. For oracles that give depth and normal. */
 Breaches PushApart(const Oracle& oracle, ShapeKind a, ShapeKind b);
 
 /** A rigid motion of both bodies turns the normal with them and leaves the separation. */
