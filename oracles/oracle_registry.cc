@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "oracles/bullet/bullet_oracles.h"
+#include "oracles/cookbook/cookbook_batch_oracle.h"
 #include "oracles/cookbook/cookbook_oracle.h"
 #include "oracles/cookbook/printed_oracle.h"
 #include "oracles/fcl/fcl_oracles.h"
@@ -18,6 +19,7 @@ using Oracles = std::vector<std::unique_ptr<Oracle>>;
 Oracles Cookbook() {
   Oracles oracles;
   oracles.push_back(std::make_unique<CookbookOracle>());
+  oracles.push_back(std::make_unique<CookbookBatchOracle>());
   oracles.push_back(MakePrintedOracle("printed"));
   return oracles;
 }

@@ -58,6 +58,8 @@ const std::vector<Unsupported> kUnsupported = {
     {"bullet_float", kAllButTwoHalfSpaces},
     {"bullet_float/gjk", kConvexOnly},
     {"cookbook", kOnlySpheresAndBoxes},
+    {"cookbook/batch",
+     {{kSphere, kCapsule, kCylinder, kCone, kConvexHull, kHalfSpace}, {}}},
     {"fcl/collide", kAllButTwoHalfSpaces},
     {"fcl/collide_indep", kAllButTwoHalfSpaces},
     {"fcl/distance", kAllButTwoHalfSpaces},
