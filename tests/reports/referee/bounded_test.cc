@@ -1,0 +1,80 @@
+// The arithmetic that every proof rests on.
+
+#include "reports/referee/bounded.h"
+
+#include <cmath>
+
+#include <boost/multiprecision/gmp.hpp>
+#include <gtest/gtest.h>
+
+#include "tests/reports/referee/random_scene.h"
+
+namespace touchstone::referee {
+namespace {
+
+using Rational = boost::multiprecision::mpq_rational;
+
+bool Holds(const Bounded<double>& number, const Rational& exact) {
+  const Enclosure e = number.enclosure();
+  return Rational(e.lo) <= exact && exact <= Rational(e.hi);
+}
+
+/** The same polynomial and quotient of awkward magnitudes, in any arithmetic. */
+template <typename T>
+T Expression(const T& a, const T& b, const T& c, const T& d) {
+  return (a * b - c * d) / (a * a + b * b) + (a - c) * (b + d);
+}
+
+TEST(Bounded, HoldsTheExactValueThroughCancellation) {
+  RandomScene random(1);
+  int missed_without_bound = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const double a = random.Uniform(-1, 1) * random.Power(-8, 8);
+    const double b = random.Uniform(-1, 1) * random.Power(-8, 8);
+    // So near that the differences lose almost all digits.
+    const double c = a * (1 + random.Uniform(-1, 1) * random.Power(-17, -1));
+    const double d = -b * (1 + random.Uniform(-1, 1) * random.Power(-17, -1));
+    using Number = Bounded<double>;
+    const Number computed = Expression(Number(a), Number(b), Number(c), Number(d));
+    const Rational exact = Expression(Rational(a), Rational(b), Rational(c), Rational(d));
+    EXPECT_TRUE(Holds(computed, exact)) << a << " " << b << " " << c << " " << d;
+    // The error bound is what makes it so: without it the value alone is wrong.
+    missed_without_bound += !Holds(Number(computed.value()), exact);
+  }
+  EXPECT_GT(missed_without_bound, 1900);
+}
+
+TEST(Bounded, HoldsTheRootOfAnUncertainNumber) {
+  RandomScene random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const double root = random.Power(-10, 3);
+    const Rational square = Rational(root) * Rational(root);
+    const double off = random.Uniform(-1, 1) * random.Power(-25, 2);
+    // Two roundings, each of at most 2^-53 of root² + |off|.
+    const Bounded<double> computed(root * root + off,
+                                   std::abs(off) * (1 + 0x1p-51) + root * root * 0x1p-51);
+    EXPECT_TRUE(Holds(Sqrt(computed), Rational(root)));
+  }
+}
+
+TEST(Bounded, KnowsNothingOfAQuotientByWhatMayBeZero) {
+  const Bounded<double> quotient = Bounded<double>(1.0) / Bounded<double>(1e-17, 2e-17);
+  EXPECT_EQ(quotient.enclosure().lo, -INFINITY);
+  EXPECT_EQ(quotient.enclosure().hi, INFINITY);
+}
+
+TEST(Bounded, EnclosesAThirdBetweenNeighbouringDoublesInHighPrecision) {
+  using Number = Bounded<Precise>;
+  const Number third = Number(1.0) / Number(3.0);
+  EXPECT_LT(third.enclosure().lo, third.enclosure().hi);
+  EXPECT_EQ(std::nextafter(third.enclosure().lo, 1), third.enclosure().hi);
+}
+
+TEST(Bounded, RoundsAnExactNumberToItself) {
+  const Enclosure e = Bounded<Precise>(0.1).enclosure();
+  EXPECT_EQ(e.lo, 0.1);
+  EXPECT_EQ(e.hi, 0.1);
+}
+
+}  // namespace
+}  // namespace touchstone::referee

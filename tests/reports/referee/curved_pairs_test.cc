@@ -1,0 +1,124 @@
+// Cylinders and cones, for which there is no exact kernel: bounds have to meet, no
+// direction may contradict them, and a blind search has to come as near as it can.
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "reports/referee/referee.h"
+#include "tests/reports/referee/awkward_scene.h"
+#include "tests/reports/referee/independent_search.h"
+#include "tests/reports/referee/random_scene.h"
+
+namespace touchstone {
+namespace {
+
+Shape SomeShape(RandomScene& random, int kind) {
+  const double a = random.Uniform(0.1, 1);
+  const double b = random.Uniform(0.1, 1);
+  switch (kind) {
+    case 0:
+      return Cylinder{a, b};
+    case 1:
+      return Cone{a, b};
+    case 2:
+      return random.SomeBox(1);
+    case 3:
+      return Capsule{a, b};
+    case 4:
+      return Sphere{a};
+    default:
+      return random.SomeHull(1, 12);
+  }
+}
+
+TEST(CurvedPairs, AreBoundedTightlyAndNoDirectionContradictsThem) {
+  RandomScene random(20);
+  int touching = 0;
+  for (int i = 0; i < 120; ++i) {
+    const Shape A = SomeShape(random, i % 2);
+    const Shape B = SomeShape(random, i / 2 % 6);
+    const Eigen::Vector3d p = random.Point(1);
+    const Body placed_A{A, Pose::FromQuaternion(p, random.Rotation())};
+    const ContactQuery query{
+        placed_A, {B, Pose::FromQuaternion(p + random.Point(1.5), random.Rotation())}};
+    const ContactTruth truth = JudgeContact(query);
+    const Enclosure separation = truth.separation;
+    const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
+    EXPECT_LE(separation.hi - separation.lo, 64 * ulp) << "pair " << i;
+    // The far bound: whatever direction the search tries, none separates them further.
+    EXPECT_LE(-LeastOverlapFound(query), separation.hi + ulp) << "pair " << i;
+    // The near bound: its own direction shows it, to the rounding of that direction.
+    EXPECT_NEAR(-OverlapFound(query, truth.certificate.n_AB_W), separation.lo, 64 * ulp)
+        << "pair " << i;
+    touching += separation.hi < 0;
+  }
+  EXPECT_GT(touching, 30);
+  EXPECT_LT(touching, 100);
+}
+
+void ExpectSeparation(const ContactQuery& query, double expected) {
+  const ContactTruth truth = JudgeContact(query);
+  const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
+  EXPECT_LE(truth.separation.hi - truth.separation.lo, 64 * ulp);
+  EXPECT_NEAR(truth.separation.lo, expected, truth.input_rounding + 64 * ulp);
+  EXPECT_NEAR(truth.separation.hi, expected, truth.input_rounding + 64 * ulp);
+}
+
+TEST(CurvedPairs, CylinderStandingInAnotherIsDeepAlongTheirCommonAxis) {
+  ExpectSeparation(
+      {Place(Cylinder{0.4, 0.5}, {0, 0, 0}), Place(Cylinder{0.3, 0.2}, {0.1, 0, 0.69})},
+      -0.01);
+}
+
+// The least overlap is reached all around the axis: 0.3 + 0.2, against 1 + 1 along it.
+TEST(CurvedPairs, CoaxialCylindersAreAsDeepAsTheirRadiiTogether) {
+  ExpectSeparation(
+      {Place(Cylinder{0.3, 1}, {0, 0, 0}), Place(Cylinder{0.2, 1}, {0, 0, 0})}, -0.5);
+}
+
+TEST(CurvedPairs, ParallelCylindersSideBySideAreDeepAlongTheLineOfCentres) {
+  ExpectSeparation(
+      {Place(Cylinder{0.3, 1}, {0, 0, 0}), Place(Cylinder{0.2, 0.7}, {0.3, 0.36, 0.1})},
+      std::hypot(0.3, 0.36) - 0.5);
+}
+
+// The rim of a tilted cylinder is r sin + h cos below its centre.
+TEST(CurvedPairs, TiltedCylinderOnABoxIsDeepByItsRim) {
+  const double tilt = 0.3;
+  const double reach = 0.2 * std::sin(tilt) + 0.3 * std::cos(tilt);
+  for (const double gap : {-0.01, 0.01}) {
+    ExpectSeparation(
+        {Place(Box{{2, 2, 0.5}}, {0, 0, 0}),
+         Place(Cylinder{0.2, 0.3}, {0.1, 0.2, 0.5 + reach + gap}, Turn(tilt, {1, 3, 0}))},
+        gap);
+  }
+}
+
+// From the centre of a cone, r (h) / √(r² + 4 h²) to its side, h to its base.
+TEST(CurvedPairs, SphereOnTheAxisOfAConeLeavesThroughItsSideAllAround) {
+  const double side = 0.3 * 0.5 / std::sqrt(0.3 * 0.3 + 4 * 0.5 * 0.5);
+  ExpectSeparation({Place(Cone{0.3, 0.5}, {0, 0, 0}), Place(Sphere{0.1}, {0, 0, 0})},
+                   -(side + 0.1));
+}
+
+TEST(CurvedPairs, PointIsAsFarFromARimAsPythagorasSays) {
+  const Body cylinder = Place(Cylinder{0.3, 0.5}, {0, 0, 0});
+  const Eigen::Vector3d p = AwkwardPose() * Eigen::Vector3d(0.6 * 0.6, 0.6 * 0.8, 0.9);
+  const Enclosure e = SignedDistance(cylinder, p);
+  EXPECT_NEAR(e.lo, 0.5, 1e-14);  // 0.3 out and 0.4 up; a scene of size 2.
+  EXPECT_NEAR(e.hi, 0.5, 1e-14);
+}
+
+TEST(CurvedPairs, PointOnTheSurfaceIsAtNoDistance) {
+  const Body cone = Place(Cone{0.3, 0.5}, {0, 0, 0});
+  const Enclosure e =
+      SignedDistance(cone, AwkwardPose() * Eigen::Vector3d(0.09, 0.12, 0));
+  EXPECT_NEAR(e.lo, 0, 1e-14);
+  EXPECT_NEAR(e.hi, 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace touchstone
