@@ -103,7 +103,7 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) {
   std::vector<std::pair<QuestionSeries, SweepResult>> results;
   std::uint64_t touching = 0;
   std::uint64_t failed = 0;
-  std::cout << fmt::format("{:<17}{:<27}{:>9}{:>10}{:>11}{:>8}  worst, in tolerances\n",
+  std::cout << fmt::format("{:<19}{:<27}{:>9}{:>10}{:>11}{:>8}  worst, in tolerances\n",
                            "family", "pair", "asked", "touching", "undecided", "failed");
   for (const Family family : FamiliesNamed(arguments.family)) {
     for (const auto& [A, B] : PairsOf(arguments, oracles.front()->info())) {
@@ -123,7 +123,7 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) {
       // What the subject does not support verifies nothing, touching or not.
       if (result.unsupported < result.asked) touching += result.touching;
       failed += result.failed;
-      std::cout << fmt::format("{:<17}{:<27}{:>9}{:>9.1f}%{:>10.1f}%{:>8}  {}\n",
+      std::cout << fmt::format("{:<19}{:<27}{:>9}{:>9.1f}%{:>10.1f}%{:>8}  {}\n",
                                NameOf(family), fmt::format("{} {}", NameOf(A), NameOf(B)),
                                result.asked,
                                100.0 * static_cast<double>(result.touching) /
