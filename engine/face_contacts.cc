@@ -28,18 +28,17 @@ struct Polygon {
   const Corner& operator[](int k) const { return corners[static_cast<std::size_t>(k)]; }
 };
 
-/** Keeps the part of `polygon` where side · coordinate ≤ bound (Sutherland and Hodgman,
- CACM 17(1), 1974). */
+/** Keeps the part of `in` where side · coordinate ≤ bound (Sutherland and Hodgman, CACM
+ 17(1), 1974). Returns `in` where nothing is cut off, else the result in `room`. */
 template <double Corner::*coordinate, int side>
-void Clip(double bound, FaceEdge line, Polygon& polygon) {
+const Polygon& Clip(const Polygon& in, double bound, FaceEdge line, Polygon& room) {
   bool all_inside = true;
-  for (int k = 0; k < polygon.count; ++k) {
-    all_inside = all_inside && side * (polygon[k].*coordinate) <= bound;
+  for (int k = 0; k < in.count; ++k) {
+    all_inside = all_inside && side * (in[k].*coordinate) <= bound;
   }
-  if (all_inside || polygon.count == 0) return;
+  if (all_inside) return in;
 
-  const Polygon in = polygon;
-  polygon.count = 0;
+  int count = 0;
   const Corner* from = &in[in.count - 1];
   double from_excess = side * (from->*coordinate) - bound;
   for (int k = 0; k < in.count; ++k) {
@@ -47,14 +46,16 @@ void Clip(double bound, FaceEdge line, Polygon& polygon) {
     const double to_excess = side * (to->*coordinate) - bound;
     if ((from_excess > 0) != (to_excess > 0)) {
       const double share = from_excess / (from_excess - to_excess);
-      polygon[polygon.count++] = {
+      room[count++] = {
           from->x + share * (to->x - from->x), from->y + share * (to->y - from->y),
           from->z + share * (to->z - from->z), to_excess > 0 ? line : from->leaving};
     }
-    if (!(to_excess > 0)) polygon[polygon.count++] = *to;
+    if (!(to_excess > 0)) room[count++] = *to;
     from = to;
     from_excess = to_excess;
   }
+  room.count = count;
+  return room;
 }
 
 /** The two boxes of a face contact, seen from the one whose face clips. */
@@ -137,21 +138,26 @@ void FillFaceContacts(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA
   const double h_y =
       faces.h_reference[static_cast<std::size_t>(AfterNext(faces.reference.axis))];
 
-  Polygon polygon;
-  const BoxFace incident = FindIncidentFace(faces, polygon);
-  const Corner deepest =
-      *std::min_element(polygon.corners.begin(), polygon.corners.begin() + 4,
-                        [](const Corner& a, const Corner& b) { return a.z < b.z; });
+  Polygon face;
+  const BoxFace incident = FindIncidentFace(faces, face);
 
   // Faces that lie flush share corners: rounding must not cut those off, so the lines
   // stand back by the slack, and what they let through is brought back to the face.
   const double slack = kOverlapRounding * pair.Size();
-  Clip<&Corner::x, 1>(h_x + slack, 5, polygon);
-  Clip<&Corner::x, -1>(h_x + slack, 4, polygon);
-  Clip<&Corner::y, 1>(h_y + slack, 7, polygon);
-  Clip<&Corner::y, -1>(h_y + slack, 6, polygon);
-  // Only where another axis is as good to within rounding can the faces miss each other.
-  if (polygon.count == 0) polygon[polygon.count++] = deepest;
+  std::array<Polygon, 4> cut;
+  const Polygon& right = Clip<&Corner::x, 1>(face, h_x + slack, 5, cut[0]);
+  const Polygon& left = Clip<&Corner::x, -1>(right, h_x + slack, 4, cut[1]);
+  const Polygon& upper = Clip<&Corner::y, 1>(left, h_y + slack, 7, cut[2]);
+  const Polygon& lower = Clip<&Corner::y, -1>(upper, h_y + slack, 6, cut[3]);
+  Polygon deepest;
+  if (lower.count == 0) {
+    // Only where another axis is as good to within rounding can the faces miss each
+    // other.
+    deepest[deepest.count++] =
+        *std::min_element(face.corners.begin(), face.corners.begin() + face.count,
+                          [](const Corner& a, const Corner& b) { return a.z < b.z; });
+  }
+  const Polygon& polygon = lower.count == 0 ? deepest : lower;
 
   double least_z = polygon[0].z;
   for (int k = 1; k < polygon.count; ++k) least_z = std::min(least_z, polygon[k].z);
