@@ -45,8 +45,8 @@ InnerPolytope<Real> Expand(const MinkowskiDifference& M, const Simplex<Real>& si
  surface whose triangles all keep their orientation covers the sphere with a degree that
  counts sheets, all of one sign: it is not zero, so every direction u meets a triangle.
  There t u is a mixture of the x_i for some t > 0, so that it lies in M, and t >= n·(t u)
- / |n| >= ρ; and M, convex and with the origin a limit of such mixtures, holds all of the
- segment from the origin to t u. No convexity of the surface is used, so it does not
+ / |n| >= ρ. The same holds of −u, so that M, being convex, holds the origin and all of
+ the segment from the origin to t u. No convexity of the surface is used, so it does not
  matter how the search rounded. */
 template <typename Real>
 DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>& polytope,
