@@ -161,10 +161,8 @@ class StructureCheck {
     if (!text) return WrongType(node, where, type);
     if (type == ValueType::kText && text->get().empty()) {
       log_.Add(node.source(), fmt::format("{} is empty", where), ExpectationOf(type));
-    } else if (type == ValueType::kId && !IsScenarioId(text->get())) {
-      log_.Add(node.source(), fmt::format("{} is \"{}\"", where, text->get()),
-               ExpectationOf(type));
-    } else if (type == ValueType::kShape && !ShapeNamed(text->get())) {
+    } else if ((type == ValueType::kId && !IsScenarioId(text->get())) ||
+               (type == ValueType::kShape && !ShapeNamed(text->get()))) {
       log_.Add(node.source(), fmt::format("{} is \"{}\"", where, text->get()),
                ExpectationOf(type));
     }

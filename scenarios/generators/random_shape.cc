@@ -22,9 +22,9 @@ Eigen::Vector3d Lengths(Random& random) {
 ConvexHull RandomHull(const Eigen::Vector3d& axes, Random& random) {
   // Points of the unit sphere, so that all are corners: one near each half axis, so that
   // the hull holds the origin, the rest anywhere. Then stretched to an ellipsoid.
-  // Along a unit n with S = Σ|n_i| the three points near n's own half axes reach, in their
-  // mean weighted by |n_i|, (1 − 0.3 (S² − 1)) / (√1.18 S): at least 0.21, at S = √3. So
-  // the hull holds 0.21 of its ellipsoid, and with an axis of 0.2 m a ball of 0.04 m.
+  // Along a unit n with S = Σ|n_i| the three points near n's own half axes reach, in
+  // their mean weighted by |n_i|, (1 − 0.3 (S² − 1)) / (√1.18 S): at least 0.21, where
+  // S = √3. So the hull holds 0.21 of its ellipsoid: a ball of 0.04 m at least.
   std::vector<Eigen::Vector3d> points;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
