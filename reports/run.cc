@@ -10,8 +10,11 @@
 #include "reports/consensus.h"
 #include "reports/explain.h"
 #include "reports/judge.h"
+#include "reports/measures/invalidity.h"
 #include "reports/parallel.h"
 #include "reports/referee/referee.h"
+#include "reports/tolerance.h"
+#include "reports/variants.h"
 
 namespace touchstone {
 namespace {
@@ -95,6 +98,14 @@ void Round::Ask(std::span<const Oracle* const> oracles, int jobs,
   });
 }
 
+/** Whether an answer can be compared with that to a variant of its question. */
+bool IsComparable(const ScenarioResult& result, const OracleInfo& oracle,
+                  const ContactAnswer& answer) {
+  return answer.status == AnswerStatus::kAnswered &&
+         !InvalidityOf(answer,
+                       TolerancesOf(oracle, result.scenario, result.truth).unit_normal);
+}
+
 /** A run in progress. */
 class Suite {
  public:
@@ -116,6 +127,7 @@ class Suite {
     EstablishTruth();
     AskQuestions();
     Judge();
+    AskVariants();
     SortFindings();
     Explain();
     Collect();
@@ -162,6 +174,41 @@ class Suite {
         std::move(of_oracle.begin(), of_oracle.end(), std::back_inserter(findings));
       }
       SettleByConsensus(result, report_.oracles, findings);
+    });
+  }
+
+  /** Asks the variants of every question that was answered, in one round, so that an
+   isolated oracle forks but once more. */
+  void AskVariants() {
+    std::vector<std::vector<Variant>> variants(report_.scenarios.size());
+    ParallelFor(variants.size(), options_.jobs, [&](std::size_t s) {
+      variants[s] = VariantsOf(report_.scenarios[s].scenario);
+    });
+    Round round(oracles_.size());
+    struct Asked {
+      std::size_t oracle;
+      std::size_t variant;
+      std::size_t place;  ///< In the round.
+    };
+    std::vector<std::vector<Asked>> asked(report_.scenarios.size());
+    for (std::size_t i = 0; i < oracles_.size(); ++i) {
+      for (std::size_t s = 0; s < report_.scenarios.size(); ++s) {
+        const ScenarioResult& result = report_.scenarios[s];
+        if (!IsComparable(result, report_.oracles[i], result.answers[i])) continue;
+        for (std::size_t v = 0; v < variants[s].size(); ++v) {
+          asked[s].push_back({i, v, round.queries[i].size()});
+          round.queries[i].push_back(variants[s][v].query);
+        }
+      }
+    }
+    round.Ask(oracles_, options_.jobs, nullptr);
+    ParallelFor(asked.size(), options_.jobs, [&](std::size_t s) {
+      const ScenarioResult& result = report_.scenarios[s];
+      for (const auto& [i, v, place] : asked[s]) {
+        findings_[s].push_back(JudgeVariant(result.scenario, result.truth,
+                                            report_.oracles[i], result.answers[i],
+                                            variants[s][v], round.answers[i][place]));
+      }
     });
   }
 
