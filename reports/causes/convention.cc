@@ -5,6 +5,7 @@
 
 #include "reports/judge.h"
 #include "reports/measures/excess.h"
+#include "reports/measures/outside.h"
 #include "reports/measures/separation_error.h"
 #include "reports/tolerance.h"
 
@@ -109,6 +110,9 @@ std::vector<Reading> ReadingsOf(const Scenario& scenario, const ContactTruth& tr
     FlipNormals(flipped.answer);
     readings.push_back(std::move(flipped));
   }
+
+  const double from_zero = Outside(0, truth.separation);
+  if (from_zero < kClearOfZero * e) return readings;
 
   const auto separation = SeparationOf(answer);
   if (separation && SeparationError(truth, *separation) > e) {

@@ -17,6 +17,11 @@ struct Reading {
   std::string convention;  ///< E.g. "its normal points from B to A".
 };
 
+/** A separation must stand this many tolerances clear of zero before its sign, its scale
+ or half of it can be told from chance: at 4, the smallest effect, half of it, is twice
+ the tolerance. */
+inline constexpr double kClearOfZero = 4;
+
 /** Returns the answer as it would be if it had meant one of the conventions that engines
  are known to use, or two of them at once: normal from B to A; depth and distance with the
  other sign, halved or doubled; contacts on the surface of A or of B rather than midway.

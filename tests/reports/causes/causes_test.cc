@@ -10,6 +10,7 @@
 #include "reports/causes/precision.h"
 #include "reports/causes/tie.h"
 #include "reports/judge.h"
+#include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/specimens.h"
 
@@ -94,6 +95,14 @@ TEST(Convention, RecognisesTwoAtOnce) {
                                              "separation is half of what it is along the "
                                              "normal"));
   EXPECT_THAT(conventions, testing::Not(testing::Contains("")));
+}
+
+TEST(Convention, IsNotReadIntoSeparationsNearTheTolerance) {
+  // A depth of 2e-14 m in a scene whose tolerance is about as much.
+  Specimen s = BoxOnBoxFace(2e-14);
+  s.truth = JudgeContact(s.query);
+  ScaleSeparations(s.right, 4);
+  EXPECT_THAT(Conventions(s), testing::Each(""));
 }
 
 TEST(Convention, ExplainsNoOtherError) {
