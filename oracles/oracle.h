@@ -19,7 +19,9 @@ struct Capability {
   bool depth = false;       ///< Gives the separation of penetrating pairs.
   bool distance = false;    ///< Gives the separation of pairs apart.
   bool normal = false;      ///< Gives the normal of penetrating pairs.
-  bool manifold = false;    ///< Gives contact points of touching pairs.
+  /** Gives contact points that are meant to span the contact patch. False for algorithms
+   that give one point a call: their point is judged, and not held to span a face. */
+  bool manifold = false;
   bool witnesses = false;   ///< Gives witness points.
   /** The engine's own documented convergence tolerance or margin, added to the rounding
    tolerance when its separation is judged. [m]; 0 for closed forms. */

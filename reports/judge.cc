@@ -123,7 +123,11 @@ class Judgement {
       return std::nullopt;
     }
     if (capability_.depth && !separation_) return "touching, without the promised depth";
-    if (capability_.normal && !n_W_) return "touching, without the promised normal";
+    // Who takes the normal from a pair of witness points has none where these coincide.
+    const bool deep = truth_.separation.hi < -tolerances_.separation.value;
+    if (capability_.normal && !n_W_ && deep) {
+      return "touching, without the promised normal";
+    }
     if (capability_.manifold && answer_.points.empty()) {
       return "touching, without a contact";
     }

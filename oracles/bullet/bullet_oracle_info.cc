@@ -44,9 +44,11 @@ Capability WorldDispatchCapability(ShapeKind a, ShapeKind b, BulletPrecision pre
   const bool b_plane = b == ShapeKind::kHalfSpace;
   if (a_plane && b_plane) return Unsupported("two planes have no contact algorithm");
   Capability capability = GjkEpa(ConvergenceOf(precision));
-  capability.manifold = true;
   const bool plane = a_plane || b_plane;  // btConvexPlaneCollisionAlgorithm
   const bool boxes = a == ShapeKind::kBox && b == ShapeKind::kBox;
+  // All others find one point a call, which a stepped world gathers to a manifold over
+  // several steps.
+  capability.manifold = boxes;
   if (!plane && !boxes && !(IsRound(a) && IsRound(b))) return capability;
   // btBoxBoxDetector is adapted from ODE.
   capability.family = boxes ? "box_box_sat" : "closed_form";

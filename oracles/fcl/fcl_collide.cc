@@ -59,7 +59,8 @@ Capability CapabilityOf(FclSolver solver, ShapeKind a, ShapeKind b) {
   capability.family = FamilyOf(solver, a, b);
   capability.depth = true;
   capability.normal = true;
-  capability.manifold = true;
+  // All others give one point: the deepest, or that of MPR or EPA.
+  capability.manifold = capability.family == "box_box_sat";
   if (capability.family == "mpr") {
     capability.documented_error = kTolerance;
     capability.documented_by = "CollisionRequest::gjk_tolerance, ccd_t::mpr_tolerance";

@@ -77,7 +77,6 @@ Capability CapabilityOf(Algorithm algorithm, ShapeKind a, ShapeKind b) {
   capability.family = epa ? "gjk_epa" : "mpr";
   capability.depth = true;
   capability.normal = true;
-  capability.manifold = true;
   capability.documented_error = kTolerance;
   capability.documented_by =
       epa ? "ccd_t::epa_tolerance, ccd/ccd.h" : "ccd_t::mpr_tolerance, ccd/ccd.h";

@@ -59,7 +59,8 @@ Capability CapabilityOf(ShapeKind a, ShapeKind b) {
   capability.family = FamilyOf(a, b);
   capability.depth = true;
   capability.normal = true;
-  capability.manifold = true;
+  // ODE keeps the one point that libccd gives.
+  capability.manifold = capability.family != "mpr";
   if (capability.family == "mpr") {
     capability.documented_error = 1e-6;
     capability.documented_by =
