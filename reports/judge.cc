@@ -57,11 +57,11 @@ class Judgement {
       Unanswered(Verdict::kInvalid, *fault);
       return std::move(findings_);
     }
+    JudgeTouching();
     if (const auto missing = MissingField()) {
       Unanswered(Verdict::kInvalid, *missing);
       return std::move(findings_);
     }
-    JudgeTouching();
     JudgeSeparation();
     JudgeNormal();
     JudgeWitnesses();
@@ -169,8 +169,8 @@ class Judgement {
         ByNormal(), [&] { return ProveInconsistency(dispute_, *n_W_, *separation_); });
   }
 
-  /** Apart, a normal is a direction that separates; only an oracle that gives distances says
-   that it is the direction of the least. */
+  /** Apart, a normal is a direction that separates; only an oracle that gives distances
+   says that it is the direction of the least. */
   void JudgeNormal() {
     if (!n_W_ || (IsApart() && !answer_.touching && !capability_.distance)) return;
     const Finding& finding =

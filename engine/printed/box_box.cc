@@ -2,8 +2,6 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Geometry>
-
 #include "engine/printed/box_contacts.h"
 #include "engine/printed/collide.h"
 #include "engine/rounding.h"
@@ -20,6 +18,21 @@ Interval Shadow(const PlacedBox& box, const Eigen::Vector3d& n_W) {
   const double centre = n_W.dot(box.X_WB.p_WB);
   const double reach = box.Reach(n_W);
   return {centre - reach, centre + reach};
+}
+
+/** Returns a b − c d to two roundings of its own size, where the products cancel too.
+ Source: Kahan; Jeannerod, Louvet & Muller, Math. Comp. 82 (2013), algorithm 1. */
+double DifferenceOfProducts(double a, double b, double c, double d) {
+  const double cd = c * d;
+  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+/** Returns a × b. Axes that are nearly parallel cancel: rounded products would turn the
+ normal by u / |a × b|, out of the plane across the edges. */
+Eigen::Vector3d Cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return {DifferenceOfProducts(a.y(), b.z(), a.z(), b.y()),
+          DifferenceOfProducts(a.z(), b.x(), a.x(), b.z()),
+          DifferenceOfProducts(a.x(), b.y(), a.y(), b.x())};
 }
 
 /** Tries axis after axis and keeps the one of least depth. */
@@ -81,7 +94,7 @@ Manifold Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
   for (int j = 0; j < 3; ++j) search.Try(box_B.axis(j));
   const PlacedBox& partner = errata.Has(Erratum::kE01) ? box_A : box_B;
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) search.Try(box_A.axis(i).cross(partner.axis(j)));
+    for (int j = 0; j < 3; ++j) search.Try(Cross(box_A.axis(i), partner.axis(j)));
   }
 
   Manifold manifold;

@@ -39,17 +39,21 @@ std::array<Line, 12> Edges(const PlacedBox& box) {
   return edges;
 }
 
+/** A part of a line; empty where it ends before it begins. */
 struct Chord {
-  double begin = -std::numeric_limits<double>::infinity();
-  double end = std::numeric_limits<double>::infinity();
+  double begin;
+  double end;
 };
 
-/** Returns the part of `chord` for which p + t d is within `slack` of the box. */
-Chord Inside(const PlacedBox& box, const Line& line, double slack, Chord chord) {
+/** Returns the part of the line in [0, 1] that is within `slack` of the box where the
+ line runs along a face, and within `across` of it where the line crosses one. */
+Chord Inside(const PlacedBox& box, const Line& line, double slack, double across) {
   const Eigen::Vector3d p = box.X_WB.R_WB.transpose() * (line.p_W - box.X_WB.p_WB);
   const Eigen::Vector3d d = box.X_WB.R_WB.transpose() * line.d_W;
+  Chord chord{0, 1};
   for (int k = 0; k < 3; ++k) {
-    const double h = box.box.half_extents[k] + slack;
+    const bool along = std::abs(d[k]) <= 2 * slack;
+    const double h = box.box.half_extents[k] + (along ? slack : across);
     if (d[k] == 0) {
       if (std::abs(p[k]) > h) chord.end = -std::numeric_limits<double>::infinity();
       continue;
@@ -62,6 +66,18 @@ Chord Inside(const PlacedBox& box, const Line& line, double slack, Chord chord) 
   return chord;
 }
 
+/** Returns the part of the line that is in the box; where it only grazes it to within
+ `slack`, the one point where it comes nearest. Slack decides what is kept, not where it
+ is: a crossing lies on the face that it crosses. */
+Chord Clip(const PlacedBox& box, const Line& line, double slack) {
+  const Chord chord = Inside(box, line, slack, 0);
+  if (chord.begin <= chord.end) return chord;
+  const Chord grazing = Inside(box, line, slack, slack);
+  if (grazing.begin > grazing.end) return grazing;
+  const double middle = (grazing.begin + grazing.end) / 2;
+  return {middle, middle};
+}
+
 /** The ends of the edges of one box clipped by the other, where the clipping cut them and
  where it did not. */
 struct ClippedEdges {
@@ -72,7 +88,7 @@ struct ClippedEdges {
 void ClipEdges(const PlacedBox& of, const PlacedBox& by, double slack,
                ClippedEdges& clipped) {
   for (const Line& edge : Edges(of)) {
-    const Chord chord = Inside(by, edge, slack, {0, 1});
+    const Chord chord = Clip(by, edge, slack);
     if (chord.begin > chord.end) continue;
     (chord.begin > 0 ? clipped.crossings_W : clipped.corners_W)
         .push_back(edge.p_W + chord.begin * edge.d_W);
