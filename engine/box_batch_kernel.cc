@@ -1,8 +1,9 @@
-// FindLeastOverlap<Search::kGreatestGap> of engine/separating_axis.h, operation by
+// FindLeastOverlap(Search::kGreatestGap) of engine/separating_axis.cc, operation by
 // operation, for a vector of pairs: same products, same sums, same order, no fused
 // multiply-add, hence same bits.
 
 #include <cstddef>
+#include <limits>
 
 #include "engine/box_batch_layout.h"
 #include "engine/rounding.h"
@@ -41,6 +42,23 @@ HWY_INLINE void Keep(hn::Mask<Tag> better, Vector axis, Vector separation, Vecto
   best.axis = hn::IfThenElse(better, axis, best.axis);
   best.separation = hn::IfThenElse(better, separation, best.separation);
   best.offset = hn::IfThenElse(better, offset, best.offset);
+}
+
+/** The best edge axis so far of each lane. */
+struct BestEdges {
+  Best best;
+  Vector signed_square;
+  Vector squared_length;
+};
+
+HWY_INLINE void KeepGreater(const BestEdges& other, BestEdges& edges) {
+  const auto better = hn::Gt(other.signed_square * edges.squared_length,
+                             edges.signed_square * other.squared_length);
+  Keep(better, other.best.axis, other.best.separation, other.best.offset, edges.best);
+  edges.signed_square =
+      hn::IfThenElse(better, other.signed_square, edges.signed_square);
+  edges.squared_length =
+      hn::IfThenElse(better, other.squared_length, edges.squared_length);
 }
 
 HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays& gaps,
@@ -97,11 +115,11 @@ HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays&
     }
   }
 
-  // Lanes without an edge axis keep −1: nothing is better than no axis.
-  Best edges{hn::Set(tag, -1.0), zero, zero};
-  Vector best_signed_square = zero;
-  Vector best_squared_length = one;
+  // The best of each edge of B over those of A, then the best of the three. A parallel
+  // pair is worse than any: the square of its gap counts as −∞.
+  const Vector worst = hn::Set(tag, -std::numeric_limits<double>::infinity());
   const Vector parallel = hn::Set(tag, kParallelSquared);
+  BestEdges of_B[3];
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t i1 = (i + 1) % 3;
     const std::size_t i2 = (i + 2) % 3;
@@ -119,21 +137,24 @@ HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays&
                            (h_B[j1] * abs_minor[j2] + h_B[j2] * abs_minor[j1]);
       const Vector offset = t[i2] * R[i1][j] - t[i1] * R[i2][j];
       const Vector gap = hn::Abs(offset) - reach;
-      const Vector signed_square = gap * hn::Abs(gap);
-      const auto first = hn::Lt(edges.axis, zero);
-      const auto greater = hn::Gt(signed_square * best_squared_length,
-                                  best_signed_square * squared_length);
-      const auto better =
-          hn::And(hn::Gt(squared_length, parallel), hn::Or(first, greater));
-      Keep(better, hn::Set(tag, static_cast<double>(6 + 3 * i + j)), gap, offset, edges);
-      best_signed_square = hn::IfThenElse(better, signed_square, best_signed_square);
-      best_squared_length = hn::IfThenElse(better, squared_length, best_squared_length);
+      const auto counts = hn::Gt(squared_length, parallel);
+      const BestEdges edges{{hn::Set(tag, static_cast<double>(6 + 3 * i + j)), gap, offset},
+                            hn::IfThenElse(counts, gap * hn::Abs(gap), worst),
+                            hn::IfThenElse(counts, squared_length, one)};
+      if (i == 0) {
+        of_B[j] = edges;
+      } else {
+        KeepGreater(edges, of_B[j]);
+      }
     }
   }
+  KeepGreater(of_B[1], of_B[0]);
+  KeepGreater(of_B[2], of_B[0]);
+  const Best& edges = of_B[0].best;
 
   const Vector size = (hn::Abs(t[0]) + hn::Abs(t[1]) + hn::Abs(t[2])) +
                       ((h_A[0] + h_A[1] + h_A[2]) + (h_B[0] + h_B[1] + h_B[2]));
-  const Vector sine = hn::Sqrt(best_squared_length);
+  const Vector sine = hn::Sqrt(of_B[0].squared_length);
   const Vector edge_separation = edges.separation / sine;
   const Vector best_face = hn::Max(face_A.separation, face_B.separation);
   const auto apart = hn::Gt(hn::Max(best_face, edge_separation), zero);
@@ -142,7 +163,8 @@ HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays&
   Keep(hn::Gt(face_B.separation, face_A.separation + slack), face_B.axis,
        face_B.separation, face_B.offset, best);
   const auto edge_wins =
-      hn::And(hn::Ge(edges.axis, zero), hn::Gt(edge_separation, best_face + slack));
+      hn::And(hn::Gt(of_B[0].signed_square, worst),
+                                 hn::Gt(edge_separation, best_face + slack));
   Keep(edge_wins, edges.axis, edge_separation, edges.offset, best);
 
   hn::StoreU(best.axis, tag, gaps.axis + pair);

@@ -6,7 +6,8 @@ namespace cookbook {
 
 Manifold Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
   BoxPair pair;
-  const AxisGap axis = FindLeastOverlap<Search::kFirstGap>(A, X_WA, B, X_WB, pair);
+  const AxisGap axis = 
+      FindLeastOverlap(A, X_WA, B, X_WB, Search::kFirstGap, pair);
 
   Manifold manifold;
   manifold.separation = axis.separation;

@@ -1,194 +1,287 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <utility>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 
 #include "engine/box_contacts.h"
 #include "engine/feature.h"
 
+// As in separating_axis.cc.
+#define HWY_DISABLED_TARGETS                                                          \
+  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
+   HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/face_contacts.cc"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+#include "engine/four_lanes.h"
+
+// The incident face, a parallelogram, is clipped to the reference face, a rectangle, all
+// edges at once: corners of either lie in the other or not, and each edge of the incident
+// face enters and leaves the rectangle at one place (Liang and Barsky, ACM TOG 3(1),
+// 1984). One corner after the other (Sutherland and Hodgman) takes a dozen branches that
+// nothing foretells.
+
+HWY_BEFORE_NAMESPACE();
 namespace cookbook {
+namespace HWY_NAMESPACE {
 namespace {
 
-/** A corner of the incident face as the reference face sees it: x and y along that face's
- edges from its centre, z outward from its plane. */
-struct Corner {
-  double x;          ///< [m]
-  double y;          ///< [m]
-  double z;          ///< Signed gap to the plane of the reference face. [m]
-  FaceEdge leaving;  ///< The edge towards the next corner.
-};
-
-struct Polygon {
-  /** Clipping a convex polygon by a line adds one corner at most, so that eight would do;
-   where rounding makes it concave, corners may alternate about the line, and n become
-   3n/2. */
-  std::array<Corner, 19> corners;
-  int count = 0;
-
-  Corner& operator[](int k) { return corners[static_cast<std::size_t>(k)]; }
-  const Corner& operator[](int k) const { return corners[static_cast<std::size_t>(k)]; }
-};
-
-/** Keeps the part of `in` where side · coordinate ≤ bound (Sutherland and Hodgman, CACM
- 17(1), 1974). Returns `in` where nothing is cut off, else the result in `room`. */
-template <double Corner::*coordinate, int side>
-const Polygon& Clip(const Polygon& in, double bound, FaceEdge line, Polygon& room) {
-  bool all_inside = true;
-  for (int k = 0; k < in.count; ++k) {
-    all_inside = all_inside && side * (in[k].*coordinate) <= bound;
-  }
-  if (all_inside) return in;
-
-  int count = 0;
-  const Corner* from = &in[in.count - 1];
-  double from_excess = side * (from->*coordinate) - bound;
-  for (int k = 0; k < in.count; ++k) {
-    const Corner* to = &in[k];
-    const double to_excess = side * (to->*coordinate) - bound;
-    if ((from_excess > 0) != (to_excess > 0)) {
-      const double share = from_excess / (from_excess - to_excess);
-      room[count++] = {
-          from->x + share * (to->x - from->x), from->y + share * (to->y - from->y),
-          from->z + share * (to->z - from->z), to_excess > 0 ? line : from->leaving};
-    }
-    if (!(to_excess > 0)) room[count++] = *to;
-    from = to;
-    from_excess = to_excess;
-  }
-  room.count = count;
-  return room;
-}
-
-/** The two boxes of a face contact, seen from the one whose face clips. */
-struct FacePair {
-  const std::array<double, 3>& h_reference;
-  const std::array<double, 3>& h_incident;
-  std::array<double, 3> centre;  ///< Of the incident box. [m]
-  std::array<std::array<double, 3>, 3>
-      column;  ///< column[k]: axis k of the incident box.
+/** The incident face as the reference face sees it: x and y along that face's edges from
+ its centre, z outward from its plane. Its corners are centre ± side1 ± side2. [m] */
+struct SeenFace {
+  std::array<double, 3> centre;
+  std::array<double, 3> side1;
+  std::array<double, 3> side2;
   BoxFace reference;
+  BoxFace incident;
+  double h_x;        ///< Half sides of the reference face.
+  double h_y;
+  double h_outward;  ///< From the centre of the reference box to its face.
 };
 
-FacePair SeenFromReference(const BoxPair& pair, const AxisGap& axis) {
-  const auto& R = pair.R_AB;
-  if (axis.kind == AxisKind::kFaceOfA) {
-    const auto& t = pair.p_AB_A;
-    return {pair.h_A,
-            pair.h_B,
-            t,
-            {{{R[0][0], R[1][0], R[2][0]},
-              {R[0][1], R[1][1], R[2][1]},
-              {R[0][2], R[1][2], R[2][2]}}},
-            {axis.i, t[static_cast<std::size_t>(axis.i)] < 0 ? 0 : 1}};
-  }
-  const auto& t = pair.p_AB_B;
-  return {pair.h_B,
-          pair.h_A,
-          {-t[0], -t[1], -t[2]},
-          R,
-          {axis.j, t[static_cast<std::size_t>(axis.j)] < 0 ? 1 : 0}};
+/** Returns the face of the other box that is most opposed to the reference face. */
+HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const AxisGap& axis) {
+  const bool is_B = axis.kind == AxisKind::kFaceOfB;
+  const int reference = is_B ? axis.j : axis.i;
+  const auto r = static_cast<std::size_t>(reference);
+  const auto r1 = static_cast<std::size_t>(Next(reference));
+  const auto r2 = static_cast<std::size_t>(AfterNext(reference));
+  // Row k: axis k of the incident box.
+  const std::array<Row, 3>& R = is_B ? pair.R_AB : pair.R_BA;
+  const Row& t = is_B ? pair.p_AB_B : pair.p_AB_A;
+  const Row& h_R = is_B ? pair.h_B : pair.h_A;
+  const Row& h_I = is_B ? pair.h_A : pair.h_B;
+  const double towards = is_B ? -1 : 1;  // t, from A to B, turned to the incident box.
+  const double outward = (axis.offset < 0) != is_B ? -1 : 1;
+
+  const double opposed[3] = {std::abs(R[0][r]), std::abs(R[1][r]), std::abs(R[2][r])};
+  const std::size_t larger = opposed[1] > opposed[0];
+  const std::size_t k =
+      larger + (2 - larger) * static_cast<std::size_t>(opposed[2] > opposed[larger]);
+  const std::size_t k1 = k == 2 ? 0 : k + 1;
+  const std::size_t k2 = k == 0 ? 2 : k - 1;
+  const double reach = -std::copysign(h_I[k], outward * R[k][r]);
+  const auto side = [&](std::size_t n) HWY_ATTR {
+    return std::array<double, 3>{h_I[n] * R[n][r1], h_I[n] * R[n][r2],
+                                 outward * (h_I[n] * R[n][r])};
+  };
+  return {{towards * t[r1] + reach * R[k][r1], towards * t[r2] + reach * R[k][r2],
+           outward * (towards * t[r] + reach * R[k][r]) - h_R[r]},
+          side(k1),
+          side(k2),
+          {reference, outward > 0},
+          {static_cast<int>(k), reach > 0},
+          h_R[r1],
+          h_R[r2],
+          h_R[r]};
 }
 
-/** Returns the corners of the face of the incident box that is most opposed to the
- reference face, and which face that is. */
-BoxFace FindIncidentFace(const FacePair& pair, Polygon& face) {
-  const auto r = static_cast<std::size_t>(pair.reference.axis);
-  const auto r1 = static_cast<std::size_t>(Next(pair.reference.axis));
-  const auto r2 = static_cast<std::size_t>(AfterNext(pair.reference.axis));
-  const double outward = pair.reference.side == 0 ? -1 : 1;
+/** Where contacts may be: lanes 0…3 corners of the incident face, 4…7 where an edge of
+ it, from that corner on, enters the rectangle, 8…11 where it leaves, 12…15 corners of the
+ rectangle. */
+struct Candidates {
+  std::array<double, 16> x;
+  std::array<double, 16> y;
+  std::array<double, 16> z;
+  std::array<std::int64_t, 8> line;  ///< Which edge of the rectangle is met: of 4…11.
+  unsigned kept;                     ///< A bit for each.
+  bool may_repeat;  ///< Two may be one and the same point, to rounding.
+};
 
-  int axis = 0;
-  if (std::abs(pair.column[1][r]) > std::abs(pair.column[0][r])) axis = 1;
-  if (std::abs(pair.column[2][r]) >
-      std::abs(pair.column[static_cast<std::size_t>(axis)][r])) {
-    axis = 2;
-  }
-  const auto k = static_cast<std::size_t>(axis);
-  const auto k1 = static_cast<std::size_t>(Next(axis));
-  const auto k2 = static_cast<std::size_t>(AfterNext(axis));
-  const BoxFace incident{axis, outward * pair.column[k][r] < 0 ? 1 : 0};
+constexpr std::array<FaceEdge, 4> kLeaving = {3, 0, 2, 1};
+constexpr std::array<FaceEdge, 4> kArriving = {1, 3, 0, 2};
 
-  const double reach = incident.side == 0 ? -pair.h_incident[k] : pair.h_incident[k];
-  const double x = pair.centre[r1] + reach * pair.column[k][r1];
-  const double y = pair.centre[r2] + reach * pair.column[k][r2];
-  const double z =
-      outward * (pair.centre[r] + reach * pair.column[k][r]) - pair.h_reference[r];
-  const double x1 = pair.h_incident[k1] * pair.column[k1][r1];
-  const double y1 = pair.h_incident[k1] * pair.column[k1][r2];
-  const double z1 = outward * (pair.h_incident[k1] * pair.column[k1][r]);
-  const double x2 = pair.h_incident[k2] * pair.column[k2][r1];
-  const double y2 = pair.h_incident[k2] * pair.column[k2][r2];
-  const double z2 = outward * (pair.h_incident[k2] * pair.column[k2][r]);
-  face.count = 4;
-  face[0] = {x + x1 + x2, y + y1 + y2, z + z1 + z2, 3};
-  face[1] = {x - x1 + x2, y - y1 + y2, z - z1 + z2, 0};
-  face[2] = {x - x1 - x2, y - y1 - y2, z - z1 - z2, 2};
-  face[3] = {x + x1 - x2, y + y1 - y2, z + z1 - z2, 1};
-  return incident;
+HWY_INLINE void StoreBits(FourBits v, std::int64_t* p) {
+  std::memcpy(p, &v, sizeof v);
 }
 
-}  // namespace
+HWY_INLINE std::int64_t Together(FourBits bits) {
+  bits |= __builtin_shufflevector(bits, bits, 2, 3, 0, 1);
+  return bits[0] | bits[1];
+}
 
-void FillFaceContacts(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA,
-                      const Pose& X_WB, Manifold& manifold) {
-  const bool reference_is_B = axis.kind == AxisKind::kFaceOfB;
-  const FacePair faces = SeenFromReference(pair, axis);
-  const auto r = static_cast<std::size_t>(faces.reference.axis);
-  const double h_x =
-      faces.h_reference[static_cast<std::size_t>(Next(faces.reference.axis))];
-  const double h_y =
-      faces.h_reference[static_cast<std::size_t>(AfterNext(faces.reference.axis))];
-
-  Polygon face;
-  const BoxFace incident = FindIncidentFace(faces, face);
+HWY_INLINE void FindCandidates(const SeenFace& face, double slack, Candidates& found) {
+  const auto& c = face.centre;
+  const auto& u = face.side1;
+  const auto& v = face.side2;
+  const Four along_u{1, -1, -1, 1};
+  const Four along_v{1, 1, -1, -1};
+  const auto corners = [&](std::size_t k) HWY_ATTR {
+    return Splat(c[k]) + along_u * Splat(u[k]) + along_v * Splat(v[k]);
+  };
+  const Four x = corners(0);
+  const Four y = corners(1);
+  const Four z = corners(2);
+  const Four dx{-2 * u[0], -2 * v[0], 2 * u[0], 2 * v[0]};
+  const Four dy{-2 * u[1], -2 * v[1], 2 * u[1], 2 * v[1]};
+  const Four dz{-2 * u[2], -2 * v[2], 2 * u[2], 2 * v[2]};
 
   // Faces that lie flush share corners: rounding must not cut those off, so the lines
   // stand back by the slack, and what they let through is brought back to the face.
-  const double slack = kOverlapRounding * pair.Size();
-  std::array<Polygon, 4> cut;
-  const Polygon& right = Clip<&Corner::x, 1>(face, h_x + slack, 5, cut[0]);
-  const Polygon& left = Clip<&Corner::x, -1>(right, h_x + slack, 4, cut[1]);
-  const Polygon& upper = Clip<&Corner::y, 1>(left, h_y + slack, 7, cut[2]);
-  const Polygon& lower = Clip<&Corner::y, -1>(upper, h_y + slack, 6, cut[3]);
-  Polygon deepest;
-  if (lower.count == 0) {
-    // Only where another axis is as good to within rounding can the faces miss each
-    // other.
-    deepest[deepest.count++] =
-        *std::min_element(face.corners.begin(), face.corners.begin() + face.count,
-                          [](const Corner& a, const Corner& b) { return a.z < b.z; });
-  }
-  const Polygon& polygon = lower.count == 0 ? deepest : lower;
+  const Four bound_x = Splat(face.h_x + slack);
+  const Four bound_y = Splat(face.h_y + slack);
+  const FourBits inside = (Abs(x) <= bound_x) & (Abs(y) <= bound_y);
+  const FourBits next_inside = __builtin_shufflevector(inside, inside, 1, 2, 3, 0);
 
-  double least_z = polygon[0].z;
-  for (int k = 1; k < polygon.count; ++k) least_z = std::min(least_z, polygon[k].z);
-  const double highest = std::max(slack, least_z + slack);
+  // Shares of an edge at which it meets the lines; of parallel lines far off, not NaN.
+  const Four least = Splat(1e-300);
+  const Four one = Splat(1);
+  const Four zero{};
+  const Four per_x = one / Select(Abs(dx) < least, least, dx);
+  const Four per_y = one / Select(Abs(dy) < least, least, dy);
+  const Four x1 = (-bound_x - x) * per_x;
+  const Four x2 = (bound_x - x) * per_x;
+  const Four y1 = (-bound_y - y) * per_y;
+  const Four y2 = (bound_y - y) * per_y;
+  const Four enter_x = Min(x1, x2);
+  const Four enter_y = Min(y1, y2);
+  const Four leave_x = Max(x1, x2);
+  const Four leave_y = Max(y1, y2);
+  const Four enter = Min(Max(Max(enter_x, enter_y), zero), one);
+  const Four leave = Max(Min(Min(leave_x, leave_y), one), zero);
+  // Of an edge with an end inside only that end decides, as it does for its neighbour.
+  const FourBits crosses = enter < leave;
+  const FourBits enters = ~inside & (next_inside | crosses);
+  const FourBits leaves = ~next_inside & (inside | crosses);
+  const FourBits up_x = per_x > zero;
+  const FourBits up_y = per_y > zero;
+  StoreBits(enter_x > enter_y ? 5 + up_x : 7 + up_y, found.line.data());
+  StoreBits(leave_x < leave_y ? 4 - up_x : 6 - up_y, found.line.data() + 4);
 
-  const Pose& X_WR = reference_is_B ? X_WB : X_WA;
-  const double outward = faces.reference.side == 0 ? -1 : 1;
-  FaceEdge arriving = polygon[polygon.count - 1].leaving;
-  const Corner* kept = nullptr;
-  for (int k = 0; k < polygon.count && manifold.count < 8; ++k) {
-    const Corner& corner = polygon[k];
-    const FaceEdge edge = std::exchange(arriving, corner.leaving);
-    if (corner.z > highest) continue;
-    // A corner that a line cuts within rounding of its tip leaves two that are one.
-    if (kept != nullptr && std::abs(corner.x - kept->x) <= 4 * slack &&
-        std::abs(corner.y - kept->y) <= 4 * slack) {
-      continue;
-    }
-    kept = &corner;
+  // Corners of the rectangle in the parallelogram, to the same slack.
+  const Four corner_x{face.h_x, -face.h_x, -face.h_x, face.h_x};
+  const Four corner_y{face.h_y, face.h_y, -face.h_y, -face.h_y};
+  const Four from_x = corner_x - Splat(c[0]);
+  const Four from_y = corner_y - Splat(c[1]);
+  const double area = u[0] * v[1] - u[1] * v[0];
+  const Four share_u = from_x * Splat(v[1]) - from_y * Splat(v[0]);
+  const Four share_v = from_y * Splat(u[0]) - from_x * Splat(u[1]);
+  const Four beyond_u = Abs(share_u) - Splat(std::abs(area));
+  const Four beyond_v = Abs(share_v) - Splat(std::abs(area));
+  const Four slack_u = Splat(slack * (std::abs(v[0]) + std::abs(v[1])));
+  const Four slack_v = Splat(slack * (std::abs(u[0]) + std::abs(u[1])));
+  const FourBits covered = (beyond_u <= slack_u) & (beyond_v <= slack_v);
+  const Four corner_z = Splat(c[2]) + (share_u * Splat(u[2]) + share_v * Splat(v[2])) /
+                                          Splat(area);
 
-    ContactPoint& contact = manifold.contacts[static_cast<std::size_t>(manifold.count++)];
-    contact.separation = std::max(corner.z, manifold.separation);
-    contact.feature =
-        FaceContactId(reference_is_B, faces.reference, incident, edge, corner.leaving);
-    Eigen::Vector3d p_RC;
-    p_RC[faces.reference.axis] =
-        outward * (faces.h_reference[r] + contact.separation / 2);
-    p_RC[Next(faces.reference.axis)] = std::clamp(corner.x, -h_x, h_x);
-    p_RC[AfterNext(faces.reference.axis)] = std::clamp(corner.y, -h_y, h_y);
-    contact.p_WC = X_WR.p_WB + X_WR.R_WB * p_RC;
-  }
+  const Four enter_z = z + enter * dz;
+  const Four leave_z = z + leave * dz;
+  const Four none = Splat(std::numeric_limits<double>::infinity());
+  const Four z0 = Select(inside, z, none);
+  const Four z1 = Select(enters, enter_z, none);
+  const Four z2 = Select(leaves, leave_z, none);
+  const Four z3 = Select(covered, corner_z, none);
+  const Four low = Min(Min(z0, z1), Min(z2, z3));
+  const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
+  const double least_z = std::min(lower[0], lower[1]);
+  // The least is kept even where all lie above, and nothing where there is nothing.
+  const Four highest = Splat(std::min(std::max(slack, least_z + slack),
+                                      std::numeric_limits<double>::max()));
+  found.kept = static_cast<unsigned>(Together(
+      ((z0 <= highest) & FourBits{1, 2, 4, 8}) |
+      ((z1 <= highest) & FourBits{1 << 4, 1 << 5, 1 << 6, 1 << 7}) |
+      ((z2 <= highest) & FourBits{1 << 8, 1 << 9, 1 << 10, 1 << 11}) |
+      ((z3 <= highest) & FourBits{1 << 12, 1 << 13, 1 << 14, 1 << 15})));
+
+  // Two candidates are one only where a corner of one face is near a line of the other.
+  const Four near = Splat(16 * slack);
+  found.may_repeat = Together((Abs(Abs(x) - bound_x) <= near) |
+                              (Abs(Abs(y) - bound_y) <= near) |
+                              (Abs(beyond_u) <= Splat(16) * slack_u) |
+                              (Abs(beyond_v) <= Splat(16) * slack_v)) != 0;
+
+  const auto put = [](std::array<double, 16>& lanes, Four l0, Four l1, Four l2, Four l3)
+                       HWY_ATTR {
+    Store(l0, lanes.data());
+    Store(l1, lanes.data() + 4);
+    Store(l2, lanes.data() + 8);
+    Store(l3, lanes.data() + 12);
+  };
+  put(found.x, x, x + enter * dx, x + leave * dx, corner_x);
+  put(found.y, y, y + enter * dy, y + leave * dy, corner_y);
+  put(found.z, z, enter_z, leave_z, corner_z);
 }
 
+/** The two edges that meet at a candidate. */
+struct MeetingEdges {
+  FaceEdge p;
+  FaceEdge q;
+};
+
+HWY_INLINE MeetingEdges EdgesAt(const Candidates& found, std::size_t k) {
+  constexpr std::array<FaceEdge, 4> kLineX = {5, 4, 4, 5};
+  constexpr std::array<FaceEdge, 4> kLineY = {7, 7, 6, 6};
+  if (k < 4) return {kArriving[k], kLeaving[k]};
+  if (k < 12) return {kLeaving[k % 4], static_cast<FaceEdge>(found.line[k - 4])};
+  return {kLineX[k % 4], kLineY[k % 4]};
+}
+
+void Fill(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA, const Pose& X_WB,
+          Manifold& manifold) {
+  const SeenFace face = FindIncidentFace(pair, axis);
+  const double slack = kOverlapRounding * pair.Size();
+  Candidates found;
+  FindCandidates(face, slack, found);
+  if (found.kept == 0) {
+    // Only where another axis is as good to within rounding can the faces miss each
+    // other.
+    const auto corners = found.z.begin();
+    found.kept = 1u << (std::min_element(corners, corners + 4) - corners);
+  }
+
+  const bool reference_is_B = axis.kind == AxisKind::kFaceOfB;
+  const Pose& X_WR = reference_is_B ? X_WB : X_WA;
+  const double* R = X_WR.R_WB.data();
+  const double outward = face.reference.side == 0 ? -1 : 1;
+  const Four x_W = Load3(R + 3 * Next(face.reference.axis), 0);
+  const Four y_W = Load3(R + 3 * AfterNext(face.reference.axis), 0);
+  const Four z_W = Splat(outward) * Load3(R + 3 * face.reference.axis, 0);
+  const Four p_WR = Load3(X_WR.p_WB.data(), 0);
+  std::array<std::size_t, 8> filled;
+  int count = 0;
+  for (unsigned left = found.kept; left != 0 && count < 8; left &= left - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left));
+    if (found.may_repeat) {
+      const auto same = [&](std::size_t n) HWY_ATTR {
+        return std::abs(found.x[k] - found.x[n]) <= 4 * slack &&
+               std::abs(found.y[k] - found.y[n]) <= 4 * slack;
+      };
+      if (std::any_of(filled.begin(), filled.begin() + count, same)) continue;
+    }
+    filled[static_cast<std::size_t>(count)] = k;
+
+    ContactPoint& contact = manifold.contacts[static_cast<std::size_t>(count++)];
+    contact.separation = std::max(found.z[k], manifold.separation);
+    const MeetingEdges edges = EdgesAt(found, k);
+    contact.feature = FaceContactId(reference_is_B, face.reference, face.incident,
+                                    edges.p, edges.q);
+    const Four p_WC =
+        p_WR + (Splat(std::clamp(found.x[k], -face.h_x, face.h_x)) * x_W +
+                Splat(std::clamp(found.y[k], -face.h_y, face.h_y)) * y_W +
+                Splat(face.h_outward + contact.separation / 2) * z_W);
+    for (int n = 0; n < 3; ++n) contact.p_WC[n] = p_WC[n];
+  }
+  manifold.count = count;
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
 }  // namespace cookbook
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cookbook {
+HWY_EXPORT(Fill);
+
+void FillFaceContacts(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA,
+                      const Pose& X_WB, Manifold& manifold) {
+  HWY_DYNAMIC_DISPATCH(Fill)(pair, axis, X_WA, X_WB, manifold);
+}
+}  // namespace cookbook
+#endif

@@ -1,0 +1,92 @@
+// Four doubles at once, for engine code compiled once per processor target. A plain
+// compiler vector, which every target takes: where registers are narrower it is two of
+// them. Include after hwy/highway.h, within a file that foreach_target.h reads again and
+// again; hence the guard that toggles.
+
+#if defined(COOKBOOK_ENGINE_FOUR_LANES_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COOKBOOK_ENGINE_FOUR_LANES_H_
+#undef COOKBOOK_ENGINE_FOUR_LANES_H_
+#else
+#define COOKBOOK_ENGINE_FOUR_LANES_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include <hwy/highway.h>
+
+// Everything that takes or returns a Four is inlined: no call, no convention of calls.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+HWY_BEFORE_NAMESPACE();
+namespace cookbook {
+namespace HWY_NAMESPACE {
+
+using Four = double __attribute__((vector_size(32)));
+/** What comparing two Four gives: all bits set where true. */
+using FourBits = std::int64_t __attribute__((vector_size(32)));
+
+HWY_INLINE Four Load(const double* p) {
+  Four v;
+  std::memcpy(&v, p, sizeof v);
+  return v;
+}
+
+HWY_INLINE void Store(Four v, double* p) {
+  std::memcpy(p, &v, sizeof v);
+}
+
+/** Returns three numbers and `last`. */
+HWY_INLINE Four Load3(const double* p, double last) {
+  return Four{p[0], p[1], p[2], last};
+}
+
+HWY_INLINE Four Splat(double x) {
+  return Four{x, x, x, x};
+}
+
+HWY_INLINE Four Abs(Four x) {
+  return reinterpret_cast<Four>(reinterpret_cast<FourBits>(x) & INT64_MAX);
+}
+
+HWY_INLINE Four Min(Four a, Four b) {
+  return a < b ? a : b;
+}
+
+HWY_INLINE Four Max(Four a, Four b) {
+  return a > b ? a : b;
+}
+
+HWY_INLINE Four Select(FourBits choose, Four a, Four b) {
+  return choose ? a : b;
+}
+
+HWY_INLINE Four Sqrt(Four x) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::CappedTag<double, 4> tag;
+  alignas(32) double lanes[4];
+  Store(x, lanes);
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(tag)) {
+    hn::Store(hn::Sqrt(hn::Load(tag, lanes + k)), tag, lanes + k);
+  }
+  return Load(lanes);
+}
+
+/** Writes the columns of the three rows `in`, the fourth lane of each 0. */
+HWY_INLINE void Transpose(const Four in[3], Four out[3]) {
+  const Four zero{};
+  const Four even = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6);
+  const Four odd = __builtin_shufflevector(in[0], in[1], 1, 5, 3, 7);
+  const Four last_even = __builtin_shufflevector(in[2], zero, 0, 4, 2, 6);
+  const Four last_odd = __builtin_shufflevector(in[2], zero, 1, 5, 3, 7);
+  out[0] = __builtin_shufflevector(even, last_even, 0, 1, 4, 5);
+  out[1] = __builtin_shufflevector(odd, last_odd, 0, 1, 4, 5);
+  out[2] = __builtin_shufflevector(even, last_even, 2, 3, 6, 7);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cookbook
+HWY_AFTER_NAMESPACE();
+
+#endif
