@@ -49,8 +49,7 @@ Eigen::Matrix3d Rotation(const double* lane) {
 
 BoxGap FindGap(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
   BoxPair pair;
-  const AxisGap gap = 
-      FindLeastOverlap(A, X_WA, B, X_WB, Search::kGreatestGap, pair);
+  const AxisGap gap = FindLeastOverlap(A, X_WA, B, X_WB, Search::kGreatestGap, pair);
   return {gap.separation, Normal(gap, X_WA.R_WB, X_WB.R_WB)};
 }
 

@@ -55,8 +55,7 @@ HWY_INLINE void KeepGreater(const BestEdges& other, BestEdges& edges) {
   const auto better = hn::Gt(other.signed_square * edges.squared_length,
                              edges.signed_square * other.squared_length);
   Keep(better, other.best.axis, other.best.separation, other.best.offset, edges.best);
-  edges.signed_square =
-      hn::IfThenElse(better, other.signed_square, edges.signed_square);
+  edges.signed_square = hn::IfThenElse(better, other.signed_square, edges.signed_square);
   edges.squared_length =
       hn::IfThenElse(better, other.squared_length, edges.squared_length);
 }
@@ -138,9 +137,10 @@ HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays&
       const Vector offset = t[i2] * R[i1][j] - t[i1] * R[i2][j];
       const Vector gap = hn::Abs(offset) - reach;
       const auto counts = hn::Gt(squared_length, parallel);
-      const BestEdges edges{{hn::Set(tag, static_cast<double>(6 + 3 * i + j)), gap, offset},
-                            hn::IfThenElse(counts, gap * hn::Abs(gap), worst),
-                            hn::IfThenElse(counts, squared_length, one)};
+      const BestEdges edges{
+          {hn::Set(tag, static_cast<double>(6 + 3 * i + j)), gap, offset},
+          hn::IfThenElse(counts, gap * hn::Abs(gap), worst),
+          hn::IfThenElse(counts, squared_length, one)};
       if (i == 0) {
         of_B[j] = edges;
       } else {
@@ -162,8 +162,7 @@ HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays&
   Best best = face_A;
   Keep(hn::Gt(face_B.separation, face_A.separation + slack), face_B.axis,
        face_B.separation, face_B.offset, best);
-  const auto edge_wins =
-      hn::And(hn::Gt(of_B[0].signed_square, worst),
+  const auto edge_wins = hn::And(hn::Gt(of_B[0].signed_square, worst),
                                  hn::Gt(edge_separation, best_face + slack));
   Keep(edge_wins, edges.axis, edge_separation, edges.offset, best);
 

@@ -6,8 +6,7 @@ namespace cookbook {
 
 Manifold Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
   BoxPair pair;
-  const AxisGap axis = 
-      FindLeastOverlap(A, X_WA, B, X_WB, Search::kFirstGap, pair);
+  const AxisGap axis = FindLeastOverlap(A, X_WA, B, X_WB, Search::kFirstGap, pair);
 
   Manifold manifold;
   manifold.separation = axis.separation;

@@ -40,7 +40,7 @@ struct SeenFace {
   std::array<double, 3> side2;
   BoxFace reference;
   BoxFace incident;
-  double h_x;        ///< Half sides of the reference face.
+  double h_x;  ///< Half sides of the reference face.
   double h_y;
   double h_outward;  ///< From the centre of the reference box to its face.
 };
@@ -48,17 +48,21 @@ struct SeenFace {
 /** Returns the face of the other box that is most opposed to the reference face. */
 HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const AxisGap& axis) {
   const bool is_B = axis.kind == AxisKind::kFaceOfB;
-  const int reference = is_B ? axis.j : axis.i;
+  const int both_axes[] = {axis.i, axis.j};
+  const int reference = both_axes[is_B];
   const auto r = static_cast<std::size_t>(reference);
   const auto r1 = static_cast<std::size_t>(Next(reference));
   const auto r2 = static_cast<std::size_t>(AfterNext(reference));
   // Row k: axis k of the incident box.
-  const std::array<Row, 3>& R = is_B ? pair.R_AB : pair.R_BA;
-  const Row& t = is_B ? pair.p_AB_B : pair.p_AB_A;
-  const Row& h_R = is_B ? pair.h_B : pair.h_A;
-  const Row& h_I = is_B ? pair.h_A : pair.h_B;
-  const double towards = is_B ? -1 : 1;  // t, from A to B, turned to the incident box.
-  const double outward = (axis.offset < 0) != is_B ? -1 : 1;
+  const std::array<Row, 3>* const both_R[] = {&pair.R_BA, &pair.R_AB};
+  const Row* const both_t[] = {&pair.p_AB_A, &pair.p_AB_B};
+  const Row* const both_h[] = {&pair.h_A, &pair.h_B};
+  const std::array<Row, 3>& R = *both_R[is_B];
+  const Row& t = *both_t[is_B];
+  const Row& h_R = *both_h[is_B];
+  const Row& h_I = *both_h[!is_B];
+  const double towards = 1 - 2 * is_B;  // t, from A to B, turned to the incident box.
+  const double outward = 1 - 2 * ((axis.offset < 0) != is_B);
 
   const double opposed[3] = {std::abs(R[0][r]), std::abs(R[1][r]), std::abs(R[2][r])};
   const std::size_t larger = opposed[1] > opposed[0];
@@ -89,13 +93,18 @@ struct Candidates {
   std::array<double, 16> x;
   std::array<double, 16> y;
   std::array<double, 16> z;
-  std::array<std::int64_t, 8> line;  ///< Which edge of the rectangle is met: of 4…11.
-  unsigned kept;                     ///< A bit for each.
+  std::array<std::int64_t, 16>
+      line;         ///< One of the edges that meet; kOther has the other.
+  unsigned kept;    ///< A bit for each.
   bool may_repeat;  ///< Two may be one and the same point, to rounding.
 };
 
-constexpr std::array<FaceEdge, 4> kLeaving = {3, 0, 2, 1};
-constexpr std::array<FaceEdge, 4> kArriving = {1, 3, 0, 2};
+// The edges of the incident face that leave its corners, thrice, then those of the
+// rectangle that bound it along x at its corners.
+constexpr std::array<FaceEdge, 16> kOther = {3, 0, 2, 1, 3, 0, 2, 1,
+                                             3, 0, 2, 1, 5, 4, 4, 5};
+constexpr std::array<std::int64_t, 4> kArriving = {1, 3, 0, 2};
+constexpr std::array<std::int64_t, 4> kAlongY = {7, 7, 6, 6};
 
 HWY_INLINE void StoreBits(FourBits v, std::int64_t* p) {
   std::memcpy(p, &v, sizeof v);
@@ -151,8 +160,10 @@ HWY_INLINE void FindCandidates(const SeenFace& face, double slack, Candidates& f
   const FourBits leaves = ~next_inside & (inside | crosses);
   const FourBits up_x = per_x > zero;
   const FourBits up_y = per_y > zero;
-  StoreBits(enter_x > enter_y ? 5 + up_x : 7 + up_y, found.line.data());
-  StoreBits(leave_x < leave_y ? 4 - up_x : 6 - up_y, found.line.data() + 4);
+  StoreBits(enter_x > enter_y ? 5 + up_x : 7 + up_y, found.line.data() + 4);
+  StoreBits(leave_x < leave_y ? 4 - up_x : 6 - up_y, found.line.data() + 8);
+  std::copy(kArriving.begin(), kArriving.end(), found.line.begin());
+  std::copy(kAlongY.begin(), kAlongY.end(), found.line.begin() + 12);
 
   // Corners of the rectangle in the parallelogram, to the same slack.
   const Four corner_x{face.h_x, -face.h_x, -face.h_x, face.h_x};
@@ -167,8 +178,8 @@ HWY_INLINE void FindCandidates(const SeenFace& face, double slack, Candidates& f
   const Four slack_u = Splat(slack * (std::abs(v[0]) + std::abs(v[1])));
   const Four slack_v = Splat(slack * (std::abs(u[0]) + std::abs(u[1])));
   const FourBits covered = (beyond_u <= slack_u) & (beyond_v <= slack_v);
-  const Four corner_z = Splat(c[2]) + (share_u * Splat(u[2]) + share_v * Splat(v[2])) /
-                                          Splat(area);
+  const Four corner_z =
+      Splat(c[2]) + (share_u * Splat(u[2]) + share_v * Splat(v[2])) / Splat(area);
 
   const Four enter_z = z + enter * dz;
   const Four leave_z = z + leave * dz;
@@ -181,45 +192,31 @@ HWY_INLINE void FindCandidates(const SeenFace& face, double slack, Candidates& f
   const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
   const double least_z = std::min(lower[0], lower[1]);
   // The least is kept even where all lie above, and nothing where there is nothing.
-  const Four highest = Splat(std::min(std::max(slack, least_z + slack),
-                                      std::numeric_limits<double>::max()));
-  found.kept = static_cast<unsigned>(Together(
-      ((z0 <= highest) & FourBits{1, 2, 4, 8}) |
-      ((z1 <= highest) & FourBits{1 << 4, 1 << 5, 1 << 6, 1 << 7}) |
-      ((z2 <= highest) & FourBits{1 << 8, 1 << 9, 1 << 10, 1 << 11}) |
-      ((z3 <= highest) & FourBits{1 << 12, 1 << 13, 1 << 14, 1 << 15})));
+  const Four highest = Splat(
+      std::min(std::max(slack, least_z + slack), std::numeric_limits<double>::max()));
+  found.kept = static_cast<unsigned>(
+      Together(((z0 <= highest) & FourBits{1, 2, 4, 8}) |
+               ((z1 <= highest) & FourBits{1 << 4, 1 << 5, 1 << 6, 1 << 7}) |
+               ((z2 <= highest) & FourBits{1 << 8, 1 << 9, 1 << 10, 1 << 11}) |
+               ((z3 <= highest) & FourBits{1 << 12, 1 << 13, 1 << 14, 1 << 15})));
 
   // Two candidates are one only where a corner of one face is near a line of the other.
   const Four near = Splat(16 * slack);
-  found.may_repeat = Together((Abs(Abs(x) - bound_x) <= near) |
-                              (Abs(Abs(y) - bound_y) <= near) |
-                              (Abs(beyond_u) <= Splat(16) * slack_u) |
-                              (Abs(beyond_v) <= Splat(16) * slack_v)) != 0;
+  found.may_repeat =
+      Together((Abs(Abs(x) - bound_x) <= near) | (Abs(Abs(y) - bound_y) <= near) |
+               (Abs(beyond_u) <= Splat(16) * slack_u) |
+               (Abs(beyond_v) <= Splat(16) * slack_v)) != 0;
 
   const auto put = [](std::array<double, 16>& lanes, Four l0, Four l1, Four l2, Four l3)
                        HWY_ATTR {
-    Store(l0, lanes.data());
-    Store(l1, lanes.data() + 4);
-    Store(l2, lanes.data() + 8);
-    Store(l3, lanes.data() + 12);
-  };
+                         Store(l0, lanes.data());
+                         Store(l1, lanes.data() + 4);
+                         Store(l2, lanes.data() + 8);
+                         Store(l3, lanes.data() + 12);
+                       };
   put(found.x, x, x + enter * dx, x + leave * dx, corner_x);
   put(found.y, y, y + enter * dy, y + leave * dy, corner_y);
   put(found.z, z, enter_z, leave_z, corner_z);
-}
-
-/** The two edges that meet at a candidate. */
-struct MeetingEdges {
-  FaceEdge p;
-  FaceEdge q;
-};
-
-HWY_INLINE MeetingEdges EdgesAt(const Candidates& found, std::size_t k) {
-  constexpr std::array<FaceEdge, 4> kLineX = {5, 4, 4, 5};
-  constexpr std::array<FaceEdge, 4> kLineY = {7, 7, 6, 6};
-  if (k < 4) return {kArriving[k], kLeaving[k]};
-  if (k < 12) return {kLeaving[k % 4], static_cast<FaceEdge>(found.line[k - 4])};
-  return {kLineX[k % 4], kLineY[k % 4]};
 }
 
 void Fill(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA, const Pose& X_WB,
@@ -236,9 +233,10 @@ void Fill(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA, const Pose
   }
 
   const bool reference_is_B = axis.kind == AxisKind::kFaceOfB;
-  const Pose& X_WR = reference_is_B ? X_WB : X_WA;
+  const Pose* const both_X[] = {&X_WA, &X_WB};
+  const Pose& X_WR = *both_X[reference_is_B];
   const double* R = X_WR.R_WB.data();
-  const double outward = face.reference.side == 0 ? -1 : 1;
+  const double outward = 2 * face.reference.side - 1;
   const Four x_W = Load3(R + 3 * Next(face.reference.axis), 0);
   const Four y_W = Load3(R + 3 * AfterNext(face.reference.axis), 0);
   const Four z_W = Splat(outward) * Load3(R + 3 * face.reference.axis, 0);
@@ -258,12 +256,11 @@ void Fill(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA, const Pose
 
     ContactPoint& contact = manifold.contacts[static_cast<std::size_t>(count++)];
     contact.separation = std::max(found.z[k], manifold.separation);
-    const MeetingEdges edges = EdgesAt(found, k);
     contact.feature = FaceContactId(reference_is_B, face.reference, face.incident,
-                                    edges.p, edges.q);
+                                    kOther[k], static_cast<FaceEdge>(found.line[k]));
     const Four p_WC =
-        p_WR + (Splat(std::clamp(found.x[k], -face.h_x, face.h_x)) * x_W +
-                Splat(std::clamp(found.y[k], -face.h_y, face.h_y)) * y_W +
+        p_WR + (Splat(std::min(std::max(found.x[k], -face.h_x), face.h_x)) * x_W +
+                Splat(std::min(std::max(found.y[k], -face.h_y), face.h_y)) * y_W +
                 Splat(face.h_outward + contact.separation / 2) * z_W);
     for (int n = 0; n < 3; ++n) contact.p_WC[n] = p_WC[n];
   }

@@ -6,7 +6,7 @@
 
 // Vectors of four doubles: what is wider brings nothing, what is narrower than AVX2 no
 // more than the baseline.
-#define HWY_DISABLED_TARGETS                                                      \
+#define HWY_DISABLED_TARGETS                                                          \
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
@@ -33,6 +33,12 @@ HWY_INLINE std::size_t FirstGreatest(const Row& x) {
   return greater + (2 - greater) * static_cast<std::size_t>(x[2] > x[greater]);
 }
 
+/** Returns the greatest lane. */
+HWY_INLINE double Greatest(Four x) {
+  const Four greater = Max(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
+  return std::max(greater[0], greater[1]);
+}
+
 /** The best edge axis for each edge of B, a lane each. */
 struct EdgeLanes {
   Four signed_square;
@@ -55,13 +61,23 @@ HWY_INLINE void KeepGreater(const EdgeLanes& other, EdgeLanes& edges) {
   edges.i = better ? other.i : edges.i;
 }
 
-/** Returns the best edge axis of all; its separation is −∞ where all are parallel. */
-HWY_INLINE AxisGap FindEdges(const Four h_A, const Four h_B, const Four t,
-                               const Four R[3], const Four abs_R[3]) {
+/** The best edge axis for each edge of B; a separation is −∞ where all are parallel. */
+struct alignas(32) StoredEdges {
+  Row signed_square;
+  Row squared_length;
+  Row separation;
+  Row sine;
+  Row offset;
+  std::array<std::int64_t, 4> i;
+};
+
+/** Returns the edge of B that has the best edge axis of all. */
+HWY_INLINE std::size_t FindEdges(const Four h_A, const Four h_B, const Four t,
+                                 const Four R[3], const Four abs_R[3],
+                                 StoredEdges& found) {
   // Lane j of these is what belongs to the axis of B after j, and the one after that.
-  const auto next = [](Four x) HWY_ATTR {
-    return __builtin_shufflevector(x, x, 1, 2, 0, 3);
-  };
+  const auto next = [](Four x)
+                        HWY_ATTR { return __builtin_shufflevector(x, x, 1, 2, 0, 3); };
   const auto after_next = [](Four x) HWY_ATTR {
     return __builtin_shufflevector(x, x, 2, 0, 1, 3);
   };
@@ -76,7 +92,8 @@ HWY_INLINE AxisGap FindEdges(const Four h_A, const Four h_B, const Four t,
     const int i1 = (i + 1) % 3;
     const int i2 = (i + 2) % 3;
     // |b_k · (a_i × b_j)|, not |R|: see kOverlapRounding.
-    const Four abs_minor = Abs(next_R[i1] * after_next_R[i2] - next_R[i2] * after_next_R[i1]);
+    const Four abs_minor =
+        Abs(next_R[i1] * after_next_R[i2] - next_R[i2] * after_next_R[i1]);
     const Four squared_length = R[i1] * R[i1] + R[i2] * R[i2];
     const Four reach = (Splat(h_A[i1]) * abs_R[i2] + Splat(h_A[i2]) * abs_R[i1]) +
                        (h_B1 * after_next(abs_minor) + h_B2 * next(abs_minor));
@@ -94,27 +111,22 @@ HWY_INLINE AxisGap FindEdges(const Four h_A, const Four h_B, const Four t,
     }
   }
 
-  alignas(32) Row signed_square;
-  alignas(32) Row squared_length;
-  alignas(32) Row separation;
-  alignas(32) Row sine;
-  alignas(32) Row offset;
-  Store(best.signed_square, signed_square.data());
-  Store(best.squared_length, squared_length.data());
+  Store(best.signed_square, found.signed_square.data());
+  Store(best.squared_length, found.squared_length.data());
   // Of all three, while the comparisons run: the verdict waits for both.
   const Four sines = Sqrt(best.squared_length);
   Store(Select(best.signed_square == Splat(-kInfinity), best.signed_square,
                best.gap / sines),
-        separation.data());
-  Store(sines, sine.data());
-  Store(best.offset, offset.data());
+        found.separation.data());
+  Store(sines, found.sine.data());
+  Store(best.offset, found.offset.data());
+  std::memcpy(found.i.data(), &best.i, sizeof best.i);
   const auto greater = [&](std::size_t p, std::size_t q) HWY_ATTR {
-    return signed_square[p] * squared_length[q] > signed_square[q] * squared_length[p];
+    return found.signed_square[p] * found.squared_length[q] >
+           found.signed_square[q] * found.squared_length[p];
   };
   const std::size_t first = greater(1, 0);
-  const std::size_t j = first + (2 - first) * static_cast<std::size_t>(greater(2, first));
-  return {AxisKind::kEdges, static_cast<int>(best.i[static_cast<int>(j)]),
-          static_cast<int>(j), separation[j], sine[j], offset[j]};
+  return first + (2 - first) * static_cast<std::size_t>(greater(2, first));
 }
 
 AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
@@ -167,12 +179,17 @@ AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
   const std::size_t j = FirstGreatest(gaps_B);
   const double face_A = gaps_A[i];
   const double face_B = gaps_B[j];
-  const double best_face = std::max(face_A, face_B);
+  // Not the greater of those two: known sooner, and a branch waits for it.
+  const double best_face = Greatest(Max(gap_A, gap_B));
   const auto Face = [&](bool is_B) HWY_ATTR {
-    const double separations[2] = {face_A, face_B};
-    const double offsets[2] = {pair.p_AB_A[i], pair.p_AB_B[j]};
-    return AxisGap{static_cast<AxisKind>(is_B), static_cast<int>(i), static_cast<int>(j),
-                   separations[is_B], 1, offsets[is_B]};
+    const double separations[] = {face_A, face_B};
+    const double offsets[] = {pair.p_AB_A[i], pair.p_AB_B[j]};
+    return AxisGap{static_cast<AxisKind>(is_B),
+                   static_cast<int>(i),
+                   static_cast<int>(j),
+                   separations[is_B],
+                   1,
+                   offsets[is_B]};
   };
   if (search == Search::kFirstGap && best_face > 0) return Face(face_B > face_A);
 
@@ -183,13 +200,19 @@ AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
     Store(R[k], pair.R_AB[k].data());
     Store(R_BA[k], pair.R_BA[k].data());
   }
-  const AxisGap edges = FindEdges(h_A, h_B, p_AB_A, R, abs_R);
+  StoredEdges edges;
+  const std::size_t edge = FindEdges(h_A, h_B, p_AB_A, R, abs_R, edges);
+  const double separation = edges.separation[edge];
   // No preference outweighs a gap: the verdict must not depend on it.
-  const bool apart = std::max(best_face, edges.separation) > 0;
+  const bool apart = std::max(best_face, separation) > 0;
   const double slack = apart ? 0 : kOverlapRounding * pair.Size();
   // Against the better face, not the preferred one: where the boxes share an axis, edge
   // axes are face normals to rounding, and their edges meet nowhere.
-  if (edges.separation > best_face + slack) return edges;
+  if (separation > best_face + slack) {
+    return {AxisKind::kEdges,       static_cast<int>(edges.i[edge]),
+            static_cast<int>(edge), separation,
+            edges.sine[edge],       edges.offset[edge]};
+  }
   return Face(face_B > face_A + slack);
 }
 

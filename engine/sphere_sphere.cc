@@ -2,30 +2,38 @@
 
 #include "engine/collide.h"
 #include "engine/rounding.h"
+#include "engine/sphere_batch.h"
 
 namespace cookbook {
 
-Manifold Collide(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB) {
-  const Eigen::Vector3d p_AB_W = X_WB.p_WB - X_WA.p_WB;
-  const double squared_distance = p_AB_W.squaredNorm();
-
-  Manifold manifold;
-  double distance = 0;
+SphereGap FindGap(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB) {
+  const double x = X_WB.p_WB[0] - X_WA.p_WB[0];
+  const double y = X_WB.p_WB[1] - X_WA.p_WB[1];
+  const double z = X_WB.p_WB[2] - X_WA.p_WB[2];
+  const double squared_distance = x * x + y * y + z * z;
   if (squared_distance < kLeastSquaredLength) {
-    manifold.n_AB_W = Eigen::Vector3d::UnitY();  // Any direction is right.
-  } else {
-    distance = std::sqrt(squared_distance);
-    manifold.n_AB_W = p_AB_W * (1 / distance);
+    return {-(A.radius + B.radius), {0, 1, 0}};  // Any direction is right.
   }
-  manifold.separation = distance - (A.radius + B.radius);
-  manifold.touching = manifold.separation <= 0;
-  if (manifold.touching) {
-    manifold.count = 1;
-    ContactPoint& contact = manifold.contacts[0];
-    contact.p_WC = X_WA.p_WB + (A.radius + manifold.separation / 2) * manifold.n_AB_W;
-    contact.separation = manifold.separation;
-    contact.feature = 0;
+  const double distance = std::sqrt(squared_distance);
+  const double scale = 1 / distance;
+  return {distance - (A.radius + B.radius), {x * scale, y * scale, z * scale}};
+}
+
+Manifold Collide(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB) {
+  const SphereGap gap = FindGap(A, X_WA, B, X_WB);
+  Manifold manifold;
+  manifold.n_AB_W = gap.n_AB_W;
+  manifold.separation = gap.separation;
+  manifold.touching = gap.separation <= 0;
+  manifold.count = manifold.touching;
+  // Filled in any case: a branch that cannot be foretold costs more than the contact.
+  ContactPoint& contact = manifold.contacts[0];
+  const double to_middle = A.radius + gap.separation / 2;
+  for (int k = 0; k < 3; ++k) {
+    contact.p_WC[k] = X_WA.p_WB[k] + to_middle * gap.n_AB_W[k];
   }
+  contact.separation = gap.separation;
+  contact.feature = 0;
   return manifold;
 }
 

@@ -1,36 +1,90 @@
 #include "oracles/cookbook/cookbook_batch_oracle.h"
 
+#include <limits>
+#include <vector>
+
 #include "engine/box_batch.h"
+#include "engine/sphere_batch.h"
 #include "oracles/cookbook/translate.h"
 #include "oracles/no_answer.h"
 
 namespace touchstone {
 namespace {
 
-constexpr const char* kBoxesOnly = "the cookbook's batch call takes two boxes only";
+constexpr const char* kBoxesOrSpheresOnly =
+    "the cookbook's batch calls take two boxes or two spheres only";
 
-bool AreBoxes(const ContactQuery& query) {
-  return KindOf(query.A.shape) == ShapeKind::kBox &&
-         KindOf(query.B.shape) == ShapeKind::kBox;
+bool AreBoth(ShapeKind kind, const ContactQuery& query) {
+  return KindOf(query.A.shape) == kind && KindOf(query.B.shape) == kind;
 }
 
-void SetPair(cookbook::BoxBatch& batch, std::size_t index, const ContactQuery& query) {
-  batch.Set(index, ToCookbook(std::get<Box>(query.A.shape)), ToCookbook(query.A.X_WB),
-            ToCookbook(std::get<Box>(query.B.shape)), ToCookbook(query.B.X_WB));
-}
+/** The pairs of one kind of shape among many queries, as a batch of the engine. */
+template <class Shape, class Batch>
+class SortedOut {
+ public:
+  SortedOut(ShapeKind kind, std::span<const ContactQuery> queries)
+      : indices_(IndicesOf(kind, queries)), batch_(indices_.size()) {
+    for (std::size_t k = 0; k < indices_.size(); ++k) {
+      const ContactQuery& query = queries[indices_[k]];
+      batch_.Set(k, ToCookbook(std::get<Shape>(query.A.shape)), ToCookbook(query.A.X_WB),
+                 ToCookbook(std::get<Shape>(query.B.shape)), ToCookbook(query.B.X_WB));
+    }
+  }
+
+  const std::vector<std::size_t>& indices() const { return indices_; }
+  const Batch& batch() const { return batch_; }
+
+  /** Finds all gaps and puts the separations where the queries were. */
+  void FindGaps(std::span<double> separations) {
+    batch_.FindGaps();
+    for (std::size_t k = 0; k < indices_.size(); ++k) {
+      separations[indices_[k]] = batch_.separations()[k];
+    }
+  }
+
+ private:
+  static std::vector<std::size_t> IndicesOf(ShapeKind kind,
+                                            std::span<const ContactQuery> queries) {
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+      if (AreBoth(kind, queries[k])) indices.push_back(k);
+    }
+    return indices;
+  }
+
+  std::vector<std::size_t> indices_;
+  Batch batch_;
+};
 
 class PreparedGaps final : public PreparedBatch {
  public:
-  explicit PreparedGaps(std::span<const ContactQuery> queries) : batch_(queries.size()) {
-    for (std::size_t k = 0; k < queries.size(); ++k) SetPair(batch_, k, queries[k]);
-  }
+  explicit PreparedGaps(std::span<const ContactQuery> queries)
+      : boxes_(ShapeKind::kBox, queries),
+        spheres_(ShapeKind::kSphere, queries),
+        separations_(queries.size(), std::numeric_limits<double>::quiet_NaN()) {}
 
-  void Run() override { batch_.FindGaps(); }
-  std::span<const double> separations() const override { return batch_.separations(); }
+  void Run() override {
+    boxes_.FindGaps(separations_);
+    spheres_.FindGaps(separations_);
+  }
+  std::span<const double> separations() const override { return separations_; }
+
+  const SortedOut<Box, cookbook::BoxBatch>& boxes() const { return boxes_; }
 
  private:
-  cookbook::BoxBatch batch_;
+  SortedOut<Box, cookbook::BoxBatch> boxes_;
+  SortedOut<Sphere, cookbook::SphereBatch> spheres_;
+  std::vector<double> separations_;
 };
+
+Capability Supported(const char* family) {
+  Capability capability;
+  capability.supported = true;
+  capability.family = family;
+  capability.depth = true;
+  capability.normal = true;
+  return capability;
+}
 
 }  // namespace
 
@@ -39,40 +93,44 @@ CookbookBatchOracle::CookbookBatchOracle() {
   info_.library = "Touchstone";
   info_.version = "0.1.0";
   for (auto& row : info_.capabilities) {
-    for (Capability& capability : row) capability.reason = kBoxesOnly;
+    for (Capability& capability : row) capability.reason = kBoxesOrSpheresOnly;
   }
   constexpr auto kBox = static_cast<std::size_t>(ShapeKind::kBox);
-  Capability& boxes = info_.capabilities[kBox][kBox];
-  boxes = {};
-  boxes.supported = true;
-  boxes.family = "sat";
-  boxes.depth = true;
-  boxes.normal = true;
+  constexpr auto kSphere = static_cast<std::size_t>(ShapeKind::kSphere);
+  info_.capabilities[kBox][kBox] = Supported("sat");
+  info_.capabilities[kSphere][kSphere] = Supported("closed_form");
+  info_.capabilities[kSphere][kSphere].distance = true;
   info_.settings = {{"separation of boxes apart", "left out",
                      "the axis test gives only a lower bound"}};
 }
 
 void CookbookBatchOracle::Answer(std::span<const ContactQuery> queries,
                                  std::span<ContactAnswer> answers) const {
-  std::vector<std::size_t> asked;
+  PreparedGaps gaps(queries);
+  gaps.Run();
   for (std::size_t k = 0; k < queries.size(); ++k) {
-    if (AreBoxes(queries[k])) {
-      asked.push_back(k);
-    } else {
-      answers[k] = UnsupportedAnswer(kBoxesOnly);
+    const ContactQuery& query = queries[k];
+    if (!info_.For(KindOf(query.A.shape), KindOf(query.B.shape)).supported) {
+      answers[k] = UnsupportedAnswer(kBoxesOrSpheresOnly);
+      continue;
+    }
+    answers[k] = {};
+    answers[k].status = AnswerStatus::kAnswered;
+    answers[k].touching = gaps.separations()[k] <= 0;
+    if (AreBoth(ShapeKind::kSphere, query)) {
+      answers[k].separation = gaps.separations()[k];
+      answers[k].n_AB_W = cookbook::FindGap(ToCookbook(std::get<Sphere>(query.A.shape)),
+                                            ToCookbook(query.A.X_WB),
+                                            ToCookbook(std::get<Sphere>(query.B.shape)),
+                                            ToCookbook(query.B.X_WB))
+                              .n_AB_W;
+    } else if (answers[k].touching) {
+      answers[k].separation = gaps.separations()[k];
     }
   }
-  cookbook::BoxBatch batch(asked.size());
-  for (std::size_t k = 0; k < asked.size(); ++k) SetPair(batch, k, queries[asked[k]]);
-  batch.FindGaps();
-  for (std::size_t k = 0; k < asked.size(); ++k) {
-    const cookbook::BoxGap gap = batch.gap(k);
-    ContactAnswer& answer = answers[asked[k]];
-    answer = {};
-    answer.status = AnswerStatus::kAnswered;
-    answer.touching = gap.separation <= 0;
-    answer.n_AB_W = gap.n_AB_W;
-    if (answer.touching) answer.separation = gap.separation;
+  const std::vector<std::size_t>& boxes = gaps.boxes().indices();
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    answers[boxes[k]].n_AB_W = gaps.boxes().batch().gap(k).n_AB_W;
   }
 }
 

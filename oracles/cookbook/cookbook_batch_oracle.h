@@ -4,10 +4,10 @@
 
 namespace touchstone {
 
-/** Box against box as the cookbook engine's batch sees it: many pairs in one call, with
- the widest vectors of the processor. The verdict, the depth and the normal, no contacts;
- everything else is unsupported. Of boxes apart it gives the normal of the plane between
- them. */
+/** Box against box and sphere against sphere as the cookbook engine's batches see them:
+ many pairs in one call, with the widest vectors of the processor. The verdict, the depth
+ and the normal, no contacts; everything else is unsupported. Of spheres apart it gives
+ the distance, of boxes apart only the normal of the plane between them. */
 class CookbookBatchOracle final : public Oracle {
  public:
   CookbookBatchOracle();

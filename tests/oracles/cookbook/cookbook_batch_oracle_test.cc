@@ -50,7 +50,32 @@ TEST(CookbookBatchOracle, DecidesAsOneQueryAfterTheOtherDoes) {
   }
 }
 
-TEST(CookbookBatchOracle, SkipsWhatIsNotTwoBoxesWithinABatch) {
+TEST(CookbookBatchOracle, MixedBatchesKeepTheOrderOfTheQueries) {
+  std::vector<ContactQuery> queries = BoxesAtManyDistances();
+  for (std::size_t k = 0; k < queries.size(); k += 2) {
+    queries[k].A.shape = Sphere{0.7};
+    queries[k].B.shape = Sphere{0.4};
+  }
+  std::vector<ContactAnswer> batch(queries.size());
+  std::vector<ContactAnswer> single(queries.size());
+  const CookbookBatchOracle oracle;
+  oracle.Answer(queries, batch);
+  CookbookOracle().Answer(queries, single);
+  const std::unique_ptr<PreparedBatch> prepared = oracle.Prepare(queries);
+  prepared->Run();
+  for (std::size_t k = 0; k < queries.size(); ++k) {
+    ASSERT_EQ(batch[k].status, AnswerStatus::kAnswered);
+    EXPECT_EQ(batch[k].touching, single[k].touching);
+    EXPECT_EQ(batch[k].separation, single[k].separation);
+    EXPECT_EQ(prepared->separations()[k] <= 0, batch[k].touching);
+    if (k % 2 == 0) {
+      EXPECT_EQ(prepared->separations()[k], *single[k].separation);
+      EXPECT_EQ(*batch[k].n_AB_W, *single[k].n_AB_W);
+    }
+  }
+}
+
+TEST(CookbookBatchOracle, SkipsPairsItHasNoBatchFor) {
   std::vector<ContactQuery> queries = BoxesAtManyDistances();
   queries[3].B.shape = Sphere{0.4};
   std::vector<ContactAnswer> answers(queries.size());

@@ -1,0 +1,71 @@
+// FindGap() of engine/sphere_sphere.cc, operation by operation, for a vector of pairs.
+
+#include "engine/sphere_batch.h"
+
+#include "engine/rounding.h"
+
+// As in box_batch_kernel.cc.
+#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/sphere_batch.cc"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cookbook {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+void FindSeparations(std::span<const SphereBlock> blocks, double* separations) {
+  using Tag = hn::CappedTag<double, 8>;
+  const Tag tag;
+  const hn::Vec<Tag> least = hn::Set(tag, kLeastSquaredLength);
+  for (const SphereBlock& block : blocks) {
+    for (std::size_t lane = 0; lane < 8; lane += hn::Lanes(tag)) {
+      const auto from = [&](const SphereBlock::Lanes& lanes)
+                            HWY_ATTR { return hn::Load(tag, lanes.data() + lane); };
+      const hn::Vec<Tag> x = from(block.p_WB[0]) - from(block.p_WA[0]);
+      const hn::Vec<Tag> y = from(block.p_WB[1]) - from(block.p_WA[1]);
+      const hn::Vec<Tag> z = from(block.p_WB[2]) - from(block.p_WA[2]);
+      const hn::Vec<Tag> squared = x * x + y * y + z * z;
+      const hn::Vec<Tag> distance =
+          hn::IfThenZeroElse(hn::Lt(squared, least), hn::Sqrt(squared));
+      hn::StoreU(distance - (from(block.radius_A) + from(block.radius_B)), tag,
+                 separations + lane);
+    }
+    separations += 8;
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace cookbook
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cookbook {
+HWY_EXPORT(FindSeparations);
+
+SphereBatch::SphereBatch(std::size_t size)
+    : size_(size), blocks_((size + 7) / 8), separations_(blocks_.size() * 8) {}
+
+void SphereBatch::Set(std::size_t index, const Sphere& A, const Pose& X_WA,
+                      const Sphere& B, const Pose& X_WB) {
+  SphereBlock& block = blocks_[index / 8];
+  const std::size_t lane = index % 8;
+  for (std::size_t k = 0; k < 3; ++k) {
+    block.p_WA[k][lane] = X_WA.p_WB.data()[k];
+    block.p_WB[k][lane] = X_WB.p_WB.data()[k];
+  }
+  block.radius_A[lane] = A.radius;
+  block.radius_B[lane] = B.radius;
+}
+
+void SphereBatch::FindGaps() {
+  HWY_DYNAMIC_DISPATCH(FindSeparations)(blocks_, separations_.data());
+}
+}  // namespace cookbook
+#endif

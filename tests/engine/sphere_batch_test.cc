@@ -1,0 +1,92 @@
+// Many spheres at once: the same bits as one after the other, with every vector width.
+
+#include "engine/sphere_batch.h"
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+#include <hwy/targets.h>
+
+#include "engine/collide.h"
+#include "tests/engine/random_boxes.h"
+
+namespace cookbook::test {
+namespace {
+
+struct SphereQuestion {
+  Sphere A;
+  Pose X_WA;
+  Sphere B;
+  Pose X_WB;
+};
+
+/** Near and far, every fifth pair concentric or as good as that. */
+std::vector<SphereQuestion> SphereQuestions(int count) {
+  std::vector<SphereQuestion> questions;
+  Random random(17);
+  for (int k = 0; k < count; ++k) {
+    SphereQuestion q{{random.Between(0.1, 2)}, {}, {random.Between(0.1, 2)}, {}};
+    q.X_WA.p_WB = 5 * random.Direction();
+    const double distance = k % 5 == 0 ? 1e-160 * random.Below(2) : random.Between(0, 4);
+    if (k % 5 == 0) q.X_WA.p_WB *= 0;
+    q.X_WB.p_WB = q.X_WA.p_WB + distance * random.Direction();
+    questions.push_back(q);
+  }
+  return questions;
+}
+
+SphereBatch BatchOf(const std::vector<SphereQuestion>& questions) {
+  SphereBatch batch(questions.size());
+  for (std::size_t k = 0; k < questions.size(); ++k) {
+    const SphereQuestion& q = questions[k];
+    batch.Set(k, q.A, q.X_WA, q.B, q.X_WB);
+  }
+  batch.FindGaps();
+  return batch;
+}
+
+std::uint64_t Bits(double x) {
+  return std::bit_cast<std::uint64_t>(x);
+}
+
+class SphereBatchOnTarget : public testing::TestWithParam<std::int64_t> {
+ protected:
+  void SetUp() override { Choose(GetParam()); }
+  void TearDown() override { Choose(0); }
+
+ private:
+  static void Choose(std::int64_t target) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+TEST_P(SphereBatchOnTarget, GivesTheBitsOfOnePairAtATime) {
+  // 1003: the last block is not full.
+  const std::vector<SphereQuestion> questions = SphereQuestions(1003);
+  const SphereBatch batch = BatchOf(questions);
+  ASSERT_EQ(batch.separations().size(), questions.size());
+  int touching = 0;
+  for (std::size_t k = 0; k < questions.size() && !HasFailure(); ++k) {
+    const SphereQuestion& q = questions[k];
+    const Manifold manifold = Collide(q.A, q.X_WA, q.B, q.X_WB);
+    touching += manifold.touching;
+    EXPECT_EQ(Bits(batch.separations()[k]), Bits(manifold.separation));
+    EXPECT_EQ(FindGap(q.A, q.X_WA, q.B, q.X_WB).n_AB_W, manifold.n_AB_W);
+  }
+  EXPECT_GT(touching, 300);
+  EXPECT_LT(touching, 900);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, SphereBatchOnTarget,
+                         testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
+                         [](const auto& target) {
+                           return std::string(hwy::TargetName(target.param));
+                         });
+
+}  // namespace
+}  // namespace cookbook::test
