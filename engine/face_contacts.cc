@@ -219,6 +219,22 @@ HWY_INLINE void FindCandidates(const SeenFace& face, double slack, Candidates& f
   put(found.z, z, enter_z, leave_z, corner_z);
 }
 
+/** Returns which candidates are kept of those that differ in x or y by more than
+ `distance`. */
+unsigned WithoutRepeats(const Candidates& found, double distance) {
+  unsigned kept = 0;
+  for (std::size_t k = 0; k < 16; ++k) {
+    bool repeats = false;
+    for (std::size_t n = 0; n < k; ++n) {
+      repeats = repeats ||
+                ((kept >> n & 1) != 0 && std::abs(found.x[k] - found.x[n]) <= distance &&
+                 std::abs(found.y[k] - found.y[n]) <= distance);
+    }
+    if (!repeats) kept |= found.kept & 1u << k;
+  }
+  return kept;
+}
+
 void Fill(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA, const Pose& X_WB,
           Manifold& manifold) {
   const SeenFace face = FindIncidentFace(pair, axis);
@@ -241,20 +257,7 @@ void Fill(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA, const Pose
   const Four y_W = Load3(R + 3 * AfterNext(face.reference.axis), 0);
   const Four z_W = Splat(outward) * Load3(R + 3 * face.reference.axis, 0);
   const Four p_WR = Load3(X_WR.p_WB.data(), 0);
-  std::array<std::size_t, 8> filled;
-  int count = 0;
-  for (unsigned left = found.kept; left != 0 && count < 8; left &= left - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(left));
-    if (found.may_repeat) {
-      const auto same = [&](std::size_t n) HWY_ATTR {
-        return std::abs(found.x[k] - found.x[n]) <= 4 * slack &&
-               std::abs(found.y[k] - found.y[n]) <= 4 * slack;
-      };
-      if (std::any_of(filled.begin(), filled.begin() + count, same)) continue;
-    }
-    filled[static_cast<std::size_t>(count)] = k;
-
-    ContactPoint& contact = manifold.contacts[static_cast<std::size_t>(count++)];
+  const auto put = [&](std::size_t k, ContactPoint& contact) HWY_ATTR {
     contact.separation = std::max(found.z[k], manifold.separation);
     contact.feature = FaceContactId(reference_is_B, face.reference, face.incident,
                                     kOther[k], static_cast<FaceEdge>(found.line[k]));
@@ -263,8 +266,16 @@ void Fill(const BoxPair& pair, const AxisGap& axis, const Pose& X_WA, const Pose
                 Splat(std::min(std::max(found.y[k], -face.h_y), face.h_y)) * y_W +
                 Splat(face.h_outward + contact.separation / 2) * z_W);
     for (int n = 0; n < 3; ++n) contact.p_WC[n] = p_WC[n];
+  };
+  unsigned left = found.may_repeat ? WithoutRepeats(found, 4 * slack) : found.kept;
+  manifold.count = std::min(std::popcount(left), 8);
+  // Four in any case, of none if need be: how many there are cannot be foretold either.
+  const int filled = std::max(manifold.count, 4);
+  for (int n = 0; n < filled; ++n) {
+    put(static_cast<std::size_t>(std::countr_zero(left)) % 16,
+        manifold.contacts[static_cast<std::size_t>(n)]);
+    left &= left - 1;
   }
-  manifold.count = count;
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ const std::vector<Unsupported> kUnsupported = {
     {"bullet_float/gjk", kConvexOnly},
     {"cookbook", kOnlySpheresAndBoxes},
     {"cookbook/batch",
-     {{kSphere, kCapsule, kCylinder, kCone, kConvexHull, kHalfSpace}, {}}},
+     {{kCapsule, kCylinder, kCone, kConvexHull, kHalfSpace}, {{kSphere, kBox}}}},
     {"fcl/collide", kAllButTwoHalfSpaces},
     {"fcl/collide_indep", kAllButTwoHalfSpaces},
     {"fcl/distance", kAllButTwoHalfSpaces},
