@@ -139,6 +139,8 @@ HWY_INLINE void FindCandidates(const SeenFace& face, double slack, Candidates& f
   const FourBits next_inside = __builtin_shufflevector(inside, inside, 1, 2, 3, 0);
 
   // Shares of an edge at which it meets the lines; of parallel lines far off, not NaN.
+  // 1e-300 times any box's distance from a line underflows to nothing; its inverse,
+  // 1e300, is finite, so that no 0 · ∞ arises for a corner on the line.
   const Four least = Splat(1e-300);
   const Four one = Splat(1);
   const Four zero{};
@@ -200,7 +202,10 @@ HWY_INLINE void FindCandidates(const SeenFace& face, double slack, Candidates& f
                ((z2 <= highest) & FourBits{1 << 8, 1 << 9, 1 << 10, 1 << 11}) |
                ((z3 <= highest) & FourBits{1 << 12, 1 << 13, 1 << 14, 1 << 15})));
 
-  // Two candidates are one only where a corner of one face is near a line of the other.
+  // Two candidates are one only where a corner of one face is near a line of the other:
+  // they lie within 4 √2 slack of each other, and adjacent edges of the incident face,
+  // seen along a normal at most 55° off, meet at no angle so flat that their corner is
+  // more than thrice as far.
   const Four near = Splat(16 * slack);
   found.may_repeat =
       Together((Abs(Abs(x) - bound_x) <= near) | (Abs(Abs(y) - bound_y) <= near) |

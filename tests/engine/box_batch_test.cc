@@ -50,7 +50,6 @@ class BoxBatchOnTarget : public testing::TestWithParam<std::int64_t> {
   void SetUp() override { Choose(GetParam()); }
   void TearDown() override { Choose(0); }
 
- private:
   static void Choose(std::int64_t target) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -67,6 +66,24 @@ TEST_P(BoxBatchOnTarget, GivesTheBitsOfOnePairAtATime) {
   for (std::size_t k = 0; k < questions.size() && !HasFailure(); ++k) {
     const BoxQuestion& q = questions[k];
     ExpectSameBits(batch.gap(k), FindGap(q.A, q.X_WA, q.B, q.X_WB));
+  }
+}
+
+TEST_P(BoxBatchOnTarget, ContactsHaveTheBitsOfTheWidestVectors) {
+  for (const BoxQuestion& q : Questions(300)) {
+    Choose(GetParam());
+    const Manifold narrow = Collide(q.A, q.X_WA, q.B, q.X_WB);
+    Choose(0);
+    const Manifold wide = Collide(q.A, q.X_WA, q.B, q.X_WB);
+    ASSERT_EQ(narrow.count, wide.count);
+    EXPECT_EQ(Bits(narrow.separation), Bits(wide.separation));
+    for (std::size_t k = 0; k < wide.points().size(); ++k) {
+      const ContactPoint& a = narrow.contacts[k];
+      const ContactPoint& b = wide.contacts[k];
+      EXPECT_EQ(a.feature, b.feature);
+      EXPECT_EQ(Bits(a.separation), Bits(b.separation));
+      for (int n = 0; n < 3; ++n) EXPECT_EQ(Bits(a.p_WC[n]), Bits(b.p_WC[n]));
+    }
   }
 }
 
