@@ -54,11 +54,11 @@ INSTANTIATE_TEST_SUITE_P(
         Specimen{"E-01", "touching"},  // Apart on an axis it does not test.
         Specimen{"E-02", "excess"},    // The normal loses its negative components.
         Specimen{"E-03", "separation_error"}, Specimen{"E-04", "consistency_error"},
-        Specimen{"E-05", "excess"},          // A centre inside leaves by the wrong face.
-        Specimen{"E-06", "touching"},        // Concentric shapes are said to be apart.
-        Specimen{"E-07", "answering"},       // Touching, without the promised contact.
-        Specimen{"E-08", "contact_count"},   // Four contacts where two are right.
-        Specimen{"E-09", "patch_coverage"},  // Contacts within a centimetre are one.
+        Specimen{"E-05", "excess"},     // A centre inside leaves by the wrong face.
+        Specimen{"E-06", "touching"},   // Concentric shapes are said to be apart.
+        Specimen{"E-07", "answering"},  // Touching, without the promised contact.
+        Specimen{"E-08", "contact_off_patch"},  // Four contacts where two are right.
+        Specimen{"E-09", "patch_coverage"},     // Contacts within a centimetre are one.
         Specimen{"E-26", "separation_error"}),
     [](const testing::TestParamInfo<Specimen>& instance) {
       std::string name = instance.param.erratum;
