@@ -12,8 +12,8 @@ namespace touchstone {
 /** The arguments of `touchstone bench contact`. */
 struct BenchArguments {
   std::vector<std::string> oracles;  ///< Names or what names begin with; empty: all.
-  std::vector<std::string>
-      pair;  ///< Two names of shapes; empty: every pair of equal order.
+  /** Two names of shapes; empty: the three pairs of spheres and boxes. */
+  std::vector<std::string> pair;
   std::uint64_t count = 20000;  ///< Questions per pair.
   std::uint64_t sample = 500;   ///< Of these, how many are held against the truth.
   std::uint64_t seed = 1;

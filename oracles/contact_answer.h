@@ -23,8 +23,8 @@ struct ContactPoint {
    library gives to this convention. World frame, [m]. */
   Eigen::Vector3d p_WC;
   double separation;  ///< Signed gap along the normal: < 0 penetrating. [m]
-  /** The normal of this contact where the library gave it one of its own that differs from
-   ContactAnswer::n_AB_W. Unit, from A to B, world frame. */
+  /** The normal of this contact where the library gave it one of its own that differs
+   from ContactAnswer::n_AB_W. Unit, from A to B, world frame. */
   std::optional<Eigen::Vector3d> n_AB_W;
 };
 
@@ -36,18 +36,19 @@ struct WitnessPoints {
 
 /** What an oracle says about a ContactQuery, in the project's conventions.
 
- A field that the oracle does not provide is empty; a field that it provides is passed on as it
- came, NaN included, since that is a finding.
+ A field that the oracle does not provide is empty; a field that it provides is passed on
+ as it came, NaN included, since that is a finding.
 
  `n_AB_W` points out of A into B: moving B by -separation * n_AB_W brings the two to just
  touching. Swapping A and B negates the normal and nothing else. */
 struct ContactAnswer {
   AnswerStatus status = AnswerStatus::kUnsupported;
-  std::string reason;     ///< Why there is no answer; empty when answered.
-  bool touching = false;  ///< What the oracle decides, zero separation counting as touching.
+  std::string reason;  ///< Why there is no answer; empty when answered.
+  bool touching =
+      false;  ///< What the oracle decides, zero separation counting as touching.
   std::optional<Eigen::Vector3d> n_AB_W;  ///< Unit, world frame.
   std::optional<double> separation;       ///< Signed: < 0 penetrating, > 0 apart. [m]
-  std::vector<ContactPoint> points;       ///< Empty where apart or not provided. Unordered.
+  std::vector<ContactPoint> points;  ///< Empty where apart or not provided. Unordered.
   std::optional<WitnessPoints> witnesses;
 };
 

@@ -16,13 +16,13 @@ namespace touchstone {
 struct Capability {
   bool supported = false;
   std::string family;  ///< Algorithm, the unit of consensus: "sat", "gjk_epa", "mpr", …
-  bool depth = false;       ///< Gives the separation of penetrating pairs.
-  bool distance = false;    ///< Gives the separation of pairs apart.
-  bool normal = false;      ///< Gives the normal of penetrating pairs.
+  bool depth = false;  ///< Gives the separation of penetrating pairs.
+  bool distance = false;  ///< Gives the separation of pairs apart.
+  bool normal = false;    ///< Gives the normal of penetrating pairs.
   /** Gives contact points that are meant to span the contact patch. False for algorithms
    that give one point a call: their point is judged, and not held to span a face. */
   bool manifold = false;
-  bool witnesses = false;   ///< Gives witness points.
+  bool witnesses = false;  ///< Gives witness points.
   /** The engine's own documented convergence tolerance or margin, added to the rounding
    tolerance when its separation is judged. [m]; 0 for closed forms. */
   double documented_error = 0;
@@ -32,7 +32,8 @@ struct Capability {
   std::string reason;         ///< Why the pair is unsupported; empty when supported.
 };
 
-/** One thing an adapter sets or converts, as `touchstone oracles --settings` prints it. */
+/** One thing an adapter sets or converts, as `touchstone oracles --settings` prints it.
+ */
 struct Setting {
   std::string name;   ///< E.g. "normal", "depth sign", "box margin".
   std::string value;  ///< What is in force, e.g. "B->A, negated".
@@ -41,7 +42,7 @@ struct Setting {
 
 /** Who an oracle is. */
 struct OracleInfo {
-  std::string name;     ///< Path-like: "cookbook", "bullet", "bullet/gjk", "fcl/collide", …
+  std::string name;  ///< Path-like: "cookbook", "bullet", "bullet/gjk", "fcl/collide", …
   std::string library;  ///< "Bullet", "ODE", …; "Touchstone" for our own.
   std::string version;  ///< Of the library, as the library itself says.
   /** Unit roundoff of the arithmetic: 2^-53 for double, 2^-24 for float. */
@@ -57,24 +58,26 @@ struct OracleInfo {
   }
 };
 
-/** A batch whose engine objects exist already, so that only the engine's work is timed. */
+/** A batch whose engine objects exist already, so that only the engine's work is timed.
+ */
 class PreparedBatch {
  public:
   virtual ~PreparedBatch() = default;
 
-  /** Asks the engine every question of the batch once, without translating the answers. */
+  /** Asks the engine every question of the batch once, without translating the answers.
+   */
   virtual void Run() = 0;
 
-  /** Returns, after Run(), the separation per question as the engine gave it, in the project's
-   sign; NaN where it gave none. [m] */
+  /** Returns, after Run(), the separation per question as the engine gave it, in the
+   project's sign; NaN where it gave none. [m] */
   virtual std::span<const double> separations() const = 0;
 };
 
 /** Who answers: a library behind an adapter, the cookbook engine, or a user's function.
 
- An oracle is library + entry point + precision. It is a pure function with a name: it keeps
- nothing between calls, so questions may be asked in any order and from any thread. Nothing
- throws across this interface: what went wrong is part of the answer.
+ An oracle is library + entry point + precision. It is a pure function with a name: it
+ keeps nothing between calls, so questions may be asked in any order and from any thread.
+ Nothing throws across this interface: what went wrong is part of the answer.
 
  Every oracle passes tests/conformance, which states this contract in full. */
 class Oracle {
@@ -90,7 +93,8 @@ class Oracle {
 
   /** Returns `queries` ready for timing, or null where the oracle is not timed.
    @pre Every query is supported by this oracle. */
-  virtual std::unique_ptr<PreparedBatch> Prepare(std::span<const ContactQuery> queries) const;
+  virtual std::unique_ptr<PreparedBatch> Prepare(
+      std::span<const ContactQuery> queries) const;
 
   /** Answers one query. */
   ContactAnswer Answer(const ContactQuery& query) const;

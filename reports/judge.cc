@@ -87,6 +87,8 @@ class Judgement {
     finding.tolerance_because = tolerance.because;
     // Written so that a NaN fails.
     finding.verdict = value <= tolerance.value ? Verdict::kPass : Verdict::kFail;
+    // A truth without an end, where doubles overflow, proves nobody wrong.
+    if (!std::isfinite(tolerance.value)) finding.verdict = Verdict::kUndecidable;
     if (finding.verdict == Verdict::kFail) finding.proof = prove();
     return finding;
   }
@@ -250,13 +252,34 @@ class Judgement {
       }
     }
     if (worst == nullptr) return;
-    Add(MeasureKind::kContactOffPatch, off, tolerances_.across,
+    Add(MeasureKind::kContactOffPatch, off, AcrossWithRims(),
         [&] { return ProveOffPatch(dispute_, *worst, off); });
+  }
+
+  /** The tolerance across the normal, where a rim may be the deepest feature: along a rim
+   of radius r that leans by θ the depth falls by w² sin θ / 2r only, so that a depth off
+   by e leaves w = √(2 e r / sin θ) open, at most the whole rim. */
+  Tolerance AcrossWithRims() const {
+    Tolerance tolerance = tolerances_.across;
+    for (const Body* body : {&query_.A, &query_.B}) {
+      const ShapeKind kind = KindOf(body->shape);
+      if (kind != ShapeKind::kCylinder && kind != ShapeKind::kCone) continue;
+      const double lean = n_W_->cross(body->X_WB.R_WB.col(2)).norm();
+      const double r = BoundingRadius(body->shape);
+      const double e = tolerances_.separation.value;
+      const double open = lean * r > e ? std::sqrt(2 * e * r / lean) : 2 * r;
+      tolerance.value = std::max(tolerance.value, 2 * std::min(open, 2 * r));
+      tolerance.because = fmt::format("{}, or along a rim that leans by {:.2g}",
+                                      tolerances_.across.because, lean);
+    }
+    return tolerance;
   }
 
   void JudgeCoverage() {
     const double e = tolerances_.separation.value;
-    const ContactPatch patch = PatchWithin(e);
+    // Faces flush to within the rounding of the input are flush. Beyond it, a tilt may be
+    // taken at its word: one corner is then the whole patch.
+    const ContactPatch patch = PatchWithin(truth_.input_rounding);
     if (patch.vertices_W.empty()) return;
     if (patch.vertices_W.size() > 1) {
       const double unspanned = PatchUnspanned(patch, *n_W_, answer_.points);

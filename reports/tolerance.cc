@@ -40,7 +40,10 @@ Tolerance SeparationTolerance(const OracleInfo& oracle, const Scenario& scenario
   const double rounding = RoundingOf(oracle, scenario.contact);
   const double largest =
       std::max(std::abs(truth.separation.lo), std::abs(truth.separation.hi));
-  const double relative = capability.documented_relative_error * largest;
+  // Without a share there is none to take, of an enclosure without an end either.
+  const double relative = capability.documented_relative_error > 0
+                              ? capability.documented_relative_error * largest
+                              : 0;
   Tolerance tolerance;
   tolerance.value =
       rounding + truth.input_rounding + capability.documented_error + relative;

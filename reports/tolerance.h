@@ -22,9 +22,10 @@ struct Tolerance {
  into A's frame 4; R_Aᵀ R_B composed 3; the axis a × b crossed and normalised 6; half
  extents along the axis, 3 + 3 terms of products, 7; the centre distance along it and the
  difference 4; a contact carried back to the world 4. The sum, 29, is for |x|ᵀ|y|, which
- for unit directions is up to √3 |x| |y|: 50. Rounded up to a power of two, since terms
- may be ordered otherwise. [-] */
-inline constexpr double kRoundings = 64;
+ for unit directions is up to √3 |x| |y|: 50. The axis is then chosen by rounded overlaps:
+ the one chosen may be longer than the least by the error of both, twice that: 100.
+ Rounded up to a power of two, since terms may be ordered otherwise. [-] */
+inline constexpr double kRoundings = 128;
 
 /** Roundings that the length of a unit normal may be off by: normalising costs 4 (a sum
  of three squares 3, a root and a division half each), rotating it by a matrix 4 more.

@@ -10,7 +10,7 @@ namespace touchstone {
 enum class FclSolver {
   kLibccd,  ///< GST_LIBCCD, the default: libccd's MPR for contacts, FCL's own GJK and EPA
             ///< on libccd's types for distances.
-  kIndep,  ///< GST_INDEP: FCL's GJK and EPA on its own types.
+  kIndep,   ///< GST_INDEP: FCL's GJK and EPA on its own types.
 };
 
 /** What fcl::distance is asked for. */
