@@ -50,7 +50,10 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
       .quiet = arguments.quiet};
   const RunReport report = RunSuite(session, scenarios, oracles, ledger, options);
 
-  WriteTable(report, {.colours = session.terminal.colours, .quiet = arguments.quiet},
+  WriteTable(report,
+             {.colours = session.terminal.colours,
+              .quiet = arguments.quiet,
+              .fail_on = arguments.fail_on},
              std::cout);
   if (arguments.out) WriteReports(*arguments.out, report);
   const int code = ExitCode(report, arguments.fail_on);

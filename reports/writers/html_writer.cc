@@ -93,8 +93,12 @@ class Page {
     } else {
       out_ << fmt::format(
           "<p><b class=\"pass\">Nothing says otherwise</b>: {} of {} scenarios "
-          "passed, {} with known discrepancies.</p>\n",
-          subject[Verdict::kPass], subject.total(), subject[Verdict::kKnown]);
+          "passed, {} with known discrepancies, {} unsupported.{}</p>\n",
+          subject[Verdict::kPass], subject.total(), subject[Verdict::kKnown],
+          subject[Verdict::kUnsupported],
+          report_.faults.empty() ? ""
+                                 : " <b class=\"fail\">But the catalogue or the ledger "
+                                   "is at fault</b>, see below.");
     }
     out_ << fmt::format("<p>{} scenarios, {} oracles.", report_.scenarios.size(),
                         report_.oracles.size());

@@ -159,18 +159,31 @@ void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& ou
       << paint(Colour::kBold, "Ledger")
       << fmt::format(": {} entries hide {} findings; {} were not put to the test\n",
                      report.ledger.entries.size(), hidden, untested);
+  if (hidden == 0) return;
+  // One line a reason: an entry is for one pair of shapes, a reason often for many.
+  struct Hidden {
+    const LedgerEntry* entry;
+    int findings = 0;
+  };
+  std::vector<Hidden> reasons;
   for (std::size_t i = 0; i < report.ledger.entries.size(); ++i) {
-    const LedgerUse& use = report.ledger_use[i];
-    if (use.candidates == 0) continue;
     const LedgerEntry& entry = report.ledger.entries[i];
-    out << fmt::format("  {:>5} of {:<5} {} {} {}: {} ({})\n", use.hidden, use.candidates,
-                       entry.oracle, entry.version, entry.scenarios, entry.reason,
-                       entry.upstream);
+    if (report.ledger_use[i].hidden == 0) continue;
+    auto same = std::find_if(reasons.begin(), reasons.end(), [&](const Hidden& other) {
+      return other.entry->oracle == entry.oracle && other.entry->reason == entry.reason;
+    });
+    if (same == reasons.end()) same = reasons.insert(same, {&entry});
+    same->findings += report.ledger_use[i].hidden;
   }
+  for (const auto& [entry, findings] : reasons) {
+    out << fmt::format("  {:>5}  {} {}: {} ({})\n", findings, entry->oracle,
+                       entry->version, entry->reason, entry->upstream);
+  }
+  out << "  Each with its proof: touchstone explain ID, or the page of --out DIR.\n";
 }
 
 void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
-                 const Painter& paint, std::ostream& out) {
+                 const TableStyle& style, const Painter& paint, std::ostream& out) {
   VerdictCounts counts;
   int subject_failed = 0;
   for (const Outcome& outcome : outcomes) {
@@ -185,13 +198,16 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   out << fmt::format("\n{} scenarios × {} oracles: {}\n", report.scenarios.size(),
                      report.oracles.size(), list);
   const int failed = counts.failed();
-  const bool bad = failed > 0 || !report.faults.empty();
-  out << paint(bad ? Colour::kBad : Colour::kGood,
+  const int code = ExitCode(report, style.fail_on);
+  out << paint(code == 0 ? Colour::kGood : Colour::kBad,
                fmt::format(
                    "{}: {} failed in {} scenarios, references in {}, {} faults of the "
                    "catalogue and the ledger",
-                   bad ? "FAILED" : "OK", report.subject, subject_failed,
-                   failed - subject_failed, report.faults.size()))
+                   code == 0   ? "OK"
+                   : code == 1 ? "FAILED"
+                               : "NOTHING VERIFIED",
+                   report.subject, subject_failed, failed - subject_failed,
+                   report.faults.size()))
       << '\n';
 }
 
@@ -207,7 +223,7 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   WriteFailures(report, outcomes, paint, out);
   WriteFaults(report, paint, out);
   if (!style.quiet) WriteLedger(report, paint, out);
-  WriteCounts(report, outcomes, paint, out);
+  WriteCounts(report, outcomes, style, paint, out);
 }
 
 }  // namespace touchstone
