@@ -12,7 +12,7 @@ namespace touchstone {
 struct IsolationLimits {
   /** CPU time, so that a busy machine changes no result: thousands of times what the slowest
    engine takes for a question that it answers (FCL's signed distance, 35 µs). */
-  std::chrono::milliseconds cpu{200};
+  std::chrono::milliseconds cpu{100};
   /** Wall clock, for an engine that waits without working. Long enough for `cpu` on a
    machine shared by a hundred others. */
   std::chrono::milliseconds wall{60'000};
@@ -32,7 +32,7 @@ struct IsolationLimits {
  throws                   | kCrashed, "threw std::logic_error: …"                       |
  | exits                    | kCrashed, "exited with status 3" | | sends what is no answer
  | kCrashed, "sent bytes that are no answer"                   | | uses up limits.cpu |
- kTimedOut, "no answer after 0.2 s of CPU time"              | | waits for limits.wall |
+ kTimedOut, "no answer after 0.1 s of CPU time"              | | waits for limits.wall |
  kTimedOut, "no answer after 60 s, blocked"                  |
 
  One child answers a whole batch, streaming; after a death a new one goes on with the next
