@@ -99,7 +99,7 @@ TEST(Judge, ProvesATooLargeDepthByAShorterTranslation) {
   EXPECT_THAT(finding.proof,
               StartsWith("mine says 0.006 m deep; moving B by 0.002 m along ("));
   EXPECT_GT(finding.tolerance, 0);
-  EXPECT_THAT(finding.tolerance_because, StartsWith("64 roundings of 2^-53"));
+  EXPECT_THAT(finding.tolerance_because, StartsWith("128 roundings of 2^-53"));
 }
 
 TEST(Judge, ProvesATooSmallDepthByTheOverlapLeft) {
@@ -191,7 +191,10 @@ TEST(Judge, CallsNanInvalidAndJudgesNoFurther) {
 TEST(Judge, CallsAPromiseThatIsNotKeptInvalid) {
   Specimen s = BoxOnBoxFace(kDepth);
   s.right.points.clear();
-  EXPECT_EQ(Judged(s.query, s.right)[0].proof, "mine: touching, without a contact.");
+  const std::vector<Finding> findings = Judged(s.query, s.right);
+  EXPECT_EQ(Of(MeasureKind::kTouching, findings).verdict, Verdict::kPass);
+  EXPECT_EQ(Of(MeasureKind::kAnswering, findings).proof,
+            "mine: touching, without a contact.");
   FakeOracle modest("mine");
   modest.ForEachPair([](Capability& capability) { capability.manifold = false; });
   EXPECT_THAT(Failed(Judged(s.query, s.right, modest)), testing::IsEmpty());
@@ -211,6 +214,46 @@ TEST(Judge, PassesOnWhyThereIsNoAnswer) {
     EXPECT_EQ(findings[0].verdict, verdict);
     EXPECT_EQ(findings[0].proof, "mine: it said so.");
   }
+}
+
+// The plane x = 1e100 of the box cuts the sphere at its centre: 1 m deep, however the
+// squares of 1e100 overflow on the way.
+TEST(Judge, ProvesNobodyWrongWhereDoublesOverflow) {
+  const ContactQuery query{
+      {Box{Eigen::Vector3d::Constant(1e100)}, Pose{}},
+      {Sphere{1}, Pose::FromMatrix({1e100, 0, 0}, Eigen::Matrix3d::Identity())}};
+  ContactAnswer answer;
+  answer.status = AnswerStatus::kAnswered;
+  answer.touching = true;
+  answer.separation = -1;
+  answer.n_AB_W = Eigen::Vector3d::UnitX();
+  answer.points = {{{1e100, 0, 0}, -1, std::nullopt}};
+  for (const Finding& finding : Judged(query, answer)) {
+    EXPECT_NE(finding.verdict, Verdict::kFail) << NameOf(finding.measure);
+  }
+}
+
+// A cylinder of radius and half length 1 leans by θ about y, 0.1 deep in the half-space.
+// Its rim at the angle φ from the deepest point is sin θ (1 − cos φ) less deep: 1e-14 m
+// for θ = 1e-5 and φ = 4.5e-5, which nobody can tell from the deepest.
+TEST(Judge, AcceptsAContactAnywhereOnARimThatIsDeepestToRounding) {
+  const double lean = 1e-5;
+  const double phi = 4.5e-5;
+  const double depth = 0.1;
+  const Eigen::Matrix3d R(Eigen::AngleAxisd(lean, Eigen::Vector3d::UnitY()));
+  const Eigen::Vector3d p(0.3, -0.2, std::sin(lean) + std::cos(lean) - depth);
+  const ContactQuery query{{HalfSpace{}, Pose{}},
+                           {Cylinder{1, 1}, Pose::FromMatrix(p, R)}};
+  ContactAnswer answer;
+  answer.status = AnswerStatus::kAnswered;
+  answer.touching = true;
+  answer.separation = -depth;
+  answer.n_AB_W = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d rim = p + R * Eigen::Vector3d(std::cos(phi), std::sin(phi), -1);
+  answer.points = {{{rim.x(), rim.y(), rim.z() / 2}, rim.z(), std::nullopt}};
+  EXPECT_THAT(Failed(Judged(query, answer)), testing::IsEmpty());
+  answer.points[0].p_WC.y() += 0.1;
+  EXPECT_THAT(Failed(Judged(query, answer)), testing::Not(testing::IsEmpty()));
 }
 
 TEST(Judge, BlamesNobodyAtTouchingToARounding) {
