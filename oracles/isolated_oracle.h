@@ -10,8 +10,8 @@ namespace touchstone {
 
 /** How much an isolated oracle may take for one question. */
 struct IsolationLimits {
-  /** CPU time, so that a busy machine changes no result: thousands of times what the slowest
-   engine takes for a question that it answers (FCL's signed distance, 35 µs). */
+  /** CPU time, so that a busy machine changes no result: thousands of times what the
+   slowest engine takes for a question that it answers (FCL's signed distance, 35 µs). */
   std::chrono::milliseconds cpu{100};
   /** Wall clock, for an engine that waits without working. Long enough for `cpu` on a
    machine shared by a hundred others. */
