@@ -32,7 +32,6 @@ endforeach()
 
 if(TOUCHSTONE_TESTS)
   find_package(GTest 1.12 REQUIRED)
-  find_package(benchmark 1.7 REQUIRED)
   find_package(rapidcheck REQUIRED)
   find_package(CGAL 5.5 REQUIRED)
   include(GoogleTest)
