@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "oracles/contact_answer.h"
+#include "oracles/simulation.h"
+#include "oracles/trajectory.h"
 #include "scenarios/contact_query.h"
+#include "scenarios/worlds/world.h"
 
 namespace touchstone {
 
@@ -32,6 +35,12 @@ struct Capability {
   std::string reason;         ///< Why the pair is unsupported; empty when supported.
 };
 
+/** What an oracle can do of one feature of a world. */
+struct WorldCapability {
+  bool supported = false;
+  std::string reason;  ///< Why not; empty when supported.
+};
+
 /** One thing an adapter sets or converts, as `touchstone oracles --settings` prints it.
  */
 struct Setting {
@@ -51,11 +60,22 @@ struct OracleInfo {
   bool isolated = false;
   std::vector<Setting> settings;
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
+  /** It simulates worlds at all. */
+  bool simulates = false;
+  std::array<WorldCapability, kWorldFeatures> world_capabilities;
 
   /** Returns the capability for A of kind `a` and B of kind `b`. */
   const Capability& For(ShapeKind a, ShapeKind b) const {
     return capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
   }
+
+  /** Returns the capability for a feature of a world. */
+  const WorldCapability& For(WorldFeature feature) const {
+    return world_capabilities[static_cast<std::size_t>(feature)];
+  }
+
+  /** Returns why this oracle cannot simulate `world`; empty where it can. */
+  std::string CannotSimulate(const World& world) const;
 };
 
 /** A batch whose engine objects exist already, so that only the engine's work is timed.
@@ -95,6 +115,16 @@ class Oracle {
    @pre Every query is supported by this oracle. */
   virtual std::unique_ptr<PreparedBatch> Prepare(
       std::span<const ContactQuery> queries) const;
+
+  /** Returns `world` at its start, ready to be stepped, or null where the oracle does not
+   simulate.
+   @pre The world is valid and info().CannotSimulate(world) is empty. */
+  virtual std::unique_ptr<Simulation> Begin(const World& world) const;
+
+  /** Returns how `world` moves. kUnsupported, with the reason, where the oracle cannot
+   say.
+   @pre The world is valid (scenarios/worlds/validate_world.h). */
+  virtual Trajectory Simulate(const World& world) const;
 
   /** Answers one query. */
   ContactAnswer Answer(const ContactQuery& query) const;

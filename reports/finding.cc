@@ -11,7 +11,7 @@ struct MeasureNames {
 };
 
 // In the order of MeasureKind.
-constexpr std::array<MeasureNames, 17> kMeasures = {{
+constexpr std::array<MeasureNames, kMeasureKinds> kMeasures = {{
     {"touching", ""},
     {"separation_error", "m"},
     {"consistency_error", "m"},
@@ -29,8 +29,31 @@ constexpr std::array<MeasureNames, 17> kMeasures = {{
     {"relabelling", "m"},
     {"perturbation", "m"},
     {"answering", ""},
+    {"position_error", "m"},
+    {"orientation_error", "rad"},
+    {"velocity_error", "m/s"},
+    {"spin_error", "rad/s"},
+    {"momentum_drift", "N s"},
+    {"angular_momentum_drift", "N m s"},
+    {"energy_drift", "J"},
+    {"momentum_balance", "N s"},
+    {"penetration", "m"},
+    {"rest_motion", "m"},
+    {"restitution", ""},
+    {"friction", ""},
+    {"cone_violation", "N s"},
+    {"joint_error", "m"},
+    {"force_error", "N"},
+    {"observed_order", ""},
+    {"limit_error", "m"},
+    {"determinism", ""},
+    {"heading", "m"},
+    {"translation", "m"},
+    {"mirror", "m"},
+    {"permutation", "m"},
+    {"mass_scaling", "m"},
 }};
-static_assert(kMeasures.size() == static_cast<std::size_t>(MeasureKind::kAnswering) + 1);
+static_assert(!kMeasures.back().name.empty());
 
 const MeasureNames& NamesOf(MeasureKind measure) {
   return kMeasures[static_cast<std::size_t>(measure)];
@@ -54,8 +77,8 @@ std::string_view NameOf(Verdict verdict) {
 }
 
 std::string_view NameOf(Cause cause) {
-  constexpr std::array<std::string_view, 6> kNames = {
-      "", "convention", "tie", "precision", "model", "defect"};
+  constexpr std::array<std::string_view, 7> kNames = {
+      "", "convention", "tie", "precision", "discretisation", "model", "defect"};
   return kNames[static_cast<std::size_t>(cause)];
 }
 

@@ -26,12 +26,13 @@ enum class Cause {
   kTie,         ///< Another answer is equally right.
   kPrecision,   ///< The engine's arithmetic: rounding the input at the engine's precision
                 ///< moves the truth, or its answer, as much as the error.
+  kDiscretisation,  ///< The step: the error vanishes as dt does.
   kModel,   ///< A documented model (rounded corners, a margin) answers another question.
   kDefect,  ///< None of these.
 };
 
-/** The comparable numbers of a contact answer. Each is one small function in
- reports/measures/, which holds formula, unit and source. */
+/** The comparable numbers of an answer. Each is one small function in reports/measures/
+ or reports/worlds/, which holds formula, unit and source. */
 enum class MeasureKind {
   kTouching,          ///< 0 right, 1 wrong. [-]
   kSeparationError,   ///< |separation − truth|. [m]
@@ -49,8 +50,34 @@ enum class MeasureKind {
   kScaling,         ///< Change, relative to the scale, when everything is scaled. [m]
   kRelabelling,     ///< Change when a box's axes are relabelled. [m]
   kPerturbation,    ///< Change beyond what a tiny motion of B can cause. [m]
-  kAnswering,       ///< 0 answered, 1 crashed, timed out or invalid. [-]
+  kAnswering,       ///< 0 answered, 1 crashed, timed out, invalid or diverged. [-]
+  // Of a trajectory; the largest over its samples and what it is about.
+  kPositionError,         ///< |p − p*|. [m]
+  kOrientationError,      ///< Angle of q* q⁻¹. [rad]
+  kVelocityError,         ///< |v − v*|. [m/s]
+  kSpinError,             ///< |ω − ω*|. [rad/s]
+  kMomentumDrift,         ///< |P − P*|: momentum that nothing explains. [N s]
+  kAngularMomentumDrift,  ///< |L − L*| about the origin. [N m s]
+  kEnergyDrift,           ///< Energy gained, or lost where none may be. [J]
+  kMomentumBalance,       ///< |ΔP − Σ J − h Σ F| of a step. [N s]
+  kPenetration,           ///< Deepest overlap of two bodies. [m]
+  kRestMotion,            ///< Sinking, crawling and rising of what should rest. [m]
+  kRestitution,           ///< |e − e*| of a bounce. [-]
+  kFriction,              ///< |μ − μ*| as the motion shows it. [-]
+  kConeViolation,         ///< |J_t| − μ J_n of a contact, by its cone. [N s]
+  kJointError,            ///< | |p_AB| − L | of a distance joint. [m]
+  kForceError,            ///< |F − F*| of a spring or a joint at rest. [N]
+  kObservedOrder,         ///< How far the order of convergence is from the scheme's. [-]
+  kLimitError,            ///< Error of the limit as dt → 0. [m]
+  kDeterminism,           ///< 0 two runs alike bit for bit, 1 not. [-]
+  kHeading,               ///< Change when the world is turned about gravity. [m]
+  kTranslation,           ///< Change when the world is moved. [m]
+  kMirror,                ///< Change when the world is mirrored. [m]
+  kPermutation,           ///< Change when the bodies are listed in another order. [m]
+  kMassScaling,           ///< Change when all masses are scaled. [m]
 };
+
+inline constexpr int kMeasureKinds = static_cast<int>(MeasureKind::kMassScaling) + 1;
 
 /** One oracle, one scenario, one measure: a number and what it means. */
 struct Finding {

@@ -28,7 +28,7 @@ constexpr std::array kCauses = {Cause::kConvention, Cause::kTie, Cause::kPrecisi
 
 std::vector<MeasureKind> AllMeasures() {
   std::vector<MeasureKind> measures;
-  for (int i = 0; i <= static_cast<int>(MeasureKind::kAnswering); ++i) {
+  for (int i = 0; i < kMeasureKinds; ++i) {
     measures.push_back(static_cast<MeasureKind>(i));
   }
   return measures;

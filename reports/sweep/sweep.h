@@ -53,7 +53,7 @@ struct SweepResult {
   std::uint64_t failed = 0;       ///< By the subject.
   /** By MeasureKind, of the subject; empty where it was never measured. */
   std::array<std::optional<WorstMeasure>,
-             static_cast<std::size_t>(MeasureKind::kAnswering) + 1>
+             kMeasureKinds>
       worst;
   std::vector<FailedQuestion> first_failures;
 };

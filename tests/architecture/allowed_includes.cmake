@@ -10,7 +10,7 @@ cmake_minimum_required(VERSION 3.24)
 set(own_rules
   # The corrected engine never calls the specimens.
   "engine/printed/ => engine/"
-  "engine/ => engine/[a-z_]+[.]h"
+  "engine/ => engine/(dynamics/)?[a-z_]+[.]h"
   "scenarios/ => scenarios/"
   # Only the cookbook adapter sees the engine: no oracle is right because it ran
   # the code it judges.
@@ -18,7 +18,7 @@ set(own_rules
   "oracles/ => (oracles|scenarios)/"
   # The referee sees questions, never an answer.
   "reports/referee/ => (reports/referee|scenarios)/"
-  "reports/ => (reports|scenarios)/|oracles/(oracle|contact_answer)[.]h"
+  "reports/ => (reports|scenarios)/|oracles/(oracle|contact_answer|simulation|trajectory)[.]h"
   "cli/ => (cli|reports|oracles|scenarios)/")
 
 # The headers of a library appear in the sources of the one place that wraps it.

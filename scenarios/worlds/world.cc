@@ -1,0 +1,95 @@
+#include "scenarios/worlds/world.h"
+
+#include <algorithm>
+#include <array>
+
+namespace touchstone {
+namespace {
+
+WorldFeature FeatureOf(const RigidBody& body) {
+  const bool is_static = body.mass == 0;
+  switch (KindOf(body.placed.shape)) {
+    case ShapeKind::kSphere:
+      return is_static ? WorldFeature::kStaticSphere : WorldFeature::kSphere;
+    case ShapeKind::kBox:
+      return is_static ? WorldFeature::kStaticBox : WorldFeature::kBox;
+    case ShapeKind::kHalfSpace:
+      return is_static ? WorldFeature::kStaticHalfSpace : WorldFeature::kOtherShape;
+    default:
+      return is_static ? WorldFeature::kStaticOtherShape : WorldFeature::kOtherShape;
+  }
+}
+
+}  // namespace
+
+World Refined(const World& world, int factor) {
+  World refined = world;
+  refined.dt /= factor;
+  refined.steps *= factor;
+  refined.sample_every *= factor;
+  return refined;
+}
+
+Eigen::Vector3d InertiaOf(const RigidBody& body) {
+  if (body.mass == 0) return Eigen::Vector3d::Zero();
+  if (body.inertia) return *body.inertia;
+  if (const auto* sphere = std::get_if<Sphere>(&body.placed.shape)) {
+    return Eigen::Vector3d::Constant(0.4 * body.mass * sphere->radius * sphere->radius);
+  }
+  const Eigen::Vector3d squares =
+      std::get<Box>(body.placed.shape).half_extents.cwiseAbs2();
+  return body.mass / 3 * (Eigen::Vector3d::Constant(squares.sum()) - squares);
+}
+
+std::string_view NameOf(WorldFeature feature) {
+  static constexpr std::array<std::string_view, kWorldFeatures> kNames = {
+      "sphere",
+      "box",
+      "other shape",
+      "static sphere",
+      "static box",
+      "static half-space",
+      "static other shape",
+      "stated inertia",
+      "restitution",
+      "unequal friction",
+      "force",
+      "particle",
+      "spring",
+      "distance joint",
+      "cloth",
+      "push"};
+  return kNames[static_cast<std::size_t>(feature)];
+}
+
+std::vector<WorldFeature> FeaturesOf(const World& world) {
+  std::array<bool, kWorldFeatures> asked{};
+  const auto ask = [&](WorldFeature feature, bool asks = true) {
+    asked[static_cast<std::size_t>(feature)] |= asks;
+  };
+  const RigidBody* first = nullptr;
+  int bouncing = 0;
+  for (const RigidBody& body : world.bodies) {
+    ask(WorldFeature::kForce, !body.force_W.isZero(0));
+    ask(WorldFeature::kStatedInertia, body.inertia.has_value() && body.mass != 0);
+    if (!body.collides) continue;
+    ask(FeatureOf(body));
+    if (body.restitution > 0) ++bouncing;
+    if (!first) first = &body;
+    ask(WorldFeature::kUnequalFriction, body.friction != first->friction);
+  }
+  ask(WorldFeature::kRestitution, bouncing > 1);
+  ask(WorldFeature::kParticle, !world.particles.empty());
+  ask(WorldFeature::kSpring, !world.springs.empty());
+  ask(WorldFeature::kDistanceJoint, !world.joints.empty());
+  ask(WorldFeature::kCloth, !world.cloths.empty());
+  ask(WorldFeature::kPush, !world.pushes.empty());
+  std::vector<WorldFeature> features;
+  for (int i = 0; i < kWorldFeatures; ++i) {
+    if (asked[static_cast<std::size_t>(i)])
+      features.push_back(static_cast<WorldFeature>(i));
+  }
+  return features;
+}
+
+}  // namespace touchstone
