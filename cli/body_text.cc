@@ -8,8 +8,8 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "cli/did_you_mean.h"
 #include "cli/input_error.h"
-#include "scenarios/schema/nearest_name.h"
 
 namespace touchstone {
 namespace {
@@ -122,9 +122,8 @@ class BodyReader {
     for (int i = 0; i < kShapeKinds; ++i) {
       names[static_cast<std::size_t>(i)] = NameOf(static_cast<ShapeKind>(i));
     }
-    const std::string_view nearest = NearestName(name, names);
     Fail(fmt::format("begins with '{}', which is no shape{}", name,
-                     nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
+                     DidYouMean(name, names)));
   }
 
   Pose ReadOrientation(const Eigen::Vector3d& p_WB) {

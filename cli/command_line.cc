@@ -3,16 +3,19 @@
 #include <exception>
 #include <functional>
 #include <iostream>
-#include <map>
+#include <limits>
+#include <string>
 #include <utility>
 
 #include <CLI/CLI.hpp>
 
 #include "cli/bench_command.h"
 #include "cli/body_text.h"
+#include "cli/expected.h"
 #include "cli/explain_command.h"
 #include "cli/input_error.h"
 #include "cli/ledger_command.h"
+#include "cli/line_error.h"
 #include "cli/list_command.h"
 #include "cli/oracles_command.h"
 #include "cli/run_command.h"
@@ -36,10 +39,9 @@ constexpr const char* kIntroduction =
     "  touchstone COMMAND --help               what a command takes\n\n"
     "Exit code: 0 all pass or known, 1 failures, 2 bad input or nothing verified.";
 
-constexpr const char* kPatterns =
+const std::string kPatterns =
     "scenario ids, folders of ids, globs (* within a level, ** across), or TOML files "
-    "and "
-    "folders of your own; all of the catalogue without any";
+    "and folders of your own";
 
 // The commands, their options, and what they do once the line is parsed.
 class CommandLine {
@@ -65,7 +67,9 @@ class CommandLine {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       // --help and --version arrive here too, as successes.
-      return app_.exit(error, std::cout, std::cerr) == 0 ? 0 : 2;
+      if (error.get_exit_code() == 0) return app_.exit(error, std::cout, std::cerr);
+      std::cerr << "touchstone: " << LineError(app_, error) << '\n';
+      return 2;
     }
     try {
       return command_();
@@ -84,7 +88,9 @@ class CommandLine {
   }
 
   void AddScenarios(CLI::App* app, ScenarioSelection& selection) {
-    app->add_option("patterns", selection.patterns, kPatterns)->type_name("PATTERN");
+    app->add_option("PATTERN", selection.patterns,
+                    kPatterns + "; all of the catalogue without any")
+        ->type_name("");
     selection.catalogues = {session_.catalogue()};
     app->add_option("--catalogue", selection.catalogues, "where ids are looked up")
         ->type_name("DIR")
@@ -98,9 +104,24 @@ class CommandLine {
         ->capture_default_str();
     app->add_option("--against", selection.against,
                     "the references, e.g. bullet,fcl/collide; all others without it")
-        ->type_name("ORACLE,...")
+        ->type_name("ORACLE")
         ->delimiter(',')
         ->allow_extra_args(false);
+  }
+
+  static void AddJobs(CLI::App* app, int& jobs) {
+    app->add_option("--jobs", jobs, "threads; one a core without it")
+        ->check(WholeNumber(1, std::numeric_limits<int>::max()))
+        ->type_name("N");
+  }
+
+  // A number of questions, an index or a seed.
+  static void AddNumber(CLI::App* app, const char* name, std::uint64_t& number,
+                        std::uint64_t least, const char* description) {
+    app->add_option(name, number, description)
+        ->check(WholeNumber(least))
+        ->type_name("N")
+        ->capture_default_str();
   }
 
   void AddRun() {
@@ -114,15 +135,15 @@ class CommandLine {
     app->add_option("--ledger", run_.ledger,
                     "known discrepancies, instead of the built-in")
         ->type_name("FILE");
-    const std::map<std::string, FailOn> kinds = {{"subject", FailOn::kSubject},
-                                                 {"anything", FailOn::kAnything}};
-    app->add_option("--fail-on", run_.fail_on,
-                    "whose failures give exit code 1: subject (default) or anything")
-        ->transform(CLI::CheckedTransformer(kinds).description(""))
+    app->add_option_function<std::string>(
+           "--fail-on",
+           [this](const std::string& whose) {
+             run_.fail_on = whose == "subject" ? FailOn::kSubject : FailOn::kAnything;
+           },
+           "whose failures give exit code 1: subject (default) or anything")
+        ->check(OneOf({"subject", "anything"}))
         ->type_name("WHOSE");
-    app->add_option("--jobs", run_.jobs, "threads; one a core without it")
-        ->check(CLI::PositiveNumber.description(""))
-        ->type_name("N");
+    AddJobs(app, run_.jobs);
     app->add_flag("--quiet", run_.quiet, "only failures and the last line");
   }
 
@@ -131,7 +152,7 @@ class CommandLine {
         "explain", "every oracle's answer to a scenario, side by side, with the proofs",
         [this] { return ExplainCommand(session_, explained_, oracles_); });
     AddScenarios(app, explained_);
-    app->get_option("patterns")->required();
+    app->get_option("PATTERN")->required()->description(kPatterns);
     AddOracleOptions(app, oracles_);
   }
 
@@ -160,10 +181,10 @@ class CommandLine {
   // Worlds will have sweeps and benchmarks of their own: the kind of question is an
   // argument.
   static void AddContact(CLI::App* app) {
-    app->add_option("questions", "the kind of question: contact")
+    app->add_option("QUESTIONS", "the kind of question: contact")
         ->required()
-        ->check(CLI::IsMember({"contact"}).description(""))
-        ->type_name("contact");
+        ->check(OneOf({"contact"}))
+        ->type_name("");
   }
 
   static void AddPair(CLI::App* app, std::vector<std::string>& pair) {
@@ -181,21 +202,16 @@ class CommandLine {
     app->add_option("--family", sweep_.family,
                     "random, near_parallel, edge_edge, vertex_face, touching, deep, "
                     "slabs_and_needles, extreme_scales, symmetries or all")
+        ->type_name("FAMILY")
         ->capture_default_str();
     AddPair(app, sweep_.pair);
-    app->add_option("--count", sweep_.count, "questions per family and pair")
-        ->check(CLI::PositiveNumber.description(""))
-        ->capture_default_str();
-    app->add_option("--first", sweep_.first, "index of the first question")
-        ->capture_default_str();
-    app->add_option("--seed", sweep_.seed, "another seed, other questions")
-        ->capture_default_str();
+    AddNumber(app, "--count", sweep_.count, 1, "questions per family and pair");
+    AddNumber(app, "--first", sweep_.first, 0, "index of the first question");
+    AddNumber(app, "--seed", sweep_.seed, 0, "another seed, other questions");
     app->add_option("--out", sweep_.out,
                     "write the first failed questions there, as TOML")
         ->type_name("DIR");
-    app->add_option("--jobs", sweep_.jobs, "threads; one a core without it")
-        ->check(CLI::PositiveNumber.description(""))
-        ->type_name("N");
+    AddJobs(app, sweep_.jobs);
     app->add_flag("--quiet", sweep_.quiet, "only the table");
   }
 
@@ -204,18 +220,14 @@ class CommandLine {
                                [this] { return BenchCommand(session_, bench_); });
     AddContact(app);
     app->add_option("--oracles", bench_.oracles, "e.g. cookbook,bullet; all without it")
-        ->type_name("ORACLE,...")
+        ->type_name("ORACLE")
         ->delimiter(',')
         ->allow_extra_args(false);
     AddPair(app, bench_.pair);
-    app->add_option("--count", bench_.count, "random poses per pair")
-        ->check(CLI::PositiveNumber.description(""))
-        ->capture_default_str();
-    app->add_option("--sample", bench_.sample,
-                    "how many of them are held against the truth")
-        ->capture_default_str();
-    app->add_option("--seed", bench_.seed, "another seed, other poses")
-        ->capture_default_str();
+    AddNumber(app, "--count", bench_.count, 1, "random poses per pair");
+    AddNumber(app, "--sample", bench_.sample, 0,
+              "how many of them are held against the truth");
+    AddNumber(app, "--seed", bench_.seed, 0, "another seed, other poses");
   }
 
   void AddLedger() {

@@ -1,11 +1,11 @@
 #include "cli/run_command.h"
 
-#include <fstream>
+#include <array>
 #include <iostream>
 
 #include <fmt/format.h>
 
-#include "cli/input_error.h"
+#include "cli/output_folder.h"
 #include "reports/writers/html_writer.h"
 #include "reports/writers/json_writer.h"
 #include "reports/writers/junit_writer.h"
@@ -14,25 +14,13 @@
 namespace touchstone {
 namespace {
 
-void WriteFile(const std::filesystem::path& file, const RunReport& report,
-               void (*write)(const RunReport&, std::ostream&)) {
-  std::ofstream out(file, std::ios::binary);
-  write(report, out);
-  out.close();
-  if (!out) throw InputError(fmt::format("cannot write {}", file.string()));
-}
+struct ReportFile {
+  const char* name;
+  void (*write)(const RunReport&, std::ostream&);
+};
 
-void WriteReports(const std::filesystem::path& folder, const RunReport& report) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError(
-        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-  }
-  WriteFile(folder / "index.html", report, WriteHtml);
-  WriteFile(folder / "report.json", report, WriteJson);
-  WriteFile(folder / "junit.xml", report, WriteJUnit);
-}
+constexpr std::array<ReportFile, 3> kReportFiles = {
+    {{"index.html", WriteHtml}, {"report.json", WriteJson}, {"junit.xml", WriteJUnit}}};
 
 }  // namespace
 
@@ -48,6 +36,11 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
                  !arguments.oracles.against.empty() ||
                  arguments.scenarios.catalogues != std::vector{session.catalogue()},
       .quiet = arguments.quiet};
+  std::optional<OutputFolder> out;
+  if (arguments.out) out.emplace(*arguments.out);
+  for (const ReportFile& file : kReportFiles) {
+    if (out) out->Check(file.name);
+  }
   const RunReport report = RunSuite(session, scenarios, oracles, ledger, options);
 
   WriteTable(report,
@@ -55,7 +48,9 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
               .quiet = arguments.quiet,
               .fail_on = arguments.fail_on},
              std::cout);
-  if (arguments.out) WriteReports(*arguments.out, report);
+  for (const ReportFile& file : kReportFiles) {
+    if (out) out->Write(file.name, [&](std::ostream& to) { file.write(report, to); });
+  }
   const int code = ExitCode(report, arguments.fail_on);
   if (code == 2) {
     std::cerr << "touchstone: nothing was verified: " << report.subject

@@ -5,11 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "cli/did_you_mean.h"
 #include "cli/input_error.h"
-#include "scenarios/schema/nearest_name.h"
 
 namespace touchstone {
 namespace {
+
+bool IsSpecimen(std::string_view name) {
+  return name.starts_with("printed");
+}
 
 [[noreturn]] void FailOnOracle(const OracleRegistry& registry, std::string_view name) {
   for (const MissingOracle& missing : registry.missing()) {
@@ -18,20 +22,16 @@ namespace {
                                    missing.how_to_get));
     }
   }
-  std::vector<std::string_view> names;
-  std::string list;
-  for (const Oracle* oracle : registry.All()) {
-    names.push_back(oracle->info().name);
-    list += (list.empty() ? "" : ", ") + oracle->info().name;
+  std::vector<std::string> names;
+  if (IsSpecimen(name)) {
+    names = registry.SpecimenNames();
+  } else {
+    for (const Oracle* oracle : registry.All()) names.push_back(oracle->info().name);
   }
-  const std::string_view nearest = NearestName(name, names);
-  throw InputError(fmt::format(
-      "there is no oracle '{}'{}; there are: {}", name,
-      nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest), list));
-}
-
-bool IsSpecimen(const Oracle& oracle) {
-  return oracle.info().name.starts_with("printed");
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  throw InputError(fmt::format("there is no oracle '{}'{}; there are: {}{}", name,
+                               DidYouMean(name, views), fmt::join(names, ", "),
+                               IsSpecimen(name) ? ", and errata joined by +" : ""));
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ std::vector<const Oracle*> SelectOracles(const OracleRegistry& registry,
   };
   if (selection.against.empty()) {
     for (const Oracle* oracle : registry.All()) {
-      if (!IsSpecimen(*oracle)) add(oracle);
+      if (!IsSpecimen(oracle->info().name)) add(oracle);
     }
   }
   for (const std::string& pattern : selection.against) {

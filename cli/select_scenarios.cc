@@ -12,16 +12,18 @@
 namespace touchstone {
 namespace {
 
+bool SelectsAny(std::string_view pattern, const std::vector<Scenario>& catalogue) {
+  return std::any_of(catalogue.begin(), catalogue.end(),
+                     [&](const Scenario& s) { return SelectsId(pattern, s.id); });
+}
+
 // A path is what no id can be (ids have no dots), or what is there and is no known id.
 bool IsPath(const std::string& pattern, const std::vector<Scenario>& catalogue) {
   if (pattern.ends_with(".toml") || pattern.starts_with(".") ||
       pattern.starts_with("/")) {
     return true;
   }
-  const bool is_id =
-      std::any_of(catalogue.begin(), catalogue.end(),
-                  [&](const Scenario& s) { return SelectsId(pattern, s.id); });
-  return !is_id && std::filesystem::exists(pattern);
+  return !SelectsAny(pattern, catalogue) && std::filesystem::exists(pattern);
 }
 
 std::vector<Scenario> WithoutErrors(Catalogue catalogue) {
@@ -34,17 +36,51 @@ std::vector<Scenario> WithoutErrors(Catalogue catalogue) {
                                       catalogue.diagnostics.size()));
 }
 
+// "contact/sphere_box/*" of "contact/box_sphere/*": a folder names a pair of shapes in
+// one order only. Empty where no other order selects anything.
+std::string WithShapesInOrder(const std::string& pattern,
+                              const std::vector<Scenario>& catalogue) {
+  for (std::size_t at = 0; (at = pattern.find('_', at)) != std::string::npos; ++at) {
+    const std::size_t begin = pattern.rfind('/', at) + 1;  // npos + 1 is 0.
+    const std::size_t end = std::min(pattern.find('/', at), pattern.size());
+    const std::string swapped = pattern.substr(0, begin) +
+                                pattern.substr(at + 1, end - at - 1) + '_' +
+                                pattern.substr(begin, at - begin) + pattern.substr(end);
+    if (SelectsAny(swapped, catalogue)) return swapped;
+  }
+  return "";
+}
+
+// The nearest id or folder of ids, with the part that has wildcards left as it is. Empty
+// where none is near.
+std::string NearestPattern(const std::string& pattern,
+                           const std::vector<Scenario>& catalogue) {
+  std::vector<std::string_view> names;
+  for (const Scenario& scenario : catalogue) {
+    const std::string_view id = scenario.id;
+    names.push_back(id);
+    for (std::size_t at = 0; (at = id.find('/', at)) != std::string_view::npos; ++at) {
+      names.push_back(id.substr(0, at));
+    }
+  }
+  const std::size_t wildcard = pattern.find('*');
+  const std::size_t literal =
+      wildcard == std::string::npos ? pattern.size() : pattern.rfind('/', wildcard);
+  if (literal == std::string::npos) return "";
+  const std::string_view nearest = NearestName(pattern.substr(0, literal), names);
+  const std::string suggestion = std::string(nearest) + pattern.substr(literal);
+  return SelectsAny(suggestion, catalogue) ? suggestion : "";
+}
+
 [[noreturn]] void FailOnPattern(const std::string& pattern,
                                 const std::vector<Scenario>& catalogue) {
-  std::vector<std::string_view> ids;
-  for (const Scenario& scenario : catalogue) ids.push_back(scenario.id);
-  const std::string_view nearest = NearestName(pattern, ids);
+  std::string nearest = WithShapesInOrder(pattern, catalogue);
+  if (nearest.empty()) nearest = NearestPattern(pattern, catalogue);
   throw InputError(fmt::format(
       "no scenario matches '{}'{}, and no such file or folder is there; `touchstone "
-      "list` "
-      "shows the {} ids",
+      "list` shows the {} ids",
       pattern, nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
-      ids.size()));
+      catalogue.size()));
 }
 
 void RefuseDuplicates(const std::vector<Scenario>& scenarios) {

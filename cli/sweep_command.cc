@@ -1,19 +1,19 @@
 #include "cli/sweep_command.h"
 
 #include <array>
-#include <fstream>
 #include <iostream>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "cli/did_you_mean.h"
 #include "cli/input_error.h"
+#include "cli/output_folder.h"
 #include "cli/progress_bar.h"
 #include "reports/sweep/sweep.h"
 #include "reports/writers/explanation_writer.h"
 #include "scenarios/scenario_file.h"
-#include "scenarios/schema/nearest_name.h"
 
 namespace touchstone {
 namespace {
@@ -21,9 +21,10 @@ namespace {
 std::vector<Family> FamiliesNamed(const std::string& name) {
   if (name == "all") return AllFamilies();
   if (const std::optional<Family> family = FamilyNamed(name)) return {*family};
-  std::string list;
-  for (const Family family : AllFamilies()) list += fmt::format(", {}", NameOf(family));
-  throw InputError(fmt::format("there is no family '{}'; there are: all{}", name, list));
+  std::vector<std::string_view> names = {"all"};
+  for (const Family family : AllFamilies()) names.push_back(NameOf(family));
+  throw InputError(fmt::format("there is no family '{}'{}; there are: {}", name,
+                               DidYouMean(name, names), fmt::join(names, ", ")));
 }
 
 using KindPair = std::pair<ShapeKind, ShapeKind>;
@@ -35,11 +36,8 @@ ShapeKind ShapeKindNamed(const std::string& name) {
     if (NameOf(kind) == name) return kind;
     names[static_cast<std::size_t>(i)] = NameOf(kind);
   }
-  const std::string_view nearest = NearestName(name, names);
-  throw InputError(
-      fmt::format("there is no shape '{}'{}; there are: {}", name,
-                  nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
-                  fmt::join(names, ", ")));
+  throw InputError(fmt::format("there is no shape '{}'{}; there are: {}", name,
+                               DidYouMean(name, names), fmt::join(names, ", ")));
 }
 
 std::vector<KindPair> PairsOf(const SweepArguments& arguments,
@@ -66,16 +64,11 @@ std::string WorstOf(const SweepResult& result) {
   return text;
 }
 
-void WriteFailures(const std::filesystem::path& folder, const SweepResult& result) {
+void WriteFailures(const OutputFolder& folder, const SweepResult& result) {
   for (const FailedQuestion& failure : result.first_failures) {
     const Scenario& scenario = failure.report.scenarios[0].scenario;
-    const std::filesystem::path file = folder / (scenario.id + ".toml");
-    std::error_code error;
-    std::filesystem::create_directories(file.parent_path(), error);
-    std::ofstream out(file, std::ios::binary);
-    out << WriteScenario(scenario);
-    out.close();
-    if (!out) throw InputError(fmt::format("cannot write {}", file.string()));
+    folder.Write(scenario.id + ".toml",
+                 [&](std::ostream& out) { out << WriteScenario(scenario); });
   }
 }
 
@@ -100,13 +93,17 @@ std::pair<ShapeKind, ShapeKind> PairNamed(const std::vector<std::string>& names)
 int SweepCommand(const Session& session, const SweepArguments& arguments) {
   const std::vector<const Oracle*> oracles =
       SelectOracles(session.registry, arguments.oracles);
+  const std::vector<Family> families = FamiliesNamed(arguments.family);
+  const std::vector<KindPair> pairs = PairsOf(arguments, oracles.front()->info());
+  std::optional<OutputFolder> out;
+  if (arguments.out) out.emplace(*arguments.out);
   std::vector<std::pair<QuestionSeries, SweepResult>> results;
   std::uint64_t touching = 0;
   std::uint64_t failed = 0;
   std::cout << fmt::format("{:<19}{:<27}{:>9}{:>10}{:>11}{:>8}  worst, in tolerances\n",
                            "family", "pair", "asked", "touching", "undecided", "failed");
-  for (const Family family : FamiliesNamed(arguments.family)) {
-    for (const auto& [A, B] : PairsOf(arguments, oracles.front()->info())) {
+  for (const Family family : families) {
+    for (const auto& [A, B] : pairs) {
       const QuestionSeries series{.family = family,
                                   .A = A,
                                   .B = B,
@@ -135,7 +132,7 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) {
     }
   }
   for (const auto& [series, result] : results) {
-    if (arguments.out) WriteFailures(*arguments.out, result);
+    if (out) WriteFailures(*out, result);
     if (!arguments.quiet) PrintFailures(series, result);
   }
   std::cout << fmt::format("\n{}: {} failed\n", oracles.front()->info().name, failed);

@@ -148,4 +148,8 @@ std::vector<const Oracle*> OracleRegistry::All() const {
   return all;
 }
 
+std::vector<std::string> OracleRegistry::SpecimenNames() const {
+  return specimens_ == nullptr ? std::vector<std::string>() : PrintedOracleNames();
+}
+
 }  // namespace touchstone

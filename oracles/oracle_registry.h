@@ -39,6 +39,11 @@ class OracleRegistry {
   std::vector<const Oracle*> Matching(std::string_view pattern) const;
 
   std::vector<const Oracle*> All() const;
+
+  /** Returns the names of specimens that Find() makes; those of several errata are left
+   out. */
+  std::vector<std::string> SpecimenNames() const;
+
   const std::vector<MissingOracle>& missing() const { return missing_; }
 
  private:

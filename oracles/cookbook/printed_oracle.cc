@@ -101,4 +101,12 @@ std::unique_ptr<Oracle> MakePrintedOracle(std::string_view name) {
   return std::make_unique<PrintedOracle>(std::string(name), *errata);
 }
 
+std::vector<std::string> PrintedOracleNames() {
+  std::vector<std::string> names = {"printed", "printed:none"};
+  for (const printed::Erratum erratum : printed::kContactErrata) {
+    names.push_back("printed:" + NameOf(erratum));
+  }
+  return names;
+}
+
 }  // namespace touchstone

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "oracles/oracle.h"
 
@@ -17,5 +19,8 @@ namespace touchstone {
  A specimen says what its recipe computes and no more: nothing but the verdict of shapes
  apart, and one depth, the manifold's, for every contact. */
 std::unique_ptr<Oracle> MakePrintedOracle(std::string_view name);
+
+/** Returns the names of the specimens with all errata, none, and each one alone. */
+std::vector<std::string> PrintedOracleNames();
 
 }  // namespace touchstone

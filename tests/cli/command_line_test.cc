@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -124,6 +125,29 @@ TEST_F(CommandLineTest, NamesTheNearestScenario) {
               HasSubstr("no scenario matches 'mine/dep' (did you mean mine/deep?)"));
 }
 
+TEST_F(CommandLineTest, NamesTheFolderThatHasThePairInItsOtherOrder) {
+  std::filesystem::create_directories(folder_ / "contact/sphere_box");
+  Write("contact/sphere_box/deep.toml",
+        Replaced(kDeep, "mine/deep", "contact/sphere_box/deep"));
+  const auto error = [this](const std::string& pattern) {
+    return Touchstone("run --catalogue " + folder_.string() + " '" + pattern + "'").err;
+  };
+  EXPECT_THAT(error("contact/box_sphere/*"),
+              HasSubstr("(did you mean contact/sphere_box/*?)"));
+  EXPECT_THAT(error("contact/box_sphere"), HasSubstr("contact/sphere_box?)"));
+  EXPECT_THAT(error("contact/box_sphere/deep"), HasSubstr("contact/sphere_box/deep?)"));
+  EXPECT_THAT(error("contact/sphere_bxo/*"),
+              HasSubstr("(did you mean contact/sphere_box/*?)"));
+}
+
+TEST_F(CommandLineTest, ListsTheErrataWhereASpecimenIsUnknown) {
+  const Ended ended = InPipe(TOUCHSTONE_ITSELF " run --subject printed:E-99");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err,
+              AllOf(HasSubstr("no oracle 'printed:E-99' (did you mean printed:E-09?)"),
+                    HasSubstr("there are: printed, printed:none, printed:E-01, ")));
+}
+
 TEST_F(CommandLineTest, SelectsByFolderAndGlob) {
   Write("mine/other.toml", Replaced(kDeep, "mine/deep", "mine/other"));
   const std::string list = "list --catalogue " + folder_.string();
@@ -177,12 +201,20 @@ TEST_F(CommandLineTest, WritesTheSameReportsWhateverTheNumberOfThreads) {
   }
 }
 
-TEST_F(CommandLineTest, SaysThatAReportCannotBeWritten) {
+TEST_F(CommandLineTest, SaysBeforeTheRunThatAReportCannotBeWritten) {
   Write("file", "in the way");
-  const Ended ended =
-      Touchstone("run --out " + Path("file") + " " + Path("mine/deep.toml"));
-  EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("cannot make the folder"));
+  const auto error = [this](const std::string& line) {
+    const Ended ended = Touchstone(line);
+    EXPECT_EQ(ended.code, 2) << line;
+    EXPECT_EQ(ended.out, "") << line;
+    return ended.err;
+  };
+  const std::string run = "run " + Path("mine/deep.toml") + " --out ";
+  EXPECT_THAT(error(run + Path("file")), HasSubstr("cannot make the folder"));
+  std::filesystem::create_directories(folder_ / "taken/report.json");
+  EXPECT_THAT(error(run + Path("taken")), HasSubstr("cannot write"));
+  EXPECT_THAT(error("sweep contact --pair sphere sphere --out " + Path("file")),
+              HasSubstr("cannot make the folder"));
 }
 
 TEST_F(CommandLineTest, UsesColoursOnATerminalOnly) {
@@ -266,11 +298,49 @@ TEST_F(CommandLineTest, ShowsTimeBesideAccuracy) {
   EXPECT_THAT(ended.out, AllOf(HasSubstr("ns/query"), HasSubstr("half_depth")));
 }
 
-TEST_F(CommandLineTest, ExitsWithTwoOnALineItDoesNotKnow) {
-  EXPECT_EQ(Touchstone("").code, 2);
-  EXPECT_EQ(Touchstone("jump").code, 2);
-  EXPECT_EQ(Touchstone("run --sujbect right").code, 2);
-  EXPECT_EQ(Touchstone("run --fail-on nothing").code, 2);
+TEST_F(CommandLineTest, SaysInOneSentenceWhatIsWrongWithALine) {
+  const auto error = [this](const std::string& line) {
+    const Ended ended = Touchstone(line);
+    EXPECT_EQ(ended.code, 2) << line;
+    EXPECT_EQ(ended.out, "") << line;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    return ended.err;
+  };
+  EXPECT_THAT(error(""), HasSubstr("a command is missing; there are: run, "));
+  EXPECT_THAT(error("jump"), HasSubstr("there is no command 'jump'; there are: run, "));
+  EXPECT_THAT(error("rnu"), HasSubstr("no command 'rnu' (did you mean run?)"));
+  EXPECT_THAT(error("--vrsion"), HasSubstr("--vrsion (did you mean --version?)"));
+  EXPECT_THAT(error("run --sujbect right"),
+              HasSubstr("no option --sujbect (did you mean --subject?); it has: "));
+  EXPECT_THAT(error("run --sujbect=right"), HasSubstr("(did you mean --subject?)"));
+  EXPECT_THAT(error("--quiet run"), HasSubstr("expected `touchstone run --quiet`"));
+  EXPECT_THAT(error("oracles here"), HasSubstr("'here' is not expected"));
+  EXPECT_THAT(error("ask --A 'sphere 1'"), HasSubstr("--B is missing: the second body"));
+  EXPECT_THAT(error("run --out"), HasSubstr("expected --out DIR"));
+  EXPECT_THAT(error("sweep contact --pair box"), HasSubstr("--pair SHAPE SHAPE"));
+}
+
+TEST_F(CommandLineTest, SaysWhatAnOptionExpected) {
+  const auto error = [this](const std::string& line) {
+    const Ended ended = Touchstone(line);
+    EXPECT_EQ(ended.code, 2) << line;
+    EXPECT_EQ(ended.out, "") << line;
+    return ended.err;
+  };
+  EXPECT_THAT(error("run --jobs x"),
+              HasSubstr("--jobs: 'x'; expected a whole number from 1 on"));
+  EXPECT_THAT(error("run --jobs 0"), HasSubstr("'0'; expected a whole number from 1 on"));
+  EXPECT_THAT(error("run --jobs 3000000000"), HasSubstr("expected at most 2147483647"));
+  EXPECT_THAT(error("sweep contact --seed -1"), HasSubstr("--seed: '-1'; expected"));
+  EXPECT_THAT(error("sweep contact --seed 99999999999999999999"),
+              HasSubstr("expected at most 18446744073709551615"));
+  EXPECT_THAT(error("run --fail-on cookbook"),
+              HasSubstr("--fail-on: 'cookbook'; expected subject or anything"));
+  EXPECT_THAT(error("sweep contct"), HasSubstr("(did you mean contact?)"));
+  EXPECT_THAT(error("sweep contact --family rnadom"),
+              HasSubstr("no family 'rnadom' (did you mean random?)"));
+  EXPECT_THAT(error("sweep contact --pair box bxo"),
+              HasSubstr("no shape 'bxo' (did you mean box?)"));
 }
 
 TEST_F(CommandLineTest, TeachesByHelp) {

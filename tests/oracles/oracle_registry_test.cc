@@ -76,6 +76,14 @@ TEST(OracleRegistry, SpecimensAreMadeWhenAskedForAndOnlyOnce) {
   EXPECT_EQ(registry.All().size(), listed);
 }
 
+TEST(OracleRegistry, EverySpecimenThatIsNamedCanBeFound) {
+  const OracleRegistry registry = OracleRegistry::BuiltIn();
+  const std::vector<std::string> names = registry.SpecimenNames();
+  EXPECT_EQ(names.size(), 12u);  // As printed, put right, and ten errata.
+  for (const std::string& name : names) EXPECT_NE(registry.Find(name), nullptr) << name;
+  EXPECT_TRUE(OracleRegistry().SpecimenNames().empty());
+}
+
 TEST(OracleRegistry, EveryEngineIsThereOrSaysHowToGetIt) {
   const OracleRegistry registry = OracleRegistry::BuiltIn();
   const auto is_missing = [&](const std::string& name) {
