@@ -1,0 +1,45 @@
+#include "engine/dynamics/half_space.h"
+
+#include "engine/rounding.h"
+
+namespace cookbook {
+
+Manifold Collide(const HalfSpace&, const Pose& X_WA, const Sphere& B, const Pose& X_WB) {
+  Manifold manifold;
+  manifold.n_AB_W = X_WA.R_WB.col(2);
+  manifold.separation = manifold.n_AB_W.dot(X_WB.p_WB - X_WA.p_WB) - B.radius;
+  manifold.touching = manifold.separation <= 0;
+  if (manifold.touching) {
+    manifold.count = 1;
+    manifold.contacts[0] = {
+        X_WB.p_WB - (B.radius + manifold.separation / 2) * manifold.n_AB_W,
+        manifold.separation, 1};
+  }
+  return manifold;
+}
+
+Manifold Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X_WB) {
+  Manifold manifold;
+  const Eigen::Vector3d n = X_WA.R_WB.col(2);
+  const Eigen::Vector3d p_AB = X_WB.p_WB - X_WA.p_WB;
+  const double height = n.dot(p_AB);
+  const Eigen::Vector3d reach = (X_WB.R_WB.transpose() * n).cwiseProduct(B.half_extents);
+  manifold.n_AB_W = n;
+  manifold.separation = height - reach.cwiseAbs().sum();
+  const double slack = kOverlapRounding * (p_AB.lpNorm<1>() + B.half_extents.lpNorm<1>());
+  manifold.touching = manifold.separation <= slack;
+  if (!manifold.touching) return manifold;
+  for (unsigned vertex = 0; vertex < 8; ++vertex) {
+    const Eigen::Vector3d sides(vertex & 1 ? 1 : -1, vertex & 2 ? 1 : -1,
+                                vertex & 4 ? 1 : -1);
+    const double separation = height + sides.dot(reach);
+    if (separation > slack) continue;
+    const Eigen::Vector3d p_WV =
+        X_WB.p_WB + X_WB.R_WB * sides.cwiseProduct(B.half_extents);
+    manifold.contacts[static_cast<std::size_t>(manifold.count++)] = {
+        p_WV - (separation / 2) * n, separation, vertex + 1};
+  }
+  return manifold;
+}
+
+}  // namespace cookbook

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/dynamics/body.h"
+#include "engine/manifold.h"
+
+namespace cookbook {
+
+/** As Collide() of a box, with an unbounded floor for A: the normal is the floor's +z.
+ Separation to within 4 u (|p_AB| + r). */
+Manifold Collide(const HalfSpace& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB);
+
+/** The vertices of B below the floor, each a contact of its own depth. A vertex at zero
+ to within kOverlapRounding times the size of the pair counts as below. */
+Manifold Collide(const HalfSpace& A, const Pose& X_WA, const Box& B, const Pose& X_WB);
+
+}  // namespace cookbook

@@ -1,0 +1,50 @@
+#include "engine/dynamics/rigid_body.h"
+
+namespace cookbook {
+namespace {
+
+double BoundingRadius(const BodyShape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const auto* box = std::get_if<Box>(&shape)) return box->half_extents.norm();
+  return 0;
+}
+
+}  // namespace
+
+RigidBody MakeRigidBody(const BodyDefinition& definition) {
+  Validate(definition);
+  RigidBody body;
+  body.shape = definition.shape;
+  body.state = definition.state;
+  body.state.q_WB.normalize();
+  body.R_WB = body.state.q_WB.toRotationMatrix();
+  body.inverse_mass = definition.mass > 0 ? 1 / definition.mass : 0;
+  body.moments.setZero();
+  body.inverse_moments.setZero();
+  if (definition.mass > 0) {
+    body.moments =
+        definition.inertia.value_or(PrincipalInertia(definition.shape, definition.mass));
+    body.inverse_moments = body.moments.cwiseInverse();
+  } else {
+    body.state.v_WB.setZero();
+    body.state.w_WB.setZero();
+  }
+  body.restitution = definition.restitution;
+  body.friction = definition.friction;
+  body.collides = definition.collides;
+  body.radius = BoundingRadius(definition.shape);
+  body.force_W = definition.force_W;
+  return body;
+}
+
+InverseInertia InverseInertiaOf(const RigidBody& body) {
+  // A ball has no axes to turn, and its tensor stays diagonal to the last bit.
+  if (body.inverse_moments[0] == body.inverse_moments[1] &&
+      body.inverse_moments[1] == body.inverse_moments[2]) {
+    return {body.inverse_moments[0] * Eigen::Matrix3d::Identity(), body.inverse_mass};
+  }
+  return {body.R_WB * body.inverse_moments.asDiagonal() * body.R_WB.transpose(),
+          body.inverse_mass};
+}
+
+}  // namespace cookbook

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "engine/dynamics/body.h"
+
+namespace cookbook {
+
+/** A body as the world keeps it. */
+struct RigidBody {
+  BodyShape shape;
+  BodyState state;
+  Eigen::Matrix3d R_WB;     ///< That of state.q_WB.
+  double inverse_mass;      ///< 0: static. [1/kg]
+  Eigen::Vector3d moments;  ///< Principal moments of inertia; unused where static.
+  Eigen::Vector3d inverse_moments;  ///< Zero where static.
+  double restitution;
+  double friction;
+  bool collides;
+  double radius;            ///< Of the smallest ball about the origin that holds it. [m]
+  Eigen::Vector3d force_W;  ///< Constant, through the centre of mass. [N]
+  Eigen::Vector3d applied_force_W = Eigen::Vector3d::Zero();   ///< For one step. [N]
+  Eigen::Vector3d applied_torque_W = Eigen::Vector3d::Zero();  ///< For one step. [N m]
+
+  bool is_static() const { return inverse_mass == 0; }
+  Pose pose() const { return {R_WB, state.p_WB}; }
+};
+
+/** Returns the body that `definition` describes.
+ @throws std::invalid_argument where it is refused, see Validate(). */
+RigidBody MakeRigidBody(const BodyDefinition& definition);
+
+/** The velocity of a body while a step is solved. */
+struct alignas(64) Velocity {
+  Eigen::Vector3d v;  ///< Of the centre of mass. [m/s]
+  Eigen::Vector3d w;  ///< [rad/s]
+
+  /** Returns the velocity of the body's point at `r` from its centre. */
+  Eigen::Vector3d At(const Eigen::Vector3d& r) const { return v + w.cross(r); }
+};
+
+/** What resists a change of velocity. */
+struct alignas(64) InverseInertia {
+  Eigen::Matrix3d tensor_W;  ///< I⁻¹ = R diag(1/moments) Rᵀ. [1/(kg m²)]
+  double mass;               ///< 1/m. [1/kg]
+};
+
+/** Returns the inverse inertia of `body` as it is turned now. */
+InverseInertia InverseInertiaOf(const RigidBody& body);
+
+}  // namespace cookbook

@@ -1,0 +1,85 @@
+#include "engine/dynamics/rotation.h"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace cookbook {
+
+Eigen::Quaterniond Exp(const Eigen::Vector3d& phi) {
+  const double squared = phi.squaredNorm();
+  // Below, the next terms of the series, θ⁴/1920 and θ⁴/384, are under rounding.
+  if (squared < 1e-8) {
+    const double s = 0.5 - squared / 48;
+    return {1 - squared / 8, s * phi[0], s * phi[1], s * phi[2]};
+  }
+  const double angle = std::sqrt(squared);
+  const double s = std::sin(angle / 2) / angle;
+  return {std::cos(angle / 2), s * phi[0], s * phi[1], s * phi[2]};
+}
+
+Eigen::Vector3d TurnedInertiaTimes(const Eigen::Matrix3d& R_WB,
+                                   const Eigen::Vector3d& moments,
+                                   const Eigen::Vector3d& u_W) {
+  const Eigen::Vector3d u_B = R_WB.transpose() * u_W;
+  return R_WB * moments.cwiseProduct(u_B);
+}
+
+Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
+                         const Eigen::Vector3d& L_W, const Eigen::Vector3d& dL_W,
+                         double h) {
+  const Eigen::Vector3d inverse = moments.cwiseInverse();
+  const auto omega = [&](const Eigen::Quaterniond& q,
+                         const Eigen::Vector3d& L) -> Eigen::Vector3d {
+    return TurnedInertiaTimes(q.toRotationMatrix(), inverse, L);
+  };
+  const Eigen::Quaterniond& q = start.q_WB;
+  const Eigen::Vector3d L_mid = L_W + 0.5 * dL_W;
+  const Eigen::Vector3d L_end = L_W + dL_W;
+
+  Turning end;
+  const Eigen::Vector3d k1 = h * omega(q, L_W);
+  if (moments[0] == moments[1] && moments[1] == moments[2]) {
+    // ω is parallel to L whatever q is. The Magnus expansion of an ω that changes at a
+    // constant rate, to fourth order.
+    const Eigen::Vector3d k4 = h * inverse[0] * L_end;
+    end.q_WB = Exp(0.5 * (k1 + k4) - k1.cross(k4) / 12) * q;
+    end.q_WB.normalize();
+    end.w_WB = inverse[0] * L_end;
+    return end;
+  }
+  // q = exp(u) q₀ with u̇ = ω − u × ω / 2 + …, solved by the classical Runge–Kutta scheme
+  // with the two commutators that keep it of fourth order (Munthe-Kaas 1998).
+  const Eigen::Vector3d k2 = h * omega(Exp(0.5 * k1) * q, L_mid);
+  const Eigen::Vector3d k3 = h * omega(Exp(0.5 * k2 - 0.125 * k1.cross(k2)) * q, L_mid);
+  const Eigen::Vector3d k4 = h * omega(Exp(k3) * q, L_end);
+  end.q_WB = Exp((k1 + 2 * (k2 + k3) + k4 - 0.5 * k1.cross(k4)) / 6) * q;
+  end.q_WB.normalize();
+  end.w_WB = omega(end.q_WB, L_end);
+  return end;
+}
+
+Eigen::Vector3d GyroscopicChange(const Eigen::Matrix3d& R_WB,
+                                 const Eigen::Vector3d& moments,
+                                 const Eigen::Vector3d& w_WB, double h, Gyroscopic rule) {
+  if (rule == Gyroscopic::kOff) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d w_B = R_WB.transpose() * w_WB;
+  const Eigen::Vector3d L_B = moments.cwiseProduct(w_B);
+  const Eigen::Vector3d torque_B = -w_B.cross(L_B);
+  if (rule != Gyroscopic::kImplicit) {
+    return R_WB * (h * torque_B.cwiseQuotient(moments)).eval();
+  }
+  // f(ω) = I (ω − ω₀) + h ω × I ω; one Newton step from ω₀ with its Jacobian
+  // I + h ([ω]× I − [I ω]×).
+  const auto cross = [](const Eigen::Vector3d& u) {
+    Eigen::Matrix3d m;
+    m << 0, -u[2], u[1], u[2], 0, -u[0], -u[1], u[0], 0;
+    return m;
+  };
+  const Eigen::Matrix3d inertia = moments.asDiagonal();
+  const Eigen::Matrix3d jacobian = inertia + h * (cross(w_B) * inertia - cross(L_B));
+  const Eigen::Vector3d dw_B = jacobian.inverse() * (h * torque_B);
+  return R_WB * dw_B;
+}
+
+}  // namespace cookbook

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "engine/dynamics/settings.h"
+
+namespace cookbook {
+
+/** Returns the rotation by |phi| about phi: the exponential map. */
+Eigen::Quaterniond Exp(const Eigen::Vector3d& phi);
+
+/** Returns R diag(moments) Rᵀ u. */
+Eigen::Vector3d TurnedInertiaTimes(const Eigen::Matrix3d& R_WB,
+                                   const Eigen::Vector3d& moments,
+                                   const Eigen::Vector3d& u_W);
+
+/** How a body turns: its orientation and how fast. */
+struct Turning {
+  Eigen::Quaterniond q_WB;
+  Eigen::Vector3d w_WB;  ///< [rad/s]
+};
+
+/** Returns the state after `h` of a free body whose angular momentum goes from L_W at a
+ constant rate to L_W + dL_W. The momentum at the end is that to rounding; the
+ orientation is of fourth order in h, and exact about a fixed axis at constant ω.
+ @pre `moments` > 0, [kg m²]; L_W = R I Rᵀ ω. */
+Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
+                         const Eigen::Vector3d& L_W, const Eigen::Vector3d& dL_W,
+                         double h);
+
+/** Returns the change of ω [rad/s] that ω × (I ω) makes in `h`, by `rule`; for kExact,
+ the explicit estimate. */
+Eigen::Vector3d GyroscopicChange(const Eigen::Matrix3d& R_WB,
+                                 const Eigen::Vector3d& moments,
+                                 const Eigen::Vector3d& w_WB, double h, Gyroscopic rule);
+
+}  // namespace cookbook

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+namespace cookbook {
+
+/** What becomes of ω × (I ω), the term that lets a body without symmetry tumble. */
+enum class Gyroscopic {
+  kOff,  ///< Left out: ω stays, angular momentum does not.
+  kExplicit,
+  kImplicit,  ///< One Newton step of the implicit equation in the body frame.
+  /** The angular momentum is kept to rounding and the orientation follows it by a
+   fourth-order Runge–Kutta–Munthe-Kaas step. */
+  kExact,
+};
+
+/** What removes overlap. */
+enum class Stabilisation {
+  kNone,
+  /** A velocity that removes a share of the excess depth per step. */
+  kBaumgarte,
+  /** A spring with a damper instead of a hard contact. */
+  kSoft,
+  /** The book's: the deepest contact of a pair translates both bodies. */
+  kLinearProjection,
+  /** Bodies are moved and turned, velocities are left alone. */
+  kNonLinearProjection,
+};
+
+/** How a world is stepped. Every refinement can be switched on its own;
+ docs/decisions/0030-a-step-of-the-world.md says what each default was measured to buy. */
+struct Settings {
+  Eigen::Vector3d gravity_W{0, -9.82, 0};  ///< [m/s²]
+
+  Gyroscopic gyroscopic = Gyroscopic::kExact;
+
+  /** Sweeps over all contacts and joints that a step may always use. */
+  int impulse_iterations = 8;
+  /** A small world may use more sweeps, until it is solved: as long as sweeps × rows stay
+   below this. */
+  int patience = 40000;
+  /** A step is solved where no sweep changes a relative velocity by more than this share
+   of the greatest there is. */
+  double residual = 1e-14;
+  /** Starts from the impulses of the step before. */
+  bool warm_starting = true;
+  /** Clamps the sum of the impulses of a contact, not every single one. */
+  bool accumulated_impulses = true;
+  /** Approach below which contacts do not bounce, in multiples of what gravity adds in a
+   step: slower bounces last less than two steps. */
+  double resting_speed = 1;
+
+  Stabilisation stabilisation = Stabilisation::kNonLinearProjection;
+  /** Share of the excess depth removed per step, in (0, 1]. */
+  double projection_share = 0.45;
+  /** Depth that is left, against jitter. Absent: 2 |g| dt². [m] */
+  std::optional<double> penetration_slack;
+  int projection_iterations = 4;
+  /** Of Stabilisation::kSoft. The frequency is at most 1/(8 dt). [Hz] */
+  double soft_frequency = 30;
+  double soft_damping_ratio = 10;
+
+  /** Every step is taken as so many shorter ones. */
+  int sub_steps = 1;
+};
+
+/** Refuses settings that make no sense.
+ @throws std::invalid_argument with a sentence that names the setting. */
+void Validate(const Settings& settings);
+
+}  // namespace cookbook

@@ -1,0 +1,213 @@
+#include "engine/dynamics/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "engine/dynamics/rotation.h"
+
+namespace cookbook {
+namespace {
+
+/** Beyond any world that means something. */
+constexpr double kLargest = 1e12;
+
+/** A change of velocity in a step beyond this many times what the forces make of a free
+ body is taken for a blow. A contact that holds or slows a body makes less. */
+constexpr double kBlow = 4;
+
+bool IsSane(const Eigen::Vector3d& v) {
+  return v.cwiseAbs().maxCoeff() < kLargest;  // False for NaN.
+}
+
+}  // namespace
+
+World::World(const Settings& settings) : settings_(settings) {
+  Validate(settings);
+}
+
+int World::AddBody(const BodyDefinition& definition) {
+  bodies_.push_back(MakeRigidBody(definition));
+  const int added = body_count() - 1;
+  const RigidBody& body = bodies_.back();
+  for (int other = 0; other < added; ++other) {
+    const RigidBody& earlier = bodies_[static_cast<std::size_t>(other)];
+    if (!body.collides || !earlier.collides) continue;
+    if (body.is_static() && earlier.is_static()) continue;
+    pairs_.emplace_back().A = other;
+    pairs_.back().B = added;
+  }
+  const Velocity zero{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  inertias_.push_back({Eigen::Matrix3d::Zero(), 0});
+  free_.push_back(zero);
+  solved_.push_back(zero);
+  mean_.push_back(zero);
+  moves_.push_back(zero);
+  touches_.emplace_back();
+  return added;
+}
+
+RigidBody& World::Find(int body) {
+  if (body < 0 || body >= body_count()) {
+    std::ostringstream sentence;
+    sentence << "There is no body " << body << "; expected one of the " << body_count()
+             << " added.";
+    throw std::invalid_argument(sentence.str());
+  }
+  return bodies_[static_cast<std::size_t>(body)];
+}
+
+void World::ApplyImpulse(int body, const Eigen::Vector3d& p_W,
+                         const Eigen::Vector3d& J_W) {
+  RigidBody& struck = Find(body);
+  if (!p_W.allFinite() || !J_W.allFinite()) {
+    throw std::invalid_argument("An impulse or its point is not finite.");
+  }
+  if (struck.is_static()) return;
+  struck.state.v_WB += struck.inverse_mass * J_W;
+  struck.state.w_WB += TurnedInertiaTimes(struck.R_WB, struck.inverse_moments,
+                                          (p_W - struck.state.p_WB).cross(J_W));
+}
+
+void World::ApplyForce(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& F_W) {
+  RigidBody& pushed = Find(body);
+  if (!p_W.allFinite() || !F_W.allFinite()) {
+    throw std::invalid_argument("A force or its point is not finite.");
+  }
+  pushed.applied_force_W += F_W;
+  pushed.applied_torque_W += (p_W - pushed.state.p_WB).cross(F_W);
+}
+
+void World::Step(double dt) {
+  if (!(dt > 0) || !std::isfinite(dt)) {
+    throw std::invalid_argument("A step has to be a positive finite time.");
+  }
+  for (int k = 0; k < settings_.sub_steps && !diverged_; ++k) {
+    StepOnce(dt / settings_.sub_steps);
+  }
+  for (RigidBody& body : bodies_) {
+    body.applied_force_W.setZero();
+    body.applied_torque_W.setZero();
+  }
+}
+
+void World::StepOnce(double h) {
+  FindContacts();
+  ApplyForces(h);
+  SolveContacts(h);
+  Move(h);
+  Project(h);
+}
+
+void World::FindContacts() {
+  for (ContactPair& pair : pairs_) {
+    Recollide(bodies_[static_cast<std::size_t>(pair.A)],
+              bodies_[static_cast<std::size_t>(pair.B)], pair);
+  }
+}
+
+void World::ApplyForces(double h) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const RigidBody& body = bodies_[i];
+    if (body.is_static()) continue;
+    inertias_[i] = InverseInertiaOf(body);
+    free_[i].v =
+        body.state.v_WB + h * (settings_.gravity_W +
+                               body.inverse_mass * (body.force_W + body.applied_force_W));
+    free_[i].w = body.state.w_WB + inertias_[i].tensor_W * (h * body.applied_torque_W) +
+                 GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h,
+                                  settings_.gyroscopic);
+  }
+}
+
+void World::SolveContacts(double h) {
+  std::copy(free_.begin(), free_.end(), solved_.begin());
+  std::fill(touches_.begin(), touches_.end(), Touch{});
+  contacts_.Begin(pairs_, {bodies_, inertias_, solved_}, settings_, h);
+  const double solved = settings_.residual * contacts_.scale();
+  const int patient = settings_.patience / std::max(1, contacts_.row_count());
+  const int sweeps = std::max(settings_.impulse_iterations, patient);
+  for (int k = 0; k < sweeps; ++k) {
+    if (contacts_.Sweep(solved_) <= solved) break;
+  }
+  contacts_.End(pairs_, touches_);
+}
+
+void World::Move(double h) {
+  const double gravity = settings_.gravity_W.norm();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    RigidBody& body = bodies_[i];
+    if (body.is_static()) continue;
+    const Velocity before{body.state.v_WB, body.state.w_WB};
+    const Velocity& free = free_[i];
+    const Velocity& after = solved_[i];
+
+    // Forces act during all of the step: under them the mean of the velocities is exact.
+    // A blow acts at its start. Where the body is sent back it then flies; where
+    // something holds it, it has the velocity of the end from the start.
+    const double change =
+        (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
+    const double forces =
+        gravity + body.inverse_mass * (body.force_W + body.applied_force_W).norm();
+    const bool touched = touches_[i].bounced || touches_[i].rested;
+    const bool struck = touches_[i].bounced || (touched && change > kBlow * h * forces);
+    Velocity& mean = mean_[i];
+    if (!struck) {
+      mean.v = 0.5 * (before.v + after.v);
+      mean.w = 0.5 * (before.w + after.w);
+    } else {
+      mean = after;
+      if (!touches_[i].rested) mean.v -= 0.5 * (free.v - before.v);
+    }
+
+    body.state.p_WB += h * mean.v;
+    body.state.v_WB = after.v;
+    if (settings_.gyroscopic == Gyroscopic::kExact) {
+      const Eigen::Vector3d torque = h * body.applied_torque_W;
+      const Eigen::Vector3d L = TurnedInertiaTimes(body.R_WB, body.moments, before.w);
+      const Eigen::Vector3d blow =
+          TurnedInertiaTimes(body.R_WB, body.moments, after.w - free.w);
+      const Turning start{body.state.q_WB, before.w};
+      const Turning end =
+          struck ? TurnWithMomentum(start, body.moments, L + blow, torque, h)
+                 : TurnWithMomentum(start, body.moments, L, torque + blow, h);
+      body.state.q_WB = end.q_WB;
+      body.state.w_WB = end.w_WB;
+    } else {
+      body.state.q_WB = (Exp(h * mean.w) * body.state.q_WB).normalized();
+      body.state.w_WB = after.w;
+    }
+    body.R_WB = body.state.q_WB.toRotationMatrix();
+    if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) ||
+        !IsSane(body.state.w_WB)) {
+      diverged_ = true;
+    }
+  }
+}
+
+void World::Project(double h) {
+  if (!projection_.FindMoves(contacts_, pairs_, inertias_, mean_, solved_, settings_, h,
+                             moves_)) {
+    return;
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    RigidBody& body = bodies_[i];
+    if (body.is_static() || (moves_[i].v.isZero(0) && moves_[i].w.isZero(0))) continue;
+    body.state.p_WB += moves_[i].v;
+    body.state.q_WB = (Exp(moves_[i].w) * body.state.q_WB).normalized();
+    body.R_WB = body.state.q_WB.toRotationMatrix();
+  }
+}
+
+void World::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
+  for (const ContactPair& pair : pairs_) {
+    for (std::size_t i = 0; i < pair.manifold.points().size(); ++i) {
+      const ContactPoint& contact = pair.manifold.contacts[i];
+      impulses.push_back({pair.A, pair.B, contact.p_WC, pair.manifold.n_AB_W, pair.J_W[i],
+                          contact.separation});
+    }
+  }
+}
+
+}  // namespace cookbook

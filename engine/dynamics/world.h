@@ -1,0 +1,82 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/dynamics/body.h"
+#include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/projection.h"
+#include "engine/dynamics/settings.h"
+
+namespace cookbook {
+
+/** What one contact did in a step. */
+struct ContactImpulse {
+  int A;
+  int B;
+  Eigen::Vector3d p_WC;    ///< Where it acted. [m]
+  Eigen::Vector3d n_AB_W;  ///< Unit, out of A into B.
+  Eigen::Vector3d J_B_W;   ///< Impulse on B; A received its opposite. [N s]
+  double separation;       ///< At the start of the step: < 0 penetrating. [m]
+};
+
+/** Rigid bodies in contact, stepped in time. Bodies are known by the index that AddBody()
+ returned: 0, 1, 2, …
+
+ The same calls give the same bits. Where a world has to refuse it throws
+ std::invalid_argument with a sentence and stays as it was. */
+class World {
+ public:
+  explicit World(const Settings& settings = {});
+
+  int AddBody(const BodyDefinition& definition);
+
+  /** Applies an impulse [N s] at a world point [m] now. Static bodies take no notice. */
+  void ApplyImpulse(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W);
+
+  /** Applies a force [N] at a world point [m] during the next step: during all of it, as
+   it is now. */
+  void ApplyForce(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& F_W);
+
+  /** Advances by `dt` [s], > 0. A world that has diverged stays as it is. */
+  void Step(double dt);
+
+  int body_count() const { return static_cast<int>(bodies_.size()); }
+  const BodyState& state(int body) const {
+    return bodies_[static_cast<std::size_t>(body)].state;
+  }
+  const Settings& settings() const { return settings_; }
+
+  /** Appends what every touching contact did in the last step (the last sub-step). */
+  void ReadImpulses(std::vector<ContactImpulse>& impulses) const;
+
+  /** Whether a state became not finite, or larger than 1e12 in SI units. */
+  bool diverged() const { return diverged_; }
+
+ private:
+  void StepOnce(double h);
+  void FindContacts();
+  void ApplyForces(double h);
+  void SolveContacts(double h);
+  void Move(double h);
+  void Project(double h);
+
+  RigidBody& Find(int body);
+
+  Settings settings_;
+  bool diverged_ = false;
+  std::vector<RigidBody> bodies_;
+  std::vector<ContactPair> pairs_;
+  ContactSolver contacts_;
+  Projection projection_;
+
+  // By body, while a step is taken.
+  std::vector<InverseInertia> inertias_;
+  std::vector<Velocity> free_;    ///< At the end of the step, without impulses.
+  std::vector<Velocity> solved_;  ///< At the end of the step.
+  std::vector<Velocity> mean_;    ///< What moves the body during the step.
+  std::vector<Velocity> moves_;   ///< Of the projection. [m], [rad]
+  std::vector<Touch> touches_;
+};
+
+}  // namespace cookbook
