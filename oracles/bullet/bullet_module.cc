@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "oracles/bullet/bullet_world.h"
 #include "oracles/bullet/closest_points.h"
 #include "oracles/bullet/world_dispatch.h"
 
@@ -50,6 +51,31 @@ void Discard(void* prepared) {
   delete static_cast<Batch*>(prepared);
 }
 
+BulletWorld* Begin(const World& world, const std::vector<Eigen::Vector3d>& inertias) {
+  return std::make_unique<BulletWorld>(world, inertias).release();
+}
+
+void PushBody(BulletWorld* world, int body, const Eigen::Vector3d& p_W,
+              const Eigen::Vector3d& J_W) {
+  world->Push(body, p_W, J_W);
+}
+
+void Step(BulletWorld* world) {
+  world->Step();
+}
+
+void Read(const BulletWorld* world, WorldState& state) {
+  world->Read(state);
+}
+
+void ReadImpulses(const BulletWorld* world, std::vector<ContactImpulse>& impulses) {
+  world->ReadImpulses(impulses);
+}
+
+void End(BulletWorld* world) {
+  delete world;
+}
+
 }  // namespace
 }  // namespace touchstone
 
@@ -59,12 +85,21 @@ TouchstoneBulletModule() {
   static const BulletModule kModule = {
       sizeof(ContactQuery),
       sizeof(ContactAnswer),
+      sizeof(World),
+      sizeof(BodyState),
+      sizeof(ContactImpulse),
       btGetVersion(),
       std::numeric_limits<btScalar>::epsilon() / 2,
       &Answer,
       &Prepare,
       &Run,
       &Discard,
+      &Begin,
+      &PushBody,
+      &Step,
+      &Read,
+      &ReadImpulses,
+      &End,
   };
   return &kModule;
 }

@@ -1,14 +1,21 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "oracles/contact_answer.h"
+#include "oracles/trajectory.h"
 #include "scenarios/contact_query.h"
+#include "scenarios/worlds/world.h"
 
 namespace touchstone {
 
 /** Which of Bullet's algorithms answers. */
 enum class BulletPath { kWorldDispatch, kClosestPoints };
+
+class BulletWorld;  // Known to the module alone.
 
 /** What a Bullet module offers.
 
@@ -17,9 +24,12 @@ enum class BulletPath { kWorldDispatch, kClosestPoints };
  cross as they are, so both sides must come from the same headers and compiler flags. */
 struct BulletModule {
   std::size_t query_size;  ///< sizeof(ContactQuery), to refuse a module of another build.
-  std::size_t answer_size;  ///< sizeof(ContactAnswer), likewise.
-  int version;              ///< What the library says: 324 is 3.24.
-  double unit_roundoff;     ///< Of btScalar.
+  std::size_t answer_size;   ///< sizeof(ContactAnswer), likewise.
+  std::size_t world_size;    ///< sizeof(World), likewise.
+  std::size_t state_size;    ///< sizeof(BodyState), likewise.
+  std::size_t impulse_size;  ///< sizeof(ContactImpulse), likewise.
+  int version;               ///< What the library says: 324 is 3.24.
+  double unit_roundoff;      ///< Of btScalar.
 
   /** Writes the answer to *queries[i] into *answers[i], for `count` supported queries. */
   void (*answer)(BulletPath path, const ContactQuery* const* queries,
@@ -34,6 +44,17 @@ struct BulletModule {
 
   /** Frees what prepare() returned. */
   void (*discard)(void* batch);
+
+  /** Returns `world` at its start; the others are the functions of Simulation. */
+  BulletWorld* (*begin)(const World& world, const std::vector<Eigen::Vector3d>& inertias);
+  void (*push)(BulletWorld* world, int body, const Eigen::Vector3d& p_W,
+               const Eigen::Vector3d& J_W);
+  void (*step)(BulletWorld* world);
+  void (*read)(const BulletWorld* world, WorldState& state);
+  void (*read_impulses)(const BulletWorld* world, std::vector<ContactImpulse>& impulses);
+
+  /** Frees what begin() returned. */
+  void (*end)(BulletWorld* world);
 };
 
 /** The one symbol a module exports, of type `const BulletModule* ()`. */

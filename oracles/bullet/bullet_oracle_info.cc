@@ -115,6 +115,54 @@ std::vector<Setting> ClosestPointsSettings() {
   };
 }
 
+std::vector<Setting> WorldSettings() {
+  return {
+      {"world: step", "btDiscreteDynamicsWorld::stepSimulation(dt, 0)",
+       "One step of that length; Bullet would cut it to steps of 1/60 s."},
+      {"world: integrator", "semi-implicit Euler, rotation by the exponential map",
+       "Bullet has no other."},
+      {"world: solver", "btSequentialImpulseConstraintSolver, up to 1000 iterations",
+       "Bullet's 10 leave a residual that would be measured in place of its contact "
+       "law. It stops where no velocity changes by 4 roundings of 1 m/s."},
+      {"world: restitution", "min(e_A, e_B)",
+       "gCalculateCombinedRestitutionCallback; Bullet's own is the product."},
+      {"world: restitution velocity threshold", "0",
+       "Bullet's 0.2 m/s ends a bounce early."},
+      {"world: friction", "sqrt(mu_A mu_B)",
+       "gCalculateCombinedFrictionCallback; Bullet's own is the product."},
+      {"world: friction directions", "2, the first along the slip",
+       "SOLVER_USE_2_FRICTION_DIRECTIONS: Coulomb's cone. Bullet's 1 leaves the other "
+       "direction free."},
+      {"world: contact processing threshold", "0",
+       "Contacts still apart are not solved ahead, which would lose their restitution."},
+      {"world: error reduction", "erp = erp2 = 0, split impulse off",
+       "Overlap is not pushed out, which would add energy: bodies rest as deep as they "
+       "were found."},
+      {"world: gyroscopic term", "implicit, body frame", "Bullet's default."},
+      {"world: damping", "0", "Bullet's default."},
+      {"world: sleeping", "off", "DISABLE_DEACTIVATION."},
+      {"world: inertia", "as stated, else that of the solid",
+       "Set by setMassProps(), not computed by Bullet."},
+      {"world: impulses", "of the manifold points, normal and both lateral",
+       "Placed midway between the positions on A and on B."},
+  };
+}
+
+/* Empty for what Bullet does simulate. */
+std::string WhyNot(WorldFeature feature) {
+  switch (feature) {
+    case WorldFeature::kParticle:
+    case WorldFeature::kCloth:
+      return "Bullet's rigid bodies have a size; its soft bodies are another engine";
+    case WorldFeature::kSpring:
+      return "Bullet has springs along the axes of a body, and none between two points";
+    case WorldFeature::kDistanceJoint:
+      return "Bullet has no joint that keeps two points at a distance";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
 OracleInfo BulletOracleInfo(BulletPrecision precision, BulletPath path,
@@ -130,6 +178,15 @@ OracleInfo BulletOracleInfo(BulletPrecision precision, BulletPath path,
   info.settings = CommonSettings(precision);
   for (Setting& setting : dispatch ? WorldDispatchSettings() : ClosestPointsSettings()) {
     info.settings.push_back(std::move(setting));
+  }
+  info.simulates = dispatch;
+  if (info.simulates) {
+    for (Setting& setting : WorldSettings()) info.settings.push_back(std::move(setting));
+    for (int i = 0; i < kWorldFeatures; ++i) {
+      const auto feature = static_cast<WorldFeature>(i);
+      const std::string reason = WhyNot(feature);
+      info.world_capabilities[static_cast<std::size_t>(i)] = {reason.empty(), reason};
+    }
   }
   for (int i = 0; i < kShapeKinds; ++i) {
     for (int j = 0; j < kShapeKinds; ++j) {

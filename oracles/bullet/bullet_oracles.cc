@@ -7,6 +7,7 @@
 
 #include "oracles/bullet/bullet_module.h"
 #include "oracles/bullet/bullet_oracle_info.h"
+#include "oracles/bullet/bullet_simulation.h"
 #include "oracles/bullet/engine_module.h"
 #include "oracles/no_answer.h"
 
@@ -64,11 +65,23 @@ class BulletOracle : public Oracle {
     return std::make_unique<BulletBatch>(module_, path_, queries);
   }
 
+  std::unique_ptr<Simulation> Begin(const World& world) const override {
+    return info_.simulates ? BulletSimulation(module_, world) : nullptr;
+  }
+
  private:
   OracleInfo info_;
   BulletPath path_;
   const BulletModule& module_;
 };
+
+/* Whether both sides of the module agree on what they exchange. */
+bool Fits(const BulletModule& module) {
+  return module.query_size == sizeof(ContactQuery) &&
+         module.answer_size == sizeof(ContactAnswer) &&
+         module.world_size == sizeof(World) && module.state_size == sizeof(BodyState) &&
+         module.impulse_size == sizeof(ContactImpulse);
+}
 
 const BulletModule& OpenBullet(BulletPrecision precision) {
   const std::string name = precision == BulletPrecision::kDouble
@@ -77,8 +90,7 @@ const BulletModule& OpenBullet(BulletPrecision precision) {
   using Entry = const BulletModule*();
   auto* entry =
       reinterpret_cast<Entry*>(dlsym(OpenEngineModule(name), kBulletModuleSymbol));
-  if (entry == nullptr || entry()->query_size != sizeof(ContactQuery) ||
-      entry()->answer_size != sizeof(ContactAnswer)) {
+  if (entry == nullptr || !Fits(*entry())) {
     throw std::runtime_error(name + ".so belongs to another build of Touchstone");
   }
   return *entry();

@@ -13,22 +13,6 @@
 namespace touchstone {
 namespace {
 
-btScalar ToBullet(double x) {
-  return static_cast<btScalar>(x);
-}
-
-btVector3 ToBullet(const Eigen::Vector3d& v) {
-  return {ToBullet(v.x()), ToBullet(v.y()), ToBullet(v.z())};
-}
-
-btTransform ToBullet(const Pose& X_WB) {
-  const Eigen::Matrix3d& R = X_WB.R_WB;
-  const btMatrix3x3 basis(ToBullet(R(0, 0)), ToBullet(R(0, 1)), ToBullet(R(0, 2)),
-                          ToBullet(R(1, 0)), ToBullet(R(1, 1)), ToBullet(R(1, 2)),
-                          ToBullet(R(2, 0)), ToBullet(R(2, 1)), ToBullet(R(2, 2)));
-  return btTransform(basis, ToBullet(X_WB.p_WB));
-}
-
 /* Bullet keeps half extents less the margin, and adds the margin back when it changes:
  the round trip loses digits of a small shape, so they are set once more. */
 template <typename BulletShape>
@@ -81,7 +65,19 @@ struct MakeShape {
 
 }  // namespace
 
-BulletBody::BulletBody(const Body& body) : shape_(std::visit(MakeShape{}, body.shape)) {
+btTransform ToBullet(const Pose& X_WB) {
+  const Eigen::Matrix3d& R = X_WB.R_WB;
+  const btMatrix3x3 basis(ToBullet(R(0, 0)), ToBullet(R(0, 1)), ToBullet(R(0, 2)),
+                          ToBullet(R(1, 0)), ToBullet(R(1, 1)), ToBullet(R(1, 2)),
+                          ToBullet(R(2, 0)), ToBullet(R(2, 1)), ToBullet(R(2, 2)));
+  return btTransform(basis, ToBullet(X_WB.p_WB));
+}
+
+std::unique_ptr<btCollisionShape> ToBullet(const Shape& shape) {
+  return std::visit(MakeShape{}, shape);
+}
+
+BulletBody::BulletBody(const Body& body) : shape_(ToBullet(body.shape)) {
   object_.setCollisionShape(shape_.get());
   object_.setWorldTransform(ToBullet(body.X_WB));
 }

@@ -10,6 +10,22 @@
 
 namespace touchstone {
 
+/** Returns `x` rounded to Bullet's scalar. */
+inline btScalar ToBullet(double x) {
+  return static_cast<btScalar>(x);
+}
+
+/** Returns `v` in Bullet's type. */
+inline btVector3 ToBullet(const Eigen::Vector3d& v) {
+  return {ToBullet(v.x()), ToBullet(v.y()), ToBullet(v.z())};
+}
+
+/** Returns the pose in Bullet's type. */
+btTransform ToBullet(const Pose& X_WB);
+
+/** Returns `shape` in Bullet's form, without margins that round or enlarge it. */
+std::unique_ptr<btCollisionShape> ToBullet(const Shape& shape);
+
 /** A body in Bullet's form. Rounded to btScalar, and otherwise the very shape asked for:
  every margin that rounds or enlarges a shape is 0. */
 class BulletBody {

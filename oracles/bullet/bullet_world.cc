@@ -1,0 +1,124 @@
+#include "oracles/bullet/bullet_world.h"
+
+#include <algorithm>
+
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+
+#include "oracles/bullet/bullet_shape.h"
+
+namespace touchstone {
+namespace {
+
+// At most; the solver stops where an iteration changes no velocity by more than
+// kConverged.
+constexpr int kIterations = 1000;
+
+// [m/s] A few roundings of 1 m/s: more iterations would stir rounding errors only.
+constexpr btScalar kConverged = 4 * SIMD_EPSILON;
+
+// Who meets whom: what is static does not meet what is static.
+enum Group { kNobody = 0, kMoving = 1, kStatic = 2 };
+
+btScalar Restitution(const btCollisionObject* A, const btCollisionObject* B) {
+  return std::min(A->getRestitution(), B->getRestitution());
+}
+
+btScalar Friction(const btCollisionObject* A, const btCollisionObject* B) {
+  return btSqrt(A->getFriction() * B->getFriction());
+}
+
+}  // namespace
+
+BulletWorld::BulletWorld(const World& world, const std::vector<Eigen::Vector3d>& inertias)
+    : dt_(ToBullet(world.dt)),
+      dispatcher_(&configuration_),
+      world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
+  // One for all worlds of the process, and the same for all.
+  gCalculateCombinedRestitutionCallback = &Restitution;
+  gCalculateCombinedFrictionCallback = &Friction;
+
+  btContactSolverInfo& info = world_.getSolverInfo();
+  info.m_numIterations = kIterations;
+  info.m_leastSquaresResidualThreshold = kConverged * kConverged;
+  info.m_erp = 0;
+  info.m_erp2 = 0;
+  info.m_splitImpulse = 0;
+  info.m_restitutionVelocityThreshold = 0;
+  info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  world_.setGravity(ToBullet(world.gravity_W));
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) Add(world.bodies[i], inertias[i]);
+}
+
+void BulletWorld::Add(const RigidBody& body, const Eigen::Vector3d& inertia) {
+  shapes_.push_back(ToBullet(body.placed.shape));
+  btRigidBody::btRigidBodyConstructionInfo info(ToBullet(body.mass), nullptr,
+                                                shapes_.back().get(), ToBullet(inertia));
+  info.m_startWorldTransform = ToBullet(body.placed.X_WB);
+  info.m_restitution = ToBullet(body.restitution);
+  info.m_friction = ToBullet(body.friction);
+  bodies_.push_back(std::make_unique<btRigidBody>(info));
+  forces_.push_back(ToBullet(body.force_W));
+
+  btRigidBody& added = *bodies_.back();
+  added.setUserIndex(static_cast<int>(bodies_.size()) - 1);
+  added.setActivationState(DISABLE_DEACTIVATION);
+  added.setContactProcessingThreshold(0);
+  const bool is_static = body.mass == 0;
+  if (!is_static) {
+    added.setLinearVelocity(ToBullet(body.v_WB));
+    added.setAngularVelocity(ToBullet(body.w_WB));
+  }
+  const int group = !body.collides ? kNobody : is_static ? kStatic : kMoving;
+  const int meets = !body.collides ? kNobody : is_static ? kMoving : kMoving | kStatic;
+  world_.addRigidBody(&added, group, meets);
+}
+
+void BulletWorld::Push(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W) {
+  btRigidBody& pushed = *bodies_[static_cast<std::size_t>(body)];
+  pushed.applyImpulse(ToBullet(J_W), ToBullet(p_W) - pushed.getCenterOfMassPosition());
+}
+
+void BulletWorld::Step() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i]->applyCentralForce(forces_[i]);  // Bullet forgets it after the step.
+  }
+  world_.stepSimulation(dt_, 0);  // 0: one step of that length, and no other.
+}
+
+void BulletWorld::Read(WorldState& state) const {
+  state.bodies.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const btRigidBody& body = *bodies_[i];
+    const btQuaternion q = body.getOrientation();
+    state.bodies[i] = {FromBullet(body.getCenterOfMassPosition()),
+                       Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()),
+                       FromBullet(body.getLinearVelocity()),
+                       FromBullet(body.getAngularVelocity())};
+  }
+}
+
+void BulletWorld::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
+  for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
+    for (int j = 0; j < manifold.getNumContacts(); ++j) {
+      const btManifoldPoint& point = manifold.getContactPoint(j);
+      // Not solved: what it holds is of an earlier step.
+      if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
+      // On body 0, along the normal that points into it.
+      const btVector3 J_0 = point.m_appliedImpulse * point.m_normalWorldOnB +
+                            point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
+                            point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2;
+      ContactImpulse& impulse = impulses.emplace_back();
+      impulse.A = manifold.getBody0()->getUserIndex();
+      impulse.B = manifold.getBody1()->getUserIndex();
+      impulse.p_WC = (FromBullet(point.getPositionWorldOnA()) +
+                      FromBullet(point.getPositionWorldOnB())) /
+                     2;
+      impulse.n_AB_W = -FromBullet(point.m_normalWorldOnB);
+      impulse.J_B_W = -FromBullet(J_0);
+      impulse.separation = point.getDistance();
+    }
+  }
+}
+
+}  // namespace touchstone
