@@ -138,11 +138,6 @@ class Judgement {
 
   bool IsApart() const { return truth_.separation.lo > 0; }
 
-  /** Of what depends on a normal. */
-  const Tolerance& ByNormal() const {
-    return IsApart() ? tolerances_.apart : tolerances_.separation;
-  }
-
   void JudgeTouching() {
     Finding& finding =
         Add(MeasureKind::kTouching, TouchingError(truth_, answer_),
@@ -168,7 +163,8 @@ class Judgement {
         tolerances_.separation, [&] { return ProveSeparation(dispute_, *separation_); });
     if (!n_W_) return;
     Add(MeasureKind::kConsistencyError, ConsistencyError(query_, *n_W_, *separation_),
-        ByNormal(), [&] { return ProveInconsistency(dispute_, *n_W_, *separation_); });
+        tolerances_.apart,
+        [&] { return ProveInconsistency(dispute_, *n_W_, *separation_); });
   }
 
   /** Apart, a normal is a direction that separates; only an oracle that gives distances
@@ -176,7 +172,7 @@ class Judgement {
   void JudgeNormal() {
     if (!n_W_ || (IsApart() && !answer_.touching && !capability_.distance)) return;
     const Finding& finding =
-        Add(MeasureKind::kExcess, Excess(query_, truth_, *n_W_), ByNormal(),
+        Add(MeasureKind::kExcess, Excess(query_, truth_, *n_W_), tolerances_.excess,
             [&] { return ProveExcess(dispute_, *n_W_); });
     normal_is_right_ = finding.verdict == Verdict::kPass;
   }

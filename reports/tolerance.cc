@@ -90,6 +90,12 @@ Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
         tilted, truth.separation.lo, e);
   }
 
+  const double again = RoundingOf(oracle, scenario.contact) + truth.input_rounding;
+  tolerances.excess = {
+      tolerances.apart.value + again,
+      fmt::format("{}; {:.2g} m again, since a direction is chosen among rounded ones",
+                  tolerances.apart.because, again)};
+
   // Twice: once for the patch, taken with a slack of half of it, and once for the
   // contact.
   tolerances.across = {

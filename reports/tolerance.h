@@ -14,18 +14,28 @@ struct Tolerance {
   std::string because;  ///< One sentence, quoted in the report.
 };
 
-/** Roundings of the scene's size that a right computation of a separation may accumulate.
+/** Roundings of the scene's size L that a right computation of an overlap along an axis,
+ and of the axis itself, may accumulate.
 
- The longest path is that of a separating-axis test, in units of u times the size (Higham,
- Accuracy and Stability of Numerical Algorithms, 2nd ed., §3.1: a dot product of k terms
- is off by at most k u |x|ᵀ|y|): the input rounded to the engine's precision 1; p_B − p_A
- into A's frame 4; R_Aᵀ R_B composed 3; the axis a × b crossed and normalised 6; half
- extents along the axis, 3 + 3 terms of products, 7; the centre distance along it and the
- difference 4; a contact carried back to the world 4. The sum, 29, is for |x|ᵀ|y|, which
- for unit directions is up to √3 |x| |y|: 50. The axis is then chosen by rounded overlaps:
- the one chosen may be longer than the least by the error of both, twice that: 100.
- Rounded up to a power of two, since terms may be ordered otherwise. [-] */
-inline constexpr double kRoundings = 128;
+ The longest path is that of a separating-axis test in the frame of A. To first order in
+ the unit roundoff u (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
+ §3.1: a dot product of k terms is off by at most k u |x|ᵀ|y|; for a rotation, |R| |x| is
+ up to √3 as long as x), with a = |p|∞ of each body, ρ its bounding radius, P = ρ_A + ρ_B
+ and D = |p_B − p_A|, the steps cost, in units of u:
+
+   input rounded to the engine's precision   √3 (a_A + a_B) + (√3 + 1) P
+   p_B − p_A, brought into A's frame         (1 + 3 √3) D
+   R_Aᵀ R_B, on B's extents                  9 ρ_B
+   the axis on the extents of A and B        3 P + 3 √3 ρ_B
+   the axis on the centre distance           3 D
+   differences 2, the axis normalised 3.5    5.5 max(D, P)
+   the axis turned to the world, on a lever  3 √3 (D + P)
+
+ By the definition of L, a_A + a_B ≤ 2 L − P, hence D ≤ √3 (2 L − P). Touching, D ≤ P: the
+ sum is greatest for D = P = 2 √3 / (1 + √3) L and ρ_B = L, 54.5 L. Apart, without the
+ lever, which Tolerances::apart grants, it is greatest for P = 0: 54.4 L. Rounded up to a
+ power of two, since terms may be ordered otherwise. [-] */
+inline constexpr double kRoundings = 64;
 
 /** Roundings that the length of a unit normal may be off by: normalising costs 4 (a sum
  of three squares 3, a root and a division half each), rotating it by a matrix 4 more.
@@ -35,12 +45,16 @@ inline constexpr double kNormalRoundings = 16;
 /** What an oracle may be off by in one scenario. */
 struct Tolerances {
   /** Of every length along the normal: separations, overlaps, distances from a surface.
-   * [m] */
+   The least of several overlaps is off no further than the worst of them. [m] */
   Tolerance separation;
   /** Of what depends on a normal where the bodies are apart. The normal is then the
    direction between two nearest points, each off by e: it tilts by e / distance, on a
    lever as long as the scene. [m] */
   Tolerance apart;
+  /** Of how much the overlap along a normal exceeds the least. The normal is chosen by
+   computed overlaps: the one chosen may be longer than computed, and the least shorter,
+   each by its rounding and by that of the input. [m] */
+  Tolerance excess;
   /** Of where a deepest contact lies across the normal. A depth off by e moves the
    deepest point of a surface of radius r by √(2 r e), and that of a nearly parallel face
    as far. [m] */

@@ -74,23 +74,33 @@ std::string Said(const ContactAnswer& answer) {
   return words;
 }
 
-/** Both answers may be off by their tolerance; that of the variant is brought back in
- * scale. */
-Tolerance ToleranceBetween(const Scenario& scenario, const ContactTruth& truth,
-                           const OracleInfo& oracle, const Variant& variant) {
+/** What an answer and that to a variant, brought back, may differ by. */
+struct Granted {
+  Tolerance separation;
+  Tolerance overlap;
+};
+
+/** Both separations may be off, which adds up. Both overlaps lie between the least, which
+ is one for both, and what is granted above it: they differ by no more than the larger. */
+Granted GrantedBetween(const Scenario& scenario, const ContactTruth& truth,
+                       const OracleInfo& oracle, const Variant& variant) {
   const double f = variant.factor;
   Scenario changed = scenario;
   changed.contact = variant.query;
   ContactTruth changed_truth = truth;
   changed_truth.separation = {truth.separation.lo * f, truth.separation.hi * f};
   changed_truth.input_rounding = truth.input_rounding * f + variant.rounding;
-  const Tolerance base = TolerancesOf(oracle, scenario, truth).apart;
-  const Tolerance other = TolerancesOf(oracle, changed, changed_truth).apart;
-  return {
-      base.value + other.value / f,
-      fmt::format("both answers may be off, the first by {:.2g} m ({}), the second by "
-                  "{:.2g} m on its own scene",
-                  base.value, base.because, other.value)};
+  const Tolerances base = TolerancesOf(oracle, scenario, truth);
+  const Tolerances other = TolerancesOf(oracle, changed, changed_truth);
+  return {{base.separation.value + other.separation.value / f,
+           fmt::format("both answers may be off, the first by {:.2g} m ({}), the second "
+                       "by {:.2g} m on its own scene",
+                       base.separation.value, base.separation.because,
+                       other.separation.value)},
+          {std::max(base.excess.value, other.excess.value / f),
+           fmt::format("both normals may be longer than the shortest, the first by "
+                       "{:.2g} m ({}), the second by {:.2g} m on its own scene",
+                       base.excess.value, base.excess.because, other.excess.value)}};
 }
 
 }  // namespace
@@ -122,13 +132,13 @@ std::vector<Variant> VariantsOf(const Scenario& scenario) {
 Finding JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
                      const OracleInfo& oracle, const ContactAnswer& answer,
                      const Variant& variant, const ContactAnswer& variant_answer) {
-  const Tolerance tolerance = ToleranceBetween(scenario, truth, oracle, variant);
+  const Granted granted = GrantedBetween(scenario, truth, oracle, variant);
   Finding finding;
   finding.scenario = scenario.id;
   finding.oracle = oracle.name;
   finding.measure = variant.measure;
-  finding.tolerance = tolerance.value;
-  finding.tolerance_because = tolerance.because;
+  finding.tolerance = granted.separation.value;
+  finding.tolerance_because = granted.separation.because;
   const auto failed = [&](Verdict verdict, const std::string& why) {
     finding.verdict = verdict;
     finding.proof = fmt::format("{} answers the question, but not its variant ({}): {}.",
@@ -156,19 +166,30 @@ Finding JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
   if (truth.separation.lo > 0 && !answer.touching && !capability.distance) {
     back.n_AB_W.reset();
   }
-  const double change = AnswerChange(query, truth, answer, back);
-  finding.value = std::max(0.0, change - variant.play);
+  const AnswerDifference change = AnswerChange(query, truth, answer, back);
+  const double separation = std::max(0.0, change.separation - variant.play);
+  const double overlap = std::max(0.0, change.overlap - variant.play);
+  // Of the two, what is further beyond its tolerance.
+  finding.value = separation;
+  if (overlap * granted.separation.value > separation * granted.overlap.value) {
+    finding.value = overlap;
+    finding.tolerance = granted.overlap.value;
+    finding.tolerance_because = granted.overlap.because;
+  }
   // Written so that a NaN fails.
-  finding.verdict = finding.value <= tolerance.value ? Verdict::kPass : Verdict::kFail;
+  finding.verdict = finding.value <= finding.tolerance ? Verdict::kPass : Verdict::kFail;
   if (finding.verdict == Verdict::kFail) {
     finding.proof = fmt::format(
         "{} says {}; of its variant ({}), brought back, it says {}: a difference of "
         "{:.9g} m.",
-        oracle.name, Said(answer), NameOf(variant.measure), Said(back), change);
+        oracle.name, Said(answer), NameOf(variant.measure), Said(back),
+        finding.value + variant.play);
     if (variant.measure == MeasureKind::kSwap && back.n_AB_W) {
       ContactAnswer unturned = back;
       *unturned.n_AB_W *= -1;
-      if (AnswerChange(query, truth, answer, unturned) <= tolerance.value) {
+      const AnswerDifference left = AnswerChange(query, truth, answer, unturned);
+      if (left.separation <= granted.separation.value &&
+          left.overlap <= granted.overlap.value) {
         finding.cause = Cause::kConvention;
         finding.cause_because = "its normal does not turn when A and B are swapped";
       }

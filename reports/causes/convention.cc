@@ -103,8 +103,8 @@ std::vector<Reading> ReadingsOf(const Scenario& scenario, const ContactTruth& tr
 
   const auto n_AB_W = NormalOf(answer);
   const bool is_flipped =
-      n_AB_W && Excess(scenario.contact, truth, *n_AB_W) > tolerances.apart.value &&
-      Excess(scenario.contact, truth, -*n_AB_W) <= tolerances.apart.value;
+      n_AB_W && Excess(scenario.contact, truth, *n_AB_W) > tolerances.excess.value &&
+      Excess(scenario.contact, truth, -*n_AB_W) <= tolerances.excess.value;
   if (is_flipped) {
     Reading flipped{answer, "its normal points from B to A"};
     FlipNormals(flipped.answer);

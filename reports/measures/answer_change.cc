@@ -1,6 +1,5 @@
 #include "reports/measures/answer_change.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -27,16 +26,20 @@ void Map(ContactAnswer& answer, double lengths, MapNormal normal, MapPoint point
 
 }  // namespace
 
-double AnswerChange(const ContactQuery& query, const ContactTruth& truth,
-                    const ContactAnswer& answer, const ContactAnswer& brought_back) {
-  double change = 0;
-  if (answer.touching != brought_back.touching) change = Outside(0, truth.separation);
+AnswerDifference AnswerChange(const ContactQuery& query, const ContactTruth& truth,
+                              const ContactAnswer& answer,
+                              const ContactAnswer& brought_back) {
+  AnswerDifference change;
+  if (answer.touching != brought_back.touching) {
+    change.separation = Outside(0, truth.separation);
+  }
   if (answer.separation && brought_back.separation) {
-    change = std::max(change, std::abs(*answer.separation - *brought_back.separation));
+    change.separation = std::max(change.separation,
+                                 std::abs(*answer.separation - *brought_back.separation));
   }
   if (answer.n_AB_W && brought_back.n_AB_W) {
-    change = std::max(change, Apart(OverlapAlong(query, *answer.n_AB_W),
-                                    OverlapAlong(query, *brought_back.n_AB_W)));
+    change.overlap = Apart(OverlapAlong(query, *answer.n_AB_W),
+                           OverlapAlong(query, *brought_back.n_AB_W));
   }
   return change;
 }

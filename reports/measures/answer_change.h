@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 
 #include "oracles/contact_answer.h"
@@ -8,18 +10,27 @@
 
 namespace touchstone {
 
-/** Returns how much two answers to one question differ. [m]
+/** How much two answers to one question differ. [m] */
+struct AnswerDifference {
+  /** |s − s'|; where one says touching and the other apart at least the certified
+   distance from touching, so that nobody is blamed within the rounding of a touching
+   pair. */
+  double separation = 0;
+  /** |o(n) − o(n')|, which compares normals by what they separate: a tie is no change. */
+  double overlap = 0;
 
- The largest of |s − s'|; |o(n) − o(n')|, which compares normals by what they separate and
- so forgives a tie; and, where one says touching and the other apart, the certified
- distance from touching, so that nobody is blamed within the rounding of a touching pair.
- Positions are not compared: manifolds may legally differ.
+  double Largest() const { return std::max(separation, overlap); }
+};
+
+/** Returns how much two answers to one question differ. Positions are not compared:
+ manifolds may legally differ.
 
  The metamorphic measures: the answer to a changed question, brought back by the functions
  below, against the answer to the question itself. They need no reference.
  Source: Chen, Cheung & Yiu, "Metamorphic testing", HKUST-CS98-01 (1998). */
-double AnswerChange(const ContactQuery& query, const ContactTruth& truth,
-                    const ContactAnswer& answer, const ContactAnswer& brought_back);
+AnswerDifference AnswerChange(const ContactQuery& query, const ContactTruth& truth,
+                              const ContactAnswer& answer,
+                              const ContactAnswer& brought_back);
 
 /** Brings the answer to (B, A) back to (A, B): negates normals, swaps witnesses. */
 ContactAnswer BackFromSwap(ContactAnswer answer);

@@ -99,7 +99,7 @@ TEST(Judge, ProvesATooLargeDepthByAShorterTranslation) {
   EXPECT_THAT(finding.proof,
               StartsWith("mine says 0.006 m deep; moving B by 0.002 m along ("));
   EXPECT_GT(finding.tolerance, 0);
-  EXPECT_THAT(finding.tolerance_because, StartsWith("128 roundings of 2^-53"));
+  EXPECT_THAT(finding.tolerance_because, StartsWith("64 roundings of 2^-53"));
 }
 
 TEST(Judge, ProvesATooSmallDepthByTheOverlapLeft) {
@@ -129,6 +129,22 @@ TEST(Judge, FindsAFlippedNormalByItsExcessAndInconsistency) {
                                     MeasureKind::kContactSurfaceError));
   EXPECT_THAT(Of(MeasureKind::kExcess, findings).proof,
               HasSubstr("moving B by 0.002 m along ("));
+}
+
+// Tilted by θ, the overlap of the faces grows by their lever times θ.
+TEST(Judge, LeavesANormalTwiceTheRoundingThatItLeavesADepth) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  const auto excess_of = [&](double tilt) {
+    ContactAnswer answer = s.right;
+    answer.n_AB_W =
+        s.query.A.X_WB.R_WB * Eigen::Vector3d(std::sin(tilt), 0, std::cos(tilt));
+    return Of(MeasureKind::kExcess, Judged(s.query, answer));
+  };
+  const double rounding =
+      Of(MeasureKind::kSeparationError, Judged(s.query, s.right)).tolerance;
+  const double lever = excess_of(1e-6).value / 1e-6;
+  EXPECT_EQ(excess_of(1.9 * rounding / lever).verdict, Verdict::kPass);
+  EXPECT_EQ(excess_of(2.1 * rounding / lever).verdict, Verdict::kFail);
 }
 
 TEST(Judge, FindsAContactOnASurface) {

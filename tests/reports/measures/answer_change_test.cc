@@ -11,7 +11,7 @@ constexpr double kDepth = 2e-3;        // [m]
 constexpr double kRounding = 0x1p-46;  // [m], 64 roundings of a scene below 2 m
 
 double Change(const Specimen& s, const ContactAnswer& other) {
-  return AnswerChange(s.query, s.truth, s.right, other);
+  return AnswerChange(s.query, s.truth, s.right, other).Largest();
 }
 
 TEST(AnswerChange, IsNoneBetweenAnAnswerAndItself) {
@@ -32,6 +32,16 @@ TEST(AnswerChange, SeesAFlippedNormal) {
   *other.n_AB_W *= -1;
   // o(-n) - o(n) = (2 h + 2 h_B - d) - d.
   EXPECT_NEAR(Change(s, other), 0.2 + 0.22 - 2 * kDepth, kRounding);
+}
+
+TEST(AnswerChange, KeepsNormalsApartFromSeparations) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  ContactAnswer other = s.right;
+  *other.separation *= 1.5;
+  EXPECT_EQ(AnswerChange(s.query, s.truth, s.right, other).overlap, 0);
+  other = s.right;
+  *other.n_AB_W *= -1;
+  EXPECT_EQ(AnswerChange(s.query, s.truth, s.right, other).separation, 0);
 }
 
 TEST(AnswerChange, ForgivesATieOfNormals) {
