@@ -12,16 +12,14 @@ namespace cookbook {
 struct ContactPair {
   int A = 0;
   int B = 0;
-  Manifold manifold;
+  Manifold manifold;  ///< See CollideWithin().
   /** Impulse on B at each contact of the manifold. World frame. [N s] */
   std::array<Eigen::Vector3d, 8> J_W;
 };
 
-/** Returns how the shapes of two bodies touch. @pre Not two half-spaces. */
-Manifold Collide(const RigidBody& A, const RigidBody& B);
-
-/** Replaces the manifold of `pair` by that of its bodies as they are now. The impulse of
- a contact is that of the old contact of the same feature; new contacts start at zero. */
-void Recollide(const RigidBody& A, const RigidBody& B, ContactPair& pair);
+/** Replaces the manifold of `pair` by that of its bodies as they are now, contacts apart
+ by up to `margin` [m] included. The impulse of a contact is that of the old contact of
+ the same feature; new contacts start at zero. */
+void Recollide(double margin, const RigidBody& A, const RigidBody& B, ContactPair& pair);
 
 }  // namespace cookbook

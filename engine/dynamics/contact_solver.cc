@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/LU>
 
 namespace cookbook {
 namespace {
+
+/** A contact that approaches slower than this share of what gravity adds in a step is one
+ that was there all along. */
+constexpr double kSteady = 1.0 / 16;
 
 void Apply(const Eigen::Vector3d& J, const Eigen::Vector3d& r,
            const InverseInertia& inertia, Velocity& velocity) {
@@ -33,11 +38,11 @@ void ContactSolver::Begin(std::span<ContactPair> pairs, const SolverBodies& worl
   inertias_ = world.inertias;
   accumulated_ = settings.accumulated_impulses;
   const double gravity_speed = h * settings.gravity_W.norm();
-  const double slack = settings.penetration_slack.value_or(2 * h * gravity_speed);
+  const double slack = SlackOf(settings, h);
 
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const ContactPair& pair = pairs[p];
-    if (!pair.manifold.touching) continue;
+    if (pair.manifold.count == 0) continue;
     const auto a = static_cast<std::size_t>(pair.A);
     const auto b = static_cast<std::size_t>(pair.B);
     const RigidBody& A = world.bodies[a];
@@ -73,6 +78,13 @@ void ContactSolver::Begin(std::span<ContactPair> pairs, const SolverBodies& worl
         row.target = std::max(0.0, -restitution * approach + pull);
       }
       row.bounces = row.target > 0;
+      row.steady = std::abs(approach) <= kSteady * (gravity_speed + std::abs(pull));
+      if (contact.separation > 0) {
+        // Not there yet: what will bounce goes on, what will rest arrives with the step.
+        row.target = row.bounces ? -std::numeric_limits<double>::infinity()
+                                 : -contact.separation / h;
+        row.bounces = false;
+      }
       row.mass_scale = 1;
       row.impulse_scale = 0;
       const double excess = -contact.separation - slack;
@@ -190,6 +202,7 @@ void ContactSolver::End(std::span<ContactPair> pairs, std::span<Touch> touches) 
         Touch& touch = touches[static_cast<std::size_t>(body)];
         touch.bounced = touch.bounced || row.bounces;
         touch.rested = touch.rested || !row.bounces;
+        touch.steady = touch.steady && row.steady;
       }
     }
   }

@@ -20,6 +20,7 @@ struct SolverBodies {
 struct Touch {
   bool bounced = false;  ///< Some contact sent it back.
   bool rested = false;   ///< Some contact held it.
+  bool steady = true;    ///< Before the step, no contact that held it was approaching.
 };
 
 /** Sequential impulses: finds by sweeps the impulses that leave no contact approaching.
@@ -28,7 +29,7 @@ struct Touch {
  the velocities before the step and at its end without impulses:
 
    u·n >= max(0, −e u₀·n + (u_f − u₀)·n)   where u₀·n < −(resting speed),
-   u·n >= 0                                elsewhere,
+   u·n >= 0                                elsewhere, or −gap / h where there is a gap,
 
  with an impulse λ >= 0 that is zero where the inequality is strict. The first line sends
  back the velocity of the start of the step and then lets the forces of the step act, so
@@ -56,7 +57,7 @@ class ContactSolver {
   struct Row {
     Eigen::Vector3d r_A;  ///< From the centre of A. [m]
     Eigen::Vector3d r_B;
-    double target;          ///< Least u·n. [m/s]
+    double target;          ///< Least u·n; −∞ where the contact is let be. [m/s]
     double effective_mass;  ///< 1 / k(n). [kg]
     double mass_scale;      ///< 1 for a hard contact; see Stabilisation::kSoft.
     double impulse_scale;   ///< 0 for a hard contact.
@@ -66,6 +67,7 @@ class ContactSolver {
     double slip_step;                  ///< 1 / the greatest eigenvalue of K_t. [kg]
     Eigen::Vector2d friction_impulse;  ///< λ_t. [N s]
     bool bounces;
+    bool steady;  ///< Before the step it did not approach, but for rounding and noise.
   };
 
   /** The contacts of one pair. */

@@ -1,5 +1,7 @@
 #include "engine/dynamics/half_space.h"
 
+#include <algorithm>
+
 #include "engine/rounding.h"
 
 namespace cookbook {
@@ -18,7 +20,8 @@ Manifold Collide(const HalfSpace&, const Pose& X_WA, const Sphere& B, const Pose
   return manifold;
 }
 
-Manifold Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X_WB) {
+Manifold Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X_WB,
+                 double margin) {
   Manifold manifold;
   const Eigen::Vector3d n = X_WA.R_WB.col(2);
   const Eigen::Vector3d p_AB = X_WB.p_WB - X_WA.p_WB;
@@ -28,12 +31,13 @@ Manifold Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X
   manifold.separation = height - reach.cwiseAbs().sum();
   const double slack = kOverlapRounding * (p_AB.lpNorm<1>() + B.half_extents.lpNorm<1>());
   manifold.touching = manifold.separation <= slack;
-  if (!manifold.touching) return manifold;
+  const double reported = std::max(slack, margin);
+  if (manifold.separation > reported) return manifold;
   for (unsigned vertex = 0; vertex < 8; ++vertex) {
     const Eigen::Vector3d sides(vertex & 1 ? 1 : -1, vertex & 2 ? 1 : -1,
                                 vertex & 4 ? 1 : -1);
     const double separation = height + sides.dot(reach);
-    if (separation > slack) continue;
+    if (separation > reported) continue;
     const Eigen::Vector3d p_WV =
         X_WB.p_WB + X_WB.R_WB * sides.cwiseProduct(B.half_extents);
     manifold.contacts[static_cast<std::size_t>(manifold.count++)] = {

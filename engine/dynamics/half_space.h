@@ -9,8 +9,10 @@ namespace cookbook {
  Separation to within 4 u (|p_AB| + r). */
 Manifold Collide(const HalfSpace& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB);
 
-/** The vertices of B below the floor, each a contact of its own depth. A vertex at zero
- to within kOverlapRounding times the size of the pair counts as below. */
-Manifold Collide(const HalfSpace& A, const Pose& X_WA, const Box& B, const Pose& X_WB);
+/** The vertices of B below the floor, or less than `margin` [m] above it, each a contact
+ of its own separation. A vertex at zero to within kOverlapRounding times the size of the
+ pair counts as below. */
+Manifold Collide(const HalfSpace& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
+                 double margin);
 
 }  // namespace cookbook

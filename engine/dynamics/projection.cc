@@ -15,7 +15,7 @@ bool Projection::FindMoves(const ContactSolver& contacts,
     return false;
   }
   const double gravity_speed = h * settings.gravity_W.norm();
-  const double slack = settings.penetration_slack.value_or(2 * h * gravity_speed);
+  const double slack = SlackOf(settings, h);
   overlaps_.clear();
   for (const ContactSolver::Rows& rows : contacts.rows()) {
     const auto a = static_cast<std::size_t>(rows.A);

@@ -17,6 +17,14 @@ void Expect(bool holds, const char* setting, double value, const char* expected)
 
 }  // namespace
 
+double SlackOf(const Settings& settings, double h) {
+  return settings.penetration_slack.value_or(2 * h * h * settings.gravity_W.norm());
+}
+
+double MarginOf(const Settings& settings, double h) {
+  return settings.contact_margin.value_or(2 * h * h * settings.gravity_W.norm());
+}
+
 void Validate(const Settings& s) {
   for (const double g : s.gravity_W) {
     Expect(std::isfinite(g), "gravity_W", g, "finite numbers");
@@ -31,6 +39,9 @@ void Validate(const Settings& s) {
          s.projection_share, "a number in (0, 1]");
   const double slack = s.penetration_slack.value_or(0);
   Expect(slack >= 0 && std::isfinite(slack), "penetration_slack", slack,
+         "a finite number >= 0");
+  const double margin = s.contact_margin.value_or(0);
+  Expect(margin >= 0 && std::isfinite(margin), "contact_margin", margin,
          "a finite number >= 0");
   Expect(s.projection_iterations > 0, "projection_iterations", s.projection_iterations,
          "at least 1");

@@ -58,6 +58,9 @@ struct Settings {
   /** Depth that is left, against jitter. Absent: 2 |g| dt². [m] */
   std::optional<double> penetration_slack;
   int projection_iterations = 4;
+  /** Contacts apart by less are kept ready, so that rounding does not take a corner from
+   a box at rest. Absent: 2 |g| dt². [m] */
+  std::optional<double> contact_margin;
   /** Of Stabilisation::kSoft. The frequency is at most 1/(8 dt). [Hz] */
   double soft_frequency = 30;
   double soft_damping_ratio = 10;
@@ -65,6 +68,12 @@ struct Settings {
   /** Every step is taken as so many shorter ones. */
   int sub_steps = 1;
 };
+
+/** Returns Settings::penetration_slack, or what stands for it at step `h` [s]. [m] */
+double SlackOf(const Settings& settings, double h);
+
+/** Returns Settings::contact_margin, or what stands for it at step `h` [s]. [m] */
+double MarginOf(const Settings& settings, double h);
 
 /** Refuses settings that make no sense.
  @throws std::invalid_argument with a sentence that names the setting. */

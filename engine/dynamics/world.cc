@@ -93,16 +93,16 @@ void World::Step(double dt) {
 }
 
 void World::StepOnce(double h) {
-  FindContacts();
+  FindContacts(MarginOf(settings_, h));
   ApplyForces(h);
   SolveContacts(h);
   Move(h);
   Project(h);
 }
 
-void World::FindContacts() {
+void World::FindContacts(double margin) {
   for (ContactPair& pair : pairs_) {
-    Recollide(bodies_[static_cast<std::size_t>(pair.A)],
+    Recollide(margin, bodies_[static_cast<std::size_t>(pair.A)],
               bodies_[static_cast<std::size_t>(pair.B)], pair);
   }
 }
@@ -151,7 +151,8 @@ void World::Move(double h) {
     const double forces =
         gravity + body.inverse_mass * (body.force_W + body.applied_force_W).norm();
     const bool touched = touches_[i].bounced || touches_[i].rested;
-    const bool struck = touches_[i].bounced || (touched && change > kBlow * h * forces);
+    const bool struck = touched && (touches_[i].bounced || !touches_[i].steady ||
+                                    change > kBlow * h * forces);
     Velocity& mean = mean_[i];
     if (!struck) {
       mean.v = 0.5 * (before.v + after.v);
@@ -204,6 +205,7 @@ void World::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
   for (const ContactPair& pair : pairs_) {
     for (std::size_t i = 0; i < pair.manifold.points().size(); ++i) {
       const ContactPoint& contact = pair.manifold.contacts[i];
+      if (contact.separation > 0 && pair.J_W[i].isZero(0)) continue;
       impulses.push_back({pair.A, pair.B, contact.p_WC, pair.manifold.n_AB_W, pair.J_W[i],
                           contact.separation});
     }

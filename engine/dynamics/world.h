@@ -55,7 +55,7 @@ class World {
 
  private:
   void StepOnce(double h);
-  void FindContacts();
+  void FindContacts(double margin);
   void ApplyForces(double h);
   void SolveContacts(double h);
   void Move(double h);
