@@ -8,8 +8,10 @@ std::string NameOf(Erratum erratum) {
 }
 
 std::optional<Erratum> ErratumNamed(std::string_view name) {
-  for (const Erratum erratum : kContactErrata) {
-    if (NameOf(erratum) == name) return erratum;
+  for (const auto& errata : {kContactErrata, kMotionErrata}) {
+    for (const Erratum erratum : errata) {
+      if (NameOf(erratum) == name) return erratum;
+    }
   }
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/printed/collide.h"
+#include "oracles/cookbook/printed_simulation.h"
 #include "oracles/cookbook/translate.h"
 
 namespace touchstone {
@@ -35,10 +36,13 @@ class PrintedOracle final : public Oracle {
     for (auto& row : info_.capabilities) {
       for (Capability& capability : row) capability.distance = false;
     }
+    SetPrintedWorldCapabilities(info_);
     std::string in_force;
-    for (const printed::Erratum erratum : printed::kContactErrata) {
-      if (errata.Has(erratum))
-        in_force += (in_force.empty() ? "" : ", ") + NameOf(erratum);
+    for (const auto& list : {printed::kContactErrata, printed::kMotionErrata}) {
+      for (const printed::Erratum erratum : list) {
+        if (errata.Has(erratum))
+          in_force += (in_force.empty() ? "" : ", ") + NameOf(erratum);
+      }
     }
     info_.settings = {{"errata", in_force.empty() ? "none" : in_force,
                        "faults of the published recipes"},
@@ -51,6 +55,10 @@ class PrintedOracle final : public Oracle {
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
     for (std::size_t k = 0; k < queries.size(); ++k) answers[k] = AnswerOne(queries[k]);
+  }
+
+  std::unique_ptr<Simulation> Begin(const World& world) const override {
+    return BeginPrinted(world, errata_);
   }
 
  private:
@@ -103,8 +111,9 @@ std::unique_ptr<Oracle> MakePrintedOracle(std::string_view name) {
 
 std::vector<std::string> PrintedOracleNames() {
   std::vector<std::string> names = {"printed", "printed:none"};
-  for (const printed::Erratum erratum : printed::kContactErrata) {
-    names.push_back("printed:" + NameOf(erratum));
+  for (const auto& list : {printed::kContactErrata, printed::kMotionErrata}) {
+    for (const printed::Erratum erratum : list)
+      names.push_back("printed:" + NameOf(erratum));
   }
   return names;
 }

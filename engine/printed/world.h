@@ -1,0 +1,145 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "engine/printed/errata.h"
+#include "engine/shape.h"
+
+namespace cookbook::printed {
+
+/** A rigid body, and its state. World frame where no other is named. */
+struct Body {
+  std::variant<Sphere, Box> shape;
+  double mass = 1;  ///< [kg]; 0: never moves.
+  /** Principal moments about the centre, body axes; of the solid where zero. [kg m²] */
+  Eigen::Vector3d inertia = Eigen::Vector3d::Zero();
+  double restitution = 0.5;
+  double friction = 0.6;
+  Eigen::Vector3d force_W = Eigen::Vector3d::Zero();  ///< Constant, beside gravity. [N]
+  bool collides = true;
+  Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();  ///< [m/s]
+  Eigen::Vector3d w_WB = Eigen::Vector3d::Zero();  ///< [rad/s]
+  /** Under E-15 the orientation: R = R_z(z) R_y(y) R_x(x). [rad] */
+  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+};
+
+/** A point mass, and its state. */
+struct Particle {
+  double mass = 1;     ///< [kg]; 0: never moves.
+  double damping = 0;  ///< Velocities decay as exp(−damping t). [1/s]
+  double bounce = 0.7;
+  Eigen::Vector3d p_W = Eigen::Vector3d::Zero();         ///< [m]
+  Eigen::Vector3d v_W = Eigen::Vector3d::Zero();         ///< [m/s]
+  Eigen::Vector3d p_previous = Eigen::Vector3d::Zero();  ///< A step ago. [m]
+};
+
+/** An end of a spring or a joint: a point of the world, of a body, or a particle. */
+struct Anchor {
+  enum class On { kWorld, kBody, kParticle } on = On::kWorld;
+  int index = -1;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< World or body frame. [m]
+};
+
+struct Spring {
+  Anchor A;
+  Anchor B;
+  double stiffness = 0;    ///< [N/m]
+  double damping = 0;      ///< [N s/m]
+  double rest_length = 0;  ///< [m]
+};
+
+struct DistanceJoint {
+  Anchor A;
+  Anchor B;
+  double length = 0;  ///< [m]
+};
+
+/** The constants of one family of a cloth's springs. */
+struct ClothSprings {
+  double stiffness = 0;  ///< [N/m]
+  double damping = 0;    ///< [N s/m]
+};
+
+/** A net of n × n particles in the x–z plane about `centre`. */
+struct Cloth {
+  int n = 3;
+  double spacing = 1;  ///< [m]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double node_mass = 1;  ///< [kg]
+  double damping = 0;    ///< [1/s]
+  double bounce = 0;
+  ClothSprings structural;
+  ClothSprings shear;
+  ClothSprings bend;
+  std::vector<std::pair<int, int>> pinned;  ///< (row, column)
+};
+
+/** What one contact gave in a step. */
+struct ContactImpulse {
+  int A;
+  int B;
+  Eigen::Vector3d p_WC;
+  Eigen::Vector3d n_AB_W;
+  Eigen::Vector3d J_B_W;  ///< On B; A received its opposite. [N s]
+  double separation;      ///< Minus the depth of the pair. [m]
+};
+
+/** The parameters that the recipe leaves open, at its defaults. */
+struct Settings {
+  Eigen::Vector3d gravity_W{0, -9.82, 0};
+  double projection_share = 0.45;
+  double projection_slack = 0.01;  ///< [m]
+  int impulse_iterations = 5;
+};
+
+/** The published world, with the given errata; without any, its recipes put right.
+
+ One step, in the order of the recipe: find the touching pairs; sum the forces; apply the
+ impulses of all contacts, several sweeps; integrate velocities and poses; project apart;
+ apply springs; solve the constraints of particles and joints. */
+class World {
+ public:
+  World(const Errata& errata, const Settings& settings)
+      : errata_(errata), settings_(settings) {}
+
+  /** Each adds one and returns its index.
+   @throws std::invalid_argument for what is no body, spring or cloth: a negative or
+   non-finite number, a spring of an end to itself, n < 3. Under E-21 a cloth with n < 3
+   throws std::out_of_range: the fault is told, not committed. */
+  int Add(const Body& body);
+  int Add(const Particle& particle);
+  int Add(const Spring& spring);
+  int Add(const DistanceJoint& joint);
+  /** Returns the index of the particle of its node (0, 0); the others follow by rows. */
+  int Add(const Cloth& cloth);
+
+  /** Gives a blow `J_W` [N s] at the world point `p_W`. */
+  void ApplyImpulse(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W);
+
+  /** Advances by `dt` > 0. [s] */
+  void Step(double dt);
+
+  std::span<const Body> bodies() const { return bodies_; }
+  std::span<const Particle> particles() const { return particles_; }
+  /** Returns what each contact gave in the last step. */
+  std::span<const ContactImpulse> impulses() const { return impulses_; }
+
+ private:
+  Errata errata_;
+  Settings settings_;
+  std::vector<Body> bodies_;
+  std::vector<Particle> particles_;
+  std::vector<Spring> springs_;
+  std::vector<DistanceJoint> joints_;
+  std::vector<ContactImpulse> impulses_;
+};
+
+}  // namespace cookbook::printed
