@@ -1,0 +1,132 @@
+#include "reports/worlds/laws/conserves_angular_momentum.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/isolated_system.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/scheme_drift.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfIsolation(world, claim);
+  if (!faults.empty()) return faults;
+  const Subjects subjects = SubjectsOf(world, claim);
+  const bool alone =
+      subjects.bodies.size() + subjects.particles.size() == 1 && subjects.cloths.empty();
+  for (const int i : subjects.bodies) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    if (!alone && !body.force_W.isZero(0)) {
+      faults.push_back({WhereAbout(claim, body.name),
+                        fmt::format("is {}, on which a force acts", body.name),
+                        "no force on one of several bodies: it has a torque"});
+    }
+    if (IsPushed(world, i)) {
+      faults.push_back({WhereAbout(claim, body.name),
+                        fmt::format("is {}, which is struck", body.name),
+                        "a body that no push strikes"});
+    }
+  }
+  const WorldState start = StateAtStart(world);
+  const double L_0 =
+      AngularMomentumOf(world, start, subjects, CentreOf(world, start, subjects)).norm();
+  return Joined(
+      std::move(faults),
+      FaultsOfNumbers(claim, {{"expected_angular_momentum", L_0}}, {"x", "y", "z"}));
+}
+
+/** The sum of the impulses that colliding bodies receive from a sample to the next,
+ beyond gravity and forces: twice that of their contacts. [N s] */
+double ImpulsesBetween(const World& world, const WorldState& from, const WorldState& to,
+                       double dt, const Subjects& subjects) {
+  double sum = 0;
+  for (const int i : subjects.bodies) {
+    const auto index = static_cast<std::size_t>(i);
+    const RigidBody& body = world.bodies[index];
+    // What springs and joints do lies along the line of their ends, and keeps L.
+    if (!body.collides || IsHeld(world, AnchorKind::kBody, i)) continue;
+    const Eigen::Vector3d J_W =
+        body.mass * (to.bodies[index].v_WB - from.bodies[index].v_WB) -
+        dt * (body.mass * world.gravity_W + body.force_W);
+    sum += J_W.norm();
+  }
+  return sum;
+}
+
+double FastestOf(const WorldState& state, const Subjects& subjects) {
+  double fastest = 0;
+  for (const int i : subjects.bodies)
+    fastest = std::max(fastest, state.bodies[static_cast<std::size_t>(i)].v_WB.norm());
+  return fastest;
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  const Subjects subjects = SubjectsOf(world, claim);
+  const WorldState start = StateAtStart(world);
+  const Eigen::Vector3d L_0 =
+      AngularMomentumOf(world, start, subjects, CentreOf(world, start, subjects));
+  const Eigen::Vector3d direction{NumberOr(claim, "x", 0), NumberOr(claim, "y", 0),
+                                  NumberOr(claim, "z", 0)};
+  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
+  if (!direction.isZero(0))
+    kept = direction.normalized() * direction.normalized().transpose();
+
+  const std::vector<double> drift =
+      IntegralAlong(trajectory, [&](const WorldState& state) {
+        return GyroscopicMomentumRate(world, state, subjects) +
+               JointMomentumRate(world, state, subjects);
+      });
+  Worst worst(
+      MeasureKind::kAngularMomentumDrift,
+      "1.5 × what first-order schemes lose: h ∫ |ω × (ω × L)| of the gyroscopic term, "
+      "½ h ∫ m v³/L of rods, V h J of contacts; and 64 roundings a step");
+  double size = 0;
+  double levers = 0;  // Σ V h |J| of the contacts so far.
+  double fastest = 0;
+  for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
+    const double t = trajectory.times[s];
+    const WorldState& state = trajectory.samples[s];
+    const Eigen::Vector3d c_W = CentreOf(world, state, subjects);
+    fastest = std::max(fastest, 2 * FastestOf(state, subjects));
+    // The positions themselves are rounded on the scale of where they are.
+    size = std::max(size, AngularMomentumSize(world, state, subjects, c_W) +
+                              c_W.norm() * MomentumSize(world, state, subjects));
+    if (s > 0) {
+      levers += fastest * world.dt *
+                ImpulsesBetween(world, trajectory.samples[s - 1], state,
+                                t - trajectory.times[s - 1], subjects) /
+                2;
+    }
+    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s)) * size;
+    // What rounding leaves of gravity is no impulse.
+    const double contacts = levers > rounding ? levers : 0;
+    const Eigen::Vector3d L = AngularMomentumOf(world, state, subjects, c_W);
+    worst.Take((kept * (L - L_0)).norm(),
+               kSafety * (world.dt * drift[s] + contacts) + rounding, [&] {
+                 return fmt::format(
+                     "{} has an angular momentum of {} N m s after {:.6g} s; it started "
+                     "with {}",
+                     motion.oracle.name, Words(L), t, Words(L_0));
+               });
+  }
+  return {worst.finding()};
+}
+
+}  // namespace
+
+constinit const Law kConservesAngularMomentum = {
+    "conserves_angular_momentum",
+    "Angular momentum about the common centre of mass stays; x, y, z: only along that "
+    "direction.",
+    Faults, Judge};
+
+}  // namespace touchstone

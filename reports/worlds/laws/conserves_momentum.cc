@@ -1,0 +1,80 @@
+#include "reports/worlds/laws/conserves_momentum.h"
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/isolated_system.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+Eigen::Vector3d DirectionOf(const Claim& claim) {
+  return {NumberOr(claim, "x", 0), NumberOr(claim, "y", 0), NumberOr(claim, "z", 0)};
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfIsolation(world, claim);
+  if (!faults.empty()) return faults;
+  const double at_start =
+      MomentumOf(world, StateAtStart(world), SubjectsOf(world, claim)).norm();
+  return FaultsOfNumbers(claim, {{"expected_momentum", at_start}}, {"x", "y", "z"});
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Subjects subjects = SubjectsOf(world, claim);
+  Eigen::Vector3d force_W = MassOf(world, subjects) * world.gravity_W;
+  double kicks = 0;
+  for (const int i : subjects.bodies)
+    force_W += world.bodies[static_cast<std::size_t>(i)].force_W;
+  for (const Push& push : world.pushes) kicks += push.J_W.norm();
+
+  Worst drift(MeasureKind::kMomentumDrift,
+              "64 roundings a step: impulses are equal and opposite, and every scheme "
+              "integrates a constant force exactly");
+  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d direction = DirectionOf(claim);
+  if (!direction.isZero(0)) {
+    kept = direction.normalized() * direction.normalized().transpose();
+  }
+  const Trajectory& trajectory = motion.trajectory;
+  const Eigen::Vector3d P_0 = MomentumOf(world, StateAtStart(world), subjects);
+  double size = 0;
+  for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
+    const double t = trajectory.times[s];
+    const WorldState& state = trajectory.samples[s];
+    Eigen::Vector3d truth = P_0 + force_W * t;
+    for (const Push& push : world.pushes) {
+      const bool counts = std::find(subjects.bodies.begin(), subjects.bodies.end(),
+                                    push.body) != subjects.bodies.end();
+      if (counts && t > push.time + world.dt / 2) truth += push.J_W;
+    }
+    size = std::max(size, MomentumSize(world, state, subjects));
+    const Eigen::Vector3d P = MomentumOf(world, state, subjects);
+    drift.Take(
+        (kept * (P - truth)).norm(),
+        RoundingOf(motion.oracle, StepsBefore(motion, s)) *
+            (size + force_W.norm() * t + kicks),
+        [&] {
+          return fmt::format(
+              "{} has a momentum of {} N s after {:.6g} s; the start and what acts "
+              "from outside give {}",
+              motion.oracle.name, Words(P), t, Words(truth));
+        });
+  }
+  return {drift.finding()};
+}
+
+}  // namespace
+
+constinit const Law kConservesMomentum = {"conserves_momentum",
+                                          "Linear momentum changes by gravity, forces "
+                                          "and blows alone; x, y, z: only along that "
+                                          "direction.",
+                                          Faults, Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,102 @@
+#include "reports/worlds/laws/energy_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/scheme_drift.h"
+
+namespace touchstone {
+namespace {
+
+/** Σ m |g + F/m|² [N m/s²]: with h² the scale of the terms of second order. */
+double SquaredForces(const World& world, const Subjects& subjects) {
+  double sum = MassOf(world, subjects) * world.gravity_W.squaredNorm();
+  for (const int i : subjects.bodies) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    sum += body.mass * ((world.gravity_W + body.force_W / body.mass).squaredNorm() -
+                        world.gravity_W.squaredNorm());
+  }
+  return sum;
+}
+
+/** What was reflected from a sample to the next, and the uncertainty of that. [J] */
+struct Reflected {
+  double energy = 0;
+  double slack = 0;
+};
+
+Reflected ReflectedGravity(const World& world, const WorldState& from,
+                           const WorldState& to, const Subjects& subjects) {
+  Reflected sum;
+  const auto add = [&](double mass, const Eigen::Vector3d& before,
+                       const Eigen::Vector3d& after) {
+    const double falling = world.gravity_W.dot(before);
+    const double rising = -world.gravity_W.dot(after);
+    // A sample after the bounce, gravity has been at work again: the faster one is
+    // nearer.
+    if (falling <= 0 || rising <= 0) return;
+    sum.energy += mass * world.dt * std::max(falling, rising);
+    sum.slack +=
+        mass * world.dt * 2 * world.gravity_W.squaredNorm() * SampleSpacing(world);
+  };
+  for (const int i : subjects.bodies) {
+    const auto index = static_cast<std::size_t>(i);
+    add(world.bodies[index].mass, from.bodies[index].v_WB, to.bodies[index].v_WB);
+  }
+  for (const int i : subjects.particles) {
+    const auto index = static_cast<std::size_t>(i);
+    add(world.particles[index].mass, from.particles[index].v_W, to.particles[index].v_W);
+  }
+  return sum;
+}
+
+}  // namespace
+
+bool EnergyAlong::ReflectsAfterGravity(std::size_t from, std::size_t to) const {
+  const double rise = energies[to].total() - energies[from].total();
+  const double gain = reflected_gravity[to] - reflected_gravity[from];
+  return std::abs(rise - gain) <=
+         tolerances[to] + kSafety * (reflected_slack[to] - reflected_slack[from]);
+}
+
+EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  const double second_order = world.dt * world.dt * SquaredForces(world, subjects);
+  const std::vector<double> drift =
+      IntegralAlong(trajectory, [&](const WorldState& state) {
+        return GyroscopicPowerRate(world, state, subjects) +
+               JointPowerRate(world, state, subjects);
+      });
+  EnergyAlong along;
+  double power = 0;
+  double size = 0;
+  Reflected reflected;
+  for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
+    const WorldState& state = trajectory.samples[s];
+    const Energy energy = EnergyOf(world, state, subjects);
+    power = std::max(power, std::abs(energy.power));
+    size = std::max(size, energy.size);
+    if (s > 0) {
+      const Reflected more =
+          ReflectedGravity(world, trajectory.samples[s - 1], state, subjects);
+      reflected.energy += more.energy;
+      reflected.slack += more.slack;
+    }
+    along.energies.push_back(energy);
+    along.tolerances.push_back(
+        kSafety * (world.dt * power + second_order + world.dt * drift[s]) +
+        RoundingOf(motion.oracle, StepsBefore(motion, s)) * size);
+    along.reflected_gravity.push_back(reflected.energy);
+    along.reflected_slack.push_back(reflected.slack);
+  }
+  return along;
+}
+
+std::string BecauseOfEnergy() {
+  return "1.5 × the error of semi-implicit Euler: ½ h dU/dt at both ends, h² |F|²/m, and "
+         "½ h ∫ of what the gyroscopic term and rods lose; and 64 roundings a step";
+}
+
+}  // namespace touchstone

@@ -1,0 +1,66 @@
+#include "reports/worlds/laws/energy_never_rises.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/conserves_energy.h"
+#include "reports/worlds/laws/energy_bound.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/worst.h"
+
+namespace touchstone {
+namespace {
+
+/** The least restitution at which an eccentric impact with friction was seen to gain
+ energy. */
+constexpr double kGainingRestitution = 0.5;
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfEnergy(world, claim, true);
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    if (!body.collides || std::holds_alternative<Sphere>(body.placed.shape)) continue;
+    const auto gains = [&](const RigidBody& other) {
+      return &other != &body && other.collides && body.friction * other.friction > 0 &&
+             std::min(body.restitution, other.restitution) >= kGainingRestitution;
+    };
+    if (std::any_of(world.bodies.begin(), world.bodies.end(), gains)) {
+      faults.push_back(
+          {WhereAbout(claim, body.name),
+           fmt::format("is {}, which may meet another with e >= {} and friction",
+                       body.name, kGainingRestitution),
+           "a sphere, less restitution, or no friction: Newton's rule may gain "
+           "energy in eccentric impacts"});
+    }
+  }
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const EnergyAlong along = EnergyAlongOf(motion, SubjectsOf(motion.world, claim));
+  Worst worst(MeasureKind::kEnergyDrift, BecauseOfEnergy());
+  std::size_t least = 0;
+  bool reflects = true;
+  for (std::size_t s = 0; s < along.energies.size(); ++s) {
+    const double E = along.energies[s].total();
+    if (E < along.energies[least].total()) least = s;
+    const double E_least = along.energies[least].total();
+    worst.Take(E - E_least, along.tolerances[s], [&] {
+      return fmt::format("{} has {:.9g} J after {:.6g} s; it had {:.9g} J before",
+                         motion.oracle.name, E, motion.trajectory.times[s], E_least);
+    });
+    reflects = reflects && (E - E_least <= along.tolerances[s] ||
+                            along.ReflectsAfterGravity(least, s));
+  }
+  return {reflects ? worst.RecognisedAs(kReflectsAfterGravity) : worst.finding()};
+}
+
+}  // namespace
+
+constinit const Law kEnergyNeverRises = {
+    "energy_never_rises", "Contact, friction and damping only take energy.", Faults,
+    Judge};
+
+}  // namespace touchstone

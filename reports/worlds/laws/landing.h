@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scenarios/validate.h"
+#include "scenarios/worlds/world_scenario.h"
+
+namespace touchstone {
+
+/** A static plane under a body: a half-space, or the face of a box that is wide enough.
+ */
+struct Landing {
+  int ground = -1;         ///< Into World::bodies.
+  Eigen::Vector3d n_W;     ///< Its outward normal, unit.
+  double gap = 0;          ///< Of the body's nearest point, < 0 penetrating. [m]
+  Eigen::Vector3d p_WC;    ///< That point, at the start. [m]
+  double restitution = 0;  ///< min(e_A, e_B).
+  double friction = 0;     ///< √(μ_A μ_B).
+};
+
+/** Returns the static plane that the start of `body` faces: the nearest of those whose
+ outward side it is on. Empty where there is none that collides with it. Of a box, the
+ face whose plane the body's centre is farthest outside, if the centre's foot lies on it.
+ */
+std::optional<Landing> LandingOf(const World& world, int body);
+
+/** Returns the support of `body` along `d_W` at the start: the farthest point of its
+ shape. [m] @pre A sphere or a box. */
+Eigen::Vector3d SupportOf(const RigidBody& body, const Eigen::Vector3d& d_W);
+
+}  // namespace touchstone

@@ -1,0 +1,31 @@
+#include <algorithm>
+#include <array>
+
+#include "reports/worlds/law.h"
+#include "reports/worlds/laws/ballistic.h"
+#include "reports/worlds/laws/bounce_series.h"
+#include "reports/worlds/laws/conserves_angular_momentum.h"
+#include "reports/worlds/laws/conserves_energy.h"
+#include "reports/worlds/laws/conserves_momentum.h"
+#include "reports/worlds/laws/energy_never_rises.h"
+#include "reports/worlds/laws/never_penetrates.h"
+#include "reports/worlds/laws/torque_free.h"
+
+namespace touchstone {
+
+std::span<const Law> Laws() {
+  static const std::array laws = {
+      kBallistic,         kBounceSeries,     kConservesAngularMomentum, kConservesEnergy,
+      kConservesMomentum, kEnergyNeverRises, kNeverPenetrates,          kTorqueFree,
+  };
+  return laws;
+}
+
+const Law* FindLaw(std::string_view name) {
+  const std::span<const Law> laws = Laws();
+  const auto found = std::find_if(laws.begin(), laws.end(),
+                                  [&](const Law& law) { return law.name == name; });
+  return found == laws.end() ? nullptr : &*found;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,100 @@
+#include "reports/worlds/laws/never_penetrates.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/overlap.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (NumberOr(claim, "slack", 0) < 0)
+    faults.push_back({"numbers.slack", "is negative", "a length >= 0"});
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"slack"}));
+}
+
+bool Collides(const World& world, int A, int B) {
+  const RigidBody& body_A = world.bodies[static_cast<std::size_t>(A)];
+  const RigidBody& body_B = world.bodies[static_cast<std::size_t>(B)];
+  return A != B && body_A.collides && body_B.collides &&
+         !(std::holds_alternative<HalfSpace>(body_A.placed.shape) &&
+           std::holds_alternative<HalfSpace>(body_B.placed.shape));
+}
+
+/** How fast the surface of a body may turn towards another. [m/s] */
+double SurfaceSpeed(const RigidBody& body, const BodyState& at) {
+  if (std::holds_alternative<Sphere>(body.placed.shape)) return 0;
+  return at.w_WB.norm() * BoundingRadius(body.placed.shape);
+}
+
+double ApproachSpeed(const World& world, const WorldState& state, int A, int B) {
+  const auto a = static_cast<std::size_t>(A);
+  const auto b = static_cast<std::size_t>(B);
+  return (state.bodies[a].v_WB - state.bodies[b].v_WB).norm() +
+         SurfaceSpeed(world.bodies[a], state.bodies[a]) +
+         SurfaceSpeed(world.bodies[b], state.bodies[b]);
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  const Subjects subjects = SubjectsOf(world, claim);
+  const double slack = NumberOr(claim, "slack", 0);
+  const double g = world.gravity_W.norm();
+  Worst worst(MeasureKind::kPenetration,
+              fmt::format("1.5 × (V h + g h²), V the largest speed of approach so far{}",
+                          slack > 0 ? ", and the slack that the claim grants" : ""));
+  const WorldState start = StateAtStart(world);
+  const auto hold = [&](int A, int B) {
+    const double granted = OverlapOf(world, start, A, B);
+    double V = ApproachSpeed(world, start, A, B);
+    for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
+      const WorldState& state = trajectory.samples[s];
+      V = std::max(V, ApproachSpeed(world, state, A, B));
+      const double depth = OverlapOf(world, state, A, B);
+      const double between = V + g * SampleSpacing(world);
+      const double reach = state.bodies[static_cast<std::size_t>(A)].p_WB.norm() +
+                           state.bodies[static_cast<std::size_t>(B)].p_WB.norm();
+      worst.Take(depth,
+                 kSafety * (between * world.dt + g * world.dt * world.dt) + granted +
+                     slack + RoundingOf(motion.oracle, 0) * reach,
+                 [&] {
+                   return fmt::format(
+                       "{} has {} {:.6g} m deep in {} after {:.6g} s; they approached at "
+                       "{:.6g} m/s at most",
+                       motion.oracle.name, world.bodies[static_cast<std::size_t>(A)].name,
+                       depth, world.bodies[static_cast<std::size_t>(B)].name,
+                       trajectory.times[s], V);
+                 });
+    }
+  };
+  const auto is_subject = [&](int index) {
+    return std::find(subjects.bodies.begin(), subjects.bodies.end(), index) !=
+           subjects.bodies.end();
+  };
+  const int bodies = static_cast<int>(world.bodies.size());
+  for (const int A : subjects.bodies) {
+    for (int B = 0; B < bodies; ++B) {
+      // A pair of two subjects is held once.
+      if (Collides(world, A, B) && !(is_subject(B) && B < A)) hold(A, B);
+    }
+  }
+  return {worst.finding()};
+}
+
+}  // namespace
+
+constinit const Law kNeverPenetrates = {"never_penetrates",
+                                        "Colliding bodies are at most V h + g h² deep in "
+                                        "each other; slack [m] is granted on top.",
+                                        Faults, Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,150 @@
+#include "reports/worlds/laws/torque_free.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/gyroscopic_schemes.h"
+#include "reports/worlds/truth/mechanics.h"
+#include "reports/worlds/truth/torque_free_rotation.h"
+
+namespace touchstone {
+namespace {
+
+/** How far one rotation is from another. */
+struct Apart {
+  double angle = 0;  ///< [rad]
+  double spin = 0;   ///< [rad/s]
+
+  void TakeLarger(const Apart& other) {
+    angle = std::max(angle, other.angle);
+    spin = std::max(spin, other.spin);
+  }
+};
+
+Apart Between(const Rotation& a, const Rotation& b) {
+  return {a.q_WB.normalized().angularDistance(b.q_WB), (a.w_WB - b.w_WB).norm()};
+}
+
+Rotation StartOf(const World& world, int index) {
+  const BodyState start = StateAtStart(world).bodies[static_cast<std::size_t>(index)];
+  return {start.q_WB, start.w_WB};
+}
+
+TorqueFreeRotation TruthOf(const World& world, int index) {
+  return {InertiaOf(world.bodies[static_cast<std::size_t>(index)]),
+          StartOf(world, index)};
+}
+
+/** The largest error of any first-order scheme up to each sample. */
+std::vector<Apart> SchemeErrors(const Motion& motion, int index,
+                                const std::vector<Rotation>& truth) {
+  const World& world = motion.world;
+  std::vector<Apart> errors(truth.size());
+  for (const GyroscopicScheme scheme : kGyroscopicSchemes) {
+    SteppedRotation stepped(scheme,
+                            InertiaOf(world.bodies[static_cast<std::size_t>(index)]),
+                            StartOf(world, index), world.dt);
+    double done = 0;
+    for (std::size_t s = 0; s < truth.size(); ++s) {
+      for (; done < StepsBefore(motion, s); ++done) stepped.Step();
+      errors[s].TakeLarger(Between(stepped.state(), truth[s]));
+    }
+  }
+  for (std::size_t s = 1; s < errors.size(); ++s) errors[s].TakeLarger(errors[s - 1]);
+  return errors;
+}
+
+/** How far the truth moves where its spin is rounded as often as the motion is. */
+std::vector<Apart> RoundingErrors(const Motion& motion, int index,
+                                  const std::vector<Rotation>& truth) {
+  const World& world = motion.world;
+  const double share = RoundingOf(motion.oracle, StepsBefore(motion, truth.size() - 1));
+  std::vector<Apart> errors(truth.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    Rotation start = StartOf(world, index);
+    start.w_WB += share * start.w_WB.norm() * Eigen::Vector3d::Unit(axis);
+    const TorqueFreeRotation rounded(
+        InertiaOf(world.bodies[static_cast<std::size_t>(index)]), start);
+    const std::vector<Rotation> at = rounded.At(motion.trajectory.times);
+    for (std::size_t s = 0; s < truth.size(); ++s)
+      errors[s].TakeLarger(Between(at[s], truth[s]));
+  }
+  for (std::size_t s = 1; s < errors.size(); ++s) errors[s].TakeLarger(errors[s - 1]);
+  return errors;
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  const Subjects subjects = SubjectsOf(world, claim);
+  for (const int i : subjects.bodies) {
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    if (!IsHeld(world, AnchorKind::kBody, i) && !IsPushed(world, i)) continue;
+    faults.push_back({WhereAbout(claim, name),
+                      fmt::format("is {}, which a spring, a joint or a push turns", name),
+                      "a body without torque"});
+  }
+  if (!faults.empty() || claim.numbers.empty()) return faults;
+  if (subjects.bodies.size() > 1) {
+    return {
+        {"numbers", "are given of several bodies", "one body, where numbers are given"}};
+  }
+  const TorqueFreeRotation truth = TruthOf(world, subjects.bodies.front());
+  return FaultsOfNumbers(claim, {{"expected_rotational_energy", truth.energy()},
+                                 {"expected_angular_momentum", truth.angular_momentum()},
+                                 {"expected_period", truth.period()}});
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  const std::string because =
+      "1.5 × the largest error so far of the first-order schemes for the gyroscopic "
+      "term, "
+      "stepped beside the truth, and 64 roundings a step as the truth magnifies them";
+  Worst orientation(MeasureKind::kOrientationError, because);
+  Worst spin(MeasureKind::kSpinError, because);
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    const std::vector<Rotation> truth = TruthOf(world, i).At(trajectory.times);
+    const std::vector<Apart> schemes = SchemeErrors(motion, i, truth);
+    const std::vector<Apart> rounding = RoundingErrors(motion, i, truth);
+    for (std::size_t s = 0; s < truth.size(); ++s) {
+      const BodyState& is = trajectory.samples[s].bodies[static_cast<std::size_t>(i)];
+      const Apart apart = Between({is.q_WB, is.w_WB}, truth[s]);
+      const double own = RoundingOf(motion.oracle, StepsBefore(motion, s));
+      orientation.Take(
+          apart.angle, kSafety * schemes[s].angle + rounding[s].angle + own, [&] {
+            return fmt::format(
+                "{} has {} turned {:.9g} rad from where Euler's equations put it after "
+                "{:.6g} s",
+                motion.oracle.name, name, apart.angle, trajectory.times[s]);
+          });
+      spin.Take(
+          apart.spin,
+          kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(), [&] {
+            return fmt::format(
+                "{} has {} spin at {} rad/s after {:.6g} s; Euler's equations say {}",
+                motion.oracle.name, name, Words(is.w_WB), trajectory.times[s],
+                Words(truth[s].w_WB));
+          });
+    }
+  }
+  return {orientation.finding(), spin.finding()};
+}
+
+}  // namespace
+
+constinit const Law kTorqueFree = {
+    "torque_free",
+    "A body without torque turns as Euler's equations say (Jacobi's elliptic functions).",
+    Faults, Judge};
+
+}  // namespace touchstone

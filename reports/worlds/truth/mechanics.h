@@ -1,0 +1,78 @@
+#pragma once
+
+#include <vector>
+
+#include "oracles/trajectory.h"
+#include "reports/worlds/laws/subjects.h"
+#include "scenarios/worlds/world.h"
+
+namespace touchstone {
+
+/** Returns the inertia tensor about the centre of mass, R I Rᵀ, in the world frame.
+ [kg m²] */
+Eigen::Matrix3d InertiaInWorld(const RigidBody& body, const Eigen::Quaterniond& q_WB);
+
+/** The state that the world file itself gives: what every trajectory starts from. */
+WorldState StateAtStart(const World& world);
+
+/** Returns the total mass of the subjects. [kg] */
+double MassOf(const World& world, const Subjects& subjects);
+
+/** Returns the linear momentum Σ m v of the subjects. [N s] */
+Eigen::Vector3d MomentumOf(const World& world, const WorldState& state,
+                           const Subjects& subjects);
+
+/** Returns Σ m |v| of the subjects: the size of what MomentumOf() adds up. [N s] */
+double MomentumSize(const World& world, const WorldState& state,
+                    const Subjects& subjects);
+
+/** Returns the common centre of mass of the subjects. [m] */
+Eigen::Vector3d CentreOf(const World& world, const WorldState& state,
+                         const Subjects& subjects);
+
+/** Returns the angular momentum Σ (x − c) × m v + R I Rᵀ ω of the subjects about the
+ point `c_W`. [N m s] */
+Eigen::Vector3d AngularMomentumOf(const World& world, const WorldState& state,
+                                  const Subjects& subjects, const Eigen::Vector3d& c_W);
+
+/** Returns Σ |x − c| m |v| + |R I Rᵀ ω|: the size of what AngularMomentumOf() adds up.
+ [N m s] */
+double AngularMomentumSize(const World& world, const WorldState& state,
+                           const Subjects& subjects, const Eigen::Vector3d& c_W);
+
+/** The energy of some things, and how fast it changes its form. */
+struct Energy {
+  double kinetic = 0;    ///< Σ ½ m v² + ½ ω·L. [J]
+  double potential = 0;  ///< −Σ (m g + F)·x + Σ ½ k (|p_AB| − L)². [J]
+  double power = 0;      ///< dU/dt: how fast kinetic becomes potential energy. [W]
+  double size = 0;       ///< Sum of the absolute terms. [J]
+
+  double total() const { return kinetic + potential; }
+};
+
+/** Returns the energy of the subjects with that of the springs and cloths among them and
+ between them and what never moves. */
+Energy EnergyOf(const World& world, const WorldState& state, const Subjects& subjects);
+
+/** Where an anchor is and how it moves. */
+PointState StateOf(const World& world, const WorldState& state, const Anchor& anchor);
+
+/** A spring between two nodes of one cloth. */
+struct ClothSpring {
+  int a = 0;  ///< Index of a node: row · n + column.
+  int b = 0;
+  double stiffness = 0;    ///< [N/m]
+  double damping = 0;      ///< [N s/m]
+  double rest_length = 0;  ///< [m]
+};
+
+/** Returns the springs of `cloth`, whose rest lengths are the distances at the start. */
+std::vector<ClothSpring> SpringsOf(const Cloth& cloth);
+
+/** Returns where node (row, column) of `cloth` starts. [m] */
+Eigen::Vector3d NodeAtStart(const Cloth& cloth, int row, int column);
+
+/** Returns whether node `node` of `cloth` never moves. */
+bool IsPinned(const Cloth& cloth, int node);
+
+}  // namespace touchstone

@@ -1,0 +1,214 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "reports/worlds/truth/vertical_bounces.h"
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+World DroppedBall(double e, double dt = 1.0 / 240, int seconds = 6) {
+  World world;
+  RigidBody ball = BodyOf("ball", Sphere{0.5}, 3, {0.2, 1.5, -0.1});
+  ball.restitution = e;
+  RigidBody ground = GroundOf();
+  ground.restitution = 1;
+  world.bodies = {ball, ground};
+  world.dt = dt;
+  world.steps = static_cast<int>(std::lround(seconds / dt));
+  return world;
+}
+
+/** `leave` returns the velocity after a step in contact, of that before and of gh. */
+template <typename Leave>
+Trajectory Bounced(const World& world, const Leave& leave) {
+  return Stepped(world, [&world, leave](WorldState& state) {
+    BodyState& ball = state.bodies[0];
+    double& v = ball.v_WB.y();
+    const double gh = 9.82 * world.dt;
+    v = ball.p_WB.y() <= 0.5 && v - gh < 0 ? leave(v, gh) : v - gh;
+    ball.p_WB.y() += world.dt * v;
+  });
+}
+
+Trajectory ReflectingTheStart(const World& world, double e) {
+  return Bounced(world, [e](double v, double gh) { return std::max(v - gh, -e * v); });
+}
+
+Trajectory ReflectingAfterGravity(const World& world, double e) {
+  return Bounced(world, [e](double v, double gh) { return -e * (v - gh); });
+}
+
+Trajectory Exactly(const World& world, double e) {
+  const VerticalBounces truth({1, 0}, 9.82, e);
+  return Sampled(world, [&world, truth](double t) {
+    const Height at = truth.At(t);
+    WorldState state;
+    state.bodies = {
+        {{0.2, 0.5 + at.gap, -0.1},
+         Eigen::Quaterniond::Identity(),
+         {0, at.velocity, 0},
+         {0, 0, 0}},
+        {{0, 0, 0}, world.bodies[1].placed.X_WB.q_WB.value(), {0, 0, 0}, {0, 0, 0}}};
+    return state;
+  });
+}
+
+TEST(VerticalBounces, HasTheClosedFormsOfTheSeries) {
+  const double g = 9.81;
+  const VerticalBounces truth({1, 0}, g, 0.8);
+  EXPECT_NEAR(truth.first_impact(), 0.451523641, 1e-9);
+  EXPECT_NEAR(truth.impact_speed(), 4.429446918, 1e-9);
+  EXPECT_NEAR(truth.total_time(), 4.063712769, 1e-9);
+  EXPECT_EQ(truth.At(5).gap, 0);
+  // The apex of the n-th flight is e²ⁿ, half its time after its start.
+  double start = truth.first_impact();
+  for (int n = 1; n < 8; ++n) {
+    const double flight = 2 * truth.impact_speed() * std::pow(0.8, n) / g;
+    const Height apex = truth.At(start + flight / 2);
+    EXPECT_NEAR(apex.gap, std::pow(0.8, 2 * n), 1e-12);
+    EXPECT_NEAR(apex.velocity, 0, 1e-12);
+    start += flight;
+  }
+}
+
+TEST(VerticalBounces, AgreesWithAnEventLoop) {
+  for (const double e : {0.0, 0.3, 0.9, 1.0}) {
+    const VerticalBounces truth({0.7, 1.2}, 9.82, e);
+    double gap = 0.7;
+    double v = 1.2;
+    double from = 0;
+    for (int k = 1; k <= 500; ++k) {
+      const double t = 0.0071 * k;
+      double end = (v + std::sqrt(v * v + 2 * 9.82 * gap)) / 9.82;
+      while (from + end < t && v * v + gap > 1e-12) {
+        from += end;
+        v = e * (9.82 * end - v);
+        gap = 0;
+        end = 2 * v / 9.82;
+      }
+      const double since = t - from;
+      const double expected =
+          v * v + gap > 1e-12 ? gap + v * since - 4.91 * since * since : 0;
+      EXPECT_NEAR(truth.At(t).gap, expected, 1e-9) << e << " " << t;
+    }
+  }
+}
+
+TEST(BounceSeries, TheTruthAndTheStartOfStepRulePass) {
+  for (const double e : {0.0, 0.5, 0.9, 1.0}) {
+    for (const double dt : {1.0 / 60, 1.0 / 240, 1e-3}) {
+      const World world = DroppedBall(e, dt);
+      EXPECT_TRUE(Passes(Judge(world, Exactly(world, e), ClaimOf("bounce_series")))) << e;
+      EXPECT_TRUE(
+          Passes(Judge(world, ReflectingTheStart(world, e), ClaimOf("bounce_series"))))
+          << e << " " << dt;
+    }
+  }
+}
+
+TEST(BounceSeries, RecognisesTheRuleThatReflectsAfterGravity) {
+  World world = DroppedBall(1, 1.0 / 240, 20);
+  for (const int sample_every : {1, 3}) {
+    world.sample_every = sample_every;
+    const std::vector<LawFinding> findings =
+        Judge(world, ReflectingAfterGravity(world, 1), ClaimOf("bounce_series"));
+    const LawFinding position = Of(findings, MeasureKind::kPositionError);
+    EXPECT_GT(position.value, position.tolerance.value);
+    EXPECT_EQ(position.recognised, "reflects the velocity after gravity");
+  }
+}
+
+TEST(BounceSeries, DoesNotRecogniseAGainOfAnotherKind) {
+  const World world = DroppedBall(1, 1.0 / 240, 20);
+  const Trajectory gaining =
+      Bounced(world, [](double v, double gh) { return -(v - 0.7 * gh); });
+  EXPECT_TRUE(Finds(Judge(world, gaining, ClaimOf("bounce_series")),
+                    MeasureKind::kPositionError));
+}
+
+TEST(BounceSeries, FindsRestitutionOffByATenth) {
+  const World world = DroppedBall(0.5);
+  const std::vector<LawFinding> findings =
+      Judge(world, ReflectingTheStart(world, 0.6), ClaimOf("bounce_series"));
+  EXPECT_TRUE(Finds(findings, MeasureKind::kRestitution));
+  EXPECT_TRUE(Finds(findings, MeasureKind::kPositionError));
+}
+
+TEST(BounceSeries, FindsABodyThatDoesNotBounce) {
+  const World world = DroppedBall(0.5);
+  EXPECT_TRUE(Finds(Judge(world, ReflectingTheStart(world, 0), ClaimOf("bounce_series")),
+                    MeasureKind::kRestitution));
+}
+
+TEST(BounceSeries, FindsAThresholdThatEndsSlowBounces) {
+  const World world = DroppedBall(0.8);
+  const Trajectory thresholded = Bounced(world, [](double v, double gh) {
+    return -v < 2 ? std::max(v - gh, 0.0) : -0.8 * v;
+  });
+  EXPECT_TRUE(Finds(Judge(world, thresholded, ClaimOf("bounce_series")),
+                    MeasureKind::kRestitution));
+}
+
+TEST(BounceSeries, FindsSidewaysDrift) {
+  const World world = DroppedBall(1);
+  Trajectory drifting = Exactly(world, 1);
+  for (std::size_t s = 0; s < drifting.samples.size(); ++s)
+    drifting.samples[s].bodies[0].p_WB.x() += 0.1 * drifting.times[s] * drifting.times[s];
+  EXPECT_TRUE(Finds(Judge(world, drifting, ClaimOf("bounce_series")),
+                    MeasureKind::kPositionError));
+}
+
+TEST(BounceSeries, KnowsItsNumbers) {
+  World world = DroppedBall(0.8);
+  world.gravity_W = {0, -9.81, 0};
+  EXPECT_TRUE(FaultsOf(world, ClaimOf("bounce_series", {"ball"},
+                                      {{"expected_total_time", 4.063712769},
+                                       {"expected_first_apex", 0.64},
+                                       {"expected_impact_speed", 4.429446918}}))
+                  .empty());
+  EXPECT_FALSE(
+      FaultsOf(world, ClaimOf("bounce_series", {"ball"}, {{"expected_first_apex", 0.65}}))
+          .empty());
+}
+
+TEST(BounceSeries, RefusesWhatDoesNotFallStraight) {
+  World world = DroppedBall(0.8);
+  world.bodies[0].v_WB = {0.1, 0, 0};
+  EXPECT_FALSE(FaultsOf(world, ClaimOf("bounce_series")).empty());
+  world.bodies[0].v_WB.setZero();
+  world.bodies[0].placed.X_WB.p_WB.y() = -3;
+  EXPECT_FALSE(FaultsOf(world, ClaimOf("bounce_series")).empty());
+}
+
+TEST(ConservesEnergy, OfElasticBouncesPassesOrRecognisesTheRule) {
+  const World world = DroppedBall(1, 1.0 / 240, 20);
+  const Claim claim = ClaimOf("conserves_energy");
+  EXPECT_TRUE(Passes(Judge(world, Exactly(world, 1), claim)));
+  EXPECT_TRUE(Passes(Judge(world, ReflectingTheStart(world, 1), claim)));
+  EXPECT_EQ(
+      Of(Judge(world, ReflectingAfterGravity(world, 1), claim), MeasureKind::kEnergyDrift)
+          .recognised,
+      "reflects the velocity after gravity");
+  const Trajectory gaining =
+      Bounced(world, [](double v, double gh) { return -(v - 0.7 * gh); });
+  EXPECT_TRUE(Finds(Judge(world, gaining, claim), MeasureKind::kEnergyDrift));
+}
+
+TEST(EnergyNeverRises, OfBouncesPassesOrRecognisesTheRule) {
+  const Claim claim = ClaimOf("energy_never_rises");
+  for (const double e : {0.3, 0.9, 1.0}) {
+    const World world = DroppedBall(e, 1.0 / 240, 20);
+    EXPECT_TRUE(Passes(Judge(world, Exactly(world, e), claim))) << e;
+    EXPECT_TRUE(Passes(Judge(world, ReflectingTheStart(world, e), claim))) << e;
+  }
+  const World world = DroppedBall(1, 1.0 / 240, 20);
+  EXPECT_EQ(
+      Of(Judge(world, ReflectingAfterGravity(world, 1), claim), MeasureKind::kEnergyDrift)
+          .recognised,
+      "reflects the velocity after gravity");
+}
+
+}  // namespace
+}  // namespace touchstone

@@ -1,0 +1,197 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "reports/worlds/truth/mechanics.h"
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+/** Two particles and a spring between them, spinning and swinging, in gravity. */
+World SpringPair(double damping = 0) {
+  World world;
+  world.particles = {{"a", {0, 0, 0}, {0.3, 2, 0.1}, 0.5},
+                     {"b", {0.9, 0.4, -0.2}, {-0.2, 2.4, 1.1}, 1.5}};
+  world.springs = {{{AnchorKind::kParticle, 0, {0, 0, 0}},
+                    {AnchorKind::kParticle, 1, {0, 0, 0}},
+                    40,
+                    damping,
+                    0.8}};
+  world.dt = 1e-3;
+  world.steps = 2000;
+  return world;
+}
+
+/** Semi-implicit Euler; what acts on b is `back` times what acts on a, reversed. */
+Trajectory Swung(const World& world, double back = 1, bool signless = false) {
+  return Stepped(world, [&world, back, signless](WorldState& state) {
+    const Spring& spring = world.springs[0];
+    PointState& a = state.particles[0];
+    PointState& b = state.particles[1];
+    const Eigen::Vector3d p_AB = b.p_W - a.p_W;
+    const Eigen::Vector3d u = p_AB.normalized();
+    const double rate = signless ? (b.v_W - a.v_W).norm() : u.dot(b.v_W - a.v_W);
+    const Eigen::Vector3d F =
+        (spring.stiffness * (p_AB.norm() - spring.rest_length) + spring.damping * rate) *
+        u;
+    a.v_W += world.dt * (world.gravity_W + F / world.particles[0].mass);
+    b.v_W += world.dt * (world.gravity_W - back * F / world.particles[1].mass);
+    a.p_W += world.dt * a.v_W;
+    b.p_W += world.dt * b.v_W;
+  });
+}
+
+TEST(ConservesMomentum, OfASpringInGravityToRounding) {
+  const World world = SpringPair();
+  const std::vector<LawFinding> findings =
+      Judge(world, Swung(world), ClaimOf("conserves_momentum"));
+  EXPECT_TRUE(Passes(findings));
+  EXPECT_LE(findings[0].tolerance.value, 1e-9);
+}
+
+TEST(ConservesMomentum, FindsAForceWithoutItsEqual) {
+  const World world = SpringPair();
+  EXPECT_TRUE(Finds(Judge(world, Swung(world, 1.0001), ClaimOf("conserves_momentum")),
+                    MeasureKind::kMomentumDrift));
+}
+
+TEST(ConservesMomentum, AlongADirectionSeesOnlyThat) {
+  // The spring's unequal force is across y only now and then; a false gravity always is
+  // not.
+  World world = SpringPair();
+  World heavy = world;
+  heavy.gravity_W *= 1.1;
+  const Trajectory fell = Swung(heavy);
+  EXPECT_TRUE(Passes(Judge(world, fell, ClaimOf("conserves_momentum", {}, {{"x", 1}}))));
+  EXPECT_TRUE(Finds(Judge(world, fell, ClaimOf("conserves_momentum", {}, {{"y", 1}})),
+                    MeasureKind::kMomentumDrift));
+}
+
+TEST(ConservesMomentum, RefusesHalfOfASpring) {
+  EXPECT_EQ(FaultsOf(SpringPair(), ClaimOf("conserves_momentum", {"a"})).size(), 1U);
+}
+
+TEST(ConservesMomentum, KnowsTheMomentumAtTheStart) {
+  const World world = SpringPair();
+  const double P = (0.5 * world.particles[0].v_W + 1.5 * world.particles[1].v_W).norm();
+  EXPECT_TRUE(
+      FaultsOf(world, ClaimOf("conserves_momentum", {}, {{"expected_momentum", P}}))
+          .empty());
+  EXPECT_FALSE(FaultsOf(world, ClaimOf("conserves_momentum", {},
+                                       {{"expected_momentum", P * 1.01}}))
+                   .empty());
+}
+
+TEST(ConservesAngularMomentum, OfASpringToRounding) {
+  const World world = SpringPair(0.7);
+  const std::vector<LawFinding> findings =
+      Judge(world, Swung(world), ClaimOf("conserves_angular_momentum"));
+  EXPECT_TRUE(Passes(findings));
+  EXPECT_LE(findings[0].tolerance.value, 1e-9);
+}
+
+TEST(ConservesAngularMomentum, FindsAForceThatIsNotAlongTheSpring) {
+  const World world = SpringPair();
+  Trajectory tilted = Swung(world);
+  for (std::size_t s = 0; s < tilted.samples.size(); ++s) {
+    // A torque about x that keeps the momentum.
+    const double kick = 1e-6 * static_cast<double>(s);
+    tilted.samples[s].particles[0].v_W.y() += kick / 0.5;
+    tilted.samples[s].particles[1].v_W.y() -= kick / 1.5;
+  }
+  EXPECT_TRUE(Finds(Judge(world, tilted, ClaimOf("conserves_angular_momentum")),
+                    MeasureKind::kAngularMomentumDrift));
+  EXPECT_TRUE(Passes(Judge(world, tilted, ClaimOf("conserves_momentum"))));
+}
+
+TEST(ConservesEnergy, OfASpringPassesAtEveryStep) {
+  for (const double dt : {1e-2, 1e-3, 1e-4}) {
+    World world = SpringPair();
+    world.dt = dt;
+    world.steps = static_cast<int>(std::lround(2 / dt));
+    EXPECT_TRUE(Passes(Judge(world, Swung(world), ClaimOf("conserves_energy")))) << dt;
+  }
+}
+
+TEST(ConservesEnergy, InFreeFallIsOffByHalfMGHV) {
+  World world;
+  world.particles = {{"drop", {0, 0, 0}, {0, 0, 0}, 2}};
+  const Trajectory fell = Stepped(world, [&](WorldState& state) {
+    PointState& drop = state.particles[0];
+    drop.v_W += world.dt * world.gravity_W;
+    drop.p_W += world.dt * drop.v_W;
+  });
+  const LawFinding finding =
+      Of(Judge(world, fell, ClaimOf("conserves_energy")), MeasureKind::kEnergyDrift);
+  const double V = 9.82;
+  EXPECT_NEAR(finding.value, 0.5 * 2 * 9.82 * V * world.dt, 1e-9);
+  EXPECT_NEAR(finding.tolerance.value, 3 * finding.value, 0.03 * finding.value);
+}
+
+TEST(ConservesEnergy, FindsAPeriodThatDependsOnTheStep) {
+  // The spring's force as an impulse, without dt.
+  World world = SpringPair();
+  const Trajectory wrong = Stepped(world, [&](WorldState& state) {
+    PointState& a = state.particles[0];
+    PointState& b = state.particles[1];
+    const Eigen::Vector3d p_AB = b.p_W - a.p_W;
+    const Eigen::Vector3d J = 40e-3 * 1.2 * (p_AB.norm() - 0.8) * p_AB.normalized();
+    a.v_W += world.dt * world.gravity_W + J / 0.5;
+    b.v_W += world.dt * world.gravity_W - J / 1.5;
+    a.p_W += world.dt * a.v_W;
+    b.p_W += world.dt * b.v_W;
+  });
+  EXPECT_TRUE(
+      Finds(Judge(world, wrong, ClaimOf("conserves_energy")), MeasureKind::kEnergyDrift));
+}
+
+TEST(ConservesEnergy, RefusesDampingAndTakesItsNumber) {
+  EXPECT_FALSE(FaultsOf(SpringPair(0.1), ClaimOf("conserves_energy")).empty());
+  World world;
+  world.particles = {{"drop", {0, 3, 0}, {2, 0, 0}, 2}};
+  EXPECT_TRUE(FaultsOf(world, ClaimOf("conserves_energy", {},
+                                      {{"expected_energy", 4 + 2 * 9.82 * 3}}))
+                  .empty());
+}
+
+TEST(EnergyNeverRises, OfADampedSpringPasses) {
+  const World world = SpringPair(0.7);
+  EXPECT_TRUE(Passes(Judge(world, Swung(world), ClaimOf("energy_never_rises"))));
+}
+
+TEST(EnergyNeverRises, FindsDampingWithoutASign) {
+  const World world = SpringPair(0.7);
+  EXPECT_TRUE(Finds(Judge(world, Swung(world, 1, true), ClaimOf("energy_never_rises")),
+                    MeasureKind::kEnergyDrift));
+}
+
+TEST(EnergyNeverRises, RefusesBoxesThatBounceWithFriction) {
+  World world;
+  world.bodies = {BodyOf("box", Box{{0.1, 0.2, 0.3}}, 1, {0, 2, 0}), GroundOf()};
+  EXPECT_EQ(FaultsOf(world, ClaimOf("energy_never_rises")).size(), 1U);
+  world.bodies[0].restitution = 0.4;
+  EXPECT_TRUE(FaultsOf(world, ClaimOf("energy_never_rises")).empty());
+}
+
+TEST(Energy, OfAClothIsThatOfItsSprings) {
+  World world;
+  Cloth cloth;
+  cloth.name = "cloth";
+  cloth.structural = {10, 0};
+  cloth.shear = {20, 0};
+  cloth.bend = {30, 0};
+  world.cloths = {cloth};
+  world.gravity_W.setZero();
+  EXPECT_EQ(SpringsOf(cloth).size(), 12U + 8U + 6U);
+  WorldState state = StateAtStart(world);
+  const Subjects all = SubjectsOf(world, ClaimOf("conserves_energy"));
+  EXPECT_NEAR(EnergyOf(world, state, all).total(), 0, 1e-12);
+  // Twice as large: every spring is stretched by its rest length.
+  for (PointState& node : state.nodes) node.p_W *= 2;
+  EXPECT_NEAR(EnergyOf(world, state, all).total(), 12 * 5 + 8 * 10 * 2.0 + 6 * 15 * 4.0,
+              1e-9);
+}
+
+}  // namespace
+}  // namespace touchstone

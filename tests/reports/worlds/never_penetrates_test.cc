@@ -1,0 +1,93 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+World FallingBall() {
+  World world;
+  RigidBody ball = BodyOf("ball", Sphere{0.5}, 3, {0.2, 1.5, -0.1});
+  ball.restitution = 0;
+  world.bodies = {ball, GroundOf()};
+  world.steps = 480;
+  return world;
+}
+
+/** Falls, and stops in the first step that starts at a gap of at most −`late`. */
+Trajectory StoppingAt(const World& world, double late, double sinking = 0) {
+  return Stepped(world, [&world, late, sinking](WorldState& state) {
+    BodyState& ball = state.bodies[0];
+    double& v = ball.v_WB.y();
+    v = ball.p_WB.y() - 0.5 <= -late ? -sinking : v - 9.82 * world.dt;
+    ball.p_WB.y() += world.dt * v;
+  });
+}
+
+TEST(NeverPenetrates, ABodyStoppedWhenSeenPasses) {
+  const World world = FallingBall();
+  const std::vector<LawFinding> findings =
+      Judge(world, StoppingAt(world, 0), ClaimOf("never_penetrates"));
+  EXPECT_TRUE(Passes(findings));
+  EXPECT_GT(findings[0].value, 0);
+}
+
+TEST(NeverPenetrates, FindsABodyThatIsStoppedTooDeep) {
+  const World world = FallingBall();
+  EXPECT_TRUE(Finds(Judge(world, StoppingAt(world, 0.03), ClaimOf("never_penetrates")),
+                    MeasureKind::kPenetration));
+  EXPECT_TRUE(Passes(Judge(world, StoppingAt(world, 0.03),
+                           ClaimOf("never_penetrates", {}, {{"slack", 0.02}}))));
+}
+
+TEST(NeverPenetrates, FindsABodyThatSinksAndOneThatFallsThrough) {
+  const World world = FallingBall();
+  for (const Trajectory& wrong : {StoppingAt(world, 0, 0.05), StoppingAt(world, 100)}) {
+    EXPECT_TRUE(Finds(Judge(world, wrong, ClaimOf("never_penetrates")),
+                      MeasureKind::kPenetration));
+  }
+}
+
+TEST(NeverPenetrates, GrantsTheDepthOfTheStart) {
+  World world = FallingBall();
+  world.bodies[0].placed.X_WB.p_WB.y() = 0.4;
+  const Trajectory still = Stepped(world, [](WorldState&) {});
+  EXPECT_TRUE(Passes(Judge(world, still, ClaimOf("never_penetrates"))));
+}
+
+TEST(NeverPenetrates, SeesOnlyWhatCollides) {
+  World world = FallingBall();
+  world.bodies[0].collides = false;
+  EXPECT_EQ(Judge(world, StoppingAt(world, 100), ClaimOf("never_penetrates"))[0].value,
+            0);
+}
+
+TEST(NeverPenetrates, MeasuresBoxesAndSpheresAmongEachOther) {
+  World world;
+  world.gravity_W.setZero();
+  world.bodies = {BodyOf("a", Box{{0.5, 0.5, 0.5}}, 1, {0, 0, 0}),
+                  BodyOf("b", Box{{0.5, 0.5, 0.5}}, 1, {0.9, 0.3, 0.2}),
+                  BodyOf("c", Sphere{0.5}, 1, {5, 0, 0}),
+                  BodyOf("d", Sphere{0.5}, 1, {5.7, 0, 0})};
+  world.steps = 1;
+  // Apart at the start, inside each other after one step.
+  const Trajectory overlapping = Sampled(world, [&](double) {
+    WorldState state;
+    for (const RigidBody& body : world.bodies) {
+      state.bodies.push_back(
+          {body.placed.X_WB.p_WB, Eigen::Quaterniond::Identity(), {0, 0, 0}, {0, 0, 0}});
+    }
+    return state;
+  });
+  world.bodies[1].placed.X_WB.p_WB.x() = 2;
+  world.bodies[3].placed.X_WB.p_WB.x() = 7;
+  EXPECT_NEAR(Judge(world, overlapping, ClaimOf("never_penetrates", {"a"}))[0].value, 0.1,
+              1e-9);
+  EXPECT_NEAR(Judge(world, overlapping, ClaimOf("never_penetrates", {"d"}))[0].value, 0.3,
+              1e-12);
+}
+
+}  // namespace
+}  // namespace touchstone
