@@ -33,6 +33,7 @@ void Validate(const Settings& s) {
          "at least 1");
   Expect(s.patience >= 0, "patience", s.patience, "at least 0");
   Expect(s.residual >= 0, "residual", s.residual, "at least 0");
+  Expect(s.joint_rounds > 0, "joint_rounds", s.joint_rounds, "at least 1");
   Expect(s.resting_speed >= 0 && std::isfinite(s.resting_speed), "resting_speed",
          s.resting_speed, "a finite number >= 0");
   Expect(s.projection_share > 0 && s.projection_share <= 1, "projection_share",

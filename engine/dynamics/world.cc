@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -45,7 +46,30 @@ int World::AddBody(const BodyDefinition& definition) {
   mean_.push_back(zero);
   moves_.push_back(zero);
   touches_.emplace_back();
+  shares_.push_back(0.5);
+  jointed_.push_back(false);
+  ahead_.push_back(body);
   return added;
+}
+
+int World::AddJoint(const DistanceJoint& joint) {
+  for (const Anchor& anchor : {joint.A, joint.B}) {
+    if (anchor.body != -1) Find(anchor.body);
+    if (!anchor.point.allFinite()) {
+      throw std::invalid_argument("An anchor of a joint is not finite.");
+    }
+  }
+  if (joint.A.body == joint.B.body) {
+    throw std::invalid_argument("Both anchors of a joint are on the same body.");
+  }
+  if (!(joint.length > 0) || !std::isfinite(joint.length)) {
+    throw std::invalid_argument("The length of a joint has to be positive and finite.");
+  }
+  joints_.push_back(joint);
+  for (const int body : {joint.A.body, joint.B.body}) {
+    if (body >= 0) jointed_[static_cast<std::size_t>(body)] = true;
+  }
+  return static_cast<int>(joints_.size()) - 1;
 }
 
 RigidBody& World::Find(int body) {
@@ -94,8 +118,9 @@ void World::Step(double dt) {
 
 void World::StepOnce(double h) {
   FindContacts(MarginOf(settings_, h));
+  StopStretching(h);
   ApplyForces(h);
-  SolveContacts(h);
+  Solve(h);
   Move(h);
   Project(h);
 }
@@ -121,65 +146,132 @@ void World::ApplyForces(double h) {
   }
 }
 
-void World::SolveContacts(double h) {
-  std::copy(free_.begin(), free_.end(), solved_.begin());
-  std::fill(touches_.begin(), touches_.end(), Touch{});
-  contacts_.Begin(pairs_, {bodies_, inertias_, solved_}, settings_, h);
-  const double solved = settings_.residual * contacts_.scale();
-  const int patient = settings_.patience / std::max(1, contacts_.row_count());
-  const int sweeps = std::max(settings_.impulse_iterations, patient);
-  for (int k = 0; k < sweeps; ++k) {
-    if (contacts_.Sweep(solved_) <= solved) break;
+void World::StopStretching(double h) {
+  if (joints_.empty()) return;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    inertias_[i] = bodies_[i].is_static() ? inertias_[i] : InverseInertiaOf(bodies_[i]);
+    solved_[i] = {bodies_[i].state.v_WB, bodies_[i].state.w_WB};
   }
-  contacts_.End(pairs_, touches_);
+  rods_.Begin(joints_, bodies_, inertias_);
+  // The step itself leaves less than the accelerations times h. More is a blow along a
+  // rod, which takes no time.
+  double fastest = 0;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (jointed_[i]) fastest = std::max(fastest, bodies_[i].state.v_WB.norm());
+  }
+  for (const DistanceJoint& joint : joints_) shortest = std::min(shortest, joint.length);
+  const double usual = h * (settings_.gravity_W.norm() + fastest * fastest / shortest);
+  if (rods_.FastestStretching(solved_) <= usual) return;
+  rods_.Forget();
+  const int sweeps = std::max(settings_.impulse_iterations,
+                              settings_.patience / static_cast<int>(joints_.size()));
+  for (int k = 0; k < sweeps; ++k) {
+    if (rods_.Sweep(solved_) <= settings_.residual * fastest) break;
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!jointed_[i]) continue;
+    bodies_[i].state.v_WB = solved_[i].v;
+    bodies_[i].state.w_WB = solved_[i].w;
+  }
+  rods_.Forget();
+}
+
+bool World::SweepUntilSolved() {
+  const double speed = std::max(contacts_.scale(), fastest_);
+  const double solved = settings_.residual * speed;
+  const int rows = contacts_.row_count() + static_cast<int>(joints_.size());
+  const int sweeps =
+      std::max(settings_.impulse_iterations, settings_.patience / std::max(1, rows));
+  for (int k = 0; k < sweeps; ++k) {
+    const double rods = rods_.Sweep(solved_);
+    if (std::max(rods, contacts_.Sweep(solved_)) <= solved) return true;
+  }
+  return false;
+}
+
+void World::Solve(double h) {
+  std::copy(free_.begin(), free_.end(), solved_.begin());
+  contacts_.Begin(pairs_, {bodies_, inertias_, solved_}, settings_, h);
+  if (joints_.empty()) {
+    SweepUntilSolved();
+    std::fill(touches_.begin(), touches_.end(), Touch{});
+    contacts_.End(pairs_, touches_);
+    return;
+  }
+  // Lengths are kept to this share, a few roundings.
+  constexpr double kSameLength = 1e-15;
+  if (!settings_.warm_starting) rods_.Forget();
+  rods_.WarmStart(solved_);
+  for (int round = 0;; ++round) {
+    fastest_ = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (jointed_[i]) fastest_ = std::max(fastest_, solved_[i].v.norm());
+    }
+    SweepUntilSolved();
+    std::fill(touches_.begin(), touches_.end(), Touch{});
+    contacts_.End(pairs_, touches_);
+    if (round == settings_.joint_rounds) return;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (jointed_[i]) ahead_[i] = Moved(i, h);
+    }
+    if (rods_.Correct(joints_, ahead_, shares_, solved_, h) <= kSameLength) return;
+  }
+}
+
+RigidBody World::Moved(std::size_t i, double h) {
+  RigidBody body = bodies_[i];
+  if (body.is_static()) return body;
+  const Velocity before{body.state.v_WB, body.state.w_WB};
+  const Velocity& free = free_[i];
+  const Velocity& after = solved_[i];
+
+  // Forces act during all of the step: under them the mean of the velocities is exact.
+  // A blow acts at its start. Where the body is sent back it then flies; where something
+  // holds it, it has the velocity of the end from the start.
+  const double change =
+      (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
+  const double forces = settings_.gravity_W.norm() +
+                        body.inverse_mass * (body.force_W + body.applied_force_W).norm();
+  const bool touched = touches_[i].bounced || touches_[i].rested;
+  const bool struck = touched && (touches_[i].bounced || !touches_[i].steady ||
+                                  change > kBlow * h * forces);
+  Velocity& mean = mean_[i];
+  if (!struck) {
+    mean.v = 0.5 * (before.v + after.v);
+    mean.w = 0.5 * (before.w + after.w);
+  } else {
+    mean = after;
+    if (!touches_[i].rested) mean.v -= 0.5 * (free.v - before.v);
+  }
+  shares_[i] = struck ? 1 : 0.5;
+
+  body.state.p_WB += h * mean.v;
+  body.state.v_WB = after.v;
+  if (settings_.gyroscopic == Gyroscopic::kExact) {
+    const Eigen::Vector3d torque = h * body.applied_torque_W;
+    const Eigen::Vector3d L = TurnedInertiaTimes(body.R_WB, body.moments, before.w);
+    const Eigen::Vector3d blow =
+        TurnedInertiaTimes(body.R_WB, body.moments, after.w - free.w);
+    const Turning start{body.state.q_WB, before.w};
+    const Turning end = struck
+                            ? TurnWithMomentum(start, body.moments, L + blow, torque, h)
+                            : TurnWithMomentum(start, body.moments, L, torque + blow, h);
+    body.state.q_WB = end.q_WB;
+    body.state.w_WB = end.w_WB;
+  } else {
+    body.state.q_WB = (Exp(h * mean.w) * body.state.q_WB).normalized();
+    body.state.w_WB = after.w;
+  }
+  body.R_WB = body.state.q_WB.toRotationMatrix();
+  return body;
 }
 
 void World::Move(double h) {
-  const double gravity = settings_.gravity_W.norm();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     RigidBody& body = bodies_[i];
     if (body.is_static()) continue;
-    const Velocity before{body.state.v_WB, body.state.w_WB};
-    const Velocity& free = free_[i];
-    const Velocity& after = solved_[i];
-
-    // Forces act during all of the step: under them the mean of the velocities is exact.
-    // A blow acts at its start. Where the body is sent back it then flies; where
-    // something holds it, it has the velocity of the end from the start.
-    const double change =
-        (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
-    const double forces =
-        gravity + body.inverse_mass * (body.force_W + body.applied_force_W).norm();
-    const bool touched = touches_[i].bounced || touches_[i].rested;
-    const bool struck = touched && (touches_[i].bounced || !touches_[i].steady ||
-                                    change > kBlow * h * forces);
-    Velocity& mean = mean_[i];
-    if (!struck) {
-      mean.v = 0.5 * (before.v + after.v);
-      mean.w = 0.5 * (before.w + after.w);
-    } else {
-      mean = after;
-      if (!touches_[i].rested) mean.v -= 0.5 * (free.v - before.v);
-    }
-
-    body.state.p_WB += h * mean.v;
-    body.state.v_WB = after.v;
-    if (settings_.gyroscopic == Gyroscopic::kExact) {
-      const Eigen::Vector3d torque = h * body.applied_torque_W;
-      const Eigen::Vector3d L = TurnedInertiaTimes(body.R_WB, body.moments, before.w);
-      const Eigen::Vector3d blow =
-          TurnedInertiaTimes(body.R_WB, body.moments, after.w - free.w);
-      const Turning start{body.state.q_WB, before.w};
-      const Turning end =
-          struck ? TurnWithMomentum(start, body.moments, L + blow, torque, h)
-                 : TurnWithMomentum(start, body.moments, L, torque + blow, h);
-      body.state.q_WB = end.q_WB;
-      body.state.w_WB = end.w_WB;
-    } else {
-      body.state.q_WB = (Exp(h * mean.w) * body.state.q_WB).normalized();
-      body.state.w_WB = after.w;
-    }
-    body.R_WB = body.state.q_WB.toRotationMatrix();
+    body = Moved(i, h);
     if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) ||
         !IsSane(body.state.w_WB)) {
       diverged_ = true;
@@ -188,10 +280,16 @@ void World::Move(double h) {
 }
 
 void World::Project(double h) {
-  if (!projection_.FindMoves(contacts_, pairs_, inertias_, mean_, solved_, settings_, h,
-                             moves_)) {
-    return;
+  bool moved = projection_.FindMoves(contacts_, pairs_, inertias_, mean_, solved_,
+                                     settings_, h, moves_);
+  if (!joints_.empty()) {
+    if (!moved) {
+      std::fill(moves_.begin(), moves_.end(),
+                Velocity{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+    }
+    moved |= rods_.Project(joints_, settings_.projection_share, bodies_, moves_);
   }
+  if (!moved) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     RigidBody& body = bodies_[i];
     if (body.is_static() || (moves_[i].v.isZero(0) && moves_[i].w.isZero(0))) continue;

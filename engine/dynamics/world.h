@@ -5,6 +5,7 @@
 
 #include "engine/dynamics/body.h"
 #include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/distance_joint.h"
 #include "engine/dynamics/projection.h"
 #include "engine/dynamics/settings.h"
 
@@ -30,6 +31,11 @@ class World {
   explicit World(const Settings& settings = {});
 
   int AddBody(const BodyDefinition& definition);
+
+  /** Adds a rod; returns its index among the rods.
+   @throws std::invalid_argument where an anchor is on no body, both are on one, a number
+   is not finite, or the length is not positive. */
+  int AddJoint(const DistanceJoint& joint);
 
   /** Applies an impulse [N s] at a world point [m] now. Static bodies take no notice. */
   void ApplyImpulse(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W);
@@ -57,7 +63,11 @@ class World {
   void StepOnce(double h);
   void FindContacts(double margin);
   void ApplyForces(double h);
-  void SolveContacts(double h);
+  void StopStretching(double h);
+  void Solve(double h);
+  bool SweepUntilSolved();
+  /** Returns body `i` as it is after the step, by the velocities solved so far. */
+  RigidBody Moved(std::size_t i, double h);
   void Move(double h);
   void Project(double h);
 
@@ -67,8 +77,12 @@ class World {
   bool diverged_ = false;
   std::vector<RigidBody> bodies_;
   std::vector<ContactPair> pairs_;
+  std::vector<DistanceJoint> joints_;
   ContactSolver contacts_;
+  JointSolver rods_;
   Projection projection_;
+
+  double fastest_ = 0;  ///< Of the bodies on rods. [m/s]
 
   // By body, while a step is taken.
   std::vector<InverseInertia> inertias_;
@@ -77,6 +91,9 @@ class World {
   std::vector<Velocity> mean_;    ///< What moves the body during the step.
   std::vector<Velocity> moves_;   ///< Of the projection. [m], [rad]
   std::vector<Touch> touches_;
+  std::vector<double> shares_;    ///< See JointSolver::Correct().
+  std::vector<bool> jointed_;     ///< Whether a rod holds it.
+  std::vector<RigidBody> ahead_;  ///< After the step; valid where jointed.
 };
 
 }  // namespace cookbook

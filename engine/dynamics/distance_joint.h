@@ -1,0 +1,97 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/dynamics/rigid_body.h"
+
+namespace cookbook {
+
+/** An end of a joint or a spring. */
+struct Anchor {
+  int body = -1;  ///< −1: fixed to the world.
+  /** In the frame of the body, from its centre; in the world for −1. [m] */
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+};
+
+/** A massless rod: keeps two anchors at one distance. */
+struct DistanceJoint {
+  Anchor A;
+  Anchor B;
+  double length = 1;  ///< [m], > 0
+};
+
+/** Where an anchor is. World frame. */
+struct AnchorPlace {
+  Eigen::Vector3d p_W;  ///< [m]
+  Eigen::Vector3d r_W;  ///< From the centre of its body; zero for the world.
+};
+
+/** Returns the place of `anchor`, given the poses of the bodies. */
+AnchorPlace PlaceOf(const Anchor& anchor, std::span<const RigidBody> bodies);
+
+/** Solves the rods of a world together with its contacts.
+
+ With d from anchor A to B, the impulse of a step acts along d̄, the mean of d before and
+ after it, and makes |d| after the step the length of the rod. Since the bodies move by
+ the mean of their velocities, the rod does the work λ d̄·(d₁ − d₀) = λ (|d₁|² − |d₀|²)/2 =
+ 0: a pendulum keeps its energy to rounding (Gonzalez, Physica D 132, 1999, the discrete
+ gradient of |d|²/2). The equation is not linear in λ, so it is solved in rounds: sweep
+ over the rows, look where the bodies would go, correct the rows. */
+class JointSolver {
+ public:
+  /** Sets up one row for each joint, along the rod as it is now. */
+  void Begin(std::span<const DistanceJoint> joints, std::span<const RigidBody> bodies,
+             std::span<const InverseInertia> inertias);
+
+  /** The greatest speed at which `velocities` change the length of a rod. [m/s] */
+  double FastestStretching(std::span<const Velocity> velocities) const;
+
+  /** Forgets the impulses of the step before. */
+  void Forget() { impulses_.assign(impulses_.size(), 0); }
+
+  /** Applies the impulses of the step before. */
+  void WarmStart(std::span<Velocity> velocities);
+
+  /** As ContactSolver::Sweep(). */
+  double Sweep(std::span<Velocity> velocities);
+
+  /** Corrects the rows, given where the bodies would be after the step. `share` says of
+   each body how much of a change of its velocity moves it: 1/2 for one that moves by the
+   mean of its velocities, 1 for one that moves by the last. Returns the greatest error of
+   a length, relative to it. */
+  double Correct(std::span<const DistanceJoint> joints, std::span<const RigidBody> after,
+                 std::span<const double> share, std::span<Velocity> velocities, double h);
+
+  /** Adds to `moves` [m], [rad] what removes `share` of the error of every rod that is
+   off its length by more than rounding. Returns whether there was one. */
+  bool Project(std::span<const DistanceJoint> joints, double share,
+               std::span<const RigidBody> bodies, std::span<Velocity> moves);
+
+ private:
+  struct Row {
+    int A;
+    int B;
+    Eigen::Vector3d d_start;  ///< From anchor A to B before the step. [m]
+    Eigen::Vector3d r_A_start;
+    Eigen::Vector3d r_B_start;
+    double length;        ///< To have after the step. [m]
+    Eigen::Vector3d n;    ///< Unit, along d̄.
+    Eigen::Vector3d r_A;  ///< Mean lever arms. [m]
+    Eigen::Vector3d r_B;
+    double effective_mass;  ///< [kg]; 0 where nothing moves.
+    double target;          ///< Of the relative velocity along n. [m/s]
+  };
+
+  void Aim(const Eigen::Vector3d& d_mean, const Eigen::Vector3d& r_A,
+           const Eigen::Vector3d& r_B, Row& row) const;
+  const InverseInertia& InertiaOf(int body) const;
+  void Apply(const Row& row, double impulse, std::span<Velocity> velocities) const;
+  double Stretching(const Row& row, std::span<const Velocity> velocities) const;
+
+  std::vector<Row> rows_;
+  std::vector<double> impulses_;  ///< Along n, on B. [N s]
+  std::span<const InverseInertia> inertias_;
+};
+
+}  // namespace cookbook
