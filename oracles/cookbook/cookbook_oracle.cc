@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "engine/collide.h"
+#include "oracles/cookbook/cookbook_world.h"
 #include "oracles/cookbook/translate.h"
 
 namespace touchstone {
@@ -84,6 +85,11 @@ CookbookOracle::CookbookOracle() {
   info_.capabilities = SphereAndBoxCapabilities();
   info_.settings = {{"separation of boxes apart", "left out",
                      "the axis test gives only a lower bound"}};
+  for (const Setting& setting : CookbookWorldSettings()) {
+    info_.settings.push_back(setting);
+  }
+  info_.simulates = true;
+  info_.world_capabilities = CookbookWorldCapabilities();
 }
 
 void CookbookOracle::Answer(std::span<const ContactQuery> queries,
@@ -94,6 +100,10 @@ void CookbookOracle::Answer(std::span<const ContactQuery> queries,
 std::unique_ptr<PreparedBatch> CookbookOracle::Prepare(
     std::span<const ContactQuery> queries) const {
   return std::make_unique<PreparedManifolds>(queries);
+}
+
+std::unique_ptr<Simulation> CookbookOracle::Begin(const World& world) const {
+  return BeginCookbookWorld(world);
 }
 
 }  // namespace touchstone

@@ -4,7 +4,8 @@
 
 namespace touchstone {
 
-/** Contact as the cookbook engine sees it: spheres and boxes, one query after the other.
+/** The corrected cookbook engine: spheres and boxes, one query after the other, and
+ worlds of them.
 
  The engine speaks the project's conventions, so that nothing is converted. Of boxes apart
  it knows an axis that separates them, not their distance: the answer has the normal and
@@ -19,6 +20,7 @@ class CookbookOracle final : public Oracle {
               std::span<ContactAnswer> answers) const override;
   std::unique_ptr<PreparedBatch> Prepare(
       std::span<const ContactQuery> queries) const override;
+  std::unique_ptr<Simulation> Begin(const World& world) const override;
 
  private:
   OracleInfo info_;

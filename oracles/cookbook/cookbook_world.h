@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+
+#include "oracles/oracle.h"
+#include "oracles/simulation.h"
+
+namespace touchstone {
+
+/** Returns what the corrected engine can do of each feature of a world. */
+decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities();
+
+/** Returns what is in force where the corrected engine simulates worlds. */
+std::vector<Setting> CookbookWorldSettings();
+
+/** Returns `world` at its start, in the corrected engine.
+ @pre The world is valid and within CookbookWorldCapabilities(). */
+std::unique_ptr<Simulation> BeginCookbookWorld(const World& world);
+
+}  // namespace touchstone
