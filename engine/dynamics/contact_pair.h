@@ -15,6 +15,8 @@ struct ContactPair {
   Manifold manifold;  ///< See CollideWithin().
   /** Impulse on B at each contact of the manifold. World frame. [N s] */
   std::array<Eigen::Vector3d, 8> J_W;
+  /** The sum of what the two have travelled up to which they surely do not touch. [m] */
+  double apart_until = 0;
 };
 
 /** Replaces the manifold of `pair` by that of its bodies as they are now, contacts apart

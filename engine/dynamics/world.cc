@@ -18,6 +18,14 @@ constexpr double kLargest = 1e12;
  body is taken for a blow. A contact that holds or slows a body makes less. */
 constexpr double kBlow = 4;
 
+/** Returns a bound of how far any point of `body` is from where it was. [m] */
+double Travel(const BodyState& before, const RigidBody& body) {
+  // A rotation by θ moves a point at r by 2 r sin(θ/2), and the vector part of
+  // q q₀⁻¹ has the length sin(θ/2).
+  const double sine = (body.state.q_WB * before.q_WB.conjugate()).vec().norm();
+  return (body.state.p_WB - before.p_WB).norm() + 2 * body.radius * sine;
+}
+
 bool IsSane(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kLargest;  // False for NaN.
 }
@@ -31,14 +39,7 @@ World::World(const Settings& settings) : settings_(settings) {
 int World::AddBody(const BodyDefinition& definition) {
   bodies_.push_back(MakeRigidBody(definition));
   const int added = body_count() - 1;
-  const RigidBody& body = bodies_.back();
-  for (int other = 0; other < added; ++other) {
-    const RigidBody& earlier = bodies_[static_cast<std::size_t>(other)];
-    if (!body.collides || !earlier.collides) continue;
-    if (body.is_static() && earlier.is_static()) continue;
-    pairs_.emplace_back().A = other;
-    pairs_.back().B = added;
-  }
+  broad_phase_.Add(bodies_.back());
   const Velocity zero{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   inertias_.push_back({Eigen::Matrix3d::Zero(), 0});
   free_.push_back(zero);
@@ -48,7 +49,8 @@ int World::AddBody(const BodyDefinition& definition) {
   touches_.emplace_back();
   shares_.push_back(0.5);
   jointed_.push_back(false);
-  ahead_.push_back(body);
+  ahead_.push_back(bodies_.back());
+  travels_.push_back(0);
   return added;
 }
 
@@ -126,9 +128,30 @@ void World::StepOnce(double h) {
 }
 
 void World::FindContacts(double margin) {
-  for (ContactPair& pair : pairs_) {
-    Recollide(margin, bodies_[static_cast<std::size_t>(pair.A)],
-              bodies_[static_cast<std::size_t>(pair.B)], pair);
+  appeared_.clear();
+  broad_phase_.Update(bodies_, margin, appeared_);
+  for (const auto& [a, b] : appeared_) {
+    ContactPair& pair = pairs_.emplace_back();
+    pair.A = a;
+    pair.B = b;
+  }
+  for (std::size_t k = 0; k < pairs_.size();) {
+    ContactPair& pair = pairs_[k];
+    if (!broad_phase_.AreNear(pair.A, pair.B)) {
+      broad_phase_.Forget(pair.A, pair.B);
+      pair = pairs_.back();
+      pairs_.pop_back();
+      continue;
+    }
+    ++k;
+    const auto a = static_cast<std::size_t>(pair.A);
+    const auto b = static_cast<std::size_t>(pair.B);
+    // What was apart by a gap stays apart until the two have gone that far.
+    const double travel = travels_[a] + travels_[b];
+    if (travel < pair.apart_until) continue;
+    Recollide(margin, bodies_[a], bodies_[b], pair);
+    pair.apart_until =
+        pair.manifold.count == 0 ? travel + pair.manifold.separation - margin : 0;
   }
 }
 
@@ -271,7 +294,9 @@ void World::Move(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     RigidBody& body = bodies_[i];
     if (body.is_static()) continue;
+    const BodyState before = body.state;
     body = Moved(i, h);
+    travels_[i] += Travel(before, body);
     if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) ||
         !IsSane(body.state.w_WB)) {
       diverged_ = true;
@@ -293,9 +318,11 @@ void World::Project(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     RigidBody& body = bodies_[i];
     if (body.is_static() || (moves_[i].v.isZero(0) && moves_[i].w.isZero(0))) continue;
+    const BodyState before = body.state;
     body.state.p_WB += moves_[i].v;
     body.state.q_WB = (Exp(moves_[i].w) * body.state.q_WB).normalized();
     body.R_WB = body.state.q_WB.toRotationMatrix();
+    travels_[i] += Travel(before, body);
   }
 }
 

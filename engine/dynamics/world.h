@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/dynamics/body.h"
+#include "engine/dynamics/broad_phase.h"
 #include "engine/dynamics/contact_solver.h"
 #include "engine/dynamics/distance_joint.h"
 #include "engine/dynamics/projection.h"
@@ -76,7 +77,9 @@ class World {
   Settings settings_;
   bool diverged_ = false;
   std::vector<RigidBody> bodies_;
-  std::vector<ContactPair> pairs_;
+  BroadPhase broad_phase_;
+  std::vector<std::pair<int, int>> appeared_;
+  std::vector<ContactPair> pairs_;  ///< Those near each other.
   std::vector<DistanceJoint> joints_;
   ContactSolver contacts_;
   JointSolver rods_;
@@ -93,6 +96,7 @@ class World {
   std::vector<Touch> touches_;
   std::vector<double> shares_;    ///< See JointSolver::Correct().
   std::vector<bool> jointed_;     ///< Whether a rod holds it.
+  std::vector<double> travels_;   ///< How far a point of it can have gone so far. [m]
   std::vector<RigidBody> ahead_;  ///< After the step; valid where jointed.
 };
 

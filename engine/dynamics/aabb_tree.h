@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace cookbook {
+
+/** A box along the world's axes. */
+struct Aabb {
+  Eigen::Vector3d low;   ///< [m]
+  Eigen::Vector3d high;  ///< [m]
+
+  bool Overlaps(const Aabb& other) const {
+    // Without branches: which of the six comparisons fails cannot be foretold.
+    return (low[0] <= other.high[0]) & (low[1] <= other.high[1]) &
+           (low[2] <= other.high[2]) & (other.low[0] <= high[0]) &
+           (other.low[1] <= high[1]) & (other.low[2] <= high[2]);
+  }
+
+  bool Contains(const Aabb& other) const {
+    return (low.array() <= other.low.array()).all() &&
+           (other.high.array() <= high.array()).all();
+  }
+
+  /** Half the surface. [m²] */
+  double Surface() const {
+    const Eigen::Vector3d size = high - low;
+    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+  }
+};
+
+inline Aabb Union(const Aabb& a, const Aabb& b) {
+  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+}
+
+/** A binary tree of boxes that is kept balanced while leaves come and go: finds what a
+ box overlaps in O(log n) for each that it finds. Leaves are inserted where they add least
+ surface, and the tree is rotated where that makes it smaller (Catto, GDC 2019). */
+class AabbTree {
+ public:
+  /** Adds a leaf and returns its node, which stays its own until removed. */
+  int Insert(const Aabb& bounds, int body);
+
+  void Remove(int leaf);
+
+  const Aabb& bounds(int leaf) const {
+    return nodes_[static_cast<std::size_t>(leaf)].bounds;
+  }
+
+  /** Calls `found(body)` for every leaf that overlaps `bounds`, in an order that depends
+   on the history of the tree alone. */
+  template <class Found>
+  void Query(const Aabb& bounds, const Found& found) {
+    if (root_ < 0) return;
+    stack_.clear();
+    stack_.push_back(root_);
+    while (!stack_.empty()) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack_.back())];
+      stack_.pop_back();
+      if (!node.bounds.Overlaps(bounds)) continue;
+      if (node.child1 < 0) {
+        found(node.body);
+      } else {
+        stack_.push_back(node.child1);
+        stack_.push_back(node.child2);
+      }
+    }
+  }
+
+ private:
+  struct Node {
+    Aabb bounds;
+    int parent;  ///< −1: the root. Of a free node the next free one.
+    int child1;  ///< −1: a leaf.
+    int child2;
+    int body;
+  };
+
+  Node& at(int node) { return nodes_[static_cast<std::size_t>(node)]; }
+  int Allocate();
+  int FindSibling(const Aabb& bounds);
+  void Refit(int node);
+  void Rotate(int node);
+
+  std::vector<Node> nodes_;
+  std::vector<int> stack_;
+  int root_ = -1;
+  int free_ = -1;
+};
+
+}  // namespace cookbook

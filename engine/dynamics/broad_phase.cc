@@ -1,0 +1,141 @@
+#include "engine/dynamics/broad_phase.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace cookbook {
+namespace {
+
+/** How much wider than the body its box is, as a share of its radius: wide enough that a
+ body that rests or creeps stays inside, narrow enough that few strangers are in it. */
+constexpr double kWider = 0.1;
+
+Aabb Widened(const Aabb& bounds, double by) {
+  return {bounds.low.array() - by, bounds.high.array() + by};
+}
+
+}  // namespace
+
+std::uint64_t PairSet::Key(int a, int b) {
+  // One is added so that no pair is 0, which marks a free place.
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 |
+          static_cast<std::uint32_t>(b)) +
+         1;
+}
+
+std::size_t PairSet::Home(std::uint64_t key) const {
+  // Fibonacci hashing: the high bits of the product depend on all bits of the key.
+  const std::uint64_t mixed = (key ^ key >> 32) * 0x9e3779b97f4a7c15u;
+  return static_cast<std::size_t>(mixed >> 20) & (places_.size() - 1);
+}
+
+void PairSet::Grow() {
+  std::vector<std::uint64_t> old(std::max<std::size_t>(64, 2 * places_.size()), 0);
+  old.swap(places_);
+  for (const std::uint64_t key : old) {
+    if (key == 0) continue;
+    std::size_t place = Home(key);
+    while (places_[place] != 0) place = (place + 1) & (places_.size() - 1);
+    places_[place] = key;
+  }
+}
+
+bool PairSet::Insert(int a, int b) {
+  if (2 * (size_ + 1) > places_.size()) Grow();
+  const std::uint64_t key = Key(a, b);
+  std::size_t place = Home(key);
+  for (; places_[place] != 0; place = (place + 1) & (places_.size() - 1)) {
+    if (places_[place] == key) return false;
+  }
+  places_[place] = key;
+  ++size_;
+  return true;
+}
+
+void PairSet::Erase(int a, int b) {
+  const std::uint64_t key = Key(a, b);
+  const std::size_t mask = places_.size() - 1;
+  std::size_t hole = Home(key);
+  while (places_[hole] != key) {
+    if (places_[hole] == 0) return;
+    hole = (hole + 1) & mask;
+  }
+  // Moves back what was pushed past the hole, so that no search ends in it.
+  for (std::size_t next = (hole + 1) & mask; places_[next] != 0;
+       next = (next + 1) & mask) {
+    const std::size_t home = Home(places_[next]);
+    if (((next - home) & mask) >= ((next - hole) & mask)) {
+      places_[hole] = places_[next];
+      hole = next;
+    }
+  }
+  places_[hole] = 0;
+  --size_;
+}
+
+Aabb BoundsOf(const RigidBody& body) {
+  const Eigen::Vector3d& p = body.state.p_WB;
+  if (const auto* box = std::get_if<Box>(&body.shape)) {
+    const Eigen::Vector3d reach = body.R_WB.cwiseAbs() * box->half_extents;
+    return {p - reach, p + reach};
+  }
+  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
+    return {p.array() - sphere->radius, p.array() + sphere->radius};
+  }
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(-std::numeric_limits<double>::max());
+  Eigen::Vector3d high = -low;
+  const Eigen::Vector3d n = body.R_WB.col(2);
+  for (int k = 0; k < 3; ++k) {
+    if (n[k] == 1) high[k] = p[k];
+    if (n[k] == -1) low[k] = p[k];
+  }
+  return {low, high};
+}
+
+void BroadPhase::Add(const RigidBody& body) {
+  Proxy& proxy = proxies_.emplace_back();
+  proxy.is_static = body.is_static();
+  if (!body.collides) return;
+  proxy.wide = Widened(BoundsOf(body), kWider * body.radius);
+  proxy.leaf = (proxy.is_static ? resting_ : moving_)
+                   .Insert(proxy.wide, static_cast<int>(proxies_.size()) - 1);
+}
+
+void BroadPhase::Update(std::span<const RigidBody> bodies, double margin,
+                        std::vector<std::pair<int, int>>& appeared) {
+  moved_.clear();
+  for (std::size_t i = 0; i < proxies_.size(); ++i) {
+    Proxy& proxy = proxies_[i];
+    if (proxy.leaf < 0) continue;
+    if (proxy.is_new) {
+      proxy.is_new = false;
+      moved_.push_back(static_cast<int>(i));
+      continue;
+    }
+    if (proxy.is_static) continue;
+    const Aabb bounds = Widened(BoundsOf(bodies[i]), margin);
+    if (proxy.wide.Contains(bounds)) continue;
+    proxy.wide = Widened(bounds, kWider * bodies[i].radius);
+    moving_.Remove(proxy.leaf);
+    proxy.leaf = moving_.Insert(proxy.wide, static_cast<int>(i));
+    moved_.push_back(static_cast<int>(i));
+  }
+  for (const int body : moved_) {
+    const Proxy& proxy = proxies_[static_cast<std::size_t>(body)];
+    const auto found = [&](int other) {
+      if (other == body) return;
+      const auto [a, b] = std::minmax(body, other);
+      if (pairs_.Insert(a, b)) appeared.emplace_back(a, b);
+    };
+    moving_.Query(proxy.wide, found);
+    if (!proxy.is_static) resting_.Query(proxy.wide, found);
+  }
+}
+
+bool BroadPhase::AreNear(int a, int b) const {
+  return proxies_[static_cast<std::size_t>(a)].wide.Overlaps(
+      proxies_[static_cast<std::size_t>(b)].wide);
+}
+
+}  // namespace cookbook
