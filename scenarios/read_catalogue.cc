@@ -53,8 +53,9 @@ class CatalogueReader {
   }
 
   Catalogue Finish() && {
-    std::sort(catalogue_.scenarios.begin(), catalogue_.scenarios.end(),
-              [](const Scenario& a, const Scenario& b) { return a.id < b.id; });
+    const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+    std::sort(catalogue_.scenarios.begin(), catalogue_.scenarios.end(), by_id);
+    std::sort(catalogue_.worlds.begin(), catalogue_.worlds.end(), by_id);
     std::stable_sort(catalogue_.diagnostics.begin(), catalogue_.diagnostics.end(),
                      [](const Diagnostic& a, const Diagnostic& b) {
                        return std::tie(a.file, a.line, a.column) <
@@ -97,8 +98,10 @@ class CatalogueReader {
       catalogue_.diagnostics.push_back(std::move(diagnostic));
     }
     const bool is_new = !read.stated_id || CheckUnique(*read.stated_id, file);
-    if (read.scenario && is_new)
-      catalogue_.scenarios.push_back(std::move(*read.scenario));
+    if (is_new) {
+      if (read.scenario) catalogue_.scenarios.push_back(std::move(*read.scenario));
+      if (read.world) catalogue_.worlds.push_back(std::move(*read.world));
+    }
     return read.stated_id;
   }
 

@@ -9,6 +9,7 @@
 
 #include "scenarios/diagnostic.h"
 #include "scenarios/scenario.h"
+#include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
 
@@ -19,9 +20,11 @@ struct StatedId {
   int column;
 };
 
-/** A scenario, or everything that is wrong with its file. */
+/** A scenario, or everything that is wrong with its file. Without diagnostics there is
+ one of the two, with any there is none. */
 struct ReadResult {
-  std::optional<Scenario> scenario;  ///< Present exactly where there are no diagnostics.
+  std::optional<Scenario> scenario;    ///< Where the file has [contact].
+  std::optional<WorldScenario> world;  ///< Where the file has [world].
   std::vector<Diagnostic>
       diagnostics;                    ///< Every error of the file, in the order of lines.
   std::optional<StatedId> stated_id;  ///< Present even where the rest is wrong.
@@ -36,15 +39,16 @@ ReadResult ReadScenarioFile(const std::filesystem::path& file);
 /** The scenarios of some files and folders, with everything that is wrong with them. */
 struct Catalogue {
   std::vector<Scenario> scenarios;      ///< Those without errors, sorted by id.
+  std::vector<WorldScenario> worlds;    ///< Likewise.
   std::vector<Diagnostic> diagnostics;  ///< Of every file, sorted by file and line.
 };
 
 /** Reads files, and folders with all `.toml` files below them.
 
- Beyond the errors of each file: an id used twice, in whichever files; in a folder, an id
- that is not the file's path below the catalogue's root (the folder given, or one above
- it, so that a part of a catalogue can be read alone); a path that cannot be read; a
- folder without a scenario. */
+ Beyond the errors of each file: an id used twice, in whichever files and for
+ whichever question; in a folder, an id that is not the file's path below the catalogue's
+ root (the folder given, or one above it, so that a part of a catalogue can be read
+ alone); a path that cannot be read; a folder without a scenario. */
 Catalogue ReadCatalogue(std::span<const std::filesystem::path> files_and_folders);
 Catalogue ReadCatalogue(const std::filesystem::path& file_or_folder);
 
@@ -53,5 +57,9 @@ Catalogue ReadCatalogue(const std::filesystem::path& file_or_folder);
  @pre FaultsOf(scenario) is empty (scenarios/validate_scenario.h), and its strings are
  UTF-8. */
 std::string WriteScenario(const Scenario& scenario);
+
+/** Likewise for a world. @pre FaultsOf(scenario) is empty
+ (scenarios/worlds/validate_world.h), and its strings are UTF-8. */
+std::string WriteScenario(const WorldScenario& scenario);
 
 }  // namespace touchstone

@@ -55,6 +55,10 @@ bool IsScenarioId(std::string_view id) {
   return !level_is_empty;
 }
 
+bool IsWord(std::string_view word) {
+  return IsScenarioId(word) && word.find('/') == std::string_view::npos;
+}
+
 bool IsBodyName(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return IsOneOf(c, kLowerAndDigits) || IsOneOf(c, kUpper) || c == '-';
@@ -91,14 +95,30 @@ std::vector<Fault> FaultsOf(const ToleranceOverride& tolerance) {
   return faults;
 }
 
-std::vector<Fault> FaultsOf(const Scenario& scenario) {
+std::vector<Fault> FaultsOf(const std::vector<Indictment>& indictments) {
   std::vector<Fault> faults;
-  if (!IsScenarioId(scenario.id)) {
-    faults.push_back({"id", fmt::format("is \"{}\"", scenario.id),
+  for (std::size_t i = 0; i < indictments.size(); ++i) {
+    CheckText(fmt::format("indicts[{}].oracle", i), indictments[i].oracle, faults);
+    CheckText(fmt::format("indicts[{}].anomaly", i), indictments[i].anomaly, faults);
+  }
+  return faults;
+}
+
+std::vector<Fault> FaultsOfHeading(std::string_view id, std::string_view title,
+                                   std::string_view source) {
+  std::vector<Fault> faults;
+  if (!IsScenarioId(id)) {
+    faults.push_back({"id", fmt::format("is \"{}\"", id),
                       "levels of a-z, 0-9 and _ joined by slashes"});
   }
-  CheckText("title", scenario.title, faults);
-  CheckText("source", scenario.source, faults);
+  CheckText("title", title, faults);
+  CheckText("source", source, faults);
+  return faults;
+}
+
+std::vector<Fault> FaultsOf(const Scenario& scenario) {
+  std::vector<Fault> faults =
+      FaultsOfHeading(scenario.id, scenario.title, scenario.source);
   CheckBodyName("contact.A", scenario.name_A, faults);
   CheckBodyName("contact.B", scenario.name_B, faults);
   if (scenario.name_A == scenario.name_B) {
@@ -109,10 +129,7 @@ std::vector<Fault> FaultsOf(const Scenario& scenario) {
   AppendPrefixed("", scenario.contact, faults);
   AppendPrefixed("expect.", scenario.expect, faults);
   if (scenario.tolerance) AppendPrefixed("tolerance.", *scenario.tolerance, faults);
-  for (std::size_t i = 0; i < scenario.indicts.size(); ++i) {
-    CheckText(fmt::format("indicts[{}].oracle", i), scenario.indicts[i].oracle, faults);
-    CheckText(fmt::format("indicts[{}].anomaly", i), scenario.indicts[i].anomaly, faults);
-  }
+  AppendPrefixed("", scenario.indicts, faults);
   return faults;
 }
 

@@ -1,11 +1,11 @@
 #include "scenarios/schema/scenario_keys.h"
 
-#include <array>
+#include "scenarios/schema/world_keys.h"
 
 namespace touchstone {
 namespace {
 
-constexpr Key kFileKeys[] = {
+constexpr Key kContactFileKeys[] = {
     {"id", ValueType::kId, true,
      "The scenario's name: its path in the catalogue, without .toml."},
     {"title", ValueType::kText, true, "What is there, in one line."},
@@ -94,8 +94,8 @@ constexpr Key kConvexHullKeys[] = {
 
 std::span<const Key> KeysOf(TableKind table) {
   switch (table) {
-    case TableKind::kFile:
-      return kFileKeys;
+    case TableKind::kContactFile:
+      return kContactFileKeys;
     case TableKind::kContact:
       return kContactKeys;
     case TableKind::kExpect:
@@ -104,8 +104,9 @@ std::span<const Key> KeysOf(TableKind table) {
       return kToleranceKeys;
     case TableKind::kIndictment:
       return kIndictmentKeys;
+    default:
+      return KeysOfWorldTable(table);
   }
-  return {};
 }
 
 std::span<const Key> BodyKeys() {
@@ -138,34 +139,60 @@ std::string_view ExpectationOf(ValueType type) {
       return "a string that says something";
     case ValueType::kId:
       return "a string: levels of a-z, 0-9 and _ joined by slashes";
+    case ValueType::kWord:
+      return "a string of a-z, 0-9 and _";
     case ValueType::kBodyName:
       return "the name of a body";
+    case ValueType::kNames:
+      return "a list of names of bodies, particles or cloths";
     case ValueType::kShape:
       return "one of sphere, box, capsule, cylinder, cone, convex_hull, half_space";
     case ValueType::kBool:
       return "true or false";
     case ValueType::kCount:
       return "a count, 0 or more";
+    case ValueType::kPositiveCount:
+      return "a count, 1 or more";
+    case ValueType::kSeed:
+      return "an integer from 0 to 4294967295";
     case ValueType::kNumber:
       return "a finite number";
+    case ValueType::kNotNegative:
+      return "a finite number >= 0";
+    case ValueType::kPositive:
+      return "a finite number > 0";
     case ValueType::kLength:
       return "a finite length > 0";
+    case ValueType::kShare:
+      return "a number from 0 to 1";
     case ValueType::kPoint:
       return "three finite numbers";
     case ValueType::kLengths:
       return "three finite lengths > 0";
+    case ValueType::kMoments:
+      return "three finite moments > 0";
     case ValueType::kPoints:
       return "a list of points, three numbers each";
     case ValueType::kUnitVectors:
       return "a list of unit vectors, three numbers each";
+    case ValueType::kNodes:
+      return "a list of nodes, [row, column] each";
     case ValueType::kQuaternion:
       return "four numbers w, x, y, z";
     case ValueType::kRotation:
       return "three rows of three numbers";
+    case ValueType::kAnchor:
+      return "the name of a body or a particle, a point of the world, or a table of on "
+             "and point";
+    case ValueType::kNumbers:
+      return "a table of numbers";
     case ValueType::kTable:
       return "a table";
     case ValueType::kBodies:
       return "two bodies, each a table under its name";
+    case ValueType::kMovingBodies:
+    case ValueType::kNamedTables:
+      return "tables, each under its name";
     case ValueType::kTables:
       return "a list of tables";
   }

@@ -9,35 +9,68 @@ namespace touchstone {
 
 /** What a value of a scenario file is. Drives the reader and the schema alike. */
 enum class ValueType {
-  kText,         ///< A string that is not empty.
-  kId,           ///< A string: levels of a-z, 0-9 and _ joined by slashes.
-  kBodyName,     ///< A string that names a table of [bodies].
-  kShape,        ///< A string: the name of a ShapeKind.
-  kBool,         ///< true or false.
-  kCount,        ///< An integer >= 0 that fits an int.
-  kNumber,       ///< A finite number; an integer will do, here and below.
-  kLength,       ///< A finite number > 0. [m]
-  kPoint,        ///< Three finite numbers. [m]
-  kLengths,      ///< Three finite numbers > 0. [m]
-  kPoints,       ///< A list of at least one kPoint.
-  kUnitVectors,  ///< A list of unit vectors.
-  kQuaternion,   ///< Four numbers w, x, y, z of norm 1.
-  kRotation,     ///< Three rows of three numbers: orthonormal, determinant +1.
-  kTable,        ///< A table whose keys are those of Key::table.
-  kBodies,       ///< A table of two tables, each a body.
-  kTables,       ///< A list of tables whose keys are those of Key::table.
+  kText,           ///< A string that is not empty.
+  kId,             ///< A string: levels of a-z, 0-9 and _ joined by slashes.
+  kWord,           ///< A string of a-z, 0-9 and _.
+  kBodyName,       ///< A string that names a table of [bodies].
+  kNames,          ///< A list of strings that name bodies, particles or cloths.
+  kShape,          ///< A string: the name of a ShapeKind.
+  kBool,           ///< true or false.
+  kCount,          ///< An integer >= 0 that fits an int.
+  kPositiveCount,  ///< An integer > 0 that fits an int.
+  kSeed,           ///< An integer >= 0 of 32 bits.
+  kNumber,         ///< A finite number; an integer will do, here and below.
+  kNotNegative,    ///< A finite number >= 0.
+  kPositive,       ///< A finite number > 0.
+  kLength,         ///< A finite number > 0. [m]
+  kShare,          ///< A number in [0, 1].
+  kPoint,          ///< Three finite numbers.
+  kLengths,        ///< Three finite numbers > 0. [m]
+  kMoments,        ///< Three finite numbers > 0. [kg m²]
+  kPoints,         ///< A list of at least one kPoint.
+  kUnitVectors,    ///< A list of unit vectors.
+  kNodes,          ///< A list of pairs of kCount: row, column.
+  kQuaternion,     ///< Four numbers w, x, y, z of norm 1.
+  kRotation,       ///< Three rows of three numbers: orthonormal, determinant +1.
+  kAnchor,         ///< A name, a kPoint of the world, or a table of TableKind::kAnchor.
+  kNumbers,        ///< A table of numbers under any names.
+  kTable,          ///< A table whose keys are those of Key::table.
+  kBodies,         ///< A table of two tables, each a body.
+  kMovingBodies,   ///< A table of tables, each a body that may move.
+  kNamedTables,    ///< A table of tables whose keys are those of Key::table.
+  kTables,         ///< A list of tables whose keys are those of Key::table.
 };
 
 /** The tables of a scenario file, except bodies, whose keys depend on their shape. */
-enum class TableKind { kFile, kContact, kExpect, kTolerance, kIndictment };
+enum class TableKind {
+  kContactFile,
+  kWorldFile,
+  kIndictment,
+  // Of contact queries:
+  kContact,
+  kExpect,
+  kTolerance,
+  // Of worlds:
+  kWorld,
+  kParticle,
+  kSpring,
+  kJoint,
+  kAnchor,
+  kCloth,
+  kClothSprings,
+  kPush,
+  kClaim,
+  kEnsemble,
+};
 
 /** One key that a table may have. */
 struct Key {
   std::string_view name;
   ValueType type;
   bool required;
-  std::string_view documentation;      ///< One line, as editors show it.
-  TableKind table = TableKind::kFile;  ///< Of kTable and kTables: what is in it.
+  std::string_view documentation;  ///< One line, as editors show it.
+  /** Of kTable, kNamedTables and kTables: what is in it. */
+  TableKind table = TableKind::kContactFile;
 };
 
 /** Returns the keys of a table, in the order in which they are written. */
@@ -45,6 +78,10 @@ std::span<const Key> KeysOf(TableKind table);
 
 /** Returns the keys that every body has, in the order in which they are written. */
 std::span<const Key> BodyKeys();
+
+/** Returns the keys that a body of a world has besides, in the order in which they are
+ written. */
+std::span<const Key> MotionKeys();
 
 /** Returns the keys of a body's shape, in the order in which they are written. */
 std::span<const Key> ShapeKeys(ShapeKind kind);

@@ -1,6 +1,8 @@
 #include "scenarios/schema/scenario_schema.h"
 
+#include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -16,7 +18,7 @@ using Json = nlohmann::ordered_json;
 Json Number() {
   return {{"type", "number"}};
 }
-Json Length() {
+Json Positive() {
   return {{"type", "number"}, {"exclusiveMinimum", 0}};
 }
 Json Text() {
@@ -33,13 +35,20 @@ Json ListOf(const Json& element, int least) {
 
 Json TableOf(const std::vector<Key>& keys);
 
-Json TableOf(TableKind kind) {
-  return TableOf(std::vector<Key>(KeysOf(kind).begin(), KeysOf(kind).end()));
+Json OneOfTheKeys(const char* a, const char* b) {
+  return {{{"required", {a}}}, {{"required", {b}}}};
 }
 
-Json BodyOf(ShapeKind kind) {
+Json TableOf(TableKind kind) {
+  Json table = TableOf(std::vector<Key>(KeysOf(kind).begin(), KeysOf(kind).end()));
+  if (kind == TableKind::kWorld) table["oneOf"] = OneOfTheKeys("steps", "duration");
+  return table;
+}
+
+Json BodyOf(ShapeKind kind, bool may_move) {
   std::vector<Key> keys(BodyKeys().begin(), BodyKeys().end());
   keys.insert(keys.end(), ShapeKeys(kind).begin(), ShapeKeys(kind).end());
+  if (may_move) keys.insert(keys.end(), MotionKeys().begin(), MotionKeys().end());
   Json body = TableOf(keys);
   body["title"] = NameOf(kind);
   body["properties"]["shape"]["const"] = NameOf(kind);
@@ -47,16 +56,35 @@ Json BodyOf(ShapeKind kind) {
   return body;
 }
 
-Json Bodies() {
-  Json shapes = Json::array();
-  for (int kind = 0; kind < kShapeKinds; ++kind) {
-    shapes.push_back(BodyOf(static_cast<ShapeKind>(kind)));
-  }
+/** Returns a table of tables under names, each as `value` says. */
+Json NamedTables(const Json& value) {
   return {{"type", "object"},
           {"propertyNames", {{"pattern", "^[A-Za-z0-9_-]+$"}}},
-          {"minProperties", 2},
-          {"maxProperties", 2},
-          {"additionalProperties", {{"oneOf", shapes}}}};
+          {"additionalProperties", value}};
+}
+
+Json Bodies(bool may_move) {
+  Json shapes = Json::array();
+  for (int kind = 0; kind < kShapeKinds; ++kind) {
+    shapes.push_back(BodyOf(static_cast<ShapeKind>(kind), may_move));
+  }
+  return NamedTables({{"oneOf", shapes}});
+}
+
+Json Two(Json bodies) {
+  bodies["minProperties"] = 2;
+  bodies["maxProperties"] = 2;
+  return bodies;
+}
+
+Json Integer(int least) {
+  return {{"type", "integer"},
+          {"minimum", least},
+          {"maximum", std::numeric_limits<int>::max()}};
+}
+
+Json NotNegative() {
+  return {{"type", "number"}, {"minimum", 0}};
 }
 
 Json ValueOf(const Key& key) {
@@ -65,24 +93,38 @@ Json ValueOf(const Key& key) {
       return Text();
     case ValueType::kId:
       return {{"type", "string"}, {"pattern", "^[a-z0-9_]+(/[a-z0-9_]+)*$"}};
+    case ValueType::kWord:
+      return {{"type", "string"}, {"pattern", "^[a-z0-9_]+$"}};
     case ValueType::kBodyName:
       return Text();
+    case ValueType::kNames:
+      return ListOf(Text(), 0);
     case ValueType::kShape:
       return {{"type", "string"}};
     case ValueType::kBool:
       return {{"type", "boolean"}};
     case ValueType::kCount:
+      return Integer(0);
+    case ValueType::kPositiveCount:
+      return Integer(1);
+    case ValueType::kSeed:
       return {{"type", "integer"},
               {"minimum", 0},
-              {"maximum", std::numeric_limits<int>::max()}};
+              {"maximum", std::numeric_limits<std::uint32_t>::max()}};
     case ValueType::kNumber:
       return Number();
+    case ValueType::kNotNegative:
+      return NotNegative();
+    case ValueType::kPositive:
     case ValueType::kLength:
-      return Length();
+      return Positive();
+    case ValueType::kShare:
+      return {{"type", "number"}, {"minimum", 0}, {"maximum", 1}};
     case ValueType::kPoint:
       return ListOf(Number(), 3, 3);
     case ValueType::kLengths:
-      return ListOf(Length(), 3, 3);
+    case ValueType::kMoments:
+      return ListOf(Positive(), 3, 3);
     case ValueType::kPoints:
       return ListOf(ListOf(Number(), 3, 3), 1);
     case ValueType::kUnitVectors:
@@ -91,10 +133,22 @@ Json ValueOf(const Key& key) {
       return ListOf(Number(), 4, 4);
     case ValueType::kRotation:
       return ListOf(ListOf(Number(), 3, 3), 3, 3);
+    case ValueType::kNodes:
+      return ListOf(ListOf(Integer(0), 2, 2), 0);
+    case ValueType::kAnchor:
+      return {{"anyOf", {Text(), ListOf(Number(), 3, 3), TableOf(TableKind::kAnchor)}}};
+    case ValueType::kNumbers:
+      return {{"type", "object"},
+              {"propertyNames", {{"pattern", "^[a-z0-9_]+$"}}},
+              {"additionalProperties", Number()}};
     case ValueType::kTable:
       return TableOf(key.table);
     case ValueType::kBodies:
-      return Bodies();
+      return Two(Bodies(false));
+    case ValueType::kMovingBodies:
+      return Bodies(true);
+    case ValueType::kNamedTables:
+      return NamedTables(TableOf(key.table));
     case ValueType::kTables:
       return ListOf(TableOf(key.table), 0);
   }
@@ -121,7 +175,11 @@ Json TableOf(const std::vector<Key>& keys) {
 std::string ScenarioSchema() {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
                  {"title", "Touchstone scenario"}};
-  schema.update(TableOf(TableKind::kFile));
+  Json contact = TableOf(TableKind::kContactFile);
+  contact["title"] = "contact query";
+  Json world = TableOf(TableKind::kWorldFile);
+  world["title"] = "world";
+  schema["oneOf"] = {contact, world};
   return schema.dump(2) + '\n';
 }
 

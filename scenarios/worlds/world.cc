@@ -41,6 +41,19 @@ Eigen::Vector3d InertiaOf(const RigidBody& body) {
   return body.mass / 3 * (Eigen::Vector3d::Constant(squares.sum()) - squares);
 }
 
+Eigen::Vector3d StartOf(const World& world, const Anchor& anchor) {
+  const auto index = static_cast<std::size_t>(anchor.index);
+  switch (anchor.on) {
+    case AnchorKind::kBody:
+      return world.bodies[index].placed.X_WB * anchor.point;
+    case AnchorKind::kParticle:
+      return world.particles[index].p_W;
+    case AnchorKind::kWorld:
+      break;
+  }
+  return anchor.point;
+}
+
 std::string_view NameOf(WorldFeature feature) {
   static constexpr std::array<std::string_view, kWorldFeatures> kNames = {
       "sphere",

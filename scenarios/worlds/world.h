@@ -128,6 +128,10 @@ World Refined(const World& world, int factor);
  @pre The inertia is stated, or the shape is a sphere or a box. */
 Eigen::Vector3d InertiaOf(const RigidBody& body);
 
+/** Returns where `anchor` is at the start. World frame. [m]
+ @pre It is on something that `world` has. */
+Eigen::Vector3d StartOf(const World& world, const Anchor& anchor);
+
 /** What a world may ask of an engine, beyond gravity and free motion. */
 enum class WorldFeature {
   kSphere,      ///< A moving sphere that collides.

@@ -28,7 +28,7 @@ set(library_rules
   "ccd/ => oracles/libccd/.*[.]cc"
   "(bt[A-Z]|Bullet|LinearMath/) => oracles/bullet/"
   "hwy/ => engine/"
-  "toml[+][+]/ => (scenarios|reports)/.*[.]cc"
+  "toml[+][+]/ => scenarios/toml/parser[.]h|reports/.*[.]cc"
   "(boost/multiprecision|mpfr) => reports/referee/"
   "nlohmann/ => (reports|scenarios|cli)/.*[.]cc"
   "CLI/ => cli/.*[.]cc"

@@ -80,6 +80,82 @@ bool Same(const std::vector<Indictment>& a, const std::vector<Indictment>& b) {
                     });
 }
 
+template <class Part, class Same>
+bool AllSame(const std::vector<Part>& a, const std::vector<Part>& b, const Same& same) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+}
+
+bool Same(const std::optional<double>& a, const std::optional<double>& b) {
+  return a.has_value() == b.has_value() && (!a || Same(*a, *b));
+}
+
+bool SameBody(const RigidBody& a, const RigidBody& b) {
+  return a.name == b.name && Same(a.placed, b.placed) && Same(a.mass, b.mass) &&
+         a.inertia.has_value() == b.inertia.has_value() &&
+         (!a.inertia || Same(*a.inertia, *b.inertia)) && Same(a.v_WB, b.v_WB) &&
+         Same(a.w_WB, b.w_WB) && Same(a.restitution, b.restitution) &&
+         Same(a.friction, b.friction) && Same(a.force_W, b.force_W) &&
+         a.collides == b.collides;
+}
+
+bool SameParticle(const Particle& a, const Particle& b) {
+  return a.name == b.name && Same(a.p_W, b.p_W) && Same(a.v_W, b.v_W) &&
+         Same(a.mass, b.mass) && Same(a.damping, b.damping) && Same(a.bounce, b.bounce);
+}
+
+bool Same(const Anchor& a, const Anchor& b) {
+  return a.on == b.on && a.index == b.index && Same(a.point, b.point);
+}
+
+bool SameSpring(const Spring& a, const Spring& b) {
+  return Same(a.A, b.A) && Same(a.B, b.B) && Same(a.stiffness, b.stiffness) &&
+         Same(a.damping, b.damping) && Same(a.rest_length, b.rest_length);
+}
+
+bool SameJoint(const DistanceJoint& a, const DistanceJoint& b) {
+  return Same(a.A, b.A) && Same(a.B, b.B) && Same(a.length, b.length);
+}
+
+bool Same(const ClothSprings& a, const ClothSprings& b) {
+  return Same(a.stiffness, b.stiffness) && Same(a.damping, b.damping);
+}
+
+bool SameCloth(const Cloth& a, const Cloth& b) {
+  return a.name == b.name && a.n == b.n && Same(a.spacing, b.spacing) &&
+         Same(a.centre, b.centre) && Same(a.node_mass, b.node_mass) &&
+         Same(a.damping, b.damping) && Same(a.bounce, b.bounce) &&
+         Same(a.structural, b.structural) && Same(a.shear, b.shear) &&
+         Same(a.bend, b.bend) && a.pinned == b.pinned;
+}
+
+bool SamePush(const Push& a, const Push& b) {
+  return a.body == b.body && Same(a.time, b.time) && Same(a.p_BoP, b.p_BoP) &&
+         Same(a.J_W, b.J_W);
+}
+
+bool SameClaim(const Claim& a, const Claim& b) {
+  return a.law == b.law && a.about == b.about && a.because == b.because &&
+         std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(),
+                    b.numbers.end(), [](const auto& x, const auto& y) {
+                      return x.first == y.first && Same(x.second, y.second);
+                    });
+}
+
+bool Same(const World& a, const World& b) {
+  return AllSame(a.bodies, b.bodies, SameBody) &&
+         AllSame(a.particles, b.particles, SameParticle) &&
+         AllSame(a.springs, b.springs, SameSpring) &&
+         AllSame(a.joints, b.joints, SameJoint) &&
+         AllSame(a.cloths, b.cloths, SameCloth) &&
+         AllSame(a.pushes, b.pushes, SamePush) && Same(a.gravity_W, b.gravity_W) &&
+         Same(a.dt, b.dt) && a.steps == b.steps && a.sample_every == b.sample_every;
+}
+
+bool Same(const std::optional<Ensemble>& a, const std::optional<Ensemble>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return a->members == b->members && Same(a->jitter, b->jitter) && a->seed == b->seed;
+}
+
 }  // namespace
 
 bool SameBits(const ContactQuery& a, const ContactQuery& b) {
@@ -90,6 +166,13 @@ bool SameBits(const Scenario& a, const Scenario& b) {
   return a.id == b.id && a.title == b.title && a.source == b.source &&
          a.name_A == b.name_A && a.name_B == b.name_B && SameBits(a.contact, b.contact) &&
          Same(a.expect, b.expect) && Same(a.tolerance, b.tolerance) &&
+         Same(a.indicts, b.indicts);
+}
+
+bool SameBits(const WorldScenario& a, const WorldScenario& b) {
+  return a.id == b.id && a.title == b.title && a.source == b.source &&
+         Same(a.world, b.world) && AllSame(a.claims, b.claims, SameClaim) &&
+         Same(a.horizon, b.horizon) && Same(a.ensemble, b.ensemble) &&
          Same(a.indicts, b.indicts);
 }
 

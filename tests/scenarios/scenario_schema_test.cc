@@ -27,28 +27,46 @@ TEST(ScenarioSchema, IsTheCommittedOne) {
       << "The keys of scenario files changed. Run: cp " << generated << " " << committed;
 }
 
-TEST(ScenarioSchema, DocumentsEveryKeyThatTheReaderKnows) {
+/** Returns the schema of files of `kind`. */
+nlohmann::json SchemaOf(TableKind kind) {
   const nlohmann::json schema = nlohmann::json::parse(ScenarioSchema());
-  for (const Key& key : KeysOf(TableKind::kFile)) {
-    EXPECT_EQ(schema.at("properties").at(std::string(key.name)).at("description"),
-              key.documentation);
+  return schema.at("oneOf").at(kind == TableKind::kContactFile ? 0 : 1);
+}
+
+TEST(ScenarioSchema, DocumentsEveryKeyThatTheReaderKnows) {
+  for (const TableKind kind : {TableKind::kContactFile, TableKind::kWorldFile}) {
+    const nlohmann::json schema = SchemaOf(kind);
+    EXPECT_EQ(schema.at("properties").size(), KeysOf(kind).size());
+    for (const Key& key : KeysOf(kind)) {
+      EXPECT_EQ(schema.at("properties").at(std::string(key.name)).at("description"),
+                key.documentation);
+    }
   }
-  const nlohmann::json& bodies =
-      schema.at("properties").at("bodies").at("additionalProperties").at("oneOf");
-  ASSERT_EQ(bodies.size(), static_cast<std::size_t>(kShapeKinds));
-  for (int i = 0; i < kShapeKinds; ++i) {
-    const auto kind = static_cast<ShapeKind>(i);
-    const nlohmann::json& body = bodies.at(static_cast<std::size_t>(i));
-    EXPECT_EQ(body.at("properties").at("shape").at("const"), NameOf(kind));
-    EXPECT_EQ(body.at("properties").size(), BodyKeys().size() + ShapeKeys(kind).size());
-    EXPECT_EQ(body.at("additionalProperties"), false);
+}
+
+TEST(ScenarioSchema, GivesEveryShapeItsOwnKeys) {
+  for (const TableKind file : {TableKind::kContactFile, TableKind::kWorldFile}) {
+    const std::size_t of_motion = file == TableKind::kWorldFile ? MotionKeys().size() : 0;
+    const nlohmann::json schema = SchemaOf(file);
+    const nlohmann::json& bodies =
+        schema.at("properties").at("bodies").at("additionalProperties").at("oneOf");
+    ASSERT_EQ(bodies.size(), static_cast<std::size_t>(kShapeKinds));
+    for (int i = 0; i < kShapeKinds; ++i) {
+      const auto kind = static_cast<ShapeKind>(i);
+      const nlohmann::json& body = bodies.at(static_cast<std::size_t>(i));
+      EXPECT_EQ(body.at("properties").at("shape").at("const"), NameOf(kind));
+      EXPECT_EQ(body.at("properties").size(),
+                BodyKeys().size() + ShapeKeys(kind).size() + of_motion);
+      EXPECT_EQ(body.at("additionalProperties"), false);
+    }
   }
 }
 
 TEST(ScenarioSchema, AsksForEveryRequiredKey) {
-  const nlohmann::json schema = nlohmann::json::parse(ScenarioSchema());
-  EXPECT_EQ(schema.at("required"),
+  EXPECT_EQ(SchemaOf(TableKind::kContactFile).at("required"),
             nlohmann::json({"id", "title", "source", "bodies", "contact"}));
+  EXPECT_EQ(SchemaOf(TableKind::kWorldFile).at("required"),
+            nlohmann::json({"id", "title", "source", "world"}));
 }
 
 TEST(ScenarioKeys, ExpectAnyOfTheShapesThereAre) {

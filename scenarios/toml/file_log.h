@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenarios/diagnostic.h"
+#include "scenarios/toml/parser.h"
+#include "scenarios/validate.h"
+
+namespace touchstone {
+
+/** Collects the diagnostics of one file. */
+class FileLog {
+ public:
+  explicit FileLog(std::string_view file) : file_(file) {}
+
+  void Add(const toml::source_region& at, std::string what, std::string_view expected);
+
+  /** Adds the faults of what `table` says, each where its value stands; `prefix` is the
+   path of the table, e.g. "bodies.ball.". */
+  void Add(const std::vector<Fault>& faults, const toml::table& table,
+           std::string_view prefix);
+
+  /** Returns how many there are. */
+  std::size_t size() const { return diagnostics_.size(); }
+
+  std::vector<Diagnostic> InOrderOfLines() &&;
+
+ private:
+  std::string file_;
+  std::vector<Diagnostic> diagnostics_;
+};
+
+}  // namespace touchstone
