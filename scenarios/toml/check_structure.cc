@@ -69,8 +69,11 @@ std::vector<Key> KeysOfBody(const toml::table& body, bool may_move) {
 
 class StructureCheck {
  public:
-  explicit StructureCheck(FileLog& log) : log_(log) {}
+  StructureCheck(TableKind kind, FileLog& log) : kind_(kind), log_(log) {}
 
+  void File(const toml::table& file) { Table(file, "", KeysOf(kind_)); }
+
+ private:
   /** Checks `table`, whose path is `where`, e.g. "bodies.ball"; empty for the file. */
   void Table(const toml::table& table, std::string_view where,
              std::span<const Key> keys) {
@@ -91,13 +94,19 @@ class StructureCheck {
     }
   }
 
- private:
   static std::string Join(std::string_view where, std::string_view key) {
     return where.empty() ? std::string(key) : fmt::format("{}.{}", where, key);
   }
 
   void UnknownKey(const toml::key& name, std::string_view where,
                   std::span<const Key> keys) {
+    if (where.empty() && IsKeyOfAnotherFile(name.str())) {
+      log_.Add(name.source(),
+               fmt::format("\"{}\" has no place in a file with [{}]", name.str(),
+                           kind_ == TableKind::kWorldFile ? "world" : "contact"),
+               "one question a file");
+      return;
+    }
     std::vector<std::string_view> known;
     for (const Key& key : keys) known.push_back(key.name);
     const std::string_view nearest = NearestName(name.str(), known);
@@ -106,6 +115,13 @@ class StructureCheck {
                          where.empty() ? "" : " in ", where),
              nearest.empty() ? fmt::format("one of {}", fmt::join(known, ", "))
                              : fmt::format("\"{}\"", nearest));
+  }
+
+  bool IsKeyOfAnotherFile(std::string_view name) const {
+    const std::span<const Key> keys = KeysOf(
+        kind_ == TableKind::kWorldFile ? TableKind::kContactFile : TableKind::kWorldFile);
+    return std::any_of(keys.begin(), keys.end(),
+                       [name](const Key& key) { return key.name == name; });
   }
 
   void Value(const toml::node& node, const std::string& where, const Key& key) {
@@ -316,13 +332,14 @@ class StructureCheck {
              fmt::format("a name of {}", letters));
   }
 
+  const TableKind kind_;  ///< Of the file.
   FileLog& log_;
 };
 
 }  // namespace
 
 void CheckStructure(const toml::table& file, TableKind kind, FileLog& log) {
-  StructureCheck(log).Table(file, "", KeysOf(kind));
+  StructureCheck(kind, log).File(file);
 }
 
 }  // namespace touchstone

@@ -36,6 +36,14 @@ class ReadCatalogue : public ::testing::Test {
         id, radius);
   }
 
+  /** Writes a valid world of that id to `file`, a path below the root. */
+  void WriteWorld(const std::string& file, const std::string& id) {
+    std::ofstream(root_ / file) << fmt::format(
+        "id = \"{}\"\ntitle = \"t\"\nsource = \"s\"\n"
+        "particles.a = {{position = [0, 0, 0]}}\nworld = {{dt = 1, steps = 2}}\n",
+        id);
+  }
+
   /** Returns the messages of a catalogue, the test's folder left out. */
   std::vector<std::string> Errors(const Catalogue& catalogue) const {
     std::vector<std::string> errors;
@@ -51,9 +59,10 @@ class ReadCatalogue : public ::testing::Test {
     return errors;
   }
 
-  static std::vector<std::string> Ids(const Catalogue& catalogue) {
+  template <class AnyScenario>
+  static std::vector<std::string> Ids(const std::vector<AnyScenario>& scenarios) {
     std::vector<std::string> ids;
-    for (const Scenario& scenario : catalogue.scenarios) ids.push_back(scenario.id);
+    for (const AnyScenario& scenario : scenarios) ids.push_back(scenario.id);
     return ids;
   }
 
@@ -68,7 +77,7 @@ TEST_F(ReadCatalogue, FindsFilesInFoldersBelowAndSortsThemById) {
   std::ofstream(root_ / "README.md") << "not a scenario";
   const Catalogue catalogue = touchstone::ReadCatalogue(root_);
   EXPECT_THAT(Errors(catalogue), IsEmpty());
-  EXPECT_THAT(Ids(catalogue), ElementsAre("a/x", "b", "c/d/y", "c/z"));
+  EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("a/x", "b", "c/d/y", "c/z"));
 }
 
 TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceAndNamesTheOtherFile) {
@@ -81,7 +90,22 @@ TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceAndNamesTheOtherFile) {
   EXPECT_THAT(Errors(catalogue),
               ElementsAre("a.toml:1:6: id \"a\" is used by c.toml:1:6 already; "
                           "expected an id of its own"));
-  EXPECT_THAT(Ids(catalogue), ElementsAre("a", "b"));
+  EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("a", "b"));
+}
+
+TEST_F(ReadCatalogue, KeepsWorldsApartFromContactQueriesButForTheirIds) {
+  WriteWorld("z.toml", "z");
+  WriteWorld("y.toml", "y");
+  Write("x.toml", "x");
+  WriteWorld("w.toml", "x");
+  const std::vector<fs::path> files = {root_ / "x.toml", root_ / "z.toml",
+                                       root_ / "y.toml", root_ / "w.toml"};
+  const Catalogue catalogue = touchstone::ReadCatalogue(files);
+  EXPECT_THAT(Errors(catalogue),
+              ElementsAre("w.toml:1:6: id \"x\" is used by x.toml:1:6 already; "
+                          "expected an id of its own"));
+  EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("x"));
+  EXPECT_THAT(Ids(catalogue.worlds), ElementsAre("y", "z"));
 }
 
 TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceEvenWhereTheRestIsWrong) {
@@ -117,7 +141,7 @@ TEST_F(ReadCatalogue, GivesAFileAloneAnyId) {
   Write("from_upstream.toml", "box/edge");
   const Catalogue catalogue = touchstone::ReadCatalogue(root_ / "from_upstream.toml");
   EXPECT_THAT(Errors(catalogue), IsEmpty());
-  EXPECT_THAT(Ids(catalogue), ElementsAre("box/edge"));
+  EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("box/edge"));
 }
 
 TEST_F(ReadCatalogue, ReadsAFileGivenTwiceOnce) {
@@ -125,7 +149,7 @@ TEST_F(ReadCatalogue, ReadsAFileGivenTwiceOnce) {
   const std::vector<fs::path> files = {root_ / "a.toml", root_};
   const Catalogue catalogue = touchstone::ReadCatalogue(files);
   EXPECT_THAT(Errors(catalogue), IsEmpty());
-  EXPECT_THAT(Ids(catalogue), ElementsAre("a"));
+  EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("a"));
 }
 
 TEST_F(ReadCatalogue, ReportsTheErrorsOfEveryFile) {

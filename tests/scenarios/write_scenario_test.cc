@@ -1,6 +1,3 @@
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -9,77 +6,11 @@
 
 #include "scenarios/scenario_file.h"
 #include "scenarios/validate_scenario.h"
+#include "tests/scenarios/any_parts.h"
 #include "tests/scenarios/same_bits.h"
 
 namespace touchstone {
 namespace {
-
-/** Any finite double: every exponent is as likely, denormals and -0 among them. */
-double AnyNumber() {
-  const auto bits = *rc::gen::arbitrary<std::uint64_t>();
-  // rc's integers grow with the size of the test, so that they are mixed to fill the
-  // exponent.
-  const auto value = std::bit_cast<double>(bits * 0x9e3779b97f4a7c15U);
-  const double special =
-      *rc::gen::element(-0.0, 0.1, 5e-324, 1e16, 0x1.fffffffffffffp1023);
-  return std::isfinite(value) && *rc::gen::inRange(0, 4) != 0 ? value : special;
-}
-
-double AnyLength() {
-  const double value = std::abs(AnyNumber());
-  return value > 0 ? value : 1.0 / 3;
-}
-
-Eigen::Vector3d AnyPoint() {
-  return {AnyNumber(), AnyNumber(), AnyNumber()};
-}
-
-/** A component of a direction, dense enough to need 17 digits. */
-double AnyComponent() {
-  return *rc::gen::inRange(-1000, 1000) / 997.0;
-}
-
-std::string AnyText() {
-  const std::string text =
-      *rc::gen::nonEmpty(rc::gen::container<std::string>(rc::gen::map(
-          rc::gen::inRange(0, 128), [](int c) { return static_cast<char>(c); })));
-  return *rc::gen::element<std::string>("", "π ≈ 3", "\"\"\"", "\\u0041",
-                                        "# no comment") +
-         text;
-}
-
-Pose AnyPose() {
-  const Eigen::Vector4d wxyz(AnyComponent(), AnyComponent(), AnyComponent(), 0.1);
-  const Eigen::Quaterniond q_WB(wxyz.normalized());
-  if (*rc::gen::arbitrary<bool>()) return Pose::FromQuaternion(AnyPoint(), q_WB);
-  return Pose::FromMatrix(AnyPoint(), q_WB.toRotationMatrix());
-}
-
-Shape AnyShape(bool bounded) {
-  // At full size, since rc's small tests would hardly leave the first kinds.
-  switch (static_cast<ShapeKind>(*rc::gen::resize(
-      rc::kNominalSize, rc::gen::inRange(0, kShapeKinds - (bounded ? 1 : 0))))) {
-    case ShapeKind::kSphere:
-      return Sphere{AnyLength()};
-    case ShapeKind::kBox:
-      return Box{{AnyLength(), AnyLength(), AnyLength()}};
-    case ShapeKind::kCapsule:
-      return Capsule{AnyLength(), AnyLength()};
-    case ShapeKind::kCylinder:
-      return Cylinder{AnyLength(), AnyLength()};
-    case ShapeKind::kCone:
-      return Cone{AnyLength(), AnyLength()};
-    case ShapeKind::kConvexHull: {
-      ConvexHull hull;
-      const int vertices = *rc::gen::inRange(1, 9);
-      for (int i = 0; i < vertices; ++i) hull.vertices.push_back(AnyPoint());
-      return hull;
-    }
-    case ShapeKind::kHalfSpace:
-      return HalfSpace{};
-  }
-  return HalfSpace{};
-}
 
 Scenario AnyScenario() {
   Scenario scenario;

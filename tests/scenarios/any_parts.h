@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "scenarios/contact_query.h"
+
+namespace touchstone {
+
+// Arbitrary parts of scenarios, of RapidCheck's current case.
+
+/** Any finite double: every exponent is as likely, denormals and -0 among them. */
+double AnyNumber();
+
+/** Any finite double > 0. */
+double AnyLength();
+
+Eigen::Vector3d AnyPoint();
+
+/** A component of a direction, dense enough to need 17 digits. */
+double AnyComponent();
+
+/** Any letters of ASCII, none of them left out, and some of Unicode. */
+std::string AnyText();
+
+Pose AnyPose();
+
+/** `bounded`: no half-space. */
+Shape AnyShape(bool bounded);
+
+}  // namespace touchstone

@@ -1,0 +1,148 @@
+#include "scenarios/worlds/validate_world.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace touchstone {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/** A world made in C++, without a file to point into. */
+World TwoBalls() {
+  World world;
+  world.bodies.resize(2);
+  world.bodies[0].name = "ball";
+  world.bodies[0].placed.shape = Sphere{0.5};
+  world.bodies[1].name = "other";
+  world.bodies[1].placed.shape = Sphere{0.5};
+  world.bodies[1].placed.X_WB = Pose::FromQuaternion({2, 0, 0}, {1, 0, 0, 0});
+  return world;
+}
+
+std::vector<std::string> Texts(const std::vector<Fault>& faults) {
+  std::vector<std::string> texts;
+  for (const Fault& fault : faults) {
+    texts.push_back(fault.where + ' ' + fault.what + "; expected " + fault.expected);
+  }
+  return texts;
+}
+
+TEST(FaultsOfWorld, AreNoneOfAGoodOne) {
+  EXPECT_THAT(Texts(FaultsOf(TwoBalls())), IsEmpty());
+}
+
+TEST(FaultsOfWorld, NameABodyByItsName) {
+  World world = TwoBalls();
+  world.bodies[1].mass = std::numeric_limits<double>::quiet_NaN();
+  world.bodies[0].placed.shape = Sphere{-1};
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("bodies.ball.radius is -1; expected a finite length > 0",
+                          "bodies.other.mass is nan; expected a finite number >= 0"));
+}
+
+TEST(FaultsOfWorld, NameABodyWithoutANameByItsIndex) {
+  World world = TwoBalls();
+  world.bodies[1].name = "";
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("bodies[1] is named \"\"; "
+                          "expected a name of A-Z, a-z, 0-9, _ and -"));
+}
+
+TEST(FaultsOfWorld, HoldTheNameOfAnother) {
+  World world = TwoBalls();
+  world.bodies[1].name = "ball";
+  world.particles.push_back({"ball"});
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("bodies.ball has the name of bodies.ball; "
+                          "expected a name of its own",
+                          "particles.ball has the name of bodies.ball; "
+                          "expected a name of its own"));
+}
+
+TEST(FaultsOfWorld, HoldAnchorsWithoutAnything) {
+  World world = TwoBalls();
+  world.springs.push_back({{AnchorKind::kBody, 2}, {AnchorKind::kParticle, 0}});
+  world.joints.push_back({{AnchorKind::kWorld, 0}, {AnchorKind::kBody, -1}, 1});
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("springs[0].A has index 2; expected an index into the bodies",
+                          "springs[0].B has index 0; "
+                          "expected an index into the particles",
+                          "joints[0].A has index 0; expected -1 for the world",
+                          "joints[0].B has index -1; "
+                          "expected an index into the bodies"));
+}
+
+TEST(FaultsOfWorld, HoldARodBetweenTwoPointsThatAreOneToRounding) {
+  World world = TwoBalls();
+  // 0.1 + 0.2 is one rounding away from 0.3.
+  world.joints.push_back({{AnchorKind::kWorld, -1, {0.1 + 0.2, 0, 0}},
+                          {AnchorKind::kBody, 0, {0.3, 0, 0}},
+                          1});
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("joints[0].B is where A is; expected two ends apart, between "
+                          "which there is a direction"));
+}
+
+TEST(FaultsOfWorld, HoldPushesOfNoBodyAndOffTheSteps) {
+  World world = TwoBalls();
+  world.pushes = {{2, 0}, {0, 0.5 / 240}, {0, 1}, {0, 239.0 / 240}};
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("pushes[0].body is 2; expected an index into the bodies",
+                          "pushes[1].time is 0.0020833333333333333; "
+                          "expected a multiple of dt = 0.004166666666666667",
+                          "pushes[2].time is 1; expected a time before the end at 1 s"));
+}
+
+TEST(FaultsOfWorld, HoldAStepThatIsNone) {
+  World world = TwoBalls();
+  world.dt = 0;
+  world.steps = 0;
+  // A push cannot be off a step that is none.
+  world.pushes = {{0, 0.3}};
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("world.dt is 0; expected a finite number > 0",
+                          "world.steps is 0; expected a count from 1 to 100000000"));
+}
+
+TEST(FaultsOfWorld, HoldAWorldAtRestForEver) {
+  World world = TwoBalls();
+  world.bodies[0].mass = 0;
+  world.bodies[1].mass = 0;
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("world has nothing that moves; "
+                          "expected a body, a particle or a cloth that can"));
+}
+
+TEST(FaultsOfWorld, AllowTheMomentsOfAFlatBodyAsTheyAreRounded) {
+  World world = TwoBalls();
+  world.bodies[0].inertia = Eigen::Vector3d(0.1, 0.2, 0.1 + 0.2);
+  EXPECT_THAT(Texts(FaultsOf(world)), IsEmpty());
+  world.bodies[0].inertia = Eigen::Vector3d(0.1, 0.2, 0.301);
+  EXPECT_EQ(FaultsOf(world).size(), 1U);
+}
+
+TEST(FaultsOfWorldScenario, HoldClaimsAboutNothing) {
+  WorldScenario scenario;
+  scenario.id = "world/a";
+  scenario.title = "b";
+  scenario.world = TwoBalls();
+  scenario.claims = {{"ballistic", {"ball", "bal"}, {{"E", 1}}, ""}, {"", {}, {}, ""}};
+  scenario.horizon = -1;
+  EXPECT_THAT(
+      Texts(FaultsOf(scenario)),
+      ElementsAre("source is empty; expected a sentence",
+                  "horizon is -1; expected a finite number >= 0",
+                  "claims[0].numbers has a \"E\"; expected names of a-z, 0-9 and _",
+                  "claims[0].about[1] is \"bal\", which the world does not have; "
+                  "expected the name of a body, a particle or a cloth",
+                  "claims[1].law is \"\"; expected a name of a-z, 0-9 and _"));
+}
+
+}  // namespace
+}  // namespace touchstone
