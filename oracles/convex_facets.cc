@@ -251,7 +251,7 @@ Vector3d PolygonNormal(const Vertices& vertices, const std::vector<int>& polygon
 
 }  // namespace
 
-std::optional<ConvexFacets> FacetsOf(const ConvexHull& hull) {
+std::optional<ConvexFacets> BoundaryOf(const ConvexHull& hull) {
   double size = 0;
   for (const Vector3d& vertex : hull.vertices) {
     size = std::max(size, vertex.lpNorm<Eigen::Infinity>());

@@ -37,6 +37,6 @@ inline constexpr double kFlatness = 32 * 0x1p-53;
 
  Which points are corners is decided by exact signs, then faces are merged that are
  coplanar to kFlatness. Takes O(n²) steps for n vertices. */
-std::optional<ConvexFacets> FacetsOf(const ConvexHull& hull);
+std::optional<ConvexFacets> BoundaryOf(const ConvexHull& hull);
 
 }  // namespace touchstone

@@ -36,7 +36,7 @@ struct MakeGeometry {
     return std::make_shared<fcl::Coned>(s.radius, 2 * s.half_height);
   }
   Geometry operator()(const ConvexHull& s) const {
-    const std::optional<ConvexFacets> boundary = FacetsOf(s);
+    const std::optional<ConvexFacets> boundary = BoundaryOf(s);
     if (!boundary) return nullptr;
     auto faces = std::make_shared<std::vector<int>>();
     for (const ConvexFacet& facet : boundary->facets) {

@@ -60,7 +60,7 @@ OdeGeom::OdeGeom(const Body& body) {
 }
 
 void OdeGeom::MakeConvex(const ConvexHull& hull) {
-  const std::optional<ConvexFacets> boundary = FacetsOf(hull);
+  const std::optional<ConvexFacets> boundary = BoundaryOf(hull);
   if (!boundary) return;
   // ODE wants the geom's origin inside: MPR starts its search there.
   const bool origin_is_inside = std::ranges::all_of(

@@ -71,7 +71,7 @@ void ExpectIsTheBoundaryOf(const ConvexHull& hull, const ConvexFacets& boundary)
 
 TEST(ConvexFacets, OfACuboidAreSixQuadrilateralsInAnyAttitude) {
   const ConvexHull hull = Turned(CuboidCorners({0.31, 1.7, 0.052}));
-  const auto boundary = FacetsOf(hull);
+  const auto boundary = BoundaryOf(hull);
   ASSERT_TRUE(boundary);
   EXPECT_EQ(boundary->corners.size(), 8u);
   ASSERT_EQ(boundary->facets.size(), 6u);
@@ -84,7 +84,7 @@ TEST(ConvexFacets, LeaveOutPointsInsideOnFacesAndOnEdges) {
       {0, 0, 0}, {0.1, 0.2, 0.5}, {0.25, 0.5, 0.1}, {0.25, 0.5, 0.5}};
   for (const Vector3d& corner : CuboidCorners({0.25, 0.5, 0.5}))
     vertices.push_back(corner);
-  const auto boundary = FacetsOf({vertices});
+  const auto boundary = BoundaryOf({vertices});
   ASSERT_TRUE(boundary);
   EXPECT_EQ(boundary->corners.size(), 8u);
   EXPECT_EQ(boundary->facets.size(), 6u);
@@ -94,7 +94,7 @@ TEST(ConvexFacets, LeaveOutPointsInsideOnFacesAndOnEdges) {
 TEST(ConvexFacets, OfAPrismAreItsSidesAndTwoPolygons) {
   for (const int sides : {3, 5, 8, 38}) {
     const ConvexHull hull = Turned(Prism(sides));
-    const auto boundary = FacetsOf(hull);
+    const auto boundary = BoundaryOf(hull);
     ASSERT_TRUE(boundary);
     EXPECT_EQ(boundary->corners.size(), hull.vertices.size());
     EXPECT_EQ(boundary->facets.size(), static_cast<std::size_t>(sides) + 2);
@@ -111,7 +111,7 @@ TEST(ConvexFacets, OfPointsOnASphereHaveEveryPointAsACorner) {
         Vector3d(normal(random), normal(random), normal(random)).normalized());
   }
   const ConvexHull hull = Turned(vertices);
-  const auto boundary = FacetsOf(hull);
+  const auto boundary = BoundaryOf(hull);
   ASSERT_TRUE(boundary);
   EXPECT_EQ(boundary->corners, hull.vertices);
   ExpectIsTheBoundaryOf(hull, *boundary);
@@ -120,17 +120,17 @@ TEST(ConvexFacets, OfPointsOnASphereHaveEveryPointAsACorner) {
 TEST(ConvexFacets, KeepASliverAtAnEdgeFromBridgingTwoFaces) {
   std::vector<Vector3d> vertices = CuboidCorners({0.5, 0.5, 0.5});
   vertices.emplace_back(0.1, 0.5 + 0x1p-53, 0.5 + 0x1p-53);  // One ulp outside an edge.
-  const auto boundary = FacetsOf({vertices});
+  const auto boundary = BoundaryOf({vertices});
   ASSERT_TRUE(boundary);
   EXPECT_EQ(boundary->facets.size(), 6u);
   ExpectIsTheBoundaryOf({vertices}, *boundary);
 }
 
 TEST(ConvexFacets, OfAFlatHullDoNotExist) {
-  EXPECT_FALSE(FacetsOf({{{1, 2, 3}}}));
-  EXPECT_FALSE(FacetsOf({{{1, 2, 3}, {1, 2, 3}}}));
-  EXPECT_FALSE(FacetsOf(Turned({{0, 0, 0}, {1, 0, 0}, {0.3, 0, 0}})));
-  EXPECT_FALSE(FacetsOf(Turned({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1.7, 1.3, 0}})));
+  EXPECT_FALSE(BoundaryOf({{{1, 2, 3}}}));
+  EXPECT_FALSE(BoundaryOf({{{1, 2, 3}, {1, 2, 3}}}));
+  EXPECT_FALSE(BoundaryOf(Turned({{0, 0, 0}, {1, 0, 0}, {0.3, 0, 0}})));
+  EXPECT_FALSE(BoundaryOf(Turned({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1.7, 1.3, 0}})));
 }
 
 }  // namespace

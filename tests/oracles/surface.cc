@@ -36,7 +36,7 @@ struct Height {
   }
   double operator()(const ConvexHull& s) const {
     double height = -std::numeric_limits<double>::infinity();
-    const ConvexFacets boundary = FacetsOf(s).value();
+    const ConvexFacets boundary = BoundaryOf(s).value();
     for (const ConvexFacet& facet : boundary.facets) {
       height = std::max(height, facet.n_B.dot(p) - facet.offset);
     }
