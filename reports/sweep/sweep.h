@@ -52,9 +52,7 @@ struct SweepResult {
   std::uint64_t unsupported = 0;  ///< By the subject.
   std::uint64_t failed = 0;       ///< By the subject.
   /** By MeasureKind, of the subject; empty where it was never measured. */
-  std::array<std::optional<WorstMeasure>,
-             kMeasureKinds>
-      worst;
+  std::array<std::optional<WorstMeasure>, kMeasureKinds> worst;
   std::vector<FailedQuestion> first_failures;
 };
 
