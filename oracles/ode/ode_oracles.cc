@@ -10,6 +10,7 @@
 #include "oracles/no_answer.h"
 #include "oracles/ode/ode_contact_point.h"
 #include "oracles/ode/ode_geom.h"
+#include "oracles/ode/ode_world.h"
 
 namespace touchstone {
 namespace {
@@ -99,6 +100,21 @@ OracleInfo MakeInfo() {
           CapabilityOf(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
     }
   }
+  DescribeOdeWorlds(OdeStepper::kStep, info);
+  return info;
+}
+
+OracleInfo MakeQuickStepInfo() {
+  OracleInfo info;
+  info.name = "ode/quick";
+  info.library = "ODE";
+  info.version = dODE_VERSION;
+  for (auto& row : info.capabilities) {
+    for (Capability& capability : row)
+      capability.reason =
+          "QuickStep steps worlds; contact queries are for the oracle \"ode\"";
+  }
+  DescribeOdeWorlds(OdeStepper::kQuickStep, info);
   return info;
 }
 
@@ -179,6 +195,10 @@ class OdeOracle final : public Oracle {
     return std::make_unique<OdeBatch>(queries);
   }
 
+  std::unique_ptr<Simulation> Begin(const World& world) const override {
+    return OdeWorld(world, OdeStepper::kStep);
+  }
+
  private:
   ContactAnswer AnswerOne(const ContactQuery& query) const {
     const Capability& capability =
@@ -195,11 +215,33 @@ class OdeOracle final : public Oracle {
   OracleInfo info_;
 };
 
+class QuickStepOracle final : public Oracle {
+ public:
+  QuickStepOracle() : info_((Initialise(), MakeQuickStepInfo())) {}
+
+  const OracleInfo& info() const override { return info_; }
+
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery> queries,
+              std::span<ContactAnswer> answers) const override {
+    for (std::size_t i = 0; i < queries.size(); ++i)
+      answers[i] = UnsupportedAnswer(info_.capabilities[0][0].reason);
+  }
+
+  std::unique_ptr<Simulation> Begin(const World& world) const override {
+    return OdeWorld(world, OdeStepper::kQuickStep);
+  }
+
+ private:
+  OracleInfo info_;
+};
+
 }  // namespace
 
 std::vector<std::unique_ptr<Oracle>> OdeOracles() {
   std::vector<std::unique_ptr<Oracle>> oracles;
   oracles.push_back(std::make_unique<OdeOracle>());
+  oracles.push_back(std::make_unique<QuickStepOracle>());
   return oracles;
 }
 

@@ -7,7 +7,10 @@
 
 namespace touchstone {
 
-/** Returns "ode": dCollide() of the Open Dynamics Engine, up to eight contacts a pair.
+/** Returns "ode" and "ode/quick". Both step worlds, the first by dWorldStep, the second
+ by dWorldQuickStep (ode_world.h); the second answers no contact queries.
+
+ "ode" answers by dCollide() of the Open Dynamics Engine, up to eight contacts a pair.
 
  What the translation hides:
  - geoms are made for each question, in no space and no world;

@@ -43,6 +43,8 @@ constexpr Cell kTwoHalfSpaces = {kHalfSpace, kHalfSpace};
 
 const Pairs kOnlySpheresAndBoxes = {{kCapsule, kCylinder, kCone, kConvexHull, kHalfSpace},
                                     {}};
+const Pairs kWorldsOnly = {
+    {kSphere, kBox, kCapsule, kCylinder, kCone, kConvexHull, kHalfSpace}, {}};
 const Pairs kConvexOnly = {{kHalfSpace}, {}};
 const Pairs kAllButTwoHalfSpaces = {{}, {kTwoHalfSpaces}};
 
@@ -69,6 +71,7 @@ const std::vector<Unsupported> kUnsupported = {
     {"libccd/epa", kConvexOnly},
     {"libccd/mpr", kConvexOnly},
     {"ode", {{kCone}, {kTwoHalfSpaces}}},
+    {"ode/quick", kWorldsOnly},
     {"printed:none", kOnlySpheresAndBoxes},
 };
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "oracles/oracle.h"
+#include "oracles/simulation.h"
+
+namespace touchstone {
+
+/** Which of ODE's solvers steps a world. */
+enum class OdeStepper {
+  kStep,       ///< dWorldStep: Dantzig's direct solver.
+  kQuickStep,  ///< dWorldQuickStep: successive over-relaxation.
+};
+
+/** Returns `world` in the hands of ODE.
+ @pre ODE can simulate it (DescribeOdeWorlds). ODE is initialised. */
+std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper);
+
+/** Adds to `info` what ODE can do of worlds, and what is set in them. */
+void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info);
+
+}  // namespace touchstone
