@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 namespace touchstone {
 namespace {
@@ -10,6 +11,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::uint8_t kVersion = 1;
+
+// Of a trajectory.
+constexpr std::uint8_t kImpulsesFlag = 1;
 
 enum Flags : std::uint8_t {
   kTouchingFlag = 1,
@@ -21,6 +25,11 @@ enum Flags : std::uint8_t {
 
 // The least a point takes: four doubles and a flag.
 constexpr std::size_t kSmallestPoint = 4 * sizeof(double) + 1;
+
+// What states take.
+constexpr std::size_t kBodyState = 13 * sizeof(double);
+constexpr std::size_t kPointState = 6 * sizeof(double);
+constexpr std::size_t kImpulse = 3 * sizeof(std::int32_t) + 10 * sizeof(double);
 
 class Writer {
  public:
@@ -74,8 +83,9 @@ class Reader {
     return text;
   }
   // A count of things that each take at least `smallest` bytes of what is left.
-  std::uint32_t GetCount(std::size_t smallest) {
-    const auto count = Get<std::uint32_t>();
+  template <typename Count = std::uint32_t>
+  Count GetCount(std::size_t smallest) {
+    const auto count = Get<Count>();
     if (count > rest_.size() / smallest) {
       Fail();
       return 0;
@@ -92,6 +102,46 @@ class Reader {
   std::string_view rest_;
   bool failed_ = false;
 };
+
+void Put(Writer& writer, const BodyState& body) {
+  writer.Put(body.p_WB);
+  for (const double x : body.q_WB.coeffs()) writer.Put(x);
+  writer.Put(body.v_WB);
+  writer.Put(body.w_WB);
+}
+
+void Put(Writer& writer, const PointState& point) {
+  writer.Put(point.p_W);
+  writer.Put(point.v_W);
+}
+
+void Put(Writer& writer, const ContactImpulse& impulse) {
+  for (const int number : {impulse.step, impulse.A, impulse.B})
+    writer.Put(static_cast<std::int32_t>(number));
+  for (const Vector3d* v : {&impulse.p_WC, &impulse.n_AB_W, &impulse.J_B_W})
+    writer.Put(*v);
+  writer.Put(impulse.separation);
+}
+
+void Get(Reader& reader, BodyState& body) {
+  body.p_WB = reader.GetVector();
+  for (double& x : body.q_WB.coeffs()) x = reader.Get<double>();
+  body.v_WB = reader.GetVector();
+  body.w_WB = reader.GetVector();
+}
+
+void Get(Reader& reader, PointState& point) {
+  point.p_W = reader.GetVector();
+  point.v_W = reader.GetVector();
+}
+
+void Get(Reader& reader, ContactImpulse& impulse) {
+  for (int* number : {&impulse.step, &impulse.A, &impulse.B})
+    *number = reader.Get<std::int32_t>();
+  for (Vector3d* v : {&impulse.p_WC, &impulse.n_AB_W, &impulse.J_B_W})
+    *v = reader.GetVector();
+  impulse.separation = reader.Get<double>();
+}
 
 }  // namespace
 
@@ -151,6 +201,70 @@ std::optional<ContactAnswer> FromWire(std::string_view bytes) {
   }
   if (!reader.AtEndWithoutFailure()) return std::nullopt;
   return answer;
+}
+
+std::string ToWire(const Trajectory& trajectory) {
+  Writer writer;
+  writer.Put(kVersion);
+  writer.Put(static_cast<std::uint8_t>(trajectory.status));
+  writer.Put(trajectory.gives_impulses ? kImpulsesFlag : std::uint8_t{0});
+  writer.Put(std::string_view(trajectory.reason));
+  writer.Put(std::string_view(trajectory.complaint));
+  writer.Put(static_cast<std::int32_t>(trajectory.diverged_at_step));
+  const WorldState shape =
+      trajectory.samples.empty() ? WorldState{} : trajectory.samples.front();
+  writer.Put(static_cast<std::uint64_t>(shape.bodies.size()));
+  writer.Put(static_cast<std::uint64_t>(shape.particles.size()));
+  writer.Put(static_cast<std::uint64_t>(shape.nodes.size()));
+  writer.Put(static_cast<std::uint64_t>(trajectory.samples.size()));
+  for (std::size_t i = 0; i < trajectory.samples.size(); ++i) {
+    const WorldState& sample = trajectory.samples[i];
+    writer.Put(trajectory.times[i]);
+    for (const BodyState& body : sample.bodies) Put(writer, body);
+    for (const PointState& particle : sample.particles) Put(writer, particle);
+    for (const PointState& node : sample.nodes) Put(writer, node);
+  }
+  writer.Put(static_cast<std::uint64_t>(trajectory.impulses.size()));
+  for (const ContactImpulse& impulse : trajectory.impulses) Put(writer, impulse);
+  return writer.Take();
+}
+
+std::optional<Trajectory> TrajectoryFromWire(std::string_view bytes) {
+  Reader reader(bytes);
+  Trajectory trajectory;
+  if (reader.Get<std::uint8_t>() != kVersion) return std::nullopt;
+  const auto status = reader.Get<std::uint8_t>();
+  if (status > static_cast<std::uint8_t>(AnswerStatus::kTimedOut)) return std::nullopt;
+  trajectory.status = static_cast<AnswerStatus>(status);
+  const auto flags = reader.Get<std::uint8_t>();
+  if (flags > kImpulsesFlag) return std::nullopt;
+  trajectory.gives_impulses = flags == kImpulsesFlag;
+  trajectory.reason = reader.GetText();
+  trajectory.complaint = reader.GetText();
+  trajectory.diverged_at_step = reader.Get<std::int32_t>();
+  WorldState shape;
+  const auto bodies = reader.GetCount<std::uint64_t>(kBodyState);
+  const auto particles = reader.GetCount<std::uint64_t>(kPointState);
+  const auto nodes = reader.GetCount<std::uint64_t>(kPointState);
+  const std::uint64_t sample =
+      sizeof(double) + bodies * kBodyState + (particles + nodes) * kPointState;
+  shape.bodies.resize(bodies);
+  shape.particles.resize(particles);
+  shape.nodes.resize(nodes);
+  const auto samples = reader.GetCount<std::uint64_t>(sample);
+  if (samples == 0 && bodies + particles + nodes > 0) return std::nullopt;
+  for (std::uint64_t i = 0; i < samples; ++i) {
+    trajectory.times.push_back(reader.Get<double>());
+    WorldState& state = trajectory.samples.emplace_back(shape);
+    for (BodyState& body : state.bodies) Get(reader, body);
+    for (PointState& particle : state.particles) Get(reader, particle);
+    for (PointState& node : state.nodes) Get(reader, node);
+  }
+  const auto impulses = reader.GetCount<std::uint64_t>(kImpulse);
+  trajectory.impulses.resize(impulses);
+  for (ContactImpulse& impulse : trajectory.impulses) Get(reader, impulse);
+  if (!reader.AtEndWithoutFailure()) return std::nullopt;
+  return trajectory;
 }
 
 }  // namespace touchstone

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "oracles/contact_answer.h"
+#include "oracles/trajectory.h"
 
 namespace touchstone {
 
@@ -23,5 +24,19 @@ std::string ToWire(const ContactAnswer& answer);
  one: the sender may have gone mad. Reads no byte beyond them and allocates no more than a
  small multiple of their number, whatever they say. */
 std::optional<ContactAnswer> FromWire(std::string_view bytes);
+
+/** Returns `trajectory` likewise:
+
+     u8 version, u8 status, u8 flags, u32 length + reason, u32 length + complaint,
+     u32 diverged_at_step, u64 counts of bodies, particles, nodes (of every sample),
+     u64 count + samples, each a double time, 13 doubles a body and 6 a point,
+     u64 count + impulses, each u32 step, A, B and 10 doubles
+
+ @pre Every sample has as many bodies, particles and nodes as the first. */
+std::string ToWire(const Trajectory& trajectory);
+
+/** Returns the trajectory that `bytes` are the wire form of, with the caution of
+ FromWire(). */
+std::optional<Trajectory> TrajectoryFromWire(std::string_view bytes);
 
 }  // namespace touchstone

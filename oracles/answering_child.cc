@@ -24,9 +24,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "oracles/answer_wire.h"
-#include "oracles/no_answer.h"
-
 namespace touchstone {
 namespace {
 
@@ -36,8 +33,6 @@ constexpr int kAnswersFd = 3;
 constexpr rlim_t kMostOutput = rlim_t{64} << 20;
 // Of what it printed, this much is searched for the last line. [bytes]
 constexpr off_t kTail = 4096;
-// A longer answer is none: a thousand times the longest of any engine. [bytes]
-constexpr std::uint32_t kLongestAnswer = std::uint32_t{1} << 20;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kLimitsMemory = false;
@@ -110,14 +105,6 @@ bool WriteAll(int fd, std::string_view bytes) {
   return true;
 }
 
-ContactAnswer AskOrCrash(const Oracle& oracle, const ContactQuery& query) {
-  try {
-    return oracle.Answer(query);
-  } catch (...) {
-    return CrashedByException();
-  }
-}
-
 // assert() says "program: file:line: the function's whole signature: Assertion `…'
 // failed.": what counts is where and which.
 std::string ShortAssertion(std::string line) {
@@ -140,9 +127,8 @@ std::string Seconds(std::chrono::milliseconds duration) {
 
 }  // namespace
 
-AnsweringChild::AnsweringChild(const Oracle& oracle,
-                               std::span<const ContactQuery> queries,
-                               const IsolationLimits& limits)
+AnsweringChild::AnsweringChild(std::size_t count, const Answerer& answerer,
+                               const Limits& limits)
     : limits_(limits) {
   const rlim_t address_space = AddressSpace();
   const std::lock_guard lock(fork_mutex);
@@ -178,7 +164,7 @@ AnsweringChild::AnsweringChild(const Oracle& oracle,
     LowerLimit(RLIMIT_CORE, 0);
     LowerLimit(RLIMIT_FSIZE, kMostOutput);
     if (kLimitsMemory) LowerLimit(RLIMIT_AS, address_space + limits_.memory);
-    Run(oracle, queries);
+    Run(count, answerer);
   }
   close(ends[1]);
   answers_fd_ = ends[0];
@@ -191,13 +177,13 @@ AnsweringChild::~AnsweringChild() {
 }
 
 // In the child. Never returns, so that nothing of the parent's is destroyed twice.
-void AnsweringChild::Run(const Oracle& oracle, std::span<const ContactQuery> queries) {
-  for (const ContactQuery& query : queries) {
+void AnsweringChild::Run(std::size_t count, const Answerer& answerer) {
+  for (std::size_t question = 0; question < count; ++question) {
     if (lseek(STDERR_FILENO, 0, SEEK_END) > 0 && ftruncate(STDERR_FILENO, 0) != 0)
       _exit(1);
     SetCpuDeadline(limits_.cpu);
-    const std::string answer = ToWire(AskOrCrash(oracle, query));
-    const auto length = static_cast<std::uint32_t>(answer.size());
+    const std::string answer = answerer(question);
+    const auto length = static_cast<std::uint64_t>(answer.size());
     std::string frame(reinterpret_cast<const char*>(&length), sizeof(length));
     frame += answer;
     if (!WriteAll(kAnswersFd, frame)) _exit(1);
@@ -227,21 +213,20 @@ bool AnsweringChild::ReadMore() {
   }
 }
 
-std::optional<ContactAnswer> AnsweringChild::Next() {
+std::optional<std::string_view> AnsweringChild::NextBytes() {
+  received_.erase(0, taken_);
+  taken_ = 0;
   for (;;) {
-    std::uint32_t length = 0;
+    std::uint64_t length = 0;
     if (received_.size() >= sizeof(length)) {
       std::memcpy(&length, received_.data(), sizeof(length));
-      if (length > kLongestAnswer) {
+      if (length > limits_.answer) {
         silence_ = Silence::kNonsense;
         return std::nullopt;
       }
       if (received_.size() - sizeof(length) >= length) {
-        std::optional<ContactAnswer> answer =
-            FromWire(std::string_view(received_).substr(sizeof(length), length));
-        if (!answer) silence_ = Silence::kNonsense;
-        received_.erase(0, sizeof(length) + length);
-        return answer;
+        taken_ = sizeof(length) + length;
+        return std::string_view(received_).substr(sizeof(length), length);
       }
     }
     if (!ReadMore()) return std::nullopt;
@@ -284,31 +269,33 @@ std::string AnsweringChild::LastLine() const {
   return ShortAssertion(text);
 }
 
-ContactAnswer AnsweringChild::LastWords() {
+AnsweringChild::Ending AnsweringChild::LastWords() {
   if (silence_ == Silence::kDeath && !IsDead()) silence_ = Silence::kBlocked;
   const int status = Kill();
   const std::string line = LastLine();
   const std::string said = line.empty() ? "" : ": " + line;
   switch (silence_) {
     case Silence::kNonsense:
-      return CrashedAnswer("sent bytes that are no answer" + said);
+      return {AnswerStatus::kCrashed, "sent bytes that are no answer" + said};
     case Silence::kBlocked:
-      return TimedOutAnswer("no answer after " + Seconds(limits_.wall) + ", blocked");
+      return {AnswerStatus::kTimedOut,
+              "no answer after " + Seconds(limits_.wall) + ", blocked"};
     case Silence::kDeath:
       break;
   }
   if (WIFEXITED(status)) {
-    return CrashedAnswer("exited with status " + std::to_string(WEXITSTATUS(status)) +
-                         said);
+    return {AnswerStatus::kCrashed,
+            "exited with status " + std::to_string(WEXITSTATUS(status)) + said};
   }
   const int signal = WTERMSIG(status);
   if (signal == SIGPROF) {
-    return TimedOutAnswer("no answer after " + Seconds(limits_.cpu) + " of CPU time");
+    return {AnswerStatus::kTimedOut,
+            "no answer after " + Seconds(limits_.cpu) + " of CPU time"};
   }
-  if (signal == SIGABRT) return CrashedAnswer("aborted" + said);
+  if (signal == SIGABRT) return {AnswerStatus::kCrashed, "aborted" + said};
   const char* name = sigabbrev_np(signal);
-  return CrashedAnswer(std::string("died of SIG") + (name != nullptr ? name : "?") +
-                       said);
+  return {AnswerStatus::kCrashed,
+          std::string("died of SIG") + (name != nullptr ? name : "?") + said};
 }
 
 }  // namespace touchstone

@@ -5,23 +5,68 @@
 #include <string>
 #include <utility>
 
+#include "oracles/answer_wire.h"
 #include "oracles/answering_child.h"
 #include "oracles/no_answer.h"
 
 namespace touchstone {
 namespace {
 
+// A contact answer longer than this is none: a thousand times the longest of any engine.
+constexpr std::size_t kLongestAnswer = std::size_t{1} << 20;  // [bytes]
+
+ContactAnswer AnswerOrCrash(const Oracle& oracle, const ContactQuery& query) {
+  try {
+    return oracle.Answer(query);
+  } catch (...) {
+    return CrashedByException();
+  }
+}
+
+Trajectory NoTrajectory(AnswerStatus status, std::string reason) {
+  Trajectory trajectory;
+  trajectory.status = status;
+  trajectory.reason = std::move(reason);
+  return trajectory;
+}
+
+Trajectory SimulateOrCrash(const Oracle& oracle, const World& world) {
+  try {
+    return oracle.Simulate(world);
+  } catch (...) {
+    const ContactAnswer crash = CrashedByException();
+    return NoTrajectory(crash.status, crash.reason);
+  }
+}
+
+std::string CouldNotIsolate(const std::exception& exception) {
+  return std::string("could not be isolated: ") + exception.what();
+}
+
 class IsolatedOracle final : public Oracle {
  public:
-  IsolatedOracle(std::unique_ptr<Oracle> oracle, const IsolationLimits& limits)
+  IsolatedOracle(std::unique_ptr<Oracle> oracle, const IsolationLimits& limits,
+                 IsolationScope scope)
       : oracle_(std::move(oracle)), limits_(limits), info_(oracle_->info()) {
-    info_.isolated = true;
-    info_.settings.push_back(
-        {"process", "a child of its own, one for each batch",
-         "The engine can abort, crash or hang on a valid question."});
-    info_.settings.push_back(
-        {"deadline", std::to_string(limits_.cpu.count()) + " ms of CPU time",
-         "Counted in the child, so that a busy machine changes nothing."});
+    if (scope == IsolationScope::kEverything) {
+      info_.isolated = true;
+      info_.settings.push_back(
+          {"process", "a child of its own, one for each batch",
+           "The engine can abort, crash or hang on a valid question."});
+      info_.settings.push_back(
+          {"deadline", std::to_string(limits_.cpu.count()) + " ms of CPU time",
+           "Counted in the child, so that a busy machine changes nothing."});
+    }
+    if (info_.simulates) {
+      info_.settings.push_back(
+          {"world: process", "a child of its own for each world",
+           "The engine can abort, crash or hang on a valid world; what it prints to its "
+           "standard error is shown with the answer."});
+      info_.settings.push_back(
+          {"world: deadline",
+           std::to_string(limits_.world_cpu.count()) + " ms of CPU time",
+           "Counted in the child."});
+    }
   }
 
   const OracleInfo& info() const override { return info_; }
@@ -29,14 +74,14 @@ class IsolatedOracle final : public Oracle {
   using Oracle::Answer;
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
+    if (!info_.isolated) return oracle_->Answer(queries, answers);
     std::size_t next = 0;
     while (next < queries.size()) {
       try {
         AnswerUntilDeath(queries, answers, next);
       } catch (const std::exception& exception) {
         // The system's fault, not the engine's.
-        answers[next++] =
-            UnsupportedAnswer(std::string("could not be isolated: ") + exception.what());
+        answers[next++] = UnsupportedAnswer(CouldNotIsolate(exception));
       }
     }
   }
@@ -46,16 +91,48 @@ class IsolatedOracle final : public Oracle {
     return oracle_->Prepare(queries);
   }
 
+  std::unique_ptr<Simulation> Begin(const World& world) const override {
+    return oracle_->Begin(world);
+  }
+
+  Trajectory Simulate(const World& world) const override {
+    if (!info_.CannotSimulate(world).empty()) return oracle_->Simulate(world);
+    try {
+      AnsweringChild child(
+          1, [&](std::size_t) { return ToWire(SimulateOrCrash(*oracle_, world)); },
+          {limits_.world_cpu, limits_.world_wall, limits_.memory, limits_.memory});
+      std::optional<Trajectory> trajectory = child.Next(&TrajectoryFromWire);
+      if (!trajectory) {
+        AnsweringChild::Ending ending = child.LastWords();
+        return NoTrajectory(ending.status, std::move(ending.reason));
+      }
+      trajectory->complaint = child.LastLine();
+      return *std::move(trajectory);
+    } catch (const std::exception& exception) {
+      // The system's fault, not the engine's.
+      return NoTrajectory(AnswerStatus::kUnsupported, CouldNotIsolate(exception));
+    }
+  }
+
  private:
   // Answers from `next` on, by one child, up to the question it dies of or the last.
   void AnswerUntilDeath(std::span<const ContactQuery> queries,
                         std::span<ContactAnswer> answers, std::size_t& next) const {
-    AnsweringChild child(*oracle_, queries.subspan(next), limits_);
+    const std::span<const ContactQuery> left = queries.subspan(next);
+    AnsweringChild child(
+        left.size(),
+        [&](std::size_t i) { return ToWire(AnswerOrCrash(*oracle_, left[i])); },
+        {limits_.cpu, limits_.wall, limits_.memory, kLongestAnswer});
     while (next < queries.size()) {
-      std::optional<ContactAnswer> answer = child.Next();
-      const bool died = !answer;
-      answers[next++] = died ? child.LastWords() : *std::move(answer);
-      if (died) return;
+      std::optional<ContactAnswer> answer = child.Next(&FromWire);
+      if (!answer) {
+        AnsweringChild::Ending ending = child.LastWords();
+        answers[next] = ContactAnswer{};
+        answers[next].status = ending.status;
+        answers[next++].reason = std::move(ending.reason);
+        return;
+      }
+      answers[next++] = *std::move(answer);
     }
   }
 
@@ -67,9 +144,9 @@ class IsolatedOracle final : public Oracle {
 }  // namespace
 
 std::unique_ptr<Oracle> Isolate(std::unique_ptr<Oracle> oracle,
-                                const IsolationLimits& limits) {
+                                const IsolationLimits& limits, IsolationScope scope) {
   if (oracle->info().isolated) return oracle;
-  return std::make_unique<IsolatedOracle>(std::move(oracle), limits);
+  return std::make_unique<IsolatedOracle>(std::move(oracle), limits, scope);
 }
 
 }  // namespace touchstone

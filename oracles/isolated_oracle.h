@@ -8,6 +8,12 @@
 
 namespace touchstone {
 
+/** What of an oracle runs in a child process. */
+enum class IsolationScope {
+  kEverything,
+  kWorlds,  ///< Worlds only: an engine whose contact queries are known to be safe.
+};
+
 /** How much an isolated oracle may take for one question. */
 struct IsolationLimits {
   /** CPU time, so that a busy machine changes no result: thousands of times what the
@@ -16,6 +22,9 @@ struct IsolationLimits {
   /** Wall clock, for an engine that waits without working. Long enough for `cpu` on a
    machine shared by a hundred others. */
   std::chrono::milliseconds wall{60'000};
+  /** CPU time and wall clock for one world, from its start to its end. */
+  std::chrono::milliseconds world_cpu{60'000};
+  std::chrono::milliseconds world_wall{3'600'000};
   /** Address space beyond what the process has already; not enforced under
    AddressSanitizer and ThreadSanitizer, which reserve terabytes. [bytes] */
   std::size_t memory = std::size_t{4} << 30;
@@ -45,9 +54,13 @@ struct IsolationLimits {
  answers but those it takes for itself, and must have its lazily made tables made when it
  is constructed.
 
- Prepare() gives the inner oracle's batch, in process: the poses a benchmark times are
- benign. Linux only. Thread safe. */
+ A world is one question: Simulate() forks a child for it, and what the child prints to
+ its standard error while it lives becomes Trajectory::complaint.
+
+ Prepare() and Begin() give those of the inner oracle, in process: what a benchmark times
+ is benign. Linux only. Thread safe. */
 std::unique_ptr<Oracle> Isolate(std::unique_ptr<Oracle> oracle,
-                                const IsolationLimits& limits = {});
+                                const IsolationLimits& limits = {},
+                                IsolationScope scope = IsolationScope::kEverything);
 
 }  // namespace touchstone

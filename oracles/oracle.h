@@ -56,7 +56,8 @@ struct OracleInfo {
   std::string version;  ///< Of the library, as the library itself says.
   /** Unit roundoff of the arithmetic: 2^-53 for double, 2^-24 for float. */
   double unit_roundoff = 0x1p-53;
-  /** Runs in a forked child with a deadline, because it can abort, crash or hang. */
+  /** Answers contact queries in a forked child with a deadline, because it can abort,
+   crash or hang. */
   bool isolated = false;
   std::vector<Setting> settings;
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;

@@ -7,6 +7,7 @@
 
 #include <ode/ode.h>
 
+#include "oracles/isolated_oracle.h"
 #include "oracles/no_answer.h"
 #include "oracles/ode/ode_contact_point.h"
 #include "oracles/ode/ode_geom.h"
@@ -242,6 +243,9 @@ std::vector<std::unique_ptr<Oracle>> OdeOracles() {
   std::vector<std::unique_ptr<Oracle>> oracles;
   oracles.push_back(std::make_unique<OdeOracle>());
   oracles.push_back(std::make_unique<QuickStepOracle>());
+  // A world that goes mad aborts it, and the direct solver takes minutes over a pile.
+  for (std::unique_ptr<Oracle>& oracle : oracles)
+    oracle = Isolate(std::move(oracle), {}, IsolationScope::kWorlds);
   return oracles;
 }
 

@@ -110,9 +110,36 @@ void Do(Deed deed) {
   }
 }
 
+// A ball at (step, 0, 0), that does in its third step what its radius says.
+class PlantedSimulation final : public Simulation {
+ public:
+  explicit PlantedSimulation(const World& world)
+      : deed_(static_cast<Deed>(
+            std::get<Sphere>(world.bodies.front().placed.shape).radius)) {}
+
+  void Push(int, const Vector3d&, const Vector3d&) override {}
+  void Step() override {
+    if (++step_ == 3) Do(deed_);
+  }
+  void Read(WorldState& state) const override {
+    state.bodies = {{Vector3d(step_, 0, 0), Eigen::Quaterniond::Identity(),
+                     Vector3d::Zero(), Vector3d::Zero()}};
+  }
+
+ private:
+  Deed deed_;
+  int step_ = 0;
+};
+
 class PlantedOracle final : public Oracle {
  public:
-  PlantedOracle() { info_.name = "planted"; }
+  PlantedOracle() {
+    info_.name = "planted";
+    info_.simulates = true;
+    info_.world_capabilities.fill({true, ""});
+    info_.world_capabilities[static_cast<std::size_t>(WorldFeature::kCloth)] = {
+        false, "has no cloth"};
+  }
 
   const OracleInfo& info() const override { return info_; }
 
@@ -129,6 +156,10 @@ class PlantedOracle final : public Oracle {
     }
   }
 
+  std::unique_ptr<Simulation> Begin(const World& world) const override {
+    return std::make_unique<PlantedSimulation>(world);
+  }
+
  private:
   OracleInfo info_;
 };
@@ -136,6 +167,7 @@ class PlantedOracle final : public Oracle {
 IsolationLimits Limits() {
   IsolationLimits limits;
   limits.cpu = std::chrono::milliseconds(50);
+  limits.world_cpu = std::chrono::milliseconds(50);
   limits.memory = std::size_t{1} << 30;
   return limits;
 }
@@ -322,6 +354,67 @@ TEST(IsolatedOracle, DiesWithTheProgramThatAsks) {
             child);  // Would wait for a minute if it lived on.
   EXPECT_TRUE(HasNoChildren());
   prctl(PR_SET_CHILD_SUBREAPER, 0);
+}
+
+World WorldOf(Deed deed) {
+  World world;
+  world.steps = 5;
+  world.bodies.emplace_back().placed = {Sphere{static_cast<double>(deed)}, {}};
+  return world;
+}
+
+TEST(IsolatedWorlds, MoveAsTheEngineSaysWhatItPrintsIncluded) {
+  const Trajectory quiet = Isolated()->Simulate(WorldOf(kAnswer));
+  ASSERT_EQ(quiet.status, AnswerStatus::kAnswered) << quiet.reason;
+  ASSERT_EQ(quiet.samples.size(), 6u);
+  EXPECT_EQ(quiet.samples[5].bodies[0].p_WB.x(), 5);
+  EXPECT_EQ(quiet.complaint, "");
+  const Trajectory loud = Isolated()->Simulate(WorldOf(kFlood));
+  EXPECT_EQ(loud.samples.size(), 6u);
+  EXPECT_EQ(loud.complaint, std::string(3000, 'w'));
+}
+
+TEST(IsolatedWorlds, AreLostAloneWhenTheEngineBreaksDown) {
+  const auto ending = [](Deed deed) {
+    const Trajectory trajectory = Isolated()->Simulate(WorldOf(deed));
+    EXPECT_TRUE(trajectory.samples.empty());
+    EXPECT_EQ(trajectory.status,
+              deed == kHang ? AnswerStatus::kTimedOut : AnswerStatus::kCrashed);
+    return trajectory.reason;
+  };
+  EXPECT_EQ(ending(kAssert), "aborted: engine.cc:7: Assertion `depth >= 0' failed.");
+  EXPECT_EQ(ending(kSegfault), "died of SIGSEGV");
+  EXPECT_EQ(ending(kThrow), "threw std::logic_error: origin outside the polytope");
+  EXPECT_EQ(ending(kExit), "exited with status 3");
+  EXPECT_EQ(ending(kNonsense), "sent bytes that are no answer");
+  EXPECT_EQ(ending(kHang), "no answer after 0.05 s of CPU time");
+  EXPECT_TRUE(HasNoChildren());
+}
+
+TEST(IsolatedWorlds, ThatAreUnsupportedSayWhy) {
+  World world = WorldOf(kAnswer);
+  world.cloths.emplace_back();
+  const Trajectory trajectory = Isolated()->Simulate(world);
+  EXPECT_EQ(trajectory.status, AnswerStatus::kUnsupported);
+  EXPECT_EQ(trajectory.reason, "has no cloth");
+}
+
+TEST(IsolatedWorlds, BeginInProcess) {
+  const std::unique_ptr<Simulation> simulation = Isolated()->Begin(WorldOf(kAnswer));
+  ASSERT_NE(simulation, nullptr);
+  simulation->Step();
+  WorldState state;
+  simulation->Read(state);
+  EXPECT_EQ(state.bodies[0].p_WB.x(), 1);
+}
+
+TEST(IsolatedWorlds, CanBeTheOnlyThingIsolated) {
+  const auto oracle =
+      Isolate(std::make_unique<PlantedOracle>(), Limits(), IsolationScope::kWorlds);
+  EXPECT_FALSE(oracle->info().isolated);
+  EXPECT_EQ(oracle->Simulate(WorldOf(kAbort)).reason, "aborted");
+  // In this very process: an exception gets through.
+  EXPECT_THROW(oracle->Answer(Ask(kThrow)), std::logic_error);
 }
 
 TEST(IsolatedOracle, AnswersAnEmptyBatch) {
