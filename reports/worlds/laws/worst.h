@@ -31,6 +31,9 @@ class Worst {
     finding_.proof = proof();
   }
 
+  /** Whether there was any number to take. */
+  bool IsTaken() const { return share_ >= 0; }
+
   /** Whether the worst is beyond its tolerance. */
   bool IsBeyond() const { return !(finding_.value <= finding_.tolerance.value); }
 
@@ -49,5 +52,10 @@ class Worst {
   LawFinding finding_;
   double share_ = -1;  ///< Of the worst: its value in tolerances.
 };
+
+/** Returns one finding for each measure: of several, one that is beyond its tolerance and
+ not recognised before one that is recognised, and that before one within; among equals
+ the one that is most tolerances large. */
+std::vector<LawFinding> WorstOfEach(const std::vector<LawFinding>& findings);
 
 }  // namespace touchstone

@@ -1,0 +1,38 @@
+#include "reports/worlds/laws/cone_models.h"
+
+#include <algorithm>
+
+#include "reports/worlds/laws/landing.h"
+
+namespace touchstone {
+namespace {
+
+bool AnyBeyond(const std::vector<Worst>& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Worst& worst) { return worst.IsBeyond(); });
+}
+
+}  // namespace
+
+std::vector<LawFinding> JudgedByCone(
+    const Motion& motion, const std::vector<int>& bodies,
+    const std::function<std::vector<Worst>(const PlacedCone&, const Motion&, int body)>&
+        judge_by) {
+  std::vector<LawFinding> findings;
+  for (const int body : bodies) {
+    const std::vector<PlacedCone> cones = ConesOn(LandingOf(motion.world, body)->n_W);
+    const std::vector<Worst> by_circle = judge_by(cones.front(), motion, body);
+    std::string_view recognised;
+    for (std::size_t i = 1; i < cones.size() && AnyBeyond(by_circle); ++i) {
+      if (AnyBeyond(judge_by(cones[i], motion, body))) continue;
+      recognised = NameOf(cones[i].cone);
+      break;
+    }
+    for (const Worst& worst : by_circle) {
+      if (worst.IsTaken()) findings.push_back(worst.RecognisedAs(recognised));
+    }
+  }
+  return WorstOfEach(findings);
+}
+
+}  // namespace touchstone

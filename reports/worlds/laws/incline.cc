@@ -1,0 +1,146 @@
+#include "reports/worlds/laws/incline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/on_plane.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+
+namespace touchstone {
+namespace {
+
+/** How a body leaves its rest. */
+struct Start {
+  Eigen::Vector3d a_W;      ///< [m/s²]
+  Eigen::Vector3d alpha_W;  ///< [rad/s²]
+};
+
+Start StartOf(const RigidBody& body, const OnPlane& on, const PlacedCone& cone) {
+  const double brake = on.plane.friction * on.press;
+  const auto* sphere = std::get_if<Sphere>(&body.placed.shape);
+  if (!sphere) {
+    return {cone.frame *
+                DrivenFromRest(cone.cone, cone.frame.transpose() * on.along_W, brake),
+            Eigen::Vector3d::Zero()};
+  }
+  // Friction f on the contact: a = a_t + f, α = (−r n) × f m/I; rolling leaves no slip.
+  const double r = sphere->radius;
+  const double k = InertiaOf(body).x() / (body.mass * r * r);
+  const Eigen::Vector3d holding_W = -on.along_W * k / (1 + k);
+  const Eigen::Vector3d f_W =
+      cone.frame * NearestInCone(cone.cone, cone.frame.transpose() * holding_W, brake);
+  return {on.along_W + f_W, -on.plane.n_W.cross(f_W) / (k * r)};
+}
+
+std::string WhyNot(const World& world, int index) {
+  std::string why = WhyNotOnPlane(world, index);
+  if (!why.empty()) return why;
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  if (!body.v_WB.isZero(0) || !body.w_WB.isZero(0)) return "does not start at rest";
+  const Eigen::Vector3d inertia = InertiaOf(body);
+  if (std::holds_alternative<Sphere>(body.placed.shape) &&
+      inertia != Eigen::Vector3d::Constant(inertia.x()))
+    return "is a sphere with unequal moments of inertia";
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    const std::string why = WhyNot(world, i);
+    if (!why.empty()) {
+      faults.push_back({WhereAbout(claim, body.name),
+                        fmt::format("is {}, which {}", body.name, why),
+                        "a flat box or a sphere at rest on a static plane"});
+      continue;
+    }
+    const OnPlane on = OnPlaneOf(world, i);
+    const Start start = StartOf(body, on, ConesOn(on.plane.n_W).front());
+    faults =
+        Joined(std::move(faults),
+               FaultsOfNumbers(claim, {{"expected_acceleration", start.a_W.norm()}}));
+  }
+  return faults;
+}
+
+std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
+  const World& world = motion.world;
+  const double h = world.dt;
+  const auto i = static_cast<std::size_t>(index);
+  const RigidBody& body = world.bodies[i];
+  const OnPlane on = OnPlaneOf(world, index);
+  const double mu = on.plane.friction;
+  const Start start = StartOf(body, on, cone);
+  const double pull = on.along_W.norm() + mu * on.press;
+  const auto* sphere = std::get_if<Sphere>(&body.placed.shape);
+  const double r = sphere ? sphere->radius : BoundingRadius(body.placed.shape);
+  const std::string because =
+      "1.5 × ((1 + μ) |v_n| of the body's own velocity across the slope, and δ/r of the "
+      "velocity for a contact δ inside), 1e-5 of what gravity and friction give for the "
+      "solver, and 64 roundings a step";
+  Worst velocity(MeasureKind::kVelocityError, because);
+  Worst spin(MeasureKind::kSpinError, because);
+  Worst position(MeasureKind::kPositionError,
+                 "1.5 × (½ a h t and what the body settles by), 1e-5 of what gravity and "
+                 "friction give for the solver, and 64 roundings a step");
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    const BodyState& is = motion.trajectory.samples[s].bodies[i];
+    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
+    const double share = kSolverResidual + rounding;
+    const double across = (1 + mu) * std::abs(is.v_WB.dot(on.plane.n_W));
+    const double inside = on.Settling(h) / r;
+    const Eigen::Vector3d v_W = start.a_W * t;
+    velocity.Take(
+        (is.v_WB - v_W).norm(),
+        kSafety * (across + inside * v_W.norm()) + share * pull * t, [&] {
+          return fmt::format(
+              "{} has {} move at {} after {:.6g} s; on this slope with μ = {:.6g} it "
+              "moves at {}",
+              motion.oracle.name, body.name, Words(is.v_WB), t, mu, Words(v_W));
+        });
+    const Eigen::Vector3d p_W = body.placed.X_WB.p_WB + v_W * (t / 2);
+    position.Take(
+        (is.p_WB - p_W).norm(),
+        kSafety * (v_W.norm() * (h + inside * t) / 2 + on.Settling(h)) +
+            share * pull * t * t / 2 + rounding * body.placed.X_WB.p_WB.norm(),
+        [&] {
+          return fmt::format(
+              "{} has {} at {} after {:.6g} s; on this slope with μ = {:.6g} it is at {}",
+              motion.oracle.name, body.name, Words(is.p_WB), t, mu, Words(p_W));
+        });
+    if (!sphere) continue;
+    const Eigen::Vector3d w_W = start.alpha_W * t;
+    spin.Take(
+        (is.w_WB - w_W).norm(),
+        kSafety * (across / r + inside * w_W.norm()) + share * pull * t / r, [&] {
+          return fmt::format(
+              "{} has {} spin at {} after {:.6g} s; on this slope with μ = {:.6g} it "
+              "spins at {}",
+              motion.oracle.name, body.name, Words(is.w_WB), t, mu, Words(w_W));
+        });
+  }
+  return {position, velocity, spin};
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  return JudgedByCone(motion, SubjectsOf(motion.world, claim).bodies, JudgeBy);
+}
+
+}  // namespace
+
+constinit const Law kIncline = {
+    "incline",
+    "At rest on a slope, a box stays where μ >= tan θ and else slides; a sphere rolls or "
+    "slips.",
+    Faults, Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,52 @@
+#include "reports/worlds/laws/on_plane.h"
+
+#include <cmath>
+
+#include "reports/worlds/laws/subjects.h"
+
+namespace touchstone {
+namespace {
+
+/** How far from its plane a body may start, over its size: scenes give contacts a little
+ depth so that they are seen at once. [-] */
+constexpr double kSurfaceSlack = 1e-3;
+
+/** Largest angle of a face to the plane it lies on: quaternions with 16 digits. [rad] */
+constexpr double kFlat = 1e-9;
+
+}  // namespace
+
+double OnPlane::Settling(double dt) const {
+  return std::abs(plane.gap) + 2 * press * dt * dt;
+}
+
+OnPlane OnPlaneOf(const World& world, int index) {
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const Landing plane = *LandingOf(world, index);
+  const Eigen::Vector3d a_W = world.gravity_W + body.force_W / body.mass;
+  const double out = a_W.dot(plane.n_W);
+  const double v_out = body.v_WB.dot(plane.n_W);
+  return {plane, -out, a_W - out * plane.n_W, body.v_WB - v_out * plane.n_W, v_out};
+}
+
+std::string WhyNotOnPlane(const World& world, int index) {
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const std::optional<Landing> plane = LandingOf(world, index);
+  if (!plane) return "is no sphere or box on a static half-space or box";
+  const double size = BoundingRadius(body.placed.shape);
+  if (std::abs(plane->gap) > kSurfaceSlack * size)
+    return "does not start on what is below it";
+  if (std::holds_alternative<Box>(body.placed.shape)) {
+    const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * plane->n_W;
+    if (n_B.cwiseAbs().maxCoeff() < 1 - kFlat) return "is a box that does not lie flat";
+  }
+  const OnPlane on = OnPlaneOf(world, index);
+  if (on.press <= 0) return "is not pressed against what is below it";
+  if (std::abs(on.v_out) > kFlat * body.v_WB.norm())
+    return "does not start along what is below it";
+  if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
+    return "is held or struck";
+  return "";
+}
+
+}  // namespace touchstone

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "reports/worlds/laws/landing.h"
+
+namespace touchstone {
+
+/** A body that starts on a static plane, pressed against it by gravity and its force. */
+struct OnPlane {
+  Landing plane;
+  double press = 0;           ///< The part of g + F/m into the plane, > 0. [m/s²]
+  Eigen::Vector3d along_W;    ///< The part of g + F/m along it. [m/s²]
+  Eigen::Vector3d v_along_W;  ///< The start's velocity along it. [m/s]
+  double v_out = 0;           ///< And away from it. [m/s]
+
+  /** How far a right engine may have the body from the plane: what it starts from it, and
+   what it falls before the contact is seen and resisted, g h² and once more. [m] */
+  double Settling(double dt) const;
+};
+
+/** Returns how body `index` lies on a plane. @pre WhyNotOnPlane() is empty. */
+OnPlane OnPlaneOf(const World& world, int index);
+
+/** Returns why body `index` does not start on a static plane, to within a thousandth of
+ its size, with a face where it is a box; empty where it does. */
+std::string WhyNotOnPlane(const World& world, int index);
+
+}  // namespace touchstone

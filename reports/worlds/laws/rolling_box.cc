@@ -1,0 +1,222 @@
+#include "reports/worlds/laws/rolling_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/on_plane.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+
+namespace touchstone {
+namespace {
+
+double RadiusOf(const RigidBody& ball) {
+  return std::get<Sphere>(ball.placed.shape).radius;
+}
+
+/** I/(m r²). [-] */
+double ShareOf(const RigidBody& ball) {
+  return InertiaOf(ball).x() / (ball.mass * RadiusOf(ball) * RadiusOf(ball));
+}
+
+/** The box, its plane, and what is on it. */
+struct Train {
+  int box;
+  std::vector<int> balls;
+  OnPlane on;
+  double mass = 0;   ///< Of all that presses on the ground. [kg]
+  double moved = 0;  ///< M + Σ m k/(1 + k). [kg]
+  double
+      least_grip;  ///< The least μ_ball g (1 + k)/k: where a ball begins to slip. [m/s²]
+
+  /** The box's acceleration, with friction held by `cone`. [m/s²] */
+  Eigen::Vector3d Acceleration(const World& world, const PlacedCone& cone) const {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(box)];
+    const double g = -world.gravity_W.dot(on.plane.n_W);
+    return cone.frame * DrivenFromRest(cone.cone,
+                                       cone.frame.transpose() * body.force_W / moved,
+                                       on.plane.friction * mass * g / moved);
+  }
+};
+
+Train TrainOf(const World& world, const Claim& claim) {
+  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
+  Train train{bodies.front(),
+              {bodies.begin() + 1, bodies.end()},
+              OnPlaneOf(world, bodies.front()),
+              0,
+              0,
+              std::numeric_limits<double>::infinity()};
+  const RigidBody& box = world.bodies[static_cast<std::size_t>(train.box)];
+  train.mass = train.moved = box.mass;
+  for (const int i : train.balls) {
+    const RigidBody& ball = world.bodies[static_cast<std::size_t>(i)];
+    const double k = ShareOf(ball);
+    train.mass += ball.mass;
+    train.moved += ball.mass * k / (1 + k);
+    train.least_grip = std::min(
+        train.least_grip, std::sqrt(ball.friction * box.friction) *
+                              -world.gravity_W.dot(train.on.plane.n_W) * (1 + k) / k);
+  }
+  return train;
+}
+
+/** How far above the box's upper face the lowest point of a ball starts, over its radius;
+ NaN where it is not above the face. */
+double HeightOn(const RigidBody& box, const RigidBody& ball, const Eigen::Vector3d& n_W) {
+  const Eigen::Vector3d half = std::get<Box>(box.placed.shape).half_extents;
+  const Eigen::Vector3d n_B = box.placed.X_WB.R_WB.transpose() * n_W;
+  const Eigen::Vector3d p_B =
+      box.placed.X_WB.R_WB.transpose() * (ball.placed.X_WB.p_WB - box.placed.X_WB.p_WB);
+  int up = 0;
+  n_B.cwiseAbs().maxCoeff(&up);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis != up && std::abs(p_B[axis]) > half[axis])
+      return std::numeric_limits<double>::quiet_NaN();
+  }
+  return (p_B.dot(n_B) - half[up] - RadiusOf(ball)) / RadiusOf(ball);
+}
+
+std::string WhyNoBall(const World& world, const RigidBody& box, const OnPlane& on,
+                      int index) {
+  const RigidBody& ball = world.bodies[static_cast<std::size_t>(index)];
+  if (!std::holds_alternative<Sphere>(ball.placed.shape)) return "is no sphere";
+  const Eigen::Vector3d inertia = InertiaOf(ball);
+  if (inertia != Eigen::Vector3d::Constant(inertia.x()))
+    return "has unequal moments of inertia";
+  if (!ball.v_WB.isZero(0) || !ball.w_WB.isZero(0) || !ball.force_W.isZero(0))
+    return "does not start at rest, or is pulled itself";
+  // Written so that a ball beside the face is refused.
+  if (!(std::abs(HeightOn(box, ball, on.plane.n_W)) <= 1e-3))
+    return "does not start on the box";
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
+  const RigidBody& box = world.bodies[static_cast<std::size_t>(bodies.front())];
+  std::string why = WhyNotOnPlane(world, bodies.front());
+  if (why.empty() && !std::holds_alternative<Box>(box.placed.shape)) why = "is no box";
+  if (why.empty() && (!box.v_WB.isZero(0) || !box.w_WB.isZero(0)))
+    why = "does not start at rest";
+  if (!why.empty()) {
+    return {{WhereAbout(claim, box.name), fmt::format("is {}, which {}", box.name, why),
+             "first the box, at rest on a static plane"}};
+  }
+  const OnPlane on = OnPlaneOf(world, bodies.front());
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    const std::string why_not = WhyNoBall(world, box, on, bodies[i]);
+    if (why_not.empty()) continue;
+    const std::string& name = world.bodies[static_cast<std::size_t>(bodies[i])].name;
+    faults.push_back({WhereAbout(claim, name),
+                      fmt::format("is {}, which {}", name, why_not),
+                      "a sphere at rest on the box"});
+  }
+  if (!faults.empty()) return faults;
+  const Train train = TrainOf(world, claim);
+  const Eigen::Vector3d a_W = train.Acceleration(world, ConesOn(on.plane.n_W).front());
+  if (a_W.norm() > train.least_grip)
+    return {
+        {"about", "are balls that slip on the box", "enough friction for them to roll"}};
+  if (train.balls.empty())
+    return FaultsOfNumbers(claim, {{"expected_box_acceleration", a_W.norm()}});
+  const RigidBody& ball = world.bodies[static_cast<std::size_t>(train.balls.front())];
+  const double k = ShareOf(ball);
+  return FaultsOfNumbers(
+      claim, {{"expected_box_acceleration", a_W.norm()},
+              {"expected_ball_acceleration", a_W.norm() * k / (1 + k)},
+              {"expected_ball_spin_rate", a_W.norm() / ((1 + k) * RadiusOf(ball))}});
+}
+
+std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
+                           const Train& train) {
+  const World& world = motion.world;
+  const Eigen::Vector3d& n_W = train.on.plane.n_W;
+  const Eigen::Vector3d a_W = train.Acceleration(world, cone);
+  const RigidBody& box = world.bodies[static_cast<std::size_t>(train.box)];
+  const double g = -world.gravity_W.dot(n_W);
+  const double mu = train.on.plane.friction;
+  const double pull = (box.force_W.norm() + mu * train.mass * g) / train.moved;
+  const std::string because =
+      "1.5 × ((1 + μ) |v_n| of the bodies' own velocities across the plane, and δ/r of "
+      "the "
+      "velocity for a contact δ inside a ball), 1e-5 of what the pull and friction give "
+      "for "
+      "the solver, and 64 roundings a step";
+  Worst velocity(MeasureKind::kVelocityError, because);
+  Worst spin(MeasureKind::kSpinError, because);
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    const WorldState& state = motion.trajectory.samples[s];
+    const double share =
+        kSolverResidual + RoundingOf(motion.oracle, StepsBefore(motion, s));
+    // The momentum across the plane, as a velocity of what is moved along it.
+    double across = 0;
+    for (const int i : SubjectsOf(world, {"", {}, {}, ""}).bodies) {
+      across += world.bodies[static_cast<std::size_t>(i)].mass *
+                std::abs(state.bodies[static_cast<std::size_t>(i)].v_WB.dot(n_W));
+    }
+    across *= (1 + mu) / train.moved;
+    const auto hold = [&](int index, double ratio, double inside) {
+      const auto i = static_cast<std::size_t>(index);
+      const Eigen::Vector3d v_W = ratio * a_W * t;
+      velocity.Take(
+          (state.bodies[i].v_WB - v_W).norm(),
+          kSafety * (across + inside * a_W.norm() * t) + share * pull * t, [&] {
+            return fmt::format(
+                "{} has {} move at {} after {:.6g} s; pulled over friction it moves "
+                "at {}",
+                motion.oracle.name, world.bodies[i].name, Words(state.bodies[i].v_WB), t,
+                Words(v_W));
+          });
+    };
+    double deepest = 0;
+    for (const int index : train.balls) {
+      const auto i = static_cast<std::size_t>(index);
+      const RigidBody& ball = world.bodies[i];
+      const double r = RadiusOf(ball);
+      const double k = ShareOf(ball);
+      const double inside =
+          std::abs(HeightOn(box, ball, n_W)) +
+          2 * (g * world.dt * world.dt + train.on.Settling(world.dt)) / r;
+      deepest = std::max(deepest, inside);
+      hold(index, k / (1 + k), inside);
+      const Eigen::Vector3d w_W = a_W.cross(n_W) * t / ((1 + k) * r);
+      const Eigen::Vector3d& is = state.bodies[i].w_WB;
+      spin.Take(
+          (is - w_W).norm(),
+          kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r, [&] {
+            return fmt::format(
+                "{} has {} spin at {} after {:.6g} s; on the pulled box it rolls at {}",
+                motion.oracle.name, ball.name, Words(is), t, Words(w_W));
+          });
+    }
+    hold(train.box, 1, deepest);
+  }
+  return {velocity, spin};
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const Train train = TrainOf(motion.world, claim);
+  return JudgedByCone(motion, {train.box},
+                      [&](const PlacedCone& cone, const Motion& judged, int) {
+                        return JudgeBy(cone, judged, train);
+                      });
+}
+
+}  // namespace
+
+constinit const Law kRollingBox = {
+    "rolling_box",
+    "A box pulled over a level plane carries balls that roll; about names the box first.",
+    Faults, Judge};
+
+}  // namespace touchstone

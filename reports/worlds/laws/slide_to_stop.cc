@@ -1,0 +1,132 @@
+#include "reports/worlds/laws/slide_to_stop.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/on_plane.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+
+namespace touchstone {
+namespace {
+
+/** The share of a slope that still is level: that of a quaternion with 16 digits. [-] */
+constexpr double kLevel = 1e-9;
+
+/** Returns whether friction at the sole tips the box forward: the support may move as far
+ as the edge, at least `reach` from the centre. */
+bool Tips(const RigidBody& body, const OnPlane& on) {
+  const Eigen::Vector3d half = std::get<Box>(body.placed.shape).half_extents;
+  const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * on.plane.n_W;
+  int up = 0;
+  n_B.cwiseAbs().maxCoeff(&up);
+  const double reach = std::min(half[(up + 1) % 3], half[(up + 2) % 3]);
+  return on.plane.friction * half[up] > reach;
+}
+
+std::string WhyNot(const World& world, int index) {
+  std::string why = WhyNotOnPlane(world, index);
+  if (!why.empty()) return why;
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const OnPlane on = OnPlaneOf(world, index);
+  if (!std::holds_alternative<Box>(body.placed.shape)) return "is no box";
+  if (on.along_W.norm() > kLevel * on.press) return "is not on a level plane";
+  if (on.v_along_W.isZero(0) || !body.w_WB.isZero(0)) return "does not start sliding";
+  if (on.plane.friction == 0) return "has no friction to stop it";
+  if (Tips(body, on)) return "is so high that friction tips it";
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    const std::string why = WhyNot(world, i);
+    if (!why.empty()) {
+      faults.push_back({WhereAbout(claim, name),
+                        fmt::format("is {}, which {}", name, why),
+                        "a box that slides flat on a level static plane"});
+      continue;
+    }
+    const OnPlane on = OnPlaneOf(world, i);
+    const double v = on.v_along_W.norm();
+    const double brake = on.plane.friction * on.press;
+    faults = Joined(std::move(faults),
+                    FaultsOfNumbers(claim, {{"expected_distance", v * v / (2 * brake)},
+                                            {"expected_time", v / brake}}));
+  }
+  return faults;
+}
+
+std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
+  const World& world = motion.world;
+  const double h = world.dt;
+  const auto i = static_cast<std::size_t>(index);
+  const RigidBody& body = world.bodies[i];
+  const OnPlane on = OnPlaneOf(world, index);
+  const double brake = on.plane.friction * on.press;
+  const double v_0 = on.v_along_W.norm();
+  const double stop = v_0 / brake;
+  Worst position(MeasureKind::kPositionError,
+                 "1.5 × (½ h (v₀ − v) and what the body settles by), 1e-5 of the "
+                 "way for the solver, and 64 roundings a step");
+  Worst friction(
+      MeasureKind::kFriction,
+      "1.5 × h/t of the step in which friction begins, 1e-5 of the velocity for the "
+      "solver, and 64 roundings a step");
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    const BodyState& is = motion.trajectory.samples[s].bodies[i];
+    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
+    const Slip slip =
+        SlipAfter(cone.cone, cone.frame.transpose() * on.v_along_W, brake, t);
+    const Eigen::Vector3d p_W = body.placed.X_WB.p_WB + cone.frame * slip.travelled;
+    const double slowed = (on.v_along_W - cone.frame * slip.velocity).norm();
+    position.Take((is.p_WB - p_W).norm(),
+                  kSafety * (slowed * h / 2 + brake * h * h + on.Settling(h)) +
+                      kSolverResidual * v_0 * std::min(t, stop) +
+                      rounding * (body.placed.X_WB.p_WB.norm() + v_0 * t),
+                  [&] {
+                    return fmt::format(
+                        "{} has {} at {} after {:.6g} s; braked by μ g = {:.6g} m/s² it "
+                        "slides to {}",
+                        motion.oracle.name, body.name, Words(is.p_WB), t, brake,
+                        Words(p_W));
+                  });
+    // Between a quarter and three quarters of the way, where v has fallen and still
+    // slides.
+    if (t < stop / 4 || t > stop * 3 / 4) continue;
+    const Eigen::Vector3d heading = on.v_along_W / v_0;
+    const double lost = v_0 - (cone.frame * slip.velocity).dot(heading);
+    const double mu = on.plane.friction * (v_0 - is.v_WB.dot(heading)) / lost;
+    friction.Take(
+        std::abs(mu - on.plane.friction),
+        on.plane.friction * (kSafety * h / t + (kSolverResidual + rounding) * v_0 / lost),
+        [&] {
+          return fmt::format(
+              "{} has {} slowed from {:.6g} to {:.6g} m/s after {:.6g} s: μ = {:.6g}; "
+              "√(μ_A μ_B) is {:.6g}",
+              motion.oracle.name, body.name, v_0, is.v_WB.dot(heading), t, mu,
+              on.plane.friction);
+        });
+  }
+  return {position, friction};
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  return JudgedByCone(motion, SubjectsOf(motion.world, claim).bodies, JudgeBy);
+}
+
+}  // namespace
+
+constinit const Law kSlideToStop = {
+    "slide_to_stop",
+    "A box that slides on a level plane stops after v²/(2 μ g), along its heading.",
+    Faults, Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,172 @@
+#include "reports/worlds/laws/slip_to_roll.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/on_plane.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+
+namespace touchstone {
+namespace {
+
+/** The share of a slope that still is level. [-] */
+constexpr double kLevel = 1e-9;
+
+/** A sphere that slips on a plane. */
+struct Slipping {
+  OnPlane on;
+  double radius;
+  double k;             ///< I/(m r²). [-]
+  Eigen::Vector3d s_W;  ///< The slip at the start. [m/s]
+  Eigen::Vector3d w_W;  ///< The spin at the start. [rad/s]
+  Eigen::Vector3d p_W;  ///< The position at the start. [m]
+
+  /** How fast friction takes the slip. [m/s²] */
+  double Brake() const { return on.plane.friction * on.press * (1 + 1 / k); }
+
+  /** The motion after `t`, where friction is held by `cone`. */
+  BodyState At(double t, const PlacedCone& cone) const {
+    const Slip slip = SlipAfter(cone.cone, cone.frame.transpose() * s_W, Brake(), t);
+    const Eigen::Vector3d left_W = cone.frame * slip.velocity;
+    const Eigen::Vector3d& n_W = on.plane.n_W;
+    BodyState state;
+    state.v_WB = on.v_along_W + (left_W - s_W) / (1 + 1 / k);
+    state.p_WB =
+        p_W + on.v_along_W * t + (cone.frame * slip.travelled - s_W * t) / (1 + 1 / k);
+    // ω × (−r n) = s − v; about the normal nothing turns it.
+    state.w_WB = w_W.dot(n_W) * n_W - n_W.cross(left_W - state.v_WB) / radius;
+    state.q_WB.setIdentity();
+    return state;
+  }
+};
+
+Slipping SlippingOf(const World& world, int index) {
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const OnPlane on = OnPlaneOf(world, index);
+  const double r = std::get<Sphere>(body.placed.shape).radius;
+  return {on,
+          r,
+          InertiaOf(body).x() / (body.mass * r * r),
+          on.v_along_W - r * body.w_WB.cross(on.plane.n_W),
+          body.w_WB,
+          body.placed.X_WB.p_WB};
+}
+
+std::string WhyNot(const World& world, int index) {
+  std::string why = WhyNotOnPlane(world, index);
+  if (!why.empty()) return why;
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const Eigen::Vector3d inertia = InertiaOf(body);
+  if (!std::holds_alternative<Sphere>(body.placed.shape) ||
+      inertia != Eigen::Vector3d::Constant(inertia.x()))
+    return "is no sphere with equal moments of inertia";
+  const OnPlane on = OnPlaneOf(world, index);
+  if (on.along_W.norm() > kLevel * on.press) return "is not on a level plane";
+  if (on.plane.friction == 0) return "has no friction to turn it";
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    const std::string why = WhyNot(world, i);
+    if (!why.empty()) {
+      faults.push_back({WhereAbout(claim, name),
+                        fmt::format("is {}, which {}", name, why),
+                        "a sphere on a level static plane"});
+      continue;
+    }
+    const Slipping slipping = SlippingOf(world, i);
+    const double t_r = slipping.s_W.norm() / slipping.Brake();
+    const BodyState rolling = slipping.At(t_r, ConesOn(slipping.on.plane.n_W).front());
+    faults =
+        Joined(std::move(faults),
+               FaultsOfNumbers(claim, {{"expected_rolling_speed", rolling.v_WB.norm()},
+                                       {"expected_rolling_time", t_r}}));
+  }
+  return faults;
+}
+
+std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
+  const World& world = motion.world;
+  const double h = world.dt;
+  const auto i = static_cast<std::size_t>(index);
+  const RigidBody& body = world.bodies[i];
+  const Slipping slipping = SlippingOf(world, index);
+  const OnPlane& on = slipping.on;
+  const double r = slipping.radius;
+  const double mu = on.plane.friction;
+  const double inside = on.Settling(h) / r;
+  // What is largest in a velocity: the start's own, and that of its surface.
+  const double speed = on.v_along_W.norm() + slipping.w_W.norm() * r;
+  const std::string because =
+      "1.5 × ((1 + μ) |v_n| of the sphere's own velocity across the plane, δ/r of the "
+      "velocity "
+      "for a contact δ inside, and μ g h in the step in which slip ends), 1e-5 of the "
+      "velocity "
+      "for the solver, and 64 roundings a step";
+  Worst velocity(MeasureKind::kVelocityError, because);
+  Worst spin(MeasureKind::kSpinError, because);
+  Worst position(
+      MeasureKind::kPositionError,
+      "1.5 × (½ h (v₀ − v) and what the sphere settles by), 1e-5 of the way for the "
+      "solver, and 64 roundings a step");
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    const BodyState& is = motion.trajectory.samples[s].bodies[i];
+    const BodyState truth = slipping.At(t, cone);
+    const BodyState earlier = slipping.At(std::max(0.0, t - h), cone);
+    const BodyState later = slipping.At(t + h, cone);
+    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
+    const double share = kSolverResidual + rounding;
+    const double across = (1 + mu) * std::abs(is.v_WB.dot(on.plane.n_W));
+    // A step earlier and a step later friction is the same, but where slip ends.
+    const double ending =
+        (later.v_WB - 2 * truth.v_WB + earlier.v_WB).norm() * (t < h ? 0 : 1);
+    const double allowed = kSafety * (across + inside * speed + ending) + share * speed;
+    velocity.Take((is.v_WB - truth.v_WB).norm(), allowed, [&] {
+      return fmt::format(
+          "{} has {} move at {} after {:.6g} s; slip that turns to rolling leaves {}",
+          motion.oracle.name, body.name, Words(is.v_WB), t, Words(truth.v_WB));
+    });
+    spin.Take(
+        (is.w_WB - truth.w_WB).norm(), allowed / (r * std::min(1.0, slipping.k)), [&] {
+          return fmt::format(
+              "{} has {} spin at {} after {:.6g} s; slip that turns to rolling leaves {}",
+              motion.oracle.name, body.name, Words(is.w_WB), t, Words(truth.w_WB));
+        });
+    const double slowed = (on.v_along_W - truth.v_WB).norm();
+    position.Take(
+        (is.p_WB - truth.p_WB).norm(),
+        kSafety * (slowed * h / 2 + mu * on.press * h * h + on.Settling(h) +
+                   inside * speed * t) +
+            share * speed * t + rounding * slipping.p_W.norm(),
+        [&] {
+          return fmt::format(
+              "{} has {} at {} after {:.6g} s; slip that turns to rolling leads to {}",
+              motion.oracle.name, body.name, Words(is.p_WB), t, Words(truth.p_WB));
+        });
+  }
+  return {position, velocity, spin};
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  return JudgedByCone(motion, SubjectsOf(motion.world, claim).bodies, JudgeBy);
+}
+
+}  // namespace
+
+constinit const Law kSlipToRoll = {
+    "slip_to_roll",
+    "A sphere that slips on a level plane is turned by friction until it rolls.", Faults,
+    Judge};
+
+}  // namespace touchstone

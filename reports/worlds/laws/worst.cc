@@ -1,0 +1,32 @@
+#include "reports/worlds/laws/worst.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace touchstone {
+namespace {
+
+auto Gravity(const LawFinding& finding) {
+  const bool beyond = !(finding.value <= finding.tolerance.value);
+  const double share = finding.value == 0 ? 0 : finding.value / finding.tolerance.value;
+  return std::tuple(beyond && finding.recognised.empty(), beyond, share);
+}
+
+}  // namespace
+
+std::vector<LawFinding> WorstOfEach(const std::vector<LawFinding>& findings) {
+  std::vector<LawFinding> worst;
+  for (const LawFinding& finding : findings) {
+    const auto same = std::find_if(
+        worst.begin(), worst.end(),
+        [&](const LawFinding& other) { return other.measure == finding.measure; });
+    if (same == worst.end()) {
+      worst.push_back(finding);
+    } else if (Gravity(finding) > Gravity(*same)) {
+      *same = finding;
+    }
+  }
+  return worst;
+}
+
+}  // namespace touchstone
