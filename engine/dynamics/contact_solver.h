@@ -1,18 +1,21 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "engine/dynamics/contact_batch.h"
 #include "engine/dynamics/contact_pair.h"
 #include "engine/dynamics/settings.h"
 
 namespace cookbook {
 
-/** Everything about the bodies that a solver sees, by body index. */
+/** Everything about the bodies that a solver sees, by body index. The velocities have one
+ more place at the end, zero, for lanes without a pair. */
 struct SolverBodies {
   std::span<const RigidBody> bodies;         ///< At the start of the step.
   std::span<const InverseInertia> inertias;  ///< At the start of the step.
+  std::span<const Velocity> before;          ///< At the start of the step.
   std::span<Velocity> velocities;            ///< In: without impulses; then solved.
 };
 
@@ -21,6 +24,20 @@ struct Touch {
   bool bounced = false;  ///< Some contact sent it back.
   bool rested = false;   ///< Some contact held it.
   bool steady = true;    ///< Before the step, no contact that held it was approaching.
+};
+
+/** One contact as the solver has it. */
+struct SolvedContact {
+  int pair;
+  int point;  ///< Of the pair's manifold.
+  int A;
+  int B;
+  Eigen::Vector3d n;
+  Eigen::Vector3d r_A;
+  Eigen::Vector3d r_B;
+  double separation;
+  double effective_mass;
+  bool bounces;
 };
 
 /** Sequential impulses: finds by sweeps the impulses that leave no contact approaching.
@@ -35,64 +52,66 @@ struct Touch {
  back the velocity of the start of the step and then lets the forces of the step act, so
  that a bounce at e = 1 keeps the energy whatever the step. Friction: |λ_t| <= μ λ in the
  circular cone; λ_t is against the slip where it is at the bound, and there is no slip
- where it is inside. */
+ where it is inside.
+
+ Four pairs that share no moving body are solved at once. */
 class ContactSolver {
  public:
-  /** Sets up the rows of all touching pairs and applies the impulses to start from. */
-  void Begin(std::span<ContactPair> pairs, const SolverBodies& world,
+  /** Sets up the rows of all pairs with contacts and applies the impulses to start from.
+   */
+  void Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
              const Settings& settings, double h);
 
   /** Sweeps once over all contacts and returns the greatest change of a relative
    velocity. [m/s] */
   double Sweep(std::span<Velocity> velocities);
 
-  /** Writes the impulses to the pairs. */
+  /** Writes the impulses to the pairs, and what the contacts did to the bodies. */
   void End(std::span<ContactPair> pairs, std::span<Touch> touches) const;
 
   /** The greatest speed that a contact sees before it is solved. [m/s] */
   double scale() const { return scale_; }
+  /** Contacts to be solved. */
   int row_count() const { return row_count_; }
 
-  /** One contact point while it is solved. */
-  struct Row {
-    Eigen::Vector3d r_A;  ///< From the centre of A. [m]
-    Eigen::Vector3d r_B;
-    double target;          ///< Least u·n; −∞ where the contact is let be. [m/s]
-    double effective_mass;  ///< 1 / k(n). [kg]
-    double mass_scale;      ///< 1 for a hard contact; see Stabilisation::kSoft.
-    double impulse_scale;   ///< 0 for a hard contact.
-    double impulse;         ///< λ. [N s]
-    Eigen::Matrix2d K_t;    ///< Response of the slip along t1, t2. [1/kg]
-    Eigen::Matrix2d inverse_K_t;
-    double slip_step;                  ///< 1 / the greatest eigenvalue of K_t. [kg]
-    Eigen::Vector2d friction_impulse;  ///< λ_t. [N s]
-    bool bounces;
-    bool steady;  ///< Before the step it did not approach, but for rounding and noise.
-  };
-
-  /** The contacts of one pair. */
-  struct Rows {
-    std::size_t pair;
-    int A;
-    int B;
-    Eigen::Vector3d n;
-    Eigen::Vector3d t1;
-    Eigen::Vector3d t2;
-    double friction;
-    int count;
-    std::array<Row, 8> rows;
-  };
-
-  std::span<const Rows> rows() const { return rows_; }
+  /** Calls `visit(SolvedContact)` for every contact whose separation is below `limit`. */
+  template <class Visit>
+  void ForEachBelow(double limit, const Visit& visit) const;
 
  private:
-  double Solve(const Rows& rows, Row& row, Velocity& A, Velocity& B) const;
+  void Colour(std::span<const ContactPair> pairs, std::span<const RigidBody> bodies);
+  void Fill(std::span<const ContactPair> pairs, const SolverBodies& world,
+            bool warm_starting);
+  ContactRows rows() { return {batches_, contacts_}; }
 
-  std::vector<Rows> rows_;
-  std::span<const InverseInertia> inertias_;
+  std::vector<ContactBatch> batches_;
+  std::vector<ContactLanes> contacts_;
+  std::vector<std::uint64_t> colours_;  ///< Of each body: one bit for each in use.
+  std::vector<int> key_;                ///< Of each pair: its colour and count, or −1.
+  std::vector<int> order_;              ///< The pairs, by key.
+  std::vector<int> starts_;             ///< Where in `order_` each key starts.
   bool accumulated_ = true;
   double scale_ = 0;
   int row_count_ = 0;
 };
+
+template <class Visit>
+void ContactSolver::ForEachBelow(double limit, const Visit& visit) const {
+  for (const ContactBatch& batch : batches_) {
+    for (int k = 0; k < batch.count; ++k) {
+      const ContactLanes& contact = contacts_[static_cast<std::size_t>(batch.first + k)];
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        if (contact.used[lane] == 0 || contact.separation[lane] >= limit) continue;
+        const auto at = [&](const VectorLanes& v) {
+          return Eigen::Vector3d(v[0][lane], v[1][lane], v[2][lane]);
+        };
+        visit(SolvedContact{batch.pair[lane], k, batch.A[lane], batch.B[lane],
+                            at(batch.n), at(contact.r_A), at(contact.r_B),
+                            contact.separation[lane], 1 / contact.response[lane],
+                            contact.bounces[lane] != 0});
+      }
+    }
+  }
+}
 
 }  // namespace cookbook

@@ -14,17 +14,15 @@ class Projection {
    Settings::projection_share of the depth beyond the slack. `mean` is what has moved the
    bodies during the step of length `h` since the contacts were found, `solved` how they
    move now: contacts that part on their own are let go. Returns false where there is
-   nothing to move. */
-  bool FindMoves(const ContactSolver& contacts, std::span<const ContactPair> pairs,
-                 std::span<const InverseInertia> inertias, std::span<const Velocity> mean,
-                 std::span<const Velocity> solved, const Settings& settings, double h,
-                 std::span<Velocity> moves);
+   nothing to move; `moves` is then as it was. */
+  bool FindMoves(const ContactSolver& contacts, std::span<const InverseInertia> inertias,
+                 std::span<const Velocity> mean, std::span<const Velocity> solved,
+                 const Settings& settings, double h, std::span<Velocity> moves);
 
  private:
   /** A contact that is too deep. */
   struct Overlap {
-    const ContactSolver::Rows* pair;
-    const ContactSolver::Row* row;
+    SolvedContact contact;
     double excess;       ///< To be removed. [m]
     double impulse = 0;  ///< [kg m]
   };

@@ -28,10 +28,11 @@ struct RigidBody {
  @throws std::invalid_argument where it is refused, see Validate(). */
 RigidBody MakeRigidBody(const BodyDefinition& definition);
 
-/** The velocity of a body while a step is solved. */
+/** The velocity of a body while a step is solved: six doubles in a row and two of no
+ concern. */
 struct alignas(64) Velocity {
-  Eigen::Vector3d v;  ///< Of the centre of mass. [m/s]
-  Eigen::Vector3d w;  ///< [rad/s]
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();  ///< Of the centre of mass. [m/s]
+  Eigen::Vector3d w = Eigen::Vector3d::Zero();  ///< [rad/s]
 
   /** Returns the velocity of the body's point at `r` from its centre. */
   Eigen::Vector3d At(const Eigen::Vector3d& r) const { return v + w.cross(r); }

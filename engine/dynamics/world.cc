@@ -40,12 +40,12 @@ int World::AddBody(const BodyDefinition& definition) {
   bodies_.push_back(MakeRigidBody(definition));
   const int added = body_count() - 1;
   broad_phase_.Add(bodies_.back());
-  const Velocity zero{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   inertias_.push_back({Eigen::Matrix3d::Zero(), 0});
-  free_.push_back(zero);
-  solved_.push_back(zero);
-  mean_.push_back(zero);
-  moves_.push_back(zero);
+  const std::size_t places = bodies_.size() + 1;
+  for (std::vector<Velocity>* velocities :
+       {&before_, &free_, &solved_, &mean_, &moves_}) {
+    velocities->resize(places);
+  }
   touches_.emplace_back();
   shares_.push_back(0.5);
   jointed_.push_back(false);
@@ -160,6 +160,8 @@ void World::ApplyForces(double h) {
     const RigidBody& body = bodies_[i];
     if (body.is_static()) continue;
     inertias_[i] = InverseInertiaOf(body);
+    before_[i].v = body.state.v_WB;
+    before_[i].w = body.state.w_WB;
     free_[i].v =
         body.state.v_WB + h * (settings_.gravity_W +
                                body.inverse_mass * (body.force_W + body.applied_force_W));
@@ -173,7 +175,8 @@ void World::StopStretching(double h) {
   if (joints_.empty()) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     inertias_[i] = bodies_[i].is_static() ? inertias_[i] : InverseInertiaOf(bodies_[i]);
-    solved_[i] = {bodies_[i].state.v_WB, bodies_[i].state.w_WB};
+    solved_[i].v = bodies_[i].state.v_WB;
+    solved_[i].w = bodies_[i].state.w_WB;
   }
   rods_.Begin(joints_, bodies_, inertias_);
   // The step itself leaves less than the accelerations times h. More is a blow along a
@@ -215,7 +218,7 @@ bool World::SweepUntilSolved() {
 
 void World::Solve(double h) {
   std::copy(free_.begin(), free_.end(), solved_.begin());
-  contacts_.Begin(pairs_, {bodies_, inertias_, solved_}, settings_, h);
+  contacts_.Begin(pairs_, {bodies_, inertias_, before_, solved_}, settings_, h);
   if (joints_.empty()) {
     SweepUntilSolved();
     std::fill(touches_.begin(), touches_.end(), Touch{});
@@ -245,7 +248,7 @@ void World::Solve(double h) {
 RigidBody World::Moved(std::size_t i, double h) {
   RigidBody body = bodies_[i];
   if (body.is_static()) return body;
-  const Velocity before{body.state.v_WB, body.state.w_WB};
+  const Velocity& before = before_[i];
   const Velocity& free = free_[i];
   const Velocity& after = solved_[i];
 
@@ -305,12 +308,11 @@ void World::Move(double h) {
 }
 
 void World::Project(double h) {
-  bool moved = projection_.FindMoves(contacts_, pairs_, inertias_, mean_, solved_,
-                                     settings_, h, moves_);
+  bool moved =
+      projection_.FindMoves(contacts_, inertias_, mean_, solved_, settings_, h, moves_);
   if (!joints_.empty()) {
     if (!moved) {
-      std::fill(moves_.begin(), moves_.end(),
-                Velocity{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+      std::fill(moves_.begin(), moves_.end(), Velocity{});
     }
     moved |= rods_.Project(joints_, settings_.projection_share, bodies_, moves_);
   }

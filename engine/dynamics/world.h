@@ -87,8 +87,9 @@ class World {
 
   double fastest_ = 0;  ///< Of the bodies on rods. [m/s]
 
-  // By body, while a step is taken.
+  // By body, while a step is taken. Velocities have one more place, see SolverBodies.
   std::vector<InverseInertia> inertias_;
+  std::vector<Velocity> before_;  ///< At its start.
   std::vector<Velocity> free_;    ///< At the end of the step, without impulses.
   std::vector<Velocity> solved_;  ///< At the end of the step.
   std::vector<Velocity> mean_;    ///< What moves the body during the step.

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/dynamics/rigid_body.h"
+
+namespace cookbook {
+
+/** One number of each of four pairs. */
+using Lanes = std::array<double, 4>;
+/** One vector of each of four pairs, component by component. */
+using VectorLanes = std::array<Lanes, 3>;
+/** One symmetric tensor of each: xx, xy, xz, yy, yz, zz. */
+using TensorLanes = std::array<Lanes, 6>;
+
+/** One contact of each of four pairs. A pair that has fewer contacts than another has
+ `effective_mass` 0 there, and nothing happens. */
+struct alignas(32) ContactLanes {
+  // Given.
+  VectorLanes r_A;  ///< From the centre of A. [m]
+  VectorLanes r_B;
+  Lanes separation;         ///< [m]
+  Lanes impulse;            ///< λ, along n. [N s]
+  Lanes friction_impulse1;  ///< λ_t, along t1. [N s]
+  Lanes friction_impulse2;
+  Lanes used;  ///< 1, or 0 where the pair has no such contact.
+  // Prepared.
+  Lanes target;          ///< Least u·n; −∞ where the contact is let be. [m/s]
+  Lanes response;        ///< k(n). [1/kg]
+  Lanes effective_mass;  ///< 1 / k(n), for a soft contact less. [kg]
+  Lanes impulse_scale;   ///< 0 for a hard contact.
+  Lanes stick11;         ///< Inverse of the response of the slip along t1, t2. [kg]
+  Lanes stick12;
+  Lanes stick22;
+  Lanes slip_response;  ///< Greatest eigenvalue of that response. [1/kg]
+  Lanes slip_step;      ///< Its inverse. [kg]
+  Lanes bounces;        ///< 1 where it sends back.
+  Lanes steady;         ///< 1 where it did not approach before the step.
+};
+
+/** Four pairs of which no two share a moving body. */
+struct alignas(32) ContactBatch {
+  std::array<int, 4> pair;  ///< −1: none.
+  std::array<int, 4> A;
+  std::array<int, 4> B;
+  int first;  ///< Its first contact; the others follow.
+  int count;  ///< The greatest number of contacts of a pair.
+  VectorLanes n;
+  VectorLanes t1;
+  VectorLanes t2;
+  Lanes friction;
+  Lanes restitution;
+  Lanes inverse_mass_A;
+  Lanes inverse_mass_B;
+  TensorLanes inverse_inertia_A;
+  TensorLanes inverse_inertia_B;
+};
+
+/** What the rows are made by. */
+struct ContactRules {
+  double h;                ///< [s]
+  double gravity_speed;    ///< What gravity adds in a step. [m/s]
+  double resting_speed;    ///< As Settings.
+  double slack;            ///< [m]
+  double baumgarte;        ///< Share of the excess depth, or 0.
+  double soft_rate;        ///< Speed per excess depth, or 0. [1/s]
+  double soft_mass_scale;  ///< 1 where hard.
+  double soft_impulse_scale;
+  bool accumulated;
+};
+
+/** Contacts and their batches. */
+struct ContactRows {
+  std::span<const ContactBatch> batches;
+  std::span<ContactLanes> contacts;
+};
+
+/** Fills what is prepared, given the velocities before the step and, in `velocities`, at
+ its end without impulses. Returns the greatest relative velocity of a contact. [m/s] */
+double PrepareContacts(const ContactRows& rows, const ContactRules& rules,
+                       std::span<const Velocity> before,
+                       std::span<const Velocity> velocities);
+
+/** Applies the impulses. */
+void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities);
+
+/** Solves each contact once, batch after batch. Returns the greatest change of a relative
+ velocity. [m/s] */
+double SweepContacts(const ContactRows& rows, bool accumulated,
+                     std::span<Velocity> velocities);
+
+}  // namespace cookbook
