@@ -1,7 +1,8 @@
 #include "oracles/function_oracle.h"
 
-#include <exception>
 #include <limits>
+
+#include "oracles/answer_each.h"
 
 namespace touchstone {
 namespace {
@@ -25,13 +26,6 @@ OracleInfo InfoOf(std::string name, const std::vector<ShapePair>& pairs,
   return info;
 }
 
-ContactAnswer Crashed(std::string reason) {
-  ContactAnswer answer;
-  answer.status = AnswerStatus::kCrashed;
-  answer.reason = std::move(reason);
-  return answer;
-}
-
 class FunctionOracle final : public Oracle {
  public:
   FunctionOracle(OracleInfo info, ContactFunction function)
@@ -42,30 +36,13 @@ class FunctionOracle final : public Oracle {
   using Oracle::Answer;
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
-    for (std::size_t i = 0; i < queries.size(); ++i) answers[i] = Ask(queries[i]);
+    AnswerEach(info_, queries, answers, function_);
   }
 
   std::unique_ptr<PreparedBatch> Prepare(
       std::span<const ContactQuery> queries) const override;
 
  private:
-  ContactAnswer Ask(const ContactQuery& query) const {
-    const Capability& capability =
-        info_.For(KindOf(query.A.shape), KindOf(query.B.shape));
-    if (!capability.supported) {
-      ContactAnswer answer;
-      answer.reason = capability.reason;
-      return answer;
-    }
-    try {
-      return function_(query);
-    } catch (const std::exception& error) {
-      return Crashed(std::string("threw: ") + error.what());
-    } catch (...) {
-      return Crashed("threw something that is no std::exception");
-    }
-  }
-
   OracleInfo info_;
   ContactFunction function_;
 };

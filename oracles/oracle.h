@@ -79,6 +79,18 @@ struct OracleInfo {
   std::string CannotSimulate(const World& world) const;
 };
 
+/** Returns the table of `capability_of(a, b)` over all kinds of A and of B. */
+template <class CapabilityOf>
+decltype(OracleInfo::capabilities) CapabilityTable(CapabilityOf capability_of) {
+  decltype(OracleInfo::capabilities) table;
+  for (std::size_t a = 0; a < table.size(); ++a) {
+    for (std::size_t b = 0; b < table.size(); ++b) {
+      table[a][b] = capability_of(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
+    }
+  }
+  return table;
+}
+
 /** A batch whose engine objects exist already, so that only the engine's work is timed.
  */
 class PreparedBatch {

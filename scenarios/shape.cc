@@ -27,6 +27,28 @@ struct Radius {
   double operator()(const HalfSpace&) const { return 0; }
 };
 
+struct ResizedBy {
+  double factor;
+
+  Shape operator()(const Sphere& sphere) const { return Sphere{factor * sphere.radius}; }
+  Shape operator()(const Box& box) const { return Box{factor * box.half_extents}; }
+  Shape operator()(const Capsule& capsule) const {
+    return Capsule{factor * capsule.radius, factor * capsule.half_length};
+  }
+  Shape operator()(const Cylinder& cylinder) const {
+    return Cylinder{factor * cylinder.radius, factor * cylinder.half_length};
+  }
+  Shape operator()(const Cone& cone) const {
+    return Cone{factor * cone.radius, factor * cone.half_height};
+  }
+  Shape operator()(const ConvexHull& hull) const {
+    ConvexHull resized = hull;
+    for (Eigen::Vector3d& vertex : resized.vertices) vertex *= factor;
+    return resized;
+  }
+  Shape operator()(const HalfSpace& half_space) const { return half_space; }
+};
+
 }  // namespace
 
 ShapeKind KindOf(const Shape& shape) {
@@ -41,6 +63,10 @@ std::string_view NameOf(ShapeKind kind) {
 
 double BoundingRadius(const Shape& shape) {
   return std::visit(Radius{}, shape);
+}
+
+Shape Resized(const Shape& shape, double factor) {
+  return std::visit(ResizedBy{factor}, shape);
 }
 
 }  // namespace touchstone

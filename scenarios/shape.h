@@ -74,4 +74,8 @@ std::string_view NameOf(ShapeKind kind);
  For a half-space: 0, its boundary being all that has a place. */
 double BoundingRadius(const Shape& shape);
 
+/** Returns `shape` with every size multiplied by `factor`; a half-space has none.
+ @pre factor > 0. */
+Shape Resized(const Shape& shape, double factor);
+
 }  // namespace touchstone

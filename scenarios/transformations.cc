@@ -17,35 +17,13 @@ double Reach(const ContactQuery& query) {
                   query.B.X_WB.p_WB.norm() + BoundingRadius(query.B.shape));
 }
 
-struct ScaledBy {
-  double factor;
-
-  Shape operator()(const Sphere& sphere) const { return Sphere{factor * sphere.radius}; }
-  Shape operator()(const Box& box) const { return Box{factor * box.half_extents}; }
-  Shape operator()(const Capsule& capsule) const {
-    return Capsule{factor * capsule.radius, factor * capsule.half_length};
-  }
-  Shape operator()(const Cylinder& cylinder) const {
-    return Cylinder{factor * cylinder.radius, factor * cylinder.half_length};
-  }
-  Shape operator()(const Cone& cone) const {
-    return Cone{factor * cone.radius, factor * cone.half_height};
-  }
-  Shape operator()(const ConvexHull& hull) const {
-    ConvexHull scaled = hull;
-    for (Eigen::Vector3d& vertex : scaled.vertices) vertex *= factor;
-    return scaled;
-  }
-  Shape operator()(const HalfSpace& half_space) const { return half_space; }
-};
-
 Body Moved(const Body& body, const Pose& X_MW) {
   return {body.shape,
           Pose::FromMatrix(X_MW * body.X_WB.p_WB, X_MW.R_WB * body.X_WB.R_WB)};
 }
 
 Body ScaledBody(const Body& body, double factor) {
-  Body scaled{std::visit(ScaledBy{factor}, body.shape), body.X_WB};
+  Body scaled{Resized(body.shape, factor), body.X_WB};
   scaled.X_WB.p_WB *= factor;
   return scaled;
 }

@@ -73,7 +73,7 @@ ContactAnswer AnswerOne(const ContactQuery& query) {
                                           ToCookbook(b), ToCookbook(query.B.X_WB)),
                         !kBoxes);
       },
-      [&] { return NoRecipe(query); });
+      NoRecipe);
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ class PrintedOracle final : public Oracle {
                                            ToCookbook(b), ToCookbook(query.B.X_WB),
                                            errata_));
         },
-        [&] { return NoRecipe(query); });
+        NoRecipe);
   }
 
   OracleInfo info_;

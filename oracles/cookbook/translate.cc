@@ -1,18 +1,11 @@
 #include "oracles/cookbook/translate.h"
 
-#include <string>
-
 #include "oracles/no_answer.h"
 
 namespace touchstone {
 namespace {
 
-std::string NoRecipeReason(ShapeKind a, ShapeKind b) {
-  return "the cookbook has no recipe for " + std::string(NameOf(a)) + " against " +
-         std::string(NameOf(b));
-}
-
-}  // namespace
+constexpr const char* kNoRecipe = "the cookbook has recipes for spheres and boxes only";
 
 bool HasRecipe(ShapeKind a, ShapeKind b) {
   const auto known = [](ShapeKind kind) {
@@ -21,32 +14,30 @@ bool HasRecipe(ShapeKind a, ShapeKind b) {
   return known(a) && known(b);
 }
 
-ContactAnswer NoRecipe(const ContactQuery& query) {
-  return UnsupportedAnswer(NoRecipeReason(KindOf(query.A.shape), KindOf(query.B.shape)));
+Capability CapabilityOf(ShapeKind a, ShapeKind b) {
+  Capability capability;
+  if (!HasRecipe(a, b)) {
+    capability.reason = kNoRecipe;
+    return capability;
+  }
+  const bool boxes = a == ShapeKind::kBox && b == ShapeKind::kBox;
+  capability.supported = true;
+  capability.family = boxes ? "sat" : "closed_form";
+  capability.depth = true;
+  capability.distance = !boxes;
+  capability.normal = true;
+  capability.manifold = true;
+  return capability;
+}
+
+}  // namespace
+
+ContactAnswer NoRecipe() {
+  return UnsupportedAnswer(kNoRecipe);
 }
 
 decltype(OracleInfo::capabilities) SphereAndBoxCapabilities() {
-  decltype(OracleInfo::capabilities) capabilities;
-  for (int a = 0; a < kShapeKinds; ++a) {
-    for (int b = 0; b < kShapeKinds; ++b) {
-      const auto kind_A = static_cast<ShapeKind>(a);
-      const auto kind_B = static_cast<ShapeKind>(b);
-      Capability& capability =
-          capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
-      if (!HasRecipe(kind_A, kind_B)) {
-        capability.reason = NoRecipeReason(kind_A, kind_B);
-        continue;
-      }
-      const bool boxes = kind_A == ShapeKind::kBox && kind_B == ShapeKind::kBox;
-      capability.supported = true;
-      capability.family = boxes ? "sat" : "closed_form";
-      capability.depth = true;
-      capability.distance = !boxes;
-      capability.normal = true;
-      capability.manifold = true;
-    }
-  }
-  return capabilities;
+  return CapabilityTable(CapabilityOf);
 }
 
 ContactAnswer ToAnswer(const cookbook::Manifold& manifold, bool exact_when_apart) {

@@ -41,11 +41,8 @@ auto VisitKnown(const ContactQuery& query, const Visit& visit,
       query.A.shape, query.B.shape);
 }
 
-/** Whether the engine has a recipe for this pair: spheres and boxes in any order. */
-bool HasRecipe(ShapeKind a, ShapeKind b);
-
-/** Returns the answer that says that the engine has no recipe for `query`. */
-ContactAnswer NoRecipe(const ContactQuery& query);
+/** Returns the answer that says that the engine has no recipe for the pair. */
+ContactAnswer NoRecipe();
 
 /** Returns the table of an engine that knows spheres and boxes. */
 decltype(OracleInfo::capabilities) SphereAndBoxCapabilities();

@@ -8,9 +8,9 @@
 #include <fcl/config.h>
 #include <fcl/narrowphase/collision.h>
 
+#include "oracles/answer_each.h"
 #include "oracles/fcl/fcl_geometry.h"
 #include "oracles/fcl/fcl_solver.h"
-#include "oracles/no_answer.h"
 
 namespace touchstone {
 namespace {
@@ -33,9 +33,10 @@ fcl::CollisionRequestd MakeRequest(FclSolver solver) {
   return request;
 }
 
-void Collide(const fcl::CollisionRequestd& request, const FclBody& a, const FclBody& b,
+void Collide(const fcl::CollisionRequestd& request, const FclPair& pair,
              fcl::CollisionResultd& result) {
-  fcl::collide(a.geometry.get(), a.X_WB, b.geometry.get(), b.X_WB, request, result);
+  fcl::collide(pair.A.geometry.get(), pair.A.X_WB, pair.B.geometry.get(), pair.B.X_WB,
+               request, result);
 }
 
 std::string FamilyOf(FclSolver solver, ShapeKind a, ShapeKind b) {
@@ -99,12 +100,8 @@ OracleInfo MakeInfo(FclSolver solver) {
       {"convex hull", "faces computed here",
        "Convex takes polygons; its GJK and MPR use vertices and edges."},
   };
-  for (int a = 0; a < kShapeKinds; ++a) {
-    for (int b = 0; b < kShapeKinds; ++b) {
-      info.capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] =
-          CapabilityOf(solver, static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
-    }
-  }
+  info.capabilities = CapabilityTable(
+      [=](ShapeKind a, ShapeKind b) { return CapabilityOf(solver, a, b); });
   return info;
 }
 
@@ -138,24 +135,17 @@ ContactAnswer Translate(const ContactQuery& query, const fcl::CollisionResultd& 
   return answer;
 }
 
-struct FclPair {
-  FclBody a;
-  FclBody b;
-};
-
 class FclCollideBatch final : public PreparedBatch {
  public:
   FclCollideBatch(FclSolver solver, std::span<const ContactQuery> queries)
       : request_(MakeRequest(solver)), separations_(queries.size()) {
-    for (const ContactQuery& query : queries) {
-      pairs_.push_back({ToFcl(query.A), ToFcl(query.B)});
-    }
+    for (const ContactQuery& query : queries) pairs_.push_back(ToFcl(query));
   }
 
   void Run() override {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       result_.clear();
-      Collide(request_, pairs_[i].a, pairs_[i].b, result_);
+      Collide(request_, pairs_[i], result_);
       double separation = std::numeric_limits<double>::quiet_NaN();
       for (std::size_t k = 0; k < result_.numContacts(); ++k) {
         const double depth = result_.getContact(k).penetration_depth;
@@ -184,13 +174,8 @@ class FclCollide final : public Oracle {
   using Oracle::Answer;
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      try {
-        answers[i] = AnswerOne(queries[i]);
-      } catch (...) {
-        answers[i] = CrashedByException();
-      }
-    }
+    AnswerEach(info_, queries, answers,
+               [this](const ContactQuery& query) { return AnswerOne(query); });
   }
 
   std::unique_ptr<PreparedBatch> Prepare(
@@ -200,15 +185,10 @@ class FclCollide final : public Oracle {
 
  private:
   ContactAnswer AnswerOne(const ContactQuery& query) const {
-    const Capability& capability =
-        info_.For(KindOf(query.A.shape), KindOf(query.B.shape));
-    if (!capability.supported) return UnsupportedAnswer(capability.reason);
-    const FclPair pair = {ToFcl(query.A), ToFcl(query.B)};
-    if (!pair.a.geometry || !pair.b.geometry) {
-      return UnsupportedAnswer("FCL wants convex hulls to have volume");
-    }
+    const FclPair pair = ToFcl(query);
+    if (!pair) return UnsupportedAnswer("FCL wants convex hulls to have volume");
     fcl::CollisionResultd result;
-    Collide(request_, pair.a, pair.b, result);
+    Collide(request_, pair, result);
     return Translate(query, result);
   }
 

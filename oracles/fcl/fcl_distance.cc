@@ -7,9 +7,9 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
+#include "oracles/answer_each.h"
 #include "oracles/fcl/fcl_geometry.h"
 #include "oracles/fcl/fcl_solver.h"
-#include "oracles/no_answer.h"
 
 namespace touchstone {
 namespace {
@@ -34,10 +34,11 @@ fcl::DistanceRequestd MakeRequest(FclSolver solver, FclDistanceKind kind) {
   return request;
 }
 
-void Distance(const fcl::DistanceRequestd& request, const FclBody& a, const FclBody& b,
+void Distance(const fcl::DistanceRequestd& request, const FclPair& pair,
               fcl::DistanceResultd& result) {
   // The value is in the result: with GST_INDEP the function itself returns -1 on overlap.
-  fcl::distance(a.geometry.get(), a.X_WB, b.geometry.get(), b.X_WB, request, result);
+  fcl::distance(pair.A.geometry.get(), pair.A.X_WB, pair.B.geometry.get(), pair.B.X_WB,
+                request, result);
 }
 
 // The pairs whose distance, though not whose depth, FCL has in closed form.
@@ -121,13 +122,8 @@ OracleInfo MakeInfo(FclSolver solver, FclDistanceKind kind) {
       {"convex hull", "faces computed here",
        "Convex takes polygons; its GJK uses vertices and edges."},
   };
-  for (int a = 0; a < kShapeKinds; ++a) {
-    for (int b = 0; b < kShapeKinds; ++b) {
-      info.capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] =
-          CapabilityOf(solver, kind, static_cast<ShapeKind>(a),
-                       static_cast<ShapeKind>(b));
-    }
-  }
+  info.capabilities = CapabilityTable(
+      [=](ShapeKind a, ShapeKind b) { return CapabilityOf(solver, kind, a, b); });
   return info;
 }
 
@@ -135,25 +131,18 @@ OracleInfo MakeInfo(FclSolver solver, FclDistanceKind kind) {
 // the scene apart, each being off by a few roundings of its coordinates.
 constexpr double kShortestDirection = 0x1p-33;
 
-struct FclPair {
-  FclBody a;
-  FclBody b;
-};
-
 class FclDistanceBatch final : public PreparedBatch {
  public:
   FclDistanceBatch(const fcl::DistanceRequestd& request,
                    std::span<const ContactQuery> queries)
       : request_(request), separations_(queries.size()) {
-    for (const ContactQuery& query : queries) {
-      pairs_.push_back({ToFcl(query.A), ToFcl(query.B)});
-    }
+    for (const ContactQuery& query : queries) pairs_.push_back(ToFcl(query));
   }
 
   void Run() override {
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       result_.clear();
-      Distance(request_, pairs_[i].a, pairs_[i].b, result_);
+      Distance(request_, pairs_[i], result_);
       const bool says_only_overlap =
           !request_.enable_signed_distance && result_.min_distance < 0;
       separations_[i] = says_only_overlap ? std::numeric_limits<double>::quiet_NaN()
@@ -176,15 +165,15 @@ class FclDistance final : public Oracle {
       : request_(MakeRequest(solver, kind)), info_(MakeInfo(solver, kind)) {
     // FCL makes its tables of functions when first asked. A child forked while another
     // thread makes them would wait for that thread for ever (isolated_oracle.h).
-    const FclBody sphere = ToFcl({Sphere{1}, {}});
-    const FclBody other =
-        ToFcl({Sphere{1}, Pose::FromQuaternion({3, 0.1, 0.2}, {1, 0, 0, 0})});
+    const Body sphere{Sphere{1}, {}};
+    const Body other{Sphere{1}, Pose::FromQuaternion({3, 0.1, 0.2}, {1, 0, 0, 0})};
+    const FclPair pair = ToFcl(ContactQuery{sphere, other});
     fcl::DistanceResultd distance;
-    Distance(request_, sphere, other, distance);
+    Distance(request_, pair, distance);
     fcl::CollisionRequestd collision_request;
     collision_request.gjk_solver_type = request_.gjk_solver_type;
     fcl::CollisionResultd collision;
-    fcl::collide(sphere.geometry.get(), sphere.X_WB, other.geometry.get(), other.X_WB,
+    fcl::collide(pair.A.geometry.get(), pair.A.X_WB, pair.B.geometry.get(), pair.B.X_WB,
                  collision_request, collision);
   }
 
@@ -193,13 +182,8 @@ class FclDistance final : public Oracle {
   using Oracle::Answer;
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      try {
-        answers[i] = AnswerOne(queries[i]);
-      } catch (...) {
-        answers[i] = CrashedByException();
-      }
-    }
+    AnswerEach(info_, queries, answers,
+               [this](const ContactQuery& query) { return AnswerOne(query); });
   }
 
   std::unique_ptr<PreparedBatch> Prepare(
@@ -209,16 +193,12 @@ class FclDistance final : public Oracle {
 
  private:
   ContactAnswer AnswerOne(const ContactQuery& query) const {
-    const Capability& capability =
-        info_.For(KindOf(query.A.shape), KindOf(query.B.shape));
-    if (!capability.supported) return UnsupportedAnswer(capability.reason);
-    const FclPair pair = {ToFcl(query.A), ToFcl(query.B)};
-    if (!pair.a.geometry || !pair.b.geometry) {
-      return UnsupportedAnswer("FCL wants convex hulls to have volume");
-    }
+    const FclPair pair = ToFcl(query);
+    if (!pair) return UnsupportedAnswer("FCL wants convex hulls to have volume");
     fcl::DistanceResultd result;
-    Distance(request_, pair.a, pair.b, result);
-    return Translate(query, capability, result);
+    Distance(request_, pair, result);
+    return Translate(query, info_.For(KindOf(query.A.shape), KindOf(query.B.shape)),
+                     result);
   }
 
   static ContactAnswer Translate(const ContactQuery& query, const Capability& capability,

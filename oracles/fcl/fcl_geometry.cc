@@ -52,13 +52,17 @@ struct MakeGeometry {
   }
 };
 
-}  // namespace
-
 FclBody ToFcl(const Body& body) {
   FclBody result{std::visit(MakeGeometry{}, body.shape), Eigen::Isometry3d::Identity()};
   result.X_WB.linear() = body.X_WB.R_WB;
   result.X_WB.translation() = body.X_WB.p_WB;
   return result;
+}
+
+}  // namespace
+
+FclPair ToFcl(const ContactQuery& query) {
+  return {ToFcl(query.A), ToFcl(query.B)};
 }
 
 }  // namespace touchstone

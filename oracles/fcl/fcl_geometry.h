@@ -20,7 +20,16 @@ struct FclBody {
   Eigen::Isometry3d X_WB;
 };
 
-/** Translates `body`: full sizes, the same axes, a hull with its faces. */
-FclBody ToFcl(const Body& body);
+/** Two bodies as FCL takes them. */
+struct FclPair {
+  FclBody A;
+  FclBody B;
+
+  /** Whether FCL can be asked: both have a geometry. */
+  explicit operator bool() const { return A.geometry && B.geometry; }
+};
+
+/** Translates both bodies: full sizes, the same axes, a hull with its faces. */
+FclPair ToFcl(const ContactQuery& query);
 
 }  // namespace touchstone

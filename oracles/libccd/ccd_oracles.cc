@@ -8,9 +8,9 @@
 
 #include <ccd/ccd.h>
 
+#include "oracles/answer_each.h"
 #include "oracles/isolated_oracle.h"
 #include "oracles/libccd/ccd_body.h"
-#include "oracles/no_answer.h"
 
 namespace touchstone {
 namespace {
@@ -107,12 +107,8 @@ OracleInfo MakeInfo(Algorithm algorithm) {
       {"version", "of its pkg-config file",
        "The library states none; Debian calls it 2.1."},
   };
-  for (int a = 0; a < kShapeKinds; ++a) {
-    for (int b = 0; b < kShapeKinds; ++b) {
-      info.capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] =
-          CapabilityOf(algorithm, static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
-    }
-  }
+  info.capabilities = CapabilityTable(
+      [=](ShapeKind a, ShapeKind b) { return CapabilityOf(algorithm, a, b); });
   return info;
 }
 
@@ -164,13 +160,9 @@ class CcdOracle final : public Oracle {
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
     const ccd_t ccd = MakeCcd();
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const ContactQuery& query = queries[i];
-      const Capability& capability =
-          info_.For(KindOf(query.A.shape), KindOf(query.B.shape));
-      answers[i] = capability.supported ? Translate(Penetrate(algorithm_, ccd, query))
-                                        : UnsupportedAnswer(capability.reason);
-    }
+    AnswerEach(info_, queries, answers, [&](const ContactQuery& query) {
+      return Translate(Penetrate(algorithm_, ccd, query));
+    });
   }
 
   std::unique_ptr<PreparedBatch> Prepare(

@@ -7,6 +7,7 @@
 
 #include <ode/ode.h>
 
+#include "oracles/answer_each.h"
 #include "oracles/isolated_oracle.h"
 #include "oracles/no_answer.h"
 #include "oracles/ode/ode_contact_point.h"
@@ -95,12 +96,7 @@ OracleInfo MakeInfo() {
       {"convex hull", "faces computed here, origin moved inside if it is not",
        "dCreateConvex takes planes and polygons; MPR starts from the origin."},
   };
-  for (int a = 0; a < kShapeKinds; ++a) {
-    for (int b = 0; b < kShapeKinds; ++b) {
-      info.capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)] =
-          CapabilityOf(static_cast<ShapeKind>(a), static_cast<ShapeKind>(b));
-    }
-  }
+  info.capabilities = CapabilityTable(CapabilityOf);
   DescribeOdeWorlds(OdeStepper::kStep, info);
   return info;
 }
@@ -182,13 +178,7 @@ class OdeOracle final : public Oracle {
   using Oracle::Answer;
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      try {
-        answers[i] = AnswerOne(queries[i]);
-      } catch (...) {
-        answers[i] = CrashedByException();
-      }
-    }
+    AnswerEach(info_, queries, answers, AnswerOne);
   }
 
   std::unique_ptr<PreparedBatch> Prepare(
@@ -201,10 +191,7 @@ class OdeOracle final : public Oracle {
   }
 
  private:
-  ContactAnswer AnswerOne(const ContactQuery& query) const {
-    const Capability& capability =
-        info_.For(KindOf(query.A.shape), KindOf(query.B.shape));
-    if (!capability.supported) return UnsupportedAnswer(capability.reason);
+  static ContactAnswer AnswerOne(const ContactQuery& query) {
     const OdeGeom a(query.A);
     const OdeGeom b(query.B);
     if (!a || !b) return UnsupportedAnswer("ODE wants convex hulls to have volume");

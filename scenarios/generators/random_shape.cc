@@ -106,28 +106,6 @@ struct ThicknessOf {
   double operator()(const HalfSpace&) const { return 1; }
 };
 
-struct ResizedBy {
-  double factor;
-
-  Shape operator()(const Sphere& sphere) const { return Sphere{factor * sphere.radius}; }
-  Shape operator()(const Box& box) const { return Box{factor * box.half_extents}; }
-  Shape operator()(const Capsule& capsule) const {
-    return Capsule{factor * capsule.radius, factor * capsule.half_length};
-  }
-  Shape operator()(const Cylinder& cylinder) const {
-    return Cylinder{factor * cylinder.radius, factor * cylinder.half_length};
-  }
-  Shape operator()(const Cone& cone) const {
-    return Cone{factor * cone.radius, factor * cone.half_height};
-  }
-  Shape operator()(const ConvexHull& hull) const {
-    ConvexHull resized = hull;
-    for (Eigen::Vector3d& vertex : resized.vertices) vertex *= factor;
-    return resized;
-  }
-  Shape operator()(const HalfSpace& half_space) const { return half_space; }
-};
-
 struct SupportPointAlong {
   const Eigen::Vector3d& n;
 
@@ -187,10 +165,6 @@ Shape RandomThinShape(ShapeKind kind, Random& random) {
   sizes[thin[0]] *= thinner;
   if (thin[1] != thin[0]) sizes[thin[1]] *= thinner;
   return ShapeOfSizes(kind, sizes, random);
-}
-
-Shape Resized(const Shape& shape, double factor) {
-  return std::visit(ResizedBy{factor}, shape);
 }
 
 double Thickness(const Shape& shape) {

@@ -14,9 +14,6 @@ Shape RandomShape(ShapeKind kind, Random& random);
  is thin, of a half-space nothing. */
 Shape RandomThinShape(ShapeKind kind, Random& random);
 
-/** Returns `shape` with all sizes multiplied by `factor`. @pre factor > 0. */
-Shape Resized(const Shape& shape, double factor);
-
 /** Returns the least size of `shape`: the smallest of its radii, half lengths and half
  heights; for a hull its InnerRadius(); for a half-space 1. [m] */
 double Thickness(const Shape& shape);
