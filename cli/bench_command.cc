@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "cli/sweep_command.h"
+#include "reports/counted.h"
 #include "reports/referee/referee.h"
 #include "reports/writers/describe.h"
 #include "scenarios/generators/generate.h"
@@ -120,10 +121,11 @@ void BenchPair(ShapeKind A, ShapeKind B, std::span<const Oracle* const> oracles,
   }
   if (rows.empty()) return;
   std::cout << fmt::format(
-      "{} {}: {} random poses, {} held against the truth, {} of them touching\n"
+      "{} {}: {}, {} held against the truth, {} of them touching\n"
       "  {:<26}{:>10}{:>8} {:>16}{:>10}{:>15}{:>11}\n",
-      NameOf(A), NameOf(B), queries.size(), sample.size(), touching, "oracle", "ns/query",
-      "", "worst error [m]", "measured", "wrong touching", "no answer");
+      NameOf(A), NameOf(B), Counted(queries.size(), "random pose"), sample.size(),
+      touching, "oracle", "ns/query", "", "worst error [m]", "measured", "wrong touching",
+      "no answer");
   const bool all_timed = std::all_of(rows.begin(), rows.end(), [](const Row& row) {
     return row.nanoseconds.has_value();
   });

@@ -10,6 +10,7 @@
 
 #include "cli/did_you_mean.h"
 #include "cli/input_error.h"
+#include "reports/counted.h"
 
 namespace touchstone {
 namespace {
@@ -73,8 +74,8 @@ class BodyReader {
                               std::size_t count) {
     const std::vector<double> numbers = Numbers();
     if (numbers.size() != count) {
-      Fail(fmt::format("has {} numbers after '{}', which takes {}", numbers.size(), of,
-                       what));
+      Fail(fmt::format("has {} after '{}', which takes {}",
+                       Counted(numbers.size(), "number"), of, what));
     }
     return numbers;
   }
@@ -107,8 +108,8 @@ class BodyReader {
   Shape ReadHull() {
     const std::vector<double> numbers = Numbers();
     if (numbers.empty() || numbers.size() % 3 != 0) {
-      Fail(fmt::format("has {} numbers after 'convex_hull', which takes three a vertex",
-                       numbers.size()));
+      Fail(fmt::format("has {} after 'convex_hull', which takes three a vertex",
+                       Counted(numbers.size(), "number")));
     }
     ConvexHull hull;
     for (std::size_t i = 0; i < numbers.size(); i += 3) {

@@ -163,6 +163,10 @@ class CommandLine {
     app->add_option("--A,-A", ask_.A, "the first body")->required()->type_name("BODY");
     app->add_option("--B,-B", ask_.B, "the second body")->required()->type_name("BODY");
     AddOracleOptions(app, ask_.oracles);
+    app->add_flag("--toml", ask_.toml,
+                  "ask nobody: print the question as a scenario file to keep");
+    app->add_option("--id", ask_.id, "the scenario's id, in a folder its path there")
+        ->capture_default_str();
   }
 
   void AddList() {

@@ -8,18 +8,15 @@
 #include "cli/input_error.h"
 #include "reports/writers/explanation_writer.h"
 #include "scenarios/scenario_file.h"
-#include "scenarios/validate.h"
+#include "scenarios/validate_scenario.h"
 
 namespace touchstone {
 namespace {
 
-int Explain(const Session& session, std::span<const Scenario> scenarios,
-            const OracleSelection& selection, const Ledger& ledger) {
+RunReport Answers(const Session& session, std::span<const Scenario> scenarios,
+                  const OracleSelection& selection, const Ledger& ledger) {
   const std::vector<const Oracle*> oracles = SelectOracles(session.registry, selection);
-  const RunReport report =
-      RunSuite(session, scenarios, oracles, ledger, {.partial = true});
-  WriteExplanation(report, std::cout);
-  return 0;
+  return RunSuite(session, scenarios, oracles, ledger, {.partial = true});
 }
 
 }  // namespace
@@ -27,26 +24,42 @@ int Explain(const Session& session, std::span<const Scenario> scenarios,
 int ExplainCommand(const Session& session, const ScenarioSelection& selection,
                    const OracleSelection& oracles) {
   const std::vector<Scenario> scenarios = SelectScenarios(selection);
-  for (const Scenario& scenario : scenarios) std::cout << WriteScenario(scenario) << '\n';
-  return Explain(session, scenarios, oracles, LoadLedger(session, {}));
+  const RunReport report = Answers(session, scenarios, oracles, LoadLedger(session, {}));
+  if (scenarios.size() == 1) {
+    std::cout << WriteScenario(scenarios.front()) << '\n';
+    WriteExplanation(report, std::cout);
+    return 0;
+  }
+  WriteExplanationTable(report, std::cout);
+  std::cout
+      << "\nEvery answer to one of them, with the proofs: touchstone explain ID, or "
+         "the file of your own\n";
+  return 0;
 }
 
 int AskCommand(const Session& session, const AskArguments& arguments) {
   Scenario scenario;
-  scenario.id = "ask";
-  scenario.title = "a question from the command line";
-  scenario.source = "the command line";
+  scenario.id = arguments.id;
+  scenario.title = "A question from the command line";
+  scenario.source =
+      fmt::format("touchstone ask --A '{}' --B '{}'", arguments.A, arguments.B);
   scenario.name_A = "A";
   scenario.name_B = "B";
   scenario.contact = {ParseBody(arguments.A), ParseBody(arguments.B)};
   std::string faults;
-  for (const Fault& fault : FaultsOf(scenario.contact)) {
+  for (const Fault& fault : FaultsOf(scenario)) {
     faults +=
         fmt::format("{} {}, expected {}\n", fault.where, fault.what, fault.expected);
   }
   if (!faults.empty()) throw InputError(faults + "the question has no answer");
+  if (arguments.toml) {
+    std::cout << WriteScenario(scenario);
+    return 0;
+  }
   // No entry of the ledger is about this question.
-  return Explain(session, std::span(&scenario, 1), arguments.oracles, {});
+  WriteExplanation(Answers(session, std::span(&scenario, 1), arguments.oracles, {}),
+                   std::cout);
+  return 0;
 }
 
 }  // namespace touchstone

@@ -24,7 +24,8 @@ int ListCommand(const ScenarioSelection& selection) {
   for (const auto& [group, count] : groups) {
     std::cout << fmt::format("{:>6}  {}\n", count, group);
   }
-  std::cout << fmt::format("{:>6}  scenarios\n", scenarios.size());
+  std::cout << fmt::format("{:>6}  scenario{}\n", scenarios.size(),
+                           scenarios.size() == 1 ? "" : "s");
   return 0;
 }
 

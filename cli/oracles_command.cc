@@ -3,6 +3,7 @@
 #include <iostream>
 #include <map>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -27,22 +28,37 @@ std::string HeadingOf(const Capability& capability) {
   return fmt::format("{}: {}", capability.family, GivesOf(capability));
 }
 
+// The words in lines that a terminal of 80 columns holds.
+void PrintWrapped(const std::vector<std::string>& words) {
+  constexpr std::size_t kColumns = 80;
+  std::string line = "       ";
+  const std::size_t indent = line.size();
+  for (const std::string& word : words) {
+    if (line.size() > indent && line.size() + 1 + word.size() > kColumns) {
+      std::cout << line << '\n';
+      line.resize(indent);
+    }
+    line += ' ' + word;
+  }
+  std::cout << line << '\n';
+}
+
 // Pairs that are answered alike, under one heading: "sat: depth, normal". A pair that is
 // answered alike in both orders is named once.
 void PrintCapabilities(const OracleInfo& info) {
-  std::map<std::string, std::string> pairs_by_heading;
+  std::map<std::string, std::vector<std::string>> pairs_by_heading;
   for (int a = 0; a < kShapeKinds; ++a) {
     for (int b = 0; b < kShapeKinds; ++b) {
       const ShapeKind A = static_cast<ShapeKind>(a);
       const ShapeKind B = static_cast<ShapeKind>(b);
       const std::string heading = HeadingOf(info.For(A, B));
       if (a > b && heading == HeadingOf(info.For(B, A))) continue;
-      std::string& pairs = pairs_by_heading[heading];
-      pairs += fmt::format("{}{}-{}", pairs.empty() ? "" : " ", NameOf(A), NameOf(B));
+      pairs_by_heading[heading].push_back(fmt::format("{}-{}", NameOf(A), NameOf(B)));
     }
   }
   for (const auto& [heading, pairs] : pairs_by_heading) {
-    std::cout << fmt::format("    {}\n        {}\n", heading, pairs);
+    std::cout << fmt::format("    {}\n", heading);
+    PrintWrapped(pairs);
   }
 }
 

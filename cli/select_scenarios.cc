@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "cli/input_error.h"
+#include "reports/counted.h"
 #include "reports/glob.h"
 #include "scenarios/scenario_file.h"
 #include "scenarios/schema/nearest_name.h"
@@ -32,8 +33,8 @@ std::vector<Scenario> WithoutErrors(Catalogue catalogue) {
   for (const Diagnostic& diagnostic : catalogue.diagnostics) {
     text += ToString(diagnostic) + "\n";
   }
-  throw InputError(text + fmt::format("{} errors in scenario files: nothing was run",
-                                      catalogue.diagnostics.size()));
+  throw InputError(text + Counted(catalogue.diagnostics.size(), "error") +
+                   " in scenario files: nothing was run");
 }
 
 // "contact/sphere_box/*" of "contact/box_sphere/*": a folder names a pair of shapes in
@@ -78,9 +79,8 @@ std::string NearestPattern(const std::string& pattern,
   if (nearest.empty()) nearest = NearestPattern(pattern, catalogue);
   throw InputError(fmt::format(
       "no scenario matches '{}'{}, and no such file or folder is there; `touchstone "
-      "list` shows the {} ids",
-      pattern, nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest),
-      catalogue.size()));
+      "list` shows all ids",
+      pattern, nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
 }
 
 void RefuseDuplicates(const std::vector<Scenario>& scenarios) {

@@ -8,6 +8,7 @@
 
 #include "cli/input_error.h"
 #include "cli/progress_bar.h"
+#include "reports/counted.h"
 #include "reports/ledger_file.h"
 
 namespace touchstone {
@@ -34,8 +35,8 @@ Ledger LoadLedger(const Session& session,
   for (const Diagnostic& diagnostic : result.diagnostics) {
     text += ToString(diagnostic) + "\n";
   }
-  throw InputError(text + fmt::format("{} errors in the ledger: nothing was run",
-                                      result.diagnostics.size()));
+  throw InputError(text + Counted(result.diagnostics.size(), "error") +
+                   " in the ledger: nothing was run");
 }
 
 RunReport RunSuite(const Session& session, std::span<const Scenario> scenarios,

@@ -1,6 +1,7 @@
 #include "cli/sweep_command.h"
 
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <string_view>
 #include <utility>
@@ -58,8 +59,12 @@ std::string WorstOf(const SweepResult& result) {
   std::string text;
   for (std::size_t i = 0; i < result.worst.size(); ++i) {
     if (!result.worst[i] || result.worst[i]->relative == 0) continue;
-    text += fmt::format("{}{} {:.2g}", text.empty() ? "" : ", ",
-                        NameOf(static_cast<MeasureKind>(i)), result.worst[i]->relative);
+    const WorstMeasure& worst = *result.worst[i];
+    // Of a tolerance of zero there is no multiple.
+    text += fmt::format(
+        "{}{} {}", text.empty() ? "" : ", ", NameOf(static_cast<MeasureKind>(i)),
+        std::isfinite(worst.relative) ? fmt::format("{:.2g}", worst.relative)
+                                      : fmt::format("{:.3g} > 0", worst.value));
   }
   return text;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/counted.h"
 #include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"
@@ -73,8 +74,9 @@ void CheckContacts(const ScenarioResult& result, std::vector<std::string>& fault
                                RoundingGranted(result) + kWritten * SceneSize(query))
                         .least_contacts;
   if (least == *expect.contacts) return;
-  faults.push_back(fmt::format("{}: expects {} contacts, but {} span the patch.",
-                               result.scenario.id, *expect.contacts, least));
+  faults.push_back(fmt::format("{}: expects {}, but it takes {} to span the patch.",
+                               result.scenario.id, Counted(*expect.contacts, "contact"),
+                               least));
 }
 
 bool Indicts(const Finding& finding) {

@@ -1,13 +1,17 @@
 #include "reports/proof.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "reports/counted.h"
 #include "reports/measures/overlap_along.h"
 #include "reports/referee/referee.h"
+#include "reports/told_apart.h"
 
 namespace touchstone {
 namespace {
@@ -43,28 +47,38 @@ InsidePoint PointInsideBoth(const ContactQuery& query, const ContactTruth& truth
   return best;
 }
 
-std::string SeparatingPlane(const ContactTruth& truth) {
-  const Certificate& proof = truth.certificate;
-  const double c = proof.n_AB_W.dot(proof.p_WCa + proof.p_WCb) / 2;
-  return fmt::format("the plane n·x = {:.9g} with n = {} separates them by {:.9g} m", c,
-                     InWords(proof.n_AB_W), truth.separation.lo);
+constexpr int kDigits = 9;
+
+std::string InMetres(double length) {
+  return fmt::format("{:.{}g}", length, kDigits);
 }
 
-std::string LeastTranslation(const ContactTruth& truth) {
-  return fmt::format("moving B by {:.9g} m along {} separates them", -truth.separation.lo,
+// `gap` is truth.separation.lo in words. [m]
+std::string SeparatingPlane(const ContactTruth& truth, std::string_view gap) {
+  const Certificate& proof = truth.certificate;
+  const double c = proof.n_AB_W.dot(proof.p_WCa + proof.p_WCb) / 2;
+  return fmt::format("the plane n·x = {:.9g} with n = {} separates them by {} m", c,
+                     InWords(proof.n_AB_W), gap);
+}
+
+// `depth` is -truth.separation.lo in words. [m]
+std::string LeastTranslation(const ContactTruth& truth, std::string_view depth) {
+  return fmt::format("moving B by {} m along {} separates them", depth,
                      InWords(truth.certificate.n_AB_W));
 }
 
 }  // namespace
 
 std::string InWords(const Eigen::Vector3d& v) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
+  // Adding zero leaves no "-0".
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
 }
 
 std::string ProveTouching(const Dispute& dispute) {
   if (dispute.answer.touching) {
-    return fmt::format("{} says they touch; {}.", dispute.oracle,
-                       SeparatingPlane(dispute.truth));
+    return fmt::format(
+        "{} says they touch; {}.", dispute.oracle,
+        SeparatingPlane(dispute.truth, InMetres(dispute.truth.separation.lo)));
   }
   const InsidePoint inside = PointInsideBoth(dispute.query, dispute.truth);
   if (inside.depth > 0) {
@@ -79,105 +93,126 @@ std::string ProveTouching(const Dispute& dispute) {
 std::string ProveSeparation(const Dispute& dispute, double separation) {
   const ContactTruth& truth = dispute.truth;
   if (truth.separation.lo > 0) {
-    if (separation < truth.separation.lo) {
-      return fmt::format("{} says {:.9g} m apart; {}.", dispute.oracle, separation,
-                         SeparatingPlane(truth));
+    if (separation < 0) {
+      return fmt::format("{} says {} m deep; {}.", dispute.oracle, InMetres(-separation),
+                         SeparatingPlane(truth, InMetres(truth.separation.lo)));
     }
+    if (separation < truth.separation.lo) {
+      const auto [said, gap, more] = TellApart(separation, truth.separation.lo, kDigits);
+      return fmt::format("{} says {} m apart; {}, {} m more.", dispute.oracle, said,
+                         SeparatingPlane(truth, gap), more);
+    }
+    const auto [said, gap, less] = TellApart(separation, truth.separation.hi, kDigits);
     return fmt::format(
-        "{} says {:.9g} m apart; the point {} of A and the point {} of B are {:.9g} m "
-        "apart.",
-        dispute.oracle, separation, InWords(truth.certificate.p_WCa),
-        InWords(truth.certificate.p_WCb), truth.separation.hi);
+        "{} says {} m apart; the point {} of A and the point {} of B are {} m apart, {} "
+        "m less.",
+        dispute.oracle, said, InWords(truth.certificate.p_WCa),
+        InWords(truth.certificate.p_WCb), gap, less);
   }
   if (separation < truth.separation.lo) {
-    return fmt::format("{} says {:.9g} m deep; {}.", dispute.oracle, -separation,
-                       LeastTranslation(truth));
+    const auto [said, depth, less] =
+        TellApart(-separation, -truth.separation.lo, kDigits);
+    return fmt::format("{} says {} m deep; {}, {} m less.", dispute.oracle, said,
+                       LeastTranslation(truth, depth), less);
   }
+  if (separation >= 0) {
+    return fmt::format(
+        "{} says {} m apart; no translation shorter than {} m separates them.",
+        dispute.oracle, InMetres(separation), InMetres(-truth.separation.hi));
+  }
+  const auto [said, depth, more] = TellApart(-separation, -truth.separation.hi, kDigits);
   std::string sentence = fmt::format(
-      "{} says {:.9g} m {}; no translation shorter than {:.9g} m separates them",
-      dispute.oracle, std::abs(separation), separation < 0 ? "deep" : "apart",
-      -truth.separation.hi);
-  if (separation < 0 && dispute.answer.n_AB_W) {
+      "{} says {} m deep; no translation shorter than {} m separates them, {} m more",
+      dispute.oracle, said, depth, more);
+  if (dispute.answer.n_AB_W) {
     const double left =
         OverlapAlong(dispute.query, *dispute.answer.n_AB_W).lo + separation;
     sentence += fmt::format(
-        ", and moving B by {:.9g} m along its own normal {} leaves an overlap of {:.9g} "
-        "m",
-        -separation, InWords(*dispute.answer.n_AB_W), left);
+        "; moving B by {} m along its own normal {} leaves an overlap of {} m", said,
+        InWords(*dispute.answer.n_AB_W), InMetres(left));
   }
   return sentence + ".";
 }
 
 std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_W,
                                double separation) {
-  return fmt::format("{} says {:.9g} m along {}; the overlap along it is {:.9g} m.",
-                     dispute.oracle, -separation, InWords(n_W),
-                     Middle(OverlapAlong(dispute.query, n_W)));
+  const double overlap = Middle(OverlapAlong(dispute.query, n_W));
+  const auto [said, along, difference] = TellApart(-separation, overlap, kDigits);
+  return fmt::format("{} says {} m along {}; the overlap along it is {} m, {} m {}.",
+                     dispute.oracle, said, InWords(n_W), along, difference,
+                     overlap > -separation ? "more" : "less");
 }
 
 std::string ProveExcess(const Dispute& dispute, const Eigen::Vector3d& n_W) {
-  const double along = OverlapAlong(dispute.query, n_W).lo;
-  if (dispute.truth.separation.lo > 0) {
-    return fmt::format("{} says n = {}, along which the gap is {:.9g} m; {}.",
-                       dispute.oracle, InWords(n_W), -along,
-                       SeparatingPlane(dispute.truth));
+  const ContactTruth& truth = dispute.truth;
+  const double overlap = OverlapAlong(dispute.query, n_W).lo;
+  if (truth.separation.lo > 0) {
+    const auto [along, gap, more] = TellApart(-overlap, truth.separation.lo, kDigits);
+    return fmt::format("{} says n = {}, along which the gap is {} m; {}, {} m more.",
+                       dispute.oracle, InWords(n_W), along, SeparatingPlane(truth, gap),
+                       more);
   }
-  return fmt::format("{} says n = {}, along which B must move {:.9g} m; {}.",
-                     dispute.oracle, InWords(n_W), along,
-                     LeastTranslation(dispute.truth));
+  const auto [along, depth, less] = TellApart(overlap, -truth.separation.lo, kDigits);
+  return fmt::format("{} says n = {}, along which B must move {} m; {}, {} m less.",
+                     dispute.oracle, InWords(n_W), along, LeastTranslation(truth, depth),
+                     less);
 }
 
 std::string ProveDualityGap(const Dispute& dispute) {
   const WitnessPoints& w = *dispute.answer.witnesses;
   const Eigen::Vector3d p_AB_W = w.p_WCb - w.p_WCa;
+  const auto [said, gap, less] =
+      TellApart(p_AB_W.norm(), -Middle(OverlapAlong(dispute.query, p_AB_W)), kDigits);
   return fmt::format(
-      "{} says {} of A and {} of B are nearest; they are {:.9g} m apart, but the gap "
-      "along "
-      "their direction is {:.9g} m.",
-      dispute.oracle, InWords(w.p_WCa), InWords(w.p_WCb), p_AB_W.norm(),
-      -Middle(OverlapAlong(dispute.query, p_AB_W)));
+      "{} says {} of A and {} of B are nearest; they are {} m apart, but the gap along "
+      "their direction is {} m, {} m less.",
+      dispute.oracle, InWords(w.p_WCa), InWords(w.p_WCb), said, gap, less);
 }
 
 std::string ProveSurfaceError(const Dispute& dispute, const Eigen::Vector3d& p_WCa,
                               const Eigen::Vector3d& p_WCb) {
   return fmt::format(
       "{} puts a contact at {} on A and {} on B; these are {:.9g} m and {:.9g} m from "
-      "the "
-      "surfaces.",
+      "the surfaces.",
       dispute.oracle, InWords(p_WCa), InWords(p_WCb),
-      Middle(SignedDistance(dispute.query.A, p_WCa)),
-      Middle(SignedDistance(dispute.query.B, p_WCb)));
+      std::abs(Middle(SignedDistance(dispute.query.A, p_WCa))),
+      std::abs(Middle(SignedDistance(dispute.query.B, p_WCb))));
 }
 
 std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,
                           double off) {
   return fmt::format(
       "{} puts a contact {:.9g} m deep at {}; the shapes overlap that deep only {:.9g} m "
-      "from "
-      "there, across the normal.",
+      "from there, across the normal.",
       dispute.oracle, -contact.separation, InWords(contact.p_WC), off);
 }
 
 std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
                            double unspanned) {
   return fmt::format(
-      "{} gives {} contacts that leave {:.0f} % of the patch's extent unspanned; one of "
-      "its {} "
-      "corners is {}.",
-      dispute.oracle, dispute.answer.points.size(), 100 * unspanned,
-      patch.vertices_W.size(), InWords(patch.vertices_W.front()));
+      "{} gives {}, which leaves {:.0f} % of the patch's extent unspanned; one of its "
+      "{} is {}.",
+      dispute.oracle, Counted(dispute.answer.points.size(), "contact"), 100 * unspanned,
+      Counted(patch.vertices_W.size(), "corner"), InWords(patch.vertices_W.front()));
 }
 
 std::string ProveCount(const Dispute& dispute, const ContactPatch& patch) {
-  return fmt::format("{} gives {} contacts; {} different ones span the patch.",
-                     dispute.oracle, dispute.answer.points.size(), patch.least_contacts);
+  return fmt::format("{} gives {}; {} would span the patch.", dispute.oracle,
+                     Counted(dispute.answer.points.size(), "contact"),
+                     Counted(patch.least_contacts, "different one"));
 }
 
 std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact) {
-  return fmt::format("{} gives a contact {:.9g} m deep at {}; {}.", dispute.oracle,
-                     -contact.separation, InWords(contact.p_WC),
-                     dispute.truth.separation.lo > 0 ? SeparatingPlane(dispute.truth)
-                                                     : LeastTranslation(dispute.truth));
+  const ContactTruth& truth = dispute.truth;
+  const auto [said, depth, less] =
+      TellApart(-contact.separation, -truth.separation.lo, kDigits);
+  const std::string says = fmt::format("{} gives a contact {} m deep at {}",
+                                       dispute.oracle, said, InWords(contact.p_WC));
+  if (truth.separation.lo > 0) {
+    return fmt::format("{}; {}.", says,
+                       SeparatingPlane(truth, InMetres(truth.separation.lo)));
+  }
+  return fmt::format("{}; {}, {} m less.", says, LeastTranslation(truth, depth), less);
 }
 
 std::string ProveMixedNormals(const Dispute& dispute, double angle) {

@@ -19,8 +19,8 @@ struct Dispute {
 };
 
 /** Each function returns one sentence with numbers that a person can check by hand, given
- that the measure of that name found an error. Lengths in m to nine digits, directions to
- six. */
+ that the measure of that name found an error. Lengths in m to nine digits, or to as
+ many more as tell two of them apart; directions to six. */
 std::string ProveTouching(const Dispute& dispute);
 std::string ProveSeparation(const Dispute& dispute, double separation);
 std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_W,

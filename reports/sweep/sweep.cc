@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/counted.h"
 #include "reports/writers/explanation_writer.h"
 #include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"
@@ -106,9 +107,9 @@ std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
   oracles.insert(oracles.end(), references.begin(), references.end());
   const SweepResult result = Sweep(series, oracles, {.failures_kept = 1});
   const std::string& name = subject.info().name;
-  const std::string questions =
-      fmt::format("{} questions of the family {} ({} and {}, seed {})", result.asked,
-                  NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed);
+  const std::string questions = fmt::format(
+      "{} of the family {} ({} and {}, seed {})", Counted(result.asked, "question"),
+      NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed);
   if (result.unsupported == result.asked) {
     return fmt::format("{} supports none of {}: nothing was verified", name, questions);
   }
@@ -119,8 +120,8 @@ std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
 
   const FailedQuestion& first = result.first_failures.front();
   std::ostringstream text;
-  text << fmt::format("{} is wrong in {} of {}; {} of them touch. The first:\n\n", name,
-                      result.failed, questions, result.touching);
+  text << fmt::format("{} is wrong in {} of {}; {} of them touching. The first:\n\n",
+                      name, result.failed, questions, result.touching);
   WriteExplanation(first.report, text);
   text << "\nThe question, as a file for `touchstone run`:\n\n"
        << WriteScenario(first.report.scenarios[0].scenario)

@@ -1,8 +1,12 @@
 #include "reports/writers/describe.h"
 
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
+
+#include "reports/counted.h"
+#include "reports/proof.h"
 
 namespace touchstone {
 namespace {
@@ -12,7 +16,7 @@ struct DescribeShape {
     return fmt::format("sphere, radius {} m", s.radius);
   }
   std::string operator()(const Box& s) const {
-    return fmt::format("box, half extents {} m", Describe(s.half_extents));
+    return fmt::format("box, half extents {} m", InWords(s.half_extents));
   }
   std::string operator()(const Capsule& s) const {
     return fmt::format("capsule, radius {} m, half length {} m", s.radius, s.half_length);
@@ -25,42 +29,39 @@ struct DescribeShape {
     return fmt::format("cone, radius {} m, half height {} m", s.radius, s.half_height);
   }
   std::string operator()(const ConvexHull& s) const {
-    return fmt::format("convex hull of {} vertices", s.vertices.size());
+    return "convex hull of " + Counted(s.vertices.size(), "vertex", "vertices");
   }
   std::string operator()(const HalfSpace&) const { return "half-space"; }
 };
 
-const char* StateOf(Touching touching) {
-  switch (touching) {
-    case Touching::kApart:
-      return "Apart";
-    case Touching::kTouching:
-      return "Touching";
-    case Touching::kUndecided:
-      return "Undecidable";
-  }
-  return "Undecidable";
-}
-
 }  // namespace
 
-std::string Describe(const Eigen::Vector3d& v) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
+std::string_view NameOf(Touching touching) {
+  switch (touching) {
+    case Touching::kApart:
+      return "apart";
+    case Touching::kTouching:
+      return "touching";
+    case Touching::kUndecided:
+      return "undecided";
+  }
+  return "undecided";
 }
 
 std::string Describe(const Body& body) {
   return fmt::format("{} at {}", std::visit(DescribeShape{}, body.shape),
-                     Describe(body.X_WB.p_WB));
+                     InWords(body.X_WB.p_WB));
 }
 
 std::string Describe(const ContactTruth& truth) {
+  std::string state(NameOf(truth.touching));
+  state[0] = static_cast<char>(std::toupper(state[0]));
   return fmt::format(
       "{}: the separation lies in [{}, {}] m, certified along n = {} by the points {} of "
       "A and "
       "{} of B ({}).",
-      StateOf(truth.touching), truth.separation.lo, truth.separation.hi,
-      Describe(truth.certificate.n_AB_W), Describe(truth.certificate.p_WCa),
-      Describe(truth.certificate.p_WCb), truth.method);
+      state, truth.separation.lo, truth.separation.hi, InWords(truth.certificate.n_AB_W),
+      InWords(truth.certificate.p_WCa), InWords(truth.certificate.p_WCb), truth.method);
 }
 
 double LeastError(double separation, const ContactTruth& truth) {

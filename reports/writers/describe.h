@@ -1,14 +1,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "reports/referee/contact_truth.h"
 #include "scenarios/contact_query.h"
 
 namespace touchstone {
 
-/** Returns "(x, y, z)" to six digits. */
-std::string Describe(const Eigen::Vector3d& v);
+/** Returns "apart", "touching" or "undecided". */
+std::string_view NameOf(Touching touching);
 
 /** Returns the shape, its sizes and its place: "sphere, radius 0.5 m at (1.2, 0, 0)". */
 std::string Describe(const Body& body);

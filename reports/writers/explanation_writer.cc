@@ -1,11 +1,14 @@
 #include "reports/writers/explanation_writer.h"
 
+#include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "reports/proof.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 
@@ -32,22 +35,50 @@ void WriteAnswer(const OracleInfo& oracle, const ContactAnswer& answer,
   } else {
     out << fmt::format("{:>20} {:>9} ", "-", "-");
   }
-  out << (answer.n_AB_W ? Describe(*answer.n_AB_W) : "no normal") << '\n';
+  out << (answer.n_AB_W ? InWords(*answer.n_AB_W) : "no normal") << '\n';
   for (const ContactPoint& point : answer.points) {
     out << fmt::format("  {:>39} contact {:>20.12g}{:>11}{}\n", "", point.separation, "",
-                       Describe(point.p_WC));
+                       InWords(point.p_WC));
   }
 }
 
+bool IsRight(const Outcome& outcome) {
+  return outcome.verdict == Verdict::kPass;
+}
+
+bool IsWrong(const Outcome& outcome) {
+  return IsFailure(outcome.verdict) || outcome.verdict == Verdict::kKnown;
+}
+
 std::string Names(const RunReport& report, std::span<const Outcome> outcomes,
-                  bool right) {
+                  bool (*selects)(const Outcome&)) {
   std::string names;
   for (const Outcome& outcome : outcomes) {
-    const bool wrong = IsFailure(outcome.verdict) || outcome.verdict == Verdict::kKnown;
-    if (right ? outcome.verdict != Verdict::kPass : !wrong) continue;
+    if (!selects(outcome)) continue;
     names += (names.empty() ? "" : ", ") + report.oracles[outcome.oracle].name;
   }
   return names.empty() ? "nobody" : names;
+}
+
+// What an oracle was wrong about, then what the ledger says of it, each reason once.
+void WriteFindings(const RunReport& report, const Outcome& outcome, std::ostream& out) {
+  std::vector<std::string_view> reasons;
+  for (const Finding& finding : outcome.findings) {
+    if (finding.verdict == Verdict::kPass || finding.verdict == Verdict::kUnsupported) {
+      continue;
+    }
+    out << "  " << Sentence(finding) << '\n';
+    if (!finding.ledger_entry) continue;
+    const auto index = static_cast<std::size_t>(*finding.ledger_entry);
+    const std::string_view reason = report.ledger.entries[index].reason;
+    if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
+      reasons.push_back(reason);
+    }
+  }
+  for (const std::string_view reason : reasons) {
+    out << fmt::format("    Ledger, of {}: {}\n", report.oracles[outcome.oracle].name,
+                       reason);
+  }
 }
 
 void WriteScenario(const RunReport& report, const ScenarioResult& result,
@@ -66,21 +97,9 @@ void WriteScenario(const RunReport& report, const ScenarioResult& result,
                 out);
   }
   out << '\n';
-  for (const Outcome& outcome : outcomes) {
-    for (const Finding& finding : outcome.findings) {
-      if (finding.verdict == Verdict::kPass || finding.verdict == Verdict::kUnsupported) {
-        continue;
-      }
-      out << "  " << Sentence(finding);
-      if (finding.ledger_entry) {
-        const auto index = static_cast<std::size_t>(*finding.ledger_entry);
-        out << " Ledger: " << report.ledger.entries[index].reason;
-      }
-      out << '\n';
-    }
-  }
-  out << "\nRight: " << Names(report, outcomes, true)
-      << "\nWrong: " << Names(report, outcomes, false) << '\n';
+  for (const Outcome& outcome : outcomes) WriteFindings(report, outcome, out);
+  out << "\nRight: " << Names(report, outcomes, IsRight)
+      << "\nWrong: " << Names(report, outcomes, IsWrong) << '\n';
 }
 
 }  // namespace
@@ -92,6 +111,33 @@ void WriteExplanation(const RunReport& report, std::ostream& out) {
     if (s > 0) out << '\n';
     WriteScenario(report, report.scenarios[s],
                   std::span(outcomes).subspan(s * oracles, oracles), out);
+  }
+}
+
+void WriteExplanationTable(const RunReport& report, std::ostream& out) {
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  const std::size_t oracles = report.oracles.size();
+  std::size_t width = std::string_view("scenario").size();
+  for (const ScenarioResult& result : report.scenarios) {
+    width = std::max(width, result.scenario.id.size());
+  }
+  const auto row = [&](std::string_view id, std::string_view truth,
+                       std::string_view separation, std::string_view subject,
+                       std::string_view right, std::string_view wrong) {
+    out << fmt::format("{:<{}}  {:<11} {:>15}  {:<{}} {:>5}  {}\n", id, width, truth,
+                       separation, subject,
+                       std::max<std::size_t>(11, report.subject.size()), right, wrong);
+  };
+  row("scenario", "truth", "separation [m]", report.subject, "right", "wrong");
+  for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
+    const ScenarioResult& result = report.scenarios[s];
+    const auto asked = std::span(outcomes).subspan(s * oracles, oracles);
+    const Enclosure& separation = result.truth.separation;
+    row(result.scenario.id, NameOf(result.truth.touching),
+        fmt::format("{:.9g}", separation.lo + (separation.hi - separation.lo) / 2),
+        NameOf(asked.front().verdict),
+        fmt::format("{}", std::count_if(asked.begin(), asked.end(), IsRight)),
+        Names(report, asked, IsWrong));
   }
 }
 

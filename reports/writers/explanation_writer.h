@@ -11,4 +11,8 @@ namespace touchstone {
  with its proof, and who is proved right and wrong. */
 void WriteExplanation(const RunReport& report, std::ostream& out);
 
+/** Writes a line for each scenario of `report`: the certified truth, the verdict on the
+ subject, how many oracles are right, and who is proved wrong. */
+void WriteExplanationTable(const RunReport& report, std::ostream& out);
+
 }  // namespace touchstone

@@ -1,12 +1,16 @@
 #include "reports/writers/html_writer.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "reports/counted.h"
+#include "reports/proof.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/page_assets.h"
@@ -57,8 +61,73 @@ std::string PrecisionOf(const OracleInfo& oracle) {
 
 std::string WorstOf(const Finding* worst) {
   if (worst == nullptr) return "";
-  return fmt::format("{:.2g} × tolerance in {}", RelativeToTolerance(*worst),
-                     NameOf(worst->measure));
+  return fmt::format("{} in {}", RelativeInWords(*worst), NameOf(worst->measure));
+}
+
+/** A column of a table. */
+struct Column {
+  std::string_view heading;
+  bool is_number = false;
+};
+
+constexpr auto kOracleColumns = std::to_array<Column>({{"oracle"},
+                                                       {"pass", true},
+                                                       {"known", true},
+                                                       {"failed", true},
+                                                       {"undecidable", true},
+                                                       {"unsupported", true},
+                                                       {"worst"},
+                                                       {"library"},
+                                                       {"precision"}});
+constexpr auto kAnswerColumns = std::to_array<Column>({{"oracle"},
+                                                       {"verdict"},
+                                                       {"says"},
+                                                       {"separation [m]", true},
+                                                       {"off the truth by [m]", true},
+                                                       {"normal A to B"},
+                                                       {"contacts", true},
+                                                       {"worst"}});
+constexpr auto kLedgerColumns = std::to_array<Column>({{"oracle"},
+                                                       {"scenarios"},
+                                                       {"hides", true},
+                                                       {"of", true},
+                                                       {"worst", true},
+                                                       {"bound", true},
+                                                       {"cause"},
+                                                       {"reason"},
+                                                       {"upstream"},
+                                                       {"expires"}});
+
+/** Returns the start of a table, up to its first row. */
+std::string TableHead(std::string_view css_class, std::span<const Column> columns) {
+  std::string head =
+      fmt::format("<div class=\"scroll\"><table class=\"{}\">\n<thead><tr>", css_class);
+  for (const Column& column : columns) {
+    head +=
+        fmt::format("<th{}>{}", column.is_number ? " class=\"n\"" : "", column.heading);
+  }
+  return head + "</tr></thead>\n";
+}
+
+/** Returns the rules that put the heading of each column but the first before its cells:
+ on a phone, page.css makes a row a card and hides the headings. */
+std::string CardLabels(std::string_view css_class, std::span<const Column> columns) {
+  std::string rules;
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    rules += fmt::format("  .{} td:nth-child({})::before {{ content: \"{} \"; }}\n",
+                         css_class, i + 1, columns[i].heading);
+  }
+  return rules;
+}
+
+/** Returns an id that may be broken into lines at its levels and words. */
+std::string Breakable(const std::string& id) {
+  std::string text;
+  for (const char c : id) {
+    text += c;
+    if (c == '/' || c == '_') text += "<wbr>";
+  }
+  return text;
 }
 
 class Page {
@@ -70,7 +139,10 @@ class Page {
     out_ << "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
     out_ << fmt::format("<title>Touchstone: {}</title>\n", XmlText(report_.subject));
-    out_ << "<style>\n" << kPageCss << "</style>\n</head>\n<body>\n";
+    out_ << "<style>\n"
+         << kPageCss << "@media (max-width: 40rem) {\n"
+         << CardLabels("oracles", kOracleColumns) << CardLabels("answers", kAnswerColumns)
+         << CardLabels("ledger", kLedgerColumns) << "}\n</style>\n</head>\n<body>\n";
     WriteSummary();
     WriteOracles();
     WriteFaults();
@@ -84,24 +156,25 @@ class Page {
     VerdictCounts counts;
     for (const Outcome& outcome : outcomes_) ++counts[outcome.verdict];
     const VerdictCounts subject = TallyByOracle(report_, outcomes_).front().outcomes;
+    const std::string scenarios = Counted(report_.scenarios.size(), "scenario");
     out_ << fmt::format("<h1>Is {} right?</h1>\n", XmlText(report_.subject));
     if (subject.failed() > 0) {
       out_ << fmt::format(
-          "<p><b class=\"fail\">No</b>: wrong, or without an answer, in {} of {} "
-          "scenarios.</p>\n",
-          subject.failed(), subject.total());
+          "<p><b class=\"fail\">No</b>: wrong, or without an answer, in {} of "
+          "{}.</p>\n",
+          subject.failed(), scenarios);
     } else {
       out_ << fmt::format(
-          "<p><b class=\"pass\">Nothing says otherwise</b>: {} of {} scenarios "
+          "<p><b class=\"pass\">Nothing says otherwise</b>: {} of {} "
           "passed, {} with known discrepancies, {} unsupported.{}</p>\n",
-          subject[Verdict::kPass], subject.total(), subject[Verdict::kKnown],
+          subject[Verdict::kPass], scenarios, subject[Verdict::kKnown],
           subject[Verdict::kUnsupported],
           report_.faults.empty() ? ""
                                  : " <b class=\"fail\">But the catalogue or the ledger "
                                    "is at fault</b>, see below.");
     }
-    out_ << fmt::format("<p>{} scenarios, {} oracles.", report_.scenarios.size(),
-                        report_.oracles.size());
+    out_ << fmt::format("<p>{}, {}.", scenarios,
+                        Counted(report_.oracles.size(), "oracle"));
     for (int i = 0; i < kVerdicts; ++i) {
       const Verdict verdict = static_cast<Verdict>(i);
       if (counts[verdict] == 0) continue;
@@ -112,22 +185,19 @@ class Page {
   }
 
   void WriteOracles() {
-    out_ << "<h2>Oracles</h2>\n<div class=\"scroll\"><table>\n<thead><tr><th>oracle"
-            "<th>library<th>precision<th class=\"n\">pass<th class=\"n\">known"
-            "<th class=\"n\">failed<th class=\"n\">undecidable<th class=\"n\">unsupported"
-            "<th>worst</tr></thead>\n";
+    out_ << "<h2>Oracles</h2>\n" << TableHead("oracles", kOracleColumns);
     const std::vector<Tally> tallies = TallyByOracle(report_, outcomes_);
     for (std::size_t o = 0; o < tallies.size(); ++o) {
       const OracleInfo& oracle = report_.oracles[o];
       const VerdictCounts& counts = tallies[o].outcomes;
       out_ << fmt::format(
-          "<tr><td>{}{}<td>{} {}<td>{}<td class=\"n pass\">{}<td class=\"n known\">{}"
-          "<td class=\"n fail\">{}<td class=\"n\">{}<td class=\"n\">{}<td>{}</tr>\n",
-          XmlText(oracle.name), o == 0 ? " <b>(subject)</b>" : "",
-          XmlText(oracle.library), XmlText(oracle.version), PrecisionOf(oracle),
-          counts[Verdict::kPass], counts[Verdict::kKnown], counts.failed(),
-          counts[Verdict::kUndecidable], counts[Verdict::kUnsupported],
-          WorstOf(tallies[o].worst));
+          "<tr><td>{}{}<td class=\"n pass\">{}<td class=\"n known\">{}"
+          "<td class=\"n fail\">{}<td class=\"n\">{}<td class=\"n\">{}<td>{}<td>{} {}"
+          "<td>{}</tr>\n",
+          XmlText(oracle.name), o == 0 ? " <b>(subject)</b>" : "", counts[Verdict::kPass],
+          counts[Verdict::kKnown], counts.failed(), counts[Verdict::kUndecidable],
+          counts[Verdict::kUnsupported], WorstOf(tallies[o].worst),
+          XmlText(oracle.library), XmlText(oracle.version), PrecisionOf(oracle));
     }
     out_ << "</table></div>\n";
   }
@@ -193,11 +263,11 @@ class Page {
     const std::string id = XmlText(scenario.id);
     out_ << fmt::format(
         "<details class=\"scenario\" id=\"{0}\" data-outcomes=\"{1}\" data-text=\"{2}\">"
-        "<summary><code>{0}</code><span>{3}</span><span "
+        "<summary><code>{5}</code><span>{3}</span><span "
         "class=\"chips\">{4}</span></summary>\n"
         "<div>",
         id, verdicts, XmlText(ToLower(scenario.id + " " + scenario.title)),
-        XmlText(scenario.title), chips);
+        XmlText(scenario.title), chips, Breakable(id));
     out_ << "<div class=\"views\">"
          << Sketch(scenario.contact, result.truth, result.answers, SketchView::kWhole)
          << Sketch(scenario.contact, result.truth, result.answers, SketchView::kClose)
@@ -214,10 +284,7 @@ class Page {
   }
 
   void WriteAnswers(const ScenarioResult& result, std::span<const Outcome> outcomes) {
-    out_ << "<div class=\"scroll\"><table><thead><tr><th>oracle<th>verdict<th>says"
-            "<th class=\"n\">separation [m]<th class=\"n\">off the truth by "
-            "[m]<th>normal A to B"
-            "<th class=\"n\">contacts<th>worst</tr></thead>\n";
+    out_ << TableHead("answers", kAnswerColumns);
     for (std::size_t o = 0; o < report_.oracles.size(); ++o) {
       const ContactAnswer& answer = result.answers[o];
       const Outcome& outcome = outcomes[o];
@@ -237,7 +304,7 @@ class Page {
           answer.separation
               ? fmt::format("{:.2g}", LeastError(*answer.separation, result.truth))
               : "",
-          answer.n_AB_W ? Describe(*answer.n_AB_W) : "", answer.points.size(),
+          answer.n_AB_W ? InWords(*answer.n_AB_W) : "", answer.points.size(),
           WorstOf(outcome.worst));
     }
     out_ << "</table></div>\n";
@@ -269,19 +336,16 @@ class Page {
 
   void WriteLedger() {
     if (report_.ledger.entries.empty()) return;
-    out_ << "<h2>Ledger of known discrepancies</h2>\n<div "
-            "class=\"scroll\"><table><thead><tr>"
-            "<th class=\"n\">hides<th class=\"n\">of<th>oracle<th>scenarios"
-            "<th class=\"n\">worst<th class=\"n\">bound<th>cause<th>reason<th>upstream"
-            "<th>expires</tr></thead>\n";
+    out_ << "<h2>Ledger of known discrepancies</h2>\n"
+         << TableHead("ledger", kLedgerColumns);
     for (std::size_t i = 0; i < report_.ledger.entries.size(); ++i) {
       const LedgerEntry& entry = report_.ledger.entries[i];
       const LedgerUse& use = report_.ledger_use[i];
       out_ << fmt::format(
-          "<tr id=\"ledger-{}\"><td class=\"n\">{}<td class=\"n\">{}<td>{} {}<td>{}"
+          "<tr id=\"ledger-{}\"><td>{} {}<td>{}<td class=\"n\">{}<td class=\"n\">{}"
           "<td class=\"n\">{:.3g}<td class=\"n\">{:.3g}<td>{}<td>{}<td>{}<td>{}</tr>\n",
-          i, use.hidden, use.candidates, XmlText(entry.oracle), XmlText(entry.version),
-          XmlText(entry.scenarios), use.worst, entry.bound, NameOf(entry.cause),
+          i, XmlText(entry.oracle), XmlText(entry.version), XmlText(entry.scenarios),
+          use.hidden, use.candidates, use.worst, entry.bound, NameOf(entry.cause),
           XmlText(entry.reason), XmlText(entry.upstream), XmlText(entry.expires));
     }
     out_ << "</table></div>\n";

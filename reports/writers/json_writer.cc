@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 
 namespace touchstone {
@@ -91,21 +92,9 @@ Json ToJson(const ContactExpectation& expect) {
   return json;
 }
 
-const char* NameOfTouching(Touching touching) {
-  switch (touching) {
-    case Touching::kApart:
-      return "apart";
-    case Touching::kTouching:
-      return "touching";
-    case Touching::kUndecided:
-      return "undecided";
-  }
-  return "undecided";
-}
-
 Json ToJson(const ContactTruth& truth) {
   Json json;
-  json["touching"] = NameOfTouching(truth.touching);
+  json["touching"] = NameOf(truth.touching);
   json["separation"] = ToJson(truth.separation);
   json["input_rounding"] = ToJson(truth.input_rounding);
   json["method"] = truth.method;

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/told_apart.h"
+
 namespace touchstone {
 namespace {
 
@@ -87,6 +89,12 @@ double RelativeToTolerance(const Finding& finding) {
   return finding.value / finding.tolerance;
 }
 
+std::string RelativeInWords(const Finding& finding) {
+  const double relative = RelativeToTolerance(finding);
+  if (std::isfinite(relative)) return fmt::format("{:.2g} × tolerance", relative);
+  return fmt::format("{:.3g} where {:.3g} is allowed", finding.value, finding.tolerance);
+}
+
 std::vector<Outcome> OutcomesOf(const RunReport& report) {
   std::vector<Outcome> outcomes;
   outcomes.reserve(report.scenarios.size() * report.oracles.size());
@@ -153,9 +161,11 @@ std::string Quantity(double value, std::string_view unit) {
 std::string Sentence(const Finding& finding) {
   std::string text = fmt::format("{}: {}", finding.oracle, NameOf(finding.verdict));
   if (IsMeasured(finding)) {
-    text += fmt::format(" in {}, {} where {} is allowed", NameOf(finding.measure),
-                        Quantity(finding.value, UnitOf(finding.measure)),
-                        Quantity(finding.tolerance, UnitOf(finding.measure)));
+    const std::string_view unit = UnitOf(finding.measure);
+    const std::string_view space = unit.empty() ? "" : " ";
+    const auto [value, tolerance, _] = TellApart(finding.value, finding.tolerance, 3);
+    text += fmt::format(" in {}, {}{}{} where {}{}{} is allowed", NameOf(finding.measure),
+                        value, space, unit, tolerance, space, unit);
     if (!finding.tolerance_because.empty()) {
       text += fmt::format(" ({})", finding.tolerance_because);
     }

@@ -50,6 +50,10 @@ struct Outcome {
  for a value above a tolerance of zero. [-] */
 double RelativeToTolerance(const Finding& finding);
 
+/** Returns how far `finding` is from its tolerance: "2.1 × tolerance", or, where the
+ tolerance is zero, "1 where 0 is allowed". */
+std::string RelativeInWords(const Finding& finding);
+
 /** Returns the outcome of every oracle in every scenario: scenario s and oracle o are at
  s * oracles.size() + o. The outcomes refer to `report`. */
 std::vector<Outcome> OutcomesOf(const RunReport& report);

@@ -35,8 +35,17 @@ function openTarget() {
   }
 }
 
+// The filter is as high as its controls need rows: a link stops below it.
+const bar = document.getElementById("filter");
+function clearOfBar() {
+  const sticky = getComputedStyle(bar).position === "sticky";
+  document.documentElement.style.scrollPaddingTop = sticky ? `${bar.offsetHeight + 8}px` : "0";
+}
+
 for (const control of [text, oracle, verdict]) control.addEventListener("input", filter);
-document.getElementById("filter").addEventListener("submit", (event) => event.preventDefault());
+bar.addEventListener("submit", (event) => event.preventDefault());
 window.addEventListener("hashchange", openTarget);
+window.addEventListener("resize", clearOfBar);
+clearOfBar();
 filter();
 openTarget();

@@ -1,6 +1,7 @@
 #include "reports/writers/table_writer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/counted.h"
 #include "reports/writers/outcome.h"
 
 namespace touchstone {
@@ -54,8 +56,14 @@ std::string Count(const Painter& paint, Colour colour, int count, int width) {
 
 std::string Worst(const Tally& tally) {
   if (tally.worst == nullptr) return "";
-  return fmt::format("{:>9.2g}  {}", RelativeToTolerance(*tally.worst),
-                     NameOf(tally.worst->measure));
+  const Finding& worst = *tally.worst;
+  const double relative = RelativeToTolerance(worst);
+  // Of a tolerance of zero there is no multiple.
+  const std::string text =
+      std::isfinite(relative)
+          ? fmt::format("{:.2g}", relative)
+          : fmt::format("{:.3g} > {:.3g}", worst.value, worst.tolerance);
+  return fmt::format("{:>9}  {}", text, NameOf(worst.measure));
 }
 
 std::string Row(const Painter& paint, std::string_view name, const Tally& tally) {
@@ -96,8 +104,7 @@ void WriteGroups(const RunReport& report, std::span<const Outcome> outcomes,
       }
     }
     if (others > 0) {
-      out << Row(paint, fmt::format("{} other{}", others, others == 1 ? "" : "s"),
-                 folded);
+      out << Row(paint, Counted(others, "other"), folded);
     }
   }
 }
@@ -105,7 +112,8 @@ void WriteGroups(const RunReport& report, std::span<const Outcome> outcomes,
 void WriteOracles(const RunReport& report, std::span<const Outcome> outcomes,
                   const Painter& paint, std::ostream& out) {
   const std::vector<Tally> tallies = TallyByOracle(report, outcomes);
-  out << '\n' << Heading(paint, fmt::format("all {} scenarios", report.scenarios.size()));
+  out << '\n'
+      << Heading(paint, fmt::format("all scenarios ({})", report.scenarios.size()));
   for (std::size_t o = 0; o < tallies.size(); ++o) {
     out << Row(paint, report.oracles[o].name, tallies[o]);
   }
@@ -117,10 +125,10 @@ std::string AlsoFailing(const Outcome& outcome) {
   std::string names;
   for (const Finding& finding : outcome.findings) {
     if (&finding == outcome.decisive || !IsFailure(finding.verdict)) continue;
-    names += fmt::format("{}{} {:.2g}×", names.empty() ? "" : ", ",
-                         NameOf(finding.measure), RelativeToTolerance(finding));
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", NameOf(finding.measure),
+                         RelativeInWords(finding));
   }
-  return names.empty() ? "" : fmt::format("      also: {} of the tolerance\n", names);
+  return names.empty() ? "" : fmt::format("      also: {}\n", names);
 }
 
 void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
@@ -149,6 +157,7 @@ void WriteFaults(const RunReport& report, const Painter& paint, std::ostream& ou
 
 void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& out) {
   if (report.ledger.entries.empty()) return;
+  const std::size_t entries = report.ledger.entries.size();
   int hidden = 0;
   int untested = 0;
   for (const LedgerUse& use : report.ledger_use) {
@@ -157,8 +166,10 @@ void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& ou
   }
   out << '\n'
       << paint(Colour::kBold, "Ledger")
-      << fmt::format(": {} entries hide {} findings; {} were not put to the test\n",
-                     report.ledger.entries.size(), hidden, untested);
+      << fmt::format(": {} hide{} {}; {} put to the test\n",
+                     Counted(entries, "entry", "entries"), entries == 1 ? "s" : "",
+                     Counted(hidden, "finding"),
+                     untested == 1 ? "1 was not" : fmt::format("{} were not", untested));
   if (hidden == 0) return;
   // One line a reason: an entry is for one pair of shapes, a reason often for many.
   struct Hidden {
@@ -195,19 +206,19 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
     const Verdict verdict = static_cast<Verdict>(i);
     list += fmt::format("{}{} {}", i == 0 ? "" : ", ", counts[verdict], NameOf(verdict));
   }
-  out << fmt::format("\n{} scenarios × {} oracles: {}\n", report.scenarios.size(),
-                     report.oracles.size(), list);
+  out << fmt::format("\n{} × {}: {}\n", Counted(report.scenarios.size(), "scenario"),
+                     Counted(report.oracles.size(), "oracle"), list);
   const int failed = counts.failed();
   const int code = ExitCode(report, style.fail_on);
-  out << paint(code == 0 ? Colour::kGood : Colour::kBad,
-               fmt::format(
-                   "{}: {} failed in {} scenarios, references in {}, {} faults of the "
-                   "catalogue and the ledger",
-                   code == 0   ? "OK"
-                   : code == 1 ? "FAILED"
-                               : "NOTHING VERIFIED",
-                   report.subject, subject_failed, failed - subject_failed,
-                   report.faults.size()))
+  out << paint(
+             code == 0 ? Colour::kGood : Colour::kBad,
+             fmt::format("{}: {} failed in {}, references in {}, {} of the "
+                         "catalogue and the ledger",
+                         code == 0   ? "OK"
+                         : code == 1 ? "FAILED"
+                                     : "NOTHING VERIFIED",
+                         report.subject, Counted(subject_failed, "scenario"),
+                         failed - subject_failed, Counted(report.faults.size(), "fault")))
       << '\n';
 }
 

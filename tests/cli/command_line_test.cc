@@ -78,7 +78,7 @@ class CommandLineTest : public testing::Test {
 TEST_F(CommandLineTest, ExitsWithZeroWhereTheSubjectIsRight) {
   const Ended ended = Touchstone("run " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("right failed in 0 scenarios"));
+  EXPECT_THAT(ended.out, HasSubstr("right failed in 0 scenarios, "));
 }
 
 TEST_F(CommandLineTest, ExitsWithOneAndAProofWhereTheSubjectIsWrong) {
@@ -154,7 +154,7 @@ TEST_F(CommandLineTest, SelectsByFolderAndGlob) {
   EXPECT_THAT(Touchstone(list).out, HasSubstr("2  scenarios"));
   EXPECT_THAT(Touchstone(list + " mine").out, HasSubstr("2  scenarios"));
   EXPECT_THAT(Touchstone(list + " 'mine/*p'").out,
-              AllOf(HasSubstr("mine/deep"), HasSubstr("1  scenarios")));
+              AllOf(HasSubstr("mine/deep"), HasSubstr("1  scenario\n")));
   EXPECT_EQ(Touchstone(list + " '*p'").code, 2) << "* stays within a level";
 }
 
@@ -176,7 +176,7 @@ TEST_F(CommandLineTest, RefusesABrokenLedger) {
       Touchstone("run --ledger " + Path("ledger.toml") + " " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err,
-              AllOf(HasSubstr("ledger.toml:2:"), HasSubstr("errors in the ledger")));
+              AllOf(HasSubstr("ledger.toml:2:"), HasSubstr("errors in the ledger: ")));
 }
 
 TEST_F(CommandLineTest, SaysThatAFileIsNotThere) {
@@ -231,6 +231,31 @@ TEST_F(CommandLineTest, ExplainsAScenarioWithItsFileAndWhoIsRight) {
                                HasSubstr("Wrong: half_depth, thrower\n")));
 }
 
+TEST_F(CommandLineTest, ExplainsSeveralScenariosInALineEach) {
+  Write("mine/other.toml", Replaced(kDeep, "mine/deep", "mine/other"));
+  const Ended ended = Touchstone("explain " + Path("mine"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(
+      ended.out,
+      AllOf(HasSubstr("\nmine/deep   touching"), HasSubstr("\nmine/other  touching"),
+            HasSubstr("touchstone explain ID, or the file of your own\n"),
+            Not(HasSubstr("[bodies.ball]"))));
+}
+
+TEST_F(CommandLineTest, PrintsAQuestionAsAScenarioThatItReads) {
+  const std::string ask =
+      "ask --A 'sphere 0.5 @ 0.3 -0.2 0.7' --B 'sphere 0.5 @ 0.9 -0.5 1.3' --toml";
+  const Ended asked = Touchstone(ask + " --id kept/ball");
+  EXPECT_EQ(asked.code, 0) << asked.err;
+  EXPECT_THAT(asked.out, HasSubstr("id = \"kept/ball\"\n"));
+  std::filesystem::create_directories(folder_ / "kept");
+  Write("kept/ball.toml", asked.out);
+  const Ended ended = Touchstone("run " + Path("kept"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("1 scenario × 3 oracles"));
+  EXPECT_THAT(Touchstone(ask + " --id 'My Ball'").err, HasSubstr("id is \"My Ball\""));
+}
+
 TEST_F(CommandLineTest, AnswersAQuestionFromTheCommandLine) {
   const Ended ended =
       Touchstone("ask --A 'sphere 0.5 @ 0.3 -0.2 0.7' --B 'sphere 0.5 @ 0.9 -0.5 1.3'");
@@ -244,6 +269,7 @@ TEST_F(CommandLineTest, SaysWhatIsWrongWithABody) {
     EXPECT_EQ(ended.code, 2) << body;
     return ended.err;
   };
+  EXPECT_THAT(error("sphere 1 q 1"), HasSubstr("1 number after 'q'"));
   EXPECT_THAT(error("box 1 2"), HasSubstr("2 numbers after 'box', which takes three"));
   EXPECT_THAT(error("sphre 1"), HasSubstr("did you mean sphere?"));
   EXPECT_THAT(error("sphere 1 @ 1 2"), HasSubstr("2 numbers after '@'"));
@@ -265,6 +291,18 @@ TEST_F(CommandLineTest, ShowsWhoCanAnswerWhat) {
   EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth"), HasSubstr("user: depth, normal"),
                                HasSubstr("sphere-sphere")));
   EXPECT_THAT(Touchstone("oracles --settings").out, HasSubstr("conventions = "));
+}
+
+TEST_F(CommandLineTest, SaysOnceWhatAnOracleDoesNotSupport) {
+  std::istringstream lines(InPipe(TOUCHSTONE_ITSELF " oracles").out);
+  int of_the_cookbook = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "    unsupported: the cookbook has recipes for spheres and boxes only") {
+      ++of_the_cookbook;
+    }
+    EXPECT_LE(line.size(), 80u) << line;
+  }
+  EXPECT_EQ(of_the_cookbook, 2);  // Of "cookbook" and of "printed".
 }
 
 TEST_F(CommandLineTest, SweepsWithTheSameQuestionsForTheSameSeed) {

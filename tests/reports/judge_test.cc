@@ -13,6 +13,7 @@
 namespace touchstone {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -107,9 +108,22 @@ TEST(Judge, ProvesATooSmallDepthByTheOverlapLeft) {
   s.right.separation = -kDepth / 2;
   const Finding finding = Of(MeasureKind::kSeparationError, Judged(s.query, s.right));
   EXPECT_EQ(finding.verdict, Verdict::kFail);
-  EXPECT_THAT(finding.proof,
-              HasSubstr("no translation shorter than 0.002 m separates them"));
+  EXPECT_THAT(
+      finding.proof,
+      HasSubstr("no translation shorter than 0.002 m separates them, 0.001 m more"));
   EXPECT_THAT(finding.proof, HasSubstr("leaves an overlap of 0.001 m"));
+}
+
+TEST(Judge, ProvesAnErrorInTheLastDigitsWithNumbersThatDiffer) {
+  Specimen s = SphereInBoxFace(kDepth);
+  s.right.separation = -kDepth - 1.5e-12;
+  const std::vector<Finding> findings = Judged(s.query, s.right);
+  EXPECT_THAT(Of(MeasureKind::kSeparationError, findings).proof,
+              AllOf(StartsWith("mine says 0.0020000000015 m deep; moving B by 0.002 m "),
+                    HasSubstr(" separates them, 1.5e-12 m less.")));
+  EXPECT_THAT(Of(MeasureKind::kConsistencyError, findings).proof,
+              AllOf(StartsWith("mine says 0.0020000000015 m along ("),
+                    HasSubstr("the overlap along it is 0.002 m, 1.5e-12 m less.")));
 }
 
 TEST(Judge, ProvesATooLargeDistanceByTwoPoints) {
@@ -117,7 +131,7 @@ TEST(Judge, ProvesATooLargeDistanceByTwoPoints) {
   s.right.separation = 2 * kDepth;
   const Finding finding = Of(MeasureKind::kSeparationError, Judged(s.query, s.right));
   EXPECT_THAT(finding.proof, HasSubstr("says 0.004 m apart; the point ("));
-  EXPECT_THAT(finding.proof, HasSubstr("are 0.002 m apart"));
+  EXPECT_THAT(finding.proof, HasSubstr("are 0.002 m apart, 0.002 m less."));
 }
 
 TEST(Judge, FindsAFlippedNormalByItsExcessAndInconsistency) {

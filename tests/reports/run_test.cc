@@ -322,8 +322,9 @@ TEST(CheckCatalogue, RefutesExpectationsThatAreFalse) {
   EXPECT_THAT(FaultsWith(expect), ElementsAre(HasSubstr("expects the normal ")));
   expect = {};
   expect.contacts = 1;
-  EXPECT_THAT(FaultsWith(expect),
-              ElementsAre(HasSubstr("expects 1 contacts, but 4 span the patch")));
+  EXPECT_THAT(
+      FaultsWith(expect),
+      ElementsAre(HasSubstr("expects 1 contact, but it takes 4 to span the patch")));
 }
 
 }  // namespace

@@ -50,6 +50,15 @@ TEST(WriteHtml, DrawsEveryScenarioTwice) {
   EXPECT_EQ(drawings, 6u);
 }
 
+TEST(WriteHtml, GivesNoMultipleOfAToleranceOfZero) {
+  RunReport report = HandMadeReport();
+  for (Finding& finding : report.findings) {
+    if (finding.verdict == Verdict::kFail) finding.tolerance = 0;
+  }
+  EXPECT_THAT(Html(report), HasSubstr("<td>0.01 where 0 is allowed in separation_error"));
+  EXPECT_THAT(Html(report), Not(HasSubstr("inf ×")));
+}
+
 TEST(WriteHtml, GivesTheSameBytesForTheSameReport) {
   EXPECT_EQ(Html(HandMadeReport()), Html(HandMadeReport()));
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "hand_made_report.h"
@@ -58,6 +59,15 @@ TEST(RelativeToTolerance, TakesAnyErrorBeyondAToleranceOfZeroForInfinitelyBad) {
   EXPECT_EQ(RelativeToTolerance(finding), 0);
 }
 
+TEST(RelativeInWords, SaysWhatAToleranceOfZeroMeans) {
+  Finding finding;
+  finding.value = 3;
+  finding.tolerance = 2;
+  EXPECT_EQ(RelativeInWords(finding), "1.5 × tolerance");
+  finding.tolerance = 0;
+  EXPECT_EQ(RelativeInWords(finding), "3 where 0 is allowed");
+}
+
 TEST(GroupOf, IsTheFolderOfTheId) {
   EXPECT_EQ(GroupOf("contact/box_box/a"), "contact/box_box");
   EXPECT_EQ(GroupOf("alone"), "alone");
@@ -81,6 +91,14 @@ TEST(Sentence, TellsWhoMeasureValueToleranceProofAndCause) {
       "mine: fail in separation_error, 0.01 m where 1e-15 m is allowed (64 unit "
       "roundoffs of the scene). Proof: mine says 0.04 deep; moving B by 0.04 along n "
       "leaves 0.01 of overlap. Cause: defect.");
+}
+
+TEST(Sentence, WritesEnoughDigitsToTellAValueFromItsTolerance) {
+  Finding finding = HandMadeReport().findings[2];
+  finding.value = 1.23412e-5;
+  finding.tolerance = 1.23401e-5;
+  EXPECT_THAT(Sentence(finding),
+              testing::HasSubstr("1.23412e-05 m where 1.23401e-05 m is allowed"));
 }
 
 }  // namespace

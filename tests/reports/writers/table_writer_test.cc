@@ -37,7 +37,7 @@ TEST(WriteTable, CountsEveryVerdict) {
 
 TEST(WriteTable, ShowsWhatTheLedgerHides) {
   const std::string table = Table(HandMadeReport());
-  EXPECT_THAT(table, HasSubstr("2 entries hide 1 findings; 1 were not put to the test"));
+  EXPECT_THAT(table, HasSubstr("2 entries hide 1 finding; 1 was not put to the test"));
   EXPECT_THAT(table, HasSubstr("    1  theirs/float 1.2: Float build (unreported)"));
 }
 
@@ -58,12 +58,24 @@ TEST(WriteTable, KeepsFailuresWhenQuiet) {
 
 TEST(WriteTable, SaysOkOnlyWithoutFailuresAndFaults) {
   RunReport report = HandMadeReport();
-  EXPECT_THAT(Table(report),
-              HasSubstr("FAILED: mine failed in 1 scenarios, references in 1"));
+  EXPECT_THAT(
+      Table(report),
+      HasSubstr("FAILED: mine failed in 1 scenario, references in 1, 1 fault of"));
   for (Finding& finding : report.findings) finding.verdict = Verdict::kPass;
   EXPECT_THAT(Table(report), HasSubstr("FAILED"));
   report.faults.clear();
   EXPECT_THAT(Table(report), HasSubstr("OK: mine failed in 0 scenarios"));
+}
+
+TEST(WriteTable, GivesNoMultipleOfAToleranceOfZero) {
+  RunReport report = HandMadeReport();
+  for (Finding& finding : report.findings) {
+    if (finding.verdict == Verdict::kFail) finding.tolerance = 0;
+  }
+  const std::string table = Table(report);
+  EXPECT_THAT(table, Not(HasSubstr("inf")));
+  EXPECT_THAT(table, HasSubstr(" 0.01 > 0  separation_error"));
+  EXPECT_THAT(table, HasSubstr("also: consistency_error 0.01 where 0 is allowed"));
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+#include "reports/counted.h"
+
+#include <fmt/format.h>
+
+namespace touchstone {
+
+std::string Counted(std::uint64_t count, std::string_view noun, std::string_view plural) {
+  if (count == 1) return fmt::format("1 {}", noun);
+  if (plural.empty()) return fmt::format("{} {}s", count, noun);
+  return fmt::format("{} {}", count, plural);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace touchstone {
+
+/** Two numbers as a reader compares them. */
+struct ToldApart {
+  std::string a;
+  std::string b;
+  std::string difference;  ///< |a − b|, to three digits.
+};
+
+/** Writes `a` and `b` with `digits` significant digits, or with as many more as show two
+ digits of their difference: two numbers that differ never look equal. */
+ToldApart TellApart(double a, double b, int digits);
+
+}  // namespace touchstone
