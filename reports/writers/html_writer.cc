@@ -61,7 +61,7 @@ std::string PrecisionOf(const OracleInfo& oracle) {
 
 std::string WorstOf(const Finding* worst) {
   if (worst == nullptr) return "";
-  return fmt::format("{} in {}", RelativeInWords(*worst), NameOf(worst->measure));
+  return fmt::format("{}: {}", NameOf(worst->measure), RelativeInWords(*worst));
 }
 
 /** A column of a table. */
@@ -140,7 +140,7 @@ class Page {
             "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
     out_ << fmt::format("<title>Touchstone: {}</title>\n", XmlText(report_.subject));
     out_ << "<style>\n"
-         << kPageCss << "@media (max-width: 40rem) {\n"
+         << kPageCss << "@media (max-width: 50rem) {\n"
          << CardLabels("oracles", kOracleColumns) << CardLabels("answers", kAnswerColumns)
          << CardLabels("ledger", kLedgerColumns) << "}\n</style>\n</head>\n<body>\n";
     WriteSummary();
@@ -338,9 +338,14 @@ class Page {
     if (report_.ledger.entries.empty()) return;
     out_ << "<h2>Ledger of known discrepancies</h2>\n"
          << TableHead("ledger", kLedgerColumns);
+    int untested = 0;
     for (std::size_t i = 0; i < report_.ledger.entries.size(); ++i) {
       const LedgerEntry& entry = report_.ledger.entries[i];
       const LedgerUse& use = report_.ledger_use[i];
+      if (use.candidates == 0) {
+        ++untested;
+        continue;
+      }
       out_ << fmt::format(
           "<tr id=\"ledger-{}\"><td>{} {}<td>{}<td class=\"n\">{}<td class=\"n\">{}"
           "<td class=\"n\">{:.3g}<td class=\"n\">{:.3g}<td>{}<td>{}<td>{}<td>{}</tr>\n",
@@ -349,6 +354,11 @@ class Page {
           XmlText(entry.reason), XmlText(entry.upstream), XmlText(entry.expires));
     }
     out_ << "</table></div>\n";
+    if (untested > 0) {
+      out_ << fmt::format(
+          "<p class=\"soft\">{} not put to the test.</p>\n",
+          untested == 1 ? "1 entry was" : fmt::format("{} entries were", untested));
+    }
   }
 
   const RunReport& report_;

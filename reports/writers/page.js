@@ -1,9 +1,16 @@
 "use strict";
+const bar = document.getElementById("filter");
 const text = document.getElementById("text");
 const oracle = document.getElementById("oracle");
 const verdict = document.getElementById("verdict");
 const count = document.getElementById("count");
 const scenarios = [...document.querySelectorAll("details.scenario")];
+
+// The filter is as high as its controls need rows: a link stops below it.
+function clearOfBar() {
+  const sticky = getComputedStyle(bar).position === "sticky";
+  document.documentElement.style.scrollPaddingTop = sticky ? `${bar.offsetHeight + 8}px` : "0";
+}
 
 // data-outcomes holds one verdict per oracle, in the order of the oracle list.
 function matches(scenario) {
@@ -23,6 +30,7 @@ function filter() {
     if (!scenario.hidden) ++shown;
   }
   count.textContent = `${shown} of ${scenarios.length}`;
+  clearOfBar();
 }
 
 // A link to a scenario opens it.
@@ -35,17 +43,9 @@ function openTarget() {
   }
 }
 
-// The filter is as high as its controls need rows: a link stops below it.
-const bar = document.getElementById("filter");
-function clearOfBar() {
-  const sticky = getComputedStyle(bar).position === "sticky";
-  document.documentElement.style.scrollPaddingTop = sticky ? `${bar.offsetHeight + 8}px` : "0";
-}
-
 for (const control of [text, oracle, verdict]) control.addEventListener("input", filter);
 bar.addEventListener("submit", (event) => event.preventDefault());
 window.addEventListener("hashchange", openTarget);
 window.addEventListener("resize", clearOfBar);
-clearOfBar();
 filter();
 openTarget();

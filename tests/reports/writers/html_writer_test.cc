@@ -55,8 +55,34 @@ TEST(WriteHtml, GivesNoMultipleOfAToleranceOfZero) {
   for (Finding& finding : report.findings) {
     if (finding.verdict == Verdict::kFail) finding.tolerance = 0;
   }
-  EXPECT_THAT(Html(report), HasSubstr("<td>0.01 where 0 is allowed in separation_error"));
+  EXPECT_THAT(Html(report), HasSubstr("<td>separation_error: 0.01 where 0 is allowed"));
   EXPECT_THAT(Html(report), Not(HasSubstr("inf ×")));
+}
+
+TEST(WriteHtml, LabelsTheCellsOfACardAsTheColumns) {
+  const std::string page = Html(HandMadeReport());
+  EXPECT_THAT(page,
+              HasSubstr(".oracles td:nth-child(4)::before { content: \"failed \"; }"));
+  EXPECT_THAT(page,
+              HasSubstr(".answers td:nth-child(8)::before { content: \"worst \"; }"));
+  EXPECT_THAT(page,
+              HasSubstr(".ledger td:nth-child(10)::before { content: \"expires \""));
+  // The columns in that order: pass, known, failed; worst, bound, cause.
+  EXPECT_THAT(page, HasSubstr("<tr><td>mine <b>(subject)</b><td class=\"n pass\">1"
+                              "<td class=\"n known\">0<td class=\"n fail\">1"));
+  EXPECT_THAT(page, HasSubstr("<td>theirs/float 1.2<td>contact/box_sphere/*"
+                              "<td class=\"n\">1<td class=\"n\">2"));
+}
+
+TEST(WriteHtml, ListsOnlyTheLedgerEntriesThatWerePutToTheTest) {
+  const std::string page = Html(HandMadeReport());
+  EXPECT_THAT(page, HasSubstr("id=\"ledger-0\""));
+  EXPECT_THAT(page, Not(HasSubstr("id=\"ledger-1\"")));
+  EXPECT_THAT(page, HasSubstr("1 entry was not put to the test."));
+}
+
+TEST(WriteHtml, KeepsWhatALinkLeadsToClearOfTheFilter) {
+  EXPECT_THAT(Html(HandMadeReport()), HasSubstr("html { scroll-padding-top: 4.5rem; }"));
 }
 
 TEST(WriteHtml, GivesTheSameBytesForTheSameReport) {
