@@ -2,8 +2,8 @@
 
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -29,36 +29,36 @@ std::string HeadingOf(const Capability& capability) {
 }
 
 // The words in lines that a terminal of 80 columns holds.
-void PrintWrapped(const std::vector<std::string>& words) {
+void PrintWrapped(const std::string& words, std::size_t indent) {
   constexpr std::size_t kColumns = 80;
-  std::string line = "       ";
-  const std::size_t indent = line.size();
-  for (const std::string& word : words) {
-    if (line.size() > indent && line.size() + 1 + word.size() > kColumns) {
-      std::cout << line << '\n';
-      line.resize(indent);
+  std::istringstream in(words);
+  std::string line;
+  for (std::string word; in >> word;) {
+    if (!line.empty() && indent + line.size() + 1 + word.size() > kColumns) {
+      std::cout << std::string(indent, ' ') << line << '\n';
+      line.clear();
     }
-    line += ' ' + word;
+    line += (line.empty() ? "" : " ") + word;
   }
-  std::cout << line << '\n';
+  std::cout << std::string(indent, ' ') << line << '\n';
 }
 
 // Pairs that are answered alike, under one heading: "sat: depth, normal". A pair that is
 // answered alike in both orders is named once.
 void PrintCapabilities(const OracleInfo& info) {
-  std::map<std::string, std::vector<std::string>> pairs_by_heading;
+  std::map<std::string, std::string> pairs_by_heading;
   for (int a = 0; a < kShapeKinds; ++a) {
     for (int b = 0; b < kShapeKinds; ++b) {
       const ShapeKind A = static_cast<ShapeKind>(a);
       const ShapeKind B = static_cast<ShapeKind>(b);
       const std::string heading = HeadingOf(info.For(A, B));
       if (a > b && heading == HeadingOf(info.For(B, A))) continue;
-      pairs_by_heading[heading].push_back(fmt::format("{}-{}", NameOf(A), NameOf(B)));
+      pairs_by_heading[heading] += fmt::format("{}-{} ", NameOf(A), NameOf(B));
     }
   }
   for (const auto& [heading, pairs] : pairs_by_heading) {
-    std::cout << fmt::format("    {}\n", heading);
-    PrintWrapped(pairs);
+    PrintWrapped(heading, 4);
+    PrintWrapped(pairs_by_heading.size() > 1 ? pairs : "every pair of shapes", 8);
   }
 }
 
