@@ -11,6 +11,7 @@
 
 #include "cli/bench_command.h"
 #include "cli/body_text.h"
+#include "cli/command_examples.h"
 #include "cli/expected.h"
 #include "cli/explain_command.h"
 #include "cli/input_error.h"
@@ -83,6 +84,7 @@ class CommandLine {
   CLI::App* AddCommand(const char* name, const char* description,
                        std::function<int()> command) {
     CLI::App* app = app_.add_subcommand(name, description);
+    app->footer(ExamplesOf(name));
     app->callback([this, command = std::move(command)] { command_ = command; });
     return app;
   }
@@ -159,7 +161,7 @@ class CommandLine {
   void AddAsk() {
     CLI::App* app = AddCommand("ask", "ask everybody about two shapes given here",
                                [this] { return AskCommand(session_, ask_); });
-    app->footer("A body is " + std::string(kBodySyntax));
+    app->footer("A body is " + std::string(kBodySyntax) + "\n\n" + ExamplesOf("ask"));
     app->add_option("--A,-A", ask_.A, "the first body")->required()->type_name("BODY");
     app->add_option("--B,-B", ask_.B, "the second body")->required()->type_name("BODY");
     AddOracleOptions(app, ask_.oracles);

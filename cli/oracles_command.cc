@@ -62,6 +62,24 @@ void PrintCapabilities(const OracleInfo& info) {
   }
 }
 
+void PrintWorldCapabilities(const OracleInfo& info) {
+  if (!info.simulates) return;
+  std::map<std::string, std::string> features_by_heading;
+  for (int i = 0; i < kWorldFeatures; ++i) {
+    const WorldFeature feature = static_cast<WorldFeature>(i);
+    const WorldCapability& capability = info.For(feature);
+    std::string& features =
+        features_by_heading[capability.supported
+                                ? "simulates worlds with"
+                                : fmt::format("unsupported: {}", capability.reason)];
+    features += (features.empty() ? "" : ", ") + std::string(NameOf(feature));
+  }
+  for (const auto& [heading, features] : features_by_heading) {
+    PrintWrapped(heading, 4);
+    PrintWrapped(features, 8);
+  }
+}
+
 }  // namespace
 
 int OraclesCommand(const Session& session, bool settings) {
@@ -78,6 +96,7 @@ int OraclesCommand(const Session& session, bool settings) {
       }
     } else {
       PrintCapabilities(info);
+      PrintWorldCapabilities(info);
     }
     std::cout << '\n';
   }

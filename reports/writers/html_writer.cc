@@ -120,6 +120,11 @@ std::string CardLabels(std::string_view css_class, std::span<const Column> colum
   return rules;
 }
 
+/** Returns a cell with the count, in the colour of its verdict unless there is none. */
+std::string CountCell(int count, std::string_view css_class) {
+  return fmt::format("<td class=\"n {}\">{}", count == 0 ? "soft" : css_class, count);
+}
+
 /** Returns an id that may be broken into lines at its levels and words. */
 std::string Breakable(const std::string& id) {
   std::string text;
@@ -166,9 +171,9 @@ class Page {
     } else {
       out_ << fmt::format(
           "<p><b class=\"pass\">Nothing says otherwise</b>: {} of {} "
-          "passed, {} with known discrepancies, {} unsupported.{}</p>\n",
+          "passed, {} with known discrepancies, {} undecidable, {} unsupported.{}</p>\n",
           subject[Verdict::kPass], scenarios, subject[Verdict::kKnown],
-          subject[Verdict::kUnsupported],
+          subject[Verdict::kUndecidable], subject[Verdict::kUnsupported],
           report_.faults.empty() ? ""
                                  : " <b class=\"fail\">But the catalogue or the ledger "
                                    "is at fault</b>, see below.");
@@ -191,13 +196,13 @@ class Page {
       const OracleInfo& oracle = report_.oracles[o];
       const VerdictCounts& counts = tallies[o].outcomes;
       out_ << fmt::format(
-          "<tr><td>{}{}<td class=\"n pass\">{}<td class=\"n known\">{}"
-          "<td class=\"n fail\">{}<td class=\"n\">{}<td class=\"n\">{}<td>{}<td>{} {}"
-          "<td>{}</tr>\n",
-          XmlText(oracle.name), o == 0 ? " <b>(subject)</b>" : "", counts[Verdict::kPass],
-          counts[Verdict::kKnown], counts.failed(), counts[Verdict::kUndecidable],
-          counts[Verdict::kUnsupported], WorstOf(tallies[o].worst),
-          XmlText(oracle.library), XmlText(oracle.version), PrecisionOf(oracle));
+          "<tr><td>{}{}{}{}{}{}{}<td>{}<td>{} {}<td>{}</tr>\n", XmlText(oracle.name),
+          o == 0 ? " <b>(subject)</b>" : "", CountCell(counts[Verdict::kPass], "pass"),
+          CountCell(counts[Verdict::kKnown], "known"), CountCell(counts.failed(), "fail"),
+          CountCell(counts[Verdict::kUndecidable], "undecidable"),
+          CountCell(counts[Verdict::kUnsupported], "unsupported"),
+          WorstOf(tallies[o].worst), XmlText(oracle.library), XmlText(oracle.version),
+          PrecisionOf(oracle));
     }
     out_ << "</table></div>\n";
   }

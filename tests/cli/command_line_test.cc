@@ -263,6 +263,20 @@ TEST_F(CommandLineTest, AnswersAQuestionFromTheCommandLine) {
   EXPECT_THAT(ended.out, HasSubstr("Right: right\nWrong: half_depth, thrower"));
 }
 
+TEST_F(CommandLineTest, AnswersTheQuestionsThatItsHelpShows) {
+  std::istringstream lines(Touchstone("ask --help").out);
+  const std::string start = "  touchstone ask ";
+  int asked = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(start)) continue;
+    // Without the file that it would leave behind.
+    line = line.substr(start.size(), line.find(" > ") - start.size());
+    EXPECT_EQ(InPipe(TOUCHSTONE_ITSELF " ask " + line).code, 0) << line;
+    ++asked;
+  }
+  EXPECT_GT(asked, 0);
+}
+
 TEST_F(CommandLineTest, SaysWhatIsWrongWithABody) {
   const auto error = [this](const std::string& body) {
     const Ended ended = Touchstone("ask --A 'sphere 1' --B '" + body + "'");
@@ -291,6 +305,13 @@ TEST_F(CommandLineTest, ShowsWhoCanAnswerWhat) {
   EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth"), HasSubstr("user: depth, normal"),
                                HasSubstr("sphere-sphere")));
   EXPECT_THAT(Touchstone("oracles --settings").out, HasSubstr("conventions = "));
+}
+
+TEST_F(CommandLineTest, ShowsWhoSimulatesWhichWorlds) {
+  EXPECT_THAT(InPipe(TOUCHSTONE_ITSELF " oracles").out,
+              HasSubstr("simulates worlds with\n        sphere, box, "));
+  // Those of this program answer contact queries only.
+  EXPECT_THAT(Touchstone("oracles").out, Not(HasSubstr("simulates")));
 }
 
 TEST_F(CommandLineTest, SaysOnceWhatAnOracleDoesNotSupport) {
@@ -387,7 +408,10 @@ TEST_F(CommandLineTest, TeachesByHelp) {
   EXPECT_THAT(ended.out, HasSubstr("touchstone run mine.toml --out report"));
   for (const std::string command : {"run", "list", "oracles", "explain", "ask", "sweep",
                                     "bench", "ledger", "accuracy", "schema"}) {
-    EXPECT_EQ(Touchstone(command + " --help").code, 0) << command;
+    const Ended help = Touchstone(command + " --help");
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_THAT(help.out, AllOf(HasSubstr("\nExamples:\n  touchstone " + command),
+                                HasSubstr("\nExit code: 0 ")));
   }
 }
 

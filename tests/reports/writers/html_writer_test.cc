@@ -69,7 +69,7 @@ TEST(WriteHtml, LabelsTheCellsOfACardAsTheColumns) {
               HasSubstr(".ledger td:nth-child(10)::before { content: \"expires \""));
   // The columns in that order: pass, known, failed; worst, bound, cause.
   EXPECT_THAT(page, HasSubstr("<tr><td>mine <b>(subject)</b><td class=\"n pass\">1"
-                              "<td class=\"n known\">0<td class=\"n fail\">1"));
+                              "<td class=\"n soft\">0<td class=\"n fail\">1"));
   EXPECT_THAT(page, HasSubstr("<td>theirs/float 1.2<td>contact/box_sphere/*"
                               "<td class=\"n\">1<td class=\"n\">2"));
 }
