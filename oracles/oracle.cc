@@ -1,11 +1,20 @@
 #include "oracles/oracle.h"
 
+#include <algorithm>
+
 #include "oracles/no_answer.h"
 
 namespace touchstone {
 
 std::unique_ptr<PreparedBatch> Oracle::Prepare(std::span<const ContactQuery>) const {
   return nullptr;
+}
+
+bool OracleInfo::AnswersContacts() const {
+  return std::any_of(capabilities.begin(), capabilities.end(), [](const auto& of_A) {
+    return std::any_of(of_A.begin(), of_A.end(),
+                       [](const Capability& capability) { return capability.supported; });
+  });
 }
 
 std::string OracleInfo::CannotSimulate(const World& world) const {
@@ -18,6 +27,10 @@ std::string OracleInfo::CannotSimulate(const World& world) const {
 
 std::unique_ptr<Simulation> Oracle::Begin(const World&) const {
   return nullptr;
+}
+
+std::unique_ptr<Simulation> Oracle::BeginAsShipped(const World& world) const {
+  return Begin(world);
 }
 
 Trajectory Oracle::Simulate(const World& world) const {

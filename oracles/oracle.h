@@ -61,7 +61,7 @@ struct OracleInfo {
   bool isolated = false;
   std::vector<Setting> settings;
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
-  /** It simulates worlds at all. */
+  /** It simulates worlds at all; see also AnswersContacts(). */
   bool simulates = false;
   std::array<WorldCapability, kWorldFeatures> world_capabilities;
 
@@ -69,6 +69,9 @@ struct OracleInfo {
   const Capability& For(ShapeKind a, ShapeKind b) const {
     return capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
   }
+
+  /** Returns whether it answers contact queries at all: of some pair of shapes. */
+  bool AnswersContacts() const;
 
   /** Returns the capability for a feature of a world. */
   const WorldCapability& For(WorldFeature feature) const {
@@ -133,6 +136,10 @@ class Oracle {
    simulate.
    @pre The world is valid and info().CannotSimulate(world) is empty. */
   virtual std::unique_ptr<Simulation> Begin(const World& world) const;
+
+  /** As Begin(), but with the iterations and the stabilisation that the engine's users run
+   by default, for timing: Begin() spares no time. The same where there is no difference. */
+  virtual std::unique_ptr<Simulation> BeginAsShipped(const World& world) const;
 
   /** Returns how `world` moves. kUnsupported, with the reason, where the oracle cannot
    say.
