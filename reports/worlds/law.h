@@ -45,6 +45,10 @@ struct Law {
   std::vector<Fault> (*faults)(const World& world, const Claim& claim);
   /** Returns one finding a measure. @pre faults() is empty. */
   std::vector<LawFinding> (*judge)(const Motion& motion, const Claim& claim);
+  /** The motion it speaks of has no events and no thresholds, so that it converges at the
+   order of the engine's scheme as the step goes to 0: the order and the limit are judged
+   too. */
+  bool smooth = false;
 };
 
 /** Returns every law, sorted by name. */

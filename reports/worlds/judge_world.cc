@@ -1,0 +1,264 @@
+#include "reports/worlds/judge_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/trajectory_difference.h"
+#include "reports/worlds/world_size.h"
+
+namespace touchstone {
+namespace {
+
+/** Roundings that one step may add to a position: a dozen products and sums a coordinate
+ in the force, the velocity and the position, with the contact or joint solver's. They add
+ up from step to step, in the worst case linearly. [-] */
+constexpr double kRoundingsOfAStep = 64;
+
+/** A first-order error falls to a half with the step: to 0.5 at dt/2 in the limit. What
+ falls to less than 2^-0.8 each time vanishes with the step (scenarios with observed order
+ of at least 0.8). */
+constexpr double kLeastOrder = 0.8;
+
+double UntilOf(const WorldScenario& scenario) {
+  return scenario.horizon.value_or(std::numeric_limits<double>::infinity());
+}
+
+double RoundingOf(const Study& study, int steps) {
+  return kRoundingsOfAStep * study.oracle.unit_roundoff *
+         SizeOf(study.scenario.world, study.trajectory) * steps;
+}
+
+/** The same finding of the same claim in another motion. */
+std::optional<double> ValueOf(const Law& law, const Motion& motion, const Claim& claim,
+                              MeasureKind measure) {
+  for (const LawFinding& finding : law.judge(motion, claim)) {
+    if (finding.measure == measure) return finding.value;
+  }
+  return std::nullopt;
+}
+
+class Judgement {
+ public:
+  explicit Judgement(const Study& study)
+      : study_(study), motion_{study.scenario.world, study.oracle, study.trajectory} {}
+
+  std::vector<Finding> Findings() && {
+    if (!JudgeAnswering()) return std::move(findings_);
+    for (const Claim& claim : study_.scenario.claims) {
+      const Law* law = FindLaw(claim.law);
+      // What is wrong with a claim is a fault of the catalogue, not of an oracle.
+      if (law && law->faults(study_.scenario.world, claim).empty()) Hold(*law, claim);
+    }
+    return std::move(findings_);
+  }
+
+ private:
+  /** Returns whether there is anything to judge. */
+  bool JudgeAnswering() {
+    const Trajectory& trajectory = study_.trajectory;
+    Finding& finding = Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"});
+    switch (trajectory.status) {
+      case AnswerStatus::kUnsupported:
+        finding.verdict = Verdict::kUnsupported;
+        finding.proof = trajectory.reason;
+        return false;
+      case AnswerStatus::kCrashed:
+        finding.verdict = Verdict::kCrashed;
+        break;
+      case AnswerStatus::kTimedOut:
+        finding.verdict = Verdict::kTimedOut;
+        break;
+      case AnswerStatus::kAnswered:
+        if (trajectory.diverged_at_step == 0) return true;
+        finding.verdict = Verdict::kInvalid;
+        finding.value = 1;
+        finding.proof =
+            fmt::format("{} diverged in step {}, at {:.6g} s", study_.oracle.name,
+                        trajectory.diverged_at_step,
+                        trajectory.diverged_at_step * study_.scenario.world.dt);
+        return false;
+    }
+    finding.value = 1;
+    finding.proof = fmt::format("{}: {}", study_.oracle.name, trajectory.reason);
+    return false;
+  }
+
+  void Hold(const Law& law, const Claim& claim) {
+    for (const LawFinding& found : law.judge(motion_, claim)) {
+      Finding& finding = Add(found.measure, found.value, found.tolerance);
+      if (!found.recognised.empty()) {
+        finding.cause = Cause::kModel;
+        finding.cause_because = found.recognised;
+        finding.proof = found.proof;
+      } else if (!(found.value <= found.tolerance.value)) {
+        finding.verdict = Verdict::kFail;
+        finding.proof = fmt::format("{}: {}", claim.law, found.proof);
+        Attribute(finding, law, claim);
+      }
+    }
+    if (law.smooth && study_.half && study_.quarter) JudgeConvergence();
+  }
+
+  /** Whether the error vanishes with the step. */
+  void Attribute(Finding& finding, const Law& law, const Claim& claim) {
+    finding.cause = Cause::kDefect;
+    if (!study_.half || !study_.quarter) return;
+    const World half_world = Refined(study_.scenario.world, 2);
+    const World quarter_world = Refined(study_.scenario.world, 4);
+    const auto half =
+        ValueOf(law, {half_world, study_.oracle, *study_.half}, claim, finding.measure);
+    const auto quarter = ValueOf(law, {quarter_world, study_.oracle, *study_.quarter},
+                                 claim, finding.measure);
+    if (!half || !quarter) return;
+    const double shrinks = std::exp2(-kLeastOrder);
+    const bool vanishes = *half <= shrinks * finding.value && *quarter <= shrinks * *half;
+    finding.cause = vanishes ? Cause::kDiscretisation : Cause::kDefect;
+    finding.cause_because = fmt::format(
+        "{:.3g}, {:.3g} and {:.3g} with the step, a half and a quarter of it: "
+        "{} with the step",
+        finding.value, *half, *quarter, vanishes ? "it vanishes" : "it does not vanish");
+  }
+
+  /** Judged once, whatever the number of smooth claims. */
+  void JudgeConvergence() {
+    if (convergence_judged_) return;
+    convergence_judged_ = true;
+    const double radius = LargestRadius(study_.scenario.world);
+    const double until = UntilOf(study_.scenario);
+    const double first = DistanceBetween(study_.trajectory, *study_.half, radius, until);
+    const double second = DistanceBetween(*study_.half, *study_.quarter, radius, until);
+    const double rounding = RoundingOf(study_, 4 * study_.scenario.world.steps);
+    // Where halving the step changes nothing, there is no order to observe.
+    if (first > 8 * rounding && second > 8 * rounding) {
+      const double order = std::log2(first / second);
+      Finding& finding = Add(MeasureKind::kObservedOrder, std::max(0.0, 1 - order),
+                             {1 - kLeastOrder,
+                              "the error of a consistent scheme falls at least as the "
+                              "first power of the step; 0.2 for the higher powers"});
+      if (finding.value > finding.tolerance) {
+        finding.verdict = Verdict::kFail;
+        finding.cause = Cause::kDefect;
+        finding.proof = fmt::format(
+            "halving the step moves {} by {:.3g} m, halving it again by {:.3g} m: order "
+            "{:.2f}",
+            study_.oracle.name, first, second, order);
+      }
+    }
+    JudgeLimit(second + rounding);
+  }
+
+  void JudgeLimit(double tolerance) {
+    const World world = Refined(study_.scenario.world, 4);
+    const Trajectory limit = ExtrapolatedToZeroStep(*study_.half, *study_.quarter);
+    for (const Claim& claim : study_.scenario.claims) {
+      const Law* law = FindLaw(claim.law);
+      if (!law || !law->smooth || !law->faults(world, claim).empty()) continue;
+      const auto error = ValueOf(*law, {world, study_.oracle, limit}, claim,
+                                 MeasureKind::kPositionError);
+      if (!error) continue;
+      Finding& finding =
+          Add(MeasureKind::kLimitError, *error,
+              {tolerance,
+               "the extrapolated motion is off by less than halving the step "
+               "moves it, and by rounding"});
+      if (finding.value <= finding.tolerance) continue;
+      finding.verdict = Verdict::kFail;
+      finding.cause = Cause::kModel;
+      finding.cause_because = "it converges to another motion than the truth";
+      finding.proof = fmt::format(
+          "{}: as the step goes to 0, {} converges to a motion that is {:.6g} m off",
+          claim.law, study_.oracle.name, *error);
+    }
+  }
+
+  Finding& Add(MeasureKind measure, double value, const Tolerance& tolerance) {
+    Finding& finding = findings_.emplace_back();
+    finding.scenario = study_.scenario.id;
+    finding.oracle = study_.oracle.name;
+    finding.reference = "law";
+    finding.measure = measure;
+    finding.value = value;
+    finding.tolerance = tolerance.value;
+    finding.tolerance_because = tolerance.because;
+    return finding;
+  }
+
+  const Study& study_;
+  Motion motion_;
+  bool convergence_judged_ = false;
+  std::vector<Finding> findings_;
+};
+
+Finding SelfFinding(const Study& study, MeasureKind measure) {
+  Finding finding;
+  finding.scenario = study.scenario.id;
+  finding.oracle = study.oracle.name;
+  finding.measure = measure;
+  return finding;
+}
+
+std::string_view ChangeOf(MeasureKind measure) {
+  switch (measure) {
+    case MeasureKind::kHeading:
+      return "turned about gravity";
+    case MeasureKind::kTranslation:
+      return "moved";
+    case MeasureKind::kMirror:
+      return "mirrored";
+    case MeasureKind::kPermutation:
+      return "with its bodies in the opposite order";
+    default:
+      return "with all masses three times as large";
+  }
+}
+
+}  // namespace
+
+bool IsWhole(const Trajectory& trajectory) {
+  return trajectory.status == AnswerStatus::kAnswered && trajectory.diverged_at_step == 0;
+}
+
+std::vector<Finding> JudgeWorld(const Study& study) {
+  return Judgement(study).Findings();
+}
+
+Finding JudgeVariant(const Study& study, MeasureKind measure,
+                     const Trajectory& seen_in_world) {
+  Finding finding = SelfFinding(study, measure);
+  const double until = UntilOf(study.scenario);
+  const double radius = LargestRadius(study.scenario.world);
+  const double discretisation =
+      4 * DistanceBetween(study.trajectory, *study.half, radius, until);
+  finding.value = DistanceBetween(study.trajectory, seen_in_world, radius, until);
+  finding.tolerance = discretisation + 2 * RoundingOf(study, study.scenario.world.steps);
+  finding.tolerance_because = fmt::format(
+      "two approximations of one motion, each off by twice what halving the step moves "
+      "it "
+      "({:.3g} m), and rounding",
+      discretisation / 4);
+  if (finding.value <= finding.tolerance) return finding;
+  finding.verdict = Verdict::kFail;
+  finding.cause = Cause::kModel;
+  finding.cause_because = fmt::format("the world {} moves otherwise", ChangeOf(measure));
+  finding.proof = fmt::format("{} moves the world {} otherwise, by {:.6g} m",
+                              finding.oracle, ChangeOf(measure), finding.value);
+  return finding;
+}
+
+Finding JudgeRepetition(const Study& study, const Trajectory& again) {
+  Finding finding = SelfFinding(study, MeasureKind::kDeterminism);
+  finding.tolerance_because = "the same question has the same answer, bit for bit";
+  if (AreIdentical(study.trajectory, again)) return finding;
+  finding.value = 1;
+  finding.verdict = Verdict::kFail;
+  finding.cause = Cause::kDefect;
+  finding.proof = fmt::format("{} gives two answers: {}", finding.oracle,
+                              FirstDifference(study.trajectory, again));
+  return finding;
+}
+
+}  // namespace touchstone

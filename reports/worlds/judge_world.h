@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "oracles/oracle.h"
+#include "reports/finding.h"
+#include "reports/worlds/law.h"
+#include "reports/worlds/world_variants.h"
+#include "scenarios/worlds/world_scenario.h"
+
+namespace touchstone {
+
+/** How one oracle moves one world, at the step that the world asks for and, where they
+ were simulated, at a half and a quarter of it. */
+struct Study {
+  const WorldScenario& scenario;
+  const OracleInfo& oracle;
+  const Trajectory& trajectory;
+  const Trajectory* half = nullptr;
+  const Trajectory* quarter = nullptr;
+};
+
+/** Holds the trajectory against every claim of the scenario: one finding a claim and
+ measure, in the order of the claims. A trajectory that diverged, crashed or never ended
+ fails `answering` and is judged no further. Where half and quarter steps are there:
+
+ - what fails at dt and shrinks with it as a first power or faster has the cause
+   `discretisation`; what does not shrink, `defect`;
+ - of smooth laws the order of convergence and the limit are judged too. */
+std::vector<Finding> JudgeWorld(const Study& study);
+
+/** Judges the motion of a variant, as seen in the world, against the motion of the world:
+ both are approximations of one motion, so they may differ by the sum of their
+ discretisation errors, 2 |x(h) − x(h/2)| each for a scheme of first order, and by
+ rounding.
+ @pre study.half is there; both trajectories are answered and did not diverge. */
+Finding JudgeVariant(const Study& study, MeasureKind measure,
+                     const Trajectory& seen_in_world);
+
+/** Judges a second run of the same world: bit for bit. */
+Finding JudgeRepetition(const Study& study, const Trajectory& again);
+
+/** Returns whether the trajectory reached the end of its world. */
+bool IsWhole(const Trajectory& trajectory);
+
+}  // namespace touchstone

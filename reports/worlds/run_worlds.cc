@@ -1,0 +1,100 @@
+#include "reports/worlds/run_worlds.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "reports/parallel.h"
+#include "reports/worlds/judge_world.h"
+#include "reports/worlds/world_variants.h"
+
+namespace touchstone {
+namespace {
+
+double BodySteps(const World& world) {
+  double things = static_cast<double>(world.particles.size());
+  for (const RigidBody& body : world.bodies) things += body.mass > 0 ? 1 : 0;
+  for (const Cloth& cloth : world.cloths)
+    things += static_cast<double>(cloth.n) * cloth.n;
+  return things * world.steps;
+}
+
+bool Claims(const WorldScenario& scenario, std::string_view law) {
+  return std::any_of(scenario.claims.begin(), scenario.claims.end(),
+                     [&](const Claim& claim) { return claim.law == law; });
+}
+
+/** One oracle and one world. */
+struct Pair {
+  std::size_t world;
+  std::size_t oracle;
+};
+
+std::vector<Pair> PairsOf(std::span<const WorldScenario> worlds,
+                          std::span<const Oracle* const> oracles) {
+  std::vector<Pair> pairs;
+  for (std::size_t w = 0; w < worlds.size(); ++w) {
+    for (std::size_t o = 0; o < oracles.size(); ++o) {
+      if (oracles[o]->info().simulates) pairs.push_back({w, o});
+    }
+  }
+  return pairs;
+}
+
+/** Everything that one oracle is asked of one world, and what it means. */
+std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle,
+                             Trajectory& trajectory) {
+  trajectory = oracle.Simulate(scenario.world);
+  const bool studied =
+      IsWhole(trajectory) && BodySteps(scenario.world) <= kStudiedBodySteps;
+  std::optional<Trajectory> half;
+  std::optional<Trajectory> quarter;
+  if (studied) {
+    half = oracle.Simulate(Refined(scenario.world, 2));
+    quarter = oracle.Simulate(Refined(scenario.world, 4));
+    if (!IsWhole(*half) || !IsWhole(*quarter)) half.reset();
+  }
+  const Study study{scenario, oracle.info(), trajectory, half ? &*half : nullptr,
+                    half ? &*quarter : nullptr};
+  std::vector<Finding> findings = JudgeWorld(study);
+  if (!IsWhole(trajectory)) return findings;
+  if (Claims(scenario, kDeterministic))
+    findings.push_back(JudgeRepetition(study, oracle.Simulate(scenario.world)));
+  if (!half) return findings;
+  for (const WorldVariant& variant : VariantsOf(scenario.world)) {
+    const Trajectory moved = oracle.Simulate(variant.world);
+    if (!IsWhole(moved)) continue;
+    findings.push_back(JudgeVariant(study, variant.measure, SeenInWorld(variant, moved)));
+  }
+  return findings;
+}
+
+}  // namespace
+
+std::size_t CountOfWorldRuns(std::span<const WorldScenario> worlds,
+                             std::span<const Oracle* const> oracles) {
+  return PairsOf(worlds, oracles).size();
+}
+
+WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
+                       std::span<const Oracle* const> oracles, int jobs,
+                       const std::function<void()>& on_done) {
+  WorldsReport report;
+  for (const WorldScenario& scenario : worlds)
+    report.worlds.push_back({scenario, std::vector<Trajectory>(oracles.size())});
+  const std::vector<Pair> pairs = PairsOf(worlds, oracles);
+  std::vector<std::vector<Finding>> findings(pairs.size());
+  ParallelFor(pairs.size(), jobs, [&](std::size_t i) {
+    const auto [w, o] = pairs[i];
+    findings[i] = Examine(worlds[w], *oracles[o], report.worlds[w].trajectories[o]);
+    std::stable_sort(
+        findings[i].begin(), findings[i].end(),
+        [](const Finding& a, const Finding& b) { return a.measure < b.measure; });
+    if (on_done) on_done();
+  });
+  for (std::vector<Finding>& of_pair : findings)
+    std::move(of_pair.begin(), of_pair.end(), std::back_inserter(report.findings));
+  return report;
+}
+
+}  // namespace touchstone

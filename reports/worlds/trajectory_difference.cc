@@ -1,0 +1,159 @@
+#include "reports/worlds/trajectory_difference.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+// A NaN is the largest of all, once and for all.
+void TakeLarger(double& largest, double value) {
+  if (!std::isnan(largest) && !(value <= largest)) largest = value;
+}
+
+double PointDistance(const std::vector<PointState>& a, const std::vector<PointState>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    TakeLarger(largest, (a[i].p_W - b[i].p_W).norm());
+  return largest;
+}
+
+/** The numbers of a state in one row, with what they are called. */
+struct Numbers {
+  std::vector<double> values;
+  std::vector<std::string> names;
+
+  void Add(const std::string& name, const Eigen::Vector3d& v) {
+    for (int axis = 0; axis < 3; ++axis) {
+      values.push_back(v[axis]);
+      names.push_back(fmt::format("{}.{}", name, "xyz"[axis]));
+    }
+  }
+};
+
+Numbers NumbersOf(const WorldState& state) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    const BodyState& body = state.bodies[i];
+    const std::string name = fmt::format("body {} ", i);
+    numbers.Add(name + "position", body.p_WB);
+    numbers.values.push_back(body.q_WB.w());
+    numbers.names.push_back(name + "orientation.w");
+    numbers.Add(name + "orientation", body.q_WB.vec());
+    numbers.Add(name + "velocity", body.v_WB);
+    numbers.Add(name + "spin", body.w_WB);
+  }
+  const std::array<const std::vector<PointState>*, 2> sets = {&state.particles,
+                                                              &state.nodes};
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    for (std::size_t i = 0; i < sets[s]->size(); ++i) {
+      const std::string name = fmt::format("{} {} ", s == 0 ? "particle" : "node", i);
+      numbers.Add(name + "position", (*sets[s])[i].p_W);
+      numbers.Add(name + "velocity", (*sets[s])[i].v_W);
+    }
+  }
+  return numbers;
+}
+
+bool AreSame(double a, double b) {
+  return a == b || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+/** The first sample and number at which they differ. */
+struct Place {
+  std::size_t sample;
+  std::string text;
+};
+
+std::optional<Place> FirstPlace(const Trajectory& a, const Trajectory& b) {
+  const std::size_t samples = std::min(a.samples.size(), b.samples.size());
+  for (std::size_t s = 0; s < samples; ++s) {
+    const Numbers of_a = NumbersOf(a.samples[s]);
+    const Numbers of_b = NumbersOf(b.samples[s]);
+    if (of_a.values.size() != of_b.values.size()) return Place{s, "has other bodies"};
+    for (std::size_t i = 0; i < of_a.values.size(); ++i) {
+      if (AreSame(of_a.values[i], of_b.values[i])) continue;
+      return Place{s, fmt::format("{} is {:.17g} and {:.17g}", of_a.names[i],
+                                  of_a.values[i], of_b.values[i])};
+    }
+  }
+  if (a.samples.size() != b.samples.size())
+    return Place{samples, "one ends and the other goes on"};
+  return std::nullopt;
+}
+
+PointState Extrapolated(const PointState& coarse, const PointState& fine) {
+  return {2 * fine.p_W - coarse.p_W, 2 * fine.v_W - coarse.v_W};
+}
+
+BodyState Extrapolated(const BodyState& coarse, const BodyState& fine) {
+  // q and −q are one orientation.
+  const double sign = coarse.q_WB.dot(fine.q_WB) < 0 ? -1 : 1;
+  const Eigen::Vector4d q = 2 * fine.q_WB.coeffs() - sign * coarse.q_WB.coeffs();
+  return {2 * fine.p_WB - coarse.p_WB, Eigen::Quaterniond(q.normalized()),
+          2 * fine.v_WB - coarse.v_WB, 2 * fine.w_WB - coarse.w_WB};
+}
+
+template <typename State>
+std::vector<State> Extrapolated(const std::vector<State>& coarse,
+                                const std::vector<State>& fine) {
+  std::vector<State> limit;
+  limit.reserve(fine.size());
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    limit.push_back(Extrapolated(coarse[i], fine[i]));
+  return limit;
+}
+
+}  // namespace
+
+double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
+                       double until) {
+  double largest = 0;
+  const std::size_t samples = std::min(a.samples.size(), b.samples.size());
+  for (std::size_t s = 0; s < samples && a.times[s] < until; ++s) {
+    const WorldState& of_a = a.samples[s];
+    const WorldState& of_b = b.samples[s];
+    for (std::size_t i = 0; i < of_a.bodies.size(); ++i) {
+      const BodyState& body_a = of_a.bodies[i];
+      const BodyState& body_b = of_b.bodies[i];
+      TakeLarger(largest, (body_a.p_WB - body_b.p_WB).norm() +
+                              radius * body_a.q_WB.angularDistance(body_b.q_WB));
+    }
+    TakeLarger(largest, PointDistance(of_a.particles, of_b.particles));
+    TakeLarger(largest, PointDistance(of_a.nodes, of_b.nodes));
+  }
+  return largest;
+}
+
+bool AreIdentical(const Trajectory& a, const Trajectory& b) {
+  return !FirstPlace(a, b).has_value();
+}
+
+std::string FirstDifference(const Trajectory& a, const Trajectory& b) {
+  const std::optional<Place> place = FirstPlace(a, b);
+  if (!place) return "";
+  const Trajectory& longer = a.times.size() < b.times.size() ? b : a;
+  return fmt::format("at {:.6g} s {}", longer.times[place->sample], place->text);
+}
+
+Trajectory ExtrapolatedToZeroStep(const Trajectory& coarse, const Trajectory& fine) {
+  Trajectory limit;
+  limit.status = AnswerStatus::kAnswered;
+  limit.times = fine.times;
+  for (std::size_t s = 0; s < fine.samples.size(); ++s) {
+    const WorldState& c = coarse.samples[s];
+    const WorldState& f = fine.samples[s];
+    limit.samples.push_back({Extrapolated(c.bodies, f.bodies),
+                             Extrapolated(c.particles, f.particles),
+                             Extrapolated(c.nodes, f.nodes)});
+  }
+  return limit;
+}
+
+}  // namespace touchstone

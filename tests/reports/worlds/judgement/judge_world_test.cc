@@ -1,0 +1,188 @@
+#include "reports/worlds/judge_world.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/reports/worlds/fake_simulator.h"
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+using testing::HasSubstr;
+
+WorldScenario TwoBallsInFlight() {
+  WorldScenario scenario;
+  scenario.id = "world/test/flight";
+  RigidBody near = BodyOf("near", Sphere{0.5}, 2, {0.3, 1.7, -0.4});
+  near.v_WB = {1.3, 4.1, -0.7};
+  near.w_WB = {0.4, -1.2, 2.3};
+  RigidBody far = BodyOf("far", Sphere{0.2}, 0.7, {4.3, 0.7, 2.1});
+  far.v_WB = {-0.3, 2.2, 1.1};
+  scenario.world.bodies = {near, far};
+  scenario.world.dt = 0.01;
+  scenario.world.steps = 100;
+  scenario.claims = {ClaimOf("ballistic")};
+  return scenario;
+}
+
+/** The motion at the step of the world, a half and a quarter of it. */
+struct Studied {
+  Studied(const WorldScenario& s, const FakeSimulator& oracle)
+      : scenario(s),
+        info(oracle.info()),
+        whole(oracle.Simulate(s.world)),
+        half(oracle.Simulate(Refined(s.world, 2))),
+        quarter(oracle.Simulate(Refined(s.world, 4))) {}
+  Study study() const { return {scenario, info, whole, &half, &quarter}; }
+
+  WorldScenario scenario;
+  OracleInfo info;
+  Trajectory whole;
+  Trajectory half;
+  Trajectory quarter;
+};
+
+/** An engine whose positions are off by `scale` h^order t along (1, 2, −1). */
+FakeSimulator OffBy(double scale, double order) {
+  return FakeSimulator("off", [=](const World& world) {
+    return FreeFlight(world, [&](double t) {
+      return Eigen::Vector3d(scale * std::pow(world.dt, order) * t *
+                             Eigen::Vector3d(1, 2, -1));
+    });
+  });
+}
+
+const Finding* Find(const std::vector<Finding>& findings, MeasureKind measure) {
+  const auto found = std::find_if(findings.begin(), findings.end(),
+                                  [&](const Finding& f) { return f.measure == measure; });
+  return found == findings.end() ? nullptr : &*found;
+}
+
+TEST(JudgeWorld, TheClosedFormFollowsItsLaw) {
+  const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
+  for (const Finding& finding : JudgeWorld(studied.study())) {
+    EXPECT_EQ(finding.verdict, Verdict::kPass) << finding.proof;
+    EXPECT_EQ(finding.reference, "law");
+  }
+}
+
+TEST(JudgeWorld, AnErrorThatVanishesWithTheStepIsDiscretisation) {
+  const Studied studied(TwoBallsInFlight(), OffBy(1000, 1));
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* position = Find(findings, MeasureKind::kPositionError);
+  ASSERT_NE(position, nullptr);
+  EXPECT_EQ(position->verdict, Verdict::kFail);
+  EXPECT_EQ(position->cause, Cause::kDiscretisation);
+  EXPECT_THAT(position->proof, HasSubstr("ballistic: off has"));
+}
+
+TEST(JudgeWorld, AnErrorThatStaysIsADefect) {
+  const Studied studied(TwoBallsInFlight(), OffBy(1, 0));
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* position = Find(findings, MeasureKind::kPositionError);
+  ASSERT_NE(position, nullptr);
+  EXPECT_EQ(position->verdict, Verdict::kFail);
+  EXPECT_EQ(position->cause, Cause::kDefect);
+  EXPECT_THAT(position->cause_because, HasSubstr("does not vanish"));
+}
+
+TEST(JudgeWorld, WithoutSmallerStepsNoErrorIsBlamedOnTheStep) {
+  const Studied studied(TwoBallsInFlight(), OffBy(1000, 1));
+  Study study = studied.study();
+  study.half = nullptr;
+  study.quarter = nullptr;
+  EXPECT_EQ(Find(JudgeWorld(study), MeasureKind::kPositionError)->cause, Cause::kDefect);
+}
+
+TEST(JudgeWorld, AFailedAnswerIsAFindingAndIsJudgedNoFurther) {
+  struct Case {
+    AnswerStatus status;
+    Verdict verdict;
+  };
+  for (const auto& [status, verdict] :
+       {Case{AnswerStatus::kCrashed, Verdict::kCrashed},
+        Case{AnswerStatus::kTimedOut, Verdict::kTimedOut},
+        Case{AnswerStatus::kUnsupported, Verdict::kUnsupported}}) {
+    const FakeSimulator engine("gone", [status = status](const World&) {
+      Trajectory trajectory;
+      trajectory.status = status;
+      trajectory.reason = "it is gone";
+      return trajectory;
+    });
+    const Studied studied(TwoBallsInFlight(), engine);
+    const std::vector<Finding> findings =
+        JudgeWorld({studied.scenario, studied.info, studied.whole});
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0].verdict, verdict);
+    EXPECT_EQ(findings[0].measure, MeasureKind::kAnswering);
+    EXPECT_THAT(findings[0].proof, HasSubstr("it is gone"));
+  }
+}
+
+TEST(JudgeWorld, DivergingIsInvalidAndSaysTheStep) {
+  const FakeSimulator engine("explodes", [](const World& world) {
+    Trajectory trajectory = FreeFlight(world);
+    trajectory.diverged_at_step = 42;
+    return trajectory;
+  });
+  const Studied studied(TwoBallsInFlight(), engine);
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].verdict, Verdict::kInvalid);
+  EXPECT_THAT(findings[0].proof, HasSubstr("diverged in step 42, at 0.42 s"));
+  EXPECT_FALSE(IsWhole(studied.whole));
+}
+
+TEST(JudgeVariant, WorldsThatLawsOfMechanicsMapToEachOtherMoveAlike) {
+  const FakeSimulator engine = OffBy(0, 1);
+  const Studied studied(TwoBallsInFlight(), engine);
+  for (const WorldVariant& variant : VariantsOf(studied.scenario.world)) {
+    const Finding finding =
+        JudgeVariant(studied.study(), variant.measure,
+                     SeenInWorld(variant, engine.Simulate(variant.world)));
+    EXPECT_EQ(finding.verdict, Verdict::kPass)
+        << NameOf(variant.measure) << ": " << finding.proof;
+  }
+}
+
+TEST(JudgeVariant, AnErrorAlongOneAxisOfTheWorldIsFoundByTheHeading) {
+  const FakeSimulator engine = OffBy(1e-3, 0);
+  const Studied studied(TwoBallsInFlight(), engine);
+  const std::vector<WorldVariant> variants = VariantsOf(studied.scenario.world);
+  ASSERT_EQ(variants.front().measure, MeasureKind::kHeading);
+  const Finding finding = JudgeVariant(
+      studied.study(), MeasureKind::kHeading,
+      SeenInWorld(variants.front(), engine.Simulate(variants.front().world)));
+  EXPECT_EQ(finding.verdict, Verdict::kFail);
+  EXPECT_THAT(finding.proof, HasSubstr("turned about gravity"));
+}
+
+TEST(JudgeVariant, GrantsWhatTheStepExplains) {
+  const FakeSimulator engine = OffBy(1e-3, 1);
+  const Studied studied(TwoBallsInFlight(), engine);
+  const std::vector<WorldVariant> variants = VariantsOf(studied.scenario.world);
+  const Finding finding = JudgeVariant(
+      studied.study(), MeasureKind::kHeading,
+      SeenInWorld(variants.front(), engine.Simulate(variants.front().world)));
+  EXPECT_GT(finding.value, 1e-6);
+  EXPECT_EQ(finding.verdict, Verdict::kPass) << finding.proof;
+}
+
+TEST(JudgeRepetition, OneBitIsADifference) {
+  const WorldScenario scenario = TwoBallsInFlight();
+  const Studied studied(scenario, OffBy(0, 1));
+  EXPECT_EQ(JudgeRepetition(studied.study(), studied.whole).verdict, Verdict::kPass);
+  Trajectory again = studied.whole;
+  double& x = again.samples[7].bodies[1].p_WB.x();
+  x = std::nextafter(x, std::numeric_limits<double>::infinity());
+  const Finding finding = JudgeRepetition(studied.study(), again);
+  EXPECT_EQ(finding.verdict, Verdict::kFail);
+  EXPECT_THAT(finding.proof, HasSubstr("at 0.07 s body 1 position.x"));
+}
+
+}  // namespace
+}  // namespace touchstone

@@ -1,0 +1,109 @@
+#include "reports/worlds/run_worlds.h"
+
+#include <atomic>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/worlds/check_claims.h"
+#include "tests/reports/worlds/fake_simulator.h"
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+using testing::Not;
+
+WorldScenario Flight(std::string id, int steps) {
+  WorldScenario scenario;
+  scenario.id = std::move(id);
+  scenario.world.bodies = {BodyOf("ball", Sphere{0.5}, 2, {0.3, 1.7, -0.4})};
+  scenario.world.steps = steps;
+  scenario.world.sample_every = steps;
+  scenario.claims = {ClaimOf("ballistic"), ClaimOf("deterministic")};
+  return scenario;
+}
+
+Trajectory Exact(const World& world) {
+  return FreeFlight(world);
+}
+
+std::vector<std::string> Described(const WorldsReport& report) {
+  std::vector<std::string> lines;
+  for (const Finding& finding : report.findings)
+    lines.push_back(finding.scenario + " " + finding.oracle + " " +
+                    std::string(NameOf(finding.measure)));
+  return lines;
+}
+
+TEST(RunWorlds, GivesTheSameReportWhateverTheNumberOfThreads) {
+  const FakeSimulator a("a", Exact);
+  const FakeSimulator b("b", Exact);
+  const std::vector<const Oracle*> oracles = {&a, &b};
+  const std::vector<WorldScenario> worlds = {Flight("world/test/a", 10),
+                                             Flight("world/test/b", 20)};
+  std::atomic<std::size_t> done = 0;
+  const auto count = [&] { ++done; };
+  const std::vector<std::string> one = Described(RunWorlds(worlds, oracles, 1, count));
+  EXPECT_EQ(Described(RunWorlds(worlds, oracles, 4, count)), one);
+  EXPECT_EQ(done, 2 * CountOfWorldRuns(worlds, oracles));
+  EXPECT_THAT(one, Contains("world/test/a a position_error"));
+  EXPECT_THAT(one, Contains("world/test/b b determinism"));
+}
+
+TEST(RunWorlds, AsksAtSmallerStepsOnlyWhatIsSmall) {
+  std::atomic<int> runs = 0;
+  const FakeSimulator engine("engine", [&](const World& world) {
+    ++runs;
+    return FreeFlight(world);
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  std::vector<WorldScenario> worlds = {Flight("world/test/long", 200'000)};
+  worlds[0].claims = {ClaimOf("ballistic")};
+  RunWorlds(worlds, oracles, 1, {});
+  EXPECT_EQ(runs, 1);
+  worlds[0].world.steps = 100;
+  worlds[0].world.sample_every = 100;
+  RunWorlds(worlds, oracles, 1, {});
+  // The whole, half and quarter step, and one run for each of four variants.
+  EXPECT_EQ(runs, 1 + 3 + 4);
+}
+
+TEST(RunWorlds, FindsAnEngineThatAnswersOtherwiseEachTime) {
+  std::atomic<int> runs = 0;
+  const FakeSimulator engine("moody", [&](const World& world) {
+    const double off = 1e-15 * ++runs;
+    return FreeFlight(world, [off](double) { return Eigen::Vector3d(off, 0, 0); });
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  const std::vector<WorldScenario> worlds = {Flight("world/test/a", 10)};
+  const WorldsReport report = RunWorlds(worlds, oracles, 1, {});
+  EXPECT_THAT(report.findings,
+              Contains(testing::AllOf(Field(&Finding::measure, MeasureKind::kDeterminism),
+                                      Field(&Finding::verdict, Verdict::kFail))));
+}
+
+TEST(FaultsOfClaims, KnowsEveryLawAndTheHarnesssOwn) {
+  EXPECT_THAT(FaultsOfClaims(Flight("world/test/a", 10)), IsEmpty());
+}
+
+TEST(FaultsOfClaims, NamesTheNearestLaw) {
+  WorldScenario scenario = Flight("world/test/a", 10);
+  scenario.claims = {ClaimOf("balistic")};
+  EXPECT_THAT(FaultsOfClaims(scenario),
+              ElementsAre("world/test/a: claims[0]: no law is called 'balistic'; did you "
+                          "mean ballistic?"));
+}
+
+TEST(FaultsOfClaims, SaysWhatALawMisses) {
+  WorldScenario scenario = Flight("world/test/a", 10);
+  scenario.claims = {ClaimOf("ballistic", {"nobody"})};
+  EXPECT_THAT(FaultsOfClaims(scenario), Not(IsEmpty()));
+}
+
+}  // namespace
+}  // namespace touchstone

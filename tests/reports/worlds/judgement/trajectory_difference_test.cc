@@ -1,0 +1,90 @@
+#include "reports/worlds/trajectory_difference.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/reports/worlds/fake_simulator.h"
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+constexpr double kEver = std::numeric_limits<double>::infinity();
+
+World OneBall() {
+  World world;
+  world.bodies = {BodyOf("ball", Sphere{0.5}, 2, {0.3, 1.7, -0.4})};
+  world.particles = {{"drop", {-1.1, 3.3, 0.2}, {0.4, 0, 0.1}, 0.2}};
+  world.dt = 0.01;
+  world.steps = 50;
+  return world;
+}
+
+TEST(DistanceBetween, IsTheFarthestOfCentresAndPoints) {
+  const Trajectory a = FreeFlight(OneBall());
+  Trajectory b = a;
+  b.samples[3].bodies[0].p_WB += Eigen::Vector3d(0.3, 0, 0.4);
+  EXPECT_NEAR(DistanceBetween(a, b, 0, kEver), 0.5, 1e-15);
+  b.samples[5].particles[0].p_W.z() -= 0.75;
+  EXPECT_NEAR(DistanceBetween(a, b, 0, kEver), 0.75, 1e-15);
+}
+
+TEST(DistanceBetween, CountsATurnAsTheWayOfTheFarthestPoint) {
+  const Trajectory a = FreeFlight(OneBall());
+  Trajectory b = a;
+  Eigen::Quaterniond& q = b.samples[9].bodies[0].q_WB;
+  q = Turned(q, {0, 0.25, 0});
+  EXPECT_NEAR(DistanceBetween(a, b, 2, kEver), 0.5, 1e-12);
+  q.coeffs() = -q.coeffs();  // The same orientation.
+  EXPECT_NEAR(DistanceBetween(a, b, 2, kEver), 0.5, 1e-12);
+}
+
+TEST(DistanceBetween, EndsAtTheHorizon) {
+  const Trajectory a = FreeFlight(OneBall());
+  Trajectory b = a;
+  b.samples[30].bodies[0].p_WB.x() += 1;
+  EXPECT_EQ(DistanceBetween(a, b, 0, 0.295), 0);
+  EXPECT_NEAR(DistanceBetween(a, b, 0, 0.305), 1, 1e-15);
+}
+
+TEST(DistanceBetween, WhatIsNoNumberIsFarthest) {
+  const Trajectory a = FreeFlight(OneBall());
+  Trajectory b = a;
+  b.samples[3].particles[0].p_W.x() = std::numeric_limits<double>::quiet_NaN();
+  b.samples[4].particles[0].p_W.x() += 1;
+  EXPECT_FALSE(DistanceBetween(a, b, 0, kEver) <= 1);
+}
+
+TEST(AreIdentical, ZeroesOfEitherSignAreOneNumber) {
+  Trajectory a = FreeFlight(OneBall());
+  a.samples[0].bodies[0].w_WB.x() = 0.0;
+  Trajectory b = a;
+  b.samples[0].bodies[0].w_WB.x() = -0.0;
+  EXPECT_TRUE(AreIdentical(a, b));
+  b.samples.pop_back();
+  EXPECT_FALSE(AreIdentical(a, b));
+}
+
+TEST(FirstDifference, NamesTimeBodyAndField) {
+  const Trajectory a = FreeFlight(OneBall());
+  Trajectory b = a;
+  b.samples[20].bodies[0].v_WB.y() = 8.5;
+  b.samples[30].bodies[0].p_WB.x() = 1;
+  EXPECT_EQ(FirstDifference(a, b).substr(0, 35), "at 0.2 s body 0 velocity.y is -1.96");
+  EXPECT_EQ(FirstDifference(a, a), "");
+}
+
+TEST(ExtrapolatedToZeroStep, TakesAwayWhatIsOfFirstOrder) {
+  const World world = OneBall();
+  const auto off = [&](double h) {
+    return FreeFlight(world, [h](double t) { return Eigen::Vector3d(3 * h * t, h, 0); });
+  };
+  const Trajectory limit = ExtrapolatedToZeroStep(off(0.02), off(0.01));
+  EXPECT_LE(DistanceBetween(limit, FreeFlight(world), 1, kEver), 1e-14);
+}
+
+}  // namespace
+}  // namespace touchstone
