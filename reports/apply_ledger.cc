@@ -78,6 +78,14 @@ double ValueForLedger(const Finding& finding, double size) {
   return UnitOf(finding.measure) == "m" ? finding.value / size : finding.value;
 }
 
+std::map<std::string_view, double> LedgerSizesOf(const RunReport& report) {
+  std::map<std::string_view, double> sizes;
+  for (const ScenarioResult& result : report.scenarios)
+    sizes[result.scenario.id] = SceneSize(result.scenario.contact);
+  for (const WorldResult& result : report.worlds) sizes[result.scenario.id] = 1;
+  return sizes;
+}
+
 void ApplyLedger(RunReport& report, std::string_view today, bool partial) {
   const std::vector<LedgerEntry>& entries = report.ledger.entries;
   report.ledger_use.assign(entries.size(), {});
@@ -91,10 +99,7 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial) {
                                         static_cast<int>(i),
                                         oracle->version != entries[i].version});
   }
-  std::map<std::string_view, double> sizes;  // By scenario.
-  for (const ScenarioResult& result : report.scenarios) {
-    sizes[result.scenario.id] = SceneSize(result.scenario.contact);
-  }
+  const std::map<std::string_view, double> sizes = LedgerSizesOf(report);
   for (Finding& finding : report.findings) {
     const auto found = rules.find(finding.oracle);
     if (found == rules.end()) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string_view>
 
 #include "reports/run.h"
@@ -12,8 +13,8 @@ namespace touchstone {
  scenarios left out may need it).
 
  An entry is void for another version of the library than its own. The unit of values and
- bounds is SceneSize() for lengths, 1 for all else; verdicts without a value (crashed,
- timed out, invalid) have no bound to exceed. */
+ bounds is SceneSize() for lengths of contact queries, 1 for all else; verdicts without a
+ value (crashed, timed out, invalid) have no bound to exceed. */
 void ApplyLedger(RunReport& report, std::string_view today, bool partial);
 
 /** An entry whose worst hidden value is below this share of its bound is too wide: a
@@ -22,8 +23,12 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial);
  same factor. */
 inline constexpr double kImproved = 1.0 / 12;
 
+/** Returns what lengths are relative to in the ledger, by scenario id: SceneSize() of a
+ contact query, 1 m of a world. [m] */
+std::map<std::string_view, double> LedgerSizesOf(const RunReport& report);
+
 /** Returns the value of a finding in the unit of ledger bounds.
- @param size SceneSize() of its question. [m] */
+ @param size What lengths of its scenario are relative to. [m] */
 double ValueForLedger(const Finding& finding, double size);
 
 }  // namespace touchstone

@@ -80,10 +80,7 @@ Folders AnsweredFolders(const RunReport& report) {
 }
 
 std::map<Kind, std::map<std::string, Shown>> FailuresOf(const RunReport& report) {
-  std::map<std::string_view, double> sizes;
-  for (const ScenarioResult& result : report.scenarios) {
-    sizes[result.scenario.id] = SceneSize(result.scenario.contact);
-  }
+  const std::map<std::string_view, double> sizes = LedgerSizesOf(report);
   std::map<Kind, std::map<std::string, Shown>> failures;
   for (const Finding& finding : report.findings) {
     if (!IsFailure(finding.verdict)) continue;

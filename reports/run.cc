@@ -15,6 +15,7 @@
 #include "reports/referee/referee.h"
 #include "reports/tolerance.h"
 #include "reports/variants.h"
+#include "reports/worlds/check_claims.h"
 
 namespace touchstone {
 namespace {
@@ -109,9 +110,11 @@ bool IsComparable(const ScenarioResult& result, const OracleInfo& oracle,
 /** A run in progress. */
 class Suite {
  public:
-  Suite(std::span<const Scenario> scenarios, std::span<const Oracle* const> oracles,
-        const RunOptions& options)
-      : oracles_(oracles), options_(options) {
+  Suite(std::span<const Scenario> scenarios, std::span<const WorldScenario> worlds,
+        std::span<const Oracle* const> oracles, const RunOptions& options)
+      : world_scenarios_(worlds.begin(), worlds.end()),
+        oracles_(oracles),
+        options_(options) {
     for (const Oracle* oracle : oracles) report_.oracles.push_back(oracle->info());
     if (!oracles.empty()) report_.subject = oracles.front()->info().name;
     for (const Scenario& scenario : scenarios)
@@ -121,6 +124,11 @@ class Suite {
                        return a.scenario.id < b.scenario.id;
                      });
     findings_.resize(report_.scenarios.size());
+    std::stable_sort(
+        world_scenarios_.begin(), world_scenarios_.end(),
+        [](const WorldScenario& a, const WorldScenario& b) { return a.id < b.id; });
+    total_ = oracles.size() * report_.scenarios.size() +
+             CountOfWorldRuns(world_scenarios_, oracles);
   }
 
   RunReport Report(const Ledger& ledger) && {
@@ -132,8 +140,13 @@ class Suite {
     Explain();
     Collect();
     ExplainTheRest(report_);
+    RunTheWorlds();
     report_.ledger = ledger;
     ApplyLedger(report_, options_.today, options_.partial);
+    for (const WorldResult& result : report_.worlds) {
+      std::vector<std::string> faults = FaultsOfClaims(result.scenario);
+      std::move(faults.begin(), faults.end(), std::back_inserter(report_.faults));
+    }
     CheckCatalogue(report_);
     return std::move(report_);
   }
@@ -151,14 +164,7 @@ class Suite {
       for (const ScenarioResult& r : report_.scenarios)
         queries.push_back(r.scenario.contact);
     }
-    std::mutex mutex;
-    std::size_t done = 0;
-    const std::size_t total = oracles_.size() * report_.scenarios.size();
-    round.Ask(oracles_, options_.jobs, [&](std::size_t more) {
-      const std::scoped_lock lock(mutex);
-      done += more;
-      if (options_.on_progress) options_.on_progress(done, total);
-    });
+    round.Ask(oracles_, options_.jobs, [this](std::size_t more) { Progress(more); });
     for (std::size_t s = 0; s < report_.scenarios.size(); ++s) {
       for (auto& answers : round.answers) {
         report_.scenarios[s].answers.push_back(std::move(answers[s]));
@@ -166,9 +172,25 @@ class Suite {
     }
   }
 
+  /** From any thread. */
+  void Progress(std::size_t more) {
+    const std::scoped_lock lock(progress_);
+    done_ += more;
+    if (options_.on_progress) options_.on_progress(done_, total_);
+  }
+
+  void RunTheWorlds() {
+    WorldsReport worlds =
+        RunWorlds(world_scenarios_, oracles_, options_.jobs, [this] { Progress(1); });
+    report_.worlds = std::move(worlds.worlds);
+    std::move(worlds.findings.begin(), worlds.findings.end(),
+              std::back_inserter(report_.findings));
+  }
+
   void Judge() {
     ForEachScenario([this](ScenarioResult& result, std::vector<Finding>& findings) {
       for (std::size_t i = 0; i < oracles_.size(); ++i) {
+        if (!report_.oracles[i].AnswersContacts()) continue;
         std::vector<Finding> of_oracle = JudgeAnswer(
             result.scenario, result.truth, report_.oracles[i], result.answers[i]);
         std::move(of_oracle.begin(), of_oracle.end(), std::back_inserter(findings));
@@ -289,8 +311,12 @@ class Suite {
                 [&](std::size_t s) { work(report_.scenarios[s], findings_[s]); });
   }
 
+  std::vector<WorldScenario> world_scenarios_;
   const std::span<const Oracle* const> oracles_;
   const RunOptions& options_;
+  std::mutex progress_;
+  std::size_t done_ = 0;
+  std::size_t total_ = 0;
   RunReport report_;
   std::vector<std::vector<Finding>> findings_;  ///< Per scenario.
 };
@@ -303,9 +329,35 @@ bool IsFailure(Verdict verdict) {
 
 }  // namespace
 
+RunReport Run(const Questions& questions, std::span<const Oracle* const> oracles,
+              const Ledger& ledger, const RunOptions& options) {
+  return Suite(questions.contacts, questions.worlds, oracles, options).Report(ledger);
+}
+
 RunReport Run(std::span<const Scenario> scenarios, std::span<const Oracle* const> oracles,
               const Ledger& ledger, const RunOptions& options) {
-  return Suite(scenarios, oracles, options).Report(ledger);
+  return Suite(scenarios, {}, oracles, options).Report(ledger);
+}
+
+std::size_t QuestionCount(const RunReport& report) {
+  return report.scenarios.size() + report.worlds.size();
+}
+
+const std::string& IdOf(const RunReport& report, std::size_t i) {
+  const std::size_t contacts = report.scenarios.size();
+  return i < contacts ? report.scenarios[i].scenario.id
+                      : report.worlds[i - contacts].scenario.id;
+}
+
+const std::string& TitleOf(const RunReport& report, std::size_t i) {
+  const std::size_t contacts = report.scenarios.size();
+  return i < contacts ? report.scenarios[i].scenario.title
+                      : report.worlds[i - contacts].scenario.title;
+}
+
+bool Answers(const RunReport& report, std::size_t oracle, std::size_t i) {
+  const OracleInfo& info = report.oracles[oracle];
+  return i < report.scenarios.size() ? info.AnswersContacts() : info.simulates;
 }
 
 int ExitCode(const RunReport& report, FailOn fail_on) {

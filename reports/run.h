@@ -10,7 +10,9 @@
 #include "reports/finding.h"
 #include "reports/ledger.h"
 #include "reports/referee/contact_truth.h"
+#include "reports/worlds/run_worlds.h"
 #include "scenarios/scenario.h"
+#include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
 
@@ -25,10 +27,12 @@ struct ScenarioResult {
 struct RunReport {
   std::string subject;                    ///< Name of the oracle under examination.
   std::vector<OracleInfo> oracles;        ///< The subject first, then the references.
-  std::vector<ScenarioResult> scenarios;  ///< In the order of their ids.
-  /** Sorted by scenario, then oracle (as above), then measure. One finding per measure
-   that applies; a question that an oracle does not support gives one kUnsupported
-   finding. */
+  std::vector<ScenarioResult> scenarios;  ///< Contact queries, in the order of their ids.
+  std::vector<WorldResult> worlds;        ///< In the order of their ids.
+  /** First of the contact queries, then of the worlds; each sorted by scenario, then
+   oracle (as above), then measure. One finding per measure that applies; a question that
+   an oracle does not support gives one kUnsupported finding. An oracle has no finding on
+   questions of a kind that it does not answer at all. */
   std::vector<Finding> findings;
   Ledger ledger;
   std::vector<LedgerUse> ledger_use;  ///< Per entry of the ledger.
@@ -52,10 +56,31 @@ struct RunOptions {
   std::function<void(std::size_t, std::size_t)> on_progress;
 };
 
-/** Asks every oracle every scenario and judges the answers. `oracles[0]` is the subject.
+/** What a run asks. */
+struct Questions {
+  std::vector<Scenario> contacts;
+  std::vector<WorldScenario> worlds;
+};
+
+/** Asks every oracle every question and judges the answers. `oracles[0]` is the subject.
  Deterministic whatever the number of jobs. */
+RunReport Run(const Questions& questions, std::span<const Oracle* const> oracles,
+              const Ledger& ledger, const RunOptions& options);
+
+/** As above, of contact queries only. */
 RunReport Run(std::span<const Scenario> scenarios, std::span<const Oracle* const> oracles,
               const Ledger& ledger, const RunOptions& options);
+
+/** Returns the number of questions of either kind. */
+std::size_t QuestionCount(const RunReport& report);
+
+/** Returns the id of question i: the contact queries first, then the worlds. */
+const std::string& IdOf(const RunReport& report, std::size_t i);
+/** Returns its title. */
+const std::string& TitleOf(const RunReport& report, std::size_t i);
+
+/** Returns whether an oracle answers questions of the kind of question i at all. */
+bool Answers(const RunReport& report, std::size_t oracle, std::size_t i);
 
 /** Which failures count. */
 enum class FailOn {
