@@ -159,9 +159,11 @@ class Page {
  private:
   void WriteSummary() {
     VerdictCounts counts;
-    for (const Outcome& outcome : outcomes_) ++counts[outcome.verdict];
+    for (const Outcome& outcome : outcomes_) {
+      if (outcome.asked) ++counts[outcome.verdict];
+    }
     const VerdictCounts subject = TallyByOracle(report_, outcomes_).front().outcomes;
-    const std::string scenarios = Counted(report_.scenarios.size(), "scenario");
+    const std::string scenarios = Counted(QuestionCount(report_), "scenario");
     out_ << fmt::format("<h1>Is {} right?</h1>\n", XmlText(report_.subject));
     if (subject.failed() > 0) {
       out_ << fmt::format(

@@ -252,7 +252,9 @@ void WriteArray(std::string_view name, std::size_t size, ElementAt element_at,
 void WriteJson(const RunReport& report, std::ostream& out) {
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   VerdictCounts counts;
-  for (const Outcome& outcome : outcomes) ++counts[outcome.verdict];
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.asked) ++counts[outcome.verdict];
+  }
 
   out << "{\"format\": \"touchstone report\", \"version\": 1,\n";
   out << "\"subject\": " << Json(report.subject).dump() << ",\n";

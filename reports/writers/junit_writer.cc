@@ -34,10 +34,19 @@ struct SuiteCounts {
   }
 };
 
+// Why there is no answer.
+const std::string& ReasonOf(const RunReport& report, const Outcome& outcome) {
+  const std::size_t contacts = report.scenarios.size();
+  return outcome.scenario < contacts
+             ? report.scenarios[outcome.scenario].answers[outcome.oracle].reason
+             : report.worlds[outcome.scenario - contacts]
+                   .trajectories[outcome.oracle]
+                   .reason;
+}
+
 std::string Message(const RunReport& report, const Outcome& outcome) {
   if (outcome.verdict == Verdict::kUnsupported) {
-    const std::string& reason =
-        report.scenarios[outcome.scenario].answers[outcome.oracle].reason;
+    const std::string& reason = ReasonOf(report, outcome);
     return reason.empty() ? "unsupported" : reason;
   }
   const Finding& finding = *outcome.decisive;
@@ -56,9 +65,9 @@ std::string AllSentences(const Outcome& outcome) {
 }
 
 void WriteCase(const RunReport& report, const Outcome& outcome, std::ostream& out) {
-  const Scenario& scenario = report.scenarios[outcome.scenario].scenario;
   out << fmt::format(R"(    <testcase classname="{}" name="{}")",
-                     XmlText(report.oracles[outcome.oracle].name), XmlText(scenario.id));
+                     XmlText(report.oracles[outcome.oracle].name),
+                     XmlText(IdOf(report, outcome.scenario)));
   if (outcome.verdict == Verdict::kPass) {
     out << "/>\n";
     return;
@@ -90,6 +99,7 @@ void WriteJUnit(const RunReport& report, std::ostream& out) {
   std::vector<SuiteCounts> suites(report.oracles.size());
   SuiteCounts total;
   for (const Outcome& outcome : outcomes) {
+    if (!outcome.asked) continue;
     suites[outcome.oracle].Add(outcome.verdict);
     total.Add(outcome.verdict);
   }
@@ -110,8 +120,9 @@ void WriteJUnit(const RunReport& report, std::ostream& out) {
         "    </properties>\n",
         XmlText(oracle.library), XmlText(oracle.version),
         o == 0 ? "subject" : "reference");
-    for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
-      WriteCase(report, outcomes[s * report.oracles.size() + o], out);
+    for (std::size_t s = 0; s < QuestionCount(report); ++s) {
+      const Outcome& outcome = outcomes[s * report.oracles.size() + o];
+      if (outcome.asked) WriteCase(report, outcome, out);
     }
     out << "  </testsuite>\n";
   }

@@ -97,17 +97,19 @@ std::string RelativeInWords(const Finding& finding) {
 
 std::vector<Outcome> OutcomesOf(const RunReport& report) {
   std::vector<Outcome> outcomes;
-  outcomes.reserve(report.scenarios.size() * report.oracles.size());
+  const std::size_t questions = QuestionCount(report);
+  outcomes.reserve(questions * report.oracles.size());
   const std::span<const Finding> all = report.findings;
   std::size_t at = 0;
-  for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
+  for (std::size_t s = 0; s < questions; ++s) {
     for (std::size_t o = 0; o < report.oracles.size(); ++o) {
       const std::size_t begin = at;
-      while (at < all.size() && all[at].scenario == report.scenarios[s].scenario.id &&
+      while (at < all.size() && all[at].scenario == IdOf(report, s) &&
              all[at].oracle == report.oracles[o].name) {
         ++at;
       }
       outcomes.push_back(Sum(s, o, all.subspan(begin, at - begin)));
+      outcomes.back().asked = Answers(report, o, s);
     }
   }
   return outcomes;
@@ -119,6 +121,7 @@ std::string_view GroupOf(std::string_view scenario_id) {
 }
 
 void Tally::Add(const Outcome& outcome) {
+  if (!outcome.asked) return;
   ++outcomes[outcome.verdict];
   TakeWorse(worst, outcome.worst);
 }
@@ -133,8 +136,8 @@ void Tally::Add(const Tally& other) {
 std::vector<GroupTally> TallyByGroup(const RunReport& report,
                                      std::span<const Outcome> outcomes) {
   std::vector<GroupTally> groups;
-  for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
-    const std::string_view group = GroupOf(report.scenarios[s].scenario.id);
+  for (std::size_t s = 0; s < QuestionCount(report); ++s) {
+    const std::string_view group = GroupOf(IdOf(report, s));
     if (groups.empty() || groups.back().group != group) {
       groups.push_back(
           {std::string(group), 0, std::vector<Tally>(report.oracles.size())});

@@ -33,7 +33,7 @@ bool IsFailure(Verdict verdict);
 
 /** What one oracle did with one scenario: the sum of its findings. */
 struct Outcome {
-  std::size_t scenario;               ///< Index into RunReport::scenarios.
+  std::size_t scenario;               ///< Of the question, see IdOf(report, i).
   std::size_t oracle;                 ///< Index into RunReport::oracles.
   std::span<const Finding> findings;  ///< Its own, by measure.
   /** The gravest of its findings; kUnsupported where no measure applied. */
@@ -44,6 +44,9 @@ struct Outcome {
   /** The finding largest relative to its tolerance, whatever its verdict; null where
    nothing was measured against a tolerance. */
   const Finding* worst = nullptr;
+  /** False where the oracle answers no question of this kind: neither asked nor counted.
+   */
+  bool asked = true;
 };
 
 /** Returns the value of `finding` as a multiple of its tolerance; infinite for NaN, and

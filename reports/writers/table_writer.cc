@@ -96,6 +96,7 @@ void WriteGroups(const RunReport& report, std::span<const Outcome> outcomes,
     Tally folded;
     int others = 0;
     for (std::size_t o = 0; o < group.oracles.size(); ++o) {
+      if (group.oracles[o].outcomes.total() == 0) continue;
       if (IsWorthARow(o, group.oracles[o])) {
         out << Row(paint, report.oracles[o].name, group.oracles[o]);
       } else {
@@ -113,7 +114,7 @@ void WriteOracles(const RunReport& report, std::span<const Outcome> outcomes,
                   const Painter& paint, std::ostream& out) {
   const std::vector<Tally> tallies = TallyByOracle(report, outcomes);
   out << '\n'
-      << Heading(paint, fmt::format("all scenarios ({})", report.scenarios.size()));
+      << Heading(paint, fmt::format("all scenarios ({})", QuestionCount(report)));
   for (std::size_t o = 0; o < tallies.size(); ++o) {
     out << Row(paint, report.oracles[o].name, tallies[o]);
   }
@@ -133,14 +134,14 @@ std::string AlsoFailing(const Outcome& outcome) {
 
 void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
                    const Painter& paint, std::ostream& out) {
-  std::size_t last = report.scenarios.size();
+  std::size_t last = QuestionCount(report);
   for (const Outcome& outcome : outcomes) {
     if (!IsFailure(outcome.verdict)) continue;
     if (outcome.scenario != last) {
       last = outcome.scenario;
-      const Scenario& scenario = report.scenarios[last].scenario;
       out << '\n'
-          << paint(Colour::kBold, scenario.id) << fmt::format(": {}\n", scenario.title);
+          << paint(Colour::kBold, IdOf(report, last))
+          << fmt::format(": {}\n", TitleOf(report, last));
     }
     out << "  " << paint(Colour::kBad, "✗") << ' ' << Sentence(*outcome.decisive) << '\n'
         << AlsoFailing(outcome);
@@ -198,6 +199,7 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   VerdictCounts counts;
   int subject_failed = 0;
   for (const Outcome& outcome : outcomes) {
+    if (!outcome.asked) continue;
     ++counts[outcome.verdict];
     if (outcome.oracle == 0 && IsFailure(outcome.verdict)) ++subject_failed;
   }
@@ -206,7 +208,7 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
     const Verdict verdict = static_cast<Verdict>(i);
     list += fmt::format("{}{} {}", i == 0 ? "" : ", ", counts[verdict], NameOf(verdict));
   }
-  out << fmt::format("\n{} × {}: {}\n", Counted(report.scenarios.size(), "scenario"),
+  out << fmt::format("\n{} × {}: {}\n", Counted(QuestionCount(report), "scenario"),
                      Counted(report.oracles.size(), "oracle"), list);
   const int failed = counts.failed();
   const int code = ExitCode(report, style.fail_on);
