@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/bench_command.h"
+#include "cli/bench_worlds_command.h"
 #include "cli/body_text.h"
 #include "cli/command_examples.h"
 #include "cli/expected.h"
@@ -20,6 +21,7 @@
 #include "cli/list_command.h"
 #include "cli/oracles_command.h"
 #include "cli/run_command.h"
+#include "cli/simulate_command.h"
 #include "cli/sweep_command.h"
 #include "scenarios/schema/scenario_schema.h"
 
@@ -37,6 +39,8 @@ constexpr const char* kIntroduction =
     "side\n"
     "  touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0'\n"
     "  touchstone sweep contact --pair box box --count 100000\n"
+    "  touchstone simulate world/free --oracles bullet,ode --csv motion.csv\n"
+    "  touchstone bench worlds --scene boxes1000\n"
     "  touchstone COMMAND --help               what a command takes\n\n"
     "Exit code: 0 all pass or known, 1 failures, 2 bad input or nothing verified.";
 
@@ -59,6 +63,7 @@ class CommandLine {
     AddOracles();
     AddSweep();
     AddBench();
+    AddSimulate();
     AddSchema();
     AddLedger();
   }
@@ -115,6 +120,15 @@ class CommandLine {
     app->add_option("--jobs", jobs, "threads; one a core without it")
         ->check(WholeNumber(1, std::numeric_limits<int>::max()))
         ->type_name("N");
+  }
+
+  static CLI::Option* AddOracleList(CLI::App* app, std::vector<std::string>& oracles) {
+    return app
+        ->add_option("--oracles,--oracle", oracles,
+                     "e.g. cookbook,bullet; all without it")
+        ->type_name("ORACLE")
+        ->delimiter(',')
+        ->allow_extra_args(false);
   }
 
   // A number of questions, an index or a seed.
@@ -184,8 +198,7 @@ class CommandLine {
     app->add_flag("--settings", settings_, "what each adapter sets and converts");
   }
 
-  // Worlds will have sweeps and benchmarks of their own: the kind of question is an
-  // argument.
+  // Worlds have no sweep yet: the kind of question is an argument.
   static void AddContact(CLI::App* app) {
     app->add_option("QUESTIONS", "the kind of question: contact")
         ->required()
@@ -223,17 +236,53 @@ class CommandLine {
 
   void AddBench() {
     CLI::App* app = AddCommand("bench", "time of a query beside its accuracy",
-                               [this] { return BenchCommand(session_, bench_); });
-    AddContact(app);
-    app->add_option("--oracles", bench_.oracles, "e.g. cookbook,bullet; all without it")
-        ->type_name("ORACLE")
-        ->delimiter(',')
-        ->allow_extra_args(false);
+                               [this] { return Bench(); });
+    app->add_option("QUESTIONS", benched_, "the kind of question: contact or worlds")
+        ->required()
+        ->check(OneOf({"contact", "worlds"}))
+        ->type_name("");
+    AddOracleList(app, bench_.oracles);
     AddPair(app, bench_.pair);
     AddNumber(app, "--count", bench_.count, 1, "random poses per pair");
     AddNumber(app, "--sample", bench_.sample, 0,
               "how many of them are held against the truth");
     AddNumber(app, "--seed", bench_.seed, 0, "another seed, other poses");
+    app->add_option("--scene", bench_worlds_.scenes,
+                    "of worlds: boxes100, boxes1000, …; all without it")
+        ->check(OneOf(SceneNames()))
+        ->type_name("SCENE")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    app->add_option("--steps", bench_worlds_.steps,
+                    "of worlds: steps that are timed, after as many to settle")
+        ->check(WholeNumber(1, 1'000'000))
+        ->type_name("N")
+        ->capture_default_str();
+    app->add_option("--seconds", bench_worlds_.seconds,
+                    "of worlds: CPU time after which an engine is stopped in a scene")
+        ->check(WholeNumber(1, 1'000'000))
+        ->type_name("N")
+        ->capture_default_str();
+  }
+
+  int Bench() {
+    if (benched_ == "contact") return BenchCommand(session_, bench_);
+    bench_worlds_.oracles = bench_.oracles;
+    bench_worlds_.seed = bench_.seed;
+    return BenchWorldsCommand(session_, bench_worlds_);
+  }
+
+  void AddSimulate() {
+    CLI::App* app = AddCommand("simulate", "the motion of worlds, as a table",
+                               [this] { return SimulateCommand(session_, simulate_); });
+    AddScenarios(app, simulate_.scenarios);
+    app->get_option("PATTERN")->required()->description(kPatterns);
+    AddOracleList(app, simulate_.oracles)
+        ->description("e.g. cookbook,bullet; all that simulate without it");
+    app->add_option("--csv", simulate_.csv,
+                    "write the table there; standard output "
+                    "without it")
+        ->type_name("FILE");
   }
 
   void AddLedger() {
@@ -260,6 +309,9 @@ class CommandLine {
   AskArguments ask_;
   SweepArguments sweep_;
   BenchArguments bench_;
+  BenchWorldsArguments bench_worlds_;
+  std::string benched_;
+  SimulateArguments simulate_;
   ScenarioSelection explained_;
   OracleSelection oracles_;
   ScenarioSelection listed_;

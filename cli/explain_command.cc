@@ -13,20 +13,23 @@
 namespace touchstone {
 namespace {
 
-RunReport Answers(const Session& session, std::span<const Scenario> scenarios,
+RunReport Answers(const Session& session, const Questions& questions,
                   const OracleSelection& selection, const Ledger& ledger) {
   const std::vector<const Oracle*> oracles = SelectOracles(session.registry, selection);
-  return RunSuite(session, scenarios, oracles, ledger, {.partial = true});
+  return RunSuite(session, questions, oracles, ledger, {.partial = true});
 }
 
 }  // namespace
 
 int ExplainCommand(const Session& session, const ScenarioSelection& selection,
                    const OracleSelection& oracles) {
-  const std::vector<Scenario> scenarios = SelectScenarios(selection);
-  const RunReport report = Answers(session, scenarios, oracles, LoadLedger(session, {}));
-  if (scenarios.size() == 1) {
-    std::cout << WriteScenario(scenarios.front()) << '\n';
+  const Questions questions = SelectQuestions(selection);
+  const RunReport report = Answers(session, questions, oracles, LoadLedger(session, {}));
+  if (QuestionCount(report) == 1) {
+    for (const Scenario& scenario : questions.contacts)
+      std::cout << WriteScenario(scenario) << '\n';
+    for (const WorldScenario& scenario : questions.worlds)
+      std::cout << WriteScenario(scenario) << '\n';
     WriteExplanation(report, std::cout);
     return 0;
   }
@@ -57,8 +60,7 @@ int AskCommand(const Session& session, const AskArguments& arguments) {
     return 0;
   }
   // No entry of the ledger is about this question.
-  WriteExplanation(Answers(session, std::span(&scenario, 1), arguments.oracles, {}),
-                   std::cout);
+  WriteExplanation(Answers(session, {{scenario}, {}}, arguments.oracles, {}), std::cout);
   return 0;
 }
 

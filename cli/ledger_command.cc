@@ -13,9 +13,9 @@ namespace {
 RunReport RunEverything(const Session& session) {
   const OracleSelection everybody{.subject = session.defaults.subject, .against = {}};
   const std::vector<const Oracle*> oracles = SelectOracles(session.registry, everybody);
-  const std::vector<Scenario> scenarios =
-      SelectScenarios({.patterns = {}, .catalogues = {session.catalogue()}});
-  return RunSuite(session, scenarios, oracles, LoadLedger(session, {}), {});
+  const Questions questions =
+      SelectQuestions({.patterns = {}, .catalogues = {session.catalogue()}});
+  return RunSuite(session, questions, oracles, LoadLedger(session, {}), {});
 }
 
 }  // namespace

@@ -12,20 +12,25 @@
 namespace touchstone {
 
 int ListCommand(const ScenarioSelection& selection) {
-  const std::vector<Scenario> scenarios = SelectScenarios(selection);
+  const Questions questions = SelectQuestions(selection);
+  std::vector<std::pair<std::string, std::string>> titles;
+  for (const Scenario& scenario : questions.contacts)
+    titles.emplace_back(scenario.id, scenario.title);
+  for (const WorldScenario& scenario : questions.worlds)
+    titles.emplace_back(scenario.id, scenario.title);
   std::size_t width = 0;
-  for (const Scenario& scenario : scenarios) width = std::max(width, scenario.id.size());
+  for (const auto& [id, title] : titles) width = std::max(width, id.size());
   std::map<std::string, int> groups;
-  for (const Scenario& scenario : scenarios) {
-    std::cout << fmt::format("{:<{}}  {}\n", scenario.id, width, scenario.title);
-    ++groups[std::string(GroupOf(scenario.id))];
+  for (const auto& [id, title] : titles) {
+    std::cout << fmt::format("{:<{}}  {}\n", id, width, title);
+    ++groups[std::string(GroupOf(id))];
   }
   std::cout << '\n';
   for (const auto& [group, count] : groups) {
     std::cout << fmt::format("{:>6}  {}\n", count, group);
   }
-  std::cout << fmt::format("{:>6}  scenario{}\n", scenarios.size(),
-                           scenarios.size() == 1 ? "" : "s");
+  std::cout << fmt::format("{:>6}  scenario{}\n", titles.size(),
+                           titles.size() == 1 ? "" : "s");
   return 0;
 }
 

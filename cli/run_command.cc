@@ -28,7 +28,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
   const std::vector<const Oracle*> oracles =
       SelectOracles(session.registry, arguments.oracles);
   const Ledger ledger = LoadLedger(session, arguments.ledger);
-  const std::vector<Scenario> scenarios = SelectScenarios(arguments.scenarios);
+  const Questions questions = SelectQuestions(arguments.scenarios);
   const SuiteOptions options{
       .jobs = arguments.jobs,
       // The ledger speaks of the whole default catalogue and of every reference.
@@ -41,7 +41,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
   for (const ReportFile& file : kReportFiles) {
     if (out) out->Check(file.name);
   }
-  const RunReport report = RunSuite(session, scenarios, oracles, ledger, options);
+  const RunReport report = RunSuite(session, questions, oracles, ledger, options);
 
   WriteTable(report,
              {.colours = session.terminal.colours,

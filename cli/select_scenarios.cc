@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "cli/input_error.h"
-#include "reports/counted.h"
 #include "reports/glob.h"
 #include "scenarios/scenario_file.h"
 #include "scenarios/schema/nearest_name.h"
@@ -13,52 +12,60 @@
 namespace touchstone {
 namespace {
 
-bool SelectsAny(std::string_view pattern, const std::vector<Scenario>& catalogue) {
-  return std::any_of(catalogue.begin(), catalogue.end(),
-                     [&](const Scenario& s) { return SelectsId(pattern, s.id); });
+using Ids = std::vector<std::string_view>;
+
+/** The ids of a catalogue, contact queries first. */
+Ids IdsOf(const Questions& questions) {
+  Ids ids;
+  for (const Scenario& scenario : questions.contacts) ids.push_back(scenario.id);
+  for (const WorldScenario& scenario : questions.worlds) ids.push_back(scenario.id);
+  return ids;
+}
+
+bool SelectsAny(std::string_view pattern, const Ids& ids) {
+  return std::any_of(ids.begin(), ids.end(),
+                     [&](std::string_view id) { return SelectsId(pattern, id); });
 }
 
 // A path is what no id can be (ids have no dots), or what is there and is no known id.
-bool IsPath(const std::string& pattern, const std::vector<Scenario>& catalogue) {
+bool IsPath(const std::string& pattern, const Ids& known) {
   if (pattern.ends_with(".toml") || pattern.starts_with(".") ||
       pattern.starts_with("/")) {
     return true;
   }
-  return !SelectsAny(pattern, catalogue) && std::filesystem::exists(pattern);
+  return !SelectsAny(pattern, known) && std::filesystem::exists(pattern);
 }
 
-std::vector<Scenario> WithoutErrors(Catalogue catalogue) {
-  if (catalogue.diagnostics.empty()) return std::move(catalogue.scenarios);
+Questions WithoutErrors(Catalogue catalogue) {
+  if (catalogue.diagnostics.empty())
+    return {std::move(catalogue.scenarios), std::move(catalogue.worlds)};
   std::string text;
   for (const Diagnostic& diagnostic : catalogue.diagnostics) {
     text += ToString(diagnostic) + "\n";
   }
-  throw InputError(text + Counted(catalogue.diagnostics.size(), "error") +
-                   " in scenario files: nothing was run");
+  throw InputError(text + fmt::format("{} errors in scenario files: nothing was run",
+                                      catalogue.diagnostics.size()));
 }
 
 // "contact/sphere_box/*" of "contact/box_sphere/*": a folder names a pair of shapes in
 // one order only. Empty where no other order selects anything.
-std::string WithShapesInOrder(const std::string& pattern,
-                              const std::vector<Scenario>& catalogue) {
+std::string WithShapesInOrder(const std::string& pattern, const Ids& known) {
   for (std::size_t at = 0; (at = pattern.find('_', at)) != std::string::npos; ++at) {
     const std::size_t begin = pattern.rfind('/', at) + 1;  // npos + 1 is 0.
     const std::size_t end = std::min(pattern.find('/', at), pattern.size());
     const std::string swapped = pattern.substr(0, begin) +
                                 pattern.substr(at + 1, end - at - 1) + '_' +
                                 pattern.substr(begin, at - begin) + pattern.substr(end);
-    if (SelectsAny(swapped, catalogue)) return swapped;
+    if (SelectsAny(swapped, known)) return swapped;
   }
   return "";
 }
 
 // The nearest id or folder of ids, with the part that has wildcards left as it is. Empty
 // where none is near.
-std::string NearestPattern(const std::string& pattern,
-                           const std::vector<Scenario>& catalogue) {
-  std::vector<std::string_view> names;
-  for (const Scenario& scenario : catalogue) {
-    const std::string_view id = scenario.id;
+std::string NearestPattern(const std::string& pattern, const Ids& known) {
+  Ids names;
+  for (const std::string_view id : known) {
     names.push_back(id);
     for (std::size_t at = 0; (at = id.find('/', at)) != std::string_view::npos; ++at) {
       names.push_back(id.substr(0, at));
@@ -70,26 +77,43 @@ std::string NearestPattern(const std::string& pattern,
   if (literal == std::string::npos) return "";
   const std::string_view nearest = NearestName(pattern.substr(0, literal), names);
   const std::string suggestion = std::string(nearest) + pattern.substr(literal);
-  return SelectsAny(suggestion, catalogue) ? suggestion : "";
+  return SelectsAny(suggestion, known) ? suggestion : "";
 }
 
-[[noreturn]] void FailOnPattern(const std::string& pattern,
-                                const std::vector<Scenario>& catalogue) {
-  std::string nearest = WithShapesInOrder(pattern, catalogue);
-  if (nearest.empty()) nearest = NearestPattern(pattern, catalogue);
+[[noreturn]] void FailOnPattern(const std::string& pattern, const Ids& known) {
+  std::string nearest = WithShapesInOrder(pattern, known);
+  if (nearest.empty()) nearest = NearestPattern(pattern, known);
   throw InputError(fmt::format(
       "no scenario matches '{}'{}, and no such file or folder is there; `touchstone "
       "list` shows all ids",
       pattern, nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
 }
 
-void RefuseDuplicates(const std::vector<Scenario>& scenarios) {
-  for (std::size_t i = 1; i < scenarios.size(); ++i) {
-    if (scenarios[i - 1].id == scenarios[i].id) {
-      throw InputError(
-          fmt::format("the scenario id '{}' is used twice", scenarios[i].id));
-    }
+void RefuseDuplicates(const Questions& questions) {
+  Ids ids = IdsOf(questions);
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice != ids.end())
+    throw InputError(fmt::format("the scenario id '{}' is used twice", *twice));
+}
+
+/** Moves those of `from` that are `wanted` behind those of `to`. */
+template <typename Kind>
+void MoveSelected(std::vector<Kind>& from, const std::vector<std::string>& patterns,
+                  std::vector<Kind>& to) {
+  for (Kind& scenario : from) {
+    const bool wanted = std::any_of(
+        patterns.begin(), patterns.end(),
+        [&](const std::string& pattern) { return SelectsId(pattern, scenario.id); });
+    if (wanted) to.push_back(std::move(scenario));
   }
+}
+
+template <typename Kind>
+void Append(std::vector<Kind> from, std::vector<Kind>& to) {
+  std::move(from.begin(), from.end(), std::back_inserter(to));
+  std::sort(to.begin(), to.end(),
+            [](const Kind& a, const Kind& b) { return a.id < b.id; });
 }
 
 }  // namespace
@@ -99,42 +123,36 @@ bool SelectsId(std::string_view pattern, std::string_view id) {
   return MatchesGlob(pattern, id) || MatchesGlob(std::string(pattern) + "/**", id);
 }
 
-std::vector<Scenario> SelectScenarios(const ScenarioSelection& selection) {
+Questions SelectQuestions(const ScenarioSelection& selection) {
   const auto looks_like_path = [](const std::string& p) { return IsPath(p, {}); };
   const bool only_paths =
       !selection.patterns.empty() &&
       std::all_of(selection.patterns.begin(), selection.patterns.end(), looks_like_path);
-  std::vector<Scenario> catalogue;
+  Questions catalogue;
   if (!only_paths) catalogue = WithoutErrors(ReadCatalogue(selection.catalogues));
   if (selection.patterns.empty()) return catalogue;
 
   std::vector<std::filesystem::path> paths;
-  std::vector<bool> selected(catalogue.size(), false);
+  std::vector<std::string> patterns;
+  const Ids known = IdsOf(catalogue);
   for (const std::string& pattern : selection.patterns) {
-    if (IsPath(pattern, catalogue)) {
+    if (IsPath(pattern, known)) {
       paths.emplace_back(pattern);
       continue;
     }
-    bool found = false;
-    for (std::size_t i = 0; i < catalogue.size(); ++i) {
-      if (!SelectsId(pattern, catalogue[i].id)) continue;
-      selected[i] = true;
-      found = true;
-    }
-    if (!found) FailOnPattern(pattern, catalogue);
+    if (!SelectsAny(pattern, known)) FailOnPattern(pattern, known);
+    patterns.push_back(pattern);
   }
-  std::vector<Scenario> scenarios;
-  for (std::size_t i = 0; i < catalogue.size(); ++i) {
-    if (selected[i]) scenarios.push_back(std::move(catalogue[i]));
-  }
+  Questions selected;
+  MoveSelected(catalogue.contacts, patterns, selected.contacts);
+  MoveSelected(catalogue.worlds, patterns, selected.worlds);
   if (!paths.empty()) {
-    std::vector<Scenario> own = WithoutErrors(ReadCatalogue(paths));
-    std::move(own.begin(), own.end(), std::back_inserter(scenarios));
+    Questions own = WithoutErrors(ReadCatalogue(paths));
+    Append(std::move(own.contacts), selected.contacts);
+    Append(std::move(own.worlds), selected.worlds);
   }
-  std::sort(scenarios.begin(), scenarios.end(),
-            [](const Scenario& a, const Scenario& b) { return a.id < b.id; });
-  RefuseDuplicates(scenarios);
-  return scenarios;
+  RefuseDuplicates(selected);
+  return selected;
 }
 
 }  // namespace touchstone

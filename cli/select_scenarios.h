@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenarios/scenario.h"
+#include "reports/run.h"
 
 namespace touchstone {
 
@@ -21,9 +21,9 @@ struct ScenarioSelection {
  a glob that matches either. */
 bool SelectsId(std::string_view pattern, std::string_view id);
 
-/** Returns the selected scenarios, sorted by id. Throws InputError where a pattern
- selects nothing (naming the nearest id), or where a file has errors (naming all of them:
- nothing of a broken selection is used). */
-std::vector<Scenario> SelectScenarios(const ScenarioSelection& selection);
+/** Returns the selected questions, each kind sorted by id. Throws InputError where a
+ pattern selects nothing (naming the nearest id), or where a file has errors (naming all
+ of them: nothing of a broken selection is used). */
+Questions SelectQuestions(const ScenarioSelection& selection);
 
 }  // namespace touchstone

@@ -39,7 +39,7 @@ Ledger LoadLedger(const Session& session,
                    " in the ledger: nothing was run");
 }
 
-RunReport RunSuite(const Session& session, std::span<const Scenario> scenarios,
+RunReport RunSuite(const Session& session, const Questions& questions,
                    std::span<const Oracle* const> oracles, const Ledger& ledger,
                    const SuiteOptions& options) {
   ProgressBar bar(session.terminal.progress && !options.quiet);
@@ -50,7 +50,7 @@ RunReport RunSuite(const Session& session, std::span<const Scenario> scenarios,
   run.on_progress = [&bar](std::size_t done, std::size_t total) {
     bar.Show(done, total);
   };
-  return Run(scenarios, oracles, ledger, run);
+  return Run(questions, oracles, ledger, run);
 }
 
 }  // namespace touchstone

@@ -32,8 +32,8 @@ struct SuiteOptions {
   bool quiet = false;    ///< No progress bar.
 };
 
-/** Runs the scenarios with a progress bar, as of today. */
-RunReport RunSuite(const Session& session, std::span<const Scenario> scenarios,
+/** Puts the questions with a progress bar, as of today. */
+RunReport RunSuite(const Session& session, const Questions& questions,
                    std::span<const Oracle* const> oracles, const Ledger& ledger,
                    const SuiteOptions& options);
 

@@ -113,8 +113,7 @@ void WriteGroups(const RunReport& report, std::span<const Outcome> outcomes,
 void WriteOracles(const RunReport& report, std::span<const Outcome> outcomes,
                   const Painter& paint, std::ostream& out) {
   const std::vector<Tally> tallies = TallyByOracle(report, outcomes);
-  out << '\n'
-      << Heading(paint, fmt::format("all scenarios ({})", QuestionCount(report)));
+  out << '\n' << Heading(paint, fmt::format("all scenarios ({})", QuestionCount(report)));
   for (std::size_t o = 0; o < tallies.size(); ++o) {
     out << Row(paint, report.oracles[o].name, tallies[o]);
   }

@@ -402,16 +402,81 @@ TEST_F(CommandLineTest, SaysWhatAnOptionExpected) {
               HasSubstr("no shape 'bxo' (did you mean box?)"));
 }
 
+// A ball dropped from 2 m, and one that it misses.
+constexpr const char* kDrop = R"(id = "mine/drop"
+title = "A ball falls"
+source = "Galilei"
+
+[world]
+gravity = [0, -9.81, 0]
+dt = 0.01
+duration = 0.5
+sample_every = 10
+
+[bodies.ball]
+shape = "sphere"
+radius = 0.5
+position = [0, 2, 0]
+mass = 2
+
+[[claims]]
+law = "ballistic"
+because = "x = x0 + v0 t + g t^2/2"
+)";
+
+TEST_F(CommandLineTest, RunsAWorldOfTheUsersOwn) {
+  Write("mine/drop.toml", kDrop);
+  const Ended ended = Touchstone("run --against bullet " + Path("mine/drop.toml"));
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("1 scenarios × 2 oracles: 2 pass"));
+}
+
+TEST_F(CommandLineTest, AWorldWithAnUnknownLawFailsTheRun) {
+  Write("mine/drop.toml", Replaced(kDrop, "ballistic", "balistic"));
+  const Ended ended = Touchstone("run " + Path("mine/drop.toml"));
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out,
+              HasSubstr("no law is called 'balistic'; did you mean ballistic?"));
+}
+
+TEST_F(CommandLineTest, SimulatesWorldsIntoATable) {
+  Write("mine/drop.toml", kDrop);
+  const Ended ended =
+      Touchstone("simulate " + Path("mine/drop.toml") + " --oracle cookbook,bullet");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("\nmine/drop,cookbook,0.1,ball,0,1.9"));
+  EXPECT_THAT(ended.out, HasSubstr("\nmine/drop,bullet,0.5,ball,0,0."));
+  EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 1 + 2 * 6);
+}
+
+TEST_F(CommandLineTest, SimulatesNoContactQueries) {
+  const Ended ended = Touchstone("simulate " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("no world is among the selected scenarios"));
+}
+
+TEST_F(CommandLineTest, TimesWorldsBesideTheirQuality) {
+  const Ended ended =
+      Touchstone("bench worlds --scene stack20 --steps 3 --oracle cookbook,bullet");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("a stack of 20 boxes: steps 4 to 6"),
+                               HasSubstr("  cookbook"), HasSubstr("  bullet")));
+}
+
 TEST_F(CommandLineTest, TeachesByHelp) {
   const Ended ended = Touchstone("--help");
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out, HasSubstr("touchstone run mine.toml --out report"));
-  for (const std::string command : {"run", "list", "oracles", "explain", "ask", "sweep",
-                                    "bench", "ledger", "accuracy", "schema"}) {
+  for (const std::string command :
+       {"run", "list", "oracles", "explain", "ask", "simulate", "sweep", "bench",
+        "ledger", "accuracy", "schema"}) {
     const Ended help = Touchstone(command + " --help");
     EXPECT_EQ(help.code, 0) << command;
-    EXPECT_THAT(help.out, AllOf(HasSubstr("\nExamples:\n  touchstone " + command),
-                                HasSubstr("\nExit code: 0 ")));
+    EXPECT_THAT(help.out, AllOf(HasSubstr("
+Examples:
+  touchstone " + command),
+                                HasSubstr("
+Exit code: 0 ")));
   }
 }
 
