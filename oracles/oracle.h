@@ -137,8 +137,9 @@ class Oracle {
    @pre The world is valid and info().CannotSimulate(world) is empty. */
   virtual std::unique_ptr<Simulation> Begin(const World& world) const;
 
-  /** As Begin(), but with the iterations and the stabilisation that the engine's users run
-   by default, for timing: Begin() spares no time. The same where there is no difference. */
+  /** As Begin(), but with the iterations and the stabilisation that the engine's users
+   run by default, for timing: Begin() spares no time. The same where there is no
+   difference. */
   virtual std::unique_ptr<Simulation> BeginAsShipped(const World& world) const;
 
   /** Returns how `world` moves. kUnsupported, with the reason, where the oracle cannot

@@ -72,6 +72,11 @@ class CommandLineTest : public testing::Test {
     return InPipe(Command(arguments));
   }
 
+  // The program with every engine.
+  Ended Itself(const std::string& arguments) const {
+    return InPipe(TOUCHSTONE_ITSELF " " + arguments);
+  }
+
   std::filesystem::path folder_;
 };
 
@@ -141,7 +146,7 @@ TEST_F(CommandLineTest, NamesTheFolderThatHasThePairInItsOtherOrder) {
 }
 
 TEST_F(CommandLineTest, ListsTheErrataWhereASpecimenIsUnknown) {
-  const Ended ended = InPipe(TOUCHSTONE_ITSELF " run --subject printed:E-99");
+  const Ended ended = Itself("run --subject printed:E-99");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err,
               AllOf(HasSubstr("no oracle 'printed:E-99' (did you mean printed:E-09?)"),
@@ -426,14 +431,14 @@ because = "x = x0 + v0 t + g t^2/2"
 
 TEST_F(CommandLineTest, RunsAWorldOfTheUsersOwn) {
   Write("mine/drop.toml", kDrop);
-  const Ended ended = Touchstone("run --against bullet " + Path("mine/drop.toml"));
+  const Ended ended = Itself("run --against bullet " + Path("mine/drop.toml"));
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("1 scenarios × 2 oracles: 2 pass"));
+  EXPECT_THAT(ended.out, HasSubstr("1 scenarios × 3 oracles: 2 pass, 0 fail"));
 }
 
 TEST_F(CommandLineTest, AWorldWithAnUnknownLawFailsTheRun) {
   Write("mine/drop.toml", Replaced(kDrop, "ballistic", "balistic"));
-  const Ended ended = Touchstone("run " + Path("mine/drop.toml"));
+  const Ended ended = Itself("run " + Path("mine/drop.toml"));
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out,
               HasSubstr("no law is called 'balistic'; did you mean ballistic?"));
@@ -442,7 +447,7 @@ TEST_F(CommandLineTest, AWorldWithAnUnknownLawFailsTheRun) {
 TEST_F(CommandLineTest, SimulatesWorldsIntoATable) {
   Write("mine/drop.toml", kDrop);
   const Ended ended =
-      Touchstone("simulate " + Path("mine/drop.toml") + " --oracle cookbook,bullet");
+      Itself("simulate " + Path("mine/drop.toml") + " --oracle cookbook,bullet");
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("\nmine/drop,cookbook,0.1,ball,0,1.9"));
   EXPECT_THAT(ended.out, HasSubstr("\nmine/drop,bullet,0.5,ball,0,0."));
@@ -450,14 +455,14 @@ TEST_F(CommandLineTest, SimulatesWorldsIntoATable) {
 }
 
 TEST_F(CommandLineTest, SimulatesNoContactQueries) {
-  const Ended ended = Touchstone("simulate " + Path("mine/deep.toml"));
+  const Ended ended = Itself("simulate " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("no world is among the selected scenarios"));
 }
 
 TEST_F(CommandLineTest, TimesWorldsBesideTheirQuality) {
   const Ended ended =
-      Touchstone("bench worlds --scene stack20 --steps 3 --oracle cookbook,bullet");
+      Itself("bench worlds --scene stack20 --steps 3 --oracle cookbook,bullet");
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("a stack of 20 boxes: steps 4 to 6"),
                                HasSubstr("  cookbook"), HasSubstr("  bullet")));
