@@ -433,7 +433,7 @@ TEST_F(CommandLineTest, RunsAWorldOfTheUsersOwn) {
   Write("mine/drop.toml", kDrop);
   const Ended ended = Itself("run --against bullet " + Path("mine/drop.toml"));
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("1 scenarios × 3 oracles: 2 pass, 0 fail"));
+  EXPECT_THAT(ended.out, HasSubstr("1 scenario × 3 oracles: 2 pass, 0 fail"));
 }
 
 TEST_F(CommandLineTest, AWorldWithAnUnknownLawFailsTheRun) {
