@@ -45,6 +45,12 @@ constexpr auto kExamples = std::to_array<Examples>({
   touchstone oracles --settings                  what each adapter sets and converts
 )",
      kShown},
+    {"simulate", R"(
+  touchstone simulate mine.toml --oracle cookbook,bullet --csv motion.csv
+  touchstone simulate mine.toml --oracle ode | head
+)",
+     "0 every motion whole, 1 one crashed, hung or diverged, 2 bad input or nothing "
+     "simulated"},
     {"sweep", R"(
   touchstone sweep contact --pair box box --count 100000
   touchstone sweep contact --family edge_edge --subject ode --quiet
@@ -54,6 +60,7 @@ constexpr auto kExamples = std::to_array<Examples>({
     {"bench", R"(
   touchstone bench contact
   touchstone bench contact --pair box box --oracles cookbook,bullet --count 5000
+  touchstone bench worlds --scene boxes1000 --oracles cookbook,bullet
 )",
      kShown},
     {"schema", R"(
