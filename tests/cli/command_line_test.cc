@@ -477,11 +477,8 @@ TEST_F(CommandLineTest, TeachesByHelp) {
         "ledger", "accuracy", "schema"}) {
     const Ended help = Touchstone(command + " --help");
     EXPECT_EQ(help.code, 0) << command;
-    EXPECT_THAT(help.out, AllOf(HasSubstr("
-Examples:
-  touchstone " + command),
-                                HasSubstr("
-Exit code: 0 ")));
+    EXPECT_THAT(help.out, AllOf(HasSubstr("\nExamples:\n  touchstone " + command),
+                                HasSubstr("\nExit code: 0 ")));
   }
 }
 
