@@ -46,8 +46,8 @@ int AskCommand(const Session& session, const AskArguments& arguments) {
   scenario.title = "A question from the command line";
   scenario.source =
       fmt::format("touchstone ask --A '{}' --B '{}'", arguments.A, arguments.B);
-  scenario.name_A = "A";
-  scenario.name_B = "B";
+  scenario.name_A = 'A';
+  scenario.name_B = 'B';
   scenario.contact = {ParseBody(arguments.A), ParseBody(arguments.B)};
   std::string faults;
   for (const Fault& fault : FaultsOf(scenario)) {

@@ -65,8 +65,8 @@ Scenario ScenarioAt(const QuestionSeries& series, std::uint64_t index) {
       fmt::format("Question {} of the family {}, {} and {}, seed {}", index,
                   NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed);
   scenario.source = ReplayOf(series, index);
-  scenario.name_A = "A";
-  scenario.name_B = "B";
+  scenario.name_A = 'A';
+  scenario.name_B = 'B';
   scenario.contact = Generate(series.family, series.A, series.B, series.seed, index);
   return scenario;
 }
