@@ -49,6 +49,9 @@ struct Law {
    order of the engine's scheme as the step goes to 0: the order and the limit are judged
    too. */
   bool smooth = false;
+  /** Returns where by the closed form the centre of the first thing that the claim is
+   about is at `t` [s], for the eye; null where the law says no place. World frame. [m] */
+  Eigen::Vector3d (*place)(const World& world, const Claim& claim, double t) = nullptr;
 };
 
 /** Returns every law, sorted by name. */

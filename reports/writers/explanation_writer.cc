@@ -8,9 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/counted.h"
 #include "reports/proof.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
+#include "reports/writers/world_words.h"
 
 namespace touchstone {
 namespace {
@@ -102,6 +104,41 @@ void WriteScenario(const RunReport& report, const ScenarioResult& result,
       << "\nWrong: " << Names(report, outcomes, IsWrong) << '\n';
 }
 
+// Every number of a motion beside what its law allows.
+void WriteMotion(const RunReport& report, const WorldResult& world,
+                 const Outcome& outcome, std::ostream& out) {
+  const Trajectory& trajectory = world.trajectories[outcome.oracle];
+  out << fmt::format("  {:<26} {:<12}", report.oracles[outcome.oracle].name,
+                     NameOf(outcome.verdict));
+  if (trajectory.status != AnswerStatus::kAnswered) {
+    out << OneLine(trajectory.reason) << '\n';
+    return;
+  }
+  out << Parting(report, world, outcome.oracle) << '\n';
+  for (const Finding& finding : outcome.findings) {
+    if (finding.measure == MeasureKind::kAnswering) continue;
+    const std::string_view unit = UnitOf(finding.measure);
+    out << fmt::format("    {:<24} {:>16} of {:>16}  {}\n", NameOf(finding.measure),
+                       Quantity(finding.value, unit), Quantity(finding.tolerance, unit),
+                       finding.tolerance_because);
+  }
+}
+
+void WriteWorld(const RunReport& report, const WorldResult& world,
+                std::span<const Outcome> outcomes, std::ostream& out) {
+  const WorldScenario& scenario = world.scenario;
+  out << scenario.id << ": " << scenario.title << '\n';
+  if (!scenario.source.empty()) out << "  source: " << OneLine(scenario.source) << '\n';
+  out << "  " << Describe(scenario.world) << "\n  laws: " << ClaimsOf(scenario) << "\n\n";
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.asked) WriteMotion(report, world, outcome, out);
+  }
+  out << '\n';
+  for (const Outcome& outcome : outcomes) WriteFindings(report, outcome, out);
+  out << "\nRight: " << Names(report, outcomes, IsRight)
+      << "\nWrong: " << Names(report, outcomes, IsWrong) << '\n';
+}
+
 }  // namespace
 
 void WriteExplanation(const RunReport& report, std::ostream& out) {
@@ -112,15 +149,20 @@ void WriteExplanation(const RunReport& report, std::ostream& out) {
     WriteScenario(report, report.scenarios[s],
                   std::span(outcomes).subspan(s * oracles, oracles), out);
   }
+  for (std::size_t w = 0; w < report.worlds.size(); ++w) {
+    const std::size_t index = report.scenarios.size() + w;
+    if (index > 0) out << '\n';
+    WriteWorld(report, report.worlds[w],
+               std::span(outcomes).subspan(index * oracles, oracles), out);
+  }
 }
 
 void WriteExplanationTable(const RunReport& report, std::ostream& out) {
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   const std::size_t oracles = report.oracles.size();
   std::size_t width = std::string_view("scenario").size();
-  for (const ScenarioResult& result : report.scenarios) {
-    width = std::max(width, result.scenario.id.size());
-  }
+  for (std::size_t i = 0; i < QuestionCount(report); ++i)
+    width = std::max(width, IdOf(report, i).size());
   const auto row = [&](std::string_view id, std::string_view truth,
                        std::string_view separation, std::string_view subject,
                        std::string_view right, std::string_view wrong) {
@@ -135,6 +177,14 @@ void WriteExplanationTable(const RunReport& report, std::ostream& out) {
     const Enclosure& separation = result.truth.separation;
     row(result.scenario.id, NameOf(result.truth.touching),
         fmt::format("{:.9g}", separation.lo + (separation.hi - separation.lo) / 2),
+        NameOf(asked.front().verdict),
+        fmt::format("{}", std::count_if(asked.begin(), asked.end(), IsRight)),
+        Names(report, asked, IsWrong));
+  }
+  for (std::size_t w = 0; w < report.worlds.size(); ++w) {
+    const std::size_t index = report.scenarios.size() + w;
+    const auto asked = std::span(outcomes).subspan(index * oracles, oracles);
+    row(IdOf(report, index), Counted(report.worlds[w].scenario.claims.size(), "law"), "-",
         NameOf(asked.front().verdict),
         fmt::format("{}", std::count_if(asked.begin(), asked.end(), IsRight)),
         Names(report, asked, IsWrong));

@@ -14,7 +14,9 @@
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/page_assets.h"
+#include "reports/writers/plot.h"
 #include "reports/writers/sketch.h"
+#include "reports/writers/world_words.h"
 #include "reports/writers/xml_text.h"
 
 namespace touchstone {
@@ -87,6 +89,8 @@ constexpr auto kAnswerColumns = std::to_array<Column>({{"oracle"},
                                                        {"normal A to B"},
                                                        {"contacts", true},
                                                        {"worst"}});
+constexpr auto kMotionColumns =
+    std::to_array<Column>({{"oracle"}, {"verdict"}, {"worst"}, {"motion"}});
 constexpr auto kLedgerColumns = std::to_array<Column>({{"oracle"},
                                                        {"scenarios"},
                                                        {"hides", true},
@@ -147,7 +151,8 @@ class Page {
     out_ << "<style>\n"
          << kPageCss << "@media (max-width: 50rem) {\n"
          << CardLabels("oracles", kOracleColumns) << CardLabels("answers", kAnswerColumns)
-         << CardLabels("ledger", kLedgerColumns) << "}\n</style>\n</head>\n<body>\n";
+         << CardLabels("motions", kMotionColumns) << CardLabels("ledger", kLedgerColumns)
+         << "}\n</style>\n</head>\n<body>\n";
     WriteSummary();
     WriteOracles();
     WriteFaults();
@@ -244,9 +249,12 @@ class Page {
             "table above: ✓ pass, ✗ proved wrong, ! no answer, ≈ known, ? undecidable, "
             "· unsupported. Filled dots are the contacts of the subject, rings those of "
             "the "
-            "others; dashed are the planes of the certificate.</p>\n";
+            "others; dashed are the planes of the certificate. Of worlds, dashed is the "
+            "truth, and "
+            "shaded its tolerance.</p>\n";
     WriteFilter();
     for (std::size_t s = 0; s < report_.scenarios.size(); ++s) WriteScenario(s);
+    for (std::size_t w = 0; w < report_.worlds.size(); ++w) WriteWorld(w);
   }
 
   std::span<const Outcome> OutcomesIn(std::size_t scenario) const {
@@ -254,27 +262,34 @@ class Page {
                                         report_.oracles.size());
   }
 
-  void WriteScenario(std::size_t index) {
-    const ScenarioResult& result = report_.scenarios[index];
-    const Scenario& scenario = result.scenario;
-    const std::span<const Outcome> outcomes = OutcomesIn(index);
+  /** Opens the section of question `index`, up to its first content. */
+  void OpenSection(std::size_t index) {
     std::string verdicts;
     std::string chips;
-    for (const Outcome& outcome : outcomes) {
+    for (const Outcome& outcome : OutcomesIn(index)) {
       const std::string css_class = CssClassOf(outcome.verdict);
       verdicts += (verdicts.empty() ? "" : " ") + css_class;
       chips += fmt::format("<span class=\"{}\" title=\"{}: {}\">{}</span>", css_class,
                            XmlText(report_.oracles[outcome.oracle].name),
-                           NameOf(outcome.verdict), SignOf(outcome.verdict));
+                           outcome.asked ? NameOf(outcome.verdict) : "not asked",
+                           SignOf(outcome.verdict));
     }
-    const std::string id = XmlText(scenario.id);
+    const std::string id = XmlText(IdOf(report_, index));
+    const std::string& title = TitleOf(report_, index);
     out_ << fmt::format(
         "<details class=\"scenario\" id=\"{0}\" data-outcomes=\"{1}\" data-text=\"{2}\">"
         "<summary><code>{5}</code><span>{3}</span><span "
         "class=\"chips\">{4}</span></summary>\n"
         "<div>",
-        id, verdicts, XmlText(ToLower(scenario.id + " " + scenario.title)),
-        XmlText(scenario.title), chips, Breakable(id));
+        id, verdicts, XmlText(ToLower(IdOf(report_, index) + " " + title)),
+        XmlText(title), chips, Breakable(id));
+  }
+
+  void WriteScenario(std::size_t index) {
+    const ScenarioResult& result = report_.scenarios[index];
+    const Scenario& scenario = result.scenario;
+    const std::span<const Outcome> outcomes = OutcomesIn(index);
+    OpenSection(index);
     out_ << "<div class=\"views\">"
          << Sketch(scenario.contact, result.truth, result.answers, SketchView::kWhole)
          << Sketch(scenario.contact, result.truth, result.answers, SketchView::kClose)
@@ -288,6 +303,47 @@ class Page {
     WriteAnswers(result, outcomes);
     WriteFindings(outcomes);
     out_ << "</div></details>\n";
+  }
+
+  void WriteWorld(std::size_t w) {
+    const WorldResult& world = report_.worlds[w];
+    const WorldScenario& scenario = world.scenario;
+    const std::size_t index = report_.scenarios.size() + w;
+    const std::span<const Outcome> outcomes = OutcomesIn(index);
+    OpenSection(index);
+    out_ << "<div class=\"views\">";
+    for (const CurveSet& set : CurvesOf(world)) out_ << Plot(set, BandOf(set, outcomes));
+    out_ << fmt::format("</div>\n<p>{}<br><b>Laws.</b> {}</p>\n",
+                        XmlText(Describe(scenario.world)), XmlText(ClaimsOf(scenario)));
+    if (!scenario.source.empty()) {
+      out_ << fmt::format("<p class=\"soft\">Source: {}</p>\n", XmlText(scenario.source));
+    }
+    out_ << TableHead("motions", kMotionColumns);
+    for (std::size_t o = 0; o < report_.oracles.size(); ++o) {
+      if (!outcomes[o].asked) continue;
+      const Trajectory& trajectory = world.trajectories[o];
+      out_ << fmt::format(
+          "<tr><td><i class=\"swatch line{}\"></i>{}<td class=\"v {}\">{} {}<td>{}<td>{}"
+          "</tr>\n",
+          o, XmlText(report_.oracles[o].name), CssClassOf(outcomes[o].verdict),
+          SignOf(outcomes[o].verdict), NameOf(outcomes[o].verdict),
+          WorstOf(outcomes[o].worst),
+          XmlText(trajectory.status == AnswerStatus::kAnswered
+                      ? Parting(report_, world, o)
+                      : trajectory.reason));
+    }
+    out_ << "</table></div>\n";
+    WriteFindings(outcomes);
+    out_ << "</div></details>\n";
+  }
+
+  /** Returns the tolerance of the subject's finding that speaks of the curves' number, 0
+   where none does. */
+  static double BandOf(const CurveSet& set, std::span<const Outcome> outcomes) {
+    for (const Finding& finding : outcomes.front().findings) {
+      if (set.truth && finding.measure == set.measure) return finding.tolerance;
+    }
+    return 0;
   }
 
   void WriteAnswers(const ScenarioResult& result, std::span<const Outcome> outcomes) {

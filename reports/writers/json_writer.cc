@@ -201,6 +201,65 @@ Json ToJson(const Finding& finding) {
   return json;
 }
 
+Json ToJson(const Eigen::Quaterniond& q) {
+  return Json::array({ToJson(q.w()), ToJson(q.x()), ToJson(q.y()), ToJson(q.z())});
+}
+
+Json ToJson(const PointState& point) {
+  return {{"position", ToJson(point.p_W)}, {"velocity", ToJson(point.v_W)}};
+}
+
+Json ToJson(const WorldState& state) {
+  Json json = {
+      {"bodies", Json::array()}, {"particles", Json::array()}, {"nodes", Json::array()}};
+  for (const BodyState& body : state.bodies) {
+    json["bodies"].push_back({{"position", ToJson(body.p_WB)},
+                              {"quaternion_wxyz", ToJson(body.q_WB)},
+                              {"velocity", ToJson(body.v_WB)},
+                              {"spin", ToJson(body.w_WB)}});
+  }
+  for (const PointState& particle : state.particles)
+    json["particles"].push_back(ToJson(particle));
+  for (const PointState& node : state.nodes) json["nodes"].push_back(ToJson(node));
+  return json;
+}
+
+/** How it ended: where every thing was is in the table of `touchstone simulate`. */
+Json MotionToJson(const RunReport& report, const Outcome& outcome,
+                  const Trajectory& trajectory) {
+  Json json;
+  json["oracle"] = report.oracles[outcome.oracle].name;
+  json["verdict"] = NameOf(outcome.verdict);
+  json["status"] = NameOfStatus(trajectory.status);
+  json["reason"] = trajectory.reason;
+  json["diverged_at_step"] = trajectory.diverged_at_step;
+  json["end"] =
+      trajectory.samples.empty() ? Json(nullptr) : ToJson(trajectory.samples.back());
+  return json;
+}
+
+Json WorldToJson(const RunReport& report, const std::vector<Outcome>& outcomes,
+                 std::size_t w) {
+  const WorldResult& result = report.worlds[w];
+  const WorldScenario& scenario = result.scenario;
+  Json json;
+  json["id"] = scenario.id;
+  json["title"] = scenario.title;
+  json["source"] = scenario.source;
+  json["dt"] = ToJson(scenario.world.dt);
+  json["steps"] = scenario.world.steps;
+  json["laws"] = Json::array();
+  for (const Claim& claim : scenario.claims) json["laws"].push_back(claim.law);
+  json["motions"] = Json::array();
+  const std::size_t oracles = report.oracles.size();
+  for (std::size_t o = 0; o < oracles; ++o) {
+    const Outcome& outcome = outcomes[(report.scenarios.size() + w) * oracles + o];
+    if (outcome.asked)
+      json["motions"].push_back(MotionToJson(report, outcome, result.trajectories[o]));
+  }
+  return json;
+}
+
 Json LedgerEntryToJson(const RunReport& report, std::size_t index) {
   const LedgerEntry& entry = report.ledger.entries[index];
   Json json;
@@ -266,6 +325,10 @@ void WriteJson(const RunReport& report, std::ostream& out) {
   WriteArray(
       "scenarios", report.scenarios.size(),
       [&](std::size_t i) { return ScenarioToJson(report, outcomes, i); }, out);
+  out << ",\n";
+  WriteArray(
+      "worlds", report.worlds.size(),
+      [&](std::size_t i) { return WorldToJson(report, outcomes, i); }, out);
   out << ",\n";
   WriteArray(
       "findings", report.findings.size(),

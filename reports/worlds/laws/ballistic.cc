@@ -50,6 +50,11 @@ Flight FlightOfBody(const World& world, int index) {
   return flight;
 }
 
+Flight FlightOfParticle(const World& world, int index) {
+  const Particle& particle = world.particles[static_cast<std::size_t>(index)];
+  return {particle.name, {particle.p_W, particle.v_W}, world.gravity_W, {}};
+}
+
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
   std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
   if (!faults.empty()) return faults;
@@ -107,18 +112,24 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       hold(FlightOfBody(world, i), s, {is.p_WB, is.v_WB});
     }
     for (const int i : subjects.particles) {
-      const Particle& particle = world.particles[static_cast<std::size_t>(i)];
-      hold({particle.name, {particle.p_W, particle.v_W}, world.gravity_W, {}}, s,
-           state.particles[static_cast<std::size_t>(i)]);
+      hold(FlightOfParticle(world, i), s, state.particles[static_cast<std::size_t>(i)]);
     }
   }
   return {position.finding(), velocity.finding()};
 }
 
+Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
+  const Subjects subjects = SubjectsOf(world, claim);
+  if (!subjects.bodies.empty())
+    return FlightOfBody(world, subjects.bodies.front()).At(t, world.dt).p_W;
+  return FlightOfParticle(world, subjects.particles.front()).At(t, world.dt).p_W;
+}
+
 }  // namespace
 
 constinit const Law kBallistic = {
-    "ballistic", "What nothing touches flies along x₀ + v₀ t + ½ (g + F/m) t².", Faults,
-    Judge};
+    "ballistic", "What nothing touches flies along x₀ + v₀ t + ½ (g + F/m) t².",
+    Faults,      Judge,
+    true,        Place};
 
 }  // namespace touchstone

@@ -228,12 +228,23 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return findings;
 }
 
+Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
+  const int index = SubjectsOf(world, claim).bodies.front();
+  const Fall fall = FallOf(world, index);
+  const Eigen::Vector3d& p_WB =
+      world.bodies[static_cast<std::size_t>(index)].placed.X_WB.p_WB;
+  return p_WB + (fall.Truth().At(t).gap - fall.start.gap) * fall.landing.n_W;
+}
+
 }  // namespace
 
 constinit const Law kBounceSeries = {
     "bounce_series",
     "A sphere or a flat box falls straight on a static plane and leaves with e times its "
     "speed, again and again.",
-    Faults, Judge};
+    Faults,
+    Judge,
+    false,
+    Place};
 
 }  // namespace touchstone

@@ -145,6 +145,6 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 constinit const Law kTorqueFree = {
     "torque_free",
     "A body without torque turns as Euler's equations say (Jacobi's elliptic functions).",
-    Faults, Judge};
+    Faults, Judge, true};
 
 }  // namespace touchstone

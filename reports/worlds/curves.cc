@@ -1,0 +1,153 @@
+#include "reports/worlds/curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/law.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+/** The one thing whose place is drawn. */
+struct Watched {
+  std::string name;
+  std::function<Eigen::Vector3d(const WorldState&)> place;
+};
+
+Watched WatchedOf(const World& world, const Claim& claim) {
+  const Subjects subjects = SubjectsOf(world, claim);
+  if (!subjects.bodies.empty()) {
+    const auto i = static_cast<std::size_t>(subjects.bodies.front());
+    return {world.bodies[i].name,
+            [i](const WorldState& state) { return state.bodies[i].p_WB; }};
+  }
+  if (!subjects.particles.empty()) {
+    const auto i = static_cast<std::size_t>(subjects.particles.front());
+    return {world.particles[i].name,
+            [i](const WorldState& state) { return state.particles[i].p_W; }};
+  }
+  if (!subjects.cloths.empty()) {
+    // The node in the middle: of a cloth held at its edge it moves farthest.
+    const int cloth = subjects.cloths.front();
+    const Cloth& of_world = world.cloths[static_cast<std::size_t>(cloth)];
+    const auto i = static_cast<std::size_t>(
+        FirstNodeOf(world, cloth) + of_world.n * (of_world.n / 2) + of_world.n / 2);
+    return {of_world.name, [i](const WorldState& state) { return state.nodes[i].p_W; }};
+  }
+  return {};
+}
+
+Curve CurveOf(const Trajectory& trajectory,
+              const std::function<double(const WorldState&)>& value) {
+  Curve curve;
+  curve.times.assign(
+      trajectory.times.begin(),
+      trajectory.times.begin() + static_cast<std::ptrdiff_t>(trajectory.samples.size()));
+  for (const WorldState& state : trajectory.samples) curve.values.push_back(value(state));
+  return curve;
+}
+
+std::vector<Curve> CurvesOfAll(const WorldResult& world,
+                               const std::function<double(const WorldState&)>& value) {
+  std::vector<Curve> curves;
+  for (const Trajectory& trajectory : world.trajectories)
+    curves.push_back(CurveOf(trajectory, value));
+  return curves;
+}
+
+int AxisOfLargestExtent(const Trajectory& trajectory, const Watched& watched) {
+  Eigen::Vector3d lo = Eigen::Vector3d::Constant(HUGE_VAL);
+  Eigen::Vector3d hi = -lo;
+  for (const WorldState& state : trajectory.samples) {
+    lo = lo.cwiseMin(watched.place(state));
+    hi = hi.cwiseMax(watched.place(state));
+  }
+  int axis = 1;  // Where nothing moves: the height.
+  const double extent = (hi - lo).maxCoeff(&axis);
+  return extent > 0 ? axis : 1;
+}
+
+const Trajectory* FirstMotion(const WorldResult& world) {
+  const auto found = std::find_if(world.trajectories.begin(), world.trajectories.end(),
+                                  [](const Trajectory& t) { return !t.samples.empty(); });
+  return found == world.trajectories.end() ? nullptr : &*found;
+}
+
+/** The claim whose closed form says a place; else the first; else one about everything.
+ */
+Claim ClaimWithPlace(const WorldScenario& scenario) {
+  for (const Claim& claim : scenario.claims) {
+    const Law* law = FindLaw(claim.law);
+    if (law && law->place && law->faults(scenario.world, claim).empty()) return claim;
+  }
+  return scenario.claims.empty() ? Claim{} : scenario.claims.front();
+}
+
+bool Claims(const WorldScenario& scenario, std::string_view law) {
+  return std::any_of(scenario.claims.begin(), scenario.claims.end(),
+                     [&](const Claim& claim) { return claim.law == law; });
+}
+
+std::optional<Curve> Constant(const Trajectory& trajectory, double value) {
+  return Curve{
+      {trajectory.times.front(), trajectory.times[trajectory.samples.size() - 1]},
+      {value, value}};
+}
+
+CurveSet PlaceOf(const WorldResult& world, const Trajectory& motion) {
+  const WorldScenario& scenario = world.scenario;
+  const Claim claim = ClaimWithPlace(scenario);
+  const Watched watched = WatchedOf(scenario.world, claim);
+  if (!watched.place) return {"", "", MeasureKind::kPositionError, {}, std::nullopt};
+  const int axis = AxisOfLargestExtent(motion, watched);
+  CurveSet set{
+      fmt::format("{} of {}", "xyz"[axis], watched.name), "m",
+      MeasureKind::kPositionError,
+      CurvesOfAll(world, [&](const WorldState& s) { return watched.place(s)[axis]; }),
+      std::nullopt};
+  const Law* law = FindLaw(claim.law);
+  if (!law || !law->place) return set;
+  Curve truth;
+  truth.times.assign(
+      motion.times.begin(),
+      motion.times.begin() + static_cast<std::ptrdiff_t>(motion.samples.size()));
+  for (const double t : truth.times)
+    truth.values.push_back(law->place(scenario.world, claim, t)[axis]);
+  set.truth = truth;
+  return set;
+}
+
+}  // namespace
+
+std::vector<CurveSet> CurvesOf(const WorldResult& result) {
+  const Trajectory* motion = FirstMotion(result);
+  if (!motion) return {};
+  const World& world = result.scenario.world;
+  std::vector<CurveSet> sets;
+  CurveSet place = PlaceOf(result, *motion);
+  if (!place.of_oracle.empty()) sets.push_back(std::move(place));
+  const Subjects all = SubjectsOf(world, {});
+  const auto energy = [&](const WorldState& s) {
+    return EnergyOf(world, s, all).total();
+  };
+  const auto momentum = [&](const WorldState& s) {
+    return MomentumOf(world, s, all).norm();
+  };
+  const WorldState start = StateAtStart(world);
+  sets.push_back({"energy", "J", MeasureKind::kEnergyDrift, CurvesOfAll(result, energy),
+                  std::nullopt});
+  if (Claims(result.scenario, "conserves_energy"))
+    sets.back().truth = Constant(*motion, energy(start));
+  sets.push_back({"momentum", "N s", MeasureKind::kMomentumDrift,
+                  CurvesOfAll(result, momentum), std::nullopt});
+  if (Claims(result.scenario, "conserves_momentum") && world.gravity_W.isZero(0))
+    sets.back().truth = Constant(*motion, momentum(start));
+  return sets;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,158 @@
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "json_schema.h"
+#include "reports/writers/explanation_writer.h"
+#include "reports/writers/html_writer.h"
+#include "reports/writers/json_writer.h"
+#include "reports/writers/junit_writer.h"
+#include "reports/writers/table_writer.h"
+
+namespace touchstone {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+Trajectory Fallen(double g) {
+  Trajectory trajectory;
+  trajectory.status = AnswerStatus::kAnswered;
+  for (int i = 0; i <= 10; ++i) {
+    const double t = 0.1 * i;
+    trajectory.times.push_back(t);
+    trajectory.samples.push_back(
+        {{{Eigen::Vector3d(0, 2 - g * t * t / 2, 0), Eigen::Quaterniond::Identity(),
+           Eigen::Vector3d(0, -g * t, 0), Eigen::Vector3d::Zero()}},
+         {},
+         {}});
+  }
+  return trajectory;
+}
+
+OracleInfo Simulator(const std::string& name) {
+  OracleInfo info;
+  info.name = name;
+  info.simulates = true;
+  return info;
+}
+
+Finding FindingOf(const std::string& oracle, double value) {
+  Finding finding;
+  finding.scenario = "world/test/fall";
+  finding.oracle = oracle;
+  finding.reference = "law";
+  finding.measure = MeasureKind::kPositionError;
+  finding.value = value;
+  finding.tolerance = 0.01;
+  finding.tolerance_because = "half a step late";
+  if (value > finding.tolerance) {
+    finding.verdict = Verdict::kFail;
+    finding.proof = "ballistic: it is too light";
+  }
+  return finding;
+}
+
+/** A ball that one engine lets fall rightly, one too slowly and one not at all; an oracle
+ of contacts beside them. */
+RunReport OneWorld() {
+  RunReport report;
+  report.subject = "mine";
+  report.oracles = {Simulator("mine"), Simulator("light"), Simulator("none"), {}};
+  report.oracles[3].name = "contacts";
+  report.oracles[3].capabilities[0][0].supported = true;
+  WorldResult world;
+  world.scenario.id = "world/test/fall";
+  world.scenario.title = "A ball <falls>";
+  world.scenario.source = "Galilei";
+  world.scenario.world.bodies.emplace_back();
+  world.scenario.world.bodies[0].name = "ball";
+  world.scenario.world.bodies[0].placed.X_WB =
+      Pose::FromQuaternion({0, 2, 0}, Eigen::Quaterniond::Identity());
+  world.scenario.world.dt = 0.1;
+  world.scenario.world.steps = 10;
+  world.scenario.claims.push_back({"ballistic", {"ball"}, {}, ""});
+  Trajectory none;
+  none.reason = "no balls";
+  world.trajectories = {Fallen(9.82), Fallen(9), none, {}};
+  report.worlds.push_back(world);
+  report.findings = {FindingOf("mine", 0.001), FindingOf("light", 0.41),
+                     FindingOf("none", 0)};
+  report.findings[2].measure = MeasureKind::kAnswering;
+  report.findings[2].verdict = Verdict::kUnsupported;
+  report.findings[2].proof = "no balls";
+  return report;
+}
+
+template <typename Writer>
+std::string Written(Writer write) {
+  std::ostringstream out;
+  write(OneWorld(), out);
+  return out.str();
+}
+
+TEST(WorldReport, ExplanationSetsEveryNumberBesideWhatIsAllowed) {
+  const std::string text =
+      Written([](const auto& r, auto& out) { WriteExplanation(r, out); });
+  EXPECT_THAT(text, HasSubstr("world/test/fall: A ball <falls>\n  source: Galilei\n  1 "
+                              "body; 10 steps of 100 ms\n  laws: ballistic of ball\n"));
+  EXPECT_THAT(text, HasSubstr("parts from mine at 0.1 s: ball is 0.0041 m off"));
+  EXPECT_THAT(text, HasSubstr("position_error"));
+  EXPECT_THAT(text, HasSubstr("half a step late"));
+  EXPECT_THAT(text, HasSubstr("unsupported no balls"));
+  EXPECT_THAT(text, HasSubstr("\nRight: mine\nWrong: light\n"));
+  EXPECT_THAT(text, Not(HasSubstr("contacts")));
+}
+
+TEST(WorldReport, ExplanationTableHasALineForIt) {
+  const std::string text =
+      Written([](const auto& r, auto& out) { WriteExplanationTable(r, out); });
+  EXPECT_THAT(text, HasSubstr("world/test/fall  1 law"));
+  EXPECT_THAT(text, HasSubstr("light\n"));
+}
+
+TEST(WorldReport, PageDrawsPlaceEnergyAndMomentumWithTheTruth) {
+  const std::string page = Written([](const auto& r, auto& out) { WriteHtml(r, out); });
+  EXPECT_THAT(page, AllOf(HasSubstr("y of ball [m]"), HasSubstr("energy [J]"),
+                          HasSubstr("momentum [N s]")));
+  EXPECT_THAT(page, AllOf(HasSubstr("<polyline class=\"line0\""),
+                          HasSubstr("<polyline class=\"line1\""),
+                          HasSubstr("<polyline class=\"truth\""),
+                          HasSubstr("<polygon class=\"band\"")));
+  EXPECT_THAT(page, Not(HasSubstr("<polyline class=\"line2\"")));
+  EXPECT_THAT(page, AllOf(HasSubstr("A ball &lt;falls&gt;"),
+                          HasSubstr("ballistic: it is too light")));
+}
+
+TEST(WorldReport, JsonFollowsItsSchema) {
+  const auto json =
+      nlohmann::json::parse(Written([](const auto& r, auto& out) { WriteJson(r, out); }));
+  std::ifstream schema(TOUCHSTONE_REPORT_SCHEMA);
+  EXPECT_THAT(SchemaFaults(nlohmann::json::parse(schema), json), testing::IsEmpty());
+  const auto& motions = json["worlds"][0]["motions"];
+  ASSERT_EQ(motions.size(), 3U);
+  EXPECT_EQ(motions[1]["verdict"], "fail");
+  EXPECT_NEAR(motions[1]["end"]["bodies"][0]["position"][1].template get<double>(), -2.5,
+              1e-12);
+  EXPECT_TRUE(motions[2]["end"].is_null());
+}
+
+TEST(WorldReport, JUnitHasACaseForEachOracleThatSimulates) {
+  const std::string xml = Written([](const auto& r, auto& out) { WriteJUnit(r, out); });
+  EXPECT_THAT(xml, AllOf(HasSubstr("tests=\"3\""), HasSubstr("failures=\"1\""),
+                         HasSubstr("skipped=\"1\"")));
+}
+
+TEST(WorldReport, TableCountsOnlyWhoWasAsked) {
+  const std::string table =
+      Written([](const auto& r, auto& out) { WriteTable(r, TableStyle{}, out); });
+  EXPECT_THAT(table, HasSubstr("1 scenario × 4 oracles: 1 pass, 1 fail, 0 disagree, 0 "
+                               "known, 0 undecidable, 1 unsupported"));
+}
+
+}  // namespace
+}  // namespace touchstone
