@@ -29,13 +29,13 @@ AxisGap ToAxisGap(int axis, double separation, double sine, double offset) {
 /** Returns the normal of `gap` in the world. */
 Eigen::Vector3d Normal(const AxisGap& gap, const Eigen::Matrix3d& R_WA,
                        const Eigen::Matrix3d& R_WB) {
-  if (gap.kind != AxisKind::kEdges) return FaceNormal(gap, R_WA, R_WB);
   // As FindLeastOverlap() computes the entries of R_AB.
   const auto entry = [&](int i) {
     return R_WA(0, i) * R_WB(0, gap.j) + R_WA(1, i) * R_WB(1, gap.j) +
            R_WA(2, i) * R_WB(2, gap.j);
   };
-  return R_WA * EdgeNormal(gap, entry(Next(gap.i)), entry(AfterNext(gap.i)));
+  return NormalInWorld(FacingOf(gap, entry(Next(gap.i)), entry(AfterNext(gap.i))), R_WA,
+                       R_WB);
 }
 
 /** Returns the rotation whose first row of a block begins at `lane`. */
@@ -49,7 +49,7 @@ Eigen::Matrix3d Rotation(const double* lane) {
 
 BoxGap FindGap(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
   BoxPair pair;
-  const AxisGap gap = FindLeastOverlap(A, X_WA, B, X_WB, Search::kGreatestGap, pair);
+  const AxisGap gap = FindLeastOverlap(A, X_WA, B, X_WB, pair);
   return {gap.separation, Normal(gap, X_WA.R_WB, X_WB.R_WB)};
 }
 

@@ -1,4 +1,4 @@
-// FindLeastOverlap(Search::kGreatestGap) of engine/separating_axis.cc, operation by
+// FindLeastOverlap() of engine/one_pair_axis.h, operation by
 // operation, for a vector of pairs: same products, same sums, same order, no fused
 // multiply-add, hence same bits.
 
@@ -157,11 +157,12 @@ HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays&
   const Vector sine = hn::Sqrt(of_B[0].squared_length);
   const Vector edge_separation = edges.separation / sine;
   const Vector best_face = hn::Max(face_A.separation, face_B.separation);
-  const auto apart = hn::Gt(hn::Max(best_face, edge_separation), zero);
-  const Vector slack = hn::IfThenElse(apart, zero, hn::Set(tag, kOverlapRounding) * size);
+  const Vector best_gap = hn::Max(best_face, edge_separation);
+  const auto apart = hn::Gt(best_gap, zero);
+  const Vector slack = hn::IfThenElse(apart, zero, hn::Set(tag, kTie) * size);
   Best best = face_A;
-  Keep(hn::Gt(face_B.separation, face_A.separation + slack), face_B.axis,
-       face_B.separation, face_B.offset, best);
+  Keep(hn::Gt(best_gap, face_A.separation + slack), face_B.axis, face_B.separation,
+       face_B.offset, best);
   const auto edge_wins = hn::And(hn::Gt(of_B[0].signed_square, worst),
                                  hn::Gt(edge_separation, best_face + slack));
   Keep(edge_wins, edges.axis, edge_separation, edges.offset, best);

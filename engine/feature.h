@@ -31,22 +31,6 @@ constexpr FeatureId FaceContactId(bool reference_is_B, BoxFace reference,
   return static_cast<FeatureId>(id);
 }
 
-/** An edge of a box: along `axis`, on the given sides of the next axis and the one after.
- */
-struct BoxEdge {
-  int axis;
-  int side1;
-  int side2;
-};
-
-/** Returns the identity of the contact of two edges. */
-constexpr FeatureId EdgeContactId(BoxEdge a, BoxEdge b) {
-  int id = 2;
-  id = id << 4 | (a.axis << 2 | a.side1 << 1 | a.side2);
-  id = id << 4 | (b.axis << 2 | b.side1 << 1 | b.side2);
-  return static_cast<FeatureId>(id);
-}
-
 /** Returns the identity of the contact of a sphere with the part of a box that is nearest
  to its centre: `x`, `y`, `z` are −1 or +1 along the axes on which that part is on the
  box's side, and 0 along the others (one non-zero: a face, two: an edge, three: a vertex).

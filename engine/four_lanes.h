@@ -73,6 +73,21 @@ HWY_INLINE Four Sqrt(Four x) {
   return Load(lanes);
 }
 
+/** Returns a bit for each lane that is true. */
+HWY_INLINE unsigned Bits(FourBits x) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::CappedTag<std::int64_t, 4> tag;
+  alignas(32) std::int64_t lanes[4];
+  std::memcpy(lanes, &x, sizeof x);
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(tag)) {
+    std::uint8_t some[8] = {};
+    hn::StoreMaskBits(tag, hn::MaskFromVec(hn::Load(tag, lanes + k)), some);
+    bits |= static_cast<unsigned>(some[0]) << k;
+  }
+  return bits;
+}
+
 /** Writes the columns of the three rows `in`, the fourth lane of each 0. */
 HWY_INLINE void Transpose(const Four in[3], Four out[3]) {
   const Four zero{};

@@ -23,6 +23,13 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
  shifts the gap along it by ≤ 6u S. Together below 21 u S. */
 inline constexpr double kOverlapRounding = 24 * kUnitRoundoff;
 
+/** How much better, as a multiple of S, another axis must be than a face of A, and an
+ edge axis than any face, to be chosen. Gaps that are equal are computed within twice
+ kOverlapRounding of each other at worst, but roundings seldom add up: a third of one
+ keeps the choice steady from step to step. No answer hangs on it, neither verdict nor
+ contacts, and it is given up as depth, so it should be small. */
+inline constexpr double kTie = kOverlapRounding / 3;
+
 /** Bound on |computed separation − true separation| of touching boxes, as a multiple of
  S; also the half-width of the band around zero inside which the verdict may be either.
 
@@ -31,9 +38,9 @@ inline constexpr double kOverlapRounding = 24 * kUnitRoundoff;
  by no more than the shapes do (it is the distance of a point to the boundary of A − B).
  Faces: the column b_j is the normal of B only as far as R_B is orthogonal, to 8u here,
  and B′ differs as much again: ≤ 30u S. Choosing by rounded values costs 2
- kOverlapRounding, preferring faces as much, skipping parallel axes 2u. Together at most
- 128 u S. Matrices that are rotations only to δ > 8u add 2δ S. */
-inline constexpr double kDepthRounding = 128 * kUnitRoundoff;
+ kOverlapRounding, preferring faces kTie, skipping parallel axes 2u. Together at most
+ 88 u S. Matrices that are rotations only to δ > 8u add 2δ S. */
+inline constexpr double kDepthRounding = 88 * kUnitRoundoff;
 
 /** Squared length below which an edge axis a_i × b_j is skipped: |sin| ≤ u. Turning B by
  u about its centre makes the two edges exactly parallel, their axis vanish, and moves no

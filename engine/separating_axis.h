@@ -55,33 +55,66 @@ struct AxisGap {
  of greatest gap. */
 enum class Search { kFirstGap, kGreatestGap };
 
-/** Returns the axis of least overlap among the 15 of boxes A and B, and fills `pair`.
+/** Returns the axis of least overlap among the 15 of boxes A and B, or of greatest gap,
+ and fills `pair`.
 
- With Search::kFirstGap it may return any axis of positive gap, and `pair` is then
- incomplete. Ties to within rounding go to A's faces, then to B's. Every processor gives
- the same bits, those of BoxBatch. Engine-internal: call Collide(). */
+ Ties to within rounding go to A's faces, then to B's. Every processor gives the same
+ bits, those of BoxBatch. Engine-internal: call Collide(). */
 AxisGap FindLeastOverlap(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
-                         Search search, BoxPair& pair);
+                         BoxPair& pair);
 
-/** Returns a_i × b_j / |a_i × b_j| in A's frame, turned from A to B. `r1` and `r2` are
- the entries of R_AB in column j, in the two rows after i. */
-inline Eigen::Vector3d EdgeNormal(const AxisGap& axis, double r1, double r2) {
-  const double scale = axis.offset < 0 ? -1 / axis.sine : 1 / axis.sine;
-  Eigen::Vector3d n_AB_A;
-  n_AB_A[axis.i] = 0;
-  n_AB_A[Next(axis.i)] = -r2 * scale;
-  n_AB_A[AfterNext(axis.i)] = r1 * scale;
-  return n_AB_A;
-}
-
-/** Returns the normal of the face of `axis` in the world, turned from A to B. */
-inline Eigen::Vector3d FaceNormal(const AxisGap& axis, const Eigen::Matrix3d& R_WA,
+/** Returns the normal of the face of `gap` in the world, turned from A to B. */
+inline Eigen::Vector3d FaceNormal(const AxisGap& gap, const Eigen::Matrix3d& R_WA,
                                   const Eigen::Matrix3d& R_WB) {
   // Looked up: a branch for the face or the sign would be guessed wrong half the time.
-  const double* const columns[] = {R_WA.data() + 3 * axis.i, R_WB.data() + 3 * axis.j};
-  const double* n = columns[axis.kind == AxisKind::kFaceOfB];
-  const double sign = 1 - 2 * (axis.offset < 0);
+  const std::array<const double*, 2> columns = {R_WA.data() + 3 * gap.i,
+                                                R_WB.data() + 3 * gap.j};
+  const double* n = columns[gap.kind == AxisKind::kFaceOfB];
+  const double sign = 1 - 2 * (gap.offset < 0);
   return {sign * n[0], sign * n[1], sign * n[2]};
+}
+
+/** The normal as a combination of two axes of one box: the normal of the face that it
+ leaves most steeply, and the axis in that face towards which it leans. A face's own
+ normal leans nowhere. */
+struct Facing {
+  bool is_B;  ///< Whose axes; A's where the normal is that of two edges.
+  int axis;   ///< Of the face.
+  int lean;
+  double n_axis;  ///< Components of n_AB along the two, |n_axis| >= |n_lean|.
+  double n_lean;
+};
+
+/** Returns the normal of `gap`, turned from A to B. `r1` and `r2` are the entries of R_AB
+ in column j, in the two rows after i, and matter for edges only: a_i × b_j has the
+ components −r2 and r1 along the two axes of A after i. */
+inline Facing FacingOf(const AxisGap& gap, double r1, double r2) {
+  // Looked up: a branch for the kind or the sign would be guessed wrong half the time.
+  const bool is_edges = gap.kind == AxisKind::kEdges;
+  const bool is_B = gap.kind == AxisKind::kFaceOfB;
+  const double sign = 1 - 2 * (gap.offset < 0);
+  const double scale = sign / gap.sine;
+  const std::array<double, 2> along = {-r2 * scale, r1 * scale};
+  const std::array<int, 2> after_i = {Next(gap.i), AfterNext(gap.i)};
+  const std::size_t steeper = std::abs(along[1]) > std::abs(along[0]);
+  const std::array<int, 2> faces = {gap.i, gap.j};
+  const std::array<int, 2> axes = {faces[is_B], after_i[steeper]};
+  const std::array<int, 2> leans = {Next(axes[0]), after_i[1 - steeper]};
+  const std::array<double, 2> n_axes = {sign, along[steeper]};
+  const std::array<double, 2> n_leans = {0, along[1 - steeper]};
+  return {is_B, axes[is_edges], leans[is_edges], n_axes[is_edges], n_leans[is_edges]};
+}
+
+/** Returns the normal in the world. */
+inline Eigen::Vector3d NormalInWorld(const Facing& facing, const Eigen::Matrix3d& R_WA,
+                                     const Eigen::Matrix3d& R_WB) {
+  const std::array<const double*, 2> both_R = {R_WA.data(), R_WB.data()};
+  const double* R = both_R[facing.is_B];
+  const double* a = R + 3 * facing.axis;
+  const double* b = R + 3 * facing.lean;
+  return {facing.n_axis * a[0] + facing.n_lean * b[0],
+          facing.n_axis * a[1] + facing.n_lean * b[1],
+          facing.n_axis * a[2] + facing.n_lean * b[2]};
 }
 
 }  // namespace cookbook

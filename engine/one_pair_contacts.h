@@ -1,0 +1,326 @@
+// The contacts of two boxes, as they are found once per processor target: include after
+// engine/four_lanes.h, within a file that foreach_target.h reads again and again; hence
+// the guard that toggles.
+//
+// Seen along the normal, one face of each box meets the other's: of A the face from which
+// the normal leans least, of B the face most opposed to it. Along a face normal that is
+// reference face and incident face (Gaul). Along the cross product of two edges these
+// edges bound the two faces, and where they cross is a corner of what the faces have in
+// common: the deepest, and the only one below where the faces fall away from it. Where
+// they hardly do, the edge pair was best by a hair, and the corners of a face that lies
+// flush must not be lost by it.
+//
+// So one routine serves for both. The incident face, a parallelogram, is clipped to the
+// reference face, a rectangle, all edges at once: corners of either lie in the other or
+// not, and each edge of the incident face enters and leaves the rectangle at one place
+// (Liang and Barsky, ACM TOG 3(1), 1984). One corner after the other (Sutherland and
+// Hodgman) takes a dozen branches that nothing foretells.
+
+#if defined(COOKBOOK_ENGINE_ONE_PAIR_CONTACTS_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COOKBOOK_ENGINE_ONE_PAIR_CONTACTS_H_
+#undef COOKBOOK_ENGINE_ONE_PAIR_CONTACTS_H_
+#else
+#define COOKBOOK_ENGINE_ONE_PAIR_CONTACTS_H_
+#endif
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "engine/feature.h"
+#include "engine/four_lanes.h"
+#include "engine/manifold.h"
+#include "engine/one_pair_axis.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cookbook {
+namespace HWY_NAMESPACE {
+
+/** The incident face as the reference face sees it along the normal: x and y are where
+ the normal through a point meets the plane of the reference face, along that face's edges
+ from its centre; z is the gap along the normal. Corners are centre ± side1 ± side2. [m]
+ */
+struct SeenFace {
+  std::array<double, 3> centre;
+  std::array<double, 3> side1;
+  std::array<double, 3> side2;
+  BoxFace reference;
+  BoxFace incident;
+  double h_x;  ///< Half sides of the reference face.
+  double h_y;
+  double h_outward;  ///< From the centre of the reference box to its face.
+};
+
+/** Returns the face of the other box that is most opposed to the normal. */
+HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) {
+  const std::size_t is_B = facing.is_B;
+  const auto r = static_cast<std::size_t>(facing.axis);
+  const auto r1 = static_cast<std::size_t>(Next(facing.axis));
+  const auto r2 = static_cast<std::size_t>(AfterNext(facing.axis));
+  const auto lean = static_cast<std::size_t>(facing.lean);
+  // Row k of `axes`: axis k of the incident box.
+  const std::array<const std::array<Row, 3>*, 2> both_R = {&pair.R_BA, &pair.R_AB};
+  const std::array<const Row*, 2> both_t = {&pair.p_AB_A, &pair.p_AB_B};
+  const std::array<const Row*, 2> both_h = {&pair.h_A, &pair.h_B};
+  const std::array<Row, 3>& axes = *both_R[is_B];
+  const std::array<Row, 3>& components = *both_R[1 - is_B];
+  const Row& h_R = *both_h[is_B];
+  const Row& h_I = *both_h[1 - is_B];
+
+  // All from here on as seen from the reference box, be it A or B: t, from A to B, and
+  // the normal are turned to the incident box.
+  const double towards = 1 - 2 * facing.is_B;
+  const double n_axis = towards * facing.n_axis;
+  const double n_lean = towards * facing.n_lean;
+  const double outward = std::copysign(1.0, n_axis);
+
+  alignas(32) Row n_I;
+  const Four n = Splat(n_axis) * Load(components[r].data()) +
+                 Splat(n_lean) * Load(components[lean].data());
+  Store(n, n_I.data());
+  const std::size_t k = FirstGreatest(Abs(n));
+  const std::size_t k1 = k == 2 ? 0 : k + 1;
+  const std::size_t k2 = k == 0 ? 2 : k - 1;
+  const double reach = -std::copysign(h_I[k], n_I[k]);
+
+  alignas(32) Row centre;
+  alignas(32) Row side1;
+  alignas(32) Row side2;
+  Store(Splat(towards) * Load(both_t[is_B]->data()) + Splat(reach) * Load(axes[k].data()),
+        centre.data());
+  Store(Splat(h_I[k1]) * Load(axes[k1].data()), side1.data());
+  Store(Splat(h_I[k2]) * Load(axes[k2].data()), side2.data());
+
+  // A point at height z above the plane is seen where the normal through it meets that,
+  // z n_lean / n_axis aside.
+  const double steepness = 1 / std::abs(n_axis);
+  const double aside = n_lean * steepness;
+  const double aside_x = lean == r1 ? aside : 0;
+  const double aside_y = lean == r2 ? aside : 0;
+  const auto seen = [&](const Row& p, double plane) HWY_ATTR {
+    const double z = outward * p[r] - plane;
+    return std::array<double, 3>{p[r1] - z * aside_x, p[r2] - z * aside_y, z * steepness};
+  };
+  return {seen(centre, h_R[r]),
+          seen(side1, 0),
+          seen(side2, 0),
+          {facing.axis, outward > 0},
+          {static_cast<int>(k), reach > 0},
+          h_R[r1],
+          h_R[r2],
+          h_R[r]};
+}
+
+/** Where contacts may be: lanes 0…3 where an edge of the incident face enters the
+ rectangle, or its first corner where that is inside; 4…7 where it leaves; 8…11 corners of
+ the rectangle. */
+struct alignas(32) Corners {
+  std::array<double, 12> x;
+  std::array<double, 12> y;
+  std::array<double, 12> z;
+  std::array<std::int64_t, 12> feature;
+  unsigned kept;    ///< A bit for each.
+  bool may_repeat;  ///< Two may be one and the same point, to rounding.
+};
+
+/** The two edges that meet in a feature, as FaceContactId() has them. */
+constexpr std::int64_t Meeting(FaceEdge p, FaceEdge q) {
+  return static_cast<std::int64_t>(FaceContactId(false, {0, 0}, {0, 0}, p, q)) -
+         static_cast<std::int64_t>(FaceContactId(false, {0, 0}, {0, 0}, 0, 0));
+}
+
+HWY_INLINE void StoreBits(FourBits v, std::int64_t* p) {
+  std::memcpy(p, &v, sizeof v);
+}
+
+HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separation,
+                            std::int64_t faces, Corners& found) {
+  const auto& c = face.centre;
+  const auto& u = face.side1;
+  const auto& v = face.side2;
+  const Four along_u{1, -1, -1, 1};
+  const Four along_v{1, 1, -1, -1};
+  const Four along_edge{-2, -2, 2, 2};
+  const auto corners = [&](std::size_t k) HWY_ATTR {
+    return Splat(c[k]) + along_u * Splat(u[k]) + along_v * Splat(v[k]);
+  };
+  const auto edges = [&](std::size_t k) HWY_ATTR {
+    return Four{u[k], v[k], u[k], v[k]} * along_edge;
+  };
+  const Four x = corners(0);
+  const Four y = corners(1);
+  const Four z = corners(2);
+  const Four dx = edges(0);
+  const Four dy = edges(1);
+  const Four dz = edges(2);
+
+  // Faces that lie flush share corners: rounding must not cut those off, so the lines
+  // stand back by the slack, and what they let through is brought back to the face.
+  const Four bound_x = Splat(face.h_x + slack);
+  const Four bound_y = Splat(face.h_y + slack);
+  const FourBits inside = (Abs(x) <= bound_x) & (Abs(y) <= bound_y);
+  const FourBits next_inside = __builtin_shufflevector(inside, inside, 1, 2, 3, 0);
+
+  // Shares of an edge at which it meets the lines; of parallel lines far off, not NaN.
+  // 1e-300 times any box's distance from a line underflows to nothing; its inverse,
+  // 1e300, is finite, so that no 0 · ∞ arises for a corner on the line.
+  const Four least = Splat(1e-300);
+  const Four one = Splat(1);
+  const Four zero{};
+  const Four per_x = one / Select(Abs(dx) < least, least, dx);
+  const Four per_y = one / Select(Abs(dy) < least, least, dy);
+  const Four x1 = (-bound_x - x) * per_x;
+  const Four x2 = (bound_x - x) * per_x;
+  const Four y1 = (-bound_y - y) * per_y;
+  const Four y2 = (bound_y - y) * per_y;
+  const Four enter_x = Min(x1, x2);
+  const Four enter_y = Min(y1, y2);
+  const Four leave_x = Max(x1, x2);
+  const Four leave_y = Max(y1, y2);
+  // Of a corner inside both are at most 0 and so 0: the corner.
+  const Four enter = Min(Max(Max(enter_x, enter_y), zero), one);
+  const Four leave = Max(Min(Min(leave_x, leave_y), one), zero);
+  // Of an edge with an end inside only that end decides, as it does for its neighbour.
+  const FourBits crosses = enter < leave;
+  const FourBits enters = inside | next_inside | crosses;
+  const FourBits leaves = ~next_inside & (inside | crosses);
+
+  // The edges of the incident face that leave and that reach its corners, and the lines
+  // that an edge crosses.
+  constexpr FaceEdge kEdge[] = {3, 0, 2, 1};
+  const FourBits corner_feature{Meeting(1, 3), Meeting(3, 0), Meeting(0, 2),
+                                Meeting(2, 1)};
+  const FourBits edge_feature{kEdge[0] << 3, kEdge[1] << 3, kEdge[2] << 3, kEdge[3] << 3};
+  const FourBits up_x = per_x > zero;
+  const FourBits up_y = per_y > zero;
+  const FourBits enter_line = enter_x > enter_y ? 5 + up_x : 7 + up_y;
+  const FourBits leave_line = leave_x < leave_y ? 4 - up_x : 6 - up_y;
+  StoreBits((inside ? corner_feature : edge_feature + enter_line) + faces,
+            found.feature.data());
+  StoreBits(edge_feature + leave_line + faces, found.feature.data() + 4);
+  StoreBits(FourBits{Meeting(5, 7), Meeting(4, 7), Meeting(4, 6), Meeting(5, 6)} + faces,
+            found.feature.data() + 8);
+
+  // Corners of the rectangle in the parallelogram, to the same slack.
+  const Four corner_x = Splat(face.h_x) * Four{1, -1, -1, 1};
+  const Four corner_y = Splat(face.h_y) * Four{1, 1, -1, -1};
+  const Four from_x = corner_x - Splat(c[0]);
+  const Four from_y = corner_y - Splat(c[1]);
+  const double area = u[0] * v[1] - u[1] * v[0];
+  const Four share_u = from_x * Splat(v[1]) - from_y * Splat(v[0]);
+  const Four share_v = from_y * Splat(u[0]) - from_x * Splat(u[1]);
+  const Four beyond_u = Abs(share_u) - Splat(std::abs(area));
+  const Four beyond_v = Abs(share_v) - Splat(std::abs(area));
+  const Four slack_u = Splat(slack * (std::abs(v[0]) + std::abs(v[1])));
+  const Four slack_v = Splat(slack * (std::abs(u[0]) + std::abs(u[1])));
+  const FourBits covered = (beyond_u <= slack_u) & (beyond_v <= slack_v);
+
+  const Four enter_z = z + enter * dz;
+  const Four leave_z = z + leave * dz;
+  const Four corner_z =
+      Splat(c[2]) + (share_u * Splat(u[2]) + share_v * Splat(v[2])) / Splat(area);
+  const Four none = Splat(std::numeric_limits<double>::infinity());
+  const Four z0 = Select(enters, enter_z, none);
+  const Four z1 = Select(leaves, leave_z, none);
+  const Four z2 = Select(covered, corner_z, none);
+  const Four low = Min(Min(z0, z1), z2);
+  const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
+  const double least_z = std::min(lower[0], lower[1]);
+  // The least is kept even where all lie above, and nothing where there is nothing.
+  const Four highest = Splat(
+      std::min(std::max(slack, least_z + slack), std::numeric_limits<double>::max()));
+  found.kept = Bits(z0 <= highest) | Bits(z1 <= highest) << 4 | Bits(z2 <= highest) << 8;
+
+  // Two candidates are one only where a corner of one face is near a line of the other:
+  // they lie within 4 √2 slack of each other, and adjacent edges of the incident face,
+  // seen along a normal at most 55° off, meet at no angle so flat that their corner is
+  // more than thrice as far.
+  const Four near = Splat(16 * slack);
+  found.may_repeat =
+      Bits((Abs(Abs(x) - bound_x) <= near) | (Abs(Abs(y) - bound_y) <= near) |
+           (Abs(beyond_u) <= Splat(16) * slack_u) |
+           (Abs(beyond_v) <= Splat(16) * slack_v)) != 0;
+
+  const Four h_x = Splat(face.h_x);
+  const Four h_y = Splat(face.h_y);
+  Store(Min(Max(x + enter * dx, -h_x), h_x), found.x.data());
+  Store(Min(Max(x + leave * dx, -h_x), h_x), found.x.data() + 4);
+  Store(corner_x, found.x.data() + 8);
+  Store(Min(Max(y + enter * dy, -h_y), h_y), found.y.data());
+  Store(Min(Max(y + leave * dy, -h_y), h_y), found.y.data() + 4);
+  Store(corner_y, found.y.data() + 8);
+  const Four deepest = Splat(separation);
+  Store(Max(enter_z, deepest), found.z.data());
+  Store(Max(leave_z, deepest), found.z.data() + 4);
+  Store(Max(corner_z, deepest), found.z.data() + 8);
+}
+
+/** Returns which candidates are kept of those that differ in x or y by more than
+ `distance`. */
+inline unsigned WithoutRepeats(const Corners& found, double distance) {
+  unsigned kept = 0;
+  for (std::size_t k = 0; k < found.x.size(); ++k) {
+    bool repeats = false;
+    for (std::size_t n = 0; n < k; ++n) {
+      repeats = repeats ||
+                ((kept >> n & 1) != 0 && std::abs(found.x[k] - found.x[n]) <= distance &&
+                 std::abs(found.y[k] - found.y[n]) <= distance);
+    }
+    if (!repeats) kept |= found.kept & 1u << k;
+  }
+  return kept;
+}
+
+/** Fills the contacts of two boxes that touch along the normal of `facing`. */
+HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Pose& X_WA,
+                             const Pose& X_WB, Manifold& manifold) {
+  const SeenFace face = FindIncidentFace(pair, facing);
+  const double slack = kOverlapRounding * pair.Size();
+  Corners found;
+  FindCorners(face, slack, manifold.separation,
+              FaceContactId(facing.is_B, face.reference, face.incident, 0, 0), found);
+  if (found.kept == 0) {
+    // Only where another axis is as good to within rounding can the faces miss each
+    // other.
+    found.kept =
+        1u << (std::min_element(found.z.begin(), found.z.begin() + 4) - found.z.begin());
+  }
+  const unsigned distinct =
+      found.may_repeat ? WithoutRepeats(found, 4 * slack) : found.kept;
+  manifold.count = std::min(std::popcount(distinct), 8);
+
+  const std::array<const Pose*, 2> both_X = {&X_WA, &X_WB};
+  const Pose& X_WR = *both_X[facing.is_B];
+  const double* R = X_WR.R_WB.data();
+  const double outward = 2 * face.reference.side - 1;
+  // A contact's p_WC and separation, four numbers, at once: lane 3 is the separation.
+  const Four x_W = Load3(R + 3 * Next(facing.axis), 0);
+  const Four y_W = Load3(R + 3 * AfterNext(facing.axis), 0);
+  const Four p_W = Load3(X_WR.p_WB.data(), 0) +
+                   Splat(outward * face.h_outward) * Load3(R + 3 * facing.axis, 0);
+  const double towards = 0.5 * (1 - 2 * facing.is_B);
+  const Four half_n_W{towards * manifold.n_AB_W[0], towards * manifold.n_AB_W[1],
+                      towards * manifold.n_AB_W[2], 1};
+  static_assert(offsetof(ContactPoint, separation) == sizeof(Eigen::Vector3d));
+  unsigned left = distinct;
+  const auto put = [&](std::size_t n) HWY_ATTR {
+    const auto k = static_cast<std::size_t>(std::countr_zero(left | 1u << 11));
+    const Four contact = p_W + (Splat(found.x[k]) * x_W + Splat(found.y[k]) * y_W +
+                                Splat(found.z[k]) * half_n_W);
+    std::memcpy(reinterpret_cast<char*>(&manifold.contacts[n]), &contact, sizeof contact);
+    manifold.contacts[n].feature = static_cast<FeatureId>(found.feature[k]);
+    left &= left - 1;
+  };
+#pragma GCC unroll 8
+  for (std::size_t n = 0; n < 8; ++n) put(n);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cookbook
+HWY_AFTER_NAMESPACE();
+
+#endif
