@@ -119,9 +119,9 @@ void CheckIndictments(RunReport& report) {
     if (Indicts(finding)) measured.insert_or_assign(key, &finding);
     measured.try_emplace(key, &finding);
   }
-  for (const ScenarioResult& result : report.scenarios) {
-    const std::string& id = result.scenario.id;
-    for (const Indictment& indictment : result.scenario.indicts) {
+  const auto check = [&](const std::string& id,
+                         const std::vector<Indictment>& indictments) {
+    for (const Indictment& indictment : indictments) {
       const bool took_part = std::any_of(
           report.oracles.begin(), report.oracles.end(),
           [&](const OracleInfo& oracle) { return oracle.name == indictment.oracle; });
@@ -134,7 +134,11 @@ void CheckIndictments(RunReport& report) {
         if (!fault.empty()) report.faults.push_back(fault);
       }
     }
-  }
+  };
+  for (const ScenarioResult& result : report.scenarios)
+    check(result.scenario.id, result.scenario.indicts);
+  for (const WorldResult& result : report.worlds)
+    check(result.scenario.id, result.scenario.indicts);
 }
 
 }  // namespace

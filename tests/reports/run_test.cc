@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/check_catalogue.h"
 #include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/specimens.h"
@@ -322,6 +323,27 @@ TEST(CheckCatalogue, WantsEveryMeasureOfAnIndictment) {
                        true}};
   EXPECT_THAT(RunAll({scenario}, {&halved}).faults,
               ElementsAre(HasSubstr("indicts halved of excess")));
+}
+
+TEST(CheckCatalogue, WantsTheIndictmentsOfWorldsFoundAgainToo) {
+  RunReport report;
+  report.oracles.emplace_back().name = "ode";
+  report.worlds.emplace_back().scenario.id = "world/x";
+  report.worlds[0].scenario.indicts = {
+      {"ode", {MeasureKind::kRestMotion}, "It sinks.", true}};
+  CheckCatalogue(report);
+  EXPECT_THAT(report.faults,
+              ElementsAre(HasSubstr("world/x: indicts ode of rest_motion")));
+
+  report.faults.clear();
+  Finding finding{};
+  finding.scenario = "world/x";
+  finding.oracle = "ode";
+  finding.measure = MeasureKind::kRestMotion;
+  finding.verdict = Verdict::kFail;
+  report.findings = {finding};
+  CheckCatalogue(report);
+  EXPECT_THAT(report.faults, IsEmpty());
 }
 
 std::vector<std::string> FaultsWith(const ContactExpectation& expect) {
