@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 
 #include "scenarios/contact_query.h"
-#include "scenarios/measure_kind.h"
 
 namespace touchstone {
 
@@ -31,12 +30,9 @@ struct ToleranceOverride {
 
 /** A claim that a fault of an engine shows in this scenario, to be found again. */
 struct Indictment {
-  std::string oracle;  ///< Oracle name, e.g. "fcl/signed_distance".
-  /** The measures that find it: the suite must find every one of them again. */
-  std::vector<MeasureKind> measures;
+  std::string oracle;   ///< Oracle name, e.g. "fcl/signed_distance".
   std::string anomaly;  ///< What the source says goes wrong, in its words.
-  /** False: fixed since, or a control; the suite must find none of the measures. */
-  bool reproduces;
+  bool reproduces;      ///< False: fixed since, or a control; the suite must not find it.
 };
 
 /** A question with its provenance and what is known of its answer. */

@@ -14,9 +14,12 @@ struct Aabb {
 
   bool Overlaps(const Aabb& other) const {
     // Without branches: which of the six comparisons fails cannot be foretold.
-    return (low[0] <= other.high[0]) & (low[1] <= other.high[1]) &
-           (low[2] <= other.high[2]) & (other.low[0] <= high[0]) &
-           (other.low[1] <= high[1]) & (other.low[2] <= high[2]);
+    int apart = 0;
+    for (int k = 0; k < 3; ++k) {
+      apart |= low[k] > other.high[k];
+      apart |= other.low[k] > high[k];
+    }
+    return apart == 0;
   }
 
   bool Contains(const Aabb& other) const {

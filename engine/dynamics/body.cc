@@ -40,6 +40,8 @@ void ValidateShape(const HalfSpace&, double mass) {
   if (mass != 0) Refuse("mass", mass, "0 for a half-space, which cannot move");
 }
 
+void ValidateShape(const Point&, double) {}
+
 void ValidateInertia(const Eigen::Vector3d& inertia) {
   // Moments are sums over the mass of squares of distances: I1 + I2 >= I3, to rounding.
   constexpr double kRounding = 1e-12;
@@ -82,6 +84,12 @@ void Validate(const BodyDefinition& body) {
     Refuse("friction", body.friction, "a finite number >= 0");
   }
   if (body.inertia && body.mass > 0) ValidateInertia(*body.inertia);
+  if (!(body.drag >= 0) || !std::isfinite(body.drag)) {
+    Refuse("drag", body.drag, "a finite number >= 0");
+  }
+  if (body.drag > 0 && !std::holds_alternative<Point>(body.shape)) {
+    Refuse("drag", body.drag, "0 for what is not a point");
+  }
 }
 
 }  // namespace cookbook

@@ -12,7 +12,11 @@ namespace cookbook {
 /** The solid {x : z <= 0} of its body frame, for static bodies. */
 struct HalfSpace {};
 
-using BodyShape = std::variant<Sphere, Box, HalfSpace>;
+/** A point mass, which has no volume: it does not turn, and meets only static boxes and
+ half-spaces, which it does not enter on its way. */
+struct Point {};
+
+using BodyShape = std::variant<Sphere, Box, HalfSpace, Point>;
 
 /** Where a body is and how it moves. World frame. */
 struct BodyState {
@@ -35,11 +39,13 @@ struct BodyDefinition {
   /** A constant force through the centre of mass, beside gravity. [N] */
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();
   bool collides = true;  ///< False: passes through everything.
+  /** Of a point: its velocity decays as exp(−drag t). [1/s], >= 0 */
+  double drag = 0;
 };
 
 /** Returns the principal moments of inertia of `shape`: sphere 2/5 m r²; box with full
  sizes X, Y, Z m/12 (Y²+Z², X²+Z², X²+Y²). [kg m²]
- @pre Not a half-space. */
+ @pre A sphere or a box. */
 Eigen::Vector3d PrincipalInertia(const BodyShape& shape, double mass);
 
 /** Refuses a body that cannot be: not finite, not positive, a moving half-space, moments

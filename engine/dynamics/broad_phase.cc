@@ -96,7 +96,7 @@ Aabb BoundsOf(const RigidBody& body) {
 void BroadPhase::Add(const RigidBody& body) {
   Proxy& proxy = proxies_.emplace_back();
   proxy.is_static = body.is_static();
-  if (!body.collides) return;
+  if (!body.collides || body.is_point()) return;
   proxy.wide = Widened(BoundsOf(body), kWider * body.radius);
   proxy.leaf = (proxy.is_static ? resting_ : moving_)
                    .Insert(proxy.wide, static_cast<int>(proxies_.size()) - 1);

@@ -32,7 +32,8 @@ class PairSet {
  leaves its box is looked at again. A pair is near as long as the wide boxes overlap. */
 class BroadPhase {
  public:
-  /** Adds the body of the next index. Bodies that do not collide take part in nothing. */
+  /** Adds the body of the next index. Points, and bodies that do not collide, take part
+   in nothing. */
   void Add(const RigidBody& body);
 
   /** Looks at all bodies anew and appends the pairs that have become near, the lesser

@@ -3,16 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/anchor.h"
 
 namespace cookbook {
-
-/** An end of a joint or a spring. */
-struct Anchor {
-  int body = -1;  ///< −1: fixed to the world.
-  /** In the frame of the body, from its centre; in the world for −1. [m] */
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-};
 
 /** A massless rod: keeps two anchors at one distance. */
 struct DistanceJoint {
@@ -20,15 +13,6 @@ struct DistanceJoint {
   Anchor B;
   double length = 1;  ///< [m], > 0
 };
-
-/** Where an anchor is. World frame. */
-struct AnchorPlace {
-  Eigen::Vector3d p_W;  ///< [m]
-  Eigen::Vector3d r_W;  ///< From the centre of its body; zero for the world.
-};
-
-/** Returns the place of `anchor`, given the poses of the bodies. */
-AnchorPlace PlaceOf(const Anchor& anchor, std::span<const RigidBody> bodies);
 
 /** Solves the rods of a world together with its contacts.
 
@@ -50,8 +34,8 @@ class JointSolver {
   /** Forgets the impulses of the step before. */
   void Forget() { impulses_.assign(impulses_.size(), 0); }
 
-  /** Applies the impulses of the step before. */
-  void WarmStart(std::span<Velocity> velocities);
+  /** Applies the impulses of the step before, as those of one of `h` [s]. */
+  void WarmStart(std::span<Velocity> velocities, double h);
 
   /** As ContactSolver::Sweep(). */
   double Sweep(std::span<Velocity> velocities);
@@ -70,27 +54,22 @@ class JointSolver {
 
  private:
   struct Row {
-    int A;
-    int B;
+    Line line;                ///< n is unit, along d̄; mean lever arms.
     Eigen::Vector3d d_start;  ///< From anchor A to B before the step. [m]
     Eigen::Vector3d r_A_start;
     Eigen::Vector3d r_B_start;
-    double length;        ///< To have after the step. [m]
-    Eigen::Vector3d n;    ///< Unit, along d̄.
-    Eigen::Vector3d r_A;  ///< Mean lever arms. [m]
-    Eigen::Vector3d r_B;
+    double length;          ///< To have after the step. [m]
     double effective_mass;  ///< [kg]; 0 where nothing moves.
     double target;          ///< Of the relative velocity along n. [m/s]
   };
 
+  /** Turns the line of `row` along `d_mean`. */
   void Aim(const Eigen::Vector3d& d_mean, const Eigen::Vector3d& r_A,
            const Eigen::Vector3d& r_B, Row& row) const;
-  const InverseInertia& InertiaOf(int body) const;
-  void Apply(const Row& row, double impulse, std::span<Velocity> velocities) const;
-  double Stretching(const Row& row, std::span<const Velocity> velocities) const;
 
   std::vector<Row> rows_;
   std::vector<double> impulses_;  ///< Along n, on B. [N s]
+  double h_ = 0;                  ///< The step that they are of; 0: of none. [s]
   std::span<const InverseInertia> inertias_;
 };
 

@@ -110,8 +110,10 @@ Manifold CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
         constexpr bool kFloorA = std::is_same_v<ShapeA, HalfSpace>;
         constexpr bool kSphereA = std::is_same_v<ShapeA, Sphere>;
         constexpr bool kSphereB = std::is_same_v<ShapeB, Sphere>;
-        if constexpr (std::is_same_v<ShapeB, HalfSpace>) {
-          return {};  // Dealt with above.
+        constexpr bool kPoint =
+            std::is_same_v<ShapeA, Point> || std::is_same_v<ShapeB, Point>;
+        if constexpr (kPoint || std::is_same_v<ShapeB, HalfSpace>) {
+          return {};  // The latter are dealt with above.
         } else if constexpr (kSphereA || kSphereB) {
           Manifold sphere = Collide(a, X_WA, b, X_WB);
           if constexpr (kSphereA && kSphereB) {

@@ -18,7 +18,7 @@ namespace cookbook {
  faces where Collide() may give the one contact of two edges: what is least deep by a hair
  is not what holds a stack. `n_guess_W` is the normal of the pair in the step before, or
  zero; it decides ties.
- @pre Not two half-spaces. */
+ @pre Not two half-spaces, and no points. */
 Manifold CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
                        const Eigen::Vector3d& n_guess_W);
 

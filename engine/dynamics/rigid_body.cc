@@ -21,17 +21,19 @@ RigidBody MakeRigidBody(const BodyDefinition& definition) {
   body.inverse_mass = definition.mass > 0 ? 1 / definition.mass : 0;
   body.moments.setZero();
   body.inverse_moments.setZero();
-  if (definition.mass > 0) {
-    body.moments =
-        definition.inertia.value_or(PrincipalInertia(definition.shape, definition.mass));
-    body.inverse_moments = body.moments.cwiseInverse();
-  } else {
-    body.state.v_WB.setZero();
+  if (definition.mass == 0) body.state.v_WB.setZero();
+  if (definition.mass == 0 || body.is_point()) {
     body.state.w_WB.setZero();
+  } else {
+    body.moments = definition.inertia
+                       ? *definition.inertia
+                       : PrincipalInertia(definition.shape, definition.mass);
+    body.inverse_moments = body.moments.cwiseInverse();
   }
   body.restitution = definition.restitution;
   body.friction = definition.friction;
   body.collides = definition.collides;
+  body.drag = definition.drag;
   body.radius = BoundingRadius(definition.shape);
   body.force_W = definition.force_W;
   return body;

@@ -8,19 +8,21 @@ namespace cookbook {
 struct RigidBody {
   BodyShape shape;
   BodyState state;
-  Eigen::Matrix3d R_WB;     ///< That of state.q_WB.
-  double inverse_mass;      ///< 0: static. [1/kg]
-  Eigen::Vector3d moments;  ///< Principal moments of inertia; unused where static.
-  Eigen::Vector3d inverse_moments;  ///< Zero where static.
+  Eigen::Matrix3d R_WB;             ///< That of state.q_WB.
+  double inverse_mass;              ///< 0: static. [1/kg]
+  Eigen::Vector3d moments;          ///< Principal moments of inertia; zero where unused.
+  Eigen::Vector3d inverse_moments;  ///< Zero where static, or a point.
   double restitution;
   double friction;
   bool collides;
+  double drag;              ///< See BodyDefinition.
   double radius;            ///< Of the smallest ball about the origin that holds it. [m]
   Eigen::Vector3d force_W;  ///< Constant, through the centre of mass. [N]
   Eigen::Vector3d applied_force_W = Eigen::Vector3d::Zero();   ///< For one step. [N]
   Eigen::Vector3d applied_torque_W = Eigen::Vector3d::Zero();  ///< For one step. [N m]
 
   bool is_static() const { return inverse_mass == 0; }
+  bool is_point() const { return std::holds_alternative<Point>(shape); }
   Pose pose() const { return {R_WB, state.p_WB}; }
 };
 

@@ -44,10 +44,12 @@ struct Settings {
   /** A step is solved where no sweep changes a relative velocity by more than this share
    of the greatest there is. */
   double residual = 1e-14;
-  /** Rounds in which the lengths of rods, which are not linear in the impulses, are
-   * solved.
+  /** Rounds in which rods and springs, which are not linear in the impulses, are solved.
    */
   int joint_rounds = 12;
+  /** Takes a step of a world with rods or springs as five where nothing touches: of
+   fourth order in time, not of second. */
+  bool fourth_order_links = true;
   /** Starts from the impulses of the step before. */
   bool warm_starting = true;
   /** Clamps the sum of the impulses of a contact, not every single one. */

@@ -9,6 +9,7 @@
 #include "engine/dynamics/distance_joint.h"
 #include "engine/dynamics/projection.h"
 #include "engine/dynamics/settings.h"
+#include "engine/dynamics/spring.h"
 
 namespace cookbook {
 
@@ -38,6 +39,10 @@ class World {
    is not finite, or the length is not positive. */
   int AddJoint(const DistanceJoint& joint);
 
+  /** Adds a spring; returns its index among the springs.
+   @throws std::invalid_argument as AddJoint(), and where a constant is negative. */
+  int AddSpring(const Spring& spring);
+
   /** Applies an impulse [N s] at a world point [m] now. Static bodies take no notice. */
   void ApplyImpulse(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W);
 
@@ -62,17 +67,27 @@ class World {
 
  private:
   void StepOnce(double h);
-  void FindContacts(double margin);
+  /** Takes one step of fourth order, or, where anything touches on the way, none at all,
+   and returns whether it did. */
+  bool StepAsFive(double h);
+  void Advance(double h);
+  /** Returns whether there are any. */
+  bool FindContacts(double margin);
   void ApplyForces(double h);
   void StopStretching(double h);
   void Solve(double h);
+  void SolveLinks(double h);
   bool SweepUntilSolved();
   /** Returns body `i` as it is after the step, by the velocities solved so far. */
   RigidBody Moved(std::size_t i, double h);
   void Move(double h);
+  void MeetSolids(double h, const RigidBody& before, RigidBody& point);
   void Project(double h);
 
   RigidBody& Find(int body);
+  bool HasLinks() const { return !joints_.empty() || !springs_.empty(); }
+  void ExpectTwoEnds(const Anchor& A, const Anchor& B, const char* what);
+  void MarkLinked(const Anchor& A, const Anchor& B);
 
   Settings settings_;
   bool diverged_ = false;
@@ -81,11 +96,15 @@ class World {
   std::vector<std::pair<int, int>> appeared_;
   std::vector<ContactPair> pairs_;  ///< Those near each other.
   std::vector<DistanceJoint> joints_;
+  std::vector<Spring> springs_;
+  std::vector<int> solids_;  ///< What points meet.
   ContactSolver contacts_;
   JointSolver rods_;
+  SpringSolver spring_solver_;
   Projection projection_;
 
-  double fastest_ = 0;  ///< Of the bodies on rods. [m/s]
+  double fastest_ = 0;      ///< Of the linked bodies. [m/s]
+  bool point_hit_ = false;  ///< Whether a point has met a solid in this step.
 
   // By body, while a step is taken. Velocities have one more place, see SolverBodies.
   std::vector<InverseInertia> inertias_;
@@ -96,9 +115,10 @@ class World {
   std::vector<Velocity> moves_;   ///< Of the projection. [m], [rad]
   std::vector<Touch> touches_;
   std::vector<double> shares_;    ///< See JointSolver::Correct().
-  std::vector<bool> jointed_;     ///< Whether a rod holds it.
+  std::vector<bool> linked_;      ///< Whether a rod or a spring holds it.
   std::vector<double> travels_;   ///< How far a point of it can have gone so far. [m]
-  std::vector<RigidBody> ahead_;  ///< After the step; valid where jointed.
+  std::vector<RigidBody> ahead_;  ///< After the step; valid where linked.
+  std::vector<RigidBody> kept_;   ///< As it was, should a step have to be taken back.
 };
 
 }  // namespace cookbook

@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "engine/dynamics/cloth.h"
 #include "engine/dynamics/world.h"
 #include "oracles/cookbook/translate.h"
 
@@ -38,18 +39,51 @@ cookbook::BodyDefinition ToDefinition(const RigidBody& body) {
   return definition;
 }
 
-cookbook::Anchor ToAnchor(const Anchor& anchor) {
-  return {anchor.on == AnchorKind::kBody ? anchor.index : -1, anchor.point};
+cookbook::BodyDefinition ToDefinition(const Particle& particle) {
+  cookbook::BodyDefinition definition;
+  definition.shape = cookbook::Point{};
+  definition.state.p_WB = particle.p_W;
+  definition.state.v_WB = particle.v_W;
+  definition.mass = particle.mass;
+  definition.restitution = particle.bounce;
+  definition.drag = particle.damping;
+  return definition;
+}
+
+cookbook::Cloth ToCookbook(const Cloth& cloth) {
+  cookbook::Cloth net;
+  net.n = cloth.n;
+  net.spacing = cloth.spacing;
+  net.centre_W = cloth.centre;
+  net.node_mass = cloth.node_mass;
+  net.drag = cloth.damping;
+  net.bounce = cloth.bounce;
+  net.structural = {cloth.structural.stiffness, cloth.structural.damping};
+  net.shear = {cloth.shear.stiffness, cloth.shear.damping};
+  net.bend = {cloth.bend.stiffness, cloth.bend.damping};
+  net.pinned = cloth.pinned;
+  return net;
 }
 
 class CookbookSimulation final : public Simulation {
  public:
   explicit CookbookSimulation(const World& world)
-      : world_(SettingsFor(world)), dt_(world.dt) {
+      : world_(SettingsFor(world)),
+        dt_(world.dt),
+        bodies_(static_cast<int>(world.bodies.size())),
+        particles_(static_cast<int>(world.particles.size())) {
     for (const RigidBody& body : world.bodies) world_.AddBody(ToDefinition(body));
+    for (const Particle& particle : world.particles) {
+      world_.AddBody(ToDefinition(particle));
+    }
     for (const DistanceJoint& joint : world.joints) {
       world_.AddJoint({ToAnchor(joint.A), ToAnchor(joint.B), joint.length});
     }
+    for (const Spring& spring : world.springs) {
+      world_.AddSpring({ToAnchor(spring.A), ToAnchor(spring.B), spring.stiffness,
+                        spring.damping, spring.rest_length});
+    }
+    for (const Cloth& cloth : world.cloths) AddCloth(ToCookbook(cloth), world_);
   }
 
   void Push(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W) override {
@@ -59,14 +93,19 @@ class CookbookSimulation final : public Simulation {
   void Step() override { world_.Step(dt_); }
 
   void Read(WorldState& state) const override {
-    state.bodies.resize(static_cast<std::size_t>(world_.body_count()));
-    for (int i = 0; i < world_.body_count(); ++i) {
-      const cookbook::BodyState& body = world_.state(i);
-      state.bodies[static_cast<std::size_t>(i)] = {body.p_WB, body.q_WB, body.v_WB,
-                                                   body.w_WB};
-    }
+    state.bodies.clear();
     state.particles.clear();
     state.nodes.clear();
+    for (int i = 0; i < world_.body_count(); ++i) {
+      const cookbook::BodyState& body = world_.state(i);
+      if (i < bodies_) {
+        state.bodies.push_back({body.p_WB, body.q_WB, body.v_WB, body.w_WB});
+      } else {
+        std::vector<PointState>& points =
+            i < bodies_ + particles_ ? state.particles : state.nodes;
+        points.push_back({body.p_WB, body.v_WB});
+      }
+    }
   }
 
   void ReadImpulses(std::vector<ContactImpulse>& impulses) const override {
@@ -87,8 +126,23 @@ class CookbookSimulation final : public Simulation {
     return settings;
   }
 
-  cookbook::World world_;
+  cookbook::Anchor ToAnchor(const Anchor& anchor) const {
+    switch (anchor.on) {
+      case AnchorKind::kBody:
+        return {anchor.index, anchor.point};
+      case AnchorKind::kParticle:
+        return {bodies_ + anchor.index, anchor.point};
+      case AnchorKind::kWorld:
+        break;
+    }
+    return {-1, anchor.point};
+  }
+
+  cookbook::World
+      world_;  // The bodies, after them the particles and the nodes of cloths.
   double dt_;
+  int bodies_;
+  int particles_;
 };
 
 }  // namespace
@@ -102,15 +156,17 @@ decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities() {
   refuse(WorldFeature::kOtherShape, "the cookbook moves spheres and boxes");
   refuse(WorldFeature::kStaticOtherShape,
          "the cookbook knows static spheres, boxes and half-spaces");
-  refuse(WorldFeature::kParticle, "its particles are not in the world yet");
-  refuse(WorldFeature::kSpring, "its springs are not in the world yet");
-  refuse(WorldFeature::kCloth, "its cloths are not in the world yet");
   return capabilities;
 }
 
 std::vector<Setting> CookbookWorldSettings() {
   return {{"integrator", "mean velocity; RKMK4 at constant angular momentum",
            "flight under a constant force and tumbling without one are exact"},
+          {"rods and springs", "discrete gradients, five steps of Suzuki's in one",
+           "energy and momenta are kept to rounding, time is of fourth order; of second "
+           "where anything touches"},
+          {"particles", "sent back at the moment they meet a static box or half-space",
+           "no depth, and no loss at bounce 1"},
           {"restitution", "min(e_A, e_B), of the velocity before the step",
            "a bounce at e = 1 keeps the energy at any step"},
           {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "scenarios/contact_query.h"
-#include "scenarios/measure_kind.h"
 
 namespace touchstone {
 
@@ -23,9 +21,6 @@ double AnyComponent();
 
 /** Any letters of ASCII, none of them left out, and some of Unicode. */
 std::string AnyText();
-
-/** One measure or more. */
-std::vector<MeasureKind> AnyMeasures();
 
 Pose AnyPose();
 

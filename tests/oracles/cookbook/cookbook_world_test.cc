@@ -29,9 +29,46 @@ TEST(CookbookWorld, ABallOnAFloorRollsAsTheEngineSays) {
   EXPECT_NEAR(trajectory.samples.back().bodies[1].v_WB[0], 25.0 / 7, 1e-12);
 }
 
+TEST(CookbookWorld, TellsParticlesAndNodesFromBodies) {
+  World world;
+  world.bodies.resize(1);
+  world.bodies[0].name = "ball";
+  world.bodies[0].placed.shape = Sphere{0.5};
+  world.bodies[0].placed.X_WB.p_WB = {9, 0, 0};
+  world.particles.resize(2);
+  world.particles[0].name = "anchor";
+  world.particles[0].mass = 0;
+  world.particles[1].name = "bob";
+  world.particles[1].p_W = {0, -2, 0};
+  // A bob that hangs where its weight stretches the spring to stays there.
+  world.springs.push_back({{AnchorKind::kParticle, 0, {0, 0, 0}},
+                           {AnchorKind::kParticle, 1, {0, 0, 0}},
+                           9.82,
+                           0,
+                           1});
+  world.cloths.resize(1);
+  world.cloths[0].name = "net";
+  world.cloths[0].centre = {3, 4, 5};
+  world.steps = 240;
+  const CookbookOracle oracle;
+  ASSERT_EQ(oracle.info().CannotSimulate(world), "");
+  const Trajectory trajectory = oracle.Simulate(world);
+  ASSERT_EQ(trajectory.status, AnswerStatus::kAnswered);
+  const WorldState& end = trajectory.samples.back();
+  ASSERT_EQ(end.bodies.size(), 1u);
+  ASSERT_EQ(end.particles.size(), 2u);
+  ASSERT_EQ(end.nodes.size(), 9u);
+  EXPECT_NEAR(end.bodies[0].p_WB[1], -0.5 * 9.82, 1e-12);
+  EXPECT_EQ(end.particles[0].p_W, Eigen::Vector3d(0, 0, 0));
+  EXPECT_LT((end.particles[1].p_W - Eigen::Vector3d(0, -2, 0)).norm(), 1e-12);
+  EXPECT_LT((end.nodes[4].p_W - Eigen::Vector3d(3, 4 - 0.5 * 9.82, 5)).norm(), 1e-12);
+}
+
 TEST(CookbookWorld, RefusesWhatItCannotSimulate) {
   World world;
-  world.particles.resize(1);
+  world.bodies.resize(1);
+  world.bodies[0].name = "can";
+  world.bodies[0].placed.shape = Cylinder{0.1, 0.2};
   const CookbookOracle oracle;
   EXPECT_EQ(oracle.Simulate(world).status, AnswerStatus::kUnsupported);
 }

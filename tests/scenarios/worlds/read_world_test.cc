@@ -91,7 +91,6 @@ seed = 7
 
 [[indicts]]
 oracle = "ode"
-measures = ["rest_motion"]
 anomaly = "It sinks."
 reproduces = false
 )";

@@ -1,0 +1,50 @@
+#include "engine/dynamics/anchor.h"
+
+namespace cookbook {
+namespace {
+
+double ResponseOf(int body, const Eigen::Vector3d& n, const Eigen::Vector3d& r,
+                  std::span<const InverseInertia> inertias) {
+  if (body < 0) return 0;
+  const InverseInertia& inertia = inertias[static_cast<std::size_t>(body)];
+  const Eigen::Vector3d c = r.cross(n);
+  return inertia.mass * n.squaredNorm() + c.dot(inertia.tensor_W * c);
+}
+
+void Push(int body, const Eigen::Vector3d& J, const Eigen::Vector3d& r,
+          std::span<const InverseInertia> inertias, std::span<Velocity> velocities) {
+  if (body < 0) return;
+  const InverseInertia& inertia = inertias[static_cast<std::size_t>(body)];
+  Velocity& velocity = velocities[static_cast<std::size_t>(body)];
+  velocity.v += inertia.mass * J;
+  velocity.w += inertia.tensor_W * r.cross(J);
+}
+
+}  // namespace
+
+AnchorPlace PlaceOf(const Anchor& anchor, std::span<const RigidBody> bodies) {
+  if (anchor.body < 0) return {anchor.point, Eigen::Vector3d::Zero()};
+  const RigidBody& body = bodies[static_cast<std::size_t>(anchor.body)];
+  const Eigen::Vector3d r_W = body.R_WB * anchor.point;
+  return {body.state.p_WB + r_W, r_W};
+}
+
+double Line::Response(std::span<const InverseInertia> inertias) const {
+  return ResponseOf(A, n, r_A, inertias) + ResponseOf(B, n, r_B, inertias);
+}
+
+double Line::Parting(std::span<const Velocity> velocities) const {
+  Eigen::Vector3d u = Eigen::Vector3d::Zero();
+  if (B >= 0) u += velocities[static_cast<std::size_t>(B)].At(r_B);
+  if (A >= 0) u -= velocities[static_cast<std::size_t>(A)].At(r_A);
+  return n.dot(u);
+}
+
+void Line::Apply(double impulse, std::span<const InverseInertia> inertias,
+                 std::span<Velocity> velocities) const {
+  const Eigen::Vector3d J = impulse * n;
+  Push(A, -J, r_A, inertias, velocities);
+  Push(B, J, r_B, inertias, velocities);
+}
+
+}  // namespace cookbook
