@@ -127,6 +127,10 @@ struct alignas(32) Corners {
   bool may_repeat;  ///< Two may be one and the same point, to rounding.
 };
 
+/** Candidates that differ by no more than this many times the slack are one contact. Far
+ above what rounding sets apart, far below what a solver could tell apart. */
+constexpr double kSame = 12;
+
 /** The two edges that meet in a feature, as FaceContactId() has them. */
 constexpr std::int64_t Meeting(FaceEdge p, FaceEdge q) {
   return static_cast<std::int64_t>(FaceContactId(false, {0, 0}, {0, 0}, p, q)) -
@@ -236,14 +240,14 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   found.kept = Bits(z0 <= highest) | Bits(z1 <= highest) << 4 | Bits(z2 <= highest) << 8;
 
   // Two candidates are one only where a corner of one face is near a line of the other:
-  // they lie within 4 √2 slack of each other, and adjacent edges of the incident face,
-  // seen along a normal at most 55° off, meet at no angle so flat that their corner is
-  // more than thrice as far.
-  const Four near = Splat(16 * slack);
+  // they lie within √2 kSame slack of each other, and adjacent edges of the incident
+  // face, seen along a normal at most 55° off, meet at no angle so flat that their corner
+  // is more than thrice as far.
+  const Four near = Splat(4 * kSame * slack);
   found.may_repeat =
       Bits((Abs(Abs(x) - bound_x) <= near) | (Abs(Abs(y) - bound_y) <= near) |
-           (Abs(beyond_u) <= Splat(16) * slack_u) |
-           (Abs(beyond_v) <= Splat(16) * slack_v)) != 0;
+           (Abs(beyond_u) <= Splat(4 * kSame) * slack_u) |
+           (Abs(beyond_v) <= Splat(4 * kSame) * slack_v)) != 0;
 
   const Four h_x = Splat(face.h_x);
   const Four h_y = Splat(face.h_y);
@@ -279,7 +283,7 @@ inline unsigned WithoutRepeats(const Corners& found, double distance) {
 HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Pose& X_WA,
                              const Pose& X_WB, Manifold& manifold) {
   const SeenFace face = FindIncidentFace(pair, facing);
-  const double slack = kOverlapRounding * pair.Size();
+  const double slack = kFlush * pair.Size();
   Corners found;
   FindCorners(face, slack, manifold.separation,
               FaceContactId(facing.is_B, face.reference, face.incident, 0, 0), found);
@@ -290,7 +294,7 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
         1u << (std::min_element(found.z.begin(), found.z.begin() + 4) - found.z.begin());
   }
   const unsigned distinct =
-      found.may_repeat ? WithoutRepeats(found, 4 * slack) : found.kept;
+      found.may_repeat ? WithoutRepeats(found, kSame * slack) : found.kept;
   manifold.count = std::min(std::popcount(distinct), 8);
 
   const std::array<const Pose*, 2> both_X = {&X_WA, &X_WB};

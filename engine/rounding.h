@@ -23,6 +23,14 @@ inline constexpr double kUnitRoundoff = 0x1p-53;
  shifts the gap along it by ≤ 6u S. Together below 21 u S. */
 inline constexpr double kOverlapRounding = 24 * kUnitRoundoff;
 
+/** Bound on the rounding of where a corner of one box lies along the axes of the other,
+ as a multiple of S: a coordinate is t ± h_1 C_1 ± h_2 C_2 ± h_3 C_3, with t within
+ 4u |p_AB|, each product within (3 + 1)u h and three sums within 3u S. Together 7u S.
+
+ Corners and edges that lie flush are in each other's bounds to within this; it is not
+ larger, since a contact brought back to a bound leaves the other surface by as much. */
+inline constexpr double kFlush = 8 * kUnitRoundoff;
+
 /** How much better, as a multiple of S, another axis must be than a face of A, and an
  edge axis than any face, to be chosen. Gaps that are equal are computed within twice
  kOverlapRounding of each other at worst, but roundings seldom add up: a third of one
