@@ -104,6 +104,9 @@ void BroadPhase::Add(const RigidBody& body) {
 
 void BroadPhase::Update(std::span<const RigidBody> bodies, double margin,
                         std::vector<std::pair<int, int>>& appeared) {
+  for (const int body : moved_) {
+    proxies_[static_cast<std::size_t>(body)].has_moved = false;
+  }
   moved_.clear();
   for (std::size_t i = 0; i < proxies_.size(); ++i) {
     Proxy& proxy = proxies_[i];
@@ -119,6 +122,7 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin,
     proxy.wide = Widened(bounds, kWider * bodies[i].radius);
     moving_.Remove(proxy.leaf);
     proxy.leaf = moving_.Insert(proxy.wide, static_cast<int>(i));
+    proxy.has_moved = true;
     moved_.push_back(static_cast<int>(i));
   }
   for (const int body : moved_) {
@@ -133,9 +137,10 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin,
   }
 }
 
-bool BroadPhase::AreNear(int a, int b) const {
-  return proxies_[static_cast<std::size_t>(a)].wide.Overlaps(
-      proxies_[static_cast<std::size_t>(b)].wide);
+bool BroadPhase::AreStillNear(int a, int b) const {
+  const Proxy& A = proxies_[static_cast<std::size_t>(a)];
+  const Proxy& B = proxies_[static_cast<std::size_t>(b)];
+  return (!A.has_moved && !B.has_moved) || A.wide.Overlaps(B.wide);
 }
 
 }  // namespace cookbook

@@ -41,8 +41,8 @@ class BroadPhase {
   void Update(std::span<const RigidBody> bodies, double margin,
               std::vector<std::pair<int, int>>& appeared);
 
-  /** Whether a pair that appeared is still near. */
-  bool AreNear(int a, int b) const;
+  /** Whether a pair that was near before the last Update() still is. */
+  bool AreStillNear(int a, int b) const;
 
   /** Forgets a pair that is no longer near. */
   void Forget(int a, int b) { pairs_.Erase(a, b); }
@@ -53,6 +53,7 @@ class BroadPhase {
     int leaf = -1;  ///< −1: does not collide.
     bool is_static = false;
     bool is_new = true;
+    bool has_moved = false;  ///< Has got another wide box in the last Update().
   };
 
   AabbTree moving_;

@@ -31,6 +31,8 @@ struct alignas(32) ContactLanes {
   Lanes response;        ///< k(n). [1/kg]
   Lanes effective_mass;  ///< 1 / k(n), for a soft contact less. [kg]
   Lanes impulse_scale;   ///< 0 for a hard contact.
+  Lanes response_n1;     ///< What a unit impulse along n slips along t1. [1/kg]
+  Lanes response_n2;     ///< Along t2.
   Lanes stick11;         ///< Inverse of the response of the slip along t1, t2. [kg]
   Lanes stick12;
   Lanes stick22;

@@ -98,13 +98,16 @@ HWY_INLINE Moving Gather(const Velocity* velocities, const std::array<int, 4>& b
   return {{low[0], low[1], low[2]}, {low[3], high[0], high[1]}};
 }
 
+/** Writes the velocities of those that move: several threads may read one that does not.
+ */
 HWY_INLINE void Scatter(const Moving& moving, const std::array<int, 4>& bodies,
-                        Velocity* velocities) {
+                        const Lanes& inverse_mass, Velocity* velocities) {
   Four low[4] = {moving.v.x, moving.v.y, moving.v.z, moving.w.x};
   Four high[4] = {moving.w.y, moving.w.z, Four{}, Four{}};
   Transpose4(low[0], low[1], low[2], low[3]);
   Transpose4(high[0], high[1], high[2], high[3]);
   for (std::size_t k = 0; k < 4; ++k) {
+    if (inverse_mass[k] == 0) continue;
     double* numbers = velocities[bodies[k]].v.data();
     Store(low[k], numbers);
     Store(high[k], numbers + 4);
@@ -196,8 +199,11 @@ double Prepare(const ContactRows& rows, const ContactRules& rules, const Velocit
       const Four3 Ia_1 = Times(m.tensor_A, a_1);
       const Four3 Ib_1 = Times(m.tensor_B, b_1);
       const Four mass = m.mass_A + m.mass_B;
-      const Four k_n =
-          mass + Dot(a_n, Times(m.tensor_A, a_n)) + Dot(b_n, Times(m.tensor_B, b_n));
+      const Four3 Ia_n = Times(m.tensor_A, a_n);
+      const Four3 Ib_n = Times(m.tensor_B, b_n);
+      const Four k_n = mass + Dot(a_n, Ia_n) + Dot(b_n, Ib_n);
+      const Four k_n1 = Dot(a_1, Ia_n) + Dot(b_1, Ib_n);
+      const Four k_n2 = Dot(a_2, Ia_n) + Dot(b_2, Ib_n);
       const Four k11 = mass + Dot(a_1, Ia_1) + Dot(b_1, Ib_1);
       const Four k12 = Dot(a_2, Ia_1) + Dot(b_2, Ib_1);
       const Four k22 =
@@ -212,6 +218,8 @@ double Prepare(const ContactRows& rows, const ContactRules& rules, const Velocit
       Put(Select(used, k_n, zero), contact.response);
       Put(Select(used, soft / k_n, zero), contact.effective_mass);
       Put(Select(used, scale, zero), contact.impulse_scale);
+      Put(k_n1, contact.response_n1);
+      Put(k_n2, contact.response_n2);
       Put(Select(used, k22 / determinant, zero), contact.stick11);
       Put(Select(used, zero - k12 / determinant, zero), contact.stick12);
       Put(Select(used, k11 / determinant, zero), contact.stick22);
@@ -240,8 +248,8 @@ void ApplyAll(const ContactRows& rows, Velocity* velocities) {
                                 Times(At(contact.friction_impulse2), t2)));
       Apply(J, At(contact.r_A), At(contact.r_B), m, A, B);
     }
-    Scatter(A, batch.A, velocities);
-    Scatter(B, batch.B, velocities);
+    Scatter(A, batch.A, batch.inverse_mass_A, velocities);
+    Scatter(B, batch.B, batch.inverse_mass_B, velocities);
   }
 }
 
@@ -262,19 +270,17 @@ double Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
       const Four3 r_A = At(contact.r_A);
       const Four3 r_B = At(contact.r_B);
 
-      const Four approach = Dot(RelativeVelocity(A, B, r_A, r_B), n);
+      const Four3 u = RelativeVelocity(A, B, r_A, r_B);
       const Four sum = At(contact.impulse);
       const Four start = kept * sum;
-      const Four impulse =
-          Max(zero, start + At(contact.effective_mass) * (At(contact.target) - approach) -
-                        At(contact.impulse_scale) * sum);
+      const Four impulse = Max(
+          zero, start + At(contact.effective_mass) * (At(contact.target) - Dot(u, n)) -
+                    At(contact.impulse_scale) * sum);
       const Four change = impulse - start;
       Put(sum + change, contact.impulse);
-      Apply(Times(change, n), r_A, r_B, m, A, B);
 
-      const Four3 u = RelativeVelocity(A, B, r_A, r_B);
-      const Four slip1 = Dot(u, t1);
-      const Four slip2 = Dot(u, t2);
+      const Four slip1 = Dot(u, t1) + change * At(contact.response_n1);
+      const Four slip2 = Dot(u, t2) + change * At(contact.response_n2);
       const Four bound = friction * impulse;
       const Four bound_squared = bound * bound;
       const Four sum1 = At(contact.friction_impulse1);
@@ -299,14 +305,15 @@ double Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
       const Four change2 = Select(slides, shrink * slide2, stick2) - held2;
       Put(sum1 + change1, contact.friction_impulse1);
       Put(sum2 + change2, contact.friction_impulse2);
-      Apply(Plus(Times(change1, t1), Times(change2, t2)), r_A, r_B, m, A, B);
+      Apply(Plus(Times(change, n), Plus(Times(change1, t1), Times(change2, t2))), r_A,
+            r_B, m, A, B);
 
       const Four slip_response = At(contact.slip_response);
       greatest = Max(greatest, Abs(change) * At(contact.response));
       greatest = Max(greatest, Max(Abs(change1), Abs(change2)) * slip_response);
     }
-    Scatter(A, batch.A, velocities);
-    Scatter(B, batch.B, velocities);
+    Scatter(A, batch.A, batch.inverse_mass_A, velocities);
+    Scatter(B, batch.B, batch.inverse_mass_B, velocities);
   }
   return Greatest(greatest);
 }

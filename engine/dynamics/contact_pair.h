@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "engine/dynamics/rigid_body.h"
 #include "engine/manifold.h"
@@ -12,11 +13,10 @@ namespace cookbook {
 struct ContactPair {
   int A = 0;
   int B = 0;
-  Manifold manifold;  ///< See CollideWithin().
+  std::size_t near = 0;  ///< Where ContactFinder keeps it.
+  Manifold manifold;     ///< See CollideWithin().
   /** Impulse on B at each contact of the manifold. World frame. [N s] */
   std::array<Eigen::Vector3d, 8> J_W;
-  /** The sum of what the two have travelled up to which they surely do not touch. [m] */
-  double apart_until = 0;
 };
 
 /** Replaces the manifold of `pair` by that of its bodies as they are now, contacts apart

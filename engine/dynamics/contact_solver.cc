@@ -1,6 +1,7 @@
 #include "engine/dynamics/contact_solver.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -12,8 +13,26 @@ namespace {
  free, which are solved one after the other. */
 constexpr int kColours = 64;
 constexpr int kLastColour = kColours - 1;
+/** Batches of a colour below which it does not pay to wake another thread: a batch takes
+ about half a microsecond. */
+constexpr std::size_t kFewBatches = 24;
 /** Contacts of a manifold. */
 constexpr int kMost = 8;
+
+/** The greatest of numbers that several threads note. */
+class Greatest {
+ public:
+  void Note(double value) {
+    double known = value_.load(std::memory_order_relaxed);
+    while (value > known &&
+           !value_.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
+    }
+  }
+  double value() const { return value_.load(std::memory_order_relaxed); }
+
+ private:
+  std::atomic<double> value_ = 0;
+};
 
 ContactRules RulesOf(const Settings& settings, double h) {
   ContactRules rules{};
@@ -89,6 +108,7 @@ void ContactSolver::Fill(std::span<const ContactPair> pairs, const SolverBodies&
                          bool warm_starting) {
   batches_.clear();
   contacts_.clear();
+  firsts_.clear();
   const int nobody = static_cast<int>(world.bodies.size());
   int colour = -1;
   std::size_t lane = 4;
@@ -96,6 +116,8 @@ void ContactSolver::Fill(std::span<const ContactPair> pairs, const SolverBodies&
     const ContactPair& pair = pairs[static_cast<std::size_t>(p)];
     const int colour_here = key_[static_cast<std::size_t>(p)] / (kMost + 1);
     if (lane == 4 || colour_here != colour || colour == kLastColour) {
+      if (colour_here != colour || colour == kLastColour)
+        firsts_.push_back(batches_.size());
       colour = colour_here;
       lane = 0;
       ContactBatch& batch = batches_.emplace_back();
@@ -142,20 +164,42 @@ void ContactSolver::Fill(std::span<const ContactPair> pairs, const SolverBodies&
     }
     ++lane;
   }
+  firsts_.push_back(batches_.size());
+}
+
+template <class Work>
+void ContactSolver::ShareByColour(Crew& crew, const Work& work) {
+  for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
+    const std::span<const ContactBatch> colour =
+        std::span(batches_).subspan(firsts_[k], firsts_[k + 1] - firsts_[k]);
+    crew.Share(colour.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
+      work(ContactRows{colour.subspan(begin, end - begin), contacts_});
+    });
+  }
 }
 
 void ContactSolver::Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
-                          const Settings& settings, double h) {
+                          const Settings& settings, double h, Crew& crew) {
   accumulated_ = settings.accumulated_impulses;
   Colour(pairs, world.bodies);
   Fill(pairs, world, settings.warm_starting && settings.accumulated_impulses);
-  scale_ = PrepareContacts(rows(), RulesOf(settings, h), world.before, world.velocities);
+  const ContactRules rules = RulesOf(settings, h);
+  Greatest scale;
+  ShareByColour(crew, [&](const ContactRows& rows) {
+    scale.Note(PrepareContacts(rows, rules, world.before, world.velocities));
+  });
+  scale_ = scale.value();
   // All rows have seen the velocities without impulses: now apply those to start from.
-  ApplyImpulses(rows(), world.velocities);
+  ShareByColour(crew,
+                [&](const ContactRows& rows) { ApplyImpulses(rows, world.velocities); });
 }
 
-double ContactSolver::Sweep(std::span<Velocity> velocities) {
-  return SweepContacts(rows(), accumulated_, velocities);
+double ContactSolver::Sweep(std::span<Velocity> velocities, Crew& crew) {
+  Greatest change;
+  ShareByColour(crew, [&](const ContactRows& rows) {
+    change.Note(SweepContacts(rows, accumulated_, velocities));
+  });
+  return change.value();
 }
 
 void ContactSolver::End(std::span<ContactPair> pairs, std::span<Touch> touches) const {

@@ -6,6 +6,7 @@
 
 #include "engine/dynamics/contact_batch.h"
 #include "engine/dynamics/contact_pair.h"
+#include "engine/dynamics/crew.h"
 #include "engine/dynamics/settings.h"
 
 namespace cookbook {
@@ -60,11 +61,11 @@ class ContactSolver {
   /** Sets up the rows of all pairs with contacts and applies the impulses to start from.
    */
   void Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
-             const Settings& settings, double h);
+             const Settings& settings, double h, Crew& crew);
 
   /** Sweeps once over all contacts and returns the greatest change of a relative
    velocity. [m/s] */
-  double Sweep(std::span<Velocity> velocities);
+  double Sweep(std::span<Velocity> velocities, Crew& crew);
 
   /** Writes the impulses to the pairs, and what the contacts did to the bodies. */
   void End(std::span<ContactPair> pairs, std::span<Touch> touches) const;
@@ -82,10 +83,13 @@ class ContactSolver {
   void Colour(std::span<const ContactPair> pairs, std::span<const RigidBody> bodies);
   void Fill(std::span<const ContactPair> pairs, const SolverBodies& world,
             bool warm_starting);
-  ContactRows rows() { return {batches_, contacts_}; }
+  /** Calls `work(rows)` for all rows: colour after colour, each shared out. */
+  template <class Work>
+  void ShareByColour(Crew& crew, const Work& work);
 
   std::vector<ContactBatch> batches_;
   std::vector<ContactLanes> contacts_;
+  std::vector<std::size_t> firsts_;     ///< Batch of each colour in use, and the end.
   std::vector<std::uint64_t> colours_;  ///< Of each body: one bit for each in use.
   std::vector<int> key_;                ///< Of each pair: its colour and count, or −1.
   std::vector<int> order_;              ///< The pairs, by key.

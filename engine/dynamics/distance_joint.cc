@@ -84,6 +84,15 @@ double JointSolver::Sweep(std::span<Velocity> velocities) {
   return greatest;
 }
 
+double JointSolver::GreatestPull() const {
+  double greatest = 0;
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    if (rows_[k].effective_mass == 0) continue;
+    greatest = std::max(greatest, std::abs(impulses_[k]) / rows_[k].effective_mass);
+  }
+  return greatest;
+}
+
 double JointSolver::Correct(std::span<const DistanceJoint> joints,
                             std::span<const RigidBody> after,
                             std::span<const double> share, std::span<Velocity> velocities,

@@ -40,6 +40,9 @@ class JointSolver {
   /** As ContactSolver::Sweep(). */
   double Sweep(std::span<Velocity> velocities);
 
+  /** The greatest change of a relative velocity that a rod makes. [m/s] */
+  double GreatestPull() const;
+
   /** Corrects the rows, given where the bodies would be after the step. `share` says of
    each body how much of a change of its velocity moves it: 1/2 for one that moves by the
    mean of its velocities, 1 for one that moves by the last. Returns the greatest error of

@@ -71,6 +71,9 @@ struct Settings {
   double soft_frequency = 30;
   double soft_damping_ratio = 10;
 
+  /** Threads that share a step, the caller's included. The bits do not depend on it. */
+  int threads = 1;
+
   /** Every step is taken as so many shorter ones. */
   int sub_steps = 1;
 };

@@ -61,6 +61,14 @@ double SpringSolver::Sweep(std::span<Velocity> velocities) {
   return greatest;
 }
 
+double SpringSolver::GreatestPull() const {
+  double greatest = 0;
+  for (const Row& row : rows_) {
+    greatest = std::max(greatest, std::abs(row.wanted) * row.response);
+  }
+  return greatest;
+}
+
 double SpringSolver::Correct(std::span<const Spring> springs,
                              std::span<const RigidBody> after,
                              std::span<const double> share,

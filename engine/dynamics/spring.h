@@ -39,6 +39,9 @@ class SpringSolver {
   /** As ContactSolver::Sweep(). */
   double Sweep(std::span<Velocity> velocities);
 
+  /** The greatest change of a relative velocity that a spring makes. [m/s] */
+  double GreatestPull() const;
+
   /** As JointSolver::Correct(); returns the greatest error of an impulse, as what it
    moves the anchors by, relative to their distance. */
   double Correct(std::span<const Spring> springs, std::span<const RigidBody> after,

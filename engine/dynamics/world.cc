@@ -33,14 +33,15 @@ bool IsSane(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-World::World(const Settings& settings) : settings_(settings) {
+World::World(const Settings& settings)
+    : settings_(settings), crew_(std::max(1, settings.threads)) {
   Validate(settings);
 }
 
 int World::AddBody(const BodyDefinition& definition) {
   bodies_.push_back(MakeRigidBody(definition));
   const int added = body_count() - 1;
-  broad_phase_.Add(bodies_.back());
+  finder_.Add(bodies_.back());
   inertias_.push_back({Eigen::Matrix3d::Zero(), 0});
   const std::size_t places = bodies_.size() + 1;
   for (std::vector<Velocity>* velocities :
@@ -51,7 +52,6 @@ int World::AddBody(const BodyDefinition& definition) {
   shares_.push_back(0.5);
   linked_.push_back(false);
   ahead_.push_back(bodies_.back());
-  travels_.push_back(0);
   const RigidBody& body = bodies_.back();
   const bool is_solid = std::holds_alternative<Box>(body.shape) ||
                         std::holds_alternative<HalfSpace>(body.shape);
@@ -148,7 +148,7 @@ void World::Step(double dt) {
 }
 
 void World::StepOnce(double h) {
-  const bool touching = FindContacts(MarginOf(settings_, h));
+  const bool touching = FindContacts(h);
   StopStretching(h);
   if (settings_.fourth_order_links && HasLinks() && !touching && StepAsFive(h)) return;
   Advance(h);
@@ -172,45 +172,19 @@ bool World::StepAsFive(double h) {
     Advance(share * h);
     if (point_hit_ || diverged_) break;
   }
-  if (!point_hit_ && !diverged_ && !FindContacts(MarginOf(settings_, h))) return true;
+  if (!point_hit_ && !diverged_ && !FindContacts(h)) return true;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    travels_[i] += Travel(bodies_[i].state, kept_[i]);
+    finder_.HasGone(i, Travel(bodies_[i].state, kept_[i]));
     bodies_[i] = kept_[i];
   }
   diverged_ = false;
-  FindContacts(MarginOf(settings_, h));
+  FindContacts(h);
   return false;
 }
 
-bool World::FindContacts(double margin) {
-  bool touching = false;
-  appeared_.clear();
-  broad_phase_.Update(bodies_, margin, appeared_);
-  for (const auto& [a, b] : appeared_) {
-    ContactPair& pair = pairs_.emplace_back();
-    pair.A = a;
-    pair.B = b;
-  }
-  for (std::size_t k = 0; k < pairs_.size();) {
-    ContactPair& pair = pairs_[k];
-    if (!broad_phase_.AreNear(pair.A, pair.B)) {
-      broad_phase_.Forget(pair.A, pair.B);
-      pair = pairs_.back();
-      pairs_.pop_back();
-      continue;
-    }
-    ++k;
-    const auto a = static_cast<std::size_t>(pair.A);
-    const auto b = static_cast<std::size_t>(pair.B);
-    // What was apart by a gap stays apart until the two have gone that far.
-    const double travel = travels_[a] + travels_[b];
-    if (travel < pair.apart_until) continue;
-    Recollide(margin, bodies_[a], bodies_[b], pair);
-    const bool apart = pair.manifold.count == 0;
-    pair.apart_until = apart ? travel + pair.manifold.separation - margin : 0;
-    touching = touching || !apart;
-  }
-  return touching;
+bool World::FindContacts(double h) {
+  finder_.Find(bodies_, MarginOf(settings_, h), crew_);
+  return !finder_.contacts().empty();
 }
 
 void World::ApplyForces(double h) {
@@ -280,21 +254,22 @@ bool World::SweepUntilSolved() {
   for (int k = 0; k < sweeps; ++k) {
     const double rods = rods_.Sweep(solved_);
     const double springs = spring_solver_.Sweep(solved_);
-    if (std::max({rods, springs, contacts_.Sweep(solved_)}) <= solved) return true;
+    if (std::max({rods, springs, contacts_.Sweep(solved_, crew_)}) <= solved) return true;
   }
   return false;
 }
 
 void World::Solve(double h) {
   std::copy(free_.begin(), free_.end(), solved_.begin());
-  contacts_.Begin(pairs_, {bodies_, inertias_, before_, solved_}, settings_, h);
+  contacts_.Begin(finder_.contacts(), {bodies_, inertias_, before_, solved_}, settings_,
+                  h, crew_);
   if (HasLinks()) {
     SolveLinks(h);
     return;
   }
   SweepUntilSolved();
   std::fill(touches_.begin(), touches_.end(), Touch{});
-  contacts_.End(pairs_, touches_);
+  contacts_.End(finder_.contacts(), touches_);
 }
 
 void World::SolveLinks(double h) {
@@ -305,14 +280,15 @@ void World::SolveLinks(double h) {
   rods_.WarmStart(solved_, h);
   spring_solver_.Begin(springs_, bodies_, inertias_, before_, h);
   for (int round = 0;; ++round) {
-    fastest_ = 0;
+    // What is solved is a difference of velocities and pulls: that rounds as they do.
+    fastest_ = std::max(rods_.GreatestPull(), spring_solver_.GreatestPull());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!linked_[i]) continue;
       fastest_ = std::max({fastest_, free_[i].v.norm(), solved_[i].v.norm()});
     }
     SweepUntilSolved();
     std::fill(touches_.begin(), touches_.end(), Touch{});
-    contacts_.End(pairs_, touches_);
+    contacts_.End(finder_.contacts(), touches_);
     if (round == settings_.joint_rounds) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (linked_[i]) ahead_[i] = Moved(i, h);
@@ -389,7 +365,7 @@ void World::Move(double h) {
     } else {
       const BodyState before = body.state;
       body = Moved(i, h);
-      travels_[i] += Travel(before, body);
+      finder_.HasGone(i, Travel(before, body));
     }
     if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) ||
         !IsSane(body.state.w_WB)) {
@@ -427,12 +403,12 @@ void World::Project(double h) {
     body.state.p_WB += moves_[i].v;
     body.state.q_WB = (Exp(moves_[i].w) * body.state.q_WB).normalized();
     body.R_WB = body.state.q_WB.toRotationMatrix();
-    travels_[i] += Travel(before, body);
+    finder_.HasGone(i, Travel(before, body));
   }
 }
 
 void World::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
-  for (const ContactPair& pair : pairs_) {
+  for (const ContactPair& pair : finder_.contacts()) {
     for (std::size_t i = 0; i < pair.manifold.points().size(); ++i) {
       const ContactPoint& contact = pair.manifold.contacts[i];
       if (contact.separation > 0 && pair.J_W[i].isZero(0)) continue;

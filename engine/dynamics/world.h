@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "engine/dynamics/body.h"
-#include "engine/dynamics/broad_phase.h"
+#include "engine/dynamics/contact_finder.h"
 #include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/crew.h"
 #include "engine/dynamics/distance_joint.h"
 #include "engine/dynamics/projection.h"
 #include "engine/dynamics/settings.h"
@@ -71,8 +72,8 @@ class World {
    and returns whether it did. */
   bool StepAsFive(double h);
   void Advance(double h);
-  /** Returns whether there are any. */
-  bool FindContacts(double margin);
+  /** Returns whether there are any contacts. */
+  bool FindContacts(double h);
   void ApplyForces(double h);
   void StopStretching(double h);
   void Solve(double h);
@@ -92,9 +93,8 @@ class World {
   Settings settings_;
   bool diverged_ = false;
   std::vector<RigidBody> bodies_;
-  BroadPhase broad_phase_;
-  std::vector<std::pair<int, int>> appeared_;
-  std::vector<ContactPair> pairs_;  ///< Those near each other.
+  Crew crew_;
+  ContactFinder finder_;
   std::vector<DistanceJoint> joints_;
   std::vector<Spring> springs_;
   std::vector<int> solids_;  ///< What points meet.
@@ -103,7 +103,7 @@ class World {
   SpringSolver spring_solver_;
   Projection projection_;
 
-  double fastest_ = 0;      ///< Of the linked bodies. [m/s]
+  double fastest_ = 0;      ///< Of the linked bodies, or pulls on them. [m/s]
   bool point_hit_ = false;  ///< Whether a point has met a solid in this step.
 
   // By body, while a step is taken. Velocities have one more place, see SolverBodies.
@@ -116,7 +116,6 @@ class World {
   std::vector<Touch> touches_;
   std::vector<double> shares_;    ///< See JointSolver::Correct().
   std::vector<bool> linked_;      ///< Whether a rod or a spring holds it.
-  std::vector<double> travels_;   ///< How far a point of it can have gone so far. [m]
   std::vector<RigidBody> ahead_;  ///< After the step; valid where linked.
   std::vector<RigidBody> kept_;   ///< As it was, should a step have to be taken back.
 };

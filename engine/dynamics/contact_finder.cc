@@ -1,0 +1,81 @@
+#include "engine/dynamics/contact_finder.h"
+
+namespace cookbook {
+namespace {
+
+/** Pairs below which it does not pay to wake another thread: some 20 microseconds. */
+constexpr std::size_t kFewPairs = 32;
+
+}  // namespace
+
+void ContactFinder::Add(const RigidBody& body) {
+  broad_phase_.Add(body);
+  gone_.push_back(0);
+}
+
+void ContactFinder::Join(std::size_t near) {
+  near_[near].contact = static_cast<int>(contacts_.size());
+  ContactPair& pair = contacts_.emplace_back();
+  pair.A = near_[near].A;
+  pair.B = near_[near].B;
+  pair.near = near;
+}
+
+void ContactFinder::Part(std::size_t near) {
+  const int contact = near_[near].contact;
+  if (contact < 0) return;
+  near_[near].contact = -1;
+  ContactPair& pair = contacts_[static_cast<std::size_t>(contact)];
+  if (&pair != &contacts_.back()) {
+    pair = contacts_.back();
+    near_[pair.near].contact = contact;
+  }
+  contacts_.pop_back();
+}
+
+void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, Crew& crew) {
+  appeared_.clear();
+  broad_phase_.Update(bodies, margin, appeared_);
+  for (const auto& [a, b] : appeared_) near_.push_back({a, b});
+
+  due_.clear();
+  for (std::size_t k = 0; k < near_.size();) {
+    NearPair& pair = near_[k];
+    if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
+      broad_phase_.Forget(pair.A, pair.B);
+      Part(k);
+      pair = near_.back();
+      if (pair.contact >= 0) contacts_[static_cast<std::size_t>(pair.contact)].near = k;
+      near_.pop_back();
+      continue;
+    }
+    // What was apart by a gap stays apart until the two have gone that far.
+    const double gone =
+        gone_[static_cast<std::size_t>(pair.A)] + gone_[static_cast<std::size_t>(pair.B)];
+    if (gone >= pair.apart_until) {
+      if (pair.contact < 0) Join(k);
+      due_.push_back(k);
+    }
+    ++k;
+  }
+
+  crew.Share(due_.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      ContactPair& pair = contacts_[static_cast<std::size_t>(near_[due_[i]].contact)];
+      Recollide(margin, bodies[static_cast<std::size_t>(pair.A)],
+                bodies[static_cast<std::size_t>(pair.B)], pair);
+    }
+  });
+
+  for (const std::size_t k : due_) {
+    NearPair& pair = near_[k];
+    const Manifold& manifold = contacts_[static_cast<std::size_t>(pair.contact)].manifold;
+    if (manifold.count > 0) continue;
+    pair.apart_until = gone_[static_cast<std::size_t>(pair.A)] +
+                       gone_[static_cast<std::size_t>(pair.B)] + manifold.separation -
+                       margin;
+    Part(k);
+  }
+}
+
+}  // namespace cookbook

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/dynamics/broad_phase.h"
+#include "engine/dynamics/contact_pair.h"
+#include "engine/dynamics/crew.h"
+
+namespace cookbook {
+
+/** Finds the contacts of a world, step after step. */
+class ContactFinder {
+ public:
+  /** Adds the body of the next index. */
+  void Add(const RigidBody& body);
+
+  /** Says that no point of a body has gone farther than `way` [m] since it was last said.
+   */
+  void HasGone(std::size_t body, double way) { gone_[body] += way; }
+
+  /** Brings contacts() up to date, those apart by up to `margin` [m] included. */
+  void Find(std::span<const RigidBody> bodies, double margin, Crew& crew);
+
+  /** The pairs that have a contact, in an order that the history of the world decides. */
+  std::span<ContactPair> contacts() { return contacts_; }
+  std::span<const ContactPair> contacts() const { return contacts_; }
+
+ private:
+  /** Two bodies that the broad phase says are near. */
+  struct NearPair {
+    int A;
+    int B;
+    int contact = -1;  ///< Among contacts_; −1: none.
+    /** The sum of what the two have gone up to which they surely do not touch. [m] */
+    double apart_until = 0;
+  };
+
+  void Join(std::size_t near);
+  void Part(std::size_t near);
+
+  BroadPhase broad_phase_;
+  std::vector<std::pair<int, int>> appeared_;
+  std::vector<NearPair> near_;
+  std::vector<ContactPair> contacts_;
+  std::vector<std::size_t> due_;  ///< The near pairs to be looked at in this step.
+  std::vector<double> gone_;      ///< By body. [m]
+};
+
+}  // namespace cookbook

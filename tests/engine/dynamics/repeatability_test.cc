@@ -1,0 +1,123 @@
+#include <cstdlib>
+#include <new>
+
+#include <gtest/gtest.h>
+
+#include "engine/dynamics/cloth.h"
+#include "engine/dynamics/world.h"
+
+namespace {
+
+int allocations = 0;
+
+}  // namespace
+
+// Counts what the program allocates. NOLINTBEGIN(*-no-malloc)
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto step = static_cast<std::size_t>(alignment);
+  if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+  std::free(memory);
+}
+// NOLINTEND(*-no-malloc)
+
+namespace cookbook {
+namespace {
+
+/** A heap of boxes and spheres that falls together on a floor. */
+void Fill(World& world) {
+  BodyDefinition floor;
+  floor.shape = Box{{50, 1, 50}};
+  floor.state.p_WB = {0, -1, 0};
+  floor.mass = 0;
+  world.AddBody(floor);
+  for (int i = 0; i < 125; ++i) {
+    BodyDefinition body;
+    if (i % 3 == 0) {
+      body.shape = Sphere{0.5};
+    } else {
+      body.shape = Box{{0.5, 0.4, 0.45}};
+    }
+    body.restitution = 0.1;
+    const double tilt = 0.03 * (i % 7);
+    body.state.p_WB = {1.1 * (i % 5) + tilt, 0.6 + 1.05 * (i / 25), 1.1 * (i / 5 % 5)};
+    body.state.q_WB = Eigen::Quaterniond(1, tilt, 0.1 - tilt, 0.02).normalized();
+    world.AddBody(body);
+  }
+}
+
+TEST(Repeatability, TheBitsDoNotDependOnTheNumberOfThreads) {
+  Settings settings;
+  World one(settings);
+  settings.threads = 2;
+  World two(settings);
+  settings.threads = 5;
+  World five(settings);
+  for (World* world : {&one, &two, &five}) {
+    Fill(*world);
+    for (int k = 0; k < 120; ++k) world->Step(1.0 / 120);
+  }
+  for (int i = 0; i < one.body_count(); ++i) {
+    for (const World* other : {&two, &five}) {
+      EXPECT_EQ(one.state(i).p_WB, other->state(i).p_WB) << i;
+      EXPECT_EQ(one.state(i).q_WB.coeffs(), other->state(i).q_WB.coeffs()) << i;
+      EXPECT_EQ(one.state(i).v_WB, other->state(i).v_WB) << i;
+      EXPECT_EQ(one.state(i).w_WB, other->state(i).w_WB) << i;
+    }
+  }
+}
+
+TEST(Repeatability, AStepAllocatesNothingOnceWarm) {
+  World heap;
+  Fill(heap);
+  World net;
+  Cloth cloth;
+  cloth.structural.stiffness = 50;
+  cloth.pinned = {{0, 0}};
+  AddCloth(cloth, net);
+  // The heap is at rest after two seconds; until then more and more pairs come near.
+  for (World* world : {&heap, &net}) {
+    for (int k = 0; k < 480; ++k) world->Step(1.0 / 120);
+  }
+  const int before = allocations;
+  for (World* world : {&heap, &net}) {
+    for (int k = 0; k < 60; ++k) world->Step(1.0 / 120);
+  }
+  EXPECT_EQ(allocations, before);
+  EXPECT_GT(allocations, 0);
+}
+
+TEST(Repeatability, AWorldThatDivergesSaysSoAndStays) {
+  World world;
+  BodyDefinition ball;
+  ball.force_W = {1e300, 0, 0};
+  world.AddBody(ball);
+  world.Step(1.0 / 240);
+  ASSERT_TRUE(world.diverged());
+  const Eigen::Vector3d p = world.state(0).p_WB;
+  world.Step(1.0 / 240);
+  EXPECT_TRUE(world.diverged());
+  EXPECT_EQ(world.state(0).p_WB, p);
+}
+
+}  // namespace
+}  // namespace cookbook
