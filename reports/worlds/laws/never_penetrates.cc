@@ -65,7 +65,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                            state.bodies[static_cast<std::size_t>(B)].p_WB.norm();
       worst.Take(depth,
                  kSafety * (between * world.dt + g * world.dt * world.dt) + granted +
-                     slack + RoundingOf(motion.oracle, 0) * reach,
+                     slack + RoundingOf(motion.oracle, StepsBefore(motion, s)) * reach,
                  [&] {
                    return fmt::format(
                        "{} has {} {:.6g} m deep in {} after {:.6g} s; they approached at "
