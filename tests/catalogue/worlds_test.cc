@@ -1,0 +1,39 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/worlds/check_claims.h"
+#include "tests/catalogue/the_catalogue.h"
+
+namespace touchstone {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::StartsWith;
+
+TEST(Worlds, AreIdentifiedAsWorlds) {
+  EXPECT_FALSE(TheCatalogue().worlds.empty());
+  for (const WorldScenario& world : TheCatalogue().worlds)
+    EXPECT_THAT(world.id, StartsWith("world/"));
+}
+
+TEST(Worlds, SayWhereTheirNumbersComeFrom) {
+  // Shorter than this, neither a derivation nor a citation says anything.
+  constexpr std::size_t kShortestSource = 40;
+  for (const WorldScenario& world : TheCatalogue().worlds) {
+    EXPECT_GE(world.source.size(), kShortestSource) << world.id;
+    EXPECT_THAT(world.source, EndsWith(".")) << world.id;
+    EXPECT_NE(world.source, world.title) << world.id;
+  }
+}
+
+TEST(Worlds, ClaimWhatALawCanHold) {
+  for (const WorldScenario& scenario : TheCatalogue().worlds) {
+    EXPECT_FALSE(scenario.claims.empty()) << scenario.id;
+    for (const std::string& fault : FaultsOfClaims(scenario)) ADD_FAILURE() << fault;
+  }
+}
+
+}  // namespace
+}  // namespace touchstone
