@@ -4,9 +4,12 @@
 #include <optional>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "reports/parallel.h"
 #include "reports/worlds/judge_world.h"
 #include "reports/worlds/world_variants.h"
+#include "scenarios/generators/ensemble.h"
 
 namespace touchstone {
 namespace {
@@ -41,6 +44,43 @@ std::vector<Pair> PairsOf(std::span<const WorldScenario> worlds,
   return pairs;
 }
 
+/** How far beyond what is allowed: what passes is before what fails. */
+std::pair<bool, double> Severity(const Finding& finding) {
+  const bool passes = finding.verdict == Verdict::kPass;
+  return {!passes, finding.tolerance > 0 ? finding.value / finding.tolerance : 0};
+}
+
+/** Puts each of `others` in the place of the finding that says the same of another member
+ of the ensemble, where it is worse: the k-th of a measure is the same in all. */
+void KeepWorst(std::vector<Finding>& findings, const std::vector<Finding>& others) {
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const auto same = [&](const Finding& f) { return f.measure == others[i].measure; };
+    auto k = std::count_if(others.begin(),
+                           others.begin() + static_cast<std::ptrdiff_t>(i), same);
+    for (Finding& finding : findings) {
+      if (!same(finding) || k-- > 0) continue;
+      if (Severity(others[i]) > Severity(finding)) finding = others[i];
+      break;
+    }
+  }
+}
+
+/** What the members of the ensemble beyond the first add to the findings. */
+void ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
+                    std::vector<Finding>& findings) {
+  WorldScenario member = scenario;
+  for (int index = 1; index < scenario.ensemble->members; ++index) {
+    member.world = MemberOf(scenario, index);
+    const Trajectory trajectory = oracle.Simulate(member.world);
+    std::vector<Finding> more = JudgeWorld({member, oracle.info(), trajectory});
+    for (Finding& finding : more)
+      if (!finding.proof.empty())
+        finding.proof =
+            fmt::format("member {} of the ensemble: {}", index, finding.proof);
+    KeepWorst(findings, more);
+  }
+}
+
 /** Everything that one oracle is asked of one world, and what it means. */
 std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle,
                              Trajectory& trajectory) {
@@ -58,6 +98,7 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
                     half ? &*quarter : nullptr};
   std::vector<Finding> findings = JudgeWorld(study);
   if (!IsWhole(trajectory)) return findings;
+  if (scenario.ensemble) ExamineMembers(scenario, oracle, findings);
   if (Claims(scenario, kDeterministic))
     findings.push_back(JudgeRepetition(study, oracle.Simulate(scenario.world)));
   if (!half) return findings;

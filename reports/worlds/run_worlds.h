@@ -28,8 +28,9 @@ struct WorldsReport {
 };
 
 /** Puts every world to every oracle that simulates, at its step and where it is worth it
- at a half and a quarter, with its variants, and judges the motions. The most a motion is
- worth: worlds of more than kStudiedBodySteps body-steps are simulated once.
+ at a half and a quarter, with its variants, and judges the motions; of an ensemble every
+ member once, and the worst finding of each kind counts. Worlds of more than
+ kStudiedBodySteps body-steps are simulated once.
 
  Deterministic whatever the number of jobs. `on_done` is called after each pair of world
  and oracle, from any thread. */

@@ -73,6 +73,25 @@ TEST(RunWorlds, AsksAtSmallerStepsOnlyWhatIsSmall) {
   EXPECT_EQ(runs, 1 + 3 + 4);
 }
 
+TEST(RunWorlds, FindsTheWorstMemberOfAnEnsemble) {
+  std::atomic<int> runs = 0;
+  const FakeSimulator engine("engine", [&](const World& world) {
+    const double off = ++runs == 3 ? 0.5 : 0;
+    return FreeFlight(world, [off](double) { return Eigen::Vector3d(off, 0, 0); });
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  std::vector<WorldScenario> worlds = {Flight("world/test/many", 200'000)};
+  worlds[0].claims = {ClaimOf("ballistic")};
+  worlds[0].ensemble = Ensemble{4, 1e-3, 1};
+  const WorldsReport report = RunWorlds(worlds, oracles, 1, {});
+  EXPECT_EQ(runs, 4);
+  EXPECT_THAT(report.findings,
+              Contains(testing::AllOf(
+                  Field(&Finding::measure, MeasureKind::kPositionError),
+                  Field(&Finding::verdict, Verdict::kFail),
+                  Field(&Finding::proof, testing::HasSubstr("member 2 of the")))));
+}
+
 TEST(RunWorlds, FindsAnEngineThatAnswersOtherwiseEachTime) {
   std::atomic<int> runs = 0;
   const FakeSimulator engine("moody", [&](const World& world) {
