@@ -24,7 +24,8 @@ RunReport Answers(const Session& session, const Questions& questions,
 int ExplainCommand(const Session& session, const ScenarioSelection& selection,
                    const OracleSelection& oracles) {
   const Questions questions = SelectQuestions(selection);
-  const RunReport report = Answers(session, questions, oracles, LoadLedger(session, {}));
+  const RunReport report =
+      Answers(session, questions, oracles, BuiltInLedger(session, selection, questions));
   if (QuestionCount(report) == 1) {
     for (const Scenario& scenario : questions.contacts)
       std::cout << WriteScenario(scenario) << '\n';

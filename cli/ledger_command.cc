@@ -13,9 +13,10 @@ namespace {
 RunReport RunEverything(const Session& session) {
   const OracleSelection everybody{.subject = session.defaults.subject, .against = {}};
   const std::vector<const Oracle*> oracles = SelectOracles(session.registry, everybody);
-  const Questions questions =
-      SelectQuestions({.patterns = {}, .catalogues = {session.catalogue()}});
-  return RunSuite(session, questions, oracles, LoadLedger(session, {}), {});
+  const ScenarioSelection all{.patterns = {}, .catalogues = {session.catalogue()}};
+  const Questions questions = SelectQuestions(all);
+  return RunSuite(session, questions, oracles, BuiltInLedger(session, all, questions),
+                  {});
 }
 
 }  // namespace

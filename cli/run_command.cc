@@ -27,8 +27,10 @@ constexpr std::array<ReportFile, 3> kReportFiles = {
 int RunCommand(const Session& session, const RunArguments& arguments) {
   const std::vector<const Oracle*> oracles =
       SelectOracles(session.registry, arguments.oracles);
-  const Ledger ledger = LoadLedger(session, arguments.ledger);
   const Questions questions = SelectQuestions(arguments.scenarios);
+  const Ledger ledger = arguments.ledger
+                            ? ReadLedgerOf(*arguments.ledger)
+                            : BuiltInLedger(session, arguments.scenarios, questions);
   const SuiteOptions options{
       .jobs = arguments.jobs,
       // The ledger speaks of the whole default catalogue and of every reference.

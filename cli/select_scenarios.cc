@@ -155,4 +155,28 @@ Questions SelectQuestions(const ScenarioSelection& selection) {
   return selected;
 }
 
+std::set<std::string, std::less<>> Strangers(const ScenarioSelection& selection,
+                                             const Questions& questions,
+                                             const std::filesystem::path& catalogue) {
+  std::set<std::string, std::less<>> strangers;
+  const auto may_be_path = [](const std::string& pattern) { return IsPath(pattern, {}); };
+  if (selection.catalogues == std::vector{catalogue} &&
+      std::ranges::none_of(selection.patterns, may_be_path))
+    return strangers;
+  const auto known = [&](const std::string& id) {
+    return ReadScenarioFile(catalogue / (id + ".toml"));
+  };
+  for (const Scenario& scenario : questions.contacts) {
+    const auto same = known(scenario.id).scenario;
+    if (!same || WriteScenario(*same) != WriteScenario(scenario))
+      strangers.insert(scenario.id);
+  }
+  for (const WorldScenario& scenario : questions.worlds) {
+    const auto same = known(scenario.id).world;
+    if (!same || WriteScenario(*same) != WriteScenario(scenario))
+      strangers.insert(scenario.id);
+  }
+  return strangers;
+}
+
 }  // namespace touchstone

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,5 +27,12 @@ bool SelectsId(std::string_view pattern, std::string_view id);
  pattern selects nothing (naming the nearest id), or where a file has errors (naming all
  of them: nothing of a broken selection is used). */
 Questions SelectQuestions(const ScenarioSelection& selection);
+
+/** Returns the ids of those `questions` that are not of the catalogue in the folder
+ `catalogue`, selected from it by `selection`: it has no file of that id, or one that says
+ something else. */
+std::set<std::string, std::less<>> Strangers(const ScenarioSelection& selection,
+                                             const Questions& questions,
+                                             const std::filesystem::path& catalogue);
 
 }  // namespace touchstone

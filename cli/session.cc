@@ -24,12 +24,8 @@ std::string Today() {
 
 }  // namespace
 
-Ledger LoadLedger(const Session& session,
-                  const std::optional<std::filesystem::path>& file) {
-  const std::filesystem::path built_in =
-      session.defaults.data / "known_discrepancies.toml";
-  if (!file && !std::filesystem::exists(built_in)) return {};
-  LedgerResult result = ReadLedgerFile(file.value_or(built_in));
+Ledger ReadLedgerOf(const std::filesystem::path& file) {
+  LedgerResult result = ReadLedgerFile(file);
   if (result.ledger) return std::move(*result.ledger);
   std::string text;
   for (const Diagnostic& diagnostic : result.diagnostics) {
@@ -37,6 +33,15 @@ Ledger LoadLedger(const Session& session,
   }
   throw InputError(text + Counted(result.diagnostics.size(), "error") +
                    " in the ledger: nothing was run");
+}
+
+Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
+                     const Questions& questions) {
+  const std::filesystem::path file = session.defaults.data / "known_discrepancies.toml";
+  if (!std::filesystem::exists(file)) return {};
+  Ledger ledger = ReadLedgerOf(file);
+  ledger.strangers = Strangers(selection, questions, session.catalogue());
+  return ledger;
 }
 
 RunReport RunSuite(const Session& session, const Questions& questions,

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "cli/command_line.h"
+#include "cli/select_scenarios.h"
 #include "cli/terminal.h"
 #include "reports/run.h"
 
@@ -20,10 +20,15 @@ struct Session {
   std::filesystem::path catalogue() const { return defaults.data / "catalogue"; }
 };
 
-/** Reads a ledger; throws InputError with all its errors. Without `file`, the default
- one, or an empty one where that is not there. */
-Ledger LoadLedger(const Session& session,
-                  const std::optional<std::filesystem::path>& file);
+/** Reads a ledger; throws InputError with all its errors. */
+Ledger ReadLedgerOf(const std::filesystem::path& file);
+
+/** Returns the built-in ledger, or an empty one where it is not there. It is about the
+ scenarios of the built-in catalogue: those of `questions`, as selected by `selection`,
+ that are not of it are strangers to it, though their ids look alike. Throws InputError.
+ */
+Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
+                     const Questions& questions);
 
 /** How a command runs scenarios. */
 struct SuiteOptions {

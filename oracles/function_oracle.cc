@@ -12,6 +12,7 @@ OracleInfo InfoOf(std::string name, const std::vector<ShapePair>& pairs,
   OracleInfo info;
   info.name = std::move(name);
   info.library = "user";
+  info.version = "unversioned";  // A ledger wants to know it.
   info.settings.push_back(
       {"conventions", "as the function gives them", "a function adapts itself"});
   for (auto& row : info.capabilities) {

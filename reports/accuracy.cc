@@ -64,6 +64,7 @@ std::map<RowKey, Row> MeasuredRows(const RunReport& report) {
     const ContactQuery& query = result.scenario.contact;
     queries[result.scenario.id] = &query;
     for (std::size_t i = 0; i < report.oracles.size(); ++i) {
+      if (!report.oracles[i].AnswersContacts()) continue;
       rows[KeyOf(i, query)].questions +=
           result.answers[i].status == AnswerStatus::kAnswered;
     }

@@ -102,7 +102,8 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial) {
   const std::map<std::string_view, double> sizes = LedgerSizesOf(report);
   for (Finding& finding : report.findings) {
     const auto found = rules.find(finding.oracle);
-    if (found == rules.end()) continue;
+    if (found == rules.end() || report.ledger.strangers.contains(finding.scenario))
+      continue;
     Excuse(finding, sizes.at(finding.scenario), found->second, report.ledger);
   }
   for (const auto& [oracle, of_oracle] : rules) {

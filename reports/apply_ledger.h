@@ -12,9 +12,10 @@ namespace touchstone {
  expired by the ISO date `today`, or is no longer needed (not where `partial`: the
  scenarios left out may need it).
 
- An entry is void for another version of the library than its own. The unit of values and
- bounds is SceneSize() for lengths of contact queries, 1 for all else; verdicts without a
- value (crashed, timed out, invalid) have no bound to exceed. */
+ An entry is void for another version of the library than its own, and says nothing of the
+ ledger's strangers. The unit of values and bounds is SceneSize() for lengths of contact
+ queries, 1 for all else; verdicts without a value (crashed, timed out, invalid) have no
+ bound to exceed. */
 void ApplyLedger(RunReport& report, std::string_view today, bool partial);
 
 /** An entry whose worst hidden value is below this share of its bound is too wide: a

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -80,38 +81,64 @@ void CheckContacts(const ScenarioResult& result, std::vector<std::string>& fault
 }
 
 bool Indicts(const Finding& finding) {
-  return finding.reference == "referee" &&
-         (finding.verdict == Verdict::kFail || finding.verdict == Verdict::kKnown ||
-          finding.verdict == Verdict::kInvalid || finding.verdict == Verdict::kCrashed ||
-          finding.verdict == Verdict::kTimedOut);
+  return finding.verdict == Verdict::kFail || finding.verdict == Verdict::kKnown ||
+         finding.verdict == Verdict::kInvalid || finding.verdict == Verdict::kCrashed ||
+         finding.verdict == Verdict::kTimedOut;
+}
+
+/** Returns what is wrong with an indictment by one measure, "" where nothing is.
+ @param finding Of that measure; null where nothing was measured. */
+std::string FaultOf(std::string_view id, const Indictment& indictment,
+                    MeasureKind measure, const Finding* finding) {
+  const bool found = finding != nullptr && Indicts(*finding);
+  if (indictment.reproduces) {
+    if (found) return "";
+    return fmt::format(
+        "{}: indicts {} of {} (\"{}\"), which is not found again: remove the measure, or "
+        "set reproduces = false.",
+        id, indictment.oracle, NameOf(measure), indictment.anomaly);
+  }
+  if (finding == nullptr) {
+    return fmt::format(
+        "{}: says that {} does not show \"{}\" any more by {}, which is not measured "
+        "there: name a measure that is.",
+        id, indictment.oracle, indictment.anomaly, NameOf(measure));
+  }
+  if (!found) return "";
+  return fmt::format(
+      "{}: says that {} does not show \"{}\" any more, but by {}: {} Set reproduces = "
+      "true.",
+      id, indictment.oracle, indictment.anomaly, NameOf(measure), finding->proof);
 }
 
 void CheckIndictments(RunReport& report) {
-  std::map<std::pair<std::string_view, std::string_view>, const Finding*> found;
+  using Key = std::tuple<std::string_view, std::string_view, MeasureKind>;
+  std::map<Key, const Finding*> measured;  // The one that indicts, where one does.
   for (const Finding& finding : report.findings) {
-    if (Indicts(finding)) found.try_emplace({finding.scenario, finding.oracle}, &finding);
+    const Key key(finding.scenario, finding.oracle, finding.measure);
+    if (Indicts(finding)) measured.insert_or_assign(key, &finding);
+    measured.try_emplace(key, &finding);
   }
-  for (const ScenarioResult& result : report.scenarios) {
-    for (const Indictment& indictment : result.scenario.indicts) {
+  const auto check = [&](const std::string& id,
+                         const std::vector<Indictment>& indictments) {
+    for (const Indictment& indictment : indictments) {
       const bool took_part = std::any_of(
           report.oracles.begin(), report.oracles.end(),
           [&](const OracleInfo& oracle) { return oracle.name == indictment.oracle; });
       if (!took_part) continue;
-      const auto evidence = found.find({result.scenario.id, indictment.oracle});
-      if (indictment.reproduces && evidence == found.end()) {
-        report.faults.push_back(fmt::format(
-            "{}: indicts {} (\"{}\"), which is not found again: set reproduces = false.",
-            result.scenario.id, indictment.oracle, indictment.anomaly));
-      }
-      if (!indictment.reproduces && evidence != found.end()) {
-        report.faults.push_back(
-            fmt::format("{}: says that {} does not show \"{}\" any more, but: {} Set "
-                        "reproduces = true.",
-                        result.scenario.id, indictment.oracle, indictment.anomaly,
-                        evidence->second->proof));
+      for (const MeasureKind measure : indictment.measures) {
+        const auto finding = measured.find({id, indictment.oracle, measure});
+        const std::string fault =
+            FaultOf(id, indictment, measure,
+                    finding == measured.end() ? nullptr : finding->second);
+        if (!fault.empty()) report.faults.push_back(fault);
       }
     }
-  }
+  };
+  for (const ScenarioResult& result : report.scenarios)
+    check(result.scenario.id, result.scenario.indicts);
+  for (const WorldResult& result : report.worlds)
+    check(result.scenario.id, result.scenario.indicts);
 }
 
 }  // namespace

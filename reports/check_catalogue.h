@@ -8,9 +8,10 @@ namespace touchstone {
  that the certified truth contradicts, and an indictment that is not found again, or found
  although the scenario says that it is fixed.
 
- An indictment is found where a finding against the referee, for its oracle, is `fail`,
- `known`, `invalid`, `crashed` or `timed out`; metamorphic findings are of other questions
- and count neither way. Oracles that did not take part are not asked after. */
+ A measure of an indictment is found where that finding of its oracle is `fail`, `known`,
+ `invalid`, `crashed` or `timed out`; what other measures find counts neither way. One
+ that is said to be fixed must have been measured. Oracles that did not take part are not
+ asked after. */
 void CheckCatalogue(RunReport& report);
 
 /** What a value derived by hand and written with ten digits may be off by, relative to

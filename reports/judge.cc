@@ -225,17 +225,19 @@ class Judgement {
         tolerances_.separation, [&] { return ProveTooDeep(dispute_, *deepest); });
   }
 
-  ContactPatch PatchWithin(double slack) const {
-    const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
-    const Enclosure overlap = Overlap(query_, n);
-    return PatchAlong(query_, n, -(overlap.lo + (overlap.hi - overlap.lo) / 2), slack);
+  /** The separation along the normal of the answer, midway through its enclosure. */
+  double SeparationAlong(const Eigen::Vector3d& n_W) const {
+    const Enclosure overlap = Overlap(query_, n_W);
+    return -(overlap.lo + (overlap.hi - overlap.lo) / 2);
   }
 
   void JudgeOffPatch() {
     const double e = tolerances_.separation.value;
     // A contact as deep as the deepest to within e lies within √(2 e L) of features that
     // are within as much of the supporting plane, L being the size of the scene.
-    const ContactPatch patch = PatchWithin(tolerances_.across.value / 2);
+    const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
+    const ContactPatch patch =
+        PatchAlong(query_, n, SeparationAlong(n), tolerances_.across.value / 2);
     if (patch.vertices_W.empty()) return;
     double off = -1;
     const ContactPoint* worst = nullptr;
@@ -273,15 +275,17 @@ class Judgement {
 
   void JudgeCoverage() {
     const double e = tolerances_.separation.value;
-    // Faces flush to within the rounding of the input are flush. Beyond it, a tilt may be
-    // taken at its word: one corner is then the whole patch.
-    const ContactPatch patch = PatchWithin(truth_.input_rounding);
-    if (patch.vertices_W.empty()) return;
+    const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
+    const ContactPatch patch =
+        CertainPatch(query_, n, SeparationAlong(n), truth_.input_rounding, e);
     if (patch.vertices_W.size() > 1) {
-      const double unspanned = PatchUnspanned(patch, *n_W_, answer_.points);
+      const double unspanned = PatchUnspanned(patch, n, answer_.points);
+      const double blur = PatchBlur(patch, n, e);
       Add(MeasureKind::kPatchCoverage, unspanned,
-          {kLegalUnspanned,
-           "a triangle inscribed in a disc leaves a quarter of its diameter"},
+          {kLegalUnspanned + blur,
+           fmt::format("a triangle inscribed in a disc leaves a quarter of its diameter, "
+                       "sides that are off by {:.2g} m {:.2g} of it",
+                       e, blur)},
           [&] { return ProveUnspanned(dispute_, patch, unspanned); });
     }
     Add(MeasureKind::kContactCount, ContactCountError(patch, answer_.points, e),

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <variant>
@@ -45,6 +47,9 @@ struct LedgerUse {
 struct Ledger {
   std::filesystem::path file;
   std::vector<LedgerEntry> entries;
+  /** Ids of scenarios that no entry is about, whatever its glob matches: they are not of
+   the catalogue that the ledger was written for. */
+  std::set<std::string, std::less<>> strangers;
 };
 
 }  // namespace touchstone

@@ -26,14 +26,6 @@ constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::k
 constexpr std::array kCauses = {Cause::kConvention, Cause::kTie, Cause::kPrecision,
                                 Cause::kModel, Cause::kDefect};
 
-std::vector<MeasureKind> AllMeasures() {
-  std::vector<MeasureKind> measures;
-  for (int i = 0; i < kMeasureKinds; ++i) {
-    measures.push_back(static_cast<MeasureKind>(i));
-  }
-  return measures;
-}
-
 template <typename Values>
 std::vector<std::string_view> NamesOf(const Values& values) {
   std::vector<std::string_view> names;

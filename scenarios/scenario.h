@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "scenarios/contact_query.h"
+#include "scenarios/measure_kind.h"
 
 namespace touchstone {
 
@@ -30,9 +31,12 @@ struct ToleranceOverride {
 
 /** A claim that a fault of an engine shows in this scenario, to be found again. */
 struct Indictment {
-  std::string oracle;   ///< Oracle name, e.g. "fcl/signed_distance".
+  std::string oracle;  ///< Oracle name, e.g. "fcl/signed_distance".
+  /** The measures that find it: the suite must find every one of them again. */
+  std::vector<MeasureKind> measures;
   std::string anomaly;  ///< What the source says goes wrong, in its words.
-  bool reproduces;      ///< False: fixed since, or a control; the suite must not find it.
+  /** False: fixed since, or a control; the suite must find none of the measures. */
+  bool reproduces;
 };
 
 /** A question with its provenance and what is known of its answer. */

@@ -99,6 +99,10 @@ std::vector<Fault> FaultsOf(const std::vector<Indictment>& indictments) {
   std::vector<Fault> faults;
   for (std::size_t i = 0; i < indictments.size(); ++i) {
     CheckText(fmt::format("indicts[{}].oracle", i), indictments[i].oracle, faults);
+    if (indictments[i].measures.empty()) {
+      faults.push_back(
+          {fmt::format("indicts[{}].measures", i), "is empty", "at least one measure"});
+    }
     CheckText(fmt::format("indicts[{}].anomaly", i), indictments[i].anomaly, faults);
   }
   return faults;

@@ -29,8 +29,8 @@ std::vector<Fault> FaultsOf(const ContactExpectation& expect);
 /** Returns every fault of `tolerance`: a finite separation > 0, and a reason. */
 std::vector<Fault> FaultsOf(const ToleranceOverride& tolerance);
 
-/** Returns every fault of `indictments`: an oracle and an anomaly each. `where` is e.g.
- "indicts[0].oracle". */
+/** Returns every fault of `indictments`: an oracle, a measure and an anomaly each.
+ `where` is e.g. "indicts[0].oracle". */
 std::vector<Fault> FaultsOf(const std::vector<Indictment>& indictments);
 
 /** Returns every fault of what any scenario says of itself: its id, title and source. */

@@ -9,6 +9,7 @@
 #include <fcl/narrowphase/collision.h>
 
 #include "oracles/answer_each.h"
+#include "oracles/fcl/fcl_contact_point.h"
 #include "oracles/fcl/fcl_geometry.h"
 #include "oracles/fcl/fcl_solver.h"
 
@@ -105,16 +106,6 @@ OracleInfo MakeInfo(FclSolver solver) {
   return info;
 }
 
-// Two spheres meet at cA + (cB − cA) rA / (rA + rB): in the overlap, not midway through
-// it.
-Vector3d MidwayPoint(const ContactQuery& query, const fcl::Contactd& contact) {
-  const auto* A = std::get_if<Sphere>(&query.A.shape);
-  if (A == nullptr || !std::holds_alternative<Sphere>(query.B.shape)) return contact.pos;
-  const double along = contact.normal.dot(contact.pos - query.A.X_WB.p_WB);
-  return contact.pos +
-         (A->radius - contact.penetration_depth / 2 - along) * contact.normal;
-}
-
 ContactAnswer Translate(const ContactQuery& query, const fcl::CollisionResultd& result) {
   ContactAnswer answer;
   answer.status = AnswerStatus::kAnswered;
@@ -123,7 +114,8 @@ ContactAnswer Translate(const ContactQuery& query, const fcl::CollisionResultd& 
     const fcl::Contactd& contact = result.getContact(i);
     const Vector3d n_AB_W = contact.normal;
     const double depth = contact.penetration_depth;
-    answer.points.push_back({MidwayPoint(query, contact), -depth, n_AB_W});
+    answer.points.push_back(
+        {MidwayPoint(query, {contact.pos, n_AB_W, depth}), -depth, n_AB_W});
     if (i == 0 || -depth < *answer.separation) {
       answer.separation = -depth;
       answer.n_AB_W = n_AB_W;

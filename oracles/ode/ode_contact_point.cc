@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <variant>
 
 namespace touchstone {
@@ -14,7 +15,7 @@ double BoxHeight(const Vector3d& half_extents, const Vector3d& p_B) {
   return (p_B.cwiseAbs() - half_extents).maxCoeff();
 }
 
-// How far a point is from the surface of the three shapes with which ODE's choice varies.
+// How far a point is from the surface of the four shapes with which ODE's choice varies.
 struct DistanceToSurface {
   Vector3d p_B;
 
@@ -32,28 +33,38 @@ struct DistanceToSurface {
     const double beside = std::hypot(p_B.x(), p_B.y()) - s.radius;
     return std::abs(std::max(beside, std::abs(p_B.z()) - s.half_length));
   }
-  double operator()(const Sphere&) const { return 0; }
+  double operator()(const Sphere& s) const { return std::abs(p_B.norm() - s.radius); }
   double operator()(const Cone&) const { return 0; }
   double operator()(const ConvexHull&) const { return 0; }
   double operator()(const HalfSpace&) const { return 0; }
 };
 
-double Distance(const Body& body, const Vector3d& p_W) {
-  const Vector3d p_B = body.X_WB.R_WB.transpose() * (p_W - body.X_WB.p_WB);
-  return std::visit(DistanceToSurface{p_B}, body.shape);
+Vector3d InBodyFrame(const Body& body, const Vector3d& p_W) {
+  return body.X_WB.R_WB.transpose() * (p_W - body.X_WB.p_WB);
 }
 
-// The one of {on A, midway, on B} that `contact` is, as the shift along n to midway.
-double ShiftByFit(const ContactQuery& query, const OdeContact& contact) {
+double Distance(const Body& body, const Vector3d& p_W) {
+  return std::visit(DistanceToSurface{InBodyFrame(body, p_W)}, body.shape);
+}
+
+// The one of `shifts` along n to midway that fits both surfaces best.
+double BestOf(std::span<const double> shifts, const ContactQuery& query,
+              const OdeContact& contact) {
   const double half = contact.depth / 2;
-  // A's surface is half the depth further along n than the midway point, B's half before.
-  const std::array<double, 3> shifts = {0, -half, half};
   const auto misfit = [&](double shift) {
     const Vector3d midway = contact.p_W + shift * contact.n_AB_W;
     return Distance(query.A, midway + half * contact.n_AB_W) +
            Distance(query.B, midway - half * contact.n_AB_W);
   };
   return *std::ranges::min_element(shifts, {}, misfit);
+}
+
+// Of a sphere that is A: from its centre, where that is in the box; else from the box.
+double ShiftOfSphereAtBox(const Sphere& sphere, const Vector3d& centre_W, const Body& box,
+                          double half) {
+  const double height =
+      BoxHeight(std::get<Box>(box.shape).half_extents, InBodyFrame(box, centre_W));
+  return height > 0 ? half : sphere.radius - half;
 }
 
 // Whether dCollideCylinderCylinder() took the branch that lays discs on each other; all
@@ -84,16 +95,31 @@ Eigen::Vector3d MidwayPoint(const ContactQuery& query, const OdeContact& contact
   if (is(query.B, ShapeKind::kHalfSpace)) return p - half * n;
   if (is(query.A, ShapeKind::kHalfSpace)) return p + half * n;
   if (either(ShapeKind::kConvexHull)) return p;
-  if (const auto* sphere = std::get_if<Sphere>(&query.A.shape)) {
-    return p + (sphere->radius - half - n.dot(p - query.A.X_WB.p_WB)) * n;
-  }
-  if (const auto* sphere = std::get_if<Sphere>(&query.B.shape)) {
-    return p - (sphere->radius - half + n.dot(p - query.B.X_WB.p_WB)) * n;
+  // A's surface is half the depth further along n than the midway point, B's half before.
+  const double from_A = -half;
+  const double from_B = half;
+  if (either(ShapeKind::kSphere)) {
+    const bool first = is(query.A, ShapeKind::kSphere);
+    const Body& ball = first ? query.A : query.B;
+    const Body& other = first ? query.B : query.A;
+    if (is(other, ShapeKind::kBox)) {
+      const double shift =
+          ShiftOfSphereAtBox(std::get<Sphere>(ball.shape), ball.X_WB.p_WB, other, half);
+      return p + (first ? shift : -shift) * n;
+    }
+    if (const auto* cylinder = std::get_if<Cylinder>(&other.shape)) {
+      // The axis is a radius behind the cylinder's surface.
+      const double from_axis = half - cylinder->radius;
+      return p + BestOf(std::array{from_A, from_B, first ? from_axis : -from_axis}, query,
+                        contact) *
+                     n;
+    }
+    return p;
   }
   const bool cylinders =
       is(query.A, ShapeKind::kCylinder) && is(query.B, ShapeKind::kCylinder);
   if (either(ShapeKind::kBox) || (cylinders && IsDiscOnDisc(query, n))) {
-    return p + ShiftByFit(query, contact) * n;
+    return p + BestOf(std::array{0.0, from_A, from_B}, query, contact) * n;
   }
   return p;
 }

@@ -31,9 +31,10 @@ struct OdeContact {
  | capsule, cylinder; other cylinders;   | somewhere in the overlap (MPR): left as is |
  | hull, all but half-space              |                                            |
 
- For a sphere the place along the normal follows from its centre, radius and the depth;
- for boxes, capsules and cylinders it is the one of {on A, midway, on B} that fits both
- surfaces best. The place across the normal is never touched. */
+ The point is moved from the place in this table, not from where it is: by a length that
+ is known from the question and the depth. So a point that is off stays off by as much,
+ and is found. Where the table leaves a choice, it is the one that fits both surfaces
+ best. The place across the normal is never touched. */
 Eigen::Vector3d MidwayPoint(const ContactQuery& query, const OdeContact& contact);
 
 }  // namespace touchstone

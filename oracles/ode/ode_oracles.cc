@@ -86,7 +86,10 @@ OracleInfo MakeInfo() {
       {"normal", "B->A, negated", "dContactGeom::normal points into g1."},
       {"depth sign", "positive penetrating, negated", "dContactGeom::depth."},
       {"contact position", "moved along the normal to midway",
-       "A surface point for most pairs: the table is in ode_contact_point.h."},
+       "By a length that follows from the pair and the depth: the table is in "
+       "ode_contact_point.h."},
+      {"contact position, sphere on box", "on the box; the centre, if that is inside",
+       "Moved from there: one that is off stays off."},
       {"contact position, MPR pairs", "as it comes",
        "Somewhere in the overlap, along no surface."},
       {"answer's normal and separation", "of the deepest contact",

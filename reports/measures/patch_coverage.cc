@@ -65,4 +65,19 @@ double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
   return std::min(1.0, unspanned / diameter);
 }
 
+double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, double e) {
+  const std::vector<Eigen::Vector2d> corners =
+      ConvexHullOf(ProjectedAlong(n_AB_W, patch.vertices_W));
+  if (corners.size() < 3) return 2 * e / Diameter(corners);
+  double perimeter = 0;
+  double twice_area = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector2d side = corners[(i + 1) % corners.size()] - corners[i];
+    const Eigen::Vector2d arm = corners[i] - corners[0];
+    perimeter += side.norm();
+    twice_area += arm.x() * side.y() - arm.y() * side.x();
+  }
+  return e * perimeter * 2 / twice_area;
+}
+
 }  // namespace touchstone

@@ -19,6 +19,15 @@ namespace touchstone {
 double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                       std::span<const ContactPoint> contacts);
 
+/** Returns the share of the patch's extent that a computation may leave unspanned whose
+ lengths are off by `e` [m]. [-]
+
+ What is left of a convex set when its sides move inwards by e holds the set shrunk by
+ e / r about the centre of its incircle, whose radius r is at least area / perimeter, half
+ the length of a segment. Shrinking is the same seen along stretched axes.
+ @pre The patch has two vertices; `n_AB_W` is a unit vector. */
+double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, double e);
+
 /** What a triangle inscribed in a disc leaves of the disc's diameter: half the radius. A
  manifold that does better holds any face up; two opposite corners of a square, or three
  of them, leave half its diagonal and do worse. [-] */

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Eigenvalues>
+
 #include "reports/referee/planar_intersection.h"
 #include "reports/referee/referee.h"
 #include "reports/referee/support_feature.h"
@@ -61,6 +63,36 @@ bool Same(const Polygon& P, const Polygon& Q, double slack) {
          });
 }
 
+/** Adds the spread of the points about their mean. */
+void AddSpread(const std::vector<Eigen::Vector3d>& points, Eigen::Matrix3d& spread) {
+  if (points.empty()) return;
+  const double share = 1 / static_cast<double>(points.size());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) mean += share * p;
+  for (const Eigen::Vector3d& p : points) {
+    spread += share * (p - mean) * (p - mean).transpose();
+  }
+}
+
+/** The direction nearest to the unit vector `n` along which the features of both bodies
+ within `slack` of their supporting planes lie flat: n less what it has of the directions
+ in which they spread. Across the plane, points within slack of each other spread by no
+ more than slack / 2, and the solver is off by some roundings of the largest spread. */
+Eigen::Vector3d FlatDirection(const ContactQuery& query, const Eigen::Vector3d& n,
+                              double slack) {
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  AddSpread(FeatureAlong(query.A, n, slack).points_W, spread);
+  AddSpread(FeatureAlong(query.B, -n, slack).points_W, spread);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const double none = std::max(slack * slack, 0x1p-48 * axes.eigenvalues()(2));
+  Eigen::Vector3d flat = n;
+  for (int i = 0; i < 3; ++i) {
+    if (axes.eigenvalues()(i) <= none) continue;
+    flat -= axes.eigenvectors().col(i).dot(n) * axes.eigenvectors().col(i);
+  }
+  return flat.normalized();
+}
+
 }  // namespace
 
 ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
@@ -97,6 +129,23 @@ ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
       (A.is_disc && Same(patch, P, rounding)) || (B.is_disc && Same(patch, Q, rounding));
   result.least_contacts = whole_disc ? 3 : std::min(static_cast<int>(patch.size()), 4);
   return result;
+}
+
+ContactPatch CertainPatch(const ContactQuery& query, const Eigen::Vector3d& n_W,
+                          double separation, double flush, double e) {
+  // A half-space has but one direction, and that is known.
+  const bool is_known = KindOf(query.A.shape) == ShapeKind::kHalfSpace ||
+                        KindOf(query.B.shape) == ShapeKind::kHalfSpace;
+  const Eigen::Vector3d n =
+      is_known ? n_W.normalized() : FlatDirection(query, n_W.normalized(), e);
+  const ContactPatch patch = PatchAlong(query, n, separation, flush);
+  const Plane plane(n, patch.vertices_W.front());
+  ContactPatch certain;
+  for (const Eigen::Vector2d& p : HullOf(Project(plane, patch.vertices_W), kBlurred * e))
+    certain.vertices_W.push_back(plane.Lift(p, 0));
+  certain.least_contacts =
+      std::min(patch.least_contacts, static_cast<int>(certain.vertices_W.size()));
+  return certain;
 }
 
 }  // namespace touchstone

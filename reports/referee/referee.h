@@ -34,4 +34,21 @@ Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W);
 ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
                         double separation, double slack);
 
+/** Returns what of the contact patch along `n_W` no computation may miss whose lengths
+ are off by `e` [m].
+
+ Where features within e of their supporting planes lie flat along a direction near n_W,
+ that direction is the one which n_W is a rounding of, and the patch is taken along it:
+ along n_W itself a face would be seen tilted. Only features within `flush` [m] then
+ count, which is the rounding of the question and not of the answer: a tilt beyond it may
+ be taken at its word, and the patch is then the lowest corner. Corners that stick out by
+ no more than kBlurred e are left out, as they may be merged: a sliver is a segment, a
+ speck a point. */
+ContactPatch CertainPatch(const ContactQuery& query, const Eigen::Vector3d& n_W,
+                          double separation, double flush, double e);
+
+/** Moved by e, the sides of a polygon whose corners stick out by 16 e take about a tenth
+ of it, see PatchBlur(). [-] */
+inline constexpr double kBlurred = 16;
+
 }  // namespace touchstone

@@ -48,9 +48,11 @@ constexpr Key kToleranceKeys[] = {
 constexpr Key kIndictmentKeys[] = {
     {"oracle", ValueType::kText, true,
      "The oracle's name, e.g. \"fcl/signed_distance\"."},
+    {"measures", ValueType::kMeasures, true,
+     "The measures that find it, each of which the suite must find again."},
     {"anomaly", ValueType::kText, true, "What the source says goes wrong, in its words."},
     {"reproduces", ValueType::kBool, true,
-     "False: fixed since, or a control; the suite must not find it."},
+     "False: fixed since, or a control; the suite must find none of the measures."},
 };
 
 constexpr Key kBodyKeys[] = {
@@ -137,6 +139,8 @@ std::string_view ExpectationOf(ValueType type) {
   switch (type) {
     case ValueType::kText:
       return "a string that says something";
+    case ValueType::kMeasures:
+      return "a list of measures, e.g. [\"separation_error\"]";
     case ValueType::kId:
       return "a string: levels of a-z, 0-9 and _ joined by slashes";
     case ValueType::kWord:

@@ -10,6 +10,7 @@ namespace touchstone {
 /** What a value of a scenario file is. Drives the reader and the schema alike. */
 enum class ValueType {
   kText,           ///< A string that is not empty.
+  kMeasures,       ///< A list of at least one string: the name of a MeasureKind.
   kId,             ///< A string: levels of a-z, 0-9 and _ joined by slashes.
   kWord,           ///< A string of a-z, 0-9 and _.
   kBodyName,       ///< A string that names a table of [bodies].

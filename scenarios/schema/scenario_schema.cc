@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/measure_kind.h"
 #include "scenarios/schema/scenario_keys.h"
 
 namespace touchstone {
@@ -87,10 +88,18 @@ Json NotNegative() {
   return {{"type", "number"}, {"minimum", 0}};
 }
 
+Json Measures() {
+  Json names = Json::array();
+  for (const MeasureKind measure : AllMeasures()) names.push_back(NameOf(measure));
+  return ListOf({{"type", "string"}, {"enum", names}}, 1);
+}
+
 Json ValueOf(const Key& key) {
   switch (key.type) {
     case ValueType::kText:
       return Text();
+    case ValueType::kMeasures:
+      return Measures();
     case ValueType::kId:
       return {{"type", "string"}, {"pattern", "^[a-z0-9_]+(/[a-z0-9_]+)*$"}};
     case ValueType::kWord:

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "scenarios/measure_kind.h"
 #include "scenarios/schema/nearest_name.h"
 #include "scenarios/validate_scenario.h"
 
@@ -109,12 +110,17 @@ class StructureCheck {
     }
     std::vector<std::string_view> known;
     for (const Key& key : keys) known.push_back(key.name);
-    const std::string_view nearest = NearestName(name.str(), known);
     log_.Add(name.source(),
              fmt::format("unknown key \"{}\"{}{}", name.str(),
                          where.empty() ? "" : " in ", where),
-             nearest.empty() ? fmt::format("one of {}", fmt::join(known, ", "))
-                             : fmt::format("\"{}\"", nearest));
+             NearestOf(name.str(), known));
+  }
+
+  static std::string NearestOf(std::string_view misspelt,
+                               std::span<const std::string_view> known) {
+    const std::string_view nearest = NearestName(misspelt, known);
+    return nearest.empty() ? fmt::format("one of {}", fmt::join(known, ", "))
+                           : fmt::format("\"{}\"", nearest);
   }
 
   bool IsKeyOfAnotherFile(std::string_view name) const {
@@ -134,6 +140,8 @@ class StructureCheck {
         return Text(node, where, key.type);
       case ValueType::kNames:
         return Names(node, where);
+      case ValueType::kMeasures:
+        return Measures(node, where);
       case ValueType::kBool:
         if (!node.is_boolean()) WrongType(node, where, key.type);
         return;
@@ -202,6 +210,28 @@ class StructureCheck {
     if (!array) return WrongType(node, where, ValueType::kNames);
     for (std::size_t i = 0; i < array->size(); ++i) {
       Text(*array->get(i), fmt::format("{}[{}]", where, i), ValueType::kBodyName);
+    }
+  }
+
+  void Measures(const toml::node& node, const std::string& where) {
+    const toml::array* array = node.as_array();
+    if (!array) return WrongType(node, where, ValueType::kMeasures);
+    if (array->empty()) {
+      log_.Add(node.source(), fmt::format("{} is empty", where),
+               ExpectationOf(ValueType::kMeasures));
+    }
+    std::vector<std::string_view> known;
+    for (const MeasureKind measure : AllMeasures()) known.push_back(NameOf(measure));
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      const std::string element = fmt::format("{}[{}]", where, i);
+      const auto* text = array->get(i)->as_string();
+      if (!text) {
+        WrongType(*array->get(i), element, ValueType::kText);
+      } else if (!MeasureNamed(text->get())) {
+        log_.Add(array->get(i)->source(),
+                 fmt::format("{} is \"{}\"", element, text->get()),
+                 NearestOf(text->get(), known));
+      }
     }
   }
 

@@ -51,11 +51,27 @@ std::vector<const toml::table*> TablesFrom(const toml::table& table,
   return tables;
 }
 
+namespace {
+
+std::vector<MeasureKind> MeasuresFrom(const toml::table& table, std::string_view key) {
+  std::vector<MeasureKind> measures;
+  const toml::array* array = table[key].as_array();
+  if (!array) return measures;
+  for (const toml::node& element : *array) {
+    const auto measure = MeasureNamed(element.value_or(std::string_view()));
+    if (measure) measures.push_back(*measure);
+  }
+  return measures;
+}
+
+}  // namespace
+
 std::vector<Indictment> IndictmentsFrom(const toml::table& file) {
   std::vector<Indictment> indictments;
   for (const toml::table* table : TablesFrom(file, "indicts")) {
     if (!table) continue;
-    indictments.push_back({TextFrom(*table, "oracle"), TextFrom(*table, "anomaly"),
+    indictments.push_back({TextFrom(*table, "oracle"), MeasuresFrom(*table, "measures"),
+                           TextFrom(*table, "anomaly"),
                            (*table)["reproduces"].value_or(false)});
   }
   return indictments;

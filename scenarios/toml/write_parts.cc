@@ -1,6 +1,7 @@
 #include "scenarios/toml/write_parts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "scenarios/toml/toml_text.h"
 
@@ -39,6 +40,12 @@ struct ShapeLines {
   std::string operator()(const HalfSpace&) const { return ""; }
 };
 
+std::string NamesOf(const std::vector<MeasureKind>& measures) {
+  std::vector<std::string> names;
+  for (const MeasureKind measure : measures) names.push_back(Text(NameOf(measure)));
+  return fmt::format("[{}]", fmt::join(names, ", "));
+}
+
 std::string PoseLines(const Pose& pose) {
   const std::string position = Line("position", Vector(pose.p_WB));
   if (pose.q_WB) {
@@ -67,6 +74,7 @@ std::string IndictmentTables(const std::vector<Indictment>& indictments) {
   std::string tables;
   for (const Indictment& indictment : indictments) {
     tables += "\n[[indicts]]\n" + Line("oracle", Text(indictment.oracle)) +
+              Line("measures", NamesOf(indictment.measures)) +
               Line("anomaly", Text(indictment.anomaly)) +
               Line("reproduces", Truth(indictment.reproduces));
   }

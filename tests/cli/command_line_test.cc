@@ -184,6 +184,42 @@ TEST_F(CommandLineTest, RefusesABrokenLedger) {
               AllOf(HasSubstr("ledger.toml:2:"), HasSubstr("errors in the ledger: ")));
 }
 
+TEST_F(CommandLineTest, AppliesTheBuiltInLedgerToTheBuiltInCatalogueOnly) {
+  std::filesystem::create_directories(folder_ / "data/catalogue/mine");
+  Write("data/catalogue/mine/known.toml", Replaced(kDeep, "mine/deep", "mine/known"));
+  Write("data/known_discrepancies.toml", R"([[entry]]
+scenarios = "mine/*"
+oracle = "half_depth"
+version = "unversioned"
+measures = ["separation_error", "consistency_error"]
+verdict = "fail"
+bound = 0.1
+cause = "defect"
+reason = "It gives half the depth."
+upstream = "unreported"
+expires = 9999-12-31
+)");
+  const auto run = [this](const std::string& what) {
+    return InPipe("TOUCHSTONE_TEST_DATA=" + Path("data") + " " +
+                  Command("run --subject half_depth " + what))
+        .code;
+  };
+  EXPECT_EQ(run(""), 0);
+  EXPECT_EQ(run("mine/known"), 0);
+  EXPECT_EQ(run(Path("data/catalogue/mine/known.toml")), 0);
+  // Ids that the entry matches, in files that it was not written for.
+  EXPECT_EQ(run(Path("mine/deep.toml")), 1);
+  EXPECT_EQ(run(Path("mine/deep.toml") + " mine/known"), 1);
+  EXPECT_EQ(run("--catalogue " + Path("mine")), 1);
+  Write("mine/known.toml",
+        Replaced(Replaced(kDeep, "mine/deep", "mine/known"), "0.3, -0.2", "0.3, -0.1"));
+  EXPECT_EQ(run(Path("mine/known.toml")), 1);
+  // A ledger of the user's own is about whatever the user says.
+  EXPECT_EQ(run("--ledger " + Path("data/known_discrepancies.toml") + " " +
+                Path("mine/deep.toml")),
+            0);
+}
+
 TEST_F(CommandLineTest, SaysThatAFileIsNotThere) {
   const Ended ended = Touchstone("run " + Path("nowhere.toml"));
   EXPECT_EQ(ended.code, 2);

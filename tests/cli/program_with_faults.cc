@@ -1,6 +1,7 @@
 // The command line with four oracles of known virtue, so that what it says and how it
 // exits does not depend on which engines are installed.
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "cli/command_line.h"
@@ -48,5 +49,6 @@ OracleRegistry Registry() {
 int main(int argc, char** argv) {
   touchstone::CommandLineDefaults defaults;
   defaults.subject = "right";
+  if (const char* data = std::getenv("TOUCHSTONE_TEST_DATA")) defaults.data = data;
   return touchstone::RunCommandLine(argc, argv, touchstone::Registry(), defaults);
 }

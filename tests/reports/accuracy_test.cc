@@ -19,6 +19,7 @@ RunReport ReportOf(double first, double second) {
   OracleInfo info;
   info.name = "ode";
   info.version = "0.16.2";
+  info.capabilities[0][0].supported = true;
   report.oracles = {info};
   ContactQuery query = SphereInBoxFace(1e-3).query;
   for (const double error : {first, second}) {
@@ -56,6 +57,13 @@ TEST(AccuracyTable, SaysWhatIsNotSupported) {
   }
   EXPECT_THAT(AccuracyTable(report),
               HasSubstr("| ode | 0.16.2 | sphere, box | unsupported | unsupported | "));
+}
+
+TEST(AccuracyTable, LeavesOutWhoOnlySimulates) {
+  RunReport report = ReportOf(0, 0);
+  report.oracles.emplace_back().name = "ode/quick";
+  for (ScenarioResult& result : report.scenarios) result.answers.emplace_back();
+  EXPECT_THAT(AccuracyTable(report), testing::Not(HasSubstr("ode/quick")));
 }
 
 TEST(CheckAccuracy, AcceptsTheTableOfTheSameRun) {

@@ -47,8 +47,17 @@ RunReport ReportOf(std::initializer_list<double> values, double bound) {
   entry.bound = bound;
   entry.expires = "2026-06-30";
   entry.line = 17;
-  report.ledger = {"scenarios/known_discrepancies.toml", {entry}};
+  report.ledger = {"scenarios/known_discrepancies.toml", {entry}, {}};
   return report;
+}
+
+TEST(ApplyLedger, LeavesStrangersAlone) {
+  RunReport report = ReportOf({0.01, 0.04}, 0.05);
+  report.ledger.strangers = {"contact/box_box/0"};
+  ApplyLedger(report, "2026-01-01", false);
+  EXPECT_EQ(report.findings[0].verdict, Verdict::kFail);
+  EXPECT_EQ(report.findings[1].verdict, Verdict::kKnown);
+  EXPECT_EQ(report.ledger_use[0].candidates, 1);
 }
 
 TEST(ApplyLedger, MakesFailuresKnownAndCountsThem) {

@@ -187,6 +187,34 @@ TEST(Judge, FindsMissingAndRepeatedContacts) {
               testing::ElementsAre(MeasureKind::kContactCount));
 }
 
+/** A float engine's answer to `s`: its normal is off by a rounding or two. */
+std::vector<Finding> JudgedAsFloat(const Specimen& s) {
+  FakeOracle coarse("mine");
+  coarse.info().unit_roundoff = 0x1p-24;
+  ContactAnswer answer = s.right;
+  answer.n_AB_W = Eigen::AngleAxisd(1e-7, s.query.A.X_WB.R_WB.col(0)) * *answer.n_AB_W;
+  return Judged(s.query, answer, coarse);
+}
+
+TEST(Judge, FindsMissingContactsOfAFloatEngineWhoseNormalIsRounded) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  EXPECT_THAT(Failed(JudgedAsFloat(s)), testing::IsEmpty());
+  s.right.points.resize(1);
+  EXPECT_THAT(Failed(JudgedAsFloat(s)), testing::ElementsAre(MeasureKind::kPatchCoverage,
+                                                             MeasureKind::kContactCount));
+}
+
+// Tilted by 1e-8, the deepest corner is the patch, of which a float engine cannot know.
+TEST(Judge, AllowsOneContactWhereTheQuestionTiltsAFace) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  const Eigen::Matrix3d tilt =
+      Eigen::AngleAxisd(1e-8, Eigen::Vector3d(1, 2, 0).normalized()).toRotationMatrix();
+  Pose& X_WB = s.query.B.X_WB;
+  X_WB = Pose::FromMatrix(X_WB.p_WB, X_WB.R_WB * tilt);
+  s.right.points.resize(1);
+  EXPECT_THAT(Failed(JudgedAsFloat(s)), testing::IsEmpty());
+}
+
 TEST(Judge, FindsAContactTooDeepAndAllowsAShallowOne) {
   Specimen s = BoxOnBoxFace(kDepth);
   s.right.points[0].separation = -2 * kDepth;

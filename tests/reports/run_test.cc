@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/check_catalogue.h"
 #include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/specimens.h"
@@ -268,10 +269,11 @@ TEST(Run, CallsTheRestADefect) {
               testing::Each(Cause::kDefect));
 }
 
-RunReport Indicting(const Oracle& oracle, bool reproduces) {
+RunReport Indicting(const Oracle& oracle, bool reproduces,
+                    MeasureKind measure = MeasureKind::kSeparationError) {
   Scenario scenario = ScenarioOf("contact/x", SphereInBoxFace(1e-3).query);
-  scenario.indicts = {{oracle.info().name, "the depth is halved", reproduces},
-                      {"somebody/absent", "is not here", true}};
+  scenario.indicts = {{oracle.info().name, {measure}, "the depth is halved", reproduces},
+                      {"somebody/absent", {measure}, "is not here", true}};
   return RunAll({scenario}, {&oracle});
 }
 
@@ -284,14 +286,64 @@ TEST(CheckCatalogue, WantsIndictmentsFoundAgain) {
   EXPECT_THAT(Indicting(right, false).faults, IsEmpty());
   EXPECT_THAT(
       Indicting(right, true).faults,
-      ElementsAre("contact/x: indicts right (\"the depth is halved\"), which is not "
-                  "found again: set reproduces = false."));
+      ElementsAre("contact/x: indicts right of separation_error (\"the depth is "
+                  "halved\"), which is not found again: remove the measure, or set "
+                  "reproduces = false."));
   const RunReport found = Indicting(wrong, false);
   ASSERT_EQ(found.faults.size(), 1U);
   EXPECT_THAT(found.faults[0],
               HasSubstr("wrong does not show \"the depth is halved\" any "
-                        "more, but: wrong says 0.0005 m deep"));
+                        "more, but by separation_error: wrong says 0.0005 m deep"));
   EXPECT_EQ(ExitCode(Indicting(right, true), FailOn::kSubject), 1);
+}
+
+TEST(CheckCatalogue, CountsNoMeasureButTheOneIndicted) {
+  const FakeOracle halved = FakeOracle::Wrong(
+      "halved",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
+  EXPECT_THAT(Indicting(halved, false, MeasureKind::kExcess).faults, IsEmpty());
+  EXPECT_THAT(Indicting(halved, true, MeasureKind::kExcess).faults,
+              ElementsAre(HasSubstr("indicts halved of excess")));
+}
+
+TEST(CheckCatalogue, WantsWhatIsSaidToBeFixedMeasured) {
+  const FakeOracle right("right");
+  EXPECT_THAT(Indicting(right, false, MeasureKind::kDualityGap).faults,
+              ElementsAre(HasSubstr("by duality_gap, which is not measured there")));
+}
+
+TEST(CheckCatalogue, WantsEveryMeasureOfAnIndictment) {
+  const FakeOracle halved = FakeOracle::Wrong(
+      "halved",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
+  Scenario scenario = ScenarioOf("contact/x", SphereInBoxFace(1e-3).query);
+  scenario.indicts = {{"halved",
+                       {MeasureKind::kSeparationError, MeasureKind::kExcess},
+                       "the depth is halved",
+                       true}};
+  EXPECT_THAT(RunAll({scenario}, {&halved}).faults,
+              ElementsAre(HasSubstr("indicts halved of excess")));
+}
+
+TEST(CheckCatalogue, WantsTheIndictmentsOfWorldsFoundAgainToo) {
+  RunReport report;
+  report.oracles.emplace_back().name = "ode";
+  report.worlds.emplace_back().scenario.id = "world/x";
+  report.worlds[0].scenario.indicts = {
+      {"ode", {MeasureKind::kRestMotion}, "It sinks.", true}};
+  CheckCatalogue(report);
+  EXPECT_THAT(report.faults,
+              ElementsAre(HasSubstr("world/x: indicts ode of rest_motion")));
+
+  report.faults.clear();
+  Finding finding{};
+  finding.scenario = "world/x";
+  finding.oracle = "ode";
+  finding.measure = MeasureKind::kRestMotion;
+  finding.verdict = Verdict::kFail;
+  report.findings = {finding};
+  CheckCatalogue(report);
+  EXPECT_THAT(report.faults, IsEmpty());
 }
 
 std::vector<std::string> FaultsWith(const ContactExpectation& expect) {

@@ -40,6 +40,11 @@ std::string AnyText() {
          text;
 }
 
+std::vector<MeasureKind> AnyMeasures() {
+  return *rc::gen::nonEmpty(
+      rc::gen::container<std::vector<MeasureKind>>(rc::gen::elementOf(AllMeasures())));
+}
+
 Pose AnyPose() {
   const Eigen::Vector4d wxyz(AnyComponent(), AnyComponent(), AnyComponent(), 0.1);
   const Eigen::Quaterniond q_WB(wxyz.normalized());

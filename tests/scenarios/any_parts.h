@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "scenarios/contact_query.h"
+#include "scenarios/measure_kind.h"
 
 namespace touchstone {
 
@@ -21,6 +23,9 @@ double AnyComponent();
 
 /** Any letters of ASCII, none of them left out, and some of Unicode. */
 std::string AnyText();
+
+/** One measure or more. */
+std::vector<MeasureKind> AnyMeasures();
 
 Pose AnyPose();
 

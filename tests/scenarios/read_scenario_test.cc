@@ -42,6 +42,7 @@ because = "The source prints nine digits."
 
 [[indicts]]
 oracle = "fcl/signed_distance"
+measures = ["separation_error", "excess"]
 anomaly = "The distance is positive."
 reproduces = true
 )";
@@ -89,6 +90,8 @@ TEST(ReadScenario, GivesWhatTheFileSays) {
   EXPECT_EQ(s.tolerance.value().because, "The source prints nine digits.");
   ASSERT_EQ(s.indicts.size(), 1U);
   EXPECT_EQ(s.indicts[0].oracle, "fcl/signed_distance");
+  EXPECT_THAT(s.indicts[0].measures,
+              ElementsAre(MeasureKind::kSeparationError, MeasureKind::kExcess));
   EXPECT_EQ(s.indicts[0].anomaly, "The distance is positive.");
   EXPECT_TRUE(s.indicts[0].reproduces);
 }
@@ -272,6 +275,28 @@ TEST(ReadScenario, RefusesAFileWithoutARequiredKey) {
   EXPECT_THAT(ErrorsOf(With("reproduces = true\n", "")),
               ElementsAre("f.toml:29:1: indicts[0].reproduces is missing; "
                           "expected true or false"));
+}
+
+TEST(ReadScenario, RefusesAnIndictmentWithoutAMeasureThatIsOne) {
+  const std::string measures = "measures = [\"separation_error\", \"excess\"]";
+  EXPECT_THAT(ErrorsOf(With(measures + "\n", "")),
+              ElementsAre("f.toml:29:1: indicts[0].measures is missing; expected a list "
+                          "of measures, e.g. [\"separation_error\"]"));
+  EXPECT_THAT(ErrorsOf(With(measures, "measures = []")),
+              ElementsAre("f.toml:31:12: indicts[0].measures is empty; expected a list "
+                          "of measures, e.g. [\"separation_error\"]"));
+  EXPECT_THAT(ErrorsOf(With(measures, "measures = \"excess\"")),
+              ElementsAre("f.toml:31:12: indicts[0].measures is a string; expected a "
+                          "list of measures, e.g. [\"separation_error\"]"));
+  EXPECT_THAT(ErrorsOf(With("\"excess\"]", "\"exces\", 1]")),
+              ElementsAre("f.toml:31:33: indicts[0].measures[1] is \"exces\"; expected "
+                          "\"excess\"",
+                          "f.toml:31:42: indicts[0].measures[2] is an integer; expected "
+                          "a string that says something"));
+  EXPECT_THAT(ErrorsOf(With("\"excess\"]", "\"it is wrong\"]")),
+              ElementsAre(testing::StartsWith(
+                  "f.toml:31:33: indicts[0].measures[1] is \"it is wrong\"; expected one "
+                  "of touching, separation_error, ")));
 }
 
 TEST(ReadScenario, RefusesAnIdThatIsNoPath) {

@@ -75,8 +75,8 @@ bool Same(const std::optional<ToleranceOverride>& a,
 bool Same(const std::vector<Indictment>& a, const std::vector<Indictment>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const Indictment& i, const Indictment& j) {
-                      return i.oracle == j.oracle && i.anomaly == j.anomaly &&
-                             i.reproduces == j.reproduces;
+                      return i.oracle == j.oracle && i.measures == j.measures &&
+                             i.anomaly == j.anomaly && i.reproduces == j.reproduces;
                     });
 }
 

@@ -144,14 +144,14 @@ TEST(FaultsOfScenario, NameEveryPartThatAFileCouldNotHold) {
   scenario.expect.normals = {{0, kNaN, 1}};
   scenario.expect.contacts = -1;
   scenario.tolerance = {0, ""};
-  scenario.indicts = {{"", "", true}};
+  scenario.indicts = {{"", {}, "", true}};
   std::vector<std::string> where;
   for (const Fault& fault : FaultsOf(scenario)) where.push_back(fault.where);
   EXPECT_THAT(
       where, ElementsAre("id", "title", "contact.A", "contact.B", "contact.B",
                          "expect.separation", "expect.normals[0]", "expect.contacts",
                          "tolerance.separation", "tolerance.because", "indicts[0].oracle",
-                         "indicts[0].anomaly"));
+                         "indicts[0].measures", "indicts[0].anomaly"));
 }
 
 }  // namespace

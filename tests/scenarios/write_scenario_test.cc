@@ -33,7 +33,8 @@ Scenario AnyScenario() {
   if (*rc::gen::arbitrary<bool>()) scenario.tolerance = {AnyLength(), AnyText()};
   const int indictments = *rc::gen::inRange(0, 3);
   for (int i = 0; i < indictments; ++i) {
-    scenario.indicts.push_back({AnyText(), AnyText(), *rc::gen::arbitrary<bool>()});
+    scenario.indicts.push_back(
+        {AnyText(), AnyMeasures(), AnyText(), *rc::gen::arbitrary<bool>()});
   }
   return scenario;
 }

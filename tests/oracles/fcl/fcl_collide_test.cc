@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oracles/fcl/fcl_contact_point.h"
 #include "oracles/fcl/fcl_oracles.h"
 #include "tests/oracles/constructed_contact.h"
 #include "tests/oracles/surface.h"
@@ -129,6 +130,20 @@ TEST(FclCollideOracle, PutsEveryContactMidwayThroughItsOverlap) {
     }
     EXPECT_GT(contacts, 100);
   }
+}
+
+TEST(FclContactPoint, KeepsWhatAPointIsOffAlongItsNormal) {
+  const FclContact right = {{0.5, 0, 0}, {1, 0, 0}, 0.3};
+  FclContact off = right;
+  off.p_W.x() += 1e-3;
+  const auto at_x = [](double radius, double x) {
+    return Body{Sphere{radius}, Pose::FromQuaternion({x, 0, 0}, {1, 0, 0, 0})};
+  };
+  // Overlap from x = 0.45 to 0.75, of which a third is 0.1 m: FCL is at 0.65, we at 0.6.
+  const ContactQuery spheres = {at_x(0.75, 0), at_x(1.5, 1.95)};
+  EXPECT_NEAR(MidwayPoint(spheres, {{0.65, 0, 0}, {1, 0, 0}, 0.3}).x(), 0.6, kRounding);
+  EXPECT_NEAR(MidwayPoint(spheres, off).x() - MidwayPoint(spheres, right).x(), 1e-3,
+              kRounding);
 }
 
 TEST(FclCollideOracle, SaysThatAFlatHullIsUnsupported) {

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oracles/ode/ode_contact_point.h"
 #include "tests/oracles/constructed_contact.h"
 #include "tests/oracles/surface.h"
 
@@ -111,6 +112,42 @@ TEST(OdeOracle, PutsEveryContactMidwayThroughItsOverlap) {
     // not the best its lines cross beyond the ends of the edges: 3 of 5126 contacts,
     // measured.
     EXPECT_LE(off_surface, a == box && b == box ? contacts / 200 : 0);
+  }
+}
+
+// The adapter moves a sphere's contact along the normal. If that took it to where it
+// should be, no measure could tell that ODE had put it somewhere else.
+TEST(OdeContactPoint, KeepsWhatASpheresPointIsOffAlongItsNormal) {
+  constexpr double kOff = 1e-3;  // [m]
+  std::mt19937_64 random(20240612);
+  for (const auto& [a, b] : AllPairs()) {
+    if ((a != ShapeKind::kSphere && b != ShapeKind::kSphere) || !IsSupported(a, b))
+      continue;
+    SCOPED_TRACE(std::string(NameOf(a)) + " against " + std::string(NameOf(b)));
+    int contacts = 0;
+    int hidden = 0;
+    for (int i = 0; i < 300; ++i) {
+      const ContactQuery query = {{RandomShape(a, random), RandomPose(0.8, random)},
+                                  {RandomShape(b, random), RandomPose(0.8, random)}};
+      const ContactAnswer answer = Ode().Answer(query);
+      if (!answer.touching || *answer.separation > -50 * kOff) continue;
+      const Vector3d& n = *answer.n_AB_W;
+      const double depth = -*answer.separation;
+      const Vector3d& midway = answer.points[0].p_WC;
+      // Where ODE may have put it: on A, midway, on B, at a centre.
+      for (const Vector3d& place :
+           {Vector3d(midway + depth / 2 * n), midway, Vector3d(midway - depth / 2 * n),
+            query.A.X_WB.p_WB, query.B.X_WB.p_WB}) {
+        if (!MidwayPoint(query, {place, n, depth}).isApprox(midway, kRounding)) continue;
+        const Vector3d off = MidwayPoint(query, {place + kOff * n, n, depth});
+        ++contacts;
+        if (!off.isApprox(midway + kOff * n, kRounding)) ++hidden;
+      }
+    }
+    EXPECT_GT(contacts, 100);
+    // A cylinder has several places, two of which may be as near as the point is off.
+    const bool cylinder = a == ShapeKind::kCylinder || b == ShapeKind::kCylinder;
+    EXPECT_LE(hidden, cylinder ? contacts / 50 : 0);
   }
 }
 

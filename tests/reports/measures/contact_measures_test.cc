@@ -149,6 +149,25 @@ TEST(PatchCoverage, OfASegmentNeedsBothEnds) {
   EXPECT_NEAR(PatchUnspanned(segment, n, std::span(ends).first(1)), 1, kRounding);
 }
 
+TEST(PatchBlur, IsWhatSidesMovedInwardsLeaveUnspanned) {
+  // A face of 2 m by 1 cm, all of its sides 1 mm further in.
+  ContactPatch patch;
+  patch.vertices_W = {{1, 0.005, 0}, {-1, 0.005, 0}, {-1, -0.005, 0}, {1, -0.005, 0}};
+  std::vector<ContactPoint> contacts;
+  for (const Eigen::Vector3d& v : patch.vertices_W) {
+    contacts.push_back({{v.x() * 0.999, v.y() * 0.8, 0}, -1e-3, {}});
+  }
+  const Eigen::Vector3d n = Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR(PatchBlur(patch, n, 1e-3), 1e-3 / 0.005, 2e-3);
+  EXPECT_LE(PatchUnspanned(patch, n, contacts), PatchBlur(patch, n, 1e-3));
+}
+
+TEST(PatchBlur, OfASegmentIsWhatBothItsEndsMayLose) {
+  ContactPatch segment;
+  segment.vertices_W = {{0, 0, 0}, {0, 2, 0}};
+  EXPECT_DOUBLE_EQ(PatchBlur(segment, Eigen::Vector3d::UnitZ(), 1e-3), 1e-3);
+}
+
 TEST(ContactCount, IsRightWithTheFewestAndWithMore) {
   const Specimen s = BoxOnBoxFace(kDepth);
   std::vector<ContactPoint> contacts = s.right.points;

@@ -111,5 +111,71 @@ TEST(ContactPatch, TetrahedronOnAFaceNeedsThreeContacts) {
   EXPECT_EQ(patch.least_contacts, 3);
 }
 
+constexpr double kFloatError = 1e-6;  // [m], of a float engine on a scene of this size
+
+/** Up(), off by what a float is off by. */
+Eigen::Vector3d RoundedUp() {
+  return Turn(1e-7, {0.3, -0.8, 0.4}) * Up();
+}
+
+ContactPatch CertainPatchOf(const ContactQuery& query, const Eigen::Vector3d& n_W,
+                            double e = kFloatError) {
+  const double flush = 16 * std::numeric_limits<double>::epsilon() * SceneSize(query);
+  return CertainPatch(query, n_W, -Overlap(query, Up()).hi, flush, e);
+}
+
+TEST(CertainPatch, AlongARoundedNormalIsStillTheWholeFace) {
+  const ContactQuery query = {Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
+                              Place(Box{{0.2, 0.4, 0.1}}, {0.5, -0.2, 0.39})};
+  for (const ContactPatch& patch :
+       {CertainPatchOf(query, RoundedUp()), CertainPatchOf(query, Up(), 1e-14)}) {
+    ExpectCorners(
+        patch,
+        {{0.3, -0.4, 0.295}, {0.5, -0.4, 0.295}, {0.5, 0.2, 0.295}, {0.3, 0.2, 0.295}});
+    EXPECT_EQ(patch.least_contacts, 4);
+  }
+  EXPECT_LT(PatchAlong(query, RoundedUp(), -0.01, 1e-15).vertices_W.size(), 4U);
+}
+
+TEST(CertainPatch, AlongARoundedNormalIsStillTheSegmentOfParallelCapsules) {
+  const Eigen::Quaterniond along_x = Turn(M_PI / 2, {0, 1, 0});
+  const ContactPatch patch =
+      CertainPatchOf({Place(Capsule{0.1, 0.5}, {0, 0, 0}, along_x),
+                      Place(Capsule{0.2, 0.5}, {0.3, 0, 0.29}, along_x)},
+                     RoundedUp());
+  EXPECT_EQ(patch.vertices_W.size(), 2U);
+  EXPECT_EQ(patch.least_contacts, 2);
+}
+
+TEST(CertainPatch, OfFacesThatTheQuestionTiltsIsTheLowestCorner) {
+  const ContactPatch patch =
+      CertainPatchOf({Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
+                      Place(Box{{0.1, 0.2, 0.1}}, {0, 0, 0.39}, Turn(1e-8, {1, 2, 0}))},
+                     RoundedUp());
+  EXPECT_EQ(patch.vertices_W.size(), 1U);
+}
+
+TEST(CertainPatch, OnAHalfSpaceIsSeenAlongItsOwnNormal) {
+  const auto tilted_by = [](double angle) {
+    return CertainPatchOf(
+        {Place(HalfSpace{}, {0, 0, 0.2}),
+         Place(Box{{0.1, 0.2, 0.1}}, {0, 0, 0.29}, Turn(angle, {1, 2, 0}))},
+        Up());
+  };
+  EXPECT_EQ(tilted_by(0).vertices_W.size(), 4U);
+  EXPECT_EQ(tilted_by(1e-8).vertices_W.size(), 1U);
+}
+
+TEST(CertainPatch, OfASliverIsASegmentAndOfASpeckAPoint) {
+  const auto shared = [](double x, double y) {
+    return CertainPatchOf({Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
+                           Place(Box{{0.2, 0.2, 0.1}}, {0.7 - x, 0.6 - y, 0.39})},
+                          Up());
+  };
+  EXPECT_EQ(shared(0.1, 0.1).least_contacts, 4);
+  EXPECT_EQ(shared(8 * kFloatError, 0.1).least_contacts, 2);
+  EXPECT_EQ(shared(8 * kFloatError, 8 * kFloatError).least_contacts, 1);
+}
+
 }  // namespace
 }  // namespace touchstone

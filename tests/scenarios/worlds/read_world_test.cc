@@ -91,6 +91,7 @@ seed = 7
 
 [[indicts]]
 oracle = "ode"
+measures = ["rest_motion"]
 anomaly = "It sinks."
 reproduces = false
 )";

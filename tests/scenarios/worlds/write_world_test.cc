@@ -140,7 +140,7 @@ WorldScenario AnyWorldScenario() {
     scenario.ensemble = {*rc::gen::inRange(2, 9), AnyLength(),
                          std::numeric_limits<unsigned>::max()};
   }
-  if (Maybe()) scenario.indicts = {{AnyText(), AnyText(), Maybe()}};
+  if (Maybe()) scenario.indicts = {{AnyText(), AnyMeasures(), AnyText(), Maybe()}};
   return scenario;
 }
 
