@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,10 +19,9 @@ namespace {
  up from step to step, in the worst case linearly. [-] */
 constexpr double kRoundingsOfAStep = 64;
 
-/** A first-order error falls to a half with the step: to 0.5 at dt/2 in the limit. What
- falls to less than 2^-0.8 each time vanishes with the step (scenarios with observed order
- of at least 0.8). */
-constexpr double kLeastOrder = 0.8;
+/** Nearer to first order, which every consistent scheme has, than to none: what falls to
+ less than 2^-0.5 with half the step vanishes with it. */
+constexpr double kLeastOrder = 0.5;
 
 double UntilOf(const WorldScenario& scenario) {
   return scenario.horizon.value_or(std::numeric_limits<double>::infinity());
@@ -30,6 +30,20 @@ double UntilOf(const WorldScenario& scenario) {
 double RoundingOf(const Study& study, int steps) {
   return kRoundingsOfAStep * study.oracle.unit_roundoff *
          SizeOf(study.scenario.world, study.trajectory) * steps;
+}
+
+/** The largest of both up to where the first has grown to an eighth of its largest: what
+ turns or swings gets out of step for good, and then differs as much whatever the step. */
+std::pair<double, double> WhileGrowing(const std::vector<double>& first,
+                                       const std::vector<double>& second) {
+  if (first.empty() || second.empty()) return {0, 0};
+  const double grown = *std::max_element(first.begin(), first.end()) / 8;
+  std::pair<double, double> largest{0, 0};
+  for (std::size_t s = 0; s < first.size() && s < second.size(); ++s) {
+    largest = {std::max(largest.first, first[s]), std::max(largest.second, second[s])};
+    if (first[s] >= grown) break;
+  }
+  return largest;
 }
 
 /** The same finding of the same claim in another motion. */
@@ -129,8 +143,9 @@ class Judgement {
     convergence_judged_ = true;
     const double radius = LargestRadius(study_.scenario.world);
     const double until = UntilOf(study_.scenario);
-    const double first = DistanceBetween(study_.trajectory, *study_.half, radius, until);
-    const double second = DistanceBetween(*study_.half, *study_.quarter, radius, until);
+    const auto [first, second] =
+        WhileGrowing(DistancesBetween(study_.trajectory, *study_.half, radius, until),
+                     DistancesBetween(*study_.half, *study_.quarter, radius, until));
     const double rounding = RoundingOf(study_, 4 * study_.scenario.world.steps);
     // Where halving the step changes nothing, there is no order to observe.
     if (first > 8 * rounding && second > 8 * rounding) {
@@ -138,17 +153,17 @@ class Judgement {
       Finding& finding = Add(MeasureKind::kObservedOrder, std::max(0.0, 1 - order),
                              {1 - kLeastOrder,
                               "the error of a consistent scheme falls at least as the "
-                              "first power of the step; 0.2 for the higher powers"});
+                              "first power of the step: nearer to 1 than to 0"});
       if (finding.value > finding.tolerance) {
         finding.verdict = Verdict::kFail;
         finding.cause = Cause::kDefect;
         finding.proof = fmt::format(
-            "halving the step moves {} by {:.3g} m, halving it again by {:.3g} m: order "
-            "{:.2f}",
+            "halving the step moves {} by {:.3g} m while the difference still grows, "
+            "halving it again by {:.3g} m: order {:.2f}",
             study_.oracle.name, first, second, order);
       }
     }
-    JudgeLimit(second + rounding);
+    JudgeLimit(DistanceBetween(*study_.half, *study_.quarter, radius, until) + rounding);
   }
 
   void JudgeLimit(double tolerance) {
@@ -234,12 +249,14 @@ Finding JudgeVariant(const Study& study, MeasureKind measure,
   const double discretisation =
       4 * DistanceBetween(study.trajectory, *study.half, radius, until);
   finding.value = DistanceBetween(study.trajectory, seen_in_world, radius, until);
-  finding.tolerance = discretisation + 2 * RoundingOf(study, study.scenario.world.steps);
+  finding.tolerance =
+      discretisation + 2 * study.gain * RoundingOf(study, study.scenario.world.steps);
   finding.tolerance_because = fmt::format(
       "two approximations of one motion, each off by twice what halving the step moves "
       "it "
-      "({:.3g} m), and rounding",
-      discretisation / 4);
+      "({:.3g} m), and by 64 roundings a step, of which the motion makes {:.3g} times as "
+      "much",
+      discretisation / 4, study.gain);
   if (finding.value <= finding.tolerance) return finding;
   finding.verdict = Verdict::kFail;
   finding.cause = Cause::kModel;

@@ -20,6 +20,8 @@ struct Study {
   const Trajectory& trajectory;
   const Trajectory* half = nullptr;
   const Trajectory* quarter = nullptr;
+  /** How many times as far the motion ends as its start was moved by a rounding; >= 1. */
+  double gain = 1;
 };
 
 /** Holds the trajectory against every claim of the scenario: one finding a claim and
@@ -34,7 +36,7 @@ std::vector<Finding> JudgeWorld(const Study& study);
 /** Judges the motion of a variant, as seen in the world, against the motion of the world:
  both are approximations of one motion, so they may differ by the sum of their
  discretisation errors, 2 |x(h) − x(h/2)| each for a scheme of first order, and by
- rounding.
+ rounding, as much of it as the motion makes.
  @pre study.half is there; both trajectories are answered and did not diverge. */
 Finding JudgeVariant(const Study& study, MeasureKind measure,
                      const Trajectory& seen_in_world);

@@ -1,6 +1,7 @@
 #include "reports/worlds/run_worlds.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -8,6 +9,8 @@
 
 #include "reports/parallel.h"
 #include "reports/worlds/judge_world.h"
+#include "reports/worlds/trajectory_difference.h"
+#include "reports/worlds/world_size.h"
 #include "reports/worlds/world_variants.h"
 #include "scenarios/generators/ensemble.h"
 
@@ -81,6 +84,27 @@ void ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
   }
 }
 
+/** Returns how many times as far a motion ends as its start is moved by what a step
+ rounds, at least 1. Rounding is not all that moves a motion that multiplies it by more
+ than kLargestGain: it jumps, as where a row of balls just touches, and is granted
+ nothing. */
+double GainOf(const WorldScenario& scenario, const Oracle& oracle,
+              const Trajectory& trajectory) {
+  constexpr double kLargestGain = 1e3;
+  const double moved =
+      64 * oracle.info().unit_roundoff * SizeOf(scenario.world, trajectory);
+  WorldScenario nudged = scenario;
+  nudged.ensemble = Ensemble{2, moved, 1};
+  const Trajectory other = oracle.Simulate(MemberOf(nudged, 1));
+  if (!IsWhole(other) || moved == 0) return 1;
+  const double gain =
+      DistanceBetween(
+          trajectory, other, LargestRadius(scenario.world),
+          scenario.horizon.value_or(std::numeric_limits<double>::infinity())) /
+      moved;
+  return gain <= kLargestGain ? std::max(1.0, gain) : 1;
+}
+
 /** Everything that one oracle is asked of one world, and what it means. */
 std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle,
                              Trajectory& trajectory) {
@@ -94,14 +118,15 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
     quarter = oracle.Simulate(Refined(scenario.world, 4));
     if (!IsWhole(*half) || !IsWhole(*quarter)) half.reset();
   }
-  const Study study{scenario, oracle.info(), trajectory, half ? &*half : nullptr,
-                    half ? &*quarter : nullptr};
+  Study study{scenario, oracle.info(), trajectory, half ? &*half : nullptr,
+              half ? &*quarter : nullptr};
   std::vector<Finding> findings = JudgeWorld(study);
   if (!IsWhole(trajectory)) return findings;
   if (scenario.ensemble) ExamineMembers(scenario, oracle, findings);
   if (Claims(scenario, kDeterministic))
     findings.push_back(JudgeRepetition(study, oracle.Simulate(scenario.world)));
   if (!half) return findings;
+  study.gain = GainOf(scenario, oracle, trajectory);
   for (const WorldVariant& variant : VariantsOf(scenario.world)) {
     const Trajectory moved = oracle.Simulate(variant.world);
     if (!IsWhole(moved)) continue;

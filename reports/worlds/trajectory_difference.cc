@@ -112,13 +112,14 @@ std::vector<State> Extrapolated(const std::vector<State>& coarse,
 
 }  // namespace
 
-double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
-                       double until) {
-  double largest = 0;
+std::vector<double> DistancesBetween(const Trajectory& a, const Trajectory& b,
+                                     double radius, double until) {
+  std::vector<double> distances;
   const std::size_t samples = std::min(a.samples.size(), b.samples.size());
   for (std::size_t s = 0; s < samples && a.times[s] < until; ++s) {
     const WorldState& of_a = a.samples[s];
     const WorldState& of_b = b.samples[s];
+    double largest = 0;
     for (std::size_t i = 0; i < of_a.bodies.size(); ++i) {
       const BodyState& body_a = of_a.bodies[i];
       const BodyState& body_b = of_b.bodies[i];
@@ -127,7 +128,16 @@ double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
     }
     TakeLarger(largest, PointDistance(of_a.particles, of_b.particles));
     TakeLarger(largest, PointDistance(of_a.nodes, of_b.nodes));
+    distances.push_back(largest);
   }
+  return distances;
+}
+
+double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
+                       double until) {
+  double largest = 0;
+  for (const double distance : DistancesBetween(a, b, radius, until))
+    TakeLarger(largest, distance);
   return largest;
 }
 

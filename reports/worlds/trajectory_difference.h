@@ -1,15 +1,20 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "oracles/trajectory.h"
 
 namespace touchstone {
 
-/** Returns the largest distance between the places of one thing at one time in two
- trajectories of the same bodies: rigid bodies by their centres plus `radius` times their
- angle to each other, particles and nodes as points; over the samples that both have and
- that are before `until` [s]. [m] */
+/** Returns the largest distance between the places of one thing in two trajectories of
+ the same bodies, for each sample that both have and that is before `until` [s]: rigid
+ bodies by their centres plus `radius` times their angle to each other, particles and
+ nodes as points. [m] */
+std::vector<double> DistancesBetween(const Trajectory& a, const Trajectory& b,
+                                     double radius, double until);
+
+/** Returns the largest of DistancesBetween(): a NaN where there is one, 0 of none. [m] */
 double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
                        double until);
 

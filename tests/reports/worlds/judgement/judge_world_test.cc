@@ -90,6 +90,29 @@ TEST(JudgeWorld, AnErrorThatStaysIsADefect) {
   EXPECT_THAT(position->cause_because, HasSubstr("does not vanish"));
 }
 
+TEST(JudgeWorld, AnErrorThatHardlyFallsWithTheStepHasNoOrder) {
+  const Studied studied(TwoBallsInFlight(), OffBy(1e-3, 0.2));
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* order = Find(findings, MeasureKind::kObservedOrder);
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(order->verdict, Verdict::kFail);
+  EXPECT_NEAR(order->value, 0.8, 1e-6);
+}
+
+TEST(JudgeWorld, WhatSwingsOutOfStepHasTheOrderWithWhichItLeft) {
+  // First-order in its phase: soon the swings differ by twice their width at any step.
+  const FakeSimulator engine("swings", [](const World& world) {
+    return FreeFlight(world, [&](double t) {
+      return Eigen::Vector3d(1e-3 * std::sin(100 * (1 + 10 * world.dt) * t), 0, 0);
+    });
+  });
+  const Studied studied(TwoBallsInFlight(), engine);
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* order = Find(findings, MeasureKind::kObservedOrder);
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(order->verdict, Verdict::kPass) << order->proof;
+}
+
 TEST(JudgeWorld, WithoutSmallerStepsNoErrorIsBlamedOnTheStep) {
   const Studied studied(TwoBallsInFlight(), OffBy(1000, 1));
   Study study = studied.study();
@@ -170,6 +193,16 @@ TEST(JudgeVariant, GrantsWhatTheStepExplains) {
       SeenInWorld(variants.front(), engine.Simulate(variants.front().world)));
   EXPECT_GT(finding.value, 1e-6);
   EXPECT_EQ(finding.verdict, Verdict::kPass) << finding.proof;
+}
+
+TEST(JudgeVariant, GrantsRoundingAsMuchAsTheMotionMakesOfIt) {
+  const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
+  Study study = studied.study();
+  const double plain =
+      JudgeVariant(study, MeasureKind::kHeading, studied.whole).tolerance;
+  study.gain = 10;
+  EXPECT_NEAR(JudgeVariant(study, MeasureKind::kHeading, studied.whole).tolerance,
+              10 * plain, 1e-3 * plain);
 }
 
 TEST(JudgeRepetition, OneBitIsADifference) {

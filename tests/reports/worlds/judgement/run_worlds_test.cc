@@ -69,8 +69,8 @@ TEST(RunWorlds, AsksAtSmallerStepsOnlyWhatIsSmall) {
   worlds[0].world.steps = 100;
   worlds[0].world.sample_every = 100;
   RunWorlds(worlds, oracles, 1, {});
-  // The whole, half and quarter step, and one run for each of four variants.
-  EXPECT_EQ(runs, 1 + 3 + 4);
+  // The whole, half and quarter step, a nudged start, and each of four variants.
+  EXPECT_EQ(runs, 1 + 3 + 1 + 4);
 }
 
 TEST(RunWorlds, FindsTheWorstMemberOfAnEnsemble) {
