@@ -1,18 +1,10 @@
 #include "reports/worlds/laws/cone_models.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "reports/worlds/laws/landing.h"
 
 namespace touchstone {
-namespace {
-
-bool AnyBeyond(const std::vector<Worst>& findings) {
-  return std::any_of(findings.begin(), findings.end(),
-                     [](const Worst& worst) { return worst.IsBeyond(); });
-}
-
-}  // namespace
 
 std::vector<LawFinding> JudgedByCone(
     const Motion& motion, const std::vector<int>& bodies,
@@ -28,9 +20,8 @@ std::vector<LawFinding> JudgedByCone(
       recognised = NameOf(cones[i].cone);
       break;
     }
-    for (const Worst& worst : by_circle) {
-      if (worst.IsTaken()) findings.push_back(worst.RecognisedAs(recognised));
-    }
+    for (LawFinding& finding : FindingsOf(by_circle, recognised))
+      findings.push_back(std::move(finding));
   }
   return WorstOfEach(findings);
 }

@@ -7,22 +7,28 @@
 #include "reports/worlds/laws/conserves_angular_momentum.h"
 #include "reports/worlds/laws/conserves_energy.h"
 #include "reports/worlds/laws/conserves_momentum.h"
+#include "reports/worlds/laws/corner_impact.h"
 #include "reports/worlds/laws/energy_never_rises.h"
 #include "reports/worlds/laws/incline.h"
 #include "reports/worlds/laws/never_penetrates.h"
+#include "reports/worlds/laws/oblique_impact.h"
 #include "reports/worlds/laws/rolling_box.h"
+#include "reports/worlds/laws/row_impact.h"
 #include "reports/worlds/laws/slide_to_stop.h"
 #include "reports/worlds/laws/slip_to_roll.h"
+#include "reports/worlds/laws/sphere_impact.h"
 #include "reports/worlds/laws/torque_free.h"
 
 namespace touchstone {
 
 std::span<const Law> Laws() {
   static const std::array laws = {
-      kBallistic,       kBounceSeries,      kConservesAngularMomentum,
-      kConservesEnergy, kConservesMomentum, kEnergyNeverRises,
-      kIncline,         kNeverPenetrates,   kRollingBox,
-      kSlideToStop,     kSlipToRoll,        kTorqueFree,
+      kBallistic,        kBounceSeries,      kConservesAngularMomentum,
+      kConservesEnergy,  kConservesMomentum, kCornerImpact,
+      kEnergyNeverRises, kIncline,           kNeverPenetrates,
+      kObliqueImpact,    kRollingBox,        kRowImpact,
+      kSlideToStop,      kSlipToRoll,        kSphereImpact,
+      kTorqueFree,
   };
   return laws;
 }

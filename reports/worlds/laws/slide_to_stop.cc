@@ -1,5 +1,6 @@
 #include "reports/worlds/laws/slide_to_stop.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>

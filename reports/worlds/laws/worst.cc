@@ -14,6 +14,20 @@ auto Gravity(const LawFinding& finding) {
 
 }  // namespace
 
+bool AnyBeyond(const std::vector<Worst>& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Worst& worst) { return worst.IsBeyond(); });
+}
+
+std::vector<LawFinding> FindingsOf(const std::vector<Worst>& findings,
+                                   std::string_view model) {
+  std::vector<LawFinding> taken;
+  for (const Worst& worst : findings) {
+    if (worst.IsTaken()) taken.push_back(worst.RecognisedAs(model));
+  }
+  return taken;
+}
+
 std::vector<LawFinding> WorstOfEach(const std::vector<LawFinding>& findings) {
   std::vector<LawFinding> worst;
   for (const LawFinding& finding : findings) {

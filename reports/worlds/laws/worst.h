@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "reports/worlds/law.h"
 
@@ -52,6 +53,14 @@ class Worst {
   LawFinding finding_;
   double share_ = -1;  ///< Of the worst: its value in tolerances.
 };
+
+/** Returns whether the worst of any measure is beyond its tolerance. */
+bool AnyBeyond(const std::vector<Worst>& findings);
+
+/** Returns the findings of what there was to measure, recognised as `model` where they
+ are beyond their tolerance; empty: no model. */
+std::vector<LawFinding> FindingsOf(const std::vector<Worst>& findings,
+                                   std::string_view model = "");
 
 /** Returns one finding for each measure: of several, one that is beyond its tolerance and
  not recognised before one that is recognised, and that before one within; among equals

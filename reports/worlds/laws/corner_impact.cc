@@ -1,0 +1,304 @@
+#include "reports/worlds/laws/corner_impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/landing.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/scheme_drift.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/impact.h"
+#include "reports/worlds/truth/mechanics.h"
+#include "reports/worlds/truth/torque_free_rotation.h"
+
+namespace touchstone {
+namespace {
+
+/** Heights that are one, over the size of the box: poses with nine digits. [-] */
+constexpr double kEven = 1e-9;
+
+/** Steps of way by which other corners have to be higher. */
+constexpr double kClear = 3;
+
+/** How much later than a step an impact may be that falls on a step. [steps] */
+constexpr double kLatest = 1.125;
+
+using Corners = Eigen::Matrix<double, 3, 8>;
+
+Corners CornersOf(const RigidBody& body, const Eigen::Matrix3d& R_WB) {
+  const Eigen::Vector3d half = std::get<Box>(body.placed.shape).half_extents;
+  Corners r_W;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1,
+                               corner & 4 ? 1 : -1);
+    r_W.col(corner) = R_WB * sign.cwiseProduct(half);
+  }
+  return r_W;
+}
+
+/** A box that comes down on a corner or an edge. */
+struct Fall {
+  Landing landing;
+  Striker start;
+  Eigen::Vector3d a_W;
+  Eigen::Vector3d r_W;  ///< From the centre to the corner, or to the edge's middle.
+  double time;          ///< Of the impact. [s]
+  double speed;         ///< |u_n| of the impact. [m/s]
+  int lowest;           ///< How many corners are lowest.
+  double clearance;     ///< How much higher the next one is. [m]
+  Eigen::Vector3d t_W;  ///< The tangent of an edge's plane of motion.
+
+  /** Returns the impulse of the impact by `rule`, at a point `inside` [m] the box. */
+  Eigen::Vector3d Impulse(ImpactRule rule, const Striker& at,
+                          const Eigen::Vector3d& p_W) const {
+    const Eigen::Matrix3d K = ImpulseResponse(at, p_W);
+    const Eigen::Vector3d u_W = at.VelocityAt(p_W);
+    const Eigen::Vector3d& n_W = landing.n_W;
+    const double u_n = n_W.dot(u_W);
+    if (u_n >= 0) return Eigen::Vector3d::Zero();
+    if (landing.friction == 0)
+      return -(1 + landing.restitution) * u_n / n_W.dot(K * n_W) * n_W;
+    Eigen::Matrix<double, 3, 2> plane;
+    plane << n_W, t_W;
+    return plane * PlanarImpulse(rule, plane.transpose() * K * plane,
+                                 plane.transpose() * u_W, landing.restitution,
+                                 landing.friction);
+  }
+
+  /** Returns the box after `t`, but for its turning, with the impact at `impact` [s] at a
+   point `inset` [-] of its depth inside the box. */
+  Striker At(double t, double impact, double inset, ImpactRule rule) const {
+    Striker at = start;
+    const double until = std::min(t, impact);
+    at.p_WB += start.v_WB * until + a_W * (until * until / 2);
+    at.v_WB += a_W * until;
+    if (t <= impact) return at;
+    const double depth = -landing.n_W.dot(at.p_WB + r_W - landing.p_WC) - landing.gap;
+    const Eigen::Vector3d p_W =
+        at.p_WB + r_W + inset * std::max(0.0, depth) * landing.n_W;
+    at.Strike(Impulse(rule, at, p_W), p_W);
+    at.p_WB += at.v_WB * (t - impact) + a_W * ((t - impact) * (t - impact) / 2);
+    at.v_WB += a_W * (t - impact);
+    return at;
+  }
+
+  /** Returns the box just after the impact. */
+  Striker After(ImpactRule rule) const {
+    return At(std::nextafter(time, 1e300), time, 0, rule);
+  }
+};
+
+Fall FallOf(const World& world, int index) {
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const Eigen::Matrix3d& R = body.placed.X_WB.R_WB;
+  Fall fall;
+  fall.landing = *LandingOf(world, index);
+  fall.start = {1 / body.mass,
+                R * InertiaOf(body).cwiseInverse().asDiagonal() * R.transpose(),
+                body.placed.X_WB.p_WB, body.v_WB, body.w_WB};
+  fall.a_W = world.gravity_W + body.force_W / body.mass;
+  const Eigen::Vector3d& n_W = fall.landing.n_W;
+  const Corners r_W = CornersOf(body, R);
+  const Eigen::Matrix<double, 1, 8> heights = n_W.transpose() * r_W;
+  const double even = kEven * BoundingRadius(body.placed.shape);
+  fall.r_W.setZero();
+  fall.lowest = 0;
+  fall.clearance = std::numeric_limits<double>::infinity();
+  for (int corner = 0; corner < 8; ++corner) {
+    const double higher = heights[corner] - heights.minCoeff();
+    if (higher > even) {
+      fall.clearance = std::min(fall.clearance, higher);
+      continue;
+    }
+    ++fall.lowest;
+    fall.r_W += r_W.col(corner);
+  }
+  fall.r_W /= fall.lowest;
+  // Across the edge: the part of the arm along the plane, which is nothing where the
+  // centre is right above it.
+  int along = 0;
+  (R.transpose() * fall.r_W).cwiseAbs().minCoeff(&along);
+  fall.t_W = R.col(along).cross(n_W).normalized();
+  const double gap = std::max(0.0, fall.landing.gap);
+  const double v = n_W.dot(body.v_WB);
+  const double a = n_W.dot(fall.a_W);
+  fall.speed = std::sqrt(v * v - 2 * a * gap);
+  fall.time = v < 0 ? 2 * gap / (fall.speed - v) : -(v + fall.speed) / a;
+  return fall;
+}
+
+/** Returns when another corner, or the same, comes down next, less what an engine may be
+ early; looked for at every step. [s] */
+double NextImpact(const World& world, int index, const Fall& fall, ImpactRule rule) {
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const Striker after = fall.After(rule);
+  const TorqueFreeRotation turning(
+      InertiaOf(body),
+      {Eigen::Quaterniond(body.placed.X_WB.R_WB).normalized(), after.w_WB});
+  std::vector<double> times;
+  for (double t = 0; t <= world.steps * world.dt - fall.time; t += world.dt)
+    times.push_back(t);
+  const std::vector<Rotation> turned = turning.At(times);
+  const Eigen::Vector3d& n_W = fall.landing.n_W;
+  const Eigen::Vector3d on_plane_W =
+      fall.landing.p_WC - fall.landing.gap * fall.landing.n_W;
+  const double below = -kEven * BoundingRadius(body.placed.shape);
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    const Eigen::Vector3d p_W =
+        fall.At(fall.time + times[i], fall.time, 0, rule).p_WB - on_plane_W;
+    const Corners r_W = CornersOf(body, turned[i].q_WB.toRotationMatrix());
+    if ((n_W.transpose() * (r_W.colwise() + p_W)).minCoeff() < below)
+      return fall.time + times[i] - kClear * world.dt;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+std::string WhyNot(const World& world, int index) {
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  if (!std::holds_alternative<Box>(body.placed.shape)) return "is no box";
+  const std::optional<Landing> landing = LandingOf(world, index);
+  if (!landing) return "faces no static half-space or box";
+  if (!body.w_WB.isZero(0)) return "spins at the start";
+  if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
+    return "is held or struck";
+  if (landing->gap < -kEven * BoundingRadius(body.placed.shape))
+    return "starts inside what it faces";
+  const Fall fall = FallOf(world, index);
+  // Written so that a box that never arrives is refused.
+  if (!(fall.time >= 0 && fall.time <= world.steps * world.dt && fall.speed > 0))
+    return "does not reach what it faces";
+  if (fall.lowest > 2) return "lands flat";
+  if (fall.clearance <= kClear * fall.speed * world.dt)
+    return "lands with other corners within three steps of its way";
+  if (landing->friction > 0) {
+    if (fall.lowest == 1) return "lands on one corner with friction";
+    const Eigen::Vector3d edge_W = fall.t_W.cross(landing->n_W);
+    const double v = body.v_WB.norm() + fall.a_W.norm() * fall.time;
+    if (std::abs(edge_W.dot(body.v_WB + fall.a_W * fall.time)) > kEven * v)
+      return "moves along the edge that it lands on";
+  }
+  if (NextImpact(world, index, fall, ImpactRule::kNewton) <= fall.time)
+    return "comes down again within three steps";
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
+  if (bodies.size() != 1)
+    return {{"about", fmt::format("are {} bodies", bodies.size()), "one box"}};
+  const std::string why = WhyNot(world, bodies.front());
+  if (!why.empty()) {
+    const std::string& name = world.bodies[static_cast<std::size_t>(bodies.front())].name;
+    return {{WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
+             "a box that flies without spin, a corner (without friction) or an edge "
+             "first, against a static half-space or box"}};
+  }
+  const Fall fall = FallOf(world, bodies.front());
+  const Striker before = fall.At(fall.time, fall.time, 0, ImpactRule::kNewton);
+  const Striker after = fall.After(ImpactRule::kNewton);
+  return FaultsOfNumbers(claim, {{"expected_speed", after.v_WB.norm()},
+                                 {"expected_spin", after.w_WB.norm()},
+                                 {"expected_impulse", (after.v_WB - before.v_WB).norm() /
+                                                          fall.start.inverse_mass}});
+}
+
+std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
+  const World& world = motion.world;
+  const double h = world.dt;
+  const auto i = static_cast<std::size_t>(index);
+  const RigidBody& body = world.bodies[i];
+  const Fall fall = FallOf(world, index);
+  const double until = NextImpact(world, index, fall, rule);
+  const Subjects subject{{index}, {}, {}};
+  const std::vector<double> lost =
+      IntegralAlong(motion.trajectory, [&](const WorldState& state) {
+        return GyroscopicMomentumRate(world, state, subject);
+      });
+  const double least_inertia = InertiaOf(body).minCoeff();
+  const double lever = body.mass * fall.r_W.norm() / least_inertia;  // [1/m]
+  const std::string because =
+      "1.5 × what an impact up to a step early or late, inside the box, changes, and "
+      "gravity in a step; 1e-5 of the velocity for the solver, and 64 roundings a step";
+  Worst velocity(MeasureKind::kVelocityError, because);
+  Worst spin(MeasureKind::kSpinError, because);
+  Worst position(MeasureKind::kPositionError, because);
+  const double speed = body.v_WB.norm() + fall.a_W.norm() * fall.time;
+  const double a = fall.a_W.norm();
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    if (t > until) break;
+    const BodyState& is = motion.trajectory.samples[s].bodies[i];
+    const Striker truth = fall.At(t, fall.time, 0, rule);
+    double dv = 0;
+    double dw = 0;
+    double dp = 0;
+    for (const double late : {-1.0, -0.5, 0.0, 0.5, kLatest}) {
+      for (const double inset : {0.0, 0.5, 1.0}) {
+        const Striker other =
+            fall.At(t, std::max(0.0, fall.time + late * h), inset, rule);
+        dv = std::max(dv, (other.v_WB - truth.v_WB).norm());
+        dw = std::max(dw, (other.w_WB - truth.w_WB).norm());
+        dp = std::max(dp, (other.p_WB - truth.p_WB).norm());
+      }
+    }
+    const double gravity = t < fall.time - h ? 0
+                                             : a * h * (1 + fall.landing.restitution) *
+                                                   (1 + fall.landing.friction);
+    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
+    const double share = kSolverResidual + rounding;
+    velocity.Take(
+        (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
+          return fmt::format(
+              "{} has {} move at {} after {:.6g} s; the impact leaves it {}",
+              motion.oracle.name, body.name, Words(is.v_WB), t, Words(truth.v_WB));
+        });
+    position.Take((is.p_WB - truth.p_WB).norm(),
+                  kSafety * (dp + (gravity + a * h / 2) * t) + share * speed * t +
+                      rounding * truth.p_WB.norm(),
+                  [&] {
+                    return fmt::format(
+                        "{} has {} at {} after {:.6g} s; the impact leads it to {}",
+                        motion.oracle.name, body.name, Words(is.p_WB), t,
+                        Words(truth.p_WB));
+                  });
+    // Before the impact the inverse of the inertia is that of the start; the spin of the
+    // truth is that at the impact.
+    const Eigen::Vector3d L_W = fall.start.inverse_inertia_W.inverse() * truth.w_WB;
+    const Eigen::Vector3d w_W = InertiaInWorld(body, is.q_WB).inverse() * L_W;
+    spin.Take((is.w_WB - w_W).norm(),
+              kSafety * (dw + gravity * lever + h * lost[s] / least_inertia) +
+                  share * (speed * lever + w_W.norm()),
+              [&] {
+                return fmt::format(
+                    "{} has {} spin at {} after {:.6g} s; as it is turned, the angular "
+                    "momentum that the impact leaves is a spin of {}",
+                    motion.oracle.name, body.name, Words(is.w_WB), t, Words(w_W));
+              });
+  }
+  return {position, velocity, spin};
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const int index = SubjectsOf(motion.world, claim).bodies.front();
+  const std::vector<Worst> by_newton = JudgeBy(ImpactRule::kNewton, motion, index);
+  const bool by_poisson =
+      AnyBeyond(by_newton) && !AnyBeyond(JudgeBy(ImpactRule::kPoisson, motion, index));
+  return FindingsOf(by_newton, by_poisson ? "Poisson's restitution" : "");
+}
+
+}  // namespace
+
+constinit const Law kCornerImpact = {
+    "corner_impact",
+    "A box without spin hits a static plane with a corner (no friction) or an edge.",
+    Faults, Judge};
+
+}  // namespace touchstone

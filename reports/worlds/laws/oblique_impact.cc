@@ -1,0 +1,106 @@
+#include "reports/worlds/laws/oblique_impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/landing.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/sphere_meeting.h"
+#include "reports/worlds/laws/subjects.h"
+
+namespace touchstone {
+namespace {
+
+/** Overlap at the start that is rounding, over the radius. [-] */
+constexpr double kApart = 1e-9;
+
+SphereMeeting MeetingOf(const World& world, int index) {
+  const Landing landing = *LandingOf(world, index);
+  SphereMeeting meeting;
+  meeting.A.body = landing.ground;
+  meeting.A.start.p_WB = landing.p_WC - landing.gap * landing.n_W;
+  meeting.B = SideOf(world, index);
+  meeting.n_AB_W = landing.n_W;
+  meeting.restitution = landing.restitution;
+  meeting.friction = landing.friction;
+  // gap + v t + ½ a t² = 0, the first root, written so that nothing cancels.
+  const double gap = std::max(0.0, landing.gap);
+  const double v = landing.n_W.dot(meeting.B.start.v_WB);
+  const double a = landing.n_W.dot(meeting.B.a_W);
+  const double V = std::sqrt(v * v - 2 * a * gap);
+  meeting.time = v < 0 || a < 0 ? (v < 0 ? 2 * gap / (V - v) : -(v + V) / a)
+                                : std::numeric_limits<double>::quiet_NaN();
+  return meeting;
+}
+
+/** Returns when the sphere comes down again, less what an engine may be early. [s] */
+double SecondImpact(const World& world, const SphereMeeting& meeting) {
+  const double a = meeting.n_AB_W->dot(meeting.B.a_W);
+  if (a >= 0) return std::numeric_limits<double>::infinity();
+  const double V =
+      -meeting.n_AB_W->dot(meeting.B.start.v_WB + meeting.time * meeting.B.a_W);
+  return meeting.time + 2 * meeting.restitution * V / -a - 3 * world.dt;
+}
+
+std::string WhyNot(const World& world, int index) {
+  std::string why = WhyNoFreeSphere(world, index);
+  if (!why.empty()) return why;
+  const std::optional<Landing> landing = LandingOf(world, index);
+  if (!landing) return "faces no static half-space or box";
+  if (landing->gap < -kApart * SideOf(world, index).radius)
+    return "starts inside what it faces";
+  const SphereMeeting meeting = MeetingOf(world, index);
+  // Written so that a sphere that never arrives is refused.
+  if (!(meeting.time <= world.steps * world.dt)) return "does not reach what it faces";
+  if (SecondImpact(world, meeting) <= meeting.time)
+    return "is down again within three steps";
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
+  if (bodies.size() != 1)
+    return {{"about", fmt::format("are {} bodies", bodies.size()), "one sphere"}};
+  const std::string why = WhyNot(world, bodies.front());
+  if (!why.empty()) {
+    const std::string& name = world.bodies[static_cast<std::size_t>(bodies.front())].name;
+    return {{WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
+             "a sphere that flies against a static half-space or box"}};
+  }
+  const SphereMeeting meeting = MeetingOf(world, bodies.front());
+  const PlacedCone circle = ConesOn(*meeting.n_AB_W).front();
+  const Striker before = MetAt(meeting, meeting.time, meeting.time, 0, circle).B;
+  const Striker after =
+      MetAt(meeting, std::nextafter(meeting.time, 1e300), meeting.time, 0, circle).B;
+  const auto energy = [](const Striker& is) {
+    return is.v_WB.squaredNorm() / is.inverse_mass +
+           is.w_WB.squaredNorm() / is.inverse_inertia_W(0, 0);
+  };
+  const double v_n = after.v_WB.dot(*meeting.n_AB_W);
+  return FaultsOfNumbers(
+      claim, {{"expected_normal_speed", std::abs(v_n)},
+              {"expected_tangential_speed", (after.v_WB - v_n * *meeting.n_AB_W).norm()},
+              {"expected_spin", after.w_WB.norm()},
+              {"expected_energy_ratio", energy(after) / energy(before)}});
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const SphereMeeting meeting =
+      MeetingOf(motion.world, SubjectsOf(motion.world, claim).bodies.front());
+  return JudgeMeeting(motion, meeting, SecondImpact(motion.world, meeting));
+}
+
+}  // namespace
+
+constinit const Law kObliqueImpact = {
+    "oblique_impact",
+    "A sphere hits a static plane at an angle, with spin, restitution and Coulomb "
+    "friction.",
+    Faults, Judge};
+
+}  // namespace touchstone

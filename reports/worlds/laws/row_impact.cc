@@ -1,0 +1,196 @@
+#include "reports/worlds/laws/row_impact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/row_of_balls.h"
+
+namespace touchstone {
+namespace {
+
+/** Gap of balls that an author means to touch, and distance from the line of those that
+ he means to be on it, over a radius: coordinates with nine digits. [-] */
+constexpr double kOnLine = 1e-9;
+
+/** Balls on the line x = p + s d. */
+struct Row {
+  std::vector<int> bodies;
+  Eigen::Vector3d p_W;
+  Eigen::Vector3d d_W;
+  std::vector<RowBall> balls;
+  std::vector<double> restitution;
+  double radius = 0;  ///< The largest.
+  double speed = 0;   ///< The largest at the start.
+
+  RowOfBalls By(RowRule rule, double touching) const {
+    return {balls, restitution, touching, rule};
+  }
+};
+
+Row RowOf(const World& world, const std::vector<int>& bodies) {
+  Row row;
+  row.bodies = bodies;
+  const auto body = [&](int index) -> const RigidBody& {
+    return world.bodies[static_cast<std::size_t>(index)];
+  };
+  row.p_W = body(bodies.front()).placed.X_WB.p_WB;
+  row.d_W = (body(bodies.back()).placed.X_WB.p_WB - row.p_W).normalized();
+  for (const int i : bodies) {
+    const double r = std::get<Sphere>(body(i).placed.shape).radius;
+    row.balls.push_back({body(i).mass, r, row.d_W.dot(body(i).placed.X_WB.p_WB - row.p_W),
+                         row.d_W.dot(body(i).v_WB)});
+    row.radius = std::max(row.radius, r);
+    row.speed = std::max(row.speed, body(i).v_WB.norm());
+  }
+  for (std::size_t i = 0; i + 1 < bodies.size(); ++i) {
+    row.restitution.push_back(
+        std::min(body(bodies[i]).restitution, body(bodies[i + 1]).restitution));
+  }
+  return row;
+}
+
+std::string WhyNoBall(const World& world, int index) {
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  if (!std::holds_alternative<Sphere>(body.placed.shape) || !body.collides)
+    return "is no sphere that collides";
+  if (!body.w_WB.isZero(0) || !body.force_W.isZero(0)) return "spins or is pulled";
+  if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
+    return "is held or struck";
+  return "";
+}
+
+std::vector<Fault> FaultsOfLine(const World& world, const Claim& claim, const Row& row) {
+  std::vector<Fault> faults;
+  for (std::size_t i = 0; i < row.bodies.size(); ++i) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(row.bodies[i])];
+    const Eigen::Vector3d p_W = body.placed.X_WB.p_WB - row.p_W;
+    std::string why;
+    if (p_W.cross(row.d_W).norm() > kOnLine * row.radius)
+      why = "is not on the line from the first to the last";
+    else if (body.v_WB.cross(row.d_W).norm() > kOnLine * row.speed)
+      why = "does not move along the row";
+    else if (i > 0 && row.balls[i].x - row.balls[i - 1].x - row.balls[i].radius -
+                              row.balls[i - 1].radius <
+                          -kOnLine * row.radius)
+      why = "is out of order, or inside the one before";
+    if (why.empty()) continue;
+    faults.push_back({WhereAbout(claim, body.name),
+                      fmt::format("is {}, which {}", body.name, why),
+                      "spheres in the order of a line, moving along it"});
+  }
+  return faults;
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
+  if (bodies.size() < 2) return {{"about", "is one body", "two or more spheres"}};
+  if (!world.gravity_W.isZero(0))
+    return {{"about", "are in a world with gravity", "a world without gravity"}};
+  for (const int i : bodies) {
+    const std::string why = WhyNoBall(world, i);
+    if (why.empty()) continue;
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    faults.push_back({WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
+                      "a free sphere"});
+  }
+  if (!faults.empty()) return faults;
+  const Row row = RowOf(world, bodies);
+  faults = FaultsOfLine(world, claim, row);
+  if (!faults.empty()) return faults;
+  const double touching = kOnLine * row.radius;
+  const RowOfBalls in_order = row.By(RowRule::kFromFirst, touching);
+  if (in_order.PastAt(in_order.end()).moments == 0)
+    return {{"about", "are spheres that never meet", "an impact"}};
+  const RowOfBalls at_once = row.By(RowRule::kSimultaneous, touching);
+  // What is left of a ball that stops is rounding; its author says 0.
+  const auto velocity = [&](const RowBall& ball) {
+    return std::abs(ball.v) <= kOnLine * row.speed ? 0 : ball.v;
+  };
+  return FaultsOfNumbers(
+      claim, {{"expected_first_velocity", velocity(in_order.last().front())},
+              {"expected_last_velocity", velocity(in_order.last().back())},
+              {"expected_simultaneous_first_velocity", velocity(at_once.last().front())},
+              {"expected_simultaneous_last_velocity", velocity(at_once.last().back())}});
+}
+
+std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
+                           const Row& row) {
+  const World& world = motion.world;
+  const double h = world.dt;
+  Worst velocity(MeasureKind::kVelocityError,
+                 "1e-5 of the fastest ball for the solver, and 64 roundings a step");
+  Worst position(MeasureKind::kPositionError,
+                 "1.5 × n h Σ |Δv| for n impacts, each a step late; 1e-5 of the way for "
+                 "the solver, and 64 roundings a step");
+  const double end = truth.end();
+  const RowOfBalls::Past all = truth.PastAt(end);
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    const std::vector<RowBall> balls = truth.At(t);
+    const RowOfBalls::Past past = truth.PastAt(t + h);
+    const double share =
+        kSolverResidual + RoundingOf(motion.oracle, StepsBefore(motion, s));
+    const bool between = past.moments > 0 && t < end + (all.moments + 1) * h;
+    for (std::size_t i = 0; i < row.bodies.size(); ++i) {
+      const auto index = static_cast<std::size_t>(row.bodies[i]);
+      const BodyState& is = motion.trajectory.samples[s].bodies[index];
+      const std::string& name = world.bodies[index].name;
+      const Eigen::Vector3d p_W = row.p_W + balls[i].x * row.d_W;
+      position.Take((is.p_WB - p_W).norm(),
+                    kSafety * past.moments * h * past.change + share * row.speed * t +
+                        RoundingOf(motion.oracle, StepsBefore(motion, s)) * p_W.norm(),
+                    [&] {
+                      return fmt::format(
+                          "{} has {} at {} after {:.6g} s; the impacts lead it to {}",
+                          motion.oracle.name, name, Words(is.p_WB), t, Words(p_W));
+                    });
+      if (between) continue;
+      const Eigen::Vector3d v_W = balls[i].v * row.d_W;
+      velocity.Take((is.v_WB - v_W).norm(), share * row.speed, [&] {
+        return fmt::format("{} has {} move at {} after {:.6g} s; the impacts leave it {}",
+                           motion.oracle.name, name, Words(is.v_WB), t, Words(v_W));
+      });
+    }
+  }
+  return {velocity, position};
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const Row row = RowOf(motion.world, SubjectsOf(motion.world, claim).bodies);
+  const double touching = kOnLine * row.radius;
+  const auto holds = [&](RowRule rule, double gap) {
+    return !AnyBeyond(JudgeBy(row.By(rule, gap), motion, row));
+  };
+  const std::vector<Worst> by_pairs =
+      JudgeBy(row.By(RowRule::kFromFirst, touching), motion, row);
+  std::string_view recognised;
+  if (AnyBeyond(by_pairs)) {
+    // What an engine takes to touch may still be as far apart as a step leads.
+    for (const double gap : {touching, kSafety * row.speed * motion.world.dt}) {
+      if (holds(RowRule::kSimultaneous, gap)) recognised = "simultaneous impacts";
+      if (holds(RowRule::kFromLast, gap) || holds(RowRule::kFromFirst, gap))
+        recognised = "sequential impacts";
+      if (!recognised.empty()) break;
+    }
+  }
+  return FindingsOf(by_pairs, recognised);
+}
+
+}  // namespace
+
+constinit const Law kRowImpact = {
+    "row_impact",
+    "Spheres on a line hit each other, one pair after another or all at once; about "
+    "names them in order.",
+    Faults, Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,88 @@
+#include "reports/worlds/laws/sphere_impact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/sphere_meeting.h"
+#include "reports/worlds/laws/subjects.h"
+
+namespace touchstone {
+namespace {
+
+/** Overlap at the start that is rounding, over the sum of the radii. [-] */
+constexpr double kApart = 1e-9;
+
+SphereMeeting MeetingOf(const World& world, const std::vector<int>& bodies) {
+  const RigidBody& A = world.bodies[static_cast<std::size_t>(bodies[0])];
+  const RigidBody& B = world.bodies[static_cast<std::size_t>(bodies[1])];
+  SphereMeeting meeting;
+  meeting.A = SideOf(world, bodies[0]);
+  meeting.B = SideOf(world, bodies[1]);
+  meeting.restitution = std::min(A.restitution, B.restitution);
+  meeting.friction = std::sqrt(A.friction * B.friction);
+  meeting.time = TouchTime(meeting.A, meeting.B);
+  return meeting;
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
+  if (bodies.size() != 2)
+    return {{"about", fmt::format("are {} bodies", bodies.size()), "two spheres"}};
+  for (const int i : bodies) {
+    const std::string why = WhyNoFreeSphere(world, i);
+    if (why.empty()) continue;
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    faults.push_back({WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
+                      "a free sphere"});
+  }
+  if (!faults.empty()) return faults;
+  const SphereMeeting meeting = MeetingOf(world, bodies);
+  if (!meeting.A.a_W.isApprox(meeting.B.a_W) && meeting.A.a_W != meeting.B.a_W)
+    return {{"about", "are pulled apart or together", "the same g + F/m for both"}};
+  const double r = meeting.A.radius + meeting.B.radius;
+  // Written so that spheres that never meet are refused.
+  if (!(meeting.time >= -kApart) ||
+      (meeting.B.start.p_WB - meeting.A.start.p_WB).norm() < (1 - kApart) * r ||
+      meeting.time > world.steps * world.dt)
+    return {{"about", "are spheres that do not meet, or start inside each other",
+             "an impact"}};
+  const Met met = MetAt(meeting, std::nextafter(meeting.time, 1e300), meeting.time, 0,
+                        ConesOn(meeting.NormalAt(meeting.time)).front());
+  const auto energy = [](const SphereMeeting::Side& side, const Striker& is) {
+    return (is.v_WB.squaredNorm() / side.start.inverse_mass +
+            is.w_WB.squaredNorm() / side.start.inverse_inertia_W(0, 0)) /
+           2;
+  };
+  const Met before = MetAt(meeting, meeting.time, meeting.time, 0,
+                           ConesOn(meeting.NormalAt(meeting.time)).front());
+  return FaultsOfNumbers(
+      claim, {{"expected_first_speed", met.A.v_WB.norm()},
+              {"expected_second_speed", met.B.v_WB.norm()},
+              {"expected_first_spin", met.A.w_WB.norm()},
+              {"expected_second_spin", met.B.w_WB.norm()},
+              {"expected_energy_ratio",
+               (energy(meeting.A, met.A) + energy(meeting.B, met.B)) /
+                   (energy(meeting.A, before.A) + energy(meeting.B, before.B))}});
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  return JudgeMeeting(motion,
+                      MeetingOf(motion.world, SubjectsOf(motion.world, claim).bodies),
+                      std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+
+constinit const Law kSphereImpact = {
+    "sphere_impact",
+    "Two free spheres hit each other with restitution and Coulomb friction; about names "
+    "both.",
+    Faults, Judge};
+
+}  // namespace touchstone
