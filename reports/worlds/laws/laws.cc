@@ -8,26 +8,50 @@
 #include "reports/worlds/laws/conserves_energy.h"
 #include "reports/worlds/laws/conserves_momentum.h"
 #include "reports/worlds/laws/corner_impact.h"
+#include "reports/worlds/laws/coulomb_cone.h"
 #include "reports/worlds/laws/energy_never_rises.h"
 #include "reports/worlds/laws/incline.h"
+#include "reports/worlds/laws/momentum_balance.h"
 #include "reports/worlds/laws/never_penetrates.h"
 #include "reports/worlds/laws/oblique_impact.h"
+#include "reports/worlds/laws/penetration_score.h"
+#include "reports/worlds/laws/pushed.h"
+#include "reports/worlds/laws/rests.h"
 #include "reports/worlds/laws/rolling_box.h"
+#include "reports/worlds/laws/rolls.h"
 #include "reports/worlds/laws/row_impact.h"
 #include "reports/worlds/laws/slide_to_stop.h"
 #include "reports/worlds/laws/slip_to_roll.h"
 #include "reports/worlds/laws/sphere_impact.h"
+#include "reports/worlds/laws/stack_support.h"
 #include "reports/worlds/laws/torque_free.h"
 
 namespace touchstone {
 
 std::span<const Law> Laws() {
   static const std::array laws = {
-      kBallistic,        kBounceSeries,      kConservesAngularMomentum,
-      kConservesEnergy,  kConservesMomentum, kCornerImpact,
-      kEnergyNeverRises, kIncline,           kNeverPenetrates,
-      kObliqueImpact,    kRollingBox,        kRowImpact,
-      kSlideToStop,      kSlipToRoll,        kSphereImpact,
+      kBallistic,
+      kBounceSeries,
+      kConservesAngularMomentum,
+      kConservesEnergy,
+      kConservesMomentum,
+      kCornerImpact,
+      kCoulombCone,
+      kEnergyNeverRises,
+      kIncline,
+      kMomentumBalance,
+      kNeverPenetrates,
+      kObliqueImpact,
+      kPenetrationScore,
+      kPushed,
+      kRests,
+      kRollingBox,
+      kRolls,
+      kRowImpact,
+      kSlideToStop,
+      kSlipToRoll,
+      kSphereImpact,
+      kStackSupport,
       kTorqueFree,
   };
   return laws;

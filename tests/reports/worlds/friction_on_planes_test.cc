@@ -349,6 +349,47 @@ TEST(SlipToRoll, RecognisesTheOtherCones) {
   }
 }
 
+/** A ball that rolls up and across the slope of `degrees` at the start, and spins. */
+World RollingUp(double degrees) {
+  World world = Slope(kBall, 0.5, degrees, 0.6, 20);
+  RigidBody& ball = world.bodies[0];
+  ball.v_WB = {-2, 0, 1.5};
+  ball.w_WB = Eigen::Vector3d(0, 4, 0) + Eigen::Vector3d::UnitY().cross(ball.v_WB) / 0.5;
+  return world;
+}
+
+TEST(Rolls, OnALevelPlaneAndUpASlope) {
+  for (const double degrees : {0.0, 15.0}) {
+    const World world = RollingUp(degrees);
+    EXPECT_TRUE(
+        Passes(Judge(world, Rubbed(world, FrictionCone::kCircle, 0.6), ClaimOf("rolls"))))
+        << degrees;
+  }
+  EXPECT_TRUE(FaultsOf(RollingUp(15),
+                       ClaimOf("rolls", {"body"}, {{"expected_acceleration", 1.813582}}))
+                  .empty());
+}
+
+TEST(Rolls, FindsALeverThatIsTooShortAndRollingResistance) {
+  const World world = RollingUp(15);
+  EXPECT_TRUE(Finds(
+      Judge(world, Rubbed(world, FrictionCone::kCircle, 0.6, 0.99), ClaimOf("rolls")),
+      MeasureKind::kSpinError));
+  Trajectory slowed = Rubbed(world, FrictionCone::kCircle, 0.6);
+  for (std::size_t s = 0; s < slowed.samples.size(); ++s)
+    slowed.samples[s].bodies[0].v_WB *= std::exp(-1e-3 * slowed.times[s]);
+  EXPECT_TRUE(Finds(Judge(world, slowed, ClaimOf("rolls")), MeasureKind::kVelocityError));
+}
+
+TEST(Rolls, RefusesSlipAndTooLittleFriction) {
+  World world = RollingUp(15);
+  world.bodies[0].w_WB.x() += 0.1;
+  EXPECT_EQ(FaultsOf(world, ClaimOf("rolls")).size(), 1U);
+  world = RollingUp(15);
+  world.bodies[0].friction = 0.001;
+  EXPECT_EQ(FaultsOf(world, ClaimOf("rolls")).size(), 1U);
+}
+
 /** SimBenchmark's rolling scene, pulled at 60° to the x axis. */
 World PulledBox(double degrees) {
   World world;

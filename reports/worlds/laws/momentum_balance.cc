@@ -1,0 +1,78 @@
+#include "reports/worlds/laws/momentum_balance.h"
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/contact_history.h"
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    if (!IsHeld(world, AnchorKind::kBody, i)) continue;
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    faults.push_back({WhereAbout(claim, name),
+                      fmt::format("is {}, which a spring or a joint holds", name),
+                      "a body that only contacts hold"});
+  }
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  if (!trajectory.gives_impulses) return {};
+  Worst worst(MeasureKind::kMomentumBalance,
+              "64 roundings a step: every scheme adds up the impulses that it applies");
+  for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
+    const std::vector<const ContactImpulse*> impulses = ImpulsesBetween(motion, s - 1, s);
+    const double from = trajectory.times[s - 1];
+    const double to = trajectory.times[s];
+    for (const int index : SubjectsOf(world, claim).bodies) {
+      const auto i = static_cast<std::size_t>(index);
+      const RigidBody& body = world.bodies[i];
+      const Eigen::Vector3d pull_W =
+          TimeBefore(motion, s) * (body.mass * world.gravity_W + body.force_W);
+      Eigen::Vector3d given_W = pull_W;
+      double size =
+          pull_W.norm() + body.mass * (trajectory.samples[s - 1].bodies[i].v_WB.norm() +
+                                       trajectory.samples[s].bodies[i].v_WB.norm());
+      for (const Push* push : PushesBetween(world, index, from, to)) {
+        given_W += push->J_W;
+        size += push->J_W.norm();
+      }
+      for (const ContactImpulse* contact : impulses) {
+        given_W += ImpulseOn(*contact, index);
+        size += ImpulseOn(*contact, index).norm();
+      }
+      const Eigen::Vector3d gained_W =
+          body.mass * (trajectory.samples[s].bodies[i].v_WB -
+                       trajectory.samples[s - 1].bodies[i].v_WB);
+      worst.Take((gained_W - given_W).norm(),
+                 RoundingOf(motion.oracle, world.sample_every) * size, [&] {
+                   return fmt::format(
+                       "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, blows "
+                       "and the contacts that it reports give {}",
+                       motion.oracle.name, body.name, Words(gained_W), from, to,
+                       Words(given_W));
+                 });
+    }
+  }
+  return FindingsOf({worst});
+}
+
+}  // namespace
+
+constinit const Law kMomentumBalance = {
+    "momentum_balance",
+    "A body's momentum gains what gravity, force, blows and the reported contacts give.",
+    Faults, Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,134 @@
+#include "reports/worlds/laws/penetration_score.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/worst.h"
+
+namespace touchstone {
+namespace {
+
+double RadiusOf(const RigidBody& body) {
+  return std::get<Sphere>(body.placed.shape).radius;
+}
+
+bool IsGround(const RigidBody& body) {
+  return body.mass == 0 && body.collides &&
+         (std::holds_alternative<HalfSpace>(body.placed.shape) ||
+          std::holds_alternative<Box>(body.placed.shape));
+}
+
+/** Returns how far the centre of a sphere is from what never moves, < 0 inside. [m] */
+double DistanceTo(const Body& ground, const Eigen::Vector3d& p_W) {
+  const Eigen::Vector3d p_B = ground.X_WB.R_WB.transpose() * (p_W - ground.X_WB.p_WB);
+  if (std::holds_alternative<HalfSpace>(ground.shape)) return p_B.z();
+  const Eigen::Vector3d beyond =
+      p_B.cwiseAbs() - std::get<Box>(ground.shape).half_extents;
+  return beyond.cwiseMax(0).norm() + std::min(0.0, beyond.maxCoeff());
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    if (std::holds_alternative<Sphere>(body.placed.shape) && body.collides) continue;
+    faults.push_back({WhereAbout(claim, body.name),
+                      fmt::format("is {}, which is no sphere that collides", body.name),
+                      "spheres"});
+  }
+  if (NumberOr(claim, "slope", 1) <= 0)
+    faults.push_back({"numbers.slope", "is not positive", "a score over h²"});
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"slope"}));
+}
+
+/** Two things that may be inside each other. */
+struct Pair {
+  std::size_t A;
+  std::size_t B;
+  double V = 0;  ///< The largest speed of approach so far. [m/s]
+};
+
+/** Where a pair is at one sample. */
+struct Nearness {
+  double gap;       ///< [m]
+  double approach;  ///< Its size, and what gravity may add by the next sample. [m/s]
+};
+
+Nearness NearnessOf(const World& world, const WorldState& state, const Pair& pair) {
+  const BodyState& a = state.bodies[pair.A];
+  const BodyState& b = state.bodies[pair.B];
+  const RigidBody& A = world.bodies[pair.A];
+  const double r = RadiusOf(world.bodies[pair.B]);
+  const double gap = A.mass > 0 ? (b.p_WB - a.p_WB).norm() - RadiusOf(A) - r
+                                : DistanceTo(A.placed, b.p_WB) - r;
+  return {gap, (b.v_WB - a.v_WB).norm() + world.gravity_W.norm() * SampleSpacing(world)};
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  const std::vector<int> spheres = SubjectsOf(world, claim).bodies;
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const auto B = static_cast<std::size_t>(spheres[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      pairs.push_back({static_cast<std::size_t>(spheres[j]), B});
+    for (std::size_t A = 0; A < world.bodies.size(); ++A) {
+      if (IsGround(world.bodies[A])) pairs.push_back({A, B});
+    }
+  }
+  const double h = world.dt;
+  const double g = world.gravity_W.norm();
+  double score = 0;
+  double allowed = 0;
+  double deepest = 0;
+  double reach = 0;
+  for (const WorldState& state : trajectory.samples) {
+    for (Pair& pair : pairs) {
+      const Nearness near = NearnessOf(world, state, pair);
+      // It may meet before the next sample, or has met since the last.
+      if (near.gap <= near.approach * SampleSpacing(world))
+        pair.V = std::max(pair.V, near.approach);
+      if (near.gap >= 0) continue;
+      const double depth = -near.gap;
+      score += depth * depth;
+      allowed += (pair.V * h + g * h * h) * (pair.V * h + g * h * h);
+      deepest = std::max(deepest, depth);
+    }
+    for (const int i : spheres)
+      reach = std::max(reach, state.bodies[static_cast<std::size_t>(i)].p_WB.norm());
+  }
+  const auto samples = static_cast<double>(trajectory.samples.size());
+  const double slope = NumberOr(claim, "slope", 0);
+  Worst worst(MeasureKind::kPenetration,
+              slope > 0
+                  ? "1.5 √s h, the score s h² of hard solvers that the claim cites"
+                  : "1.5 √ of the mean Σ (V h + g h²)² over the pairs that overlap");
+  worst.Take(std::sqrt(score / samples),
+             kSafety * (slope > 0 ? std::sqrt(slope) * h : std::sqrt(allowed / samples)) +
+                 RoundingOf(motion.oracle, 0) * reach,
+             [&] {
+               return fmt::format(
+                   "{} has √mean Σ depth² = {:.6g} m, a score of {:.6g} m²; the deepest "
+                   "pair is {:.6g} m deep",
+                   motion.oracle.name, std::sqrt(score / samples), score / samples,
+                   deepest);
+             });
+  // Exactly nothing inside of anything is a number too.
+  return {worst.finding()};
+}
+
+}  // namespace
+
+constinit const Law kPenetrationScore = {
+    "penetration_score",
+    "Spheres are on average as deep in each other as a step at their speed allows.",
+    Faults, Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,106 @@
+#include "reports/worlds/laws/pushed.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/contact_history.h"
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/scheme_drift.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
+  for (const int i : bodies) {
+    if (IsPushed(world, i) && !IsHeld(world, AnchorKind::kBody, i)) continue;
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    faults.push_back({WhereAbout(claim, name),
+                      fmt::format("is {}, which no blow strikes, or which is held", name),
+                      "a free body that a blow strikes"});
+  }
+  if (!faults.empty()) return faults;
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(bodies.front())];
+  const Push& push =
+      *PushesBetween(world, bodies.front(), 0, world.steps * world.dt).front();
+  const Eigen::Vector3d J_B = body.placed.X_WB.R_WB.transpose() * push.J_W;
+  return FaultsOfNumbers(
+      claim, {{"expected_speed_gain", push.J_W.norm() / body.mass},
+              // The body's own frame at the start: what turns before the blow has none.
+              {"expected_spin_gain",
+               push.p_BoP.cross(J_B).cwiseQuotient(InertiaOf(body)).norm()}});
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  Worst momentum(MeasureKind::kMomentumDrift, "64 roundings a step");
+  Worst spin(
+      MeasureKind::kAngularMomentumDrift,
+      "1.5 × what the gyroscopic term loses, h ω × (ω × L) Δt; |ω| Δt |r| |J| where "
+      "the blow falls between samples; and 64 roundings a step");
+  for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
+    const double from = trajectory.times[s - 1];
+    const double to = trajectory.times[s];
+    for (const int index : SubjectsOf(world, claim).bodies) {
+      const auto i = static_cast<std::size_t>(index);
+      const RigidBody& body = world.bodies[i];
+      const std::vector<const Push*> pushes = PushesBetween(world, index, from, to);
+      if (pushes.empty()) continue;
+      const BodyState& before = trajectory.samples[s - 1].bodies[i];
+      const BodyState& after = trajectory.samples[s].bodies[i];
+      const Eigen::Vector3d pull_W =
+          TimeBefore(motion, s) * (body.mass * world.gravity_W + body.force_W);
+      const Eigen::Vector3d L_before = InertiaInWorld(body, before.q_WB) * before.w_WB;
+      const Eigen::Vector3d L_after = InertiaInWorld(body, after.q_WB) * after.w_WB;
+      Eigen::Vector3d P_W = body.mass * before.v_WB + pull_W;
+      Eigen::Vector3d L_W = L_before;
+      double size = body.mass * (before.v_WB.norm() + after.v_WB.norm()) + pull_W.norm();
+      double L_size = L_before.norm() + L_after.norm();
+      double turned = 0;
+      for (const Push* push : pushes) {
+        P_W += push->J_W;
+        L_W += (before.q_WB * push->p_BoP).cross(push->J_W);
+        size += push->J_W.norm();
+        L_size += push->p_BoP.norm() * push->J_W.norm();
+        turned += before.w_WB.norm() * std::max(0.0, push->time - from) *
+                  push->p_BoP.norm() * push->J_W.norm();
+      }
+      const Subjects subject{{index}, {}, {}};
+      const double lost =
+          (to - from) *
+          std::max(GyroscopicMomentumRate(world, trajectory.samples[s - 1], subject),
+                   GyroscopicMomentumRate(world, trajectory.samples[s], subject));
+      const double rounding = RoundingOf(motion.oracle, world.sample_every);
+      momentum.Take((body.mass * after.v_WB - P_W).norm(), rounding * size, [&] {
+        return fmt::format("{} has {} at {} N s after {:.6g} s; the blow leaves it {}",
+                           motion.oracle.name, body.name, Words(body.mass * after.v_WB),
+                           to, Words(P_W));
+      });
+      spin.Take((L_after - L_W).norm(),
+                kSafety * (world.dt * lost + turned) + rounding * L_size, [&] {
+                  return fmt::format(
+                      "{} has {} at an angular momentum of {} after {:.6g} s; the blow "
+                      "leaves it {}",
+                      motion.oracle.name, body.name, Words(L_after), to, Words(L_W));
+                });
+    }
+  }
+  return FindingsOf({momentum, spin});
+}
+
+}  // namespace
+
+constinit const Law kPushed = {
+    "pushed", "A blow J at the point r gives a body the momentum J and r × J.", Faults,
+    Judge};
+
+}  // namespace touchstone

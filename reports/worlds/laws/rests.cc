@@ -1,0 +1,122 @@
+#include "reports/worlds/laws/rests.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/overlap.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, true});
+  const double from = NumberOr(claim, "from", 0);
+  if (from < 0 || from >= world.steps * world.dt)
+    faults.push_back(
+        {"numbers.from", fmt::format("is {:.6g} s", from), "a time before the end"});
+  if (NumberOr(claim, "slack", 0) < 0)
+    faults.push_back({"numbers.slack", "is negative", "a length >= 0"});
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"from", "slack"}));
+}
+
+/** Returns the sum of the overlaps that bodies have at the start. [m] */
+double OverlapAtStart(const World& world) {
+  const WorldState start = StateAtStart(world);
+  const int bodies = static_cast<int>(world.bodies.size());
+  double sum = 0;
+  for (int A = 0; A < bodies; ++A) {
+    for (int B = A + 1; B < bodies; ++B) {
+      const RigidBody& a = world.bodies[static_cast<std::size_t>(A)];
+      const RigidBody& b = world.bodies[static_cast<std::size_t>(B)];
+      if (a.collides && b.collides && a.mass + b.mass > 0)
+        sum += OverlapOf(world, start, A, B);
+    }
+  }
+  return sum;
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  const Subjects subjects = SubjectsOf(world, claim);
+  const double from = NumberOr(claim, "from", 0);
+  const double h = world.dt;
+  double g = world.gravity_W.norm();
+  for (const int i : subjects.bodies) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    g = std::max(g, (world.gravity_W + body.force_W / body.mass).norm());
+  }
+  const double contacts = static_cast<double>(
+      std::max<std::size_t>(1, subjects.bodies.size() + subjects.particles.size()));
+  const double granted = OverlapAtStart(world) + NumberOr(claim, "slack", 0);
+  const auto first = static_cast<std::size_t>(
+      std::find_if(trajectory.times.begin(), trajectory.times.end(),
+                   [&](double t) { return t >= from - h / 2; }) -
+      trajectory.times.begin());
+  Worst rest(MeasureKind::kRestMotion,
+             "1.5 × 2 g h² for each contact that may carry it, what overlapped at the "
+             "start, 1e-5 of g h a step for the solver, and 64 roundings a step");
+  Worst velocity(MeasureKind::kVelocityError,
+                 "1.5 × 2 g h for each contact that may carry it, what overlapped at the "
+                 "start in a step, and 64 roundings a step");
+  for (std::size_t s = first; s < trajectory.samples.size(); ++s) {
+    const double t = trajectory.times[s];
+    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
+    const auto hold = [&](const std::string& name, const Eigen::Vector3d& was,
+                          const Eigen::Vector3d& is, double turned, double speed) {
+      rest.Take((is - was).norm() + turned,
+                kSafety * 2 * contacts * g * h * h + granted +
+                    kSolverResidual * g * h * (t - from) + rounding * (1 + is.norm()),
+                [&] {
+                  return fmt::format("{} has {} at {} after {:.6g} s; it rested at {}",
+                                     motion.oracle.name, name, Words(is), t, Words(was));
+                });
+      velocity.Take(
+          speed, kSafety * 2 * contacts * g * h + granted / h + rounding * is.norm() / h,
+          [&] {
+            return fmt::format("{} has {} move at {:.6g} m/s after {:.6g} s; it rests",
+                               motion.oracle.name, name, speed, t);
+          });
+    };
+    const WorldState& then = trajectory.samples[first];
+    const WorldState& now = trajectory.samples[s];
+    for (const int index : subjects.bodies) {
+      const auto i = static_cast<std::size_t>(index);
+      const RigidBody& body = world.bodies[i];
+      const double radius = BoundingRadius(body.placed.shape);
+      hold(body.name, then.bodies[i].p_WB, now.bodies[i].p_WB,
+           radius * now.bodies[i].q_WB.angularDistance(then.bodies[i].q_WB),
+           now.bodies[i].v_WB.norm() + radius * now.bodies[i].w_WB.norm());
+    }
+    for (const int index : subjects.particles) {
+      const auto i = static_cast<std::size_t>(index);
+      hold(world.particles[i].name, then.particles[i].p_W, now.particles[i].p_W, 0,
+           now.particles[i].v_W.norm());
+    }
+    for (const int index : subjects.cloths) {
+      const Cloth& cloth = world.cloths[static_cast<std::size_t>(index)];
+      const int nodes = FirstNodeOf(world, index);
+      for (int node = nodes; node < nodes + cloth.n * cloth.n; ++node) {
+        const auto i = static_cast<std::size_t>(node);
+        hold(cloth.name, then.nodes[i].p_W, now.nodes[i].p_W, 0, now.nodes[i].v_W.norm());
+      }
+    }
+  }
+  return FindingsOf({rest, velocity});
+}
+
+}  // namespace
+
+constinit const Law kRests = {
+    "rests", "What rests stays where it is; from [s] and slack [m] may be named.", Faults,
+    Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,107 @@
+#include "reports/worlds/laws/stack_support.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/contact_history.h"
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+/** The levels from one on upwards. */
+Subjects From(const std::vector<int>& levels, std::size_t level) {
+  return {{levels.begin() + static_cast<std::ptrdiff_t>(level), levels.end()}, {}, {}};
+}
+
+double WeightOf(const World& world, const std::vector<int>& levels, std::size_t from) {
+  return MassOf(world, From(levels, from)) * world.gravity_W.norm();
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  if (world.gravity_W.isZero(0))
+    return {{"about", "are in a world without gravity", "weight"}};
+  const std::vector<int> levels = SubjectsOf(world, claim).bodies;
+  const Eigen::Vector3d up_W = -world.gravity_W.normalized();
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(levels[k])];
+    std::string why;
+    if (!body.force_W.isZero(0) || IsPushed(world, levels[k]) ||
+        IsHeld(world, AnchorKind::kBody, levels[k]))
+      why = "is pulled, struck or held";
+    else if (!body.v_WB.isZero(0) || !body.w_WB.isZero(0))
+      why = "moves at the start";
+    else if (k > 0 && up_W.dot(body.placed.X_WB.p_WB -
+                               world.bodies[static_cast<std::size_t>(levels[k - 1])]
+                                   .placed.X_WB.p_WB) <= 0)
+      why = "is not above the one before";
+    if (why.empty()) continue;
+    faults.push_back({WhereAbout(claim, body.name),
+                      fmt::format("is {}, which {}", body.name, why),
+                      "bodies at rest, from the lowest to the highest"});
+  }
+  return Joined(
+      std::move(faults),
+      FaultsOfNumbers(claim, {{"expected_weight", WeightOf(world, levels, 0)}}));
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  if (!trajectory.gives_impulses || trajectory.samples.size() < 3) return {};
+  const std::vector<int> levels = SubjectsOf(world, claim).bodies;
+  const auto is_level = [&](int index) {
+    return std::find(levels.begin(), levels.end(), index) != levels.end();
+  };
+  const std::size_t first = trajectory.samples.size() / 2;
+  const std::size_t last = trajectory.samples.size() - 1;
+  const double T = trajectory.times[last] - trajectory.times[first];
+  const Eigen::Vector3d up_W = -world.gravity_W.normalized();
+  Worst worst(
+      MeasureKind::kForceError,
+      "1.5 × the momentum that what is above gains, at most that of 2 g h a level, "
+      "over the time of the mean; and 64 roundings a step");
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    double impulse = 0;
+    for (const ContactImpulse* contact : ImpulsesBetween(motion, first, last)) {
+      const int other = contact->A == levels[k] ? contact->B : contact->A;
+      const bool from_below = k == 0 ? !is_level(other) : other == levels[k - 1];
+      if (from_below) impulse += up_W.dot(ImpulseOn(*contact, levels[k]));
+    }
+    const double weight = WeightOf(world, levels, k);
+    const Subjects above = From(levels, k);
+    const double gained = (MomentumOf(world, trajectory.samples[last], above) -
+                           MomentumOf(world, trajectory.samples[first], above))
+                              .norm();
+    const double at_rest = 2 * 2 * static_cast<double>(levels.size()) * weight * world.dt;
+    worst.Take(std::abs(impulse / T - weight),
+               kSafety * std::min(gained, at_rest) / T +
+                   RoundingOf(motion.oracle, StepsBefore(motion, last)) * weight,
+               [&] {
+                 return fmt::format(
+                     "{} holds {} from below with {:.9g} N on average from {:.6g} to "
+                     "{:.6g} s; what it carries weighs {:.9g} N",
+                     motion.oracle.name,
+                     world.bodies[static_cast<std::size_t>(levels[k])].name, impulse / T,
+                     trajectory.times[first], trajectory.times[last], weight);
+               });
+  }
+  return FindingsOf({worst});
+}
+
+}  // namespace
+
+constinit const Law kStackSupport = {
+    "stack_support",
+    "In a stack at rest each level carries what is above it; about names it from below.",
+    Faults, Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,237 @@
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+constexpr double kG = 9.82;
+
+/** Three boxes on the ground, 5, 2 and 1 kg. */
+World Stack() {
+  World world;
+  double y = 0;
+  for (const double mass : {5.0, 2.0, 1.0}) {
+    world.bodies.push_back(BodyOf("level" + std::to_string(world.bodies.size()),
+                                  Box{{0.3, 0.1, 0.3}}, mass, {0.2, y + 0.1, 0.1}));
+    y += 0.2;
+  }
+  world.bodies.push_back(GroundOf());
+  world.gravity_W = {0, -kG, 0};
+  world.steps = 480;
+  return world;
+}
+
+/** What stays where it is, each contact giving the weight above it but for the share
+ `slack` of it; `creep` is the speed at which the top goes aside. */
+Trajectory Standing(const World& world, double slack = 0, double creep = 0) {
+  Trajectory trajectory = Stepped(world, [&](WorldState& state) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      state.bodies[i].v_WB = {i == 2 ? creep : 0, 0, 0};
+      state.bodies[i].p_WB += world.dt * state.bodies[i].v_WB;
+    }
+  });
+  trajectory.gives_impulses = true;
+  for (int step = 1; step <= world.steps; ++step) {
+    double above = 0;
+    for (int level = 2; level >= 0; --level) {
+      above += world.bodies[static_cast<std::size_t>(level)].mass;
+      const double J = above * kG * world.dt * (level == 1 ? 1 - slack : 1);
+      const int below = level == 0 ? 3 : level - 1;
+      // The lower body is A in one half of the contacts and B in the other.
+      trajectory.impulses.push_back(
+          level == 1
+              ? ContactImpulse{step, level, below, {0, 0, 0}, {0, -1, 0}, {0, -J, 0}, 0}
+              : ContactImpulse{step, below, level, {0, 0, 0}, {0, 1, 0}, {0, J, 0}, 0});
+    }
+  }
+  return trajectory;
+}
+
+TEST(Rests, WhatStaysPassesAndWhatCreepsDoesNot) {
+  const World world = Stack();
+  EXPECT_TRUE(Passes(Judge(world, Standing(world), ClaimOf("rests"))));
+  EXPECT_TRUE(Finds(Judge(world, Standing(world, 0, 2e-3), ClaimOf("rests")),
+                    MeasureKind::kRestMotion));
+}
+
+TEST(Rests, AllowsWhatAContactSeenLateLetsFall) {
+  const World world = Stack();
+  const Trajectory settled = Sampled(world, [&](double t) {
+    WorldState state;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Body& placed = world.bodies[i].placed;
+      const double fallen = i < 3 && t > 0 ? kG * world.dt * world.dt : 0;
+      state.bodies.push_back({placed.X_WB.p_WB - Eigen::Vector3d(0, fallen, 0),
+                              placed.X_WB.q_WB.value(),
+                              {0, 0, 0},
+                              {0, 0, 0}});
+    }
+    return state;
+  });
+  EXPECT_TRUE(Passes(Judge(world, settled, ClaimOf("rests"))));
+}
+
+TEST(Rests, MayBeginLaterAndFindsTurning) {
+  const World world = Stack();
+  Trajectory falls_then_stands = Standing(world);
+  for (std::size_t s = 0; s < 200; ++s)
+    falls_then_stands.samples[s].bodies[2].p_WB.y() += 1;
+  EXPECT_TRUE(
+      Finds(Judge(world, falls_then_stands, ClaimOf("rests")), MeasureKind::kRestMotion));
+  EXPECT_TRUE(Passes(
+      Judge(world, falls_then_stands, ClaimOf("rests", {}, {{"from", 200 * world.dt}}))));
+  Trajectory turns = Standing(world);
+  turns.samples.back().bodies[1].q_WB = Eigen::AngleAxisd(0.03, Eigen::Vector3d::UnitY());
+  EXPECT_TRUE(Finds(Judge(world, turns, ClaimOf("rests")), MeasureKind::kRestMotion));
+  EXPECT_EQ(FaultsOf(world, ClaimOf("rests", {}, {{"from", 2}})).size(), 1U);
+}
+
+TEST(StackSupport, WeightPassesAndAMissingShareOfItDoesNot) {
+  const World world = Stack();
+  const Claim claim = ClaimOf("stack_support", {}, {{"expected_weight", 8 * kG}});
+  EXPECT_TRUE(Passes(Judge(world, Standing(world), claim)));
+  const LawFinding finding =
+      Of(Judge(world, Standing(world, 0.1), claim), MeasureKind::kForceError);
+  EXPECT_GT(finding.value, finding.tolerance.value);
+  EXPECT_NEAR(finding.value, 0.1 * 3 * kG, 1e-9);
+}
+
+TEST(StackSupport, RefusesAnotherOrderAndASilentEngineIsNotHeld) {
+  const World world = Stack();
+  EXPECT_EQ(FaultsOf(world, ClaimOf("stack_support", {"level1", "level0"})).size(), 1U);
+  Trajectory silent = Standing(world);
+  silent.gives_impulses = false;
+  EXPECT_TRUE(Judge(world, silent, ClaimOf("stack_support")).empty());
+}
+
+TEST(MomentumBalance, OfWhatRestsPassesAndFindsAnImpulseThatIsNotThere) {
+  const World world = Stack();
+  EXPECT_TRUE(Passes(Judge(world, Standing(world), ClaimOf("momentum_balance"))));
+  EXPECT_TRUE(Finds(Judge(world, Standing(world, 1e-6), ClaimOf("momentum_balance")),
+                    MeasureKind::kMomentumBalance));
+}
+
+TEST(MomentumBalance, CountsForcesBlowsAndSamplesFarApart) {
+  World world;
+  world.bodies = {BodyOf("ball", Sphere{0.2}, 2, {0, 1, 0})};
+  world.bodies[0].force_W = {1, 0, 3};
+  world.pushes.push_back({0, 5 * world.dt, {0, 0.1, 0}, {0.4, -1, 2}});
+  for (const int sample_every : {1, 3}) {
+    world.sample_every = sample_every;
+    int step = 0;
+    const Trajectory moved = [&] {
+      Trajectory trajectory = Stepped(world, [&](WorldState& state) {
+        BodyState& is = state.bodies[0];
+        is.v_WB += world.dt * (world.gravity_W + world.bodies[0].force_W / 2);
+        if (step++ == 5) is.v_WB += world.pushes[0].J_W / 2;
+        is.p_WB += world.dt * is.v_WB;
+      });
+      trajectory.gives_impulses = true;
+      return trajectory;
+    }();
+    EXPECT_TRUE(Passes(Judge(world, moved, ClaimOf("momentum_balance")))) << sample_every;
+    World weak = world;
+    weak.pushes[0].J_W.x() += 1e-6;
+    EXPECT_TRUE(Finds(Judge(weak, moved, ClaimOf("momentum_balance")),
+                      MeasureKind::kMomentumBalance));
+  }
+}
+
+/** One contact of a 1 kg ball on the ground with μ = 0.5 in each step: J_n = 2 N s and
+ the tangential impulse `J_t`. */
+Trajectory Rubbing(const World& world, const Eigen::Vector2d& J_t) {
+  Trajectory trajectory = Sampled(world, [](double) { return WorldState{}; });
+  trajectory.gives_impulses = true;
+  for (int step = 1; step <= world.steps; ++step) {
+    trajectory.impulses.push_back(
+        {step, 1, 0, {0, 0, 0}, {0, 1, 0}, {J_t.x(), 2, J_t.y()}, 0});
+  }
+  return trajectory;
+}
+
+World Rubbed() {
+  World world;
+  world.bodies = {BodyOf("ball", Sphere{0.2}, 1, {0, 0.2, 0}), GroundOf()};
+  world.bodies[0].friction = 0.25;
+  world.bodies[1].friction = 1;
+  world.steps = 10;
+  return world;
+}
+
+TEST(CoulombCone, TheCirclePassesAndTheBoxIsRecognised) {
+  const World world = Rubbed();
+  const double angle = 0.6;
+  const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+  EXPECT_TRUE(Passes(Judge(world, Rubbing(world, along), ClaimOf("coulomb_cone"))));
+  const LawFinding box =
+      Of(Judge(world, Rubbing(world, {1, 0.8}), ClaimOf("coulomb_cone")),
+         MeasureKind::kConeViolation);
+  EXPECT_NEAR(box.value, std::hypot(1, 0.8) - 1, 1e-12);
+  EXPECT_EQ(box.recognised, "L∞ friction cone");
+  EXPECT_TRUE(Finds(Judge(world, Rubbing(world, {1.001, 0}), ClaimOf("coulomb_cone")),
+                    MeasureKind::kConeViolation));
+}
+
+TEST(CoulombCone, FindsAContactThatPulls) {
+  const World world = Rubbed();
+  Trajectory pulling = Rubbing(world, {0, 0});
+  pulling.impulses[3].J_B_W.y() = -0.1;
+  const LawFinding finding =
+      Of(Judge(world, pulling, ClaimOf("coulomb_cone")), MeasureKind::kConeViolation);
+  EXPECT_NEAR(finding.value, 0.1, 1e-12);
+  EXPECT_TRUE(finding.recognised.empty());
+}
+
+/** Two balls and the ground, at rest, each `depth` deep in the one below. */
+Trajectory Sunk(const World& world, double depth) {
+  return Sampled(world, [&world, depth](double) {
+    WorldState state;
+    double y = 0;
+    for (const RigidBody& body : world.bodies) {
+      y += body.mass > 0 ? 0.1 - depth : 0;
+      state.bodies.push_back(
+          {body.mass > 0 ? Eigen::Vector3d(0, y, 0) : Eigen::Vector3d::Zero(),
+           body.placed.X_WB.q_WB.value(),
+           {0, 0, 0},
+           {0, 0, 0}});
+      y += body.mass > 0 ? 0.1 : 0;
+    }
+    return state;
+  });
+}
+
+World Pile() {
+  World world;
+  world.bodies = {GroundOf(), BodyOf("low", Sphere{0.1}, 1, {0, 0.1, 0}),
+                  BodyOf("high", Sphere{0.1}, 1, {0, 0.3, 0})};
+  world.steps = 100;
+  world.dt = 1e-3;
+  return world;
+}
+
+TEST(PenetrationScore, IsTheRootOfTheMeanSumOfSquares) {
+  const World world = Pile();
+  const LawFinding finding =
+      Of(Judge(world, Sunk(world, 1e-3), ClaimOf("penetration_score")),
+         MeasureKind::kPenetration);
+  EXPECT_NEAR(finding.value, std::sqrt(2) * 1e-3, 1e-12);
+  // At rest only g (Δt + h) h may be left of a contact seen late: 2 · 9.82e-6 m, × 1.5.
+  EXPECT_NEAR(finding.tolerance.value, 1.5 * std::sqrt(2) * 2 * 9.82e-6, 1e-11);
+  EXPECT_TRUE(Finds(Judge(world, Sunk(world, 1e-3), ClaimOf("penetration_score")),
+                    MeasureKind::kPenetration));
+  EXPECT_TRUE(Passes(Judge(world, Sunk(world, 1e-5), ClaimOf("penetration_score"))));
+}
+
+TEST(PenetrationScore, MayCiteAPublishedSlope) {
+  const World world = Pile();
+  const Claim claim = ClaimOf("penetration_score", {}, {{"slope", 155}});
+  EXPECT_TRUE(Passes(Judge(world, Sunk(world, 1e-2), claim)));
+  EXPECT_TRUE(Finds(Judge(world, Sunk(world, 1.5e-2), claim), MeasureKind::kPenetration));
+}
+
+}  // namespace
+}  // namespace touchstone
