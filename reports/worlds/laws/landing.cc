@@ -68,4 +68,18 @@ std::optional<Landing> LandingOf(const World& world, int index) {
   return nearest;
 }
 
+std::optional<Landing> LandingOfPoint(const World& world, const Eigen::Vector3d& p_W) {
+  std::optional<Landing> nearest;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const RigidBody& ground = world.bodies[i];
+    if (ground.mass > 0 || !ground.collides) continue;
+    const std::optional<Plane> plane = PlaneUnder(ground.placed, p_W);
+    if (!plane) continue;
+    const double gap = plane->n_W.dot(p_W - plane->p_W);
+    if (gap < 0 || (nearest && nearest->gap <= gap)) continue;
+    nearest = Landing{static_cast<int>(i), plane->n_W, gap, p_W};
+  }
+  return nearest;
+}
+
 }  // namespace touchstone

@@ -25,6 +25,9 @@ struct Landing {
  */
 std::optional<Landing> LandingOf(const World& world, int body);
 
+/** Returns the same for a point at `p_W`, without its restitution and friction. */
+std::optional<Landing> LandingOfPoint(const World& world, const Eigen::Vector3d& p_W);
+
 /** Returns the support of `body` along `d_W` at the start: the farthest point of its
  shape. [m] @pre A sphere or a box. */
 Eigen::Vector3d SupportOf(const RigidBody& body, const Eigen::Vector3d& d_W);

@@ -14,6 +14,8 @@
 #include "reports/worlds/laws/momentum_balance.h"
 #include "reports/worlds/laws/never_penetrates.h"
 #include "reports/worlds/laws/oblique_impact.h"
+#include "reports/worlds/laws/particle_bounce.h"
+#include "reports/worlds/laws/particle_flight.h"
 #include "reports/worlds/laws/penetration_score.h"
 #include "reports/worlds/laws/pushed.h"
 #include "reports/worlds/laws/rests.h"
@@ -42,6 +44,8 @@ std::span<const Law> Laws() {
       kMomentumBalance,
       kNeverPenetrates,
       kObliqueImpact,
+      kParticleBounce,
+      kParticleFlight,
       kPenetrationScore,
       kPushed,
       kRests,

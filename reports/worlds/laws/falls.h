@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/worlds/law.h"
+#include "reports/worlds/truth/vertical_bounces.h"
+
+namespace touchstone {
+
+/** Something that falls along the normal of a static plane and bounces on it. */
+struct Fall {
+  std::string name;
+  Eigen::Vector3d n_W;  ///< The plane's outward normal, unit.
+  Height start;
+  double gravity;                                   ///< Along the normal, > 0. [m/s²]
+  double restitution;                               ///< e.
+  Eigen::Vector3d p_W;                              ///< Its centre at the start. [m]
+  Eigen::Vector3d v_along_W;                        ///< Along the plane; stays. [m/s]
+  double size;                                      ///< Its bounding radius. [m]
+  std::function<PointState(const WorldState&)> is;  ///< Its centre in a motion.
+
+  VerticalBounces Truth() const { return {start, gravity, restitution}; }
+
+  /** Returns where its centre is after `t` [s]. [m] */
+  Eigen::Vector3d PlaceAt(double t) const {
+    return p_W + t * v_along_W + (Truth().At(t).gap - start.gap) * n_W;
+  }
+};
+
+/** Holds falls against the closed form of their bounces.
+
+ Position: what an engine that sees contacts once a step is off by is computed: the fall
+ is stepped by the rule that reflects the velocity at the start of the step, seen touching
+ and seen ahead, from eight gaps a fraction of V h apart, since where in its step the
+ impact falls is chance; the largest error so far, × 1.5, and 64 roundings a step. An
+ impact is at most a step late, which at the speed V is V h more.
+
+ Restitution: v'/v of the samples around each bounce, of which gravity may have changed
+ each by g times the time between them, and a step more: (1 + e) g (Δt + h)/V, × 1.5.
+ Bounces for which that exceeds ¼ are too slow to tell.
+
+ A motion whose every bounce obeys v' = −e (v − g h), to rounding and the step's number
+ being whole, is recognised: "reflects the velocity after gravity". It adds m g h V a
+ bounce. */
+std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls);
+
+/** Returns whether `v` is along `n`, to the rounding of quaternions with 16 digits. */
+bool IsAlong(const Eigen::Vector3d& v, const Eigen::Vector3d& n);
+
+/** Returns the numbers that laws of bounces know, as FaultsOfNumbers() takes them:
+ expected_first_impact, expected_impact_speed, expected_total_time, expected_first_apex.
+ */
+std::vector<std::pair<std::string_view, double>> NumbersOf(const Fall& fall);
+
+}  // namespace touchstone

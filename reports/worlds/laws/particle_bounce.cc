@@ -1,0 +1,86 @@
+#include "reports/worlds/laws/particle_bounce.h"
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/falls.h"
+#include "reports/worlds/laws/landing.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/subjects.h"
+
+namespace touchstone {
+namespace {
+
+Fall FallOf(const World& world, int index) {
+  const Particle& particle = world.particles[static_cast<std::size_t>(index)];
+  const Landing landing = *LandingOfPoint(world, particle.p_W);
+  const double v = landing.n_W.dot(particle.v_W);
+  return {particle.name,
+          landing.n_W,
+          {landing.gap, v},
+          -landing.n_W.dot(world.gravity_W),
+          particle.bounce,
+          particle.p_W,
+          particle.v_W - v * landing.n_W,
+          0,
+          [index](const WorldState& state) {
+            return state.particles[static_cast<std::size_t>(index)];
+          }};
+}
+
+std::string WhyNot(const World& world, int index) {
+  const Particle& particle = world.particles[static_cast<std::size_t>(index)];
+  if (particle.damping > 0) return "is damped";
+  if (IsHeld(world, AnchorKind::kParticle, index)) return "is held";
+  const std::optional<Landing> landing = LandingOfPoint(world, particle.p_W);
+  if (!landing) return "is above no static half-space or box";
+  const Fall fall = FallOf(world, index);
+  if (fall.gravity <= 0 || !IsAlong(world.gravity_W, landing->n_W))
+    return "does not fall along the normal of what is below it";
+  const std::optional<Landing> last =
+      LandingOfPoint(world, particle.p_W + world.steps * world.dt * fall.v_along_W);
+  if (!last || last->ground != landing->ground) return "leaves what it bounces on";
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {false, true, false});
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).particles) {
+    const std::string& name = world.particles[static_cast<std::size_t>(i)].name;
+    const std::string why = WhyNot(world, i);
+    if (!why.empty()) {
+      faults.push_back({WhereAbout(claim, name),
+                        fmt::format("is {}, which {}", name, why),
+                        "a free particle above a static half-space or box"});
+      continue;
+    }
+    faults =
+        Joined(std::move(faults), FaultsOfNumbers(claim, NumbersOf(FallOf(world, i))));
+  }
+  return faults;
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const std::vector<int> particles = SubjectsOf(motion.world, claim).particles;
+  std::vector<Fall> falls;
+  falls.reserve(particles.size());
+  for (const int i : particles) falls.push_back(FallOf(motion.world, i));
+  return JudgeFalls(motion, falls);
+}
+
+Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
+  return FallOf(world, SubjectsOf(world, claim).particles.front()).PlaceAt(t);
+}
+
+}  // namespace
+
+constinit const Law kParticleBounce = {
+    "particle_bounce",
+    "A particle that falls on a static plane keeps the share `bounce` of its normal "
+    "speed.",
+    Faults,
+    Judge,
+    false,
+    Place};
+
+}  // namespace touchstone

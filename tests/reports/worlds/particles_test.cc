@@ -1,0 +1,143 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "reports/worlds/truth/damped_flight.h"
+#include "tests/reports/worlds/motions.h"
+#include "tests/reports/worlds/runge_kutta.h"
+
+namespace touchstone {
+namespace {
+
+const Eigen::Vector3d kGravity(0.3, -9.82, 0.1);
+
+World Thrown(double damping, double dt = 1.0 / 240) {
+  World world;
+  world.particles.push_back({"dust", {0.1, 2, -0.3}, {3, 4, -1}, 0.2, damping, 0.7});
+  world.gravity_W = kGravity;
+  world.dt = dt;
+  world.steps = static_cast<int>(std::lround(2 / dt));
+  return world;
+}
+
+TEST(DampedFlight, AgreesWithAnIntegration) {
+  using State = Eigen::Matrix<double, 6, 1>;
+  State start;
+  start << 0.1, 2, -0.3, 3, 4, -1;
+  for (const double c : {0.0, 1e-9, 4e-3, 0.3, 5.0}) {
+    const auto field = [&](const State& y) {
+      State rate;
+      rate << y.tail<3>(), kGravity - c * y.tail<3>();
+      return rate;
+    };
+    for (const double t : {0.01, 2.4}) {
+      const State y = Integrated(field, start, t, 400);
+      const PointState at =
+          DampedFlight({start.head<3>(), start.tail<3>()}, kGravity, c, t);
+      EXPECT_LE((at.p_W - y.head<3>()).norm(), 1e-10) << c << " " << t;
+      EXPECT_LE((at.v_W - y.tail<3>()).norm(), 1e-10) << c << " " << t;
+    }
+  }
+}
+
+Trajectory Flown(const World& world, const FlightScheme& scheme, double damping) {
+  return Stepped(world, [&world, scheme, damping](WorldState& state) {
+    StepFlight(scheme, world.gravity_W, damping, world.dt, state.particles[0]);
+  });
+}
+
+TEST(ParticleFlight, TheTruthAndEverySchemePass) {
+  for (const double dt : {1.0 / 60, 1e-3}) {
+    const World world = Thrown(0.8, dt);
+    const Trajectory exact = Sampled(world, [&](double t) {
+      WorldState state;
+      state.particles = {DampedFlight({world.particles[0].p_W, world.particles[0].v_W},
+                                      world.gravity_W, 0.8, t)};
+      return state;
+    });
+    EXPECT_TRUE(Passes(Judge(world, exact, ClaimOf("particle_flight"))));
+    for (const FlightScheme& scheme : FlightSchemes()) {
+      EXPECT_TRUE(
+          Passes(Judge(world, Flown(world, scheme, 0.8), ClaimOf("particle_flight"))));
+    }
+  }
+}
+
+TEST(ParticleFlight, FindsDampingPerStepInPlaceOfPerSecond) {
+  // Millington's printed form keeps `damping` of the velocity: here e^{-0.8} read as 0.8.
+  const World world = Thrown(0.8);
+  EXPECT_TRUE(
+      Finds(Judge(world, Flown(world, {}, -std::log(0.8)), ClaimOf("particle_flight")),
+            MeasureKind::kVelocityError));
+  EXPECT_TRUE(Finds(Judge(world, Flown(world, {}, 0.82), ClaimOf("particle_flight")),
+                    MeasureKind::kPositionError));
+}
+
+TEST(ParticleFlight, KnowsItsNumberAndRefusesHeldParticles) {
+  World world = Thrown(0.8);
+  EXPECT_TRUE(
+      FaultsOf(world, ClaimOf("particle_flight", {"dust"},
+                              {{"expected_terminal_speed", kGravity.norm() / 0.8}}))
+          .empty());
+  world.springs.push_back({{AnchorKind::kWorld, -1, {0, 0, 0}},
+                           {AnchorKind::kParticle, 0, {0, 0, 0}},
+                           1,
+                           0,
+                           1});
+  EXPECT_EQ(FaultsOf(world, ClaimOf("particle_flight")).size(), 1U);
+}
+
+World Dropped(double bounce) {
+  World world;
+  world.particles.push_back({"grain", {0.2, 1, -0.1}, {0.4, 0, 0.1}, 0.2, 0, bounce});
+  world.bodies = {GroundOf()};
+  world.gravity_W = {0, -9.81, 0};
+  world.steps = 960;
+  return world;
+}
+
+/** `along` is what the tangential velocity keeps. */
+Trajectory Bounced(const World& world, double bounce, double along = 1) {
+  return Stepped(world, [&world, bounce, along](WorldState& state) {
+    PointState& grain = state.particles[0];
+    const double gh = 9.81 * world.dt;
+    double& v = grain.v_W.y();
+    if (grain.p_W.y() <= 0 && v < gh) {
+      v = std::max(v - gh, -bounce * v);
+      grain.v_W.x() *= along;
+      grain.v_W.z() *= along;
+    } else {
+      v -= gh;
+    }
+    grain.p_W += world.dt * grain.v_W;
+  });
+}
+
+TEST(ParticleBounce, ASteppedMotionPasses) {
+  for (const double bounce : {0.0, 0.5, 0.9}) {
+    const World world = Dropped(bounce);
+    EXPECT_TRUE(Passes(Judge(world, Bounced(world, bounce), ClaimOf("particle_bounce"))))
+        << bounce;
+  }
+}
+
+TEST(ParticleBounce, FindsAnotherShareAndFriction) {
+  const World world = Dropped(0.7);
+  EXPECT_TRUE(Finds(Judge(world, Bounced(world, 0.8), ClaimOf("particle_bounce")),
+                    MeasureKind::kRestitution));
+  EXPECT_TRUE(Finds(Judge(world, Bounced(world, 0.7, 0.7), ClaimOf("particle_bounce")),
+                    MeasureKind::kPositionError));
+}
+
+TEST(ParticleBounce, KnowsItsNumbersAndRefusesDampedParticles) {
+  World world = Dropped(0.8);
+  EXPECT_TRUE(FaultsOf(world, ClaimOf("particle_bounce", {},
+                                      {{"expected_first_apex", 0.64},
+                                       {"expected_total_time", 4.063712769}}))
+                  .empty());
+  world.particles[0].damping = 0.1;
+  EXPECT_EQ(FaultsOf(world, ClaimOf("particle_bounce")).size(), 1U);
+}
+
+}  // namespace
+}  // namespace touchstone
