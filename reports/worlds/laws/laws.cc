@@ -9,13 +9,16 @@
 #include "reports/worlds/laws/conserves_momentum.h"
 #include "reports/worlds/laws/corner_impact.h"
 #include "reports/worlds/laws/coulomb_cone.h"
+#include "reports/worlds/laws/double_pendulum.h"
 #include "reports/worlds/laws/energy_never_rises.h"
 #include "reports/worlds/laws/incline.h"
+#include "reports/worlds/laws/joint_length.h"
 #include "reports/worlds/laws/momentum_balance.h"
 #include "reports/worlds/laws/never_penetrates.h"
 #include "reports/worlds/laws/oblique_impact.h"
 #include "reports/worlds/laws/particle_bounce.h"
 #include "reports/worlds/laws/particle_flight.h"
+#include "reports/worlds/laws/pendulum.h"
 #include "reports/worlds/laws/penetration_score.h"
 #include "reports/worlds/laws/pushed.h"
 #include "reports/worlds/laws/rests.h"
@@ -25,6 +28,7 @@
 #include "reports/worlds/laws/slide_to_stop.h"
 #include "reports/worlds/laws/slip_to_roll.h"
 #include "reports/worlds/laws/sphere_impact.h"
+#include "reports/worlds/laws/spring_oscillation.h"
 #include "reports/worlds/laws/stack_support.h"
 #include "reports/worlds/laws/torque_free.h"
 
@@ -39,13 +43,16 @@ std::span<const Law> Laws() {
       kConservesMomentum,
       kCornerImpact,
       kCoulombCone,
+      kDoublePendulum,
       kEnergyNeverRises,
       kIncline,
+      kJointLength,
       kMomentumBalance,
       kNeverPenetrates,
       kObliqueImpact,
       kParticleBounce,
       kParticleFlight,
+      kPendulum,
       kPenetrationScore,
       kPushed,
       kRests,
@@ -55,6 +62,7 @@ std::span<const Law> Laws() {
       kSlideToStop,
       kSlipToRoll,
       kSphereImpact,
+      kSpringOscillation,
       kStackSupport,
       kTorqueFree,
   };

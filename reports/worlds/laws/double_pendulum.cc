@@ -1,0 +1,50 @@
+#include "reports/worlds/laws/double_pendulum.h"
+
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/held_by_rods.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/subjects.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  if (!faults.empty()) return faults;
+  const std::vector<PointMass> points = PointMassesInOrder(world, claim);
+  std::string why = points.size() == 2 ? WhyNoChain(world, points)
+                                       : fmt::format("are {} things", points.size());
+  if (!why.empty())
+    return {{"about", why,
+             "first a mass on a rod to a fixed place, then one on a rod to "
+             "the first"}};
+  if (NumberOr(claim, "until", 1) <= 0)
+    faults.push_back({"numbers.until", "is not positive", "a time > 0"});
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"until"}));
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const HeldByRods held = ChainOf(motion.world, PointMassesInOrder(motion.world, claim));
+  std::vector<PointState> truth = held.Start();
+  double reached = 0;
+  return JudgeHeld(motion, held,
+                   NumberOr(claim, "until", std::numeric_limits<double>::infinity()),
+                   [&](std::size_t s) {
+                     const double t = motion.trajectory.times[s];
+                     truth = held.system.After(truth, t - reached);
+                     reached = t;
+                     return truth;
+                   });
+}
+
+}  // namespace
+
+constinit const Law kDoublePendulum = {
+    "double_pendulum",
+    "Two masses swing on two rods; about names the upper one, then the lower.", Faults,
+    Judge, true};
+
+}  // namespace touchstone

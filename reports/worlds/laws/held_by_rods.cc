@@ -1,0 +1,160 @@
+#include "reports/worlds/laws/held_by_rods.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+
+namespace touchstone {
+namespace {
+
+/** Difference of a length from what the points start with that is rounding. [-] */
+constexpr double kSameLength = 1e-9;
+
+/** Returns the rod between `point` and what `is_other_end` says; null where there is none
+ or more than one. */
+template <typename IsOtherEnd>
+const DistanceJoint* RodOf(const World& world, const PointMass& point,
+                           const IsOtherEnd& is_other_end) {
+  const DistanceJoint* found = nullptr;
+  for (const DistanceJoint& joint : world.joints) {
+    const bool is_it = (point.IsAt(joint.A) && is_other_end(joint.B)) ||
+                       (point.IsAt(joint.B) && is_other_end(joint.A));
+    if (!is_it) continue;
+    if (found) return nullptr;
+    found = &joint;
+  }
+  return found;
+}
+
+const DistanceJoint* RodAbove(const World& world, const std::vector<PointMass>& points,
+                              std::size_t i) {
+  return RodOf(world, points[i], [&](const Anchor& anchor) {
+    return i == 0 ? FixedPointOf(world, anchor).has_value() : points[i - 1].IsAt(anchor);
+  });
+}
+
+Eigen::Vector3d FixedEndOf(const World& world, const DistanceJoint& rod) {
+  const std::optional<Eigen::Vector3d> A = FixedPointOf(world, rod.A);
+  return A ? *A : *FixedPointOf(world, rod.B);
+}
+
+/** Returns how many ends of springs and joints are at `point`. */
+int HoldsOn(const World& world, const PointMass& point) {
+  int holds = 0;
+  const auto count = [&](const Anchor& anchor) {
+    holds += anchor.on == point.on && anchor.index == point.index ? 1 : 0;
+  };
+  for (const DistanceJoint& joint : world.joints) {
+    count(joint.A);
+    count(joint.B);
+  }
+  for (const Spring& spring : world.springs) {
+    count(spring.A);
+    count(spring.B);
+  }
+  return holds;
+}
+
+}  // namespace
+
+std::vector<PointState> HeldByRods::Start() const {
+  std::vector<PointState> start;
+  start.reserve(points.size());
+  for (const PointMass& point : points) start.push_back(point.start);
+  return start;
+}
+
+std::string WhyNoChain(const World& world, const std::vector<PointMass>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointMass& point = points[i];
+    const DistanceJoint* rod = RodAbove(world, points, i);
+    if (!rod) {
+      return fmt::format("is {}, which one rod does not join at its centre to {}",
+                         point.name,
+                         i == 0 ? "something fixed" : points[i - 1].name.c_str());
+    }
+    const bool last = i + 1 == points.size();
+    if (HoldsOn(world, point) != (last ? 1 : 2) || point.damping > 0 ||
+        (point.on == AnchorKind::kBody && IsPushed(world, point.index)))
+      return fmt::format("is {}, which is damped, struck or held by more", point.name);
+    if (point.a_W != world.gravity_W)
+      return fmt::format("is {}, which a force pulls", point.name);
+    const Eigen::Vector3d above =
+        i == 0 ? FixedEndOf(world, *rod) : points[i - 1].start.p_W;
+    if (std::abs((point.start.p_W - above).norm() - rod->length) >
+        kSameLength * rod->length)
+      return fmt::format("is {}, whose rod does not start with its length", point.name);
+  }
+  return "";
+}
+
+HeldByRods ChainOf(const World& world, const std::vector<PointMass>& points) {
+  HeldByRods held{points, {{}, {}, world.gravity_W}};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const DistanceJoint& rod = *RodAbove(world, points, i);
+    held.system.mass.push_back(points[i].mass);
+    const int point = static_cast<int>(i);
+    held.system.rods.push_back(
+        i == 0 ? Rod{point, -1, FixedEndOf(world, rod), rod.length}
+               : Rod{point, point - 1, Eigen::Vector3d::Zero(), rod.length});
+  }
+  return held;
+}
+
+std::vector<LawFinding> JudgeHeld(
+    const Motion& motion, const HeldByRods& held, double until,
+    const std::function<std::vector<PointState>(std::size_t)>& truth) {
+  const std::string because =
+      "1.5 × the largest error so far of engines of first order that keep rods by their "
+      "velocities, by Baumgarte's term or by projection, stepped beside the truth; and "
+      "64 "
+      "roundings a step";
+  Worst position(MeasureKind::kPositionError, because);
+  Worst velocity(MeasureKind::kVelocityError, because);
+  std::vector<std::vector<PointState>> stepped(kRodSchemes.size(), held.Start());
+  double done = 0;
+  double off = 0;
+  double off_speed = 0;
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    if (t > until) break;
+    const std::vector<PointState> points = truth(s);
+    for (; done < StepsBefore(motion, s); ++done) {
+      for (std::size_t k = 0; k < kRodSchemes.size(); ++k)
+        StepRods(kRodSchemes[k], held.system, motion.world.dt, stepped[k]);
+    }
+    for (const std::vector<PointState>& by_scheme : stepped) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        off = std::max(off, (by_scheme[i].p_W - points[i].p_W).norm());
+        off_speed = std::max(off_speed, (by_scheme[i].v_W - points[i].v_W).norm());
+      }
+    }
+    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const PointMass& point = held.points[i];
+      const PointState is = point.In(motion.trajectory.samples[s]);
+      const double speed = points[i].v_W.norm() + held.system.g_W.norm() * t;
+      position.Take((is.p_W - points[i].p_W).norm(),
+                    kSafety * off + rounding * (points[i].p_W.norm() + speed * t), [&] {
+                      return fmt::format(
+                          "{} has {} at {} after {:.6g} s; its rod swings it to {}",
+                          motion.oracle.name, point.name, Words(is.p_W), t,
+                          Words(points[i].p_W));
+                    });
+      velocity.Take(
+          (is.v_W - points[i].v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
+            return fmt::format(
+                "{} has {} move at {} after {:.6g} s; its rod swings it at {}",
+                motion.oracle.name, point.name, Words(is.v_W), t, Words(points[i].v_W));
+          });
+    }
+  }
+  return FindingsOf({position, velocity});
+}
+
+}  // namespace touchstone

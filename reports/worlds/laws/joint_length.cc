@@ -1,0 +1,99 @@
+#include "reports/worlds/laws/joint_length.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/scheme_drift.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<const DistanceJoint*> RodsOf(const World& world, const Subjects& subjects) {
+  const auto is_subject = [&](const Anchor& anchor) {
+    const std::vector<int>& indices =
+        anchor.on == AnchorKind::kBody ? subjects.bodies : subjects.particles;
+    return anchor.on != AnchorKind::kWorld &&
+           std::find(indices.begin(), indices.end(), anchor.index) != indices.end();
+  };
+  std::vector<const DistanceJoint*> rods;
+  for (const DistanceJoint& joint : world.joints) {
+    if (is_subject(joint.A) || is_subject(joint.B)) rods.push_back(&joint);
+  }
+  return rods;
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  if (!faults.empty()) return faults;
+  if (RodsOf(world, SubjectsOf(world, claim)).empty())
+    faults.push_back({"about", "is held by no rod", "bodies or particles with joints"});
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
+}
+
+std::string EndOf(const World& world, const Anchor& anchor) {
+  switch (anchor.on) {
+    case AnchorKind::kBody:
+      return world.bodies[static_cast<std::size_t>(anchor.index)].name;
+    case AnchorKind::kParticle:
+      return world.particles[static_cast<std::size_t>(anchor.index)].name;
+    case AnchorKind::kWorld:
+      break;
+  }
+  return "the world";
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  Worst worst(
+      MeasureKind::kJointError,
+      "1.5 × ½ h ∫ v²/L dt, the steps along the tangent, 1e-5 of the ends' way for "
+      "the solver, and 64 roundings a step");
+  for (const DistanceJoint* rod : RodsOf(world, SubjectsOf(world, claim))) {
+    const auto across = [&](const WorldState& state) {
+      const PointState A = StateOf(world, state, rod->A);
+      const PointState B = StateOf(world, state, rod->B);
+      return (B.v_W - A.v_W).norm();
+    };
+    const std::vector<double> stretched =
+        IntegralAlong(trajectory, [&](const WorldState& state) {
+          // Gravity is not yet turned along the tangent where a sample is taken.
+          const double v = across(state) + world.gravity_W.norm() * world.dt;
+          return v * v / (2 * rod->length);
+        });
+    const std::vector<double> way = IntegralAlong(trajectory, across);
+    double start = 0;
+    for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
+      const Eigen::Vector3d A = StateOf(world, trajectory.samples[s], rod->A).p_W;
+      const Eigen::Vector3d B = StateOf(world, trajectory.samples[s], rod->B).p_W;
+      const double length = (B - A).norm();
+      if (s == 0) start = std::abs(length - rod->length);
+      const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
+      worst.Take(
+          std::abs(length - rod->length),
+          start + kSafety * world.dt * stretched[s] + kSolverResidual * way[s] +
+              rounding * (A.norm() + B.norm() + rod->length),
+          [&] {
+            return fmt::format(
+                "{} has {:.9g} m from {} to {} after {:.6g} s; the rod is {:.9g} m",
+                motion.oracle.name, length, EndOf(world, rod->A), EndOf(world, rod->B),
+                trajectory.times[s], rod->length);
+          });
+    }
+  }
+  return FindingsOf({worst});
+}
+
+}  // namespace
+
+constinit const Law kJointLength = {"joint_length", "A rod keeps its length.", Faults,
+                                    Judge};
+
+}  // namespace touchstone

@@ -1,0 +1,214 @@
+#include "reports/worlds/laws/spring_oscillation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/point_mass.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/words.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/oscillator.h"
+
+namespace touchstone {
+namespace {
+
+/** Largest part of a velocity or a force across the spring that an author means to be
+ none: quaternions and coordinates with nine digits. [-] */
+constexpr double kAcross = 1e-9;
+
+/** A mass that swings on a spring, `rest` + x from the fixed end along d. */
+struct OnSpring {
+  PointMass mass;
+  Eigen::Vector3d p_W;  ///< The fixed end.
+  Eigen::Vector3d d_W;
+  double sag;   ///< What gravity and force stretch the spring by. [m]
+  double rest;  ///< Length at rest. [m]
+  Oscillator oscillator;
+  Swing start;
+
+  /** The largest displacement there can be, from its energy. [m] */
+  double Amplitude() const { return std::hypot(start.x, start.v / oscillator.omega); }
+};
+
+const Spring* SpringOf(const World& world, const PointMass& mass) {
+  const Spring* found = nullptr;
+  for (const Spring& spring : world.springs) {
+    if (!mass.IsAt(spring.A) && !mass.IsAt(spring.B)) continue;
+    if (found) return nullptr;
+    found = &spring;
+  }
+  return found;
+}
+
+const Anchor& FarEnd(const Spring& spring, const PointMass& mass) {
+  return mass.IsAt(spring.A) ? spring.B : spring.A;
+}
+
+OnSpring OnSpringOf(const World& world, const PointMass& mass) {
+  const Spring& spring = *SpringOf(world, mass);
+  OnSpring on;
+  on.mass = mass;
+  on.p_W = *FixedPointOf(world, FarEnd(spring, mass));
+  const Eigen::Vector3d arm_W = mass.start.p_W - on.p_W;
+  on.d_W = arm_W.normalized();
+  on.oscillator = {std::sqrt(spring.stiffness / mass.mass),
+                   spring.damping / mass.mass + mass.damping};
+  on.sag = on.d_W.dot(mass.a_W) / (on.oscillator.omega * on.oscillator.omega);
+  on.rest = spring.rest_length + on.sag;
+  on.start = {arm_W.norm() - on.rest, on.d_W.dot(mass.start.v_W)};
+  return on;
+}
+
+std::string WhyNot(const World& world, const PointMass& mass) {
+  const Spring* spring = SpringOf(world, mass);
+  if (!spring) return "is not held at its centre by exactly one spring";
+  const auto jointed = [&](const DistanceJoint& joint) {
+    return mass.IsAt(joint.A) || mass.IsAt(joint.B);
+  };
+  if (std::any_of(world.joints.begin(), world.joints.end(), jointed) ||
+      (mass.on == AnchorKind::kBody && IsPushed(world, mass.index)))
+    return "is held by a rod, or struck";
+  if (spring->stiffness <= 0) return "is on a spring without stiffness";
+  if (!FixedPointOf(world, FarEnd(*spring, mass))) return "is on a spring to what moves";
+  const OnSpring on = OnSpringOf(world, mass);
+  const auto across = [&](const Eigen::Vector3d& v_W) {
+    return v_W.cross(on.d_W).norm() > kAcross * v_W.norm();
+  };
+  // Written so that a mass at the fixed end, where the spring has no direction, is
+  // refused.
+  if (!(on.Amplitude() < on.rest)) return "reaches the other end of its spring";
+  if (across(mass.start.v_W) || across(mass.a_W)) return "is pulled or moves across it";
+  if (on.oscillator.omega * world.dt >= 2) return "is too stiffly held for this step";
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  if (!faults.empty()) return faults;
+  const std::vector<PointMass> masses = PointMassesOf(world, SubjectsOf(world, claim));
+  if (masses.size() != 1)
+    return {{"about", fmt::format("are {} things", masses.size()), "one mass"}};
+  const std::string why = WhyNot(world, masses.front());
+  if (!why.empty()) {
+    return {{WhereAbout(claim, masses.front().name),
+             fmt::format("is {}, which {}", masses.front().name, why),
+             "a mass that swings along one spring to a fixed point"}};
+  }
+  const OnSpring on = OnSpringOf(world, masses.front());
+  const double omega = on.oscillator.omega;
+  const double c = on.oscillator.damping;
+  const double damped = std::sqrt(omega * omega - c * c / 4);
+  return FaultsOfNumbers(claim, {{"expected_period", 2 * std::numbers::pi / damped},
+                                 {"expected_angular_frequency", damped},
+                                 {"expected_damping_ratio", c / (2 * omega)},
+                                 {"expected_sag", on.sag}});
+}
+
+/** Holds the motion against `truth(s)`, a swing at each sample, within `allowed(s)`. */
+template <typename Truth, typename Allowed>
+std::vector<Worst> JudgeBy(const Motion& motion, const OnSpring& on,
+                           const std::string& because, const Truth& truth,
+                           const Allowed& allowed) {
+  Worst position(MeasureKind::kPositionError, because);
+  Worst velocity(MeasureKind::kVelocityError, because);
+  const double A = on.Amplitude();
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    const Swing swing = truth(s);
+    const Swing off = allowed(s);
+    const PointState is = on.mass.In(motion.trajectory.samples[s]);
+    const Eigen::Vector3d p_W = on.p_W + (on.rest + swing.x) * on.d_W;
+    const Eigen::Vector3d v_W = swing.v * on.d_W;
+    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
+    position.Take((is.p_W - p_W).norm(), off.x + rounding * (on.p_W.norm() + on.rest + A),
+                  [&] {
+                    return fmt::format(
+                        "{} has {} at {} after {:.6g} s; with ω = {:.6g} rad/s and c = "
+                        "{:.6g}/s it swings to {}",
+                        motion.oracle.name, on.mass.name, Words(is.p_W), t,
+                        on.oscillator.omega, on.oscillator.damping, Words(p_W));
+                  });
+    velocity.Take((is.v_W - v_W).norm(),
+                  off.v + rounding * on.oscillator.omega * (on.p_W.norm() + on.rest + A),
+                  [&] {
+                    return fmt::format(
+                        "{} has {} move at {} after {:.6g} s; it swings at {}",
+                        motion.oracle.name, on.mass.name, Words(is.v_W), t, Words(v_W));
+                  });
+  }
+  return {position, velocity};
+}
+
+/** Returns the swing at each sample, stepped by `scheme`. */
+std::vector<Swing> SteppedAlong(const Motion& motion, const OnSpring& on,
+                                SwingScheme scheme) {
+  std::vector<Swing> along;
+  Swing swing = on.start;
+  double done = 0;
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    for (; done < StepsBefore(motion, s); ++done)
+      swing = Stepped(scheme, on.oscillator, motion.world.dt, swing);
+    along.push_back(swing);
+  }
+  return along;
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const OnSpring on = OnSpringOf(
+      motion.world, PointMassesOf(motion.world, SubjectsOf(motion.world, claim)).front());
+  const auto truth = [&](std::size_t s) {
+    return on.oscillator.After(on.start, motion.trajectory.times[s]);
+  };
+  std::vector<Swing> allowed(motion.trajectory.samples.size(), {0, 0});
+  for (const SwingScheme scheme : kSymplecticSwings) {
+    const std::vector<Swing> along = SteppedAlong(motion, on, scheme);
+    for (std::size_t s = 0; s < along.size(); ++s) {
+      const Swing before = s == 0 ? Swing{0, 0} : allowed[s - 1];
+      allowed[s].x =
+          std::max({allowed[s].x, before.x, kSafety * std::abs(along[s].x - truth(s).x)});
+      allowed[s].v =
+          std::max({allowed[s].v, before.v, kSafety * std::abs(along[s].v - truth(s).v)});
+    }
+  }
+  const std::vector<Worst> found = JudgeBy(
+      motion, on,
+      "1.5 × the largest error so far of semi-implicit Euler and its adjoint, stepped "
+      "beside the truth, and 64 roundings a step",
+      truth, [&](std::size_t s) { return allowed[s]; });
+  std::string_view recognised;
+  if (AnyBeyond(found)) {
+    for (const auto& [scheme, name] :
+         {std::pair(SwingScheme::kImplicit, "implicit Euler"),
+          std::pair(SwingScheme::kExplicit, "explicit Euler")}) {
+      const std::vector<Swing> along = SteppedAlong(motion, on, scheme);
+      const auto exactly = [](std::size_t) { return Swing{0, 0}; };
+      if (!AnyBeyond(JudgeBy(
+              motion, on, "", [&](std::size_t s) { return along[s]; }, exactly)))
+        recognised = name;
+    }
+  }
+  return FindingsOf(found, recognised);
+}
+
+Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
+  const OnSpring on =
+      OnSpringOf(world, PointMassesOf(world, SubjectsOf(world, claim)).front());
+  return on.p_W + (on.rest + on.oscillator.After(on.start, t).x) * on.d_W;
+}
+
+}  // namespace
+
+constinit const Law kSpringOscillation = {
+    "spring_oscillation",
+    "A mass on one spring to something fixed oscillates along it, damped or not.",
+    Faults,
+    Judge,
+    true,
+    Place};
+
+}  // namespace touchstone
