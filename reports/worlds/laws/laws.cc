@@ -11,8 +11,10 @@
 #include "reports/worlds/laws/coulomb_cone.h"
 #include "reports/worlds/laws/double_pendulum.h"
 #include "reports/worlds/laws/energy_never_rises.h"
+#include "reports/worlds/laws/hangs_as_catenary.h"
 #include "reports/worlds/laws/incline.h"
 #include "reports/worlds/laws/joint_length.h"
+#include "reports/worlds/laws/minimum_energy.h"
 #include "reports/worlds/laws/momentum_balance.h"
 #include "reports/worlds/laws/never_penetrates.h"
 #include "reports/worlds/laws/oblique_impact.h"
@@ -36,34 +38,16 @@ namespace touchstone {
 
 std::span<const Law> Laws() {
   static const std::array laws = {
-      kBallistic,
-      kBounceSeries,
-      kConservesAngularMomentum,
-      kConservesEnergy,
-      kConservesMomentum,
-      kCornerImpact,
-      kCoulombCone,
-      kDoublePendulum,
-      kEnergyNeverRises,
-      kIncline,
-      kJointLength,
-      kMomentumBalance,
-      kNeverPenetrates,
-      kObliqueImpact,
-      kParticleBounce,
-      kParticleFlight,
-      kPendulum,
-      kPenetrationScore,
-      kPushed,
-      kRests,
-      kRollingBox,
-      kRolls,
-      kRowImpact,
-      kSlideToStop,
-      kSlipToRoll,
-      kSphereImpact,
-      kSpringOscillation,
-      kStackSupport,
+      kBallistic,       kBounceSeries,      kConservesAngularMomentum,
+      kConservesEnergy, kConservesMomentum, kCornerImpact,
+      kCoulombCone,     kDoublePendulum,    kEnergyNeverRises,
+      kHangsAsCatenary, kIncline,           kJointLength,
+      kMinimumEnergy,   kMomentumBalance,   kNeverPenetrates,
+      kObliqueImpact,   kParticleBounce,    kParticleFlight,
+      kPendulum,        kPenetrationScore,  kPushed,
+      kRests,           kRollingBox,        kRolls,
+      kRowImpact,       kSlideToStop,       kSlipToRoll,
+      kSphereImpact,    kSpringOscillation, kStackSupport,
       kTorqueFree,
   };
   return laws;

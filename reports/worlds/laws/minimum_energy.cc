@@ -1,0 +1,181 @@
+#include "reports/worlds/laws/minimum_energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/point_mass.h"
+#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+#include "reports/worlds/truth/net.h"
+
+namespace touchstone {
+namespace {
+
+bool Holds(const std::vector<int>& particles, const Anchor& anchor) {
+  return anchor.on == AnchorKind::kParticle &&
+         std::find(particles.begin(), particles.end(), anchor.index) != particles.end();
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {false, true, true});
+  if (!faults.empty()) return faults;
+  const Subjects subjects = SubjectsOf(world, claim);
+  const auto refuse = [&](const std::string& name, const std::string& why) {
+    faults.push_back({WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
+                      "damped cloths and particles on springs"});
+  };
+  for (const int i : subjects.cloths) {
+    const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];
+    if (cloth.damping == 0) refuse(cloth.name, "nothing damps");
+    if (cloth.pinned.empty() && !world.gravity_W.isZero(0))
+      refuse(cloth.name, "nothing holds");
+  }
+  for (const int i : subjects.particles) {
+    const Particle& particle = world.particles[static_cast<std::size_t>(i)];
+    if (particle.damping == 0) refuse(particle.name, "nothing damps");
+    const auto jointed = [&](const DistanceJoint& joint) {
+      return Holds({i}, joint.A) || Holds({i}, joint.B);
+    };
+    if (std::any_of(world.joints.begin(), world.joints.end(), jointed))
+      refuse(particle.name, "a rod holds");
+    for (const Spring& spring : world.springs) {
+      if (!Holds({i}, spring.A) && !Holds({i}, spring.B)) continue;
+      for (const Anchor& end : {spring.A, spring.B}) {
+        if (!FixedPointOf(world, end) && !Holds(subjects.particles, end))
+          refuse(particle.name, "a spring joins to what else moves");
+      }
+    }
+  }
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
+}
+
+/** The subjects as a net: the nodes of cloths, then particles, then what is fixed. */
+struct Hung {
+  Net net;
+  double damping = std::numeric_limits<double>::infinity();  ///< The least. [1/s]
+  Net::Points fixed_W;
+
+  /** Returns where the points of the net are in `state`. */
+  static Net::Points PointsOf(const World& world, const Subjects& subjects,
+                              const WorldState& state, const Net::Points& fixed_W) {
+    Net::Points points_W;
+    for (const int i : subjects.cloths) {
+      const int n = world.cloths[static_cast<std::size_t>(i)].n;
+      const int first = FirstNodeOf(world, i);
+      for (int node = 0; node < n * n; ++node)
+        points_W.push_back(state.nodes[static_cast<std::size_t>(first + node)].p_W);
+    }
+    for (const int i : subjects.particles)
+      points_W.push_back(state.particles[static_cast<std::size_t>(i)].p_W);
+    points_W.insert(points_W.end(), fixed_W.begin(), fixed_W.end());
+    return points_W;
+  }
+};
+
+Hung HungOf(const World& world, const Subjects& subjects) {
+  Hung hung;
+  hung.net.g_W = world.gravity_W;
+  for (const int i : subjects.cloths) {
+    const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];
+    const int first = static_cast<int>(hung.net.mass.size());
+    for (int node = 0; node < cloth.n * cloth.n; ++node)
+      hung.net.mass.push_back(IsPinned(cloth, node) ? 0 : cloth.node_mass);
+    for (const ClothSpring& spring : SpringsOf(cloth)) {
+      hung.net.links.push_back(
+          {first + spring.a, first + spring.b, spring.stiffness, spring.rest_length});
+    }
+    hung.damping = std::min(hung.damping, cloth.damping);
+  }
+  const int first = static_cast<int>(hung.net.mass.size());
+  for (const int i : subjects.particles) {
+    hung.net.mass.push_back(world.particles[static_cast<std::size_t>(i)].mass);
+    hung.damping =
+        std::min(hung.damping, world.particles[static_cast<std::size_t>(i)].damping);
+  }
+  const auto point = [&](const Anchor& anchor) {
+    for (std::size_t k = 0; k < subjects.particles.size(); ++k) {
+      if (Holds({subjects.particles[k]}, anchor)) return first + static_cast<int>(k);
+    }
+    hung.fixed_W.push_back(*FixedPointOf(world, anchor));
+    hung.net.mass.push_back(0);
+    return static_cast<int>(hung.net.mass.size()) - 1;
+  };
+  for (const Spring& spring : world.springs) {
+    if (!Holds(subjects.particles, spring.A) && !Holds(subjects.particles, spring.B))
+      continue;
+    const int a = point(spring.A);
+    const int b = point(spring.B);
+    hung.net.links.push_back({a, b, spring.stiffness, spring.rest_length});
+  }
+  return hung;
+}
+
+double Farthest(const Net::Points& a, const Net::Points& b) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    farthest = std::max(farthest, (a[i] - b[i]).norm());
+  return farthest;
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Subjects subjects = SubjectsOf(world, claim);
+  const Hung hung = HungOf(world, subjects);
+  const WorldState& end = motion.trajectory.samples.back();
+  const auto points = [&](const WorldState& state) {
+    return Hung::PointsOf(world, subjects, state, hung.fixed_W);
+  };
+  const Net::Points is = points(end);
+  const Net::Points rest = hung.net.Minimum(is);
+  const double decay = hung.net.SlowestDecay(rest, hung.damping);
+  const double t = motion.trajectory.times.back();
+  const WorldState begin = StateAtStart(world);
+  const double rounding = RoundingOf(
+      motion.oracle, StepsBefore(motion, motion.trajectory.samples.size() - 1));
+  double reach = 0;
+  for (const Eigen::Vector3d& p_W : rest) reach = std::max(reach, p_W.norm());
+  const std::string because = fmt::format(
+      "1.5 × what damping leaves of the start, at the slowest decay γ = {:.6g}/s, and 64 "
+      "roundings a step",
+      decay);
+
+  Worst position(MeasureKind::kPositionError, because);
+  const double off = Farthest(is, rest);
+  const double start =
+      Farthest(points(begin), rest) * std::sqrt(static_cast<double>(is.size()));
+  position.Take(off, kSafety * start * std::exp(-decay * t) + rounding * reach, [&] {
+    return fmt::format(
+        "{} has a point {:.6g} m from where the energy is least after {:.6g} s",
+        motion.oracle.name, off, t);
+  });
+
+  Worst energy(MeasureKind::kEnergyDrift, because);
+  const double least = hung.net.EnergyAt(rest);
+  const Energy last = EnergyOf(world, end, subjects);
+  const double left = hung.net.EnergyAt(is) + last.kinetic - least;
+  const double given =
+      hung.net.EnergyAt(points(begin)) + EnergyOf(world, begin, subjects).kinetic - least;
+  energy.Take(std::abs(left),
+              kSafety * std::abs(given) * std::exp(-2 * decay * t) + rounding * last.size,
+              [&] {
+                return fmt::format(
+                    "{} has {:.9g} J more than the least of {:.9g} J after {:.6g} s",
+                    motion.oracle.name, left, least, t);
+              });
+  return FindingsOf({position, energy});
+}
+
+}  // namespace
+
+constinit const Law kMinimumEnergy = {
+    "minimum_energy",
+    "Damped cloths and particles on springs come to rest where their energy is least.",
+    Faults, Judge};
+
+}  // namespace touchstone
