@@ -40,7 +40,7 @@ struct Settings {
   int impulse_iterations = 8;
   /** A small world may use more sweeps, until it is solved: as long as sweeps × rows stay
    below this. */
-  int patience = 40000;
+  int patience = 4000;
   /** A step is solved where no sweep changes a relative velocity by more than this share
    of the greatest there is. */
   double residual = 1e-14;

@@ -103,7 +103,11 @@ std::unique_ptr<PreparedBatch> CookbookOracle::Prepare(
 }
 
 std::unique_ptr<Simulation> CookbookOracle::Begin(const World& world) const {
-  return BeginCookbookWorld(world);
+  return BeginCookbookWorld(world, Care::kAll);
+}
+
+std::unique_ptr<Simulation> CookbookOracle::BeginAsShipped(const World& world) const {
+  return BeginCookbookWorld(world, Care::kAsShipped);
 }
 
 }  // namespace touchstone

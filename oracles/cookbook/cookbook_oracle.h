@@ -21,6 +21,7 @@ class CookbookOracle final : public Oracle {
   std::unique_ptr<PreparedBatch> Prepare(
       std::span<const ContactQuery> queries) const override;
   std::unique_ptr<Simulation> Begin(const World& world) const override;
+  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override;
 
  private:
   OracleInfo info_;

@@ -65,10 +65,13 @@ cookbook::Cloth ToCookbook(const Cloth& cloth) {
   return net;
 }
 
+/** Sweeps × rows that a question is worth: 20 ms a step at most. */
+constexpr int kPatience = 40000;
+
 class CookbookSimulation final : public Simulation {
  public:
-  explicit CookbookSimulation(const World& world)
-      : world_(SettingsFor(world)),
+  CookbookSimulation(const World& world, Care care)
+      : world_(SettingsFor(world, care)),
         dt_(world.dt),
         bodies_(static_cast<int>(world.bodies.size())),
         particles_(static_cast<int>(world.particles.size())) {
@@ -120,8 +123,9 @@ class CookbookSimulation final : public Simulation {
   bool GivesImpulses() const override { return true; }
 
  private:
-  static cookbook::Settings SettingsFor(const World& world) {
+  static cookbook::Settings SettingsFor(const World& world, Care care) {
     cookbook::Settings settings;
+    if (care == Care::kAll) settings.patience = kPatience;
     settings.gravity_W = world.gravity_W;
     return settings;
   }
@@ -174,8 +178,8 @@ std::vector<Setting> CookbookWorldSettings() {
           {"sleeping", "none", "nothing sleeps"}};
 }
 
-std::unique_ptr<Simulation> BeginCookbookWorld(const World& world) {
-  return std::make_unique<CookbookSimulation>(world);
+std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care) {
+  return std::make_unique<CookbookSimulation>(world, care);
 }
 
 }  // namespace touchstone

@@ -13,8 +13,14 @@ decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities();
 /** Returns what is in force where the corrected engine simulates worlds. */
 std::vector<Setting> CookbookWorldSettings();
 
+/** How long the corrected engine may take to solve a step. */
+enum class Care {
+  kAll,        ///< Until it is solved to rounding, where that can be waited for.
+  kAsShipped,  ///< As the engine's defaults say.
+};
+
 /** Returns `world` at its start, in the corrected engine.
  @pre The world is valid and within CookbookWorldCapabilities(). */
-std::unique_ptr<Simulation> BeginCookbookWorld(const World& world);
+std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care);
 
 }  // namespace touchstone
