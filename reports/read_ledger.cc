@@ -23,8 +23,8 @@ constexpr std::array<std::string_view, 10> kKeys = {
 constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::kInvalid,
                                   Verdict::kCrashed, Verdict::kTimedOut};
 
-constexpr std::array kCauses = {Cause::kConvention, Cause::kTie, Cause::kPrecision,
-                                Cause::kModel, Cause::kDefect};
+constexpr std::array kCauses = {Cause::kConvention,     Cause::kTie,   Cause::kPrecision,
+                                Cause::kDiscretisation, Cause::kModel, Cause::kDefect};
 
 template <typename Values>
 std::vector<std::string_view> NamesOf(const Values& values) {
