@@ -66,9 +66,10 @@ class WorldCheck {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string path = fmt::format("{}[{}].", key, i);
       Append(path, FaultsOf(parts[i]), faults_);
-      const bool have_ends =
-          Exists(path + 'A', parts[i].A) & Exists(path + 'B', parts[i].B);
-      if (have_ends) Append(path, FaultsOfEnds(world_, parts[i].A, parts[i].B), faults_);
+      const bool has_A = Exists(path + 'A', parts[i].A);
+      const bool has_B = Exists(path + 'B', parts[i].B);
+      if (has_A && has_B)
+        Append(path, FaultsOfEnds(world_, parts[i].A, parts[i].B), faults_);
     }
   }
 
