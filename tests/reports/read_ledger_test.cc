@@ -88,7 +88,7 @@ TEST(ReadLedger, NamesTheMeasuresVerdictsAndCausesThereAre) {
   EXPECT_THAT(
       Complaints(With("\"defect\"", "\"bug\"")),
       ElementsAre("ledger.toml:8:9: cause is \"bug\"; expected one of convention, tie, "
-                  "precision, model, defect"));
+                  "precision, discretisation, model, defect"));
 }
 
 TEST(ReadLedger, RefusesABoundThatIsNone) {
