@@ -2,11 +2,9 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/falls.h"
 #include "reports/worlds/laws/landing.h"
-#include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/subjects.h"
 
 namespace touchstone {
@@ -53,23 +51,15 @@ std::string WhyNot(const World& world, int index) {
   return "";
 }
 
+ExpectedNumbers NumbersOfBody(const World& world, int index) {
+  return NumbersOf(FallOf(world, index));
+}
+
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
-  if (!faults.empty()) return faults;
-  for (const int i : SubjectsOf(world, claim).bodies) {
-    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    const std::string why = WhyNot(world, i);
-    if (!why.empty()) {
-      faults.push_back({WhereAbout(claim, name),
-                        fmt::format("is {}, which {}", name, why),
-                        "a sphere, or a box that lies flat, falling straight on a static "
-                        "half-space or box"});
-      continue;
-    }
-    faults =
-        Joined(std::move(faults), FaultsOfNumbers(claim, NumbersOf(FallOf(world, i))));
-  }
-  return faults;
+  return FaultsOfEachBody(
+      world, claim, WhyNot,
+      "a sphere, or a box that lies flat, falling straight on a static half-space or box",
+      NumbersOfBody);
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/on_plane.h"
 #include "reports/worlds/laws/subjects.h"
 #include "reports/worlds/laws/words.h"
@@ -43,32 +43,22 @@ std::string WhyNot(const World& world, int index) {
   if (!why.empty()) return why;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   if (!body.v_WB.isZero(0) || !body.w_WB.isZero(0)) return "does not start at rest";
-  const Eigen::Vector3d inertia = InertiaOf(body);
-  if (std::holds_alternative<Sphere>(body.placed.shape) &&
-      inertia != Eigen::Vector3d::Constant(inertia.x()))
+  if (std::holds_alternative<Sphere>(body.placed.shape) && !IsEvenSphere(body))
     return "is a sphere with unequal moments of inertia";
   return "";
 }
 
+ExpectedNumbers NumbersOfBody(const World& world, int index) {
+  const OnPlane on = OnPlaneOf(world, index);
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const Start start = StartOf(body, on, ConesOn(on.plane.n_W).front());
+  return {{"expected_acceleration", start.a_W.norm()}};
+}
+
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
-  if (!faults.empty()) return faults;
-  for (const int i : SubjectsOf(world, claim).bodies) {
-    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    const std::string why = WhyNot(world, i);
-    if (!why.empty()) {
-      faults.push_back({WhereAbout(claim, body.name),
-                        fmt::format("is {}, which {}", body.name, why),
-                        "a flat box or a sphere at rest on a static plane"});
-      continue;
-    }
-    const OnPlane on = OnPlaneOf(world, i);
-    const Start start = StartOf(body, on, ConesOn(on.plane.n_W).front());
-    faults =
-        Joined(std::move(faults),
-               FaultsOfNumbers(claim, {{"expected_acceleration", start.a_W.norm()}}));
-  }
-  return faults;
+  return FaultsOfEachBody(world, claim, WhyNot,
+                          "a flat box or a sphere at rest on a static plane",
+                          NumbersOfBody);
 }
 
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {

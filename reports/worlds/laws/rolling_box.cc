@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
 #include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/on_plane.h"
@@ -87,9 +88,7 @@ std::string WhyNoBall(const World& world, const RigidBody& box, const OnPlane& o
                       int index) {
   const RigidBody& ball = world.bodies[static_cast<std::size_t>(index)];
   if (!std::holds_alternative<Sphere>(ball.placed.shape)) return "is no sphere";
-  const Eigen::Vector3d inertia = InertiaOf(ball);
-  if (inertia != Eigen::Vector3d::Constant(inertia.x()))
-    return "has unequal moments of inertia";
+  if (!IsEvenSphere(ball)) return "has unequal moments of inertia";
   if (!ball.v_WB.isZero(0) || !ball.w_WB.isZero(0) || !ball.force_W.isZero(0))
     return "does not start at rest, or is pulled itself";
   // Written so that a ball beside the face is refused.

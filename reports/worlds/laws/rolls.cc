@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/on_plane.h"
 #include "reports/worlds/laws/subjects.h"
 #include "reports/worlds/laws/words.h"
@@ -27,10 +27,7 @@ std::string WhyNot(const World& world, int index) {
   std::string why = WhyNotOnPlane(world, index);
   if (!why.empty()) return why;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
-  const Eigen::Vector3d inertia = InertiaOf(body);
-  if (!std::holds_alternative<Sphere>(body.placed.shape) ||
-      inertia != Eigen::Vector3d::Constant(inertia.x()))
-    return "is no sphere with equal moments of inertia";
+  if (!IsEvenSphere(body)) return "is no sphere with equal moments of inertia";
   const OnPlane on = OnPlaneOf(world, index);
   const double r = std::get<Sphere>(body.placed.shape).radius;
   const Eigen::Vector3d slip_W = on.v_along_W - r * body.w_WB.cross(on.plane.n_W);
@@ -42,25 +39,14 @@ std::string WhyNot(const World& world, int index) {
   return "";
 }
 
+ExpectedNumbers NumbersOfBody(const World& world, int index) {
+  const double k = ShareOf(world.bodies[static_cast<std::size_t>(index)]);
+  return {{"expected_acceleration", OnPlaneOf(world, index).along_W.norm() / (1 + k)}};
+}
+
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
-  if (!faults.empty()) return faults;
-  for (const int i : SubjectsOf(world, claim).bodies) {
-    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    const std::string why = WhyNot(world, i);
-    if (!why.empty()) {
-      faults.push_back({WhereAbout(claim, body.name),
-                        fmt::format("is {}, which {}", body.name, why),
-                        "a sphere that rolls on a static plane"});
-      continue;
-    }
-    faults =
-        Joined(std::move(faults),
-               FaultsOfNumbers(
-                   claim, {{"expected_acceleration",
-                            OnPlaneOf(world, i).along_W.norm() / (1 + ShareOf(body))}}));
-  }
-  return faults;
+  return FaultsOfEachBody(world, claim, WhyNot, "a sphere that rolls on a static plane",
+                          NumbersOfBody);
 }
 
 std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/on_plane.h"
 #include "reports/worlds/laws/subjects.h"
 #include "reports/worlds/laws/words.h"
@@ -42,26 +42,17 @@ std::string WhyNot(const World& world, int index) {
   return "";
 }
 
+ExpectedNumbers NumbersOfBody(const World& world, int index) {
+  const OnPlane on = OnPlaneOf(world, index);
+  const double v = on.v_along_W.norm();
+  const double brake = on.plane.friction * on.press;
+  return {{"expected_distance", v * v / (2 * brake)}, {"expected_time", v / brake}};
+}
+
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
-  if (!faults.empty()) return faults;
-  for (const int i : SubjectsOf(world, claim).bodies) {
-    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    const std::string why = WhyNot(world, i);
-    if (!why.empty()) {
-      faults.push_back({WhereAbout(claim, name),
-                        fmt::format("is {}, which {}", name, why),
-                        "a box that slides flat on a level static plane"});
-      continue;
-    }
-    const OnPlane on = OnPlaneOf(world, i);
-    const double v = on.v_along_W.norm();
-    const double brake = on.plane.friction * on.press;
-    faults = Joined(std::move(faults),
-                    FaultsOfNumbers(claim, {{"expected_distance", v * v / (2 * brake)},
-                                            {"expected_time", v / brake}}));
-  }
-  return faults;
+  return FaultsOfEachBody(world, claim, WhyNot,
+                          "a box that slides flat on a level static plane",
+                          NumbersOfBody);
 }
 
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {

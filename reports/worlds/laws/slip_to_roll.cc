@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/on_plane.h"
 #include "reports/worlds/laws/subjects.h"
 #include "reports/worlds/laws/words.h"
@@ -62,37 +62,24 @@ std::string WhyNot(const World& world, int index) {
   std::string why = WhyNotOnPlane(world, index);
   if (!why.empty()) return why;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
-  const Eigen::Vector3d inertia = InertiaOf(body);
-  if (!std::holds_alternative<Sphere>(body.placed.shape) ||
-      inertia != Eigen::Vector3d::Constant(inertia.x()))
-    return "is no sphere with equal moments of inertia";
+  if (!IsEvenSphere(body)) return "is no sphere with equal moments of inertia";
   const OnPlane on = OnPlaneOf(world, index);
   if (on.along_W.norm() > kLevel * on.press) return "is not on a level plane";
   if (on.plane.friction == 0) return "has no friction to turn it";
   return "";
 }
 
+ExpectedNumbers NumbersOfBody(const World& world, int index) {
+  const Slipping slipping = SlippingOf(world, index);
+  const double t_r = slipping.s_W.norm() / slipping.Brake();
+  const BodyState rolling = slipping.At(t_r, ConesOn(slipping.on.plane.n_W).front());
+  return {{"expected_rolling_speed", rolling.v_WB.norm()},
+          {"expected_rolling_time", t_r}};
+}
+
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
-  if (!faults.empty()) return faults;
-  for (const int i : SubjectsOf(world, claim).bodies) {
-    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    const std::string why = WhyNot(world, i);
-    if (!why.empty()) {
-      faults.push_back({WhereAbout(claim, name),
-                        fmt::format("is {}, which {}", name, why),
-                        "a sphere on a level static plane"});
-      continue;
-    }
-    const Slipping slipping = SlippingOf(world, i);
-    const double t_r = slipping.s_W.norm() / slipping.Brake();
-    const BodyState rolling = slipping.At(t_r, ConesOn(slipping.on.plane.n_W).front());
-    faults =
-        Joined(std::move(faults),
-               FaultsOfNumbers(claim, {{"expected_rolling_speed", rolling.v_WB.norm()},
-                                       {"expected_rolling_time", t_r}}));
-  }
-  return faults;
+  return FaultsOfEachBody(world, claim, WhyNot, "a sphere on a level static plane",
+                          NumbersOfBody);
 }
 
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
 #include "reports/worlds/laws/subjects.h"
 #include "reports/worlds/laws/words.h"
@@ -243,9 +244,7 @@ std::string WhyNoFreeSphere(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   if (!std::holds_alternative<Sphere>(body.placed.shape) || !body.collides)
     return "is no sphere that collides";
-  const Eigen::Vector3d inertia = InertiaOf(body);
-  if (inertia != Eigen::Vector3d::Constant(inertia.x()))
-    return "is a sphere with unequal moments of inertia";
+  if (!IsEvenSphere(body)) return "is a sphere with unequal moments of inertia";
   if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
     return "is held or struck";
   return "";

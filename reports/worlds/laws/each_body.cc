@@ -1,0 +1,38 @@
+#include "reports/worlds/laws/each_body.h"
+
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/laws/subjects.h"
+
+namespace touchstone {
+
+std::vector<Fault> FaultsOfEachBody(const World& world, const Claim& claim,
+                                    std::string (*why_not)(const World&, int),
+                                    std::string_view expected,
+                                    ExpectedNumbers (*numbers)(const World&, int)) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const std::string why = why_not(world, i);
+    if (why.empty()) {
+      faults = Joined(std::move(faults), FaultsOfNumbers(claim, numbers(world, i)));
+      continue;
+    }
+    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
+    faults.push_back({WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
+                      std::string(expected)});
+  }
+  return faults;
+}
+
+bool IsEvenSphere(const RigidBody& body) {
+  const Eigen::Vector3d inertia = InertiaOf(body);
+  return std::holds_alternative<Sphere>(body.placed.shape) &&
+         inertia == Eigen::Vector3d::Constant(inertia.x());
+}
+
+}  // namespace touchstone
