@@ -16,9 +16,11 @@ enum class IsolationScope {
 
 /** How much an isolated oracle may take for one question. */
 struct IsolationLimits {
-  /** CPU time, so that a busy machine changes no result: thousands of times what the
-   slowest engine takes for a question that it answers (FCL's signed distance, 35 µs). */
-  std::chrono::milliseconds cpu{100};
+  /** CPU time, so that a busy machine changes no result. What answers at all does so in
+   well under half a second (most in microseconds; libccd's EPA on concentric round shapes
+   takes longest), and what does not was still at work after 20 s: the limit lies between
+   them with room on both sides, so that a slow machine draws the same line. */
+  std::chrono::milliseconds cpu{2'000};
   /** Wall clock, for an engine that waits without working. Long enough for `cpu` on a
    machine shared by a hundred others. */
   std::chrono::milliseconds wall{60'000};
@@ -32,17 +34,15 @@ struct IsolationLimits {
 
 /** Returns an oracle that answers as `oracle` does, but in a child process, so that an
  engine that aborts, crashes, hangs, exits or eats the memory loses one question and not
- the run:
+ the run. The answer where the child
 
- | the child                | the answer |
- |--------------------------|-------------------------------------------------------------|
- | aborts                   | kCrashed, "aborted: <the last line of its stderr>" | | dies
- of a signal         | kCrashed, "died of SIGSEGV"                                 | |
- throws                   | kCrashed, "threw std::logic_error: …"                       |
- | exits                    | kCrashed, "exited with status 3" | | sends what is no answer
- | kCrashed, "sent bytes that are no answer"                   | | uses up limits.cpu |
- kTimedOut, "no answer after 0.1 s of CPU time"              | | waits for limits.wall |
- kTimedOut, "no answer after 60 s, blocked"                  |
+ - aborts: kCrashed, "aborted: <the last line of its stderr>";
+ - dies of a signal: kCrashed, "died of SIGSEGV";
+ - throws: kCrashed, "threw std::logic_error: …";
+ - exits: kCrashed, "exited with status 3";
+ - sends what is no answer: kCrashed, "sent bytes that are no answer";
+ - uses up limits.cpu: kTimedOut, "no answer after 2 s of CPU time";
+ - waits for limits.wall: kTimedOut, "no answer after 60 s, blocked".
 
  One child answers a whole batch, streaming; after a death a new one goes on with the next
  question. Costs one fork a batch and some microseconds a question. What the child prints

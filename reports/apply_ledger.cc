@@ -63,7 +63,7 @@ void Excuse(Finding& finding, double size, std::span<Rule> rules, const Ledger& 
 }
 
 std::string ImprovementOf(const Rule& rule) {
-  if (rule.voided || rule.use.candidates == 0) return "";
+  if (rule.voided || rule.use.candidates == 0 || rule.entry.intermittent) return "";
   if (rule.use.hidden == 0) return "improved: remove this entry, it hides nothing";
   if (HasValue(rule.entry.verdict) && rule.use.worst < rule.entry.bound * kImproved) {
     return fmt::format("improved: lower the bound {:.3g}, the worst it hides is {:.3g}",

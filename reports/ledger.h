@@ -31,7 +31,10 @@ struct LedgerEntry {
   std::string
       upstream;  ///< Link or issue "owner/repo#123"; "unreported" where there is none.
   std::string expires;  ///< ISO date after which the entry must be looked at again.
-  int line = 0;         ///< Of the entry in its file.
+  /** The engine shows it in some runs and not in others, on one question: hiding nothing,
+   or little, in one run is no improvement. */
+  bool intermittent = false;
+  int line = 0;  ///< Of the entry in its file.
 };
 
 /** What an entry did in a run. Both sides fail: exceeded, and no longer reproduced. */

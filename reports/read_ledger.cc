@@ -16,9 +16,9 @@
 namespace touchstone {
 namespace {
 
-constexpr std::array<std::string_view, 10> kKeys = {
-    "scenarios", "oracle", "version", "measures", "verdict",
-    "bound",     "cause",  "reason",  "upstream", "expires"};
+constexpr std::array<std::string_view, 11> kKeys = {
+    "scenarios", "oracle", "version",  "measures", "verdict",     "bound",
+    "cause",     "reason", "upstream", "expires",  "intermittent"};
 
 constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::kInvalid,
                                   Verdict::kCrashed, Verdict::kTimedOut};
@@ -104,6 +104,7 @@ class LedgerReader {
     entry.upstream =
         Text(table, "upstream", "a link, an issue \"owner/repo#123\", or \"unreported\"");
     entry.expires = Date(table, "expires");
+    entry.intermittent = Intermittent(table);
     ledger_.entries.push_back(std::move(entry));
   }
 
@@ -186,6 +187,14 @@ class LedgerReader {
       Add(node->source(), "bound is not a positive number", expected);
     }
     return bound;
+  }
+
+  bool Intermittent(const toml::table& table) {
+    const toml::node* node = table.get("intermittent");
+    if (node == nullptr) return false;
+    const auto intermittent = node->value_exact<bool>();
+    if (!intermittent) Add(node->source(), "intermittent is neither", "true or false");
+    return intermittent.value_or(false);
   }
 
   std::string Date(const toml::table& table, std::string_view key) {

@@ -275,6 +275,7 @@ Json LedgerEntryToJson(const RunReport& report, std::size_t index) {
   json["cause"] = NameOf(entry.cause);
   json["reason"] = entry.reason;
   json["upstream"] = entry.upstream;
+  json["intermittent"] = entry.intermittent;
   json["expires"] = entry.expires;
   const LedgerUse& use = report.ledger_use[index];
   json["hidden"] = use.hidden;

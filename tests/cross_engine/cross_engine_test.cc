@@ -1,5 +1,6 @@
-// The catalogue as tests: one per scenario and oracle, CrossEngine/<oracle>.<scenario>,
-// answered from one run. Known discrepancies pass, as they do for `touchstone run`.
+// The catalogue as tests: one per scenario, contact query or world, and oracle that
+// answers such, CrossEngine/<oracle>.<scenario>, answered from one run. Known
+// discrepancies pass, as they do for `touchstone run`.
 //
 // CTest gets an entry per oracle (`ctest -R fcl`), since a process per test would ask
 // everybody everything thousands of times; --write-ctest FILE makes them.
@@ -13,6 +14,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -44,29 +46,29 @@ class Suite {
     return suite;
   }
 
-  const std::vector<Scenario>& scenarios() const { return catalogue_.scenarios; }
+  const Questions& questions() const { return questions_; }
   const std::vector<const Oracle*>& oracles() const { return oracles_; }
 
   std::vector<Diagnostic> Diagnostics() const {
-    std::vector<Diagnostic> all = catalogue_.diagnostics;
+    std::vector<Diagnostic> all = catalogue_diagnostics_;
     all.insert(all.end(), ledger_.diagnostics.begin(), ledger_.diagnostics.end());
     return all;
   }
 
   // Everybody asked everything.
   RunReport Report() const {
-    return Run(catalogue_.scenarios, oracles_, ledger_.ledger.value_or(Ledger{}), {});
+    return Run(questions_, oracles_, ledger_.ledger.value_or(Ledger{}), {});
   }
 
   // One oracle asked everything: what a CTest entry needs.
   struct Part {
     RunReport report;
-    std::vector<Outcome> outcomes;  // Per scenario.
+    std::vector<Outcome> outcomes;  // Per question.
   };
   const Part& Of(std::size_t oracle) {
     Part& part = parts_[oracle];
     if (part.outcomes.empty()) {
-      part.report = Run(catalogue_.scenarios, std::span(oracles_).subspan(oracle, 1),
+      part.report = Run(questions_, std::span(oracles_).subspan(oracle, 1),
                         ledger_.ledger.value_or(Ledger{}), {});
       part.outcomes = OutcomesOf(part.report);
     }
@@ -75,42 +77,50 @@ class Suite {
 
  private:
   Suite()
-      : catalogue_(
-            ReadCatalogue(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "catalogue")),
+      : Suite(ReadCatalogue(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "catalogue")) {}
+
+  explicit Suite(Catalogue catalogue)
+      : questions_{std::move(catalogue.scenarios), std::move(catalogue.worlds)},
+        catalogue_diagnostics_(std::move(catalogue.diagnostics)),
         ledger_(ReadLedgerFile(std::filesystem::path(TOUCHSTONE_DATA_DIR) /
                                "known_discrepancies.toml")),
         registry_(OracleRegistry::BuiltIn()),
         oracles_(SelectOracles(registry_, {.subject = "cookbook", .against = {}})) {}
 
-  Catalogue catalogue_;
+  Questions questions_;
+  std::vector<Diagnostic> catalogue_diagnostics_;
   LedgerResult ledger_;
   OracleRegistry registry_;
   std::vector<const Oracle*> oracles_;
   std::map<std::size_t, Part> parts_;
 };
 
+std::string FailuresOf(const RunReport& report, const Outcome& outcome) {
+  const std::string& id = IdOf(report, outcome.scenario);
+  std::string text = id + ": " + TitleOf(report, outcome.scenario) + "\n";
+  for (const Finding& finding : outcome.findings) {
+    if (IsFailure(finding.verdict)) text += Sentence(finding) + "\n";
+  }
+  return text + "See it: touchstone explain " + id;
+}
+
 class ScenarioTest : public testing::Test {
  public:
-  ScenarioTest(std::size_t scenario, std::size_t oracle)
-      : scenario_(scenario), oracle_(oracle) {}
+  ScenarioTest(std::size_t question, std::size_t oracle)
+      : question_(question), oracle_(oracle) {}
 
   void TestBody() override {
     const Suite::Part& part = Suite::Instance().Of(oracle_);
-    const Outcome& outcome = part.outcomes[scenario_];
-    const ScenarioResult& result = part.report.scenarios[scenario_];
+    const Outcome& outcome = part.outcomes[question_];
     if (outcome.verdict == Verdict::kUnsupported) {
-      GTEST_SKIP() << result.answers.front().reason;
+      GTEST_SKIP() << (outcome.decisive == nullptr ? "no measure applies"
+                                                   : outcome.decisive->proof);
     }
-    if (!IsFailure(outcome.verdict)) return;
-    std::string text = result.scenario.id + ": " + result.scenario.title + "\n";
-    for (const Finding& finding : outcome.findings) {
-      if (IsFailure(finding.verdict)) text += Sentence(finding) + "\n";
-    }
-    ADD_FAILURE() << text << "See it: touchstone explain " << result.scenario.id;
+    if (IsFailure(outcome.verdict)) ADD_FAILURE() << FailuresOf(part.report, outcome);
   }
 
  private:
-  std::size_t scenario_;
+  std::size_t question_;
   std::size_t oracle_;
 };
 
@@ -121,6 +131,9 @@ class CatalogueTest : public testing::Test {
       ADD_FAILURE() << ToString(diagnostic);
     }
     const RunReport report = Suite::Instance().Report();
+    for (const Outcome& outcome : OutcomesOf(report)) {
+      if (IsFailure(outcome.verdict)) ADD_FAILURE() << FailuresOf(report, outcome);
+    }
     EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
     for (const std::string& fault : report.faults) ADD_FAILURE() << fault;
     std::ifstream table(TOUCHSTONE_DATA_DIR "/../docs/accuracy.md");
@@ -131,19 +144,26 @@ class CatalogueTest : public testing::Test {
   }
 };
 
-std::string SuiteName(const Oracle& oracle) {
-  return "CrossEngine/" + TestName(oracle.info().name);
+std::string SuiteName(const OracleInfo& info) {
+  return "CrossEngine/" + TestName(info.name);
 }
 
 void RegisterTests() {
   Suite& suite = Suite::Instance();
   for (std::size_t o = 0; o < suite.oracles().size(); ++o) {
-    for (std::size_t s = 0; s < suite.scenarios().size(); ++s) {
+    const OracleInfo& info = suite.oracles()[o]->info();
+    std::size_t question = 0;
+    const auto add = [&](const std::string& id, bool answers) {
+      const std::size_t q = question++;
+      if (!answers) return;
       testing::RegisterTest(
-          SuiteName(*suite.oracles()[o]).c_str(),
-          TestName(suite.scenarios()[s].id).c_str(), nullptr, nullptr, __FILE__, __LINE__,
-          [s, o]() -> testing::Test* { return new ScenarioTest(s, o); });
-    }
+          SuiteName(info).c_str(), TestName(id).c_str(), nullptr, nullptr, __FILE__,
+          __LINE__, [q, o]() -> testing::Test* { return new ScenarioTest(q, o); });
+    };
+    for (const Scenario& scenario : suite.questions().contacts)
+      add(scenario.id, info.AnswersContacts());
+    for (const WorldScenario& world : suite.questions().worlds)
+      add(world.id, info.simulates);
   }
   testing::RegisterTest("CrossEngine/catalogue", "HasNoFaults", nullptr, nullptr,
                         __FILE__, __LINE__,
@@ -157,7 +177,7 @@ void WriteCTest(const std::string& program, const char* file) {
         << "]=] [=[--gtest_filter=" << suite << ".*]=] --gtest_brief=1)\n";
   };
   for (const Oracle* oracle : Suite::Instance().oracles()) {
-    add(oracle->info().name, SuiteName(*oracle));
+    add(oracle->info().name, SuiteName(oracle->info()));
   }
   add("catalogue", "CrossEngine/catalogue");
 }

@@ -92,6 +92,18 @@ TEST(ApplyLedger, FailsAnEntryThatHidesNothing) {
                   "nothing (ode in contact/box_box/*)."));
 }
 
+TEST(ApplyLedger, LetsAnIntermittentEntryHideNothing) {
+  RunReport report = ReportOf({0, 0}, 0.05);
+  report.ledger.entries[0].intermittent = true;
+  ApplyLedger(report, "2026-01-01", false);
+  EXPECT_THAT(report.faults, IsEmpty());
+  report = ReportOf({0.04, 0.08}, 0.05);
+  report.ledger.entries[0].intermittent = true;
+  ApplyLedger(report, "2026-01-01", false);
+  EXPECT_EQ(report.findings[0].verdict, Verdict::kKnown);
+  EXPECT_EQ(report.findings[1].verdict, Verdict::kFail);
+}
+
 TEST(ApplyLedger, FailsABoundThatIsTwelveTimesTooWide) {
   RunReport report = ReportOf({0.05 / 12.1}, 0.05);
   ApplyLedger(report, "2026-01-01", false);

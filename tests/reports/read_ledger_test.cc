@@ -57,6 +57,20 @@ TEST(ReadLedger, ReadsEveryField) {
   EXPECT_EQ(entry.line, 1);
 }
 
+TEST(ReadLedger, TakesAnEntryForSteadyUnlessItSaysIntermittent) {
+  const auto intermittent = [](std::string_view line) {
+    const LedgerResult result =
+        ReadLedger(std::string(kEntry).append(line), "ledger.toml");
+    return result.ledger->entries[0].intermittent;
+  };
+  EXPECT_FALSE(intermittent(""));
+  EXPECT_FALSE(intermittent("intermittent = false\n"));
+  EXPECT_TRUE(intermittent("intermittent = true\n"));
+  EXPECT_THAT(Complaints(std::string(kEntry).append("intermittent = 1\n")),
+              ElementsAre("ledger.toml:12:16: intermittent is neither; expected true or "
+                          "false"));
+}
+
 TEST(ReadLedger, AcceptsAnEmptyLedger) {
   EXPECT_THAT(Complaints("# Nothing is known.\n"), IsEmpty());
 }
