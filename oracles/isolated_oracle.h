@@ -20,7 +20,7 @@ struct IsolationLimits {
    well under half a second (most in microseconds; libccd's EPA on concentric round shapes
    takes longest), and what does not was still at work after 20 s: the limit lies between
    them with room on both sides, so that a slow machine draws the same line. */
-  std::chrono::milliseconds cpu{2'000};
+  std::chrono::milliseconds cpu{1'000};
   /** Wall clock, for an engine that waits without working. Long enough for `cpu` on a
    machine shared by a hundred others. */
   std::chrono::milliseconds wall{60'000};
@@ -41,7 +41,7 @@ struct IsolationLimits {
  - throws: kCrashed, "threw std::logic_error: …";
  - exits: kCrashed, "exited with status 3";
  - sends what is no answer: kCrashed, "sent bytes that are no answer";
- - uses up limits.cpu: kTimedOut, "no answer after 2 s of CPU time";
+ - uses up limits.cpu: kTimedOut, "no answer after 1 s of CPU time";
  - waits for limits.wall: kTimedOut, "no answer after 60 s, blocked".
 
  One child answers a whole batch, streaming; after a death a new one goes on with the next
