@@ -53,10 +53,12 @@ class Drawing {
     svg += fmt::format(
         "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", kLeft,
         kTop, kWidth - 2 * kLeft, kHeight - kTop - kBottom);
-    if (set_.truth) svg += Band(*set_.truth) + Line(*set_.truth, "truth");
-    // The subject last, so that nobody hides it.
+    if (set_.truth) svg += Band(*set_.truth);
+    // The subject after the others, so that nobody hides it, and the truth on top:
+    // through its gaps one sees who follows it.
     for (std::size_t o = set_.of_oracle.size(); o-- > 0;)
       svg += Line(set_.of_oracle[o], fmt::format("line{}", o));
+    if (set_.truth) svg += Line(*set_.truth, "truth");
     svg += fmt::format(
         "<text class=\"tick\" x=\"{}\" y=\"{}\">{:.4g}</text>"
         "<text class=\"tick\" x=\"{}\" y=\"{}\">{:.4g}</text>"

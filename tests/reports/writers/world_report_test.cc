@@ -124,6 +124,9 @@ TEST(WorldReport, PageDrawsPlaceEnergyAndMomentumWithTheTruth) {
                           HasSubstr("<polyline class=\"truth\""),
                           HasSubstr("<polygon class=\"band\"")));
   EXPECT_THAT(page, Not(HasSubstr("<polyline class=\"line2\"")));
+  // Drawn later is on top: the subject's line must not hide the truth.
+  EXPECT_LT(page.find("<polyline class=\"line0\""),
+            page.find("<polyline class=\"truth\""));
   EXPECT_THAT(page, AllOf(HasSubstr("A ball &lt;falls&gt;"),
                           HasSubstr("ballistic: it is too light")));
 }
