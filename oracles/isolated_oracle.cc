@@ -95,6 +95,10 @@ class IsolatedOracle final : public Oracle {
     return oracle_->Begin(world);
   }
 
+  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
+    return oracle_->BeginAsShipped(world);
+  }
+
   Trajectory Simulate(const World& world) const override {
     if (!info_.CannotSimulate(world).empty()) return oracle_->Simulate(world);
     try {

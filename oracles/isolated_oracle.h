@@ -57,8 +57,8 @@ struct IsolationLimits {
  A world is one question: Simulate() forks a child for it, and what the child prints to
  its standard error while it lives becomes Trajectory::complaint.
 
- Prepare() and Begin() give those of the inner oracle, in process: what a benchmark times
- is benign. Linux only. Thread safe. */
+ Prepare(), Begin() and BeginAsShipped() give those of the inner oracle, in process: what
+ a benchmark times is benign. Linux only. Thread safe. */
 std::unique_ptr<Oracle> Isolate(std::unique_ptr<Oracle> oracle,
                                 const IsolationLimits& limits = {},
                                 IsolationScope scope = IsolationScope::kEverything);

@@ -190,7 +190,11 @@ class OdeOracle final : public Oracle {
   }
 
   std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return OdeWorld(world, OdeStepper::kStep);
+    return OdeWorld(world, OdeStepper::kStep, OdeConstraints::kRigid);
+  }
+
+  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
+    return OdeWorld(world, OdeStepper::kStep, OdeConstraints::kAsShipped);
   }
 
  private:
@@ -220,7 +224,11 @@ class QuickStepOracle final : public Oracle {
   }
 
   std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return OdeWorld(world, OdeStepper::kQuickStep);
+    return OdeWorld(world, OdeStepper::kQuickStep, OdeConstraints::kRigid);
+  }
+
+  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
+    return OdeWorld(world, OdeStepper::kQuickStep, OdeConstraints::kAsShipped);
   }
 
  private:

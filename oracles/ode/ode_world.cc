@@ -59,9 +59,10 @@ class OwnRandom {
 
 class OdeSimulation final : public Simulation {
  public:
-  OdeSimulation(const World& world, OdeStepper stepper)
+  OdeSimulation(const World& world, OdeStepper stepper, OdeConstraints constraints)
       : question_(world),
         stepper_(stepper),
+        is_rigid_(constraints == OdeConstraints::kRigid),
         threading_(dThreadingAllocateSelfThreadedImplementation()),
         world_(dWorldCreate()),
         contact_joints_(dJointGroupCreate(0)),
@@ -73,8 +74,10 @@ class OdeSimulation final : public Simulation {
     dSpaceSetCleanup(space_.get(), 0);  // The geoms are ours.
     const Vector3d& g = world.gravity_W;
     dWorldSetGravity(world_.get(), g.x(), g.y(), g.z());
-    dWorldSetCFM(world_.get(), kConstraintForceMixing);
-    dWorldSetQuickStepNumIterations(world_.get(), kQuickStepIterations);
+    if (is_rigid_) {
+      dWorldSetCFM(world_.get(), kConstraintForceMixing);
+      dWorldSetQuickStepNumIterations(world_.get(), kQuickStepIterations);
+    }
     geoms_.reserve(world.bodies.size());
     for (const RigidBody& body : world.bodies) Add(body);
     for (const DistanceJoint& joint : world.joints)
@@ -240,7 +243,8 @@ class OdeSimulation final : public Simulation {
     const RigidBody& A = question_.bodies[static_cast<std::size_t>(IndexOf(a))];
     const RigidBody& B = question_.bodies[static_cast<std::size_t>(IndexOf(b))];
     dContact contact{};
-    contact.surface.mode = dContactBounce | dContactSoftERP | dContactApprox1;
+    contact.surface.mode = dContactBounce | dContactApprox1;
+    if (is_rigid_) contact.surface.mode |= dContactSoftERP;
     contact.surface.mu = std::sqrt(A.friction * B.friction);
     contact.surface.bounce = std::min(A.restitution, B.restitution);
     contact.surface.bounce_vel = 0;
@@ -257,6 +261,7 @@ class OdeSimulation final : public Simulation {
 
   World question_;
   OdeStepper stepper_;
+  bool is_rigid_;
   unsigned long seed_ = 0;
   Owned<dxThreadingImplementation> threading_;
   Owned<dxWorld> world_;
@@ -283,8 +288,9 @@ std::string WhyNot(WorldFeature feature) {
 
 }  // namespace
 
-std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper) {
-  return std::make_unique<OdeSimulation>(world, stepper);
+std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper,
+                                     OdeConstraints constraints) {
+  return std::make_unique<OdeSimulation>(world, stepper, constraints);
 }
 
 void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {

@@ -160,6 +160,10 @@ class PlantedOracle final : public Oracle {
     return std::make_unique<PlantedSimulation>(world);
   }
 
+  std::unique_ptr<Simulation> BeginAsShipped(const World&) const override {
+    return nullptr;
+  }
+
  private:
   OracleInfo info_;
 };
@@ -275,6 +279,11 @@ TEST(IsolatedOracle, PassesOnNaN) {
 TEST(IsolatedOracle, SaysThatItIsIsolated) {
   EXPECT_TRUE(Isolated()->info().isolated);
   EXPECT_EQ(Isolated()->info().name, "planted");
+}
+
+TEST(IsolatedOracle, BeginsWorldsInThisProcessAsTheOracleWithinDoes) {
+  EXPECT_NE(Isolated()->Begin(World()), nullptr);
+  EXPECT_EQ(Isolated()->BeginAsShipped(World()), nullptr);
 }
 
 // One answer a question, in their order, whatever happens between them.
