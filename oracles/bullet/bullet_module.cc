@@ -51,8 +51,9 @@ void Discard(void* prepared) {
   delete static_cast<Batch*>(prepared);
 }
 
-BulletWorld* Begin(const World& world, const std::vector<Eigen::Vector3d>& inertias) {
-  return std::make_unique<BulletWorld>(world, inertias).release();
+BulletWorld* Begin(const World& world, const std::vector<Eigen::Vector3d>& inertias,
+                   BulletConstraints constraints) {
+  return std::make_unique<BulletWorld>(world, inertias, constraints).release();
 }
 
 void PushBody(BulletWorld* world, int body, const Eigen::Vector3d& p_W,

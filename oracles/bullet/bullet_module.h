@@ -15,6 +15,12 @@ namespace touchstone {
 /** Which of Bullet's algorithms answers. */
 enum class BulletPath { kWorldDispatch, kClosestPoints };
 
+/** How contacts of worlds are solved and stabilised. */
+enum class BulletConstraints {
+  kRigid,      ///< Until nothing changes; overlap is not pushed out.
+  kAsShipped,  ///< Bullet's defaults.
+};
+
 class BulletWorld;  // Known to the module alone.
 
 /** What a Bullet module offers.
@@ -46,7 +52,8 @@ struct BulletModule {
   void (*discard)(void* batch);
 
   /** Returns `world` at its start; the others are the functions of Simulation. */
-  BulletWorld* (*begin)(const World& world, const std::vector<Eigen::Vector3d>& inertias);
+  BulletWorld* (*begin)(const World& world, const std::vector<Eigen::Vector3d>& inertias,
+                        BulletConstraints constraints);
   void (*push)(BulletWorld* world, int body, const Eigen::Vector3d& p_W,
                const Eigen::Vector3d& J_W);
   void (*step)(BulletWorld* world);

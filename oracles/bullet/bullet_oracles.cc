@@ -66,10 +66,19 @@ class BulletOracle : public Oracle {
   }
 
   std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return info_.simulates ? BulletSimulation(module_, world) : nullptr;
+    return Begin(world, BulletConstraints::kRigid);
+  }
+
+  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
+    return Begin(world, BulletConstraints::kAsShipped);
   }
 
  private:
+  std::unique_ptr<Simulation> Begin(const World& world,
+                                    BulletConstraints constraints) const {
+    return info_.simulates ? BulletSimulation(module_, world, constraints) : nullptr;
+  }
+
   OracleInfo info_;
   BulletPath path_;
   const BulletModule& module_;

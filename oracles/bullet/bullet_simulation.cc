@@ -12,8 +12,9 @@ std::vector<Eigen::Vector3d> InertiasOf(const World& world) {
 /** A world that lives in the module. */
 class ModuleSimulation final : public Simulation {
  public:
-  ModuleSimulation(const BulletModule& module, const World& world)
-      : module_(module), world_(module.begin(world, InertiasOf(world))) {}
+  ModuleSimulation(const BulletModule& module, const World& world,
+                   BulletConstraints constraints)
+      : module_(module), world_(module.begin(world, InertiasOf(world), constraints)) {}
   ~ModuleSimulation() override { module_.end(world_); }
   ModuleSimulation(const ModuleSimulation&) = delete;
   ModuleSimulation& operator=(const ModuleSimulation&) = delete;
@@ -36,8 +37,9 @@ class ModuleSimulation final : public Simulation {
 }  // namespace
 
 std::unique_ptr<Simulation> BulletSimulation(const BulletModule& module,
-                                             const World& world) {
-  return std::make_unique<ModuleSimulation>(module, world);
+                                             const World& world,
+                                             BulletConstraints constraints) {
+  return std::make_unique<ModuleSimulation>(module, world, constraints);
 }
 
 }  // namespace touchstone

@@ -10,6 +10,7 @@ namespace touchstone {
 /** Returns `world` in the hands of the Bullet of `module`.
  @pre Bullet can simulate it (BulletOracleInfo). */
 std::unique_ptr<Simulation> BulletSimulation(const BulletModule& module,
-                                             const World& world);
+                                             const World& world,
+                                             BulletConstraints constraints);
 
 }  // namespace touchstone

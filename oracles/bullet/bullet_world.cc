@@ -29,7 +29,8 @@ btScalar Friction(const btCollisionObject* A, const btCollisionObject* B) {
 
 }  // namespace
 
-BulletWorld::BulletWorld(const World& world, const std::vector<Eigen::Vector3d>& inertias)
+BulletWorld::BulletWorld(const World& world, const std::vector<Eigen::Vector3d>& inertias,
+                         BulletConstraints constraints)
     : dt_(ToBullet(world.dt)),
       dispatcher_(&configuration_),
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
@@ -37,16 +38,21 @@ BulletWorld::BulletWorld(const World& world, const std::vector<Eigen::Vector3d>&
   gCalculateCombinedRestitutionCallback = &Restitution;
   gCalculateCombinedFrictionCallback = &Friction;
 
+  world_.getSolverInfo().m_restitutionVelocityThreshold = 0;
+  world_.setGravity(ToBullet(world.gravity_W));
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) Add(world.bodies[i], inertias[i]);
+  if (constraints == BulletConstraints::kRigid) MakeRigid();
+}
+
+void BulletWorld::MakeRigid() {
   btContactSolverInfo& info = world_.getSolverInfo();
   info.m_numIterations = kIterations;
   info.m_leastSquaresResidualThreshold = kConverged * kConverged;
   info.m_erp = 0;
   info.m_erp2 = 0;
   info.m_splitImpulse = 0;
-  info.m_restitutionVelocityThreshold = 0;
   info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-  world_.setGravity(ToBullet(world.gravity_W));
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) Add(world.bodies[i], inertias[i]);
+  for (const auto& body : bodies_) body->setContactProcessingThreshold(0);
 }
 
 void BulletWorld::Add(const RigidBody& body, const Eigen::Vector3d& inertia) {
@@ -62,7 +68,6 @@ void BulletWorld::Add(const RigidBody& body, const Eigen::Vector3d& inertia) {
   btRigidBody& added = *bodies_.back();
   added.setUserIndex(static_cast<int>(bodies_.size()) - 1);
   added.setActivationState(DISABLE_DEACTIVATION);
-  added.setContactProcessingThreshold(0);
   const bool is_static = body.mass == 0;
   if (!is_static) {
     added.setLinearVelocity(ToBullet(body.v_WB));

@@ -11,6 +11,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <Eigen/Core>
 
+#include "oracles/bullet/bullet_module.h"
 #include "oracles/trajectory.h"
 #include "scenarios/worlds/world.h"
 
@@ -22,7 +23,8 @@ class BulletWorld {
  public:
   /** `inertias` are the principal moments of each body (InertiaOf). [kg m²]
    @pre No particles, springs, joints, cloths; no half-space moves. */
-  BulletWorld(const World& world, const std::vector<Eigen::Vector3d>& inertias);
+  BulletWorld(const World& world, const std::vector<Eigen::Vector3d>& inertias,
+              BulletConstraints constraints);
 
   // The functions of Simulation, of the same meaning.
   void Push(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W);
@@ -31,6 +33,7 @@ class BulletWorld {
   void ReadImpulses(std::vector<ContactImpulse>& impulses) const;
 
  private:
+  void MakeRigid();
   void Add(const RigidBody& body, const Eigen::Vector3d& inertia);
 
   btScalar dt_;
