@@ -281,11 +281,6 @@ TEST(IsolatedOracle, SaysThatItIsIsolated) {
   EXPECT_EQ(Isolated()->info().name, "planted");
 }
 
-TEST(IsolatedOracle, BeginsWorldsInThisProcessAsTheOracleWithinDoes) {
-  EXPECT_NE(Isolated()->Begin(World()), nullptr);
-  EXPECT_EQ(Isolated()->BeginAsShipped(World()), nullptr);
-}
-
 // One answer a question, in their order, whatever happens between them.
 TEST(IsolatedOracle, KeepsTheOrderOfALongBatch) {
   std::vector<ContactQuery> queries;
@@ -370,6 +365,11 @@ World WorldOf(Deed deed) {
   world.steps = 5;
   world.bodies.emplace_back().placed = {Sphere{static_cast<double>(deed)}, {}};
   return world;
+}
+
+TEST(IsolatedOracle, BeginsWorldsInThisProcessAsTheOracleWithinDoes) {
+  EXPECT_NE(Isolated()->Begin(WorldOf(kAnswer)), nullptr);
+  EXPECT_EQ(Isolated()->BeginAsShipped(WorldOf(kAnswer)), nullptr);
 }
 
 TEST(IsolatedWorlds, MoveAsTheEngineSaysWhatItPrintsIncluded) {
