@@ -47,8 +47,10 @@ struct alignas(32) ContactBatch {
   std::array<int, 4> pair;  ///< −1: none.
   std::array<int, 4> A;
   std::array<int, 4> B;
-  int first;  ///< Its first contact; the others follow.
-  int count;  ///< The greatest number of contacts of a pair.
+  int first;     ///< Its first contact; the others follow.
+  int count;     ///< The greatest number of contacts of a pair.
+  bool at_work;  ///< Whether a sweep solves it.
+  Lanes change;  ///< The greatest that the last sweep changed a relative velocity. [m/s]
   VectorLanes n;
   VectorLanes t1;
   VectorLanes t2;
@@ -75,7 +77,7 @@ struct ContactRules {
 
 /** Contacts and their batches. */
 struct ContactRows {
-  std::span<const ContactBatch> batches;
+  std::span<ContactBatch> batches;
   std::span<ContactLanes> contacts;
 };
 
@@ -88,8 +90,8 @@ double PrepareContacts(const ContactRows& rows, const ContactRules& rules,
 /** Applies the impulses. */
 void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities);
 
-/** Solves each contact once, batch after batch. Returns the greatest change of a relative
- velocity. [m/s] */
+/** Solves each contact of the batches at work once, batch after batch. Returns the
+ greatest change of a relative velocity. [m/s] */
 double SweepContacts(const ContactRows& rows, bool accumulated,
                      std::span<Velocity> velocities);
 

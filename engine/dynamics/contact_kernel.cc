@@ -175,9 +175,12 @@ double Prepare(const ContactRows& rows, const ContactRules& rules, const Velocit
       const Four usual = Splat(rules.gravity_speed) + Abs(pull);
       const Four sent_back = pull - restitution * approach;
       const FourBits apart = At(contact.separation) > zero;
-      const FourBits would_bounce =
-          (approach < zero - Splat(rules.resting_speed) * usual) & (sent_back > zero);
-      const FourBits bounces = would_bounce & ~apart;
+      const Four fast = Splat(rules.resting_speed) * usual;
+      const FourBits would_bounce = (approach < zero - fast) & (sent_back > zero);
+      // What parts, and meets a blow of this step, comes back by the same law: held at
+      // rest it would leave the other body of the blow with the energy of both.
+      const FourBits leaves = restitution * approach > fast;
+      const FourBits bounces = leaves | (would_bounce & ~apart);
       const FourBits steady = Abs(approach) <= Splat(kSteady) * usual;
 
       // Not there yet: what will bounce goes on, what will rest arrives with the step.
@@ -188,7 +191,10 @@ double Prepare(const ContactRows& rows, const ContactRules& rules, const Velocit
       const FourBits deep = (excess > zero) & ~would_bounce;
       const Four push =
           Select(deep, Splat(rules.baumgarte + rules.soft_rate) * excess, zero);
-      const Four target = Select(apart, arrive, Select(bounces, sent_back, push));
+      const Four least =
+          Select(leaves, sent_back, Min(zero, zero - restitution * approach));
+      const Four target = Select(apart, Min(arrive, least),
+                                 Select(would_bounce, sent_back, push + least));
 
       const Four3 a_n = Cross(r_A, n);
       const Four3 b_n = Cross(r_B, n);
@@ -257,7 +263,9 @@ double Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
   const Four zero{};
   const Four kept = Splat(accumulated ? 1 : 0);
   Four greatest{};
-  for (const ContactBatch& batch : rows.batches) {
+  for (ContactBatch& batch : rows.batches) {
+    if (!batch.at_work) continue;
+    Four changed{};
     Moving A = Gather(velocities, batch.A);
     Moving B = Gather(velocities, batch.B);
     const Inertias m = InertiasOf(batch);
@@ -309,9 +317,11 @@ double Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
             r_B, m, A, B);
 
       const Four slip_response = At(contact.slip_response);
-      greatest = Max(greatest, Abs(change) * At(contact.response));
-      greatest = Max(greatest, Max(Abs(change1), Abs(change2)) * slip_response);
+      changed = Max(changed, Abs(change) * At(contact.response));
+      changed = Max(changed, Max(Abs(change1), Abs(change2)) * slip_response);
     }
+    Put(changed, batch.change);
+    greatest = Max(greatest, changed);
     Scatter(A, batch.A, batch.inverse_mass_A, velocities);
     Scatter(B, batch.B, batch.inverse_mass_B, velocities);
   }

@@ -47,13 +47,17 @@ struct SolvedContact {
  the velocities before the step and at its end without impulses:
 
    u·n >= max(0, −e u₀·n + (u_f − u₀)·n)   where u₀·n < −(resting speed),
-   u·n >= 0                                elsewhere, or −gap / h where there is a gap,
+   u·n >= −e u₀·n + (u_f − u₀)·n           where e u₀·n > (resting speed),
+   u·n >= min(0, −e u₀·n)                  elsewhere, or −gap / h where that is less,
 
  with an impulse λ >= 0 that is zero where the inequality is strict. The first line sends
  back the velocity of the start of the step and then lets the forces of the step act, so
- that a bounce at e = 1 keeps the energy whatever the step. Friction: |λ_t| <= μ λ in the
- circular cone; λ_t is against the slip where it is at the bound, and there is no slip
- where it is inside.
+ that a bounce at e = 1 keeps the energy whatever the step. The second and third let what
+ a blow turns round in the step that it leaves in come back no faster than it left
+ (Moreau's rule, under which impacts of one e together never gain energy: with u = −e u₀
+ where λ > 0 and W the response, ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ). Friction: |λ_t|
+ <= μ λ in the circular cone; λ_t is against the slip where it is at the bound, and there
+ is no slip where it is inside.
 
  Four pairs that share no moving body are solved at once. */
 class ContactSolver {
@@ -63,16 +67,21 @@ class ContactSolver {
   void Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
              const Settings& settings, double h, Crew& crew);
 
-  /** Sweeps once over all contacts and returns the greatest change of a relative
-   velocity. [m/s] */
+  /** Sweeps once over all contacts at work, at first all there are, and returns the
+   greatest change of a relative velocity. [m/s] */
   double Sweep(std::span<Velocity> velocities, Crew& crew);
+
+  /** Leaves out of the next sweeps the contacts of every heap in which the last sweep
+   changed no relative velocity by more than `solved` [m/s]. A heap is what contacts join,
+   without what never moves: how well one is solved does not depend on the others. */
+  void LeaveBe(double solved);
 
   /** Writes the impulses to the pairs, and what the contacts did to the bodies. */
   void End(std::span<ContactPair> pairs, std::span<Touch> touches) const;
 
   /** The greatest speed that a contact sees before it is solved. [m/s] */
   double scale() const { return scale_; }
-  /** Contacts to be solved. */
+  /** Contacts of the heaps that are not solved. */
   int row_count() const { return row_count_; }
 
   /** Calls `visit(SolvedContact)` for every contact whose separation is below `limit`. */
@@ -81,6 +90,9 @@ class ContactSolver {
 
  private:
   void Colour(std::span<const ContactPair> pairs, std::span<const RigidBody> bodies);
+  /** Joins the bodies of `pairs` to heaps. */
+  void FindHeaps(std::span<const ContactPair> pairs, std::span<const RigidBody> bodies);
+  int HeapOf(int body);
   void Fill(std::span<const ContactPair> pairs, const SolverBodies& world,
             bool warm_starting);
   /** Calls `work(rows)` for all rows: colour after colour, each shared out. */
@@ -94,6 +106,10 @@ class ContactSolver {
   std::vector<int> key_;                ///< Of each pair: its colour and count, or −1.
   std::vector<int> order_;              ///< The pairs, by key.
   std::vector<int> starts_;             ///< Where in `order_` each key starts.
+  /** Of each body another of its heap, or itself where it stands for the heap. */
+  std::vector<int> heap_;
+  /** Of each body that stands for a heap: what the last sweep changed there. [m/s] */
+  std::vector<double> heap_changes_;
   bool accumulated_ = true;
   double scale_ = 0;
   int row_count_ = 0;

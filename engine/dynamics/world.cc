@@ -247,16 +247,18 @@ void World::StopStretching(double h) {
 bool World::SweepUntilSolved() {
   const double speed = std::max(contacts_.scale(), fastest_);
   const double solved = settings_.residual * speed;
-  const int rows =
-      contacts_.row_count() + static_cast<int>(joints_.size() + springs_.size());
-  const int sweeps =
-      std::max(settings_.impulse_iterations, settings_.patience / std::max(1, rows));
-  for (int k = 0; k < sweeps; ++k) {
+  const int links = static_cast<int>(joints_.size() + springs_.size());
+  int spent = 0;
+  for (int k = 0;; ++k) {
+    // What is solved is left be, so that all the patience is for what is not.
+    if (k >= settings_.impulse_iterations && links == 0) contacts_.LeaveBe(solved);
+    const int rows = std::max(1, contacts_.row_count() + links);
+    spent += rows;
+    if (k >= settings_.impulse_iterations && spent > settings_.patience) return false;
     const double rods = rods_.Sweep(solved_);
     const double springs = spring_solver_.Sweep(solved_);
     if (std::max({rods, springs, contacts_.Sweep(solved_, crew_)}) <= solved) return true;
   }
-  return false;
 }
 
 void World::Solve(double h) {
