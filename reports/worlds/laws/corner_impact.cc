@@ -52,7 +52,7 @@ struct Fall {
   double speed;         ///< |u_n| of the impact. [m/s]
   int lowest;           ///< How many corners are lowest.
   double clearance;     ///< How much higher the next one is. [m]
-  Eigen::Vector3d t_W;  ///< The tangent of an edge's plane of motion.
+  Eigen::Vector3d t_W;  ///< The tangent of the plane of motion, for friction.
 
   /** Returns the impulse of the impact by `rule`, at a point `inside` [m] the box. */
   Eigen::Vector3d Impulse(ImpactRule rule, const Striker& at,
@@ -120,11 +120,12 @@ Fall FallOf(const World& world, int index) {
     fall.r_W += r_W.col(corner);
   }
   fall.r_W /= fall.lowest;
-  // Across the edge: the part of the arm along the plane, which is nothing where the
-  // centre is right above it.
+  // Across the edge: the part of the arm along the plane is nothing where the centre is
+  // right above it. Of a corner it is that part.
   int along = 0;
   (R.transpose() * fall.r_W).cwiseAbs().minCoeff(&along);
-  fall.t_W = R.col(along).cross(n_W).normalized();
+  fall.t_W = fall.lowest == 1 ? (fall.r_W - n_W.dot(fall.r_W) * n_W).normalized()
+                              : R.col(along).cross(n_W).normalized();
   const double gap = std::max(0.0, fall.landing.gap);
   const double v = n_W.dot(body.v_WB);
   const double a = n_W.dot(fall.a_W);
@@ -159,6 +160,13 @@ double NextImpact(const World& world, int index, const Fall& fall, ImpactRule ru
   return std::numeric_limits<double>::infinity();
 }
 
+/** Whether a blow in the plane of the normal and the arm moves the box in that plane. */
+bool HalvesTheBox(const Fall& fall) {
+  const Eigen::Vector3d across_W = fall.t_W.cross(fall.landing.n_W);
+  const Eigen::Vector3d turn_W = fall.start.inverse_inertia_W * across_W;
+  return across_W.norm() > 0.5 && turn_W.cross(across_W).norm() <= kEven * turn_W.norm();
+}
+
 std::string WhyNot(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   if (!std::holds_alternative<Box>(body.placed.shape)) return "is no box";
@@ -177,11 +185,12 @@ std::string WhyNot(const World& world, int index) {
   if (fall.clearance <= kClear * fall.speed * world.dt)
     return "lands with other corners within three steps of its way";
   if (landing->friction > 0) {
-    if (fall.lowest == 1) return "lands on one corner with friction";
+    if (fall.lowest == 1 && !HalvesTheBox(fall))
+      return "lands on one corner with friction, and turns out of its plane";
     const Eigen::Vector3d edge_W = fall.t_W.cross(landing->n_W);
     const double v = body.v_WB.norm() + fall.a_W.norm() * fall.time;
     if (std::abs(edge_W.dot(body.v_WB + fall.a_W * fall.time)) > kEven * v)
-      return "moves along the edge that it lands on";
+      return "moves out of the plane in which it turns";
   }
   if (NextImpact(world, index, fall, ImpactRule::kNewton) <= fall.time)
     return "comes down again within three steps";
@@ -198,8 +207,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (!why.empty()) {
     const std::string& name = world.bodies[static_cast<std::size_t>(bodies.front())].name;
     return {{WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
-             "a box that flies without spin, a corner (without friction) or an edge "
-             "first, against a static half-space or box"}};
+             "a box that flies without spin, an edge or a corner first (with friction: "
+             "in a plane), against a static half-space or box"}};
   }
   const Fall fall = FallOf(world, bodies.front());
   const Striker before = fall.At(fall.time, fall.time, 0, ImpactRule::kNewton);
@@ -298,7 +307,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 constinit const Law kCornerImpact = {
     "corner_impact",
-    "A box without spin hits a static plane with a corner (no friction) or an edge.",
+    "A box without spin hits a static plane with an edge, or a corner in a plane or "
+    "without friction.",
     Faults, Judge};
 
 }  // namespace touchstone

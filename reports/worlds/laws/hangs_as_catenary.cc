@@ -153,9 +153,9 @@ double LeastDamping(const std::vector<PointMass>& points) {
   return least;
 }
 
-/** Returns γ. [1/s] */
-double DecayOf(const std::vector<PointMass>& points, const HangingChain& chain,
-               const Catenary& rest) {
+/** Returns how it comes to rest. */
+Decay DecayOf(const std::vector<PointMass>& points, const HangingChain& chain,
+              const Catenary& rest) {
   Net net;
   Net::Points at = {chain.from_W};
   net.mass = {0};
@@ -176,7 +176,7 @@ double DecayOf(const std::vector<PointMass>& points, const HangingChain& chain,
     const double length = (at[i + 1] - at[i]).norm();
     net.links.push_back({a, a + 1, stiffness, length - T / stiffness});
   }
-  return net.SlowestDecay(at, LeastDamping(points));
+  return net.DecayAbout(at, LeastDamping(points));
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
@@ -230,14 +230,15 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const double length = LengthOf(found.chain, rest);
   const double start =
       FarthestFromRest(points, rest) * std::sqrt(static_cast<double>(points.size()));
-  const double decay = DecayOf(points, found.chain, rest);
+  const Decay decay = DecayOf(points, found.chain, rest);
   const double from = NumberOr(claim, "from", trajectory.times.back());
   Worst worst(
       MeasureKind::kPositionError,
-      fmt::format("1.5 √n e^(−γ t) of the distance from rest at the start, γ = "
-                  "{:.6g}/s the slowest decay; 1e-5 of the chain for rods, and 64 "
-                  "roundings a step",
-                  decay));
+      fmt::format(
+          "1.5 √n of the distance from rest at the start, and of that what "
+          "damping leaves, dying at γ = {:.6g}/s; 1e-5 of the chain for rods, and 64 "
+          "roundings a step",
+          decay.Slowest()));
   for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
     const double t = trajectory.times[s];
     if (t < from - world.dt / 2) continue;
@@ -246,7 +247,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const Eigen::Vector3d& p_W = rest.points_W[i];
       worst.Take(
           (is.p_W - p_W).norm(),
-          kSafety * start * std::exp(-decay * t) +
+          kSafety * start * decay.LeftAfter(t) +
               (found.has_rods ? kSolverResidual : 0) * length +
               RoundingOf(motion.oracle, StepsBefore(motion, s)) * (p_W.norm() + length),
           [&] {

@@ -133,23 +133,24 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   };
   const Net::Points is = points(end);
   const Net::Points rest = hung.net.Minimum(is);
-  const double decay = hung.net.SlowestDecay(rest, hung.damping);
+  const Decay decay = hung.net.DecayAbout(rest, hung.damping);
   const double t = motion.trajectory.times.back();
+  const double left_of_start = decay.LeftAfter(t);
   const WorldState begin = StateAtStart(world);
   const double rounding = RoundingOf(
       motion.oracle, StepsBefore(motion, motion.trajectory.samples.size() - 1));
   double reach = 0;
   for (const Eigen::Vector3d& p_W : rest) reach = std::max(reach, p_W.norm());
   const std::string because = fmt::format(
-      "1.5 × what damping leaves of the start, at the slowest decay γ = {:.6g}/s, and 64 "
-      "roundings a step",
-      decay);
+      "1.5 × what damping leaves of the start, at most {:.3g} of its amplitude, dying at "
+      "γ = {:.6g}/s, and 64 roundings a step",
+      left_of_start, decay.Slowest());
 
   Worst position(MeasureKind::kPositionError, because);
   const double off = Farthest(is, rest);
   const double start =
       Farthest(points(begin), rest) * std::sqrt(static_cast<double>(is.size()));
-  position.Take(off, kSafety * start * std::exp(-decay * t) + rounding * reach, [&] {
+  position.Take(off, kSafety * start * left_of_start + rounding * reach, [&] {
     return fmt::format(
         "{} has a point {:.6g} m from where the energy is least after {:.6g} s",
         motion.oracle.name, off, t);
@@ -161,13 +162,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const double left = hung.net.EnergyAt(is) + last.kinetic - least;
   const double given =
       hung.net.EnergyAt(points(begin)) + EnergyOf(world, begin, subjects).kinetic - least;
-  energy.Take(std::abs(left),
-              kSafety * std::abs(given) * std::exp(-2 * decay * t) + rounding * last.size,
-              [&] {
-                return fmt::format(
-                    "{} has {:.9g} J more than the least of {:.9g} J after {:.6g} s",
-                    motion.oracle.name, left, least, t);
-              });
+  energy.Take(
+      std::abs(left),
+      kSafety * std::abs(given) * left_of_start * left_of_start + rounding * last.size,
+      [&] {
+        return fmt::format(
+            "{} has {:.9g} J more than the least of {:.9g} J after {:.6g} s",
+            motion.oracle.name, left, least, t);
+      });
   return FindingsOf({position, energy});
 }
 

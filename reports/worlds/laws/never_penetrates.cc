@@ -1,6 +1,7 @@
 #include "reports/worlds/laws/never_penetrates.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,11 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
   if (NumberOr(claim, "slack", 0) < 0)
     faults.push_back({"numbers.slack", "is negative", "a length >= 0"});
-  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"slack"}));
+  const double parted_by = NumberOr(claim, "parted_by", 0);
+  if (parted_by < 0 || parted_by >= world.steps * world.dt)
+    faults.push_back({"numbers.parted_by", fmt::format("is {:.6g} s", parted_by),
+                      "a time before the end"});
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"slack", "parted_by"}));
 }
 
 bool Collides(const World& world, int A, int B) {
@@ -48,18 +53,23 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Trajectory& trajectory = motion.trajectory;
   const Subjects subjects = SubjectsOf(world, claim);
   const double slack = NumberOr(claim, "slack", 0);
+  // Nothing says how soon an engine parts what overlaps at the start, or whether.
+  const double parted_by =
+      NumberOr(claim, "parted_by", std::numeric_limits<double>::infinity());
   const double g = world.gravity_W.norm();
   Worst worst(MeasureKind::kPenetration,
               fmt::format("1.5 × (V h + g h²), V the largest speed of approach so far{}",
                           slack > 0 ? ", and the slack that the claim grants" : ""));
   const WorldState start = StateAtStart(world);
   const auto hold = [&](int A, int B) {
-    const double granted = OverlapOf(world, start, A, B);
+    const double at_start = OverlapOf(world, start, A, B);
     double V = ApproachSpeed(world, start, A, B);
     for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
       const WorldState& state = trajectory.samples[s];
       V = std::max(V, ApproachSpeed(world, state, A, B));
       const double depth = OverlapOf(world, state, A, B);
+      const double granted =
+          trajectory.times[s] < parted_by - world.dt / 2 ? at_start : 0;
       const double between = V + g * SampleSpacing(world);
       const double reach = state.bodies[static_cast<std::size_t>(A)].p_WB.norm() +
                            state.bodies[static_cast<std::size_t>(B)].p_WB.norm();
@@ -94,7 +104,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 constinit const Law kNeverPenetrates = {"never_penetrates",
                                         "Colliding bodies are at most V h + g h² deep in "
-                                        "each other; slack [m] is granted on top.",
+                                        "each other; slack [m] is granted on top, and "
+                                        "until parted_by [s] what overlaps at the start.",
                                         Faults, Judge};
 
 }  // namespace touchstone

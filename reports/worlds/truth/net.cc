@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -132,7 +134,32 @@ Net::Points Net::Minimum(Points points_W) const {
   return points_W;
 }
 
-double Net::SlowestDecay(const Points& points_W, double damping) const {
+double Decay::Slowest() const {
+  const double least = frequencies2.front();
+  const double half2 = half_damping * half_damping;
+  return half2 > least ? half_damping - std::sqrt(half2 - least) : half_damping;
+}
+
+double Decay::LeftAfter(double t) const {
+  const double g = half_damping;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const double w2 : frequencies2) {
+    const double m2 = g * g - w2;
+    const double m = std::sqrt(std::abs(m2));
+    if (m2 > 0 && m * t > 20) {  // sinh is half of exp, asinh the logarithm of twice.
+      most = std::max(most, std::log(g / m) + m * t);
+    } else if (m * t < 1e-4) {
+      most = std::max(most, std::asinh(g * t));
+    } else {
+      const double S =
+          m2 > 0 ? std::sinh(m * t) : std::sin(std::min(m * t, std::numbers::pi / 2));
+      most = std::max(most, std::asinh(g * S / m));
+    }
+  }
+  return std::exp(most - g * t);
+}
+
+Decay Net::DecayAbout(const Points& points_W, double damping) const {
   const std::vector<int> rows = RowsOf(*this);
   Eigen::MatrixXd scaled = HessianAt(points_W);
   Eigen::VectorXd root(scaled.rows());
@@ -140,12 +167,13 @@ double Net::SlowestDecay(const Points& points_W, double damping) const {
     if (rows[i] >= 0) root.segment<3>(rows[i]).setConstant(1 / std::sqrt(mass[i]));
   }
   scaled = root.asDiagonal() * scaled * root.asDiagonal();
-  const double least = std::max(
-      0.0, Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
-               .eigenvalues()
-               .minCoeff());
-  const double half = damping / 2;
-  return half * half > least ? half - std::sqrt(half * half - least) : half;
+  const Eigen::VectorXd frequencies2 =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  Decay decay{damping / 2, {}};
+  // Ascending. At a minimum none is negative but by rounding.
+  for (const double w2 : frequencies2) decay.frequencies2.push_back(std::max(0.0, w2));
+  return decay;
 }
 
 }  // namespace touchstone

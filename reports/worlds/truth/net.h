@@ -6,6 +6,23 @@
 
 namespace touchstone {
 
+/** How the modes ẍ = −ω² x − 2 γ ẋ of a damped system die. */
+struct Decay {
+  double half_damping = 0;           ///< γ. [1/s]
+  std::vector<double> frequencies2;  ///< ω² of each mode, ascending. [1/s²]
+
+  /** Returns how fast the slowest mode dies: γ, or γ − √(γ² − ω²) where that is slower.
+   [1/s] */
+  double Slowest() const;
+
+  /** Returns the most that is left of (x, ẋ/ω) after `t` [s], over the modes and over all
+   starts of that size: e^(−γ t + asinh(γ S)), S = sinh(μ t)/μ with μ² = γ² − ω², or the
+   largest so far of |sin(ν t)|/ν with ν² = ω² − γ². It is the greatest singular value of
+   the solution e^(−γ t) (C + S B), B² = μ², which has determinant e^(−2γ t); damping that
+   swings with the motion can leave more than e^(−γ t) for a while. [-] */
+  double LeftAfter(double t) const;
+};
+
 /** Points under gravity that springs join: U = Σ ½ k (|p_b − p_a| − L)² − Σ m g·p. */
 struct Net {
   /** A spring between two points. */
@@ -36,10 +53,9 @@ struct Net {
    Optimization, 2nd ed., §10.3). */
   Points Minimum(Points points_W) const;
 
-  /** Returns how fast the slowest small motion about the minimum `points_W` dies where
-   velocities decay at `damping` c [1/s]: c/2, or c/2 − √(c²/4 − ω²) where that is slower,
-   ω² the least eigenvalue of M⁻¹ U''. [1/s] */
-  double SlowestDecay(const Points& points_W, double damping) const;
+  /** Returns how small motions about the minimum `points_W` die where velocities decay at
+   `damping` [1/s]. */
+  Decay DecayAbout(const Points& points_W, double damping) const;
 };
 
 }  // namespace touchstone

@@ -1,5 +1,7 @@
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -93,8 +95,38 @@ TEST(Net, OfOneMassDecaysAsItsOscillator) {
   EXPECT_NEAR(rest[1].y(), -1 - 2 * 9.81 / 200, 1e-12);
   // The pendulum across the spring is the slowest: ω² = g/L.
   const double w2 = 9.81 / 1.0981;
-  EXPECT_NEAR(net.SlowestDecay(rest, 1), 0.5, 1e-12);
-  EXPECT_NEAR(net.SlowestDecay(rest, 10), 5 - std::sqrt(25 - w2), 1e-9);
+  EXPECT_NEAR(net.DecayAbout(rest, 1).Slowest(), 0.5, 1e-12);
+  EXPECT_NEAR(net.DecayAbout(rest, 10).Slowest(), 5 - std::sqrt(25 - w2), 1e-9);
+}
+
+// ẍ = −ω² x − 2 γ ẋ from any start of size 1 in (x, ẋ/ω), by its closed form.
+TEST(Decay, LeavesNoMoreThanAnyStartHasLeft) {
+  const double w = 3;
+  for (const double g : {0.02, 1.0, 2.9, 2.9999999, 3.1, 8.0}) {
+    const Decay decay{g, {w * w}};
+    double largest_share = 0;
+    for (int i = 0; i <= 400; ++i) {
+      const double t = 0.01 * i;
+      const std::complex<double> m = std::sqrt(std::complex<double>(g * g - w * w));
+      const double C = std::cosh(m * t).real();
+      const double S = (std::sinh(m * t) / m).real();
+      double left = 0;
+      for (int k = 0; k < 360; ++k) {
+        const double x = std::cos(k * std::numbers::pi / 360);
+        const double u = std::sin(k * std::numbers::pi / 360);
+        left = std::max(left, std::exp(-g * t) * std::hypot(C * x + S * (g * x + w * u),
+                                                            C * u - S * (w * x + g * u)));
+      }
+      EXPECT_LE(left, decay.LeftAfter(t) * (1 + 1e-9)) << g << " " << t;
+      largest_share = std::max(largest_share, left / decay.LeftAfter(t));
+    }
+    EXPECT_GT(largest_share, 0.999) << g;
+  }
+}
+
+TEST(Decay, OfManySecondsIsStillANumber) {
+  EXPECT_NEAR((Decay{4, {1}}.LeftAfter(200)),
+              4 / std::sqrt(15.) * std::exp((std::sqrt(15.) - 4) * 200), 1e-18);
 }
 
 /** Ten particles on springs, between (0, 2, 0) and (0.7, 1.9, 0.4). */

@@ -527,9 +527,10 @@ Trajectory Tumbled(const World& world, ImpactRule rule, double restitution = 0.6
     Eigen::Vector3d lowest = Eigen::Vector3d::Zero();
     int count = 0;
     for (int corner = 0; corner < 8; ++corner) {
+      const Eigen::Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1,
+                                 corner & 4 ? 1 : -1);
       const Eigen::Vector3d r =
-          R * Eigen::Vector3d(corner & 1 ? 0.3 : -0.3, corner & 2 ? 0.1 : -0.1,
-                              corner & 4 ? 0.2 : -0.2);
+          R * sign.cwiseProduct(std::get<Box>(body.placed.shape).half_extents);
       if (is.p_WB.y() + r.y() > 1e-12) continue;
       lowest += is.p_WB + r;
       ++count;
@@ -569,6 +570,20 @@ TEST(CornerImpact, AMotionByTheRulePasses) {
         Passes(Judge(edge, Tumbled(edge, ImpactRule::kNewton), ClaimOf("corner_impact"))))
         << dt;
   }
+}
+
+TEST(CornerImpact, KnowsTheCornerBelowTheMiddleOfASquareRodWithFriction) {
+  const Eigen::Quaterniond on_its_edge(
+      Eigen::AngleAxisd(std::numbers::pi / 4, Eigen::Vector3d::UnitX()));
+  World world = Tumbling(kOnEdge * on_its_edge, 0.3, 1e-4);
+  EXPECT_FALSE(FaultsOf(world, ClaimOf("corner_impact")).empty());
+  world.bodies[0].placed.shape = Box{{0.3, 0.1, 0.1}};
+  EXPECT_TRUE(FaultsOf(world, ClaimOf("corner_impact")).empty());
+  EXPECT_TRUE(Passes(
+      Judge(world, Tumbled(world, ImpactRule::kNewton), ClaimOf("corner_impact"))));
+  EXPECT_TRUE(Finds(
+      Judge(world, Tumbled(world, ImpactRule::kNewton, 0.55), ClaimOf("corner_impact")),
+      MeasureKind::kSpinError));
 }
 
 TEST(CornerImpact, RecognisesPoissonsRestitution) {

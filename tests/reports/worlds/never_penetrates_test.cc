@@ -57,6 +57,24 @@ TEST(NeverPenetrates, GrantsTheDepthOfTheStart) {
   EXPECT_TRUE(Passes(Judge(world, still, ClaimOf("never_penetrates"))));
 }
 
+TEST(NeverPenetrates, GrantsTheDepthOfTheStartForAsLongAsTheClaimSays) {
+  World world = FallingBall();
+  world.gravity_W.setZero();
+  world.bodies[0].placed.X_WB.p_WB.y() = 0.4;
+  const double half = world.steps * world.dt / 2;
+  const Claim parts = ClaimOf("never_penetrates", {}, {{"parted_by", half}});
+  const Trajectory still = Stepped(world, [](WorldState&) {});
+  EXPECT_TRUE(Finds(Judge(world, still, parts), MeasureKind::kPenetration));
+  const Trajectory pushed_out = Stepped(world, [](WorldState& state) {
+    double& y = state.bodies[0].p_WB.y();
+    y = std::min(0.5, y + 0.1 / 200);
+  });
+  EXPECT_TRUE(Passes(Judge(world, pushed_out, parts)));
+  const Claim at_the_end =
+      ClaimOf("never_penetrates", {}, {{"parted_by", world.steps * world.dt}});
+  EXPECT_FALSE(FindLaw("never_penetrates")->faults(world, at_the_end).empty());
+}
+
 TEST(NeverPenetrates, SeesOnlyWhatCollides) {
   World world = FallingBall();
   world.bodies[0].collides = false;
