@@ -9,6 +9,7 @@
 #include "oracles/cookbook/printed_oracle.h"
 #include "oracles/fcl/fcl_oracles.h"
 #include "oracles/libccd/ccd_oracles.h"
+#include "oracles/mujoco/mujoco_oracles.h"
 #include "oracles/ode/ode_oracles.h"
 
 namespace touchstone {
@@ -56,6 +57,11 @@ Oracles Ccd() {
   return {};
 }
 
+Oracles Mujoco() {
+  if constexpr (TOUCHSTONE_HAS_MUJOCO) return MujocoOracles();
+  return {};
+}
+
 /** One adapter, in this build or not. */
 struct Adapter {
   std::string name;  ///< The common start of its oracles' names.
@@ -75,6 +81,7 @@ std::vector<Adapter> Adapters() {
       {"ode", TOUCHSTONE_HAS_ODE, "ODE", "libode-dev", Ode},
       {"fcl", TOUCHSTONE_HAS_FCL, "FCL", "libfcl-dev", Fcl},
       {"libccd", TOUCHSTONE_HAS_CCD, "libccd", "libccd-dev", Ccd},
+      {"mujoco", TOUCHSTONE_HAS_MUJOCO, "MuJoCo", "libmujoco-dev", Mujoco},
   };
 }
 

@@ -70,6 +70,8 @@ const std::vector<Unsupported> kUnsupported = {
     {"fcl/signed_distance_indep", kAllButTwoHalfSpaces},
     {"libccd/epa", kConvexOnly},
     {"libccd/mpr", kConvexOnly},
+    {"mujoco", kWorldsOnly},
+    {"mujoco/rk4", kWorldsOnly},
     {"ode", {{kCone}, {kTwoHalfSpaces}}},
     {"ode/quick", kWorldsOnly},
     {"printed:none", kOnlySpheresAndBoxes},

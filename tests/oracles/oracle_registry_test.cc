@@ -92,8 +92,8 @@ TEST(OracleRegistry, EveryEngineIsThereOrSaysHowToGetIt) {
       return m.name == name && !m.how_to_get.empty();
     });
   };
-  for (const char* engine :
-       {"cookbook", "printed", "bullet", "bullet_float", "ode", "fcl", "libccd"}) {
+  for (const char* engine : {"cookbook", "printed", "bullet", "bullet_float", "ode",
+                             "fcl", "libccd", "mujoco"}) {
     EXPECT_EQ(registry.Matching(engine).empty(), is_missing(engine)) << engine;
   }
 }

@@ -1,0 +1,184 @@
+#include "oracles/mujoco/mujoco_model.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <mutex>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3d;
+
+std::string Text(const Vector3d& v) {
+  return fmt::format("{} {} {}", v.x(), v.y(), v.z());
+}
+
+// `size`, a half-space's being that of a picture of it.
+std::string GeomOf(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape))
+    return fmt::format(R"(type="sphere" size="{}")", sphere->radius);
+  if (const auto* box = std::get_if<Box>(&shape))
+    return fmt::format(R"(type="box" size="{}")", Text(box->half_extents));
+  return R"(type="plane" size="0 0 1")";
+}
+
+std::string PlaceOf(const Pose& X_WB) {
+  const Eigen::Quaterniond q = X_WB.q_WB ? *X_WB.q_WB : Eigen::Quaterniond(X_WB.R_WB);
+  return fmt::format(R"(pos="{}" quat="{} {} {} {}")", Text(X_WB.p_WB), q.w(), q.x(),
+                     q.y(), q.z());
+}
+
+std::string Site(std::string_view name, const Vector3d& p) {
+  return fmt::format(R"(<site name="{}" pos="{}"/>)", name, Text(p));
+}
+
+/** Writes a world, the ends of its springs and joints into their bodies. */
+class Writer {
+ public:
+  explicit Writer(const World& world) : world_(world), sites_(world.bodies.size()) {
+    for (std::size_t i = 0; i < world.springs.size(); ++i) {
+      const Spring& spring = world.springs[i];
+      Connect(fmt::format("s{}", i), spring.A, spring.B,
+              fmt::format(R"(stiffness="{}" damping="{}" springlength="{}")",
+                          spring.stiffness, spring.damping, spring.rest_length));
+    }
+    for (std::size_t i = 0; i < world.joints.size(); ++i) {
+      const std::string name = fmt::format("j{}", i);
+      if (Connect(name, world.joints[i].A, world.joints[i].B, ""))
+        equalities_ += fmt::format(R"(<tendon name="{0}" tendon1="{0}"/>)", name);
+    }
+    bool one_friction = true;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+      Add(i);
+      one_friction &= world.bodies[i].friction == world.bodies[0].friction;
+    }
+    if (!one_friction) AddPairs();
+  }
+
+  std::string operator()() const {
+    // Room for what a packed pile has. MuJoCo's own default is 100 contacts.
+    const std::size_t contacts = 100 + 24 * world_.bodies.size();
+    return fmt::format(
+        R"(<mujoco><compiler angle="radian"/><size nconmax="{}" njmax="{}"/>)"
+        R"(<option collision="{}"/><worldbody>{}{}</worldbody><contact>{}</contact>)"
+        R"(<tendon>{}</tendon><equality>{}</equality></mujoco>)",
+        contacts, 4 * contacts + world_.joints.size(),
+        pairs_.empty() ? "dynamic" : "predefined", world_sites_, bodies_, pairs_,
+        tendons_, equalities_);
+  }
+
+ private:
+  const RigidBody& BodyAt(std::size_t i) const { return world_.bodies[i]; }
+
+  bool Moves(const Anchor& anchor) const {
+    return anchor.on == AnchorKind::kBody &&
+           BodyAt(static_cast<std::size_t>(anchor.index)).mass > 0;
+  }
+
+  /** Adds a tendon between two points, unless neither can move. */
+  bool Connect(const std::string& name, const Anchor& A, const Anchor& B,
+               std::string_view attributes) {
+    if (!Moves(A) && !Moves(B)) return false;
+    tendons_ += fmt::format(R"(<spatial name="{}" {}>)", name, attributes);
+    for (const Anchor* anchor : {&A, &B}) {
+      const std::string site = name + (anchor == &A ? "A" : "B");
+      tendons_ += fmt::format(R"(<site site="{}"/>)", site);
+      if (Moves(*anchor)) {
+        sites_[static_cast<std::size_t>(anchor->index)] += Site(site, anchor->point);
+      } else {
+        world_sites_ += Site(site, StartOf(world_, *anchor));
+      }
+    }
+    tendons_ += "</spatial>";
+    return true;
+  }
+
+  void Add(std::size_t i) {
+    const RigidBody& body = BodyAt(i);
+    const bool moves = body.mass > 0;
+    std::string geom;
+    if (body.collides) {
+      geom =
+          fmt::format(R"(<geom name="g{}" {} {} {}/>)", i, GeomOf(body.placed.shape),
+                      moves ? "" : PlaceOf(body.placed.X_WB), FrictionOf(body.friction));
+    }
+    if (!moves) {
+      bodies_ += geom;
+      return;
+    }
+    bodies_ += fmt::format(
+        R"(<body name="b{}" {}><freejoint/>)"
+        R"(<inertial pos="0 0 0" mass="{}" diaginertia="{}"/>{}{}</body>)",
+        i, PlaceOf(body.placed.X_WB), body.mass, Text(InertiaOf(body)), geom, sites_[i]);
+  }
+
+  // Without friction a contact has one dimension: the friction of others is at least 1e-5
+  // (mjMINMU).
+  static std::string FrictionOf(double mu) {
+    return fmt::format(R"(condim="{}" friction="{} 0 0")", mu > 0 ? 3 : 1, mu);
+  }
+
+  // MuJoCo takes the larger friction of two geoms; of a pair it is told.
+  void AddPairs() {
+    for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
+      for (std::size_t j = i + 1; j < world_.bodies.size(); ++j) {
+        const RigidBody& A = BodyAt(i);
+        const RigidBody& B = BodyAt(j);
+        if (!A.collides || !B.collides || (A.mass == 0 && B.mass == 0)) continue;
+        const double mu = std::sqrt(A.friction * B.friction);
+        pairs_ += fmt::format(
+            R"(<pair geom1="g{}" geom2="g{}" condim="{}" friction="{} {} 0 0 0"/>)", i, j,
+            mu > 0 ? 3 : 1, mu, mu);
+      }
+    }
+  }
+
+  const World& world_;
+  std::vector<std::string> sites_;  // Of each body.
+  std::string world_sites_;
+  std::string bodies_;
+  std::string pairs_;
+  std::string tendons_;
+  std::string equalities_;
+};
+
+}  // namespace
+
+void InitialiseMujoco() {
+  mju_user_warning = [](const char* what) { std::fprintf(stderr, "%s\n", what); };
+  mju_user_error = [](const char* what) {
+    std::fprintf(stderr, "%s\n", what);
+    std::abort();
+  };
+}
+
+MujocoModel Compile(const std::string& mjcf) {
+  static std::mutex mutex;  // The reader keeps the last model it read for the process.
+  const std::lock_guard lock(mutex);
+  static const char* const kName = "world.xml";
+  const auto files = std::make_unique<mjVFS>();
+  mj_defaultVFS(files.get());
+  if (mj_makeEmptyFileVFS(files.get(), kName, static_cast<int>(mjcf.size())) != 0)
+    throw std::runtime_error("MuJoCo has no room for a model of that size");
+  const int file = mj_findFileVFS(files.get(), kName);
+  mjcf.copy(static_cast<char*>(files->filedata[file]), mjcf.size());
+  std::array<char, 500> error{};
+  MujocoModel model(
+      mj_loadXML(kName, files.get(), error.data(), static_cast<int>(error.size())));
+  mj_deleteVFS(files.get());
+  if (model == nullptr) throw std::runtime_error(error.data());
+  return model;
+}
+
+std::string ToMjcf(const World& world) {
+  return Writer(world)();
+}
+
+}  // namespace touchstone

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "oracles/oracle.h"
+
+namespace touchstone {
+
+/** Returns "mujoco" and "mujoco/rk4". Both simulate worlds, the first by MuJoCo's
+ semi-implicit Euler, the second by Runge and Kutta's method of fourth order
+ (mujoco_world.h). Neither answers contact queries. */
+std::vector<std::unique_ptr<Oracle>> MujocoOracles();
+
+}  // namespace touchstone
