@@ -20,6 +20,8 @@ pkg_check_modules(bullet_double QUIET IMPORTED_TARGET GLOBAL bullet-float64>=3.2
 pkg_check_modules(bullet_float QUIET IMPORTED_TARGET GLOBAL bullet>=3.24)
 pkg_check_modules(ccd QUIET IMPORTED_TARGET GLOBAL ccd>=2.0)
 find_package(fcl 0.7 QUIET)
+find_package(DART 6.12 QUIET CONFIG)
+remove_definitions(-DBOOST_TEST_DYN_LINK)  # DART defines it for the whole folder.
 # Debian's own configuration of MuJoCo names a folder that no package has.
 find_library(TOUCHSTONE_MUJOCO_LIBRARY mujoco)
 find_path(TOUCHSTONE_MUJOCO_INCLUDE mujoco/mujoco.h)
@@ -29,7 +31,7 @@ if(TOUCHSTONE_MUJOCO_LIBRARY AND TOUCHSTONE_MUJOCO_INCLUDE AND NOT TARGET mujoco
   target_link_libraries(mujoco::mujoco INTERFACE ${TOUCHSTONE_MUJOCO_LIBRARY})
   target_include_directories(mujoco::mujoco INTERFACE ${TOUCHSTONE_MUJOCO_INCLUDE})
 endif()
-foreach(engine ode bullet_double bullet_float ccd fcl mujoco)
+foreach(engine ode bullet_double bullet_float ccd dart fcl mujoco)
   string(TOUPPER ${engine} upper)
   option(TOUCHSTONE_WITH_${upper} "Build the ${engine} oracle where the library is present" ON)
   if(TOUCHSTONE_WITH_${upper} AND (TARGET PkgConfig::${engine} OR TARGET ${engine}

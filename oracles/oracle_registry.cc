@@ -7,6 +7,7 @@
 #include "oracles/cookbook/cookbook_batch_oracle.h"
 #include "oracles/cookbook/cookbook_oracle.h"
 #include "oracles/cookbook/printed_oracle.h"
+#include "oracles/dart/dart_oracles.h"
 #include "oracles/fcl/fcl_oracles.h"
 #include "oracles/libccd/ccd_oracles.h"
 #include "oracles/mujoco/mujoco_oracles.h"
@@ -57,6 +58,11 @@ Oracles Ccd() {
   return {};
 }
 
+Oracles Dart() {
+  if constexpr (TOUCHSTONE_HAS_DART) return DartOracles();
+  return {};
+}
+
 Oracles Mujoco() {
   if constexpr (TOUCHSTONE_HAS_MUJOCO) return MujocoOracles();
   return {};
@@ -81,6 +87,7 @@ std::vector<Adapter> Adapters() {
       {"ode", TOUCHSTONE_HAS_ODE, "ODE", "libode-dev", Ode},
       {"fcl", TOUCHSTONE_HAS_FCL, "FCL", "libfcl-dev", Fcl},
       {"libccd", TOUCHSTONE_HAS_CCD, "libccd", "libccd-dev", Ccd},
+      {"dart", TOUCHSTONE_HAS_DART, "DART", "libdart-dev", Dart},
       {"mujoco", TOUCHSTONE_HAS_MUJOCO, "MuJoCo", "libmujoco-dev", Mujoco},
   };
 }

@@ -26,6 +26,7 @@ set(library_rules
   "ode/ => oracles/ode/.*[.]cc"
   "fcl/ => oracles/fcl/.*[.]cc"
   "ccd/ => oracles/libccd/.*[.]cc"
+  "dart/ => oracles/dart/"
   "mujoco/ => oracles/mujoco/"
   "(bt[A-Z]|Bullet|LinearMath/) => oracles/bullet/"
   "hwy/ => engine/"

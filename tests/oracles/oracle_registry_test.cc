@@ -93,7 +93,7 @@ TEST(OracleRegistry, EveryEngineIsThereOrSaysHowToGetIt) {
     });
   };
   for (const char* engine : {"cookbook", "printed", "bullet", "bullet_float", "ode",
-                             "fcl", "libccd", "mujoco"}) {
+                             "fcl", "libccd", "dart", "mujoco"}) {
     EXPECT_EQ(registry.Matching(engine).empty(), is_missing(engine)) << engine;
   }
 }

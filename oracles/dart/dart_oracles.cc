@@ -1,0 +1,63 @@
+#include "oracles/dart/dart_oracles.h"
+
+#include <utility>
+
+#include <dart/config.hpp>
+
+#include "oracles/answer_each.h"
+#include "oracles/dart/dart_surfaces.h"
+#include "oracles/dart/dart_world.h"
+#include "oracles/isolated_oracle.h"
+
+namespace touchstone {
+namespace {
+
+class DartOracle final : public Oracle {
+ public:
+  DartOracle() {
+    info_.name = "dart";
+    info_.library = "DART";
+    info_.version = DART_VERSION;
+    for (auto& row : info_.capabilities) {
+      for (Capability& capability : row) capability.reason = "simulates worlds only";
+    }
+    DescribeDartWorlds(info_);
+  }
+
+  const OracleInfo& info() const override { return info_; }
+
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery> queries,
+              std::span<ContactAnswer> answers) const override {
+    AnswerEach(info_, queries, answers,
+               [](const ContactQuery&) { return ContactAnswer(); });
+  }
+
+  std::unique_ptr<Simulation> Begin(const World& world) const override {
+    return DartWorld(world, DartContacts::kRigid);
+  }
+
+  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
+    return DartWorld(world, DartContacts::kAsShipped);
+  }
+
+  Trajectory Simulate(const World& world) const override {
+    Trajectory refused;
+    refused.reason = DartSurfaces(world).why_not();
+    return refused.reason.empty() ? Oracle::Simulate(world) : refused;
+  }
+
+ private:
+  OracleInfo info_;
+};
+
+}  // namespace
+
+std::vector<std::unique_ptr<Oracle>> DartOracles() {
+  std::vector<std::unique_ptr<Oracle>> oracles;
+  // Its assertions are live: what they find ends the process.
+  oracles.push_back(Isolate(std::make_unique<DartOracle>(), {}, IsolationScope::kWorlds));
+  return oracles;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,227 @@
+#include "oracles/dart/dart_world.h"
+
+#include <cstddef>
+#include <limits>
+#include <unordered_map>
+#include <vector>
+
+#include <dart/collision/CollisionObject.hpp>
+#include <dart/collision/dart/DARTCollisionDetector.hpp>
+#include <dart/constraint/ConstraintSolver.hpp>
+#include <dart/constraint/ContactConstraint.hpp>
+#include <dart/dynamics/BodyNode.hpp>
+#include <dart/dynamics/FreeJoint.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+#include <dart/dynamics/WeldJoint.hpp>
+#include <dart/simulation/World.hpp>
+
+#include "oracles/dart/dart_shape.h"
+#include "oracles/dart/dart_surfaces.h"
+
+namespace touchstone {
+namespace {
+
+using dart::constraint::ContactConstraint;
+using dart::dynamics::BodyNode;
+using dart::dynamics::FreeJoint;
+using dart::dynamics::Skeleton;
+using Eigen::Vector3d;
+
+// The least that DART allows. Relative to the diagonal of its matrix, unlike ODE's.
+constexpr double kConstraintForceMixing = 1e-9;
+
+class DartSimulation final : public Simulation {
+ public:
+  DartSimulation(const World& world, DartContacts contacts)
+      : question_(world), contacts_(contacts), surfaces_(world) {
+    world_->setTimeStep(world.dt);
+    world_->setGravity(world.gravity_W);
+    dart::constraint::ConstraintSolver& solver = *world_->getConstraintSolver();
+    solver.setCollisionDetector(dart::collision::DARTCollisionDetector::create());
+    solver.getCollisionOption().maxNumContacts = std::numeric_limits<int>::max();
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) Add(i);
+  }
+
+  void Push(int body, const Vector3d& p_W, const Vector3d& J_W) override {
+    FreeJoint* const joint = joints_[static_cast<std::size_t>(body)];
+    if (joint == nullptr) return;
+    // DART has forces only, and one that lasts a step is not felt by a bounce in that
+    // step.
+    const RigidBody& asked = question_.bodies[static_cast<std::size_t>(body)];
+    const BodyNode& node = *joint->getChildBodyNode();
+    const Eigen::Isometry3d& X_WB = node.getWorldTransform();
+    const Eigen::Matrix3d R_WB = X_WB.linear();
+    const Vector3d r_W = p_W - X_WB.translation();
+    SetVelocity(
+        *joint, node.getLinearVelocity() + J_W / asked.mass,
+        node.getAngularVelocity() +
+            R_WB * (R_WB.transpose() * r_W.cross(J_W)).cwiseQuotient(InertiaOf(asked)));
+  }
+
+  void Step() override {
+    const bool is_rigid = contacts_ == DartContacts::kRigid;
+    // Of the process: another simulation may have set them since.
+    ContactConstraint::setErrorReductionParameter(is_rigid ? 0 : 0.01);
+    ContactConstraint::setMaxErrorReductionVelocity(1e-3);
+    ContactConstraint::setConstraintForceMixing(is_rigid ? kConstraintForceMixing : 1e-5);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (joints_[i] != nullptr)
+        joints_[i]->getChildBodyNode()->addExtForce(question_.bodies[i].force_W);
+    }
+    world_->step();
+  }
+
+  void Read(WorldState& state) const override {
+    state.bodies.resize(joints_.size());
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (joints_[i] == nullptr) {
+        const Pose& X_WB = question_.bodies[i].placed.X_WB;
+        state.bodies[i] = {X_WB.p_WB,
+                           X_WB.q_WB ? *X_WB.q_WB : Eigen::Quaterniond(X_WB.R_WB),
+                           Vector3d::Zero(), Vector3d::Zero()};
+        continue;
+      }
+      const BodyNode& node = *joints_[i]->getChildBodyNode();
+      const Eigen::Isometry3d& X_WB = node.getWorldTransform();
+      state.bodies[i] = {X_WB.translation(), Eigen::Quaterniond(X_WB.linear()),
+                         node.getLinearVelocity(), node.getAngularVelocity()};
+    }
+  }
+
+  void ReadImpulses(std::vector<ContactImpulse>& impulses) const override {
+    const dart::collision::CollisionResult& result = world_->getLastCollisionResult();
+    for (std::size_t i = 0; i < result.getNumContacts(); ++i) {
+      const dart::collision::Contact& contact = result.getContact(i);
+      ContactImpulse impulse;
+      impulse.A = IndexOf(*contact.collisionObject1);
+      impulse.B = IndexOf(*contact.collisionObject2);
+      if (joints_[static_cast<std::size_t>(impulse.A)] == nullptr &&
+          joints_[static_cast<std::size_t>(impulse.B)] == nullptr) {
+        continue;
+      }
+      impulse.p_WC = contact.point;
+      impulse.n_AB_W = -contact.normal;
+      impulse.J_B_W = -question_.dt * contact.force;
+      impulse.separation = -contact.penetrationDepth;
+      impulses.push_back(impulse);
+    }
+  }
+
+  bool GivesImpulses() const override { return true; }
+
+ private:
+  static void SetVelocity(FreeJoint& joint, const Vector3d& v_W, const Vector3d& w_W) {
+    Eigen::Matrix<double, 6, 1> velocity;
+    velocity << w_W, v_W;
+    joint.setSpatialVelocity(velocity, dart::dynamics::Frame::World(),
+                             dart::dynamics::Frame::World());
+  }
+
+  int IndexOf(const dart::collision::CollisionObject& object) const {
+    const dart::dynamics::ShapeNode* const shape = object.getShapeFrame()->asShapeNode();
+    return indices_.at(shape->getBodyNodePtr().get());
+  }
+
+  void Add(std::size_t i) {
+    const RigidBody& asked = question_.bodies[i];
+    const Eigen::Isometry3d X_WB = ToDart(asked.placed.X_WB);
+    const dart::dynamics::SkeletonPtr skeleton = Skeleton::create(asked.name);
+    BodyNode* node = nullptr;
+    if (asked.mass > 0) {
+      const auto pair = skeleton->createJointAndBodyNodePair<FreeJoint>();
+      node = pair.second;
+      joints_.push_back(pair.first);
+      // The joint's own coordinates start at zero: no angle is lost in a logarithm.
+      pair.first->setTransformFromParentBodyNode(X_WB);
+      const Eigen::Matrix3d moments = InertiaOf(asked).asDiagonal();
+      node->setInertia(dart::dynamics::Inertia(asked.mass, Vector3d::Zero(), moments));
+      SetVelocity(*pair.first, asked.v_WB, asked.w_WB);
+    } else {
+      const auto pair = skeleton->createJointAndBodyNodePair<dart::dynamics::WeldJoint>();
+      node = pair.second;
+      joints_.push_back(nullptr);
+      pair.first->setTransformFromParentBodyNode(X_WB);
+    }
+    indices_[node] = static_cast<int>(i);
+    if (asked.collides) {
+      auto* const shape = node->createShapeNodeWith<dart::dynamics::CollisionAspect,
+                                                    dart::dynamics::DynamicsAspect>(
+          ToDart(asked.placed.shape));
+      shape->getDynamicsAspect()->setFrictionCoeff(surfaces_.FrictionOf(asked));
+      shape->getDynamicsAspect()->setRestitutionCoeff(surfaces_.RestitutionOf(asked));
+    }
+    world_->addSkeleton(skeleton);
+  }
+
+  World question_;
+  DartContacts contacts_;
+  DartSurfaces surfaces_;
+  dart::simulation::WorldPtr world_ = dart::simulation::World::create();
+  std::vector<FreeJoint*> joints_;  // Null for what does not move.
+  std::unordered_map<const BodyNode*, int> indices_;
+};
+
+// Empty for what DART does simulate.
+std::string WhyNot(WorldFeature feature) {
+  switch (feature) {
+    case WorldFeature::kOtherShape:
+    case WorldFeature::kStaticOtherShape:
+    case WorldFeature::kStaticHalfSpace:
+      return "DART's own collision detector has spheres and boxes; its others turn "
+             "spheres into polyhedra";
+    case WorldFeature::kParticle:
+    case WorldFeature::kCloth:
+      return "DART has no point masses that bounce";
+    case WorldFeature::kSpring:
+      return "DART has springs along its joints, and none between two points";
+    case WorldFeature::kDistanceJoint:
+      return "DART has no rod between two points";
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> DartWorld(const World& world, DartContacts contacts) {
+  return std::make_unique<DartSimulation>(world, contacts);
+}
+
+void DescribeDartWorlds(OracleInfo& info) {
+  info.simulates = true;
+  for (int i = 0; i < kWorldFeatures; ++i) {
+    const std::string reason = WhyNot(static_cast<WorldFeature>(i));
+    info.world_capabilities[static_cast<std::size_t>(i)] = {reason.empty(), reason};
+  }
+  const std::vector<Setting> settings = {
+      {"world: solver", "BoxedLcpConstraintSolver: Dantzig, PGS where that fails",
+       "DART's default."},
+      {"world: integrator", "semi-implicit Euler, rotation by the exponential map",
+       "There is no other."},
+      {"world: collision detector", "DARTCollisionDetector",
+       "The default, fcl on meshes, turns spheres into polyhedra."},
+      {"world: contacts", "any number", "DART's 1000 would drop some of a pile's."},
+      {"world: bounce rule", "the velocity after gravity is reflected",
+       "DART integrates velocities before it solves contacts."},
+      {"world: restitution", "product of shares that give min(e_A, e_B)",
+       "Where all that moves has one e; other worlds are refused."},
+      {"world: restitution velocity threshold", "0.1 m/s after the bounce; e > 0.001",
+       "Fixed in ContactConstraint.cpp."},
+      {"world: friction", "smaller of two that give sqrt(mu_A mu_B)",
+       "Where all that moves has one mu and nothing else has more, or one body moves; "
+       "other worlds are refused. Up to 0.001 it is none."},
+      {"world: friction cone", "box",
+       "Coulomb's law along each of two fixed directions: a square, not a circle."},
+      {"world: error reduction of contacts", "0",
+       "Overlap is not pushed out, which would add energy: bodies rest as deep as they "
+       "were found."},
+      {"world: constraint force mixing", "1e-9 of the diagonal", "DART's least."},
+      {"world: push", "velocities set", "DART has no impulses."},
+      {"world: gyroscopic term", "on, explicit", "BodyNode's default."},
+      {"world: damping, sleeping", "0, none", "DART's default."},
+      {"world: impulses", "Contact::force times the step", "On the first body: negated."},
+  };
+  info.settings.insert(info.settings.end(), settings.begin(), settings.end());
+}
+
+}  // namespace touchstone

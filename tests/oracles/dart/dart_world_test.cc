@@ -1,0 +1,126 @@
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "oracles/dart/dart_oracles.h"
+
+namespace touchstone {
+namespace {
+
+using Eigen::Vector3d;
+
+const Oracle& Dart() {
+  static const std::vector<std::unique_ptr<Oracle>> oracles = DartOracles();
+  return *oracles.front();
+}
+
+/* A turned brick that falls on a corner, sliding and spinning, onto a static slab. */
+World BrickOnSlab() {
+  World world;
+  RigidBody slab;
+  slab.name = "slab";
+  slab.mass = 0;
+  slab.placed = {Box{{5, 0.5, 5}}, Pose::FromQuaternion({0, -0.5, 0}, {1, 0, 0, 0})};
+  RigidBody brick;
+  brick.name = "brick";
+  brick.mass = 1.7;
+  const Eigen::AngleAxisd turn(0.3, Vector3d(0.2, 1, -0.4).normalized());
+  brick.placed = {Box{{0.3, 0.2, 0.1}},
+                  Pose::FromQuaternion({0.1, 0.4, -0.2}, Eigen::Quaterniond(turn))};
+  brick.v_WB = {0.7, -1, 0.3};
+  brick.w_WB = {1, 2, -0.5};
+  brick.force_W = {0.4, 0.1, -0.2};
+  world.bodies = {slab, brick};
+  return world;
+}
+
+TEST(DartWorld, ContactImpulsesAreWhatChangesMomentum) {
+  const World world = BrickOnSlab();
+  const RigidBody& brick = world.bodies[1];
+  const Trajectory trajectory = Dart().Simulate(world);
+  ASSERT_EQ(trajectory.samples.size(), static_cast<std::size_t>(world.steps) + 1);
+  Vector3d momentum = brick.mass * brick.v_WB;
+  std::size_t next = 0;
+  int contacts = 0;
+  // Velocities of metres a second, each rounded in every step; DART turns them between
+  // the frames of the world, the body and the joint.
+  const double allowed = 8 * 64 * world.steps * 0x1p-53;
+  for (int step = 1; step <= world.steps; ++step) {
+    momentum += world.dt * (brick.mass * world.gravity_W + brick.force_W);
+    for (; next < trajectory.impulses.size() && trajectory.impulses[next].step == step;
+         ++next, ++contacts) {
+      const ContactImpulse& impulse = trajectory.impulses[next];
+      EXPECT_LE(impulse.separation, 0);
+      EXPECT_GE(impulse.J_B_W.dot(impulse.n_AB_W), 0);
+      momentum += impulse.B == 1 ? impulse.J_B_W : Vector3d(-impulse.J_B_W);
+    }
+    const Vector3d v = trajectory.samples[static_cast<std::size_t>(step)].bodies[1].v_WB;
+    ASSERT_LE((brick.mass * v - momentum).norm(), allowed) << "step " << step;
+  }
+  EXPECT_EQ(next, trajectory.impulses.size());
+  EXPECT_GT(contacts, 20);  // It landed.
+}
+
+// Δv = J/m, R_WBᵀ Δw = I⁻¹ (r × R_WBᵀ J)
+TEST(DartWorld, PushActsAtItsPoint) {
+  World world = BrickOnSlab();
+  world.gravity_W.setZero();
+  world.bodies = {world.bodies[1]};
+  RigidBody& brick = world.bodies[0];
+  brick.force_W.setZero();
+  brick.v_WB.setZero();
+  brick.w_WB.setZero();
+  const Vector3d p_BoP(0.1, -0.05, 0.02);
+  const Vector3d J_W(0.3, 0.4, -0.1);
+  const std::unique_ptr<Simulation> simulation = Dart().Begin(world);
+  simulation->Push(0, brick.placed.X_WB * p_BoP, J_W);
+  WorldState state;
+  simulation->Read(state);
+  EXPECT_LE((state.bodies[0].v_WB - J_W / brick.mass).norm(), 1e-15);
+  const Eigen::Matrix3d& R_WB = brick.placed.X_WB.R_WB;
+  const Vector3d w_B =
+      p_BoP.cross(R_WB.transpose() * J_W).cwiseQuotient(InertiaOf(brick));
+  EXPECT_LE((R_WB.transpose() * state.bodies[0].w_WB - w_B).norm(), 1e-14 * w_B.norm());
+}
+
+TEST(DartWorld, BodiesThatDoNotCollidePassThroughEverything) {
+  World world = BrickOnSlab();
+  world.bodies[1].collides = false;
+  const Trajectory trajectory = Dart().Simulate(world);
+  EXPECT_TRUE(trajectory.impulses.empty());
+  EXPECT_LT(trajectory.samples.back().bodies[1].p_WB.y(), -5);
+  EXPECT_EQ(trajectory.samples.back().bodies[0].p_WB, Vector3d(0, -0.5, 0));
+}
+
+TEST(DartWorld, RefusesRestitutionsThatItCannotCombine) {
+  World world = BrickOnSlab();
+  world.bodies.push_back(world.bodies[1]);
+  world.bodies[2].name = "other";
+  world.bodies[2].restitution = 0.1;
+  const Trajectory trajectory = Dart().Simulate(world);
+  EXPECT_EQ(trajectory.status, AnswerStatus::kUnsupported);
+  EXPECT_NE(trajectory.reason.find("multiplies"), std::string::npos);
+}
+
+// DART's default takes a hundredth of the overlap in a step, up to 1 mm/s; here it stays.
+TEST(DartWorld, PushesOverlapOutOnlyAsShipped) {
+  World world = BrickOnSlab();
+  RigidBody& brick = world.bodies[1];
+  brick.placed.X_WB = Pose::FromQuaternion({0, 0.2 - 1e-3, 0}, {1, 0, 0, 0});
+  brick.v_WB.setZero();
+  brick.w_WB.setZero();
+  WorldState state;
+  for (const bool as_shipped : {false, true}) {
+    const auto simulation =
+        as_shipped ? Dart().BeginAsShipped(world) : Dart().Begin(world);
+    simulation->Step();
+    simulation->Read(state);
+    EXPECT_NEAR(state.bodies[1].v_WB.y(), as_shipped ? 1e-3 : 0, 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace touchstone
