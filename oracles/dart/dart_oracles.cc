@@ -5,6 +5,7 @@
 #include <dart/config.hpp>
 
 #include "oracles/answer_each.h"
+#include "oracles/dart/dart_contacts.h"
 #include "oracles/dart/dart_surfaces.h"
 #include "oracles/dart/dart_world.h"
 #include "oracles/isolated_oracle.h"
@@ -18,9 +19,7 @@ class DartOracle final : public Oracle {
     info_.name = "dart";
     info_.library = "DART";
     info_.version = DART_VERSION;
-    for (auto& row : info_.capabilities) {
-      for (Capability& capability : row) capability.reason = "simulates worlds only";
-    }
+    DescribeDartContacts(info_);
     DescribeDartWorlds(info_);
   }
 
@@ -29,8 +28,7 @@ class DartOracle final : public Oracle {
   using Oracle::Answer;
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
-    AnswerEach(info_, queries, answers,
-               [](const ContactQuery&) { return ContactAnswer(); });
+    AnswerEach(info_, queries, answers, AnswerByDart);
   }
 
   std::unique_ptr<Simulation> Begin(const World& world) const override {

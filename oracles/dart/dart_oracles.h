@@ -7,8 +7,8 @@
 
 namespace touchstone {
 
-/** Returns "dart", which simulates worlds by DART (dart_world.h) and answers no contact
- queries. */
+/** Returns "dart", which answers by DART's own collision detector (dart_contacts.h) and
+ simulates worlds (dart_world.h). */
 std::vector<std::unique_ptr<Oracle>> DartOracles();
 
 }  // namespace touchstone

@@ -1,10 +1,9 @@
 #include "oracles/mujoco/mujoco_oracles.h"
 
-#include <string>
 #include <utility>
 
-#include "oracles/answer_each.h"
 #include "oracles/isolated_oracle.h"
+#include "oracles/mujoco/mujoco_contacts.h"
 #include "oracles/mujoco/mujoco_model.h"
 #include "oracles/mujoco/mujoco_world.h"
 
@@ -13,12 +12,19 @@ namespace {
 
 class MujocoOracle final : public Oracle {
  public:
-  MujocoOracle(std::string name, MujocoIntegrator integrator) : integrator_(integrator) {
-    info_.name = std::move(name);
+  explicit MujocoOracle(MujocoIntegrator integrator) : integrator_(integrator) {
     info_.library = "MuJoCo";
     info_.version = mj_versionString();
-    for (auto& row : info_.capabilities) {
-      for (Capability& capability : row) capability.reason = "simulates worlds only";
+    if (integrator == MujocoIntegrator::kEuler) {
+      info_.name = "mujoco";
+      DescribeMujocoContacts(info_);
+    } else {
+      info_.name = "mujoco/rk4";
+      for (auto& row : info_.capabilities) {
+        for (Capability& capability : row)
+          capability.reason =
+              "RK4 steps worlds; contact queries are for the oracle \"mujoco\"";
+      }
     }
     DescribeMujocoWorlds(integrator, info_);
   }
@@ -28,8 +34,7 @@ class MujocoOracle final : public Oracle {
   using Oracle::Answer;
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
-    AnswerEach(info_, queries, answers,
-               [](const ContactQuery&) { return ContactAnswer(); });
+    AnswerByMujoco(info_, queries, answers);
   }
 
   std::unique_ptr<Simulation> Begin(const World& world) const override {
@@ -50,8 +55,8 @@ class MujocoOracle final : public Oracle {
 std::vector<std::unique_ptr<Oracle>> MujocoOracles() {
   InitialiseMujoco();
   std::vector<std::unique_ptr<Oracle>> oracles;
-  oracles.push_back(std::make_unique<MujocoOracle>("mujoco", MujocoIntegrator::kEuler));
-  oracles.push_back(std::make_unique<MujocoOracle>("mujoco/rk4", MujocoIntegrator::kRk4));
+  oracles.push_back(std::make_unique<MujocoOracle>(MujocoIntegrator::kEuler));
+  oracles.push_back(std::make_unique<MujocoOracle>(MujocoIntegrator::kRk4));
   // What it calls an error ends the process.
   for (std::unique_ptr<Oracle>& oracle : oracles)
     oracle = Isolate(std::move(oracle), {}, IsolationScope::kWorlds);

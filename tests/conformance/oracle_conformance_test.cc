@@ -62,7 +62,7 @@ const std::vector<Unsupported> kUnsupported = {
     {"cookbook", kOnlySpheresAndBoxes},
     {"cookbook/batch",
      {{kCapsule, kCylinder, kCone, kConvexHull, kHalfSpace}, {{kSphere, kBox}}}},
-    {"dart", kWorldsOnly},
+    {"dart", kOnlySpheresAndBoxes},
     {"fcl/collide", kAllButTwoHalfSpaces},
     {"fcl/collide_indep", kAllButTwoHalfSpaces},
     {"fcl/distance", kAllButTwoHalfSpaces},
@@ -71,7 +71,7 @@ const std::vector<Unsupported> kUnsupported = {
     {"fcl/signed_distance_indep", kAllButTwoHalfSpaces},
     {"libccd/epa", kConvexOnly},
     {"libccd/mpr", kConvexOnly},
-    {"mujoco", kWorldsOnly},
+    {"mujoco", {{kCone, kConvexHull}, {kTwoHalfSpaces}}},
     {"mujoco/rk4", kWorldsOnly},
     {"ode", {{kCone}, {kTwoHalfSpaces}}},
     {"ode/quick", kWorldsOnly},
@@ -165,6 +165,13 @@ const std::vector<EngineFault> kEngineFaults = {
     {"libccd/epa",
      {{}, {{kBox, kBox}, {kBox, kConvexHull}}},
      "puts the contact centimetres off the overlap"},
+    {"mujoco",
+     {{}, {{kBox, kBox}}},
+     "gives half the depth along the normal of a face (engine_collision_box.c)"},
+    {"mujoco",
+     {{}, {{kCylinder, kHalfSpace}}},
+     "normalises what rounding leaves of the plane's normal across an upright cylinder's "
+     "axis, which may point along the axis: the contacts are lost (mjc_PlaneCylinder)"},
 };
 
 const EngineFault* FaultOf(std::string_view oracle, ShapeKind a, ShapeKind b) {
