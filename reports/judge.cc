@@ -282,7 +282,7 @@ class Judgement {
       const double unspanned = PatchUnspanned(patch, n, answer_.points);
       const double blur = PatchBlur(patch, n, e);
       Add(MeasureKind::kPatchCoverage, unspanned,
-          {kLegalUnspanned + blur,
+          {LegalUnspanned(patch) + blur,
            fmt::format("a triangle inscribed in a disc leaves a quarter of its diameter, "
                        "sides that are off by {:.2g} m {:.2g} of it",
                        e, blur)},

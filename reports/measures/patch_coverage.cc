@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Eigenvalues>
 
@@ -78,6 +79,13 @@ double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, doubl
     twice_area += arm.x() * side.y() - arm.y() * side.x();
   }
   return e * perimeter * 2 / twice_area;
+}
+
+double LegalUnspanned(const ContactPatch& patch) {
+  const std::size_t k = patch.vertices_W.size();
+  const bool is_disc = patch.least_contacts == 3 && k > 3;
+  if (!is_disc) return kLegalUnspanned;
+  return 0.5 - 0.25 * std::cos(std::numbers::pi / static_cast<double>(k));
 }
 
 }  // namespace touchstone

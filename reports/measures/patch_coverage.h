@@ -33,4 +33,10 @@ double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, doubl
  of them, leave half its diagonal and do worse. [-] */
 inline constexpr double kLegalUnspanned = 0.25;
 
+/** Returns kLegalUnspanned as it is seen of `patch`. A disc of radius r is given by a
+ polygon of k corners around it, at r / cos(π/k), from which the side of the triangle is
+ still r / 2 away from the centre: (r / cos(π/k) − r / 2) of a diameter of 2 r / cos(π/k)
+ is ½ − ¼ cos(π/k). [-] */
+double LegalUnspanned(const ContactPatch& patch);
+
 }  // namespace touchstone

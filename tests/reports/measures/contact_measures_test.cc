@@ -139,6 +139,33 @@ TEST(PatchCoverage, OfADiscAllowsAnInscribedTriangle) {
   EXPECT_GT(PatchUnspanned(disc, n, std::span(triangle).first(2)), kLegalUnspanned);
 }
 
+TEST(PatchCoverage, OfADiscInItsPolygonAllowsAnInscribedTriangleAtAnyTurn) {
+  constexpr int kSides = 16;
+  ContactPatch disc;
+  disc.least_contacts = 3;
+  for (int i = 0; i < kSides; ++i) {
+    const double angle = i * 2 * std::numbers::pi / kSides;
+    disc.vertices_W.push_back(Eigen::Vector3d(std::cos(angle), std::sin(angle), 0) /
+                              std::cos(std::numbers::pi / kSides));
+  }
+  const auto unspanned = [&](double turn, double radius) {
+    std::vector<ContactPoint> triangle;
+    for (int i = 0; i < 3; ++i) {
+      const double angle = turn + i * 2 * std::numbers::pi / 3;
+      triangle.push_back(
+          {radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0), -1e-3, {}});
+    }
+    return PatchUnspanned(disc, Eigen::Vector3d::UnitZ(), triangle);
+  };
+  double most = 0;
+  for (int i = 0; i < 96; ++i) {
+    const double turn = i * 2 * std::numbers::pi / 96;
+    most = std::max(most, unspanned(turn, 1));
+    EXPECT_GT(unspanned(turn, 0.95), LegalUnspanned(disc));
+  }
+  EXPECT_NEAR(most, LegalUnspanned(disc), 1e-12);
+}
+
 TEST(PatchCoverage, OfASegmentNeedsBothEnds) {
   ContactPatch segment;
   segment.vertices_W = {{0.1, 0.2, 0.3}, {0.5, 0.1, 0.3}};
