@@ -189,6 +189,12 @@ HWY_INLINE void Store(const SeenPair& seen, BoxPair& pair) {
   }
 }
 
+/** Returns `yes` where `which` is 1, `no` where it is 0, and never by a branch: which
+ axis wins cannot be foretold. */
+constexpr std::size_t Either(std::size_t which, std::size_t yes, std::size_t no) {
+  return no ^ ((yes ^ no) & (0 - which));
+}
+
 /** As FindLeastOverlap(). With Search::kFirstGap it may return any axis of positive gap,
  and `pair` is then incomplete. */
 template <Search search>
@@ -237,13 +243,13 @@ HWY_INLINE AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose
   // preferred is never worse than the best by more than one slack.
   const std::size_t is_edges = separation > best_face + slack;
   const std::size_t is_B = std::max(best_face, separation) > face_A + slack;
-  const std::size_t kind = is_edges != 0 ? 2 : is_B;
+  const std::size_t kind = Either(is_edges, 2, is_B);
   const std::array<std::size_t, 3> lanes = {i, j, edge};
-  const std::array<std::size_t, 2> all_i = {i, static_cast<std::size_t>(found.i[edge])};
+  const auto edge_i = static_cast<std::size_t>(found.i[edge]);
   const std::array<double, 2> sines = {1, found.sine[edge]};
   return {static_cast<AxisKind>(kind),
-          static_cast<int>(all_i[is_edges]),
-          static_cast<int>(is_edges != 0 ? edge : j),
+          static_cast<int>(Either(is_edges, edge_i, i)),
+          static_cast<int>(Either(is_edges, edge, j)),
           found.separation[kind][lanes[kind]],
           sines[is_edges],
           found.offset[kind][lanes[kind]]};

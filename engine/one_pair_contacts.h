@@ -83,8 +83,8 @@ HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) 
                  Splat(n_lean) * Load(components[lean].data());
   Store(n, n_I.data());
   const std::size_t k = FirstGreatest(Abs(n));
-  const std::size_t k1 = k == 2 ? 0 : k + 1;
-  const std::size_t k2 = k == 0 ? 2 : k - 1;
+  const auto k1 = static_cast<std::size_t>(Next(static_cast<int>(k)));
+  const auto k2 = static_cast<std::size_t>(AfterNext(static_cast<int>(k)));
   const double reach = -std::copysign(h_I[k], n_I[k]);
 
   alignas(32) Row centre;
@@ -99,8 +99,10 @@ HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) 
   // z n_lean / n_axis aside.
   const double steepness = 1 / std::abs(n_axis);
   const double aside = n_lean * steepness;
-  const double aside_x = lean == r1 ? aside : 0;
-  const double aside_y = lean == r2 ? aside : 0;
+  constexpr std::array<double, 2> kIs = {0,
+                                         1};  // Of two numbers alike, without a branch.
+  const double aside_x = kIs[lean == r1] * aside;
+  const double aside_y = kIs[lean == r2] * aside;
   const auto seen = [&](const Row& p, double plane) HWY_ATTR {
     const double z = outward * p[r] - plane;
     return std::array<double, 3>{p[r1] - z * aside_x, p[r2] - z * aside_y, z * steepness};
