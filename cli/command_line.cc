@@ -291,8 +291,10 @@ class CommandLine {
                    [this] { return LedgerCommand(session_); });
     app->add_flag("--propose", propose_, "print them, for a person to complete")
         ->required();
-    AddCommand("accuracy", "docs/accuracy.md: worst error per oracle and pair of shapes",
-               [this] { return AccuracyCommand(session_); });
+    AddCommand(
+        "accuracy",
+        "docs/accuracy.md: worst error per oracle, of pairs of shapes and of worlds",
+        [this] { return AccuracyCommand(session_); });
   }
 
   void AddSchema() {

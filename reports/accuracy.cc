@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <optional>
-#include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "reports/apply_ledger.h"
-#include "reports/ledger_file.h"
+#include "reports/published_table.h"
+#include "reports/world_accuracy.h"
 
 namespace touchstone {
 namespace {
@@ -84,80 +82,28 @@ std::map<RowKey, Row> MeasuredRows(const RunReport& report) {
   return rows;
 }
 
+std::string_view AbsentFrom(const Row& row) {
+  return row.questions == 0 ? kUnsupported : kNotGiven;
+}
+
 std::vector<std::string> CellsOf(const Row& row) {
   std::vector<std::string> cells;
-  for (const std::optional<double>& worst : row.worst) {
-    if (row.questions == 0) {
-      cells.emplace_back(kUnsupported);
-    } else if (!worst) {
-      cells.emplace_back(kNotGiven);
-    } else {
-      cells.push_back(fmt::format("{:.1e}", RoundedUp(kProposedBound * *worst)));
-    }
-  }
+  for (const std::optional<double>& worst : row.worst)
+    cells.push_back(PublishedCell(worst, AbsentFrom(row)));
   return cells;
 }
 
-std::string_view Trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(' ');
-  if (begin == std::string_view::npos) return "";
-  return text.substr(begin, text.find_last_not_of(' ') - begin + 1);
-}
-
-std::vector<std::string_view> Split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 /** Published cells by oracle and shapes. */
-using Published = std::map<std::pair<std::string_view, std::string_view>,
-                           std::vector<std::string_view>>;
+using Published = std::map<std::pair<std::string_view, std::string_view>, TableLine>;
 
 Published PublishedRows(std::string_view text) {
   constexpr std::size_t kNames = 3;  // Oracle, version, shapes.
   Published rows;
-  for (const std::string_view line : Split(text, '\n')) {
-    std::vector<std::string_view> cells;
-    for (const std::string_view cell : Split(line, '|')) cells.push_back(Trimmed(cell));
-    // Before the first bar and after the last there is nothing.
-    if (cells.size() != kNames + kColumns.size() + 2) continue;
-    rows[{cells[1], cells[3]}].assign(cells.begin() + 1 + kNames, cells.end() - 1);
+  for (const TableLine& cells : TableLines(text)) {
+    if (cells.size() != kNames + kColumns.size()) continue;
+    rows[{cells[0], cells[2]}].assign(cells.begin() + kNames, cells.end());
   }
   return rows;
-}
-
-std::optional<double> NumberIn(std::string_view cell) {
-  double number = 0;
-  const auto [end, error] =
-      std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  if (error != std::errc() || end != cell.data() + cell.size()) return std::nullopt;
-  return number;
-}
-
-/** Returns what is wrong with one published cell, or nothing. */
-std::string FaultOfCell(std::string_view cell, const Row& row, std::size_t column) {
-  const std::optional<double>& worst = row.worst[column];
-  if (row.questions == 0 || !worst) {
-    const std::string_view expected = row.questions == 0 ? kUnsupported : kNotGiven;
-    if (cell == expected) return "";
-    return fmt::format("the table says {}, but it is \"{}\"", cell, expected);
-  }
-  const std::optional<double> published = NumberIn(cell);
-  if (!published)
-    return fmt::format("measured {:.2e}, but the table says {}", *worst, cell);
-  // Written so that a NaN is above everything.
-  if (!(*worst <= *published)) {
-    return fmt::format("measured {:.2e}, above the published {}", *worst, cell);
-  }
-  if (*worst < *published * kImproved) {
-    return fmt::format("improved to {:.2e}: lower the published {}", *worst, cell);
-  }
-  return "";
 }
 
 }  // namespace
@@ -175,12 +121,14 @@ std::string AccuracyTable(const RunReport& report) {
     text += fmt::format("| {} | {} | {} | {} |\n", oracle.name, oracle.version,
                         ShapesOf(key), fmt::join(CellsOf(row), " | "));
   }
-  return text;
+  return text + WorldAccuracyTable(report);
 }
 
 std::vector<std::string> CheckAccuracy(const RunReport& report, std::string_view text) {
-  const Published published = PublishedRows(text);
-  std::vector<std::string> faults;
+  const std::size_t worlds = text.find(kWorldAccuracyHeading);
+  const Published published = PublishedRows(text.substr(0, worlds));
+  std::vector<std::string> faults = CheckWorldAccuracy(
+      report, worlds == std::string_view::npos ? "" : text.substr(worlds));
   for (const auto& [key, row] : MeasuredRows(report)) {
     const std::string& oracle = report.oracles[key.oracle].name;
     const std::string shapes = ShapesOf(key);
@@ -190,7 +138,8 @@ std::vector<std::string> CheckAccuracy(const RunReport& report, std::string_view
       continue;
     }
     for (std::size_t i = 0; i < kColumns.size(); ++i) {
-      const std::string fault = FaultOfCell(found->second[i], row, i);
+      const std::string fault =
+          FaultOfCell(found->second[i], row.worst[i], AbsentFrom(row));
       if (fault.empty()) continue;
       faults.push_back(
           fmt::format("{} on {}: {}: {}", oracle, shapes, NameOf(kColumns[i]), fault));

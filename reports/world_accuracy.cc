@@ -1,0 +1,170 @@
+#include "reports/world_accuracy.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "reports/published_table.h"
+
+namespace touchstone {
+namespace {
+
+constexpr std::string_view kAbsent = "-";
+
+/** Of one world and one measure. */
+struct Row {
+  std::map<std::string_view, double> worst;  ///< By oracle; of those that were judged.
+  double least_tolerance = std::numeric_limits<double>::infinity();
+
+  std::optional<double> Of(std::string_view oracle) const {
+    const auto found = worst.find(oracle);
+    return found == worst.end() ? std::nullopt : std::optional(found->second);
+  }
+};
+
+using Rows = std::map<std::pair<std::string_view, MeasureKind>, Row>;
+
+/** Whether a measure compares a motion with the truth: not with itself. */
+bool IsError(const Finding& finding) {
+  return finding.reference == "law" && finding.measure >= MeasureKind::kPositionError &&
+         finding.measure <= MeasureKind::kForceError;
+}
+
+Rows MeasuredRows(const RunReport& report) {
+  std::set<std::string_view> worlds;
+  for (const WorldResult& result : report.worlds) worlds.insert(result.scenario.id);
+  Rows rows;
+  for (const Finding& finding : report.findings) {
+    if (!IsError(finding) || !worlds.contains(finding.scenario)) continue;
+    Row& row = rows[{finding.scenario, finding.measure}];
+    row.least_tolerance = std::min(row.least_tolerance, finding.tolerance);
+    double& worst = row.worst.try_emplace(finding.oracle, 0).first->second;
+    worst = std::max(worst, finding.value);
+  }
+  return rows;
+}
+
+std::vector<const OracleInfo*> SimulatorsOf(const RunReport& report) {
+  std::vector<const OracleInfo*> simulators;
+  for (const OracleInfo& oracle : report.oracles) {
+    if (oracle.simulates) simulators.push_back(&oracle);
+  }
+  return simulators;
+}
+
+std::string MeasureCell(MeasureKind measure) {
+  const std::string_view unit = UnitOf(measure);
+  if (unit.empty()) return std::string(NameOf(measure));
+  return fmt::format("{} [{}]", NameOf(measure), unit);
+}
+
+/** Rows that an oracle was judged in, and in how many of them none erred less. */
+struct Standing {
+  int judged = 0;
+  int least = 0;
+};
+
+Standing StandingOf(std::string_view oracle, const Rows& rows) {
+  Standing standing;
+  for (const auto& [key, row] : rows) {
+    const std::optional<double> worst = row.Of(oracle);
+    if (!worst) continue;
+    ++standing.judged;
+    const auto least = std::min_element(
+        row.worst.begin(), row.worst.end(),
+        [](const auto& a, const auto& b) { return a.second < b.second; });
+    standing.least += *worst <= least->second + kAlike * row.least_tolerance ? 1 : 0;
+  }
+  return standing;
+}
+
+std::string Summary(const std::vector<const OracleInfo*>& simulators, const Rows& rows) {
+  std::string text =
+      "| oracle | version | rows | in which none errs less |\n|---|---|---|---|\n";
+  for (const OracleInfo* oracle : simulators) {
+    const auto [judged, least] = StandingOf(oracle->name, rows);
+    text += fmt::format("| {} | {} | {} | {} |\n", oracle->name, oracle->version, judged,
+                        least);
+  }
+  return text + "\n";
+}
+
+/** Published cells by world and measure, then by oracle. */
+using Published = std::map<std::pair<std::string_view, std::string_view>,
+                           std::map<std::string_view, std::string_view>>;
+
+Published PublishedRows(std::string_view text) {
+  constexpr std::size_t kNames = 2;  // World, measure.
+  Published rows;
+  TableLine header;
+  for (const TableLine& cells : TableLines(text)) {
+    if (cells[0] == "world") header = cells;
+    if (header.empty() || cells.size() != header.size()) continue;
+    for (std::size_t i = kNames; i < cells.size(); ++i)
+      rows[{cells[0], cells[1]}][header[i]] = cells[i];
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string WorldAccuracyTable(const RunReport& report) {
+  const Rows rows = MeasuredRows(report);
+  if (rows.empty()) return "";
+  const std::vector<const OracleInfo*> simulators = SimulatorsOf(report);
+  std::string text = fmt::format(
+      "\n{}\n\n"
+      "The worst error of each oracle against the laws of each world, in the unit of "
+      "the\n"
+      "measure: 1.5 times what was measured, rounded up; - where the world or the "
+      "measure "
+      "is not\n"
+      "for it. Guarded like the table above. Where two errors differ by less than {:g} "
+      "of "
+      "what is\n"
+      "allowed, neither is less.\n\n",
+      kWorldAccuracyHeading, kAlike);
+  text += Summary(simulators, rows);
+  text += "| world | measure |";
+  for (const OracleInfo* oracle : simulators) text += fmt::format(" {} |", oracle->name);
+  text += "\n|---|---|";
+  for (std::size_t i = 0; i < simulators.size(); ++i) text += "---|";
+  for (const auto& [key, row] : rows) {
+    text += fmt::format("\n| {} | {} |", key.first, MeasureCell(key.second));
+    for (const OracleInfo* oracle : simulators)
+      text += fmt::format(" {} |", PublishedCell(row.Of(oracle->name), kAbsent));
+  }
+  return text + "\n";
+}
+
+std::vector<std::string> CheckWorldAccuracy(const RunReport& report,
+                                            std::string_view text) {
+  const Published published = PublishedRows(text);
+  const std::vector<const OracleInfo*> simulators = SimulatorsOf(report);
+  std::vector<std::string> faults;
+  for (const auto& [key, row] : MeasuredRows(report)) {
+    const std::string measure = MeasureCell(key.second);
+    const auto found = published.find({key.first, measure});
+    for (const OracleInfo* oracle : simulators) {
+      const auto add = [&](std::string_view fault) {
+        faults.push_back(fmt::format("{} in {}: {}: {}", oracle->name, key.first,
+                                     NameOf(key.second), fault));
+      };
+      if (found == published.end() || !found->second.contains(oracle->name)) {
+        if (row.Of(oracle->name)) add("is not in the table: add it");
+        continue;
+      }
+      const std::string fault =
+          FaultOfCell(found->second.at(oracle->name), row.Of(oracle->name), kAbsent);
+      if (!fault.empty()) add(fault);
+    }
+  }
+  return faults;
+}
+
+}  // namespace touchstone
