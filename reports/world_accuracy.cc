@@ -148,20 +148,19 @@ std::vector<std::string> CheckWorldAccuracy(const RunReport& report,
   const std::vector<const OracleInfo*> simulators = SimulatorsOf(report);
   std::vector<std::string> faults;
   for (const auto& [key, row] : MeasuredRows(report)) {
-    const std::string measure = MeasureCell(key.second);
-    const auto found = published.find({key.first, measure});
+    const auto& [world, measure] = key;
+    const auto found = published.find({world, MeasureCell(measure)});
     for (const OracleInfo* oracle : simulators) {
-      const auto add = [&](std::string_view fault) {
-        faults.push_back(fmt::format("{} in {}: {}: {}", oracle->name, key.first,
-                                     NameOf(key.second), fault));
-      };
-      if (found == published.end() || !found->second.contains(oracle->name)) {
-        if (row.Of(oracle->name)) add("is not in the table: add it");
-        continue;
+      const std::optional<double> worst = row.Of(oracle->name);
+      std::string fault;
+      if (found != published.end() && found->second.contains(oracle->name)) {
+        fault = FaultOfCell(found->second.at(oracle->name), worst, kAbsent);
+      } else if (worst) {
+        fault = "is not in the table: add it";
       }
-      const std::string fault =
-          FaultOfCell(found->second.at(oracle->name), row.Of(oracle->name), kAbsent);
-      if (!fault.empty()) add(fault);
+      if (fault.empty()) continue;
+      faults.push_back(
+          fmt::format("{} in {}: {}: {}", oracle->name, world, NameOf(measure), fault));
     }
   }
   return faults;
