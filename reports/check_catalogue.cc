@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <tuple>
 
@@ -75,9 +76,9 @@ void CheckContacts(const ScenarioResult& result, std::vector<std::string>& fault
                                RoundingGranted(result) + kWritten * SceneSize(query))
                         .least_contacts;
   if (least == *expect.contacts) return;
+  const auto expected = static_cast<std::uint64_t>(*expect.contacts);
   faults.push_back(fmt::format("{}: expects {}, but it takes {} to span the patch.",
-                               result.scenario.id, Counted(*expect.contacts, "contact"),
-                               least));
+                               result.scenario.id, Counted(expected, "contact"), least));
 }
 
 bool Indicts(const Finding& finding) {

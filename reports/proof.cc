@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -197,9 +198,10 @@ std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
 }
 
 std::string ProveCount(const Dispute& dispute, const ContactPatch& patch) {
-  return fmt::format("{} gives {}; {} would span the patch.", dispute.oracle,
-                     Counted(dispute.answer.points.size(), "contact"),
-                     Counted(patch.least_contacts, "different one"));
+  return fmt::format(
+      "{} gives {}; {} would span the patch.", dispute.oracle,
+      Counted(dispute.answer.points.size(), "contact"),
+      Counted(static_cast<std::uint64_t>(patch.least_contacts), "different one"));
 }
 
 std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact) {
