@@ -234,8 +234,9 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
   const double least_inertia = InertiaOf(body).minCoeff();
   const double lever = body.mass * fall.r_W.norm() / least_inertia;  // [1/m]
   const std::string because =
-      "1.5 × what an impact up to a step early or late, inside the box, changes, and "
-      "gravity in a step; 1e-5 of the velocity for the solver, and 64 roundings a step";
+      "1.5 × what an impact up to a step early or late, inside the box, changes, gravity "
+      "and turning in a step; 1e-5 of the velocity for the solver, and 64 roundings a "
+      "step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   Worst position(MeasureKind::kPositionError, because);
@@ -281,9 +282,12 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
     // Before the impact the inverse of the inertia is that of the start; the spin of the
     // truth is that at the impact.
     const Eigen::Vector3d L_W = fall.start.inverse_inertia_W.inverse() * truth.w_WB;
-    const Eigen::Vector3d w_W = InertiaInWorld(body, is.q_WB).inverse() * L_W;
+    const Eigen::Matrix3d inverse_inertia_W = InertiaInWorld(body, is.q_WB).inverse();
+    const Eigen::Vector3d w_W = inverse_inertia_W * L_W;
+    // Semi-implicit Euler turns the box by the spin that it had before it was turned.
+    const double behind = h * (inverse_inertia_W * L_W.cross(w_W)).norm();
     spin.Take((is.w_WB - w_W).norm(),
-              kSafety * (dw + gravity * lever + h * lost[s] / least_inertia) +
+              kSafety * (dw + gravity * lever + h * lost[s] / least_inertia + behind) +
                   share * (speed * lever + w_W.norm()),
               [&] {
                 return fmt::format(

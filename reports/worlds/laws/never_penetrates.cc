@@ -40,10 +40,12 @@ double SurfaceSpeed(const RigidBody& body, const BodyState& at) {
   return at.w_WB.norm() * BoundingRadius(body.placed.shape);
 }
 
+/** How fast two bodies may come to approach each other before the next sample: a blow may
+ stop either of two that fly together. [m/s] */
 double ApproachSpeed(const World& world, const WorldState& state, int A, int B) {
   const auto a = static_cast<std::size_t>(A);
   const auto b = static_cast<std::size_t>(B);
-  return (state.bodies[a].v_WB - state.bodies[b].v_WB).norm() +
+  return state.bodies[a].v_WB.norm() + state.bodies[b].v_WB.norm() +
          SurfaceSpeed(world.bodies[a], state.bodies[a]) +
          SurfaceSpeed(world.bodies[b], state.bodies[b]);
 }
@@ -58,7 +60,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       NumberOr(claim, "parted_by", std::numeric_limits<double>::infinity());
   const double g = world.gravity_W.norm();
   Worst worst(MeasureKind::kPenetration,
-              fmt::format("1.5 × (V h + g h²), V the largest speed of approach so far{}",
+              fmt::format("1.5 × (V h + g h²), V the largest sum of both speeds so far{}",
                           slack > 0 ? ", and the slack that the claim grants" : ""));
   const WorldState start = StateAtStart(world);
   const auto hold = [&](int A, int B) {
@@ -78,8 +80,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                      slack + RoundingOf(motion.oracle, StepsBefore(motion, s)) * reach,
                  [&] {
                    return fmt::format(
-                       "{} has {} {:.6g} m deep in {} after {:.6g} s; they approached at "
-                       "{:.6g} m/s at most",
+                       "{} has {} {:.6g} m deep in {} after {:.6g} s; the sum of their "
+                       "speeds was {:.6g} m/s at most",
                        motion.oracle.name, world.bodies[static_cast<std::size_t>(A)].name,
                        depth, world.bodies[static_cast<std::size_t>(B)].name,
                        trajectory.times[s], V);

@@ -70,7 +70,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         P_W += push->J_W;
         L_W += (before.q_WB * push->p_BoP).cross(push->J_W);
         size += push->J_W.norm();
-        L_size += push->p_BoP.norm() * push->J_W.norm();
+        // An engine that is given a place in the world takes the centre's from it.
+        L_size += (push->p_BoP.norm() + before.p_WB.norm()) * push->J_W.norm();
         turned += before.w_WB.norm() * std::max(0.0, push->time - from) *
                   push->p_BoP.norm() * push->J_W.norm();
       }
