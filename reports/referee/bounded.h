@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,22 +16,30 @@ namespace touchstone::referee {
  rounding its own result can do, u |result|. The bound is itself computed in double with a
  handful of roundings to nearest, each at most 2^-53 of a sum of positive terms:
  `kInflation` covers them. Products that underflow lose at most 2^-1075 each: `kUnderflow`
- covers those. */
+ covers those. Where doubles overflow nothing is known: the error is infinite, never a
+ NaN, which comparisons would drop. */
 template <typename Real>
 class Bounded {
  public:
   Bounded() : value_(0) {}
   /** Holds `exact` without error. */
-  explicit Bounded(const Real& exact) : value_(exact) {}
+  explicit Bounded(const Real& exact) : Bounded(exact, 0) {}
   explicit Bounded(double exact) requires(!std::is_same_v<Real, double>)
-      : value_(exact) {}
-  Bounded(const Real& value, double error) : value_(value), error_(error) {}
+      : Bounded(Real(exact), 0) {}
+  /** Knows nothing where either is a NaN. */
+  Bounded(const Real& value, double error)
+      : value_(value),
+        // Written so that a NaN is unbounded.
+        error_(value == value && error >= 0 ? error
+                                            : std::numeric_limits<double>::infinity()) {}
 
   const Real& value() const { return value_; }
   double error() const { return error_; }
 
   /** Returns the tightest doubles that certainly hold the true value. */
   Enclosure enclosure() const {
+    // Infinity less infinity, and a NaN less anything, is a NaN.
+    if (error_ == std::numeric_limits<double>::infinity()) return {-error_, error_};
     return {Below(value_, error_), -Below(Real(-value_), error_)};
   }
 
@@ -65,13 +74,13 @@ class Bounded {
    both roots lie in [0, √(a + e)]. @pre The true value is >= 0. */
   friend Bounded Sqrt(const Bounded& a) {
     using std::sqrt;
-    if (Below(a.value_, a.error_) <= 0) {
-      const double most = -Below(Real(-a.value_), a.error_);
-      return Bounded(Real(0), std::sqrt(std::fmax(most, 0)) * kInflation);
+    if (!(Below(a.value_, a.error_) > 0)) {
+      const double most = a.enclosure().hi;
+      return Bounded(Real(0), std::sqrt(std::max(most, 0.0)) * kInflation);
     }
     Real root = sqrt(a.value_);
-    const double least_root = std::fmax(Below(root, kRoundoff<Real> * Magnitude(root)),
-                                        std::numeric_limits<double>::min());
+    const double least_root = std::max(Below(root, kRoundoff<Real> * Magnitude(root)),
+                                       std::numeric_limits<double>::min());
     return Rounded(root, a.error_ / least_root);
   }
 
@@ -79,11 +88,11 @@ class Bounded {
   /** max and min are 1-Lipschitz in the larger of the two errors. */
   friend Bounded Max(const Bounded& a, const Bounded& b) {
     return Bounded(a.value_ < b.value_ ? b.value_ : a.value_,
-                   std::fmax(a.error_, b.error_));
+                   std::max(a.error_, b.error_));
   }
   friend Bounded Min(const Bounded& a, const Bounded& b) {
     return Bounded(a.value_ < b.value_ ? a.value_ : b.value_,
-                   std::fmax(a.error_, b.error_));
+                   std::max(a.error_, b.error_));
   }
 
  private:

@@ -20,13 +20,17 @@ template <>
 inline constexpr double kRoundoff<Precise> = 0x1p-256;
 static_assert(std::numeric_limits<Precise>::digits >= 256);
 
-/** Returns a double no smaller than |x|, and less than twice as large. */
+/** Returns a double no smaller than |x|, and at most twice as large; infinity for
+ what is not finite. */
 inline double Magnitude(double x) {
   return std::abs(x);
 }
 inline double Magnitude(const Precise& x) {
   const auto& data = x.backend().data();
-  return mpfr_zero_p(data) ? 0 : std::ldexp(1.0, static_cast<int>(mpfr_get_exp(data)));
+  if (mpfr_regular_p(data)) {
+    return std::ldexp(1.0, static_cast<int>(mpfr_get_exp(data)));
+  }
+  return mpfr_zero_p(data) ? 0 : std::numeric_limits<double>::infinity();
 }
 
 /** Returns the double nearest to `x`. */

@@ -3,6 +3,7 @@
 #include "reports/referee/bounded.h"
 
 #include <cmath>
+#include <limits>
 
 #include <boost/multiprecision/gmp.hpp>
 #include <gtest/gtest.h>
@@ -61,6 +62,39 @@ TEST(Bounded, KnowsNothingOfAQuotientByWhatMayBeZero) {
   const Bounded<double> quotient = Bounded<double>(1.0) / Bounded<double>(1e-17, 2e-17);
   EXPECT_EQ(quotient.enclosure().lo, -INFINITY);
   EXPECT_EQ(quotient.enclosure().hi, INFINITY);
+}
+
+template <typename Number>
+void ExpectUnknown(const Number& number) {
+  EXPECT_EQ(number.enclosure().lo, -INFINITY);
+  EXPECT_EQ(number.enclosure().hi, INFINITY);
+}
+
+template <typename Number>
+void ExpectOverflowToBeUnknown() {
+  const Number infinite(std::numeric_limits<double>::infinity());
+  const Number nothing = infinite - infinite;
+  const Number one(1.0);
+  ExpectUnknown(nothing);
+  ExpectUnknown(Number(NAN));
+  ExpectUnknown(Number(0.0) * infinite);
+  ExpectUnknown(one + nothing);
+  ExpectUnknown(one / nothing);
+  ExpectUnknown(-Abs(nothing));
+  // In either order: a comparison with a NaN must not choose the other.
+  ExpectUnknown(Max(one, nothing));
+  ExpectUnknown(Max(nothing, one));
+  ExpectUnknown(Min(one, nothing));
+  ExpectUnknown(Min(nothing, one));
+  EXPECT_EQ(Sqrt(nothing).enclosure().hi, INFINITY);
+}
+
+TEST(Bounded, KnowsNothingOfWhatOverflowed) {
+  ExpectOverflowToBeUnknown<Bounded<double>>();
+  ExpectOverflowToBeUnknown<Bounded<Precise>>();
+  const Bounded<double> large(1e200, 1e190);
+  ExpectUnknown(large * large - large * large);
+  ExpectUnknown(Max(Bounded<double>(1.0), large * large));
 }
 
 TEST(Bounded, EnclosesAThirdBetweenNeighbouringDoublesInHighPrecision) {
