@@ -125,7 +125,8 @@ std::optional<DepthProof> CoaxialDepth(const MinkowskiDifference& M) {
   const Number moved(Precise(0), (moved_A + moved_B) * (1 + 0x1p-40));
   depth = {(Number(depth.lo) + moved).enclosure().lo,
            (Number(depth.hi) + moved).enclosure().hi};
-  if (!(depth.lo > 0)) return {};
+  // There is no shallowest where every overlap overflows.
+  if (shallowest == nullptr || !(depth.lo > 0)) return {};
 
   const auto rounded = [](const Vector<Number>& a) {
     return Eigen::Vector3d(Nearest(a.x.value()), Nearest(a.y.value()),

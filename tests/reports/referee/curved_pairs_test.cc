@@ -85,6 +85,15 @@ TEST(CurvedPairs, ParallelCylindersSideBySideAreDeepAlongTheLineOfCentres) {
       std::hypot(0.3, 0.36) - 0.5);
 }
 
+// Each holds a ball of its radius, and lies in one √2 times as large.
+TEST(CurvedPairs, CylindersWhoseOverlapsOverflowAreDeepByAnUnknownAmount) {
+  const Cylinder huge{1e160, 1e160};
+  const ContactTruth truth =
+      JudgeContact({Place(huge, {0, 0, 0}), Place(huge, {0, 0, 0}, Turn(1, {1, 2, 3}))});
+  EXPECT_LE(truth.separation.lo, -2e160);
+  EXPECT_GE(truth.separation.hi, -2e160 * std::sqrt(2));
+}
+
 // The rim of a tilted cylinder is r sin + h cos below its centre.
 TEST(CurvedPairs, TiltedCylinderOnABoxIsDeepByItsRim) {
   const double tilt = 0.3;
