@@ -161,10 +161,14 @@ class Judgement {
     if (!separation_) return;
     Add(MeasureKind::kSeparationError, SeparationError(truth_, *separation_),
         tolerances_.separation, [&] { return ProveSeparation(dispute_, *separation_); });
-    if (!n_W_) return;
-    Add(MeasureKind::kConsistencyError, ConsistencyError(query_, *n_W_, *separation_),
-        tolerances_.apart,
-        [&] { return ProveInconsistency(dispute_, *n_W_, *separation_); });
+    if (!n_W_) return;  // Nor contacts, which would have one.
+    const double along = ConsistencyError(query_, *n_W_, *separation_);
+    const double unmet = ManifoldInconsistency(answer_.points, *separation_);
+    Add(MeasureKind::kConsistencyError, std::max(along, unmet), tolerances_.apart, [&] {
+      return along >= unmet ? ProveInconsistency(dispute_, *n_W_, *separation_)
+                            : ProveManifoldInconsistency(dispute_, *separation_,
+                                                         *DeepestOf(answer_));
+    });
   }
 
   /** Apart, a normal is a direction that separates; only an oracle that gives distances

@@ -144,6 +144,16 @@ std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_
                      overlap > -separation ? "more" : "less");
 }
 
+std::string ProveManifoldInconsistency(const Dispute& dispute, double separation,
+                                       const ContactPoint& deepest) {
+  const auto [said, found, difference] =
+      TellApart(separation, deepest.separation, kDigits);
+  return fmt::format(
+      "{} says a separation of {} m; that of its deepest contact, at {}, is {} m: a "
+      "difference of {} m.",
+      dispute.oracle, said, InWords(deepest.p_WC), found, difference);
+}
+
 std::string ProveExcess(const Dispute& dispute, const Eigen::Vector3d& n_W) {
   const ContactTruth& truth = dispute.truth;
   const double overlap = OverlapAlong(dispute.query, n_W).lo;

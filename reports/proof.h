@@ -25,6 +25,8 @@ std::string ProveTouching(const Dispute& dispute);
 std::string ProveSeparation(const Dispute& dispute, double separation);
 std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_W,
                                double separation);
+std::string ProveManifoldInconsistency(const Dispute& dispute, double separation,
+                                       const ContactPoint& deepest);
 std::string ProveExcess(const Dispute& dispute, const Eigen::Vector3d& n_W);
 std::string ProveDualityGap(const Dispute& dispute);
 std::string ProveSurfaceError(const Dispute& dispute, const Eigen::Vector3d& p_WCa,

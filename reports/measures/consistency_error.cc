@@ -1,5 +1,8 @@
 #include "reports/measures/consistency_error.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"
 
@@ -8,6 +11,14 @@ namespace touchstone {
 double ConsistencyError(const ContactQuery& query, const Eigen::Vector3d& n_W,
                         double separation) {
   return Outside(-separation, OverlapAlong(query, n_W));
+}
+
+double ManifoldInconsistency(std::span<const ContactPoint> contacts, double separation) {
+  if (contacts.empty()) return 0;
+  double deepest = contacts.front().separation;
+  for (const ContactPoint& contact : contacts)
+    deepest = std::min(deepest, contact.separation);
+  return std::abs(deepest - separation);
 }
 
 }  // namespace touchstone

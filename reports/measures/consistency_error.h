@@ -1,7 +1,10 @@
 #pragma once
 
+#include <span>
+
 #include <Eigen/Core>
 
+#include "oracles/contact_answer.h"
 #include "scenarios/contact_query.h"
 
 namespace touchstone {
@@ -16,5 +19,13 @@ namespace touchstone {
  @pre `n_W` is finite and not zero. */
 double ConsistencyError(const ContactQuery& query, const Eigen::Vector3d& n_W,
                         double separation);
+
+/** Returns |separation − s| for the separation s of the deepest contact, 0 without one:
+ does an answer's own depth agree with its manifold. [m]
+
+ Contacts shallower than the depth are legal, but a solver that is handed them alone does
+ not learn of the depth. Source: by definition of the separation, which is the least over
+ the patch. */
+double ManifoldInconsistency(std::span<const ContactPoint> contacts, double separation);
 
 }  // namespace touchstone

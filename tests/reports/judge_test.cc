@@ -227,6 +227,32 @@ TEST(Judge, FindsAContactTooDeepAndAllowsAShallowOne) {
               testing::Not(testing::Contains(MeasureKind::kContactTooDeep)));
 }
 
+TEST(Judge, FindsAManifoldThatIsNowhereAsDeepAsTheAnswerSays) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  const Eigen::Vector3d n = *s.right.n_AB_W;
+  // On the rim of the overlap: each is on the top of A and on a side of B.
+  for (ContactPoint& contact : s.right.points) {
+    contact.p_WC += n * (kDepth / 2);
+    contact.separation = 0;
+  }
+  const std::vector<Finding> findings = Judged(s.query, s.right);
+  EXPECT_THAT(Failed(findings), testing::ElementsAre(MeasureKind::kConsistencyError));
+  const Finding finding = Of(MeasureKind::kConsistencyError, findings);
+  EXPECT_NEAR(finding.value, kDepth, 1e-12);
+  EXPECT_THAT(finding.proof,
+              AllOf(StartsWith("mine says a separation of -0.002 m; that of its deepest "
+                               "contact, at ("),
+                    HasSubstr("), is 0 m: a difference of 0.002 m.")));
+}
+
+TEST(Judge, AllowsContactsShallowerThanTheDeepest) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right.points[0].p_WC += *s.right.n_AB_W * (kDepth / 2);
+  s.right.points[0].separation = 0;
+  EXPECT_THAT(Failed(Judged(s.query, s.right)),
+              testing::Not(testing::Contains(MeasureKind::kConsistencyError)));
+}
+
 TEST(Judge, FindsMixedNormals) {
   Specimen s = BoxOnBoxFace(kDepth);
   s.right.points[2].n_AB_W =
