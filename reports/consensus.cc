@@ -100,7 +100,8 @@ void SettleByConsensus(const ScenarioResult& result, std::span<const OracleInfo>
       Settle(finding, *voter, voters, SameTouching, truth);
     }
     if (finding.measure == MeasureKind::kSeparationError &&
-        finding.verdict == Verdict::kPass && truth.hi - truth.lo > voter->tolerance) {
+        finding.verdict == Verdict::kUndecidable &&
+        truth.hi - truth.lo > voter->tolerance) {
       std::vector<Voter> measured;
       std::copy_if(voters.begin(), voters.end(), std::back_inserter(measured),
                    [](const Voter& v) { return v.separation.has_value(); });

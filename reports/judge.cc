@@ -93,6 +93,19 @@ class Judgement {
     return finding;
   }
 
+  /** Withdraws a pass that a truth wider than the tolerance does not prove.
+   @param most The error, should the truth be at the end of its enclosure that is least
+   in the answer's favour. [m] */
+  void RequireProof(Finding& finding, double most) const {
+    const double width = truth_.separation.hi - truth_.separation.lo;
+    if (finding.verdict != Verdict::kPass || !(width > finding.tolerance)) return;
+    if (most <= finding.tolerance) return;
+    finding.verdict = Verdict::kUndecidable;
+    finding.tolerance_because = fmt::format(
+        "the truth is only known to within {:.2g} m, more than what is allowed: {}",
+        width, finding.tolerance_because);
+  }
+
   void Unanswered(Verdict verdict, const std::string& why) {
     Finding& finding = Add(MeasureKind::kAnswering, 1, {0, "an answer is an answer"},
                            [&] { return fmt::format("{}: {}.", oracle_.name, why); });
@@ -159,8 +172,11 @@ class Judgement {
 
   void JudgeSeparation() {
     if (!separation_) return;
-    Add(MeasureKind::kSeparationError, SeparationError(truth_, *separation_),
-        tolerances_.separation, [&] { return ProveSeparation(dispute_, *separation_); });
+    Finding& finding = Add(MeasureKind::kSeparationError,
+                           SeparationError(truth_, *separation_), tolerances_.separation,
+                           [&] { return ProveSeparation(dispute_, *separation_); });
+    RequireProof(finding, std::max(*separation_ - truth_.separation.lo,
+                                   truth_.separation.hi - *separation_));
     if (!n_W_) return;  // Nor contacts, which would have one.
     const double along = ConsistencyError(query_, *n_W_, *separation_);
     const double unmet = ManifoldInconsistency(answer_.points, *separation_);
@@ -175,9 +191,10 @@ class Judgement {
    says that it is the direction of the least. */
   void JudgeNormal() {
     if (!n_W_ || (IsApart() && !answer_.touching && !capability_.distance)) return;
-    const Finding& finding =
+    Finding& finding =
         Add(MeasureKind::kExcess, Excess(query_, truth_, *n_W_), tolerances_.excess,
             [&] { return ProveExcess(dispute_, *n_W_); });
+    RequireProof(finding, OverlapAlong(query_, *n_W_).hi + truth_.separation.hi);
     normal_is_right_ = finding.verdict == Verdict::kPass;
   }
 
@@ -225,8 +242,10 @@ class Judgement {
       // Where all of the patch overlaps by more than rounding, none of it may be missed.
       if (capability_.manifold && truth_.separation.hi < -2 * e) JudgeCoverage();
     }
-    Add(MeasureKind::kContactTooDeep, ContactTooDeep(truth_, *deepest),
-        tolerances_.separation, [&] { return ProveTooDeep(dispute_, *deepest); });
+    Finding& finding =
+        Add(MeasureKind::kContactTooDeep, ContactTooDeep(truth_, *deepest),
+            tolerances_.separation, [&] { return ProveTooDeep(dispute_, *deepest); });
+    RequireProof(finding, truth_.separation.hi - deepest->separation);
   }
 
   /** The separation along the normal of the answer, midway through its enclosure. */

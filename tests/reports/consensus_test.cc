@@ -40,8 +40,7 @@ std::vector<Verdict> Settled(const std::vector<Says>& voters, MeasureKind measur
     finding.oracle = info.name;
     finding.reference = "referee";
     finding.measure = measure;
-    finding.verdict =
-        measure == MeasureKind::kTouching ? Verdict::kUndecidable : Verdict::kPass;
+    finding.verdict = Verdict::kUndecidable;
     findings.push_back(finding);
   }
   SettleByConsensus(result, oracles, findings);
@@ -53,7 +52,6 @@ std::vector<Verdict> Settled(const std::vector<Says>& voters, MeasureKind measur
   return verdicts;
 }
 
-constexpr Verdict kPass = Verdict::kPass;
 constexpr Verdict kDisagree = Verdict::kDisagree;
 constexpr Verdict kUndecidable = Verdict::kUndecidable;
 
@@ -62,7 +60,7 @@ TEST(Consensus, CountsFamiliesAndNotLibraries) {
   EXPECT_THAT(
       Settled({{"sat", -0.2}, {"sat", -0.2}, {"sat", -0.2}, {"gjk", -0.1}, {"mpr", -0.1}},
               MeasureKind::kSeparationError),
-      testing::ElementsAre(kDisagree, kDisagree, kDisagree, kPass, kPass));
+      testing::ElementsAre(kDisagree, kDisagree, kDisagree, kUndecidable, kUndecidable));
 }
 
 TEST(Consensus, MakesBothOfTwoThatDifferDisagree) {
@@ -72,7 +70,7 @@ TEST(Consensus, MakesBothOfTwoThatDifferDisagree) {
 
 TEST(Consensus, LeavesALoneVoiceAlone) {
   EXPECT_THAT(Settled({{"sat", -0.2}, {"sat", -0.1}}, MeasureKind::kSeparationError),
-              testing::ElementsAre(kPass, kPass));
+              testing::ElementsAre(kUndecidable, kUndecidable));
 }
 
 TEST(Consensus, SettlesTouchingWhereTheTruthReachesAcrossZero) {

@@ -369,6 +369,39 @@ TEST(Judge, LeavesAFloatEngineItsOwnRounding) {
   EXPECT_EQ(Of(MeasureKind::kTouching, Judged(s.query, s.right)).verdict, Verdict::kFail);
 }
 
+TEST(Judge, VerifiesNothingByATruthWiderThanTheTolerance) {
+  const Specimen s = SphereInBoxFace(kDepth);
+  Scenario scenario;
+  scenario.id = "contact/specimen";
+  scenario.contact = s.query;
+  const FakeOracle oracle("mine");
+  const auto judged = [&](double narrower, double wider, double separation) {
+    ContactTruth truth = JudgeContact(s.query);
+    truth.separation = {-kDepth - wider, -kDepth + narrower};
+    ContactAnswer answer = s.right;
+    answer.separation = separation;
+    answer.points[0].separation = separation;
+    return JudgeAnswer(scenario, truth, oracle.info(), answer);
+  };
+  const auto verdict = [&](MeasureKind measure, const std::vector<Finding>& findings) {
+    return Of(measure, findings).verdict;
+  };
+  const double e = Of(MeasureKind::kSeparationError, Judged(s.query, s.right)).tolerance;
+  std::vector<Finding> findings = judged(kDepth / 2, kDepth, -1.5 * kDepth);
+  EXPECT_EQ(verdict(MeasureKind::kSeparationError, findings), Verdict::kUndecidable);
+  EXPECT_EQ(verdict(MeasureKind::kExcess, findings), Verdict::kUndecidable);
+  EXPECT_EQ(verdict(MeasureKind::kContactTooDeep, findings), Verdict::kUndecidable);
+  EXPECT_THAT(Of(MeasureKind::kSeparationError, findings).tolerance_because,
+              StartsWith("the truth is only known to within 0.003 m, more than what is "
+                         "allowed: 64 roundings"));
+  // Outside, wrong; near all of it, right.
+  findings = judged(kDepth / 2, kDepth, -3 * kDepth);
+  EXPECT_EQ(verdict(MeasureKind::kSeparationError, findings), Verdict::kFail);
+  findings = judged(0.8 * e, 0.8 * e, -kDepth);
+  EXPECT_EQ(verdict(MeasureKind::kSeparationError, findings), Verdict::kPass);
+  EXPECT_EQ(verdict(MeasureKind::kContactTooDeep, findings), Verdict::kPass);
+}
+
 TEST(Judge, GrantsADocumentedErrorAndQuotesIt) {
   Specimen s = SphereInBoxFace(kDepth);
   s.right.separation = -kDepth - 0.5e-6;
