@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/judge.h"
+#include "reports/measures/stated.h"
 #include "reports/tolerance.h"
 
 namespace touchstone {

@@ -10,7 +10,7 @@
 #include "reports/causes/margin.h"
 #include "reports/causes/precision.h"
 #include "reports/causes/tie.h"
-#include "reports/judge.h"
+#include "reports/measures/stated.h"
 #include "reports/tolerance.h"
 
 namespace touchstone {

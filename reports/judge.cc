@@ -19,6 +19,7 @@
 #include "reports/measures/overlap_along.h"
 #include "reports/measures/patch_coverage.h"
 #include "reports/measures/separation_error.h"
+#include "reports/measures/stated.h"
 #include "reports/measures/touching.h"
 #include "reports/proof.h"
 #include "reports/referee/referee.h"
@@ -26,14 +27,6 @@
 
 namespace touchstone {
 namespace {
-
-const ContactPoint* DeepestOf(const ContactAnswer& answer) {
-  const auto deepest = std::min_element(answer.points.begin(), answer.points.end(),
-                                        [](const ContactPoint& a, const ContactPoint& b) {
-                                          return a.separation < b.separation;
-                                        });
-  return deepest == answer.points.end() ? nullptr : &*deepest;
-}
 
 /** The judgement of one answer: each method adds the findings of one measure. */
 class Judgement {
@@ -337,19 +330,6 @@ class Judgement {
 };
 
 }  // namespace
-
-std::optional<Eigen::Vector3d> NormalOf(const ContactAnswer& answer) {
-  if (answer.n_AB_W) return answer.n_AB_W->normalized();
-  const ContactPoint* deepest = DeepestOf(answer);
-  if (deepest != nullptr && deepest->n_AB_W) return deepest->n_AB_W->normalized();
-  return std::nullopt;
-}
-
-std::optional<double> SeparationOf(const ContactAnswer& answer) {
-  if (answer.separation) return answer.separation;
-  const ContactPoint* deepest = DeepestOf(answer);
-  return deepest != nullptr ? std::optional(deepest->separation) : std::nullopt;
-}
 
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
                                  const OracleInfo& oracle, const ContactAnswer& answer) {

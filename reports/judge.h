@@ -20,12 +20,4 @@ namespace touchstone {
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
                                  const OracleInfo& oracle, const ContactAnswer& answer);
 
-/** Returns the normal that an answer states, as a unit vector: its own, else that of its
- deepest contact. */
-std::optional<Eigen::Vector3d> NormalOf(const ContactAnswer& answer);
-
-/** Returns the separation that an answer states: its own, else that of its deepest
- * contact. [m] */
-std::optional<double> SeparationOf(const ContactAnswer& answer);
-
 }  // namespace touchstone

@@ -227,9 +227,10 @@ class Suite {
     ParallelFor(asked.size(), options_.jobs, [&](std::size_t s) {
       const ScenarioResult& result = report_.scenarios[s];
       for (const auto& [i, v, place] : asked[s]) {
-        findings_[s].push_back(JudgeVariant(result.scenario, result.truth,
-                                            report_.oracles[i], result.answers[i],
-                                            variants[s][v], round.answers[i][place]));
+        auto finding =
+            JudgeVariant(result.scenario, result.truth, report_.oracles[i],
+                         result.answers[i], variants[s][v], round.answers[i][place]);
+        if (finding) findings_[s].push_back(std::move(*finding));
       }
     });
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include <Eigen/Geometry>
@@ -11,6 +12,8 @@
 
 #include "reports/measures/answer_change.h"
 #include "reports/measures/invalidity.h"
+#include "reports/measures/outside.h"
+#include "reports/measures/stated.h"
 #include "reports/proof.h"
 #include "reports/tolerance.h"
 #include "scenarios/cube_rotations.h"
@@ -69,9 +72,25 @@ ContactAnswer BroughtBack(const Variant& variant, const ContactAnswer& answer) {
 /** "touching, -0.0134 m along (0, 0.6, 0.8)", as far as the answer says. */
 std::string Said(const ContactAnswer& answer) {
   std::string words = answer.touching ? "touching" : "apart";
-  if (answer.separation) words += fmt::format(", {:.9g} m", *answer.separation);
-  if (answer.n_AB_W) words += " along " + InWords(*answer.n_AB_W);
+  if (const auto separation = SeparationOf(answer)) {
+    words += fmt::format(", {:.9g} m", *separation);
+  }
+  if (const auto n_W = NormalOf(answer)) words += " along " + InWords(*n_W);
   return words;
+}
+
+/** What `answer` states and `back` does not, "" where nothing is missing.
+ @param promised Whether the oracle gives distances of pairs apart. */
+std::string_view MissingOf(const ContactAnswer& answer, const ContactAnswer& back,
+                           bool promised) {
+  if (answer.touching != back.touching || !(answer.touching || promised)) return "";
+  if (SeparationOf(answer) && !SeparationOf(back)) return "separation";
+  return NormalOf(answer) && !NormalOf(back) ? "normal" : "";
+}
+
+void ForgetNormals(ContactAnswer& answer) {
+  answer.n_AB_W.reset();
+  for (ContactPoint& contact : answer.points) contact.n_AB_W.reset();
 }
 
 /** What an answer and that to a variant, brought back, may differ by. */
@@ -129,9 +148,10 @@ std::vector<Variant> VariantsOf(const Scenario& scenario) {
   return variants;
 }
 
-Finding JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
-                     const OracleInfo& oracle, const ContactAnswer& answer,
-                     const Variant& variant, const ContactAnswer& variant_answer) {
+std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
+                                    const OracleInfo& oracle, const ContactAnswer& answer,
+                                    const Variant& variant,
+                                    const ContactAnswer& variant_answer) {
   const Granted granted = GrantedBetween(scenario, truth, oracle, variant);
   Finding finding;
   finding.scenario = scenario.id;
@@ -160,13 +180,22 @@ Finding JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
   }
   const ContactQuery& query = scenario.contact;
   ContactAnswer back = BroughtBack(variant, variant_answer);
+  const bool near =
+      Outside(0, truth.separation) <= granted.separation.value + variant.play;
   // Apart, only an oracle that gives distances says which of all separating directions it
   // gives.
   const Capability& capability = oracle.For(KindOf(query.A.shape), KindOf(query.B.shape));
+  // Who takes the normal from a pair of witness points has none where these coincide.
+  const std::string_view missing =
+      near ? "" : MissingOf(answer, back, capability.distance);
+  if (!missing.empty()) {
+    return failed(Verdict::kInvalid, fmt::format("it gives no {}", missing));
+  }
   if (truth.separation.lo > 0 && !answer.touching && !capability.distance) {
-    back.n_AB_W.reset();
+    ForgetNormals(back);
   }
   const AnswerDifference change = AnswerChange(query, truth, answer, back);
+  if (near && !change.compared) return std::nullopt;
   const double separation = std::max(0.0, change.separation - variant.play);
   const double overlap = std::max(0.0, change.overlap - variant.play);
   // Of the two, what is further beyond its tolerance.
@@ -178,16 +207,15 @@ Finding JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
   }
   // Written so that a NaN fails.
   finding.verdict = finding.value <= finding.tolerance ? Verdict::kPass : Verdict::kFail;
+  if (!std::isfinite(finding.tolerance)) finding.verdict = Verdict::kUndecidable;
   if (finding.verdict == Verdict::kFail) {
     finding.proof = fmt::format(
         "{} says {}; of its variant ({}), brought back, it says {}: a difference of "
         "{:.9g} m.",
         oracle.name, Said(answer), NameOf(variant.measure), Said(back),
         finding.value + variant.play);
-    if (variant.measure == MeasureKind::kSwap && back.n_AB_W) {
-      ContactAnswer unturned = back;
-      *unturned.n_AB_W *= -1;
-      const AnswerDifference left = AnswerChange(query, truth, answer, unturned);
+    if (variant.measure == MeasureKind::kSwap && NormalOf(back)) {
+      const AnswerDifference left = AnswerChange(query, truth, answer, variant_answer);
       if (left.separation <= granted.separation.value &&
           left.overlap <= granted.overlap.value) {
         finding.cause = Cause::kConvention;

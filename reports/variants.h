@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -26,10 +27,13 @@ struct Variant {
  */
 std::vector<Variant> VariantsOf(const Scenario& scenario);
 
-/** Judges the answer to a variant against the answer to the question itself.
+/** Judges the answer to a variant against the answer to the question itself. Empty where
+ there is nothing to compare: answers that say only whether the bodies touch, which may go
+ either way so near to touching.
  @pre `answer` is valid, see reports/measures/invalidity.h. */
-Finding JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
-                     const OracleInfo& oracle, const ContactAnswer& answer,
-                     const Variant& variant, const ContactAnswer& variant_answer);
+std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
+                                    const OracleInfo& oracle, const ContactAnswer& answer,
+                                    const Variant& variant,
+                                    const ContactAnswer& variant_answer);
 
 }  // namespace touchstone

@@ -7,6 +7,7 @@
 #include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/separation_error.h"
+#include "reports/measures/stated.h"
 #include "reports/tolerance.h"
 
 namespace touchstone {

@@ -5,6 +5,7 @@
 
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"
+#include "reports/measures/stated.h"
 
 namespace touchstone {
 namespace {
@@ -33,13 +34,18 @@ AnswerDifference AnswerChange(const ContactQuery& query, const ContactTruth& tru
   if (answer.touching != brought_back.touching) {
     change.separation = Outside(0, truth.separation);
   }
-  if (answer.separation && brought_back.separation) {
-    change.separation = std::max(change.separation,
-                                 std::abs(*answer.separation - *brought_back.separation));
+  const auto separation = SeparationOf(answer);
+  const auto separation_back = SeparationOf(brought_back);
+  if (separation && separation_back) {
+    change.separation =
+        std::max(change.separation, std::abs(*separation - *separation_back));
+    change.compared = true;
   }
-  if (answer.n_AB_W && brought_back.n_AB_W) {
-    change.overlap = Apart(OverlapAlong(query, *answer.n_AB_W),
-                           OverlapAlong(query, *brought_back.n_AB_W));
+  const auto n_W = NormalOf(answer);
+  const auto n_W_back = NormalOf(brought_back);
+  if (n_W && n_W_back) {
+    change.overlap = Apart(OverlapAlong(query, *n_W), OverlapAlong(query, *n_W_back));
+    change.compared = true;
   }
   return change;
 }

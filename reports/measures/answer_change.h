@@ -18,12 +18,13 @@ struct AnswerDifference {
   double separation = 0;
   /** |o(n) − o(n')|, which compares normals by what they separate: a tie is no change. */
   double overlap = 0;
+  bool compared = false;  ///< Whether there was a separation or a normal to compare.
 
   double Largest() const { return std::max(separation, overlap); }
 };
 
-/** Returns how much two answers to one question differ. Positions are not compared:
- manifolds may legally differ.
+/** Returns how much two answers to one question differ in what they state
+ (reports/measures/stated.h). Positions are not compared: manifolds may legally differ.
 
  The metamorphic measures: the answer to a changed question, brought back by the functions
  below, against the answer to the question itself. They need no reference.

@@ -34,8 +34,10 @@ std::vector<Finding> Judged(const ContactQuery& query, const Plant& plant) {
   const ContactTruth truth = JudgeContact(query);
   std::vector<Finding> findings;
   for (const Variant& variant : VariantsOf(scenario)) {
-    findings.push_back(JudgeVariant(scenario, truth, oracle.info(), oracle.Answer(query),
-                                    variant, oracle.Answer(variant.query)));
+    const auto finding =
+        JudgeVariant(scenario, truth, oracle.info(), oracle.Answer(query), variant,
+                     oracle.Answer(variant.query));
+    if (finding) findings.push_back(*finding);
   }
   return findings;
 }
@@ -120,10 +122,10 @@ TEST(Variants, SeeAPreferenceForOneAxisOfABox) {
     scenario.id += std::to_string(i);
     const FakeOracle oracle = FakeOracle::Wrong("mine", z_only);
     const Variant relabelled = VariantsOf(scenario)[3];
-    const Finding finding = JudgeVariant(scenario, JudgeContact(scenario.contact),
-                                         oracle.info(), oracle.Answer(scenario.contact),
-                                         relabelled, oracle.Answer(relabelled.query));
-    found += finding.verdict == Verdict::kFail;
+    const auto finding = JudgeVariant(scenario, JudgeContact(scenario.contact),
+                                      oracle.info(), oracle.Answer(scenario.contact),
+                                      relabelled, oracle.Answer(relabelled.query));
+    found += finding->verdict == Verdict::kFail;
   }
   EXPECT_GT(found, 4);
 }
@@ -156,11 +158,55 @@ TEST(Variants, LetASeparatingDirectionBeAnyWhereNoDistanceIsPromised) {
   const Scenario scenario = ScenarioOf(s.query);
   const Variant swapped = VariantsOf(scenario)[0];
   const auto verdict = [&] {
-    return JudgeVariant(scenario, s.truth, oracle.info(), answer, swapped, other).verdict;
+    return JudgeVariant(scenario, s.truth, oracle.info(), answer, swapped, other)
+        ->verdict;
   };
   EXPECT_EQ(verdict(), Verdict::kFail);
   oracle.ForEachPair([](Capability& capability) { capability.distance = false; });
   EXPECT_EQ(verdict(), Verdict::kPass);
+}
+
+TEST(Variants, SeeAnAnswerInContactsOnlyThatDoesNotTurn) {
+  const Plant contacts_of_one_body = [](const ContactQuery& query,
+                                        ContactAnswer& answer) {
+    if (KindOf(query.A.shape) == ShapeKind::kSphere) *answer.n_AB_W *= -1;
+    for (ContactPoint& contact : answer.points) contact.n_AB_W = answer.n_AB_W;
+    answer.n_AB_W.reset();
+    answer.separation.reset();
+  };
+  const std::vector<Finding> findings =
+      Judged(SphereInBoxFace(2e-3).query, contacts_of_one_body);
+  ASSERT_THAT(Failed(findings), ElementsAre(MeasureKind::kSwap));
+  EXPECT_EQ(findings[0].cause, Cause::kConvention);
+  EXPECT_THAT(findings[0].proof, HasSubstr("mine says touching, -0.002 m along ("));
+}
+
+TEST(Variants, CallAnAnswerThatLacksWhatTheFirstGaveInvalid) {
+  const Plant sphere_first_says_only_that = [](const ContactQuery& query,
+                                               ContactAnswer& answer) {
+    if (KindOf(query.A.shape) != ShapeKind::kSphere) return;
+    answer.separation.reset();
+    answer.points.clear();
+  };
+  const std::vector<Finding> findings =
+      Judged(SphereInBoxFace(2e-3).query, sphere_first_says_only_that);
+  ASSERT_THAT(Failed(findings), ElementsAre(MeasureKind::kSwap));
+  EXPECT_EQ(findings[0].verdict, Verdict::kInvalid);
+  EXPECT_EQ(findings[0].proof,
+            "mine answers the question, but not its variant (swap): it gives no "
+            "separation.");
+}
+
+TEST(Variants, VerifyNothingWhereNothingIsCompared) {
+  const Plant says_only_that = [](const ContactQuery&, ContactAnswer& answer) {
+    answer.separation.reset();
+    answer.n_AB_W.reset();
+    answer.witnesses.reset();
+    answer.points.clear();
+  };
+  // Whether they touch is compared, and can be wrong, away from touching only.
+  EXPECT_EQ(Judged(SphereInBoxFace(2e-3).query, says_only_that).size(), 5U);
+  EXPECT_THAT(Judged(SphereInBoxFace(0).query, says_only_that), IsEmpty());
 }
 
 TEST(Variants, ReportAnEngineThatDiesOfOne) {

@@ -44,6 +44,33 @@ TEST(AnswerChange, KeepsNormalsApartFromSeparations) {
   EXPECT_EQ(AnswerChange(s.query, s.truth, s.right, other).separation, 0);
 }
 
+/** The answer without what it says of itself: its contacts say it instead. */
+ContactAnswer InContactsOnly(ContactAnswer answer) {
+  for (ContactPoint& contact : answer.points) contact.n_AB_W = answer.n_AB_W;
+  answer.n_AB_W.reset();
+  answer.separation.reset();
+  return answer;
+}
+
+TEST(AnswerChange, SeesTheChangeOfAnAnswerGivenInContactsOnly) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  s.right = InContactsOnly(s.right);
+  EXPECT_TRUE(AnswerChange(s.query, s.truth, s.right, s.right).compared);
+  ContactAnswer other = s.right;
+  for (ContactPoint& contact : other.points) contact.separation *= 1.5;
+  EXPECT_DOUBLE_EQ(AnswerChange(s.query, s.truth, s.right, other).separation, kDepth / 2);
+  other = s.right;
+  for (ContactPoint& contact : other.points) *contact.n_AB_W *= -1;
+  EXPECT_GT(AnswerChange(s.query, s.truth, s.right, other).overlap, 0.1);
+}
+
+TEST(AnswerChange, SaysWhereThereIsNothingToCompare) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  ContactAnswer bare;
+  bare.touching = true;
+  EXPECT_FALSE(AnswerChange(s.query, s.truth, s.right, bare).compared);
+}
+
 TEST(AnswerChange, ForgivesATieOfNormals) {
   const Pose X_WA = AwkwardPose();
   const Box box{{0.3, 0.3, 0.3}};
