@@ -20,15 +20,24 @@ Eigen::Matrix2d Whitening(std::span<const Eigen::Vector2d> corners) {
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (const Eigen::Vector2d& c : corners) spread += (c - mean) * (c - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
-  // A spread below the rounding of the largest is that of a segment's own rounding; the
-  // sum of squares loses half the digits, hence the square root of the roundoff, 2^-26.
-  const double least = axes.eigenvalues()(1) * 0x1p-26;
+  const Eigen::Matrix2d principal = axes.eigenvectors().transpose();
+  // The axes are known to a rounding, but the smaller of two sums of squares loses half
+  // its digits: the lengths are taken again, along the axes.
+  Eigen::Vector2d squares = Eigen::Vector2d::Zero();
+  double farthest = 0;
+  for (const Eigen::Vector2d& c : corners) {
+    squares += (principal * (c - mean)).cwiseAbs2();
+    farthest = std::max(farthest, c.norm());
+  }
+  // Shorter than the rounding of the corners, a length is that of a segment's own
+  // rounding: a handful of 2^-53 in the corners, their mean and the axes.
+  const double least = farthest * 0x1p-48;
   Eigen::Vector2d scale = Eigen::Vector2d::Zero();
   for (int i = 0; i < 2; ++i) {
-    const double variance = axes.eigenvalues()(i);
-    if (variance > least && variance > 0) scale(i) = 1 / std::sqrt(variance);
+    const double length = std::sqrt(squares(i));
+    if (length > least) scale(i) = 1 / length;
   }
-  return scale.asDiagonal() * axes.eigenvectors().transpose();
+  return scale.asDiagonal() * principal;
 }
 
 std::vector<Eigen::Vector2d> Mapped(const Eigen::Matrix2d& map,

@@ -125,6 +125,34 @@ TEST(PatchCoverage, CountsTheWidthOfASlabLikeItsLength) {
   EXPECT_GT(PatchUnspanned(patch, Eigen::Vector3d::UnitZ(), line), kLegalUnspanned);
 }
 
+TEST(PatchCoverage, CountsTheWidthOfANeedleLikeItsLength) {
+  // Held along one of its long edges only, it can turn about it.
+  const Eigen::Vector3d along = AwkwardPose().R_WB.col(0);
+  const Eigen::Vector3d across = AwkwardPose().R_WB.col(1);
+  const Eigen::Vector3d n = AwkwardPose().R_WB.col(2);
+  for (const double half_width : {1e-4, 1e-6, 1e-12}) {
+    ContactPatch patch;
+    patch.vertices_W = {along + half_width * across, -along + half_width * across,
+                        -along - half_width * across, along - half_width * across};
+    const std::vector<ContactPoint> edge = {{patch.vertices_W[2], -1e-3, {}},
+                                            {patch.vertices_W[3], -1e-3, {}}};
+    EXPECT_GT(PatchUnspanned(patch, n, edge), kLegalUnspanned) << half_width;
+  }
+}
+
+TEST(PatchCoverage, OfASegmentFarAwayTakesItsRoundingForNoWidth) {
+  const Eigen::Vector3d p(731.1, -417.3, 919.7);
+  const Eigen::Vector3d half = 0.1 * AwkwardPose().R_WB.col(0);
+  ContactPatch segment;
+  segment.vertices_W = {p - half, p + half};
+  const Eigen::Vector3d n = AwkwardPose().R_WB.col(2);
+  // The ends, a hundred roundings of the coordinates across.
+  const Eigen::Vector3d off = 1e-11 * AwkwardPose().R_WB.col(1);
+  const std::vector<ContactPoint> ends = {{p - half + off, -1e-3, {}},
+                                          {p + half + off, -1e-3, {}}};
+  EXPECT_LE(PatchUnspanned(segment, n, ends), 1e-10);
+}
+
 TEST(PatchCoverage, OfADiscAllowsAnInscribedTriangle) {
   ContactPatch disc;
   std::vector<ContactPoint> triangle;
