@@ -58,7 +58,7 @@ std::string InMetres(double length) {
 std::string SeparatingPlane(const ContactTruth& truth, std::string_view gap) {
   const Certificate& proof = truth.certificate;
   const double c = proof.n_AB_W.dot(proof.p_WCa + proof.p_WCb) / 2;
-  return fmt::format("the plane n·x = {:.9g} with n = {} separates them by {} m", c,
+  return fmt::format("the plane n·x = {} with n = {} separates them by {} m", c,
                      InWords(proof.n_AB_W), gap);
 }
 
@@ -72,7 +72,7 @@ std::string LeastTranslation(const ContactTruth& truth, std::string_view depth) 
 
 std::string InWords(const Eigen::Vector3d& v) {
   // Adding zero leaves no "-0".
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
+  return fmt::format("({}, {}, {})", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
 }
 
 std::string ProveTouching(const Dispute& dispute) {

@@ -20,7 +20,8 @@ struct Dispute {
 
 /** Each function returns one sentence with numbers that a person can check by hand, given
  that the measure of that name found an error. Lengths in m to nine digits, or to as
- many more as tell two of them apart; directions to six. */
+ many more as tell two of them apart; points, directions and planes to the last: they
+ read back as the doubles that were found. */
 std::string ProveTouching(const Dispute& dispute);
 std::string ProveSeparation(const Dispute& dispute, double separation);
 std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_W,
@@ -39,7 +40,8 @@ std::string ProveCount(const Dispute& dispute, const ContactPatch& patch);
 std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact);
 std::string ProveMixedNormals(const Dispute& dispute, double angle);
 
-/** Returns "(0.123457, -0.6, 0.790569)". */
+/** Returns "(0.125, -0.6, 0.7905694150420949)": the fewest digits that read back as `v`.
+ */
 std::string InWords(const Eigen::Vector3d& v);
 
 }  // namespace touchstone

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "reports/counted.h"
-#include "reports/proof.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/page_assets.h"
@@ -127,6 +126,11 @@ std::string CardLabels(std::string_view css_class, std::span<const Column> colum
 /** Returns a cell with the count, in the colour of its verdict unless there is none. */
 std::string CountCell(int count, std::string_view css_class) {
   return fmt::format("<td class=\"n {}\">{}", count == 0 ? "soft" : css_class, count);
+}
+
+/** A column of a table has no room for all digits. */
+std::string Rounded(const Eigen::Vector3d& v) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
 /** Returns an id that may be broken into lines at its levels and words. */
@@ -367,7 +371,7 @@ class Page {
           answer.separation
               ? fmt::format("{:.2g}", LeastError(*answer.separation, result.truth))
               : "",
-          answer.n_AB_W ? InWords(*answer.n_AB_W) : "", answer.points.size(),
+          answer.n_AB_W ? Rounded(*answer.n_AB_W) : "", answer.points.size(),
           WorstOf(outcome.worst));
     }
     out_ << "</table></div>\n";
