@@ -14,16 +14,37 @@ void CheckFinite(const std::string& where, double value, std::vector<Fault>& fau
   faults.push_back({where, fmt::format("is {}", value), "a finite number"});
 }
 
+bool IsInRange(double length) {
+  return length >= kShortest && length <= kLongest;
+}
+
 void CheckLength(const std::string& where, double value, std::vector<Fault>& faults) {
   // Written so that a NaN is a fault.
-  if (value > 0 && std::isfinite(value)) return;
-  faults.push_back({where, fmt::format("is {}", value), "a finite length > 0"});
+  if (!(value > 0 && std::isfinite(value))) {
+    faults.push_back({where, fmt::format("is {}", value), "a finite length > 0"});
+  } else if (!IsInRange(value)) {
+    faults.push_back({where, fmt::format("is {}", value),
+                      fmt::format("a length from {} to {} m", kShortest, kLongest)});
+  }
 }
 
 void CheckPoint(std::string_view where, const Eigen::Vector3d& point,
                 std::vector<Fault>& faults) {
   for (int i = 0; i < 3; ++i) {
     CheckFinite(fmt::format("{}[{}]", where, i), point[i], faults);
+  }
+}
+
+/** As CheckPoint(), of lengths. */
+void CheckPlace(std::string_view where, const Eigen::Vector3d& place,
+                std::vector<Fault>& faults) {
+  CheckPoint(where, place, faults);
+  for (int i = 0; i < 3; ++i) {
+    const double x = place[i];
+    if (!std::isfinite(x) || x == 0 || IsInRange(std::abs(x))) continue;
+    faults.push_back(
+        {fmt::format("{}[{}]", where, i), fmt::format("is {}", x),
+         fmt::format("0 m, or from {} to {} m to either side", kShortest, kLongest)});
   }
 }
 
@@ -55,7 +76,7 @@ struct ShapeCheck {
       faults.push_back({"vertices", "is empty", "at least one vertex"});
     }
     for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
-      CheckPoint(fmt::format("vertices[{}]", i), hull.vertices[i], faults);
+      CheckPlace(fmt::format("vertices[{}]", i), hull.vertices[i], faults);
     }
   }
   void operator()(const HalfSpace&) const {}
@@ -113,7 +134,7 @@ void AppendPrefixed(std::string_view prefix, std::vector<Fault> from,
 std::vector<Fault> FaultsOf(const Body& body) {
   std::vector<Fault> faults;
   std::visit(ShapeCheck{faults}, body.shape);
-  CheckPoint("position", body.X_WB.p_WB, faults);
+  CheckPlace("position", body.X_WB.p_WB, faults);
   if (body.X_WB.q_WB) {
     CheckQuaternion(body.X_WB, faults);
   } else {

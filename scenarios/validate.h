@@ -22,9 +22,16 @@ inline constexpr double kQuaternionSlack = 1e-12;
  digits that float engines print. The defect of a query widens its certified band. */
 inline constexpr double kRotationSlack = 1e-6;
 
+/** The shortest and the longest length of a question. The square and the cube of either,
+ and a rounding of them, are doubles with all their digits: what a proof or a tolerance
+ multiplies neither overflows nor vanishes. [m] */
+inline constexpr double kShortest = 1e-100;
+inline constexpr double kLongest = 1e100;
+
 /** Returns every fault of `body`; empty for a valid one. Finite numbers, positive sizes,
- unit quaternion that gives the matrix, proper rotation, at least one hull vertex. `where`
- is the key that a file uses, e.g. "half_extents[1]". */
+ lengths from kShortest to kLongest or, of coordinates, 0; unit quaternion that gives the
+ matrix, proper rotation, at least one hull vertex. `where` is the key that a file uses,
+ e.g. "half_extents[1]". */
 std::vector<Fault> FaultsOf(const Body& body);
 
 /** Returns every fault of `query`; empty for a valid one. Checked before any engine sees

@@ -6,6 +6,8 @@
 
 #include <rapidcheck.h>
 
+#include "scenarios/validate.h"
+
 namespace touchstone {
 
 double AnyNumber() {
@@ -20,11 +22,25 @@ double AnyNumber() {
 
 double AnyLength() {
   const double value = std::abs(AnyNumber());
-  return value > 0 ? value : 1.0 / 3;
+  return value >= kShortest && value <= kLongest ? value : 1.0 / 3;
 }
 
 Eigen::Vector3d AnyPoint() {
   return {AnyNumber(), AnyNumber(), AnyNumber()};
+}
+
+namespace {
+
+double AnyCoordinate() {
+  const double value = AnyNumber();
+  const bool in_range = std::abs(value) >= kShortest && std::abs(value) <= kLongest;
+  return in_range ? value : *rc::gen::element(0.0, -0.0, 0.1, 1e-100, -1e100);
+}
+
+}  // namespace
+
+Eigen::Vector3d AnyPlace() {
+  return {AnyCoordinate(), AnyCoordinate(), AnyCoordinate()};
 }
 
 double AnyComponent() {
@@ -48,8 +64,8 @@ std::vector<MeasureKind> AnyMeasures() {
 Pose AnyPose() {
   const Eigen::Vector4d wxyz(AnyComponent(), AnyComponent(), AnyComponent(), 0.1);
   const Eigen::Quaterniond q_WB(wxyz.normalized());
-  if (*rc::gen::arbitrary<bool>()) return Pose::FromQuaternion(AnyPoint(), q_WB);
-  return Pose::FromMatrix(AnyPoint(), q_WB.toRotationMatrix());
+  if (*rc::gen::arbitrary<bool>()) return Pose::FromQuaternion(AnyPlace(), q_WB);
+  return Pose::FromMatrix(AnyPlace(), q_WB.toRotationMatrix());
 }
 
 Shape AnyShape(bool bounded) {
@@ -69,7 +85,7 @@ Shape AnyShape(bool bounded) {
     case ShapeKind::kConvexHull: {
       ConvexHull hull;
       const int vertices = *rc::gen::inRange(1, 9);
-      for (int i = 0; i < vertices; ++i) hull.vertices.push_back(AnyPoint());
+      for (int i = 0; i < vertices; ++i) hull.vertices.push_back(AnyPlace());
       return hull;
     }
     case ShapeKind::kHalfSpace:

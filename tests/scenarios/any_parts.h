@@ -13,10 +13,13 @@ namespace touchstone {
 /** Any finite double: every exponent is as likely, denormals and -0 among them. */
 double AnyNumber();
 
-/** Any finite double > 0. */
+/** Any length that a question may have. */
 double AnyLength();
 
 Eigen::Vector3d AnyPoint();
+
+/** Any point that a question may have. */
+Eigen::Vector3d AnyPlace();
 
 /** A component of a direction, dense enough to need 17 digits. */
 double AnyComponent();

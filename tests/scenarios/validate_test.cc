@@ -39,8 +39,8 @@ std::vector<std::string> FaultsOfShape(const Shape& shape) {
 
 TEST(FaultsOfBody, AreNoneForEveryShapeOfPositiveSize) {
   EXPECT_THAT(FaultsOfShape(Sphere{0.3}), IsEmpty());
-  EXPECT_THAT(FaultsOfShape(Box{{0.3, 1e-300, 1e300}}), IsEmpty());
-  EXPECT_THAT(FaultsOfShape(Capsule{0.3, 5e-324}), IsEmpty());
+  EXPECT_THAT(FaultsOfShape(Box{{0.3, kShortest, kLongest}}), IsEmpty());
+  EXPECT_THAT(FaultsOfShape(Capsule{0.3, 0.2}), IsEmpty());
   EXPECT_THAT(FaultsOfShape(Cylinder{0.3, 0.2}), IsEmpty());
   EXPECT_THAT(FaultsOfShape(Cone{0.3, 0.2}), IsEmpty());
   EXPECT_THAT(FaultsOfShape(ConvexHull{{{0.1, 0.2, 0.3}}}), IsEmpty());
@@ -74,6 +74,21 @@ TEST(FaultsOfBody, NameAPositionThatIsNotFinite) {
   body.X_WB.p_WB.z() = kNaN;
   EXPECT_THAT(Sentences(FaultsOf(body)),
               ElementsAre("position[2] is nan; expected a finite number"));
+}
+
+TEST(FaultsOfBody, NameLengthsWhoseSquaresDoublesDoNotHold) {
+  EXPECT_THAT(FaultsOfShape(Cylinder{1e160, 5e-324}),
+              ElementsAre("radius is 1e+160; expected a length from 1e-100 to 1e+100 m",
+                          "half_length is 5e-324; "
+                          "expected a length from 1e-100 to 1e+100 m"));
+  EXPECT_THAT(FaultsOfShape(ConvexHull{{{0, 1, -1e-200}}}),
+              ElementsAre("vertices[0][2] is -1e-200; "
+                          "expected 0 m, or from 1e-100 to 1e+100 m to either side"));
+  Body body{Sphere{0.3}, AwkwardPose()};
+  body.X_WB.p_WB = {-1e100, 1e-100, 1e101};
+  EXPECT_THAT(Sentences(FaultsOf(body)),
+              ElementsAre("position[2] is 1e+101; "
+                          "expected 0 m, or from 1e-100 to 1e+100 m to either side"));
 }
 
 TEST(FaultsOfBody, GrantAQuaternionItsSlackAndNoMore) {
