@@ -29,7 +29,16 @@ double RoundingGranted(const ScenarioResult& result) {
 
 void CheckTouching(const ScenarioResult& result, std::vector<std::string>& faults) {
   const std::optional<bool> expected = result.scenario.expect.touching;
-  if (!expected || result.truth.touching == Touching::kUndecided) return;
+  if (!expected) return;
+  if (result.truth.touching == Touching::kUndecided) {
+    faults.push_back(fmt::format(
+        "{}: expects touching = {}, which cannot be checked: the separation is "
+        "certified to be in [{:.9g}, {:.9g}] m, and the input is rounded by "
+        "{:.2g} m. Remove it.",
+        result.scenario.id, *expected, result.truth.separation.lo,
+        result.truth.separation.hi, result.truth.input_rounding));
+    return;
+  }
   const bool touching = result.truth.touching == Touching::kTouching;
   if (touching == *expected) return;
   faults.push_back(
@@ -43,12 +52,20 @@ void CheckSeparation(const ScenarioResult& result, std::vector<std::string>& fau
   const std::optional<double> expected = result.scenario.expect.separation;
   if (!expected) return;
   const double slack = RoundingGranted(result) + kWritten * std::abs(*expected);
-  if (Outside(*expected, result.truth.separation) <= slack) return;
+  const Enclosure& truth = result.truth.separation;
+  // Written so that an enclosure without an end is too wide.
+  if (!(truth.hi - truth.lo <= slack)) {
+    faults.push_back(
+        fmt::format("{}: expects separation = {:.12g} m, which cannot be checked: it is "
+                    "certified only to be in [{:.12g}, {:.12g}] m. Remove it.",
+                    result.scenario.id, *expected, truth.lo, truth.hi));
+    return;
+  }
+  if (Outside(*expected, truth) <= slack) return;
   faults.push_back(
       fmt::format("{}: expects separation = {:.12g} m, but it is certified to be in "
                   "[{:.12g}, {:.12g}] m.",
-                  result.scenario.id, *expected, result.truth.separation.lo,
-                  result.truth.separation.hi));
+                  result.scenario.id, *expected, truth.lo, truth.hi));
 }
 
 void CheckNormals(const ScenarioResult& result, std::vector<std::string>& faults) {
@@ -66,16 +83,30 @@ void CheckNormals(const ScenarioResult& result, std::vector<std::string>& faults
 
 void CheckContacts(const ScenarioResult& result, std::vector<std::string>& faults) {
   const ContactExpectation& expect = result.scenario.expect;
-  if (!expect.contacts || result.truth.touching != Touching::kTouching) return;
+  if (!expect.contacts) return;
+  // The patch of a truth not known has a normal that may not be its own.
+  const Enclosure& truth = result.truth.separation;
+  const double slack =
+      RoundingGranted(result) + kWritten * SceneSize(result.scenario.contact);
+  if (!(truth.hi - truth.lo <= slack)) {
+    faults.push_back(fmt::format(
+        "{}: expects {}, which cannot be checked: the separation is certified "
+        "only to be in [{:.12g}, {:.12g}] m. Remove it.",
+        result.scenario.id, Counted(*expect.contacts, "contact"), truth.lo, truth.hi));
+    return;
+  }
   const ContactQuery& query = result.scenario.contact;
-  const Eigen::Vector3d n =
-      SupportingDirection(query, expect.normals.empty() ? result.truth.certificate.n_AB_W
-                                                        : expect.normals[0]);
-  const Enclosure overlap = Overlap(query, n);
-  const int least = PatchAlong(query, n, -(overlap.lo + overlap.hi) / 2,
-                               RoundingGranted(result) + kWritten * SceneSize(query))
-                        .least_contacts;
+  const auto least_along = [&](const Eigen::Vector3d& n_W, double within) {
+    const Eigen::Vector3d n = SupportingDirection(query, n_W);
+    const Enclosure overlap = Overlap(query, n);
+    return PatchAlong(query, n, -(overlap.lo + overlap.hi) / 2, within).least_contacts;
+  };
+  const Eigen::Vector3d& certified = result.truth.certificate.n_AB_W;
+  const int least =
+      least_along(expect.normals.empty() ? certified : expect.normals[0], slack);
   if (least == *expect.contacts) return;
+  // What a written normal cannot tell from parallel, the certified one may.
+  if (least_along(certified, RoundingGranted(result)) == *expect.contacts) return;
   const auto expected = static_cast<std::uint64_t>(*expect.contacts);
   faults.push_back(fmt::format("{}: expects {}, but it takes {} to span the patch.",
                                result.scenario.id, Counted(expected, "contact"), least));

@@ -346,9 +346,10 @@ TEST(CheckCatalogue, WantsTheIndictmentsOfWorldsFoundAgainToo) {
   EXPECT_THAT(report.faults, IsEmpty());
 }
 
-std::vector<std::string> FaultsWith(const ContactExpectation& expect) {
+std::vector<std::string> FaultsWith(const ContactExpectation& expect,
+                                    const Specimen& specimen = BoxOnBoxFace(1e-3)) {
   const FakeOracle right("right");
-  Scenario scenario = ScenarioOf("contact/x", BoxOnBoxFace(1e-3).query);
+  Scenario scenario = ScenarioOf("contact/x", specimen.query);
   scenario.expect = expect;
   return RunAll({scenario}, {&right}).faults;
 }
@@ -378,6 +379,29 @@ TEST(CheckCatalogue, RefutesExpectationsThatAreFalse) {
   EXPECT_THAT(
       FaultsWith(expect),
       ElementsAre(HasSubstr("expects 1 contact, but it takes 4 to span the patch")));
+  // Apart, the patch is where they would touch.
+  EXPECT_THAT(FaultsWith(expect, BoxOnBoxFace(-1e-3)),
+              ElementsAre(HasSubstr("expects 1 contact, but it takes 4")));
+}
+
+TEST(CheckCatalogue, FaultsAnExpectationThatCannotBeChecked) {
+  ContactExpectation expect;
+  expect.touching = true;
+  EXPECT_THAT(FaultsWith(expect, BoxOnBoxFace(0)),
+              ElementsAre(HasSubstr("expects touching = true, which cannot be checked")));
+  RunReport report;
+  ScenarioResult result;
+  result.scenario = ScenarioOf("contact/x", BoxOnBoxFace(1e-3).query);
+  result.scenario.expect.separation = -1e-3;
+  result.scenario.expect.contacts = 4;
+  result.truth = JudgeContact(result.scenario.contact);
+  result.truth.separation = {-2e-3, -0.5e-3};
+  report.scenarios = {result};
+  CheckCatalogue(report);
+  EXPECT_THAT(
+      report.faults,
+      ElementsAre(HasSubstr("expects separation = -0.001 m, which cannot be checked"),
+                  HasSubstr("expects 4 contacts, which cannot be checked")));
 }
 
 }  // namespace
