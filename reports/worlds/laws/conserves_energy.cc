@@ -57,7 +57,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       return fmt::format("{} has {:.9g} J after {:.6g} s; it started with {:.9g} J",
                          motion.oracle.name, E, motion.trajectory.times[s], E_0);
     });
-    reflects = reflects && along.ReflectsAfterGravity(0, s);
+    reflects = reflects && along.ReflectsAfterGravity(E - E_0, 0, s);
   }
   return {reflects ? worst.RecognisedAs(kReflectsAfterGravity) : worst.finding()};
 }

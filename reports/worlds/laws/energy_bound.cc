@@ -53,8 +53,8 @@ Reflected ReflectedGravity(const World& world, const WorldState& from,
 
 }  // namespace
 
-bool EnergyAlong::ReflectsAfterGravity(std::size_t from, std::size_t to) const {
-  const double rise = energies[to].total() - energies[from].total();
+bool EnergyAlong::ReflectsAfterGravity(double rise, std::size_t from,
+                                       std::size_t to) const {
   const double gain = reflected_gravity[to] - reflected_gravity[from];
   return std::abs(rise - gain) <=
          tolerances[to] + kSafety * (reflected_slack[to] - reflected_slack[from]);

@@ -30,9 +30,9 @@ struct EnergyAlong {
    g times the time between samples, before it and after it. [J] */
   std::vector<double> reflected_slack;
 
-  /** Returns whether the motion from sample `from` to sample `to` gained what such a rule
-   adds. */
-  bool ReflectsAfterGravity(std::size_t from, std::size_t to) const;
+  /** Returns whether the energy that rose by `rise` [J] from sample `from` to sample `to`
+   rose by what such a rule adds: by nothing where no fall was turned between them. */
+  bool ReflectsAfterGravity(double rise, std::size_t from, std::size_t to) const;
 };
 
 /** How a motion is recognised that ReflectsAfterGravity() throughout. */

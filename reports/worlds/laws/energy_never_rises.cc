@@ -39,20 +39,25 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  const EnergyAlong along = EnergyAlongOf(motion, SubjectsOf(motion.world, claim));
+  const World& world = motion.world;
+  const Subjects subjects = SubjectsOf(world, claim);
+  const EnergyAlong along = EnergyAlongOf(motion, subjects);
   Worst worst(MeasureKind::kEnergyDrift, BecauseOfEnergy());
+  double E_least = EnergyOf(world, StateAtStart(world), subjects).total();
   std::size_t least = 0;
   bool reflects = true;
   for (std::size_t s = 0; s < along.energies.size(); ++s) {
     const double E = along.energies[s].total();
-    if (E < along.energies[least].total()) least = s;
-    const double E_least = along.energies[least].total();
+    if (E < E_least) {
+      E_least = E;
+      least = s;
+    }
     worst.Take(E - E_least, along.tolerances[s], [&] {
       return fmt::format("{} has {:.9g} J after {:.6g} s; it had {:.9g} J before",
                          motion.oracle.name, E, motion.trajectory.times[s], E_least);
     });
     reflects = reflects && (E - E_least <= along.tolerances[s] ||
-                            along.ReflectsAfterGravity(least, s));
+                            along.ReflectsAfterGravity(E - E_least, least, s));
   }
   return {reflects ? worst.RecognisedAs(kReflectsAfterGravity) : worst.finding()};
 }

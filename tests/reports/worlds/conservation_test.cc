@@ -146,6 +146,27 @@ TEST(ConservesEnergy, FindsAPeriodThatDependsOnTheStep) {
       Finds(Judge(world, wrong, ClaimOf("conserves_energy")), MeasureKind::kEnergyDrift));
 }
 
+TEST(ConservesEnergy, DoesNotTakeAnotherStartForARuleOfBouncing) {
+  World world;
+  world.particles = {{"drop", {0, 3, 0}, {2, 0, 0}, 2}};
+  for (const double g : {0.0, 9.82}) {
+    world.gravity_W = {0, -g, 0};
+    World faster = world;
+    faster.particles[0].v_W *= 1.1;
+    const Trajectory flew = Sampled(faster, [&](double t) {
+      const Particle& drop = faster.particles[0];
+      return WorldState{{},
+                        {{drop.p_W + t * drop.v_W + 0.5 * t * t * world.gravity_W,
+                          drop.v_W + t * world.gravity_W}},
+                        {}};
+    });
+    EXPECT_TRUE(Finds(Judge(world, flew, ClaimOf("conserves_energy")),
+                      MeasureKind::kEnergyDrift));
+    EXPECT_TRUE(Finds(Judge(world, flew, ClaimOf("energy_never_rises")),
+                      MeasureKind::kEnergyDrift));
+  }
+}
+
 TEST(ConservesEnergy, RefusesDampingAndTakesItsNumber) {
   EXPECT_FALSE(FaultsOf(SpringPair(0.1), ClaimOf("conserves_energy")).empty());
   World world;
