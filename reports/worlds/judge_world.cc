@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "reports/worlds/starting_state.h"
 #include "reports/worlds/trajectory_difference.h"
 #include "reports/worlds/world_size.h"
 
@@ -55,49 +57,65 @@ std::optional<double> ValueOf(const Law& law, const Motion& motion, const Claim&
   return std::nullopt;
 }
 
+/** Says in `finding` how an oracle failed to give a motion, if it did. `asked` is empty
+ for the world itself, else how it was asked. */
+void DescribeAnswering(const Trajectory& trajectory, double dt, std::string_view asked,
+                       Finding& finding) {
+  const std::string who =
+      asked.empty() ? finding.oracle : fmt::format("{}, {}", finding.oracle, asked);
+  switch (trajectory.status) {
+    case AnswerStatus::kUnsupported:
+      finding.verdict = Verdict::kUnsupported;
+      finding.proof = trajectory.reason;
+      return;
+    case AnswerStatus::kCrashed:
+      finding.verdict = Verdict::kCrashed;
+      break;
+    case AnswerStatus::kTimedOut:
+      finding.verdict = Verdict::kTimedOut;
+      break;
+    case AnswerStatus::kAnswered:
+      if (trajectory.diverged_at_step == 0) return;
+      finding.verdict = Verdict::kInvalid;
+      finding.value = 1;
+      finding.proof =
+          fmt::format("{}: diverged in step {}, at {:.6g} s", who,
+                      trajectory.diverged_at_step, trajectory.diverged_at_step * dt);
+      return;
+  }
+  finding.value = 1;
+  finding.proof = fmt::format("{}: {}", who, trajectory.reason);
+}
+
 class Judgement {
  public:
   explicit Judgement(const Study& study)
       : study_(study), motion_{study.scenario.world, study.oracle, study.trajectory} {}
 
-  std::vector<Finding> Findings() && {
-    if (!JudgeAnswering()) return std::move(findings_);
+  std::vector<std::vector<Finding>> Findings() && {
+    groups_.resize(1);
+    if (!JudgeAnswering()) return std::move(groups_);
     for (const Claim& claim : study_.scenario.claims) {
+      groups_.emplace_back();
       const Law* law = FindLaw(claim.law);
       // What is wrong with a claim is a fault of the catalogue, not of an oracle.
       if (law && law->faults(study_.scenario.world, claim).empty()) Hold(*law, claim);
     }
-    return std::move(findings_);
+    return std::move(groups_);
   }
 
  private:
   /** Returns whether there is anything to judge. */
   bool JudgeAnswering() {
-    const Trajectory& trajectory = study_.trajectory;
     Finding& finding = Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"});
-    switch (trajectory.status) {
-      case AnswerStatus::kUnsupported:
-        finding.verdict = Verdict::kUnsupported;
-        finding.proof = trajectory.reason;
-        return false;
-      case AnswerStatus::kCrashed:
-        finding.verdict = Verdict::kCrashed;
-        break;
-      case AnswerStatus::kTimedOut:
-        finding.verdict = Verdict::kTimedOut;
-        break;
-      case AnswerStatus::kAnswered:
-        if (trajectory.diverged_at_step == 0) return true;
-        finding.verdict = Verdict::kInvalid;
-        finding.value = 1;
-        finding.proof =
-            fmt::format("{} diverged in step {}, at {:.6g} s", study_.oracle.name,
-                        trajectory.diverged_at_step,
-                        trajectory.diverged_at_step * study_.scenario.world.dt);
-        return false;
-    }
+    DescribeAnswering(study_.trajectory, study_.scenario.world.dt, "", finding);
+    if (finding.verdict != Verdict::kPass) return false;
+    const std::string deviation =
+        DeviationFromStart(study_.scenario.world, study_.oracle, study_.trajectory);
+    if (deviation.empty()) return true;
+    finding.verdict = Verdict::kInvalid;
     finding.value = 1;
-    finding.proof = fmt::format("{}: {}", study_.oracle.name, trajectory.reason);
+    finding.proof = fmt::format("{} {}", study_.oracle.name, deviation);
     return false;
   }
 
@@ -191,7 +209,7 @@ class Judgement {
   }
 
   Finding& Add(MeasureKind measure, double value, const Tolerance& tolerance) {
-    Finding& finding = findings_.emplace_back();
+    Finding& finding = groups_.back().emplace_back();
     finding.scenario = study_.scenario.id;
     finding.oracle = study_.oracle.name;
     finding.reference = "law";
@@ -205,7 +223,7 @@ class Judgement {
   const Study& study_;
   Motion motion_;
   bool convergence_judged_ = false;
-  std::vector<Finding> findings_;
+  std::vector<std::vector<Finding>> groups_;  ///< Of answering, then of each claim.
 };
 
 Finding SelfFinding(const Study& study, MeasureKind measure) {
@@ -214,6 +232,35 @@ Finding SelfFinding(const Study& study, MeasureKind measure) {
   finding.oracle = study.oracle.name;
   finding.measure = measure;
   return finding;
+}
+
+}  // namespace
+
+bool IsWhole(const Trajectory& trajectory) {
+  return trajectory.status == AnswerStatus::kAnswered && trajectory.diverged_at_step == 0;
+}
+
+std::string PrintedBy(const Trajectory& trajectory) {
+  if (trajectory.complaint.empty()) return "";
+  return fmt::format(" (it printed: {})", trajectory.complaint);
+}
+
+std::vector<std::vector<Finding>> JudgeWorldByClaim(const Study& study) {
+  std::vector<std::vector<Finding>> groups = Judgement(study).Findings();
+  for (std::vector<Finding>& group : groups) {
+    for (Finding& finding : group) {
+      if (finding.verdict != Verdict::kPass && finding.verdict != Verdict::kUnsupported)
+        finding.proof += PrintedBy(study.trajectory);
+    }
+  }
+  return groups;
+}
+
+std::vector<Finding> JudgeWorld(const Study& study) {
+  std::vector<Finding> findings;
+  for (std::vector<Finding>& group : JudgeWorldByClaim(study))
+    std::move(group.begin(), group.end(), std::back_inserter(findings));
+  return findings;
 }
 
 std::string_view ChangeOf(MeasureKind measure) {
@@ -231,14 +278,15 @@ std::string_view ChangeOf(MeasureKind measure) {
   }
 }
 
-}  // namespace
-
-bool IsWhole(const Trajectory& trajectory) {
-  return trajectory.status == AnswerStatus::kAnswered && trajectory.diverged_at_step == 0;
-}
-
-std::vector<Finding> JudgeWorld(const Study& study) {
-  return Judgement(study).Findings();
+std::optional<Finding> FailureToAnswer(const Study& study, const Trajectory& other,
+                                       std::string_view asked, double dt) {
+  if (IsWhole(other) || other.status == AnswerStatus::kUnsupported) return std::nullopt;
+  Finding finding = SelfFinding(study, MeasureKind::kAnswering);
+  finding.reference = "law";
+  finding.tolerance_because = "an answer is an answer";
+  DescribeAnswering(other, dt, asked, finding);
+  finding.proof += PrintedBy(other);
+  return finding;
 }
 
 Finding JudgeVariant(const Study& study, MeasureKind measure,

@@ -1,6 +1,7 @@
 #include "reports/worlds/run_worlds.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -54,33 +55,36 @@ std::pair<bool, double> Severity(const Finding& finding) {
 }
 
 /** Puts each of `others` in the place of the finding that says the same of another member
- of the ensemble, where it is worse: the k-th of a measure is the same in all. */
+ of the ensemble, where it is worse; what none says yet is added. Both are of the same
+ claim, which has one finding a measure. */
 void KeepWorst(std::vector<Finding>& findings, const std::vector<Finding>& others) {
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    const auto same = [&](const Finding& f) { return f.measure == others[i].measure; };
-    auto k = std::count_if(others.begin(),
-                           others.begin() + static_cast<std::ptrdiff_t>(i), same);
-    for (Finding& finding : findings) {
-      if (!same(finding) || k-- > 0) continue;
-      if (Severity(others[i]) > Severity(finding)) finding = others[i];
-      break;
-    }
+  for (const Finding& other : others) {
+    const auto same =
+        std::find_if(findings.begin(), findings.end(),
+                     [&](const Finding& f) { return f.measure == other.measure; });
+    if (same == findings.end())
+      findings.push_back(other);
+    else if (Severity(other) > Severity(*same))
+      *same = other;
   }
 }
 
-/** What the members of the ensemble beyond the first add to the findings. */
+/** What the members of the ensemble beyond the first add to the findings, which are in
+ groups: of answering, then of each claim. */
 void ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
-                    std::vector<Finding>& findings) {
+                    std::vector<std::vector<Finding>>& groups) {
   WorldScenario member = scenario;
   for (int index = 1; index < scenario.ensemble->members; ++index) {
     member.world = MemberOf(scenario, index);
     const Trajectory trajectory = oracle.Simulate(member.world);
-    std::vector<Finding> more = JudgeWorld({member, oracle.info(), trajectory});
-    for (Finding& finding : more)
-      if (!finding.proof.empty())
-        finding.proof =
-            fmt::format("member {} of the ensemble: {}", index, finding.proof);
-    KeepWorst(findings, more);
+    auto more = JudgeWorldByClaim({member, oracle.info(), trajectory});
+    for (std::size_t group = 0; group < more.size(); ++group) {
+      for (Finding& finding : more[group])
+        if (!finding.proof.empty())
+          finding.proof =
+              fmt::format("member {} of the ensemble: {}", index, finding.proof);
+      KeepWorst(groups[group], more[group]);
+    }
   }
 }
 
@@ -109,28 +113,42 @@ double GainOf(const WorldScenario& scenario, const Oracle& oracle,
 std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle,
                              Trajectory& trajectory) {
   trajectory = oracle.Simulate(scenario.world);
+  const double dt = scenario.world.dt;
   const bool studied =
       IsWhole(trajectory) && BodySteps(scenario.world) <= kStudiedBodySteps;
-  std::optional<Trajectory> half;
-  std::optional<Trajectory> quarter;
+  Trajectory half;
+  Trajectory quarter;
   if (studied) {
     half = oracle.Simulate(Refined(scenario.world, 2));
     quarter = oracle.Simulate(Refined(scenario.world, 4));
-    if (!IsWhole(*half) || !IsWhole(*quarter)) half.reset();
   }
-  Study study{scenario, oracle.info(), trajectory, half ? &*half : nullptr,
-              half ? &*quarter : nullptr};
-  std::vector<Finding> findings = JudgeWorld(study);
-  if (!IsWhole(trajectory)) return findings;
-  if (scenario.ensemble) ExamineMembers(scenario, oracle, findings);
+  const bool refined = studied && IsWhole(half) && IsWhole(quarter);
+  Study study{scenario, oracle.info(), trajectory, refined ? &half : nullptr,
+              refined ? &quarter : nullptr};
+  std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(study);
+  const bool answered = groups.front().front().verdict == Verdict::kPass;
+  if (answered && scenario.ensemble) ExamineMembers(scenario, oracle, groups);
+  std::vector<Finding> findings;
+  for (std::vector<Finding>& group : groups)
+    std::move(group.begin(), group.end(), std::back_inserter(findings));
+  if (!answered) return findings;
   if (Claims(scenario, kDeterministic))
     findings.push_back(JudgeRepetition(study, oracle.Simulate(scenario.world)));
-  if (!half) return findings;
-  study.gain = GainOf(scenario, oracle, trajectory);
+  if (!studied) return findings;
+  const auto add_failure = [&](const Trajectory& other, std::string_view asked,
+                               double step) {
+    const std::optional<Finding> failure = FailureToAnswer(study, other, asked, step);
+    if (failure) findings.push_back(*failure);
+  };
+  add_failure(half, "at half the step", dt / 2);
+  add_failure(quarter, "at a quarter of the step", dt / 4);
+  if (refined) study.gain = GainOf(scenario, oracle, trajectory);
   for (const WorldVariant& variant : VariantsOf(scenario.world)) {
     const Trajectory moved = oracle.Simulate(variant.world);
-    if (!IsWhole(moved)) continue;
-    findings.push_back(JudgeVariant(study, variant.measure, SeenInWorld(variant, moved)));
+    add_failure(moved, ChangeOf(variant.measure), dt);
+    if (refined && IsWhole(moved))
+      findings.push_back(
+          JudgeVariant(study, variant.measure, SeenInWorld(variant, moved)));
   }
   return findings;
 }

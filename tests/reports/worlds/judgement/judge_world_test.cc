@@ -80,6 +80,15 @@ TEST(JudgeWorld, AnErrorThatVanishesWithTheStepIsDiscretisation) {
   EXPECT_THAT(position->proof, HasSubstr("ballistic: off has"));
 }
 
+TEST(JudgeWorld, AFailureQuotesWhatTheEnginePrinted) {
+  Studied studied(TwoBallsInFlight(), OffBy(1, 0));
+  studied.whole.complaint = "LCP internal error";
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  EXPECT_THAT(Find(findings, MeasureKind::kPositionError)->proof,
+              testing::EndsWith("(it printed: LCP internal error)"));
+  EXPECT_EQ(Find(findings, MeasureKind::kAnswering)->proof, "");
+}
+
 TEST(JudgeWorld, AnErrorThatStaysIsADefect) {
   const Studied studied(TwoBallsInFlight(), OffBy(1, 0));
   const std::vector<Finding> findings = JudgeWorld(studied.study());
@@ -158,6 +167,39 @@ TEST(JudgeWorld, DivergingIsInvalidAndSaysTheStep) {
   EXPECT_EQ(findings[0].verdict, Verdict::kInvalid);
   EXPECT_THAT(findings[0].proof, HasSubstr("diverged in step 42, at 0.42 s"));
   EXPECT_FALSE(IsWhole(studied.whole));
+}
+
+TEST(JudgeWorld, AMotionOfAnotherWorldIsInvalidEvenWithoutAClaim) {
+  struct Case {
+    std::string_view said;
+    void (*change)(WorldState&);
+  };
+  for (const Case& planted :
+       {Case{"the position of near at",
+             [](WorldState& state) { state.bodies[0].p_WB.x() += 1e-9; }},
+        Case{"the velocity of far at",
+             [](WorldState& state) { state.bodies[1].v_WB *= 0.99; }},
+        Case{"the spin of near at",
+             [](WorldState& state) { state.bodies[0].w_WB.setZero(); }},
+        Case{"near turned by 0.01 rad",
+             [](WorldState& state) {
+               state.bodies[0].q_WB = Turned(state.bodies[0].q_WB, {0, 0.01, 0});
+             }},
+        Case{"other things", [](WorldState& state) { state.bodies.pop_back(); }}}) {
+    WorldScenario scenario = TwoBallsInFlight();
+    scenario.claims.clear();
+    const FakeSimulator engine("elsewhere", [&](const World& world) {
+      Trajectory trajectory = FreeFlight(world);
+      planted.change(trajectory.samples.front());
+      return trajectory;
+    });
+    const Trajectory motion = engine.Simulate(scenario.world);
+    const std::vector<Finding> findings = JudgeWorld({scenario, engine.info(), motion});
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0].verdict, Verdict::kInvalid);
+    EXPECT_EQ(findings[0].measure, MeasureKind::kAnswering);
+    EXPECT_THAT(findings[0].proof, HasSubstr(planted.said));
+  }
 }
 
 TEST(JudgeVariant, WorldsThatLawsOfMechanicsMapToEachOtherMoveAlike) {

@@ -77,7 +77,8 @@ TEST(RunWorlds, FindsTheWorstMemberOfAnEnsemble) {
   std::atomic<int> runs = 0;
   const FakeSimulator engine("engine", [&](const World& world) {
     const double off = ++runs == 3 ? 0.5 : 0;
-    return FreeFlight(world, [off](double) { return Eigen::Vector3d(off, 0, 0); });
+    return FreeFlight(world,
+                      [off](double t) { return Eigen::Vector3d(off * t * t, 0, 0); });
   });
   const std::vector<const Oracle*> oracles = {&engine};
   std::vector<WorldScenario> worlds = {Flight("world/test/many", 200'000)};
@@ -90,6 +91,76 @@ TEST(RunWorlds, FindsTheWorstMemberOfAnEnsemble) {
                   Field(&Finding::measure, MeasureKind::kPositionError),
                   Field(&Finding::verdict, Verdict::kFail),
                   Field(&Finding::proof, testing::HasSubstr("member 2 of the")))));
+}
+
+TEST(RunWorlds, FindsWhatOnlyAnotherMemberOfAnEnsembleShows) {
+  // Of a motion without a contact the cone says nothing.
+  std::atomic<int> runs = 0;
+  const FakeSimulator engine("engine", [&](const World& world) {
+    Trajectory trajectory = FreeFlight(world);
+    trajectory.gives_impulses = true;
+    if (++runs == 2)
+      trajectory.impulses = {{1, 0, 1, {0, 0, 0}, {0, 1, 0}, {3, 1, 0}, 0}};
+    return trajectory;
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  std::vector<WorldScenario> worlds = {Flight("world/test/many", 200'000)};
+  worlds[0].world.bodies.push_back(BodyOf("other", Sphere{0.5}, 2, {4, 1.7, -0.4}));
+  worlds[0].claims = {ClaimOf("coulomb_cone", {"other"}), ClaimOf("ballistic")};
+  worlds[0].ensemble = Ensemble{3, 1e-3, 1};
+  EXPECT_THAT(RunWorlds(worlds, oracles, 1, {}).findings,
+              Contains(testing::AllOf(
+                  Field(&Finding::measure, MeasureKind::kConeViolation),
+                  Field(&Finding::verdict, Verdict::kFail),
+                  Field(&Finding::proof, testing::HasSubstr("member 1 of the")))));
+}
+
+TEST(RunWorlds, SaysWhereAnEngineFailsAtASmallerStepOrInAVariant) {
+  struct Case {
+    bool (*strikes)(const World& world, const World& asked);
+    std::string_view said;
+  };
+  for (const Case& planted :
+       {Case{[](const World&w, const World&asked) { return w.dt == asked.dt / 2; },
+             "engine, at half the step: it died"},
+        Case{[](const World&w, const World&asked) { return w.dt == asked.dt / 4; },
+             "engine, at a quarter of the step: it died"},
+        Case{[](const World&w, const World&asked) {
+               return w.bodies[0].mass != asked.bodies[0].mass;
+             },
+             "engine, with all masses three times as large: it died"}}) {
+    const std::vector<WorldScenario> worlds = {Flight("world/test/a", 100)};
+    const FakeSimulator engine("engine", [&](const World& world) {
+      Trajectory trajectory = FreeFlight(world);
+      if (!planted.strikes(world, worlds[0].world)) return trajectory;
+      trajectory = {};
+      trajectory.status = AnswerStatus::kCrashed;
+      trajectory.reason = "it died";
+      return trajectory;
+    });
+    const std::vector<const Oracle*> oracles = {&engine};
+    EXPECT_THAT(
+        RunWorlds(worlds, oracles, 1, {}).findings,
+        Contains(testing::AllOf(Field(&Finding::measure, MeasureKind::kAnswering),
+                                Field(&Finding::verdict, Verdict::kCrashed),
+                                Field(&Finding::proof, testing::Eq(planted.said)))));
+  }
+}
+
+TEST(RunWorlds, SaysWhereAnEngineDivergesAtASmallerStep) {
+  const std::vector<WorldScenario> worlds = {Flight("world/test/a", 100)};
+  const FakeSimulator engine("engine", [&](const World& world) {
+    Trajectory trajectory = FreeFlight(world);
+    if (world.dt < worlds[0].world.dt) trajectory.diverged_at_step = 7;
+    return trajectory;
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  EXPECT_THAT(
+      RunWorlds(worlds, oracles, 1, {}).findings,
+      Contains(testing::AllOf(
+          Field(&Finding::verdict, Verdict::kInvalid),
+          Field(&Finding::proof,
+                testing::HasSubstr("engine, at half the step: diverged in step 7")))));
 }
 
 TEST(RunWorlds, FindsAnEngineThatAnswersOtherwiseEachTime) {
