@@ -115,6 +115,8 @@ void WriteMotion(const RunReport& report, const WorldResult& world,
     return;
   }
   out << Parting(report, world, outcome.oracle) << '\n';
+  if (!trajectory.complaint.empty())
+    out << "    it printed: " << OneLine(trajectory.complaint) << '\n';
   for (const Finding& finding : outcome.findings) {
     if (finding.measure == MeasureKind::kAnswering) continue;
     const std::string_view unit = UnitOf(finding.measure);

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "reports/counted.h"
+#include "reports/proof.h"
+#include "reports/worlds/judge_world.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/page_assets.h"
@@ -333,7 +335,7 @@ class Page {
           SignOf(outcomes[o].verdict), NameOf(outcomes[o].verdict),
           WorstOf(outcomes[o].worst),
           XmlText(trajectory.status == AnswerStatus::kAnswered
-                      ? Parting(report_, world, o)
+                      ? Parting(report_, world, o) + PrintedBy(trajectory)
                       : trajectory.reason));
     }
     out_ << "</table></div>\n";

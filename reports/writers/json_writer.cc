@@ -232,6 +232,7 @@ Json MotionToJson(const RunReport& report, const Outcome& outcome,
   json["verdict"] = NameOf(outcome.verdict);
   json["status"] = NameOfStatus(trajectory.status);
   json["reason"] = trajectory.reason;
+  json["complaint"] = trajectory.complaint;
   json["diverged_at_step"] = trajectory.diverged_at_step;
   json["end"] =
       trajectory.samples.empty() ? Json(nullptr) : ToJson(trajectory.samples.back());

@@ -79,6 +79,7 @@ RunReport OneWorld() {
   Trajectory none;
   none.reason = "no balls";
   world.trajectories = {Fallen(9.82), Fallen(9), none, {}};
+  world.trajectories[1].complaint = "ODE <Message> 3";
   report.worlds.push_back(world);
   report.findings = {FindingOf("mine", 0.001), FindingOf("light", 0.41),
                      FindingOf("none", 0)};
@@ -104,6 +105,7 @@ TEST(WorldReport, ExplanationSetsEveryNumberBesideWhatIsAllowed) {
   EXPECT_THAT(text, HasSubstr("position_error"));
   EXPECT_THAT(text, HasSubstr("half a step late"));
   EXPECT_THAT(text, HasSubstr("unsupported no balls"));
+  EXPECT_THAT(text, HasSubstr("\n    it printed: ODE <Message> 3\n"));
   EXPECT_THAT(text, HasSubstr("\nRight: mine\nWrong: light\n"));
   EXPECT_THAT(text, Not(HasSubstr("contacts")));
 }
@@ -128,7 +130,8 @@ TEST(WorldReport, PageDrawsPlaceEnergyAndMomentumWithTheTruth) {
   EXPECT_LT(page.find("<polyline class=\"line0\""),
             page.find("<polyline class=\"truth\""));
   EXPECT_THAT(page, AllOf(HasSubstr("A ball &lt;falls&gt;"),
-                          HasSubstr("ballistic: it is too light")));
+                          HasSubstr("ballistic: it is too light"),
+                          HasSubstr("(it printed: ODE &lt;Message&gt; 3)")));
 }
 
 TEST(WorldReport, JsonFollowsItsSchema) {
@@ -142,6 +145,7 @@ TEST(WorldReport, JsonFollowsItsSchema) {
   EXPECT_NEAR(motions[1]["end"]["bodies"][0]["position"][1].template get<double>(), -2.5,
               1e-12);
   EXPECT_TRUE(motions[2]["end"].is_null());
+  EXPECT_EQ(motions[1]["complaint"], "ODE <Message> 3");
 }
 
 TEST(WorldReport, JUnitHasACaseForEachOracleThatSimulates) {
