@@ -20,31 +20,93 @@ constexpr double kSlowBounce = 0.25;
  with 16 digits. [rad] */
 constexpr double kParallel = 1e-9;
 
+/** Where in its step an impact falls is chance: gaps at the start that are this many
+ fractions of V h apart stand for it. */
+constexpr int kPhases = 8;
+
+/** Returns the fall from a gap that is `phase` fractions of V h larger. */
+Fall Shifted(const Fall& fall, double dt, int phase) {
+  Fall shifted = fall;
+  shifted.start.gap += phase * fall.Truth().impact_speed() * dt / kPhases;
+  return shifted;
+}
+
+/** Returns the states of a fall that follows the rule, at each sample of the motion. */
+std::vector<Height> SteppedAlong(const Motion& motion, const Fall& fall, BounceRule rule,
+                                 ContactSeen seen) {
+  SteppedBounces stepped{rule,      seen, fall.gravity, fall.restitution, motion.world.dt,
+                         fall.start};
+  std::vector<Height> heights;
+  double done = 0;
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    for (; done < StepsBefore(motion, s); ++done) stepped.Step();
+    heights.push_back(stepped.state);
+  }
+  return heights;
+}
+
+/** Makes each number the largest so far. */
+void KeepLargest(std::vector<double>& numbers) {
+  for (std::size_t i = 1; i < numbers.size(); ++i)
+    numbers[i] = std::max(numbers[i], numbers[i - 1]);
+}
+
 /** The largest error so far, at each sample, of engines that follow the rule. [m] */
 std::vector<double> StepErrors(const Motion& motion, const Fall& fall) {
-  constexpr int kPhases = 8;
   std::vector<double> errors(motion.trajectory.samples.size(), 0);
   for (const ContactSeen seen : {ContactSeen::kTouching, ContactSeen::kAhead}) {
     for (int phase = 0; phase < kPhases; ++phase) {
-      Fall shifted = fall;
-      shifted.start.gap +=
-          phase * fall.Truth().impact_speed() * motion.world.dt / kPhases;
+      const Fall shifted = Shifted(fall, motion.world.dt, phase);
       const VerticalBounces truth = shifted.Truth();
-      SteppedBounces stepped{
-          BounceRule::kStartOfStep, seen,         fall.gravity, fall.restitution,
-          motion.world.dt,          shifted.start};
-      double done = 0;
+      const std::vector<Height> heights =
+          SteppedAlong(motion, shifted, BounceRule::kStartOfStep, seen);
       for (std::size_t s = 0; s < errors.size(); ++s) {
-        for (; done < StepsBefore(motion, s); ++done) stepped.Step();
         const double off =
-            std::abs(stepped.state.gap - truth.At(motion.trajectory.times[s]).gap);
+            std::abs(heights[s].gap - truth.At(motion.trajectory.times[s]).gap);
         errors[s] = std::max(errors[s], off);
       }
     }
   }
-  for (std::size_t s = 1; s < errors.size(); ++s)
-    errors[s] = std::max(errors[s], errors[s - 1]);
+  KeepLargest(errors);
   return errors;
+}
+
+/** Whether the heights after the first impact are those of falls that reflect the
+ velocity after gravity: to 1.5 × the largest distance so far between such falls from gaps
+ a fraction of V h apart, and V h for an impact a step late. What comes before it, and the
+ way across the normal, have what the truth is `granted` at each sample. */
+bool FollowsAfterGravity(const Motion& motion, const Fall& fall,
+                         const std::vector<double>& granted) {
+  const double h = motion.world.dt;
+  const std::vector<Height> model =
+      SteppedAlong(motion, fall, BounceRule::kAfterGravity, ContactSeen::kTouching);
+  std::vector<double> spread(model.size(), 0);
+  for (const ContactSeen seen : {ContactSeen::kTouching, ContactSeen::kAhead}) {
+    for (int phase = 0; phase < kPhases; ++phase) {
+      const std::vector<Height> other =
+          SteppedAlong(motion, Shifted(fall, h, phase), BounceRule::kAfterGravity, seen);
+      for (std::size_t s = 0; s < model.size(); ++s)
+        spread[s] = std::max(spread[s], std::abs(other[s].gap - model[s].gap));
+    }
+  }
+  KeepLargest(spread);
+  double fastest = fall.Truth().impact_speed();
+  for (std::size_t s = 0; s < model.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    fastest = std::max(fastest, std::abs(model[s].velocity));
+    const Eigen::Vector3d off =
+        fall.is(motion.trajectory.samples[s]).p_W - fall.PlaceAt(t);
+    const double along = fall.n_W.dot(off);
+    const double across = (off - along * fall.n_W).norm();
+    const bool fell = t > fall.Truth().first_impact() - h;
+    const double off_model = along + fall.Truth().At(t).gap - model[s].gap;
+    const bool follows =
+        fell ? across <= granted[s] &&
+                   std::abs(off_model) <= granted[s] + kSafety * (spread[s] + fastest * h)
+             : off.norm() <= granted[s];
+    if (!follows) return false;
+  }
+  return true;
 }
 
 /** Two neighbouring samples between which the fall was turned. */
@@ -87,6 +149,11 @@ bool ReflectsAfterGravity(const Bounce& bounce, const Fall& fall, double dt,
          std::abs(j - std::round(j)) * gh <= rounding;
 }
 
+/** Whether a bounce shows which velocity was reflected: e g h of it differs. */
+bool TellsRulesApart(const Fall& fall, double dt, double rounding) {
+  return fall.restitution * fall.gravity * dt > 2 * rounding;
+}
+
 }  // namespace
 
 bool IsAlong(const Eigen::Vector3d& v, const Eigen::Vector3d& n) {
@@ -116,28 +183,31 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       "bounce");
   bool after_gravity = true;
   bool any_bounce = false;
+  bool any_telling = false;
   for (const Fall& fall : falls) {
     const VerticalBounces truth = fall.Truth();
     const double V = truth.impact_speed();
     const std::vector<double> errors = StepErrors(motion, fall);
     const double reach = fall.p_W.norm() + fall.size;
+    std::vector<double> granted;
     for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
       const double t = trajectory.times[s];
       const Eigen::Vector3d is = fall.is(trajectory.samples[s]).p_W;
       const Eigen::Vector3d p_W = fall.PlaceAt(t);
       const double late = t > truth.first_impact() - world.dt ? V * world.dt : 0;
-      position.Take((is - p_W).norm(),
-                    kSafety * (errors[s] + late) +
+      granted.push_back(kSafety * (errors[s] + late) +
                         RoundingOf(motion.oracle, StepsBefore(motion, s)) *
-                            (reach + (V + fall.v_along_W.norm()) * t),
-                    [&] {
-                      return fmt::format(
-                          "{} has {} at {} after {:.6g} s; falling from {:.6g} m with "
-                          "e = {:.6g} puts it at {}",
-                          motion.oracle.name, fall.name, Words(is), t, fall.start.gap,
-                          fall.restitution, Words(p_W));
-                    });
+                            (reach + (V + fall.v_along_W.norm()) * t));
+      position.Take((is - p_W).norm(), granted.back(), [&] {
+        return fmt::format(
+            "{} has {} at {} after {:.6g} s; falling from {:.6g} m with "
+            "e = {:.6g} puts it at {}",
+            motion.oracle.name, fall.name, Words(is), t, fall.start.gap, fall.restitution,
+            Words(p_W));
+      });
     }
+    if (position.IsBeyond())
+      after_gravity = after_gravity && FollowsAfterGravity(motion, fall, granted);
     const double e = fall.restitution;
     for (const Bounce& bounce : BouncesOf(motion, fall)) {
       const double tolerance = kSafety * (1 + e) * fall.gravity * (bounce.steps + 1) *
@@ -148,6 +218,7 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
           RoundingOf(motion.oracle, bounce.time / world.dt) * (V + bounce.before);
       after_gravity =
           after_gravity && ReflectsAfterGravity(bounce, fall, world.dt, rounding);
+      any_telling = any_telling || TellsRulesApart(fall, world.dt, rounding);
       restitution.Take(std::abs(bounce.after / bounce.before - e), tolerance, [&] {
         return fmt::format(
             "{} has {} leave with {:.6g} m/s at {:.6g} s, having come with {:.6g} m/s: "
@@ -157,7 +228,7 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       });
     }
   }
-  const bool recognised = any_bounce && after_gravity;
+  const bool recognised = any_telling && after_gravity;
   std::vector<LawFinding> findings = {
       recognised ? position.RecognisedAs(kReflectsAfterGravity) : position.finding()};
   if (any_bounce) findings.push_back(restitution.finding());

@@ -42,8 +42,10 @@ struct Fall {
  Bounces for which that exceeds ¼ are too slow to tell.
 
  A motion whose every bounce obeys v' = −e (v − g h), to rounding and the step's number
- being whole, is recognised: "reflects the velocity after gravity". It adds m g h V a
- bounce. */
+ being whole, and that is where falls stepped by that rule are, is recognised: "reflects
+ the velocity after gravity". It adds m g h V a bounce. Not where e g h is rounding, so
+ that no bounce tells the rules apart; nor is what comes before the first impact, or
+ across the normal, excused. */
 std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls);
 
 /** Returns whether `v` is along `n`, to the rounding of quaternions with 16 digits. */

@@ -120,6 +120,34 @@ TEST(BounceSeries, RecognisesTheRuleThatReflectsAfterGravity) {
   }
 }
 
+TEST(BounceSeries, DoesNotRecogniseARuleThatNoBounceShows) {
+  // With e = 0 both rules leave nothing.
+  const World world = DroppedBall(0);
+  Trajectory lifted = ReflectingAfterGravity(world, 0);
+  for (std::size_t s = 1; s < lifted.samples.size(); ++s)
+    lifted.samples[s].bodies[0].p_WB.y() += 0.3;
+  EXPECT_TRUE(
+      Finds(Judge(world, lifted, ClaimOf("bounce_series")), MeasureKind::kPositionError));
+}
+
+TEST(BounceSeries, ExcusesOnlyThePlaceThatTheRuleLeadsTo) {
+  const World world = DroppedBall(1, 1.0 / 240, 20);
+  const Trajectory right = ReflectingAfterGravity(world, 1);
+  for (const Eigen::Vector3d& off :
+       {Eigen::Vector3d(0, 40, 0), Eigen::Vector3d(9, 0, 0), Eigen::Vector3d(0, 0, -9)}) {
+    Trajectory moved = right;
+    for (std::size_t s = moved.samples.size() / 2; s < moved.samples.size(); ++s)
+      moved.samples[s].bodies[0].p_WB += off;
+    EXPECT_TRUE(
+        Finds(Judge(world, moved, ClaimOf("bounce_series")), MeasureKind::kPositionError))
+        << off.transpose();
+  }
+  Trajectory early = right;
+  for (std::size_t s = 1; s < 20; ++s) early.samples[s].bodies[0].p_WB.y() += 0.1;
+  EXPECT_TRUE(
+      Finds(Judge(world, early, ClaimOf("bounce_series")), MeasureKind::kPositionError));
+}
+
 TEST(BounceSeries, DoesNotRecogniseAGainOfAnotherKind) {
   const World world = DroppedBall(1, 1.0 / 240, 20);
   const Trajectory gaining =
