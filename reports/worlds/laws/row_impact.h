@@ -12,10 +12,10 @@ namespace touchstone {
  gaps are shorter than the way of a step, V h. Of impacts one after another the order may
  be any: they are tried from the first ball and from the last.
 
- Velocities are right to the solver's residual, 1e-5 of the fastest, before the first
- impact and after the last; in between an engine is late by up to a step an impact, n h
- after n of them. Positions are off by n h times what the impacts changed, Σ |Δv|, × 1.5.
- Plus 64 roundings a step.
+ Velocities are right to the solver's residual, 1e-5 of the fastest, but for each ball
+ around its impacts: the n-th of a row is up to n h late, or more where slower balls have
+ to make up for that. Positions are off by n h times what the impacts changed, Σ |Δv|,
+ × 1.5. Plus 64 roundings a step.
 
  About: spheres in the order of the line, no gravity, force or spin. Numbers:
  expected_first_velocity and expected_last_velocity, along the line from the first to the

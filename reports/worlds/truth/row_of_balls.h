@@ -51,14 +51,17 @@ class RowOfBalls {
   /** Returns what happened up to `t`. */
   Past PastAt(double t) const;
 
- private:
   /** The row just after an impact. */
   struct Moment {
-    double time;
+    double time;  ///< [s]
     std::vector<RowBall> balls;
     Past past;
   };
 
+  /** Returns the start, then the row after each impact. */
+  const std::vector<Moment>& moments() const { return moments_; }
+
+ private:
   const Moment& Before(double t) const;
   bool Resolve(std::vector<RowBall>& balls) const;
   bool ResolveByPairs(std::vector<RowBall>& balls) const;

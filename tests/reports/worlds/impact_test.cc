@@ -323,6 +323,27 @@ TEST(RowImpact, FindsRestitutionThatIsLost) {
                     MeasureKind::kVelocityError));
 }
 
+TEST(RowImpact, JudgesABallBetweenTwoImpactsOfTheRow) {
+  // The second ball stands still again while the wave goes on to the fifth.
+  const World world = Cradle(0.1);
+  Trajectory creeping = Struck(world, {});
+  EXPECT_TRUE(Passes(Judge(world, creeping, ClaimOf("row_impact"))));
+  const std::size_t s = 250;
+  ASSERT_NEAR(creeping.samples[s].bodies[1].v_WB.norm(), 0, 1e-9);
+  ASSERT_GT(creeping.samples[s].bodies[3].v_WB.norm() +
+                creeping.samples[s].bodies[2].v_WB.norm(),
+            1.4);
+  creeping.samples[s].bodies[1].v_WB.x() += 0.01;
+  EXPECT_TRUE(
+      Finds(Judge(world, creeping, ClaimOf("row_impact")), MeasureKind::kVelocityError));
+}
+
+TEST(RowImpact, RefusesAnImpactThatNoSampleShows) {
+  World world = Cradle(0.02);
+  world.steps = 81;  // The first two meet after 0.12 m at 1.5 m/s: 80 steps.
+  EXPECT_EQ(FaultsOf(world, ClaimOf("row_impact")).size(), 1U);
+}
+
 TEST(RowImpact, RefusesWhatIsNoRow) {
   World world = Cradle(0.02);
   EXPECT_EQ(FaultsOf(world, ClaimOf("row_impact", {"ball0", "ball2", "ball1"})).size(),
