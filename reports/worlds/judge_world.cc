@@ -5,10 +5,12 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "reports/worlds/laws/cone_models.h"
 #include "reports/worlds/starting_state.h"
 #include "reports/worlds/trajectory_difference.h"
 #include "reports/worlds/world_size.h"
@@ -226,6 +228,29 @@ class Judgement {
   std::vector<std::vector<Finding>> groups_;  ///< Of answering, then of each claim.
 };
 
+/** An engine has one friction cone: where claims of one motion recognise two, none is
+ what it has. */
+void RefuseTwoCones(std::vector<std::vector<Finding>>& groups) {
+  std::set<std::string_view> cones;
+  const auto is_cone = [](const Finding& finding) {
+    return finding.verdict == Verdict::kPass && IsFrictionCone(finding.cause_because);
+  };
+  for (const std::vector<Finding>& group : groups) {
+    for (const Finding& finding : group)
+      if (is_cone(finding)) cones.insert(finding.cause_because);
+  }
+  if (cones.size() < 2) return;
+  for (std::vector<Finding>& group : groups) {
+    for (Finding& finding : group) {
+      if (!is_cone(finding)) continue;
+      finding.verdict = Verdict::kFail;
+      finding.cause = Cause::kDefect;
+      finding.cause_because = fmt::format(
+          "the {} explains it, and another one another claim", finding.cause_because);
+    }
+  }
+}
+
 Finding SelfFinding(const Study& study, MeasureKind measure) {
   Finding finding;
   finding.scenario = study.scenario.id;
@@ -247,6 +272,7 @@ std::string PrintedBy(const Trajectory& trajectory) {
 
 std::vector<std::vector<Finding>> JudgeWorldByClaim(const Study& study) {
   std::vector<std::vector<Finding>> groups = Judgement(study).Findings();
+  RefuseTwoCones(groups);
   for (std::vector<Finding>& group : groups) {
     for (Finding& finding : group) {
       if (finding.verdict != Verdict::kPass && finding.verdict != Verdict::kUnsupported)

@@ -6,18 +6,30 @@
 
 namespace touchstone {
 
+World Rougher(World world) {
+  for (RigidBody& body : world.bodies) body.friction *= kRough;
+  return world;
+}
+
+bool IsFrictionCone(std::string_view model) {
+  return model == NameOf(FrictionCone::kBox) || model == NameOf(FrictionCone::kDiamond);
+}
+
 std::vector<LawFinding> JudgedByCone(
     const Motion& motion, const std::vector<int>& bodies,
     const std::function<std::vector<Worst>(const PlacedCone&, const Motion&, int body)>&
         judge_by) {
   std::vector<LawFinding> findings;
+  const World rougher = Rougher(motion.world);
+  const Motion on_rougher{rougher, motion.oracle, motion.trajectory};
   for (const int body : bodies) {
     const std::vector<PlacedCone> cones = ConesOn(LandingOf(motion.world, body)->n_W);
     const std::vector<Worst> by_circle = judge_by(cones.front(), motion, body);
     std::string_view recognised;
     for (std::size_t i = 1; i < cones.size() && AnyBeyond(by_circle); ++i) {
       if (AnyBeyond(judge_by(cones[i], motion, body))) continue;
-      recognised = NameOf(cones[i].cone);
+      if (AnyBeyond(judge_by(cones.front(), on_rougher, body)))
+        recognised = NameOf(cones[i].cone);
       break;
     }
     for (LawFinding& finding : FindingsOf(by_circle, recognised))

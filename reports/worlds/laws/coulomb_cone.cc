@@ -1,8 +1,8 @@
 #include "reports/worlds/laws/coulomb_cone.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -27,16 +27,53 @@ double Violation(const ContactImpulse& contact, double friction, double tangenti
   return std::max({0.0, -J_n, tangential - friction * std::max(0.0, J_n)});
 }
 
-/** The least violation of the box cone in any of the frames that follow from the normal:
- its larger component in place of its size. */
-double ViolationOfBox(const ContactImpulse& contact, double friction) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const TangentFrame& frame : TangentFramesOf(contact.n_AB_W)) {
-    const double larger = (frame.transpose() * contact.J_B_W).cwiseAbs().maxCoeff();
-    least = std::min(least, Violation(contact, friction, larger));
+/** Whether impulses follow the box cone: its larger component in place of its size.
+
+ The friction directions follow from the normal, by one rule for a whole motion: the
+ projection of one axis of the world, chosen by which component of the normal is larger
+ than √½, if any. Somewhere friction must be beyond the circle and as large as the box
+ allows: what is inside the box shows only too much friction. */
+class BoxCone {
+ public:
+  void Take(const ContactImpulse& contact, double friction, bool beyond_circle,
+            double tolerance) {
+    Eigen::Index largest = 0;
+    const double component = contact.n_AB_W.cwiseAbs().maxCoeff(&largest);
+    auto& axes =
+        axes_[component > std::sqrt(0.5) ? static_cast<std::size_t>(largest) : 3];
+    const double bound = friction * std::max(0.0, contact.J_B_W.dot(contact.n_AB_W));
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const auto frame = TangentFrameAlong(contact.n_AB_W, static_cast<int>(i));
+      if (!frame) {
+        axes[i].fits = false;
+        continue;
+      }
+      const double larger = (frame->transpose() * contact.J_B_W).cwiseAbs().maxCoeff();
+      if (Violation(contact, friction, larger) > tolerance) axes[i].fits = false;
+      if (beyond_circle && std::abs(larger - bound) <= tolerance) axes[i].shows = true;
+    }
   }
-  return least;
-}
+
+  bool IsFollowed() const {
+    bool shows = false;
+    for (const auto& axes : axes_) {
+      const auto fits = [](const Axis& axis) { return axis.fits; };
+      if (std::none_of(axes.begin(), axes.end(), fits)) return false;
+      shows = shows || std::any_of(axes.begin(), axes.end(), [](const Axis& axis) {
+                return axis.fits && axis.shows;
+              });
+    }
+    return shows;
+  }
+
+ private:
+  /** An axis of the world from which the directions may follow. */
+  struct Axis {
+    bool fits = true;    ///< Every impulse is inside the box.
+    bool shows = false;  ///< One beyond the circle is at the box's side.
+  };
+  std::array<std::array<Axis, 3>, 4> axes_;  ///< By the normal's largest component.
+};
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
@@ -48,7 +85,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(MeasureKind::kConeViolation,
               "1e-5 of the impulse and of what gravity gives the pair in a step, for the "
               "solver, and 64 roundings");
-  bool in_box = true;
+  BoxCone box;
   for (const ContactImpulse& contact : motion.trajectory.impulses) {
     if (!is_subject(contact.A) && !is_subject(contact.B)) continue;
     const RigidBody& A = world.bodies[static_cast<std::size_t>(contact.A)];
@@ -61,8 +98,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     const double tolerance =
         (kSolverResidual + RoundingOf(motion.oracle, 0)) * (1 + friction) * size;
     const double violation = Violation(contact, friction, J_t);
-    in_box = in_box &&
-             (violation <= tolerance || ViolationOfBox(contact, friction) <= tolerance);
+    box.Take(contact, friction, violation > tolerance, tolerance);
     worst.Take(violation, tolerance, [&] {
       return fmt::format(
           "{} gives {} at {} in step {} J_n = {:.6g} N s and |J_t| = {:.6g} N s; μ J_n "
@@ -71,7 +107,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     });
   }
   if (!worst.IsTaken()) return {};
-  return {in_box ? worst.RecognisedAs(NameOf(FrictionCone::kBox)) : worst.finding()};
+  return {box.IsFollowed() ? worst.RecognisedAs(NameOf(FrictionCone::kBox))
+                           : worst.finding()};
 }
 
 }  // namespace

@@ -204,10 +204,9 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  const Train train = TrainOf(motion.world, claim);
-  return JudgedByCone(motion, {train.box},
+  return JudgedByCone(motion, {TrainOf(motion.world, claim).box},
                       [&](const PlacedCone& cone, const Motion& judged, int) {
-                        return JudgeBy(cone, judged, train);
+                        return JudgeBy(cone, judged, TrainOf(judged.world, claim));
                       });
 }
 

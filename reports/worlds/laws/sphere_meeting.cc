@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/laws/cone_models.h"
 #include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
 #include "reports/worlds/laws/subjects.h"
@@ -257,7 +258,11 @@ std::vector<LawFinding> JudgeMeeting(const Motion& motion, const SphereMeeting& 
   std::string_view recognised;
   for (std::size_t i = 1; i < cones.size() && AnyBeyond(by_circle); ++i) {
     if (AnyBeyond(JudgeBy(cones[i], motion, meeting, until))) continue;
-    recognised = NameOf(cones[i].cone);
+    // A contact that does not slip shows no cone.
+    SphereMeeting rougher = meeting;
+    rougher.friction *= kRough;
+    if (AnyBeyond(JudgeBy(cones.front(), motion, rougher, until)))
+      recognised = NameOf(cones[i].cone);
     break;
   }
   return FindingsOf(by_circle, recognised);

@@ -58,7 +58,7 @@ std::string WhyNoFreeSphere(const World& world, int index);
  one that falls on a step) early or late, and with its point up to the whole overlap
  inside the spheres, where engines put it; what gravity does in a step; the error of
  semi-implicit Euler; 1e-5 of the velocity for the solver; and 64 roundings a step. Other
- friction cones are recognised. */
+ friction cones are recognised, where the contact slips (laws/cone_models.h). */
 std::vector<LawFinding> JudgeMeeting(const Motion& motion, const SphereMeeting& meeting,
                                      double until);
 

@@ -96,17 +96,22 @@ Eigen::Vector2d NearestInCone(FrictionCone cone, const Eigen::Vector2d& impulse,
   return impulse - DrivenFromRest(cone, impulse, radius);
 }
 
+std::optional<TangentFrame> TangentFrameAlong(const Eigen::Vector3d& n_W, int axis) {
+  const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
+  const Eigen::Vector3d t_W = along - along.dot(n_W) * n_W;
+  // An axis along the normal has no direction in the plane.
+  if (t_W.norm() < 1e-3) return std::nullopt;
+  TangentFrame frame;
+  frame.col(0) = t_W.normalized();
+  frame.col(1) = n_W.cross(frame.col(0));
+  return frame;
+}
+
 std::vector<TangentFrame> TangentFramesOf(const Eigen::Vector3d& n_W) {
   std::vector<TangentFrame> frames;
   for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis);
-    const Eigen::Vector3d t_W = along - along.dot(n_W) * n_W;
-    // An axis along the normal has no direction in the plane.
-    if (t_W.norm() < 0.1) continue;
-    TangentFrame frame;
-    frame.col(0) = t_W.normalized();
-    frame.col(1) = n_W.cross(frame.col(0));
-    frames.push_back(frame);
+    const std::optional<TangentFrame> frame = TangentFrameAlong(n_W, axis);
+    if (frame) frames.push_back(*frame);
   }
   return frames;
 }

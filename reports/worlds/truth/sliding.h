@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -50,6 +51,10 @@ Eigen::Vector2d NearestInCone(FrictionCone cone, const Eigen::Vector2d& impulse,
 
 /** Two directions that span the plane of a contact. */
 using TangentFrame = Eigen::Matrix<double, 3, 2>;
+
+/** Returns the frame whose first direction is the world's axis 0, 1 or 2 projected onto
+ the plane with normal `n_W`; none where that axis is nearly the normal. */
+std::optional<TangentFrame> TangentFrameAlong(const Eigen::Vector3d& n_W, int axis);
 
 /** Returns the frames in which a solver may have its friction directions on a plane with
  normal `n_W`, as far as they follow from it: the world's axes projected onto the plane.

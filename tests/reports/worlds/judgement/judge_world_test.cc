@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/worlds/truth/mechanics.h"
+#include "reports/worlds/truth/sliding.h"
 #include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/motions.h"
 
@@ -200,6 +202,55 @@ TEST(JudgeWorld, AMotionOfAnotherWorldIsInvalidEvenWithoutAClaim) {
     EXPECT_EQ(findings[0].measure, MeasureKind::kAnswering);
     EXPECT_THAT(findings[0].proof, HasSubstr(planted.said));
   }
+}
+
+TEST(JudgeWorld, AnEngineHasOneFrictionCone) {
+  // Two blocks slide obliquely; one engine brakes one by the box, the other by the
+  // diamond.
+  WorldScenario scenario;
+  scenario.id = "world/test/cones";
+  for (const double x : {-3.0, 3.0}) {
+    RigidBody block =
+        BodyOf(x < 0 ? "left" : "right", Box{{0.2, 0.02, 0.2}}, 1, {x, 0.02, 0});
+    block.friction = 0.4;
+    block.v_WB = Eigen::Vector3d(2, 0, 1);
+    scenario.world.bodies.push_back(block);
+  }
+  scenario.world.bodies.push_back(GroundOf());
+  scenario.world.bodies.back().friction = 0.4;
+  scenario.world.dt = 1e-3;
+  scenario.world.steps = 600;
+  scenario.claims = {ClaimOf("slide_to_stop", {"left"}),
+                     ClaimOf("slide_to_stop", {"right"})};
+  const auto judged = [&](FrictionCone of_left, FrictionCone of_right) {
+    const FakeSimulator engine("mixed", [&](const World& world) {
+      const std::vector<TangentFrame> frames = TangentFramesOf(Eigen::Vector3d::UnitY());
+      return Sampled(world, [&](double t) {
+        WorldState state = StateAtStart(world);
+        for (const std::size_t i : {0U, 1U}) {
+          const RigidBody& body = world.bodies[i];
+          const Slip slip =
+              SlipAfter(i == 0 ? of_left : of_right,
+                        frames.front().transpose() * body.v_WB, 0.4 * 9.82, t);
+          state.bodies[i].p_WB += frames.front() * slip.travelled;
+          state.bodies[i].v_WB = frames.front() * slip.velocity;
+        }
+        return state;
+      });
+    });
+    const Trajectory motion = engine.Simulate(scenario.world);
+    std::vector<Verdict> verdicts;
+    for (const Finding& finding : JudgeWorld({scenario, engine.info(), motion})) {
+      if (finding.cause != Cause::kNone) verdicts.push_back(finding.verdict);
+    }
+    return verdicts;
+  };
+  EXPECT_THAT(
+      judged(FrictionCone::kBox, FrictionCone::kBox),
+      testing::AllOf(testing::Not(testing::IsEmpty()), testing::Each(Verdict::kPass)));
+  EXPECT_THAT(
+      judged(FrictionCone::kBox, FrictionCone::kDiamond),
+      testing::AllOf(testing::Not(testing::IsEmpty()), testing::Each(Verdict::kFail)));
 }
 
 TEST(JudgeVariant, WorldsThatLawsOfMechanicsMapToEachOtherMoveAlike) {
