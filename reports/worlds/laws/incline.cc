@@ -86,7 +86,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
     const BodyState& is = motion.trajectory.samples[s].bodies[i];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const double share = kSolverResidual + rounding;
-    const double across = (1 + mu) * std::abs(is.v_WB.dot(on.plane.n_W));
+    const double across = (1 + mu) * on.SpeedAcross(is.v_WB, h);
     const double inside = on.Settling(h) / r;
     const Eigen::Vector3d v_W = start.a_W * t;
     velocity.Take(

@@ -1,5 +1,6 @@
 #include "reports/worlds/laws/on_plane.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "reports/worlds/laws/subjects.h"
@@ -18,6 +19,16 @@ constexpr double kFlat = 1e-9;
 
 double OnPlane::Settling(double dt) const {
   return std::abs(plane.gap) + 2 * press * dt * dt;
+}
+
+double OnPlane::SettlingSpeed(double dt) const {
+  const double parting = std::max(0.0, -plane.gap) / dt;
+  const double falling = press * dt + std::sqrt(2 * press * std::max(0.0, plane.gap));
+  return parting + (1 + plane.restitution) * falling;
+}
+
+double OnPlane::SpeedAcross(const Eigen::Vector3d& v_WB, double dt) const {
+  return std::min(std::abs(v_WB.dot(plane.n_W)), SettlingSpeed(dt));
 }
 
 OnPlane OnPlaneOf(const World& world, int index) {

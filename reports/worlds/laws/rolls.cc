@@ -83,7 +83,7 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
     const Eigen::Vector3d p_W =
         body.placed.X_WB.p_WB + on.v_along_W * t + a_W * (t * t / 2);
     const double speed = on.v_along_W.norm() + pull * t + r * body.w_WB.norm();
-    const double allowed = kSafety * ((1 + mu) * std::abs(is.v_WB.dot(n_W)) +
+    const double allowed = kSafety * ((1 + mu) * on.SpeedAcross(is.v_WB, h) +
                                       inside * (v_W.norm() + r * w_W.norm())) +
                            share * speed;
     velocity.Take((is.v_WB - v_W).norm(), allowed, [&] {

@@ -114,7 +114,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
     const BodyState later = slipping.At(t + h, cone);
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const double share = kSolverResidual + rounding;
-    const double across = (1 + mu) * std::abs(is.v_WB.dot(on.plane.n_W));
+    const double across = (1 + mu) * on.SpeedAcross(is.v_WB, h);
     // A step earlier and a step later friction is the same, but where slip ends.
     const double ending =
         (later.v_WB - 2 * truth.v_WB + earlier.v_WB).norm() * (t < h ? 0 : 1);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/worlds/truth/mechanics.h"
 #include "tests/reports/worlds/motions.h"
 
 namespace touchstone {
@@ -48,6 +49,36 @@ TEST(NeverPenetrates, FindsABodyThatSinksAndOneThatFallsThrough) {
     EXPECT_TRUE(Finds(Judge(world, wrong, ClaimOf("never_penetrates")),
                       MeasureKind::kPenetration));
   }
+}
+
+TEST(NeverPenetrates, GrantsASlidingBodyNoDepthForItsSpeedAlongThePlane) {
+  World world = FallingBall();
+  world.bodies[0].placed.X_WB.p_WB.y() = 0.5;
+  world.bodies[0].v_WB = {20, 0, 0};
+  const Trajectory sunk = Sampled(world, [&](double t) {
+    WorldState state = StateAtStart(world);
+    state.bodies[0].p_WB += Eigen::Vector3d(20 * t, t > 0.1 ? -0.02 : 0, 0);
+    return state;
+  });
+  ASSERT_GT(1.5 * 20 * world.dt, 0.02);
+  EXPECT_TRUE(
+      Finds(Judge(world, sunk, ClaimOf("never_penetrates")), MeasureKind::kPenetration));
+}
+
+TEST(NeverPenetrates, ForgetsHowFastBodiesMetThatHaveParted) {
+  // Two metres of fall at 6 m/s; half a second after it has left, it sinks in.
+  World world = FallingBall();
+  world.bodies[0].v_WB = {0, -6, 0};
+  const Trajectory sunk = Sampled(world, [&](double t) {
+    WorldState state = StateAtStart(world);
+    const double y = t < 0.16 ? 1.5 - 6 * t : t < 0.6 ? 0.51 : 0.49;
+    state.bodies[0].p_WB.y() = y;
+    state.bodies[0].v_WB.y() = t < 0.16 ? -6 : 0;
+    return state;
+  });
+  ASSERT_GT(1.5 * 6 * world.dt, 0.01);
+  EXPECT_TRUE(
+      Finds(Judge(world, sunk, ClaimOf("never_penetrates")), MeasureKind::kPenetration));
 }
 
 TEST(NeverPenetrates, GrantsTheDepthOfTheStart) {
