@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -27,20 +31,54 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"from", "slack"}));
 }
 
-/** Returns the sum of the overlaps that bodies have at the start. [m] */
-double OverlapAtStart(const World& world) {
+/** Bodies that overlap at the start, directly or through others that move. */
+struct Heap {
+  std::vector<std::pair<int, int>> pairs;  ///< Into World::bodies.
+  double overlap = 0;  ///< The sum of what they overlap by at the start. [m]
+  /** The first sample at which they no longer do. */
+  std::size_t parted = std::numeric_limits<std::size_t>::max();
+};
+
+/** Returns the heap of each body, without pairs where it overlaps nothing. */
+std::vector<std::shared_ptr<Heap>> HeapsOf(const World& world) {
   const WorldState start = StateAtStart(world);
-  const int bodies = static_cast<int>(world.bodies.size());
-  double sum = 0;
-  for (int A = 0; A < bodies; ++A) {
-    for (int B = A + 1; B < bodies; ++B) {
-      const RigidBody& a = world.bodies[static_cast<std::size_t>(A)];
-      const RigidBody& b = world.bodies[static_cast<std::size_t>(B)];
-      if (a.collides && b.collides && a.mass + b.mass > 0)
-        sum += OverlapOf(world, start, A, B);
+  std::vector<std::shared_ptr<Heap>> heaps(world.bodies.size());
+  for (std::shared_ptr<Heap>& heap : heaps) heap = std::make_shared<Heap>();
+  for (std::size_t A = 0; A < heaps.size(); ++A) {
+    for (std::size_t B = A + 1; B < heaps.size(); ++B) {
+      const RigidBody& a = world.bodies[A];
+      const RigidBody& b = world.bodies[B];
+      if (!a.collides || !b.collides || a.mass + b.mass == 0) continue;
+      const double overlap =
+          OverlapOf(world, start, static_cast<int>(A), static_cast<int>(B));
+      if (overlap == 0) continue;
+      // What never moves joins nothing.
+      const std::shared_ptr<Heap> heap = heaps[a.mass > 0 ? A : B];
+      if (a.mass > 0 && b.mass > 0 && heaps[B] != heap) {
+        const std::shared_ptr<Heap> other = heaps[B];
+        heap->pairs.insert(heap->pairs.end(), other->pairs.begin(), other->pairs.end());
+        heap->overlap += other->overlap;
+        std::replace(heaps.begin(), heaps.end(), other, heap);
+      }
+      heap->pairs.emplace_back(static_cast<int>(A), static_cast<int>(B));
+      heap->overlap += overlap;
     }
   }
-  return sum;
+  return heaps;
+}
+
+/** Finds when, from sample `first` on, each heap has parted to within `slack` [m]. */
+void FindParting(const World& world, const Trajectory& trajectory, std::size_t first,
+                 double slack, const std::vector<std::shared_ptr<Heap>>& heaps) {
+  for (const std::shared_ptr<Heap>& heap : heaps) {
+    for (std::size_t s = first; s < std::min(heap->parted, trajectory.samples.size());
+         ++s) {
+      double left = 0;
+      for (const auto& [A, B] : heap->pairs)
+        left += OverlapOf(world, trajectory.samples[s], A, B);
+      if (left <= slack) heap->parted = s;
+    }
+  }
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -56,25 +94,30 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   }
   const double contacts = static_cast<double>(
       std::max<std::size_t>(1, subjects.bodies.size() + subjects.particles.size()));
-  const double granted = OverlapAtStart(world) + NumberOr(claim, "slack", 0);
+  const double slack = NumberOr(claim, "slack", 0);
+  const double settling = kSafety * 2 * contacts * g * h * h;
   const auto first = static_cast<std::size_t>(
       std::find_if(trajectory.times.begin(), trajectory.times.end(),
                    [&](double t) { return t >= from - h / 2; }) -
       trajectory.times.begin());
+  const std::vector<std::shared_ptr<Heap>> heaps = HeapsOf(world);
+  FindParting(world, trajectory, first, settling, heaps);
   Worst rest(MeasureKind::kRestMotion,
-             "1.5 × 2 g h² for each contact that may carry it, what overlapped at the "
-             "start, 1e-5 of g h a step for the solver, and 64 roundings a step");
+             "1.5 × 2 g h² for each contact that may carry it, what overlaps at "
+             "the start until it has parted, 1e-5 of g h a step for the solver, and 64 "
+             "roundings a step");
   Worst velocity(MeasureKind::kVelocityError,
-                 "1.5 × 2 g h for each contact that may carry it, what overlapped at the "
-                 "start in a step, and 64 roundings a step");
+                 "1.5 × 2 g h for each contact that may carry it, what overlaps at "
+                 "the start in a step until it has parted, and 64 roundings a step");
   for (std::size_t s = first; s < trajectory.samples.size(); ++s) {
     const double t = trajectory.times[s];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const auto hold = [&](const std::string& name, const Eigen::Vector3d& was,
-                          const Eigen::Vector3d& is, double turned, double speed) {
+                          const Eigen::Vector3d& is, double turned, double speed,
+                          double granted) {
       rest.Take((is - was).norm() + turned,
-                kSafety * 2 * contacts * g * h * h + granted +
-                    kSolverResidual * g * h * (t - from) + rounding * (1 + is.norm()),
+                settling + granted + kSolverResidual * g * h * (t - from) +
+                    rounding * (1 + is.norm()),
                 [&] {
                   return fmt::format("{} has {} at {} after {:.6g} s; it rested at {}",
                                      motion.oracle.name, name, Words(is), t, Words(was));
@@ -86,27 +129,33 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                                motion.oracle.name, name, speed, t);
           });
     };
-    const WorldState& then = trajectory.samples[first];
     const WorldState& now = trajectory.samples[s];
     for (const int index : subjects.bodies) {
       const auto i = static_cast<std::size_t>(index);
       const RigidBody& body = world.bodies[i];
       const double radius = BoundingRadius(body.placed.shape);
+      const Heap& heap = *heaps[i];
+      // What has parted rests from then on.
+      const bool parted = s > heap.parted;
+      const WorldState& then = trajectory.samples[parted ? heap.parted : first];
       hold(body.name, then.bodies[i].p_WB, now.bodies[i].p_WB,
            radius * now.bodies[i].q_WB.angularDistance(then.bodies[i].q_WB),
-           now.bodies[i].v_WB.norm() + radius * now.bodies[i].w_WB.norm());
+           now.bodies[i].v_WB.norm() + radius * now.bodies[i].w_WB.norm(),
+           slack + (parted ? 0 : heap.overlap));
     }
+    const WorldState& then = trajectory.samples[first];
     for (const int index : subjects.particles) {
       const auto i = static_cast<std::size_t>(index);
       hold(world.particles[i].name, then.particles[i].p_W, now.particles[i].p_W, 0,
-           now.particles[i].v_W.norm());
+           now.particles[i].v_W.norm(), slack);
     }
     for (const int index : subjects.cloths) {
       const Cloth& cloth = world.cloths[static_cast<std::size_t>(index)];
       const int nodes = FirstNodeOf(world, index);
       for (int node = nodes; node < nodes + cloth.n * cloth.n; ++node) {
         const auto i = static_cast<std::size_t>(node);
-        hold(cloth.name, then.nodes[i].p_W, now.nodes[i].p_W, 0, now.nodes[i].v_W.norm());
+        hold(cloth.name, then.nodes[i].p_W, now.nodes[i].p_W, 0, now.nodes[i].v_W.norm(),
+             slack);
       }
     }
   }

@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "reports/worlds/truth/mechanics.h"
+#include "reports/worlds/truth/sliding.h"
 #include "tests/reports/worlds/motions.h"
 
 namespace touchstone {
@@ -90,6 +93,46 @@ TEST(Rests, MayBeginLaterAndFindsTurning) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("rests", {}, {{"from", 2}})).size(), 1U);
 }
 
+/** A ball that rests on the ground; two more far away start `overlap` inside each other.
+ */
+World RestsBesideAHeap(double overlap) {
+  World world;
+  world.bodies = {BodyOf("still", Sphere{0.2}, 1, {0, 0.2, 0}),
+                  BodyOf("left", Sphere{0.2}, 1, {5, 0.2, 0}),
+                  BodyOf("right", Sphere{0.2}, 1, {5.4 - overlap, 0.2, 0}), GroundOf()};
+  world.dt = 1e-3;
+  world.steps = 200;
+  return world;
+}
+
+/** `body` goes on by 0.01 m from `from` [s] to `to` [s] along x. */
+Trajectory Creeping(const World& world, std::size_t body, double from, double to) {
+  return Sampled(world, [&world, body, from, to](double t) {
+    WorldState state = StateAtStart(world);
+    state.bodies[body].p_WB.x() += 0.01 * std::clamp((t - from) / (to - from), 0.0, 1.0);
+    if (from < t && t < to) state.bodies[body].v_WB.x() = 0.01 / (to - from);
+    return state;
+  });
+}
+
+TEST(Rests, IsNotExcusedByAnOverlapElsewhere) {
+  const World world = RestsBesideAHeap(0.01);
+  EXPECT_TRUE(
+      Finds(Judge(world, Creeping(world, 0, 0.1, 0.15), ClaimOf("rests", {"still"})),
+            MeasureKind::kRestMotion));
+}
+
+TEST(Rests, GrantsWhatOverlapsUntilItHasParted) {
+  const World world = RestsBesideAHeap(0.01);
+  EXPECT_TRUE(Passes(
+      Judge(world, Creeping(world, 2, 0, 0.05), ClaimOf("rests", {"left", "right"}))));
+  const World touching = RestsBesideAHeap(0.001);
+  // Parted after a tenth of its way.
+  EXPECT_TRUE(Finds(Judge(touching, Creeping(touching, 2, 0, 0.05),
+                          ClaimOf("rests", {"left", "right"})),
+                    MeasureKind::kRestMotion));
+}
+
 TEST(StackSupport, WeightPassesAndAMissingShareOfItDoesNot) {
   const World world = Stack();
   const Claim claim = ClaimOf("stack_support", {}, {{"expected_weight", 8 * kG}});
@@ -174,6 +217,35 @@ TEST(CoulombCone, TheCirclePassesAndTheBoxIsRecognised) {
   EXPECT_EQ(box.recognised, "L∞ friction cone");
   EXPECT_TRUE(Finds(Judge(world, Rubbing(world, {1.001, 0}), ClaimOf("coulomb_cone")),
                     MeasureKind::kConeViolation));
+}
+
+TEST(CoulombCone, FindsFrictionThatIsTooLargeWhereTheBoxHasRoomForIt) {
+  // μ J_n = 1 N s; the size is 1.27, the larger component 0.9.
+  const World world = Rubbed();
+  EXPECT_TRUE(Finds(Judge(world, Rubbing(world, {0.9, 0.9}), ClaimOf("coulomb_cone")),
+                    MeasureKind::kConeViolation));
+}
+
+TEST(CoulombCone, HasOneFrameForAMotion) {
+  // On a slope the directions of the axes x and y differ: at the corner of one box, then
+  // of the other.
+  const World world = Rubbed();
+  const Eigen::Vector3d n_W = Eigen::Vector3d(0.5, 0.6, 0.4).normalized();
+  const auto rubbing = [&](int first_axis, int second_axis) {
+    Trajectory trajectory = Rubbing(world, {0, 0});
+    for (ContactImpulse& contact : trajectory.impulses) {
+      const TangentFrame frame =
+          *TangentFrameAlong(n_W, contact.step % 2 == 0 ? first_axis : second_axis);
+      contact.n_AB_W = n_W;
+      contact.J_B_W = 2 * n_W + frame * Eigen::Vector2d(1, 1);
+    }
+    return Of(Judge(world, trajectory, ClaimOf("coulomb_cone")),
+              MeasureKind::kConeViolation)
+        .recognised;
+  };
+  EXPECT_EQ(rubbing(0, 0), "L∞ friction cone");
+  EXPECT_EQ(rubbing(1, 1), "L∞ friction cone");
+  EXPECT_EQ(rubbing(0, 1), "");
 }
 
 TEST(CoulombCone, FindsAContactThatPulls) {
