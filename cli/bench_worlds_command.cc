@@ -61,14 +61,19 @@ double ThreadSeconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+// Written so that a NaN is the largest.
+void TakeLarger(double& largest, double value) {
+  if (!(value <= largest) && !std::isnan(largest)) largest = value;
+}
+
 void Assess(const World& world, const WorldState& state, Measured& row) {
   row.deepest = DeepestPenetration(world, state).depth;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     if (world.bodies[i].mass == 0) continue;
     Eigen::Vector3d moved = state.bodies[i].p_WB - world.bodies[i].placed.X_WB.p_WB;
     moved.y() = 0;
-    row.fastest = std::max(row.fastest, state.bodies[i].v_WB.norm());
-    row.sideways = std::max(row.sideways, moved.norm());
+    TakeLarger(row.fastest, state.bodies[i].v_WB.norm());
+    TakeLarger(row.sideways, moved.norm());
   }
 }
 
@@ -151,6 +156,7 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
     for (const Oracle* oracle : OraclesNamed(session.registry, name))
       oracles.push_back(oracle);
   }
+  bool any_measured = false;
   for (const Scene& scene : kScenes) {
     const auto& wanted = arguments.scenes;
     if (!wanted.empty() &&
@@ -164,7 +170,15 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
                                                           arguments.seconds)});
     }
     if (rows.empty()) throw InputError("none of these oracles simulates worlds");
+    any_measured = any_measured ||
+                   std::any_of(rows.begin(), rows.end(),
+                               [](const Row& row) { return row.measured.has_value(); });
     Print(scene, world, arguments.steps, std::move(rows));
+  }
+  if (!any_measured) {
+    throw InputError(
+        "nothing was measured: every engine was stopped or crashed; expected "
+        "more --seconds, fewer --steps or a smaller --scene");
   }
   return 0;
 }

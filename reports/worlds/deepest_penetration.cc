@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "reports/referee/referee.h"
@@ -44,6 +45,11 @@ Body AsItIs(const World& world, const WorldState& state, std::size_t body) {
 
 Penetration DeepestPenetration(const World& world, const WorldState& state) {
   Penetration deepest;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const BodyState& body = state.bodies[i];
+    if (body.p_WB.allFinite() && body.q_WB.coeffs().allFinite()) continue;
+    return {std::numeric_limits<double>::quiet_NaN(), static_cast<int>(i), -1};
+  }
   const std::vector<Ball> balls = SortedBalls(world, state);
   for (std::size_t i = 0; i < balls.size(); ++i) {
     const double right = balls[i].p_W.x() + balls[i].radius;
@@ -56,7 +62,8 @@ Penetration DeepestPenetration(const World& world, const WorldState& state) {
       const ContactTruth truth =
           JudgeContact({AsItIs(world, state, a), AsItIs(world, state, b)});
       const double depth = -(truth.separation.lo + truth.separation.hi) / 2;
-      if (depth > deepest.depth)
+      // Written so that a NaN is the deepest.
+      if (!(depth <= deepest.depth) && !std::isnan(deepest.depth))
         deepest = {depth, static_cast<int>(a), static_cast<int>(b)};
     }
   }

@@ -7,8 +7,9 @@ namespace touchstone {
 
 /** Where two bodies of a world overlap most. */
 struct Penetration {
-  double depth = 0;  ///< [m]; 0 where nothing overlaps.
-  int A = -1;        ///< Into World::bodies; −1 where nothing overlaps.
+  /** [m]; 0 where nothing overlaps, NaN where body A is nowhere. */
+  double depth = 0;
+  int A = -1;  ///< Into World::bodies; −1 where nothing overlaps.
   int B = -1;
 };
 

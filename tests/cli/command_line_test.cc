@@ -504,6 +504,13 @@ TEST_F(CommandLineTest, TimesWorldsBesideTheirQuality) {
                                HasSubstr("  cookbook"), HasSubstr("  bullet")));
 }
 
+TEST_F(CommandLineTest, TimesOfNothingAreAnError) {
+  const Ended ended = Itself(
+      "bench worlds --scene stack20 --steps 100000000 --seconds 1 --oracle cookbook");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("nothing was measured"));
+}
+
 TEST_F(CommandLineTest, TeachesByHelp) {
   const Ended ended = Touchstone("--help");
   EXPECT_EQ(ended.code, 0);
