@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/worlds/judge_world.h"
+#include "reports/worlds/truth/mechanics.h"
+#include "tests/catalogue/the_catalogue.h"
+
+namespace touchstone {
+namespace {
+
+/** An engine that answers every world and moves nothing, in double precision. */
+OracleInfo Frozen() {
+  OracleInfo info;
+  info.name = "frozen";
+  info.simulates = true;
+  return info;
+}
+
+/** Nothing leaves its place: every later sample is the start, its velocities times
+ `left`. */
+Trajectory FrozenMotion(const World& world, double left) {
+  Trajectory trajectory;
+  trajectory.status = AnswerStatus::kAnswered;
+  const WorldState start = StateAtStart(world);
+  WorldState later = start;
+  for (BodyState& body : later.bodies) {
+    body.v_WB *= left;
+    body.w_WB *= left;
+  }
+  for (PointState& particle : later.particles) particle.v_W *= left;
+  for (int step = 0; step <= world.steps; step += world.sample_every) {
+    trajectory.times.push_back(step * world.dt);
+    trajectory.samples.push_back(step == 0 ? start : later);
+  }
+  return trajectory;
+}
+
+bool IsFoundOut(const WorldScenario& scenario, double left) {
+  const OracleInfo frozen = Frozen();
+  const Trajectory motion = FrozenMotion(scenario.world, left);
+  const std::vector<Finding> findings = JudgeWorld({scenario, frozen, motion});
+  return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.verdict != Verdict::kPass && finding.verdict != Verdict::kUnsupported;
+  });
+}
+
+using Ids = std::set<std::string>;
+
+Ids MissedWith(double left) {
+  Ids missed;
+  for (const WorldScenario& scenario : TheCatalogue().worlds)
+    if (!IsFoundOut(scenario, left)) missed.insert(scenario.id);
+  return missed;
+}
+
+/** Worlds of which standing still is the truth, or a legal answer to an overlap. */
+const Ids kRest = {"world/cloth/strip",
+                   "world/rest/box_on_a_slope",
+                   "world/rest/card_leans_on_a_wall",
+                   "world/rest/heavy_on_light",
+                   "world/rest/overlap_is_resolved",
+                   "world/rest/pyramid",
+                   "world/rest/stack_of_five_boxes",
+                   "world/rest/stack_of_spheres"};
+
+/** Worlds that move, but of whose motion no closed form is known: what stands still in
+ the air obeys their claims too, since it neither gains energy nor sinks nor stretches a
+ rod.
+ */
+const Ids kMove = {"world/cloth/swings_by_one_corner",
+                   "world/friction/spinning_block",
+                   "world/friction/twist_lets_slide",
+                   "world/joint/box_on_a_rod",
+                   "world/joint/heavy_below_light",
+                   "world/joint/rope_of_ten",
+                   "world/pile/elastic_27",
+                   "world/pile/inelastic_27",
+                   "world/rest/dropped_stack",
+                   "world/rest/row_of_dominoes",
+                   "world/zoo/mj_420"};
+
+TEST(Worlds, FindOutAnEngineThatStopsEverything) {
+  Ids known = kRest;
+  known.insert(kMove.begin(), kMove.end());
+  EXPECT_EQ(MissedWith(0), known);
+}
+
+/** Worlds of which besides that only momentum and energy are known, which are those of
+ the velocities: what keeps these and goes nowhere obeys them. */
+const Ids kKeepVelocities = {"world/errata/e17_damped_pair_spins",
+                             "world/errata/e22_unequal_dumbbell",
+                             "world/impact/fast_cubes",
+                             "world/joint/chain_without_gravity",
+                             "world/pile/gas_of_27",
+                             "world/pile/sticky_gas_of_27",
+                             "world/spring/damped_ring",
+                             "world/spring/ring_of_six",
+                             "world/spring/two_bodies"};
+
+TEST(Worlds, FindOutAnEngineThatKeepsVelocitiesAndMovesNothing) {
+  Ids known = kRest;
+  known.insert(kMove.begin(), kMove.end());
+  known.insert(kKeepVelocities.begin(), kKeepVelocities.end());
+  EXPECT_EQ(MissedWith(1), known);
+}
+
+}  // namespace
+}  // namespace touchstone
