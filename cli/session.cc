@@ -52,6 +52,9 @@ RunReport RunSuite(const Session& session, const Questions& questions,
   run.jobs = options.jobs;
   run.today = Today();
   run.partial = options.partial;
+  run.is_oracle = [&session](std::string_view name) {
+    return session.registry.MayExist(name);
+  };
   run.on_progress = [&bar](std::size_t done, std::size_t total) {
     bar.Show(done, total);
   };

@@ -1,5 +1,6 @@
 #include "oracles/oracle_registry.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -154,6 +155,13 @@ std::vector<const Oracle*> OracleRegistry::Matching(std::string_view pattern) co
     if (name == pattern || IsBelow(name, pattern)) matching.push_back(oracle.get());
   }
   return matching;
+}
+
+bool OracleRegistry::MayExist(std::string_view name) const {
+  const auto is_it = [name](const MissingOracle& missing) {
+    return name == missing.name || IsBelow(name, missing.name);
+  };
+  return Find(name) != nullptr || std::any_of(missing_.begin(), missing_.end(), is_it);
 }
 
 std::vector<const Oracle*> OracleRegistry::All() const {

@@ -38,6 +38,10 @@ class OracleRegistry {
    none. */
   std::vector<const Oracle*> Matching(std::string_view pattern) const;
 
+  /** Returns whether there is an oracle of that name, here or in a build that has what
+   this one is missing. */
+  bool MayExist(std::string_view name) const;
+
   std::vector<const Oracle*> All() const;
 
   /** Returns the names of specimens that Find() makes; those of several errata are left

@@ -62,8 +62,12 @@ void Excuse(Finding& finding, double size, std::span<Rule> rules, const Ledger& 
   if (!finding.ledger_entry) finding.proof += refused;
 }
 
-std::string ImprovementOf(const Rule& rule) {
-  if (rule.voided || rule.use.candidates == 0 || rule.entry.intermittent) return "";
+std::string WhyNotNeeded(const Rule& rule) {
+  if (rule.voided) return "";
+  if (rule.use.candidates == 0) {
+    return "is about nothing that was asked: correct or remove this entry";
+  }
+  if (rule.entry.intermittent) return "";
   if (rule.use.hidden == 0) return "improved: remove this entry, it hides nothing";
   if (HasValue(rule.entry.verdict) && rule.use.worst < rule.entry.bound * kImproved) {
     return fmt::format("improved: lower the bound {:.3g}, the worst it hides is {:.3g}",
@@ -86,7 +90,8 @@ std::map<std::string_view, double> LedgerSizesOf(const RunReport& report) {
   return sizes;
 }
 
-void ApplyLedger(RunReport& report, std::string_view today, bool partial) {
+void ApplyLedger(RunReport& report, std::string_view today, bool partial,
+                 const std::function<bool(std::string_view)>& is_oracle) {
   const std::vector<LedgerEntry>& entries = report.ledger.entries;
   report.ledger_use.assign(entries.size(), {});
   std::map<std::string, std::vector<Rule>> rules;  // By oracle.
@@ -94,7 +99,14 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial) {
     const auto oracle = std::find_if(
         report.oracles.begin(), report.oracles.end(),
         [&](const OracleInfo& info) { return info.name == entries[i].oracle; });
-    if (oracle == report.oracles.end()) continue;
+    if (oracle == report.oracles.end()) {
+      if (!partial && is_oracle && !is_oracle(entries[i].oracle)) {
+        report.faults.push_back(fmt::format(
+            "{}: no build has an oracle \"{}\": correct or remove this entry.",
+            PlaceOf(report.ledger, entries[i]), entries[i].oracle));
+      }
+      continue;
+    }
     rules[entries[i].oracle].push_back({entries[i], report.ledger_use[i],
                                         static_cast<int>(i),
                                         oracle->version != entries[i].version});
@@ -110,15 +122,16 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial) {
     for (const Rule& rule : of_oracle) {
       const std::string place = PlaceOf(report.ledger, rule.entry);
       // ISO dates compare as strings.
-      if (!today.empty() && rule.entry.expires < today && rule.use.candidates > 0) {
+      const bool looked_at = !partial || rule.use.candidates > 0;
+      if (!today.empty() && rule.entry.expires < today && looked_at) {
         report.faults.push_back(fmt::format(
             "{}: expired on {}: look at it again and set a new date, or remove it.",
             place, rule.entry.expires));
       }
-      const std::string improvement = partial ? "" : ImprovementOf(rule);
-      if (!improvement.empty()) {
-        report.faults.push_back(fmt::format("{}: {} ({} in {}).", place, improvement,
-                                            oracle, rule.entry.scenarios));
+      const std::string why = partial ? "" : WhyNotNeeded(rule);
+      if (!why.empty()) {
+        report.faults.push_back(
+            fmt::format("{}: {} ({} in {}).", place, why, oracle, rule.entry.scenarios));
       }
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string_view>
 
@@ -9,14 +10,19 @@ namespace touchstone {
 
 /** Applies the ledger of `report` to its findings: makes `known` those that an entry
  excuses, fills `ledger_use`, and adds a fault for every entry that is exceeded, has
- expired by the ISO date `today`, or is no longer needed (not where `partial`: the
- scenarios left out may need it).
+ expired by the ISO date `today`, or is no longer needed. Where `partial`, only for what
+ was put to the test: the scenarios left out may need it.
+
+ Otherwise an entry about nothing is a fault as well: one that concerns no answer of its
+ oracle, or an oracle of which `is_oracle` says that no build has it. Empty: every name
+ may be one's. Entries for oracles that took no part are let be.
 
  An entry is void for another version of the library than its own, and says nothing of the
  ledger's strangers. The unit of values and bounds is SceneSize() for lengths of contact
  queries, 1 for all else; verdicts without a value (crashed, timed out, invalid) have no
  bound to exceed. */
-void ApplyLedger(RunReport& report, std::string_view today, bool partial);
+void ApplyLedger(RunReport& report, std::string_view today, bool partial,
+                 const std::function<bool(std::string_view)>& is_oracle = {});
 
 /** An entry whose worst hidden value is below this share of its bound is too wide: a
  result that got an order of magnitude better must be written down, or a later regression

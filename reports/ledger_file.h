@@ -45,6 +45,9 @@ std::string ProposeLedger(const RunReport& report, std::string_view expires = ""
  of twelve at which an entry is called improved. [-] */
 inline constexpr double kProposedBound = 1.5;
 
+/** Returns whether `measure` is 0 or 1, or a share: no bound above 1 is one. */
+bool IsShare(MeasureKind measure);
+
 /** Returns `value` rounded up to two decimal digits, 0 for anything not positive. */
 double RoundedUp(double value);
 

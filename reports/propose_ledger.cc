@@ -128,6 +128,9 @@ LedgerEntry EntryOf(const Proposal& proposal, const RunReport& report,
   entry.measures.assign(proposal.shown.measures.begin(), proposal.shown.measures.end());
   entry.verdict = proposal.kind.verdict;
   entry.bound = RoundedUp(kProposedBound * proposal.shown.worst);
+  if (std::any_of(entry.measures.begin(), entry.measures.end(), IsShare)) {
+    entry.bound = std::min(entry.bound, 1.0);
+  }
   // What is not proved has no cause yet: a defect until somebody knows better.
   entry.cause =
       proposal.kind.cause == Cause::kNone ? Cause::kDefect : proposal.kind.cause;
@@ -137,6 +140,11 @@ LedgerEntry EntryOf(const Proposal& proposal, const RunReport& report,
 }
 
 }  // namespace
+
+bool IsShare(MeasureKind measure) {
+  return measure == MeasureKind::kTouching || measure == MeasureKind::kPatchCoverage ||
+         measure == MeasureKind::kAnswering || measure == MeasureKind::kDeterminism;
+}
 
 double RoundedUp(double value) {
   if (!(value > 0)) return 0;

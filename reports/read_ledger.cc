@@ -98,7 +98,7 @@ class LedgerReader {
     entry.version = Text(table, "version", "the library version it was seen in");
     entry.measures = Measures(table);
     entry.verdict = OneOf(table, "verdict", kVerdicts, Verdict::kFail);
-    entry.bound = Bound(table, entry.verdict);
+    entry.bound = Bound(table, entry.verdict, entry.measures);
     entry.cause = OneOf(table, "cause", kCauses, Cause::kDefect);
     entry.reason = Text(table, "reason", "one or two sentences: what goes wrong and why");
     entry.upstream =
@@ -169,7 +169,8 @@ class LedgerReader {
     return measures;
   }
 
-  double Bound(const toml::table& table, Verdict verdict) {
+  double Bound(const toml::table& table, Verdict verdict,
+               const std::vector<MeasureKind>& measures) {
     const std::string expected = "a number > 0, relative to the size of the scene";
     const bool has_value = verdict == Verdict::kFail || verdict == Verdict::kDisagree;
     const toml::node* node = table.get("bound");
@@ -185,6 +186,11 @@ class LedgerReader {
     const double bound = node->value<double>().value_or(NAN);
     if (!node->is_number() || !std::isfinite(bound) || bound <= 0) {
       Add(node->source(), "bound is not a positive number", expected);
+    }
+    const auto share = std::find_if(measures.begin(), measures.end(), IsShare);
+    if (bound > 1 && share != measures.end()) {
+      Add(node->source(), fmt::format("bound is {}", bound),
+          fmt::format("at most 1, which {} cannot exceed", NameOf(*share)));
     }
     return bound;
   }

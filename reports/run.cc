@@ -142,7 +142,7 @@ class Suite {
     ExplainTheRest(report_);
     RunTheWorlds();
     report_.ledger = ledger;
-    ApplyLedger(report_, options_.today, options_.partial);
+    ApplyLedger(report_, options_.today, options_.partial, options_.is_oracle);
     for (const WorldResult& result : report_.worlds) {
       std::vector<std::string> faults = FaultsOfClaims(result.scenario);
       std::move(faults.begin(), faults.end(), std::back_inserter(report_.faults));

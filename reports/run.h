@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -51,6 +52,8 @@ struct RunOptions {
   /** The scenarios are not the whole catalogue: a ledger entry that hides nothing may
    still be needed by those left out, and is not called improved. */
   bool partial = false;
+  /** Whether any build has an oracle of that name, see ApplyLedger(). */
+  std::function<bool(std::string_view)> is_oracle;
   /** Called with (done, total) question-oracle pairs, from one thread at a time; may be
    * empty. */
   std::function<void(std::size_t, std::size_t)> on_progress;

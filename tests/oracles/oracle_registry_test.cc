@@ -84,6 +84,15 @@ TEST(OracleRegistry, EverySpecimenThatIsNamedCanBeFound) {
   EXPECT_TRUE(OracleRegistry().SpecimenNames().empty());
 }
 
+TEST(OracleRegistry, KnowsTheNamesThatAnotherBuildMayHave) {
+  const OracleRegistry registry = OracleRegistry::BuiltIn();
+  for (const char* name : {"cookbook", "printed:E-04", "bullet/gjk", "fcl/collide"}) {
+    EXPECT_TRUE(registry.MayExist(name)) << name;
+  }
+  EXPECT_FALSE(registry.MayExist("cookbok"));
+  EXPECT_FALSE(registry.MayExist("cookbook/quick"));
+}
+
 TEST(OracleRegistry, EveryEngineIsThereOrSaysHowToGetIt) {
   const OracleRegistry registry = OracleRegistry::BuiltIn();
   const auto is_missing = [&](const std::string& name) {

@@ -120,11 +120,31 @@ TEST(ApplyLedger, CallsNothingImprovedInAPartialRun) {
   EXPECT_THAT(report.faults, IsEmpty());
 }
 
-TEST(ApplyLedger, CallsNothingImprovedThatWasNotPutToTheTest) {
+TEST(ApplyLedger, FaultsAnEntryAboutNothing) {
   RunReport report = ReportOf({0, 0}, 0.05);
-  report.ledger.entries[0].scenarios = "contact/sphere_box/*";
-  ApplyLedger(report, "2026-01-01", false);
+  report.ledger.entries[0].scenarios = "contact/bxo_box/*";
+  ApplyLedger(report, "2026-01-01", true);
   EXPECT_THAT(report.faults, IsEmpty());
+  ApplyLedger(report, "2026-01-01", false);
+  EXPECT_THAT(
+      report.faults,
+      ElementsAre("known_discrepancies.toml:17: is about nothing that was asked: correct "
+                  "or remove this entry (ode in contact/bxo_box/*)."));
+}
+
+TEST(ApplyLedger, FaultsAnEntryForAnOracleThatNoBuildHas) {
+  const auto is_oracle = [](std::string_view name) { return name == "fcl/collide"; };
+  RunReport report = ReportOf({0.04}, 0.05);
+  report.ledger.entries[0].oracle = "fcl/collide";  // Not of this build.
+  ApplyLedger(report, "2026-01-01", false, is_oracle);
+  EXPECT_THAT(report.faults, IsEmpty());
+  report.ledger.entries[0].oracle = "fcl/colide";
+  ApplyLedger(report, "2026-01-01", true, is_oracle);
+  EXPECT_THAT(report.faults, IsEmpty());
+  ApplyLedger(report, "2026-01-01", false, is_oracle);
+  EXPECT_THAT(report.faults,
+              ElementsAre("known_discrepancies.toml:17: no build has an oracle "
+                          "\"fcl/colide\": correct or remove this entry."));
 }
 
 TEST(ApplyLedger, FailsAnExpiredEntryThoughItStillExcuses) {
@@ -134,6 +154,11 @@ TEST(ApplyLedger, FailsAnExpiredEntryThoughItStillExcuses) {
   ASSERT_EQ(report.faults.size(), 1U);
   EXPECT_THAT(report.faults[0],
               HasSubstr("known_discrepancies.toml:17: expired on 2026-06-30"));
+  // Whatever it is about: nobody would look at it again.
+  report = ReportOf({0.04}, 0.05);
+  report.ledger.entries[0].scenarios = "contact/bxo_box/*";
+  ApplyLedger(report, "2026-07-01", false);
+  EXPECT_THAT(report.faults, testing::Contains(HasSubstr("expired on 2026-06-30")));
   report = ReportOf({0.04}, 0.05);
   ApplyLedger(report, "2026-06-30", false);
   EXPECT_THAT(report.faults, IsEmpty());

@@ -114,6 +114,15 @@ TEST(ReadLedger, RefusesABoundThatIsNone) {
   EXPECT_EQ(Complaints(With("\"fail\"", "\"crashed\"")).size(), 1U);
 }
 
+TEST(ReadLedger, RefusesABoundThatAShareCannotExceed) {
+  std::string text = With("\"excess\"", "\"patch_coverage\"");
+  text.replace(text.find("0.05"), 4, "1.3");
+  EXPECT_THAT(Complaints(text),
+              ElementsAre("ledger.toml:7:9: bound is 1.3; expected at most 1, which "
+                          "patch_coverage cannot exceed"));
+  EXPECT_THAT(Complaints(With("0.05", "1.3")), IsEmpty());
+}
+
 TEST(ReadLedger, WantsAProperDate) {
   EXPECT_THAT(
       Complaints(With("2026-06-30", "\"2026-06-30\"")),
