@@ -77,7 +77,7 @@ std::map<RowKey, Row> MeasuredRows(const RunReport& report) {
     Row& row = rows.at(KeyOf(oracles.at(finding.oracle), query));
     std::optional<double>& worst =
         row.worst[static_cast<std::size_t>(column - kColumns.begin())];
-    worst = std::max(worst.value_or(0), ValueForLedger(finding, SceneSize(query)));
+    worst = std::max(worst.value_or(0), ValueForLedger(finding, {SceneSize(query)}));
   }
   return rows;
 }

@@ -1,6 +1,7 @@
 #include "reports/apply_ledger.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <fmt/format.h>
@@ -34,7 +35,8 @@ bool HasValue(Verdict verdict) {
 }
 
 /** Excuses `finding` by the first rule that covers it. */
-void Excuse(Finding& finding, double size, std::span<Rule> rules, const Ledger& ledger) {
+void Excuse(Finding& finding, const LedgerScale& scale, std::span<Rule> rules,
+            const Ledger& ledger) {
   std::string refused;
   const Verdict verdict = finding.verdict;
   for (Rule& rule : rules) {
@@ -47,7 +49,7 @@ void Excuse(Finding& finding, double size, std::span<Rule> rules, const Ledger& 
           fmt::format(" {} is void: it is for version {}.", place, rule.entry.version);
       continue;
     }
-    const double value = HasValue(verdict) ? ValueForLedger(finding, size) : 0;
+    const double value = HasValue(verdict) ? ValueForLedger(finding, scale) : 0;
     // Written so that a NaN is refused.
     if (!(value <= rule.entry.bound)) {
       refused = fmt::format(" {} allows {:.3g}; {:.3g} exceeds it by {:.3g}.", place,
@@ -78,16 +80,20 @@ std::string WhyNotNeeded(const Rule& rule) {
 
 }  // namespace
 
-double ValueForLedger(const Finding& finding, double size) {
-  return UnitOf(finding.measure) == "m" ? finding.value / size : finding.value;
+double ValueForLedger(const Finding& finding, const LedgerScale& scale) {
+  if (finding.measure == MeasureKind::kTouching) return scale.from_touching / scale.size;
+  return UnitOf(finding.measure) == "m" ? finding.value / scale.size : finding.value;
 }
 
-std::map<std::string_view, double> LedgerSizesOf(const RunReport& report) {
-  std::map<std::string_view, double> sizes;
-  for (const ScenarioResult& result : report.scenarios)
-    sizes[result.scenario.id] = SceneSize(result.scenario.contact);
-  for (const WorldResult& result : report.worlds) sizes[result.scenario.id] = 1;
-  return sizes;
+std::map<std::string_view, LedgerScale> LedgerScalesOf(const RunReport& report) {
+  std::map<std::string_view, LedgerScale> scales;
+  for (const ScenarioResult& result : report.scenarios) {
+    const Enclosure& truth = result.truth.separation;
+    scales[result.scenario.id] = {SceneSize(result.scenario.contact),
+                                  std::max(std::abs(truth.lo), std::abs(truth.hi))};
+  }
+  for (const WorldResult& result : report.worlds) scales[result.scenario.id] = {};
+  return scales;
 }
 
 void ApplyLedger(RunReport& report, std::string_view today, bool partial,
@@ -111,12 +117,12 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial,
                                         static_cast<int>(i),
                                         oracle->version != entries[i].version});
   }
-  const std::map<std::string_view, double> sizes = LedgerSizesOf(report);
+  const std::map<std::string_view, LedgerScale> scales = LedgerScalesOf(report);
   for (Finding& finding : report.findings) {
     const auto found = rules.find(finding.oracle);
     if (found == rules.end() || report.ledger.strangers.contains(finding.scenario))
       continue;
-    Excuse(finding, sizes.at(finding.scenario), found->second, report.ledger);
+    Excuse(finding, scales.at(finding.scenario), found->second, report.ledger);
   }
   for (const auto& [oracle, of_oracle] : rules) {
     for (const Rule& rule : of_oracle) {

@@ -19,8 +19,8 @@ namespace touchstone {
 
  An entry is void for another version of the library than its own, and says nothing of the
  ledger's strangers. The unit of values and bounds is SceneSize() for lengths of contact
- queries, 1 for all else; verdicts without a value (crashed, timed out, invalid) have no
- bound to exceed. */
+ queries, 1 for all else, see ValueForLedger(); verdicts without a value (crashed, timed
+ out, invalid) have no bound to exceed. */
 void ApplyLedger(RunReport& report, std::string_view today, bool partial,
                  const std::function<bool(std::string_view)>& is_oracle = {});
 
@@ -30,12 +30,19 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial,
  same factor. */
 inline constexpr double kImproved = 1.0 / 12;
 
-/** Returns what lengths are relative to in the ledger, by scenario id: SceneSize() of a
- contact query, 1 m of a world. [m] */
-std::map<std::string_view, double> LedgerSizesOf(const RunReport& report);
+/** What ledger values of one scenario are measured by. */
+struct LedgerScale {
+  /** What lengths are relative to: SceneSize() of a contact query, 1 m of a world. [m] */
+  double size = 1;
+  double from_touching = 0;  ///< The most that |separation| may be. [m]
+};
 
-/** Returns the value of a finding in the unit of ledger bounds.
- @param size What lengths of its scenario are relative to. [m] */
-double ValueForLedger(const Finding& finding, double size);
+/** Returns the scale of every scenario of `report`, by id. */
+std::map<std::string_view, LedgerScale> LedgerScalesOf(const RunReport& report);
+
+/** Returns the value of a finding in the unit of ledger bounds. That of `touching`, which
+ is 0 or 1, is how far the shapes are from touching: who misses a hairline contact is not
+ excused for missing a deep one. */
+double ValueForLedger(const Finding& finding, const LedgerScale& scale);
 
 }  // namespace touchstone

@@ -24,7 +24,8 @@ struct LedgerEntry {
   /** The verdict it excuses: kFail, kDisagree, kInvalid, kCrashed or kTimedOut. */
   Verdict verdict = Verdict::kFail;
   /** Largest accepted value relative to SceneSize(), or absolute for dimensionless
-   measures. A worse value fails the run. */
+   measures; of `touching` the separation, relative to SceneSize(). A worse value fails
+   the run. */
   double bound = 0;
   Cause cause = Cause::kDefect;
   std::string reason;  ///< One or two sentences: what goes wrong and why.

@@ -28,7 +28,7 @@ std::string FolderOf(const std::string& id) {
 }
 
 /** What the failures of one entry have in common. A bound has one unit: lengths are apart
- from what has none. */
+ from what has none, and from touching, which has a unit of its own. */
 struct Kind {
   std::string oracle;
   Verdict verdict;
@@ -80,13 +80,15 @@ Folders AnsweredFolders(const RunReport& report) {
 }
 
 std::map<Kind, std::map<std::string, Shown>> FailuresOf(const RunReport& report) {
-  const std::map<std::string_view, double> sizes = LedgerSizesOf(report);
+  const std::map<std::string_view, LedgerScale> scales = LedgerScalesOf(report);
   std::map<Kind, std::map<std::string, Shown>> failures;
   for (const Finding& finding : report.findings) {
     if (!IsFailure(finding.verdict)) continue;
-    const Kind kind{finding.oracle, finding.verdict, finding.cause,
-                    std::string(UnitOf(finding.measure))};
-    const double value = ValueForLedger(finding, sizes.at(finding.scenario));
+    const Kind kind{
+        finding.oracle, finding.verdict, finding.cause,
+        std::string(finding.measure == MeasureKind::kTouching ? NameOf(finding.measure)
+                                                              : UnitOf(finding.measure))};
+    const double value = ValueForLedger(finding, scales.at(finding.scenario));
     Include(failures[kind][finding.scenario], {{finding.measure}, value, finding.proof});
   }
   return failures;
@@ -142,8 +144,8 @@ LedgerEntry EntryOf(const Proposal& proposal, const RunReport& report,
 }  // namespace
 
 bool IsShare(MeasureKind measure) {
-  return measure == MeasureKind::kTouching || measure == MeasureKind::kPatchCoverage ||
-         measure == MeasureKind::kAnswering || measure == MeasureKind::kDeterminism;
+  return measure == MeasureKind::kPatchCoverage || measure == MeasureKind::kAnswering ||
+         measure == MeasureKind::kDeterminism;
 }
 
 double RoundedUp(double value) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -81,6 +82,22 @@ TEST(ApplyLedger, LeavesWhatExceedsTheBoundAFailureAndSaysByHowMuch) {
   EXPECT_EQ(
       report.findings[1].proof,
       "It is wrong. known_discrepancies.toml:17 allows 0.05; 0.08 exceeds it by 0.03.");
+}
+
+TEST(ApplyLedger, ExcusesAMissedHairlineAndNotAMissedDepth) {
+  const double size = SceneSize(SphereInBoxFace(1e-3).query);
+  RunReport report = ReportOf({1, 1}, 1e-5 / size);
+  report.ledger.entries[0].measures = {MeasureKind::kTouching};
+  report.scenarios[0].truth.separation = {-1e-5, -0.9e-5};
+  report.scenarios[1].truth.separation = {-0.1, -0.1};
+  for (Finding& finding : report.findings) {
+    finding.measure = MeasureKind::kTouching;
+    finding.value = 1;
+  }
+  ApplyLedger(report, "2026-01-01", false);
+  EXPECT_EQ(report.findings[0].verdict, Verdict::kKnown);
+  EXPECT_EQ(report.findings[1].verdict, Verdict::kFail);
+  EXPECT_DOUBLE_EQ(report.ledger_use[0].worst, 1e-5 / size);
 }
 
 TEST(ApplyLedger, FailsAnEntryThatHidesNothing) {
@@ -215,6 +232,24 @@ TEST(ProposeLedger, NamesSingleScenariosWhereOthersPass) {
   EXPECT_THAT(text, HasSubstr("scenarios = \"contact/box_box/0\""));
   EXPECT_THAT(text, HasSubstr("scenarios = \"contact/box_box/2\""));
   EXPECT_THAT(text, testing::Not(HasSubstr("*")));
+}
+
+TEST(ProposeLedger, BoundsAMissedContactApartFromWhatElseHasNoUnit) {
+  RunReport report = ReportOf({1, 2}, 0.05);
+  report.ledger.entries.clear();
+  report.findings[1].scenario = report.findings[0].scenario;
+  report.findings[0].measure = MeasureKind::kTouching;
+  report.findings[1].measure = MeasureKind::kContactCount;
+  report.findings[1].value = 2;
+  report.scenarios[0].truth.separation = {-0.1, -0.1};
+  const std::string text = ProposeLedger(report);
+  const double size = SceneSize(report.scenarios[0].scenario.contact);
+  EXPECT_THAT(text, HasSubstr("measures = [\"contact_count\"]\nverdict = \"fail\"\n"
+                              "bound = 3\n"));
+  EXPECT_THAT(text,
+              HasSubstr(fmt::format("measures = [\"touching\"]\nverdict = \"fail\"\n"
+                                    "bound = {:.6g}\n",
+                                    RoundedUp(kProposedBound * 0.1 / size))));
 }
 
 TEST(ProposeLedger, IsRefusedUntilAPersonGivesReasons) {
