@@ -10,4 +10,8 @@ std::string Counted(std::uint64_t count, std::string_view noun, std::string_view
   return fmt::format("{} {}", count, plural);
 }
 
+std::string Counted(int count, std::string_view noun, std::string_view plural) {
+  return Counted(static_cast<std::uint64_t>(count), noun, plural);
+}
+
 }  // namespace touchstone

@@ -10,5 +10,7 @@ namespace touchstone {
  s. */
 std::string Counted(std::uint64_t count, std::string_view noun,
                     std::string_view plural = "");
+/** As above, of a count ≥ 0. */
+std::string Counted(int count, std::string_view noun, std::string_view plural = "");
 
 }  // namespace touchstone

@@ -18,8 +18,9 @@ std::vector<Fault> FaultsOfNumbers(
       faults.push_back({where, fmt::format("is {}", value), "a finite number"});
       continue;
     }
-    const auto truth = std::find_if(truths.begin(), truths.end(),
-                                    [&](const auto& t) { return t.first == name; });
+    const auto truth =
+        std::find_if(truths.begin(), truths.end(),
+                     [&name = name](const auto& t) { return t.first == name; });
     if (truth != truths.end()) {
       // Written so that a NaN truth contradicts.
       if (!(std::abs(value - truth->second) <= kNumberSlack * std::abs(truth->second))) {

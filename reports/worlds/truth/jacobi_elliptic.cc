@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 
@@ -14,12 +15,12 @@ JacobiElliptic Jacobi(double u, double m, double m1) {
     return {std::tanh(u), sech, sech};
   }
   // The mean doubles its digits: 16 halvings reach 1 from the smallest double.
-  constexpr int kMost = 16;
+  constexpr std::size_t kMost = 16;
   std::array<double, kMost> a{};
   std::array<double, kMost> c{};
   a[0] = 1;
   double b = std::sqrt(m1);
-  int n = 0;
+  std::size_t n = 0;
   while (n + 1 < kMost) {
     c[n + 1] = (a[n] - b) / 2;
     a[n + 1] = (a[n] + b) / 2;
@@ -29,7 +30,7 @@ JacobiElliptic Jacobi(double u, double m, double m1) {
   }
   // Whole periods 4K first: 2ⁿ aₙ u would lose their digits.
   const double reduced = std::remainder(u, 2 * std::numbers::pi / a[n]);
-  double phi = std::ldexp(a[n] * reduced, n);
+  double phi = std::ldexp(a[n] * reduced, static_cast<int>(n));
   for (; n > 0; --n) phi = (phi + std::asin(c[n] / a[n] * std::sin(phi))) / 2;
   const double cn = std::cos(phi);
   return {std::sin(phi), cn, std::sqrt(m1 + m * cn * cn)};

@@ -118,14 +118,16 @@ TEST(RowOfBalls, IsTheCradleOneAfterAnotherAndAllAtOnce) {
   for (const double gap : {0.0, 1e-3}) {
     const RowOfBalls in_order(TouchingRow(5, gap), {1, 1, 1, 1}, 1e-9,
                               RowRule::kFromFirst);
-    for (int i = 0; i < 5; ++i) EXPECT_NEAR(in_order.last()[i].v, i == 4, 1e-14);
+    for (int i = 0; i < 5; ++i)
+      EXPECT_NEAR(in_order.last()[static_cast<std::size_t>(i)].v, i == 4, 1e-14);
     EXPECT_NEAR(in_order.end(), 4 * gap, 1e-14);
   }
   // v₁ = (1 − (N−1) e)/N, the others (1 + e)/N.
   for (const double e : {0.0, 0.5, 1.0}) {
     const RowOfBalls at_once(TouchingRow(5), {e, e, e, e}, 1e-9, RowRule::kSimultaneous);
     EXPECT_NEAR(at_once.last()[0].v, (1 - 4 * e) / 5, 1e-12);
-    for (int i = 1; i < 5; ++i) EXPECT_NEAR(at_once.last()[i].v, (1 + e) / 5, 1e-12);
+    for (int i = 1; i < 5; ++i)
+      EXPECT_NEAR(at_once.last()[static_cast<std::size_t>(i)].v, (1 + e) / 5, 1e-12);
   }
 }
 
