@@ -17,7 +17,7 @@ Box AnyBox(Random& random) {
 /** Puts B so that the boxes overlap by about a share of their sizes. */
 Eigen::Vector3d Nearby(Random& random, const Box& A, const Box& B) {
   const double reach = A.half_extents.norm() + B.half_extents.norm();
-  return random.Direction() * random.Between(0, 0.8) * reach;
+  return random.Within(0.8) * reach;
 }
 
 BoxQuestion NearlyParallel(Random& random) {
@@ -36,8 +36,9 @@ BoxQuestion NearlyParallel(Random& random) {
 
 BoxQuestion SharedAxisExactly(Random& random) {
   BoxQuestion question = AnyBoxes(random);
-  question.X_WB.R_WB = question.X_WA.R_WB *
-                       Turn(Eigen::Vector3d::Unit(random.Below(3)), random.Between(0, 3));
+  const double angle = random.Between(0, 3);
+  question.X_WB.R_WB =
+      question.X_WA.R_WB * Turn(Eigen::Vector3d::Unit(random.Below(3)), angle);
   if (random.Below(2) == 0) question.X_WB.R_WB = question.X_WA.R_WB;
   return question;
 }
@@ -48,8 +49,7 @@ BoxQuestion Contained(Random& random) {
   question.X_WB.p_WB =
       question.X_WA.p_WB +
       question.X_WA.R_WB *
-          Eigen::Vector3d(question.A.half_extents.cwiseProduct(Eigen::Vector3d(
-              random.Between(-1, 1), random.Between(-1, 1), random.Between(-1, 1))));
+          Eigen::Vector3d(question.A.half_extents.cwiseProduct(random.InCube()));
   if (random.Below(8) == 0) question.X_WB.p_WB = question.X_WA.p_WB;
   return question;
 }
@@ -59,8 +59,8 @@ BoxQuestion NearlyTouching(Random& random) {
   BoxQuestion question = AnyBoxes(random);
   if (random.Below(3) == 0) question = NearlyParallel(random);
   const Eigen::Vector3d direction = random.Direction();
-  const double wanted =
-      std::pow(10, -random.Between(1, 17)) * (random.Below(2) == 0 ? -1 : 1);
+  const double size = std::pow(10, -random.Between(1, 17));
+  const double wanted = random.Below(2) == 0 ? -size : size;
   question.X_WB.p_WB =
       question.X_WA.p_WB + direction * DistanceForGap({question.A, question.X_WA},
                                                       {question.B, question.X_WB},
@@ -120,9 +120,21 @@ int Random::Below(int count) {
   return static_cast<int>(generator_() % static_cast<std::uint64_t>(count));
 }
 
+Eigen::Vector3d Random::InCube() {
+  const double z = Between(-1, 1);
+  const double y = Between(-1, 1);
+  const double x = Between(-1, 1);
+  return {x, y, z};
+}
+
+Eigen::Vector3d Random::Within(double reach) {
+  const double distance = Between(0, reach);
+  return distance * Direction();
+}
+
 Eigen::Vector3d Random::Direction() {
   for (;;) {
-    const Eigen::Vector3d v(Between(-1, 1), Between(-1, 1), Between(-1, 1));
+    const Eigen::Vector3d v = InCube();
     const double squared = v.squaredNorm();
     if (squared > 0.01 && squared <= 1) return v / std::sqrt(squared);
   }
@@ -148,7 +160,7 @@ BoxQuestion AnyBoxes(Random& random) {
   question.B = AnyBox(random);
   question.X_WA.R_WB = random.Rotation();
   question.X_WB.R_WB = random.Rotation();
-  question.X_WA.p_WB = random.Direction() * random.Between(0, 3);
+  question.X_WA.p_WB = random.Within(3);
   question.X_WB.p_WB = question.X_WA.p_WB + Nearby(random, question.A, question.B);
   return question;
 }

@@ -18,7 +18,8 @@ struct BoxQuestion {
 };
 
 /** Numbers that are the same on every machine: the standard fixes the generator, and its
- distributions are not used. */
+ distributions are not used. One draw a statement: of two in one expression the order is
+ the compiler's. */
 class Random {
  public:
   explicit Random(std::uint64_t seed) : generator_(seed) {}
@@ -26,7 +27,9 @@ class Random {
   double Between(double low, double high);
   double LogBetween(double low, double high);
   int Below(int count);
-  Eigen::Vector3d Direction();
+  Eigen::Vector3d InCube();              ///< Coordinates within ±1.
+  Eigen::Vector3d Direction();           ///< A unit vector.
+  Eigen::Vector3d Within(double reach);  ///< As far as `reach` in any direction.
   Eigen::Matrix3d Rotation();
 
  private:

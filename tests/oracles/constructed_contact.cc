@@ -96,6 +96,20 @@ std::vector<std::pair<ShapeKind, ShapeKind>> AllPairs() {
   return pairs;
 }
 
+namespace {
+
+/** Three draws of `number`, one a statement: in one expression their order would be the
+ compiler's. */
+template <typename Distribution>
+Vector3d Three(Distribution& number, std::mt19937_64& random) {
+  const double z = number(random);
+  const double y = number(random);
+  const double x = number(random);
+  return {x, y, z};
+}
+
+}  // namespace
+
 Shape RandomShape(ShapeKind kind, std::mt19937_64& random) {
   std::uniform_real_distribution<double> size(0.2, 1);
   std::uniform_real_distribution<double> coordinate(-1, 1);
@@ -114,8 +128,7 @@ Shape RandomShape(ShapeKind kind, std::mt19937_64& random) {
     case ShapeKind::kConvexHull: {
       ConvexHull hull;
       for (int i = 0; i < 14; ++i) {
-        hull.vertices.emplace_back(coordinate(random), coordinate(random),
-                                   coordinate(random));
+        hull.vertices.push_back(Three(coordinate, random));
       }
       return hull;
     }
@@ -128,11 +141,11 @@ Shape RandomShape(ShapeKind kind, std::mt19937_64& random) {
 Pose RandomPose(double reach, std::mt19937_64& random) {
   std::uniform_real_distribution<double> coordinate(-reach, reach);
   std::normal_distribution<double> normal;
+  const Vector3d imaginary = Three(normal, random);
+  const double real = normal(random);
   const Eigen::Quaterniond q =
-      Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
-          .normalized();
-  const Vector3d p(coordinate(random), coordinate(random), coordinate(random));
-  return Pose::FromQuaternion(p, q);
+      Eigen::Quaterniond(real, imaginary.x(), imaginary.y(), imaginary.z()).normalized();
+  return Pose::FromQuaternion(Three(coordinate, random), q);
 }
 
 void ExpectMatches(const ContactAnswer& answer, const ConstructedContact& truth,
