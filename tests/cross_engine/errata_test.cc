@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         Specimen{"E-17", "energy_drift"},            // Damping that drives.
         Specimen{"E-18", "energy_drift"},            // A force without dt.
         Specimen{"E-19", "limit_error"},             // A share kept per step.
-        Specimen{"E-20", "translation"},             // A place multiplied by the spacing.
+        Specimen{"E-20", "answering"},  // Starts at its place times the spacing.
         Specimen{"E-22", "angular_momentum_drift"},  // Corrections half and half.
         Specimen{"E-23", "velocity_error"},  // Friction against the slip from before.
         Specimen{"E-24", "penetration"},     // Pushed out, but not turned.
