@@ -130,4 +130,19 @@ void ExpectJointHoldsEitherWayRound(const Oracle& oracle, double allowed) {
   EXPECT_NEAR((ball.p_WB + ball.q_WB * on_ball.point - p_WPost).norm(), length, 5 * 1e-4);
 }
 
+void ExpectPushesOverlapOutOnlyAsShipped(const Oracle& oracle, double speed,
+                                         double allowed) {
+  SCOPED_TRACE(oracle.info().name);
+  World world;
+  world.bodies = {Ball({0, 0.1 - 1e-3, 0}), Slab()};
+  WorldState state;
+  for (const bool as_shipped : {false, true}) {
+    const auto simulation =
+        as_shipped ? oracle.BeginAsShipped(world) : oracle.Begin(world);
+    simulation->Step();
+    simulation->Read(state);
+    EXPECT_NEAR(state.bodies[0].v_WB.y(), as_shipped ? speed : 0, allowed);
+  }
+}
+
 }  // namespace touchstone

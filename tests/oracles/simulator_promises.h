@@ -37,4 +37,9 @@ void ExpectJointTakesBackAFifthOfItsError(const Oracle& oracle, double undone,
  exchanged. */
 void ExpectJointHoldsEitherWayRound(const Oracle& oracle, double allowed);
 
+/** Expects that a ball 1 mm deep in the slab stays there, and that the engine as shipped
+ pushes it out at `speed` in the first step, both to `allowed` [m/s]. */
+void ExpectPushesOverlapOutOnlyAsShipped(const Oracle& oracle, double speed,
+                                         double allowed);
+
 }  // namespace touchstone

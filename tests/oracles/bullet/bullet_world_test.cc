@@ -41,16 +41,7 @@ TEST(BulletWorld, BodiesThatDoNotCollidePassThroughEverything) {
 // Bullet's default ERP takes a fifth of a slight overlap in a step; here it stays.
 TEST(BulletWorld, PushesOverlapOutOnlyAsShipped) {
   for (const Oracle* oracle : Simulators()) {
-    World world;
-    world.bodies = {Ball({0, 0.1 - 1e-3, 0}), Slab()};
-    WorldState state;
-    for (const bool as_shipped : {false, true}) {
-      const auto simulation =
-          as_shipped ? oracle->BeginAsShipped(world) : oracle->Begin(world);
-      simulation->Step();
-      simulation->Read(state);
-      EXPECT_NEAR(state.bodies[0].v_WB.y(), as_shipped ? 0.2e-3 / world.dt : 0, 1e-5);
-    }
+    ExpectPushesOverlapOutOnlyAsShipped(*oracle, 0.2e-3 / World().dt, 1e-5);
   }
 }
 

@@ -62,19 +62,7 @@ TEST(DartWorld, RefusesRestitutionsThatItCannotCombine) {
 
 // DART's default takes a hundredth of the overlap in a step, up to 1 mm/s; here it stays.
 TEST(DartWorld, PushesOverlapOutOnlyAsShipped) {
-  World world = BrickOnSlab();
-  RigidBody& brick = world.bodies[1];
-  brick.placed.X_WB = Pose::FromQuaternion({0, 0.2 - 1e-3, 0}, {1, 0, 0, 0});
-  brick.v_WB.setZero();
-  brick.w_WB.setZero();
-  WorldState state;
-  for (const bool as_shipped : {false, true}) {
-    const auto simulation =
-        as_shipped ? Dart().BeginAsShipped(world) : Dart().Begin(world);
-    simulation->Step();
-    simulation->Read(state);
-    EXPECT_NEAR(state.bodies[1].v_WB.y(), as_shipped ? 1e-3 : 0, 1e-5);
-  }
+  ExpectPushesOverlapOutOnlyAsShipped(Dart(), 1e-3, 1e-5);
 }
 
 }  // namespace

@@ -89,17 +89,7 @@ TEST(OdeWorld, JointsHoldAtAnchorsOfStaticBodiesEitherWayRound) {
 // ODE's default ERP takes a fifth of the overlap in a step; here it stays.
 TEST(OdeWorld, PushesOverlapOutOnlyAsShipped) {
   for (const auto& oracle : Simulators()) {
-    World world;
-    world.bodies = {Ball({0, 0.1 - 1e-3, 0}), Slab()};
-    world.bodies[0].restitution = 0;
-    WorldState state;
-    for (const bool as_shipped : {false, true}) {
-      const auto simulation =
-          as_shipped ? oracle->BeginAsShipped(world) : oracle->Begin(world);
-      simulation->Step();
-      simulation->Read(state);
-      EXPECT_NEAR(state.bodies[0].v_WB.y(), as_shipped ? 0.2e-3 / world.dt : 0, 1e-7);
-    }
+    ExpectPushesOverlapOutOnlyAsShipped(*oracle, 0.2e-3 / World().dt, 1e-7);
   }
 }
 
