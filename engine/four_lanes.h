@@ -16,9 +16,6 @@
 
 #include <hwy/highway.h>
 
-// Everything that takes or returns a Four is inlined: no call, no convention of calls.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {
 namespace HWY_NAMESPACE {
