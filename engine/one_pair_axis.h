@@ -147,8 +147,6 @@ struct SeenPair {
 
 /** Returns how two boxes see each other. In the fourth lane both are without end. */
 HWY_INLINE SeenPair See(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
-  const double* a = X_WA.R_WB.data();  // a[3 i + k] is component k of axis i.
-  const double* b = X_WB.R_WB.data();
   const double* p_WA = X_WA.p_WB.data();
   const double* p_WB = X_WB.p_WB.data();
   const auto axes = [](const double* R, Four out[3]) HWY_ATTR {
@@ -159,8 +157,8 @@ HWY_INLINE SeenPair See(const Box& A, const Pose& X_WA, const Box& B, const Pose
   };
   Four axes_A[3];  // Lane i of [k]: component k of axis i.
   Four axes_B[3];
-  axes(a, axes_A);
-  axes(b, axes_B);
+  axes(X_WA.R_WB.data(), axes_A);
+  axes(X_WB.R_WB.data(), axes_B);
   const Four d[3] = {Splat(p_WB[0] - p_WA[0]), Splat(p_WB[1] - p_WA[1]),
                      Splat(p_WB[2] - p_WA[2])};
   SeenPair seen;
@@ -170,8 +168,9 @@ HWY_INLINE SeenPair See(const Box& A, const Pose& X_WA, const Box& B, const Pose
   seen.p_AB_B = axes_B[0] * d[0] + axes_B[1] * d[1] + axes_B[2] * d[2];
 #pragma GCC unroll 3
   for (int i = 0; i < 3; ++i) {
-    seen.R_AB[i] = Splat(a[3 * i]) * axes_B[0] + Splat(a[3 * i + 1]) * axes_B[1] +
-                   Splat(a[3 * i + 2]) * axes_B[2];
+    const double* a_i = X_WA.R_WB.col(i).data();
+    seen.R_AB[i] =
+        Splat(a_i[0]) * axes_B[0] + Splat(a_i[1]) * axes_B[1] + Splat(a_i[2]) * axes_B[2];
   }
   Transpose(seen.R_AB, seen.R_BA);
   return seen;

@@ -301,13 +301,14 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
 
   const std::array<const Pose*, 2> both_X = {&X_WA, &X_WB};
   const Pose& X_WR = *both_X[facing.is_B];
-  const double* R = X_WR.R_WB.data();
+  const auto axis_W = [&X_WR](int i)
+                          HWY_ATTR { return Load3(X_WR.R_WB.col(i).data(), 0); };
   const double outward = 2 * face.reference.side - 1;
   // A contact's p_WC and separation, four numbers, at once: lane 3 is the separation.
-  const Four x_W = Load3(R + 3 * Next(facing.axis), 0);
-  const Four y_W = Load3(R + 3 * AfterNext(facing.axis), 0);
-  const Four p_W = Load3(X_WR.p_WB.data(), 0) +
-                   Splat(outward * face.h_outward) * Load3(R + 3 * facing.axis, 0);
+  const Four x_W = axis_W(Next(facing.axis));
+  const Four y_W = axis_W(AfterNext(facing.axis));
+  const Four p_W =
+      Load3(X_WR.p_WB.data(), 0) + Splat(outward * face.h_outward) * axis_W(facing.axis);
   const double towards = 0.5 * (1 - 2 * facing.is_B);
   const Four half_n_W{towards * manifold.n_AB_W[0], towards * manifold.n_AB_W[1],
                       towards * manifold.n_AB_W[2], 1};
