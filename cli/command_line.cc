@@ -156,7 +156,8 @@ class CommandLine {
            [this](const std::string& whose) {
              run_.fail_on = whose == "subject" ? FailOn::kSubject : FailOn::kAnything;
            },
-           "whose failures give exit code 1: subject (default) or anything")
+           "whose failures give exit code 1: anything (default: a reference proved wrong "
+           "outside the ledger counts too), or subject (what your own CI wants)")
         ->check(OneOf({"subject", "anything"}))
         ->type_name("WHOSE");
     AddJobs(app, run_.jobs);

@@ -56,7 +56,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
   const int code = ExitCode(report, arguments.fail_on);
   if (code == 2) {
     std::cerr << "touchstone: nothing was verified: " << report.subject
-              << " passed no measure of any scenario\n";
+              << " passed no measure of any scenario; --subject names another\n";
   }
   return code;
 }

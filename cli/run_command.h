@@ -16,7 +16,7 @@ struct RunArguments {
   std::optional<std::filesystem::path> ledger;  ///< Instead of the built-in.
   std::optional<std::filesystem::path>
       out;  ///< Folder for the page, the JSON and the JUnit.
-  FailOn fail_on = FailOn::kSubject;
+  FailOn fail_on = FailOn::kAnything;
   int jobs = 0;
   bool quiet = false;
 };

@@ -91,8 +91,8 @@ enum class FailOn {
   kSubject,   ///< Only the subject's failures and the catalogue's own faults count.
 };
 
-/** Returns the exit code of a run: 0 all pass or known, 1 failures, 2 nothing verified.
- */
+/** Returns the exit code of a run: 0 all pass or known, 1 failures, 2 nothing of the
+ subject was verified. */
 int ExitCode(const RunReport& report, FailOn fail_on);
 
 }  // namespace touchstone

@@ -221,6 +221,10 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
                          report.subject, Counted(subject_failed, "scenario"),
                          failed - subject_failed, Counted(report.faults.size(), "fault")))
       << '\n';
+  if (code == 1 && ExitCode(report, FailOn::kSubject) == 0) {
+    out << fmt::format("--fail-on subject counts the failures of {} alone\n",
+                       report.subject);
+  }
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ class CommandLineTest : public testing::Test {
 };
 
 TEST_F(CommandLineTest, ExitsWithZeroWhereTheSubjectIsRight) {
-  const Ended ended = Touchstone("run " + Path("mine/deep.toml"));
+  const Ended ended = Touchstone("run --fail-on subject " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("right failed in 0 scenarios, "));
 }
@@ -93,10 +93,14 @@ TEST_F(CommandLineTest, ExitsWithOneAndAProofWhereTheSubjectIsWrong) {
                                HasSubstr("Proof: half_depth says")));
 }
 
-TEST_F(CommandLineTest, CountsAReferencesFailureOnlyWhereAskedTo) {
+TEST_F(CommandLineTest, CountsAReferencesFailureUnlessOnlyTheSubjectsAreToCount) {
   const std::string run = "run --against half_depth " + Path("mine/deep.toml");
-  EXPECT_EQ(Touchstone(run).code, 0);
+  const Ended ended = Touchstone(run);
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out,
+              HasSubstr("--fail-on subject counts the failures of right alone"));
   EXPECT_EQ(Touchstone(run + " --fail-on anything").code, 1);
+  EXPECT_EQ(Touchstone(run + " --fail-on subject").code, 0);
 }
 
 TEST_F(CommandLineTest, ReportsWhatAFunctionThrowsAndGoesOn) {
@@ -201,7 +205,7 @@ expires = 9999-12-31
 )");
   const auto run = [this](const std::string& what) {
     return InPipe("TOUCHSTONE_TEST_DATA=" + Path("data") + " " +
-                  Command("run --subject half_depth " + what))
+                  Command("run --fail-on subject --subject half_depth " + what))
         .code;
   };
   EXPECT_EQ(run(""), 0);
@@ -291,7 +295,7 @@ TEST_F(CommandLineTest, PrintsAQuestionAsAScenarioThatItReads) {
   EXPECT_THAT(asked.out, HasSubstr("id = \"kept/ball\"\n"));
   std::filesystem::create_directories(folder_ / "kept");
   Write("kept/ball.toml", asked.out);
-  const Ended ended = Touchstone("run " + Path("kept"));
+  const Ended ended = Touchstone("run --fail-on subject " + Path("kept"));
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("1 scenario × 3 oracles"));
   EXPECT_THAT(Touchstone(ask + " --id 'My Ball'").err, HasSubstr("id is \"My Ball\""));
@@ -384,7 +388,7 @@ TEST_F(CommandLineTest, WritesTheQuestionsThatFailedSoThatTheyCanBeRunAgain) {
   EXPECT_EQ(ended.code, 1) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("Again: touchstone sweep contact --family deep"));
   EXPECT_EQ(Touchstone("run --subject half_depth " + Path("failed")).code, 1);
-  EXPECT_EQ(Touchstone("run " + Path("failed")).code, 0);
+  EXPECT_EQ(Touchstone("run --fail-on subject " + Path("failed")).code, 0);
 }
 
 TEST_F(CommandLineTest, CallsASweepThatTouchedNothingNoSuccess) {
