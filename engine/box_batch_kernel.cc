@@ -118,7 +118,10 @@ HWY_INLINE void FindLanes(const double* rows, std::size_t lane, const GapArrays&
   // pair is worse than any: the square of its gap counts as −∞.
   const Vector worst = hn::Set(tag, -std::numeric_limits<double>::infinity());
   const Vector parallel = hn::Set(tag, kParallelSquared);
-  BestEdges of_B[3];
+  // Filled by hand: where a vector's constructor is for the target alone (arm64), the one
+  // that the compiler would make for this struct may not call it.
+  const BestEdges none{{zero, zero, zero}, worst, one};
+  BestEdges of_B[3] = {none, none, none};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t i1 = (i + 1) % 3;
     const std::size_t i2 = (i + 2) % 3;
