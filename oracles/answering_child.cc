@@ -118,6 +118,20 @@ std::string ShortAssertion(std::string line) {
   return line;
 }
 
+// Of what an output file holds, empty where it holds nothing.
+std::string LastLineOf(int fd) {
+  const off_t size = lseek(fd, 0, SEEK_END);
+  std::array<char, kTail> bytes;
+  const ssize_t count =
+      pread(fd, bytes.data(), bytes.size(), std::max<off_t>(0, size - kTail));
+  std::string text(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }, ' ');
+  text.erase(text.find_last_not_of(" \n") + 1);
+  text.erase(0, text.find_last_of('\n') + 1);
+  return ShortAssertion(text);
+}
+
 std::string Seconds(std::chrono::milliseconds duration) {
   std::string text = std::to_string(static_cast<double>(duration.count()) / 1000);
   text.erase(text.find_last_not_of('0') + 1);
@@ -256,23 +270,14 @@ bool AnsweringChild::IsDead() const {
   return ready > 0;
 }
 
-std::string AnsweringChild::LastLine() const {
-  const off_t size = lseek(output_fd_, 0, SEEK_END);
-  std::array<char, kTail> bytes;
-  const ssize_t count =
-      pread(output_fd_, bytes.data(), bytes.size(), std::max<off_t>(0, size - kTail));
-  std::string text(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }, ' ');
-  text.erase(text.find_last_not_of(" \n") + 1);
-  text.erase(0, text.find_last_of('\n') + 1);
-  return ShortAssertion(text);
+std::string AnsweringChild::LastLine() {
+  return LastLineOf(STDERR_FILENO);
 }
 
 AnsweringChild::Ending AnsweringChild::LastWords() {
   if (silence_ == Silence::kDeath && !IsDead()) silence_ = Silence::kBlocked;
   const int status = Kill();
-  const std::string line = LastLine();
+  const std::string line = LastLineOf(output_fd_);
   const std::string said = line.empty() ? "" : ": " + line;
   switch (silence_) {
     case Silence::kNonsense:

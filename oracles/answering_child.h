@@ -58,9 +58,9 @@ class AnsweringChild {
   /** Returns, after Next() gave nothing, how the child ended. */
   Ending LastWords();
 
-  /** Returns the last line that the child printed to its standard error on the question
-   that it was at last; empty where it printed nothing. */
-  std::string LastLine() const;
+  /** Returns, in the child, the last line that it has printed to its standard error on
+   the question that it is at; empty where it has printed nothing. */
+  static std::string LastLine();
 
  private:
   // Why there is no next answer.

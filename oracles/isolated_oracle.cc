@@ -59,7 +59,7 @@ class IsolatedOracle final : public Oracle {
     }
     if (info_.simulates) {
       info_.settings.push_back(
-          {"world: process", "a child of its own for each world",
+          {"world: process", "a child of its own, one for each batch of worlds",
            "The engine can abort, crash or hang on a valid world; what it prints to its "
            "standard error is shown with the answer."});
       info_.settings.push_back(
@@ -100,22 +100,29 @@ class IsolatedOracle final : public Oracle {
   }
 
   Trajectory Simulate(const World& world) const override {
-    if (!info_.CannotSimulate(world).empty()) return oracle_->Simulate(world);
-    try {
-      AnsweringChild child(
-          1, [&](std::size_t) { return ToWire(SimulateOrCrash(*oracle_, world)); },
-          {limits_.world_cpu, limits_.world_wall, limits_.memory, limits_.memory});
-      std::optional<Trajectory> trajectory = child.Next(&TrajectoryFromWire);
-      if (!trajectory) {
-        AnsweringChild::Ending ending = child.LastWords();
-        return NoTrajectory(ending.status, std::move(ending.reason));
-      }
-      trajectory->complaint = child.LastLine();
-      return *std::move(trajectory);
-    } catch (const std::exception& exception) {
-      // The system's fault, not the engine's.
-      return NoTrajectory(AnswerStatus::kUnsupported, CouldNotIsolate(exception));
+    return std::move(SimulateEach(std::span(&world, 1)).front());
+  }
+
+  std::vector<Trajectory> SimulateEach(std::span<const World> worlds) const override {
+    std::vector<Trajectory> trajectories(worlds.size());
+    std::vector<std::size_t> supported;
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+      if (info_.CannotSimulate(worlds[i]).empty())
+        supported.push_back(i);
+      else
+        trajectories[i] = oracle_->Simulate(worlds[i]);
     }
+    for (std::span<const std::size_t> left = supported; !left.empty();) {
+      try {
+        SimulateUntilDeath(worlds, trajectories, left);
+      } catch (const std::exception& exception) {
+        // The system's fault, not the engine's.
+        trajectories[left.front()] =
+            NoTrajectory(AnswerStatus::kUnsupported, CouldNotIsolate(exception));
+        left = left.subspan(1);
+      }
+    }
+    return trajectories;
   }
 
  private:
@@ -137,6 +144,33 @@ class IsolatedOracle final : public Oracle {
         return;
       }
       answers[next++] = *std::move(answer);
+    }
+  }
+
+  // Simulates those of `worlds` that are left, by one child, up to the one it dies of or
+  // the last, and takes them from what is left.
+  void SimulateUntilDeath(std::span<const World> worlds,
+                          std::span<Trajectory> trajectories,
+                          std::span<const std::size_t>& left) const {
+    const std::span<const std::size_t> asked = left;
+    AnsweringChild child(
+        asked.size(),
+        [&](std::size_t i) {
+          Trajectory trajectory = SimulateOrCrash(*oracle_, worlds[asked[i]]);
+          trajectory.complaint = AnsweringChild::LastLine();
+          return ToWire(trajectory);
+        },
+        {limits_.world_cpu, limits_.world_wall, limits_.memory, limits_.memory});
+    while (!left.empty()) {
+      std::optional<Trajectory> trajectory = child.Next(&TrajectoryFromWire);
+      const bool died = !trajectory;
+      if (died) {
+        AnsweringChild::Ending ending = child.LastWords();
+        trajectory = NoTrajectory(ending.status, std::move(ending.reason));
+      }
+      trajectories[left.front()] = *std::move(trajectory);
+      left = left.subspan(1);
+      if (died) return;
     }
   }
 

@@ -54,8 +54,8 @@ struct IsolationLimits {
  answers but those it takes for itself, and must have its lazily made tables made when it
  is constructed.
 
- A world is one question: Simulate() forks a child for it, and what the child prints to
- its standard error while it lives becomes Trajectory::complaint.
+ A world is one question as well, and SimulateEach() one batch: what the child prints to
+ its standard error on a world becomes Trajectory::complaint.
 
  Prepare(), Begin() and BeginAsShipped() give those of the inner oracle, in process: what
  a benchmark times is benign. Linux only. Thread safe. */

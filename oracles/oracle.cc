@@ -47,6 +47,13 @@ Trajectory Oracle::Simulate(const World& world) const {
   }
 }
 
+std::vector<Trajectory> Oracle::SimulateEach(std::span<const World> worlds) const {
+  std::vector<Trajectory> trajectories;
+  trajectories.reserve(worlds.size());
+  for (const World& world : worlds) trajectories.push_back(Simulate(world));
+  return trajectories;
+}
+
 ContactAnswer Oracle::Answer(const ContactQuery& query) const {
   ContactAnswer answer;
   Answer(std::span(&query, 1), std::span(&answer, 1));

@@ -147,6 +147,10 @@ class Oracle {
    @pre The world is valid (scenarios/worlds/validate_world.h). */
   virtual Trajectory Simulate(const World& world) const;
 
+  /** Returns how each of `worlds` moves, as Simulate() does. An isolated oracle forks
+   once for all of them. */
+  virtual std::vector<Trajectory> SimulateEach(std::span<const World> worlds) const;
+
   /** Answers one query. */
   ContactAnswer Answer(const ContactQuery& query) const;
 };

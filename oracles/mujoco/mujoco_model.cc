@@ -1,5 +1,6 @@
 #include "oracles/mujoco/mujoco_model.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -63,8 +64,7 @@ class Writer {
   }
 
   std::string operator()() const {
-    // Room for what a packed pile has. MuJoCo's own default is 100 contacts.
-    const std::size_t contacts = 100 + 24 * world_.bodies.size();
+    const std::size_t contacts = MostContacts();
     return fmt::format(
         R"(<mujoco><compiler angle="radian"/><size nconmax="{}" njmax="{}"/>)"
         R"(<option collision="{}"/><worldbody>{}{}</worldbody><contact>{}</contact>)"
@@ -76,6 +76,26 @@ class Writer {
 
  private:
   const RigidBody& BodyAt(std::size_t i) const { return world_.bodies[i]; }
+
+  static bool CanTouch(const RigidBody& A, const RigidBody& B) {
+    return A.collides && B.collides && (A.mass > 0 || B.mass > 0);
+  }
+
+  /** Returns for how many contacts there must be room: as many as a packed pile has, or
+   all pairs, if those have fewer. MuJoCo clears room that grows with the square. */
+  std::size_t MostContacts() const {
+    const std::size_t packed = 100 + 24 * world_.bodies.size();
+    std::size_t contacts = 1;
+    for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
+      for (std::size_t j = 0; j < i && contacts < packed; ++j) {
+        if (!CanTouch(BodyAt(i), BodyAt(j))) continue;
+        const bool round = KindOf(BodyAt(i).placed.shape) == ShapeKind::kSphere ||
+                           KindOf(BodyAt(j).placed.shape) == ShapeKind::kSphere;
+        contacts += round ? 1 : 8;  // MuJoCo gives at most eight, of a box on a box.
+      }
+    }
+    return std::min(contacts, packed);
+  }
 
   bool Moves(const Anchor& anchor) const {
     return anchor.on == AnchorKind::kBody &&
@@ -131,7 +151,7 @@ class Writer {
       for (std::size_t j = i + 1; j < world_.bodies.size(); ++j) {
         const RigidBody& A = BodyAt(i);
         const RigidBody& B = BodyAt(j);
-        if (!A.collides || !B.collides || (A.mass == 0 && B.mass == 0)) continue;
+        if (!CanTouch(A, B)) continue;
         const double mu = std::sqrt(A.friction * B.friction);
         pairs_ += fmt::format(
             R"(<pair geom1="g{}" geom2="g{}" condim="{}" friction="{} {} 0 0 0"/>)", i, j,

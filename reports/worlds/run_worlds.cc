@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -31,6 +32,18 @@ bool Claims(const WorldScenario& scenario, std::string_view law) {
                      [&](const Claim& claim) { return claim.law == law; });
 }
 
+bool IsStudied(const WorldScenario& scenario) {
+  return BodySteps(scenario.world) <= kStudiedBodySteps;
+}
+
+/** Roughly what all that is asked of one oracle takes: body-steps. */
+double WorkOf(const WorldScenario& scenario) {
+  // At the step itself, at half and a quarter of it, nudged, and five variants.
+  const double times = IsStudied(scenario) ? 1 + 2 + 4 + 1 + 5 : 1;
+  const int members = scenario.ensemble ? scenario.ensemble->members : 1;
+  return BodySteps(scenario.world) * (times + members - 1);
+}
+
 /** One oracle and one world. */
 struct Pair {
   std::size_t world;
@@ -46,6 +59,20 @@ std::vector<Pair> PairsOf(std::span<const WorldScenario> worlds,
     }
   }
   return pairs;
+}
+
+/** Returns the order in which the pairs are taken: the longest first, so that the last
+ ones are short and no core waits long for another. */
+std::vector<std::size_t> LongestFirst(std::span<const Pair> pairs,
+                                      std::span<const WorldScenario> worlds) {
+  std::vector<double> works;
+  for (const WorldScenario& scenario : worlds) works.push_back(WorkOf(scenario));
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return works[pairs[a].world] > works[pairs[b].world];
+  });
+  return order;
 }
 
 /** How far beyond what is allowed: what passes is before what fails. */
@@ -73,33 +100,42 @@ void KeepWorst(std::vector<Finding>& findings, const std::vector<Finding>& other
  groups: of answering, then of each claim. */
 void ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
                     std::vector<std::vector<Finding>>& groups) {
+  std::vector<World> worlds;
+  for (int index = 1; index < scenario.ensemble->members; ++index)
+    worlds.push_back(MemberOf(scenario, index));
+  const std::vector<Trajectory> trajectories = oracle.SimulateEach(worlds);
   WorldScenario member = scenario;
-  for (int index = 1; index < scenario.ensemble->members; ++index) {
-    member.world = MemberOf(scenario, index);
-    const Trajectory trajectory = oracle.Simulate(member.world);
-    auto more = JudgeWorldByClaim({member, oracle.info(), trajectory});
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    member.world = std::move(worlds[i]);
+    auto more = JudgeWorldByClaim({member, oracle.info(), trajectories[i]});
     for (std::size_t group = 0; group < more.size(); ++group) {
       for (Finding& finding : more[group])
         if (!finding.proof.empty())
           finding.proof =
-              fmt::format("member {} of the ensemble: {}", index, finding.proof);
+              fmt::format("member {} of the ensemble: {}", i + 1, finding.proof);
       KeepWorst(groups[group], more[group]);
     }
   }
 }
 
-/** Returns how many times as far a motion ends as its start is moved by what a step
- rounds, at least 1. Rounding is not all that moves a motion that multiplies it by more
- than kLargestGain: it jumps, as where a row of balls just touches, and is granted
- nothing. */
-double GainOf(const WorldScenario& scenario, const Oracle& oracle,
-              const Trajectory& trajectory) {
+/** What a step rounds, by which a nudged world starts elsewhere. [m] */
+double NudgeOf(const WorldScenario& scenario, const Oracle& oracle,
+               const Trajectory& trajectory) {
+  return 64 * oracle.info().unit_roundoff * SizeOf(scenario.world, trajectory);
+}
+
+World Nudged(WorldScenario scenario, double nudge) {
+  scenario.ensemble = Ensemble{2, nudge, 1};
+  return MemberOf(scenario, 1);
+}
+
+/** Returns how many times as far a motion ends as that of the nudged world, `other`, is
+ moved at its start, at least 1. Rounding is not all that moves a motion that multiplies
+ it by more than kLargestGain: it jumps, as where a row of balls just touches, and is
+ granted nothing. */
+double GainOf(const WorldScenario& scenario, const Trajectory& trajectory,
+              const Trajectory& other, double moved) {
   constexpr double kLargestGain = 1e3;
-  const double moved =
-      64 * oracle.info().unit_roundoff * SizeOf(scenario.world, trajectory);
-  WorldScenario nudged = scenario;
-  nudged.ensemble = Ensemble{2, moved, 1};
-  const Trajectory other = oracle.Simulate(MemberOf(nudged, 1));
   if (!IsWhole(other) || moved == 0) return 1;
   const double gain =
       DistanceBetween(
@@ -109,19 +145,52 @@ double GainOf(const WorldScenario& scenario, const Oracle& oracle,
   return gain <= kLargestGain ? std::max(1.0, gain) : 1;
 }
 
+/** How an oracle moves the worlds that are asked beside the world itself. Those of a
+ study are not asked of a world that is not studied. */
+struct Neighbours {
+  Trajectory half;
+  Trajectory quarter;
+  Trajectory nudged;
+  std::vector<Trajectory> variants;
+  Trajectory again;  ///< Where the world claims to be deterministic.
+};
+
+/** Asks all of them in one batch, so that an isolated oracle forks but once. */
+Neighbours AskNeighbours(const WorldScenario& scenario, const Oracle& oracle,
+                         double nudge, std::span<const WorldVariant> variants) {
+  std::vector<World> worlds;
+  std::vector<Trajectory*> places;
+  Neighbours motions;
+  motions.variants.resize(variants.size());
+  const auto ask = [&](World world, Trajectory& place) {
+    worlds.push_back(std::move(world));
+    places.push_back(&place);
+  };
+  if (IsStudied(scenario)) {
+    ask(Refined(scenario.world, 2), motions.half);
+    ask(Refined(scenario.world, 4), motions.quarter);
+    ask(Nudged(scenario, nudge), motions.nudged);
+    for (std::size_t v = 0; v < variants.size(); ++v)
+      ask(variants[v].world, motions.variants[v]);
+  }
+  if (Claims(scenario, kDeterministic)) ask(scenario.world, motions.again);
+  std::vector<Trajectory> given = oracle.SimulateEach(worlds);
+  for (std::size_t i = 0; i < given.size(); ++i) *places[i] = std::move(given[i]);
+  return motions;
+}
+
 /** Everything that one oracle is asked of one world, and what it means. */
 std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle,
                              Trajectory& trajectory) {
   trajectory = oracle.Simulate(scenario.world);
   const double dt = scenario.world.dt;
-  const bool studied =
-      IsWhole(trajectory) && BodySteps(scenario.world) <= kStudiedBodySteps;
-  Trajectory half;
-  Trajectory quarter;
-  if (studied) {
-    half = oracle.Simulate(Refined(scenario.world, 2));
-    quarter = oracle.Simulate(Refined(scenario.world, 4));
-  }
+  const bool studied = IsWhole(trajectory) && IsStudied(scenario);
+  const double nudge = studied ? NudgeOf(scenario, oracle, trajectory) : 0;
+  const std::vector<WorldVariant> variants =
+      studied ? VariantsOf(scenario.world) : std::vector<WorldVariant>();
+  Neighbours motions;
+  if (IsWhole(trajectory)) motions = AskNeighbours(scenario, oracle, nudge, variants);
+  const auto& [half, quarter, nudged, moved, again] = motions;
   const bool refined = studied && IsWhole(half) && IsWhole(quarter);
   Study study{scenario, oracle.info(), trajectory, refined ? &half : nullptr,
               refined ? &quarter : nullptr};
@@ -132,8 +201,7 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
   for (std::vector<Finding>& group : groups)
     std::move(group.begin(), group.end(), std::back_inserter(findings));
   if (!answered) return findings;
-  if (Claims(scenario, kDeterministic))
-    findings.push_back(JudgeRepetition(study, oracle.Simulate(scenario.world)));
+  if (Claims(scenario, kDeterministic)) findings.push_back(JudgeRepetition(study, again));
   if (!studied) return findings;
   const auto add_failure = [&](const Trajectory& other, std::string_view asked,
                                double step) {
@@ -142,13 +210,13 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
   };
   add_failure(half, "at half the step", dt / 2);
   add_failure(quarter, "at a quarter of the step", dt / 4);
-  if (refined) study.gain = GainOf(scenario, oracle, trajectory);
-  for (const WorldVariant& variant : VariantsOf(scenario.world)) {
-    const Trajectory moved = oracle.Simulate(variant.world);
-    add_failure(moved, ChangeOf(variant.measure), dt);
-    if (refined && IsWhole(moved))
+  if (refined) study.gain = GainOf(scenario, trajectory, nudged, nudge);
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    const MeasureKind measure = variants[v].measure;
+    add_failure(moved[v], ChangeOf(measure), dt);
+    if (refined && IsWhole(moved[v]))
       findings.push_back(
-          JudgeVariant(study, variant.measure, SeenInWorld(variant, moved)));
+          JudgeVariant(study, measure, SeenInWorld(variants[v], moved[v])));
   }
   return findings;
 }
@@ -168,7 +236,9 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
     report.worlds.push_back({scenario, std::vector<Trajectory>(oracles.size())});
   const std::vector<Pair> pairs = PairsOf(worlds, oracles);
   std::vector<std::vector<Finding>> findings(pairs.size());
-  ParallelFor(pairs.size(), jobs, [&](std::size_t i) {
+  const std::vector<std::size_t> order = LongestFirst(pairs, worlds);
+  ParallelFor(pairs.size(), jobs, [&](std::size_t turn) {
+    const std::size_t i = order[turn];
     const auto [w, o] = pairs[i];
     findings[i] = Examine(worlds[w], *oracles[o], report.worlds[w].trajectories[o]);
     std::stable_sort(

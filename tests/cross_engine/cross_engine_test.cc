@@ -2,8 +2,9 @@
 // answers such, CrossEngine/<oracle>.<scenario>, answered from one run. Known
 // discrepancies pass, as they do for `touchstone run`.
 //
-// CTest gets an entry per oracle (`ctest -R fcl`), since a process per test would ask
-// everybody everything thousands of times; --write-ctest FILE makes them.
+// CTest runs cross_engine.catalogue, which asks everybody everything once. It has an
+// entry per oracle as well, which asks the same of that one alone and is for `ctest -C
+// each_engine -R fcl`; --write-ctest FILE makes them.
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -176,10 +177,12 @@ void WriteCTest(const std::string& program, const char* file) {
     out << "add_test([=[cross_engine." << name << "]=] [=[" << program
         << "]=] [=[--gtest_filter=" << suite << ".*]=] --gtest_brief=1)\n";
   };
+  add("catalogue", "CrossEngine/catalogue");
+  out << "if(CTEST_CONFIGURATION_TYPE STREQUAL each_engine)\n";
   for (const Oracle* oracle : Suite::Instance().oracles()) {
     add(oracle->info().name, SuiteName(oracle->info()));
   }
-  add("catalogue", "CrossEngine/catalogue");
+  out << "endif()\n";
 }
 
 }  // namespace

@@ -403,6 +403,31 @@ TEST(IsolatedWorlds, AreLostAloneWhenTheEngineBreaksDown) {
   EXPECT_TRUE(HasNoChildren());
 }
 
+TEST(IsolatedWorlds, OfABatchAreLostAloneWhereverTheEngineBreaksDown) {
+  World unsupported = WorldOf(kAnswer);
+  unsupported.cloths.emplace_back();
+  const std::vector<World> worlds = {WorldOf(kAbort), WorldOf(kAnswer),
+                                     unsupported,     WorldOf(kSegfault),
+                                     WorldOf(kThrow), WorldOf(kAnswer)};
+  std::vector<std::string> reasons;
+  for (const Trajectory& trajectory : Isolated()->SimulateEach(worlds)) {
+    EXPECT_EQ(trajectory.samples.size(), trajectory.reason.empty() ? 6u : 0u);
+    reasons.push_back(trajectory.reason);
+  }
+  EXPECT_EQ(reasons, (std::vector<std::string>{
+                         "aborted", "", "has no cloth", "died of SIGSEGV",
+                         "threw std::logic_error: origin outside the polytope", ""}));
+  EXPECT_TRUE(HasNoChildren());
+}
+
+TEST(IsolatedWorlds, OfABatchAreShownWithWhatWasPrintedOnEach) {
+  const std::vector<World> worlds = {WorldOf(kAnswer), WorldOf(kFlood), WorldOf(kAnswer)};
+  std::vector<std::string> printed;
+  for (const Trajectory& trajectory : Isolated()->SimulateEach(worlds))
+    printed.push_back(trajectory.complaint);
+  EXPECT_EQ(printed, (std::vector<std::string>{"", std::string(3000, 'w'), ""}));
+}
+
 TEST(IsolatedWorlds, ThatAreUnsupportedSayWhy) {
   World world = WorldOf(kAnswer);
   world.cloths.emplace_back();
