@@ -90,9 +90,15 @@ double PrepareContacts(const ContactRows& rows, const ContactRules& rules,
 /** Applies the impulses. */
 void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities);
 
-/** Solves each contact of the batches at work once, batch after batch. Returns the
- greatest change of a relative velocity. [m/s] */
-double SweepContacts(const ContactRows& rows, bool accumulated,
-                     std::span<Velocity> velocities);
+/** How much a sweep changed the relative velocities of pairs: of each pair the greatest,
+ and of those the greatest and the least. [m/s] */
+struct Changes {
+  double greatest;
+  double least;  ///< +∞ where there is no pair.
+};
+
+/** Solves each contact of the batches at work once, batch after batch. */
+Changes SweepContacts(const ContactRows& rows, bool accumulated,
+                      std::span<Velocity> velocities);
 
 }  // namespace cookbook

@@ -259,73 +259,135 @@ void ApplyAll(const ContactRows& rows, Velocity* velocities) {
   }
 }
 
-double Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
+/** A batch while it is swept. */
+struct Swept {
+  ContactBatch& batch;
+  ContactLanes* rows;
+  Moving A;
+  Moving B;
+  Inertias m;
+  Four3 n;
+  Four3 t1;
+  Four3 t2;
+  Four friction;
+  Four changed{};
+
+  /** Returns `changed`, and +∞ in lanes without a pair. */
+  HWY_INLINE Four ChangedOfPairs() const {
+    return Select(m.mass_A + m.mass_B > Four{}, changed,
+                  Splat(std::numeric_limits<double>::infinity()));
+  }
+};
+
+HWY_INLINE Swept Begin(ContactBatch& batch, const ContactRows& rows,
+                       const Velocity* velocities) {
+  return {batch,
+          &rows.contacts[static_cast<std::size_t>(batch.first)],
+          Gather(velocities, batch.A),
+          Gather(velocities, batch.B),
+          InertiasOf(batch),
+          At(batch.n),
+          At(batch.t1),
+          At(batch.t2),
+          At(batch.friction)};
+}
+
+/** Solves one contact of each pair, given 1 in `kept` where impulses are accumulated. */
+HWY_INLINE void SolveRow(ContactLanes& contact, Four kept, Swept& at) {
   const Four zero{};
+  const Four3 r_A = At(contact.r_A);
+  const Four3 r_B = At(contact.r_B);
+
+  const Four3 u = RelativeVelocity(at.A, at.B, r_A, r_B);
+  const Four sum = At(contact.impulse);
+  const Four start = kept * sum;
+  const Four impulse =
+      Max(zero, start + At(contact.effective_mass) * (At(contact.target) - Dot(u, at.n)) -
+                    At(contact.impulse_scale) * sum);
+  const Four change = impulse - start;
+  Put(sum + change, contact.impulse);
+
+  const Four slip1 = Dot(u, at.t1) + change * At(contact.response_n1);
+  const Four slip2 = Dot(u, at.t2) + change * At(contact.response_n2);
+  const Four bound = at.friction * impulse;
+  const Four bound_squared = bound * bound;
+  const Four sum1 = At(contact.friction_impulse1);
+  const Four sum2 = At(contact.friction_impulse2);
+  const Four held1 = kept * sum1;
+  const Four held2 = kept * sum2;
+  // Inside the cone the impulse that stops the slip. Else a step against the slip,
+  // brought back to the cone: where that stands still, the impulse is against the slip.
+  const Four stick12 = At(contact.stick12);
+  const Four stick1 = held1 - (At(contact.stick11) * slip1 + stick12 * slip2);
+  const Four stick2 = held2 - (stick12 * slip1 + At(contact.stick22) * slip2);
+  Four change1 = stick1 - held1;
+  Four change2 = stick2 - held2;
+  const FourBits slides = stick1 * stick1 + stick2 * stick2 > bound_squared;
+  // Most contacts hold: the branch is foretold, and spares a root and a quotient, which
+  // the next row would wait for.
+  if (Bits(slides) != 0) {
+    const Four step = At(contact.slip_step);
+    const Four slide1 = held1 - step * slip1;
+    const Four slide2 = held2 - step * slip2;
+    const Four length_squared = slide1 * slide1 + slide2 * slide2;
+    const FourBits outside = length_squared > bound_squared;
+    const Four length = Sqrt(Select(outside, length_squared, Splat(1)));
+    const Four shrink = Select(outside, bound / length, Splat(1));
+    change1 = Select(slides, shrink * slide1, stick1) - held1;
+    change2 = Select(slides, shrink * slide2, stick2) - held2;
+  }
+  Put(sum1 + change1, contact.friction_impulse1);
+  Put(sum2 + change2, contact.friction_impulse2);
+  Apply(Plus(Times(change, at.n), Plus(Times(change1, at.t1), Times(change2, at.t2))),
+        r_A, r_B, at.m, at.A, at.B);
+
+  const Four slip_response = At(contact.slip_response);
+  at.changed = Max(at.changed, Abs(change) * At(contact.response));
+  at.changed = Max(at.changed, Max(Abs(change1), Abs(change2)) * slip_response);
+}
+
+HWY_INLINE void End(const Swept& at, Velocity* velocities) {
+  Put(at.changed, at.batch.change);
+  Scatter(at.A, at.batch.A, at.batch.inverse_mass_A, velocities);
+  Scatter(at.B, at.batch.B, at.batch.inverse_mass_B, velocities);
+}
+
+Changes Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
   const Four kept = Splat(accumulated ? 1 : 0);
   Four greatest{};
-  for (ContactBatch& batch : rows.batches) {
-    if (!batch.at_work) continue;
-    Four changed{};
-    Moving A = Gather(velocities, batch.A);
-    Moving B = Gather(velocities, batch.B);
-    const Inertias m = InertiasOf(batch);
-    const Four3 n = At(batch.n);
-    const Four3 t1 = At(batch.t1);
-    const Four3 t2 = At(batch.t2);
-    const Four friction = At(batch.friction);
-    for (int k = 0; k < batch.count; ++k) {
-      ContactLanes& contact = rows.contacts[static_cast<std::size_t>(batch.first + k)];
-      const Four3 r_A = At(contact.r_A);
-      const Four3 r_B = At(contact.r_B);
-
-      const Four3 u = RelativeVelocity(A, B, r_A, r_B);
-      const Four sum = At(contact.impulse);
-      const Four start = kept * sum;
-      const Four impulse = Max(
-          zero, start + At(contact.effective_mass) * (At(contact.target) - Dot(u, n)) -
-                    At(contact.impulse_scale) * sum);
-      const Four change = impulse - start;
-      Put(sum + change, contact.impulse);
-
-      const Four slip1 = Dot(u, t1) + change * At(contact.response_n1);
-      const Four slip2 = Dot(u, t2) + change * At(contact.response_n2);
-      const Four bound = friction * impulse;
-      const Four bound_squared = bound * bound;
-      const Four sum1 = At(contact.friction_impulse1);
-      const Four sum2 = At(contact.friction_impulse2);
-      const Four held1 = kept * sum1;
-      const Four held2 = kept * sum2;
-      // Inside the cone the impulse that stops the slip. Else a step against the slip,
-      // brought back to the cone: where that stands still, the impulse is against the
-      // slip.
-      const Four stick12 = At(contact.stick12);
-      const Four stick1 = held1 - (At(contact.stick11) * slip1 + stick12 * slip2);
-      const Four stick2 = held2 - (stick12 * slip1 + At(contact.stick22) * slip2);
-      const FourBits slides = stick1 * stick1 + stick2 * stick2 > bound_squared;
-      const Four step = At(contact.slip_step);
-      const Four slide1 = held1 - step * slip1;
-      const Four slide2 = held2 - step * slip2;
-      const Four length_squared = slide1 * slide1 + slide2 * slide2;
-      const FourBits outside = length_squared > bound_squared;
-      const Four length = Sqrt(Select(outside, length_squared, Splat(1)));
-      const Four shrink = Select(outside, bound / length, Splat(1));
-      const Four change1 = Select(slides, shrink * slide1, stick1) - held1;
-      const Four change2 = Select(slides, shrink * slide2, stick2) - held2;
-      Put(sum1 + change1, contact.friction_impulse1);
-      Put(sum2 + change2, contact.friction_impulse2);
-      Apply(Plus(Times(change, n), Plus(Times(change1, t1), Times(change2, t2))), r_A,
-            r_B, m, A, B);
-
-      const Four slip_response = At(contact.slip_response);
-      changed = Max(changed, Abs(change) * At(contact.response));
-      changed = Max(changed, Max(Abs(change1), Abs(change2)) * slip_response);
+  Four least = Splat(std::numeric_limits<double>::infinity());
+  const std::size_t count = rows.batches.size();
+  const auto next_at_work = [&](std::size_t k) {
+    while (k < count && !rows.batches[k].at_work) ++k;
+    return k;
+  };
+  // Two batches at once, row by row: each row of a batch waits for the one before it, and
+  // no batch of a colour for another.
+  for (std::size_t k = next_at_work(0); k < count;) {
+    const std::size_t second = next_at_work(k + 1);
+    Swept one = Begin(rows.batches[k], rows, velocities);
+    if (second == count) {
+      for (int i = 0; i < one.batch.count; ++i) SolveRow(one.rows[i], kept, one);
+      End(one, velocities);
+      greatest = Max(greatest, one.changed);
+      least = Min(least, one.ChangedOfPairs());
+      break;
     }
-    Put(changed, batch.change);
-    greatest = Max(greatest, changed);
-    Scatter(A, batch.A, batch.inverse_mass_A, velocities);
-    Scatter(B, batch.B, batch.inverse_mass_B, velocities);
+    Swept two = Begin(rows.batches[second], rows, velocities);
+    const int both = std::min(one.batch.count, two.batch.count);
+    for (int i = 0; i < both; ++i) {
+      SolveRow(one.rows[i], kept, one);
+      SolveRow(two.rows[i], kept, two);
+    }
+    for (int i = both; i < one.batch.count; ++i) SolveRow(one.rows[i], kept, one);
+    for (int i = both; i < two.batch.count; ++i) SolveRow(two.rows[i], kept, two);
+    End(one, velocities);
+    End(two, velocities);
+    greatest = Max(greatest, Max(one.changed, two.changed));
+    least = Min(least, Min(one.ChangedOfPairs(), two.ChangedOfPairs()));
+    k = next_at_work(second + 1);
   }
-  return Greatest(greatest);
+  return {Greatest(greatest), -Greatest(-least)};
 }
 
 }  // namespace
@@ -349,8 +411,8 @@ void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities) {
   HWY_DYNAMIC_DISPATCH(ApplyAll)(rows, velocities.data());
 }
 
-double SweepContacts(const ContactRows& rows, bool accumulated,
-                     std::span<Velocity> velocities) {
+Changes SweepContacts(const ContactRows& rows, bool accumulated,
+                      std::span<Velocity> velocities) {
   return HWY_DYNAMIC_DISPATCH(Sweep)(rows, accumulated, velocities.data());
 }
 }  // namespace cookbook

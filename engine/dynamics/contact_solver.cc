@@ -4,6 +4,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -23,6 +24,7 @@ constexpr int kMost = 8;
 /** The greatest of numbers that several threads note. */
 class Greatest {
  public:
+  explicit Greatest(double start = 0) : value_(start) {}
   void Note(double value) {
     double known = value_.load(std::memory_order_relaxed);
     while (value > known &&
@@ -32,7 +34,7 @@ class Greatest {
   double value() const { return value_.load(std::memory_order_relaxed); }
 
  private:
-  std::atomic<double> value_ = 0;
+  std::atomic<double> value_;
 };
 
 ContactRules RulesOf(const Settings& settings, double h) {
@@ -132,6 +134,7 @@ void ContactSolver::FindHeaps(std::span<const ContactPair> pairs,
 }
 
 void ContactSolver::LeaveBe(double solved) {
+  if (least_change_ > solved) return;  // No pair is solved, and so no heap.
   // A lane of its own says of each pair which of its bodies moves; both are in one heap.
   const auto heap_of = [&](const ContactBatch& batch, std::size_t lane) {
     const int body = batch.inverse_mass_A[lane] > 0 ? batch.A[lane] : batch.B[lane];
@@ -254,9 +257,13 @@ void ContactSolver::Begin(std::span<const ContactPair> pairs, const SolverBodies
 
 double ContactSolver::Sweep(std::span<Velocity> velocities, Crew& crew) {
   Greatest change;
+  Greatest closeness(-std::numeric_limits<double>::infinity());  // −(least change).
   ShareByColour(crew, [&](const ContactRows& rows) {
-    change.Note(SweepContacts(rows, accumulated_, velocities));
+    const Changes changes = SweepContacts(rows, accumulated_, velocities);
+    change.Note(changes.greatest);
+    closeness.Note(-changes.least);
   });
+  least_change_ = -closeness.value();
   return change.value();
 }
 

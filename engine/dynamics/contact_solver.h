@@ -112,6 +112,7 @@ class ContactSolver {
   std::vector<double> heap_changes_;
   bool accumulated_ = true;
   double scale_ = 0;
+  double least_change_ = 0;  ///< Of a pair at work, in the last sweep. [m/s]
   int row_count_ = 0;
 };
 
