@@ -4,9 +4,26 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/dynamics/contact_pair.h"
 #include "engine/dynamics/rigid_body.h"
 
 namespace cookbook {
+
+/** Everything about the bodies that a solver sees, by body index. The velocities have one
+ more place at the end, zero, for lanes without a pair. */
+struct SolverBodies {
+  std::span<const RigidBody> bodies;         ///< At the start of the step.
+  std::span<const InverseInertia> inertias;  ///< At the start of the step.
+  std::span<const Velocity> before;          ///< At the start of the step.
+  std::span<Velocity> velocities;            ///< In: without impulses; then solved.
+};
+
+/** What contacts did to a body in a step. */
+struct Touch {
+  bool bounced = false;  ///< Some contact sent it back.
+  bool rested = false;   ///< Some contact held it.
+  bool steady = true;    ///< Before the step, no contact that held it was approaching.
+};
 
 /** One number of each of four pairs. */
 using Lanes = std::array<double, 4>;
@@ -18,7 +35,7 @@ using TensorLanes = std::array<Lanes, 6>;
 /** One contact of each of four pairs. A pair that has fewer contacts than another has
  `effective_mass` 0 there, and nothing happens. */
 struct alignas(32) ContactLanes {
-  // Given.
+  // Of the pair.
   VectorLanes r_A;  ///< From the centre of A. [m]
   VectorLanes r_B;
   Lanes separation;         ///< [m]
@@ -81,11 +98,13 @@ struct ContactRows {
   std::span<ContactLanes> contacts;
 };
 
-/** Fills what is prepared, given the velocities before the step and, in `velocities`, at
- its end without impulses. Returns the greatest relative velocity of a contact. [m/s] */
+/** Fills the rows of the pairs and bodies that the batches name, given the velocities
+ before the step and those at its end without impulses. The impulses are those of the
+ pairs, or none without `warm_starting`. Returns the greatest relative velocity of a
+ contact. [m/s] */
 double PrepareContacts(const ContactRows& rows, const ContactRules& rules,
-                       std::span<const Velocity> before,
-                       std::span<const Velocity> velocities);
+                       std::span<const ContactPair> pairs, const SolverBodies& world,
+                       bool warm_starting);
 
 /** Applies the impulses. */
 void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities);
@@ -100,5 +119,10 @@ struct Changes {
 /** Solves each contact of the batches at work once, batch after batch. */
 Changes SweepContacts(const ContactRows& rows, bool accumulated,
                       std::span<Velocity> velocities);
+
+/** Writes the impulses to the pairs, and what the contacts did to the bodies that move.
+ */
+void ReadContacts(const ContactRows& rows, std::span<ContactPair> pairs,
+                  std::span<Touch> touches);
 
 }  // namespace cookbook

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <span>
 
 #include "engine/dynamics/contact_batch.h"
 
@@ -13,6 +15,7 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
+#include "engine/dynamics/four_bodies.h"
 #include "engine/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,133 +27,139 @@ namespace {
  that was there all along. */
 constexpr double kSteady = 1.0 / 16;
 
-struct Four3 {
-  Four x;
-  Four y;
-  Four z;
-};
-
-HWY_INLINE Four At(const Lanes& lanes) {
-  return Load(lanes.data());
-}
-HWY_INLINE Four3 At(const VectorLanes& lanes) {
-  return {At(lanes[0]), At(lanes[1]), At(lanes[2])};
-}
-HWY_INLINE void Put(Four v, Lanes& lanes) {
-  Store(v, lanes.data());
+/** Returns what the first four numbers are of each of four things. */
+HWY_INLINE void LoadFour(const std::array<const double*, 4>& from, Four to[4]) {
+  for (std::size_t lane = 0; lane < 4; ++lane) to[lane] = Load(from[lane]);
+  Transpose4(to[0], to[1], to[2], to[3]);
 }
 
-HWY_INLINE Four Dot(const Four3& a, const Four3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-HWY_INLINE Four3 Cross(const Four3& a, const Four3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-HWY_INLINE Four3 Plus(const Four3& a, const Four3& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-HWY_INLINE Four3 Minus(const Four3& a, const Four3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-HWY_INLINE Four3 Times(Four s, const Four3& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-
-struct Tensor {
-  Four xx, xy, xz, yy, yz, zz;
-};
-HWY_INLINE Tensor At(const TensorLanes& lanes) {
-  return {At(lanes[0]), At(lanes[1]), At(lanes[2]),
-          At(lanes[3]), At(lanes[4]), At(lanes[5])};
-}
-HWY_INLINE Four3 Times(const Tensor& t, const Four3& a) {
-  return {t.xx * a.x + t.xy * a.y + t.xz * a.z, t.xy * a.x + t.yy * a.y + t.yz * a.z,
-          t.xz * a.x + t.yz * a.y + t.zz * a.z};
+HWY_INLINE void FillInertia(const std::array<const InverseInertia*, 4>& from, Lanes& mass,
+                            TensorLanes& tensor) {
+  static_assert(offsetof(InverseInertia, mass) == 9 * sizeof(double));
+  std::array<const double*, 4> numbers;
+  const auto load = [&](std::ptrdiff_t first, Four to[4]) HWY_ATTR {
+    for (std::size_t k = 0; k < 4; ++k) numbers[k] = from[k]->tensor_W.data() + first;
+    LoadFour(numbers, to);
+  };
+  Four lanes[4];
+  load(0, lanes);
+  Put(lanes[0], tensor[0]);
+  Put(lanes[1], tensor[1]);
+  Put(lanes[2], tensor[2]);
+  load(4, lanes);
+  Put(lanes[0], tensor[3]);
+  Put(lanes[1], tensor[4]);
+  load(8, lanes);
+  Put(lanes[0], tensor[5]);
+  Put(lanes[1], mass);
 }
 
-/** The velocities of four bodies. */
-struct Moving {
-  Four3 v;
-  Four3 w;
-};
-
-HWY_INLINE void Transpose4(Four& a, Four& b, Four& c, Four& d) {
-  const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-  const Four ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Four cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Four cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+/** Returns a unit vector across the unit vector n, as Eigen's unitOrthogonal(). */
+HWY_INLINE Four3 Across(const Four3& n) {
+  const Four zero{};
+  const Four small = Splat(1e-12) * Abs(n.z);
+  const FourBits level = (Abs(n.x) > small) | (Abs(n.y) > small);
+  const Four a = Select(level, n.x, n.y);
+  const Four b = Select(level, n.y, n.z);
+  const Four scale = Splat(1) / Sqrt(a * a + b * b);
+  const Four along_a = (zero - b) * scale;
+  const Four along_b = a * scale;
+  return {Select(level, along_a, zero), Select(level, along_b, along_a),
+          Select(level, zero, along_b)};
 }
 
-HWY_INLINE Moving Gather(const Velocity* velocities, const std::array<int, 4>& bodies) {
-  Four low[4];
-  Four high[4];
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double* numbers = velocities[bodies[k]].v.data();
-    low[k] = Load(numbers);
-    high[k] = Load(numbers + 4);
+/** Fills what a batch and its rows have of the pairs. */
+HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows,
+                     std::span<const ContactPair> pairs, const SolverBodies& world,
+                     bool warm_starting) {
+  static_assert(offsetof(ContactPoint, separation) == sizeof(Eigen::Vector3d));
+  // Of a lane without a pair, and of what a pair has fewer of than another.
+  alignas(32) constexpr std::array<double, 4> kNothing = {0, 0, 0, 0};
+  alignas(32) constexpr std::array<double, 4> kAnyNormal = {1, 0, 0, 0};
+  alignas(64) static const InverseInertia kImmovable{Eigen::Matrix3d::Zero(), 0};
+  std::array<const ContactPair*, 4> pair;
+  std::array<int, 4> counts;
+  std::array<const double*, 4> n_AB;
+  std::array<const double*, 4> x_A;
+  std::array<const double*, 4> x_B;
+  std::array<const InverseInertia*, 4> inertia_A;
+  std::array<const InverseInertia*, 4> inertia_B;
+  alignas(32) Lanes friction;
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const bool is_pair = batch.pair[lane] >= 0;
+    pair[lane] = is_pair ? &pairs[static_cast<std::size_t>(batch.pair[lane])] : nullptr;
+    counts[lane] = is_pair ? pair[lane]->manifold.count : 0;
+    n_AB[lane] = is_pair ? pair[lane]->manifold.n_AB_W.data() : kAnyNormal.data();
+    x_A[lane] = x_B[lane] = kNothing.data();
+    inertia_A[lane] = inertia_B[lane] = &kImmovable;
+    friction[lane] = batch.restitution[lane] = 0;
+    if (!is_pair) continue;
+    const auto a = static_cast<std::size_t>(batch.A[lane]);
+    const auto b = static_cast<std::size_t>(batch.B[lane]);
+    const RigidBody& A = world.bodies[a];
+    const RigidBody& B = world.bodies[b];
+    x_A[lane] = A.state.p_WB.data();
+    x_B[lane] = B.state.p_WB.data();
+    inertia_A[lane] = &world.inertias[a];
+    inertia_B[lane] = &world.inertias[b];
+    friction[lane] = A.friction * B.friction;
+    batch.restitution[lane] = std::min(A.restitution, B.restitution);
   }
-  Transpose4(low[0], low[1], low[2], low[3]);
-  Transpose4(high[0], high[1], high[2], high[3]);
-  return {{low[0], low[1], low[2]}, {low[3], high[0], high[1]}};
-}
+  FillInertia(inertia_A, batch.inverse_mass_A, batch.inverse_inertia_A);
+  FillInertia(inertia_B, batch.inverse_mass_B, batch.inverse_inertia_B);
+  Put(Sqrt(At(friction)), batch.friction);
+  Four lanes[4];
+  LoadFour(x_A, lanes);
+  const Four3 centre_A{lanes[0], lanes[1], lanes[2]};
+  LoadFour(x_B, lanes);
+  const Four3 centre_B{lanes[0], lanes[1], lanes[2]};
+  LoadFour(n_AB, lanes);
+  const Four3 n{lanes[0], lanes[1], lanes[2]};
+  const Four3 t1 = Across(n);
+  const Four3 t2 = Cross(n, t1);
+  Put(n, batch.n);
+  Put(t1, batch.t1);
+  Put(t2, batch.t2);
 
-/** Writes the velocities of those that move: several threads may read one that does not.
- */
-HWY_INLINE void Scatter(const Moving& moving, const std::array<int, 4>& bodies,
-                        const Lanes& inverse_mass, Velocity* velocities) {
-  Four low[4] = {moving.v.x, moving.v.y, moving.v.z, moving.w.x};
-  Four high[4] = {moving.w.y, moving.w.z, Four{}, Four{}};
-  Transpose4(low[0], low[1], low[2], low[3]);
-  Transpose4(high[0], high[1], high[2], high[3]);
-  for (std::size_t k = 0; k < 4; ++k) {
-    if (inverse_mass[k] == 0) continue;
-    double* numbers = velocities[bodies[k]].v.data();
-    Store(low[k], numbers);
-    Store(high[k], numbers + 4);
+  const Four zero{};
+  for (int k = 0; k < batch.count; ++k) {
+    ContactLanes& contact = rows[k];
+    std::array<const double*, 4> points;
+    Four J[4];
+    alignas(32) Lanes used;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const auto i = static_cast<std::size_t>(k);
+      const bool is_used = k < counts[lane];
+      used[lane] = is_used ? 1 : 0;
+      points[lane] =
+          is_used ? pair[lane]->manifold.contacts[i].p_WC.data() : kNothing.data();
+      J[lane] = is_used && warm_starting ? Load3(pair[lane]->J_W[i].data(), 0) : zero;
+    }
+    LoadFour(points, lanes);
+    const Four3 p{lanes[0], lanes[1], lanes[2]};
+    Put(Minus(p, centre_A), contact.r_A);
+    Put(Minus(p, centre_B), contact.r_B);
+    Put(lanes[3], contact.separation);
+    contact.used = used;
+    Transpose4(J[0], J[1], J[2], J[3]);
+    const Four3 J_W{J[0], J[1], J[2]};
+    Put(Max(zero, Dot(J_W, n)), contact.impulse);
+    Put(Dot(J_W, t1), contact.friction_impulse1);
+    Put(Dot(J_W, t2), contact.friction_impulse2);
   }
 }
 
-HWY_INLINE Four3 RelativeVelocity(const Moving& A, const Moving& B, const Four3& r_A,
-                                  const Four3& r_B) {
-  return Minus(Plus(B.v, Cross(B.w, r_B)), Plus(A.v, Cross(A.w, r_A)));
-}
-
-/** What resists the impulses of a batch. */
-struct Inertias {
-  Four mass_A;
-  Four mass_B;
-  Tensor tensor_A;
-  Tensor tensor_B;
-};
-
-HWY_INLINE Inertias InertiasOf(const ContactBatch& batch) {
-  return {At(batch.inverse_mass_A), At(batch.inverse_mass_B), At(batch.inverse_inertia_A),
-          At(batch.inverse_inertia_B)};
-}
-
-/** Applies J to B and −J to A. */
-HWY_INLINE void Apply(const Four3& J, const Four3& r_A, const Four3& r_B,
-                      const Inertias& m, Moving& A, Moving& B) {
-  A.v = Minus(A.v, Times(m.mass_A, J));
-  A.w = Minus(A.w, Times(m.tensor_A, Cross(r_A, J)));
-  B.v = Plus(B.v, Times(m.mass_B, J));
-  B.w = Plus(B.w, Times(m.tensor_B, Cross(r_B, J)));
-}
-
-HWY_INLINE double Greatest(Four v) {
-  return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
-}
-
-double Prepare(const ContactRows& rows, const ContactRules& rules, const Velocity* before,
-               const Velocity* velocities) {
+double Prepare(const ContactRows& rows, const ContactRules& rules,
+               std::span<const ContactPair> pairs, const SolverBodies& world,
+               bool warm_starting) {
+  const Velocity* before = world.before.data();
+  const Velocity* velocities = world.velocities.data();
   const Four zero{};
   const Four one = Splat(1);
   Four greatest{};
-  for (const ContactBatch& batch : rows.batches) {
+  for (ContactBatch& batch : rows.batches) {
+    Fill(batch, &rows.contacts[static_cast<std::size_t>(batch.first)], pairs, world,
+         warm_starting);
     const Moving A_before = Gather(before, batch.A);
     const Moving B_before = Gather(before, batch.B);
     const Moving A_free = Gather(velocities, batch.A);
@@ -390,6 +399,59 @@ Changes Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
   return {Greatest(greatest), -Greatest(-least)};
 }
 
+void Read(const ContactRows& rows, std::span<ContactPair> pairs, Touch* touches) {
+  const Four zero{};
+  for (const ContactBatch& batch : rows.batches) {
+    std::array<ContactPair*, 4> pair{};
+    std::array<int, 4> counts{};
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      if (batch.pair[lane] < 0) continue;
+      pair[lane] = &pairs[static_cast<std::size_t>(batch.pair[lane])];
+      counts[lane] = pair[lane]->manifold.count;
+    }
+    const Four3 n = At(batch.n);
+    const Four3 t1 = At(batch.t1);
+    const Four3 t2 = At(batch.t2);
+    FourBits bounced{};
+    FourBits rested{};
+    FourBits unsteady{};
+    for (int k = 0; k < batch.count; ++k) {
+      const ContactLanes& contact =
+          rows.contacts[static_cast<std::size_t>(batch.first + k)];
+      const Four impulse = At(contact.impulse);
+      const Four3 J =
+          Plus(Plus(Times(impulse, n), Times(At(contact.friction_impulse1), t1)),
+               Times(At(contact.friction_impulse2), t2));
+      Four J_W[4] = {J.x, J.y, J.z, zero};
+      Transpose4(J_W[0], J_W[1], J_W[2], J_W[3]);
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        if (k >= counts[lane]) continue;
+        std::memcpy(pair[lane]->J_W[static_cast<std::size_t>(k)].data(), &J_W[lane],
+                    sizeof(Eigen::Vector3d));
+      }
+      const FourBits acts = impulse > zero;
+      const FourBits bounces = At(contact.bounces) > zero;
+      bounced |= acts & bounces;
+      rested |= acts & ~bounces;
+      unsteady |= acts & ~(At(contact.steady) > zero);
+    }
+    const unsigned who_bounced = Bits(bounced);
+    const unsigned who_rested = Bits(rested);
+    const unsigned who_is_unsteady = Bits(unsteady);
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const auto note = [&](int body, double inverse_mass) {
+        if (inverse_mass == 0) return;
+        Touch& touch = touches[body];
+        touch.bounced = touch.bounced || (who_bounced >> lane & 1) != 0;
+        touch.rested = touch.rested || (who_rested >> lane & 1) != 0;
+        touch.steady = touch.steady && (who_is_unsteady >> lane & 1) == 0;
+      };
+      note(batch.A[lane], batch.inverse_mass_A[lane]);
+      note(batch.B[lane], batch.inverse_mass_B[lane]);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace cookbook
@@ -400,11 +462,12 @@ namespace cookbook {
 HWY_EXPORT(Prepare);
 HWY_EXPORT(ApplyAll);
 HWY_EXPORT(Sweep);
+HWY_EXPORT(Read);
 
 double PrepareContacts(const ContactRows& rows, const ContactRules& rules,
-                       std::span<const Velocity> before,
-                       std::span<const Velocity> velocities) {
-  return HWY_DYNAMIC_DISPATCH(Prepare)(rows, rules, before.data(), velocities.data());
+                       std::span<const ContactPair> pairs, const SolverBodies& world,
+                       bool warm_starting) {
+  return HWY_DYNAMIC_DISPATCH(Prepare)(rows, rules, pairs, world, warm_starting);
 }
 
 void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities) {
@@ -414,6 +477,11 @@ void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities) {
 Changes SweepContacts(const ContactRows& rows, bool accumulated,
                       std::span<Velocity> velocities) {
   return HWY_DYNAMIC_DISPATCH(Sweep)(rows, accumulated, velocities.data());
+}
+
+void ReadContacts(const ContactRows& rows, std::span<ContactPair> pairs,
+                  std::span<Touch> touches) {
+  HWY_DYNAMIC_DISPATCH(Read)(rows, pairs, touches.data());
 }
 }  // namespace cookbook
 #endif

@@ -1,41 +1,23 @@
 #include "engine/dynamics/contact_solver.h"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
 namespace cookbook {
 namespace {
 
-/** Colours that pairs are sorted by; the last is for pairs that found none of the others
- free, which are solved one after the other. */
-constexpr int kColours = 64;
-constexpr int kLastColour = kColours - 1;
-/** Batches of a colour below which it does not pay to wake another thread: a batch takes
- about half a microsecond. */
-constexpr std::size_t kFewBatches = 24;
 /** Contacts of a manifold. */
 constexpr int kMost = 8;
-
-/** The greatest of numbers that several threads note. */
-class Greatest {
- public:
-  explicit Greatest(double start = 0) : value_(start) {}
-  void Note(double value) {
-    double known = value_.load(std::memory_order_relaxed);
-    while (value > known &&
-           !value_.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
-    }
-  }
-  double value() const { return value_.load(std::memory_order_relaxed); }
-
- private:
-  std::atomic<double> value_;
-};
+/** Contacts of a part: its rows, of 200 bytes a contact, stay in a cache of 256 KiB, and
+ the batches that its colours leave unfilled are few. */
+constexpr int kPart = 1000;
+/** A part of more contacts is solved by all threads, colour after colour. */
+constexpr int kLargePart = 2 * kPart;
+/** Contacts below which it does not pay to wake another thread. */
+constexpr int kFewContacts = 200;
 
 ContactRules RulesOf(const Settings& settings, double h) {
   ContactRules rules{};
@@ -61,51 +43,19 @@ ContactRules RulesOf(const Settings& settings, double h) {
   return rules;
 }
 
-void Put(const Eigen::Vector3d& v, std::size_t lane, VectorLanes& lanes) {
-  for (int k = 0; k < 3; ++k) lanes[static_cast<std::size_t>(k)][lane] = v[k];
-}
-
-void Put(const Eigen::Matrix3d& t, std::size_t lane, TensorLanes& lanes) {
-  lanes[0][lane] = t(0, 0);
-  lanes[1][lane] = t(0, 1);
-  lanes[2][lane] = t(0, 2);
-  lanes[3][lane] = t(1, 1);
-  lanes[4][lane] = t(1, 2);
-  lanes[5][lane] = t(2, 2);
+/** Returns what is noted of overlaps, if anything is, in `overlaps`. */
+OverlapNotes RulesOfOverlap(const Settings& settings, double h, Overlaps& overlaps) {
+  const bool turns = settings.stabilisation == Stabilisation::kNonLinearProjection;
+  const bool projects =
+      turns || settings.stabilisation == Stabilisation::kLinearProjection;
+  return {SlackOf(settings, h), turns, projects ? &overlaps : nullptr};
 }
 
 }  // namespace
 
-void ContactSolver::Colour(std::span<const ContactPair> pairs,
-                           std::span<const RigidBody> bodies) {
-  // Pairs with more contacts first within a colour, so that the lanes of a batch are
-  // about as long as each other.
-  colours_.assign(bodies.size(), 0);
-  key_.resize(pairs.size());
-  starts_.assign(kColours * (kMost + 1) + 1, 0);
-  row_count_ = 0;
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const ContactPair& pair = pairs[p];
-    key_[p] = -1;
-    if (pair.manifold.count == 0) continue;
-    row_count_ += pair.manifold.count;
-    const auto a = static_cast<std::size_t>(pair.A);
-    const auto b = static_cast<std::size_t>(pair.B);
-    const int colour = std::min(kLastColour, std::countr_one(colours_[a] | colours_[b]));
-    const std::uint64_t bit = std::uint64_t{1} << colour;
-    if (!bodies[a].is_static()) colours_[a] |= bit;
-    if (!bodies[b].is_static()) colours_[b] |= bit;
-    key_[p] = colour * (kMost + 1) + kMost - pair.manifold.count;
-    ++starts_[static_cast<std::size_t>(key_[p]) + 1];
-  }
-  for (std::size_t k = 1; k < starts_.size(); ++k) starts_[k] += starts_[k - 1];
-  order_.resize(static_cast<std::size_t>(starts_.back()));
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (key_[p] < 0) continue;
-    order_[static_cast<std::size_t>(starts_[static_cast<std::size_t>(key_[p])]++)] =
-        static_cast<int>(p);
-  }
-}
+ContactSolver::ContactSolver(int threads)
+    : own_(static_cast<std::size_t>(threads)),
+      overlaps_(static_cast<std::size_t>(threads) + 1) {}
 
 int ContactSolver::HeapOf(int body) {
   auto i = static_cast<std::size_t>(body);
@@ -117,185 +67,177 @@ int ContactSolver::HeapOf(int body) {
   return static_cast<int>(i);
 }
 
-void ContactSolver::FindHeaps(std::span<const ContactPair> pairs,
-                              std::span<const RigidBody> bodies) {
+void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
+                                  std::span<const RigidBody> bodies) {
+  colours_.assign(bodies.size(), 0);
   heap_.resize(bodies.size());
   std::iota(heap_.begin(), heap_.end(), 0);
-  for (const int p : order_) {
-    const ContactPair& pair = pairs[static_cast<std::size_t>(p)];
-    if (bodies[static_cast<std::size_t>(pair.A)].is_static() ||
-        bodies[static_cast<std::size_t>(pair.B)].is_static()) {
-      continue;
-    }
-    const int a = HeapOf(pair.A);
-    const int b = HeapOf(pair.B);
-    heap_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-  }
-}
-
-void ContactSolver::LeaveBe(double solved) {
-  if (least_change_ > solved) return;  // No pair is solved, and so no heap.
-  // A lane of its own says of each pair which of its bodies moves; both are in one heap.
-  const auto heap_of = [&](const ContactBatch& batch, std::size_t lane) {
-    const int body = batch.inverse_mass_A[lane] > 0 ? batch.A[lane] : batch.B[lane];
-    return static_cast<std::size_t>(HeapOf(body));
-  };
-  heap_changes_.assign(heap_.size(), 0);
-  for (const ContactBatch& batch : batches_) {
-    if (!batch.at_work) continue;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      if (batch.pair[lane] < 0) continue;
-      double& change = heap_changes_[heap_of(batch, lane)];
-      change = std::max(change, batch.change[lane]);
-    }
-  }
-  row_count_ = 0;
-  for (ContactBatch& batch : batches_) {
-    batch.at_work = false;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      if (batch.pair[lane] < 0 || heap_changes_[heap_of(batch, lane)] <= solved) continue;
-      batch.at_work = true;
-      for (int k = 0; k < batch.count; ++k) {
-        row_count_ +=
-            contacts_[static_cast<std::size_t>(batch.first + k)].used[lane] != 0;
-      }
-    }
-  }
-}
-
-void ContactSolver::Fill(std::span<const ContactPair> pairs, const SolverBodies& world,
-                         bool warm_starting) {
-  batches_.clear();
-  contacts_.clear();
-  firsts_.clear();
-  const int nobody = static_cast<int>(world.bodies.size());
-  int colour = -1;
-  std::size_t lane = 4;
-  for (const int p : order_) {
-    const ContactPair& pair = pairs[static_cast<std::size_t>(p)];
-    const int colour_here = key_[static_cast<std::size_t>(p)] / (kMost + 1);
-    if (lane == 4 || colour_here != colour || colour == kLastColour) {
-      if (colour_here != colour || colour == kLastColour)
-        firsts_.push_back(batches_.size());
-      colour = colour_here;
-      lane = 0;
-      ContactBatch& batch = batches_.emplace_back();
-      batch = {};
-      batch.pair.fill(-1);
-      batch.A.fill(nobody);
-      batch.B.fill(nobody);
-      batch.first = static_cast<int>(contacts_.size());
-      batch.count = pair.manifold.count;
-      batch.at_work = true;
-      contacts_.resize(contacts_.size() + static_cast<std::size_t>(batch.count),
-                       ContactLanes{});
-    }
+  key_.resize(pairs.size());
+  contacts_ = 0;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const ContactPair& pair = pairs[p];
+    key_[p] = -1;
+    if (pair.manifold.count == 0) continue;
+    contacts_ += pair.manifold.count;
     const auto a = static_cast<std::size_t>(pair.A);
     const auto b = static_cast<std::size_t>(pair.B);
-    const RigidBody& A = world.bodies[a];
-    const RigidBody& B = world.bodies[b];
-    ContactBatch& batch = batches_.back();
-    batch.pair[lane] = p;
-    batch.A[lane] = pair.A;
-    batch.B[lane] = pair.B;
-    const Eigen::Vector3d& n = pair.manifold.n_AB_W;
-    const Eigen::Vector3d t1 = n.unitOrthogonal();
-    const Eigen::Vector3d t2 = n.cross(t1);
-    Put(n, lane, batch.n);
-    Put(t1, lane, batch.t1);
-    Put(t2, lane, batch.t2);
-    batch.friction[lane] = std::sqrt(A.friction * B.friction);
-    batch.restitution[lane] = std::min(A.restitution, B.restitution);
-    batch.inverse_mass_A[lane] = world.inertias[a].mass;
-    batch.inverse_mass_B[lane] = world.inertias[b].mass;
-    Put(world.inertias[a].tensor_W, lane, batch.inverse_inertia_A);
-    Put(world.inertias[b].tensor_W, lane, batch.inverse_inertia_B);
-    for (std::size_t i = 0; i < pair.manifold.points().size(); ++i) {
-      const ContactPoint& point = pair.manifold.contacts[i];
-      ContactLanes& contact = contacts_[static_cast<std::size_t>(batch.first) + i];
-      Put(point.p_WC - A.state.p_WB, lane, contact.r_A);
-      Put(point.p_WC - B.state.p_WB, lane, contact.r_B);
-      contact.separation[lane] = point.separation;
-      contact.used[lane] = 1;
-      if (!warm_starting) continue;
-      contact.impulse[lane] = std::max(0.0, pair.J_W[i].dot(n));
-      contact.friction_impulse1[lane] = pair.J_W[i].dot(t1);
-      contact.friction_impulse2[lane] = pair.J_W[i].dot(t2);
-    }
-    ++lane;
+    const int colour = std::min(kLastColour, std::countr_one(colours_[a] | colours_[b]));
+    const std::uint64_t bit = std::uint64_t{1} << colour;
+    if (!bodies[a].is_static()) colours_[a] |= bit;
+    if (!bodies[b].is_static()) colours_[b] |= bit;
+    // Pairs with more contacts first within a colour, so that the lanes of a batch are
+    // about as long as each other.
+    key_[p] = colour * (kMost + 1) + kMost - pair.manifold.count;
+    if (bodies[a].is_static() || bodies[b].is_static()) continue;
+    const int heap_a = HeapOf(pair.A);
+    const int heap_b = HeapOf(pair.B);
+    heap_[static_cast<std::size_t>(std::max(heap_a, heap_b))] = std::min(heap_a, heap_b);
   }
-  firsts_.push_back(batches_.size());
+  // Whoever a body points to is before it, and points to who stands for the heap.
+  for (int& heap : heap_) heap = heap_[static_cast<std::size_t>(heap)];
 }
 
-template <class Work>
-void ContactSolver::ShareByColour(Crew& crew, const Work& work) {
-  for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
-    const std::span<ContactBatch> colour =
-        std::span(batches_).subspan(firsts_[k], firsts_[k + 1] - firsts_[k]);
-    crew.Share(colour.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
-      work(ContactRows{colour.subspan(begin, end - begin), contacts_});
-    });
+void ContactSolver::Divide(std::span<const ContactPair> pairs,
+                           std::span<const RigidBody> bodies, int least) {
+  // Of a heap first its contacts, then its part.
+  heap_part_.assign(bodies.size(), 0);
+  part_.resize(pairs.size());
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (key_[p] < 0) continue;
+    const ContactPair& pair = pairs[p];
+    const int moving =
+        bodies[static_cast<std::size_t>(pair.A)].is_static() ? pair.B : pair.A;
+    part_[p] = heap_[static_cast<std::size_t>(moving)];
+    heap_part_[static_cast<std::size_t>(part_[p])] += pair.manifold.count;
   }
+  parts_.clear();
+  for (int& heap : heap_part_) {
+    if (heap == 0) continue;
+    if (parts_.empty() || parts_.back().contacts >= least) parts_.emplace_back();
+    parts_.back().contacts += heap;
+    heap = static_cast<int>(parts_.size()) - 1;
+  }
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (key_[p] < 0) continue;
+    part_[p] = heap_part_[static_cast<std::size_t>(part_[p])];
+    ++parts_[static_cast<std::size_t>(part_[p])].end;
+  }
+  std::size_t begin = 0;
+  for (Part& part : parts_) {
+    part.begin = begin;
+    begin += part.end;
+    part.end = part.begin;  // Grows to its end as pairs are put there.
+  }
+}
+
+void ContactSolver::Order(std::span<const ContactPair> pairs) {
+  starts_.assign(kColours * (kMost + 1) + 1, 0);
+  for (const int key : key_) {
+    if (key >= 0) ++starts_[static_cast<std::size_t>(key) + 1];
+  }
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  by_key_.resize(static_cast<std::size_t>(starts_.back()));
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (key_[p] < 0) continue;
+    by_key_[static_cast<std::size_t>(starts_[static_cast<std::size_t>(key_[p])]++)] =
+        static_cast<int>(p);
+  }
+  ordered_.resize(by_key_.size());
+  for (const int pair : by_key_) {
+    const auto p = static_cast<std::size_t>(pair);
+    ordered_[parts_[static_cast<std::size_t>(part_[p])].end++] = {pair,
+                                                                  key_[p] / (kMost + 1)};
+  }
+}
+
+OverlapNotes ContactSolver::NotesIn(Overlaps& overlaps) const {
+  OverlapNotes notes = notes_;
+  if (notes.overlaps != nullptr) notes.overlaps = &overlaps;
+  return notes;
+}
+
+void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& world,
+                          const Settings& settings, double h, Crew& crew,
+                          std::span<Touch> touches) {
+  for (Overlaps& overlaps : overlaps_) overlaps.Clear();
+  if (pairs.empty()) return;
+  const ContactRules rules = RulesOf(settings, h);
+  notes_ = RulesOfOverlap(settings, h, overlaps_.back());
+  ColourAndJoin(pairs, world.bodies);
+  // A world that may be swept more often than any world is solved as a whole: the sweeps
+  // that one heap leaves over are for the others.
+  const bool is_small =
+      (settings.impulse_iterations + 1) * contacts_ <= settings.patience;
+  Divide(pairs, world.bodies, is_small ? contacts_ : kPart);
+  Order(pairs);
+  heap_changes_.resize(world.bodies.size());
+  const bool warm_starting = settings.warm_starting && settings.accumulated_impulses;
+
+  const auto solve = [&](const Part& part, ContactGroup& group, Overlaps& overlaps,
+                         Crew& helpers) {
+    group.Begin(std::span(ordered_).subspan(part.begin, part.end - part.begin), pairs,
+                world, rules, warm_starting, helpers);
+    const double solved = settings.residual * group.scale();
+    int spent = 0;
+    for (int k = 0;; ++k) {
+      // What is solved is left be, so that all the patience is for what is not.
+      if (k >= settings.impulse_iterations) {
+        if (!is_small) break;
+        group.LeaveBe(solved, heap_, heap_changes_);
+      }
+      spent += std::max(1, group.row_count());
+      if (k >= settings.impulse_iterations && spent > settings.patience) break;
+      if (group.Sweep(world.velocities, helpers) <= solved) break;
+    }
+    group.End(pairs, touches, NotesIn(overlaps));
+  };
+
+  const auto is_large = [&](const Part& part) {
+    return own_.size() > 1 && (part.contacts > kLargePart || parts_.size() == 1);
+  };
+  int left = contacts_;
+  for (const Part& part : parts_) {
+    if (!is_large(part)) continue;
+    solve(part, whole_, overlaps_.back(), crew);
+    left -= part.contacts;
+  }
+  // The others are shared out, to each thread about as many contacts.
+  const std::size_t threads = own_.size();
+  const std::size_t least = left < kFewContacts ? threads + 1 : 0;
+  crew.Share(threads, least, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t thread = begin; thread < end; ++thread) {
+      long before = 0;
+      for (const Part& part : parts_) {
+        if (is_large(part)) continue;
+        const long middle = before + part.contacts / 2;
+        before += part.contacts;
+        if (static_cast<std::size_t>(middle) * threads / static_cast<std::size_t>(left) !=
+            thread) {
+          continue;
+        }
+        solve(part, own_[thread], overlaps_[thread], alone_);
+      }
+    }
+  });
 }
 
 void ContactSolver::Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
                           const Settings& settings, double h, Crew& crew) {
-  accumulated_ = settings.accumulated_impulses;
-  Colour(pairs, world.bodies);
-  FindHeaps(pairs, world.bodies);
-  Fill(pairs, world, settings.warm_starting && settings.accumulated_impulses);
-  const ContactRules rules = RulesOf(settings, h);
-  Greatest scale;
-  ShareByColour(crew, [&](const ContactRows& rows) {
-    scale.Note(PrepareContacts(rows, rules, world.before, world.velocities));
-  });
-  scale_ = scale.value();
-  // All rows have seen the velocities without impulses: now apply those to start from.
-  ShareByColour(crew,
-                [&](const ContactRows& rows) { ApplyImpulses(rows, world.velocities); });
+  notes_ = RulesOfOverlap(settings, h, overlaps_.back());
+  ColourAndJoin(pairs, world.bodies);
+  Divide(pairs, world.bodies, contacts_);
+  Order(pairs);
+  whole_.Begin(ordered_, pairs, world, RulesOf(settings, h),
+               settings.warm_starting && settings.accumulated_impulses, crew);
 }
 
 double ContactSolver::Sweep(std::span<Velocity> velocities, Crew& crew) {
-  Greatest change;
-  Greatest closeness(-std::numeric_limits<double>::infinity());  // −(least change).
-  ShareByColour(crew, [&](const ContactRows& rows) {
-    const Changes changes = SweepContacts(rows, accumulated_, velocities);
-    change.Note(changes.greatest);
-    closeness.Note(-changes.least);
-  });
-  least_change_ = -closeness.value();
-  return change.value();
+  return whole_.Sweep(velocities, crew);
 }
 
-void ContactSolver::End(std::span<ContactPair> pairs, std::span<Touch> touches) const {
-  for (const ContactBatch& batch : batches_) {
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      if (batch.pair[lane] < 0) continue;
-      const auto at = [&](const VectorLanes& v) {
-        return Eigen::Vector3d(v[0][lane], v[1][lane], v[2][lane]);
-      };
-      const Eigen::Vector3d n = at(batch.n);
-      const Eigen::Vector3d t1 = at(batch.t1);
-      const Eigen::Vector3d t2 = at(batch.t2);
-      ContactPair& pair = pairs[static_cast<std::size_t>(batch.pair[lane])];
-      Touch& A = touches[static_cast<std::size_t>(batch.A[lane])];
-      Touch& B = touches[static_cast<std::size_t>(batch.B[lane])];
-      for (std::size_t i = 0; i < pair.manifold.points().size(); ++i) {
-        const ContactLanes& contact =
-            contacts_[static_cast<std::size_t>(batch.first) + i];
-        pair.J_W[i] = contact.impulse[lane] * n + contact.friction_impulse1[lane] * t1 +
-                      contact.friction_impulse2[lane] * t2;
-        if (contact.impulse[lane] == 0) continue;
-        const bool bounces = contact.bounces[lane] != 0;
-        const bool steady = contact.steady[lane] != 0;
-        for (Touch* touch : {&A, &B}) {
-          touch->bounced = touch->bounced || bounces;
-          touch->rested = touch->rested || !bounces;
-          touch->steady = touch->steady && steady;
-        }
-      }
-    }
-  }
+void ContactSolver::End(std::span<ContactPair> pairs, std::span<Touch> touches) {
+  for (Overlaps& overlaps : overlaps_) overlaps.Clear();
+  whole_.End(pairs, touches, NotesIn(overlaps_.back()));
 }
 
 }  // namespace cookbook

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "engine/dynamics/point_flight.h"
+#include "engine/dynamics/projection.h"
 #include "engine/dynamics/rotation.h"
 
 namespace cookbook {
@@ -34,7 +35,9 @@ bool IsSane(const Eigen::Vector3d& v) {
 }  // namespace
 
 World::World(const Settings& settings)
-    : settings_(settings), crew_(std::max(1, settings.threads)) {
+    : settings_(settings),
+      crew_(std::max(1, settings.threads)),
+      contacts_(std::max(1, settings.threads)) {
   Validate(settings);
 }
 
@@ -244,34 +247,31 @@ void World::StopStretching(double h) {
   rods_.Forget();
 }
 
-bool World::SweepUntilSolved() {
+void World::SweepLinksUntilSolved() {
   const double speed = std::max(contacts_.scale(), fastest_);
   const double solved = settings_.residual * speed;
-  const int links = static_cast<int>(joints_.size() + springs_.size());
+  const int rows =
+      contacts_.row_count() + static_cast<int>(joints_.size() + springs_.size());
   int spent = 0;
   for (int k = 0;; ++k) {
-    // What is solved is left be, so that all the patience is for what is not.
-    if (k >= settings_.impulse_iterations && links == 0) contacts_.LeaveBe(solved);
-    const int rows = std::max(1, contacts_.row_count() + links);
     spent += rows;
-    if (k >= settings_.impulse_iterations && spent > settings_.patience) return false;
+    if (k >= settings_.impulse_iterations && spent > settings_.patience) return;
     const double rods = rods_.Sweep(solved_);
     const double springs = spring_solver_.Sweep(solved_);
-    if (std::max({rods, springs, contacts_.Sweep(solved_, crew_)}) <= solved) return true;
+    if (std::max({rods, springs, contacts_.Sweep(solved_, crew_)}) <= solved) return;
   }
 }
 
 void World::Solve(double h) {
   std::copy(free_.begin(), free_.end(), solved_.begin());
-  contacts_.Begin(finder_.contacts(), {bodies_, inertias_, before_, solved_}, settings_,
-                  h, crew_);
-  if (HasLinks()) {
-    SolveLinks(h);
+  std::fill(touches_.begin(), touches_.end(), Touch{});
+  const SolverBodies world{bodies_, inertias_, before_, solved_};
+  if (!HasLinks()) {
+    contacts_.Solve(finder_.contacts(), world, settings_, h, crew_, touches_);
     return;
   }
-  SweepUntilSolved();
-  std::fill(touches_.begin(), touches_.end(), Touch{});
-  contacts_.End(finder_.contacts(), touches_);
+  contacts_.Begin(finder_.contacts(), world, settings_, h, crew_);
+  SolveLinks(h);
 }
 
 void World::SolveLinks(double h) {
@@ -288,7 +288,7 @@ void World::SolveLinks(double h) {
       if (!linked_[i]) continue;
       fastest_ = std::max({fastest_, free_[i].v.norm(), solved_[i].v.norm()});
     }
-    SweepUntilSolved();
+    SweepLinksUntilSolved();
     std::fill(touches_.begin(), touches_.end(), Touch{});
     contacts_.End(finder_.contacts(), touches_);
     if (round == settings_.joint_rounds) return;
@@ -390,7 +390,7 @@ void World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
 
 void World::Project(double h) {
   bool moved =
-      projection_.FindMoves(contacts_, inertias_, mean_, solved_, settings_, h, moves_);
+      FindMoves(contacts_.overlaps(), mean_, solved_, settings_, h, crew_, moves_);
   if (!joints_.empty()) {
     if (!moved) {
       std::fill(moves_.begin(), moves_.end(), Velocity{});

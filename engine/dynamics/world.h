@@ -8,7 +8,6 @@
 #include "engine/dynamics/contact_solver.h"
 #include "engine/dynamics/crew.h"
 #include "engine/dynamics/distance_joint.h"
-#include "engine/dynamics/projection.h"
 #include "engine/dynamics/settings.h"
 #include "engine/dynamics/spring.h"
 
@@ -78,7 +77,7 @@ class World {
   void StopStretching(double h);
   void Solve(double h);
   void SolveLinks(double h);
-  bool SweepUntilSolved();
+  void SweepLinksUntilSolved();
   /** Returns body `i` as it is after the step, by the velocities solved so far. */
   RigidBody Moved(std::size_t i, double h);
   void Move(double h);
@@ -101,7 +100,6 @@ class World {
   ContactSolver contacts_;
   JointSolver rods_;
   SpringSolver spring_solver_;
-  Projection projection_;
 
   double fastest_ = 0;      ///< Of the linked bodies, or pulls on them. [m/s]
   bool point_hit_ = false;  ///< Whether a point has met a solid in this step.

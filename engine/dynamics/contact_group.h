@@ -1,0 +1,88 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/crew.h"
+#include "engine/dynamics/overlap_batch.h"
+
+namespace cookbook {
+
+/** Colours that pairs are sorted by, so that no two of a colour share a moving body; the
+ last is for pairs that found none of the others free, which are solved one after the
+ other. */
+inline constexpr int kColours = 64;
+inline constexpr int kLastColour = kColours - 1;
+
+/** A pair and its colour. */
+struct ColouredPair {
+  int pair;
+  int colour;
+};
+
+/** Overlaps too deep to be left, batch by batch in the order in which they are removed.
+ */
+struct Overlaps {
+  std::vector<OverlapBatch> batches;
+  std::vector<OverlapLanes> rows;
+  std::vector<std::size_t> firsts;  ///< Batch of each colour, group after group.
+
+  void Clear();
+};
+
+/** What is noted of overlaps. */
+struct OverlapNotes {
+  double slack;        ///< Depth that is left. [m]
+  bool turns = true;   ///< Whether a body may turn, not only move.
+  Overlaps* overlaps;  ///< nullptr: nothing is noted.
+};
+
+/** The rows of the pairs of some heaps, while they are solved. A heap is what contacts
+ join, without what never moves. */
+class ContactGroup {
+ public:
+  /** Sets up the rows of `ordered`, which are sorted by colour, and applies the impulses
+   to start from. */
+  void Begin(std::span<const ColouredPair> ordered, std::span<const ContactPair> pairs,
+             const SolverBodies& world, const ContactRules& rules, bool warm_starting,
+             Crew& crew);
+
+  /** Sweeps once over all contacts at work, at first all there are, and returns the
+   greatest change of a relative velocity. [m/s] */
+  double Sweep(std::span<Velocity> velocities, Crew& crew);
+
+  /** Leaves out of the next sweeps the contacts of every heap in which the last sweep
+   changed no relative velocity by more than `solved` [m/s]: how well one is solved does
+   not depend on the others. `heaps` tells of each body which stands for its heap;
+   `heap_changes` is room for a number of each body. */
+  void LeaveBe(double solved, std::span<const int> heaps, std::span<double> heap_changes);
+
+  /** Writes the impulses to the pairs, and what the contacts did to the bodies, and
+   appends what is too deep to the notes. */
+  void End(std::span<ContactPair> pairs, std::span<Touch> touches,
+           const OverlapNotes& notes);
+
+  /** The greatest speed that a contact sees before it is solved. [m/s] */
+  double scale() const { return scale_; }
+  /** Contacts of the heaps that are not solved. */
+  int row_count() const { return row_count_; }
+
+ private:
+  void LayOut(std::span<const ColouredPair> ordered, std::span<const ContactPair> pairs,
+              int nobody);
+  /** Calls `work(rows)` for all rows: colour after colour, each shared out. */
+  template <class Work>
+  void ShareByColour(Crew& crew, const Work& work);
+  void Note(const ContactBatch& batch, const OverlapNotes& notes) const;
+
+  std::vector<ContactBatch> batches_;
+  std::vector<ContactLanes> contacts_;
+  std::vector<std::size_t> firsts_;  ///< Batch of each colour in use, and the end.
+  bool accumulated_ = true;
+  double scale_ = 0;
+  double least_change_ = 0;  ///< Of a pair at work, in the last sweep. [m/s]
+  int row_count_ = 0;
+};
+
+}  // namespace cookbook
