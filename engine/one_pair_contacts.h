@@ -132,6 +132,11 @@ struct alignas(32) Corners {
 /** Candidates that differ by no more than this many times the slack are one contact. Far
  above what rounding sets apart, far below what a solver could tell apart. */
 constexpr double kSame = 12;
+/** How far flush corners may be out, as a share of the margin, for contacts that go on
+ from step to step. Boxes stacked flush drift apart by more than rounding but far less
+ than the margin; where their edges cross, all but parallel, hangs on nothing else, and so
+ would how many contacts there are. */
+constexpr double kFlushOfMargin = 1e-3;
 
 /** The two edges that meet in a feature, as FaceContactId() has them. */
 constexpr std::int64_t Meeting(FaceEdge p, FaceEdge q) {
@@ -143,8 +148,16 @@ HWY_INLINE void StoreBits(FourBits v, std::int64_t* p) {
   std::memcpy(p, &v, sizeof v);
 }
 
-HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separation,
-                            std::int64_t faces, Corners& found) {
+/** Which candidates are contacts. */
+enum class Keep {
+  kTouching,  ///< Those at or below zero, to rounding; the least where all are above.
+  kNear,      ///< Those up to a margin.
+};
+
+/** `margin` matters for Keep::kNear. */
+template <Keep keep>
+HWY_INLINE void FindCorners(const SeenFace& face, double slack, double margin,
+                            double separation, std::int64_t faces, Corners& found) {
   const auto& c = face.centre;
   const auto& u = face.side1;
   const auto& v = face.side2;
@@ -233,12 +246,15 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   const Four z0 = Select(enters, enter_z, none);
   const Four z1 = Select(leaves, leave_z, none);
   const Four z2 = Select(covered, corner_z, none);
-  const Four low = Min(Min(z0, z1), z2);
-  const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
-  const double least_z = std::min(lower[0], lower[1]);
-  // The least is kept even where all lie above, and nothing where there is nothing.
-  const Four highest = Splat(
-      std::min(std::max(slack, least_z + slack), std::numeric_limits<double>::max()));
+  Four highest = Splat(margin);
+  if constexpr (keep == Keep::kTouching) {
+    const Four low = Min(Min(z0, z1), z2);
+    const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
+    const double least_z = std::min(lower[0], lower[1]);
+    // The least is kept even where all lie above, and nothing where there is nothing.
+    highest = Splat(
+        std::min(std::max(slack, least_z + slack), std::numeric_limits<double>::max()));
+  }
   found.kept = Bits(z0 <= highest) | Bits(z1 <= highest) << 4 | Bits(z2 <= highest) << 8;
 
   // Two candidates are one only where a corner of one face is near a line of the other:
@@ -281,15 +297,20 @@ inline unsigned WithoutRepeats(const Corners& found, double distance) {
   return kept;
 }
 
-/** Fills the contacts of two boxes that touch along the normal of `facing`. */
+/** Fills the contacts of two boxes along the normal of `facing`. With Keep::kTouching
+ there is at least one. */
+template <Keep keep>
 HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Pose& X_WA,
-                             const Pose& X_WB, Manifold& manifold) {
+                             const Pose& X_WB, double margin, Manifold& manifold) {
   const SeenFace face = FindIncidentFace(pair, facing);
-  const double slack = kFlush * pair.Size();
+  const double rounding = kFlush * pair.Size();
+  const double slack =
+      keep == Keep::kNear ? std::max(rounding, kFlushOfMargin * margin) : rounding;
   Corners found;
-  FindCorners(face, slack, manifold.separation,
-              FaceContactId(facing.is_B, face.reference, face.incident, 0, 0), found);
-  if (found.kept == 0) {
+  FindCorners<keep>(face, slack, margin, manifold.separation,
+                    FaceContactId(facing.is_B, face.reference, face.incident, 0, 0),
+                    found);
+  if (keep == Keep::kTouching && found.kept == 0) {
     // Only where another axis is as good to within rounding can the faces miss each
     // other.
     found.kept =
@@ -313,6 +334,15 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
   const Four half_n_W{towards * manifold.n_AB_W[0], towards * manifold.n_AB_W[1],
                       towards * manifold.n_AB_W[2], 1};
   static_assert(offsetof(ContactPoint, separation) == sizeof(Eigen::Vector3d));
+  if constexpr (keep == Keep::kNear) {
+    // What only rounding lifts is not apart: corners of one face that lie on another
+    // would be told to arrive there one after the other, which no rigid body can.
+    const Four rounded = Splat(kOverlapRounding * pair.Size());
+    for (std::size_t k = 0; k < found.z.size(); k += 4) {
+      const Four z = Load(found.z.data() + k);
+      Store(Select(Abs(z) <= rounded, Four{}, z), found.z.data() + k);
+    }
+  }
   unsigned left = distinct;
   const auto put = [&](std::size_t n) HWY_ATTR {
     const auto k = static_cast<std::size_t>(std::countr_zero(left | 1u << 11));

@@ -100,8 +100,8 @@ struct ContactRows {
 
 /** Fills the rows of the pairs and bodies that the batches name, given the velocities
  before the step and those at its end without impulses. The impulses are those of the
- pairs, or none without `warm_starting`. Returns the greatest relative velocity of a
- contact. [m/s] */
+ pairs, spread evenly over a face, or none without `warm_starting`. Returns the greatest
+ relative velocity of a contact. [m/s] */
 double PrepareContacts(const ContactRows& rows, const ContactRules& rules,
                        std::span<const ContactPair> pairs, const SolverBodies& world,
                        bool warm_starting);
@@ -117,7 +117,7 @@ struct Changes {
 };
 
 /** Solves each contact of the batches at work once, batch after batch. */
-Changes SweepContacts(const ContactRows& rows, bool accumulated,
+Changes SweepContacts(const ContactRows& rows, const ContactRules& rules,
                       std::span<Velocity> velocities);
 
 /** Writes the impulses to the pairs, and what the contacts did to the bodies that move.

@@ -86,7 +86,7 @@ void ContactGroup::ShareByColour(Crew& crew, const Work& work) {
 void ContactGroup::Begin(std::span<const ColouredPair> ordered,
                          std::span<const ContactPair> pairs, const SolverBodies& world,
                          const ContactRules& rules, bool warm_starting, Crew& crew) {
-  accumulated_ = rules.accumulated;
+  rules_ = rules;
   LayOut(ordered, pairs, static_cast<int>(world.bodies.size()));
   Greatest scale;
   ShareByColour(crew, [&](const ContactRows& rows) {
@@ -102,7 +102,7 @@ double ContactGroup::Sweep(std::span<Velocity> velocities, Crew& crew) {
   Greatest change;
   Greatest closeness(-std::numeric_limits<double>::infinity());  // −(least change).
   ShareByColour(crew, [&](const ContactRows& rows) {
-    const Changes changes = SweepContacts(rows, accumulated_, velocities);
+    const Changes changes = SweepContacts(rows, rules_, velocities);
     change.Note(changes.greatest);
     closeness.Note(-changes.least);
   });

@@ -79,7 +79,7 @@ class ContactGroup {
   std::vector<ContactBatch> batches_;
   std::vector<ContactLanes> contacts_;
   std::vector<std::size_t> firsts_;  ///< Batch of each colour in use, and the end.
-  bool accumulated_ = true;
+  ContactRules rules_{};
   double scale_ = 0;
   double least_change_ = 0;  ///< Of a pair at work, in the last sweep. [m/s]
   int row_count_ = 0;

@@ -68,6 +68,73 @@ HWY_INLINE Four3 Across(const Four3& n) {
           Select(level, zero, along_b)};
 }
 
+/** Spreads the impulses along the normal as a stiff even bed would carry the same load:
+ linear in the place, of the same sum and the same moments. Four contacts or more hold a
+ face in more ways than one, and which of them sweeps find, and carry on from step to
+ step, hangs on their order; how a face slides hangs on the way.
+
+ λ' = λ̄ + g·(x − x̄), g the least squares of λ − λ̄: of all λ of these sums the one of least
+ Σ λ². Left alone where a contact carries nothing, or would pull. */
+HWY_INLINE void SpreadLoad(const ContactBatch& batch, ContactLanes* rows) {
+  const Four zero{};
+  const Four most = Splat(std::numeric_limits<double>::max());
+  Four number{};
+  Four load{};
+  Four lowest = most;
+  Four3 centre{};
+  for (int k = 0; k < batch.count; ++k) {
+    const Four used = At(rows[k].used);
+    const Four impulse = At(rows[k].impulse);
+    number = number + used;
+    load = load + impulse;
+    lowest = Select(used > zero, Min(lowest, impulse), lowest);
+    centre = Plus(centre, Times(used, At(rows[k].r_A)));
+  }
+  FourBits spreads = (number > Splat(3.5)) & (lowest > zero);
+  if (Bits(spreads) == 0) return;
+  const Four share = Splat(1) / Max(number, Splat(1));
+  const Four mean = load * share;
+  centre = Times(share, centre);
+  const Four3 t1 = At(batch.t1);
+  const Four3 t2 = At(batch.t2);
+  Four x[8];
+  Four y[8];
+  Four xx{};
+  Four xy{};
+  Four yy{};
+  Four moment_x{};
+  Four moment_y{};
+  for (int k = 0; k < batch.count; ++k) {
+    const Four3 arm = Times(At(rows[k].used), Minus(At(rows[k].r_A), centre));
+    x[k] = Dot(arm, t1);
+    y[k] = Dot(arm, t2);
+    xx = xx + x[k] * x[k];
+    xy = xy + x[k] * y[k];
+    yy = yy + y[k] * y[k];
+    const Four more = At(rows[k].impulse) - mean;
+    moment_x = moment_x + more * x[k];
+    moment_y = moment_y + more * y[k];
+  }
+  // Contacts on a line have no gradient across it.
+  const Four determinant = xx * yy - xy * xy;
+  const Four trace = xx + yy;
+  spreads &= determinant > Splat(1e-12) * trace * trace;
+  const Four per = Splat(1) / Select(spreads, determinant, Splat(1));
+  const Four gradient_x = per * (yy * moment_x - xy * moment_y);
+  const Four gradient_y = per * (xx * moment_y - xy * moment_x);
+  Four even[8];
+  Four lowest_even = most;
+  for (int k = 0; k < batch.count; ++k) {
+    even[k] = mean + gradient_x * x[k] + gradient_y * y[k];
+    lowest_even = Select(At(rows[k].used) > zero, Min(lowest_even, even[k]), lowest_even);
+  }
+  spreads &= lowest_even > zero;
+  for (int k = 0; k < batch.count; ++k) {
+    const FourBits changes = spreads & (At(rows[k].used) > zero);
+    Put(Select(changes, even[k], At(rows[k].impulse)), rows[k].impulse);
+  }
+}
+
 /** Fills what a batch and its rows have of the pairs. */
 HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows,
                      std::span<const ContactPair> pairs, const SolverBodies& world,
@@ -147,6 +214,7 @@ HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows,
     Put(Dot(J_W, t1), contact.friction_impulse1);
     Put(Dot(J_W, t2), contact.friction_impulse2);
   }
+  if (warm_starting && batch.count > 3) SpreadLoad(batch, rows);
 }
 
 double Prepare(const ContactRows& rows, const ContactRules& rules,
@@ -301,7 +369,14 @@ HWY_INLINE Swept Begin(ContactBatch& batch, const ContactRows& rows,
           At(batch.friction)};
 }
 
-/** Solves one contact of each pair, given 1 in `kept` where impulses are accumulated. */
+/** Of which kind all contacts of a world are. */
+enum class Kind {
+  kPlain,  ///< Hard, with impulses that accumulate.
+  kAny,
+};
+
+/** Solves one contact of each pair, given 1 in `kept` where impulses accumulate. */
+template <Kind kind>
 HWY_INLINE void SolveRow(ContactLanes& contact, Four kept, Swept& at) {
   const Four zero{};
   const Four3 r_A = At(contact.r_A);
@@ -309,12 +384,13 @@ HWY_INLINE void SolveRow(ContactLanes& contact, Four kept, Swept& at) {
 
   const Four3 u = RelativeVelocity(at.A, at.B, r_A, r_B);
   const Four sum = At(contact.impulse);
-  const Four start = kept * sum;
-  const Four impulse =
-      Max(zero, start + At(contact.effective_mass) * (At(contact.target) - Dot(u, at.n)) -
-                    At(contact.impulse_scale) * sum);
+  const Four start = kind == Kind::kPlain ? sum : kept * sum;
+  const Four softened =
+      kind == Kind::kPlain ? start : start - At(contact.impulse_scale) * sum;
+  const Four impulse = Max(
+      zero, softened + At(contact.effective_mass) * (At(contact.target) - Dot(u, at.n)));
   const Four change = impulse - start;
-  Put(sum + change, contact.impulse);
+  Put(kind == Kind::kPlain ? impulse : sum + change, contact.impulse);
 
   const Four slip1 = Dot(u, at.t1) + change * At(contact.response_n1);
   const Four slip2 = Dot(u, at.t2) + change * At(contact.response_n2);
@@ -322,8 +398,8 @@ HWY_INLINE void SolveRow(ContactLanes& contact, Four kept, Swept& at) {
   const Four bound_squared = bound * bound;
   const Four sum1 = At(contact.friction_impulse1);
   const Four sum2 = At(contact.friction_impulse2);
-  const Four held1 = kept * sum1;
-  const Four held2 = kept * sum2;
+  const Four held1 = kind == Kind::kPlain ? sum1 : kept * sum1;
+  const Four held2 = kind == Kind::kPlain ? sum2 : kept * sum2;
   // Inside the cone the impulse that stops the slip. Else a step against the slip,
   // brought back to the cone: where that stands still, the impulse is against the slip.
   const Four stick12 = At(contact.stick12);
@@ -361,7 +437,8 @@ HWY_INLINE void End(const Swept& at, Velocity* velocities) {
   Scatter(at.B, at.batch.B, at.batch.inverse_mass_B, velocities);
 }
 
-Changes Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
+template <Kind kind>
+Changes SweepKind(const ContactRows& rows, bool accumulated, Velocity* velocities) {
   const Four kept = Splat(accumulated ? 1 : 0);
   Four greatest{};
   Four least = Splat(std::numeric_limits<double>::infinity());
@@ -376,7 +453,7 @@ Changes Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
     const std::size_t second = next_at_work(k + 1);
     Swept one = Begin(rows.batches[k], rows, velocities);
     if (second == count) {
-      for (int i = 0; i < one.batch.count; ++i) SolveRow(one.rows[i], kept, one);
+      for (int i = 0; i < one.batch.count; ++i) SolveRow<kind>(one.rows[i], kept, one);
       End(one, velocities);
       greatest = Max(greatest, one.changed);
       least = Min(least, one.ChangedOfPairs());
@@ -385,11 +462,11 @@ Changes Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
     Swept two = Begin(rows.batches[second], rows, velocities);
     const int both = std::min(one.batch.count, two.batch.count);
     for (int i = 0; i < both; ++i) {
-      SolveRow(one.rows[i], kept, one);
-      SolveRow(two.rows[i], kept, two);
+      SolveRow<kind>(one.rows[i], kept, one);
+      SolveRow<kind>(two.rows[i], kept, two);
     }
-    for (int i = both; i < one.batch.count; ++i) SolveRow(one.rows[i], kept, one);
-    for (int i = both; i < two.batch.count; ++i) SolveRow(two.rows[i], kept, two);
+    for (int i = both; i < one.batch.count; ++i) SolveRow<kind>(one.rows[i], kept, one);
+    for (int i = both; i < two.batch.count; ++i) SolveRow<kind>(two.rows[i], kept, two);
     End(one, velocities);
     End(two, velocities);
     greatest = Max(greatest, Max(one.changed, two.changed));
@@ -397,6 +474,12 @@ Changes Sweep(const ContactRows& rows, bool accumulated, Velocity* velocities) {
     k = next_at_work(second + 1);
   }
   return {Greatest(greatest), -Greatest(-least)};
+}
+
+Changes Sweep(const ContactRows& rows, const ContactRules& rules, Velocity* velocities) {
+  const bool is_plain = rules.accumulated && rules.soft_impulse_scale == 0;
+  return (is_plain ? SweepKind<Kind::kPlain>
+                   : SweepKind<Kind::kAny>)(rows, rules.accumulated, velocities);
 }
 
 void Read(const ContactRows& rows, std::span<ContactPair> pairs, Touch* touches) {
@@ -474,9 +557,9 @@ void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities) {
   HWY_DYNAMIC_DISPATCH(ApplyAll)(rows, velocities.data());
 }
 
-Changes SweepContacts(const ContactRows& rows, bool accumulated,
+Changes SweepContacts(const ContactRows& rows, const ContactRules& rules,
                       std::span<Velocity> velocities) {
-  return HWY_DYNAMIC_DISPATCH(Sweep)(rows, accumulated, velocities.data());
+  return HWY_DYNAMIC_DISPATCH(Sweep)(rows, rules, velocities.data());
 }
 
 void ReadContacts(const ContactRows& rows, std::span<ContactPair> pairs,

@@ -21,7 +21,7 @@ struct ContactPair {
 
 /** Replaces the manifold of `pair` by that of its bodies as they are now, contacts apart
  by up to `margin` [m] included. The impulse of a contact is that of the old contact of
- the same feature, spread evenly over a face; new contacts start at zero. */
+ the same feature; new contacts start at zero. */
 void Recollide(double margin, const RigidBody& A, const RigidBody& B, ContactPair& pair);
 
 }  // namespace cookbook

@@ -5,10 +5,10 @@
 
 namespace cookbook {
 
-/** Returns how the shapes of two bodies touch, and also the contacts that are apart by no
- more than `margin` [m], whose separation is positive: a box that rests on four corners
- keeps all four though rounding lifts one. `touching` is as Collide() says; `count` may be
- positive where it is false.
+/** Fills `manifold` with how the shapes of two bodies touch, and also the contacts that
+ are apart by no more than `margin` [m], whose separation is positive: a box that rests on
+ four corners keeps all four though rounding lifts one. `touching` is as Collide() says;
+ `count` may be positive where it is false.
 
  A contact lies on the surface of the body that friction can turn about it: of the moving
  one against a static one, of the sphere against a box, else midway. So the lever arm of a
@@ -19,7 +19,7 @@ namespace cookbook {
  is not what holds a stack. `n_guess_W` is the normal of the pair in the step before, or
  zero; it decides ties.
  @pre Not two half-spaces, and no points. */
-Manifold CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
-                       const Eigen::Vector3d& n_guess_W);
+void CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
+                   const Eigen::Vector3d& n_guess_W, Manifold& manifold);
 
 }  // namespace cookbook

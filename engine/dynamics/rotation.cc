@@ -6,12 +6,26 @@
 
 namespace cookbook {
 
+namespace {
+
+/** A ball, a cube and their like have no axes to turn. */
+bool IsRound(const Eigen::Vector3d& moments) {
+  return moments[0] == moments[1] && moments[1] == moments[2];
+}
+
+}  // namespace
+
 Eigen::Quaterniond Exp(const Eigen::Vector3d& phi) {
   const double squared = phi.squaredNorm();
-  // Below, the next terms of the series, θ⁴/1920 and θ⁴/384, are under rounding.
-  if (squared < 1e-8) {
-    const double s = 0.5 - squared / 48;
-    return {1 - squared / 8, s * phi[0], s * phi[1], s * phi[2]};
+  // sin(θ/2)/θ and cos(θ/2) by their series in θ²: the next terms, θ⁸/(2⁹ 9!) and
+  // θ¹⁰/(2¹⁰ 10!), are under rounding.
+  if (squared < 0.01) {
+    const double s =
+        0.5 + squared * (-1.0 / 48 + squared * (1.0 / 3840 - squared / 645120));
+    const double c =
+        1 + squared * (-1.0 / 8 + squared * (1.0 / 384 + squared * (-1.0 / 46080 +
+                                                                    squared / 10321920)));
+    return {c, s * phi[0], s * phi[1], s * phi[2]};
   }
   const double angle = std::sqrt(squared);
   const double s = std::sin(angle / 2) / angle;
@@ -21,6 +35,7 @@ Eigen::Quaterniond Exp(const Eigen::Vector3d& phi) {
 Eigen::Vector3d TurnedInertiaTimes(const Eigen::Matrix3d& R_WB,
                                    const Eigen::Vector3d& moments,
                                    const Eigen::Vector3d& u_W) {
+  if (IsRound(moments)) return moments[0] * u_W;
   const Eigen::Vector3d u_B = R_WB.transpose() * u_W;
   return R_WB * moments.cwiseProduct(u_B);
 }
@@ -29,19 +44,15 @@ Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
                          const Eigen::Vector3d& L_W, const Eigen::Vector3d& dL_W,
                          double h) {
   const Eigen::Vector3d inverse = moments.cwiseInverse();
-  const auto omega = [&](const Eigen::Quaterniond& q,
-                         const Eigen::Vector3d& L) -> Eigen::Vector3d {
-    return TurnedInertiaTimes(q.toRotationMatrix(), inverse, L);
-  };
   const Eigen::Quaterniond& q = start.q_WB;
   const Eigen::Vector3d L_mid = L_W + 0.5 * dL_W;
   const Eigen::Vector3d L_end = L_W + dL_W;
 
   Turning end;
-  const Eigen::Vector3d k1 = h * omega(q, L_W);
-  if (moments[0] == moments[1] && moments[1] == moments[2]) {
+  if (IsRound(moments)) {
     // ω is parallel to L whatever q is. The Magnus expansion of an ω that changes at a
     // constant rate, to fourth order.
+    const Eigen::Vector3d k1 = h * inverse[0] * L_W;
     const Eigen::Vector3d k4 = h * inverse[0] * L_end;
     end.q_WB = Exp(0.5 * (k1 + k4) - k1.cross(k4) / 12) * q;
     end.q_WB.normalize();
@@ -50,6 +61,11 @@ Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
   }
   // q = exp(u) q₀ with u̇ = ω − u × ω / 2 + …, solved by the classical Runge–Kutta scheme
   // with the two commutators that keep it of fourth order (Munthe-Kaas 1998).
+  const auto omega = [&](const Eigen::Quaterniond& at,
+                         const Eigen::Vector3d& L) -> Eigen::Vector3d {
+    return TurnedInertiaTimes(at.toRotationMatrix(), inverse, L);
+  };
+  const Eigen::Vector3d k1 = h * omega(q, L_W);
   const Eigen::Vector3d k2 = h * omega(Exp(0.5 * k1) * q, L_mid);
   const Eigen::Vector3d k3 = h * omega(Exp(0.5 * k2 - 0.125 * k1.cross(k2)) * q, L_mid);
   const Eigen::Vector3d k4 = h * omega(Exp(k3) * q, L_end);
@@ -62,7 +78,7 @@ Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
 Eigen::Vector3d GyroscopicChange(const Eigen::Matrix3d& R_WB,
                                  const Eigen::Vector3d& moments,
                                  const Eigen::Vector3d& w_WB, double h, Gyroscopic rule) {
-  if (rule == Gyroscopic::kOff) return Eigen::Vector3d::Zero();
+  if (rule == Gyroscopic::kOff || IsRound(moments)) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d w_B = R_WB.transpose() * w_WB;
   const Eigen::Vector3d L_B = moments.cwiseProduct(w_B);
   const Eigen::Vector3d torque_B = -w_B.cross(L_B);

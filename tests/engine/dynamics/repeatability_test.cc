@@ -43,14 +43,15 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
 namespace cookbook {
 namespace {
 
-/** A heap of boxes and spheres that falls together on a floor. */
-void Fill(World& world) {
+/** Heaps of boxes and spheres that fall together on a floor. */
+void Fill(World& world, int heaps = 1) {
   BodyDefinition floor;
   floor.shape = Box{{50, 1, 50}};
   floor.state.p_WB = {0, -1, 0};
   floor.mass = 0;
   world.AddBody(floor);
-  for (int i = 0; i < 125; ++i) {
+  for (int k = 0; k < 125 * heaps; ++k) {
+    const int i = k % 125;
     BodyDefinition body;
     if (i % 3 == 0) {
       body.shape = Sphere{0.5};
@@ -59,13 +60,14 @@ void Fill(World& world) {
     }
     body.restitution = 0.1;
     const double tilt = 0.03 * (i % 7);
-    body.state.p_WB = {1.1 * (i % 5) + tilt, 0.6 + 1.05 * (i / 25), 1.1 * (i / 5 % 5)};
+    body.state.p_WB = {10.0 * (k / 125) + 1.1 * (i % 5) + tilt, 0.6 + 1.05 * (i / 25),
+                       1.1 * (i / 5 % 5)};
     body.state.q_WB = Eigen::Quaterniond(1, tilt, 0.1 - tilt, 0.02).normalized();
     world.AddBody(body);
   }
 }
 
-TEST(Repeatability, TheBitsDoNotDependOnTheNumberOfThreads) {
+void ExpectSameBitsWhateverTheThreads(int heaps, int steps) {
   Settings settings;
   World one(settings);
   settings.threads = 2;
@@ -73,8 +75,8 @@ TEST(Repeatability, TheBitsDoNotDependOnTheNumberOfThreads) {
   settings.threads = 5;
   World five(settings);
   for (World* world : {&one, &two, &five}) {
-    Fill(*world);
-    for (int k = 0; k < 120; ++k) world->Step(1.0 / 120);
+    Fill(*world, heaps);
+    for (int k = 0; k < steps; ++k) world->Step(1.0 / 120);
   }
   for (int i = 0; i < one.body_count(); ++i) {
     for (const World* other : {&two, &five}) {
@@ -84,6 +86,16 @@ TEST(Repeatability, TheBitsDoNotDependOnTheNumberOfThreads) {
       EXPECT_EQ(one.state(i).w_WB, other->state(i).w_WB) << i;
     }
   }
+}
+
+// Threads share the colours of one heap.
+TEST(Repeatability, TheBitsOfAHeapDoNotDependOnTheNumberOfThreads) {
+  ExpectSameBitsWhateverTheThreads(1, 120);
+}
+
+// Threads take heaps: 500 bodies have some 2,000 contacts, which are solved in parts.
+TEST(Repeatability, TheBitsOfManyHeapsDoNotDependOnTheNumberOfThreads) {
+  ExpectSameBitsWhateverTheThreads(4, 60);
 }
 
 TEST(Repeatability, AStepAllocatesNothingOnceWarm) {
