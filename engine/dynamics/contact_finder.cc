@@ -1,10 +1,14 @@
 #include "engine/dynamics/contact_finder.h"
 
+#include "engine/dynamics/fetch.h"
+
 namespace cookbook {
 namespace {
 
 /** Pairs below which it does not pay to wake another thread: some 20 microseconds. */
 constexpr std::size_t kFewPairs = 32;
+/** How many pairs ahead memory is told: a pair takes as long as memory some times. */
+constexpr std::size_t kAhead = 2;
 
 }  // namespace
 
@@ -61,6 +65,10 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, Crew&
 
   crew.Share(due_.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (i + kAhead < end) {
+        Fetch(&contacts_[static_cast<std::size_t>(near_[due_[i + kAhead]].contact)],
+              sizeof(ContactPair));
+      }
       ContactPair& pair = contacts_[static_cast<std::size_t>(near_[due_[i]].contact)];
       Recollide(margin, bodies[static_cast<std::size_t>(pair.A)],
                 bodies[static_cast<std::size_t>(pair.B)], pair);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/fetch.h"
 
 // Four lanes are one register from AVX2 on; wider ones would add nothing.
 #define HWY_DISABLED_TARGETS                                                          \
@@ -225,7 +226,13 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
   const Four zero{};
   const Four one = Splat(1);
   Four greatest{};
-  for (ContactBatch& batch : rows.batches) {
+  for (std::size_t k = 0; k < rows.batches.size(); ++k) {
+    ContactBatch& batch = rows.batches[k];
+    if (k + 1 < rows.batches.size()) {
+      for (const int next : rows.batches[k + 1].pair) {
+        if (next >= 0) Fetch(&pairs[static_cast<std::size_t>(next)], sizeof(ContactPair));
+      }
+    }
     Fill(batch, &rows.contacts[static_cast<std::size_t>(batch.first)], pairs, world,
          warm_starting);
     const Moving A_before = Gather(before, batch.A);
@@ -237,8 +244,8 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
     const Four3 t1 = At(batch.t1);
     const Four3 t2 = At(batch.t2);
     const Four restitution = At(batch.restitution);
-    for (int k = 0; k < batch.count; ++k) {
-      ContactLanes& contact = rows.contacts[static_cast<std::size_t>(batch.first + k)];
+    for (int row = 0; row < batch.count; ++row) {
+      ContactLanes& contact = rows.contacts[static_cast<std::size_t>(batch.first + row)];
       const Four3 r_A = At(contact.r_A);
       const Four3 r_B = At(contact.r_B);
       const FourBits used = At(contact.used) > zero;
