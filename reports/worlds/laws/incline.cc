@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "reports/worlds/laws/cone_models.h"
 #include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/flat_box.h"
 #include "reports/worlds/laws/on_plane.h"
 #include "reports/worlds/laws/subjects.h"
 #include "reports/worlds/laws/words.h"
@@ -45,6 +47,10 @@ std::string WhyNot(const World& world, int index) {
   if (!body.v_WB.isZero(0) || !body.w_WB.isZero(0)) return "does not start at rest";
   if (std::holds_alternative<Sphere>(body.placed.shape) && !IsEvenSphere(body))
     return "is a sphere with unequal moments of inertia";
+  if (!std::holds_alternative<Box>(body.placed.shape)) return "";
+  const OnPlane on = OnPlaneOf(world, index);
+  if (Tips(body, on, std::min(on.plane.friction * on.press, on.along_W.norm())))
+    return "is so high that friction tips it";
   return "";
 }
 
@@ -72,6 +78,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const double pull = on.along_W.norm() + mu * on.press;
   const auto* sphere = std::get_if<Sphere>(&body.placed.shape);
   const double r = sphere ? sphere->radius : BoundingRadius(body.placed.shape);
+  std::optional<FlatBox> flat;
+  if (!sphere) flat.emplace(motion, index, on);
   const std::string because =
       "1.5 × ((1 + μ) |v_n| of the body's own velocity across the slope, and δ/r of the "
       "velocity for a contact δ inside), 1e-5 of what gravity and friction give for the "
@@ -107,7 +115,10 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
               "{} has {} at {} after {:.6g} s; on this slope with μ = {:.6g} it is at {}",
               motion.oracle.name, body.name, Words(is.p_WB), t, mu, Words(p_W));
         });
-    if (!sphere) continue;
+    if (flat) {
+      flat->Take(s, pull * t);
+      continue;
+    }
     const Eigen::Vector3d w_W = start.alpha_W * t;
     spin.Take(
         (is.w_WB - w_W).norm(),
@@ -118,6 +129,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
               motion.oracle.name, body.name, Words(is.w_WB), t, mu, Words(w_W));
         });
   }
+  if (flat) return {position, velocity, flat->orientation(), flat->spin()};
   return {position, velocity, spin};
 }
 
@@ -127,10 +139,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 }  // namespace
 
-constinit const Law kIncline = {
-    "incline",
-    "At rest on a slope, a box stays where μ >= tan θ and else slides; a sphere rolls or "
-    "slips.",
-    Faults, Judge};
+constinit const Law kIncline = {"incline",
+                                "At rest on a slope, a box stays where μ >= tan θ and "
+                                "else slides, and does not turn; a "
+                                "sphere rolls or slips.",
+                                Faults, Judge};
 
 }  // namespace touchstone

@@ -8,6 +8,7 @@
 #include "reports/worlds/laws/cone_models.h"
 #include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
+#include "reports/worlds/laws/flat_box.h"
 #include "reports/worlds/laws/on_plane.h"
 #include "reports/worlds/laws/subjects.h"
 #include "reports/worlds/laws/words.h"
@@ -18,17 +19,6 @@ namespace {
 /** The share of a slope that still is level: that of a quaternion with 16 digits. [-] */
 constexpr double kLevel = 1e-9;
 
-/** Returns whether friction at the sole tips the box forward: the support may move as far
- as the edge, at least `reach` from the centre. */
-bool Tips(const RigidBody& body, const OnPlane& on) {
-  const Eigen::Vector3d half = std::get<Box>(body.placed.shape).half_extents;
-  const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * on.plane.n_W;
-  int up = 0;
-  n_B.cwiseAbs().maxCoeff(&up);
-  const double reach = std::min(half[(up + 1) % 3], half[(up + 2) % 3]);
-  return on.plane.friction * half[up] > reach;
-}
-
 std::string WhyNot(const World& world, int index) {
   std::string why = WhyNotOnPlane(world, index);
   if (!why.empty()) return why;
@@ -38,7 +28,8 @@ std::string WhyNot(const World& world, int index) {
   if (on.along_W.norm() > kLevel * on.press) return "is not on a level plane";
   if (on.v_along_W.isZero(0) || !body.w_WB.isZero(0)) return "does not start sliding";
   if (on.plane.friction == 0) return "has no friction to stop it";
-  if (Tips(body, on)) return "is so high that friction tips it";
+  if (Tips(body, on, on.plane.friction * on.press))
+    return "is so high that friction tips it";
   return "";
 }
 
@@ -71,6 +62,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
       MeasureKind::kFriction,
       "1.5 × h/t of the step in which friction begins, 1e-5 of the velocity for the "
       "solver, and 64 roundings a step");
+  FlatBox flat(motion, index, on);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     const BodyState& is = motion.trajectory.samples[s].bodies[i];
@@ -90,6 +82,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
                         motion.oracle.name, body.name, Words(is.p_WB), t, brake,
                         Words(p_W));
                   });
+    flat.Take(s, v_0);
     // Between a quarter and three quarters of the way, where v has fallen and still
     // slides.
     if (t < stop / 4 || t > stop * 3 / 4) continue;
@@ -107,7 +100,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
               on.plane.friction);
         });
   }
-  return {position, friction};
+  return {position, friction, flat.orientation(), flat.spin()};
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -116,9 +109,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 }  // namespace
 
-constinit const Law kSlideToStop = {
-    "slide_to_stop",
-    "A box that slides on a level plane stops after v²/(2 μ g), along its heading.",
-    Faults, Judge};
+constinit const Law kSlideToStop = {"slide_to_stop",
+                                    "A box that slides on a level plane stops after "
+                                    "v²/(2 μ g), along its heading, and does not turn.",
+                                    Faults, Judge};
 
 }  // namespace touchstone

@@ -180,6 +180,36 @@ TEST(SlideToStop, FindsALightBodyThatSlidesForEver) {
       MeasureKind::kPositionError));
 }
 
+/** The motion of its first body, which turns about `axis_W` by `spin` [rad/s], and says
+ so where `admits` it. */
+Trajectory Turning(Trajectory motion, const Eigen::Vector3d& axis_W, double spin,
+                   bool admits) {
+  for (std::size_t s = 1; s < motion.samples.size(); ++s) {
+    BodyState& is = motion.samples[s].bodies[0];
+    is.q_WB = Turned(is.q_WB, motion.times[s] * spin * axis_W);
+    if (admits) is.w_WB += spin * axis_W;
+  }
+  return motion;
+}
+
+TEST(SlideToStop, FindsABlockThatTurnsWhereNothingTurnsIt) {
+  const World world = SlidingBlock(30);
+  const Trajectory right = Rubbed(world, FrictionCone::kCircle, 0.5);
+  // 2 g h² (1 + μ) × 1.5 over 0.25 m are 1.8e-4 rad; the solver's 1e-5 of 5 m/s in 1.6 s
+  // 3.2e-4 more.
+  for (const Eigen::Vector3d& axis_W :
+       {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0.6, 0, -0.8)}) {
+    EXPECT_TRUE(
+        Finds(Judge(world, Turning(right, axis_W, 4e-4, false), ClaimOf("slide_to_stop")),
+              MeasureKind::kOrientationError));
+    EXPECT_TRUE(Passes(
+        Judge(world, Turning(right, axis_W, 2e-4, true), ClaimOf("slide_to_stop"))));
+    EXPECT_TRUE(
+        Finds(Judge(world, Turning(right, axis_W, 1, true), ClaimOf("slide_to_stop")),
+              MeasureKind::kSpinError));
+  }
+}
+
 TEST(SlideToStop, OfSeveralBodiesTellsTheOneThatIsWrong) {
   World world = SlidingBlock(30);
   const Trajectory right = Rubbed(world, FrictionCone::kCircle, 0.5);
@@ -247,6 +277,25 @@ TEST(Incline, FindsFrictionOffByAThousandth) {
         Finds(Judge(world, Rubbed(world, FrictionCone::kCircle, mu), ClaimOf("incline")),
               MeasureKind::kVelocityError));
   }
+}
+
+TEST(Incline, FindsABlockThatTurnsWhereNothingTurnsIt) {
+  for (const double mu : {0.9, 1.01}) {  // It slides, and it stays.
+    const World world = Slope(kBlock, 0.05, 45, mu);
+    const Trajectory right = Rubbed(world, FrictionCone::kCircle, mu);
+    const Trajectory turning = Turning(right, {0, 1, 0}, 1e-3, false);
+    EXPECT_TRUE(
+        Finds(Judge(world, turning, ClaimOf("incline")), MeasureKind::kOrientationError));
+  }
+}
+
+TEST(Incline, RefusesABlockThatTips) {
+  // It would, on its edge 0.5 m ahead, were its centre more than 0.5 m up.
+  EXPECT_TRUE(
+      FaultsOf(Slope(Box{{0.5, 0.49, 0.5}}, 0.49, 45, 1.01), ClaimOf("incline")).empty());
+  EXPECT_EQ(
+      FaultsOf(Slope(Box{{0.5, 0.51, 0.5}}, 0.51, 45, 1.01), ClaimOf("incline")).size(),
+      1U);
 }
 
 TEST(Incline, ASphereRollsOrSlips) {
