@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/error_laws.h"
 #include "reports/worlds/laws/landing.h"
-#include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/scheme_drift.h"
 #include "reports/worlds/laws/subjects.h"
 #include "reports/worlds/laws/words.h"
@@ -197,26 +197,22 @@ std::string WhyNot(const World& world, int index) {
   return "";
 }
 
-std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
-  if (!faults.empty()) return faults;
-  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
-  if (bodies.size() != 1)
-    return {{"about", fmt::format("are {} bodies", bodies.size()), "one box"}};
-  const std::string why = WhyNot(world, bodies.front());
-  if (!why.empty()) {
-    const std::string& name = world.bodies[static_cast<std::size_t>(bodies.front())].name;
-    return {{WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
-             "a box that flies without spin, an edge or a corner first (with friction: "
-             "in a plane), against a static half-space or box"}};
-  }
-  const Fall fall = FallOf(world, bodies.front());
+ExpectedNumbers NumbersOfBody(const World& world, int index) {
+  const Fall fall = FallOf(world, index);
   const Striker before = fall.At(fall.time, fall.time, 0, ImpactRule::kNewton);
   const Striker after = fall.After(ImpactRule::kNewton);
-  return FaultsOfNumbers(claim, {{"expected_speed", after.v_WB.norm()},
-                                 {"expected_spin", after.w_WB.norm()},
-                                 {"expected_impulse", (after.v_WB - before.v_WB).norm() /
-                                                          fall.start.inverse_mass}});
+  return {
+      {"expected_speed", after.v_WB.norm()},
+      {"expected_spin", after.w_WB.norm()},
+      {"expected_impulse", (after.v_WB - before.v_WB).norm() / fall.start.inverse_mass}};
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  return FaultsOfOneBody(
+      world, claim, "one box", WhyNot,
+      "a box that flies without spin, an edge or a corner first (with friction: "
+      "in a plane), against a static half-space or box",
+      NumbersOfBody);
 }
 
 std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {

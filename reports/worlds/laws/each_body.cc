@@ -29,6 +29,19 @@ std::vector<Fault> FaultsOfEachBody(const World& world, const Claim& claim,
   return faults;
 }
 
+std::vector<Fault> FaultsOfOneBody(const World& world, const Claim& claim,
+                                   std::string_view one,
+                                   std::string (*why_not)(const World&, int),
+                                   std::string_view expected,
+                                   ExpectedNumbers (*numbers)(const World&, int)) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  if (!faults.empty()) return faults;
+  const std::size_t bodies = SubjectsOf(world, claim).bodies.size();
+  if (bodies > 1)
+    return {{"about", fmt::format("are {} bodies", bodies), std::string(one)}};
+  return FaultsOfEachBody(world, claim, why_not, expected, numbers);
+}
+
 bool IsEvenSphere(const RigidBody& body) {
   const Eigen::Vector3d inertia = InertiaOf(body);
   return std::holds_alternative<Sphere>(body.placed.shape) &&

@@ -23,6 +23,13 @@ std::vector<Fault> FaultsOfEachBody(const World& world, const Claim& claim,
                                     std::string_view expected,
                                     ExpectedNumbers (*numbers)(const World&, int));
 
+/** Returns the same of a law that speaks of exactly one body, "one sphere" in words. */
+std::vector<Fault> FaultsOfOneBody(const World& world, const Claim& claim,
+                                   std::string_view one,
+                                   std::string (*why_not)(const World&, int),
+                                   std::string_view expected,
+                                   ExpectedNumbers (*numbers)(const World&, int));
+
 /** Returns whether `body` is a sphere that turns about every axis as readily. */
 bool IsEvenSphere(const RigidBody& body);
 

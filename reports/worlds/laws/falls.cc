@@ -181,6 +181,9 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       MeasureKind::kRestitution,
       "1.5 × (1 + e) g (Δt + h)/V: what gravity does to the samples around a "
       "bounce");
+  Worst velocity(MeasureKind::kVelocityError,
+                 "64 roundings a step: every scheme integrates a constant force exactly, "
+                 "until a step before the first impact");
   bool after_gravity = true;
   bool any_bounce = false;
   bool any_telling = false;
@@ -205,6 +208,20 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
             motion.oracle.name, fall.name, Words(is), t, fall.start.gap, fall.restitution,
             Words(p_W));
       });
+      if (late > 0) continue;
+      const Eigen::Vector3d v_W =
+          fall.v_along_W + (fall.start.velocity - fall.gravity * t) * fall.n_W;
+      const Eigen::Vector3d is_v_W = fall.is(trajectory.samples[s]).v_W;
+      velocity.Take(
+          (is_v_W - v_W).norm(),
+          RoundingOf(motion.oracle, StepsBefore(motion, s)) *
+              (fall.v_along_W.norm() + std::abs(fall.start.velocity) + fall.gravity * t),
+          [&] {
+            return fmt::format(
+                "{} has {} move at {} after {:.6g} s, before it first touches; v₀ + g t "
+                "is {}",
+                motion.oracle.name, fall.name, Words(is_v_W), t, Words(v_W));
+          });
     }
     if (position.IsBeyond())
       after_gravity = after_gravity && FollowsAfterGravity(motion, fall, granted);
@@ -231,6 +248,7 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
   const bool recognised = any_telling && after_gravity;
   std::vector<LawFinding> findings = {
       recognised ? position.RecognisedAs(kReflectsAfterGravity) : position.finding()};
+  if (velocity.IsTaken()) findings.push_back(velocity.finding());
   if (any_bounce) findings.push_back(restitution.finding());
   return findings;
 }

@@ -37,6 +37,9 @@ struct Fall {
  impact falls is chance; the largest error so far, × 1.5, and 64 roundings a step. An
  impact is at most a step late, which at the speed V is V h more.
 
+ Velocity: before the first impact it flies freely, and every scheme has v₀ + g t to
+ rounding. A position half a step's fall behind tells neither g nor the time as sharply.
+
  Restitution: v'/v of the samples around each bounce, of which gravity may have changed
  each by g times the time between them, and a step more: (1 + e) g (Δt + h)/V, × 1.5.
  Bounces for which that exceeds ¼ are too slow to tell.

@@ -123,6 +123,18 @@ double Farthest(const Net::Points& a, const Net::Points& b) {
   return farthest;
 }
 
+/** Returns where the net comes to rest: in the minimum nearest the answer, if none is
+ lower downhill from the start, so that mirror images are each other's equals; else there,
+ so that an engine in a hollow of its own does not say where the truth is. Minima whose
+ energies differ by `rounding` [J] are equal. */
+Net::Points RestOf(const Net& net, const Net::Points& start_W, const Net::Points& is_W,
+                   double rounding) {
+  Net::Points nearest_W = net.Minimum(is_W);
+  Net::Points downhill_W = net.Minimum(start_W);
+  const bool is_least = net.EnergyAt(nearest_W) <= net.EnergyAt(downhill_W) + rounding;
+  return is_least ? nearest_W : downhill_W;
+}
+
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Subjects subjects = SubjectsOf(world, claim);
@@ -132,13 +144,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     return Hung::PointsOf(world, subjects, state, hung.fixed_W);
   };
   const Net::Points is = points(end);
-  const Net::Points rest = hung.net.Minimum(is);
+  const WorldState begin = StateAtStart(world);
+  const Energy last = EnergyOf(world, end, subjects);
+  const double rounding = RoundingOf(
+      motion.oracle, StepsBefore(motion, motion.trajectory.samples.size() - 1));
+  const Net::Points rest = RestOf(hung.net, points(begin), is, rounding * last.size);
   const Decay decay = hung.net.DecayAbout(rest, hung.damping);
   const double t = motion.trajectory.times.back();
   const double left_of_start = decay.LeftAfter(t);
-  const WorldState begin = StateAtStart(world);
-  const double rounding = RoundingOf(
-      motion.oracle, StepsBefore(motion, motion.trajectory.samples.size() - 1));
   double reach = 0;
   for (const Eigen::Vector3d& p_W : rest) reach = std::max(reach, p_W.norm());
   const std::string because = fmt::format(
@@ -158,7 +171,6 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
   Worst energy(MeasureKind::kEnergyDrift, because);
   const double least = hung.net.EnergyAt(rest);
-  const Energy last = EnergyOf(world, end, subjects);
   const double left = hung.net.EnergyAt(is) + last.kinetic - least;
   const double given =
       hung.net.EnergyAt(points(begin)) + EnergyOf(world, begin, subjects).kinetic - least;

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
+#include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/landing.h"
-#include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/sphere_meeting.h"
 #include "reports/worlds/laws/subjects.h"
 
@@ -60,19 +58,8 @@ std::string WhyNot(const World& world, int index) {
   return "";
 }
 
-std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
-  if (!faults.empty()) return faults;
-  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
-  if (bodies.size() != 1)
-    return {{"about", fmt::format("are {} bodies", bodies.size()), "one sphere"}};
-  const std::string why = WhyNot(world, bodies.front());
-  if (!why.empty()) {
-    const std::string& name = world.bodies[static_cast<std::size_t>(bodies.front())].name;
-    return {{WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
-             "a sphere that flies against a static half-space or box"}};
-  }
-  const SphereMeeting meeting = MeetingOf(world, bodies.front());
+ExpectedNumbers NumbersOfBody(const World& world, int index) {
+  const SphereMeeting meeting = MeetingOf(world, index);
   const PlacedCone circle = ConesOn(*meeting.n_AB_W).front();
   const Striker before = MetAt(meeting, meeting.time, meeting.time, 0, circle).B;
   const Striker after =
@@ -82,11 +69,16 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
            is.w_WB.squaredNorm() / is.inverse_inertia_W(0, 0);
   };
   const double v_n = after.v_WB.dot(*meeting.n_AB_W);
-  return FaultsOfNumbers(
-      claim, {{"expected_normal_speed", std::abs(v_n)},
-              {"expected_tangential_speed", (after.v_WB - v_n * *meeting.n_AB_W).norm()},
-              {"expected_spin", after.w_WB.norm()},
-              {"expected_energy_ratio", energy(after) / energy(before)}});
+  return {{"expected_normal_speed", std::abs(v_n)},
+          {"expected_tangential_speed", (after.v_WB - v_n * *meeting.n_AB_W).norm()},
+          {"expected_spin", after.w_WB.norm()},
+          {"expected_energy_ratio", energy(after) / energy(before)}};
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  return FaultsOfOneBody(world, claim, "one sphere", WhyNot,
+                         "a sphere that flies against a static half-space or box",
+                         NumbersOfBody);
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {

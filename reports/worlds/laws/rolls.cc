@@ -1,15 +1,9 @@
 #include "reports/worlds/laws/rolls.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include <fmt/format.h>
-
+#include "reports/worlds/laws/ball_on_plane.h"
 #include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/error_laws.h"
 #include "reports/worlds/laws/on_plane.h"
 #include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/words.h"
 #include "reports/worlds/laws/worst.h"
 
 namespace touchstone {
@@ -58,53 +52,27 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
   const Eigen::Vector3d& n_W = on.plane.n_W;
   const double r = std::get<Sphere>(body.placed.shape).radius;
   const double k = ShareOf(body);
-  const double mu = on.plane.friction;
   const Eigen::Vector3d a_W = on.along_W / (1 + k);
-  const double pull = on.along_W.norm() + mu * on.press;
-  const double inside = on.Settling(h) / r;
-  const std::string because =
+  const double pull = on.along_W.norm() + on.plane.friction * on.press;
+  BallOnPlane ball(
+      motion, index, on, "rolling",
       "1.5 × ((1 + μ) |v_n| of the sphere's own velocity across the plane, and δ/r of "
-      "the "
-      "velocity for a contact δ inside), 1e-5 of the velocity for the solver, and 64 "
-      "roundings a step";
-  Worst velocity(MeasureKind::kVelocityError, because);
-  Worst spin(MeasureKind::kSpinError, because);
-  Worst position(
-      MeasureKind::kPositionError,
+      "the velocity for a contact δ inside), 1e-5 of the velocity for the solver, and 64 "
+      "roundings a step",
       "1.5 × (½ a h t and what the sphere settles by), 1e-5 of the way for the "
       "solver, and 64 roundings a step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
-    const BodyState& is = motion.trajectory.samples[s].bodies[i];
-    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
-    const double share = kSolverResidual + rounding;
-    const Eigen::Vector3d v_W = on.v_along_W + a_W * t;
-    const Eigen::Vector3d w_W = body.w_WB.dot(n_W) * n_W + n_W.cross(v_W) / r;
-    const Eigen::Vector3d p_W =
-        body.placed.X_WB.p_WB + on.v_along_W * t + a_W * (t * t / 2);
+    BodyState truth;
+    truth.v_WB = on.v_along_W + a_W * t;
+    truth.w_WB = body.w_WB.dot(n_W) * n_W + n_W.cross(truth.v_WB) / r;
+    truth.p_WB = body.placed.X_WB.p_WB + on.v_along_W * t + a_W * (t * t / 2);
     const double speed = on.v_along_W.norm() + pull * t + r * body.w_WB.norm();
-    const double allowed = kSafety * ((1 + mu) * on.SpeedAcross(is.v_WB, h) +
-                                      inside * (v_W.norm() + r * w_W.norm())) +
-                           share * speed;
-    velocity.Take((is.v_WB - v_W).norm(), allowed, [&] {
-      return fmt::format("{} has {} move at {} after {:.6g} s; rolling it moves at {}",
-                         motion.oracle.name, body.name, Words(is.v_WB), t, Words(v_W));
-    });
-    spin.Take((is.w_WB - w_W).norm(), allowed / (r * std::min(1.0, k)), [&] {
-      return fmt::format("{} has {} spin at {} after {:.6g} s; rolling it spins at {}",
-                         motion.oracle.name, body.name, Words(is.w_WB), t, Words(w_W));
-    });
-    position.Take(
-        (is.p_WB - p_W).norm(),
-        kSafety * (a_W.norm() * h * t / 2 + on.Settling(h) + inside * speed * t) +
-            share * speed * t + rounding * body.placed.X_WB.p_WB.norm(),
-        [&] {
-          return fmt::format("{} has {} at {} after {:.6g} s; rolling it is at {}",
-                             motion.oracle.name, body.name, Words(is.p_WB), t,
-                             Words(p_W));
-        });
+    ball.Take(
+        s, truth,
+        {speed, truth.v_WB.norm() + r * truth.w_WB.norm(), 0, a_W.norm() * h * t / 2});
   }
-  return FindingsOf({position, velocity, spin});
+  return FindingsOf(ball.Findings());
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {

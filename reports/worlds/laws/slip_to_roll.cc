@@ -1,16 +1,12 @@
 #include "reports/worlds/laws/slip_to_roll.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include <fmt/format.h>
-
+#include "reports/worlds/laws/ball_on_plane.h"
 #include "reports/worlds/laws/cone_models.h"
 #include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/error_laws.h"
 #include "reports/worlds/laws/on_plane.h"
 #include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/words.h"
 
 namespace touchstone {
 namespace {
@@ -83,66 +79,32 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 }
 
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
-  const World& world = motion.world;
-  const double h = world.dt;
-  const auto i = static_cast<std::size_t>(index);
-  const RigidBody& body = world.bodies[i];
-  const Slipping slipping = SlippingOf(world, index);
+  const double h = motion.world.dt;
+  const Slipping slipping = SlippingOf(motion.world, index);
   const OnPlane& on = slipping.on;
-  const double r = slipping.radius;
-  const double mu = on.plane.friction;
-  const double inside = on.Settling(h) / r;
   // What is largest in a velocity: the start's own, and that of its surface.
-  const double speed = on.v_along_W.norm() + slipping.w_W.norm() * r;
-  const std::string because =
+  const double speed = on.v_along_W.norm() + slipping.w_W.norm() * slipping.radius;
+  BallOnPlane ball(
+      motion, index, on, "slipping until it rolls",
       "1.5 × ((1 + μ) |v_n| of the sphere's own velocity across the plane, δ/r of the "
-      "velocity "
-      "for a contact δ inside, and μ g h in the step in which slip ends), 1e-5 of the "
-      "velocity "
-      "for the solver, and 64 roundings a step";
-  Worst velocity(MeasureKind::kVelocityError, because);
-  Worst spin(MeasureKind::kSpinError, because);
-  Worst position(
-      MeasureKind::kPositionError,
+      "velocity for a contact δ inside, and μ g h in the step in which slip ends), 1e-5 "
+      "of the velocity for the solver, and 64 roundings a step",
       "1.5 × (½ h (v₀ − v) and what the sphere settles by), 1e-5 of the way for the "
       "solver, and 64 roundings a step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
-    const BodyState& is = motion.trajectory.samples[s].bodies[i];
     const BodyState truth = slipping.At(t, cone);
     const BodyState earlier = slipping.At(std::max(0.0, t - h), cone);
     const BodyState later = slipping.At(t + h, cone);
-    const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
-    const double share = kSolverResidual + rounding;
-    const double across = (1 + mu) * on.SpeedAcross(is.v_WB, h);
     // A step earlier and a step later friction is the same, but where slip ends.
     const double ending =
         (later.v_WB - 2 * truth.v_WB + earlier.v_WB).norm() * (t < h ? 0 : 1);
-    const double allowed = kSafety * (across + inside * speed + ending) + share * speed;
-    velocity.Take((is.v_WB - truth.v_WB).norm(), allowed, [&] {
-      return fmt::format(
-          "{} has {} move at {} after {:.6g} s; slip that turns to rolling leaves {}",
-          motion.oracle.name, body.name, Words(is.v_WB), t, Words(truth.v_WB));
-    });
-    spin.Take(
-        (is.w_WB - truth.w_WB).norm(), allowed / (r * std::min(1.0, slipping.k)), [&] {
-          return fmt::format(
-              "{} has {} spin at {} after {:.6g} s; slip that turns to rolling leaves {}",
-              motion.oracle.name, body.name, Words(is.w_WB), t, Words(truth.w_WB));
-        });
     const double slowed = (on.v_along_W - truth.v_WB).norm();
-    position.Take(
-        (is.p_WB - truth.p_WB).norm(),
-        kSafety * (slowed * h / 2 + mu * on.press * h * h + on.Settling(h) +
-                   inside * speed * t) +
-            share * speed * t + rounding * slipping.p_W.norm(),
-        [&] {
-          return fmt::format(
-              "{} has {} at {} after {:.6g} s; slip that turns to rolling leads to {}",
-              motion.oracle.name, body.name, Words(is.p_WB), t, Words(truth.p_WB));
-        });
+    ball.Take(
+        s, truth,
+        {speed, speed, ending, slowed * h / 2 + on.plane.friction * on.press * h * h});
   }
-  return {position, velocity, spin};
+  return ball.Findings();
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {

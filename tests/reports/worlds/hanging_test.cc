@@ -246,6 +246,45 @@ TEST(MinimumEnergy, ASettledChainPassesAndOneThatStillMovesDoesNot) {
   EXPECT_TRUE(Finds(Judge(world, moving, claim), MeasureKind::kEnergyDrift));
 }
 
+/** A bead between two walls 2 m apart, on springs too long for the way: it can hang, or
+ be propped up. */
+World ProppedBead(double height) {
+  World world;
+  world.gravity_W = {0, -9.81, 0};
+  world.particles = {{"bead", {0, height, 0}, {0, 0, 0}, 0.1, 6, 0}};
+  for (const double x : {-1.0, 1.0})
+    world.springs.push_back({{AnchorKind::kWorld, -1, {x, 0, 0}},
+                             {AnchorKind::kParticle, 0, {0, 0, 0}},
+                             200,
+                             0,
+                             1.2});
+  world.dt = 1e-3;
+  world.steps = 8000;
+  world.sample_every = 100;
+  return world;
+}
+
+TEST(MinimumEnergy, FindsABeadThatRestsInAHollowOfItsOwn) {
+  const World hanging = ProppedBead(-0.3);
+  EXPECT_TRUE(Passes(Judge(hanging, Settled(hanging), ClaimOf("minimum_energy"))));
+  // It comes to rest as well, 1.3 m higher: the energy of that hollow is not the least.
+  Trajectory propped = Settled(ProppedBead(0.3));
+  ASSERT_GT(propped.samples.back().particles[0].p_W.y(), 0.6);
+  const std::vector<LawFinding> findings =
+      Judge(hanging, propped, ClaimOf("minimum_energy"));
+  EXPECT_TRUE(Finds(findings, MeasureKind::kPositionError));
+  EXPECT_TRUE(Finds(findings, MeasureKind::kEnergyDrift));
+}
+
+TEST(MinimumEnergy, OfMirrorImagesIsWhereEitherIs) {
+  // Without gravity both hollows are as deep.
+  World world = ProppedBead(-0.3);
+  world.gravity_W.setZero();
+  World image = ProppedBead(0.3);
+  image.gravity_W.setZero();
+  EXPECT_TRUE(Passes(Judge(world, Settled(image), ClaimOf("minimum_energy"))));
+}
+
 TEST(MinimumEnergy, OfAClothIsWhereItsMinimiserPutsIt) {
   World world;
   world.gravity_W = {0, -9.81, 0};
