@@ -122,7 +122,15 @@ class Judgement {
   }
 
   void Hold(const Law& law, const Claim& claim) {
-    for (const LawFinding& found : law.judge(motion_, claim)) {
+    const std::vector<LawFinding> all = law.judge(motion_, claim);
+    if (all.empty()) {
+      Finding& unverified =
+          Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"});
+      unverified.verdict = Verdict::kUnsupported;
+      unverified.proof =
+          fmt::format("{}: this motion gives the law nothing to judge", claim.law);
+    }
+    for (const LawFinding& found : all) {
       Finding& finding = Add(found.measure, found.value, found.tolerance);
       if (!found.recognised.empty()) {
         finding.cause = Cause::kModel;

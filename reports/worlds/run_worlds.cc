@@ -81,10 +81,17 @@ std::pair<bool, double> Severity(const Finding& finding) {
   return {!passes, finding.tolerance > 0 ? finding.value / finding.tolerance : 0};
 }
 
+bool IsUnverified(const Finding& finding) {
+  return finding.verdict == Verdict::kUnsupported;
+}
+
 /** Puts each of `others` in the place of the finding that says the same of another member
  of the ensemble, where it is worse; what none says yet is added. Both are of the same
- claim, which has one finding a measure. */
+ claim, which has one finding a measure; a member that gives its law nothing to judge adds
+ nothing, and is replaced by one that does. */
 void KeepWorst(std::vector<Finding>& findings, const std::vector<Finding>& others) {
+  if (std::any_of(others.begin(), others.end(), IsUnverified)) return;
+  std::erase_if(findings, IsUnverified);
   for (const Finding& other : others) {
     const auto same =
         std::find_if(findings.begin(), findings.end(),

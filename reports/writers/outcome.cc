@@ -1,5 +1,6 @@
 #include "reports/writers/outcome.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -59,6 +60,20 @@ Outcome Sum(std::size_t scenario, std::size_t oracle, std::span<const Finding> f
       outcome.decisive = &finding;
     }
     if (IsMeasured(finding)) TakeWorse(outcome.worst, &finding);
+  }
+  if (outcome.verdict != Verdict::kPass) return outcome;
+  // An answer alone is no proof of anything.
+  const auto is_judged = [](const Finding& finding) {
+    return finding.verdict == Verdict::kPass &&
+           finding.measure != MeasureKind::kAnswering;
+  };
+  const auto unverified = std::find_if(
+      findings.begin(), findings.end(),
+      [](const Finding& finding) { return finding.verdict == Verdict::kUnsupported; });
+  if (unverified != findings.end() &&
+      std::none_of(findings.begin(), findings.end(), is_judged)) {
+    outcome.verdict = Verdict::kUnsupported;
+    outcome.decisive = &*unverified;
   }
   return outcome;
 }

@@ -36,7 +36,8 @@ struct Outcome {
   std::size_t scenario;               ///< Of the question, see IdOf(report, i).
   std::size_t oracle;                 ///< Index into RunReport::oracles.
   std::span<const Finding> findings;  ///< Its own, by measure.
-  /** The gravest of its findings; kUnsupported where no measure applied. */
+  /** The gravest of its findings; kUnsupported where no measure applied, or where all
+   that passed is that there was an answer, in which a law found nothing to judge. */
   Verdict verdict = Verdict::kUnsupported;
   /** The finding that has the verdict, the largest relative to its tolerance among
    several; null without findings. */

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -193,6 +195,32 @@ void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& ou
   out << "  Each with its proof: touchstone explain ID, or the page of --out DIR.\n";
 }
 
+/** The claims of worlds that an oracle moved, and that yet were held against nothing. */
+void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
+                     std::ostream& out) {
+  std::map<std::pair<std::string_view, std::string_view>, int> claims;
+  int all = 0;
+  for (const Outcome& outcome : outcomes) {
+    const auto answered = [](const Finding& finding) {
+      return finding.verdict == Verdict::kPass;
+    };
+    if (std::none_of(outcome.findings.begin(), outcome.findings.end(), answered))
+      continue;
+    for (const Finding& finding : outcome.findings) {
+      if (finding.verdict != Verdict::kUnsupported || finding.reference != "law")
+        continue;
+      ++claims[{finding.oracle, finding.proof}];
+      ++all;
+    }
+  }
+  if (all == 0) return;
+  out << '\n'
+      << paint(Colour::kBold, "Unverified")
+      << fmt::format(": {} of worlds\n", Counted(all, "claim"));
+  for (const auto& [claim, times] : claims)
+    out << fmt::format("  {:>5}  {}: {}\n", times, claim.first, claim.second);
+}
+
 void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
                  const TableStyle& style, const Painter& paint, std::ostream& out) {
   VerdictCounts counts;
@@ -238,7 +266,10 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   }
   WriteFailures(report, outcomes, paint, out);
   WriteFaults(report, paint, out);
-  if (!style.quiet) WriteLedger(report, paint, out);
+  if (!style.quiet) {
+    WriteUnverified(outcomes, paint, out);
+    WriteLedger(report, paint, out);
+  }
   WriteCounts(report, outcomes, style, paint, out);
 }
 

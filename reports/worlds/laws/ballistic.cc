@@ -115,7 +115,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       hold(FlightOfParticle(world, i), s, state.particles[static_cast<std::size_t>(i)]);
     }
   }
-  return {position.finding(), velocity.finding()};
+  return FindingsOf({position, velocity});
 }
 
 Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {

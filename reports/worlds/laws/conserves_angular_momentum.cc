@@ -118,7 +118,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                      motion.oracle.name, Words(L), t, Words(L_0));
                });
   }
-  return {worst.finding()};
+  return FindingsOf({worst});
 }
 
 }  // namespace

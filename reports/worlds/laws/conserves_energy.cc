@@ -59,7 +59,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     });
     reflects = reflects && along.ReflectsAfterGravity(E - E_0, 0, s);
   }
-  return {reflects ? worst.RecognisedAs(kReflectsAfterGravity) : worst.finding()};
+  return FindingsOf({worst}, reflects ? kReflectsAfterGravity : "");
 }
 
 }  // namespace

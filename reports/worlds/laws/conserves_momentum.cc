@@ -66,7 +66,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
               motion.oracle.name, Words(P), t, Words(truth));
         });
   }
-  return {drift.finding()};
+  return FindingsOf({drift});
 }
 
 }  // namespace

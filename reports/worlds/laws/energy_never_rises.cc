@@ -59,7 +59,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     reflects = reflects && (E - E_least <= along.tolerances[s] ||
                             along.ReflectsAfterGravity(E - E_least, least, s));
   }
-  return {reflects ? worst.RecognisedAs(kReflectsAfterGravity) : worst.finding()};
+  return FindingsOf({worst}, reflects ? kReflectsAfterGravity : "");
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       if (Collides(world, A, B) && !(is_subject(B) && B < A)) hold(A, B);
     }
   }
-  return {worst.finding()};
+  return FindingsOf({worst});
 }
 
 }  // namespace

@@ -120,8 +120,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                    motion.oracle.name, std::sqrt(score / samples), score / samples,
                    deepest);
              });
-  // Exactly nothing inside of anything is a number too.
-  return {worst.finding()};
+  return FindingsOf({worst});
 }
 
 }  // namespace

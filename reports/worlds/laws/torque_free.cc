@@ -137,7 +137,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           });
     }
   }
-  return {orientation.finding(), spin.finding()};
+  return FindingsOf({orientation, spin});
 }
 
 }  // namespace

@@ -44,6 +44,25 @@ TEST(OutcomesOf, CountsAScenarioWithoutAnyMeasureAsUnsupported) {
   }
 }
 
+/** An answer, and a claim that nothing was held against. */
+std::vector<Finding> AnsweredWithoutProof(const RunReport& report) {
+  Finding answered = report.findings.front();
+  answered.measure = MeasureKind::kAnswering;
+  Finding unverified = answered;
+  unverified.verdict = Verdict::kUnsupported;
+  return {answered, unverified};
+}
+
+TEST(OutcomesOf, TakesAnAnswerOfWhichNothingIsVerifiedForNoPass) {
+  RunReport report = HandMadeReport();
+  const Finding proof = report.findings.front();
+  report.findings = AnsweredWithoutProof(report);
+  EXPECT_EQ(OutcomesOf(report)[0].verdict, Verdict::kUnsupported);
+  EXPECT_EQ(OutcomesOf(report)[0].decisive, &report.findings[1]);
+  report.findings.push_back(proof);
+  EXPECT_EQ(OutcomesOf(report)[0].verdict, Verdict::kPass);
+}
+
 TEST(RelativeToTolerance, TakesNanForInfinitelyBad) {
   Finding finding;
   finding.value = std::nan("");

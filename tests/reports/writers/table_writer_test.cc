@@ -41,6 +41,18 @@ TEST(WriteTable, ShowsWhatTheLedgerHides) {
   EXPECT_THAT(table, HasSubstr("    1  theirs/float 1.2: Float build (unreported)"));
 }
 
+TEST(WriteTable, CountsTheClaimsThatNothingWasHeldAgainst) {
+  RunReport report = HandMadeReport();
+  EXPECT_THAT(Table(report), Not(HasSubstr("Unverified")));
+  Finding unverified = report.findings.front();
+  unverified.reference = "law";
+  unverified.verdict = Verdict::kUnsupported;
+  unverified.proof = "coulomb_cone: nothing";
+  report.findings.insert(report.findings.begin() + 1, 2, unverified);
+  EXPECT_THAT(Table(report), HasSubstr("Unverified: 2 claims of worlds\n"
+                                       "      2  mine: coulomb_cone: nothing\n"));
+}
+
 TEST(WriteTable, ShowsFaultsOfTheCatalogue) {
   EXPECT_THAT(Table(HandMadeReport()), HasSubstr("the author expects \"apart\""));
 }

@@ -132,6 +132,19 @@ TEST(JudgeWorld, WithoutSmallerStepsNoErrorIsBlamedOnTheStep) {
   EXPECT_EQ(Find(JudgeWorld(study), MeasureKind::kPositionError)->cause, Cause::kDefect);
 }
 
+TEST(JudgeWorld, AClaimThatNothingWasHeldAgainstIsUnverifiedAndSaysSo) {
+  // No contact, so that no impulse is there to be in a cone.
+  WorldScenario scenario = TwoBallsInFlight();
+  scenario.claims.push_back(ClaimOf("coulomb_cone", {"near"}));
+  const Studied studied(scenario, OffBy(0, 1));
+  const std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(studied.study());
+  ASSERT_EQ(groups.size(), 3U);
+  ASSERT_EQ(groups[2].size(), 1U);
+  EXPECT_EQ(groups[2][0].verdict, Verdict::kUnsupported);
+  EXPECT_EQ(groups[2][0].proof,
+            "coulomb_cone: this motion gives the law nothing to judge");
+}
+
 TEST(JudgeWorld, AFailedAnswerIsAFindingAndIsJudgedNoFurther) {
   struct Case {
     AnswerStatus status;
