@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/dynamics/body_flight.h"
+
 namespace cookbook {
 namespace {
 
@@ -13,6 +15,12 @@ constexpr double kWider = 0.1;
 
 Aabb Widened(const Aabb& bounds, double by) {
   return {bounds.low.array() - by, bounds.high.array() + by};
+}
+
+/** Returns how far a point of `body` may be from where it was after `time` [s]. [m] */
+double Reach(const RigidBody& body, double time) {
+  return time * body.state.v_WB.norm() +
+         std::min(2 * body.radius, time * TurningSpeed(body));
 }
 
 }  // namespace
@@ -102,7 +110,7 @@ void BroadPhase::Add(const RigidBody& body) {
                    .Insert(proxy.wide, static_cast<int>(proxies_.size()) - 1);
 }
 
-void BroadPhase::Update(std::span<const RigidBody> bodies, double margin,
+void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double ahead,
                         std::vector<std::pair<int, int>>& appeared) {
   for (const int body : moved_) {
     proxies_[static_cast<std::size_t>(body)].has_moved = false;
@@ -111,19 +119,20 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin,
   for (std::size_t i = 0; i < proxies_.size(); ++i) {
     Proxy& proxy = proxies_[i];
     if (proxy.leaf < 0) continue;
-    if (proxy.is_new) {
-      proxy.is_new = false;
-      moved_.push_back(static_cast<int>(i));
+    const bool is_new = std::exchange(proxy.is_new, false);
+    if (proxy.is_static) {
+      if (is_new) moved_.push_back(static_cast<int>(i));
       continue;
     }
-    if (proxy.is_static) continue;
-    const Aabb bounds = Widened(BoundsOf(bodies[i]), margin);
-    if (proxy.wide.Contains(bounds)) continue;
+    const Aabb bounds = Widened(BoundsOf(bodies[i]), margin + Reach(bodies[i], ahead));
+    const bool leaves = !proxy.wide.Contains(bounds);
+    if (!is_new && !leaves) continue;
+    moved_.push_back(static_cast<int>(i));
+    if (!leaves) continue;
     proxy.wide = Widened(bounds, kWider * bodies[i].radius);
     moving_.Remove(proxy.leaf);
     proxy.leaf = moving_.Insert(proxy.wide, static_cast<int>(i));
     proxy.has_moved = true;
-    moved_.push_back(static_cast<int>(i));
   }
   for (const int body : moved_) {
     const Proxy& proxy = proxies_[static_cast<std::size_t>(body)];

@@ -37,8 +37,9 @@ class BroadPhase {
   void Add(const RigidBody& body);
 
   /** Looks at all bodies anew and appends the pairs that have become near, the lesser
-   index first. `margin`: how far contacts reach beyond the shapes. [m] */
-  void Update(std::span<const RigidBody> bodies, double margin,
+   index first. `margin`: how far contacts reach beyond the shapes. [m] Pairs that may
+   meet within `ahead` [s], as the bodies move now, are near as well. */
+  void Update(std::span<const RigidBody> bodies, double margin, double ahead,
               std::vector<std::pair<int, int>>& appeared);
 
   /** Whether a pair that was near before the last Update() still is. */

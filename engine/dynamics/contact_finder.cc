@@ -37,9 +37,10 @@ void ContactFinder::Part(std::size_t near) {
   contacts_.pop_back();
 }
 
-void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, Crew& crew) {
+void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, double ahead,
+                         Crew& crew) {
   appeared_.clear();
-  broad_phase_.Update(bodies, margin, appeared_);
+  broad_phase_.Update(bodies, margin, ahead, appeared_);
   for (const auto& [a, b] : appeared_) near_.push_back({a, b});
 
   due_.clear();

@@ -20,12 +20,24 @@ class ContactFinder {
    */
   void HasGone(std::size_t body, double way) { gone_[body] += way; }
 
-  /** Brings contacts() up to date, those apart by up to `margin` [m] included. */
-  void Find(std::span<const RigidBody> bodies, double margin, Crew& crew);
+  /** Brings contacts() up to date, those apart by up to `margin` [m] included. Bodies
+   that may meet within `ahead` [s] are near each other. */
+  void Find(std::span<const RigidBody> bodies, double margin, double ahead, Crew& crew);
 
   /** The pairs that have a contact, in an order that the history of the world decides. */
   std::span<ContactPair> contacts() { return contacts_; }
   std::span<const ContactPair> contacts() const { return contacts_; }
+
+  /** Calls `visit(A, B, gap)` for every two bodies that are near each other; they are
+   apart by `gap` [m] or more. */
+  template <class Visit>
+  void ForEachNear(const Visit& visit) const {
+    for (const NearPair& pair : near_) {
+      const double gone = gone_[static_cast<std::size_t>(pair.A)] +
+                          gone_[static_cast<std::size_t>(pair.B)];
+      visit(pair.A, pair.B, pair.contact >= 0 ? 0 : pair.apart_until - gone);
+    }
+  }
 
  private:
   /** Two bodies that the broad phase says are near. */

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "engine/dynamics/time_of_fall.h"
+
 namespace cookbook {
 namespace {
 
@@ -25,18 +27,6 @@ double SecondPhi(double z) {
     term *= -z / (k + 3);
   }
   return sum;
-}
-
-/** Returns when height + speed t + pull t²/2 falls below 0, t >= 0.
- @pre height >= 0. */
-std::optional<double> TimeOfFall(double height, double speed, double pull) {
-  // The root without cancellation, for a point that falls (speed < 0) or is pulled back.
-  const double discriminant = speed * speed - 2 * pull * height;
-  if (discriminant < 0) return std::nullopt;
-  const double root = std::sqrt(discriminant);
-  if (speed < 0) return 2 * height / (root - speed);
-  if (pull < 0) return (speed + root) / -pull;
-  return std::nullopt;
 }
 
 /** One face of a solid: what is at n·p < offset is below it. */

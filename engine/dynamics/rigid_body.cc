@@ -39,6 +39,13 @@ RigidBody MakeRigidBody(const BodyDefinition& definition) {
   return body;
 }
 
+double Travel(const BodyState& before, const RigidBody& body) {
+  // A rotation by θ moves a point at r by 2 r sin(θ/2), and the vector part of
+  // q q₀⁻¹ has the length sin(θ/2).
+  const double sine = (body.state.q_WB * before.q_WB.conjugate()).vec().norm();
+  return (body.state.p_WB - before.p_WB).norm() + 2 * body.radius * sine;
+}
+
 InverseInertia InverseInertiaOf(const RigidBody& body) {
   // A ball has no axes to turn, and its tensor stays diagonal to the last bit.
   if (body.inverse_moments[0] == body.inverse_moments[1] &&

@@ -30,6 +30,9 @@ struct RigidBody {
  @throws std::invalid_argument where it is refused, see Validate(). */
 RigidBody MakeRigidBody(const BodyDefinition& definition);
 
+/** Returns a bound of how far any point of `body` is from where it was. [m] */
+double Travel(const BodyState& before, const RigidBody& body);
+
 /** The velocity of a body while a step is solved: six doubles in a row and two of no
  concern. */
 struct alignas(64) Velocity {

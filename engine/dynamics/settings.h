@@ -57,6 +57,9 @@ struct Settings {
   /** Approach below which contacts do not bounce, in multiples of what gravity adds in a
    step: slower bounces last less than two steps. */
   double resting_speed = 1;
+  /** Lets what flies strike at the moment it meets something, not at the start of the
+   step that finds it inside. */
+  bool blows_in_time = true;
 
   Stabilisation stabilisation = Stabilisation::kNonLinearProjection;
   /** Share of the excess depth removed per step, in (0, 1]. */

@@ -20,16 +20,17 @@ constexpr double kLargest = 1e12;
  body is taken for a blow. A contact that holds or slows a body makes less. */
 constexpr double kBlow = 4;
 
-/** Returns a bound of how far any point of `body` is from where it was. [m] */
-double Travel(const BodyState& before, const RigidBody& body) {
-  // A rotation by θ moves a point at r by 2 r sin(θ/2), and the vector part of
-  // q q₀⁻¹ has the length sin(θ/2).
-  const double sine = (body.state.q_WB * before.q_WB.conjugate()).vec().norm();
-  return (body.state.p_WB - before.p_WB).norm() + 2 * body.radius * sine;
-}
-
 bool IsSane(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kLargest;  // False for NaN.
+}
+
+void Read(const ContactPair& pair, std::vector<ContactImpulse>& impulses) {
+  for (std::size_t i = 0; i < pair.manifold.points().size(); ++i) {
+    const ContactPoint& contact = pair.manifold.contacts[i];
+    if (contact.separation > 0 && pair.J_W[i].isZero(0)) continue;
+    impulses.push_back({pair.A, pair.B, contact.p_WC, pair.manifold.n_AB_W, pair.J_W[i],
+                        contact.separation});
+  }
 }
 
 }  // namespace
@@ -154,13 +155,18 @@ void World::StepOnce(double h) {
   const bool touching = FindContacts(h);
   StopStretching(h);
   if (settings_.fourth_order_links && HasLinks() && !touching && StepAsFive(h)) return;
-  Advance(h);
+  Advance(h, settings_.blows_in_time);
 }
 
-void World::Advance(double h) {
+void World::Advance(double h, bool follow_blows) {
   ApplyForces(h);
+  blows_.Clear();
+  if (follow_blows) {
+    blows_.Begin({bodies_, before_, free_, linked_}, finder_, settings_, h);
+  }
   Solve(h);
   Move(h);
+  if (follow_blows) blows_.Follow(bodies_, mean_, finder_, settings_, crew_);
   Project(h);
 }
 
@@ -172,7 +178,7 @@ bool World::StepAsFive(double h) {
   kept_ = bodies_;
   point_hit_ = false;
   for (const double share : {s, s, 1 - 4 * s, s, s}) {
-    Advance(share * h);
+    Advance(share * h, false);
     if (point_hit_ || diverged_) break;
   }
   if (!point_hit_ && !diverged_ && !FindContacts(h)) return true;
@@ -186,7 +192,7 @@ bool World::StepAsFive(double h) {
 }
 
 bool World::FindContacts(double h) {
-  finder_.Find(bodies_, MarginOf(settings_, h), crew_);
+  finder_.Find(bodies_, MarginOf(settings_, h), settings_.blows_in_time ? h : 0, crew_);
   return !finder_.contacts().empty();
 }
 
@@ -410,14 +416,8 @@ void World::Project(double h) {
 }
 
 void World::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
-  for (const ContactPair& pair : finder_.contacts()) {
-    for (std::size_t i = 0; i < pair.manifold.points().size(); ++i) {
-      const ContactPoint& contact = pair.manifold.contacts[i];
-      if (contact.separation > 0 && pair.J_W[i].isZero(0)) continue;
-      impulses.push_back({pair.A, pair.B, contact.p_WC, pair.manifold.n_AB_W, pair.J_W[i],
-                          contact.separation});
-    }
-  }
+  for (const ContactPair& pair : blows_.struck()) Read(pair, impulses);
+  for (const ContactPair& pair : finder_.contacts()) Read(pair, impulses);
 }
 
 }  // namespace cookbook

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/dynamics/blows.h"
 #include "engine/dynamics/body.h"
 #include "engine/dynamics/contact_finder.h"
 #include "engine/dynamics/contact_solver.h"
@@ -20,7 +21,8 @@ struct ContactImpulse {
   Eigen::Vector3d p_WC;    ///< Where it acted. [m]
   Eigen::Vector3d n_AB_W;  ///< Unit, out of A into B.
   Eigen::Vector3d J_B_W;   ///< Impulse on B; A received its opposite. [N s]
-  double separation;       ///< At the start of the step: < 0 penetrating. [m]
+  /** At the start of the step, or at the moment of a blow: < 0 penetrating. [m] */
+  double separation;
 };
 
 /** Rigid bodies in contact, stepped in time. Bodies are known by the index that AddBody()
@@ -70,7 +72,7 @@ class World {
   /** Takes one step of fourth order, or, where anything touches on the way, none at all,
    and returns whether it did. */
   bool StepAsFive(double h);
-  void Advance(double h);
+  void Advance(double h, bool follow_blows);
   /** Returns whether there are any contacts. */
   bool FindContacts(double h);
   void ApplyForces(double h);
@@ -98,6 +100,7 @@ class World {
   std::vector<Spring> springs_;
   std::vector<int> solids_;  ///< What points meet.
   ContactSolver contacts_;
+  Blows blows_;
   JointSolver rods_;
   SpringSolver spring_solver_;
 

@@ -1,0 +1,402 @@
+#include "engine/dynamics/blows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace cookbook {
+namespace {
+
+/** Blows of a body in a step after which it flies on through what it meets: the next step
+ sends it back. */
+constexpr int kMostBlows = 8;
+
+/** Bodies of a heap that takes part in a blow: that costs as much as a step of the heap.
+ */
+constexpr int kMostOfHeap = 32;
+
+/** What a blow leaves of an approach, as a share of the speeds, where it sends nothing
+ back: rounding, and what the solver leaves. */
+constexpr double kStopped = 1e-9;
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+std::size_t At(int body) {
+  return static_cast<std::size_t>(body);
+}
+
+}  // namespace
+
+Blows::Blows() {
+  // Of most blows of most steps: from then on they allocate nothing.
+  constexpr std::size_t kMany = 64;
+  struck_.reserve(kMany);
+  supports_.reserve(kMany);
+  pairs_.reserve(kMany);
+  members_.reserve(kMany);
+  bodies_.reserve(kMany);
+  inertias_.reserve(kMany);
+  before_.reserve(kMany);
+  after_.reserve(kMany);
+  touches_.reserve(kMany);
+}
+
+void Blows::Clear() {
+  std::fill(blows_.begin(), blows_.end(), 0);
+  struck_.clear();
+  supports_.clear();
+  spent_ = 0;
+  candidates_.clear();
+}
+
+void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& settings,
+                  double h) {
+  rules_ = {h, h * settings.gravity_W.norm(), settings.resting_speed,
+            MarginOf(settings, h), settings.gyroscopic};
+  const std::size_t count = start.bodies.size();
+  flies_.resize(count);
+  static_.resize(count);
+  linked_.resize(count);
+  blows_.resize(count);
+  flights_.resize(count);
+  gains_.resize(count);
+  pulls_.resize(count);
+  place_.resize(count, -1);
+  Clear();
+  if (FindFlying(start, finder)) FindCandidates(start, finder);
+}
+
+bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
+  for (std::size_t i = 0; i < start.bodies.size(); ++i) {
+    const RigidBody& body = start.bodies[i];
+    static_[i] = body.is_static();
+    linked_[i] = start.linked[i];
+    flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i];
+  }
+  const auto acceleration = [&](int body) -> Eigen::Vector3d {
+    if (IsStatic(body)) return Eigen::Vector3d::Zero();
+    return (start.free[At(body)].v - start.before[At(body)].v) / rules_.h;
+  };
+  const auto hold = [&](const ContactPair& pair) {
+    const bool changes = Flies(pair.A) || Flies(pair.B);
+    flies_[At(pair.A)] = flies_[At(pair.B)] = false;
+    return changes;
+  };
+  for (const ContactPair& pair : finder.contacts()) {
+    const RigidBody& A = start.bodies[At(pair.A)];
+    const RigidBody& B = start.bodies[At(pair.B)];
+    const Eigen::Vector3d a_AB_W = acceleration(pair.B) - acceleration(pair.A);
+    // What overlaps has to be parted, unless it strikes.
+    const double deepest = -rules_.margin - TouchOf(A, B);
+    for (const ContactPoint& contact : pair.manifold.points()) {
+      const Meeting meeting =
+          MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, rules_);
+      if (meeting == Meeting::kStrikes) continue;
+      if (meeting == Meeting::kParts && contact.separation >= deepest) continue;
+      hold(pair);
+      break;
+    }
+  }
+  // What touches a body that is held is held.
+  for (bool changes = true; changes;) {
+    changes = false;
+    for (const ContactPair& pair : finder.contacts()) {
+      if (IsHeld(pair.A) || IsHeld(pair.B)) changes |= hold(pair);
+    }
+  }
+  for (ContactPair& pair : finder.contacts()) {
+    if (Flies(pair.A) || Flies(pair.B)) pair.manifold.count = 0;
+  }
+  return std::find(flies_.begin(), flies_.end(), true) != flies_.end();
+}
+
+void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
+  const double h = rules_.h;
+  const auto reach = [&](int body) {
+    if (IsStatic(body)) return 0.0;
+    const RigidBody& at = start.bodies[At(body)];
+    return h * std::max(at.state.v_WB.norm(), start.free[At(body)].v.norm()) +
+           std::min(2 * at.radius, h * TurningSpeed(at));
+  };
+  const auto begin = [&](int body) {
+    BodyFlight& flight = flights_[At(body)];
+    flight = {start.bodies[At(body)]};
+    if (!Flies(body)) return;
+    flight.a_W = (start.free[At(body)].v - start.before[At(body)].v) / h;
+    pulls_[At(body)] = flight.a_W;
+    flight.torque_W = flight.start.applied_torque_W;
+  };
+  meets_held_ = false;
+  finder.ForEachNear([&](int A, int B, double gap) {
+    if (!Flies(A) && !Flies(B)) return;
+    if (linked_[At(A)] || linked_[At(B)]) return;
+    if (gap > reach(A) + reach(B)) return;
+    begin(A);
+    begin(B);
+    meets_held_ = meets_held_ || IsHeld(A) || IsHeld(B);
+    candidates_.push_back({A, B, gap, kNever, false});
+  });
+}
+
+int Blows::HeapOf(int body) {
+  while (heap_[At(body)] != body) {
+    heap_[At(body)] = heap_[At(heap_[At(body)])];
+    body = heap_[At(body)];
+  }
+  return body;
+}
+
+void Blows::FindHeaps(std::span<const ContactPair> contacts) {
+  heap_.resize(flies_.size());
+  std::iota(heap_.begin(), heap_.end(), 0);
+  for (const ContactPair& pair : contacts) {
+    if (pair.manifold.count == 0 || !IsHeld(pair.A) || !IsHeld(pair.B)) continue;
+    const int a = HeapOf(pair.A);
+    const int b = HeapOf(pair.B);
+    heap_[At(std::max(a, b))] = std::min(a, b);
+  }
+  heap_size_.assign(flies_.size(), 0);
+  for (std::size_t i = 0; i < heap_.size(); ++i) {
+    int& size = heap_size_[At(HeapOf(static_cast<int>(i)))];
+    // What rods and springs hold is not asked either.
+    size += linked_[i] ? kMostOfHeap + 1 : 1;
+  }
+}
+
+void Blows::Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
+                   ContactFinder& finder, const Settings& settings, Crew& crew) {
+  if (candidates_.empty()) return;
+  const End end{bodies, mean, finder.contacts()};
+  if (meets_held_) FindHeaps(end.contacts);
+  for (Candidate& candidate : candidates_) {
+    for (const int body : {candidate.A, candidate.B}) {
+      if (!IsHeld(body)) continue;
+      BodyFlight& flight = flights_[At(body)];
+      flight.start.state.v_WB = mean[At(body)].v;
+      flight.start.state.w_WB = mean[At(body)].w;
+    }
+  }
+  for (Candidate& candidate : candidates_) {
+    if (ComeNear(candidate)) Foresee(0, candidate);
+  }
+  for (;;) {
+    const auto first = std::min_element(
+        candidates_.begin(), candidates_.end(),
+        [](const Candidate& a, const Candidate& b) { return a.next < b.next; });
+    if (first == candidates_.end() || first->next == kNever) break;
+    Strike(*first, end, settings, crew);
+  }
+  EndSupports();
+  for (std::size_t i = 0; i < blows_.size(); ++i) {
+    if (blows_[i] == 0) continue;
+    const BodyState landed = flights_[i].At(rules_.h, rules_.gyroscopic).state;
+    const BodyState before = bodies[i].state;
+    bodies[i].state = landed;
+    if (!flies_[i]) {
+      bodies[i].state.v_WB = before.v_WB + gains_[i].v;
+      bodies[i].state.w_WB = before.w_WB + gains_[i].w;
+    }
+    bodies[i].R_WB = landed.q_WB.toRotationMatrix();
+    finder.HasGone(i, Travel(before, bodies[i]));
+  }
+}
+
+bool Blows::ComeNear(const Candidate& candidate) const {
+  const BodyFlight& A = flights_[At(candidate.A)];
+  const BodyFlight& B = flights_[At(candidate.B)];
+  const double h = rules_.h;
+  const double way = h * (B.start.state.v_WB - A.start.state.v_WB).norm() +
+                     0.5 * h * h * (B.a_W - A.a_W).norm() +
+                     h * (TurningSpeed(A.start) + TurningSpeed(B.start));
+  return candidate.gap <= way;
+}
+
+bool Blows::IsAsked(const Candidate& candidate) {
+  for (const int body : {candidate.A, candidate.B}) {
+    if (Flies(body) && blows_[At(body)] >= kMostBlows) return false;
+    if (IsHeld(body) && heap_size_[At(HeapOf(body))] > kMostOfHeap) return false;
+  }
+  return true;
+}
+
+void Blows::Foresee(double from, Candidate& candidate) {
+  candidate.next = kNever;
+  if (!IsAsked(candidate)) return;
+  const BodyFlight& A = flights_[At(candidate.A)];
+  const BodyFlight& B = flights_[At(candidate.B)];
+  candidate.next = FirstBlow(A, B, from, rules_).value_or(kNever);
+}
+
+int Blows::Join(int body, double t) {
+  int& place = place_[At(body)];
+  if (place >= 0) return place;
+  place = static_cast<int>(members_.size());
+  members_.push_back(body);
+  const RigidBody& now =
+      bodies_.emplace_back(flights_[At(body)].At(t, rules_.gyroscopic));
+  inertias_.push_back(InverseInertiaOf(now));
+  before_.push_back({now.state.v_WB, now.state.w_WB});
+  return place;
+}
+
+void Blows::JoinHeap(int body, double t, const End& end) {
+  const int heap = HeapOf(body);
+  const auto join = [&](int member) {
+    // Where no blow has changed its way: back from where it led.
+    if (IsIn(member)) return place_[At(member)];
+    if (blows_[At(member)] == 0) {
+      BodyFlight& flight = flights_[At(member)];
+      flight = {end.bodies[At(member)], rules_.h};
+      if (!IsStatic(member)) {
+        flight.start.state.v_WB = end.mean[At(member)].v;
+        flight.start.state.w_WB = end.mean[At(member)].w;
+      }
+    }
+    return Join(member, t);
+  };
+  join(body);
+  for (const ContactPair& contact : end.contacts) {
+    if (contact.manifold.count == 0) continue;
+    const int moving = IsStatic(contact.A) ? contact.B : contact.A;
+    if (HeapOf(moving) != heap) continue;
+    ContactPair& pair = pairs_.emplace_back(contact);
+    pair.A = join(contact.A);
+    pair.B = join(contact.B);
+    pair.J_W.fill(Eigen::Vector3d::Zero());
+  }
+}
+
+void Blows::Gather(double t, const End& end) {
+  const auto join = [&](int body) {
+    if (IsHeld(body) && !IsIn(body)) JoinHeap(body, t, end);
+    return Join(body, t);
+  };
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (Candidate& candidate : candidates_) {
+      const auto joins = [&](int body) { return !IsStatic(body) && IsIn(body); };
+      if (candidate.known || (!joins(candidate.A) && !joins(candidate.B))) continue;
+      candidate.known = true;
+      if (!IsAsked(candidate)) continue;
+      const auto at = [&](int body) {
+        return IsIn(body) ? bodies_[At(place_[At(body)])]
+                          : flights_[At(body)].At(t, rules_.gyroscopic);
+      };
+      ContactPair pair;
+      pair.manifold = CollideAtBlow(at(candidate.A), at(candidate.B), rules_);
+      if (pair.manifold.count == 0) continue;
+      grows = true;
+      pair.A = join(candidate.A);
+      pair.B = join(candidate.B);
+      pair.J_W.fill(Eigen::Vector3d::Zero());
+      pairs_.push_back(pair);
+    }
+  }
+}
+
+void Blows::Strike(Candidate& first, const End& end, const Settings& settings,
+                   Crew& crew) {
+  const double t = first.next;
+  members_.clear();
+  bodies_.clear();
+  inertias_.clear();
+  before_.clear();
+  pairs_.clear();
+  // The flying one brings the other.
+  Join(Flies(first.A) ? first.A : first.B, t);
+  Gather(t, end);
+  before_.emplace_back();
+  after_.assign(before_.begin(), before_.end());
+  touches_.assign(members_.size(), Touch{});
+  for (ContactPair& pair : pairs_) {
+    for (ContactPoint& contact : pair.manifold.contacts) contact.separation = 0;
+  }
+  solver_.Begin(pairs_, {bodies_, inertias_, before_, after_}, settings, rules_.h, crew);
+  // All blows of a step share the patience of one solve.
+  for (int k = 0; k < settings.impulse_iterations || spent_ <= settings.patience; ++k) {
+    spent_ += solver_.row_count();
+    if (solver_.Sweep(after_, crew) <= settings.residual * solver_.scale()) break;
+  }
+  solver_.End(pairs_, touches_);
+  const std::size_t first_struck = struck_.size();
+  for (const ContactPair& pair : pairs_) {
+    const auto points = pair.manifold.points().size();
+    const bool struck =
+        std::any_of(pair.J_W.begin(), pair.J_W.begin() + points,
+                    [](const Eigen::Vector3d& J) { return !J.isZero(0); });
+    if (!struck) continue;
+    ContactPair& known = struck_.emplace_back(pair);
+    known.A = members_[At(pair.A)];
+    known.B = members_[At(pair.B)];
+  }
+  LetFly(t);
+  SupportSince(first_struck, t);
+  for (Candidate& candidate : candidates_) {
+    candidate.known = false;
+    const auto joined = [&](int body) { return !IsStatic(body) && IsIn(body); };
+    if (joined(candidate.A) || joined(candidate.B)) Foresee(t, candidate);
+  }
+  for (const int body : members_) place_[At(body)] = -1;
+}
+
+void Blows::LetFly(double t) {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const int body = members_[k];
+    if (IsStatic(body)) continue;
+    BodyFlight& flight = flights_[At(body)];
+    flight.start = bodies_[k];
+    flight.start.state.v_WB = after_[k].v;
+    flight.start.state.w_WB = after_[k].w;
+    flight.from = t;
+    if (Flies(body)) flight.a_W = pulls_[At(body)];
+    for (Support& support : supports_) {
+      if (support.body == body) support.until = std::min(support.until, t);
+    }
+    Velocity& gain = gains_[At(body)];
+    if (blows_[At(body)] == 0) gain = {};
+    gain.v += after_[k].v - before_[k].v;
+    gain.w += after_[k].w - before_[k].w;
+    ++blows_[At(body)];
+  }
+}
+
+void Blows::SupportSince(std::size_t first, double t) {
+  for (std::size_t k = first; k < struck_.size(); ++k) {
+    const ContactPair& pair = struck_[k];
+    const bool A_rests = Flies(pair.A) && IsStatic(pair.B);
+    if (!A_rests && !(Flies(pair.B) && IsStatic(pair.A))) continue;
+    const int body = A_rests ? pair.A : pair.B;
+    const Eigen::Vector3d n_W = (A_rests ? -1 : 1) * pair.manifold.n_AB_W;
+    BodyFlight& flight = flights_[At(body)];
+    const BodyState& state = flight.start.state;
+    // What still rises or falls about its contacts is not at rest: a support would do
+    // work on it.
+    const double stopped = kStopped * solver_.scale();
+    if (std::abs(n_W.dot(state.v_WB)) > stopped) continue;
+    const auto points = pair.manifold.points();
+    const bool rests =
+        std::all_of(points.begin(), points.end(), [&](const ContactPoint& contact) {
+          const Eigen::Vector3d r = contact.p_WC - state.p_WB;
+          return std::abs(n_W.dot(state.w_WB.cross(r))) <= stopped;
+        });
+    const double pull = n_W.dot(flight.a_W);
+    if (!rests || pull >= 0) continue;
+    flight.a_W -= pull * n_W;
+    const double force = -pull / flight.start.inverse_mass;
+    supports_.push_back({body, k, force * pair.manifold.n_AB_W, t, rules_.h});
+  }
+}
+
+void Blows::EndSupports() {
+  for (const Support& support : supports_) {
+    ContactPair& pair = struck_[support.pair];
+    const Eigen::Vector3d J_W = (support.until - support.from) * support.force_B_W;
+    const std::size_t count = pair.manifold.points().size();
+    for (std::size_t i = 0; i < count; ++i) {
+      pair.J_W[i] += J_W / static_cast<double>(count);
+    }
+  }
+}
+
+}  // namespace cookbook

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/dynamics/contact_finder.h"
+#include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/crew.h"
+#include "engine/dynamics/first_blow.h"
+
+namespace cookbook {
+
+/** The blows of a step, each at its moment.
+
+ A body flies in a step where nothing holds it: no rod or spring, and no contact but such
+ as part or strike, nor any of what it touches. Bodies that fly are followed until they
+ strike something; there they exchange the impulses of ContactSolver, with all that touch
+ them at that moment, and fly on. So a bounce takes no time, and what it keeps is kept in
+ its place too.
+
+ What does not fly moves as contacts, rods and springs let it. Where it is struck, all
+ that it rests on and that rests on it takes part in the blow, and what that changes of
+ its velocity acts from then on. A heap of more than a few bodies is not asked: what
+ strikes it is found inside it by the next step. */
+class Blows {
+ public:
+  Blows();
+
+  /** Everything about the bodies at the start of a step. */
+  struct Start {
+    std::span<const RigidBody> bodies;
+    std::span<const Velocity> before;
+    std::span<const Velocity> free;  ///< At the end of the step, without impulses.
+    const std::vector<bool>& linked;
+  };
+
+  /** Begins a step of `h` [s]: finds what flies and what it may meet. Takes the contacts
+   of what flies out of those that `finder` has. */
+  void Begin(const Start& start, ContactFinder& finder, const Settings& settings,
+             double h);
+
+  /** Follows what flies. `bodies` are those after the step; what was struck is put where
+   its blows lead it. `mean` is what has moved those that do not fly. */
+  void Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
+              ContactFinder& finder, const Settings& settings, Crew& crew);
+
+  /** Forgets the last step. */
+  void Clear();
+
+  /** What struck what, as it was at that moment. */
+  std::span<const ContactPair> struck() const { return struck_; }
+
+ private:
+  /** Two bodies that may meet. */
+  struct Candidate {
+    int A;
+    int B;
+    double gap;   ///< They are apart by so much or more when the step begins. [m]
+    double next;  ///< When they do; infinite: not in this step. [s]
+    bool known;   ///< Whether the blow at hand knows if they touch.
+  };
+
+  /** What a static body bears of one that rests on it after a blow. */
+  struct Support {
+    int body;
+    std::size_t pair;           ///< Of struck().
+    Eigen::Vector3d force_B_W;  ///< On B of the pair. [N]
+    double from;                ///< [s]
+    double until;               ///< [s]
+  };
+
+  /** Everything about the bodies after the step. */
+  struct End {
+    std::span<const RigidBody> bodies;
+    std::span<const Velocity> mean;
+    std::span<const ContactPair> contacts;
+  };
+
+  bool Flies(int body) const { return flies_[static_cast<std::size_t>(body)]; }
+  bool IsStatic(int body) const { return static_[static_cast<std::size_t>(body)]; }
+  /** Whether it moves and does not fly. */
+  bool IsHeld(int body) const { return !Flies(body) && !IsStatic(body); }
+
+  bool FindFlying(const Start& start, ContactFinder& finder);
+  void FindCandidates(const Start& start, const ContactFinder& finder);
+  void FindHeaps(std::span<const ContactPair> contacts);
+  int HeapOf(int body);
+  /** Whether blows of the two are looked at. */
+  bool IsAsked(const Candidate& candidate);
+  void Foresee(double from, Candidate& candidate);
+  /** Whether the two come near enough to meet, going as they do when the step begins. */
+  bool ComeNear(const Candidate& candidate) const;
+  void Strike(Candidate& first, const End& end, const Settings& settings, Crew& crew);
+  /** Adds to the blow what touches any of its bodies at time `t`. */
+  void Gather(double t, const End& end);
+  void JoinHeap(int body, double t, const End& end);
+  /** Returns the place of a body in the blow at hand, at time `t`. */
+  int Join(int body, double t);
+  bool IsIn(int body) const { return place_[static_cast<std::size_t>(body)] >= 0; }
+  /** Lets the bodies of the blow at hand fly on. */
+  void LetFly(double t);
+  /** Takes from what flies on the pull against what it now rests on, which has been
+   struck since `first` of struck(). */
+  void SupportSince(std::size_t first, double t);
+  /** Adds to the impulses what supports gave. */
+  void EndSupports();
+
+  BlowRules rules_;
+  std::vector<bool> flies_;             ///< By body.
+  std::vector<bool> static_;            ///< By body.
+  std::vector<bool> linked_;            ///< By body.
+  std::vector<int> blows_;              ///< By body: how many it had.
+  std::vector<BodyFlight> flights_;     ///< By body: since its last blow.
+  std::vector<Eigen::Vector3d> pulls_;  ///< By body that flies: without support. [m/s²]
+  std::vector<Support> supports_;
+  int spent_ = 0;                ///< Sweeps × rows, in this step.
+  std::vector<Velocity> gains_;  ///< By body that is held: what blows gave it.
+  std::vector<Candidate> candidates_;
+  bool meets_held_ = false;  ///< Whether a candidate is held.
+  std::vector<ContactPair> struck_;
+  std::vector<int> heap_;       ///< By body: another of its heap, or itself.
+  std::vector<int> heap_size_;  ///< By body that stands for a heap.
+
+  // The blow at hand: a world of its bodies.
+  ContactSolver solver_{1};
+  std::vector<int> place_;  ///< By body: among the following, or −1.
+  std::vector<int> members_;
+  std::vector<RigidBody> bodies_;
+  std::vector<InverseInertia> inertias_;
+  std::vector<Velocity> before_;  ///< One more than bodies, see SolverBodies.
+  std::vector<Velocity> after_;
+  std::vector<Touch> touches_;
+  std::vector<ContactPair> pairs_;
+};
+
+}  // namespace cookbook

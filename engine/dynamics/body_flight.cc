@@ -1,0 +1,41 @@
+#include "engine/dynamics/body_flight.h"
+
+#include "engine/dynamics/rotation.h"
+
+namespace cookbook {
+
+RigidBody BodyFlight::At(double t, Gyroscopic rule) const {
+  RigidBody body = start;
+  if (body.is_static() || t == from) return body;
+  const double time = t - from;
+  body.state.p_WB += time * (start.state.v_WB + 0.5 * time * a_W);
+  body.state.v_WB += time * a_W;
+  const Eigen::Vector3d& w = start.state.w_WB;
+  if (rule == Gyroscopic::kExact) {
+    const Eigen::Vector3d L_W = TurnedInertiaTimes(start.R_WB, start.moments, w);
+    const Turning end = TurnWithMomentum({start.state.q_WB, w}, start.moments, L_W,
+                                         time * torque_W, time);
+    body.state.q_WB = end.q_WB;
+    body.state.w_WB = end.w_WB;
+  } else {
+    body.state.w_WB +=
+        TurnedInertiaTimes(start.R_WB, start.inverse_moments, time * torque_W) +
+        GyroscopicChange(start.R_WB, start.moments, w, time, rule);
+    body.state.q_WB =
+        (Exp(0.5 * time * (w + body.state.w_WB)) * start.state.q_WB).normalized();
+  }
+  body.R_WB = body.state.q_WB.toRotationMatrix();
+  return body;
+}
+
+double TurningSpeed(const RigidBody& body) {
+  if (!std::holds_alternative<Box>(body.shape)) return 0;
+  return body.radius * body.state.w_WB.norm();
+}
+
+double TurningSpeed(const RigidBody& body, const Eigen::Vector3d& n_W) {
+  if (!std::holds_alternative<Box>(body.shape)) return 0;
+  return body.radius * n_W.cross(body.state.w_WB).norm();
+}
+
+}  // namespace cookbook

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/settings.h"
+
+namespace cookbook {
+
+/** The way of a rigid body under a constant force and torque, while nothing touches it.
+ */
+struct BodyFlight {
+  RigidBody start;
+  double from = 0;                                     ///< When it starts. [s]
+  Eigen::Vector3d a_W = Eigen::Vector3d::Zero();       ///< [m/s²]
+  Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N m]
+
+  /** Returns the body at time `t` [s]. What is static stays. */
+  RigidBody At(double t, Gyroscopic rule) const;
+};
+
+/** Returns a bound of how fast a point of `body` moves because it turns; 0 of a ball,
+ whose surface stays where it is. [m/s] */
+double TurningSpeed(const RigidBody& body);
+
+/** The same, along `n_W` alone. */
+double TurningSpeed(const RigidBody& body, const Eigen::Vector3d& n_W);
+
+}  // namespace cookbook

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/dynamics/body_flight.h"
+#include "engine/manifold.h"
+
+namespace cookbook {
+
+/** When a meeting of two bodies is a blow. */
+struct BlowRules {
+  double h;              ///< Of the step. [s]
+  double gravity_speed;  ///< What gravity adds in it. [m/s]
+  double resting_speed;  ///< As Settings.
+  double margin;         ///< Contacts apart by less touch. [m]
+  Gyroscopic gyroscopic;
+};
+
+/** What becomes of two bodies at a contact. */
+enum class Meeting {
+  kParts,    ///< They go apart, or together with nothing that presses them.
+  kStrikes,  ///< They come faster than those that rest.
+  kHolds,    ///< Anything else.
+};
+
+/** Returns what two bodies make of their contact at `p_W`, given how forces change the
+ velocity of B against A. The threshold is that of ContactSolver. */
+Meeting MeetingAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
+                  const RigidBody& A, const RigidBody& B, const Eigen::Vector3d& a_AB_W,
+                  const BlowRules& rules);
+
+/** Returns the gap below which two bodies touch in a blow. [m] */
+double TouchOf(const RigidBody& A, const RigidBody& B);
+
+/** Returns how two bodies touch that FirstBlow() brought together. */
+Manifold CollideAtBlow(const RigidBody& A, const RigidBody& B, const BlowRules& rules);
+
+/** Returns when, from `from` [s] to the end of the step, two bodies first touch where one
+ contact at least strikes. They are found to touch by conservative advancement (Mirtich
+ 1996): nothing is gone through. */
+std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double from,
+                                const BlowRules& rules);
+
+}  // namespace cookbook

@@ -1,0 +1,17 @@
+#include "engine/dynamics/time_of_fall.h"
+
+#include <cmath>
+
+namespace cookbook {
+
+std::optional<double> TimeOfFall(double height, double speed, double pull) {
+  // The root without cancellation, for what falls (speed < 0) or is pulled back.
+  const double discriminant = speed * speed - 2 * pull * height;
+  if (discriminant < 0) return std::nullopt;
+  const double root = std::sqrt(discriminant);
+  if (speed < 0) return 2 * height / (root - speed);
+  if (pull < 0) return (speed + root) / -pull;
+  return std::nullopt;
+}
+
+}  // namespace cookbook
