@@ -2,9 +2,9 @@
 // answers such, CrossEngine/<oracle>.<scenario>, answered from one run. Known
 // discrepancies pass, as they do for `touchstone run`.
 //
-// CTest runs cross_engine.catalogue, which asks everybody everything once. It has an
-// entry per oracle as well, which asks the same of that one alone and is for `ctest -C
-// each_engine -R fcl`; --write-ctest FILE makes them.
+// CTest has cross_engine.catalogue, which asks everybody everything once, and an entry
+// per oracle, which asks the same of that one alone: for `ctest -R fcl`. Their label is
+// each_engine; scripts/test leaves them out. --write-ctest FILE makes them.
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -178,11 +178,12 @@ void WriteCTest(const std::string& program, const char* file) {
         << "]=] [=[--gtest_filter=" << suite << ".*]=] --gtest_brief=1)\n";
   };
   add("catalogue", "CrossEngine/catalogue");
-  out << "if(CTEST_CONFIGURATION_TYPE STREQUAL each_engine)\n";
   for (const Oracle* oracle : Suite::Instance().oracles()) {
-    add(oracle->info().name, SuiteName(oracle->info()));
+    const std::string& name = oracle->info().name;
+    add(name, SuiteName(oracle->info()));
+    out << "set_tests_properties([=[cross_engine." << name
+        << "]=] PROPERTIES LABELS each_engine)\n";
   }
-  out << "endif()\n";
 }
 
 }  // namespace
