@@ -120,7 +120,7 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
     Proxy& proxy = proxies_[i];
     if (proxy.leaf < 0) continue;
     const bool is_new = std::exchange(proxy.is_new, false);
-    if (proxy.is_static) {
+    if (bodies[i].is_static()) {  // Or asleep.
       if (is_new) moved_.push_back(static_cast<int>(i));
       continue;
     }

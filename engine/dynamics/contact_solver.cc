@@ -77,10 +77,12 @@ void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const ContactPair& pair = pairs[p];
     key_[p] = -1;
-    if (pair.manifold.count == 0) continue;
-    contacts_ += pair.manifold.count;
     const auto a = static_cast<std::size_t>(pair.A);
     const auto b = static_cast<std::size_t>(pair.B);
+    if (pair.manifold.count == 0 || (bodies[a].is_static() && bodies[b].is_static())) {
+      continue;
+    }
+    contacts_ += pair.manifold.count;
     const int colour = std::min(kLastColour, std::countr_one(colours_[a] | colours_[b]));
     const std::uint64_t bit = std::uint64_t{1} << colour;
     if (!bodies[a].is_static()) colours_[a] |= bit;

@@ -77,6 +77,12 @@ struct Settings {
   /** Threads that share a step, the caller's included. The bits do not depend on it. */
   int threads = 1;
 
+  /** How long all bodies of an island have to be slow before it sleeps, see Sleep.
+   Absent: nothing sleeps. [s] */
+  std::optional<double> sleep_after;
+  /** What is slow: |v| + radius |ω| below this. [m/s] */
+  double sleep_speed = 0.05;
+
   /** Every step is taken as so many shorter ones. */
   int sub_steps = 1;
 };

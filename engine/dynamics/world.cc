@@ -46,6 +46,7 @@ int World::AddBody(const BodyDefinition& definition) {
   bodies_.push_back(MakeRigidBody(definition));
   const int added = body_count() - 1;
   finder_.Add(bodies_.back());
+  sleep_.Add(bodies_.back());
   inertias_.push_back({Eigen::Matrix3d::Zero(), 0});
   const std::size_t places = bodies_.size() + 1;
   for (std::vector<Velocity>* velocities :
@@ -78,6 +79,7 @@ void World::ExpectTwoEnds(const Anchor& A, const Anchor& B, const char* what) {
 }
 
 void World::MarkLinked(const Anchor& A, const Anchor& B) {
+  sleep_.Link(A.body, B.body);
   for (const int body : {A.body, B.body}) {
     if (body >= 0) linked_[static_cast<std::size_t>(body)] = true;
   }
@@ -123,6 +125,7 @@ void World::ApplyImpulse(int body, const Eigen::Vector3d& p_W,
   if (!p_W.allFinite() || !J_W.allFinite()) {
     throw std::invalid_argument("An impulse or its point is not finite.");
   }
+  sleep_.Wake(body, bodies_);
   if (struck.is_static()) return;
   struck.state.v_WB += struck.inverse_mass * J_W;
   struck.state.w_WB += TurnedInertiaTimes(struck.R_WB, struck.inverse_moments,
@@ -134,6 +137,7 @@ void World::ApplyForce(int body, const Eigen::Vector3d& p_W, const Eigen::Vector
   if (!p_W.allFinite() || !F_W.allFinite()) {
     throw std::invalid_argument("A force or its point is not finite.");
   }
+  sleep_.Wake(body, bodies_);
   pushed.applied_force_W += F_W;
   pushed.applied_torque_W += (p_W - pushed.state.p_WB).cross(F_W);
 }
@@ -153,9 +157,11 @@ void World::Step(double dt) {
 
 void World::StepOnce(double h) {
   const bool touching = FindContacts(h);
+  if (settings_.sleep_after) sleep_.WakeNear(finder_, bodies_);
   StopStretching(h);
-  if (settings_.fourth_order_links && HasLinks() && !touching && StepAsFive(h)) return;
-  Advance(h, settings_.blows_in_time);
+  const bool may_be_five = settings_.fourth_order_links && HasLinks() && !touching;
+  if (!may_be_five || !StepAsFive(h)) Advance(h, settings_.blows_in_time);
+  if (settings_.sleep_after) Lull(h);
 }
 
 void World::Advance(double h, bool follow_blows) {
@@ -412,6 +418,17 @@ void World::Project(double h) {
     body.state.q_WB = (Exp(moves_[i].w) * body.state.q_WB).normalized();
     body.R_WB = body.state.q_WB.toRotationMatrix();
     finder_.HasGone(i, Travel(before, body));
+  }
+}
+
+void World::Lull(double h) {
+  if (!sleep_.Lull(finder_, settings_, h, bodies_)) return;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].is_static()) continue;
+    inertias_[i] = {Eigen::Matrix3d::Zero(), 0};
+    for (std::vector<Velocity>* velocities : {&before_, &free_, &solved_, &mean_}) {
+      (*velocities)[i] = {};
+    }
   }
 }
 

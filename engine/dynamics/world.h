@@ -10,6 +10,7 @@
 #include "engine/dynamics/crew.h"
 #include "engine/dynamics/distance_joint.h"
 #include "engine/dynamics/settings.h"
+#include "engine/dynamics/sleep.h"
 #include "engine/dynamics/spring.h"
 
 namespace cookbook {
@@ -61,6 +62,9 @@ class World {
   }
   const Settings& settings() const { return settings_; }
 
+  /** Whether a body sleeps, see Settings::sleep_after. */
+  bool IsAsleep(int body) const { return sleep_.IsAsleep(body); }
+
   /** Appends what every touching contact did in the last step (the last sub-step). */
   void ReadImpulses(std::vector<ContactImpulse>& impulses) const;
 
@@ -85,6 +89,7 @@ class World {
   void Move(double h);
   void MeetSolids(double h, const RigidBody& before, RigidBody& point);
   void Project(double h);
+  void Lull(double h);
 
   RigidBody& Find(int body);
   bool HasLinks() const { return !joints_.empty() || !springs_.empty(); }
@@ -96,6 +101,7 @@ class World {
   std::vector<RigidBody> bodies_;
   Crew crew_;
   ContactFinder finder_;
+  Sleep sleep_;
   std::vector<DistanceJoint> joints_;
   std::vector<Spring> springs_;
   std::vector<int> solids_;  ///< What points meet.

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include "engine/dynamics/world.h"
+
+namespace cookbook {
+namespace {
+
+constexpr double kStep = 1.0 / 240;
+
+Settings SleepsAfterHalfASecond() {
+  Settings settings;
+  settings.sleep_after = 0.5;
+  return settings;
+}
+
+void AddFloor(World& world) {
+  BodyDefinition floor;
+  floor.shape = Box{{50, 1, 50}};
+  floor.state.p_WB = {0, -1, 0};
+  floor.mass = 0;
+  world.AddBody(floor);
+}
+
+/** Adds a stack of three boxes at rest; returns the lowest. */
+int AddStack(World& world, double x) {
+  BodyDefinition box;
+  box.shape = Box{{0.5, 0.5, 0.5}};
+  int lowest = 0;
+  for (int k = 0; k < 3; ++k) {
+    box.state.p_WB = {x, 0.5 + k, 0};
+    const int added = world.AddBody(box);
+    if (k == 0) lowest = added;
+  }
+  return lowest;
+}
+
+void RunFor(World& world, double seconds) {
+  for (int k = 0; k < static_cast<int>(seconds / kStep); ++k) world.Step(kStep);
+}
+
+bool StackSleeps(const World& world, int lowest) {
+  const bool sleeps = world.IsAsleep(lowest);
+  for (int k = 1; k < 3; ++k) EXPECT_EQ(world.IsAsleep(lowest + k), sleeps) << k;
+  return sleeps;
+}
+
+TEST(Sleep, IsOffUnlessAskedFor) {
+  World world;
+  AddFloor(world);
+  const int stack = AddStack(world, 0);
+  RunFor(world, 2);
+  EXPECT_FALSE(StackSleeps(world, stack));
+}
+
+TEST(Sleep, ComesOverWhatHasRestedForLongEnoughAndNothingMovesAnyMore) {
+  World world(SleepsAfterHalfASecond());
+  AddFloor(world);
+  const int stack = AddStack(world, 0);
+  RunFor(world, 0.45);
+  EXPECT_FALSE(StackSleeps(world, stack));
+  RunFor(world, 0.1);
+  ASSERT_TRUE(StackSleeps(world, stack));
+  const BodyState before = world.state(stack + 2);
+  RunFor(world, 1);
+  EXPECT_EQ(world.state(stack + 2).p_WB, before.p_WB);
+  EXPECT_EQ(world.state(stack + 2).q_WB.coeffs(), before.q_WB.coeffs());
+  EXPECT_EQ(world.state(stack + 2).v_WB, Eigen::Vector3d(0, 0, 0));
+  EXPECT_FALSE(world.IsAsleep(0));  // The floor never was awake.
+}
+
+TEST(Sleep, WakesAllOfAnIslandAsSomethingComesAndLeavesOthersAsleep) {
+  World world(SleepsAfterHalfASecond());
+  AddFloor(world);
+  const int struck = AddStack(world, 0);
+  const int other = AddStack(world, 10);
+  BodyDefinition ball;
+  ball.shape = Sphere{0.2};
+  ball.mass = 0.3;
+  ball.state.p_WB = {0, 8, 0};  // It falls for 1.03 s.
+  world.AddBody(ball);
+  RunFor(world, 0.9);
+  ASSERT_TRUE(StackSleeps(world, struck));
+  RunFor(world, 0.2);
+  EXPECT_FALSE(StackSleeps(world, struck));
+  EXPECT_TRUE(StackSleeps(world, other));
+}
+
+// What was asleep takes its whole part in a blow: the same as if it had never slept.
+TEST(Sleep, DoesNotChangeABlow) {
+  Settings weightless = SleepsAfterHalfASecond();
+  weightless.gravity_W.setZero();
+  World lulled(weightless);
+  weightless.sleep_after.reset();
+  World awake(weightless);
+  for (World* world : {&lulled, &awake}) {
+    BodyDefinition ball;
+    ball.shape = Sphere{0.5};
+    ball.restitution = 1;
+    ball.friction = 0;
+    world->AddBody(ball);
+    ball.state.p_WB = {-4, 0, 0};
+    ball.state.v_WB = {2, 0, 0};
+    world->AddBody(ball);
+    RunFor(*world, 1);  // They meet after 1.5 s.
+  }
+  ASSERT_TRUE(lulled.IsAsleep(0));
+  for (World* world : {&lulled, &awake}) RunFor(*world, 1);
+  EXPECT_FALSE(lulled.IsAsleep(0));
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(lulled.state(i).v_WB, awake.state(i).v_WB);
+    EXPECT_EQ(lulled.state(i).p_WB, awake.state(i).p_WB);
+  }
+  EXPECT_EQ(lulled.state(0).v_WB, Eigen::Vector3d(2, 0, 0));
+}
+
+TEST(Sleep, EndsWithAnImpulseOrAForce) {
+  for (const bool is_force : {false, true}) {
+    World world(SleepsAfterHalfASecond());
+    AddFloor(world);
+    const int stack = AddStack(world, 0);
+    RunFor(world, 1);
+    ASSERT_TRUE(StackSleeps(world, stack));
+    const Eigen::Vector3d p_W = world.state(stack + 2).p_WB;
+    if (is_force) {
+      world.ApplyForce(stack + 2, p_W, {0, 480, 0});
+    } else {
+      world.ApplyImpulse(stack + 2, p_W, {0, 2, 0});
+    }
+    EXPECT_FALSE(StackSleeps(world, stack));
+    world.Step(kStep);
+    EXPECT_GT(world.state(stack + 2).v_WB[1], 0.5);
+  }
+}
+
+TEST(Sleep, SparesWhatHangsOnSomethingThatMoves) {
+  World world(SleepsAfterHalfASecond());
+  BodyDefinition bob;
+  bob.shape = Sphere{0.1};
+  bob.state.p_WB = {0, -3, 0};
+  const int first = world.AddBody(bob);
+  bob.state.p_WB = {2, -3, 0};
+  const int second = world.AddBody(bob);
+  bob.state.p_WB = {-3, -3, 0};
+  const int alone = world.AddBody(bob);
+  world.AddJoint({{-1, {0, 0, 0}}, {first, {0, 0, 0}}, 3});
+  world.AddJoint({{first, {0, 0, 0}}, {second, {0, 0, 0}}, 2});
+  world.AddJoint({{-1, {-3, 0, 0}}, {alone, {0, 0, 0}}, 3});
+  RunFor(world, 2);
+  EXPECT_FALSE(world.IsAsleep(first));
+  EXPECT_FALSE(world.IsAsleep(second));
+  EXPECT_TRUE(world.IsAsleep(alone));
+  EXPECT_NEAR(world.state(alone).p_WB[1], -3, 1e-9);
+}
+
+}  // namespace
+}  // namespace cookbook
