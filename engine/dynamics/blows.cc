@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -48,6 +49,7 @@ void Blows::Clear() {
   supports_.clear();
   spent_ = 0;
   candidates_.clear();
+  queue_.clear();
 }
 
 void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& settings,
@@ -137,6 +139,19 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
     meets_held_ = meets_held_ || IsHeld(A) || IsHeld(B);
     candidates_.push_back({A, B, gap, kNever, false});
   });
+  starts_.assign(start.bodies.size() + 1, 0);
+  for (const Candidate& candidate : candidates_) {
+    for (const int body : {candidate.A, candidate.B}) {
+      if (!IsStatic(body)) ++starts_[At(body)];
+    }
+  }
+  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+  by_body_.resize(At(starts_.back()));
+  for (std::size_t i = candidates_.size(); i-- > 0;) {
+    for (const int body : {candidates_[i].A, candidates_[i].B}) {
+      if (!IsStatic(body)) by_body_[At(--starts_[At(body)])] = static_cast<int>(i);
+    }
+  }
 }
 
 int Blows::HeapOf(int body) {
@@ -177,15 +192,11 @@ void Blows::Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
       flight.start.state.w_WB = mean[At(body)].w;
     }
   }
-  for (Candidate& candidate : candidates_) {
-    if (ComeNear(candidate)) Foresee(0, candidate);
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
+    if (ComeNear(candidates_[i])) Foresee(0, static_cast<int>(i));
   }
-  for (;;) {
-    const auto first = std::min_element(
-        candidates_.begin(), candidates_.end(),
-        [](const Candidate& a, const Candidate& b) { return a.next < b.next; });
-    if (first == candidates_.end() || first->next == kNever) break;
-    Strike(*first, end, settings, crew);
+  for (int first = TakeNext(); first >= 0; first = TakeNext()) {
+    Strike(candidates_[At(first)], end, settings, crew);
   }
   EndSupports();
   for (std::size_t i = 0; i < blows_.size(); ++i) {
@@ -220,12 +231,26 @@ bool Blows::IsAsked(const Candidate& candidate) {
   return true;
 }
 
-void Blows::Foresee(double from, Candidate& candidate) {
+void Blows::Foresee(double from, int index) {
+  Candidate& candidate = candidates_[At(index)];
   candidate.next = kNever;
   if (!IsAsked(candidate)) return;
   const BodyFlight& A = flights_[At(candidate.A)];
   const BodyFlight& B = flights_[At(candidate.B)];
   candidate.next = FirstBlow(A, B, from, rules_).value_or(kNever);
+  if (candidate.next == kNever) return;
+  queue_.emplace_back(candidate.next, index);
+  std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
+}
+
+int Blows::TakeNext() {
+  while (!queue_.empty()) {
+    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
+    const auto [time, index] = queue_.back();
+    queue_.pop_back();
+    if (candidates_[At(index)].next == time) return index;
+  }
+  return -1;
 }
 
 int Blows::Join(int body, double t) {
@@ -272,30 +297,43 @@ void Blows::Gather(double t, const End& end) {
     if (IsHeld(body) && !IsIn(body)) JoinHeap(body, t, end);
     return Join(body, t);
   };
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (Candidate& candidate : candidates_) {
-      const auto joins = [&](int body) { return !IsStatic(body) && IsIn(body); };
-      if (candidate.known || (!joins(candidate.A) && !joins(candidate.B))) continue;
-      candidate.known = true;
-      if (!IsAsked(candidate)) continue;
-      const auto at = [&](int body) {
-        return IsIn(body) ? bodies_[At(place_[At(body)])]
-                          : flights_[At(body)].At(t, rules_.gyroscopic);
-      };
-      ContactPair pair;
-      pair.manifold = CollideAtBlow(at(candidate.A), at(candidate.B), rules_);
-      if (pair.manifold.count == 0) continue;
-      grows = true;
-      pair.A = join(candidate.A);
-      pair.B = join(candidate.B);
-      pair.J_W.fill(Eigen::Vector3d::Zero());
-      pairs_.push_back(pair);
+  // Candidates are looked at in their order; those that a body brings which joins after
+  // their turn, in the next look.
+  looks_.clear();
+  later_.clear();
+  std::size_t brought = 0;
+  const auto bring = [&](int after) {
+    for (; brought < members_.size(); ++brought) {
+      if (IsStatic(members_[brought])) continue;
+      for (const int index : CandidatesOf(members_[brought])) {
+        std::vector<int>& heap = index > after ? looks_ : later_;
+        heap.push_back(index);
+        std::push_heap(heap.begin(), heap.end(), std::greater<>());
+      }
     }
+  };
+  for (bring(-1); !looks_.empty(); looks_.empty() ? looks_.swap(later_) : void()) {
+    std::pop_heap(looks_.begin(), looks_.end(), std::greater<>());
+    const int index = looks_.back();
+    looks_.pop_back();
+    Candidate& candidate = candidates_[At(index)];
+    if (std::exchange(candidate.known, true) || !IsAsked(candidate)) continue;
+    const auto at = [&](int body) {
+      return IsIn(body) ? bodies_[At(place_[At(body)])]
+                        : flights_[At(body)].At(t, rules_.gyroscopic);
+    };
+    ContactPair pair;
+    pair.manifold = CollideAtBlow(at(candidate.A), at(candidate.B), rules_);
+    if (pair.manifold.count == 0) continue;
+    pair.A = join(candidate.A);
+    pair.B = join(candidate.B);
+    pair.J_W.fill(Eigen::Vector3d::Zero());
+    pairs_.push_back(pair);
+    bring(index);
   }
 }
 
-void Blows::Strike(Candidate& first, const End& end, const Settings& settings,
+void Blows::Strike(const Candidate& first, const End& end, const Settings& settings,
                    Crew& crew) {
   const double t = first.next;
   members_.clear();
@@ -332,10 +370,11 @@ void Blows::Strike(Candidate& first, const End& end, const Settings& settings,
   }
   LetFly(t);
   SupportSince(first_struck, t);
-  for (Candidate& candidate : candidates_) {
-    candidate.known = false;
-    const auto joined = [&](int body) { return !IsStatic(body) && IsIn(body); };
-    if (joined(candidate.A) || joined(candidate.B)) Foresee(t, candidate);
+  for (const int body : members_) {
+    if (IsStatic(body)) continue;
+    for (const int index : CandidatesOf(body)) {
+      if (std::exchange(candidates_[At(index)].known, false)) Foresee(t, index);
+    }
   }
   for (const int body : members_) place_[At(body)] = -1;
 }

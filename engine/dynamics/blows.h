@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/dynamics/contact_finder.h"
@@ -84,14 +85,24 @@ class Blows {
 
   bool FindFlying(const Start& start, ContactFinder& finder);
   void FindCandidates(const Start& start, const ContactFinder& finder);
+  /** The candidates, by index, that a moving body is one of. */
+  std::span<const int> CandidatesOf(int body) const {
+    const auto begin = static_cast<std::size_t>(starts_[static_cast<std::size_t>(body)]);
+    const auto end =
+        static_cast<std::size_t>(starts_[static_cast<std::size_t>(body) + 1]);
+    return std::span(by_body_).subspan(begin, end - begin);
+  }
   void FindHeaps(std::span<const ContactPair> contacts);
   int HeapOf(int body);
   /** Whether blows of the two are looked at. */
   bool IsAsked(const Candidate& candidate);
-  void Foresee(double from, Candidate& candidate);
+  void Foresee(double from, int candidate);
+  /** Returns the candidate that meets next, the first of several at once; −1: none. */
+  int TakeNext();
   /** Whether the two come near enough to meet, going as they do when the step begins. */
   bool ComeNear(const Candidate& candidate) const;
-  void Strike(Candidate& first, const End& end, const Settings& settings, Crew& crew);
+  void Strike(const Candidate& first, const End& end, const Settings& settings,
+              Crew& crew);
   /** Adds to the blow what touches any of its bodies at time `t`. */
   void Gather(double t, const End& end);
   void JoinHeap(int body, double t, const End& end);
@@ -117,6 +128,11 @@ class Blows {
   int spent_ = 0;                ///< Sweeps × rows, in this step.
   std::vector<Velocity> gains_;  ///< By body that is held: what blows gave it.
   std::vector<Candidate> candidates_;
+  std::vector<int> by_body_;  ///< Candidates, body after body.
+  std::vector<int> starts_;   ///< By body, and one more: where its own start in by_body_.
+  /** When candidates meet, and which: a heap with the earliest first, in which some are
+   out of date. */
+  std::vector<std::pair<double, int>> queue_;
   bool meets_held_ = false;  ///< Whether a candidate is held.
   std::vector<ContactPair> struck_;
   std::vector<int> heap_;       ///< By body: another of its heap, or itself.
@@ -132,6 +148,9 @@ class Blows {
   std::vector<Velocity> after_;
   std::vector<Touch> touches_;
   std::vector<ContactPair> pairs_;
+  // Heaps with the least first: candidates that may join it, in this look and the next.
+  std::vector<int> looks_;
+  std::vector<int> later_;
 };
 
 }  // namespace cookbook
