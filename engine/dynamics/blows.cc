@@ -154,26 +154,15 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
   }
 }
 
-int Blows::HeapOf(int body) {
-  while (heap_[At(body)] != body) {
-    heap_[At(body)] = heap_[At(heap_[At(body)])];
-    body = heap_[At(body)];
-  }
-  return body;
-}
-
 void Blows::FindHeaps(std::span<const ContactPair> contacts) {
-  heap_.resize(flies_.size());
-  std::iota(heap_.begin(), heap_.end(), 0);
+  heaps_.Reset(flies_.size());
   for (const ContactPair& pair : contacts) {
     if (pair.manifold.count == 0 || !IsHeld(pair.A) || !IsHeld(pair.B)) continue;
-    const int a = HeapOf(pair.A);
-    const int b = HeapOf(pair.B);
-    heap_[At(std::max(a, b))] = std::min(a, b);
+    heaps_.Join(pair.A, pair.B);
   }
   heap_size_.assign(flies_.size(), 0);
-  for (std::size_t i = 0; i < heap_.size(); ++i) {
-    int& size = heap_size_[At(HeapOf(static_cast<int>(i)))];
+  for (std::size_t i = 0; i < flies_.size(); ++i) {
+    int& size = heap_size_[At(heaps_.Of(static_cast<int>(i)))];
     // What rods and springs hold is not asked either.
     size += linked_[i] ? kMostOfHeap + 1 : 1;
   }
@@ -226,7 +215,7 @@ bool Blows::ComeNear(const Candidate& candidate) const {
 bool Blows::IsAsked(const Candidate& candidate) {
   for (const int body : {candidate.A, candidate.B}) {
     if (Flies(body) && blows_[At(body)] >= kMostBlows) return false;
-    if (IsHeld(body) && heap_size_[At(HeapOf(body))] > kMostOfHeap) return false;
+    if (IsHeld(body) && heap_size_[At(heaps_.Of(body))] > kMostOfHeap) return false;
   }
   return true;
 }
@@ -266,7 +255,7 @@ int Blows::Join(int body, double t) {
 }
 
 void Blows::JoinHeap(int body, double t, const End& end) {
-  const int heap = HeapOf(body);
+  const int heap = heaps_.Of(body);
   const auto join = [&](int member) {
     // Where no blow has changed its way: back from where it led.
     if (IsIn(member)) return place_[At(member)];
@@ -284,7 +273,7 @@ void Blows::JoinHeap(int body, double t, const End& end) {
   for (const ContactPair& contact : end.contacts) {
     if (contact.manifold.count == 0) continue;
     const int moving = IsStatic(contact.A) ? contact.B : contact.A;
-    if (HeapOf(moving) != heap) continue;
+    if (heaps_.Of(moving) != heap) continue;
     ContactPair& pair = pairs_.emplace_back(contact);
     pair.A = join(contact.A);
     pair.B = join(contact.B);

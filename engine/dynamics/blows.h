@@ -8,6 +8,7 @@
 #include "engine/dynamics/contact_finder.h"
 #include "engine/dynamics/contact_solver.h"
 #include "engine/dynamics/crew.h"
+#include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/first_blow.h"
 
 namespace cookbook {
@@ -93,7 +94,6 @@ class Blows {
     return std::span(by_body_).subspan(begin, end - begin);
   }
   void FindHeaps(std::span<const ContactPair> contacts);
-  int HeapOf(int body);
   /** Whether blows of the two are looked at. */
   bool IsAsked(const Candidate& candidate);
   void Foresee(double from, int candidate);
@@ -135,7 +135,7 @@ class Blows {
   std::vector<std::pair<double, int>> queue_;
   bool meets_held_ = false;  ///< Whether a candidate is held.
   std::vector<ContactPair> struck_;
-  std::vector<int> heap_;       ///< By body: another of its heap, or itself.
+  DisjointSets heaps_;          ///< Of bodies.
   std::vector<int> heap_size_;  ///< By body that stands for a heap.
 
   // The blow at hand: a world of its bodies.

@@ -57,21 +57,10 @@ ContactSolver::ContactSolver(int threads)
     : own_(static_cast<std::size_t>(threads)),
       overlaps_(static_cast<std::size_t>(threads) + 1) {}
 
-int ContactSolver::HeapOf(int body) {
-  auto i = static_cast<std::size_t>(body);
-  while (heap_[i] != static_cast<int>(i)) {
-    // Halves the way for the next who asks (Tarjan & van Leeuwen, J. ACM 31, 1984).
-    heap_[i] = heap_[static_cast<std::size_t>(heap_[i])];
-    i = static_cast<std::size_t>(heap_[i]);
-  }
-  return static_cast<int>(i);
-}
-
 void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
                                   std::span<const RigidBody> bodies) {
   colours_.assign(bodies.size(), 0);
-  heap_.resize(bodies.size());
-  std::iota(heap_.begin(), heap_.end(), 0);
+  heaps_.Reset(bodies.size());
   key_.resize(pairs.size());
   contacts_ = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -91,12 +80,9 @@ void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
     // about as long as each other.
     key_[p] = colour * (kMost + 1) + kMost - pair.manifold.count;
     if (bodies[a].is_static() || bodies[b].is_static()) continue;
-    const int heap_a = HeapOf(pair.A);
-    const int heap_b = HeapOf(pair.B);
-    heap_[static_cast<std::size_t>(std::max(heap_a, heap_b))] = std::min(heap_a, heap_b);
+    heaps_.Join(pair.A, pair.B);
   }
-  // Whoever a body points to is before it, and points to who stands for the heap.
-  for (int& heap : heap_) heap = heap_[static_cast<std::size_t>(heap)];
+  heap_ = heaps_.All();
 }
 
 void ContactSolver::Divide(std::span<const ContactPair> pairs,

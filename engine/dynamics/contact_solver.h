@@ -8,6 +8,7 @@
 #include "engine/dynamics/contact_group.h"
 #include "engine/dynamics/contact_pair.h"
 #include "engine/dynamics/crew.h"
+#include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/settings.h"
 
 namespace cookbook {
@@ -72,7 +73,6 @@ class ContactSolver {
   /** Gives each pair with contacts its colour, and joins bodies to heaps. */
   void ColourAndJoin(std::span<const ContactPair> pairs,
                      std::span<const RigidBody> bodies);
-  int HeapOf(int body);
   /** Divides the heaps into parts of at least `least` contacts where there are so many.
    */
   void Divide(std::span<const ContactPair> pairs, std::span<const RigidBody> bodies,
@@ -89,8 +89,8 @@ class ContactSolver {
   std::vector<ColouredPair> ordered_;   ///< The pairs, by part and then by key.
   std::vector<Part> parts_;
   int contacts_ = 0;
-  /** Of each body another of its heap, or itself where it stands for the heap. */
-  std::vector<int> heap_;
+  DisjointSets heaps_;                ///< Of bodies.
+  std::span<const int> heap_;         ///< Of each body the one that stands for its heap.
   std::vector<int> heap_part_;        ///< Of each body that stands for a heap.
   std::vector<double> heap_changes_;  ///< Room for ContactGroup::LeaveBe().
   ContactGroup whole_;                ///< Of a part that all threads share.

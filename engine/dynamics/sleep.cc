@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace cookbook {
 
@@ -11,29 +11,12 @@ void Sleep::Add(const RigidBody& body) {
   inertias_.push_back({body.inverse_mass, body.inverse_moments});
   asleep_.push_back(false);
   slow_for_.push_back(0);
-  island_.push_back(added);
   slowest_.push_back(0);
   next_.push_back(added);
 }
 
 void Sleep::Link(int A, int B) {
   if (A >= 0 && B >= 0) links_.emplace_back(A, B);
-}
-
-int Sleep::IslandOf(int body) {
-  auto i = static_cast<std::size_t>(body);
-  while (island_[i] != static_cast<int>(i)) {
-    // Halves the way for the next who asks (Tarjan & van Leeuwen, J. ACM 31, 1984).
-    island_[i] = island_[static_cast<std::size_t>(island_[i])];
-    i = static_cast<std::size_t>(island_[i]);
-  }
-  return static_cast<int>(i);
-}
-
-void Sleep::Join(int A, int B) {
-  const int a = IslandOf(A);
-  const int b = IslandOf(B);
-  island_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
 }
 
 void Sleep::Wake(int body, std::span<RigidBody> bodies) {
@@ -61,7 +44,7 @@ void Sleep::WakeNear(const ContactFinder& finder, std::span<RigidBody> bodies) {
 bool Sleep::Lull(const ContactFinder& finder, const Settings& settings, double h,
                  std::span<RigidBody> bodies) {
   const double enough = *settings.sleep_after;
-  std::iota(island_.begin(), island_.end(), 0);
+  islands_.Reset(bodies.size());
   bool tired = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const RigidBody& body = bodies[i];
@@ -75,20 +58,21 @@ bool Sleep::Lull(const ContactFinder& finder, const Settings& settings, double h
   const auto join = [&](int A, int B) {
     const bool both_move = !bodies[static_cast<std::size_t>(A)].is_static() &&
                            !bodies[static_cast<std::size_t>(B)].is_static();
-    if (both_move) Join(A, B);
+    if (both_move) islands_.Join(A, B);
   };
   finder.ForEachNear([&](int A, int B, double) { join(A, B); });
   for (const auto& [A, B] : links_) join(A, B);
 
   std::fill(slowest_.begin(), slowest_.end(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    double& slowest = slowest_[static_cast<std::size_t>(IslandOf(static_cast<int>(i)))];
+    double& slowest =
+        slowest_[static_cast<std::size_t>(islands_.Of(static_cast<int>(i)))];
     if (!bodies[i].is_static()) slowest = std::min(slowest, slow_for_[i]);
   }
   bool any = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     RigidBody& body = bodies[i];
-    const auto island = static_cast<std::size_t>(IslandOf(static_cast<int>(i)));
+    const auto island = static_cast<std::size_t>(islands_.Of(static_cast<int>(i)));
     if (body.is_static() || slowest_[island] < enough) continue;
     body.state.v_WB.setZero();
     body.state.w_WB.setZero();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/contact_finder.h"
+#include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/rigid_body.h"
 #include "engine/dynamics/settings.h"
 
@@ -48,15 +49,12 @@ class Sleep {
     Eigen::Vector3d inverse_moments;
   };
 
-  int IslandOf(int body);
-  void Join(int A, int B);
-
   std::vector<Inertia> inertias_;  ///< By body, as the following.
   std::vector<bool> asleep_;
   std::vector<double> slow_for_;  ///< [s]
-  std::vector<int> island_;       ///< Another of its island, or itself.
   std::vector<double> slowest_;   ///< By body that stands for an island: least slow_for_.
   std::vector<int> next_;         ///< The next that sleeps in its island, in a ring.
+  DisjointSets islands_;          ///< Of bodies that are awake.
   std::vector<std::pair<int, int>> links_;
 };
 
