@@ -24,6 +24,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "oracles/sanitized_fork.h"
+
 namespace touchstone {
 namespace {
 
@@ -145,6 +147,7 @@ AnsweringChild::AnsweringChild(std::size_t count, const Answerer& answerer,
                                const Limits& limits)
     : limits_(limits) {
   const rlim_t address_space = AddressSpace();
+  AllowForkUnderSanitizer();
   const std::lock_guard lock(fork_mutex);
   output_fd_ = memfd_create("touchstone-output", MFD_CLOEXEC);
   if (output_fd_ < 0) ThrowErrno("memfd_create");
