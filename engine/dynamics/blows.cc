@@ -62,6 +62,8 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   linked_.resize(count);
   blows_.resize(count);
   flights_.resize(count);
+  begun_.resize(count);
+  reaches_.resize(count);
   gains_.resize(count);
   pulls_.resize(count);
   place_.resize(count, -1);
@@ -86,6 +88,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     return changes;
   };
   for (const ContactPair& pair : finder.contacts()) {
+    if (!Flies(pair.A) && !Flies(pair.B)) continue;
     const RigidBody& A = start.bodies[At(pair.A)];
     const RigidBody& B = start.bodies[At(pair.B)];
     const Eigen::Vector3d a_AB_W = acceleration(pair.B) - acceleration(pair.A);
@@ -115,13 +118,17 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
 
 void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
   const double h = rules_.h;
-  const auto reach = [&](int body) {
-    if (IsStatic(body)) return 0.0;
-    const RigidBody& at = start.bodies[At(body)];
-    return h * std::max(at.state.v_WB.norm(), start.free[At(body)].v.norm()) +
+  // How far a body's points may get in the step, at most.
+  const auto reach = [&](std::size_t i) {
+    if (static_[i]) return 0.0;
+    const RigidBody& at = start.bodies[i];
+    return h * std::max(at.state.v_WB.norm(), start.free[i].v.norm()) +
            std::min(2 * at.radius, h * TurningSpeed(at));
   };
+  for (std::size_t i = 0; i < start.bodies.size(); ++i) reaches_[i] = reach(i);
   const auto begin = [&](int body) {
+    if (begun_[At(body)]) return;
+    begun_[At(body)] = true;
     BodyFlight& flight = flights_[At(body)];
     flight = {start.bodies[At(body)]};
     if (!Flies(body)) return;
@@ -130,10 +137,11 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
     flight.torque_W = flight.start.applied_torque_W;
   };
   meets_held_ = false;
+  std::fill(begun_.begin(), begun_.end(), false);
   finder.ForEachNear([&](int A, int B, double gap) {
     if (!Flies(A) && !Flies(B)) return;
     if (linked_[At(A)] || linked_[At(B)]) return;
-    if (gap > reach(A) + reach(B)) return;
+    if (gap > reaches_[At(A)] + reaches_[At(B)]) return;
     begin(A);
     begin(B);
     meets_held_ = meets_held_ || IsHeld(A) || IsHeld(B);

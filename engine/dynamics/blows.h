@@ -123,6 +123,8 @@ class Blows {
   std::vector<bool> linked_;            ///< By body.
   std::vector<int> blows_;              ///< By body: how many it had.
   std::vector<BodyFlight> flights_;     ///< By body: since its last blow.
+  std::vector<bool> begun_;             ///< By body: whether its flight is of this step.
+  std::vector<double> reaches_;         ///< By body. [m]
   std::vector<Eigen::Vector3d> pulls_;  ///< By body that flies: without support. [m/s²]
   std::vector<Support> supports_;
   int spent_ = 0;                ///< Sweeps × rows, in this step.

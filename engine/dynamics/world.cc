@@ -305,7 +305,9 @@ void World::SolveLinks(double h) {
     contacts_.End(finder_.contacts(), touches_);
     if (round == settings_.joint_rounds) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (linked_[i]) ahead_[i] = Moved(i, h);
+      if (!linked_[i]) continue;
+      ahead_[i] = bodies_[i];
+      MoveBody(i, h, ahead_[i]);
     }
     const double rods = rods_.Correct(joints_, ahead_, shares_, solved_, h);
     const double springs = spring_solver_.Correct(springs_, ahead_, shares_, solved_, h);
@@ -313,9 +315,8 @@ void World::SolveLinks(double h) {
   }
 }
 
-RigidBody World::Moved(std::size_t i, double h) {
-  RigidBody body = bodies_[i];
-  if (body.is_static()) return body;
+void World::MoveBody(std::size_t i, double h, RigidBody& body) {
+  if (body.is_static()) return;
   const Velocity& before = before_[i];
   const Velocity& free = free_[i];
   const Velocity& after = solved_[i];
@@ -324,7 +325,7 @@ RigidBody World::Moved(std::size_t i, double h) {
     body.state.p_WB +=
         h * (drag.gain * before.v + drag.share * (after.v - drag.kept * before.v));
     body.state.v_WB = after.v;
-    return body;
+    return;
   }
 
   // Forces act during all of the step: under them the mean of the velocities is exact.
@@ -365,7 +366,6 @@ RigidBody World::Moved(std::size_t i, double h) {
     body.state.w_WB = after.w;
   }
   body.R_WB = body.state.q_WB.toRotationMatrix();
-  return body;
 }
 
 void World::Move(double h) {
@@ -374,11 +374,11 @@ void World::Move(double h) {
     if (body.is_static()) continue;
     if (body.is_point()) {
       const RigidBody before = body;
-      body = Moved(i, h);
+      MoveBody(i, h, body);
       if (h > 0 && body.collides && !solids_.empty()) MeetSolids(h, before, body);
     } else {
       const BodyState before = body.state;
-      body = Moved(i, h);
+      MoveBody(i, h, body);
       finder_.HasGone(i, Travel(before, body));
     }
     if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) ||

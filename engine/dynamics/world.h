@@ -84,8 +84,9 @@ class World {
   void Solve(double h);
   void SolveLinks(double h);
   void SweepLinksUntilSolved();
-  /** Returns body `i` as it is after the step, by the velocities solved so far. */
-  RigidBody Moved(std::size_t i, double h);
+  /** Moves `body`, which is body `i` as it is before the step, by the velocities solved
+   so far. */
+  void MoveBody(std::size_t i, double h, RigidBody& body);
   void Move(double h);
   void MeetSolids(double h, const RigidBody& before, RigidBody& point);
   void Project(double h);
