@@ -7,10 +7,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
-#include <hwy/targets.h>
 
 #include "engine/collide.h"
+#include "tests/engine/on_target.h"
 #include "tests/engine/random_boxes.h"
 
 namespace cookbook::test {
@@ -44,21 +43,7 @@ void ExpectSameBits(const BoxGap& a, const BoxGap& b) {
   for (int k = 0; k < 3; ++k) EXPECT_EQ(Bits(a.n_AB_W[k]), Bits(b.n_AB_W[k]));
 }
 
-/** Restores the choice of vectors after a test has narrowed it. */
-class BoxBatchOnTarget : public testing::TestWithParam<std::int64_t> {
- protected:
-  void SetUp() override { Choose(GetParam()); }
-  void TearDown() override { Choose(0); }
-
-  static void Choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
-
-std::vector<std::int64_t> Targets() {
-  return hwy::SupportedAndGeneratedTargets();
-}
+using BoxBatchOnTarget = OnTarget;
 
 TEST_P(BoxBatchOnTarget, GivesTheBitsOfOnePairAtATime) {
   const std::vector<BoxQuestion> questions = Questions(1000);
@@ -73,7 +58,7 @@ TEST_P(BoxBatchOnTarget, ContactsHaveTheBitsOfTheWidestVectors) {
   for (const BoxQuestion& q : Questions(300)) {
     Choose(GetParam());
     const Manifold narrow = Collide(q.A, q.X_WA, q.B, q.X_WB);
-    Choose(0);
+    Choose(kAll);
     const Manifold wide = Collide(q.A, q.X_WA, q.B, q.X_WB);
     ASSERT_EQ(narrow.count, wide.count);
     EXPECT_EQ(Bits(narrow.separation), Bits(wide.separation));
@@ -88,9 +73,7 @@ TEST_P(BoxBatchOnTarget, ContactsHaveTheBitsOfTheWidestVectors) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, BoxBatchOnTarget, testing::ValuesIn(Targets()),
-                         [](const auto& target) {
-                           return std::string(hwy::TargetName(target.param));
-                         });
+                         NameOfTarget);
 
 TEST(BoxBatch, BlocksThatAreNotFullAreAnsweredInFull) {
   const std::vector<BoxQuestion> all = Questions(2);

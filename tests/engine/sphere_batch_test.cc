@@ -8,10 +8,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <hwy/highway.h>
-#include <hwy/targets.h>
 
 #include "engine/collide.h"
+#include "tests/engine/on_target.h"
 #include "tests/engine/random_boxes.h"
 
 namespace cookbook::test {
@@ -53,17 +52,7 @@ std::uint64_t Bits(double x) {
   return std::bit_cast<std::uint64_t>(x);
 }
 
-class SphereBatchOnTarget : public testing::TestWithParam<std::int64_t> {
- protected:
-  void SetUp() override { Choose(GetParam()); }
-  void TearDown() override { Choose(0); }
-
- private:
-  static void Choose(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
+using SphereBatchOnTarget = OnTarget;
 
 TEST_P(SphereBatchOnTarget, GivesTheBitsOfOnePairAtATime) {
   // 1003: the last block is not full.
@@ -82,11 +71,8 @@ TEST_P(SphereBatchOnTarget, GivesTheBitsOfOnePairAtATime) {
   EXPECT_LT(touching, 900);
 }
 
-INSTANTIATE_TEST_SUITE_P(Targets, SphereBatchOnTarget,
-                         testing::ValuesIn(hwy::SupportedAndGeneratedTargets()),
-                         [](const auto& target) {
-                           return std::string(hwy::TargetName(target.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(Targets, SphereBatchOnTarget, testing::ValuesIn(Targets()),
+                         NameOfTarget);
 
 }  // namespace
 }  // namespace cookbook::test
