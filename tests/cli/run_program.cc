@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <sys/wait.h>
@@ -34,6 +35,12 @@ Ended InPipe(const std::string& command) {
   unlink((base + ".out").c_str());
   unlink((base + ".err").c_str());
   return ended;
+}
+
+bool CanOpenTerminals() {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal >= 0) close(terminal);
+  return terminal >= 0;
 }
 
 Ended OnTerminal(const std::string& command) {

@@ -14,7 +14,11 @@ struct Ended {
 /** Runs a shell command as a user in a pipe does. */
 Ended InPipe(const std::string& command);
 
-/** Runs a shell command as a user at a terminal does. */
+/** Whether this system gives pseudo-terminals; a bare root file system has none. */
+bool CanOpenTerminals();
+
+/** Runs a shell command as a user at a terminal does.
+ @pre CanOpenTerminals() */
 Ended OnTerminal(const std::string& command);
 
 }  // namespace touchstone
