@@ -14,8 +14,9 @@ inline constexpr std::string_view kWorldAccuracyHeading = "## Worlds";
 /** Returns what is published of motion: for each world, and each measure by which a law
  held it to the truth, the worst error of every oracle of `report` that simulates, in the
  unit of the measure, as PublishedCell(); before it, in how many of these rows the error
- of each oracle is the least. Errors that differ by less than kAlike of what is allowed
- are alike. */
+ of each oracle is the least, and in which another's is less than that of the first.
+ Errors that differ by less than kAlike of what is allowed are alike; what follows another
+ legal model (Cause::kModel, and passes) is no error. */
 std::string WorldAccuracyTable(const RunReport& report);
 
 /** Returns what is wrong with the published table `text`, one sentence each; see

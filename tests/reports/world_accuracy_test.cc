@@ -68,9 +68,32 @@ TEST(WorldAccuracyTable, CountsWhereNoneErrsLess) {
   report.findings.push_back(near);
   EXPECT_THAT(WorldAccuracyTable(report), HasSubstr("| cookbook | 1.0 | 1 | 1 |\n"
                                                     "| ode | 1.0 | 2 | 2 |\n"));
+  EXPECT_THAT(WorldAccuracyTable(report), Not(HasSubstr("another errs less")));
   report.findings.back().value = 0.3 - 1.1 * kAlike;
-  EXPECT_THAT(WorldAccuracyTable(report), HasSubstr("| cookbook | 1.0 | 1 | 0 |\n"
-                                                    "| ode | 1.0 | 2 | 2 |\n"));
+  EXPECT_THAT(WorldAccuracyTable(report),
+              HasSubstr("| cookbook | 1.0 | 1 | 0 |\n"
+                        "| ode | 1.0 | 2 | 2 |\n\n"
+                        "In these rows another errs less than cookbook:\n\n"
+                        "- world/free/stone, position_error [m]: 4.5e-01, and 4.4e-01 by "
+                        "ode\n"));
+}
+
+TEST(WorldAccuracyTable, CountsNoErrorOfWhatFollowsAnotherLegalModel) {
+  for (const std::size_t who : {0, 1}) {
+    RunReport report = ReportOf(0.3, 0.3);
+    report.findings[1] = Found("ode", MeasureKind::kPositionError, 0.1);
+    report.findings[who].cause = Cause::kModel;
+    const std::string table = WorldAccuracyTable(report);
+    EXPECT_THAT(table, HasSubstr(who == 0 ? "| cookbook | 1.0 | 0 | 0 |\n"
+                                            "| ode | 1.0 | 2 | 2 |\n"
+                                          : "| cookbook | 1.0 | 1 | 1 |\n"
+                                            "| ode | 1.0 | 1 | 1 |\n"));
+    EXPECT_THAT(table, HasSubstr("| 4.5e-01 | 1.6e-01 |"));
+    // Not legal, only known why.
+    report.findings[who].verdict = Verdict::kFail;
+    EXPECT_THAT(WorldAccuracyTable(report), HasSubstr("| cookbook | 1.0 | 1 | 0 |\n"
+                                                      "| ode | 1.0 | 2 | 2 |\n"));
+  }
 }
 
 TEST(CheckWorldAccuracy, AcceptsTheTableOfTheSameRun) {
