@@ -27,6 +27,10 @@ bool IsSane(const WorldState& state) {
   return true;
 }
 
+bool IsSane(const ContactImpulse& contact) {
+  return IsSane(contact.p_WC) && IsSane(contact.n_AB_W) && IsSane(contact.J_B_W);
+}
+
 }  // namespace
 
 void Simulation::ReadImpulses(std::vector<ContactImpulse>&) const {}
@@ -49,10 +53,13 @@ Trajectory RunToEnd(Simulation& simulation, const World& world) {
     simulation.Step();
     const std::size_t before = trajectory.impulses.size();
     simulation.ReadImpulses(trajectory.impulses);
-    for (std::size_t i = before; i < trajectory.impulses.size(); ++i)
+    bool is_sane = true;
+    for (std::size_t i = before; i < trajectory.impulses.size(); ++i) {
       trajectory.impulses[i].step = step;
+      is_sane = is_sane && IsSane(trajectory.impulses[i]);
+    }
     simulation.Read(state);
-    if (!IsSane(state)) {
+    if (!is_sane || !IsSane(state)) {
       trajectory.diverged_at_step = step;
       break;
     }

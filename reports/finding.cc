@@ -1,8 +1,23 @@
 #include "reports/finding.h"
 
+#include <algorithm>
 #include <array>
 
 namespace touchstone {
+
+bool IsVerified(std::span<const Finding> of_one_answer) {
+  const auto is_unverified = [](const Finding& finding) {
+    return finding.verdict == Verdict::kUnsupported;
+  };
+  const bool has_unverified =
+      std::any_of(of_one_answer.begin(), of_one_answer.end(), is_unverified);
+  return std::any_of(
+      of_one_answer.begin(), of_one_answer.end(), [&](const Finding& finding) {
+        return finding.measure != MeasureKind::kAnswering && !is_unverified(finding) &&
+               finding.verdict != Verdict::kUndecidable &&
+               !(has_unverified && finding.reference.empty());
+      });
+}
 
 std::string_view NameOf(Verdict verdict) {
   constexpr std::array<std::string_view, 9> kNames = {

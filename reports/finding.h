@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -53,6 +54,12 @@ struct Finding {
   /** The ledger entry that makes it `known`: its index in the ledger file. */
   std::optional<int> ledger_entry;
 };
+
+/** Returns whether the findings of one answer hold it against anything: the referee, a
+ law, another engine; or its own variants, where no claim is left unverified. That it
+ answered is no proof of anything, and what does not move at all does so in every frame.
+ */
+bool IsVerified(std::span<const Finding> of_one_answer);
 
 /** Returns "pass", "fail", …, "timed out". */
 std::string_view NameOf(Verdict verdict);

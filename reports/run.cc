@@ -362,10 +362,6 @@ bool Answers(const RunReport& report, std::size_t oracle, std::size_t i) {
 }
 
 int ExitCode(const RunReport& report, FailOn fail_on) {
-  const auto verified = [](const Finding& f) {
-    return f.measure != MeasureKind::kAnswering && f.verdict != Verdict::kUnsupported &&
-           f.verdict != Verdict::kUndecidable;
-  };
   const auto counts = [&](const Finding& f) {
     return IsFailure(f.verdict) &&
            (fail_on == FailOn::kAnything || f.oracle == report.subject);
@@ -374,10 +370,18 @@ int ExitCode(const RunReport& report, FailOn fail_on) {
       std::any_of(report.findings.begin(), report.findings.end(), counts)) {
     return 1;
   }
-  const bool any = std::any_of(
-      report.findings.begin(), report.findings.end(),
-      [&](const Finding& f) { return verified(f) && f.oracle == report.subject; });
-  return any ? 0 : 2;
+  const std::span<const Finding> findings = report.findings;
+  for (std::size_t begin = 0, end = 0; begin < findings.size(); begin = end) {
+    while (end < findings.size() && findings[end].oracle == findings[begin].oracle &&
+           findings[end].scenario == findings[begin].scenario) {
+      ++end;
+    }
+    if (findings[begin].oracle == report.subject &&
+        IsVerified(findings.subspan(begin, end - begin))) {
+      return 0;
+    }
+  }
+  return 2;
 }
 
 }  // namespace touchstone

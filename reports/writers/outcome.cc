@@ -62,16 +62,10 @@ Outcome Sum(std::size_t scenario, std::size_t oracle, std::span<const Finding> f
     if (IsMeasured(finding)) TakeWorse(outcome.worst, &finding);
   }
   if (outcome.verdict != Verdict::kPass) return outcome;
-  // An answer alone is no proof of anything.
-  const auto is_judged = [](const Finding& finding) {
-    return finding.verdict == Verdict::kPass &&
-           finding.measure != MeasureKind::kAnswering;
-  };
   const auto unverified = std::find_if(
       findings.begin(), findings.end(),
       [](const Finding& finding) { return finding.verdict == Verdict::kUnsupported; });
-  if (unverified != findings.end() &&
-      std::none_of(findings.begin(), findings.end(), is_judged)) {
+  if (unverified != findings.end() && !IsVerified(findings)) {
     outcome.verdict = Verdict::kUnsupported;
     outcome.decisive = &*unverified;
   }

@@ -131,6 +131,25 @@ class PlantedSimulation final : public Simulation {
   int step_ = 0;
 };
 
+// A ball at rest, on which an impulse of NaN acts in the second step.
+class NaNImpulse final : public Simulation {
+ public:
+  void Push(int, const Vector3d&, const Vector3d&) override {}
+  void Step() override { ++step_; }
+  void Read(WorldState& state) const override {
+    state.bodies = {{Vector3d::Zero(), Eigen::Quaterniond::Identity(), Vector3d::Zero(),
+                     Vector3d::Zero()}};
+  }
+  bool GivesImpulses() const override { return true; }
+  void ReadImpulses(std::vector<ContactImpulse>& impulses) const override {
+    const double J = step_ == 2 ? std::numeric_limits<double>::quiet_NaN() : 1;
+    impulses.push_back({0, 0, 0, Vector3d::Zero(), Vector3d::UnitY(), {0, J, 0}});
+  }
+
+ private:
+  int step_ = 0;
+};
+
 class PlantedOracle final : public Oracle {
  public:
   PlantedOracle() {
@@ -452,6 +471,14 @@ TEST(IsolatedWorlds, CanBeTheOnlyThingIsolated) {
   EXPECT_EQ(oracle->Simulate(WorldOf(kAbort)).reason, "aborted");
   // In this very process: an exception gets through.
   EXPECT_THROW(oracle->Answer(Ask(kThrow)), std::logic_error);
+}
+
+TEST(RunToEnd, TakesAnImpulseThatIsNoNumberForADivergedWorld) {
+  World world;
+  world.dt = 0.01;
+  world.steps = 5;
+  NaNImpulse simulation;
+  EXPECT_EQ(RunToEnd(simulation, world).diverged_at_step, 2);
 }
 
 TEST(IsolatedOracle, AnswersAnEmptyBatch) {

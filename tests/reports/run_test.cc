@@ -206,6 +206,26 @@ TEST(ExitCode, IsTwoWhenNothingWasAsked) {
   EXPECT_EQ(ExitCode(RunAll({}, {&right}), FailOn::kAnything), 2);
 }
 
+TEST(ExitCode, IsTwoWhereOnlyVariantsAgreeAndAClaimIsUnverified) {
+  RunReport report;
+  report.subject = "right";
+  Finding variant;
+  variant.scenario = "mine/flight";
+  variant.oracle = "right";
+  variant.measure = MeasureKind::kTranslation;
+  report.findings = {variant};
+  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
+  Finding unverified = variant;
+  unverified.reference = "law";
+  unverified.verdict = Verdict::kUnsupported;
+  report.findings.push_back(unverified);
+  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 2);
+  Finding held = unverified;
+  held.verdict = Verdict::kPass;
+  report.findings.push_back(held);
+  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
+}
+
 TEST(ExitCode, CountsTheReferencesOnlyWhereAsked) {
   const FakeOracle right("right");
   const FakeOracle wrong = FakeOracle::Wrong(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -21,9 +22,11 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
                 FaultsOfNumbers(claim, {}));
 }
 
-/** How far an impulse is outside of what a contact can give. [N s] */
+/** How far an impulse is outside of what a contact can give; NaN where it is one.
+ [N s] */
 double Violation(const ContactImpulse& contact, double friction, double tangential) {
   const double J_n = contact.J_B_W.dot(contact.n_AB_W);
+  if (!std::isfinite(J_n)) return std::numeric_limits<double>::quiet_NaN();
   return std::max({0.0, -J_n, tangential - friction * std::max(0.0, J_n)});
 }
 
@@ -49,7 +52,7 @@ class BoxCone {
         continue;
       }
       const double larger = (frame->transpose() * contact.J_B_W).cwiseAbs().maxCoeff();
-      if (Violation(contact, friction, larger) > tolerance) axes[i].fits = false;
+      if (!(Violation(contact, friction, larger) <= tolerance)) axes[i].fits = false;
       if (beyond_circle && std::abs(larger - bound) <= tolerance) axes[i].shows = true;
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "reports/worlds/laws/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/truth/net.h"
+#include "reports/worlds/truth/net_motion.h"
 
 namespace touchstone {
 namespace {
@@ -58,23 +60,51 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 /** The subjects as a net: the nodes of cloths, then particles, then what is fixed. */
 struct Hung {
   Net net;
-  double damping = std::numeric_limits<double>::infinity();  ///< The least. [1/s]
+  std::vector<double> drag;  ///< Of each point of the net. [1/s]
   Net::Points fixed_W;
 
-  /** Returns where the points of the net are in `state`. */
-  static Net::Points PointsOf(const World& world, const Subjects& subjects,
-                              const WorldState& state, const Net::Points& fixed_W) {
-    Net::Points points_W;
+  /** The least that slows a point which moves. [1/s] */
+  double LeastDrag() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < drag.size(); ++i) {
+      if (net.mass[i] > 0) least = std::min(least, drag[i]);
+    }
+    return least;
+  }
+
+  /** Returns how the points of the net that are no fixed ones are in `state`. */
+  static std::vector<PointState> StatesOf(const World& world, const Subjects& subjects,
+                                          const WorldState& state) {
+    std::vector<PointState> states;
     for (const int i : subjects.cloths) {
       const int n = world.cloths[static_cast<std::size_t>(i)].n;
       const int first = FirstNodeOf(world, i);
       for (int node = 0; node < n * n; ++node)
-        points_W.push_back(state.nodes[static_cast<std::size_t>(first + node)].p_W);
+        states.push_back(state.nodes[static_cast<std::size_t>(first + node)]);
     }
     for (const int i : subjects.particles)
-      points_W.push_back(state.particles[static_cast<std::size_t>(i)].p_W);
+      states.push_back(state.particles[static_cast<std::size_t>(i)]);
+    return states;
+  }
+
+  /** Returns where the points of the net are in `state`. */
+  Net::Points PointsOf(const World& world, const Subjects& subjects,
+                       const WorldState& state) const {
+    Net::Points points_W;
+    for (const PointState& point : StatesOf(world, subjects, state))
+      points_W.push_back(point.p_W);
     points_W.insert(points_W.end(), fixed_W.begin(), fixed_W.end());
     return points_W;
+  }
+
+  /** Returns how fast they are. */
+  Net::Points VelocitiesOf(const World& world, const Subjects& subjects,
+                           const WorldState& state) const {
+    Net::Points velocities_W;
+    for (const PointState& point : StatesOf(world, subjects, state))
+      velocities_W.push_back(point.v_W);
+    velocities_W.resize(net.mass.size(), Eigen::Vector3d::Zero());
+    return velocities_W;
   }
 };
 
@@ -87,16 +117,16 @@ Hung HungOf(const World& world, const Subjects& subjects) {
     for (int node = 0; node < cloth.n * cloth.n; ++node)
       hung.net.mass.push_back(IsPinned(cloth, node) ? 0 : cloth.node_mass);
     for (const ClothSpring& spring : SpringsOf(cloth)) {
-      hung.net.links.push_back(
-          {first + spring.a, first + spring.b, spring.stiffness, spring.rest_length});
+      hung.net.links.push_back({first + spring.a, first + spring.b, spring.stiffness,
+                                spring.rest_length, spring.damping});
     }
-    hung.damping = std::min(hung.damping, cloth.damping);
+    hung.drag.resize(hung.net.mass.size(), cloth.damping);
   }
   const int first = static_cast<int>(hung.net.mass.size());
   for (const int i : subjects.particles) {
-    hung.net.mass.push_back(world.particles[static_cast<std::size_t>(i)].mass);
-    hung.damping =
-        std::min(hung.damping, world.particles[static_cast<std::size_t>(i)].damping);
+    const Particle& particle = world.particles[static_cast<std::size_t>(i)];
+    hung.net.mass.push_back(particle.mass);
+    hung.drag.push_back(particle.damping);
   }
   const auto point = [&](const Anchor& anchor) {
     for (std::size_t k = 0; k < subjects.particles.size(); ++k) {
@@ -111,8 +141,10 @@ Hung HungOf(const World& world, const Subjects& subjects) {
       continue;
     const int a = point(spring.A);
     const int b = point(spring.B);
-    hung.net.links.push_back({a, b, spring.stiffness, spring.rest_length});
+    hung.net.links.push_back(
+        {a, b, spring.stiffness, spring.rest_length, spring.damping});
   }
+  hung.drag.resize(hung.net.mass.size());
   return hung;
 }
 
@@ -123,16 +155,23 @@ double Farthest(const Net::Points& a, const Net::Points& b) {
   return farthest;
 }
 
-/** Returns where the net comes to rest: in the minimum nearest the answer, if none is
- lower downhill from the start, so that mirror images are each other's equals; else there,
- so that an engine in a hollow of its own does not say where the truth is. Minima whose
- energies differ by `rounding` [J] are equal. */
-Net::Points RestOf(const Net& net, const Net::Points& start_W, const Net::Points& is_W,
-                   double rounding) {
-  Net::Points nearest_W = net.Minimum(is_W);
-  Net::Points downhill_W = net.Minimum(start_W);
-  const bool is_least = net.EnergyAt(nearest_W) <= net.EnergyAt(downhill_W) + rounding;
-  return is_least ? nearest_W : downhill_W;
+/** How far a net may swing about `rest_W`, in (x, ẋ/ω) of its modes: what it is out of
+ place, and its speed by the slowest mode; or all its energy in the softest. What slows
+ motion by γ stops ẋ within ẋ/2γ, however soft a mode. [m] */
+double AmplitudeOf(const Net& net, const Decay& decay, const Net::Points& begin_W,
+                   const Net::Points& rest_W, double kinetic, double energy) {
+  const double rate =
+      std::max(std::sqrt(decay.frequencies2.front()), 2 * decay.half_damping);
+  double lightest = std::numeric_limits<double>::infinity();
+  double out = 0;
+  for (std::size_t i = 0; i < net.mass.size(); ++i) {
+    if (net.mass[i] == 0) continue;
+    lightest = std::min(lightest, net.mass[i]);
+    out += net.mass[i] * (begin_W[i] - rest_W[i]).squaredNorm();
+  }
+  return std::max(std::sqrt(out) + std::sqrt(2 * kinetic) / rate,
+                  std::sqrt(2 * std::max(0.0, energy)) / rate) /
+         std::sqrt(lightest);
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -140,16 +179,27 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Subjects subjects = SubjectsOf(world, claim);
   const Hung hung = HungOf(world, subjects);
   const WorldState& end = motion.trajectory.samples.back();
-  const auto points = [&](const WorldState& state) {
-    return Hung::PointsOf(world, subjects, state, hung.fixed_W);
-  };
-  const Net::Points is = points(end);
   const WorldState begin = StateAtStart(world);
+  const Net::Points is = hung.PointsOf(world, subjects, end);
+  const Net::Points start_W = hung.PointsOf(world, subjects, begin);
   const Energy last = EnergyOf(world, end, subjects);
   const double rounding = RoundingOf(
       motion.oracle, StepsBefore(motion, motion.trajectory.samples.size() - 1));
-  const Net::Points rest = RestOf(hung.net, points(begin), is, rounding * last.size);
-  const Decay decay = hung.net.DecayAbout(rest, hung.damping);
+
+  // The minimum nearest the answer, if none is lower downhill from the start, so that
+  // mirror images are each other's equals. A higher one may be where the motion ends that
+  // swings over a hump; but an engine in a hollow of its own does not say where the truth
+  // is.
+  Net::Points rest = hung.net.Minimum(is);
+  const double least_downhill = hung.net.EnergyAt(hung.net.Minimum(start_W));
+  if (hung.net.EnergyAt(rest) > least_downhill + rounding * last.size) {
+    const std::optional<Net::Points> moved_there =
+        RestAfter(hung.net, hung.drag, start_W, hung.VelocitiesOf(world, subjects, begin),
+                  world.steps * world.dt);
+    if (!moved_there) return {};
+    rest = *moved_there;
+  }
+  const Decay decay = hung.net.DecayAbout(rest, hung.LeastDrag());
   const double t = motion.trajectory.times.back();
   const double left_of_start = decay.LeftAfter(t);
   double reach = 0;
@@ -159,21 +209,21 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       "γ = {:.6g}/s, and 64 roundings a step",
       left_of_start, decay.Slowest());
 
+  const double kinetic = EnergyOf(world, begin, subjects).kinetic;
+  const double least = hung.net.EnergyAt(rest);
+  const double given = hung.net.EnergyAt(start_W) + kinetic - least;
+  const double amplitude = AmplitudeOf(hung.net, decay, start_W, rest, kinetic, given);
+
   Worst position(MeasureKind::kPositionError, because);
   const double off = Farthest(is, rest);
-  const double start =
-      Farthest(points(begin), rest) * std::sqrt(static_cast<double>(is.size()));
-  position.Take(off, kSafety * start * left_of_start + rounding * reach, [&] {
+  position.Take(off, kSafety * amplitude * left_of_start + rounding * reach, [&] {
     return fmt::format(
         "{} has a point {:.6g} m from where the energy is least after {:.6g} s",
         motion.oracle.name, off, t);
   });
 
   Worst energy(MeasureKind::kEnergyDrift, because);
-  const double least = hung.net.EnergyAt(rest);
   const double left = hung.net.EnergyAt(is) + last.kinetic - least;
-  const double given =
-      hung.net.EnergyAt(points(begin)) + EnergyOf(world, begin, subjects).kinetic - least;
   energy.Take(
       std::abs(left),
       kSafety * std::abs(given) * left_of_start * left_of_start + rounding * last.size,

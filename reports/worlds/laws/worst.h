@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,7 +26,7 @@ class Worst {
     // What is exact is never the worst, even where nothing is allowed. Written so that a
     // NaN is the worst of all.
     const double share = value == 0 ? 0 : value / tolerance;
-    if (share <= share_) return;
+    if (share <= share_ || std::isnan(share_)) return;
     share_ = share;
     finding_.value = value;
     finding_.tolerance.value = tolerance;
@@ -33,7 +34,7 @@ class Worst {
   }
 
   /** Whether there was any number to take. */
-  bool IsTaken() const { return share_ >= 0; }
+  bool IsTaken() const { return !(share_ < 0); }
 
   /** Whether the worst is beyond its tolerance. */
   bool IsBeyond() const { return !(finding_.value <= finding_.tolerance.value); }

@@ -31,6 +31,7 @@ struct Net {
     int b = 0;
     double stiffness = 0;    ///< [N/m]
     double rest_length = 0;  ///< [m]
+    double damping = 0;      ///< [N s/m]; of no concern to the energy.
   };
 
   std::vector<double> mass;  ///< [kg]; 0: fixed.

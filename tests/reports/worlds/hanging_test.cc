@@ -8,6 +8,7 @@
 #include "reports/worlds/truth/catenary.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/truth/net.h"
+#include "reports/worlds/truth/net_motion.h"
 #include "tests/reports/worlds/motions.h"
 
 namespace touchstone {
@@ -274,6 +275,56 @@ TEST(MinimumEnergy, FindsABeadThatRestsInAHollowOfItsOwn) {
       Judge(hanging, propped, ClaimOf("minimum_energy"));
   EXPECT_TRUE(Finds(findings, MeasureKind::kPositionError));
   EXPECT_TRUE(Finds(findings, MeasureKind::kEnergyDrift));
+}
+
+/** A bead let go at `height` [m] under a propping hollow that is the higher one. */
+World BistableBead(double height, double speed) {
+  World world;
+  world.gravity_W = {0, -1, 0};
+  world.particles = {{"bead", {0, height, 0}, {0, speed, 0}, 1, 2, 0}};
+  for (const double x : {-0.4, 0.4})
+    world.springs.push_back({{AnchorKind::kWorld, -1, {x, 0, 0}},
+                             {AnchorKind::kParticle, 0, {0, 0, 0}},
+                             100,
+                             0,
+                             0.5});
+  world.dt = 1e-3;
+  world.steps = 20000;
+  world.sample_every = 200;
+  return world;
+}
+
+TEST(MinimumEnergy, OfABeadThatSwingsOverAHumpIsInTheHollowBeyond) {
+  const Claim claim = ClaimOf("minimum_energy");
+  const World over = BistableBead(-0.55, 0);
+  const Trajectory swung = Settled(over);
+  ASSERT_GT(swung.samples.back().particles[0].p_W.y(), 0.28);
+  EXPECT_TRUE(Passes(Judge(over, swung, claim)));
+  // From not so far below it stays in the lower hollow, and the upper one is wrong.
+  const World under = BistableBead(-0.45, 0);
+  const Trajectory stayed = Settled(under);
+  ASSERT_LT(stayed.samples.back().particles[0].p_W.y(), -0.28);
+  EXPECT_TRUE(Passes(Judge(under, stayed, claim)));
+  EXPECT_TRUE(Finds(Judge(under, swung, claim), MeasureKind::kPositionError));
+}
+
+TEST(MinimumEnergy, AllowsWhatIsLeftOfAThrowAsOfADisplacement) {
+  const World thrown = BistableBead(-0.3, 1.8);
+  EXPECT_TRUE(Passes(Judge(thrown, Settled(thrown), ClaimOf("minimum_energy"))));
+}
+
+TEST(RestAfter, IsWhereTheClosedFormOfADampedSpringLeadsAndUnknownOfTooLongAMotion) {
+  Net net;
+  net.g_W = {0, -9.81, 0};
+  net.mass = {0, 2};
+  net.links.push_back({0, 1, 200, 1, 3});
+  const std::vector<double> drag = {0, 0.5};
+  const Net::Points start = {{0, 0, 0}, {0, -1.4, 0}};
+  const Net::Points still(2, Eigen::Vector3d::Zero());
+  const auto rest = RestAfter(net, drag, start, still, 3);
+  ASSERT_TRUE(rest);
+  EXPECT_NEAR((*rest)[1].y(), -1 - 2 * 9.81 / 200, 1e-12);
+  EXPECT_FALSE(RestAfter(net, drag, start, still, 1e9));
 }
 
 TEST(MinimumEnergy, OfMirrorImagesIsWhereEitherIs) {

@@ -226,6 +226,17 @@ TEST(CoulombCone, FindsFrictionThatIsTooLargeWhereTheBoxHasRoomForIt) {
                     MeasureKind::kConeViolation));
 }
 
+TEST(CoulombCone, FindsAnImpulseThatIsNoNumberWhereverItComes) {
+  const World world = Rubbed();
+  for (const std::size_t at : {0, 4, 9}) {
+    Trajectory trajectory = Rubbing(world, {0.5, 0});
+    trajectory.impulses[at].J_B_W.y() = std::nan("");
+    EXPECT_TRUE(Finds(Judge(world, trajectory, ClaimOf("coulomb_cone")),
+                      MeasureKind::kConeViolation))
+        << at;
+  }
+}
+
 TEST(CoulombCone, HasOneFrameForAMotion) {
   // On a slope the directions of the axes x and y differ: at the corner of one box, then
   // of the other.
