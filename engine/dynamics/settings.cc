@@ -50,9 +50,9 @@ void Validate(const Settings& s) {
          s.soft_frequency, "a positive finite number");
   Expect(s.soft_damping_ratio >= 0 && std::isfinite(s.soft_damping_ratio),
          "soft_damping_ratio", s.soft_damping_ratio, "a finite number >= 0");
-  const double sleep_after = s.sleep_after.value_or(0);
-  Expect(sleep_after >= 0 && std::isfinite(sleep_after), "sleep_after", sleep_after,
-         "a finite number >= 0");
+  const double sleep_after = s.sleep_after.value_or(1);
+  Expect(sleep_after > 0 && std::isfinite(sleep_after), "sleep_after", sleep_after,
+         "a positive finite number");
   Expect(s.sleep_speed > 0 && std::isfinite(s.sleep_speed), "sleep_speed", s.sleep_speed,
          "a positive finite number");
   Expect(s.threads > 0, "threads", s.threads, "at least 1");

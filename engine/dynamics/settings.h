@@ -78,7 +78,7 @@ struct Settings {
   int threads = 1;
 
   /** How long all bodies of an island have to be slow before it sleeps, see Sleep.
-   Absent: nothing sleeps. [s] */
+   More than 0; absent: nothing sleeps. [s] */
   std::optional<double> sleep_after;
   /** What is slow: |v| + radius |ω| below this. [m/s] */
   double sleep_speed = 0.05;

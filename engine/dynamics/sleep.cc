@@ -41,8 +41,8 @@ void Sleep::WakeNear(const ContactFinder& finder, std::span<RigidBody> bodies) {
   });
 }
 
-bool Sleep::Lull(const ContactFinder& finder, const Settings& settings, double h,
-                 std::span<RigidBody> bodies) {
+bool Sleep::Lull(const ContactFinder& finder, const std::vector<bool>& driven,
+                 const Settings& settings, double h, std::span<RigidBody> bodies) {
   const double enough = *settings.sleep_after;
   islands_.Reset(bodies.size());
   bool tired = false;
@@ -50,7 +50,8 @@ bool Sleep::Lull(const ContactFinder& finder, const Settings& settings, double h
     const RigidBody& body = bodies[i];
     if (body.is_static()) continue;
     const double speed = body.state.v_WB.norm() + body.radius * body.state.w_WB.norm();
-    slow_for_[i] = speed < settings.sleep_speed ? slow_for_[i] + h : 0;
+    const bool is_slow = speed < settings.sleep_speed && !driven[i];
+    slow_for_[i] = is_slow ? slow_for_[i] + h : 0;
     tired |= slow_for_[i] >= enough;
   }
   if (!tired) return false;

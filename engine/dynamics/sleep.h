@@ -15,7 +15,8 @@ namespace cookbook {
 
  An island is all moving bodies that are linked, or near each other as the broad phase
  sees them; static ones join none. It falls asleep when each of its bodies has been slow
- for Settings::sleep_after. It wakes, all of it, as soon as a body that is awake comes
+ for Settings::sleep_after; what a force moves and nothing holds is not slow, even where
+ it turns back. It wakes, all of it, as soon as a body that is awake comes
  near one of its own, which is before the two touch, or something pushes one of them.
 
  A body that sleeps has no velocity, and is static to everything else. */
@@ -36,11 +37,11 @@ class Sleep {
   /** Wakes the islands that something awake has come near. */
   void WakeNear(const ContactFinder& finder, std::span<RigidBody> bodies);
 
-  /** Ends a step of `h` [s]: lets fall asleep what has been slow for long. Returns
-   whether anything did.
+  /** Ends a step of `h` [s]: lets fall asleep what has been slow for long. `driven`: by
+   body, whether a force moves it that nothing holds. Returns whether anything did.
    @pre Settings::sleep_after is there. */
-  bool Lull(const ContactFinder& finder, const Settings& settings, double h,
-            std::span<RigidBody> bodies);
+  bool Lull(const ContactFinder& finder, const std::vector<bool>& driven,
+            const Settings& settings, double h, std::span<RigidBody> bodies);
 
  private:
   /** What a body is given back when it wakes. */

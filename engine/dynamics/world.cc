@@ -56,6 +56,7 @@ int World::AddBody(const BodyDefinition& definition) {
   touches_.emplace_back();
   shares_.push_back(0.5);
   linked_.push_back(false);
+  driven_.push_back(false);
   ahead_.push_back(bodies_.back());
   const RigidBody& body = bodies_.back();
   const bool is_solid = std::holds_alternative<Box>(body.shape) ||
@@ -375,7 +376,8 @@ void World::Move(double h) {
     if (body.is_point()) {
       const RigidBody before = body;
       MoveBody(i, h, body);
-      if (h > 0 && body.collides && !solids_.empty()) MeetSolids(h, before, body);
+      const bool may_meet = h > 0 && body.collides && !solids_.empty();
+      touches_[i].bounced = may_meet && MeetSolids(h, before, body);
     } else {
       const BodyState before = body.state;
       MoveBody(i, h, body);
@@ -388,16 +390,17 @@ void World::Move(double h) {
   }
 }
 
-void World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
+bool World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
   const Flight flight{before.state.p_WB, before.state.v_WB,
                       (point.state.v_WB - before.state.v_WB) / h};
   const double resting_speed = settings_.resting_speed * h * flight.a.norm();
   const Landing landing =
       Follow(flight, h, point.restitution, resting_speed, bodies_, solids_);
-  if (!landing.hit) return;
+  if (!landing.hit) return false;
   point_hit_ = true;
   point.state.p_WB = landing.p_W;
   point.state.v_WB = landing.v_W;
+  return true;
 }
 
 void World::Project(double h) {
@@ -422,7 +425,14 @@ void World::Project(double h) {
 }
 
 void World::Lull(double h) {
-  if (!sleep_.Lull(finder_, settings_, h, bodies_)) return;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const RigidBody& body = bodies_[i];
+    const Eigen::Vector3d pull =
+        settings_.gravity_W + body.inverse_mass * (body.force_W + body.applied_force_W);
+    const bool is_held = linked_[i] || touches_[i].rested || touches_[i].bounced;
+    driven_[i] = !is_held && !(pull.isZero(0) && body.applied_torque_W.isZero(0));
+  }
+  if (!sleep_.Lull(finder_, driven_, settings_, h, bodies_)) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_[i].is_static()) continue;
     inertias_[i] = {Eigen::Matrix3d::Zero(), 0};

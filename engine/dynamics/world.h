@@ -88,7 +88,8 @@ class World {
    so far. */
   void MoveBody(std::size_t i, double h, RigidBody& body);
   void Move(double h);
-  void MeetSolids(double h, const RigidBody& before, RigidBody& point);
+  /** Returns whether the point has met a solid on its way. */
+  bool MeetSolids(double h, const RigidBody& before, RigidBody& point);
   void Project(double h);
   void Lull(double h);
 
@@ -124,6 +125,7 @@ class World {
   std::vector<Touch> touches_;
   std::vector<double> shares_;    ///< See JointSolver::Correct().
   std::vector<bool> linked_;      ///< Whether a rod or a spring holds it.
+  std::vector<bool> driven_;      ///< See Sleep::Lull().
   std::vector<RigidBody> ahead_;  ///< After the step; valid where linked.
   std::vector<RigidBody> kept_;   ///< As it was, should a step have to be taken back.
 };

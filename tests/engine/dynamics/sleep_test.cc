@@ -1,3 +1,6 @@
+#include <limits>
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 #include "engine/dynamics/world.h"
@@ -150,6 +153,55 @@ TEST(Sleep, SparesWhatHangsOnSomethingThatMoves) {
   EXPECT_FALSE(world.IsAsleep(second));
   EXPECT_TRUE(world.IsAsleep(alone));
   EXPECT_NEAR(world.state(alone).p_WB[1], -3, 1e-9);
+}
+
+TEST(Sleep, ThatBeginsAtOnceIsRefused) {
+  Settings settings;
+  for (const double never : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+    settings.sleep_after = never;
+    EXPECT_THROW(World{settings}, std::invalid_argument) << never;
+  }
+}
+
+// Slow for longer than it takes to fall asleep, and yet on its way.
+TEST(Sleep, SparesWhatAForceDrivesThatNothingHolds) {
+  Settings settings;
+  settings.gravity_W = {0, -9.81, 0};
+  settings.sleep_after = 0.005;
+  for (const BodyShape& shape : {BodyShape(Sphere{0.1}), BodyShape(Point{})}) {
+    World thrown(settings);
+    BodyDefinition body;
+    body.shape = shape;
+    body.state.v_WB = {0, 1, 0};
+    thrown.AddBody(body);
+    for (int k = 0; k < 1000; ++k) thrown.Step(1e-3);
+    // After 1 s; 1000 steps, each rounded once or twice.
+    EXPECT_NEAR(thrown.state(0).p_WB[1], 1 - 9.81 / 2, 1e-11);
+  }
+  settings.gravity_W.setZero();
+  for (const bool is_applied : {false, true}) {
+    World pushed(settings);
+    BodyDefinition body;
+    if (!is_applied) body.force_W = {0.5, 0, 0};
+    pushed.AddBody(body);
+    for (int k = 0; k < 1000; ++k) {
+      if (is_applied) pushed.ApplyForce(0, pushed.state(0).p_WB, {0.5, 0, 0});
+      pushed.Step(1e-3);
+    }
+    EXPECT_NEAR(pushed.state(0).p_WB[0], 0.25, 1e-11) << is_applied;
+  }
+}
+
+TEST(Sleep, ComesOverAPointThatLies) {
+  World world(SleepsAfterHalfASecond());
+  AddFloor(world);
+  BodyDefinition point;
+  point.shape = Point{};
+  point.restitution = 0;
+  point.state.p_WB = {0.3, 0.01, 0.2};
+  const int body = world.AddBody(point);
+  RunFor(world, 0.7);
+  EXPECT_TRUE(world.IsAsleep(body));
 }
 
 }  // namespace
