@@ -1,5 +1,7 @@
 #include "engine/dynamics/body_flight.h"
 
+#include <algorithm>
+
 #include "engine/dynamics/rotation.h"
 
 namespace cookbook {
@@ -36,6 +38,12 @@ double TurningSpeed(const RigidBody& body) {
 double TurningSpeed(const RigidBody& body, const Eigen::Vector3d& n_W) {
   if (!std::holds_alternative<Box>(body.shape)) return 0;
   return body.radius * n_W.cross(body.state.w_WB).norm();
+}
+
+double Reach(const RigidBody& body, const Eigen::Vector3d& v_W, double time) {
+  if (body.is_static()) return 0;
+  return time * std::max(body.state.v_WB.norm(), v_W.norm()) +
+         std::min(2 * body.radius, time * TurningSpeed(body));
 }
 
 }  // namespace cookbook

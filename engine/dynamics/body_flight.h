@@ -24,4 +24,9 @@ double TurningSpeed(const RigidBody& body);
 /** The same, along `n_W` alone. */
 double TurningSpeed(const RigidBody& body, const Eigen::Vector3d& n_W);
 
+/** Returns a bound of how far any point of `body` gets from where it is in `time` [s], in
+ which the velocity of its centre goes to `v_W` at a constant rate; 0 of what is static.
+ [m] */
+double Reach(const RigidBody& body, const Eigen::Vector3d& v_W, double time);
+
 }  // namespace cookbook

@@ -160,7 +160,8 @@ void World::StepOnce(double h) {
   const bool touching = FindContacts(h);
   if (settings_.sleep_after) sleep_.WakeNear(finder_, bodies_);
   StopStretching(h);
-  const bool may_be_five = settings_.fourth_order_links && HasLinks() && !touching;
+  const bool may_be_five = settings_.fourth_order_links && HasLinks() && !touching &&
+                           !(settings_.blows_in_time && MayStrike(h));
   if (!may_be_five || !StepAsFive(h)) Advance(h, settings_.blows_in_time);
   if (settings_.sleep_after) Lull(h);
 }
@@ -175,6 +176,24 @@ void World::Advance(double h, bool follow_blows) {
   Move(h);
   if (follow_blows) blows_.Follow(bodies_, mean_, finder_, settings_, crew_);
   Project(h);
+}
+
+bool World::MayStrike(double h) {
+  ApplyForces(h);
+  const auto reach = [&](int body) {
+    const auto i = static_cast<std::size_t>(body);
+    return Reach(bodies_[i], free_[i].v, h);
+  };
+  const auto takes_part = [&](int body) {
+    return !linked_[static_cast<std::size_t>(body)];
+  };
+  bool may = false;
+  finder_.ForEachNear([&](int A, int B, double gap) {
+    if (!takes_part(A) || !takes_part(B)) return;
+    const double way = reach(A) + reach(B);
+    may = may || (way > 0 && gap <= way);
+  });
+  return may;
 }
 
 bool World::StepAsFive(double h) {

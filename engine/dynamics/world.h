@@ -76,6 +76,10 @@ class World {
   /** Takes one step of fourth order, or, where anything touches on the way, none at all,
    and returns whether it did. */
   bool StepAsFive(double h);
+  /** Whether two that no rod or spring holds come so near that a blow is to be looked
+   * for.
+   */
+  bool MayStrike(double h);
   void Advance(double h, bool follow_blows);
   /** Returns whether there are any contacts. */
   bool FindContacts(double h);

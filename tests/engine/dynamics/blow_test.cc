@@ -101,6 +101,30 @@ TEST(Blow, NothingGoesThroughAPlateThatIsThinnerThanItsStep) {
   EXPECT_NEAR(world.state(body).p_WB[0], -0.101 - 100 * (1e-2 - 0.499 / 200), 1e-9);
 }
 
+// A world with rods takes other steps, of fourth order, where nothing may strike.
+TEST(Blow, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
+  Settings settings;
+  settings.gravity_W.setZero();
+  World world(settings);
+  BodyDefinition plate;
+  plate.shape = Box{{0.001, 2, 2}};
+  plate.mass = 0;
+  plate.restitution = 1;
+  world.AddBody(plate);
+  BodyDefinition ball = Ball(0, 1);
+  ball.state.p_WB = {-0.6, 0.1, 0.2};
+  ball.state.v_WB = {200, 0, 0};
+  const int body = world.AddBody(ball);
+  ball.state.p_WB = {100, 0, 0};
+  ball.state.v_WB = {0, 1, 0};
+  const int bob = world.AddBody(ball);
+  world.AddJoint({{-1, {100, 0, 3}}, {bob, {0, 0, 0}}, 3});
+  world.Step(1e-2);
+  // 0.499 m there, and 1.501 m back.
+  EXPECT_NEAR(world.state(body).p_WB[0], -0.101 - 1.501, 1e-9);
+  EXPECT_NEAR(world.state(body).v_WB[0], -200, 1e-9);
+}
+
 TEST(Blow, ASpinningBoxStrikesWithTheCornerThatIsThereFirst) {
   World world(OnEarth());
   AddFloor(1, world);
