@@ -82,11 +82,6 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     if (IsStatic(body)) return Eigen::Vector3d::Zero();
     return (start.free[At(body)].v - start.before[At(body)].v) / rules_.h;
   };
-  const auto hold = [&](const ContactPair& pair) {
-    const bool changes = Flies(pair.A) || Flies(pair.B);
-    flies_[At(pair.A)] = flies_[At(pair.B)] = false;
-    return changes;
-  };
   for (const ContactPair& pair : finder.contacts()) {
     if (!Flies(pair.A) && !Flies(pair.B)) continue;
     const RigidBody& A = start.bodies[At(pair.A)];
@@ -99,16 +94,21 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
           MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, rules_);
       if (meeting == Meeting::kStrikes) continue;
       if (meeting == Meeting::kParts && contact.separation >= deepest) continue;
-      hold(pair);
+      flies_[At(pair.A)] = flies_[At(pair.B)] = false;
       break;
     }
   }
-  // What touches a body that is held is held.
-  for (bool changes = true; changes;) {
-    changes = false;
-    for (const ContactPair& pair : finder.contacts()) {
-      if (IsHeld(pair.A) || IsHeld(pair.B)) changes |= hold(pair);
-    }
+  // What touches a body that is held is held, and what touches that.
+  heaps_.Reset(flies_.size());
+  for (const ContactPair& pair : finder.contacts()) {
+    if (!IsStatic(pair.A) && !IsStatic(pair.B)) heaps_.Join(pair.A, pair.B);
+  }
+  holds_.assign(flies_.size(), false);
+  for (int i = 0; i < static_cast<int>(flies_.size()); ++i) {
+    if (IsHeld(i)) holds_[At(heaps_.Of(i))] = true;
+  }
+  for (int i = 0; i < static_cast<int>(flies_.size()); ++i) {
+    if (holds_[At(heaps_.Of(i))]) flies_[At(i)] = false;
   }
   for (ContactPair& pair : finder.contacts()) {
     if (Flies(pair.A) || Flies(pair.B)) pair.manifold.count = 0;

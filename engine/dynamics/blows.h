@@ -138,6 +138,7 @@ class Blows {
   bool meets_held_ = false;  ///< Whether a candidate is held.
   std::vector<ContactPair> struck_;
   DisjointSets heaps_;          ///< Of bodies.
+  std::vector<bool> holds_;     ///< By body that stands for a heap: whether one is held.
   std::vector<int> heap_size_;  ///< By body that stands for a heap.
 
   // The blow at hand: a world of its bodies.
