@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 
 namespace cookbook {
 namespace {
@@ -34,6 +33,7 @@ Blows::Blows() {
   constexpr std::size_t kMany = 64;
   struck_.reserve(kMany);
   supports_.reserve(kMany);
+  met_.reserve(kMany);
   pairs_.reserve(kMany);
   members_.reserve(kMany);
   bodies_.reserve(kMany);
@@ -66,6 +66,7 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   reaches_.resize(count);
   gains_.resize(count);
   pulls_.resize(count);
+  newest_.resize(count);
   place_.resize(count, -1);
   Clear();
   if (FindFlying(start, finder)) FindCandidates(start, finder);
@@ -117,27 +118,22 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
 }
 
 void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
-  const double h = rules_.h;
-  // How far a body's points may get in the step, at most.
-  const auto reach = [&](std::size_t i) {
-    if (static_[i]) return 0.0;
-    const RigidBody& at = start.bodies[i];
-    return h * std::max(at.state.v_WB.norm(), start.free[i].v.norm()) +
-           std::min(2 * at.radius, h * TurningSpeed(at));
-  };
-  for (std::size_t i = 0; i < start.bodies.size(); ++i) reaches_[i] = reach(i);
+  for (std::size_t i = 0; i < start.bodies.size(); ++i) {
+    reaches_[i] = Reach(start.bodies[i], start.free[i].v, rules_.h);
+    if (flies_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
+  }
   const auto begin = [&](int body) {
     if (begun_[At(body)]) return;
     begun_[At(body)] = true;
     BodyFlight& flight = flights_[At(body)];
     flight = {start.bodies[At(body)]};
     if (!Flies(body)) return;
-    flight.a_W = (start.free[At(body)].v - start.before[At(body)].v) / h;
-    pulls_[At(body)] = flight.a_W;
+    flight.a_W = pulls_[At(body)];
     flight.torque_W = flight.start.applied_torque_W;
   };
   meets_held_ = false;
   std::fill(begun_.begin(), begun_.end(), false);
+  std::fill(newest_.begin(), newest_.end(), -1);
   finder.ForEachNear([&](int A, int B, double gap) {
     if (!Flies(A) && !Flies(B)) return;
     if (linked_[At(A)] || linked_[At(B)]) return;
@@ -145,21 +141,15 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
     begin(A);
     begin(B);
     meets_held_ = meets_held_ || IsHeld(A) || IsHeld(B);
-    candidates_.push_back({A, B, gap, kNever, false});
+    Append(A, B, gap);
   });
-  starts_.assign(start.bodies.size() + 1, 0);
-  for (const Candidate& candidate : candidates_) {
-    for (const int body : {candidate.A, candidate.B}) {
-      if (!IsStatic(body)) ++starts_[At(body)];
-    }
-  }
-  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  by_body_.resize(At(starts_.back()));
-  for (std::size_t i = candidates_.size(); i-- > 0;) {
-    for (const int body : {candidates_[i].A, candidates_[i].B}) {
-      if (!IsStatic(body)) by_body_[At(--starts_[At(body)])] = static_cast<int>(i);
-    }
-  }
+}
+
+void Blows::Append(int A, int B, double gap) {
+  int& of_A = newest_[At(A)];
+  int& of_B = newest_[At(B)];
+  candidates_.push_back({A, B, gap, kNever, false, {of_A, of_B}});
+  of_A = of_B = static_cast<int>(candidates_.size()) - 1;
 }
 
 void Blows::FindHeaps(std::span<const ContactPair> contacts) {
@@ -193,7 +183,11 @@ void Blows::Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
     if (ComeNear(candidates_[i])) Foresee(0, static_cast<int>(i));
   }
   for (int first = TakeNext(); first >= 0; first = TakeNext()) {
+    const double t = candidates_[At(first)].next;
     Strike(candidates_[At(first)], end, settings, crew);
+    for (const int body : members_) {
+      if (!IsStatic(body)) Widen(body, t, end, finder);
+    }
   }
   EndSupports();
   for (std::size_t i = 0; i < blows_.size(); ++i) {
@@ -262,19 +256,55 @@ int Blows::Join(int body, double t) {
   return place;
 }
 
+void Blows::TraceBack(int body, const End& end) {
+  begun_[At(body)] = true;
+  BodyFlight& flight = flights_[At(body)];
+  flight = {end.bodies[At(body)], rules_.h};
+  if (Flies(body)) {
+    flight.a_W = pulls_[At(body)];
+    flight.torque_W = flight.start.applied_torque_W;
+  } else if (!IsStatic(body)) {
+    flight.start.state.v_WB = end.mean[At(body)].v;
+    flight.start.state.w_WB = end.mean[At(body)].w;
+  }
+}
+
+void Blows::Widen(int body, double t, const End& end, ContactFinder& finder) {
+  const BodyFlight& flight = flights_[At(body)];
+  const double left = rules_.h - t;
+  const double way =
+      Reach(flight.start, flight.start.state.v_WB + left * flight.a_W, left);
+  double& reach = reaches_[At(body)];
+  if (way <= reach * left / rules_.h) return;
+  reach = way * rules_.h / left;
+  met_.clear();
+  finder.Widen(body, flight.start, way + rules_.margin, met_);
+  for (const int other : met_) {
+    if (linked_[At(body)] || linked_[At(other)]) continue;
+    if (!Flies(body) && !Flies(other)) continue;
+    // What sleeps is static in this step, and wakes for the next.
+    if (IsStatic(other) && !end.bodies[At(other)].moments.isZero(0)) continue;
+    bool known = false;
+    ForEachOf(body, [&](int index) {
+      known =
+          known || candidates_[At(index)].A == other || candidates_[At(index)].B == other;
+    });
+    if (known) continue;
+    if (!begun_[At(other)]) TraceBack(other, end);
+    if (IsHeld(other) && !meets_held_) {
+      meets_held_ = true;
+      FindHeaps(end.contacts);
+    }
+    Append(std::min(body, other), std::max(body, other), 0);
+    Foresee(t, static_cast<int>(candidates_.size()) - 1);
+  }
+}
+
 void Blows::JoinHeap(int body, double t, const End& end) {
   const int heap = heaps_.Of(body);
   const auto join = [&](int member) {
-    // Where no blow has changed its way: back from where it led.
     if (IsIn(member)) return place_[At(member)];
-    if (blows_[At(member)] == 0) {
-      BodyFlight& flight = flights_[At(member)];
-      flight = {end.bodies[At(member)], rules_.h};
-      if (!IsStatic(member)) {
-        flight.start.state.v_WB = end.mean[At(member)].v;
-        flight.start.state.w_WB = end.mean[At(member)].w;
-      }
-    }
+    if (blows_[At(member)] == 0) TraceBack(member, end);
     return Join(member, t);
   };
   join(body);
@@ -302,11 +332,11 @@ void Blows::Gather(double t, const End& end) {
   const auto bring = [&](int after) {
     for (; brought < members_.size(); ++brought) {
       if (IsStatic(members_[brought])) continue;
-      for (const int index : CandidatesOf(members_[brought])) {
+      ForEachOf(members_[brought], [&](int index) {
         std::vector<int>& heap = index > after ? looks_ : later_;
         heap.push_back(index);
         std::push_heap(heap.begin(), heap.end(), std::greater<>());
-      }
+      });
     }
   };
   for (bring(-1); !looks_.empty(); looks_.empty() ? looks_.swap(later_) : void()) {
@@ -369,9 +399,9 @@ void Blows::Strike(const Candidate& first, const End& end, const Settings& setti
   SupportSince(first_struck, t);
   for (const int body : members_) {
     if (IsStatic(body)) continue;
-    for (const int index : CandidatesOf(body)) {
+    ForEachOf(body, [&](int index) {
       if (std::exchange(candidates_[At(index)].known, false)) Foresee(t, index);
-    }
+    });
   }
   for (const int body : members_) place_[At(body)] = -1;
 }

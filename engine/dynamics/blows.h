@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -23,8 +24,12 @@ namespace cookbook {
 
  What does not fly moves as contacts, rods and springs let it. Where it is struck, all
  that it rests on and that rests on it takes part in the blow, and what that changes of
- its velocity acts from then on. A heap of more than a few bodies is not asked: what
- strikes it is found inside it by the next step. */
+ its velocity acts from then on.
+
+ Not seen before the next step, which finds what is then inside: what strikes a heap of
+ more than 32 bodies or what a rod or a spring holds; the blows of a body after its eighth
+ in a step; those of two bodies that are both held; and what a struck body reaches that
+ sleeps. Thinner things may be gone through there, and where FirstBlow() says so. */
 class Blows {
  public:
   Blows();
@@ -61,6 +66,8 @@ class Blows {
     double gap;   ///< They are apart by so much or more when the step begins. [m]
     double next;  ///< When they do; infinite: not in this step. [s]
     bool known;   ///< Whether the blow at hand knows if they touch.
+    /** Of A and of B: the candidate appended before this one, see newest_. */
+    std::array<int, 2> earlier;
   };
 
   /** What a static body bears of one that rests on it after a blow. */
@@ -86,12 +93,16 @@ class Blows {
 
   bool FindFlying(const Start& start, ContactFinder& finder);
   void FindCandidates(const Start& start, const ContactFinder& finder);
-  /** The candidates, by index, that a moving body is one of. */
-  std::span<const int> CandidatesOf(int body) const {
-    const auto begin = static_cast<std::size_t>(starts_[static_cast<std::size_t>(body)]);
-    const auto end =
-        static_cast<std::size_t>(starts_[static_cast<std::size_t>(body) + 1]);
-    return std::span(by_body_).subspan(begin, end - begin);
+  void Append(int A, int B, double gap);
+  /** Calls `visit(index)` for the candidates that a body is one of, the last first. */
+  template <class Visit>
+  void ForEachOf(int body, const Visit& visit) const {
+    for (int index = newest_[static_cast<std::size_t>(body)]; index >= 0;) {
+      const Candidate& candidate = candidates_[static_cast<std::size_t>(index)];
+      const int next = candidate.earlier[candidate.A == body ? 0 : 1];
+      visit(index);
+      index = next;
+    }
   }
   void FindHeaps(std::span<const ContactPair> contacts);
   /** Whether blows of the two are looked at. */
@@ -106,6 +117,10 @@ class Blows {
   /** Adds to the blow what touches any of its bodies at time `t`. */
   void Gather(double t, const End& end);
   void JoinHeap(int body, double t, const End& end);
+  /** Begins the flight of a body that no blow has changed: back from where it led. */
+  void TraceBack(int body, const End& end);
+  /** Adds what a body may meet that leaves a blow at `t` faster than it came. */
+  void Widen(int body, double t, const End& end, ContactFinder& finder);
   /** Returns the place of a body in the blow at hand, at time `t`. */
   int Join(int body, double t);
   bool IsIn(int body) const { return place_[static_cast<std::size_t>(body)] >= 0; }
@@ -130,8 +145,8 @@ class Blows {
   int spent_ = 0;                ///< Sweeps × rows, in this step.
   std::vector<Velocity> gains_;  ///< By body that is held: what blows gave it.
   std::vector<Candidate> candidates_;
-  std::vector<int> by_body_;  ///< Candidates, body after body.
-  std::vector<int> starts_;   ///< By body, and one more: where its own start in by_body_.
+  std::vector<int> newest_;  ///< By body: its candidate appended last; −1: none.
+  std::vector<int> met_;     ///< What one body may meet.
   /** When candidates meet, and which: a heap with the earliest first, in which some are
    out of date. */
   std::vector<std::pair<double, int>> queue_;

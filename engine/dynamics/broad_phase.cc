@@ -17,12 +17,6 @@ Aabb Widened(const Aabb& bounds, double by) {
   return {bounds.low.array() - by, bounds.high.array() + by};
 }
 
-/** Returns how far a point of `body` may be from where it was after `time` [s]. [m] */
-double Reach(const RigidBody& body, double time) {
-  return time * body.state.v_WB.norm() +
-         std::min(2 * body.radius, time * TurningSpeed(body));
-}
-
 }  // namespace
 
 std::uint64_t PairSet::Key(int a, int b) {
@@ -124,26 +118,54 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
       if (is_new) moved_.push_back(static_cast<int>(i));
       continue;
     }
-    const Aabb bounds = Widened(BoundsOf(bodies[i]), margin + Reach(bodies[i], ahead));
+    // The margin is as wide as gravity needs; other forces pull it farther.
+    const RigidBody& body = bodies[i];
+    const Eigen::Vector3d pushed_W =
+        body.state.v_WB +
+        ahead * body.inverse_mass * (body.force_W + body.applied_force_W);
+    const Aabb bounds = Widened(BoundsOf(body), margin + Reach(body, pushed_W, ahead));
     const bool leaves = !proxy.wide.Contains(bounds);
     if (!is_new && !leaves) continue;
     moved_.push_back(static_cast<int>(i));
     if (!leaves) continue;
-    proxy.wide = Widened(bounds, kWider * bodies[i].radius);
-    moving_.Remove(proxy.leaf);
-    proxy.leaf = moving_.Insert(proxy.wide, static_cast<int>(i));
+    SetWide(static_cast<int>(i), Widened(bounds, kWider * body.radius));
     proxy.has_moved = true;
   }
-  for (const int body : moved_) {
-    const Proxy& proxy = proxies_[static_cast<std::size_t>(body)];
-    const auto found = [&](int other) {
-      if (other == body) return;
-      const auto [a, b] = std::minmax(body, other);
-      if (pairs_.Insert(a, b)) appeared.emplace_back(a, b);
-    };
-    moving_.Query(proxy.wide, found);
-    if (!proxy.is_static) resting_.Query(proxy.wide, found);
+  for (const int body : moved_) Pair(body, appeared);
+}
+
+void BroadPhase::SetWide(int body, const Aabb& wide) {
+  Proxy& proxy = proxies_[static_cast<std::size_t>(body)];
+  proxy.wide = wide;
+  moving_.Remove(proxy.leaf);
+  proxy.leaf = moving_.Insert(wide, body);
+}
+
+void BroadPhase::Pair(int body, std::vector<std::pair<int, int>>& appeared) {
+  const Proxy& proxy = proxies_[static_cast<std::size_t>(body)];
+  const auto found = [&](int other) {
+    if (other == body) return;
+    const auto [a, b] = std::minmax(body, other);
+    if (pairs_.Insert(a, b)) appeared.emplace_back(a, b);
+  };
+  moving_.Query(proxy.wide, found);
+  if (!proxy.is_static) resting_.Query(proxy.wide, found);
+}
+
+void BroadPhase::Widen(int index, const RigidBody& body, double reach,
+                       std::vector<std::pair<int, int>>& appeared,
+                       std::vector<int>& met) {
+  const Aabb bounds = Widened(BoundsOf(body), reach);
+  const Aabb& wide = proxies_[static_cast<std::size_t>(index)].wide;
+  if (!wide.Contains(bounds)) {
+    SetWide(index, Union(wide, bounds));
+    Pair(index, appeared);
   }
+  const auto found = [&](int other) {
+    if (other != index) met.push_back(other);
+  };
+  moving_.Query(bounds, found);
+  resting_.Query(bounds, found);
 }
 
 bool BroadPhase::AreStillNear(int a, int b) const {

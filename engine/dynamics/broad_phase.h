@@ -42,6 +42,12 @@ class BroadPhase {
   void Update(std::span<const RigidBody> bodies, double margin, double ahead,
               std::vector<std::pair<int, int>>& appeared);
 
+  /** Appends to `met` what the moving body `index` may meet that is at `body` now and
+   gets no farther than `reach` [m], and to `appeared` the pairs that become near by it.
+ */
+  void Widen(int index, const RigidBody& body, double reach,
+             std::vector<std::pair<int, int>>& appeared, std::vector<int>& met);
+
   /** Whether a pair that was near before the last Update() still is. */
   bool AreStillNear(int a, int b) const;
 
@@ -56,6 +62,10 @@ class BroadPhase {
     bool is_new = true;
     bool has_moved = false;  ///< Has got another wide box in the last Update().
   };
+
+  void SetWide(int body, const Aabb& wide);
+  /** Appends the pairs of a body that have become near. */
+  void Pair(int body, std::vector<std::pair<int, int>>& appeared);
 
   AabbTree moving_;
   AabbTree resting_;  ///< Static bodies: they meet moving ones only.

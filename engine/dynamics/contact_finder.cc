@@ -37,6 +37,13 @@ void ContactFinder::Part(std::size_t near) {
   contacts_.pop_back();
 }
 
+void ContactFinder::Widen(int index, const RigidBody& body, double reach,
+                          std::vector<int>& met) {
+  appeared_.clear();
+  broad_phase_.Widen(index, body, reach, appeared_, met);
+  for (const auto& [a, b] : appeared_) near_.push_back({a, b});
+}
+
 void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, double ahead,
                          Crew& crew) {
   appeared_.clear();

@@ -24,6 +24,10 @@ class ContactFinder {
    that may meet within `ahead` [s] are near each other. */
   void Find(std::span<const RigidBody> bodies, double margin, double ahead, Crew& crew);
 
+  /** Appends to `met` what the moving body `index` may meet that is at `body` now and
+   gets no farther than `reach` [m] in the step; both are near each other from now on. */
+  void Widen(int index, const RigidBody& body, double reach, std::vector<int>& met);
+
   /** The pairs that have a contact, in an order that the history of the world decides. */
   std::span<ContactPair> contacts() { return contacts_; }
   std::span<const ContactPair> contacts() const { return contacts_; }

@@ -125,6 +125,88 @@ TEST(Blow, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
   EXPECT_NEAR(world.state(body).v_WB[0], -200, 1e-9);
 }
 
+TEST(Blow, NothingGoesThroughAPlateThatAForcePullsItTo) {
+  Settings settings;
+  settings.gravity_W.setZero();
+  World world(settings);
+  BodyDefinition plate;
+  plate.shape = Box{{0.001, 2, 2}};
+  plate.mass = 0;
+  plate.restitution = 1;
+  plate.state.p_WB = {0.351, 0, 0};
+  world.AddBody(plate);
+  BodyDefinition ball;
+  ball.shape = Sphere{0.05};
+  ball.restitution = 1;
+  ball.friction = 0;
+  ball.force_W = {2e4, 0, 0};
+  ball.state.v_WB = {60, 0, 0};
+  const int body = world.AddBody(ball);
+  const double h = 1.0 / 240;
+  world.Step(h);
+  // The plate is 0.3 m away, beyond the 0.25 m that its speed takes it.
+  const double strikes_by = std::sqrt(60 * 60 + 2 * 2e4 * 0.3);
+  const double left = h - (strikes_by - 60) / 2e4;
+  EXPECT_NEAR(world.state(body).p_WB[0], 0.3 - strikes_by * left + 1e4 * left * left,
+              1e-9);
+  EXPECT_NEAR(world.state(body).v_WB[0], 2e4 * left - strikes_by, 1e-9);
+}
+
+// Each is at rest when the step begins, and struck in it.
+TEST(Blow, WhatIsStruckStrikesTheNextInTheSameStep) {
+  Settings settings;
+  settings.gravity_W.setZero();
+  World world(settings);
+  BodyDefinition ball;
+  ball.shape = Sphere{0.02};
+  ball.restitution = 1;
+  ball.friction = 0;
+  for (int i = 0; i < 4; ++i) {
+    ball.state.p_WB = {0.07 * i, 0, 0};
+    ball.state.v_WB = {i == 0 ? 6.0 : 0.0, 0, 0};
+    world.AddBody(ball);
+  }
+  for (int k = 0; k < 10; ++k) world.Step(1.0 / 60);
+  // Each goes the 3 cm to the next and stays there; the last goes what is left of 1 m.
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(world.state(i).p_WB[0], 0.07 * i + 0.03, 1e-9) << i;
+    EXPECT_NEAR(world.state(i).v_WB[0], 0, 1e-9) << i;
+  }
+  EXPECT_NEAR(world.state(3).p_WB[0], 0.21 + 1 - 0.09, 1e-9);
+  EXPECT_NEAR(world.state(3).v_WB[0], 6, 1e-9);
+}
+
+TEST(Blow, WhatIsStruckDoesNotGoThroughAPlateFarFromWhereItRested) {
+  Settings settings;
+  settings.gravity_W.setZero();
+  World world(settings);
+  BodyDefinition ball;
+  ball.shape = Sphere{0.1};
+  ball.restitution = 1;
+  ball.friction = 0;
+  ball.mass = 100;
+  ball.state.p_WB = {-0.25, 0, 0};
+  ball.state.v_WB = {60, 0, 0};
+  world.AddBody(ball);
+  ball.shape = Sphere{0.05};
+  ball.mass = 0.1;
+  ball.state = {};
+  const int light = world.AddBody(ball);
+  BodyDefinition plate;
+  plate.shape = Box{{0.005, 2, 2}};
+  plate.mass = 0;
+  plate.restitution = 1;
+  plate.state.p_WB = {0.3, 0, 0};
+  world.AddBody(plate);
+  world.Step(1.0 / 240);
+  // Struck after 0.1 m at 60 m/s, it leaves by 2 · 60 · 100/100.1 m/s, and turns at the
+  // plate after 0.245 m. When the step ends the heavy one is not yet there again.
+  const double v = 120 * 100 / 100.1;
+  const double way = v * (1.0 / 240 - 0.1 / 60);
+  EXPECT_NEAR(world.state(light).p_WB[0], 2 * 0.245 - way, 1e-9);
+  EXPECT_NEAR(world.state(light).v_WB[0], -v, 1e-9);
+}
+
 TEST(Blow, ASpinningBoxStrikesWithTheCornerThatIsThereFirst) {
   World world(OnEarth());
   AddFloor(1, world);
