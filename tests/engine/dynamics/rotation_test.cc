@@ -54,6 +54,27 @@ TEST(Rotation, ATumblingBoxConvergesWithFourthOrderToJacobisEllipticFunctions) {
   EXPECT_LT(finest, coarse / 1e4) << "ten times finer";
 }
 
+// One step of it turns by more than half a radian, and the moments are as 1 to 100.
+TEST(Rotation, AThinRodThatTumblesFastKeepsItsEnergy) {
+  Settings settings;
+  settings.gravity_W.setZero();
+  World world(settings);
+  BodyDefinition rod;
+  rod.shape = Box{{0.5, 0.05, 0.005}};
+  rod.state.w_WB = {2, 0.1, 38};
+  world.AddBody(rod);
+  const Eigen::Vector3d moments = PrincipalInertia(rod.shape, rod.mass);
+  const auto energy = [&] {
+    const BodyState& state = world.state(0);
+    const Eigen::Vector3d w_B = state.q_WB.conjugate() * state.w_WB;
+    return w_B.dot(moments.cwiseProduct(w_B)) / 2;
+  };
+  const double start = energy();
+  for (int k = 0; k < 60; ++k) world.Step(1.0 / 60);
+  // A step may be a millionth off.
+  EXPECT_NEAR(energy(), start, 60 * 1.01e-6 * start);
+}
+
 TEST(Rotation, AboutAPrincipalAxisIsExact) {
   Settings settings;
   settings.gravity_W.setZero();
