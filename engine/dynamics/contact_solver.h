@@ -26,10 +26,11 @@ namespace cookbook {
  back the velocity of the start of the step and then lets the forces of the step act, so
  that a bounce at e = 1 keeps the energy whatever the step. The second and third let what
  a blow turns round in the step that it leaves in come back no faster than it left
- (Moreau's rule, under which impacts of one e together never gain energy: with u = −e u₀
- where λ > 0 and W the response, ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ). Friction: |λ_t|
- <= μ λ in the circular cone; λ_t is against the slip where it is at the bound, and there
- is no slip where it is inside.
+ (Moreau's rule, under which impacts of one e together, without friction, never gain
+ energy: with u = −e u₀ where λ > 0 and W the response, ½ λ·(u + u₀) =
+ −½ (1 − e)/(1 + e) λ·W λ; friction at an eccentric contact may add to it). Friction:
+ |λ_t| <= μ λ in the circular cone; λ_t is against the slip where it is at the bound, and
+ there is no slip where it is inside.
 
  Four pairs that share no moving body are solved at once. What contacts join is a heap,
  and heaps do not depend on each other: a large world is solved group after group of them,

@@ -37,7 +37,11 @@ Manifold CollideAtBlow(const RigidBody& A, const RigidBody& B, const BlowRules& 
 
 /** Returns when, from `from` [s] to the end of the step, two bodies first touch where one
  contact at least strikes. They are found to touch by conservative advancement (Mirtich
- 1996): nothing is gone through. */
+ 1996). Where neither turns, nothing is gone through that is struck; what comes no faster
+ than MeetingAt() asks of a blow is not. Where one turns, the points that face each other
+ decide how long not to look, at most a quarter of the step: what only the turn brings
+ together may be seen by so much too late, or, where it is thinner than that way, not at
+ all. Bounds take the turning as fast as it is when the step begins. */
 std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double from,
                                 const BlowRules& rules);
 
