@@ -5,6 +5,7 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/glob.h"
 
@@ -23,11 +24,15 @@ std::string PlaceOf(const Ledger& ledger, const LedgerEntry& entry) {
   return fmt::format("{}:{}", ledger.file.filename().string(), entry.line);
 }
 
-bool Concerns(const LedgerEntry& entry, const Finding& finding) {
-  return entry.oracle == finding.oracle &&
-         std::find(entry.measures.begin(), entry.measures.end(), finding.measure) !=
-             entry.measures.end() &&
-         MatchesGlob(entry.scenarios, finding.scenario);
+/** Returns what `entry` accepts of the measure of `finding`; nullptr where it is not
+ about it. */
+const Accepted* Concerned(const LedgerEntry& entry, const Finding& finding) {
+  if (entry.oracle != finding.oracle) return nullptr;
+  const auto found =
+      std::find_if(entry.accepted.begin(), entry.accepted.end(),
+                   [&](const Accepted& of) { return of.measure == finding.measure; });
+  if (found == entry.accepted.end()) return nullptr;
+  return MatchesGlob(entry.scenarios, finding.scenario) ? &*found : nullptr;
 }
 
 bool HasValue(Verdict verdict) {
@@ -40,7 +45,8 @@ void Excuse(Finding& finding, const LedgerScale& scale, std::span<Rule> rules,
   std::string refused;
   const Verdict verdict = finding.verdict;
   for (Rule& rule : rules) {
-    if (!Concerns(rule.entry, finding) || verdict == Verdict::kUnsupported) continue;
+    const Accepted* accepted = Concerned(rule.entry, finding);
+    if (accepted == nullptr || verdict == Verdict::kUnsupported) continue;
     if (!rule.voided) ++rule.use.candidates;
     if (finding.ledger_entry || verdict != rule.entry.verdict) continue;
     const std::string place = PlaceOf(ledger, rule.entry);
@@ -51,15 +57,17 @@ void Excuse(Finding& finding, const LedgerScale& scale, std::span<Rule> rules,
     }
     const double value = HasValue(verdict) ? ValueForLedger(finding, scale) : 0;
     // Written so that a NaN is refused.
-    if (!(value <= rule.entry.bound)) {
+    if (!(value <= accepted->bound)) {
       refused = fmt::format(" {} allows {:.3g}; {:.3g} exceeds it by {:.3g}.", place,
-                            rule.entry.bound, value, value - rule.entry.bound);
+                            accepted->bound, value, value - accepted->bound);
       continue;
     }
     finding.verdict = Verdict::kKnown;
     finding.ledger_entry = rule.index;
-    ++rule.use.hidden;
-    rule.use.worst = std::max(rule.use.worst, value);
+    LedgerUse::Hidden& hidden =
+        rule.use.hidden[static_cast<std::size_t>(accepted - rule.entry.accepted.data())];
+    ++hidden.findings;
+    hidden.worst = std::max(hidden.worst, value);
   }
   if (!finding.ledger_entry) finding.proof += refused;
 }
@@ -70,12 +78,23 @@ std::string WhyNotNeeded(const Rule& rule) {
     return "is about nothing that was asked: correct or remove this entry";
   }
   if (rule.entry.intermittent) return "";
-  if (rule.use.hidden == 0) return "improved: remove this entry, it hides nothing";
-  if (HasValue(rule.entry.verdict) && rule.use.worst < rule.entry.bound * kImproved) {
-    return fmt::format("improved: lower the bound {:.3g}, the worst it hides is {:.3g}",
-                       rule.entry.bound, rule.use.worst);
+  if (rule.use.findings() == 0) return "improved: remove this entry, it hides nothing";
+  std::vector<std::string> improvements;
+  for (std::size_t i = 0; i < rule.use.hidden.size(); ++i) {
+    const Accepted& accepted = rule.entry.accepted[i];
+    const LedgerUse::Hidden& hidden = rule.use.hidden[i];
+    if (hidden.findings == 0) {
+      improvements.push_back(
+          fmt::format("remove {}, nothing of it is hidden", NameOf(accepted.measure)));
+    } else if (HasValue(rule.entry.verdict) &&
+               hidden.worst < accepted.bound * kImproved) {
+      improvements.push_back(
+          fmt::format("lower the bound {:.3g} of {}, the worst it hides is {:.3g}",
+                      accepted.bound, NameOf(accepted.measure), hidden.worst));
+    }
   }
-  return "";
+  if (improvements.empty()) return "";
+  return fmt::format("improved: {}", fmt::join(improvements, "; "));
 }
 
 }  // namespace
@@ -100,6 +119,9 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial,
                  const std::function<bool(std::string_view)>& is_oracle) {
   const std::vector<LedgerEntry>& entries = report.ledger.entries;
   report.ledger_use.assign(entries.size(), {});
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    report.ledger_use[i].hidden.resize(entries[i].accepted.size());
+  }
   std::map<std::string, std::vector<Rule>> rules;  // By oracle.
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto oracle = std::find_if(

@@ -24,7 +24,7 @@ namespace touchstone {
 void ApplyLedger(RunReport& report, std::string_view today, bool partial,
                  const std::function<bool(std::string_view)>& is_oracle = {});
 
-/** An entry whose worst hidden value is below this share of its bound is too wide: a
+/** A bound of which the worst hidden value is below this share is too wide: a
  result that got an order of magnitude better must be written down, or a later regression
  goes unseen. Source: Drake, characterization_utilities.h, which guards its table by the
  same factor. */

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -13,6 +14,15 @@
 
 namespace touchstone {
 
+/** What is accepted of one measure. */
+struct Accepted {
+  MeasureKind measure;
+  /** Largest accepted value relative to SceneSize(), or absolute for dimensionless
+   measures; of `touching` the separation, relative to SceneSize(). A worse value fails
+   the run. 0 where the verdict has no value. */
+  double bound = 0;
+};
+
 /** A known and accepted difference. */
 struct LedgerEntry {
   std::string
@@ -20,13 +30,9 @@ struct LedgerEntry {
   std::string oracle;  ///< Exact oracle name.
   std::string
       version;  ///< Library version it was seen in; another version voids the entry.
-  std::vector<MeasureKind> measures;
+  std::vector<Accepted> accepted;  ///< No measure twice.
   /** The verdict it excuses: kFail, kDisagree, kInvalid, kCrashed or kTimedOut. */
   Verdict verdict = Verdict::kFail;
-  /** Largest accepted value relative to SceneSize(), or absolute for dimensionless
-   measures; of `touching` the separation, relative to SceneSize(). A worse value fails
-   the run. */
-  double bound = 0;
   Cause cause = Cause::kDefect;
   std::string reason;  ///< One or two sentences: what goes wrong and why.
   std::string
@@ -40,11 +46,21 @@ struct LedgerEntry {
 
 /** What an entry did in a run. Both sides fail: exceeded, and no longer reproduced. */
 struct LedgerUse {
-  int hidden = 0;    ///< Findings that it made `known`.
-  double worst = 0;  ///< Largest value among them, in the unit of `bound`.
-  int candidates =
-      0;  ///< Findings in its scenarios, for its oracle and measures, whatever the
-          ///< verdict: an entry without candidates was not put to the test.
+  /** Of one measure. */
+  struct Hidden {
+    int findings = 0;  ///< That it made `known`.
+    double worst = 0;  ///< Largest value among them, in the unit of the bound.
+  };
+  std::vector<Hidden> hidden;  ///< In the order of `accepted`.
+  /** Findings in its scenarios, for its oracle and measures, whatever the verdict: an
+   entry without candidates was not put to the test. */
+  int candidates = 0;
+
+  /** All findings that it made `known`. */
+  int findings() const {
+    return std::accumulate(hidden.begin(), hidden.end(), 0,
+                           [](int sum, const Hidden& of) { return sum + of.findings; });
+  }
 };
 
 /** The known discrepancies, scenarios/known_discrepancies.toml. */

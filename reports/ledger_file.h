@@ -20,8 +20,9 @@ struct LedgerResult {
 };
 
 /** Reads a ledger from TOML, one [[entry]] a known discrepancy, with the keys of
- LedgerEntry; `expires` is a TOML date, `bound` is absent where the verdict has no value.
- `file` is what diagnostics call it. */
+ LedgerEntry; `expires` is a TOML date. What is accepted is the table `bounds`, by
+ measure, or where the verdict has no value the list `measures`. `file` is what
+ diagnostics call it. */
 LedgerResult ReadLedger(std::string_view text, const std::filesystem::path& file);
 
 /** Reads the ledger of a file. */
@@ -37,7 +38,7 @@ std::string WriteLedgerEntry(const LedgerEntry& entry, std::string_view comment)
 
  One entry for the failures of one oracle and verdict that share measures and cause, in a
  whole folder of scenarios where all that it answers there fail so, else in one scenario.
- The bound is kProposedBound times the worst value, rounded up to two digits.
+ Bounds are kProposedBound times the worst value, rounded up to two digits.
  @param expires ISO date that the entries get; empty: left to the person. */
 std::string ProposeLedger(const RunReport& report, std::string_view expires = "");
 

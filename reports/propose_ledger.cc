@@ -27,21 +27,25 @@ std::string FolderOf(const std::string& id) {
   return id.substr(0, id.rfind('/'));
 }
 
-/** What the failures of one entry have in common. A bound has one unit: lengths are apart
- from what has none, and from touching, which has a unit of its own. */
+/** What the failures of one entry have in common. */
 struct Kind {
   std::string oracle;
   Verdict verdict;
   Cause cause;
-  std::string unit;
   auto operator<=>(const Kind&) const = default;
 };
 
 /** What one scenario shows of a kind. */
 struct Shown {
-  std::set<MeasureKind> measures;
-  double worst = 0;
-  std::string proof;  ///< Of the worst.
+  std::map<MeasureKind, double> worst;
+  double tolerances = 0;  ///< How many tolerances the worst of all is off.
+  std::string proof;      ///< Of that one.
+
+  std::set<MeasureKind> Measures() const {
+    std::set<MeasureKind> measures;
+    for (const auto& [measure, value] : worst) measures.insert(measure);
+    return measures;
+  }
 };
 
 /** One entry to be, and the scenarios it is made of. */
@@ -53,9 +57,13 @@ struct Proposal {
 };
 
 void Include(Shown& all, const Shown& one) {
-  all.measures.insert(one.measures.begin(), one.measures.end());
-  if (all.proof.empty() || one.worst > all.worst) all.proof = one.proof;
-  all.worst = std::max(all.worst, one.worst);
+  for (const auto& [measure, value] : one.worst) {
+    double& worst = all.worst[measure];
+    worst = std::max(worst, value);
+  }
+  if (!all.proof.empty() && one.tolerances <= all.tolerances) return;
+  all.tolerances = one.tolerances;
+  all.proof = one.proof;
 }
 
 std::string Quoted(std::string_view text) {
@@ -84,12 +92,11 @@ std::map<Kind, std::map<std::string, Shown>> FailuresOf(const RunReport& report)
   std::map<Kind, std::map<std::string, Shown>> failures;
   for (const Finding& finding : report.findings) {
     if (!IsFailure(finding.verdict)) continue;
-    const Kind kind{
-        finding.oracle, finding.verdict, finding.cause,
-        std::string(finding.measure == MeasureKind::kTouching ? NameOf(finding.measure)
-                                                              : UnitOf(finding.measure))};
+    const Kind kind{finding.oracle, finding.verdict, finding.cause};
     const double value = ValueForLedger(finding, scales.at(finding.scenario));
-    Include(failures[kind][finding.scenario], {{finding.measure}, value, finding.proof});
+    Include(
+        failures[kind][finding.scenario],
+        {{{finding.measure, value}}, finding.value / finding.tolerance, finding.proof});
   }
   return failures;
 }
@@ -101,7 +108,7 @@ std::vector<Proposal> Grouped(const Kind& kind,
                               const Folders& folders) {
   std::map<std::pair<std::string, std::set<MeasureKind>>, std::vector<std::string>> alike;
   for (const auto& [scenario, shown] : failures) {
-    alike[{FolderOf(scenario), shown.measures}].push_back(scenario);
+    alike[{FolderOf(scenario), shown.Measures()}].push_back(scenario);
   }
   std::vector<Proposal> proposals;
   for (const auto& [key, scenarios] : alike) {
@@ -127,11 +134,11 @@ LedgerEntry EntryOf(const Proposal& proposal, const RunReport& report,
   entry.scenarios = proposal.scenarios;
   entry.oracle = proposal.kind.oracle;
   entry.version = oracle->version;
-  entry.measures.assign(proposal.shown.measures.begin(), proposal.shown.measures.end());
   entry.verdict = proposal.kind.verdict;
-  entry.bound = RoundedUp(kProposedBound * proposal.shown.worst);
-  if (std::any_of(entry.measures.begin(), entry.measures.end(), IsShare)) {
-    entry.bound = std::min(entry.bound, 1.0);
+  for (const auto& [measure, worst] : proposal.shown.worst) {
+    const double bound =
+        HasValue(entry.verdict) ? RoundedUp(kProposedBound * worst) : 0.0;
+    entry.accepted.push_back({measure, IsShare(measure) ? std::min(bound, 1.0) : bound});
   }
   // What is not proved has no cause yet: a defect until somebody knows better.
   entry.cause =
@@ -155,18 +162,21 @@ double RoundedUp(double value) {
 }
 
 std::string WriteLedgerEntry(const LedgerEntry& entry, std::string_view comment) {
-  std::vector<std::string> measures;
-  for (const MeasureKind measure : entry.measures) {
-    measures.push_back(Quoted(NameOf(measure)));
+  std::vector<std::string> accepted;
+  for (const Accepted& of : entry.accepted) {
+    accepted.push_back(HasValue(entry.verdict)
+                           ? fmt::format("{} = {:.6g}", NameOf(of.measure), of.bound)
+                           : Quoted(NameOf(of.measure)));
   }
   std::string text;
   if (!comment.empty()) text += fmt::format("# {}\n", comment);
   text +=
       fmt::format("[[entry]]\nscenarios = {}\noracle = {}\nversion = {}\n",
                   Quoted(entry.scenarios), Quoted(entry.oracle), Quoted(entry.version));
-  text += fmt::format("measures = [{}]\nverdict = {}\n", fmt::join(measures, ", "),
-                      Quoted(NameOf(entry.verdict)));
-  if (HasValue(entry.verdict)) text += fmt::format("bound = {:.6g}\n", entry.bound);
+  text += fmt::format("verdict = {}\n", Quoted(NameOf(entry.verdict)));
+  text += HasValue(entry.verdict)
+              ? fmt::format("bounds = {{ {} }}\n", fmt::join(accepted, ", "))
+              : fmt::format("measures = [{}]\n", fmt::join(accepted, ", "));
   text +=
       fmt::format("cause = {}\nreason = {}\nupstream = {}\nexpires = {}\n",
                   Quoted(NameOf(entry.cause)), Quoted(entry.reason),

@@ -17,8 +17,8 @@ namespace touchstone {
 namespace {
 
 constexpr std::array<std::string_view, 11> kKeys = {
-    "scenarios", "oracle", "version",  "measures", "verdict",     "bound",
-    "cause",     "reason", "upstream", "expires",  "intermittent"};
+    "scenarios", "oracle", "version",  "verdict", "bounds",      "measures",
+    "cause",     "reason", "upstream", "expires", "intermittent"};
 
 constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::kInvalid,
                                   Verdict::kCrashed, Verdict::kTimedOut};
@@ -96,9 +96,8 @@ class LedgerReader {
     entry.scenarios = Text(table, "scenarios", "a glob over scenario ids");
     entry.oracle = Text(table, "oracle", "the name of an oracle");
     entry.version = Text(table, "version", "the library version it was seen in");
-    entry.measures = Measures(table);
     entry.verdict = OneOf(table, "verdict", kVerdicts, Verdict::kFail);
-    entry.bound = Bound(table, entry.verdict, entry.measures);
+    entry.accepted = WhatIsAccepted(table, entry.verdict);
     entry.cause = OneOf(table, "cause", kCauses, Cause::kDefect);
     entry.reason = Text(table, "reason", "one or two sentences: what goes wrong and why");
     entry.upstream =
@@ -152,45 +151,77 @@ class LedgerReader {
     return node == nullptr ? otherwise : Named(*node, key, values).value_or(otherwise);
   }
 
-  std::vector<MeasureKind> Measures(const toml::table& table) {
-    const std::string expected = "a list of measures, e.g. [\"separation_error\"]";
-    std::vector<MeasureKind> measures;
+  std::vector<Accepted> WhatIsAccepted(const toml::table& table, Verdict verdict) {
+    const bool has_value = verdict == Verdict::kFail || verdict == Verdict::kDisagree;
+    const char* other = has_value ? "measures" : "bounds";
+    if (const toml::node* node = table.get(other)) {
+      Add(node->source(), fmt::format("{} of the verdict \"{}\"", other, NameOf(verdict)),
+          has_value ? "bounds" : "measures, as it has no value");
+    }
+    std::vector<Accepted> accepted = has_value ? Bounds(table) : Measures(table);
+    std::sort(accepted.begin(), accepted.end(),
+              [](const Accepted& a, const Accepted& b) { return a.measure < b.measure; });
+    return accepted;
+  }
+
+  std::vector<Accepted> Measures(const toml::table& table) {
+    const std::string expected = "a list of measures, e.g. [\"answering\"]";
+    std::vector<Accepted> accepted;
     const toml::node* node = Required(table, "measures", expected);
-    if (node == nullptr) return measures;
+    if (node == nullptr) return accepted;
     const toml::array* array = node->as_array();
     if (array == nullptr || array->empty()) {
       Add(node->source(), "measures names no measure", expected);
-      return measures;
+      return accepted;
     }
     for (const toml::node& element : *array) {
       const auto measure = Named(element, "measure", AllMeasures());
-      if (measure) measures.push_back(*measure);
+      if (!measure) continue;
+      const bool again =
+          std::any_of(accepted.begin(), accepted.end(),
+                      [&](const Accepted& of) { return of.measure == *measure; });
+      if (again) {
+        Add(element.source(), fmt::format("{} is named twice", NameOf(*measure)),
+            "every measure once");
+      } else {
+        accepted.push_back({*measure});
+      }
     }
-    return measures;
+    return accepted;
   }
 
-  double Bound(const toml::table& table, Verdict verdict,
-               const std::vector<MeasureKind>& measures) {
-    const std::string expected = "a number > 0, relative to the size of the scene";
-    const bool has_value = verdict == Verdict::kFail || verdict == Verdict::kDisagree;
-    const toml::node* node = table.get("bound");
-    if (node == nullptr) {
-      if (has_value) Add(table.source(), "bound is missing", expected);
-      return 0;
+  std::vector<Accepted> Bounds(const toml::table& table) {
+    const std::string expected = "a table of measures, e.g. { separation_error = 0.05 }";
+    std::vector<Accepted> accepted;
+    const toml::node* node = Required(table, "bounds", expected);
+    if (node == nullptr) return accepted;
+    const toml::table* bounds = node->as_table();
+    if (bounds == nullptr || bounds->empty()) {
+      Add(node->source(), "bounds names no measure", expected);
+      return accepted;
     }
-    if (!has_value) {
-      Add(node->source(), fmt::format("bound of the verdict \"{}\"", NameOf(verdict)),
-          "none, as it has no value");
-      return 0;
+    for (const auto& [key, value] : *bounds) {
+      const std::optional<MeasureKind> measure = MeasureNamed(key.str());
+      if (!measure) {
+        Add(key.source(), fmt::format("measure is \"{}\"", key.str()),
+            fmt::format("one of {}", fmt::join(NamesOf(AllMeasures()), ", ")));
+        continue;
+      }
+      accepted.push_back({*measure, Bound(value, *measure)});
     }
-    const double bound = node->value<double>().value_or(NAN);
-    if (!node->is_number() || !std::isfinite(bound) || bound <= 0) {
-      Add(node->source(), "bound is not a positive number", expected);
+    return accepted;
+  }
+
+  double Bound(const toml::node& node, MeasureKind measure) {
+    const double bound = node.value<double>().value_or(NAN);
+    if (!node.is_number() || !std::isfinite(bound) || bound <= 0) {
+      Add(node.source(),
+          fmt::format("bound of {} is not a positive number", NameOf(measure)),
+          "a number > 0, relative to the size of the scene");
     }
-    const auto share = std::find_if(measures.begin(), measures.end(), IsShare);
-    if (bound > 1 && share != measures.end()) {
-      Add(node->source(), fmt::format("bound is {}", bound),
-          fmt::format("at most 1, which {} cannot exceed", NameOf(*share)));
+    if (bound > 1 && IsShare(measure)) {
+      Add(node.source(), fmt::format("bound is {}", bound),
+          fmt::format("at most 1, which {} cannot exceed", NameOf(measure)));
     }
     return bound;
   }

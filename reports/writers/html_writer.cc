@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/counted.h"
 #include "reports/proof.h"
@@ -96,8 +97,7 @@ constexpr auto kLedgerColumns = std::to_array<Column>({{"oracle"},
                                                        {"scenarios"},
                                                        {"hides", true},
                                                        {"of", true},
-                                                       {"worst", true},
-                                                       {"bound", true},
+                                                       {"worst of what is accepted"},
                                                        {"cause"},
                                                        {"reason"},
                                                        {"upstream"},
@@ -403,6 +403,19 @@ class Page {
         XmlText(report_.ledger.entries[static_cast<std::size_t>(index)].reason));
   }
 
+  static std::string WorstOfAccepted(const LedgerEntry& entry, const LedgerUse& use) {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < entry.accepted.size(); ++i) {
+      const Accepted& accepted = entry.accepted[i];
+      std::string line(NameOf(accepted.measure));
+      if (accepted.bound > 0) {
+        line += fmt::format(" {:.3g} of {:.3g}", use.hidden[i].worst, accepted.bound);
+      }
+      lines.push_back(std::move(line));
+    }
+    return fmt::format("{}", fmt::join(lines, "<br>"));
+  }
+
   void WriteLedger() {
     if (report_.ledger.entries.empty()) return;
     out_ << "<h2>Ledger of known discrepancies</h2>\n"
@@ -417,10 +430,11 @@ class Page {
       }
       out_ << fmt::format(
           "<tr id=\"ledger-{}\"><td>{} {}<td>{}<td class=\"n\">{}<td class=\"n\">{}"
-          "<td class=\"n\">{:.3g}<td class=\"n\">{:.3g}<td>{}<td>{}<td>{}<td>{}</tr>\n",
+          "<td>{}<td>{}<td>{}<td>{}<td>{}</tr>\n",
           i, XmlText(entry.oracle), XmlText(entry.version), XmlText(entry.scenarios),
-          use.hidden, use.candidates, use.worst, entry.bound, NameOf(entry.cause),
-          XmlText(entry.reason), XmlText(entry.upstream), XmlText(entry.expires));
+          use.findings(), use.candidates, WorstOfAccepted(entry, use),
+          NameOf(entry.cause), XmlText(entry.reason), XmlText(entry.upstream),
+          XmlText(entry.expires));
     }
     out_ << "</table></div>\n";
     if (untested > 0) {

@@ -267,20 +267,23 @@ Json LedgerEntryToJson(const RunReport& report, std::size_t index) {
   json["scenarios"] = entry.scenarios;
   json["oracle"] = entry.oracle;
   json["version"] = entry.version;
-  json["measures"] = Json::array();
-  for (const MeasureKind measure : entry.measures) {
-    json["measures"].push_back(NameOf(measure));
-  }
   json["verdict"] = NameOf(entry.verdict);
-  json["bound"] = ToJson(entry.bound);
+  json["accepted"] = Json::array();
+  const LedgerUse& use = report.ledger_use[index];
+  for (std::size_t i = 0; i < entry.accepted.size(); ++i) {
+    Json accepted;
+    accepted["measure"] = NameOf(entry.accepted[i].measure);
+    accepted["bound"] = ToJson(entry.accepted[i].bound);
+    accepted["hidden"] = use.hidden[i].findings;
+    accepted["worst"] = ToJson(use.hidden[i].worst);
+    json["accepted"].push_back(std::move(accepted));
+  }
   json["cause"] = NameOf(entry.cause);
   json["reason"] = entry.reason;
   json["upstream"] = entry.upstream;
   json["intermittent"] = entry.intermittent;
   json["expires"] = entry.expires;
-  const LedgerUse& use = report.ledger_use[index];
-  json["hidden"] = use.hidden;
-  json["worst"] = ToJson(use.worst);
+  json["hidden"] = use.findings();
   json["candidates"] = use.candidates;
   return json;
 }

@@ -163,7 +163,7 @@ void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& ou
   int hidden = 0;
   int untested = 0;
   for (const LedgerUse& use : report.ledger_use) {
-    hidden += use.hidden;
+    hidden += use.findings();
     if (use.candidates == 0) ++untested;
   }
   out << '\n'
@@ -181,12 +181,13 @@ void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& ou
   std::vector<Hidden> reasons;
   for (std::size_t i = 0; i < report.ledger.entries.size(); ++i) {
     const LedgerEntry& entry = report.ledger.entries[i];
-    if (report.ledger_use[i].hidden == 0) continue;
+    const int hidden_by_it = report.ledger_use[i].findings();
+    if (hidden_by_it == 0) continue;
     auto same = std::find_if(reasons.begin(), reasons.end(), [&](const Hidden& other) {
       return other.entry->oracle == entry.oracle && other.entry->reason == entry.reason;
     });
     if (same == reasons.end()) same = reasons.insert(same, {&entry});
-    same->findings += report.ledger_use[i].hidden;
+    same->findings += hidden_by_it;
   }
   for (const auto& [entry, findings] : reasons) {
     out << fmt::format("  {:>5}  {} {}: {} ({})\n", findings, entry->oracle,

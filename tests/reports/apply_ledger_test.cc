@@ -44,8 +44,7 @@ RunReport ReportOf(std::initializer_list<double> values, double bound) {
   entry.scenarios = "contact/box_box/*";
   entry.oracle = "ode";
   entry.version = "0.16.2";
-  entry.measures = {MeasureKind::kExcess};
-  entry.bound = bound;
+  entry.accepted = {{MeasureKind::kExcess, bound}};
   entry.expires = "2026-06-30";
   entry.line = 17;
   report.ledger = {"scenarios/known_discrepancies.toml", {entry}, {}};
@@ -69,8 +68,8 @@ TEST(ApplyLedger, MakesFailuresKnownAndCountsThem) {
   EXPECT_EQ(report.findings[1].verdict, Verdict::kKnown);
   EXPECT_EQ(report.findings[2].verdict, Verdict::kPass);
   ASSERT_EQ(report.ledger_use.size(), 1U);
-  EXPECT_EQ(report.ledger_use[0].hidden, 2);
-  EXPECT_DOUBLE_EQ(report.ledger_use[0].worst, 0.04);
+  EXPECT_EQ(report.ledger_use[0].findings(), 2);
+  EXPECT_DOUBLE_EQ(report.ledger_use[0].hidden[0].worst, 0.04);
   EXPECT_EQ(report.ledger_use[0].candidates, 3);
   EXPECT_THAT(report.faults, IsEmpty());
 }
@@ -87,7 +86,7 @@ TEST(ApplyLedger, LeavesWhatExceedsTheBoundAFailureAndSaysByHowMuch) {
 TEST(ApplyLedger, ExcusesAMissedHairlineAndNotAMissedDepth) {
   const double size = SceneSize(SphereInBoxFace(1e-3).query);
   RunReport report = ReportOf({1, 1}, 1e-5 / size);
-  report.ledger.entries[0].measures = {MeasureKind::kTouching};
+  report.ledger.entries[0].accepted[0].measure = MeasureKind::kTouching;
   report.scenarios[0].truth.separation = {-1e-5, -0.9e-5};
   report.scenarios[1].truth.separation = {-0.1, -0.1};
   for (Finding& finding : report.findings) {
@@ -97,7 +96,7 @@ TEST(ApplyLedger, ExcusesAMissedHairlineAndNotAMissedDepth) {
   ApplyLedger(report, "2026-01-01", false);
   EXPECT_EQ(report.findings[0].verdict, Verdict::kKnown);
   EXPECT_EQ(report.findings[1].verdict, Verdict::kFail);
-  EXPECT_DOUBLE_EQ(report.ledger_use[0].worst, 1e-5 / size);
+  EXPECT_DOUBLE_EQ(report.ledger_use[0].hidden[0].worst, 1e-5 / size);
 }
 
 TEST(ApplyLedger, FailsAnEntryThatHidesNothing) {
@@ -125,10 +124,32 @@ TEST(ApplyLedger, FailsABoundThatIsTwelveTimesTooWide) {
   RunReport report = ReportOf({0.05 / 12.1}, 0.05);
   ApplyLedger(report, "2026-01-01", false);
   ASSERT_EQ(report.faults.size(), 1U);
-  EXPECT_THAT(report.faults[0], HasSubstr("improved: lower the bound 0.05"));
+  EXPECT_THAT(report.faults[0], HasSubstr("improved: lower the bound 0.05 of excess"));
   report = ReportOf({0.05 / 11.9}, 0.05);
   ApplyLedger(report, "2026-01-01", false);
   EXPECT_THAT(report.faults, IsEmpty());
+}
+
+// A depth that is off by a tenth must not excuse a witness point that is.
+TEST(ApplyLedger, BoundsEveryMeasureByItself) {
+  RunReport report = ReportOf({0.04, 0.04}, 0.05);
+  report.ledger.entries[0].accepted.push_back({MeasureKind::kConsistencyError, 0.001});
+  report.findings[1].measure = MeasureKind::kConsistencyError;
+  ApplyLedger(report, "2026-01-01", true);
+  EXPECT_EQ(report.findings[0].verdict, Verdict::kKnown);
+  EXPECT_EQ(report.findings[1].verdict, Verdict::kFail);
+  EXPECT_THAT(report.findings[1].proof, HasSubstr("allows 0.001"));
+}
+
+TEST(ApplyLedger, FailsAnEntryThatHidesNothingOfOneOfItsMeasures) {
+  RunReport report = ReportOf({0.04, 0}, 0.05);
+  report.ledger.entries[0].accepted.push_back({MeasureKind::kConsistencyError, 0.001});
+  report.findings[1].measure = MeasureKind::kConsistencyError;
+  ApplyLedger(report, "2026-01-01", false);
+  EXPECT_THAT(report.faults,
+              ElementsAre("known_discrepancies.toml:17: improved: remove "
+                          "consistency_error, nothing of it is hidden (ode in "
+                          "contact/box_box/*)."));
 }
 
 TEST(ApplyLedger, CallsNothingImprovedInAPartialRun) {
@@ -193,7 +214,7 @@ TEST(ApplyLedger, IsVoidForAnotherVersion) {
 TEST(ApplyLedger, ExcusesOnlyItsOwnOracleMeasureAndVerdict) {
   for (const auto& change : std::vector<std::function<void(LedgerEntry&)>>{
            [](LedgerEntry& e) { e.oracle = "ode/other"; },
-           [](LedgerEntry& e) { e.measures = {MeasureKind::kSeparationError}; },
+           [](LedgerEntry& e) { e.accepted[0].measure = MeasureKind::kSeparationError; },
            [](LedgerEntry& e) { e.verdict = Verdict::kDisagree; }}) {
     RunReport report = ReportOf({0.04}, 0.05);
     change(report.ledger.entries[0]);
@@ -218,9 +239,8 @@ TEST(ProposeLedger, MakesOneEntryOfAFolderInWhichAllFail) {
             "scenarios = \"contact/box_box/*\"\n"
             "oracle = \"ode\"\n"
             "version = \"0.16.2\"\n"
-            "measures = [\"excess\"]\n"
             "verdict = \"fail\"\n"
-            "bound = 0.06\n"
+            "bounds = { excess = 0.06 }\n"
             "cause = \"defect\"\n"
             "reason = \"\"\n"
             "upstream = \"unreported\"\n"
@@ -234,7 +254,7 @@ TEST(ProposeLedger, NamesSingleScenariosWhereOthersPass) {
   EXPECT_THAT(text, testing::Not(HasSubstr("*")));
 }
 
-TEST(ProposeLedger, BoundsAMissedContactApartFromWhatElseHasNoUnit) {
+TEST(ProposeLedger, BoundsEveryMeasureInItsOwnUnit) {
   RunReport report = ReportOf({1, 2}, 0.05);
   report.ledger.entries.clear();
   report.findings[1].scenario = report.findings[0].scenario;
@@ -242,14 +262,20 @@ TEST(ProposeLedger, BoundsAMissedContactApartFromWhatElseHasNoUnit) {
   report.findings[1].measure = MeasureKind::kContactCount;
   report.findings[1].value = 2;
   report.scenarios[0].truth.separation = {-0.1, -0.1};
-  const std::string text = ProposeLedger(report);
   const double size = SceneSize(report.scenarios[0].scenario.contact);
-  EXPECT_THAT(text, HasSubstr("measures = [\"contact_count\"]\nverdict = \"fail\"\n"
-                              "bound = 3\n"));
-  EXPECT_THAT(text,
-              HasSubstr(fmt::format("measures = [\"touching\"]\nverdict = \"fail\"\n"
-                                    "bound = {:.6g}\n",
-                                    RoundedUp(kProposedBound * 0.1 / size))));
+  const double touching = RoundedUp(kProposedBound * 0.1 / size);
+  EXPECT_THAT(ProposeLedger(report),
+              HasSubstr(fmt::format(
+                  "bounds = {{ touching = {:.6g}, contact_count = 3 }}\n", touching)));
+}
+
+TEST(ProposeLedger, ListsTheMeasuresOfWhatHasNoValue) {
+  RunReport report = ReportOf({1}, 0.05);
+  report.ledger.entries.clear();
+  report.findings[0].measure = MeasureKind::kAnswering;
+  report.findings[0].verdict = Verdict::kCrashed;
+  EXPECT_THAT(ProposeLedger(report),
+              HasSubstr("verdict = \"crashed\"\nmeasures = [\"answering\"]\n"));
 }
 
 TEST(ProposeLedger, IsRefusedUntilAPersonGivesReasons) {

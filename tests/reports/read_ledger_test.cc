@@ -14,9 +14,8 @@ constexpr std::string_view kEntry = R"([[entry]]
 scenarios = "contact/box_box/*"
 oracle = "ode"
 version = "0.16.2"
-measures = ["separation_error", "excess"]
 verdict = "fail"
-bound = 0.05
+bounds = { separation_error = 0.05, excess = 0.001 }
 cause = "defect"
 reason = "Prefers a face axis by 5 %."
 upstream = "unreported"
@@ -46,10 +45,12 @@ TEST(ReadLedger, ReadsEveryField) {
   EXPECT_EQ(entry.scenarios, "contact/box_box/*");
   EXPECT_EQ(entry.oracle, "ode");
   EXPECT_EQ(entry.version, "0.16.2");
-  EXPECT_THAT(entry.measures,
-              ElementsAre(MeasureKind::kSeparationError, MeasureKind::kExcess));
   EXPECT_EQ(entry.verdict, Verdict::kFail);
-  EXPECT_EQ(entry.bound, 0.05);
+  ASSERT_EQ(entry.accepted.size(), 2U);
+  EXPECT_EQ(entry.accepted[0].measure, MeasureKind::kSeparationError);
+  EXPECT_EQ(entry.accepted[0].bound, 0.05);
+  EXPECT_EQ(entry.accepted[1].measure, MeasureKind::kExcess);
+  EXPECT_EQ(entry.accepted[1].bound, 0.001);
   EXPECT_EQ(entry.cause, Cause::kDefect);
   EXPECT_EQ(entry.reason, "Prefers a face axis by 5 %.");
   EXPECT_EQ(entry.upstream, "unreported");
@@ -67,7 +68,7 @@ TEST(ReadLedger, TakesAnEntryForSteadyUnlessItSaysIntermittent) {
   EXPECT_FALSE(intermittent("intermittent = false\n"));
   EXPECT_TRUE(intermittent("intermittent = true\n"));
   EXPECT_THAT(Complaints(std::string(kEntry).append("intermittent = 1\n")),
-              ElementsAre("ledger.toml:12:16: intermittent is neither; expected true or "
+              ElementsAre("ledger.toml:11:16: intermittent is neither; expected true or "
                           "false"));
 }
 
@@ -78,7 +79,7 @@ TEST(ReadLedger, AcceptsAnEmptyLedger) {
 TEST(ReadLedger, RefusesAnEmptyReason) {
   EXPECT_THAT(
       Complaints(With("\"Prefers a face axis by 5 %.\"", "\"\"")),
-      ElementsAre("ledger.toml:9:10: reason is empty; expected one or two sentences: "
+      ElementsAre("ledger.toml:8:10: reason is empty; expected one or two sentences: "
                   "what goes wrong and why"));
 }
 
@@ -90,43 +91,71 @@ TEST(ReadLedger, SuggestsTheKeyThatWasMeant) {
 }
 
 TEST(ReadLedger, NamesTheMeasuresVerdictsAndCausesThereAre) {
-  const auto complaints = Complaints(With("\"excess\"", "\"depth\""));
+  const auto complaints = Complaints(With("excess", "depth"));
   ASSERT_EQ(complaints.size(), 1U);
   EXPECT_THAT(
       complaints[0],
-      testing::StartsWith("ledger.toml:5:33: measure is \"depth\"; expected one of "
+      testing::StartsWith("ledger.toml:6:37: measure is \"depth\"; expected one of "
                           "touching, separation_error, "));
   EXPECT_THAT(Complaints(With("\"fail\"", "\"pass\"")),
-              ElementsAre("ledger.toml:6:11: verdict is \"pass\"; expected one of fail, "
+              ElementsAre("ledger.toml:5:11: verdict is \"pass\"; expected one of fail, "
                           "disagree, invalid, crashed, timed out"));
   EXPECT_THAT(
       Complaints(With("\"defect\"", "\"bug\"")),
-      ElementsAre("ledger.toml:8:9: cause is \"bug\"; expected one of convention, tie, "
+      ElementsAre("ledger.toml:7:9: cause is \"bug\"; expected one of convention, tie, "
                   "precision, discretisation, model, defect"));
 }
 
 TEST(ReadLedger, RefusesABoundThatIsNone) {
   for (const std::string_view bound : {"0", "-1.0", "nan", "inf", "\"much\""}) {
-    EXPECT_THAT(Complaints(With("0.05", bound)),
-                ElementsAre("ledger.toml:7:9: bound is not a positive number; expected a "
-                            "number > 0, relative to the size of the scene"));
+    EXPECT_THAT(
+        Complaints(With("0.05", bound)),
+        ElementsAre("ledger.toml:6:31: bound of separation_error is not a positive "
+                    "number; expected a number > 0, relative to the size of the scene"));
   }
-  EXPECT_EQ(Complaints(With("\"fail\"", "\"crashed\"")).size(), 1U);
+  EXPECT_THAT(Complaints(With("{ separation_error = 0.05, excess = 0.001 }", "0.05")),
+              ElementsAre("ledger.toml:6:10: bounds names no measure; expected a table "
+                          "of measures, e.g. { separation_error = 0.05 }"));
 }
 
 TEST(ReadLedger, RefusesABoundThatAShareCannotExceed) {
-  std::string text = With("\"excess\"", "\"patch_coverage\"");
-  text.replace(text.find("0.05"), 4, "1.3");
+  std::string text = With("excess", "patch_coverage");
+  text.replace(text.find("0.001"), 5, "1.3");
   EXPECT_THAT(Complaints(text),
-              ElementsAre("ledger.toml:7:9: bound is 1.3; expected at most 1, which "
+              ElementsAre("ledger.toml:6:54: bound is 1.3; expected at most 1, which "
                           "patch_coverage cannot exceed"));
   EXPECT_THAT(Complaints(With("0.05", "1.3")), IsEmpty());
+}
+
+TEST(ReadLedger, WantsBoundsOfWhatHasAValueAndMeasuresOfWhatHasNone) {
+  EXPECT_THAT(
+      Complaints(With("bounds = { separation_error = 0.05, excess = 0.001 }",
+                      "measures = [\"excess\"]")),
+      ElementsAre("ledger.toml:1:1: bounds is missing; expected a table of measures, "
+                  "e.g. { separation_error = 0.05 }",
+                  "ledger.toml:6:12: measures of the verdict \"fail\"; expected bounds"));
+  EXPECT_THAT(
+      Complaints(With("\"fail\"", "\"crashed\"")),
+      ElementsAre("ledger.toml:1:1: measures is missing; expected a list of measures, "
+                  "e.g. [\"answering\"]",
+                  "ledger.toml:6:10: bounds of the verdict \"crashed\"; expected "
+                  "measures, as it has no value"));
+}
+
+TEST(ReadLedger, NamesEveryMeasureOnce) {
+  std::string text = With("\"fail\"", "\"crashed\"");
+  const std::string_view bounds = "bounds = { separation_error = 0.05, excess = 0.001 }";
+  text.replace(text.find(bounds), bounds.size(),
+               "measures = [\"answering\", \"answering\"]");
+  EXPECT_THAT(Complaints(text),
+              ElementsAre("ledger.toml:6:26: answering is named twice; expected every "
+                          "measure once"));
 }
 
 TEST(ReadLedger, WantsAProperDate) {
   EXPECT_THAT(
       Complaints(With("2026-06-30", "\"2026-06-30\"")),
-      ElementsAre("ledger.toml:11:11: expires is not a date; expected a date, e.g. "
+      ElementsAre("ledger.toml:10:11: expires is not a date; expected a date, e.g. "
                   "2026-06-30"));
 }
 
@@ -136,9 +165,9 @@ TEST(ReadLedger, ReportsAllErrorsAtOnceInTheOrderOfLines) {
   text += "[other]\n";
   const auto complaints = Complaints(text);
   ASSERT_EQ(complaints.size(), 3U);
-  EXPECT_THAT(complaints[0], testing::StartsWith("ledger.toml:7:"));
-  EXPECT_THAT(complaints[1], testing::StartsWith("ledger.toml:21:"));
-  EXPECT_THAT(complaints[2], testing::StartsWith("ledger.toml:23:"));
+  EXPECT_THAT(complaints[0], testing::StartsWith("ledger.toml:6:"));
+  EXPECT_THAT(complaints[1], testing::StartsWith("ledger.toml:19:"));
+  EXPECT_THAT(complaints[2], testing::StartsWith("ledger.toml:21:"));
 }
 
 TEST(ReadLedger, SaysWhereTomlItselfIsBroken) {

@@ -65,13 +65,13 @@ TEST(WriteHtml, LabelsTheCellsOfACardAsTheColumns) {
               HasSubstr(".oracles td:nth-child(4)::before { content: \"failed \"; }"));
   EXPECT_THAT(page,
               HasSubstr(".answers td:nth-child(8)::before { content: \"worst \"; }"));
-  EXPECT_THAT(page,
-              HasSubstr(".ledger td:nth-child(10)::before { content: \"expires \""));
-  // The columns in that order: pass, known, failed; worst, bound, cause.
+  EXPECT_THAT(page, HasSubstr(".ledger td:nth-child(9)::before { content: \"expires \""));
+  // The columns in that order: pass, known, failed; hides, of, worst of what is accepted.
   EXPECT_THAT(page, HasSubstr("<tr><td>mine <b>(subject)</b><td class=\"n pass\">1"
                               "<td class=\"n soft\">0<td class=\"n fail\">1"));
   EXPECT_THAT(page, HasSubstr("<td>theirs/float 1.2<td>contact/box_sphere/*"
-                              "<td class=\"n\">1<td class=\"n\">2"));
+                              "<td class=\"n\">1<td class=\"n\">2"
+                              "<td>separation_error 1e-07 of 1e-06"));
 }
 
 TEST(WriteHtml, ListsOnlyTheLedgerEntriesThatWerePutToTheTest) {
