@@ -195,9 +195,8 @@ TEST_F(CommandLineTest, AppliesTheBuiltInLedgerToTheBuiltInCatalogueOnly) {
 scenarios = "mine/*"
 oracle = "half_depth"
 version = "unversioned"
-measures = ["separation_error", "consistency_error"]
 verdict = "fail"
-bound = 0.1
+bounds = { separation_error = 0.1, consistency_error = 0.1 }
 cause = "defect"
 reason = "It gives half the depth."
 upstream = "unreported"
