@@ -79,7 +79,7 @@ TEST(WorldAccuracyTable, CountsWhereNoneErrsLess) {
 }
 
 TEST(WorldAccuracyTable, CountsNoErrorOfWhatFollowsAnotherLegalModel) {
-  for (const std::size_t who : {0, 1}) {
+  for (const std::size_t who : {0U, 1U}) {
     RunReport report = ReportOf(0.3, 0.3);
     report.findings[1] = Found("ode", MeasureKind::kPositionError, 0.1);
     report.findings[who].cause = Cause::kModel;

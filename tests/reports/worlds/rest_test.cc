@@ -228,7 +228,7 @@ TEST(CoulombCone, FindsFrictionThatIsTooLargeWhereTheBoxHasRoomForIt) {
 
 TEST(CoulombCone, FindsAnImpulseThatIsNoNumberWhereverItComes) {
   const World world = Rubbed();
-  for (const std::size_t at : {0, 4, 9}) {
+  for (const std::size_t at : {0U, 4U, 9U}) {
     Trajectory trajectory = Rubbing(world, {0.5, 0});
     trajectory.impulses[at].J_B_W.y() = std::nan("");
     EXPECT_TRUE(Finds(Judge(world, trajectory, ClaimOf("coulomb_cone")),
