@@ -110,14 +110,15 @@ Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
     end = start;
     double off = 0;
     double energy = 0;
-    for (int k = 0; k < parts && !(off > kEnergyOff * energy); ++k) {
+    const bool is_last = parts == kMostParts;
+    for (int k = 0; k < parts && (is_last || !(off > kEnergyOff * energy)); ++k) {
       const Part part =
           Turn(end.q_WB, inverse, L_W + k * dL_part_W, dL_part_W, share * h);
       end = part.end;
       off += part.off;
       energy = std::max(energy, part.energy);
     }
-    if (!(off > kEnergyOff * energy) || parts == kMostParts) return end;
+    if (is_last || !(off > kEnergyOff * energy)) return end;
   }
 }
 

@@ -76,9 +76,8 @@ class World {
   /** Takes one step of fourth order, or, where anything touches on the way, none at all,
    and returns whether it did. */
   bool StepAsFive(double h);
-  /** Whether two that no rod or spring holds come so near that a blow is to be looked
-   * for.
-   */
+  /** Whether two that no rod or spring holds come so near in `h` [s] that a blow is to be
+   looked for. */
   bool MayStrike(double h);
   void Advance(double h, bool follow_blows);
   /** Returns whether there are any contacts. */

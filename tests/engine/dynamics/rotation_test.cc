@@ -54,6 +54,18 @@ TEST(Rotation, ATumblingBoxConvergesWithFourthOrderToJacobisEllipticFunctions) {
   EXPECT_LT(finest, coarse / 1e4) << "ten times finer";
 }
 
+// The parts that a step is taken in are not enough of it.
+TEST(Rotation, WhatTurnsTooFastToFollowStillTakesItsWholeTorque) {
+  const Eigen::Vector3d moments(1e-6, 1, 1);
+  const Eigen::Vector3d L_W(3e4, 2e4, 1e4);
+  const Eigen::Vector3d dL_W(100, -200, 300);
+  const Eigen::Quaterniond q = Eigen::Quaterniond(0.8, 0.4, 0.4, 0.2).normalized();
+  const Turning end =
+      TurnWithMomentum({q, Eigen::Vector3d::Zero()}, moments, L_W, dL_W, 0.1);
+  const Eigen::Vector3d L_B = moments.cwiseProduct(end.q_WB.conjugate() * end.w_WB);
+  EXPECT_LE((end.q_WB * L_B - (L_W + dL_W)).norm(), 1e-9 * L_W.norm());
+}
+
 // One step of it turns by more than half a radian, and the moments are as 1 to 100.
 TEST(Rotation, AThinRodThatTumblesFastKeepsItsEnergy) {
   Settings settings;
