@@ -51,6 +51,10 @@ ContactAnswer CrashedAnswer(std::string reason) {
   return WithReason(AnswerStatus::kCrashed, std::move(reason));
 }
 
+ContactAnswer TimedOutAnswer(std::string reason) {
+  return WithReason(AnswerStatus::kTimedOut, std::move(reason));
+}
+
 ContactAnswer CrashedByException() {
   try {
     throw;

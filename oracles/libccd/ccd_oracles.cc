@@ -1,5 +1,6 @@
 #include "oracles/libccd/ccd_oracles.h"
 
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -11,6 +12,7 @@
 #include "oracles/answer_each.h"
 #include "oracles/isolated_oracle.h"
 #include "oracles/libccd/ccd_body.h"
+#include "oracles/no_answer.h"
 
 namespace touchstone {
 namespace {
@@ -21,18 +23,32 @@ enum class Algorithm { kEpa, kMpr };
 
 constexpr double kTolerance = 1e-6;
 constexpr unsigned long kMaxIterations = 500;
+// EPA searches all faces for each new one, so that its time grows with the square of
+// this: some 2 s. What ends by itself asks for 6,000 at most in the catalogue. Counted
+// and not timed, so that a slow machine draws the same line.
+constexpr unsigned long kMostSupportPoints = 20'000;
 
 Vector3d FromCcd(const ccd_vec3_t& v) {
   return {ccdVec3X(&v), ccdVec3Y(&v), ccdVec3Z(&v)};
 }
 
-void Support(const void* body, const ccd_vec3_t* direction, ccd_vec3_t* point) {
-  const Vector3d p = CcdSupport(*static_cast<const Body*>(body), FromCcd(*direction));
+// What libccd is given for a body.
+struct Asked {
+  const Body& body;
+  unsigned long& support_points;  // Asked for, of either body.
+};
+
+void Support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  const Asked& asked = *static_cast<const Asked*>(object);
+  // Beyond the limit both bodies give one point. Their difference, the origin, is beyond
+  // no face, which is what ends EPA.
+  if (++asked.support_points > kMostSupportPoints) return ccdVec3Set(point, 0, 0, 0);
+  const Vector3d p = CcdSupport(asked.body, FromCcd(*direction));
   ccdVec3Set(point, p.x(), p.y(), p.z());
 }
 
-void Centre(const void* body, ccd_vec3_t* point) {
-  const Vector3d p = CcdCentre(*static_cast<const Body*>(body));
+void Centre(const void* object, ccd_vec3_t* point) {
+  const Vector3d p = CcdCentre(static_cast<const Asked*>(object)->body);
   ccdVec3Set(point, p.x(), p.y(), p.z());
 }
 
@@ -51,9 +67,12 @@ ccd_t MakeCcd() {
 
 struct Penetration {
   int status;  // 0 touching, −1 apart, −2 out of memory.
+  unsigned long support_points;
   double depth;
   Vector3d n_AB_W;
   Vector3d p_W;
+
+  bool gave_up() const { return support_points > kMostSupportPoints; }
 };
 
 Penetration Penetrate(Algorithm algorithm, const ccd_t& ccd, const ContactQuery& query) {
@@ -62,8 +81,11 @@ Penetration Penetrate(Algorithm algorithm, const ccd_t& ccd, const ContactQuery&
   ccd_vec3_t position{};
   const auto penetrate =
       algorithm == Algorithm::kEpa ? ccdGJKPenetration : ccdMPRPenetration;
-  const int status = penetrate(&query.A, &query.B, &ccd, &depth, &direction, &position);
-  return {status, depth, FromCcd(direction), FromCcd(position)};
+  unsigned long support_points = 0;
+  const Asked A{query.A, support_points};
+  const Asked B{query.B, support_points};
+  const int status = penetrate(&A, &B, &ccd, &depth, &direction, &position);
+  return {status, support_points, depth, FromCcd(direction), FromCcd(position)};
 }
 
 Capability CapabilityOf(Algorithm algorithm, ShapeKind a, ShapeKind b) {
@@ -96,6 +118,8 @@ OracleInfo MakeInfo(Algorithm algorithm) {
        "What ODE and FCL set; libccd's default is 1e-4."},
       {"max_iterations", std::to_string(kMaxIterations),
        "The default is 2^64 - 1. EPA does not heed it."},
+      {"most support points", std::to_string(kMostSupportPoints),
+       "Some 2 s of EPA; a count draws the same line on every machine."},
       {"support functions", "ours, after libccd's README",
        "libccd has none; a zero component of the direction gives the middle."},
       {"centres", "body origins; of a hull the mean of its vertices",
@@ -114,6 +138,10 @@ OracleInfo MakeInfo(Algorithm algorithm) {
 
 ContactAnswer Translate(const Penetration& penetration) {
   if (penetration.status == -2) return CrashedAnswer("libccd ran out of memory");
+  if (penetration.gave_up()) {
+    return TimedOutAnswer("no answer by support point " +
+                          std::to_string(kMostSupportPoints));
+  }
   ContactAnswer answer;
   answer.status = AnswerStatus::kAnswered;
   answer.touching = penetration.status == 0;
@@ -134,7 +162,7 @@ class CcdBatch final : public PreparedBatch {
   void Run() override {
     for (std::size_t i = 0; i < queries_.size(); ++i) {
       const Penetration penetration = Penetrate(algorithm_, ccd_, queries_[i]);
-      separations_[i] = penetration.status == 0
+      separations_[i] = penetration.status == 0 && !penetration.gave_up()
                             ? -penetration.depth
                             : std::numeric_limits<double>::quiet_NaN();
     }
@@ -179,7 +207,9 @@ class CcdOracle final : public Oracle {
 
 std::vector<std::unique_ptr<Oracle>> CcdOracles() {
   std::vector<std::unique_ptr<Oracle>> oracles;
-  oracles.push_back(Isolate(std::make_unique<CcdOracle>(Algorithm::kEpa)));
+  IsolationLimits limits;
+  limits.cpu = std::chrono::minutes(1);  // The support points are counted before.
+  oracles.push_back(Isolate(std::make_unique<CcdOracle>(Algorithm::kEpa), limits));
   oracles.push_back(std::make_unique<CcdOracle>(Algorithm::kMpr));
   return oracles;
 }

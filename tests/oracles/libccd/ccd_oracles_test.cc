@@ -94,6 +94,19 @@ TEST(CcdEpa, PassesOnADirectionThatIsNaN) {
   EXPECT_TRUE(answer.n_AB_W->hasNaN());
 }
 
+// Without the limit it answers after 31,168 support points and 6 s, off by 6e-4 m.
+TEST(CcdEpa, IsStoppedAtACountOfSupportPointsAndNotOfSeconds) {
+  const Eigen::Vector3d p_WA(-0.20495334009622138, 0.2540543642484515,
+                             -0.7332235552733245);
+  const Eigen::Vector3d p_WB(-0.20495334007679738, 0.2540543642032157,
+                             -0.7332235552820414);
+  const Body A = {Sphere{0.105}, Pose::FromQuaternion(p_WA, {1, 0, 0, 0})};
+  const Body B = {Sphere{0.465}, Pose::FromQuaternion(p_WB, {1, 0, 0, 0})};
+  const ContactAnswer answer = Epa().Answer({A, B});
+  EXPECT_EQ(answer.status, AnswerStatus::kTimedOut);
+  EXPECT_EQ(answer.reason, "no answer by support point 20000");
+}
+
 TEST(CcdMpr, SaysTheSameWhenPrepared) {
   std::vector<ContactQuery> queries;
   for (const double separation : {-0.1, 0.003, -0.02}) {
