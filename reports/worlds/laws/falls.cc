@@ -113,28 +113,54 @@ bool FollowsAfterGravity(const Motion& motion, const Fall& fall,
 struct Bounce {
   double before;  ///< Downward speed at the first. [m/s]
   double after;   ///< Upward speed at the second. [m/s]
+  double higher;  ///< How much higher the second is. [m]
   double time;    ///< Of the second. [s]
   double steps;   ///< Between the two.
 };
 
 std::vector<Bounce> BouncesOf(const Motion& motion, const Fall& fall) {
   const Trajectory& trajectory = motion.trajectory;
-  const auto speed = [&](std::size_t s) {
-    return fall.n_W.dot(fall.is(trajectory.samples[s]).v_W);
-  };
   std::vector<Bounce> bounces;
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const double time = trajectory.times[s] - trajectory.times[s - 1];
-    const double before = -speed(s - 1);
-    const double after = speed(s);
+    const PointState first = fall.is(trajectory.samples[s - 1]);
+    const PointState second = fall.is(trajectory.samples[s]);
+    const double before = -fall.n_W.dot(first.v_W);
+    const double after = fall.n_W.dot(second.v_W);
     // Gravity alone would have it fall faster by g Δt: what stops half of the fall is a
     // bounce.
     if (before > 0 && after + before + fall.gravity * time > before / 2) {
-      bounces.push_back(
-          {before, after, trajectory.times[s], std::round(time / motion.world.dt)});
+      bounces.push_back({before, after, fall.n_W.dot(second.p_W - first.p_W),
+                         trajectory.times[s], std::round(time / motion.world.dt)});
     }
   }
   return bounces;
+}
+
+/** A bounce at the moment of its blow, and after. */
+struct Blow {
+  double came;     ///< Downward speed before it. [m/s]
+  double left;     ///< Upward speed after it. [m/s]
+  double unknown;  ///< For how long gravity may act on either unseen. [s]
+};
+
+/** Returns the blow of a bounce. Its moment τ is where the flights through both samples
+ meet: they differ by h₁ − h₀ there, which is linear in τ,
+
+   −v₀ τ − ½ g τ² = h₁ − h₀ − v₁ (Δt − τ) − ½ g (Δt − τ)²,
+
+ with v₀ down and v₁ up. So exact flights give exact speeds, whatever their height. What
+ the ground may have caught again by the second sample is not in flight: it has left at
+ least with the speed of the sample. */
+Blow BlowOf(const Bounce& bounce, const Fall& fall, double dt) {
+  const double g = fall.gravity;
+  const double between = bounce.steps * dt;
+  if (2 * fall.restitution * bounce.before < g * (between + dt))
+    return {bounce.before, bounce.after, between + dt};
+  const double meet = ((bounce.after + g * between / 2) * between - bounce.higher) /
+                      (bounce.before + bounce.after + g * between);
+  const double fallen = g * std::clamp(meet, 0.0, between);
+  return {bounce.before + fallen, bounce.after + g * between - fallen, dt};
 }
 
 /** Whether v' = −e (v − g h j) − g h (k − j), a fall of j >= 1 steps reflected and a rise
@@ -179,8 +205,8 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       "roundings a step");
   Worst restitution(
       MeasureKind::kRestitution,
-      "1.5 × (1 + e) g (Δt + h)/V: what gravity does to the samples around a "
-      "bounce");
+      "1.5 × (1 + e) g h/V: what gravity does in the step of a bounce, or (1 + e) g (Δt "
+      "+ h)/V where the next may follow between samples; 64 roundings a step between");
   Worst velocity(MeasureKind::kVelocityError,
                  "64 roundings a step: every scheme integrates a constant force exactly, "
                  "until a step before the first impact");
@@ -227,8 +253,11 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       after_gravity = after_gravity && FollowsAfterGravity(motion, fall, granted);
     const double e = fall.restitution;
     for (const Bounce& bounce : BouncesOf(motion, fall)) {
-      const double tolerance = kSafety * (1 + e) * fall.gravity * (bounce.steps + 1) *
-                               world.dt / bounce.before;
+      const Blow blow = BlowOf(bounce, fall, world.dt);
+      const double tolerance =
+          kSafety * (1 + e) * fall.gravity * blow.unknown / blow.came +
+          RoundingOf(motion.oracle, bounce.steps) *
+              ((1 + e) + fall.gravity * reach / (blow.came * blow.came));
       if (tolerance > kSlowBounce) continue;
       any_bounce = true;
       const double rounding =
@@ -236,12 +265,12 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       after_gravity =
           after_gravity && ReflectsAfterGravity(bounce, fall, world.dt, rounding);
       any_telling = any_telling || TellsRulesApart(fall, world.dt, rounding);
-      restitution.Take(std::abs(bounce.after / bounce.before - e), tolerance, [&] {
+      restitution.Take(std::abs(blow.left / blow.came - e), tolerance, [&] {
         return fmt::format(
-            "{} has {} leave with {:.6g} m/s at {:.6g} s, having come with {:.6g} m/s: "
-            "e = {:.6g}; the bodies' is {:.6g}",
-            motion.oracle.name, fall.name, bounce.after, bounce.time, bounce.before,
-            bounce.after / bounce.before, e);
+            "{} has {} leave with {:.6g} m/s before {:.6g} s, having come with {:.6g} "
+            "m/s: e = {:.6g}; the bodies' is {:.6g}",
+            motion.oracle.name, fall.name, blow.left, bounce.time, blow.came,
+            blow.left / blow.came, e);
       });
     }
   }

@@ -40,9 +40,16 @@ struct Fall {
  Velocity: before the first impact it flies freely, and every scheme has v₀ + g t to
  rounding. A position half a step's fall behind tells neither g nor the time as sharply.
 
- Restitution: v'/v of the samples around each bounce, of which gravity may have changed
- each by g times the time between them, and a step more: (1 + e) g (Δt + h)/V, × 1.5.
- Bounces for which that exceeds ¼ are too slow to tell.
+ Restitution: v'/v along the normal, of the speeds [m/s] with which it comes to a blow and
+ leaves it. They are not sampled: the flights through the samples around the blow are
+ followed, under g, to the moment at which they meet. Flights that are exact give e to
+ rounding, and so does a blow that comes late or early. An engine that takes v₀ + g h for
+ the velocity of the whole step, and leaves g out of the step of the blow or puts it in
+ before, has either speed off by up to g h: (1 + e) g h/V, × 1.5. Where a rebound lasts no
+ longer than samples are apart and a step, 2 e V/g < Δt + h, the ground may have caught it
+ again: then v' and v are those of the samples, of which gravity may have changed each by
+ g (Δt + h). Plus 64 roundings a step between the samples, of either speed and, over V/g,
+ of the place. Bounces for which that exceeds ¼ are too slow to tell.
 
  A motion whose every bounce obeys v' = −e (v − g h), to rounding and the step's number
  being whole, and that is where falls stepped by that rule are, is recognised: "reflects

@@ -187,6 +187,42 @@ TEST(BounceSeries, FindsRestitutionOffByATenth) {
   EXPECT_TRUE(Finds(findings, MeasureKind::kPositionError));
 }
 
+TEST(BounceSeries, MeasuresTheRestitutionOfExactFlightsToRounding) {
+  // Gravity alone changes the speeds around a blow by up to g Δt/V, 4 % at 1/60 s.
+  for (const double e : {0.0, 0.5, 0.8, 1.0}) {
+    for (const double dt : {1.0 / 60, 0.01, 1.0 / 240, 1e-3}) {
+      const World world = DroppedBall(e, dt, 2);
+      const std::vector<LawFinding> findings =
+          Judge(world, Exactly(world, e), ClaimOf("bounce_series"));
+      EXPECT_LE(Of(findings, MeasureKind::kRestitution).value, 1e-13) << e << " " << dt;
+    }
+  }
+}
+
+TEST(BounceSeries, MeasuresTheRestitutionOfALateBlowButFindsItsPlace) {
+  // It falls 0.2 m into the ground: later by more than the tolerance of the place allows,
+  // V h = 2 cm.
+  World world = DroppedBall(0.8, 1.0 / 240, 1);
+  const VerticalBounces late({1.2, 0}, 9.82, 0.8);
+  const Trajectory sunk = Sampled(world, [&](double t) {
+    WorldState state = Exactly(world, 0.8).samples.front();
+    state.bodies[0].p_WB.y() = 0.3 + late.At(t).gap;
+    state.bodies[0].v_WB.y() = late.At(t).velocity;
+    return state;
+  });
+  const std::vector<LawFinding> findings = Judge(world, sunk, ClaimOf("bounce_series"));
+  EXPECT_LE(Of(findings, MeasureKind::kRestitution).value, 1e-13);
+  EXPECT_TRUE(Finds(findings, MeasureKind::kPositionError));
+}
+
+TEST(BounceSeries, FindsRestitutionOffByLessThanGravityDoesToTheSamples) {
+  // Off by 0.03. Gravity takes g Δt/V = 0.037 from either sample, four steps apart.
+  World world = DroppedBall(0.5, 1.0 / 240, 1);
+  world.sample_every = 4;
+  EXPECT_TRUE(Finds(Judge(world, Exactly(world, 0.53), ClaimOf("bounce_series")),
+                    MeasureKind::kRestitution));
+}
+
 TEST(BounceSeries, FindsABodyThatDoesNotBounce) {
   const World world = DroppedBall(0.5);
   EXPECT_TRUE(Finds(Judge(world, ReflectingTheStart(world, 0), ClaimOf("bounce_series")),
