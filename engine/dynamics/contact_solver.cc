@@ -18,6 +18,8 @@ constexpr int kPart = 1000;
 constexpr int kLargePart = 2 * kPart;
 /** Contacts below which it does not pay to wake another thread. */
 constexpr int kFewContacts = 200;
+/** What the first steps of a world may spend beyond their patience, in patiences. */
+constexpr long kHeadStart = 20;
 
 ContactRules RulesOf(const Settings& settings, double h) {
   ContactRules rules{};
@@ -160,13 +162,16 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
   Order(pairs);
   heap_changes_.resize(world.bodies.size());
   const bool warm_starting = settings.warm_starting && settings.accumulated_impulses;
+  const long patience =
+      settings.patience +
+      (is_small ? std::max(0L, kHeadStart * settings.patience - spent_ahead_) : 0);
 
   const auto solve = [&](const Part& part, ContactGroup& group, Overlaps& overlaps,
                          Crew& helpers) {
     group.Begin(std::span(ordered_).subspan(part.begin, part.end - part.begin), pairs,
                 world, rules, warm_starting, helpers);
     const double solved = settings.residual * group.scale();
-    int spent = 0;
+    long spent = 0;
     for (int k = 0;; ++k) {
       // What is solved is left be, so that all the patience is for what is not.
       if (k >= settings.impulse_iterations) {
@@ -174,9 +179,11 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
         group.LeaveBe(solved, heap_, heap_changes_);
       }
       spent += std::max(1, group.row_count());
-      if (k >= settings.impulse_iterations && spent > settings.patience) break;
+      if (k >= settings.impulse_iterations && spent > patience) break;
       if (group.Sweep(world.velocities, helpers) <= solved) break;
     }
+    // A small world is one part: no other thread is here.
+    if (is_small) spent_ahead_ += std::max(0L, spent - settings.patience);
     group.End(pairs, touches, NotesIn(overlaps));
   };
 

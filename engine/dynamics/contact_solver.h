@@ -98,6 +98,7 @@ class ContactSolver {
   std::vector<ContactGroup> own_;     ///< Of each thread.
   std::vector<Overlaps> overlaps_;
   OverlapNotes notes_{};
+  long spent_ahead_ = 0;  ///< Sweeps × rows beyond the patience of the steps so far.
   Crew alone_{1};
 };
 

@@ -6,6 +6,9 @@
 namespace cookbook {
 namespace {
 
+/** Share of a length below which it is rounded: a few roundings. [-] */
+constexpr double kLengthRounding = 1e-15;
+
 /** Returns (d₀ + d₁)/(ℓ₀ + ℓ₁); zero where the ends stay on one another, for there is no
  direction to pull in. */
 Eigen::Vector3d MeanDirection(const Eigen::Vector3d& d_sum, double length_sum) {
@@ -69,11 +72,11 @@ double SpringSolver::GreatestPull() const {
   return greatest;
 }
 
-double SpringSolver::Correct(std::span<const Spring> springs,
-                             std::span<const RigidBody> after,
-                             std::span<const double> share,
-                             std::span<Velocity> velocities, double h) {
-  double worst = 0;
+bool SpringSolver::Correct(std::span<const Spring> springs,
+                           std::span<const RigidBody> after,
+                           std::span<const double> share, std::span<Velocity> velocities,
+                           double h, double solved) {
+  bool is_right = true;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     Row& row = rows_[k];
     const AnchorPlace a = PlaceOf(springs[k].A, after);
@@ -86,10 +89,12 @@ double SpringSolver::Correct(std::span<const Spring> springs,
       if (body >= 0) moves = std::max(moves, share[static_cast<std::size_t>(body)]);
     }
     Want(springs[k], length, moves, h, row);
-    if (length_sum > 0) {
-      const double off = std::abs(row.wanted - row.impulse) * row.response * std::abs(h);
-      worst = std::max(worst, off / length_sum);
-    }
+    // With the length rounds the impulse that follows from it: by ½ h k + b a metre.
+    const double rounding = kLengthRounding * length_sum;
+    const double rounded = std::abs(row.give / (moves * h)) * row.response * rounding;
+    const double off = std::abs(row.wanted - row.impulse) * row.response;
+    is_right = is_right && (length_sum == 0 ||
+                            (off * std::abs(h) <= rounding && off <= solved + rounded));
     row.line.Apply(-row.impulse, inertias_, velocities);
     row.line.n = MeanDirection(row.d_start + d, length_sum);
     row.line.r_A = 0.5 * (row.r_A_start + a.r_W);
@@ -98,7 +103,7 @@ double SpringSolver::Correct(std::span<const Spring> springs,
     row.line.Apply(row.impulse, inertias_, velocities);
     row.expected = row.line.Parting(velocities);
   }
-  return worst;
+  return is_right;
 }
 
 }  // namespace cookbook

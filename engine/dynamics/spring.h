@@ -42,10 +42,12 @@ class SpringSolver {
   /** The greatest change of a relative velocity that a spring makes. [m/s] */
   double GreatestPull() const;
 
-  /** As JointSolver::Correct(); returns the greatest error of an impulse, as what it
-   moves the anchors by, relative to their distance. */
-  double Correct(std::span<const Spring> springs, std::span<const RigidBody> after,
-                 std::span<const double> share, std::span<Velocity> velocities, double h);
+  /** As JointSolver::Correct(); returns whether all impulses were right: off by less than
+   moves the anchors by the rounding of their distance, and than changes their relative
+   velocity by `solved` [m/s], beyond that rounding. */
+  bool Correct(std::span<const Spring> springs, std::span<const RigidBody> after,
+               std::span<const double> share, std::span<Velocity> velocities, double h,
+               double solved);
 
  private:
   struct Row {

@@ -330,8 +330,9 @@ void World::SolveLinks(double h) {
       MoveBody(i, h, ahead_[i]);
     }
     const double rods = rods_.Correct(joints_, ahead_, shares_, solved_, h);
-    const double springs = spring_solver_.Correct(springs_, ahead_, shares_, solved_, h);
-    if (std::max(rods, springs) <= kSameLength) return;
+    const bool springs = spring_solver_.Correct(springs_, ahead_, shares_, solved_, h,
+                                                settings_.residual * fastest_);
+    if (springs && rods <= kSameLength) return;
   }
 }
 

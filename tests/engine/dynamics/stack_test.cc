@@ -26,6 +26,33 @@ void Build(World& world, const Eigen::Vector3d& place) {
   }
 }
 
+// A first step has no impulses to start from; what it leaves moving would stay so for
+// some steps. Sweeps leave ρ of the error of a heavy box on a light one, ρ near 1.
+TEST(Stack, AHeavyBoxOnALightOneRestsFromTheFirstStep) {
+  Settings settings;
+  settings.patience = 40000;
+  World world(settings);
+  BodyDefinition floor;
+  floor.shape = HalfSpace{};
+  floor.state.q_WB = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
+                                                        Eigen::Vector3d::UnitY());
+  floor.mass = 0;
+  world.AddBody(floor);
+  BodyDefinition box;
+  box.shape = Box{{0.5, 0.5, 0.5}};
+  box.restitution = 0;
+  for (const double mass : {1.0, 100.0}) {
+    box.mass = mass;
+    box.state.p_WB = {0.1, 0.5 + (mass > 1), -0.2};
+    world.AddBody(box);
+  }
+  for (int k = 0; k < 8; ++k) {
+    world.Step(1.0 / 240);
+    // What gravity adds in a step, solved to rounding.
+    EXPECT_LT(world.state(2).v_WB.norm(), 1e-12 * 9.82 / 240) << k;
+  }
+}
+
 // Faces that lie flush keep their four contacts, whichever way rounding moves their
 // corners: else a stack would sway by as much as one contact more or less makes of it.
 TEST(Stack, StandsTheSameWhereverItIsPut) {
