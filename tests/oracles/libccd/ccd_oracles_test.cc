@@ -94,14 +94,15 @@ TEST(CcdEpa, PassesOnADirectionThatIsNaN) {
   EXPECT_TRUE(answer.n_AB_W->hasNaN());
 }
 
-// Without the limit it answers after 31,168 support points and 6 s, off by 6e-4 m.
+// The scaled balls of contact/sphere_sphere/nearly_concentric. Without the limit, EPA
+// answers after 31,168 support points or so.
 TEST(CcdEpa, IsStoppedAtACountOfSupportPointsAndNotOfSeconds) {
-  const Eigen::Vector3d p_WA(-0.20495334009622138, 0.2540543642484515,
-                             -0.7332235552733245);
-  const Eigen::Vector3d p_WB(-0.20495334007679738, 0.2540543642032157,
-                             -0.7332235552820414);
-  const Body A = {Sphere{0.105}, Pose::FromQuaternion(p_WA, {1, 0, 0, 0})};
-  const Body B = {Sphere{0.465}, Pose::FromQuaternion(p_WB, {1, 0, 0, 0})};
+  const Eigen::Vector3d p_WA(-0.40990668019244275, 0.508108728496903,
+                             -1.4664471105465984);
+  const Eigen::Vector3d p_WB(-0.40990668015359477, 0.5081087284064314,
+                             -1.4664471105640828);
+  const Body A = {Sphere{0.105}, Pose::FromQuaternion(0.5 * p_WA, {1, 0, 0, 0})};
+  const Body B = {Sphere{0.465}, Pose::FromQuaternion(0.5 * p_WB, {1, 0, 0, 0})};
   const ContactAnswer answer = Epa().Answer({A, B});
   EXPECT_EQ(answer.status, AnswerStatus::kTimedOut);
   EXPECT_EQ(answer.reason, "no answer by support point 20000");
