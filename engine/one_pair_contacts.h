@@ -282,17 +282,25 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double margin,
 }
 
 /** Returns which candidates are kept of those that differ in x or y by more than
- `distance`. */
-inline unsigned WithoutRepeats(const Corners& found, double distance) {
+ kSame slacks. One that stands for several is the first, but where the deepest is, if that
+ is deeper by more than the slack: along a steep edge, what is no distance is many
+ roundings of depth. */
+inline unsigned WithoutRepeats(Corners& found, double slack) {
+  const double distance = kSame * slack;
   unsigned kept = 0;
   for (std::size_t k = 0; k < found.x.size(); ++k) {
+    if ((found.kept >> k & 1) == 0) continue;
     bool repeats = false;
-    for (std::size_t n = 0; n < k; ++n) {
-      repeats = repeats ||
-                ((kept >> n & 1) != 0 && std::abs(found.x[k] - found.x[n]) <= distance &&
-                 std::abs(found.y[k] - found.y[n]) <= distance);
+    for (std::size_t n = 0; n < k && !repeats; ++n) {
+      repeats = (kept >> n & 1) != 0 && std::abs(found.x[k] - found.x[n]) <= distance &&
+                std::abs(found.y[k] - found.y[n]) <= distance;
+      if (repeats && found.z[k] < found.z[n] - slack) {
+        found.x[n] = found.x[k];
+        found.y[n] = found.y[k];
+        found.z[n] = found.z[k];
+      }
     }
-    if (!repeats) kept |= found.kept & 1u << k;
+    if (!repeats) kept |= 1u << k;
   }
   return kept;
 }
@@ -316,8 +324,7 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
     found.kept =
         1u << (std::min_element(found.z.begin(), found.z.begin() + 4) - found.z.begin());
   }
-  const unsigned distinct =
-      found.may_repeat ? WithoutRepeats(found, kSame * slack) : found.kept;
+  const unsigned distinct = found.may_repeat ? WithoutRepeats(found, slack) : found.kept;
   manifold.count = std::min(std::popcount(distinct), 8);
 
   const std::array<const Pose*, 2> both_X = {&X_WA, &X_WB};

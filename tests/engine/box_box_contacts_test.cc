@@ -203,6 +203,31 @@ TEST(BoxOnFace, AlmostFlatHasFourContactsEvenWhereAPairOfEdgesIsBest) {
   });
 }
 
+TEST(BoxOnBox, DeepestContactIsAsDeepAsTheSeparationWhereACornerMeetsTheRim) {
+  // The corner of B is over the rim of the floor, beside it by no more than rounding: its
+  // steep edges are clipped there, to candidates that are one contact but not one depth.
+  const Box B{{0.2, 0.25, 0.3}};
+  const double size = 5;  // |p_AB|₁ + |h_A|₁ + |h_B|₁ is less. [m]
+  int touching = 0;
+  InManyPlaces([&](const Pose& X_WA, Random& random) {
+    for (int k = 0; k < 200; ++k) {
+      const Eigen::Matrix3d R_AB = random.Rotation();
+      const Eigen::Vector3d corner_B =
+          -(R_AB.row(1).array().sign() * B.half_extents.transpose().array());
+      const double beside = random.Between(-1, 1) * kDepthRounding * size;
+      const double depth = random.Between(0, 1) * kDepthRounding * size;
+      const Eigen::Vector3d corner_A(1.1 + beside, 0.3 - depth, -0.2);
+      const Pose X_WB = Placed(X_WA, R_AB, corner_A - R_AB * corner_B);
+      const Manifold manifold = Collide(kFloor, X_WA, B, X_WB);
+      if (!manifold.touching) continue;
+      ++touching;
+      ASSERT_NEAR(DeepestOf(manifold), manifold.separation,
+                  (kFlush + kOverlapRounding) * size);
+    }
+  });
+  EXPECT_GT(touching, 2000);
+}
+
 TEST(BoxOnBox, CrossedEdgesHaveOneContactMidway) {
   const Box cube{{0.5, 0.5, 0.5}};
   InManyPlaces([&](const Pose& X_WA, Random& random) {
