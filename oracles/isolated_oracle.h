@@ -18,9 +18,10 @@ enum class IsolationScope {
 struct IsolationLimits {
   /** CPU time, so that a busy machine changes no result. What answers at all does so
    within half a second (most in microseconds; FCL's EPA on round shapes takes longest),
-   and what does not was still at work after 20 s: the limit is ten times the longest, so
-   that a slow machine draws the same line. */
-  std::chrono::milliseconds cpu{5'000};
+   and what does not was still at work after 20 s: the limit is four times the longest, so
+   that a slow machine draws the same line. Of four questions of the catalogue, this is
+   what they take. */
+  std::chrono::milliseconds cpu{2'000};
   /** Wall clock, for an engine that waits without working. Long enough for `cpu` on a
    machine shared by a hundred others. */
   std::chrono::milliseconds wall{60'000};
@@ -41,7 +42,7 @@ struct IsolationLimits {
  - throws: kCrashed, "threw std::logic_error: …";
  - exits: kCrashed, "exited with status 3";
  - sends what is no answer: kCrashed, "sent bytes that are no answer";
- - uses up limits.cpu: kTimedOut, "no answer after 5 s of CPU time";
+ - uses up limits.cpu: kTimedOut, "no answer after 2 s of CPU time";
  - waits for limits.wall: kTimedOut, "no answer after 60 s, blocked".
 
  One child answers a whole batch, streaming; after a death a new one goes on with the next
