@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -18,23 +17,9 @@
 namespace touchstone {
 namespace {
 
-/** Roundings that one step may add to a position: a dozen products and sums a coordinate
- in the force, the velocity and the position, with the contact or joint solver's. They add
- up from step to step, in the worst case linearly. [-] */
-constexpr double kRoundingsOfAStep = 64;
-
 /** Nearer to first order, which every consistent scheme has, than to none: what falls to
  less than 2^-0.5 with half the step vanishes with it. */
 constexpr double kLeastOrder = 0.5;
-
-double UntilOf(const WorldScenario& scenario) {
-  return scenario.horizon.value_or(std::numeric_limits<double>::infinity());
-}
-
-double RoundingOf(const Study& study, int steps) {
-  return kRoundingsOfAStep * study.oracle.unit_roundoff *
-         SizeOf(study.scenario.world, study.trajectory) * steps;
-}
 
 /** The largest of both up to where the first has grown to an eighth of its largest: what
  turns or swings gets out of step for good, and then differs as much whatever the step. */
@@ -170,7 +155,7 @@ class Judgement {
     if (convergence_judged_) return;
     convergence_judged_ = true;
     const double radius = LargestRadius(study_.scenario.world);
-    const double until = UntilOf(study_.scenario);
+    const double until = UntilOf(study_);
     const auto [first, second] =
         WhileGrowing(DistancesBetween(study_.trajectory, *study_.half, radius, until),
                      DistancesBetween(*study_.half, *study_.quarter, radius, until));
@@ -297,21 +282,6 @@ std::vector<Finding> JudgeWorld(const Study& study) {
   return findings;
 }
 
-std::string_view ChangeOf(MeasureKind measure) {
-  switch (measure) {
-    case MeasureKind::kHeading:
-      return "turned about gravity";
-    case MeasureKind::kTranslation:
-      return "moved";
-    case MeasureKind::kMirror:
-      return "mirrored";
-    case MeasureKind::kPermutation:
-      return "with its bodies in the opposite order";
-    default:
-      return "with all masses three times as large";
-  }
-}
-
 std::optional<Finding> FailureToAnswer(const Study& study, const Trajectory& other,
                                        std::string_view asked, double dt) {
   if (IsWhole(other) || other.status == AnswerStatus::kUnsupported) return std::nullopt;
@@ -320,31 +290,6 @@ std::optional<Finding> FailureToAnswer(const Study& study, const Trajectory& oth
   finding.tolerance_because = "an answer is an answer";
   DescribeAnswering(other, dt, asked, finding);
   finding.proof += PrintedBy(other);
-  return finding;
-}
-
-Finding JudgeVariant(const Study& study, MeasureKind measure,
-                     const Trajectory& seen_in_world) {
-  Finding finding = SelfFinding(study, measure);
-  const double until = UntilOf(study.scenario);
-  const double radius = LargestRadius(study.scenario.world);
-  const double discretisation =
-      4 * DistanceBetween(study.trajectory, *study.half, radius, until);
-  finding.value = DistanceBetween(study.trajectory, seen_in_world, radius, until);
-  finding.tolerance =
-      discretisation + 2 * study.gain * RoundingOf(study, study.scenario.world.steps);
-  finding.tolerance_because = fmt::format(
-      "two approximations of one motion, each off by twice what halving the step moves "
-      "it "
-      "({:.3g} m), and by 64 roundings a step, of which the motion makes {:.3g} times as "
-      "much",
-      discretisation / 4, study.gain);
-  if (finding.value <= finding.tolerance) return finding;
-  finding.verdict = Verdict::kFail;
-  finding.cause = Cause::kModel;
-  finding.cause_because = fmt::format("the world {} moves otherwise", ChangeOf(measure));
-  finding.proof = fmt::format("{} moves the world {} otherwise, by {:.6g} m",
-                              finding.oracle, ChangeOf(measure), finding.value);
   return finding;
 }
 

@@ -8,22 +8,9 @@
 #include "oracles/oracle.h"
 #include "reports/finding.h"
 #include "reports/worlds/law.h"
-#include "reports/worlds/world_variants.h"
-#include "scenarios/worlds/world_scenario.h"
+#include "reports/worlds/study.h"
 
 namespace touchstone {
-
-/** How one oracle moves one world, at the step that the world asks for and, where they
- were simulated, at a half and a quarter of it. */
-struct Study {
-  const WorldScenario& scenario;
-  const OracleInfo& oracle;
-  const Trajectory& trajectory;
-  const Trajectory* half = nullptr;
-  const Trajectory* quarter = nullptr;
-  /** How many times as far the motion ends as its start was moved by a rounding; >= 1. */
-  double gain = 1;
-};
 
 /** Holds the trajectory against every claim of the scenario: one finding a claim and
  measure, in the order of the claims. A trajectory that diverged, crashed or never ended,
@@ -43,17 +30,6 @@ std::vector<std::vector<Finding>> JudgeWorldByClaim(const Study& study);
  not support that. */
 std::optional<Finding> FailureToAnswer(const Study& study, const Trajectory& other,
                                        std::string_view asked, double dt);
-
-/** Returns how a variant differs from its world: "mirrored", … */
-std::string_view ChangeOf(MeasureKind measure);
-
-/** Judges the motion of a variant, as seen in the world, against the motion of the world:
- both are approximations of one motion, so they may differ by the sum of their
- discretisation errors, 2 |x(h) − x(h/2)| each for a scheme of first order, and by
- rounding, as much of it as the motion makes.
- @pre study.half is there; both trajectories are answered and did not diverge. */
-Finding JudgeVariant(const Study& study, MeasureKind measure,
-                     const Trajectory& seen_in_world);
 
 /** Judges a second run of the same world: bit for bit. */
 Finding JudgeRepetition(const Study& study, const Trajectory& again);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -10,9 +9,9 @@
 #include <fmt/format.h>
 
 #include "reports/parallel.h"
+#include "reports/worlds/judge_variant.h"
 #include "reports/worlds/judge_world.h"
-#include "reports/worlds/trajectory_difference.h"
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/rounding_growth.h"
 #include "reports/worlds/world_variants.h"
 #include "scenarios/generators/ensemble.h"
 
@@ -125,31 +124,9 @@ void ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
   }
 }
 
-/** What a step rounds, by which a nudged world starts elsewhere. [m] */
-double NudgeOf(const WorldScenario& scenario, const Oracle& oracle,
-               const Trajectory& trajectory) {
-  return 64 * oracle.info().unit_roundoff * SizeOf(scenario.world, trajectory);
-}
-
 World Nudged(WorldScenario scenario, double nudge) {
   scenario.ensemble = Ensemble{2, nudge, 1};
   return MemberOf(scenario, 1);
-}
-
-/** Returns how many times as far a motion ends as that of the nudged world, `other`, is
- moved at its start, at least 1. Rounding is not all that moves a motion that multiplies
- it by more than kLargestGain: it jumps, as where a row of balls just touches, and is
- granted nothing. */
-double GainOf(const WorldScenario& scenario, const Trajectory& trajectory,
-              const Trajectory& other, double moved) {
-  constexpr double kLargestGain = 1e3;
-  if (!IsWhole(other) || moved == 0) return 1;
-  const double gain =
-      DistanceBetween(
-          trajectory, other, LargestRadius(scenario.world),
-          scenario.horizon.value_or(std::numeric_limits<double>::infinity())) /
-      moved;
-  return gain <= kLargestGain ? std::max(1.0, gain) : 1;
 }
 
 /** How an oracle moves the worlds that are asked beside the world itself. Those of a
@@ -192,15 +169,15 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
   trajectory = oracle.Simulate(scenario.world);
   const double dt = scenario.world.dt;
   const bool studied = IsWhole(trajectory) && IsStudied(scenario);
-  const double nudge = studied ? NudgeOf(scenario, oracle, trajectory) : 0;
+  const double nudge = RoundingOf({scenario, oracle.info(), trajectory}, 1);
   const std::vector<WorldVariant> variants =
       studied ? VariantsOf(scenario.world) : std::vector<WorldVariant>();
   Neighbours motions;
   if (IsWhole(trajectory)) motions = AskNeighbours(scenario, oracle, nudge, variants);
   const auto& [half, quarter, nudged, moved, again] = motions;
   const bool refined = studied && IsWhole(half) && IsWhole(quarter);
-  Study study{scenario, oracle.info(), trajectory, refined ? &half : nullptr,
-              refined ? &quarter : nullptr};
+  const Study study{scenario, oracle.info(), trajectory, refined ? &half : nullptr,
+                    refined ? &quarter : nullptr};
   std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(study);
   const bool answered = groups.front().front().verdict == Verdict::kPass;
   if (answered && scenario.ensemble) ExamineMembers(scenario, oracle, groups);
@@ -217,13 +194,14 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
   };
   add_failure(half, "at half the step", dt / 2);
   add_failure(quarter, "at a quarter of the step", dt / 4);
-  if (refined) study.gain = GainOf(scenario, trajectory, nudged, nudge);
+  const RoundingGrowth growth =
+      refined && IsWhole(nudged) ? GrowthOf(study, nudged) : RoundingGrowth();
   for (std::size_t v = 0; v < variants.size(); ++v) {
     const MeasureKind measure = variants[v].measure;
     add_failure(moved[v], ChangeOf(measure), dt);
     if (refined && IsWhole(moved[v]))
       findings.push_back(
-          JudgeVariant(study, measure, SeenInWorld(variants[v], moved[v])));
+          JudgeVariant(study, growth, measure, SeenInWorld(variants[v], moved[v])));
   }
   return findings;
 }

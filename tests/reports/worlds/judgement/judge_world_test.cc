@@ -9,54 +9,13 @@
 #include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/truth/sliding.h"
 #include "tests/reports/worlds/fake_simulator.h"
+#include "tests/reports/worlds/judgement/studied.h"
 #include "tests/reports/worlds/motions.h"
 
 namespace touchstone {
 namespace {
 
 using testing::HasSubstr;
-
-WorldScenario TwoBallsInFlight() {
-  WorldScenario scenario;
-  scenario.id = "world/test/flight";
-  RigidBody near = BodyOf("near", Sphere{0.5}, 2, {0.3, 1.7, -0.4});
-  near.v_WB = {1.3, 4.1, -0.7};
-  near.w_WB = {0.4, -1.2, 2.3};
-  RigidBody far = BodyOf("far", Sphere{0.2}, 0.7, {4.3, 0.7, 2.1});
-  far.v_WB = {-0.3, 2.2, 1.1};
-  scenario.world.bodies = {near, far};
-  scenario.world.dt = 0.01;
-  scenario.world.steps = 100;
-  scenario.claims = {ClaimOf("ballistic")};
-  return scenario;
-}
-
-/** The motion at the step of the world, a half and a quarter of it. */
-struct Studied {
-  Studied(const WorldScenario& s, const FakeSimulator& oracle)
-      : scenario(s),
-        info(oracle.info()),
-        whole(oracle.Simulate(s.world)),
-        half(oracle.Simulate(Refined(s.world, 2))),
-        quarter(oracle.Simulate(Refined(s.world, 4))) {}
-  Study study() const { return {scenario, info, whole, &half, &quarter}; }
-
-  WorldScenario scenario;
-  OracleInfo info;
-  Trajectory whole;
-  Trajectory half;
-  Trajectory quarter;
-};
-
-/** An engine whose positions are off by `scale` h^order t along (1, 2, −1). */
-FakeSimulator OffBy(double scale, double order) {
-  return FakeSimulator("off", [=](const World& world) {
-    return FreeFlight(world, [&](double t) {
-      return Eigen::Vector3d(scale * std::pow(world.dt, order) * t *
-                             Eigen::Vector3d(1, 2, -1));
-    });
-  });
-}
 
 const Finding* Find(const std::vector<Finding>& findings, MeasureKind measure) {
   const auto found = std::find_if(findings.begin(), findings.end(),
@@ -264,51 +223,6 @@ TEST(JudgeWorld, AnEngineHasOneFrictionCone) {
   EXPECT_THAT(
       judged(FrictionCone::kBox, FrictionCone::kDiamond),
       testing::AllOf(testing::Not(testing::IsEmpty()), testing::Each(Verdict::kFail)));
-}
-
-TEST(JudgeVariant, WorldsThatLawsOfMechanicsMapToEachOtherMoveAlike) {
-  const FakeSimulator engine = OffBy(0, 1);
-  const Studied studied(TwoBallsInFlight(), engine);
-  for (const WorldVariant& variant : VariantsOf(studied.scenario.world)) {
-    const Finding finding =
-        JudgeVariant(studied.study(), variant.measure,
-                     SeenInWorld(variant, engine.Simulate(variant.world)));
-    EXPECT_EQ(finding.verdict, Verdict::kPass)
-        << NameOf(variant.measure) << ": " << finding.proof;
-  }
-}
-
-TEST(JudgeVariant, AnErrorAlongOneAxisOfTheWorldIsFoundByTheHeading) {
-  const FakeSimulator engine = OffBy(1e-3, 0);
-  const Studied studied(TwoBallsInFlight(), engine);
-  const std::vector<WorldVariant> variants = VariantsOf(studied.scenario.world);
-  ASSERT_EQ(variants.front().measure, MeasureKind::kHeading);
-  const Finding finding = JudgeVariant(
-      studied.study(), MeasureKind::kHeading,
-      SeenInWorld(variants.front(), engine.Simulate(variants.front().world)));
-  EXPECT_EQ(finding.verdict, Verdict::kFail);
-  EXPECT_THAT(finding.proof, HasSubstr("turned about gravity"));
-}
-
-TEST(JudgeVariant, GrantsWhatTheStepExplains) {
-  const FakeSimulator engine = OffBy(1e-3, 1);
-  const Studied studied(TwoBallsInFlight(), engine);
-  const std::vector<WorldVariant> variants = VariantsOf(studied.scenario.world);
-  const Finding finding = JudgeVariant(
-      studied.study(), MeasureKind::kHeading,
-      SeenInWorld(variants.front(), engine.Simulate(variants.front().world)));
-  EXPECT_GT(finding.value, 1e-6);
-  EXPECT_EQ(finding.verdict, Verdict::kPass) << finding.proof;
-}
-
-TEST(JudgeVariant, GrantsRoundingAsMuchAsTheMotionMakesOfIt) {
-  const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
-  Study study = studied.study();
-  const double plain =
-      JudgeVariant(study, MeasureKind::kHeading, studied.whole).tolerance;
-  study.gain = 10;
-  EXPECT_NEAR(JudgeVariant(study, MeasureKind::kHeading, studied.whole).tolerance,
-              10 * plain, 1e-3 * plain);
 }
 
 TEST(JudgeRepetition, OneBitIsADifference) {

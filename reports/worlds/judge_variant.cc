@@ -1,0 +1,88 @@
+#include "reports/worlds/judge_variant.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/trajectory_difference.h"
+#include "reports/worlds/world_size.h"
+
+namespace touchstone {
+namespace {
+
+/** How far apart two motions are before `until`, and what of it is explained. */
+struct Comparison {
+  double apart;           ///< [m]
+  double discretisation;  ///< [m]
+  double rounding;        ///< Before the motion multiplies it; both motions'. [m]
+
+  double Granted(double gain) const { return discretisation + gain * rounding; }
+};
+
+Comparison Compare(const Study& study, const Trajectory& seen_in_world, double until) {
+  const World& world = study.scenario.world;
+  const double radius = LargestRadius(world);
+  const double steps = std::min<double>(world.steps, until / world.dt);
+  return {DistanceBetween(study.trajectory, seen_in_world, radius, until),
+          4 * DistanceBetween(study.trajectory, *study.half, radius, until),
+          2 * RoundingOf(study, steps)};
+}
+
+}  // namespace
+
+std::string_view ChangeOf(MeasureKind measure) {
+  switch (measure) {
+    case MeasureKind::kHeading:
+      return "turned about gravity";
+    case MeasureKind::kTranslation:
+      return "moved";
+    case MeasureKind::kMirror:
+      return "mirrored";
+    case MeasureKind::kPermutation:
+      return "with its bodies in the opposite order";
+    default:
+      return "with all masses three times as large";
+  }
+}
+
+Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
+                     MeasureKind measure, const Trajectory& seen_in_world) {
+  const double until = UntilOf(study);
+  const Comparison whole = Compare(study, seen_in_world, until);
+  const bool unstable = growth.horizon < until;
+  const Comparison before =
+      unstable ? Compare(study, seen_in_world, growth.horizon) : whole;
+  const bool differs_before = before.apart > before.Granted(growth.gain_before);
+  const Comparison& told = differs_before ? before : whole;
+  Finding finding;
+  finding.scenario = study.scenario.id;
+  finding.oracle = study.oracle.name;
+  finding.measure = measure;
+  finding.value = told.apart;
+  finding.tolerance = told.Granted(growth.gain_before);
+  finding.tolerance_because = fmt::format(
+      "two approximations of one motion, each off by twice what halving the step moves "
+      "it ({:.3g} m), and by 64 roundings a step, of which the motion makes {:.3g} times "
+      "as much",
+      told.discretisation / 4, growth.gain_before);
+  if (!differs_before && finding.value <= finding.tolerance) return finding;
+  finding.proof = fmt::format("{} moves the world {} otherwise, by {:.6g} m",
+                              finding.oracle, ChangeOf(measure), finding.value);
+  if (unstable && !differs_before) {
+    finding.tolerance = whole.Granted(growth.gain);
+    if (finding.value <= finding.tolerance) {
+      finding.verdict = Verdict::kUndecidable;
+      finding.proof += fmt::format(
+          "; from {:.6g} s on this motion multiplies what rounding does by {:.3g}: the "
+          "variants cannot be compared",
+          growth.horizon, growth.gain);
+      return finding;
+    }
+  }
+  finding.verdict = Verdict::kFail;
+  finding.cause = Cause::kModel;
+  finding.cause_because = fmt::format("the world {} moves otherwise", ChangeOf(measure));
+  return finding;
+}
+
+}  // namespace touchstone

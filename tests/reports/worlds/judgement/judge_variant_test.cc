@@ -1,0 +1,178 @@
+#include "reports/worlds/judge_variant.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/worlds/run_worlds.h"
+#include "reports/worlds/world_variants.h"
+#include "tests/reports/worlds/judgement/studied.h"
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(JudgeVariant, WorldsThatLawsOfMechanicsMapToEachOtherMoveAlike) {
+  const FakeSimulator engine = OffBy(0, 1);
+  const Studied studied(TwoBallsInFlight(), engine);
+  for (const WorldVariant& variant : VariantsOf(studied.scenario.world)) {
+    const Finding finding =
+        JudgeVariant(studied.study(), {}, variant.measure,
+                     SeenInWorld(variant, engine.Simulate(variant.world)));
+    EXPECT_EQ(finding.verdict, Verdict::kPass)
+        << NameOf(variant.measure) << ": " << finding.proof;
+  }
+}
+
+TEST(JudgeVariant, AnErrorAlongOneAxisOfTheWorldIsFoundByTheHeading) {
+  const FakeSimulator engine = OffBy(1e-3, 0);
+  const Studied studied(TwoBallsInFlight(), engine);
+  const std::vector<WorldVariant> variants = VariantsOf(studied.scenario.world);
+  ASSERT_EQ(variants.front().measure, MeasureKind::kHeading);
+  const Finding finding = JudgeVariant(
+      studied.study(), {}, MeasureKind::kHeading,
+      SeenInWorld(variants.front(), engine.Simulate(variants.front().world)));
+  EXPECT_EQ(finding.verdict, Verdict::kFail);
+  EXPECT_THAT(finding.proof, HasSubstr("turned about gravity"));
+}
+
+TEST(JudgeVariant, GrantsWhatTheStepExplains) {
+  const FakeSimulator engine = OffBy(1e-3, 1);
+  const Studied studied(TwoBallsInFlight(), engine);
+  const std::vector<WorldVariant> variants = VariantsOf(studied.scenario.world);
+  const Finding finding = JudgeVariant(
+      studied.study(), {}, MeasureKind::kHeading,
+      SeenInWorld(variants.front(), engine.Simulate(variants.front().world)));
+  EXPECT_GT(finding.value, 1e-6);
+  EXPECT_EQ(finding.verdict, Verdict::kPass) << finding.proof;
+}
+
+TEST(JudgeVariant, GrantsRoundingAsMuchAsTheMotionMakesOfIt) {
+  const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
+  const auto tolerance = [&](double gain) {
+    return JudgeVariant(studied.study(), {gain, gain}, MeasureKind::kHeading,
+                        studied.whole)
+        .tolerance;
+  };
+  EXPECT_NEAR(tolerance(10), 10 * tolerance(1), 1e-3 * tolerance(1));
+}
+
+//            ball
+//             o       A ball near the top of a smooth hump: x'' = k² x of its way x
+//          .-- --.    from the top, so that x = x₀ cosh k t. Of a rounding of its
+//        .'       '.  place the motion makes cosh(k 1.5 s) = 1.5e8 times as much.
+constexpr double kRate = 13;  // [1/s]
+
+WorldScenario BallOnAHump() {
+  const Eigen::Vector3d top(0.37, -1.13, 0.61);
+  WorldScenario scenario;
+  scenario.id = "world/test/hump";
+  scenario.world.bodies = {
+      BodyOf("hump", Sphere{0.5}, 0, top),
+      BodyOf("ball", Sphere{0.1}, 0.7, top + Eigen::Vector3d(3.1e-9, 0.6, -1.7e-9))};
+  scenario.world.dt = 0.01;
+  scenario.world.steps = 150;
+  return scenario;
+}
+
+/** Exact but for the rounding of the places in the world; `off(t)` [m] is added along x.
+ */
+Trajectory OverTheHump(const World& world, double (*off)(double t)) {
+  return Sampled(world, [&](double t) {
+    WorldState state;
+    const auto hump = std::find_if(world.bodies.begin(), world.bodies.end(),
+                                   [](const RigidBody& body) { return body.mass == 0; });
+    const Eigen::Vector3d top = hump->placed.X_WB.p_WB;
+    for (const RigidBody& body : world.bodies) {
+      Eigen::Vector3d p_W = body.placed.X_WB.p_WB;
+      if (body.mass > 0) {
+        const Eigen::Vector3d up = -world.gravity_W.normalized();
+        const Eigen::Vector3d from_top = p_W - top;
+        const Eigen::Vector3d beside = from_top - up * up.dot(from_top);
+        p_W += (std::cosh(kRate * t) - 1) * beside + Eigen::Vector3d(off(t), 0, 0);
+      }
+      state.bodies.push_back({p_W, Eigen::Quaterniond(body.placed.X_WB.R_WB),
+                              Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
+    }
+    return state;
+  });
+}
+
+std::vector<Finding> FindingsOnTheHump(double (*off)(double t)) {
+  const FakeSimulator engine(
+      "engine", [off](const World& world) { return OverTheHump(world, off); });
+  const std::vector<const Oracle*> oracles = {&engine};
+  const std::vector<WorldScenario> worlds = {BallOnAHump()};
+  return RunWorlds(worlds, oracles, 1, {}).findings;
+}
+
+const Finding& Heading(const std::vector<Finding>& findings) {
+  return *std::find_if(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.measure == MeasureKind::kHeading;
+  });
+}
+
+TEST(UnstableMotion, ARightEngineIsNotFailedForWhatTheMotionMakesOfRounding) {
+  const std::vector<Finding> findings = FindingsOnTheHump([](double) { return 0.0; });
+  for (const Finding& finding : findings) {
+    EXPECT_TRUE(finding.verdict == Verdict::kPass ||
+                finding.verdict == Verdict::kUndecidable)
+        << finding.proof;
+  }
+  EXPECT_EQ(Heading(findings).verdict, Verdict::kUndecidable);
+  EXPECT_THAT(Heading(findings).proof, HasSubstr("multiplies what rounding does by"));
+  EXPECT_THAT(Heading(findings).proof, HasSubstr("the variants cannot be compared"));
+}
+
+TEST(UnstableMotion, AnEngineThatPrefersADirectionFailsBeforeTheHorizon) {
+  // Hidden later, where what the motion makes of rounding explains as much.
+  const std::vector<Finding> findings =
+      FindingsOnTheHump([](double t) { return t > 0 && t < 0.5 ? 1e-8 : 0.0; });
+  EXPECT_EQ(Heading(findings).verdict, Verdict::kFail);
+  EXPECT_LT(Heading(findings).tolerance, 1e-8);
+}
+
+TEST(UnstableMotion,
+     AnEngineThatPrefersADirectionByMoreThanRoundingExplainsFailsAfterIt) {
+  const std::vector<Finding> findings =
+      FindingsOnTheHump([](double t) { return t > 1.4 ? 1e-2 : 0.0; });
+  EXPECT_EQ(Heading(findings).verdict, Verdict::kFail);
+  EXPECT_THAT(Heading(findings).proof, HasSubstr("turned about gravity otherwise"));
+}
+
+TEST(RoundingGrowth, OfAFlightStaysOneAndHasNoHorizon) {
+  const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
+  const RoundingGrowth growth = GrowthOf(studied.study(), studied.whole);
+  EXPECT_EQ(growth.gain, 1);
+  EXPECT_EQ(growth.horizon, std::numeric_limits<double>::infinity());
+}
+
+TEST(RoundingGrowth, HasItsHorizonWhereTheMotionJumps) {
+  const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
+  Trajectory nudged = studied.whole;
+  for (std::size_t s = 40; s < nudged.samples.size(); ++s)
+    nudged.samples[s].bodies[0].p_WB.x() += 0.3;
+  const RoundingGrowth growth = GrowthOf(studied.study(), nudged);
+  EXPECT_EQ(growth.horizon, studied.whole.times[40]);
+  EXPECT_EQ(growth.gain_before, 1);
+  EXPECT_NEAR(growth.gain, 0.3 / RoundingOf(studied.study(), 1), 1e-6 * growth.gain);
+}
+
+TEST(RoundingGrowth, HasNoHorizonWhereTheStepExplainsMore) {
+  const Studied studied(TwoBallsInFlight(), OffBy(1, 1));
+  Trajectory nudged = studied.whole;
+  nudged.samples.back().bodies[0].p_WB.x() += 1e-6;
+  const RoundingGrowth growth = GrowthOf(studied.study(), nudged);
+  EXPECT_GT(growth.gain, kLargestGain);
+  EXPECT_EQ(growth.gain_before, growth.gain);
+  EXPECT_EQ(growth.horizon, std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace touchstone
