@@ -34,22 +34,13 @@ Blows::Blows() {
   struck_.reserve(kMany);
   supports_.reserve(kMany);
   met_.reserve(kMany);
-  pairs_.reserve(kMany);
-  members_.reserve(kMany);
-  bodies_.reserve(kMany);
-  inertias_.reserve(kMany);
-  before_.reserve(kMany);
-  after_.reserve(kMany);
-  touches_.reserve(kMany);
 }
 
 void Blows::Clear() {
   std::fill(blows_.begin(), blows_.end(), 0);
   struck_.clear();
   supports_.clear();
-  spent_ = 0;
-  candidates_.clear();
-  queue_.clear();
+  meetings_.Clear();
 }
 
 void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& settings,
@@ -59,6 +50,7 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   const std::size_t count = start.bodies.size();
   flies_.resize(count);
   static_.resize(count);
+  asleep_.resize(count);
   linked_.resize(count);
   blows_.resize(count);
   flights_.resize(count);
@@ -66,9 +58,8 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   reaches_.resize(count);
   gains_.resize(count);
   pulls_.resize(count);
-  newest_.resize(count);
-  place_.resize(count, -1);
   Clear();
+  blow_.BeginStep(count);
   if (FindFlying(start, finder)) FindCandidates(start, finder);
 }
 
@@ -76,6 +67,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     const RigidBody& body = start.bodies[i];
     static_[i] = body.is_static();
+    asleep_[i] = start.asleep[i];
     linked_[i] = start.linked[i];
     flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i];
   }
@@ -133,7 +125,7 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
   };
   meets_held_ = false;
   std::fill(begun_.begin(), begun_.end(), false);
-  std::fill(newest_.begin(), newest_.end(), -1);
+  meetings_.Begin(start.bodies.size());
   finder.ForEachNear([&](int A, int B, double gap) {
     if (!Flies(A) && !Flies(B)) return;
     if (linked_[At(A)] || linked_[At(B)]) return;
@@ -141,15 +133,8 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
     begin(A);
     begin(B);
     meets_held_ = meets_held_ || IsHeld(A) || IsHeld(B);
-    Append(A, B, gap);
+    meetings_.Append(A, B, gap);
   });
-}
-
-void Blows::Append(int A, int B, double gap) {
-  int& of_A = newest_[At(A)];
-  int& of_B = newest_[At(B)];
-  candidates_.push_back({A, B, gap, kNever, false, {of_A, of_B}});
-  of_A = of_B = static_cast<int>(candidates_.size()) - 1;
 }
 
 void Blows::FindHeaps(std::span<const ContactPair> contacts) {
@@ -168,26 +153,27 @@ void Blows::FindHeaps(std::span<const ContactPair> contacts) {
 
 void Blows::Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
                    ContactFinder& finder, const Settings& settings, Crew& crew) {
-  if (candidates_.empty()) return;
+  if (meetings_.size() == 0) return;
   const End end{bodies, mean, finder.contacts()};
   if (meets_held_) FindHeaps(end.contacts);
-  for (Candidate& candidate : candidates_) {
-    for (const int body : {candidate.A, candidate.B}) {
+  for (int index = 0; index < meetings_.size(); ++index) {
+    for (const int body : {meetings_[index].A, meetings_[index].B}) {
       if (!IsHeld(body)) continue;
       BodyFlight& flight = flights_[At(body)];
       flight.start.state.v_WB = mean[At(body)].v;
       flight.start.state.w_WB = mean[At(body)].w;
     }
   }
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    if (ComeNear(candidates_[i])) Foresee(0, static_cast<int>(i));
+  for (int index = 0; index < meetings_.size(); ++index) {
+    if (ComeNear(meetings_[index])) Foresee(0, index);
   }
-  for (int first = TakeNext(); first >= 0; first = TakeNext()) {
-    const double t = candidates_[At(first)].next;
-    Strike(candidates_[At(first)], end, settings, crew);
-    for (const int body : members_) {
+  for (int first = meetings_.TakeNext(); first >= 0; first = meetings_.TakeNext()) {
+    const double t = meetings_[first].next;
+    Strike(meetings_[first], end, settings, crew);
+    for (const int body : blow_.members()) {
       if (!IsStatic(body)) Widen(body, t, end, finder);
     }
+    blow_.Clear();
   }
   EndSupports();
   for (std::size_t i = 0; i < blows_.size(); ++i) {
@@ -223,37 +209,18 @@ bool Blows::IsAsked(const Candidate& candidate) {
 }
 
 void Blows::Foresee(double from, int index) {
-  Candidate& candidate = candidates_[At(index)];
-  candidate.next = kNever;
-  if (!IsAsked(candidate)) return;
+  const Candidate& candidate = meetings_[index];
+  if (!IsAsked(candidate)) {
+    meetings_.Foresee(index, kNever);
+    return;
+  }
   const BodyFlight& A = flights_[At(candidate.A)];
   const BodyFlight& B = flights_[At(candidate.B)];
-  candidate.next = FirstBlow(A, B, from, rules_).value_or(kNever);
-  if (candidate.next == kNever) return;
-  queue_.emplace_back(candidate.next, index);
-  std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
+  meetings_.Foresee(index, FirstBlow(A, B, from, rules_).value_or(kNever));
 }
 
-int Blows::TakeNext() {
-  while (!queue_.empty()) {
-    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
-    const auto [time, index] = queue_.back();
-    queue_.pop_back();
-    if (candidates_[At(index)].next == time) return index;
-  }
-  return -1;
-}
-
-int Blows::Join(int body, double t) {
-  int& place = place_[At(body)];
-  if (place >= 0) return place;
-  place = static_cast<int>(members_.size());
-  members_.push_back(body);
-  const RigidBody& now =
-      bodies_.emplace_back(flights_[At(body)].At(t, rules_.gyroscopic));
-  inertias_.push_back(InverseInertiaOf(now));
-  before_.push_back({now.state.v_WB, now.state.w_WB});
-  return place;
+void Blows::Join(int body, double t) {
+  if (!blow_.IsIn(body)) blow_.Add(body, flights_[At(body)].At(t, rules_.gyroscopic));
 }
 
 void Blows::TraceBack(int body, const End& end) {
@@ -282,12 +249,11 @@ void Blows::Widen(int body, double t, const End& end, ContactFinder& finder) {
   for (const int other : met_) {
     if (linked_[At(body)] || linked_[At(other)]) continue;
     if (!Flies(body) && !Flies(other)) continue;
-    // What sleeps is static in this step, and wakes for the next.
-    if (IsStatic(other) && !end.bodies[At(other)].moments.isZero(0)) continue;
+    // It is static in this step, and wakes for the next.
+    if (asleep_[At(other)]) continue;
     bool known = false;
-    ForEachOf(body, [&](int index) {
-      known =
-          known || candidates_[At(index)].A == other || candidates_[At(index)].B == other;
+    meetings_.ForEachOf(body, [&](int index) {
+      known = known || meetings_[index].A == other || meetings_[index].B == other;
     });
     if (known) continue;
     if (!begun_[At(other)]) TraceBack(other, end);
@@ -295,34 +261,32 @@ void Blows::Widen(int body, double t, const End& end, ContactFinder& finder) {
       meets_held_ = true;
       FindHeaps(end.contacts);
     }
-    Append(std::min(body, other), std::max(body, other), 0);
-    Foresee(t, static_cast<int>(candidates_.size()) - 1);
+    meetings_.Append(std::min(body, other), std::max(body, other), 0);
+    Foresee(t, meetings_.size() - 1);
   }
 }
 
 void Blows::JoinHeap(int body, double t, const End& end) {
   const int heap = heaps_.Of(body);
   const auto join = [&](int member) {
-    if (IsIn(member)) return place_[At(member)];
-    if (blows_[At(member)] == 0) TraceBack(member, end);
-    return Join(member, t);
+    if (!blow_.IsIn(member) && blows_[At(member)] == 0) TraceBack(member, end);
+    Join(member, t);
   };
   join(body);
   for (const ContactPair& contact : end.contacts) {
     if (contact.manifold.count == 0) continue;
     const int moving = IsStatic(contact.A) ? contact.B : contact.A;
     if (heaps_.Of(moving) != heap) continue;
-    ContactPair& pair = pairs_.emplace_back(contact);
-    pair.A = join(contact.A);
-    pair.B = join(contact.B);
-    pair.J_W.fill(Eigen::Vector3d::Zero());
+    join(contact.A);
+    join(contact.B);
+    blow_.Add(contact);
   }
 }
 
 void Blows::Gather(double t, const End& end) {
   const auto join = [&](int body) {
-    if (IsHeld(body) && !IsIn(body)) JoinHeap(body, t, end);
-    return Join(body, t);
+    if (IsHeld(body) && !blow_.IsIn(body)) JoinHeap(body, t, end);
+    Join(body, t);
   };
   // Candidates are looked at in their order; those that a body brings which joins after
   // their turn, in the next look.
@@ -330,9 +294,10 @@ void Blows::Gather(double t, const End& end) {
   later_.clear();
   std::size_t brought = 0;
   const auto bring = [&](int after) {
-    for (; brought < members_.size(); ++brought) {
-      if (IsStatic(members_[brought])) continue;
-      ForEachOf(members_[brought], [&](int index) {
+    for (; brought < blow_.members().size(); ++brought) {
+      const int body = blow_.members()[brought];
+      if (IsStatic(body)) continue;
+      meetings_.ForEachOf(body, [&](int index) {
         std::vector<int>& heap = index > after ? looks_ : later_;
         heap.push_back(index);
         std::push_heap(heap.begin(), heap.end(), std::greater<>());
@@ -343,19 +308,20 @@ void Blows::Gather(double t, const End& end) {
     std::pop_heap(looks_.begin(), looks_.end(), std::greater<>());
     const int index = looks_.back();
     looks_.pop_back();
-    Candidate& candidate = candidates_[At(index)];
+    Candidate& candidate = meetings_[index];
     if (std::exchange(candidate.known, true) || !IsAsked(candidate)) continue;
     const auto at = [&](int body) {
-      return IsIn(body) ? bodies_[At(place_[At(body)])]
-                        : flights_[At(body)].At(t, rules_.gyroscopic);
+      return blow_.IsIn(body) ? blow_.BodyOf(body)
+                              : flights_[At(body)].At(t, rules_.gyroscopic);
     };
     ContactPair pair;
     pair.manifold = CollideAtBlow(at(candidate.A), at(candidate.B), rules_);
     if (pair.manifold.count == 0) continue;
-    pair.A = join(candidate.A);
-    pair.B = join(candidate.B);
-    pair.J_W.fill(Eigen::Vector3d::Zero());
-    pairs_.push_back(pair);
+    pair.A = candidate.A;
+    pair.B = candidate.B;
+    join(pair.A);
+    join(pair.B);
+    blow_.Add(pair);
     bring(index);
   }
 }
@@ -363,57 +329,29 @@ void Blows::Gather(double t, const End& end) {
 void Blows::Strike(const Candidate& first, const End& end, const Settings& settings,
                    Crew& crew) {
   const double t = first.next;
-  members_.clear();
-  bodies_.clear();
-  inertias_.clear();
-  before_.clear();
-  pairs_.clear();
   // The flying one brings the other.
   Join(Flies(first.A) ? first.A : first.B, t);
   Gather(t, end);
-  before_.emplace_back();
-  after_.assign(before_.begin(), before_.end());
-  touches_.assign(members_.size(), Touch{});
-  for (ContactPair& pair : pairs_) {
-    for (ContactPoint& contact : pair.manifold.contacts) contact.separation = 0;
-  }
-  solver_.Begin(pairs_, {bodies_, inertias_, before_, after_}, settings, rules_.h, crew);
-  // All blows of a step share the patience of one solve.
-  for (int k = 0; k < settings.impulse_iterations || spent_ <= settings.patience; ++k) {
-    spent_ += solver_.row_count();
-    if (solver_.Sweep(after_, crew) <= settings.residual * solver_.scale()) break;
-  }
-  solver_.End(pairs_, touches_);
   const std::size_t first_struck = struck_.size();
-  for (const ContactPair& pair : pairs_) {
-    const auto points = pair.manifold.points().size();
-    const bool struck =
-        std::any_of(pair.J_W.begin(), pair.J_W.begin() + points,
-                    [](const Eigen::Vector3d& J) { return !J.isZero(0); });
-    if (!struck) continue;
-    ContactPair& known = struck_.emplace_back(pair);
-    known.A = members_[At(pair.A)];
-    known.B = members_[At(pair.B)];
-  }
+  blow_.Exchange(settings, rules_.h, crew, struck_);
   LetFly(t);
   SupportSince(first_struck, t);
-  for (const int body : members_) {
+  for (const int body : blow_.members()) {
     if (IsStatic(body)) continue;
-    ForEachOf(body, [&](int index) {
-      if (std::exchange(candidates_[At(index)].known, false)) Foresee(t, index);
+    meetings_.ForEachOf(body, [&](int index) {
+      if (std::exchange(meetings_[index].known, false)) Foresee(t, index);
     });
   }
-  for (const int body : members_) place_[At(body)] = -1;
 }
 
 void Blows::LetFly(double t) {
-  for (std::size_t k = 0; k < members_.size(); ++k) {
-    const int body = members_[k];
+  for (std::size_t k = 0; k < blow_.members().size(); ++k) {
+    const int body = blow_.members()[k];
     if (IsStatic(body)) continue;
     BodyFlight& flight = flights_[At(body)];
-    flight.start = bodies_[k];
-    flight.start.state.v_WB = after_[k].v;
-    flight.start.state.w_WB = after_[k].w;
+    flight.start = blow_.BodyOf(body);
+    flight.start.state.v_WB = blow_.After(k).v;
+    flight.start.state.w_WB = blow_.After(k).w;
     flight.from = t;
     if (Flies(body)) flight.a_W = pulls_[At(body)];
     for (Support& support : supports_) {
@@ -421,8 +359,8 @@ void Blows::LetFly(double t) {
     }
     Velocity& gain = gains_[At(body)];
     if (blows_[At(body)] == 0) gain = {};
-    gain.v += after_[k].v - before_[k].v;
-    gain.w += after_[k].w - before_[k].w;
+    gain.v += blow_.Gain(k).v;
+    gain.w += blow_.Gain(k).w;
     ++blows_[At(body)];
   }
 }
@@ -438,7 +376,7 @@ void Blows::SupportSince(std::size_t first, double t) {
     const BodyState& state = flight.start.state;
     // What still rises or falls about its contacts is not at rest: a support would do
     // work on it.
-    const double stopped = kStopped * solver_.scale();
+    const double stopped = kStopped * blow_.scale();
     if (std::abs(n_W.dot(state.v_WB)) > stopped) continue;
     const auto points = pair.manifold.points();
     const bool rests =

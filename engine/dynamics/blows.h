@@ -1,16 +1,15 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "engine/dynamics/blow.h"
 #include "engine/dynamics/contact_finder.h"
-#include "engine/dynamics/contact_solver.h"
 #include "engine/dynamics/crew.h"
 #include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/first_blow.h"
+#include "engine/dynamics/meetings.h"
 
 namespace cookbook {
 
@@ -39,6 +38,7 @@ class Blows {
     std::span<const RigidBody> bodies;
     std::span<const Velocity> before;
     std::span<const Velocity> free;  ///< At the end of the step, without impulses.
+    const std::vector<bool>& asleep;
     const std::vector<bool>& linked;
   };
 
@@ -59,17 +59,6 @@ class Blows {
   std::span<const ContactPair> struck() const { return struck_; }
 
  private:
-  /** Two bodies that may meet. */
-  struct Candidate {
-    int A;
-    int B;
-    double gap;   ///< They are apart by so much or more when the step begins. [m]
-    double next;  ///< When they do; infinite: not in this step. [s]
-    bool known;   ///< Whether the blow at hand knows if they touch.
-    /** Of A and of B: the candidate appended before this one, see newest_. */
-    std::array<int, 2> earlier;
-  };
-
   /** What a static body bears of one that rests on it after a blow. */
   struct Support {
     int body;
@@ -93,23 +82,10 @@ class Blows {
 
   bool FindFlying(const Start& start, ContactFinder& finder);
   void FindCandidates(const Start& start, const ContactFinder& finder);
-  void Append(int A, int B, double gap);
-  /** Calls `visit(index)` for the candidates that a body is one of, the last first. */
-  template <class Visit>
-  void ForEachOf(int body, const Visit& visit) const {
-    for (int index = newest_[static_cast<std::size_t>(body)]; index >= 0;) {
-      const Candidate& candidate = candidates_[static_cast<std::size_t>(index)];
-      const int next = candidate.earlier[candidate.A == body ? 0 : 1];
-      visit(index);
-      index = next;
-    }
-  }
   void FindHeaps(std::span<const ContactPair> contacts);
   /** Whether blows of the two are looked at. */
   bool IsAsked(const Candidate& candidate);
   void Foresee(double from, int candidate);
-  /** Returns the candidate that meets next, the first of several at once; −1: none. */
-  int TakeNext();
   /** Whether the two come near enough to meet, going as they do when the step begins. */
   bool ComeNear(const Candidate& candidate) const;
   void Strike(const Candidate& first, const End& end, const Settings& settings,
@@ -121,9 +97,8 @@ class Blows {
   void TraceBack(int body, const End& end);
   /** Adds what a body may meet that leaves a blow at `t` faster than it came. */
   void Widen(int body, double t, const End& end, ContactFinder& finder);
-  /** Returns the place of a body in the blow at hand, at time `t`. */
-  int Join(int body, double t);
-  bool IsIn(int body) const { return place_[static_cast<std::size_t>(body)] >= 0; }
+  /** Adds a body to the blow at hand, at time `t`, unless it takes part already. */
+  void Join(int body, double t);
   /** Lets the bodies of the blow at hand fly on. */
   void LetFly(double t);
   /** Takes from what flies on the pull against what it now rests on, which has been
@@ -135,6 +110,7 @@ class Blows {
   BlowRules rules_;
   std::vector<bool> flies_;             ///< By body.
   std::vector<bool> static_;            ///< By body.
+  std::vector<bool> asleep_;            ///< By body.
   std::vector<bool> linked_;            ///< By body.
   std::vector<int> blows_;              ///< By body: how many it had.
   std::vector<BodyFlight> flights_;     ///< By body: since its last blow.
@@ -142,31 +118,18 @@ class Blows {
   std::vector<double> reaches_;         ///< By body. [m]
   std::vector<Eigen::Vector3d> pulls_;  ///< By body that flies: without support. [m/s²]
   std::vector<Support> supports_;
-  int spent_ = 0;                ///< Sweeps × rows, in this step.
   std::vector<Velocity> gains_;  ///< By body that is held: what blows gave it.
-  std::vector<Candidate> candidates_;
-  std::vector<int> newest_;  ///< By body: its candidate appended last; −1: none.
+  Meetings meetings_;
   std::vector<int> met_;     ///< What one body may meet.
-  /** When candidates meet, and which: a heap with the earliest first, in which some are
-   out of date. */
-  std::vector<std::pair<double, int>> queue_;
   bool meets_held_ = false;  ///< Whether a candidate is held.
   std::vector<ContactPair> struck_;
   DisjointSets heaps_;          ///< Of bodies.
   std::vector<bool> holds_;     ///< By body that stands for a heap: whether one is held.
   std::vector<int> heap_size_;  ///< By body that stands for a heap.
 
-  // The blow at hand: a world of its bodies.
-  ContactSolver solver_{1};
-  std::vector<int> place_;  ///< By body: among the following, or −1.
-  std::vector<int> members_;
-  std::vector<RigidBody> bodies_;
-  std::vector<InverseInertia> inertias_;
-  std::vector<Velocity> before_;  ///< One more than bodies, see SolverBodies.
-  std::vector<Velocity> after_;
-  std::vector<Touch> touches_;
-  std::vector<ContactPair> pairs_;
-  // Heaps with the least first: candidates that may join it, in this look and the next.
+  Blow blow_;  ///< At hand.
+  // Heaps with the least first: candidates that may join the blow at hand, in this look
+  // and the next.
   std::vector<int> looks_;
   std::vector<int> later_;
 };

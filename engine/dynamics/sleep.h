@@ -31,6 +31,9 @@ class Sleep {
 
   bool IsAsleep(int body) const { return asleep_[static_cast<std::size_t>(body)]; }
 
+  /** By body: whether it sleeps. */
+  const std::vector<bool>& asleep() const { return asleep_; }
+
   /** Wakes the island of a body. */
   void Wake(int body, std::span<RigidBody> bodies);
 

@@ -170,7 +170,8 @@ void World::Advance(double h, bool follow_blows) {
   ApplyForces(h);
   blows_.Clear();
   if (follow_blows) {
-    blows_.Begin({bodies_, before_, free_, linked_}, finder_, settings_, h);
+    blows_.Begin({bodies_, before_, free_, sleep_.asleep(), linked_}, finder_, settings_,
+                 h);
   }
   Solve(h);
   Move(h);
