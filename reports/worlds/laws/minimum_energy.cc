@@ -72,39 +72,30 @@ struct Hung {
     return least;
   }
 
-  /** Returns how the points of the net that are no fixed ones are in `state`. */
-  static std::vector<PointState> StatesOf(const World& world, const Subjects& subjects,
-                                          const WorldState& state) {
-    std::vector<PointState> states;
+  /** Where the points of the net are, and how fast. */
+  struct Points {
+    Net::Points p_W;
+    Net::Points v_W;
+
+    void Add(const PointState& point) {
+      p_W.push_back(point.p_W);
+      v_W.push_back(point.v_W);
+    }
+  };
+
+  Points PointsOf(const World& world, const Subjects& subjects,
+                  const WorldState& state) const {
+    Points points;
     for (const int i : subjects.cloths) {
       const int n = world.cloths[static_cast<std::size_t>(i)].n;
       const int first = FirstNodeOf(world, i);
       for (int node = 0; node < n * n; ++node)
-        states.push_back(state.nodes[static_cast<std::size_t>(first + node)]);
+        points.Add(state.nodes[static_cast<std::size_t>(first + node)]);
     }
     for (const int i : subjects.particles)
-      states.push_back(state.particles[static_cast<std::size_t>(i)]);
-    return states;
-  }
-
-  /** Returns where the points of the net are in `state`. */
-  Net::Points PointsOf(const World& world, const Subjects& subjects,
-                       const WorldState& state) const {
-    Net::Points points_W;
-    for (const PointState& point : StatesOf(world, subjects, state))
-      points_W.push_back(point.p_W);
-    points_W.insert(points_W.end(), fixed_W.begin(), fixed_W.end());
-    return points_W;
-  }
-
-  /** Returns how fast they are. */
-  Net::Points VelocitiesOf(const World& world, const Subjects& subjects,
-                           const WorldState& state) const {
-    Net::Points velocities_W;
-    for (const PointState& point : StatesOf(world, subjects, state))
-      velocities_W.push_back(point.v_W);
-    velocities_W.resize(net.mass.size(), Eigen::Vector3d::Zero());
-    return velocities_W;
+      points.Add(state.particles[static_cast<std::size_t>(i)]);
+    for (const Eigen::Vector3d& p_W : fixed_W) points.Add({p_W, Eigen::Vector3d::Zero()});
+    return points;
   }
 };
 
@@ -180,8 +171,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Hung hung = HungOf(world, subjects);
   const WorldState& end = motion.trajectory.samples.back();
   const WorldState begin = StateAtStart(world);
-  const Net::Points is = hung.PointsOf(world, subjects, end);
-  const Net::Points start_W = hung.PointsOf(world, subjects, begin);
+  const Net::Points is = hung.PointsOf(world, subjects, end).p_W;
+  const auto [start_W, start_v_W] = hung.PointsOf(world, subjects, begin);
   const Energy last = EnergyOf(world, end, subjects);
   const double rounding = RoundingOf(
       motion.oracle, StepsBefore(motion, motion.trajectory.samples.size() - 1));
@@ -194,8 +185,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const double least_downhill = hung.net.EnergyAt(hung.net.Minimum(start_W));
   if (hung.net.EnergyAt(rest) > least_downhill + rounding * last.size) {
     const std::optional<Net::Points> moved_there =
-        RestAfter(hung.net, hung.drag, start_W, hung.VelocitiesOf(world, subjects, begin),
-                  world.steps * world.dt);
+        RestAfter(hung.net, hung.drag, start_W, start_v_W, world.steps * world.dt);
     if (!moved_there) return {};
     rest = *moved_there;
   }
