@@ -21,9 +21,13 @@ constexpr auto kExamples = std::to_array<Examples>({
   touchstone run 'contact/zoo/fcl_*' --against fcl
   touchstone run mine.toml --out report          a page in report/index.html
 )",
-     "0 all pass or known, 1 failures, 2 bad input or nothing verified"},
+     "0 all pass or known; 1 the subject fails, or a reference or a file does "
+     "(references "
+     "do not count with --fail-on subject); 2 bad input, or nothing of the subject was "
+     "verified, whatever the references do"},
     {"explain", R"(
   touchstone explain contact/zoo/fcl_395         every answer, with the proofs
+  touchstone explain contact/zoo/fcl_395 --all   the file, every contact, every number
   touchstone explain contact/zoo                 a line each
   touchstone explain mine.toml --against fcl,ode
 )",

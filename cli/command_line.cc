@@ -42,7 +42,8 @@ constexpr const char* kIntroduction =
     "  touchstone simulate world/free --oracles bullet,ode --csv motion.csv\n"
     "  touchstone bench worlds --scene boxes1000\n"
     "  touchstone COMMAND --help               what a command takes\n\n"
-    "Exit code: 0 all pass or known, 1 failures, 2 bad input or nothing verified.";
+    "Exit code: 0 all pass or known, 1 failures, 2 bad input or nothing of the subject "
+    "verified.";
 
 const std::string kPatterns =
     "scenario ids, folders of ids, globs (* within a level, ** across), or TOML files "
@@ -167,10 +168,12 @@ class CommandLine {
   void AddExplain() {
     CLI::App* app = AddCommand(
         "explain", "every oracle's answer to a scenario, side by side, with the proofs",
-        [this] { return ExplainCommand(session_, explained_, oracles_); });
+        [this] { return ExplainCommand(session_, explained_, oracles_, everything_); });
     AddScenarios(app, explained_);
     app->get_option("PATTERN")->required()->description(kPatterns);
     AddOracleOptions(app, oracles_);
+    app->add_flag("--all", everything_,
+                  "the scenario's file, every contact and every number of everybody");
   }
 
   void AddAsk() {
@@ -182,6 +185,7 @@ class CommandLine {
     AddOracleOptions(app, ask_.oracles);
     app->add_flag("--toml", ask_.toml,
                   "ask nobody: print the question as a scenario file to keep");
+    app->add_flag("--all", ask_.everything, "every contact and every proof of everybody");
     app->add_option("--id", ask_.id, "the scenario's id, in a folder its path there")
         ->capture_default_str();
   }
@@ -318,6 +322,7 @@ class CommandLine {
   ScenarioSelection explained_;
   OracleSelection oracles_;
   ScenarioSelection listed_;
+  bool everything_ = false;
   bool settings_ = false;
   bool propose_ = false;
 };

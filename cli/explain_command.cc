@@ -22,16 +22,20 @@ RunReport Answers(const Session& session, const Questions& questions,
 }  // namespace
 
 int ExplainCommand(const Session& session, const ScenarioSelection& selection,
-                   const OracleSelection& oracles) {
+                   const OracleSelection& oracles, bool everything) {
   const Questions questions = SelectQuestions(selection);
   const RunReport report =
       Answers(session, questions, oracles, BuiltInLedger(session, selection, questions));
   if (QuestionCount(report) == 1) {
-    for (const Scenario& scenario : questions.contacts)
-      std::cout << WriteScenario(scenario) << '\n';
-    for (const WorldScenario& scenario : questions.worlds)
-      std::cout << WriteScenario(scenario) << '\n';
-    WriteExplanation(report, std::cout);
+    if (everything) {
+      for (const Scenario& scenario : questions.contacts)
+        std::cout << WriteScenario(scenario) << '\n';
+      for (const WorldScenario& scenario : questions.worlds)
+        std::cout << WriteScenario(scenario) << '\n';
+    }
+    WriteExplanation(report, {.everything = everything}, std::cout);
+    if (!everything)
+      std::cout << "\n--all shows the file, every contact and every number\n";
     return 0;
   }
   WriteExplanationTable(report, std::cout);
@@ -61,7 +65,8 @@ int AskCommand(const Session& session, const AskArguments& arguments) {
     return 0;
   }
   // No entry of the ledger is about this question.
-  WriteExplanation(Answers(session, {{scenario}, {}}, arguments.oracles, {}), std::cout);
+  WriteExplanation(Answers(session, {{scenario}, {}}, arguments.oracles, {}),
+                   {.everything = arguments.everything}, std::cout);
   return 0;
 }
 

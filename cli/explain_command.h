@@ -6,18 +6,20 @@
 
 namespace touchstone {
 
-/** Prints, for one selected scenario, its file, the certified truth, every oracle's
- answer side by side, and who is proved right and wrong; for several a line each. */
+/** Prints, for one selected scenario, the certified truth, who is proved right and wrong,
+ and every oracle's answer side by side, with its file and every number where `everything`
+ is asked for; for several a line each. */
 int ExplainCommand(const Session& session, const ScenarioSelection& scenarios,
-                   const OracleSelection& oracles);
+                   const OracleSelection& oracles, bool everything);
 
 /** The arguments of `touchstone ask`. */
 struct AskArguments {
   std::string A;  ///< In the syntax of cli/body_text.h.
   std::string B;
   OracleSelection oracles;
-  std::string id = "ask";  ///< Of the scenario.
-  bool toml = false;       ///< Print the question as a scenario file, and ask nobody.
+  std::string id = "ask";   ///< Of the scenario.
+  bool toml = false;        ///< Print the question as a scenario file, and ask nobody.
+  bool everything = false;  ///< As of ExplainCommand().
 };
 
 /** As ExplainCommand(), for two shapes given on the command line. */

@@ -3,8 +3,6 @@
 #include <array>
 #include <iostream>
 
-#include <fmt/format.h>
-
 #include "cli/output_folder.h"
 #include "reports/writers/html_writer.h"
 #include "reports/writers/json_writer.h"
@@ -53,12 +51,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
   for (const ReportFile& file : kReportFiles) {
     if (out) out->Write(file.name, [&](std::ostream& to) { file.write(report, to); });
   }
-  const int code = ExitCode(report, arguments.fail_on);
-  if (code == 2) {
-    std::cerr << "touchstone: nothing was verified: " << report.subject
-              << " passed no measure of any scenario; --subject names another\n";
-  }
-  return code;
+  return ExitCode(report, arguments.fail_on);
 }
 
 }  // namespace touchstone

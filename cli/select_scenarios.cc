@@ -1,11 +1,16 @@
 #include "cli/select_scenarios.h"
 
 #include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/input_error.h"
+#include "reports/counted.h"
 #include "reports/glob.h"
+#include "reports/worlds/check_claims.h"
 #include "scenarios/scenario_file.h"
 #include "scenarios/schema/nearest_name.h"
 
@@ -37,14 +42,20 @@ bool IsPath(const std::string& pattern, const Ids& known) {
 }
 
 Questions WithoutErrors(Catalogue catalogue) {
-  if (catalogue.diagnostics.empty())
-    return {std::move(catalogue.scenarios), std::move(catalogue.worlds)};
-  std::string text;
-  for (const Diagnostic& diagnostic : catalogue.diagnostics) {
-    text += ToString(diagnostic) + "\n";
+  std::vector<Diagnostic>& errors = catalogue.diagnostics;
+  for (const WorldScenario& scenario : catalogue.worlds) {
+    for (Diagnostic& error : ErrorsOfClaims(scenario)) errors.push_back(std::move(error));
   }
-  throw InputError(text + fmt::format("{} errors in scenario files: nothing was run",
-                                      catalogue.diagnostics.size()));
+  if (errors.empty())
+    return {std::move(catalogue.scenarios), std::move(catalogue.worlds)};
+  std::stable_sort(
+      errors.begin(), errors.end(), [](const Diagnostic& a, const Diagnostic& b) {
+        return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
+      });
+  std::string text =
+      Counted(errors.size(), "error") + " in scenario files: nothing was run";
+  for (const Diagnostic& error : errors) text += fmt::format("\n{}", ToString(error));
+  throw InputError(text);
 }
 
 // "contact/sphere_box/*" of "contact/box_sphere/*": a folder names a pair of shapes in

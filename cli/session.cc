@@ -27,12 +27,11 @@ std::string Today() {
 Ledger ReadLedgerOf(const std::filesystem::path& file) {
   LedgerResult result = ReadLedgerFile(file);
   if (result.ledger) return std::move(*result.ledger);
-  std::string text;
-  for (const Diagnostic& diagnostic : result.diagnostics) {
-    text += ToString(diagnostic) + "\n";
-  }
-  throw InputError(text + Counted(result.diagnostics.size(), "error") +
-                   " in the ledger: nothing was run");
+  std::string text =
+      Counted(result.diagnostics.size(), "error") + " in the ledger: nothing was run";
+  for (const Diagnostic& diagnostic : result.diagnostics)
+    text += fmt::format("\n{}", ToString(diagnostic));
+  throw InputError(text);
 }
 
 Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,

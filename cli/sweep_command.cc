@@ -80,7 +80,7 @@ void WriteFailures(const OutputFolder& folder, const SweepResult& result) {
 void PrintFailures(const QuestionSeries& series, const SweepResult& result) {
   for (const FailedQuestion& failure : result.first_failures) {
     std::cout << '\n' << WriteScenario(failure.report.scenarios[0].scenario) << '\n';
-    WriteExplanation(failure.report, std::cout);
+    WriteExplanation(failure.report, {}, std::cout);
     std::cout << "Again: " << ReplayOf(series, failure.index) << '\n';
   }
 }

@@ -27,6 +27,18 @@ double RoundingGranted(const ScenarioResult& result) {
          kRoundings * kDouble * SceneSize(result.scenario.contact);
 }
 
+/** Where a scenario says something: in its file, or in a scenario without one. */
+std::string PlaceOf(const std::string& id, const FilePlaces& places,
+                    std::string_view path) {
+  if (places.file.empty()) return id;
+  const Diagnostic at = ErrorAtValue(places, path, "", "");
+  return fmt::format("{}:{}:{}", at.file, at.line, at.column);
+}
+
+std::string PlaceOf(const ScenarioResult& result, std::string_view path) {
+  return PlaceOf(result.scenario.id, result.scenario.places, path);
+}
+
 void CheckTouching(const ScenarioResult& result, std::vector<std::string>& faults) {
   const std::optional<bool> expected = result.scenario.expect.touching;
   if (!expected) return;
@@ -35,7 +47,7 @@ void CheckTouching(const ScenarioResult& result, std::vector<std::string>& fault
         "{}: expects touching = {}, which cannot be checked: the separation is "
         "certified to be in [{:.9g}, {:.9g}] m, and the input is rounded by "
         "{:.2g} m. Remove it.",
-        result.scenario.id, *expected, result.truth.separation.lo,
+        PlaceOf(result, "expect.touching"), *expected, result.truth.separation.lo,
         result.truth.separation.hi, result.truth.input_rounding));
     return;
   }
@@ -44,8 +56,8 @@ void CheckTouching(const ScenarioResult& result, std::vector<std::string>& fault
   faults.push_back(
       fmt::format("{}: expects touching = {}, but the separation is certified to be in "
                   "[{:.9g}, {:.9g}] m.",
-                  result.scenario.id, *expected, result.truth.separation.lo,
-                  result.truth.separation.hi));
+                  PlaceOf(result, "expect.touching"), *expected,
+                  result.truth.separation.lo, result.truth.separation.hi));
 }
 
 void CheckSeparation(const ScenarioResult& result, std::vector<std::string>& faults) {
@@ -58,26 +70,29 @@ void CheckSeparation(const ScenarioResult& result, std::vector<std::string>& fau
     faults.push_back(
         fmt::format("{}: expects separation = {:.12g} m, which cannot be checked: it is "
                     "certified only to be in [{:.12g}, {:.12g}] m. Remove it.",
-                    result.scenario.id, *expected, truth.lo, truth.hi));
+                    PlaceOf(result, "expect.separation"), *expected, truth.lo, truth.hi));
     return;
   }
   if (Outside(*expected, truth) <= slack) return;
   faults.push_back(
       fmt::format("{}: expects separation = {:.12g} m, but it is certified to be in "
                   "[{:.12g}, {:.12g}] m.",
-                  result.scenario.id, *expected, truth.lo, truth.hi));
+                  PlaceOf(result, "expect.separation"), *expected, truth.lo, truth.hi));
 }
 
 void CheckNormals(const ScenarioResult& result, std::vector<std::string>& faults) {
   const ContactQuery& query = result.scenario.contact;
   // A normal off by kWritten tilts on a lever as long as the scene.
   const double slack = RoundingGranted(result) + kWritten * SceneSize(query);
-  for (const Eigen::Vector3d& n : result.scenario.expect.normals) {
+  const std::vector<Eigen::Vector3d>& normals = result.scenario.expect.normals;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Eigen::Vector3d& n = normals[i];
     const double excess = Excess(query, result.truth, n);
     if (excess <= slack) continue;
-    faults.push_back(fmt::format(
-        "{}: expects the normal {}, but {} is shorter by {:.9g} m.", result.scenario.id,
-        InWords(n), InWords(result.truth.certificate.n_AB_W), excess));
+    faults.push_back(
+        fmt::format("{}: expects the normal {}, but {} is shorter by {:.9g} m.",
+                    PlaceOf(result, fmt::format("expect.normals[{}]", i)), InWords(n),
+                    InWords(result.truth.certificate.n_AB_W), excess));
   }
 }
 
@@ -92,7 +107,8 @@ void CheckContacts(const ScenarioResult& result, std::vector<std::string>& fault
     faults.push_back(fmt::format(
         "{}: expects {}, which cannot be checked: the separation is certified "
         "only to be in [{:.12g}, {:.12g}] m. Remove it.",
-        result.scenario.id, Counted(*expect.contacts, "contact"), truth.lo, truth.hi));
+        PlaceOf(result, "expect.contacts"), Counted(*expect.contacts, "contact"),
+        truth.lo, truth.hi));
     return;
   }
   const ContactQuery& query = result.scenario.contact;
@@ -109,7 +125,8 @@ void CheckContacts(const ScenarioResult& result, std::vector<std::string>& fault
   if (least_along(certified, RoundingGranted(result)) == *expect.contacts) return;
   const auto expected = static_cast<std::uint64_t>(*expect.contacts);
   faults.push_back(fmt::format("{}: expects {}, but it takes {} to span the patch.",
-                               result.scenario.id, Counted(expected, "contact"), least));
+                               PlaceOf(result, "expect.contacts"),
+                               Counted(expected, "contact"), least));
 }
 
 bool Indicts(const Finding& finding) {
@@ -119,8 +136,9 @@ bool Indicts(const Finding& finding) {
 }
 
 /** Returns what is wrong with an indictment by one measure, "" where nothing is.
+ @param place Where the indictment stands.
  @param finding Of that measure; null where nothing was measured. */
-std::string FaultOf(std::string_view id, const Indictment& indictment,
+std::string FaultOf(std::string_view place, const Indictment& indictment,
                     MeasureKind measure, const Finding* finding) {
   const bool found = finding != nullptr && Indicts(*finding);
   if (indictment.reproduces) {
@@ -128,19 +146,19 @@ std::string FaultOf(std::string_view id, const Indictment& indictment,
     return fmt::format(
         "{}: indicts {} of {} (\"{}\"), which is not found again: remove the measure, or "
         "set reproduces = false.",
-        id, indictment.oracle, NameOf(measure), indictment.anomaly);
+        place, indictment.oracle, NameOf(measure), indictment.anomaly);
   }
   if (finding == nullptr) {
     return fmt::format(
         "{}: says that {} does not show \"{}\" any more by {}, which is not measured "
         "there: name a measure that is.",
-        id, indictment.oracle, indictment.anomaly, NameOf(measure));
+        place, indictment.oracle, indictment.anomaly, NameOf(measure));
   }
   if (!found) return "";
   return fmt::format(
       "{}: says that {} does not show \"{}\" any more, but by {}: {} Set reproduces = "
       "true.",
-      id, indictment.oracle, indictment.anomaly, NameOf(measure), finding->proof);
+      place, indictment.oracle, indictment.anomaly, NameOf(measure), finding->proof);
 }
 
 void CheckIndictments(RunReport& report) {
@@ -151,26 +169,24 @@ void CheckIndictments(RunReport& report) {
     if (Indicts(finding)) measured.insert_or_assign(key, &finding);
     measured.try_emplace(key, &finding);
   }
-  const auto check = [&](const std::string& id,
-                         const std::vector<Indictment>& indictments) {
-    for (const Indictment& indictment : indictments) {
+  const auto check = [&](const auto& scenario) {
+    for (std::size_t i = 0; i < scenario.indicts.size(); ++i) {
+      const Indictment& indictment = scenario.indicts[i];
       const bool took_part = std::any_of(
           report.oracles.begin(), report.oracles.end(),
           [&](const OracleInfo& oracle) { return oracle.name == indictment.oracle; });
       if (!took_part) continue;
       for (const MeasureKind measure : indictment.measures) {
-        const auto finding = measured.find({id, indictment.oracle, measure});
-        const std::string fault =
-            FaultOf(id, indictment, measure,
-                    finding == measured.end() ? nullptr : finding->second);
+        const auto finding = measured.find({scenario.id, indictment.oracle, measure});
+        const std::string fault = FaultOf(
+            PlaceOf(scenario.id, scenario.places, fmt::format("indicts[{}]", i)),
+            indictment, measure, finding == measured.end() ? nullptr : finding->second);
         if (!fault.empty()) report.faults.push_back(fault);
       }
     }
   };
-  for (const ScenarioResult& result : report.scenarios)
-    check(result.scenario.id, result.scenario.indicts);
-  for (const WorldResult& result : report.worlds)
-    check(result.scenario.id, result.scenario.indicts);
+  for (const ScenarioResult& result : report.scenarios) check(result.scenario);
+  for (const WorldResult& result : report.worlds) check(result.scenario);
 }
 
 }  // namespace

@@ -19,6 +19,13 @@ bool IsVerified(std::span<const Finding> of_one_answer) {
       });
 }
 
+std::string_view RecognisedModelOf(const Finding& finding) {
+  const bool recognised = finding.reference == "law" &&
+                          finding.verdict == Verdict::kPass &&
+                          finding.cause == Cause::kModel;
+  return recognised ? std::string_view(finding.cause_because) : std::string_view();
+}
+
 std::string_view NameOf(Verdict verdict) {
   constexpr std::array<std::string_view, 9> kNames = {
       "pass",        "fail",    "disagree",  "known",  "undecidable",

@@ -38,9 +38,10 @@ enum class Cause {
 struct Finding {
   std::string scenario;
   std::string oracle;
-  /** The oracle whose answer is the other side; "referee" for the certified truth, empty
-   for the metamorphic measures, which need none. */
+  /** The oracle whose answer is the other side; "referee" for the certified truth, "law"
+   for what is true of a world; empty for the metamorphic measures, which need none. */
   std::string reference;
+  std::string law;  ///< Where the reference is "law": its name, if the number has one.
   MeasureKind measure;
   double value = 0;
   double tolerance = 0;
@@ -60,6 +61,11 @@ struct Finding {
  answered is no proof of anything, and what does not move at all does so in every frame.
  */
 bool IsVerified(std::span<const Finding> of_one_answer);
+
+/** Returns the legal model that a motion follows instead of the truth's, "simultaneous
+ impacts": where it is recognised, its finding is beyond its tolerance and passes. Empty
+ for every other finding. */
+std::string_view RecognisedModelOf(const Finding& finding);
 
 /** Returns "pass", "fail", …, "timed out". */
 std::string_view NameOf(Verdict verdict);

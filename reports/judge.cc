@@ -100,8 +100,11 @@ class Judgement {
   }
 
   void Unanswered(Verdict verdict, const std::string& why) {
-    Finding& finding = Add(MeasureKind::kAnswering, 1, {0, "an answer is an answer"},
-                           [&] { return fmt::format("{}: {}.", oracle_.name, why); });
+    Finding& finding =
+        Add(MeasureKind::kAnswering, 1, {0, "an answer is an answer"}, [&] {
+          return fmt::format("{}: {}{}", oracle_.name, why,
+                             why.ends_with('.') ? "" : ".");
+        });
     finding.verdict = verdict;
   }
 

@@ -144,8 +144,8 @@ class Suite {
     report_.ledger = ledger;
     ApplyLedger(report_, options_.today, options_.partial, options_.is_oracle);
     for (const WorldResult& result : report_.worlds) {
-      std::vector<std::string> faults = FaultsOfClaims(result.scenario);
-      std::move(faults.begin(), faults.end(), std::back_inserter(report_.faults));
+      for (const Diagnostic& error : ErrorsOfClaims(result.scenario))
+        report_.faults.push_back(ToString(error) + '.');
     }
     CheckCatalogue(report_);
     return std::move(report_);
@@ -361,15 +361,7 @@ bool Answers(const RunReport& report, std::size_t oracle, std::size_t i) {
   return i < report.scenarios.size() ? info.AnswersContacts() : info.simulates;
 }
 
-int ExitCode(const RunReport& report, FailOn fail_on) {
-  const auto counts = [&](const Finding& f) {
-    return IsFailure(f.verdict) &&
-           (fail_on == FailOn::kAnything || f.oracle == report.subject);
-  };
-  if (!report.faults.empty() ||
-      std::any_of(report.findings.begin(), report.findings.end(), counts)) {
-    return 1;
-  }
+bool IsSubjectExamined(const RunReport& report) {
   const std::span<const Finding> findings = report.findings;
   for (std::size_t begin = 0, end = 0; begin < findings.size(); begin = end) {
     while (end < findings.size() && findings[end].oracle == findings[begin].oracle &&
@@ -378,10 +370,22 @@ int ExitCode(const RunReport& report, FailOn fail_on) {
     }
     if (findings[begin].oracle == report.subject &&
         IsVerified(findings.subspan(begin, end - begin))) {
-      return 0;
+      return true;
     }
   }
-  return 2;
+  return false;
+}
+
+int ExitCode(const RunReport& report, FailOn fail_on) {
+  const auto fails = [](const Finding& f) { return IsFailure(f.verdict); };
+  const auto subject_fails = [&](const Finding& f) {
+    return fails(f) && f.oracle == report.subject;
+  };
+  if (std::ranges::any_of(report.findings, subject_fails)) return 1;
+  if (!IsSubjectExamined(report)) return 2;
+  if (!report.faults.empty()) return 1;
+  return fail_on == FailOn::kAnything && std::ranges::any_of(report.findings, fails) ? 1
+                                                                                     : 0;
 }
 
 }  // namespace touchstone

@@ -37,9 +37,10 @@ struct RunReport {
   std::vector<Finding> findings;
   Ledger ledger;
   std::vector<LedgerUse> ledger_use;  ///< Per entry of the ledger.
-  /** Faults of the catalogue and the ledger that fail the run: an expectation that the
-   truth contradicts, an indictment not found again, an entry exceeded, expired or
-   improved. One sentence each, with what to do. */
+  /** Faults of the scenario files and the ledger that fail the run: an expectation that
+   the truth contradicts, an indictment not found again, an entry exceeded, expired or
+   improved. One sentence each, which starts with the place in the file (with the id of a
+   scenario that has none), and says what to do. */
   std::vector<std::string> faults;
 };
 
@@ -88,11 +89,15 @@ bool Answers(const RunReport& report, std::size_t oracle, std::size_t i);
 /** Which failures count. */
 enum class FailOn {
   kAnything,  ///< A reference proved wrong outside the ledger fails the run too.
-  kSubject,   ///< Only the subject's failures and the catalogue's own faults count.
+  kSubject,   ///< Only the subject's failures and the faults of files count.
 };
 
-/** Returns the exit code of a run: 0 all pass or known, 1 failures, 2 nothing of the
- subject was verified. */
+/** Returns whether anything that the subject answered was held against something. */
+bool IsSubjectExamined(const RunReport& report);
+
+/** Returns the exit code of a run: 1 where the subject fails; else 2 where nothing of it
+ was verified, whatever the references do; else 1 for a fault of the files, and for a
+ reference that fails where that counts; else 0. */
 int ExitCode(const RunReport& report, FailOn fail_on);
 
 }  // namespace touchstone

@@ -13,8 +13,10 @@
 #include "reports/measures/answer_change.h"
 #include "reports/measures/invalidity.h"
 #include "reports/measures/outside.h"
+#include "reports/measures/overlap_along.h"
 #include "reports/measures/stated.h"
 #include "reports/proof.h"
+#include "reports/told_apart.h"
 #include "reports/tolerance.h"
 #include "scenarios/cube_rotations.h"
 #include "scenarios/transformations.h"
@@ -69,14 +71,72 @@ ContactAnswer BroughtBack(const Variant& variant, const ContactAnswer& answer) {
   }
 }
 
-/** "touching, -0.0134 m along (0, 0.6, 0.8)", as far as the answer says. */
-std::string Said(const ContactAnswer& answer) {
-  std::string words = answer.touching ? "touching" : "apart";
-  if (const auto separation = SeparationOf(answer)) {
-    words += fmt::format(", {:.9g} m", *separation);
+/** What was done to the question. */
+std::string ChangeOf(const ContactQuery& query, const Variant& variant) {
+  switch (variant.measure) {
+    case MeasureKind::kSwap:
+      return "swap: A and B exchanged";
+    case MeasureKind::kRigidMotion:
+      return fmt::format(
+          "rigid_motion: both turned by the quaternion ({:.6g}, {:.6g}, {:.6g}, {:.6g}) "
+          "about the origin, then moved by {}",
+          AwkwardMotion().q_WB->w(), AwkwardMotion().q_WB->x(), AwkwardMotion().q_WB->y(),
+          AwkwardMotion().q_WB->z(), InWords(AwkwardMotion().p_WB));
+    case MeasureKind::kScaling:
+      return fmt::format("scaling: all lengths times {:.9g}", variant.factor);
+    case MeasureKind::kPerturbation:
+      return fmt::format("perturbation: B moved by {}",
+                         InWords(variant.query.B.X_WB.p_WB - query.B.X_WB.p_WB));
+    default:
+      return "relabelling: the axes of its boxes renamed";
   }
-  if (const auto n_W = NormalOf(answer)) words += " along " + InWords(*n_W);
-  return words;
+}
+
+/** "0.05 m deep", "0.01 m apart", of a signed separation. */
+std::string DeepOrApart(std::string_view separation) {
+  return separation.starts_with('-') ? fmt::format("{} m deep", separation.substr(1))
+                                     : fmt::format("{} m apart", separation);
+}
+
+constexpr int kDigits = 9;
+
+/** Says by which numbers, that anybody may subtract, the separations differ. */
+std::string ProveSeparations(const ContactTruth& truth, const ContactAnswer& answer,
+                             const ContactAnswer& back, std::string_view change) {
+  const auto first = SeparationOf(answer);
+  const auto second = SeparationOf(back);
+  if (first && second) {
+    const auto [said, other, difference] = TellApart(*first, *second, kDigits);
+    if (answer.touching == back.touching ||
+        std::abs(*first - *second) >= Outside(0, truth.separation)) {
+      return fmt::format(
+          "says {}; of its variant ({}), brought back, it says {}: a "
+          "difference of {} m",
+          DeepOrApart(said), change, DeepOrApart(other), difference);
+    }
+  }
+  return fmt::format(
+      "says {}; of its variant ({}) it says {}: the separation is "
+      "certified to be {:.3g} m from touching",
+      answer.touching ? "touching" : "apart", change,
+      back.touching ? "touching" : "apart", Outside(0, truth.separation));
+}
+
+/** Says by which overlaps, that anybody may compute, the normals differ. */
+std::string ProveOverlaps(const ContactQuery& query, const ContactAnswer& answer,
+                          const ContactAnswer& back, std::string_view change) {
+  const auto overlap = [&](const Eigen::Vector3d& n_W) {
+    const Enclosure along = OverlapAlong(query, n_W);
+    return along.lo + (along.hi - along.lo) / 2;
+  };
+  const Eigen::Vector3d n_W = NormalOf(answer).value();
+  const Eigen::Vector3d back_W = NormalOf(back).value();
+  const auto [first, second, difference] =
+      TellApart(overlap(n_W), overlap(back_W), kDigits);
+  return fmt::format(
+      "says n = {}, along which max_A n·x − min_B n·x is {} m; of its variant ({}), "
+      "brought back, it says n = {}, along which that is {} m: a difference of {} m",
+      InWords(n_W), first, change, InWords(back_W), second, difference);
 }
 
 /** What `answer` states and `back` does not, "" where nothing is missing.
@@ -161,8 +221,9 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   finding.tolerance_because = granted.separation.because;
   const auto failed = [&](Verdict verdict, const std::string& why) {
     finding.verdict = verdict;
-    finding.proof = fmt::format("{} answers the question, but not its variant ({}): {}.",
-                                oracle.name, NameOf(variant.measure), why);
+    finding.proof = fmt::format("{} answers the question, but not its variant ({}): {}{}",
+                                oracle.name, ChangeOf(scenario.contact, variant), why,
+                                why.ends_with('.') ? "" : ".");
     return finding;
   };
   if (variant_answer.status == AnswerStatus::kCrashed) {
@@ -200,7 +261,9 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   const double overlap = std::max(0.0, change.overlap - variant.play);
   // Of the two, what is further beyond its tolerance.
   finding.value = separation;
-  if (overlap * granted.separation.value > separation * granted.overlap.value) {
+  const bool by_overlap =
+      overlap * granted.separation.value > separation * granted.overlap.value;
+  if (by_overlap) {
     finding.value = overlap;
     finding.tolerance = granted.overlap.value;
     finding.tolerance_because = granted.overlap.because;
@@ -209,11 +272,18 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   finding.verdict = finding.value <= finding.tolerance ? Verdict::kPass : Verdict::kFail;
   if (!std::isfinite(finding.tolerance)) finding.verdict = Verdict::kUndecidable;
   if (finding.verdict == Verdict::kFail) {
-    finding.proof = fmt::format(
-        "{} says {}; of its variant ({}), brought back, it says {}: a difference of "
-        "{:.9g} m.",
-        oracle.name, Said(answer), NameOf(variant.measure), Said(back),
-        finding.value + variant.play);
+    const std::string changed = ChangeOf(query, variant);
+    finding.proof =
+        fmt::format("{} {}", oracle.name,
+                    by_overlap ? ProveOverlaps(query, answer, back, changed)
+                               : ProveSeparations(truth, answer, back, changed));
+    // The head states what the variant itself does not explain.
+    if (variant.play > 0) {
+      finding.proof += fmt::format(
+          ", of which the motion itself explains up to {:.3g} m, and {:.3g} m are left",
+          variant.play, finding.value);
+    }
+    finding.proof += '.';
     if (variant.measure == MeasureKind::kSwap && NormalOf(back)) {
       const AnswerDifference left = AnswerChange(query, truth, answer, variant_answer);
       if (left.separation <= granted.separation.value &&

@@ -5,8 +5,11 @@
 namespace touchstone {
 
 std::string ToString(const Diagnostic& diagnostic) {
-  return fmt::format("{}:{}:{}: {}; expected {}", diagnostic.file, diagnostic.line,
-                     diagnostic.column, diagnostic.what, diagnostic.expected);
+  const std::string place =
+      diagnostic.line > 0 ? fmt::format(":{}:{}", diagnostic.line, diagnostic.column)
+                          : "";
+  return fmt::format("{}{}: {}; expected {}", diagnostic.file, place, diagnostic.what,
+                     diagnostic.expected);
 }
 
 }  // namespace touchstone

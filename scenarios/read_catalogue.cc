@@ -136,7 +136,7 @@ class CatalogueReader {
 
   void Report(const fs::path& path, std::string what, std::string expected) {
     catalogue_.diagnostics.push_back(
-        {path.generic_string(), 1, 1, std::move(what), std::move(expected)});
+        {path.generic_string(), 0, 0, std::move(what), std::move(expected)});
   }
 
   Catalogue catalogue_;
@@ -153,7 +153,7 @@ ReadResult ReadScenarioFile(const fs::path& file) {
     return ReadScenario(*text, name);
   }
   ReadResult result;
-  result.diagnostics.push_back({name, 1, 1, "cannot be read", "a readable file"});
+  result.diagnostics.push_back({name, 0, 0, "cannot be read", "a readable file"});
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "scenarios/scenario_file.h"
 #include "scenarios/toml/check_structure.h"
+#include "scenarios/toml/places_from.h"
 #include "scenarios/toml/read_contact.h"
 #include "scenarios/toml/read_world.h"
 #include "scenarios/validate_scenario.h"
@@ -25,13 +26,16 @@ TableKind KindOf(const toml::table& file) {
   return is_world ? TableKind::kWorldFile : TableKind::kContactFile;
 }
 
-void Read(const toml::table& file, FileLog& log, ReadResult& result) {
+void Read(const toml::table& file, std::string_view file_name, FileLog& log,
+          ReadResult& result) {
   const TableKind kind = KindOf(file);
   CheckStructure(file, kind, log);
   if (kind == TableKind::kWorldFile) {
     result.world = WorldFrom(file, log);
+    result.world->places = PlacesFrom(file, file_name);
   } else {
     result.scenario = ContactFrom(file, log);
+    result.scenario->places = PlacesFrom(file, file_name);
   }
   const toml::node* id = file.get("id");
   const std::string text = file["id"].value_or(std::string());
@@ -47,7 +51,7 @@ ReadResult ReadScenario(std::string_view text, std::string_view file_name) {
   FileLog log(file_name);
   ReadResult result;
   try {
-    Read(toml::parse(text, file_name), log, result);
+    Read(toml::parse(text, file_name), file_name, log, result);
   } catch (const toml::parse_error& error) {
     log.Add(error.source(), std::string(error.description()), "valid TOML 1.0");
   }

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "scenarios/contact_query.h"
+#include "scenarios/file_places.h"
 #include "scenarios/measure_kind.h"
 
 namespace touchstone {
@@ -50,6 +51,7 @@ struct Scenario {
   ContactExpectation expect;
   std::optional<ToleranceOverride> tolerance;
   std::vector<Indictment> indicts;
+  FilePlaces places;  ///< Where it says so.
 };
 
 }  // namespace touchstone

@@ -122,7 +122,7 @@ std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
   std::ostringstream text;
   text << fmt::format("{} is wrong in {} of {}; {} of them touching. The first:\n\n",
                       name, result.failed, questions, result.touching);
-  WriteExplanation(first.report, text);
+  WriteExplanation(first.report, {}, text);
   text << "\nThe question, as a file for `touchstone run`:\n\n"
        << WriteScenario(first.report.scenarios[0].scenario)
        << "\nAsk everybody else again: " << ReplayOf(series, first.index) << '\n';

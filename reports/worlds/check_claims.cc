@@ -1,36 +1,83 @@
 #include "reports/worlds/check_claims.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string>
 #include <string_view>
+#include <tuple>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/worlds/law.h"
 #include "reports/worlds/run_worlds.h"
 #include "scenarios/schema/nearest_name.h"
 
 namespace touchstone {
+namespace {
 
-std::vector<std::string> FaultsOfClaims(const WorldScenario& scenario) {
-  std::vector<std::string> faults;
-  for (std::size_t i = 0; i < scenario.claims.size(); ++i) {
-    const Claim& claim = scenario.claims[i];
-    if (claim.law == kDeterministic) continue;
-    const std::string where = fmt::format("{}: claims[{}]", scenario.id, i);
-    const Law* law = FindLaw(claim.law);
-    if (!law) {
-      std::vector<std::string_view> names = {kDeterministic};
-      for (const Law& known : Laws()) names.push_back(known.name);
-      const std::string_view nearest = NearestName(claim.law, names);
-      faults.push_back(fmt::format(
-          "{}: no law is called '{}'{}", where, claim.law,
-          nearest.empty() ? "." : fmt::format("; did you mean {}?", nearest)));
-      continue;
-    }
-    for (const Fault& fault : law->faults(scenario.world, claim))
-      faults.push_back(fmt::format("{} ({}): {} {}; expected {}.", where, claim.law,
-                                   fault.where, fault.what, fault.expected));
+/** What is expected instead of a law of that name. */
+std::string LawLike(std::string_view misspelt) {
+  std::vector<std::string_view> names = {kDeterministic};
+  for (const Law& known : Laws()) names.push_back(known.name);
+  const std::string_view nearest = NearestName(misspelt, names);
+  return nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", "))
+                         : fmt::format("\"{}\"", nearest);
+}
+
+/** What is expected instead of a number that is none of `known`. */
+std::string OneOf(std::span<const std::string_view> known, std::string_view law) {
+  if (known.empty()) return fmt::format("none: {} knows no numbers", law);
+  if (known.size() == 1) return fmt::format("\"{}\"", known.front());
+  return fmt::format("one of {}", fmt::join(known, ", "));
+}
+
+/** Adds the errors of one claim, whose path is `path`. */
+void AddErrors(const World& world, const Claim& claim, std::string_view path,
+               const FilePlaces& places, std::vector<Diagnostic>& errors) {
+  const Law* law = FindLaw(claim.law);
+  if (!law && claim.law != kDeterministic) {
+    errors.push_back(
+        ErrorAtValue(places, fmt::format("{}.law", path),
+                     fmt::format("{}.law is \"{}\", which is no law", path, claim.law),
+                     LawLike(claim.law)));
+    return;
   }
-  return faults;
+  const std::span<const std::string_view> known =
+      law ? law->numbers : std::span<const std::string_view>();
+  Claim understood = claim;
+  for (const auto& [name, number] : claim.numbers) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    understood.numbers.erase(name);
+    errors.push_back(
+        ErrorAtKey(places, fmt::format("{}.numbers.{}", path, name),
+                   fmt::format("unknown key \"{}\" in {}.numbers", name, path),
+                   OneOf(known, claim.law)));
+  }
+  if (!law) return;
+  std::set<std::tuple<std::string, std::string, std::string>> told;
+  for (const Fault& fault : law->faults(world, understood)) {
+    // Several bodies may find the same fault with a number.
+    if (!told.emplace(fault.where, fault.what, fault.expected).second) continue;
+    errors.push_back(ErrorAtValue(
+        places, fmt::format("{}.{}", path, fault.where),
+        fmt::format("{}.{} {} ({})", path, fault.where, fault.what, claim.law),
+        fault.expected));
+  }
+}
+
+}  // namespace
+
+std::vector<Diagnostic> ErrorsOfClaims(const WorldScenario& scenario) {
+  FilePlaces places = scenario.places;
+  if (places.file.empty()) places.file = scenario.id;
+  std::vector<Diagnostic> errors;
+  for (std::size_t i = 0; i < scenario.claims.size(); ++i) {
+    AddErrors(scenario.world, scenario.claims[i], fmt::format("claims[{}]", i), places,
+              errors);
+  }
+  return errors;
 }
 
 }  // namespace touchstone

@@ -82,6 +82,11 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
   finding.verdict = Verdict::kFail;
   finding.cause = Cause::kModel;
   finding.cause_because = fmt::format("the world {} moves otherwise", ChangeOf(measure));
+  finding.proof += fmt::format(
+      ": {} in the world itself and, brought back, in that one",
+      LargestDifference(study.trajectory, seen_in_world,
+                        LargestRadius(study.scenario.world),
+                        differs_before ? std::min(until, growth.horizon) : until));
   return finding;
 }
 

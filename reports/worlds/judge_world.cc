@@ -85,7 +85,7 @@ class Judgement {
     for (const Claim& claim : study_.scenario.claims) {
       groups_.emplace_back();
       const Law* law = FindLaw(claim.law);
-      // What is wrong with a claim is a fault of the catalogue, not of an oracle.
+      // What is wrong with a claim is an error of the file, not of an oracle.
       if (law && law->faults(study_.scenario.world, claim).empty()) Hold(*law, claim);
     }
     return std::move(groups_);
@@ -111,12 +111,14 @@ class Judgement {
     if (all.empty()) {
       Finding& unverified =
           Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"});
+      unverified.law = claim.law;
       unverified.verdict = Verdict::kUnsupported;
       unverified.proof =
           fmt::format("{}: this motion gives the law nothing to judge", claim.law);
     }
     for (const LawFinding& found : all) {
       Finding& finding = Add(found.measure, found.value, found.tolerance);
+      finding.law = claim.law;
       if (!found.recognised.empty()) {
         finding.cause = Cause::kModel;
         finding.cause_because = found.recognised;
@@ -193,6 +195,7 @@ class Judgement {
               {tolerance,
                "the extrapolated motion is off by less than halving the step "
                "moves it, and by rounding"});
+      finding.law = claim.law;
       if (finding.value <= finding.tolerance) continue;
       finding.verdict = Verdict::kFail;
       finding.cause = Cause::kModel;

@@ -40,6 +40,9 @@ struct LawFinding {
 struct Law {
   std::string_view name;           ///< As in files, e.g. "ballistic".
   std::string_view documentation;  ///< One line: what it says, what the claim must name.
+  /** The numbers that a claim may state, sorted: "expected_…" is what its author derived,
+   which faults() checks; the others the law reads. */
+  std::span<const std::string_view> numbers;
   /** Returns what keeps `claim` from applying to `world`, e.g. a body that is no sphere;
    `where` starts with "about" or "numbers". Empty where it applies. */
   std::vector<Fault> (*faults)(const World& world, const Claim& claim);

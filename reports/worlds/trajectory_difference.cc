@@ -61,6 +61,10 @@ Numbers NumbersOf(const WorldState& state) {
   return numbers;
 }
 
+std::string InWords(const Eigen::Vector3d& p) {
+  return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);
+}
+
 bool AreSame(double a, double b) {
   return a == b || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
@@ -139,6 +143,35 @@ double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
   for (const double distance : DistancesBetween(a, b, radius, until))
     TakeLarger(largest, distance);
   return largest;
+}
+
+std::string LargestDifference(const Trajectory& a, const Trajectory& b, double radius,
+                              double until) {
+  const std::vector<double> distances = DistancesBetween(a, b, radius, until);
+  const auto largest = std::max_element(distances.begin(), distances.end());
+  if (largest == distances.end() || !(*largest > 0)) return "";
+  const auto s = static_cast<std::size_t>(largest - distances.begin());
+  const WorldState& of_a = a.samples[s];
+  const WorldState& of_b = b.samples[s];
+  std::string where;
+  double farthest = 0;
+  const auto take = [&](std::string_view kind, std::size_t i, const Eigen::Vector3d& p,
+                        const Eigen::Vector3d& q, double angle) {
+    const double distance = (p - q).norm() + radius * angle;
+    if (distance <= farthest) return;
+    farthest = distance;
+    where = fmt::format("{} {} is at {} and {}", kind, i, InWords(p), InWords(q));
+    if (angle > 0) where += fmt::format(", {:.6g} rad apart", angle);
+  };
+  for (std::size_t i = 0; i < of_a.bodies.size(); ++i) {
+    take("body", i, of_a.bodies[i].p_WB, of_b.bodies[i].p_WB,
+         of_a.bodies[i].q_WB.angularDistance(of_b.bodies[i].q_WB));
+  }
+  for (std::size_t i = 0; i < of_a.particles.size(); ++i)
+    take("particle", i, of_a.particles[i].p_W, of_b.particles[i].p_W, 0);
+  for (std::size_t i = 0; i < of_a.nodes.size(); ++i)
+    take("node", i, of_a.nodes[i].p_W, of_b.nodes[i].p_W, 0);
+  return fmt::format("at {:.6g} s {}", a.times[s], where);
 }
 
 bool AreIdentical(const Trajectory& a, const Trajectory& b) {

@@ -56,11 +56,14 @@ std::string Describe(const Body& body) {
 std::string Describe(const ContactTruth& truth) {
   std::string state(NameOf(truth.touching));
   state[0] = static_cast<char>(std::toupper(state[0]));
+  const auto& [lo, hi] = truth.separation;
+  const std::string separation =
+      lo == hi ? fmt::format("is {} m", lo) : fmt::format("lies in [{}, {}] m", lo, hi);
   return fmt::format(
-      "{}: the separation lies in [{}, {}] m, certified along n = {} by the points {} of "
+      "{}: the separation {}, certified along n = {} by the points {} of "
       "A and "
       "{} of B ({}).",
-      state, truth.separation.lo, truth.separation.hi, InWords(truth.certificate.n_AB_W),
+      state, separation, InWords(truth.certificate.n_AB_W),
       InWords(truth.certificate.p_WCa), InWords(truth.certificate.p_WCb), truth.method);
 }
 

@@ -1,15 +1,21 @@
 #include "reports/writers/explanation_writer.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/counted.h"
 #include "reports/proof.h"
+#include "reports/worlds/run_worlds.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/world_words.h"
@@ -23,24 +29,79 @@ std::string OneLine(const std::string& text) {
   return line;
 }
 
-void WriteAnswer(const OracleInfo& oracle, const ContactAnswer& answer,
-                 const ContactTruth& truth, Verdict verdict, std::ostream& out) {
-  out << fmt::format("  {:<26} {:<12}", oracle.name, NameOf(verdict));
-  if (answer.status != AnswerStatus::kAnswered) {
-    out << OneLine(answer.reason) << '\n';
-    return;
-  }
-  out << fmt::format(" {:<9}", answer.touching ? "touching" : "apart");
+/** A number of a table, of a direction or a point: no digits of rounding. */
+std::string Short(double value) {
+  constexpr double kRounding = 1e-12;
+  return fmt::format("{:.6g}", std::abs(value) < kRounding ? 0.0 : value);
+}
+
+std::string Short(const Eigen::Vector3d& v) {
+  return fmt::format("({}, {}, {})", Short(v.x()), Short(v.y()), Short(v.z()));
+}
+
+/** Returns the row of an answer, without the oracle's name. */
+std::string RowOf(const ContactAnswer& answer, const ContactTruth& truth,
+                  Verdict verdict) {
+  std::string row = fmt::format("{:<12}", NameOf(verdict));
+  if (answer.status != AnswerStatus::kAnswered) return row + OneLine(answer.reason);
+  row += fmt::format(" {:<9}", answer.touching ? "touching" : "apart");
   if (answer.separation) {
-    out << fmt::format("{:>20.12g} {:>9.2g} ", *answer.separation,
+    row += fmt::format("{:>20.12g} {:>9.2g}", *answer.separation,
                        LeastError(*answer.separation, truth));
   } else {
-    out << fmt::format("{:>20} {:>9} ", "-", "-");
+    row += fmt::format("{:>20} {:>9}", "-", "-");
   }
-  out << (answer.n_AB_W ? InWords(*answer.n_AB_W) : "no normal") << '\n';
+  return row + fmt::format(" {:>8} {}", answer.points.size(),
+                           answer.n_AB_W ? Short(*answer.n_AB_W) : "no normal");
+}
+
+void WritePoints(const ContactAnswer& answer, std::ostream& out) {
   for (const ContactPoint& point : answer.points) {
-    out << fmt::format("  {:>39} contact {:>20.12g}{:>11}{}\n", "", point.separation, "",
+    out << fmt::format("  {:>39} contact {:>20.12g} at {}\n", "", point.separation,
                        InWords(point.p_WC));
+  }
+}
+
+/** Oracles of which there is the same to say. */
+struct Alike {
+  std::string text;
+  std::vector<std::size_t> oracles;
+};
+
+/** Puts `oracle` to those with the same text. */
+void Add(std::vector<Alike>& groups, std::string text, std::size_t oracle) {
+  auto same = std::find_if(groups.begin(), groups.end(),
+                           [&](const Alike& group) { return group.text == text; });
+  if (same == groups.end()) same = groups.insert(same, {std::move(text), {}});
+  same->oracles.push_back(oracle);
+}
+
+/** Returns the names of all but the first. */
+std::string Others(const RunReport& report, const Alike& group) {
+  std::vector<std::string_view> names;
+  for (const std::size_t o : group.oracles) names.push_back(report.oracles[o].name);
+  return fmt::format("{}", fmt::join(names.begin() + 1, names.end(), ", "));
+}
+
+void WriteAnswers(const RunReport& report, const ScenarioResult& result,
+                  std::span<const Outcome> outcomes, const ExplanationStyle& style,
+                  std::ostream& out) {
+  out << fmt::format("  {:<26} {:<12} {:<9}{:>20} {:>9} {:>8} {}\n", "oracle", "verdict",
+                     "says", "separation [m]", "error [m]", "contacts", "normal A to B");
+  std::vector<Alike> groups;
+  for (std::size_t o = 0; o < outcomes.size(); ++o) {
+    std::string row = RowOf(result.answers[o], result.truth, outcomes[o].verdict);
+    if (style.everything) {
+      groups.push_back({std::move(row), {o}});
+    } else {
+      Add(groups, std::move(row), o);
+    }
+  }
+  for (const Alike& group : groups) {
+    const std::size_t first = group.oracles.front();
+    out << fmt::format("  {:<26} {}\n", report.oracles[first].name, group.text);
+    if (group.oracles.size() > 1) out << "    likewise " << Others(report, group) << '\n';
+    if (style.everything) WritePoints(result.answers[first], out);
   }
 }
 
@@ -62,51 +123,144 @@ std::string Names(const RunReport& report, std::span<const Outcome> outcomes,
   return names.empty() ? "nobody" : names;
 }
 
-// What an oracle was wrong about, then what the ledger says of it, each reason once.
-void WriteFindings(const RunReport& report, const Outcome& outcome, std::ostream& out) {
-  std::vector<std::string_view> reasons;
+/** Returns `text` with "it" for every `name` that stands alone: what is said of two
+ oracles is the same where only their names differ. */
+std::string WithoutName(const std::string& text, std::string_view name) {
+  const auto is_part_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
+  };
+  std::string without;
+  std::size_t at = 0;
+  for (std::size_t found; (found = text.find(name, at)) != std::string::npos;) {
+    const std::size_t end = found + name.size();
+    const bool alone = (found == 0 || !is_part_of_name(text[found - 1])) &&
+                       (end == text.size() || !is_part_of_name(text[end]));
+    without += text.substr(at, found - at) + std::string(alone ? "it" : name);
+    at = end;
+  }
+  return without + text.substr(at);
+}
+
+bool IsRemarkable(const Finding& finding) {
+  return finding.verdict != Verdict::kUnsupported &&
+         (finding.verdict != Verdict::kPass || !RecognisedModelOf(finding).empty());
+}
+
+/** Returns what there is to say against an answer: the simplest proof, and the other
+ measures that are wrong; all proofs where `style` says so. */
+std::string Charge(const Outcome& outcome, const ExplanationStyle& style) {
+  std::string text;
+  std::string also;
   for (const Finding& finding : outcome.findings) {
-    if (finding.verdict == Verdict::kPass || finding.verdict == Verdict::kUnsupported) {
+    // What is recognised stands beside its number.
+    if (!IsRemarkable(finding) ||
+        (!style.everything && finding.verdict == Verdict::kPass)) {
       continue;
     }
-    out << "  " << Sentence(finding) << '\n';
+    if (style.everything || &finding == outcome.decisive) {
+      text += fmt::format("  {}\n", Sentence(finding));
+    } else {
+      also += fmt::format("{}{} {}", also.empty() ? "" : ", ", NameOf(finding.measure),
+                          RelativeInWords(finding));
+    }
+  }
+  return also.empty() ? text : fmt::format("{}    also: {}\n", text, also);
+}
+
+/** Writes what the ledger says of an oracle, each reason once. */
+void WriteLedgerReasons(const RunReport& report, const Outcome& outcome,
+                        std::ostream& out) {
+  std::vector<std::string_view> reasons;
+  for (const Finding& finding : outcome.findings) {
     if (!finding.ledger_entry) continue;
     const auto index = static_cast<std::size_t>(*finding.ledger_entry);
     const std::string_view reason = report.ledger.entries[index].reason;
-    if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end()) {
-      reasons.push_back(reason);
-    }
-  }
-  for (const std::string_view reason : reasons) {
+    if (std::find(reasons.begin(), reasons.end(), reason) != reasons.end()) continue;
+    reasons.push_back(reason);
     out << fmt::format("    Ledger, of {}: {}\n", report.oracles[outcome.oracle].name,
                        reason);
   }
 }
 
+void WriteCharges(const RunReport& report, std::span<const Outcome> outcomes,
+                  const ExplanationStyle& style, std::ostream& out) {
+  std::vector<Alike> groups;
+  for (const Outcome& outcome : outcomes) {
+    const std::string charge = Charge(outcome, style);
+    if (!charge.empty())
+      Add(groups, WithoutName(charge, report.oracles[outcome.oracle].name),
+          outcome.oracle);
+  }
+  for (const Alike& group : groups) {
+    out << Charge(outcomes[group.oracles.front()], style);
+    if (group.oracles.size() > 1) out << "    likewise " << Others(report, group) << '\n';
+    for (const std::size_t o : group.oracles)
+      WriteLedgerReasons(report, outcomes[o], out);
+  }
+}
+
+void WriteVerdict(const RunReport& report, std::span<const Outcome> outcomes,
+                  std::ostream& out) {
+  out << "Right: " << Names(report, outcomes, IsRight)
+      << "\nWrong: " << Names(report, outcomes, IsWrong) << '\n';
+  std::map<std::string_view, std::vector<std::string_view>> models;
+  for (const Outcome& outcome : outcomes) {
+    const std::string_view model = RecognisedModelOf(outcome);
+    if (!model.empty()) models[model].push_back(report.oracles[outcome.oracle].name);
+  }
+  for (const auto& [model, names] : models)
+    out << fmt::format("By another legal model, {}: {}\n", model, fmt::join(names, ", "));
+}
+
 void WriteScenario(const RunReport& report, const ScenarioResult& result,
-                   std::span<const Outcome> outcomes, std::ostream& out) {
+                   std::span<const Outcome> outcomes, const ExplanationStyle& style,
+                   std::ostream& out) {
   const Scenario& scenario = result.scenario;
   out << scenario.id << ": " << scenario.title << '\n';
   if (!scenario.source.empty()) out << "  source: " << OneLine(scenario.source) << '\n';
   out << "  A: " << Describe(scenario.contact.A)
       << "\n  B: " << Describe(scenario.contact.B) << "\n\nTruth. "
       << Describe(result.truth) << "\n\n";
-  out << fmt::format("  {:<26} {:<12} {:<9}{:>20} {:>9} {}\n", "oracle", "verdict",
-                     "says", "separation [m]", "error [m]",
-                     "normal A to B; contact point [m]");
-  for (std::size_t o = 0; o < outcomes.size(); ++o) {
-    WriteAnswer(report.oracles[o], result.answers[o], result.truth, outcomes[o].verdict,
-                out);
-  }
+  WriteVerdict(report, outcomes, out);
   out << '\n';
-  for (const Outcome& outcome : outcomes) WriteFindings(report, outcome, out);
-  out << "\nRight: " << Names(report, outcomes, IsRight)
-      << "\nWrong: " << Names(report, outcomes, IsWrong) << '\n';
+  WriteAnswers(report, result, outcomes, style, out);
+  out << '\n';
+  WriteCharges(report, outcomes, style, out);
 }
 
-// Every number of a motion beside what its law allows.
+/** The origins of tolerances, each told once, below the numbers that refer to it. */
+class Origins {
+ public:
+  /** Returns the number of `because`, from 1. */
+  std::size_t NumberOf(const std::string& because) {
+    const auto found = std::find(texts_.begin(), texts_.end(), because);
+    if (found != texts_.end())
+      return static_cast<std::size_t>(found - texts_.begin()) + 1;
+    texts_.push_back(because);
+    return texts_.size();
+  }
+
+  void Write(std::ostream& out) const {
+    if (!texts_.empty()) out << "\nTolerances:\n";
+    for (std::size_t i = 0; i < texts_.size(); ++i)
+      out << fmt::format("  [{}] {}\n", i + 1, texts_[i]);
+  }
+
+ private:
+  std::vector<std::string> texts_;
+};
+
+/** Returns what a number of a world is held against. */
+std::string_view HeldAgainst(const Finding& finding) {
+  if (!finding.law.empty()) return finding.law;
+  if (finding.measure == MeasureKind::kDeterminism) return kDeterministic;
+  return finding.reference == "law" ? "smaller steps" : "a changed world";
+}
+
+// The numbers of a motion beside what its laws allow.
 void WriteMotion(const RunReport& report, const WorldResult& world,
-                 const Outcome& outcome, std::ostream& out) {
+                 const Outcome& outcome, const ExplanationStyle& style, Origins& origins,
+                 std::ostream& out) {
   const Trajectory& trajectory = world.trajectories[outcome.oracle];
   out << fmt::format("  {:<26} {:<12}", report.oracles[outcome.oracle].name,
                      NameOf(outcome.verdict));
@@ -114,48 +268,74 @@ void WriteMotion(const RunReport& report, const WorldResult& world,
     out << OneLine(trajectory.reason) << '\n';
     return;
   }
-  out << Parting(report, world, outcome.oracle) << '\n';
+  const std::string_view model = RecognisedModelOf(outcome);
+  const std::string parting = Parting(report, world, outcome.oracle);
+  if (!model.empty()) out << "recognised: " << model << (parting.empty() ? "" : "; ");
+  out << parting << '\n';
   if (!trajectory.complaint.empty())
     out << "    it printed: " << OneLine(trajectory.complaint) << '\n';
+  const Finding* largest = nullptr;
+  std::size_t within = 0;
   for (const Finding& finding : outcome.findings) {
     if (finding.measure == MeasureKind::kAnswering) continue;
+    if (!style.everything && outcome.oracle != 0 && !IsRemarkable(finding)) {
+      ++within;
+      if (!largest || RelativeToTolerance(finding) > RelativeToTolerance(*largest))
+        largest = &finding;
+      continue;
+    }
     const std::string_view unit = UnitOf(finding.measure);
-    out << fmt::format("    {:<24} {:>16} of {:>16}  {}\n", NameOf(finding.measure),
-                       Quantity(finding.value, unit), Quantity(finding.tolerance, unit),
-                       finding.tolerance_because);
+    const std::string_view recognised = RecognisedModelOf(finding);
+    std::string_view mark =
+        finding.verdict == Verdict::kPass ? "" : NameOf(finding.verdict);
+    if (!recognised.empty()) mark = recognised;
+    out << fmt::format("    {:<24} {:>16} of {:>14}  {:<28} [{}]{}{}\n",
+                       NameOf(finding.measure), Quantity(finding.value, unit),
+                       Quantity(finding.tolerance, unit), HeldAgainst(finding),
+                       origins.NumberOf(finding.tolerance_because),
+                       mark.empty() ? "" : " ", mark);
+  }
+  if (within > 0) {
+    out << fmt::format("    {} within their tolerances, at most {} in {}\n",
+                       Counted(within, "number"), RelativeInWords(*largest),
+                       NameOf(largest->measure));
   }
 }
 
 void WriteWorld(const RunReport& report, const WorldResult& world,
-                std::span<const Outcome> outcomes, std::ostream& out) {
+                std::span<const Outcome> outcomes, const ExplanationStyle& style,
+                std::ostream& out) {
   const WorldScenario& scenario = world.scenario;
   out << scenario.id << ": " << scenario.title << '\n';
   if (!scenario.source.empty()) out << "  source: " << OneLine(scenario.source) << '\n';
   out << "  " << Describe(scenario.world) << "\n  laws: " << ClaimsOf(scenario) << "\n\n";
-  for (const Outcome& outcome : outcomes) {
-    if (outcome.asked) WriteMotion(report, world, outcome, out);
-  }
+  WriteVerdict(report, outcomes, out);
   out << '\n';
-  for (const Outcome& outcome : outcomes) WriteFindings(report, outcome, out);
-  out << "\nRight: " << Names(report, outcomes, IsRight)
-      << "\nWrong: " << Names(report, outcomes, IsWrong) << '\n';
+  Origins origins;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.asked) WriteMotion(report, world, outcome, style, origins, out);
+  }
+  origins.Write(out);
+  out << '\n';
+  WriteCharges(report, outcomes, style, out);
 }
 
 }  // namespace
 
-void WriteExplanation(const RunReport& report, std::ostream& out) {
+void WriteExplanation(const RunReport& report, const ExplanationStyle& style,
+                      std::ostream& out) {
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   const std::size_t oracles = report.oracles.size();
   for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
     if (s > 0) out << '\n';
     WriteScenario(report, report.scenarios[s],
-                  std::span(outcomes).subspan(s * oracles, oracles), out);
+                  std::span(outcomes).subspan(s * oracles, oracles), style, out);
   }
   for (std::size_t w = 0; w < report.worlds.size(); ++w) {
     const std::size_t index = report.scenarios.size() + w;
     if (index > 0) out << '\n';
     WriteWorld(report, report.worlds[w],
-               std::span(outcomes).subspan(index * oracles, oracles), out);
+               std::span(outcomes).subspan(index * oracles, oracles), style, out);
   }
 }
 

@@ -171,25 +171,37 @@ class Page {
   void WriteSummary() {
     VerdictCounts counts;
     for (const Outcome& outcome : outcomes_) {
-      if (outcome.asked) ++counts[outcome.verdict];
+      ++counts[outcome.verdict];
     }
     const VerdictCounts subject = TallyByOracle(report_, outcomes_).front().outcomes;
     const std::string scenarios = Counted(QuestionCount(report_), "scenario");
     out_ << fmt::format("<h1>Is {} right?</h1>\n", XmlText(report_.subject));
+    const std::string unexamined = WhyNotExamined(report_, outcomes_);
     if (subject.failed() > 0) {
       out_ << fmt::format(
           "<p><b class=\"fail\">No</b>: wrong, or without an answer, in {} of "
           "{}.</p>\n",
           subject.failed(), scenarios);
+    } else if (!unexamined.empty()) {
+      out_ << fmt::format("<p><b class=\"fail\">Nothing was verified</b>: {}.</p>\n",
+                          XmlText(unexamined));
     } else {
       out_ << fmt::format(
           "<p><b class=\"pass\">Nothing says otherwise</b>: {} of {} "
-          "passed, {} with known discrepancies, {} undecidable, {} unsupported.{}</p>\n",
+          "passed, {} with known discrepancies, {} undecidable, {} unsupported.</p>\n",
           subject[Verdict::kPass], scenarios, subject[Verdict::kKnown],
-          subject[Verdict::kUndecidable], subject[Verdict::kUnsupported],
-          report_.faults.empty() ? ""
-                                 : " <b class=\"fail\">But the catalogue or the ledger "
-                                   "is at fault</b>, see below.");
+          subject[Verdict::kUndecidable], subject[Verdict::kUnsupported]);
+    }
+    if (!report_.faults.empty()) {
+      out_ << "<p><b class=\"fail\">The scenario files or the ledger are at "
+              "fault</b>, see below.</p>\n";
+    }
+    const std::string failed = FailedReferences(report_, outcomes_);
+    if (!failed.empty()) {
+      out_ << fmt::format(
+          "<p><b class=\"fail\">References are wrong</b>: {}. That fails the run too, "
+          "but for <code>--fail-on subject</code>.</p>\n",
+          XmlText(failed));
     }
     out_ << fmt::format("<p>{}, {}.", scenarios,
                         Counted(report_.oracles.size(), "oracle"));
@@ -222,7 +234,8 @@ class Page {
 
   void WriteFaults() {
     if (report_.faults.empty()) return;
-    out_ << "<h2>Faults of the catalogue and the ledger</h2>\n<ul>\n";
+    out_ << "<h2>Faults of the scenario files and the ledger, not of an "
+            "engine</h2>\n<ul>\n";
     for (const std::string& fault : report_.faults) {
       out_ << fmt::format("<li class=\"fail\">{}\n", XmlText(fault));
     }
@@ -328,11 +341,14 @@ class Page {
     for (std::size_t o = 0; o < report_.oracles.size(); ++o) {
       if (!outcomes[o].asked) continue;
       const Trajectory& trajectory = world.trajectories[o];
+      const std::string_view model = RecognisedModelOf(outcomes[o]);
       out_ << fmt::format(
-          "<tr><td><i class=\"swatch line{}\"></i>{}<td class=\"v {}\">{} {}<td>{}<td>{}"
+          "<tr><td><i class=\"swatch line{}\"></i>{}<td class=\"v {}\">{} "
+          "{}{}<td>{}<td>{}"
           "</tr>\n",
           o, XmlText(report_.oracles[o].name), CssClassOf(outcomes[o].verdict),
           SignOf(outcomes[o].verdict), NameOf(outcomes[o].verdict),
+          model.empty() ? "" : fmt::format(", recognised: {}", XmlText(model)),
           WorstOf(outcomes[o].worst),
           XmlText(trajectory.status == AnswerStatus::kAnswered
                       ? Parting(report_, world, o) + PrintedBy(trajectory)
@@ -383,8 +399,8 @@ class Page {
     std::string items;
     for (const Outcome& outcome : outcomes) {
       for (const Finding& finding : outcome.findings) {
-        if (finding.verdict == Verdict::kPass ||
-            finding.verdict == Verdict::kUnsupported) {
+        if (finding.verdict == Verdict::kUnsupported ||
+            (finding.verdict == Verdict::kPass && RecognisedModelOf(finding).empty())) {
           continue;
         }
         items += fmt::format("<li><span class=\"{}\">{}</span> {}{}\n",
@@ -417,7 +433,10 @@ class Page {
   }
 
   void WriteLedger() {
-    if (report_.ledger.entries.empty()) return;
+    if (std::ranges::all_of(report_.ledger_use,
+                            [](const LedgerUse& use) { return use.candidates == 0; })) {
+      return;
+    }
     out_ << "<h2>Ledger of known discrepancies</h2>\n"
          << TableHead("ledger", kLedgerColumns);
     int untested = 0;

@@ -186,6 +186,7 @@ Json ToJson(const Finding& finding) {
   json["scenario"] = finding.scenario;
   json["oracle"] = finding.oracle;
   json["reference"] = finding.reference;
+  if (!finding.law.empty()) json["law"] = finding.law;
   json["measure"] = NameOf(finding.measure);
   json["unit"] = UnitOf(finding.measure);
   json["value"] = ToJson(finding.value);

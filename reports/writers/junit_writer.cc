@@ -34,20 +34,10 @@ struct SuiteCounts {
   }
 };
 
-// Why there is no answer.
-const std::string& ReasonOf(const RunReport& report, const Outcome& outcome) {
-  const std::size_t contacts = report.scenarios.size();
-  return outcome.scenario < contacts
-             ? report.scenarios[outcome.scenario].answers[outcome.oracle].reason
-             : report.worlds[outcome.scenario - contacts]
-                   .trajectories[outcome.oracle]
-                   .reason;
-}
-
 std::string Message(const RunReport& report, const Outcome& outcome) {
   if (outcome.verdict == Verdict::kUnsupported) {
-    const std::string& reason = ReasonOf(report, outcome);
-    return reason.empty() ? "unsupported" : reason;
+    const std::string_view reason = ReasonOf(report, outcome);
+    return std::string(reason.empty() ? "unsupported" : reason);
   }
   const Finding& finding = *outcome.decisive;
   if (outcome.verdict == Verdict::kKnown && finding.ledger_entry) {

@@ -7,7 +7,7 @@
 namespace touchstone {
 
 /** Writes `report` as JUnit XML: a suite per oracle, a test case per scenario, and a
- suite for the faults of the catalogue and the ledger.
+ suite for the faults of the scenario files and the ledger.
 
  A dashboard shows: pass and undecidable as passed; known and unsupported as skipped, each
  with its reason (as pytest writes its expected failures); proved wrong, disagreeing and

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/told_apart.h"
 
@@ -48,14 +50,21 @@ void TakeWorse(const Finding*& worst, const Finding* candidate) {
   }
 }
 
+/** Measures stand in the order in which they are understood: a plane that separates, a
+ number that the truth contradicts, before what variants show. Of one measure, what is
+ farther beyond its tolerance. */
+bool IsBetterProof(const Finding& finding, const Finding& than) {
+  if (finding.measure != than.measure) return finding.measure < than.measure;
+  return RelativeToTolerance(finding) > RelativeToTolerance(than);
+}
+
 Outcome Sum(std::size_t scenario, std::size_t oracle, std::span<const Finding> findings) {
   Outcome outcome{.scenario = scenario, .oracle = oracle, .findings = findings};
   for (const Finding& finding : findings) {
     const bool graver = outcome.decisive == nullptr ||
                         Gravity(finding.verdict) > Gravity(outcome.verdict);
-    if (graver ||
-        (finding.verdict == outcome.verdict &&
-         RelativeToTolerance(finding) > RelativeToTolerance(*outcome.decisive))) {
+    if (graver || (finding.verdict == outcome.verdict &&
+                   IsBetterProof(finding, *outcome.decisive))) {
       outcome.verdict = finding.verdict;
       outcome.decisive = &finding;
     }
@@ -130,7 +139,6 @@ std::string_view GroupOf(std::string_view scenario_id) {
 }
 
 void Tally::Add(const Outcome& outcome) {
-  if (!outcome.asked) return;
   ++outcomes[outcome.verdict];
   TakeWorse(worst, outcome.worst);
 }
@@ -170,20 +178,69 @@ std::string Quantity(double value, std::string_view unit) {
   return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
+std::string_view RecognisedModelOf(const Outcome& outcome) {
+  for (const Finding& finding : outcome.findings) {
+    const std::string_view model = RecognisedModelOf(finding);
+    if (!model.empty()) return model;
+  }
+  return "";
+}
+
+std::string_view ReasonOf(const RunReport& report, const Outcome& outcome) {
+  if (outcome.verdict != Verdict::kUnsupported) return "";
+  const std::size_t contacts = report.scenarios.size();
+  const bool is_world = outcome.scenario >= contacts;
+  if (!outcome.asked)
+    return is_world ? "simulates no worlds" : "answers no contact queries";
+  const std::string& reason =
+      is_world
+          ? report.worlds[outcome.scenario - contacts].trajectories[outcome.oracle].reason
+          : report.scenarios[outcome.scenario].answers[outcome.oracle].reason;
+  // A motion that gives a claim nothing to judge has no reason, but the claim has.
+  if (!reason.empty() || outcome.decisive == nullptr) return reason;
+  return outcome.decisive->proof;
+}
+
+std::string WhyNotExamined(const RunReport& report, std::span<const Outcome> outcomes) {
+  if (IsSubjectExamined(report)) return "";
+  std::set<std::string> reasons;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.oracle != 0) continue;
+    std::string_view reason = ReasonOf(report, outcome);
+    if (reason.ends_with('.')) reason.remove_suffix(1);
+    reasons.insert(fmt::format("{}{}{}", NameOf(outcome.verdict),
+                               reason.empty() ? "" : ": ", reason));
+  }
+  return fmt::format("{} was not examined: {}", report.subject, fmt::join(reasons, "; "));
+}
+
+std::string FailedReferences(const RunReport& report, std::span<const Outcome> outcomes) {
+  std::vector<std::string_view> names;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.oracle == 0 || !IsFailure(outcome.verdict)) continue;
+    const std::string& name = report.oracles[outcome.oracle].name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::string Sentence(const Finding& finding) {
+  const std::string_view model = RecognisedModelOf(finding);
   std::string text = fmt::format("{}: {}", finding.oracle, NameOf(finding.verdict));
+  if (!model.empty()) text += fmt::format(", recognised as {}", model);
   if (IsMeasured(finding)) {
     const std::string_view unit = UnitOf(finding.measure);
     const std::string_view space = unit.empty() ? "" : " ";
     const auto [value, tolerance, _] = TellApart(finding.value, finding.tolerance, 3);
     text += fmt::format(" in {}, {}{}{} where {}{}{} is allowed", NameOf(finding.measure),
                         value, space, unit, tolerance, space, unit);
+    if (!model.empty()) text += fmt::format(" by the {} of the truth", finding.law);
     if (!finding.tolerance_because.empty()) {
       text += fmt::format(" ({})", finding.tolerance_because);
     }
   }
   if (!finding.proof.empty()) text += fmt::format(". Proof: {}", finding.proof);
-  if (finding.cause != Cause::kNone) {
+  if (finding.cause != Cause::kNone && model.empty()) {
     text += fmt::format("{} Cause: {}", text.ends_with('.') ? "" : ".",
                         NameOf(finding.cause));
     if (!finding.cause_because.empty())

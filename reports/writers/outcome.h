@@ -39,14 +39,14 @@ struct Outcome {
   /** The gravest of its findings; kUnsupported where no measure applied, or where all
    that passed is that there was an answer, in which a law found nothing to judge. */
   Verdict verdict = Verdict::kUnsupported;
-  /** The finding that has the verdict, the largest relative to its tolerance among
-   several; null without findings. */
+  /** The finding that has the verdict; among several the one that is the simplest to
+   check, of the first measure in their enumeration; null without findings. */
   const Finding* decisive = nullptr;
   /** The finding largest relative to its tolerance, whatever its verdict; null where
    nothing was measured against a tolerance. */
   const Finding* worst = nullptr;
-  /** False where the oracle answers no question of this kind: neither asked nor counted.
-   */
+  /** False where the oracle answers no question of this kind: not asked, and counted as
+   unsupported. */
   bool asked = true;
 };
 
@@ -61,6 +61,20 @@ std::string RelativeInWords(const Finding& finding);
 /** Returns the outcome of every oracle in every scenario: scenario s and oracle o are at
  s * oracles.size() + o. The outcomes refer to `report`. */
 std::vector<Outcome> OutcomesOf(const RunReport& report);
+
+/** Returns the legal model that a motion is recognised to follow instead of the truth's,
+ see RecognisedModelOf(finding); empty: none. */
+std::string_view RecognisedModelOf(const Outcome& outcome);
+
+/** Returns why an outcome is `unsupported`; empty where it is another. */
+std::string_view ReasonOf(const RunReport& report, const Outcome& outcome);
+
+/** Returns "cookbook was not examined: unsupported: it has no cones"; empty where
+ something of the subject was held against anything. */
+std::string WhyNotExamined(const RunReport& report, std::span<const Outcome> outcomes);
+
+/** Returns the names of the references that fail, with commas; empty where none does. */
+std::string FailedReferences(const RunReport& report, std::span<const Outcome> outcomes);
 
 /** Returns the folder of a scenario id: "contact/box_box" of "contact/box_box/face_face".
  */

@@ -91,31 +91,35 @@ bool IsWorthARow(std::size_t oracle, const Tally& tally) {
          tally.outcomes[Verdict::kKnown] > 0;
 }
 
-void WriteGroups(const RunReport& report, std::span<const Outcome> outcomes,
-                 const Painter& paint, std::ostream& out) {
-  for (const GroupTally& group : TallyByGroup(report, outcomes)) {
-    out << Heading(paint, fmt::format("{} ({})", group.group, group.scenarios));
-    Tally folded;
-    int others = 0;
-    for (std::size_t o = 0; o < group.oracles.size(); ++o) {
-      if (group.oracles[o].outcomes.total() == 0) continue;
-      if (IsWorthARow(o, group.oracles[o])) {
-        out << Row(paint, report.oracles[o].name, group.oracles[o]);
-      } else {
-        folded.Add(group.oracles[o]);
-        ++others;
-      }
-    }
-    if (others > 0) {
-      out << Row(paint, Counted(others, "other"), folded);
+void WriteGroup(const RunReport& report, const GroupTally& group, const Painter& paint,
+                std::ostream& out) {
+  out << Heading(paint, fmt::format("{} ({})", group.group, group.scenarios));
+  Tally folded;
+  int others = 0;
+  for (std::size_t o = 0; o < group.oracles.size(); ++o) {
+    if (IsWorthARow(o, group.oracles[o])) {
+      out << Row(paint, report.oracles[o].name, group.oracles[o]);
+    } else {
+      folded.Add(group.oracles[o]);
+      ++others;
     }
   }
+  if (others > 0) out << Row(paint, Counted(others, "other"), folded);
 }
 
-void WriteOracles(const RunReport& report, std::span<const Outcome> outcomes,
+void WriteTallies(const RunReport& report, std::span<const Outcome> outcomes,
                   const Painter& paint, std::ostream& out) {
+  const std::vector<GroupTally> groups = TallyByGroup(report, outcomes);
+  // The only group is all there is.
+  std::string all = fmt::format("all scenarios ({})", QuestionCount(report));
+  if (groups.size() == 1) {
+    all = fmt::format("{} ({})", groups.front().group, groups.front().scenarios);
+  } else {
+    for (const GroupTally& group : groups) WriteGroup(report, group, paint, out);
+    out << '\n';
+  }
+  out << Heading(paint, all);
   const std::vector<Tally> tallies = TallyByOracle(report, outcomes);
-  out << '\n' << Heading(paint, fmt::format("all scenarios ({})", QuestionCount(report)));
   for (std::size_t o = 0; o < tallies.size(); ++o) {
     out << Row(paint, report.oracles[o].name, tallies[o]);
   }
@@ -151,25 +155,31 @@ void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
 
 void WriteFaults(const RunReport& report, const Painter& paint, std::ostream& out) {
   if (report.faults.empty()) return;
-  out << '\n' << paint(Colour::kBold, "Faults of the catalogue and the ledger") << '\n';
+  out << '\n'
+      << paint(Colour::kBold,
+               "Faults of the scenario files and the ledger, not of an engine")
+      << '\n';
   for (const std::string& fault : report.faults) {
     out << "  " << paint(Colour::kBad, "✗") << ' ' << fault << '\n';
   }
 }
 
 void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& out) {
-  if (report.ledger.entries.empty()) return;
-  const std::size_t entries = report.ledger.entries.size();
   int hidden = 0;
-  int untested = 0;
+  std::size_t hiding = 0;
+  std::size_t untested = 0;
   for (const LedgerUse& use : report.ledger_use) {
     hidden += use.findings();
+    if (use.findings() > 0) ++hiding;
     if (use.candidates == 0) ++untested;
   }
+  // Of questions that no entry is about there is nothing to tell.
+  const std::size_t entries = report.ledger.entries.size();
+  if (untested == entries) return;
   out << '\n'
       << paint(Colour::kBold, "Ledger")
-      << fmt::format(": {} hide{} {}; {} put to the test\n",
-                     Counted(entries, "entry", "entries"), entries == 1 ? "s" : "",
+      << fmt::format(": {} of {} hide{} {}; {} put to the test\n", hiding,
+                     Counted(entries, "entry", "entries"), hiding == 1 ? "s" : "",
                      Counted(hidden, "finding"),
                      untested == 1 ? "1 was not" : fmt::format("{} were not", untested));
   if (hidden == 0) return;
@@ -196,6 +206,13 @@ void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& ou
   out << "  Each with its proof: touchstone explain ID, or the page of --out DIR.\n";
 }
 
+/** Writes how often each oracle has each of some words. */
+void WriteCounted(const std::map<std::pair<std::string_view, std::string_view>, int>& of,
+                  std::ostream& out) {
+  for (const auto& [what, times] : of)
+    out << fmt::format("  {:>5}  {}: {}\n", times, what.first, what.second);
+}
+
 /** The claims of worlds that an oracle moved, and that yet were held against nothing. */
 void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
                      std::ostream& out) {
@@ -218,8 +235,46 @@ void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
   out << '\n'
       << paint(Colour::kBold, "Unverified")
       << fmt::format(": {} of worlds\n", Counted(all, "claim"));
-  for (const auto& [claim, times] : claims)
-    out << fmt::format("  {:>5}  {}: {}\n", times, claim.first, claim.second);
+  WriteCounted(claims, out);
+}
+
+/** The motions that follow another legal model than the truth's, which fails nobody. */
+void WriteRecognised(const RunReport& report, std::span<const Outcome> outcomes,
+                     const Painter& paint, std::ostream& out) {
+  std::map<std::pair<std::string_view, std::string_view>, int> models;
+  for (const Outcome& outcome : outcomes) {
+    const std::string_view model = RecognisedModelOf(outcome);
+    if (!model.empty()) ++models[{report.oracles[outcome.oracle].name, model}];
+  }
+  if (models.empty()) return;
+  out << '\n'
+      << paint(Colour::kBold, "Recognised")
+      << ": motions beyond the tolerance of the truth that follow another legal model\n";
+  WriteCounted(models, out);
+}
+
+/** Why what is unsupported is. */
+void WriteUnsupported(const RunReport& report, std::span<const Outcome> outcomes,
+                      const Painter& paint, std::ostream& out) {
+  std::map<std::pair<std::string_view, std::string_view>, int> reasons;
+  for (const Outcome& outcome : outcomes) {
+    const std::string_view reason = ReasonOf(report, outcome);
+    if (!reason.empty()) ++reasons[{report.oracles[outcome.oracle].name, reason}];
+  }
+  if (reasons.empty()) return;
+  out << '\n' << paint(Colour::kBold, "Unsupported") << '\n';
+  WriteCounted(reasons, out);
+}
+
+std::string_view Headline(int code) {
+  switch (code) {
+    case 0:
+      return "OK";
+    case 1:
+      return "FAILED";
+    default:
+      return "NOTHING VERIFIED";
+  }
 }
 
 void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
@@ -227,7 +282,6 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   VerdictCounts counts;
   int subject_failed = 0;
   for (const Outcome& outcome : outcomes) {
-    if (!outcome.asked) continue;
     ++counts[outcome.verdict];
     if (outcome.oracle == 0 && IsFailure(outcome.verdict)) ++subject_failed;
   }
@@ -238,19 +292,20 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   }
   out << fmt::format("\n{} × {}: {}\n", Counted(QuestionCount(report), "scenario"),
                      Counted(report.oracles.size(), "oracle"), list);
-  const int failed = counts.failed();
+  const std::string failed = FailedReferences(report, outcomes);
   const int code = ExitCode(report, style.fail_on);
-  out << paint(
-             code == 0 ? Colour::kGood : Colour::kBad,
-             fmt::format("{}: {} failed in {}, references in {}, {} of the "
-                         "catalogue and the ledger",
-                         code == 0   ? "OK"
-                         : code == 1 ? "FAILED"
-                                     : "NOTHING VERIFIED",
-                         report.subject, Counted(subject_failed, "scenario"),
-                         failed - subject_failed, Counted(report.faults.size(), "fault")))
+  out << paint(code == 0 ? Colour::kGood : Colour::kBad,
+               fmt::format("{}: {} failed in {}, references in {}{}, {} of the scenario "
+                           "files and the ledger",
+                           Headline(code), report.subject,
+                           Counted(subject_failed, "scenario"),
+                           counts.failed() - subject_failed,
+                           failed.empty() ? "" : fmt::format(" ({})", failed),
+                           Counted(report.faults.size(), "fault")))
       << '\n';
-  if (code == 1 && ExitCode(report, FailOn::kSubject) == 0) {
+  if (code == 2) {
+    out << WhyNotExamined(report, outcomes) << "; --subject names another\n";
+  } else if (code == 1 && ExitCode(report, FailOn::kSubject) == 0) {
     out << fmt::format("--fail-on subject counts the failures of {} alone\n",
                        report.subject);
   }
@@ -261,14 +316,13 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
 void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& out) {
   const Painter paint(style.colours);
   const std::vector<Outcome> outcomes = OutcomesOf(report);
-  if (!style.quiet) {
-    WriteGroups(report, outcomes, paint, out);
-    WriteOracles(report, outcomes, paint, out);
-  }
+  if (!style.quiet) WriteTallies(report, outcomes, paint, out);
   WriteFailures(report, outcomes, paint, out);
   WriteFaults(report, paint, out);
   if (!style.quiet) {
+    WriteRecognised(report, outcomes, paint, out);
     WriteUnverified(outcomes, paint, out);
+    WriteUnsupported(report, outcomes, paint, out);
     WriteLedger(report, paint, out);
   }
   WriteCounts(report, outcomes, style, paint, out);

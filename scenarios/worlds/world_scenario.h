@@ -44,6 +44,7 @@ struct WorldScenario {
   std::optional<double> horizon;
   std::optional<Ensemble> ensemble;
   std::vector<Indictment> indicts;
+  FilePlaces places;  ///< Where it says so.
 };
 
 }  // namespace touchstone

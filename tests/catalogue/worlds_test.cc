@@ -31,7 +31,8 @@ TEST(Worlds, SayWhereTheirNumbersComeFrom) {
 TEST(Worlds, ClaimWhatALawCanHold) {
   for (const WorldScenario& scenario : TheCatalogue().worlds) {
     EXPECT_FALSE(scenario.claims.empty()) << scenario.id;
-    for (const std::string& fault : FaultsOfClaims(scenario)) ADD_FAILURE() << fault;
+    for (const Diagnostic& error : ErrorsOfClaims(scenario))
+      ADD_FAILURE() << ToString(error);
   }
 }
 

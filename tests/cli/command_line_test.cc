@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -117,7 +118,18 @@ TEST_F(CommandLineTest, ExitsWithTwoWhereNothingWasVerified) {
                "\"sphere\"\nradius = 0.5", "\"box\"\nhalf_extents = [1, 2, 3]"));
   const Ended ended = Touchstone("run " + Path("mine/boxes.toml"));
   EXPECT_EQ(ended.code, 2) << ended.out;
-  EXPECT_THAT(ended.err, HasSubstr("nothing was verified"));
+  EXPECT_THAT(ended.out, HasSubstr("right was not examined: unsupported: "));
+}
+
+TEST_F(CommandLineTest, ShowsWhereAFileExpectsWhatTheTruthContradicts) {
+  Write("mine/deep.toml", std::string(kDeep) + "separation = -0.2\n");
+  const Ended ended = Touchstone("run --fail-on subject " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("\nFaults of the scenario files and the ledger, not of an "
+                              "engine\n"),
+                    HasSubstr(Path("mine/deep.toml") +
+                              ":23:14: expects separation = -0.2 m, but it is")));
 }
 
 TEST_F(CommandLineTest, NamesTheNearestOracle) {
@@ -226,7 +238,7 @@ expires = 9999-12-31
 TEST_F(CommandLineTest, SaysThatAFileIsNotThere) {
   const Ended ended = Touchstone("run " + Path("nowhere.toml"));
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("nowhere.toml"));
+  EXPECT_THAT(ended.err, HasSubstr("nowhere.toml: cannot be read; expected a"));
 }
 
 TEST_F(CommandLineTest, WritesTheSameReportsWhateverTheNumberOfThreads) {
@@ -270,11 +282,14 @@ TEST_F(CommandLineTest, UsesColoursOnATerminalOnly) {
   EXPECT_THAT(OnTerminal("NO_COLOR=1 TERM=xterm " + run).out, has_no_colours);
 }
 
-TEST_F(CommandLineTest, ExplainsAScenarioWithItsFileAndWhoIsRight) {
-  const Ended ended = Touchstone("explain " + Path("mine/deep.toml"));
+TEST_F(CommandLineTest, ExplainsAScenarioWithWhoIsRightAndItsFileOnRequest) {
+  const std::string explain = "explain " + Path("mine/deep.toml");
+  const Ended ended = Touchstone(explain);
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("[bodies.ball]"), HasSubstr("Right: right\n"),
-                               HasSubstr("Wrong: half_depth, thrower\n")));
+  EXPECT_THAT(ended.out,
+              AllOf(Not(HasSubstr("[bodies.ball]")), HasSubstr("Right: right\n"),
+                    HasSubstr("Wrong: half_depth, thrower\n")));
+  EXPECT_THAT(Touchstone(explain + " --all").out, HasSubstr("[bodies.ball]"));
 }
 
 TEST_F(CommandLineTest, ExplainsSeveralScenariosInALineEach) {
@@ -477,12 +492,81 @@ TEST_F(CommandLineTest, RunsAWorldOfTheUsersOwn) {
   EXPECT_THAT(ended.out, HasSubstr("1 scenario × 3 oracles: 2 pass, 0 fail"));
 }
 
-TEST_F(CommandLineTest, AWorldWithAnUnknownLawFailsTheRun) {
+TEST_F(CommandLineTest, RunsNothingWhereALawIsUnknown) {
   Write("mine/drop.toml", Replaced(kDrop, "ballistic", "balistic"));
   const Ended ended = Itself("run " + Path("mine/drop.toml"));
-  EXPECT_EQ(ended.code, 1);
-  EXPECT_THAT(ended.out,
-              HasSubstr("no law is called 'balistic'; did you mean ballistic?"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_THAT(ended.err, HasSubstr(Path("mine/drop.toml") +
+                                   ":18:7: claims[0].law is \"balistic\", which is no "
+                                   "law; expected \"ballistic\"\n"));
+}
+
+TEST_F(CommandLineTest, RunsNothingWhereANumberOfAClaimIsUnknownOrWrong) {
+  const std::string claim = R"([[claims]]
+law = "conserves_energy"
+about = ["ball"]
+numbers = { expected_energy = )";
+  Write("mine/drop.toml", kDrop + claim + "39.24 }\n");
+  EXPECT_EQ(Itself("run --against bullet " + Path("mine/drop.toml")).code, 0);
+  const auto error = [&](const std::string& file) {
+    Write("mine/drop.toml", file);
+    const Ended ended = Itself("run " + Path("mine/drop.toml"));
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.out, "");
+    return ended.err;
+  };
+  EXPECT_THAT(error(Replaced(kDrop + claim + "39.24 }\n", "expected_e", "expected_ki_e")),
+              HasSubstr("drop.toml:23:13: unknown key \"expected_ki_energy\" in "
+                        "claims[1].numbers; expected \"expected_energy\"\n"));
+  EXPECT_THAT(error(kDrop + claim + "39 }\n"),
+              HasSubstr("drop.toml:23:31: claims[1].numbers.expected_energy is 39 "
+                        "(conserves_energy); expected 39.24, which"));
+}
+
+std::string TextOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+// What stands between the lines that fence TOML, in the order of the page.
+std::vector<std::string> FencedToml(const std::string& page) {
+  const std::string fence = "```toml\n";
+  std::vector<std::string> blocks;
+  for (std::size_t at = 0; (at = page.find(fence, at)) != std::string::npos;) {
+    at += fence.size();
+    blocks.push_back(page.substr(at, page.find("```", at) - at));
+  }
+  return blocks;
+}
+
+TEST_F(CommandLineTest, RunsTheFilesThatTheDescriptionOfTheFormatShows) {
+  const std::vector<std::string> blocks =
+      FencedToml(TextOf(TOUCHSTONE_SOURCE_DIR "/docs/scenario_format.md"));
+  ASSERT_EQ(blocks.size(), 3U);
+  std::filesystem::create_directories(folder_ / "shown/mine");
+  Write("shown/mine/ball_on_tilted_box.toml", blocks[0]);
+  Write("shown/mine/box_slides.toml", blocks[1]);
+  Write("ledger.toml", blocks[2]);
+  const Ended ended = Itself("run --fail-on subject --ledger " + Path("ledger.toml") +
+                             " " + Path("shown"));
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("cookbook failed in 0 scenarios, "));
+}
+
+TEST_F(CommandLineTest, RunsTheExampleOfTheReadme) {
+  const std::string readme = TextOf(TOUCHSTONE_SOURCE_DIR "/README.md");
+  std::istringstream lines(readme.substr(readme.find("    id = \"mine/ball_on_post\"")));
+  std::string file;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty() && !line.starts_with("    ")) break;
+    if (line.starts_with("    touchstone")) break;
+    file += line.substr(std::min<std::size_t>(line.size(), 4)) + "\n";
+  }
+  Write("mine/ball_on_post.toml", file);
+  const Ended ended = Itself("run --fail-on subject " + Path("mine/ball_on_post.toml"));
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err << file;
 }
 
 TEST_F(CommandLineTest, SimulatesWorldsIntoATable) {

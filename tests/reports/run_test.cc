@@ -199,6 +199,14 @@ TEST(Run, AsksNoQuestionThatAnOracleDoesNotSupport) {
   EXPECT_EQ(report.findings[0].verdict, Verdict::kUnsupported);
   EXPECT_EQ(report.findings[0].proof, "none: no such pair.");
   EXPECT_EQ(ExitCode(report, FailOn::kAnything), 2);
+  // Nor does a reference that is wrong make an examination of it.
+  const FakeOracle wrong = FakeOracle::Wrong(
+      "wrong",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
+  const RunReport beside =
+      RunAll({ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)}, {&none, &wrong});
+  EXPECT_EQ(ExitCode(beside, FailOn::kAnything), 2);
+  EXPECT_EQ(ExitCode(beside, FailOn::kSubject), 2);
 }
 
 TEST(ExitCode, IsTwoWhenNothingWasAsked) {

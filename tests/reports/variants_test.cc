@@ -178,7 +178,38 @@ TEST(Variants, SeeAnAnswerInContactsOnlyThatDoesNotTurn) {
       Judged(SphereInBoxFace(2e-3).query, contacts_of_one_body);
   ASSERT_THAT(Failed(findings), ElementsAre(MeasureKind::kSwap));
   EXPECT_EQ(findings[0].cause, Cause::kConvention);
-  EXPECT_THAT(findings[0].proof, HasSubstr("mine says touching, -0.002 m along ("));
+  EXPECT_THAT(findings[0].proof, HasSubstr("mine says n = ("));
+  EXPECT_THAT(findings[0].proof, HasSubstr("along which max_A n·x − min_B n·x is 0.00"));
+  EXPECT_THAT(findings[0].proof, HasSubstr("variant (swap: A and B exchanged), brought"));
+  EXPECT_THAT(findings[0].proof, HasSubstr("along which that is "));
+}
+
+TEST(Variants, AreRefutedByTwoNumbersAndTheirDifference) {
+  const Plant deeper_by_a_tenth = [](const ContactQuery& query, ContactAnswer& answer) {
+    answer.separation = KindOf(query.A.shape) == ShapeKind::kSphere ? -0.0022 : -0.002;
+    answer.points.clear();
+  };
+  const std::vector<Finding> findings =
+      Judged(SphereInBoxFace(2e-3).query, deeper_by_a_tenth);
+  ASSERT_FALSE(findings.empty());
+  ASSERT_EQ(findings[0].measure, MeasureKind::kSwap);
+  EXPECT_EQ(findings[0].proof,
+            "mine says 0.002 m deep; of its variant (swap: A and B exchanged), brought "
+            "back, it says 0.0022 m deep: a difference of 0.0002 m.");
+}
+
+TEST(Variants, SayWhatTheMotionOfBExplainsItself) {
+  const ContactQuery asked = SphereInBoxFace(2e-3).query;
+  const Plant jumps = [&](const ContactQuery& query, ContactAnswer& answer) {
+    const double moved = (query.B.X_WB.p_WB - asked.B.X_WB.p_WB).norm();
+    if (moved > 0 && moved < 1e-4) *answer.separation -= 1e-3;
+    answer.points.clear();
+  };
+  const std::vector<Finding> findings = Judged(asked, jumps);
+  ASSERT_THAT(Failed(findings), ElementsAre(MeasureKind::kPerturbation));
+  EXPECT_THAT(findings.back().proof, HasSubstr("(perturbation: B moved by ("));
+  EXPECT_THAT(findings.back().proof,
+              HasSubstr(" m, of which the motion itself explains up to "));
 }
 
 TEST(Variants, CallAnAnswerThatLacksWhatTheFirstGaveInvalid) {
@@ -193,7 +224,8 @@ TEST(Variants, CallAnAnswerThatLacksWhatTheFirstGaveInvalid) {
   ASSERT_THAT(Failed(findings), ElementsAre(MeasureKind::kSwap));
   EXPECT_EQ(findings[0].verdict, Verdict::kInvalid);
   EXPECT_EQ(findings[0].proof,
-            "mine answers the question, but not its variant (swap): it gives no "
+            "mine answers the question, but not its variant (swap: A and B "
+            "exchanged): it gives no "
             "separation.");
 }
 
@@ -221,7 +253,8 @@ TEST(Variants, ReportAnEngineThatDiesOfOne) {
   ASSERT_THAT(Failed(findings), ElementsAre(MeasureKind::kSwap));
   EXPECT_EQ(findings[0].verdict, Verdict::kCrashed);
   EXPECT_EQ(findings[0].proof,
-            "mine answers the question, but not its variant (swap): signal 11.");
+            "mine answers the question, but not its variant (swap: A and B "
+            "exchanged): signal 11.");
 }
 
 }  // namespace

@@ -163,14 +163,13 @@ TEST_F(ReadCatalogue, ReportsTheErrorsOfEveryFile) {
 
 TEST_F(ReadCatalogue, ReportsAFolderWithoutAScenario) {
   fs::create_directory(root_ / "empty");
-  EXPECT_THAT(
-      Errors(touchstone::ReadCatalogue(root_ / "empty")),
-      ElementsAre("empty:1:1: holds no scenario; expected at least one .toml file"));
+  EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_ / "empty")),
+              ElementsAre("empty: holds no scenario; expected at least one .toml file"));
 }
 
 TEST_F(ReadCatalogue, ReportsAPathThatIsNotThere) {
   EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_ / "none.toml")),
-              ElementsAre("none.toml:1:1: cannot be read; expected a readable file"));
+              ElementsAre("none.toml: cannot be read; expected a readable file"));
 }
 
 TEST_F(ReadCatalogue, ReadScenarioFileRefusesAFolder) {

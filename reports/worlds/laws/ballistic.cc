@@ -129,7 +129,8 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 
 constinit const Law kBallistic = {
     "ballistic", "What nothing touches flies along x₀ + v₀ t + ½ (g + F/m) t².",
-    Faults,      Judge,
-    true,        Place};
+    {},          Faults,
+    Judge,       true,
+    Place};
 
 }  // namespace touchstone

@@ -80,6 +80,7 @@ constinit const Law kBounceSeries = {
     "bounce_series",
     "A sphere or a flat box falls straight on a static plane and leaves with e times its "
     "speed, again and again.",
+    kNumbersOfFalls,
     Faults,
     Judge,
     false,

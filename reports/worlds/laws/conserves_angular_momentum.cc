@@ -1,6 +1,8 @@
 #include "reports/worlds/laws/conserves_angular_momentum.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -37,9 +39,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   const WorldState start = StateAtStart(world);
   const double L_0 =
       AngularMomentumOf(world, start, subjects, CentreOf(world, start, subjects)).norm();
-  return Joined(
-      std::move(faults),
-      FaultsOfNumbers(claim, {{"expected_angular_momentum", L_0}}, {"x", "y", "z"}));
+  return Joined(std::move(faults),
+                FaultsOfNumbers(claim, {{"expected_angular_momentum", L_0}}));
 }
 
 /** The sum of the impulses that colliding bodies receive from a sample to the next,
@@ -121,12 +122,15 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst});
 }
 
+constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_momentum", "x",
+                                                      "y", "z"};
+
 }  // namespace
 
 constinit const Law kConservesAngularMomentum = {
     "conserves_angular_momentum",
     "Angular momentum about the common centre of mass stays; x, y, z: only along that "
     "direction.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -1,7 +1,9 @@
 #include "reports/worlds/laws/conserves_energy.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -62,6 +64,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst}, reflects ? kReflectsAfterGravity : "");
 }
 
+constexpr std::array<std::string_view, 1> kNumbers = {"expected_energy"};
+
 }  // namespace
 
 std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim, bool damped) {
@@ -96,7 +100,7 @@ std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim, bool d
 
 constinit const Law kConservesEnergy = {
     "conserves_energy",
-    "Kinetic, gravity's, constant forces' and springs' energy stay one sum.", Faults,
-    Judge};
+    "Kinetic, gravity's, constant forces' and springs' energy stay one sum.", kNumbers,
+    Faults, Judge};
 
 }  // namespace touchstone

@@ -1,5 +1,8 @@
 #include "reports/worlds/laws/conserves_momentum.h"
 
+#include <array>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "reports/worlds/laws/error_laws.h"
@@ -21,7 +24,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (!faults.empty()) return faults;
   const double at_start =
       MomentumOf(world, StateAtStart(world), SubjectsOf(world, claim)).norm();
-  return FaultsOfNumbers(claim, {{"expected_momentum", at_start}}, {"x", "y", "z"});
+  return FaultsOfNumbers(claim, {{"expected_momentum", at_start}});
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -69,12 +72,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({drift});
 }
 
+constexpr std::array<std::string_view, 4> kNumbers = {"expected_momentum", "x", "y", "z"};
+
 }  // namespace
 
 constinit const Law kConservesMomentum = {"conserves_momentum",
                                           "Linear momentum changes by gravity, forces "
                                           "and blows alone; x, y, z: only along that "
                                           "direction.",
-                                          Faults, Judge};
+                                          kNumbers, Faults, Judge};
 
 }  // namespace touchstone

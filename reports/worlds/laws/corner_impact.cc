@@ -1,8 +1,10 @@
 #include "reports/worlds/laws/corner_impact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -303,12 +305,15 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf(by_newton, by_poisson ? "Poisson's restitution" : "");
 }
 
+constexpr std::array<std::string_view, 3> kNumbers = {"expected_impulse",
+                                                      "expected_speed", "expected_spin"};
+
 }  // namespace
 
 constinit const Law kCornerImpact = {
     "corner_impact",
     "A box without spin hits a static plane with an edge, or a corner in a plane or "
     "without friction.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -117,7 +117,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kCoulombCone = {
-    "coulomb_cone", "Every contact pushes, and its friction is at most μ times as large.",
-    Faults, Judge};
+    "coulomb_cone",
+    "Every contact pushes, and its friction is at most μ times as large.",
+    {},
+    Faults,
+    Judge};
 
 }  // namespace touchstone

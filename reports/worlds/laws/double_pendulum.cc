@@ -1,6 +1,8 @@
 #include "reports/worlds/laws/double_pendulum.h"
 
+#include <array>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -23,7 +25,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
              "the first"}};
   if (NumberOr(claim, "until", 1) <= 0)
     faults.push_back({"numbers.until", "is not positive", "a time > 0"});
-  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"until"}));
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -40,11 +42,16 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                    });
 }
 
+constexpr std::array<std::string_view, 1> kNumbers = {"until"};
+
 }  // namespace
 
 constinit const Law kDoublePendulum = {
     "double_pendulum",
-    "Two masses swing on two rods; about names the upper one, then the lower.", Faults,
-    Judge, true};
+    "Two masses swing on two rods; about names the upper one, then the lower.",
+    kNumbers,
+    Faults,
+    Judge,
+    true};
 
 }  // namespace touchstone

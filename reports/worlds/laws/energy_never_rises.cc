@@ -65,7 +65,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kEnergyNeverRises = {
-    "energy_never_rises", "Contact, friction and damping only take energy.", Faults,
+    "energy_never_rises",
+    "Contact, friction and damping only take energy.",
+    {},
+    Faults,
     Judge};
 
 }  // namespace touchstone

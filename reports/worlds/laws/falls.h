@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reports/worlds/law.h"
@@ -61,9 +64,12 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
 /** Returns whether `v` is along `n`, to the rounding of quaternions with 16 digits. */
 bool IsAlong(const Eigen::Vector3d& v, const Eigen::Vector3d& n);
 
-/** Returns the numbers that laws of bounces know, as FaultsOfNumbers() takes them:
- expected_first_impact, expected_impact_speed, expected_total_time, expected_first_apex.
- */
+/** The numbers that laws of bounces know. */
+inline constexpr std::array<std::string_view, 4> kNumbersOfFalls = {
+    "expected_first_apex", "expected_first_impact", "expected_impact_speed",
+    "expected_total_time"};
+
+/** Returns them of `fall`, as FaultsOfNumbers() takes them. */
 std::vector<std::pair<std::string_view, double>> NumbersOf(const Fall& fall);
 
 }  // namespace touchstone

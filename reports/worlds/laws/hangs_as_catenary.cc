@@ -1,8 +1,10 @@
 #include "reports/worlds/laws/hangs_as_catenary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -213,12 +215,10 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
     largest = std::max(largest, T_W.norm());
   const Eigen::Vector3d& T_W = rest.tension_W.front();
   return Joined(std::move(faults),
-                FaultsOfNumbers(claim,
-                                {{"expected_horizontal_tension",
-                                  (T_W - T_W.dot(down_W) * down_W).norm()},
-                                 {"expected_largest_tension", largest},
-                                 {"expected_sag", lowest - top}},
-                                {"from"}));
+                FaultsOfNumbers(claim, {{"expected_horizontal_tension",
+                                         (T_W - T_W.dot(down_W) * down_W).norm()},
+                                        {"expected_largest_tension", largest},
+                                        {"expected_sag", lowest - top}}));
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -261,11 +261,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst});
 }
 
+constexpr std::array<std::string_view, 4> kNumbers = {
+    "expected_horizontal_tension", "expected_largest_tension", "expected_sag", "from"};
+
 }  // namespace
 
 constinit const Law kHangsAsCatenary = {
     "hangs_as_catenary",
     "A chain of rods or springs hangs as the discrete catenary; about names it in order.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

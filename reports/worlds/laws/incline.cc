@@ -1,8 +1,10 @@
 #include "reports/worlds/laws/incline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -137,12 +139,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return JudgedByCone(motion, SubjectsOf(motion.world, claim).bodies, JudgeBy);
 }
 
+constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
+
 }  // namespace
 
 constinit const Law kIncline = {"incline",
                                 "At rest on a slope, a box stays where μ >= tan θ and "
                                 "else slides, and does not turn; a "
                                 "sphere rolls or slips.",
-                                Faults, Judge};
+                                kNumbers, Faults, Judge};
 
 }  // namespace touchstone

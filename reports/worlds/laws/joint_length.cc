@@ -93,7 +93,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 }  // namespace
 
-constinit const Law kJointLength = {"joint_length", "A rod keeps its length.", Faults,
-                                    Judge};
+constinit const Law kJointLength = {
+    "joint_length", "A rod keeps its length.", {}, Faults, Judge};
 
 }  // namespace touchstone

@@ -230,6 +230,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 constinit const Law kMinimumEnergy = {
     "minimum_energy",
     "Damped cloths and particles on springs come to rest where their energy is least.",
-    Faults, Judge};
+    {},
+    Faults,
+    Judge};
 
 }  // namespace touchstone

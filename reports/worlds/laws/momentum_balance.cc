@@ -73,6 +73,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 constinit const Law kMomentumBalance = {
     "momentum_balance",
     "A body's momentum gains what gravity, force, blows and the reported contacts give.",
-    Faults, Judge};
+    {},
+    Faults,
+    Judge};
 
 }  // namespace touchstone

@@ -1,8 +1,10 @@
 #include "reports/worlds/laws/never_penetrates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -24,7 +26,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (parted_by < 0 || parted_by >= world.steps * world.dt)
     faults.push_back({"numbers.parted_by", fmt::format("is {:.6g} s", parted_by),
                       "a time before the end"});
-  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"slack", "parted_by"}));
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
 bool Collides(const World& world, int A, int B) {
@@ -128,12 +130,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst});
 }
 
+constexpr std::array<std::string_view, 2> kNumbers = {"parted_by", "slack"};
+
 }  // namespace
 
 constinit const Law kNeverPenetrates = {"never_penetrates",
                                         "Colliding bodies are at most V h + g h² deep in "
                                         "each other; slack [m] is granted on top, and "
                                         "until parted_by [s] what overlaps at the start.",
-                                        Faults, Judge};
+                                        kNumbers, Faults, Judge};
 
 }  // namespace touchstone

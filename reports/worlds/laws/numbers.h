@@ -14,12 +14,11 @@ namespace touchstone {
  of the sixth; doubled. [-] */
 inline constexpr double kNumberSlack = 1e-6;
 
-/** Returns a fault for every number of the claim that contradicts the law's own truth,
- and for every one that the law does not know. `truths` pairs what the law derives with
- its name ("expected_…"); `known` names what the law reads. */
+/** Returns a fault for every "expected_…" of the claim that contradicts the law's own
+ truth, or that the law does not derive of this world. `truths` pairs what it derives with
+ its name. Other numbers need but be finite: the law reads them. */
 std::vector<Fault> FaultsOfNumbers(
-    const Claim& claim, const std::vector<std::pair<std::string_view, double>>& truths,
-    const std::vector<std::string_view>& known = {});
+    const Claim& claim, const std::vector<std::pair<std::string_view, double>>& truths);
 
 /** Returns the faults of both. */
 std::vector<Fault> Joined(std::vector<Fault> faults, std::vector<Fault> more);

@@ -1,8 +1,10 @@
 #include "reports/worlds/laws/oblique_impact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/landing.h"
@@ -87,12 +89,16 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return JudgeMeeting(motion, meeting, SecondImpact(motion.world, meeting));
 }
 
+constexpr std::array<std::string_view, 4> kNumbers = {
+    "expected_energy_ratio", "expected_normal_speed", "expected_spin",
+    "expected_tangential_speed"};
+
 }  // namespace
 
 constinit const Law kObliqueImpact = {
     "oblique_impact",
     "A sphere hits a static plane at an angle, with spin, restitution and Coulomb "
     "friction.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -78,6 +78,7 @@ constinit const Law kParticleBounce = {
     "particle_bounce",
     "A particle that falls on a static plane keeps the share `bounce` of its normal "
     "speed.",
+    kNumbersOfFalls,
     Faults,
     Judge,
     false,

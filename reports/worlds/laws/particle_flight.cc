@@ -1,6 +1,8 @@
 #include "reports/worlds/laws/particle_flight.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -97,11 +99,14 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
       .p_W;
 }
 
+constexpr std::array<std::string_view, 1> kNumbers = {"expected_terminal_speed"};
+
 }  // namespace
 
 constinit const Law kParticleFlight = {
     "particle_flight",
     "A damped particle that nothing touches flies along v̇ = g − c v.",
+    kNumbers,
     Faults,
     Judge,
     true,

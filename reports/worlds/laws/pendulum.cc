@@ -1,7 +1,9 @@
 #include "reports/worlds/laws/pendulum.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -111,11 +113,14 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
   return At(swinging, Pendulum(swinging.omega, swinging.start).At(t)).p_W;
 }
 
+constexpr std::array<std::string_view, 1> kNumbers = {"expected_period"};
+
 }  // namespace
 
 constinit const Law kPendulum = {
     "pendulum", "A mass on one rod to a fixed place swings in a plane.",
-    Faults,     Judge,
-    true,       Place};
+    kNumbers,   Faults,
+    Judge,      true,
+    Place};
 
 }  // namespace touchstone

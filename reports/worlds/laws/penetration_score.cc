@@ -1,7 +1,9 @@
 #include "reports/worlds/laws/penetration_score.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -44,7 +46,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   }
   if (NumberOr(claim, "slope", 1) <= 0)
     faults.push_back({"numbers.slope", "is not positive", "a score over h²"});
-  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"slope"}));
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
 /** Two things that may be inside each other. */
@@ -123,11 +125,13 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst});
 }
 
+constexpr std::array<std::string_view, 1> kNumbers = {"slope"};
+
 }  // namespace
 
 constinit const Law kPenetrationScore = {
     "penetration_score",
     "Spheres are on average as deep in each other as a step at their speed allows.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

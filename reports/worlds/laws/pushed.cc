@@ -1,6 +1,8 @@
 #include "reports/worlds/laws/pushed.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -98,10 +100,13 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({momentum, spin});
 }
 
+constexpr std::array<std::string_view, 2> kNumbers = {"expected_speed_gain",
+                                                      "expected_spin_gain"};
+
 }  // namespace
 
 constinit const Law kPushed = {
-    "pushed", "A blow J at the point r gives a body the momentum J and r × J.", Faults,
-    Judge};
+    "pushed", "A blow J at the point r gives a body the momentum J and r × J.", kNumbers,
+    Faults, Judge};
 
 }  // namespace touchstone

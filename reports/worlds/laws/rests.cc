@@ -1,9 +1,11 @@
 #include "reports/worlds/laws/rests.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,7 +30,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
         {"numbers.from", fmt::format("is {:.6g} s", from), "a time before the end"});
   if (NumberOr(claim, "slack", 0) < 0)
     faults.push_back({"numbers.slack", "is negative", "a length >= 0"});
-  return Joined(std::move(faults), FaultsOfNumbers(claim, {}, {"from", "slack"}));
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
 /** Bodies that overlap at the start, directly or through others that move. */
@@ -162,10 +164,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({rest, velocity});
 }
 
+constexpr std::array<std::string_view, 2> kNumbers = {"from", "slack"};
+
 }  // namespace
 
 constinit const Law kRests = {
-    "rests", "What rests stays where it is; from [s] and slack [m] may be named.", Faults,
-    Judge};
+    "rests", "What rests stays where it is; from [s] and slack [m] may be named.",
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -1,8 +1,10 @@
 #include "reports/worlds/laws/rolling_box.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -210,11 +212,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                       });
 }
 
+constexpr std::array<std::string_view, 3> kNumbers = {
+    "expected_ball_acceleration", "expected_ball_spin_rate", "expected_box_acceleration"};
+
 }  // namespace
 
 constinit const Law kRollingBox = {
     "rolling_box",
     "A box pulled over a level plane carries balls that roll; about names the box first.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -1,5 +1,8 @@
 #include "reports/worlds/laws/rolls.h"
 
+#include <array>
+#include <string_view>
+
 #include "reports/worlds/laws/ball_on_plane.h"
 #include "reports/worlds/laws/each_body.h"
 #include "reports/worlds/laws/on_plane.h"
@@ -84,10 +87,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return WorstOfEach(findings);
 }
 
+constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
+
 }  // namespace
 
 constinit const Law kRolls = {
     "rolls", "A sphere that rolls on a static plane goes on rolling, on slopes faster.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

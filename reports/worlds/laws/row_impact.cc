@@ -1,7 +1,9 @@
 #include "reports/worlds/laws/row_impact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -250,12 +252,16 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf(by_pairs, recognised);
 }
 
+constexpr std::array<std::string_view, 4> kNumbers = {
+    "expected_first_velocity", "expected_last_velocity",
+    "expected_simultaneous_first_velocity", "expected_simultaneous_last_velocity"};
+
 }  // namespace
 
 constinit const Law kRowImpact = {
     "row_impact",
     "Spheres on a line hit each other, one pair after another or all at once; about "
     "names them in order.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

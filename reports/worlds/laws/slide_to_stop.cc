@@ -1,7 +1,9 @@
 #include "reports/worlds/laws/slide_to_stop.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -107,11 +109,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return JudgedByCone(motion, SubjectsOf(motion.world, claim).bodies, JudgeBy);
 }
 
+constexpr std::array<std::string_view, 2> kNumbers = {"expected_distance",
+                                                      "expected_time"};
+
 }  // namespace
 
 constinit const Law kSlideToStop = {"slide_to_stop",
                                     "A box that slides on a level plane stops after "
                                     "v²/(2 μ g), along its heading, and does not turn.",
-                                    Faults, Judge};
+                                    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -1,6 +1,8 @@
 #include "reports/worlds/laws/slip_to_roll.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "reports/worlds/laws/ball_on_plane.h"
 #include "reports/worlds/laws/cone_models.h"
@@ -111,11 +113,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return JudgedByCone(motion, SubjectsOf(motion.world, claim).bodies, JudgeBy);
 }
 
+constexpr std::array<std::string_view, 2> kNumbers = {"expected_rolling_speed",
+                                                      "expected_rolling_time"};
+
 }  // namespace
 
 constinit const Law kSlipToRoll = {
     "slip_to_roll",
-    "A sphere that slips on a level plane is turned by friction until it rolls.", Faults,
-    Judge};
+    "A sphere that slips on a level plane is turned by friction until it rolls.",
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -1,8 +1,10 @@
 #include "reports/worlds/laws/sphere_impact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -77,12 +79,16 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                       std::numeric_limits<double>::infinity());
 }
 
+constexpr std::array<std::string_view, 5> kNumbers = {
+    "expected_energy_ratio", "expected_first_speed", "expected_first_spin",
+    "expected_second_speed", "expected_second_spin"};
+
 }  // namespace
 
 constinit const Law kSphereImpact = {
     "sphere_impact",
     "Two free spheres hit each other with restitution and Coulomb friction; about names "
     "both.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

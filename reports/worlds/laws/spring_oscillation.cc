@@ -1,8 +1,10 @@
 #include "reports/worlds/laws/spring_oscillation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -201,11 +203,16 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
   return on.p_W + (on.rest + on.oscillator.After(on.start, t).x) * on.d_W;
 }
 
+constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_frequency",
+                                                      "expected_damping_ratio",
+                                                      "expected_period", "expected_sag"};
+
 }  // namespace
 
 constinit const Law kSpringOscillation = {
     "spring_oscillation",
     "A mass on one spring to something fixed oscillates along it, damped or not.",
+    kNumbers,
     Faults,
     Judge,
     true,

@@ -1,7 +1,9 @@
 #include "reports/worlds/laws/stack_support.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -97,11 +99,13 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst});
 }
 
+constexpr std::array<std::string_view, 1> kNumbers = {"expected_weight"};
+
 }  // namespace
 
 constinit const Law kStackSupport = {
     "stack_support",
     "In a stack at rest each level carries what is above it; about names it from below.",
-    Faults, Judge};
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

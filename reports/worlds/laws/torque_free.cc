@@ -1,7 +1,9 @@
 #include "reports/worlds/laws/torque_free.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -140,11 +142,17 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({orientation, spin});
 }
 
+constexpr std::array<std::string_view, 3> kNumbers = {
+    "expected_angular_momentum", "expected_period", "expected_rotational_energy"};
+
 }  // namespace
 
 constinit const Law kTorqueFree = {
     "torque_free",
     "A body without torque turns as Euler's equations say (Jacobi's elliptic functions).",
-    Faults, Judge, true};
+    kNumbers,
+    Faults,
+    Judge,
+    true};
 
 }  // namespace touchstone

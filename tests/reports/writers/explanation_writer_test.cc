@@ -11,16 +11,22 @@ namespace touchstone {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string Explained(const RunReport& report, const ExplanationStyle& style = {}) {
+  std::ostringstream out;
+  WriteExplanation(report, style, out);
+  return out.str();
+}
 
 TEST(WriteExplanation, NamesWhoIsRightAndWhoIsWrong) {
-  std::ostringstream out;
-  WriteExplanation(HandMadeReport(), out);
+  const std::string text = Explained(HandMadeReport());
   // deep: mine passes, theirs is a known discrepancy, which is wrong all the same.
-  EXPECT_THAT(out.str(), HasSubstr("Right: mine\nWrong: theirs/float"));
+  EXPECT_THAT(text, HasSubstr("Right: mine\nWrong: theirs/float"));
   // wrong: mine is proved wrong, theirs is NaN.
-  EXPECT_THAT(out.str(), HasSubstr("Right: nobody\nWrong: mine, theirs/float"));
+  EXPECT_THAT(text, HasSubstr("Right: nobody\nWrong: mine, theirs/float"));
   // grazing: undecidable and unsupported are neither.
-  EXPECT_THAT(out.str(), HasSubstr("Right: nobody\nWrong: nobody"));
+  EXPECT_THAT(text, HasSubstr("Right: nobody\nWrong: nobody"));
 }
 
 TEST(WriteExplanation, GivesAReasonOfTheLedgerOnceForAnOracle) {
@@ -29,12 +35,38 @@ TEST(WriteExplanation, GivesAReasonOfTheLedgerOnceForAnOracle) {
   Finding second = report.findings[1];
   second.measure = MeasureKind::kExcess;
   report.findings.insert(report.findings.begin() + 2, second);
-  std::ostringstream out;
-  WriteExplanation(report, out);
+  const std::string text = Explained(report);
   const std::string reason = "Ledger, of theirs/float: Float build";
-  const std::size_t first = out.str().find(reason);
+  const std::size_t first = text.find(reason);
   EXPECT_NE(first, std::string::npos);
-  EXPECT_EQ(out.str().find(reason, first + 1), std::string::npos);
+  EXPECT_EQ(text.find(reason, first + 1), std::string::npos);
+}
+
+TEST(WriteExplanation, TellsWhatIsTheSameOfTwoOraclesOnce) {
+  RunReport report = HandMadeReport();
+  // wrong: theirs/float says what mine does.
+  report.scenarios[1].answers[1] = report.scenarios[1].answers[0];
+  report.findings[2].proof = "mine says 0.04 deep, which is not so";
+  Finding same = report.findings[2];
+  same.oracle = "theirs/float";
+  same.proof = "theirs/float says 0.04 deep, which is not so";
+  report.findings.erase(report.findings.begin() + 3, report.findings.begin() + 5);
+  report.findings.insert(report.findings.begin() + 3, same);
+  const std::string text = Explained(report);
+  EXPECT_THAT(text, HasSubstr("Proof: mine says 0.04 deep"));
+  EXPECT_THAT(text, Not(HasSubstr("Proof: theirs/float says")));
+  EXPECT_THAT(text, HasSubstr("    likewise theirs/float\n"));
+  EXPECT_THAT(Explained(report, {.everything = true}),
+              HasSubstr("contact                -0.04 at ("));
+}
+
+TEST(WriteExplanation, GivesTheSimplestProofAndNamesTheOtherMeasures) {
+  const RunReport report = HandMadeReport();
+  const std::string also = "    also: consistency_error 1e+12 × tolerance\n";
+  EXPECT_THAT(Explained(report), HasSubstr(also));
+  const std::string everything = Explained(report, {.everything = true});
+  EXPECT_THAT(everything, Not(HasSubstr(also)));
+  EXPECT_THAT(everything, HasSubstr("mine: fail in consistency_error"));
 }
 
 TEST(WriteExplanationTable, GivesALineAScenario) {
@@ -52,11 +84,10 @@ TEST(WriteExplanationTable, GivesALineAScenario) {
 }
 
 TEST(WriteExplanation, GivesTruthProofAndTheReasonOfTheLedger) {
-  std::ostringstream out;
-  WriteExplanation(HandMadeReport(), out);
-  EXPECT_THAT(out.str(), HasSubstr("the separation lies in [-0.05, -0.05] m"));
-  EXPECT_THAT(out.str(), HasSubstr("moving B by 0.04 along n leaves 0.01 of overlap"));
-  EXPECT_THAT(out.str(), HasSubstr("Ledger, of theirs/float: Float build"));
+  const std::string text = Explained(HandMadeReport());
+  EXPECT_THAT(text, HasSubstr("Touching: the separation is -0.05 m, certified"));
+  EXPECT_THAT(text, HasSubstr("moving B by 0.04 along n leaves 0.01 of overlap"));
+  EXPECT_THAT(text, HasSubstr("Ledger, of theirs/float: Float build"));
 }
 
 }  // namespace

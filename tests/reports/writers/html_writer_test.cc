@@ -31,7 +31,7 @@ TEST(WriteHtml, ShowsTitleSourceTruthAnswersAndProofs) {
   EXPECT_THAT(page, HasSubstr("A sphere in a &lt;box&gt; &amp; out again"));
   EXPECT_THAT(page,
               HasSubstr("Source: Derivation: centre at h + r - d on the face axis"));
-  EXPECT_THAT(page, HasSubstr("the separation lies in [-0.05, -0.05] m"));
+  EXPECT_THAT(page, HasSubstr("the separation is -0.05 m"));
   EXPECT_THAT(page, HasSubstr("moving B by 0.04 along n leaves 0.01 of overlap"));
   EXPECT_THAT(page, HasSubstr("href=\"#ledger-0\""));
 }

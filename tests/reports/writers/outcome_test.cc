@@ -22,11 +22,14 @@ TEST(OutcomesOf, GivesOneOutcomePerScenarioAndOracle) {
   EXPECT_EQ(outcomes[5].verdict, Verdict::kUnsupported);
 }
 
-TEST(OutcomesOf, DecidesByTheFindingFarthestBeyondItsTolerance) {
-  const RunReport report = HandMadeReport();
-  const Outcome outcome = OutcomesOf(report)[2];
+TEST(OutcomesOf, DecidesByTheSimplestProofHoweverLittleItIsBeyondItsTolerance) {
+  RunReport report = HandMadeReport();
+  report.findings[3].value = 1e9;  // The consistency error, after the separation's.
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  const Outcome& outcome = outcomes[2];
   ASSERT_EQ(outcome.findings.size(), 2u);
   EXPECT_EQ(outcome.decisive->measure, MeasureKind::kSeparationError);
+  EXPECT_EQ(outcome.worst->measure, MeasureKind::kConsistencyError);
 }
 
 TEST(OutcomesOf, PutsAFailureBeforeAPass) {
@@ -116,6 +119,20 @@ TEST(Sentence, TellsWhoMeasureValueToleranceProofAndCause) {
       "mine: fail in separation_error, 0.01 m where 1e-15 m is allowed (64 unit "
       "roundoffs of the scene). Proof: mine says 0.04 deep; moving B by 0.04 along n "
       "leaves 0.01 of overlap. Cause: defect.");
+}
+
+TEST(Sentence, NamesTheLegalModelThatAMotionIsRecognisedBy) {
+  Finding finding = HandMadeReport().findings[2];
+  finding.verdict = Verdict::kPass;
+  finding.reference = "law";
+  finding.law = "row_impact";
+  finding.cause = Cause::kModel;
+  finding.cause_because = "simultaneous impacts";
+  EXPECT_THAT(Sentence(finding),
+              testing::HasSubstr("mine: pass, recognised as simultaneous impacts in "));
+  EXPECT_EQ(RecognisedModelOf(finding), "simultaneous impacts");
+  finding.reference = "referee";
+  EXPECT_EQ(RecognisedModelOf(finding), "");
 }
 
 TEST(Sentence, WritesEnoughDigitsToTellAValueFromItsTolerance) {

@@ -37,7 +37,8 @@ TEST(WriteTable, CountsEveryVerdict) {
 
 TEST(WriteTable, ShowsWhatTheLedgerHides) {
   const std::string table = Table(HandMadeReport());
-  EXPECT_THAT(table, HasSubstr("2 entries hide 1 finding; 1 was not put to the test"));
+  EXPECT_THAT(table,
+              HasSubstr("1 of 2 entries hides 1 finding; 1 was not put to the test"));
   EXPECT_THAT(table, HasSubstr("    1  theirs/float 1.2: Float build (unreported)"));
 }
 
@@ -57,6 +58,51 @@ TEST(WriteTable, ShowsFaultsOfTheCatalogue) {
   EXPECT_THAT(Table(HandMadeReport()), HasSubstr("the author expects \"apart\""));
 }
 
+TEST(WriteTable, TellsNothingOfALedgerThatIsAboutOtherQuestions) {
+  RunReport report = HandMadeReport();
+  report.ledger_use = {{{{0, 0}}, 0}, {{{}}, 0}};
+  EXPECT_THAT(Table(report), Not(HasSubstr("Ledger")));
+}
+
+TEST(WriteTable, SaysWhyWhatIsUnsupportedIs) {
+  EXPECT_THAT(Table(HandMadeReport()),
+              HasSubstr("Unsupported\n      1  theirs/float: no cones \x01 here\n"));
+}
+
+TEST(WriteTable, SaysThatTheSubjectWasNotExaminedWhateverTheReferencesDo) {
+  RunReport report = HandMadeReport();
+  std::erase_if(report.findings, [](const Finding& finding) {
+    return finding.oracle == "mine" || finding.scenario != "contact/box_sphere/wrong";
+  });
+  report.scenarios = {report.scenarios[1]};
+  report.scenarios[0].answers[0] = {};
+  report.scenarios[0].answers[0].reason = "no spheres.";
+  const std::string table = Table(report);
+  EXPECT_THAT(table, HasSubstr("NOTHING VERIFIED: mine failed in 0 scenarios, references "
+                               "in 1 (theirs/float)"));
+  EXPECT_THAT(table, HasSubstr("mine was not examined: unsupported: no spheres; "));
+}
+
+TEST(WriteTable, CountsTheMotionsThatFollowAnotherLegalModel) {
+  RunReport report = HandMadeReport();
+  EXPECT_THAT(Table(report), Not(HasSubstr("Recognised")));
+  report.findings[0].reference = "law";
+  report.findings[0].cause = Cause::kModel;
+  report.findings[0].cause_because = "L∞ friction cone";
+  EXPECT_THAT(Table(report), HasSubstr("      1  mine: L∞ friction cone\n"));
+}
+
+TEST(WriteTable, ShowsTheOnlyGroupOnce) {
+  RunReport report = HandMadeReport();
+  EXPECT_THAT(Table(report), HasSubstr("all scenarios (3)"));
+  report.scenarios.pop_back();
+  std::erase_if(report.findings, [](const Finding& finding) {
+    return finding.scenario == "contact/cone_cone/grazing";
+  });
+  EXPECT_THAT(Table(report), Not(HasSubstr("all scenarios")));
+  EXPECT_THAT(Table(report), HasSubstr("contact/box_sphere (2)"));
+}
+
 TEST(WriteTable, IsPlainWithoutColours) {
   EXPECT_THAT(Table(HandMadeReport()), Not(HasSubstr("\x1b")));
   EXPECT_THAT(Table(HandMadeReport(), {.colours = true}), HasSubstr("\x1b["));
@@ -70,9 +116,9 @@ TEST(WriteTable, KeepsFailuresWhenQuiet) {
 
 TEST(WriteTable, SaysOkOnlyWithoutFailuresAndFaults) {
   RunReport report = HandMadeReport();
-  EXPECT_THAT(
-      Table(report),
-      HasSubstr("FAILED: mine failed in 1 scenario, references in 1, 1 fault of"));
+  EXPECT_THAT(Table(report),
+              HasSubstr("FAILED: mine failed in 1 scenario, references in 1 "
+                        "(theirs/float), 1 fault of the scenario files"));
   for (Finding& finding : report.findings) finding.verdict = Verdict::kPass;
   EXPECT_THAT(Table(report), HasSubstr("FAILED"));
   report.faults.clear();

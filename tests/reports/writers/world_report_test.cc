@@ -46,6 +46,7 @@ Finding FindingOf(const std::string& oracle, double value) {
   finding.scenario = "world/test/fall";
   finding.oracle = oracle;
   finding.reference = "law";
+  finding.law = "ballistic";
   finding.measure = MeasureKind::kPositionError;
   finding.value = value;
   finding.tolerance = 0.01;
@@ -98,16 +99,35 @@ std::string Written(Writer write) {
 
 TEST(WorldReport, ExplanationSetsEveryNumberBesideWhatIsAllowed) {
   const std::string text =
-      Written([](const auto& r, auto& out) { WriteExplanation(r, out); });
+      Written([](const auto& r, auto& out) { WriteExplanation(r, {}, out); });
   EXPECT_THAT(text, HasSubstr("world/test/fall: A ball <falls>\n  source: Galilei\n  1 "
                               "body; 10 steps of 100 ms\n  laws: ballistic of ball\n"));
   EXPECT_THAT(text, HasSubstr("parts from mine at 0.1 s: ball is 0.0041 m off"));
   EXPECT_THAT(text, HasSubstr("position_error"));
-  EXPECT_THAT(text, HasSubstr("half a step late"));
+  EXPECT_THAT(text,
+              HasSubstr("0.001 m of         0.01 m  ballistic                    [1]\n"));
+  EXPECT_THAT(text, HasSubstr("\nTolerances:\n  [1] half a step late\n\n"));
   EXPECT_THAT(text, HasSubstr("unsupported no balls"));
   EXPECT_THAT(text, HasSubstr("\n    it printed: ODE <Message> 3\n"));
   EXPECT_THAT(text, HasSubstr("\nRight: mine\nWrong: light\n"));
   EXPECT_THAT(text, Not(HasSubstr("contacts")));
+}
+
+TEST(WorldReport, NamesTheLegalModelWhereverTheVerdictIs) {
+  RunReport report = OneWorld();
+  report.findings[1].verdict = Verdict::kPass;
+  report.findings[1].cause = Cause::kModel;
+  report.findings[1].cause_because = "moon <gravity>";
+  std::ostringstream text;
+  WriteExplanation(report, {}, text);
+  EXPECT_THAT(text.str(), HasSubstr("\nBy another legal model, moon <gravity>: light\n"));
+  EXPECT_THAT(text.str(),
+              HasSubstr("pass        recognised: moon <gravity>; parts from"));
+  std::ostringstream page;
+  WriteHtml(report, page);
+  EXPECT_THAT(page.str(), HasSubstr("pass, recognised: moon &lt;gravity&gt;<td>"));
+  EXPECT_THAT(page.str(),
+              HasSubstr("light: pass, recognised as moon &lt;gravity&gt; in "));
 }
 
 TEST(WorldReport, ExplanationTableHasALineForIt) {
@@ -154,11 +174,11 @@ TEST(WorldReport, JUnitHasACaseForEachOracleThatSimulates) {
                          HasSubstr("skipped=\"1\"")));
 }
 
-TEST(WorldReport, TableCountsOnlyWhoWasAsked) {
+TEST(WorldReport, TableCountsWhoCannotBeAskedAsUnsupported) {
   const std::string table =
       Written([](const auto& r, auto& out) { WriteTable(r, TableStyle{}, out); });
   EXPECT_THAT(table, HasSubstr("1 scenario × 4 oracles: 1 pass, 1 fail, 0 disagree, 0 "
-                               "known, 0 undecidable, 1 unsupported"));
+                               "known, 0 undecidable, 2 unsupported"));
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ TEST(JudgeVariant, AnErrorAlongOneAxisOfTheWorldIsFoundByTheHeading) {
       SeenInWorld(variants.front(), engine.Simulate(variants.front().world)));
   EXPECT_EQ(finding.verdict, Verdict::kFail);
   EXPECT_THAT(finding.proof, HasSubstr("turned about gravity"));
+  EXPECT_THAT(finding.proof, HasSubstr(" m: at "));
+  EXPECT_THAT(finding.proof, HasSubstr("in the world itself and, brought back, in that"));
 }
 
 TEST(JudgeVariant, GrantsWhatTheStepExplains) {

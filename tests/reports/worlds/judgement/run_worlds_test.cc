@@ -1,7 +1,13 @@
 #include "reports/worlds/run_worlds.h"
 
+#include <algorithm>
 #include <atomic>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -181,22 +187,83 @@ TEST(RunWorlds, FindsAnEngineThatAnswersOtherwiseEachTime) {
                                       Field(&Finding::verdict, Verdict::kFail))));
 }
 
-TEST(FaultsOfClaims, KnowsEveryLawAndTheHarnesssOwn) {
-  EXPECT_THAT(FaultsOfClaims(Flight("world/test/a", 10)), IsEmpty());
+std::vector<std::string> ErrorsIn(const WorldScenario& scenario) {
+  std::vector<std::string> errors;
+  for (const Diagnostic& error : ErrorsOfClaims(scenario))
+    errors.push_back(ToString(error));
+  return errors;
 }
 
-TEST(FaultsOfClaims, NamesTheNearestLaw) {
+TEST(ErrorsOfClaims, AreNoneOfEveryLawAndTheHarnesssOwn) {
+  EXPECT_THAT(ErrorsIn(Flight("world/test/a", 10)), IsEmpty());
+}
+
+TEST(ErrorsOfClaims, NameTheNearestLaw) {
   WorldScenario scenario = Flight("world/test/a", 10);
   scenario.claims = {ClaimOf("balistic")};
-  EXPECT_THAT(FaultsOfClaims(scenario),
-              ElementsAre("world/test/a: claims[0]: no law is called 'balistic'; did you "
-                          "mean ballistic?"));
+  EXPECT_THAT(ErrorsIn(scenario),
+              ElementsAre("world/test/a: claims[0].law is \"balistic\", which is no law; "
+                          "expected \"ballistic\""));
 }
 
-TEST(FaultsOfClaims, SaysWhatALawMisses) {
+TEST(ErrorsOfClaims, SayWhatALawMisses) {
   WorldScenario scenario = Flight("world/test/a", 10);
   scenario.claims = {ClaimOf("ballistic", {"nobody"})};
-  EXPECT_THAT(FaultsOfClaims(scenario), Not(IsEmpty()));
+  EXPECT_THAT(ErrorsIn(scenario), Not(IsEmpty()));
+}
+
+TEST(ErrorsOfClaims, RefuseANumberThatNoLawReads) {
+  WorldScenario scenario = Flight("world/test/a", 10);
+  scenario.claims = {ClaimOf("conserves_momentum"), ClaimOf("ballistic"),
+                     ClaimOf(std::string(kDeterministic))};
+  for (Claim& claim : scenario.claims) claim.numbers["expected_bounce"] = 1;
+  EXPECT_THAT(
+      ErrorsIn(scenario),
+      ElementsAre(testing::HasSubstr("unknown key \"expected_bounce\" in "
+                                     "claims[0].numbers; expected one of "
+                                     "expected_momentum, x, y, z"),
+                  testing::HasSubstr("expected none: ballistic knows no numbers"),
+                  testing::HasSubstr("expected none: deterministic knows no numbers")));
+}
+
+TEST(ErrorsOfClaims, StandWhereTheFileSaysSo) {
+  WorldScenario scenario = Flight("world/test/a", 10);
+  scenario.claims = {ClaimOf("conserves_momentum")};
+  scenario.claims[0].numbers = {{"expected_momentum", 77}, {"up", 1}};
+  scenario.places.file = "a.toml";
+  scenario.places.by_path["claims[0].numbers.expected_momentum"] = {{7, 3}, {7, 23}};
+  scenario.places.by_path["claims[0].numbers.up"] = {{8, 3}, {8, 8}};
+  EXPECT_THAT(ErrorsIn(scenario),
+              ElementsAre(testing::StartsWith("a.toml:8:3: unknown key \"up\""),
+                          testing::StartsWith(
+                              "a.toml:7:23: claims[0].numbers.expected_momentum is 77")));
+}
+
+TEST(Laws, AreDescribedWithTheirNumbers) {
+  std::ostringstream page;
+  page << std::ifstream(TOUCHSTONE_LAWS_PAGE).rdbuf();
+  std::istringstream rows(page.str().substr(page.str().find("## Numbers")));
+  std::map<std::string, std::string> row_of;  // By the name of a law.
+  for (std::string row; std::getline(rows, row);) {
+    const std::size_t names_end = row.find(" | ");
+    for (const Law& law : Laws()) {
+      const std::string name = fmt::format("`{}`", law.name);
+      if (row.substr(0, names_end).find(name) != std::string::npos)
+        row_of.emplace(law.name, row);
+    }
+  }
+  for (const Law& law : Laws()) {
+    EXPECT_EQ(row_of.contains(std::string(law.name)), !law.numbers.empty()) << law.name;
+    for (const std::string_view number : law.numbers) {
+      EXPECT_THAT(row_of[std::string(law.name)],
+                  testing::HasSubstr(fmt::format("`{}`", number)));
+    }
+  }
+}
+
+TEST(Laws, SortTheNumbersThatTheyKnow) {
+  for (const Law& law : Laws())
+    EXPECT_TRUE(std::is_sorted(law.numbers.begin(), law.numbers.end())) << law.name;
 }
 
 }  // namespace

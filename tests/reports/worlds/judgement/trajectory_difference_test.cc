@@ -50,6 +50,18 @@ TEST(DistanceBetween, EndsAtTheHorizon) {
   EXPECT_NEAR(DistanceBetween(a, b, 0, 0.305), 1, 1e-15);
 }
 
+TEST(LargestDifference, GivesBothPlacesSoThatTheyCanBeSubtracted) {
+  const Trajectory a = FreeFlight(OneBall());
+  Trajectory b = a;
+  EXPECT_EQ(LargestDifference(a, b, 1, kEver), "");
+  b.samples[3].bodies[0].p_WB.x() += 1;
+  b.samples[30].particles[0].p_W = {1, 2, 3};
+  EXPECT_NE(LargestDifference(a, b, 1, kEver).find("at 0.3 s particle 0 is at (-0.98, "),
+            std::string::npos);
+  EXPECT_NE(LargestDifference(a, b, 1, kEver).find(" and (1, 2, 3)"), std::string::npos);
+  EXPECT_EQ(LargestDifference(a, b, 1, 0.1).find("at 0.03 s body 0 is at (0.3, "), 0u);
+}
+
 TEST(DistanceBetween, WhatIsNoNumberIsFarthest) {
   const Trajectory a = FreeFlight(OneBall());
   Trajectory b = a;
