@@ -75,27 +75,38 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     if (IsStatic(body)) return Eigen::Vector3d::Zero();
     return (start.free[At(body)].v - start.before[At(body)].v) / rules_.h;
   };
+  // What touches a body that is held is held, and what touches that; not what strikes.
+  heaps_.Reset(flies_.size());
+  strikers_.clear();
+  const auto join = [&](const ContactPair& pair) {
+    if (!IsStatic(pair.A) && !IsStatic(pair.B)) heaps_.Join(pair.A, pair.B);
+  };
   for (const ContactPair& pair : finder.contacts()) {
-    if (!Flies(pair.A) && !Flies(pair.B)) continue;
+    if (!Flies(pair.A) && !Flies(pair.B)) {
+      join(pair);
+      continue;
+    }
     const RigidBody& A = start.bodies[At(pair.A)];
     const RigidBody& B = start.bodies[At(pair.B)];
     const Eigen::Vector3d a_AB_W = acceleration(pair.B) - acceleration(pair.A);
     // What overlaps has to be parted, unless it strikes.
     const double deepest = -rules_.margin - TouchOf(A, B);
+    bool strikes = true;
     for (const ContactPoint& contact : pair.manifold.points()) {
       const Meeting meeting =
           MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, rules_);
       if (meeting == Meeting::kStrikes) continue;
+      strikes = false;
       if (meeting == Meeting::kParts && contact.separation >= deepest) continue;
       flies_[At(pair.A)] = flies_[At(pair.B)] = false;
       break;
     }
+    if (!strikes)
+      join(pair);
+    else if (!IsStatic(pair.A) && !IsStatic(pair.B))
+      strikers_.emplace_back(pair.A, pair.B);
   }
-  // What touches a body that is held is held, and what touches that.
-  heaps_.Reset(flies_.size());
-  for (const ContactPair& pair : finder.contacts()) {
-    if (!IsStatic(pair.A) && !IsStatic(pair.B)) heaps_.Join(pair.A, pair.B);
-  }
+  if (!strikers_.empty()) HoldStrikersOfLargeHeaps(finder.contacts());
   holds_.assign(flies_.size(), false);
   for (int i = 0; i < static_cast<int>(flies_.size()); ++i) {
     if (IsHeld(i)) holds_[At(heaps_.Of(i))] = true;
@@ -107,6 +118,17 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     if (Flies(pair.A) || Flies(pair.B)) pair.manifold.count = 0;
   }
   return std::find(flies_.begin(), flies_.end(), true) != flies_.end();
+}
+
+void Blows::HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts) {
+  touching_.Reset(flies_.size());
+  for (const ContactPair& pair : contacts) {
+    if (!IsStatic(pair.A) && !IsStatic(pair.B)) touching_.Join(pair.A, pair.B);
+  }
+  MeasureHeaps(touching_);
+  for (const auto& [A, B] : strikers_) {
+    if (heap_size_[At(touching_.Of(A))] > kMostOfHeap) heaps_.Join(A, B);
+  }
 }
 
 void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
@@ -143,9 +165,13 @@ void Blows::FindHeaps(std::span<const ContactPair> contacts) {
     if (pair.manifold.count == 0 || !IsHeld(pair.A) || !IsHeld(pair.B)) continue;
     heaps_.Join(pair.A, pair.B);
   }
+  MeasureHeaps(heaps_);
+}
+
+void Blows::MeasureHeaps(DisjointSets& heaps) {
   heap_size_.assign(flies_.size(), 0);
   for (std::size_t i = 0; i < flies_.size(); ++i) {
-    int& size = heap_size_[At(heaps_.Of(static_cast<int>(i)))];
+    int& size = heap_size_[At(heaps.Of(static_cast<int>(i)))];
     // What rods and springs hold is not asked either.
     size += linked_[i] ? kMostOfHeap + 1 : 1;
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/dynamics/blow.h"
@@ -16,10 +17,10 @@ namespace cookbook {
 /** The blows of a step, each at its moment.
 
  A body flies in a step where nothing holds it: no rod or spring, and no contact but such
- as part or strike, nor any of what it touches. Bodies that fly are followed until they
- strike something; there they exchange the impulses of ContactSolver, with all that touch
- them at that moment, and fly on. So a bounce takes no time, and what it keeps is kept in
- its place too.
+ as part or strike, nor any of what it touches but strikes. Bodies that fly are followed
+ until they strike something; there they exchange the impulses of ContactSolver, with all
+ that touch them at that moment, and fly on. So a bounce takes no time, and what it keeps
+ is kept in its place too.
 
  What does not fly moves as contacts, rods and springs let it. Where it is struck, all
  that it rests on and that rests on it takes part in the blow, and what that changes of
@@ -81,8 +82,11 @@ class Blows {
   bool IsHeld(int body) const { return !Flies(body) && !IsStatic(body); }
 
   bool FindFlying(const Start& start, ContactFinder& finder);
+  /** Joins to a heap what strikes it where its blow would not be asked for. */
+  void HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts);
   void FindCandidates(const Start& start, const ContactFinder& finder);
   void FindHeaps(std::span<const ContactPair> contacts);
+  void MeasureHeaps(DisjointSets& heaps);
   /** Whether blows of the two are looked at. */
   bool IsAsked(const Candidate& candidate);
   void Foresee(double from, int candidate);
@@ -123,7 +127,9 @@ class Blows {
   std::vector<int> met_;     ///< What one body may meet.
   bool meets_held_ = false;  ///< Whether a candidate is held.
   std::vector<ContactPair> struck_;
-  DisjointSets heaps_;          ///< Of bodies.
+  DisjointSets heaps_;     ///< Of bodies.
+  DisjointSets touching_;  ///< Of bodies: what strikes with what it strikes.
+  std::vector<std::pair<int, int>> strikers_;
   std::vector<bool> holds_;     ///< By body that stands for a heap: whether one is held.
   std::vector<int> heap_size_;  ///< By body that stands for a heap.
 
