@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 #include <iostream>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -145,6 +146,7 @@ void Print(const Scene& scene, const World& world, int steps, std::vector<Row> r
 
 std::vector<std::string> SceneNames() {
   std::vector<std::string> names;
+  names.reserve(std::size(kScenes));
   for (const Scene& scene : kScenes) names.emplace_back(scene.name);
   return names;
 }

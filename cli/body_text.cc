@@ -72,7 +72,7 @@ class BodyReader {
 
   std::vector<double> Numbers(std::string_view of, std::string_view what,
                               std::size_t count) {
-    const std::vector<double> numbers = Numbers();
+    std::vector<double> numbers = Numbers();
     if (numbers.size() != count) {
       Fail(fmt::format("has {} after '{}', which takes {}",
                        Counted(numbers.size(), "number"), of, what));

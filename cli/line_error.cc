@@ -46,7 +46,7 @@ std::string NoSuchOption(const std::string& line, const CLI::App& command,
 
 // What is wrong with the options that are there.
 std::string WhatIsMissing(const CLI::App& command, const CLI::ParseError& error) {
-  const std::string what = error.what();
+  std::string what = error.what();
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (option->get_required() && option->count() == 0) {
