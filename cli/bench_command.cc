@@ -124,8 +124,8 @@ void BenchPair(ShapeKind A, ShapeKind B, std::span<const Oracle* const> oracles,
       "{} {}: {}, {} held against the truth, {} of them touching\n"
       "  {:<26}{:>10}{:>8} {:>16}{:>10}{:>15}{:>11}\n",
       NameOf(A), NameOf(B), Counted(queries.size(), "random pose"), sample.size(),
-      touching, "oracle", "ns/query", "", "worst error [m]", "measured", "wrong touching",
-      "no answer");
+      touching, "oracle", "ns/query", "of best", "worst error [m]", "measured",
+      "wrong touching", "no answer");
   const bool all_timed = std::all_of(rows.begin(), rows.end(), [](const Row& row) {
     return row.nanoseconds.has_value();
   });

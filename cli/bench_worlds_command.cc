@@ -126,7 +126,7 @@ void Print(const Scene& scene, const World& world, int steps, std::vector<Row> r
                    [](const Row& a, const Row& b) { return TimeOf(a) < TimeOf(b); });
   std::cout << fmt::format(
       "{}: steps {} to {} of {:.4g} ms\n  {:<24}{:>12}{:>9}{:>14}{:>15}{:>14}\n",
-      scene.title, steps + 1, 2 * steps, 1e3 * world.dt, "oracle", "µs/step", "",
+      scene.title, steps + 1, 2 * steps, 1e3 * world.dt, "oracle", "µs/step", "of best",
       "deepest [m]", "fastest [m/s]", "sideways [m]");
   for (const Row& row : rows) {
     if (!row.measured) {

@@ -1,5 +1,6 @@
 #include "cli/sweep_command.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -54,17 +55,26 @@ std::vector<KindPair> PairsOf(const SweepArguments& arguments,
   return pairs;
 }
 
-// "separation_error 0.31, excess 0.02": how near each measure came to its tolerance.
+// "separation_error 0.31, excess 0.02": the measures that came nearest to their
+// tolerances, as many as have room in a line.
 std::string WorstOf(const SweepResult& result) {
-  std::string text;
+  constexpr std::size_t kShown = 2;
+  std::vector<std::pair<MeasureKind, WorstMeasure>> measures;
   for (std::size_t i = 0; i < result.worst.size(); ++i) {
     if (!result.worst[i] || result.worst[i]->relative == 0) continue;
-    const WorstMeasure& worst = *result.worst[i];
+    measures.emplace_back(static_cast<MeasureKind>(i), *result.worst[i]);
+  }
+  std::stable_sort(measures.begin(), measures.end(), [](const auto& a, const auto& b) {
+    return a.second.relative > b.second.relative;
+  });
+  std::string text;
+  for (std::size_t i = 0; i < measures.size() && i < kShown; ++i) {
+    const WorstMeasure& worst = measures[i].second;
     // Of a tolerance of zero there is no multiple.
-    text += fmt::format(
-        "{}{} {}", text.empty() ? "" : ", ", NameOf(static_cast<MeasureKind>(i)),
-        std::isfinite(worst.relative) ? fmt::format("{:.2g}", worst.relative)
-                                      : fmt::format("{:.3g} > 0", worst.value));
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", NameOf(measures[i].first),
+                        std::isfinite(worst.relative)
+                            ? fmt::format("{:.2g}", worst.relative)
+                            : fmt::format("{:.3g} > 0", worst.value));
   }
   return text;
 }

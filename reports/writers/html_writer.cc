@@ -262,6 +262,14 @@ class Page {
     out_ << "</select>\n<output id=\"count\"></output></form>\n";
   }
 
+  /** Says which sign of a strip is whose. */
+  void WriteLegend() {
+    out_ << "<details><summary>Which sign is whose</summary>\n<ol class=\"legend\">\n";
+    for (const OracleInfo& oracle : report_.oracles)
+      out_ << fmt::format("<li>{}\n", XmlText(oracle.name));
+    out_ << "</ol></details>\n";
+  }
+
   void WriteScenarios() {
     out_ << "<h2>Scenarios</h2>\n<p class=\"soft\">One sign an oracle, in the order of "
             "the "
@@ -271,6 +279,7 @@ class Page {
             "others; dashed are the planes of the certificate. Of worlds, dashed is the "
             "truth, and "
             "shaded its tolerance.</p>\n";
+    WriteLegend();
     WriteFilter();
     for (std::size_t s = 0; s < report_.scenarios.size(); ++s) WriteScenario(s);
     for (std::size_t w = 0; w < report_.worlds.size(); ++w) WriteWorld(w);

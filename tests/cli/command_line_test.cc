@@ -394,6 +394,8 @@ TEST_F(CommandLineTest, SweepsWithTheSameQuestionsForTheSameSeed) {
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
   EXPECT_EQ(Touchstone(sweep + "7 --jobs 3").out, ended.out);
   EXPECT_NE(Touchstone(sweep + "8").out, ended.out);
+  std::istringstream lines(ended.out);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 150U) << line;
 }
 
 TEST_F(CommandLineTest, WritesTheQuestionsThatFailedSoThatTheyCanBeRunAgain) {

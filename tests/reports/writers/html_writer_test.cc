@@ -89,5 +89,23 @@ TEST(WriteHtml, GivesTheSameBytesForTheSameReport) {
   EXPECT_EQ(Html(HandMadeReport()), Html(HandMadeReport()));
 }
 
+TEST(WriteHtml, SaysWhichSignOfAStripIsWhose) {
+  std::ostringstream out;
+  WriteHtml(HandMadeReport(), out);
+  EXPECT_THAT(out.str(),
+              HasSubstr("<ol class=\"legend\">\n<li>mine\n<li>theirs/float\n"));
+}
+
+TEST(WriteHtml, NamesTheReferencesThatFailTheRunBesideARightSubject) {
+  RunReport report = HandMadeReport();
+  for (Finding& finding : report.findings) {
+    if (finding.oracle == "mine") finding.verdict = Verdict::kPass;
+  }
+  std::ostringstream out;
+  WriteHtml(report, out);
+  EXPECT_THAT(out.str(), HasSubstr("Nothing says otherwise"));
+  EXPECT_THAT(out.str(), HasSubstr("References are wrong</b>: theirs/float. That fails"));
+}
+
 }  // namespace
 }  // namespace touchstone
