@@ -65,8 +65,8 @@ std::string WithShapesInOrder(const std::string& pattern, const Ids& known) {
     const std::size_t begin = pattern.rfind('/', at) + 1;  // npos + 1 is 0.
     const std::size_t end = std::min(pattern.find('/', at), pattern.size());
     std::string swapped = pattern.substr(0, begin) +
-                                pattern.substr(at + 1, end - at - 1) + '_' +
-                                pattern.substr(begin, at - begin) + pattern.substr(end);
+                          pattern.substr(at + 1, end - at - 1) + '_' +
+                          pattern.substr(begin, at - begin) + pattern.substr(end);
     if (SelectsAny(swapped, known)) return swapped;
   }
   return "";
