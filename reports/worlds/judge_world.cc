@@ -130,6 +130,7 @@ class Judgement {
       }
     }
     if (law.smooth && study_.half && study_.quarter) JudgeConvergence();
+    if (law.has_impacts && study_.quarter) JudgeNearLimit(law, claim);
   }
 
   /** Whether the error vanishes with the step. */
@@ -203,6 +204,30 @@ class Judgement {
       finding.proof = fmt::format(
           "{}: as the step goes to 0, {} converges to a motion that is {:.6g} m off",
           claim.law, study_.oracle.name, *error);
+    }
+  }
+
+  /** Of motions with impacts, see Law::has_impacts. */
+  void JudgeNearLimit(const Law& law, const Claim& claim) {
+    const World world = Refined(study_.scenario.world, 4);
+    if (!law.faults(world, claim).empty()) return;
+    const Motion motion{world, study_.oracle, *study_.quarter};
+    for (const LawFinding& found : law.judge(motion, claim)) {
+      if (found.measure != MeasureKind::kPositionError) continue;
+      Finding& finding = Add(MeasureKind::kLimitError, found.value,
+                             {found.tolerance.value,
+                              "at a quarter of the step: " + found.tolerance.because});
+      if (!found.recognised.empty()) {
+        finding.cause = Cause::kModel;
+        finding.cause_because = found.recognised;
+        finding.proof = found.proof;
+      } else if (!(found.value <= found.tolerance.value)) {
+        finding.verdict = Verdict::kFail;
+        finding.cause = Cause::kDefect;
+        finding.cause_because = "it does not near the truth as the step shrinks";
+        finding.proof =
+            fmt::format("{}: at a quarter of the step, {}", claim.law, found.proof);
+      }
     }
   }
 

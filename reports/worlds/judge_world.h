@@ -19,7 +19,8 @@ namespace touchstone {
 
  - what fails at dt and shrinks with it as a first power or faster has the cause
    `discretisation`; what does not shrink, `defect`;
- - of smooth laws the order of convergence and the limit are judged too. */
+ - of smooth laws the order of convergence and the limit are judged too, and of laws
+   with impacts the motion at a quarter of the step. */
 std::vector<Finding> JudgeWorld(const Study& study);
 
 /** Returns the same findings in groups: those of answering, then those of each claim. */

@@ -55,6 +55,11 @@ struct Law {
   /** Returns where by the closed form the centre of the first thing that the claim is
    about is at `t` [s], for the eye; null where the law says no place. World frame. [m] */
   Eigen::Vector3d (*place)(const World& world, const Claim& claim, double t) = nullptr;
+  /** The motion it speaks of has impacts, which fall anywhere in their steps: by chance
+   half the step moves it less or more, so that three steps show no order. Its tolerance
+   falls with the step all the same: of the order and the limit is judged that the places
+   at a quarter of the step are within that of a quarter of the step. */
+  bool has_impacts = false;
 };
 
 /** Returns every law, sorted by name. */

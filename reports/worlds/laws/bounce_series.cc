@@ -84,6 +84,7 @@ constinit const Law kBounceSeries = {
     Faults,
     Judge,
     false,
-    Place};
+    Place,
+    true};
 
 }  // namespace touchstone

@@ -87,10 +87,11 @@ struct Hung {
                   const WorldState& state) const {
     Points points;
     for (const int i : subjects.cloths) {
-      const int n = world.cloths[static_cast<std::size_t>(i)].n;
-      const int first = FirstNodeOf(world, i);
-      for (int node = 0; node < n * n; ++node)
-        points.Add(state.nodes[static_cast<std::size_t>(first + node)]);
+      const auto n =
+          static_cast<std::size_t>(world.cloths[static_cast<std::size_t>(i)].n);
+      const auto first = static_cast<std::size_t>(FirstNodeOf(world, i));
+      for (std::size_t node = 0; node < n * n; ++node)
+        points.Add(state.nodes[first + node]);
     }
     for (const int i : subjects.particles)
       points.Add(state.particles[static_cast<std::size_t>(i)]);

@@ -82,6 +82,7 @@ constinit const Law kParticleBounce = {
     Faults,
     Judge,
     false,
-    Place};
+    Place,
+    true};
 
 }  // namespace touchstone

@@ -8,6 +8,7 @@
 
 #include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/truth/sliding.h"
+#include "reports/worlds/truth/vertical_bounces.h"
 #include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/judgement/studied.h"
 #include "tests/reports/worlds/motions.h"
@@ -89,6 +90,40 @@ TEST(JudgeWorld, WithoutSmallerStepsNoErrorIsBlamedOnTheStep) {
   study.half = nullptr;
   study.quarter = nullptr;
   EXPECT_EQ(Find(JudgeWorld(study), MeasureKind::kPositionError)->cause, Cause::kDefect);
+}
+
+/** A ball that bounces as the closed form says, `off` [m] too high once it has. */
+FakeSimulator Bouncing(double off) {
+  return FakeSimulator("bounces", [off](const World& world) {
+    const VerticalBounces truth({1, 0}, 9.82, 0.8);
+    return Sampled(world, [&world, truth, off](double t) {
+      const Height at = truth.At(t);
+      WorldState state = StateAtStart(world);
+      state.bodies[0].p_WB.y() += at.gap - 1 + (t > truth.first_impact() ? off : 0);
+      state.bodies[0].v_WB.y() = at.velocity;
+      return state;
+    });
+  });
+}
+
+TEST(JudgeWorld, AMotionWithImpactsIsHeldToAQuarterOfTheErrorAtAQuarterOfTheStep) {
+  WorldScenario scenario;
+  scenario.id = "world/test/bounce";
+  scenario.world.bodies = {BodyOf("ball", Sphere{0.5}, 3, {0.2, 1.5, -0.1}), GroundOf()};
+  scenario.world.bodies[0].restitution = 0.8;
+  scenario.world.bodies[1].restitution = 1;
+  scenario.world.gravity_W = {0, -9.82, 0};
+  scenario.world.dt = 0.01;
+  scenario.world.steps = 100;
+  scenario.claims = {ClaimOf("bounce_series")};
+  const auto verdict = [&](double off, MeasureKind measure) {
+    const Studied studied(scenario, Bouncing(off));
+    return Find(JudgeWorld(studied.study()), measure)->verdict;
+  };
+  EXPECT_EQ(verdict(0, MeasureKind::kLimitError), Verdict::kPass);
+  // Less than V h, more than is left of it at a quarter of the step.
+  EXPECT_EQ(verdict(0.05, MeasureKind::kPositionError), Verdict::kPass);
+  EXPECT_EQ(verdict(0.05, MeasureKind::kLimitError), Verdict::kFail);
 }
 
 TEST(JudgeWorld, AClaimThatNothingWasHeldAgainstIsUnverifiedAndSaysSo) {
