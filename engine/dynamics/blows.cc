@@ -20,6 +20,9 @@ constexpr int kMostOfHeap = 32;
  back: rounding, and what the solver leaves. */
 constexpr double kStopped = 1e-9;
 
+/** How much faster than a blow has to be what flies from within the margin. */
+constexpr double kSurely = 1.01;
+
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::size_t At(int body) {
@@ -71,6 +74,9 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     linked_[i] = start.linked[i];
     flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i];
   }
+  // A little more than Follow() asks for: what flies and is no blow there would sink in.
+  BlowRules surely = rules_;
+  surely.resting_speed *= kSurely;
   const auto acceleration = [&](int body) -> Eigen::Vector3d {
     if (IsStatic(body)) return Eigen::Vector3d::Zero();
     return (start.free[At(body)].v - start.before[At(body)].v) / rules_.h;
@@ -94,7 +100,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     bool strikes = true;
     for (const ContactPoint& contact : pair.manifold.points()) {
       const Meeting meeting =
-          MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, rules_);
+          MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, surely);
       if (meeting == Meeting::kStrikes) continue;
       strikes = false;
       if (meeting == Meeting::kParts && contact.separation >= deepest) continue;
@@ -134,13 +140,15 @@ void Blows::HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts) {
 void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     reaches_[i] = Reach(start.bodies[i], start.free[i].v, rules_.h);
-    if (flies_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
+    pulls_[i].setZero();
+    if (!static_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
   }
   const auto begin = [&](int body) {
     if (begun_[At(body)]) return;
     begun_[At(body)] = true;
     BodyFlight& flight = flights_[At(body)];
     flight = {start.bodies[At(body)]};
+    flight.pull_W = pulls_[At(body)];
     if (!Flies(body)) return;
     flight.a_W = pulls_[At(body)];
     flight.torque_W = flight.start.applied_torque_W;
@@ -253,6 +261,7 @@ void Blows::TraceBack(int body, const End& end) {
   begun_[At(body)] = true;
   BodyFlight& flight = flights_[At(body)];
   flight = {end.bodies[At(body)], rules_.h};
+  flight.pull_W = pulls_[At(body)];
   if (Flies(body)) {
     flight.a_W = pulls_[At(body)];
     flight.torque_W = flight.start.applied_torque_W;

@@ -120,7 +120,7 @@ class Blows {
   std::vector<BodyFlight> flights_;     ///< By body: since its last blow.
   std::vector<bool> begun_;             ///< By body: whether its flight is of this step.
   std::vector<double> reaches_;         ///< By body. [m]
-  std::vector<Eigen::Vector3d> pulls_;  ///< By body that flies: without support. [m/s²]
+  std::vector<Eigen::Vector3d> pulls_;  ///< By body: of nothing that holds it. [m/s²]
   std::vector<Support> supports_;
   std::vector<Velocity> gains_;  ///< By body that is held: what blows gave it.
   Meetings meetings_;

@@ -12,6 +12,8 @@ struct BodyFlight {
   double from = 0;                                     ///< When it starts. [s]
   Eigen::Vector3d a_W = Eigen::Vector3d::Zero();       ///< [m/s²]
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N m]
+  /** What forces would make of it if nothing held it: decides what strikes. [m/s²] */
+  Eigen::Vector3d pull_W = Eigen::Vector3d::Zero();
 
   /** Returns the body at time `t` [s]. What is static stays. */
   RigidBody At(double t, Gyroscopic rule) const;

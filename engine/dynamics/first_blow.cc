@@ -138,6 +138,7 @@ Meeting MeetingAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
 std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double from,
                                 const BlowRules& rules) {
   const Eigen::Vector3d a_AB_W = B.a_W - A.a_W;
+  const Eigen::Vector3d pull_AB_W = B.pull_W - A.pull_W;
   const double touch = TouchOf(A.start, B.start);
   const double h = rules.h;
   double t = from;
@@ -157,7 +158,7 @@ std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double
       t = bracket.Between();
     } else {
       if (t >= (1 - kNext) * h) return std::nullopt;
-      if (Strikes(manifold, a, b, a_AB_W, rules)) return t;
+      if (Strikes(manifold, a, b, pull_AB_W, rules)) return t;
       bracket = {};
       t = std::min(h, t + kPatience * h);
     }

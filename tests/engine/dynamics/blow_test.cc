@@ -296,6 +296,27 @@ TEST(Blow, WhatStrikesALargeHeapOrAPendulumFromWithinTheMarginDoesNotSinkIn) {
   }
 }
 
+TEST(Blow, WhatStrikesAHeapHardlyFasterThanItWouldRestDoesNotSinkIn) {
+  // Between once and twice what gravity adds in a step: a blow to what falls, none to what
+  // is held.
+  const double h = 1.0 / 240;
+  for (const double fast : {1.05, 1.1, 1.25, 1.5, 1.9}) {
+    World world(OnEarth());
+    AddFloor(0, world);
+    const int lower = world.AddBody(Ball(0, 0));
+    for (int k = 0; k < 5; ++k) world.Step(h);
+    BodyDefinition ball = Ball(0.2 + 1e-6, 0);
+    ball.state.v_WB[1] = -fast * kGravity * h;
+    const int upper = world.AddBody(ball);
+    for (int k = 0; k < 60; ++k) {
+      world.Step(h);
+      EXPECT_GT(world.state(upper).p_WB[1] - world.state(lower).p_WB[1],
+                0.2 - 3 * kGravity * h * h)
+          << fast << " " << k;
+    }
+  }
+}
+
 TEST(Blow, WhatRestsIsStruckWithAllThatItRestsOn) {
   World world(OnEarth());
   AddFloor(0, world);
