@@ -116,7 +116,22 @@ struct Bounce {
   double higher;  ///< How much higher the second is. [m]
   double time;    ///< Of the second. [s]
   double steps;   ///< Between the two.
+  bool stays;     ///< Whether it lies at the second and at the one after.
 };
+
+/** Whether a fall neither moves at two neighbouring samples nor has gone anywhere between
+ them: to a quarter of what gravity does in a step, which a flight would be off by more. */
+bool Lies(const Motion& motion, const Fall& fall, std::size_t s) {
+  const Trajectory& trajectory = motion.trajectory;
+  if (s + 1 >= trajectory.samples.size()) return false;
+  const double dt = motion.world.dt;
+  const PointState here = fall.is(trajectory.samples[s]);
+  const PointState next = fall.is(trajectory.samples[s + 1]);
+  const double speed =
+      std::max(std::abs(fall.n_W.dot(here.v_W)), std::abs(fall.n_W.dot(next.v_W)));
+  return 4 * speed <= fall.gravity * dt &&
+         4 * std::abs(fall.n_W.dot(next.p_W - here.p_W)) <= fall.gravity * dt * dt;
+}
 
 std::vector<Bounce> BouncesOf(const Motion& motion, const Fall& fall) {
   const Trajectory& trajectory = motion.trajectory;
@@ -131,7 +146,8 @@ std::vector<Bounce> BouncesOf(const Motion& motion, const Fall& fall) {
     // bounce.
     if (before > 0 && after + before + fall.gravity * time > before / 2) {
       bounces.push_back({before, after, fall.n_W.dot(second.p_W - first.p_W),
-                         trajectory.times[s], std::round(time / motion.world.dt)});
+                         trajectory.times[s], std::round(time / motion.world.dt),
+                         Lies(motion, fall, s)});
     }
   }
   return bounces;
@@ -157,6 +173,11 @@ Blow BlowOf(const Bounce& bounce, const Fall& fall, double dt) {
   const double between = bounce.steps * dt;
   if (2 * fall.restitution * bounce.before < g * (between + dt))
     return {bounce.before, bounce.after, between + dt};
+  // No flight leads to where it lies: it has not left, or the samples would see it fly.
+  if (bounce.stays) {
+    const double fallen = std::max(0.0, -bounce.higher);
+    return {std::sqrt(bounce.before * bounce.before + 2 * g * fallen), 0, dt};
+  }
   const double meet = ((bounce.after + g * between / 2) * between - bounce.higher) /
                       (bounce.before + bounce.after + g * between);
   const double fallen = g * std::clamp(meet, 0.0, between);
@@ -205,8 +226,9 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       "roundings a step");
   Worst restitution(
       MeasureKind::kRestitution,
-      "1.5 × (1 + e) g h/V: what gravity does in the step of a bounce, or (1 + e) g (Δt "
-      "+ h)/V where the next may follow between samples; 64 roundings a step between");
+      "(2 + e) g h/V: what gravity does in the step of a bounce and in the time by "
+      "which lifting what sank in moves it, or (2 + e) g (Δt + h)/V where the next may "
+      "follow between samples; 64 roundings a step between");
   Worst velocity(MeasureKind::kVelocityError,
                  "64 roundings a step: every scheme integrates a constant force exactly, "
                  "until a step before the first impact");
@@ -255,7 +277,7 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
     for (const Bounce& bounce : BouncesOf(motion, fall)) {
       const Blow blow = BlowOf(bounce, fall, world.dt);
       const double tolerance =
-          kSafety * (1 + e) * fall.gravity * blow.unknown / blow.came +
+          (2 + e) * fall.gravity * blow.unknown / blow.came +
           RoundingOf(motion.oracle, bounce.steps) *
               ((1 + e) + fall.gravity * reach / (blow.came * blow.came));
       if (tolerance > kSlowBounce) continue;

@@ -48,10 +48,13 @@ struct Fall {
  followed, under g, to the moment at which they meet. Flights that are exact give e to
  rounding, and so does a blow that comes late or early. An engine that takes v₀ + g h for
  the velocity of the whole step, and leaves g out of the step of the blow or puts it in
- before, has either speed off by up to g h: (1 + e) g h/V, × 1.5. Where a rebound lasts no
- longer than samples are apart and a step, 2 e V/g < Δt + h, the ground may have caught it
- again: then v' and v are those of the samples, of which gravity may have changed each by
- g (Δt + h). Plus 64 roundings a step between the samples, of either speed and, over V/g,
+ before, has either speed off by up to g h: (1 + e) g h/V. One that lifts what sank in
+ raises the second flight by up to V h, which moves where they meet by h/(1 + e) and
+ either speed by as much g: g h/V more. What lies at the second sample and at the next has
+ left with 0: no flight leads to where it lies. Where a rebound lasts no longer than
+ samples are apart and a step, 2 e V/g < Δt + h, the ground may have caught it again: then
+ v' and v are those of the samples, of which gravity may have changed each by g (Δt + h),
+ for h above. Plus 64 roundings a step between the samples, of either speed and, over V/g,
  of the place. Bounces for which that exceeds ¼ are too slow to tell.
 
  A motion whose every bounce obeys v' = −e (v − g h), to rounding and the step's number

@@ -229,6 +229,50 @@ TEST(BounceSeries, FindsABodyThatDoesNotBounce) {
                     MeasureKind::kRestitution));
 }
 
+TEST(BounceSeries, LetsAnEngineLiftWhatSankIn) {
+  // That raises the flight after the blow, by V h at most, and so moves where it meets the
+  // one before by h/(1 + e).
+  for (const double e : {0.05, 0.1, 0.2, 0.5, 0.8}) {
+    for (int k = 0; k < 40; ++k) {
+      World world = DroppedBall(e, 1.0 / 240, 2);
+      world.sample_every = 4;
+      world.bodies[0].placed.X_WB.p_WB.y() = 1 + 0.013 * k;
+      const Trajectory lifted = Stepped(world, [&](WorldState& state) {
+        BodyState& ball = state.bodies[0];
+        double& v = ball.v_WB.y();
+        const double gh = 9.82 * world.dt;
+        const bool strikes = ball.p_WB.y() <= 0.5 && v - gh < 0;
+        v = !strikes ? v - gh : -v > gh ? std::max(v - gh, -e * v) : 0;
+        ball.p_WB.y() += world.dt * v;
+        if (strikes) ball.p_WB.y() = std::max(ball.p_WB.y(), 0.5);
+      });
+      const std::vector<LawFinding> findings =
+          Judge(world, lifted, ClaimOf("bounce_series"));
+      EXPECT_FALSE(Finds(findings, MeasureKind::kRestitution)) << e << " " << k;
+    }
+  }
+}
+
+TEST(BounceSeries, FindsABodyThatDoesNotBounceWhereverItsBlowIsBetweenSamples) {
+  // The flight that would lead to where it lies leaves with g (Δt − τ): 0.1 of V if it is
+  // at its top there. world/bounce/restitution_sweep has these numbers.
+  for (const double height : {0.8, 0.9, 1.0, 1.1, 1.2}) {
+    World world = DroppedBall(0.1, 0.002, 2);
+    world.sample_every = 25;
+    world.bodies[0].placed.X_WB.p_WB.y() = 0.5 + height;
+    const VerticalBounces dead({height, 0}, 9.82, 0);
+    const Trajectory lies = Sampled(world, [&](double t) {
+      WorldState state = Exactly(world, 0).samples.front();
+      state.bodies[0].p_WB.y() = 0.5 + dead.At(t).gap;
+      state.bodies[0].v_WB.y() = dead.At(t).velocity;
+      return state;
+    });
+    EXPECT_TRUE(Finds(Judge(world, lies, ClaimOf("bounce_series")),
+                      MeasureKind::kRestitution))
+        << height;
+  }
+}
+
 TEST(BounceSeries, FindsAThresholdThatEndsSlowBounces) {
   const World world = DroppedBall(0.8);
   const Trajectory thresholded = Bounced(world, [](double v, double gh) {
