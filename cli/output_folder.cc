@@ -1,6 +1,7 @@
 #include "cli/output_folder.h"
 
 #include <fstream>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -31,8 +32,9 @@ OutputFolder::OutputFolder(std::filesystem::path folder) : folder_(std::move(fol
 
 void OutputFolder::Check(const std::filesystem::path& file) const {
   const std::filesystem::path path = folder_ / file;
-  if (!std::filesystem::exists(path)) return;
-  if (std::filesystem::is_directory(path) || access(path.c_str(), W_OK) != 0) {
+  std::error_code error;  // Of links in a ring.
+  if (!std::filesystem::exists(path, error) && !error) return;
+  if (std::filesystem::is_directory(path, error) || access(path.c_str(), W_OK) != 0) {
     throw InputError(fmt::format("cannot write {}", path.string()));
   }
 }

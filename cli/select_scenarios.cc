@@ -38,7 +38,8 @@ bool IsPath(const std::string& pattern, const Ids& known) {
       pattern.starts_with("/")) {
     return true;
   }
-  return !SelectsAny(pattern, known) && std::filesystem::exists(pattern);
+  std::error_code error;  // Of a name that is too long, or links in a ring.
+  return !SelectsAny(pattern, known) && std::filesystem::exists(pattern, error);
 }
 
 Questions WithoutErrors(Catalogue catalogue) {

@@ -208,7 +208,9 @@ class CcdOracle final : public Oracle {
 std::vector<std::unique_ptr<Oracle>> CcdOracles() {
   std::vector<std::unique_ptr<Oracle>> oracles;
   IsolationLimits limits;
-  limits.cpu = std::chrono::minutes(1);  // The support points are counted before.
+  // The support points are counted before.
+  limits.cpu = std::chrono::minutes(1);
+  limits.wall = std::chrono::hours(1);
   oracles.push_back(Isolate(std::make_unique<CcdOracle>(Algorithm::kEpa), limits));
   oracles.push_back(std::make_unique<CcdOracle>(Algorithm::kMpr));
   return oracles;

@@ -191,6 +191,19 @@ TEST_F(CommandLineTest, RefusesTheRunAndNamesEveryErrorOfABrokenFile) {
   EXPECT_FALSE(std::filesystem::exists(Path("report")));
 }
 
+TEST_F(CommandLineTest, RefusesANameThatLeadsNowhere) {
+  // A link to itself, and a name longer than a file's may be.
+  std::filesystem::create_symlink("ring", folder_ / "ring");
+  EXPECT_EQ(Touchstone("run " + Path("ring")).code, 2);
+  EXPECT_EQ(Touchstone("explain " + std::string(300, 'x')).code, 2);
+  std::filesystem::create_directories(folder_ / "ringed");
+  std::filesystem::create_symlink("index.html", folder_ / "ringed/index.html");
+  const Ended ended =
+      Touchstone("run --out " + Path("ringed") + " " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("cannot write "));
+}
+
 TEST_F(CommandLineTest, RefusesABrokenLedger) {
   Write("ledger.toml", "[[entry]]\nscenarios = 3\n");
   const Ended ended =
