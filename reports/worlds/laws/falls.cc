@@ -120,7 +120,8 @@ struct Bounce {
 };
 
 /** Whether a fall neither moves at two neighbouring samples nor has gone anywhere between
- them: to a quarter of what gravity does in a step, which a flight would be off by more. */
+ them: to a quarter of what gravity does in a step, which a flight would be off by more.
+ */
 bool Lies(const Motion& motion, const Fall& fall, std::size_t s) {
   const Trajectory& trajectory = motion.trajectory;
   if (s + 1 >= trajectory.samples.size()) return false;

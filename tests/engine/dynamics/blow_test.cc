@@ -297,8 +297,8 @@ TEST(Blow, WhatStrikesALargeHeapOrAPendulumFromWithinTheMarginDoesNotSinkIn) {
 }
 
 TEST(Blow, WhatStrikesAHeapHardlyFasterThanItWouldRestDoesNotSinkIn) {
-  // Between once and twice what gravity adds in a step: a blow to what falls, none to what
-  // is held.
+  // Between once and twice what gravity adds in a step: a blow to what falls, none to
+  // what is held.
   const double h = 1.0 / 240;
   for (const double fast : {1.05, 1.1, 1.25, 1.5, 1.9}) {
     World world(OnEarth());

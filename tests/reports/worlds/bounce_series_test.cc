@@ -230,8 +230,8 @@ TEST(BounceSeries, FindsABodyThatDoesNotBounce) {
 }
 
 TEST(BounceSeries, LetsAnEngineLiftWhatSankIn) {
-  // That raises the flight after the blow, by V h at most, and so moves where it meets the
-  // one before by h/(1 + e).
+  // That raises the flight after the blow, by V h at most, and so moves where it meets
+  // the one before by h/(1 + e).
   for (const double e : {0.05, 0.1, 0.2, 0.5, 0.8}) {
     for (int k = 0; k < 40; ++k) {
       World world = DroppedBall(e, 1.0 / 240, 2);
@@ -267,8 +267,8 @@ TEST(BounceSeries, FindsABodyThatDoesNotBounceWhereverItsBlowIsBetweenSamples) {
       state.bodies[0].v_WB.y() = dead.At(t).velocity;
       return state;
     });
-    EXPECT_TRUE(Finds(Judge(world, lies, ClaimOf("bounce_series")),
-                      MeasureKind::kRestitution))
+    EXPECT_TRUE(
+        Finds(Judge(world, lies, ClaimOf("bounce_series")), MeasureKind::kRestitution))
         << height;
   }
 }
