@@ -37,9 +37,10 @@ std::vector<Height> SteppedAlong(const Motion& motion, const Fall& fall, BounceR
   SteppedBounces stepped{rule,      seen, fall.gravity, fall.restitution, motion.world.dt,
                          fall.start};
   std::vector<Height> heights;
-  double done = 0;
+  long done = 0;
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    for (; done < StepsBefore(motion, s); ++done) stepped.Step();
+    const long steps = std::lround(StepsBefore(motion, s));
+    for (; done < steps; ++done) stepped.Step();
     heights.push_back(stepped.state);
   }
   return heights;
