@@ -12,8 +12,10 @@
 #include "reports/worlds/judge_variant.h"
 #include "reports/worlds/judge_world.h"
 #include "reports/worlds/rounding_growth.h"
+#include "reports/worlds/world_size.h"
 #include "reports/worlds/world_variants.h"
 #include "scenarios/generators/ensemble.h"
+#include "scenarios/generators/random.h"
 
 namespace touchstone {
 namespace {
@@ -124,9 +126,47 @@ void ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
   }
 }
 
+/** Returns the world with every place moved by up to `nudge` [m] an axis, and every body
+ turned by as much as moves the surface of the largest by that: what spins about its
+ middle axis tells only by a turn what it makes of rounding. */
 World Nudged(WorldScenario scenario, double nudge) {
   scenario.ensemble = Ensemble{2, nudge, 1};
-  return MemberOf(scenario, 1);
+  World world = MemberOf(scenario, 1);
+  const double radius = LargestRadius(world);
+  if (radius == 0) return world;
+  Random random({1, 2});
+  for (RigidBody& body : world.bodies) {
+    if (body.mass == 0) continue;
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+    for (double& half_angle : turn.vec())
+      half_angle = random.Uniform(-nudge, nudge) / (2 * radius);
+    Pose& X_WB = body.placed.X_WB;
+    X_WB = Pose::FromQuaternion(X_WB.p_WB,
+                                (turn * Eigen::Quaterniond(X_WB.R_WB)).normalized());
+  }
+  return world;
+}
+
+/** Returns what the motion of a variant breaks of the laws that the world itself obeys:
+ they hold of it too, where the two motions cannot be compared. */
+std::vector<Finding> BrokenBy(const WorldVariant& variant, const Trajectory& moved,
+                              const WorldScenario& scenario, const OracleInfo& oracle,
+                              std::span<const Finding> of_world) {
+  WorldScenario asked = scenario;
+  asked.world = variant.world;
+  asked.claims = ClaimsOf(variant, scenario.claims);
+  std::vector<Finding> broken;
+  for (Finding& found : JudgeWorld({asked, oracle, moved})) {
+    if (found.verdict != Verdict::kFail) continue;
+    const bool is_known =
+        std::any_of(of_world.begin(), of_world.end(), [&](const Finding& known) {
+          return known.measure == found.measure && known.verdict != Verdict::kPass;
+        });
+    if (is_known) continue;
+    found.proof = fmt::format("the world {}: {}", ChangeOf(variant.measure), found.proof);
+    broken.push_back(std::move(found));
+  }
+  return broken;
 }
 
 /** How an oracle moves the worlds that are asked beside the world itself. Those of a
@@ -196,12 +236,19 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
   add_failure(quarter, "at a quarter of the step", dt / 4);
   const RoundingGrowth growth =
       refined && IsWhole(nudged) ? GrowthOf(study, nudged) : RoundingGrowth();
+  const std::vector<Finding> of_world = findings;
   for (std::size_t v = 0; v < variants.size(); ++v) {
     const MeasureKind measure = variants[v].measure;
     add_failure(moved[v], ChangeOf(measure), dt);
-    if (refined && IsWhole(moved[v]))
-      findings.push_back(
-          JudgeVariant(study, growth, measure, SeenInWorld(variants[v], moved[v])));
+    if (!refined || !IsWhole(moved[v])) continue;
+    Finding finding =
+        JudgeVariant(study, growth, measure, SeenInWorld(variants[v], moved[v]));
+    if (finding.verdict == Verdict::kUndecidable) {
+      for (Finding& broken :
+           BrokenBy(variants[v], moved[v], scenario, oracle.info(), of_world))
+        findings.push_back(std::move(broken));
+    }
+    findings.push_back(std::move(finding));
   }
   return findings;
 }

@@ -148,6 +148,22 @@ std::vector<WorldVariant> VariantsOf(const World& world) {
   return variants;
 }
 
+std::vector<Claim> ClaimsOf(const WorldVariant& variant, std::vector<Claim> claims) {
+  for (Claim& claim : claims) {
+    const auto of = [&](const char* axis) {
+      const auto found = claim.numbers.find(axis);
+      return found == claim.numbers.end() ? 0.0 : found->second;
+    };
+    const Eigen::Vector3d direction(of("x"), of("y"), of("z"));
+    if (direction.isZero(0)) continue;
+    const Eigen::Vector3d turned = variant.S * direction;
+    claim.numbers["x"] = turned.x();
+    claim.numbers["y"] = turned.y();
+    claim.numbers["z"] = turned.z();
+  }
+  return claims;
+}
+
 Trajectory SeenInWorld(const WorldVariant& variant, Trajectory trajectory) {
   const Eigen::Matrix3d S_inverse = variant.S.transpose();
   const double handed = variant.S.determinant();

@@ -6,7 +6,7 @@
 
 #include "oracles/trajectory.h"
 #include "reports/finding.h"
-#include "scenarios/worlds/world.h"
+#include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
 
@@ -30,6 +30,9 @@ struct WorldVariant {
  mirrored, and one with a hull, which is not its own mirror image, not mirrored; a world
  of one body is not reordered. */
 std::vector<WorldVariant> VariantsOf(const World& world);
+
+/** Returns the claims of a world as they hold of its variant: directions turn with it. */
+std::vector<Claim> ClaimsOf(const WorldVariant& variant, std::vector<Claim> claims);
 
 /** Returns the motion of a variant as seen in the world itself. */
 Trajectory SeenInWorld(const WorldVariant& variant, Trajectory trajectory);

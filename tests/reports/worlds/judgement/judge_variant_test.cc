@@ -148,6 +148,61 @@ TEST(UnstableMotion,
   EXPECT_THAT(Heading(findings).proof, HasSubstr("turned about gravity otherwise"));
 }
 
+TEST(UnstableMotion, AWrongEngineDoesNotHideBehindAJump) {
+  // A rounding of the start makes 0.3 m, as where a row just touches: times two roundings
+  // a step for a hundred steps, 60 m would be granted. A heavier ball goes up by 35 m.
+  const FakeSimulator engine("engine", [](const World& world) {
+    return FreeFlight(world, [&](double t) {
+      const bool jumps = world.bodies[0].placed.X_WB.p_WB.x() != 0.3;
+      const bool heavier = world.bodies[0].mass > 2;
+      return Eigen::Vector3d(jumps && t > 0.3 ? 0.3 : 0.0,
+                             heavier && t > 0.3 ? 50 * (t - 0.3) : 0.0, 0);
+    });
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  const std::vector<WorldScenario> worlds = {TwoBallsInFlight()};
+  const std::vector<Finding> findings = RunWorlds(worlds, oracles, 1, {}).findings;
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [](const Finding& finding) {
+        return finding.verdict == Verdict::kFail &&
+               finding.proof.starts_with(
+                   "the world with all masses three times as large: ballistic: ");
+      });
+  ASSERT_NE(found, findings.end());
+  EXPECT_EQ(found->measure, MeasureKind::kPositionError);
+}
+
+TEST(UnstableMotion, ARightEngineIsNotFailedForWhatASpinAboutTheMiddleAxisMakesOfIt) {
+  // Where it is moved says nothing: only by a turn is the spin off the axis, which grows.
+  const FakeSimulator engine("engine", [](const World& world) {
+    return Sampled(world, [&](double t) {
+      const RigidBody& body = world.bodies[0];
+      const Eigen::Matrix3d R_WB = body.placed.X_WB.R_WB;
+      const Eigen::Vector3d tilt_W = (R_WB.col(0)).cross(body.w_WB.normalized());
+      WorldState state;
+      state.bodies = {{body.placed.X_WB.p_WB,
+                       Turned(Eigen::Quaterniond(R_WB),
+                              t * body.w_WB + (std::cosh(7.07 * t) - 1) * tilt_W),
+                       {0, 0, 0},
+                       body.w_WB}};
+      return state;
+    });
+  });
+  WorldScenario scenario;
+  scenario.id = "world/test/handle";
+  scenario.world.gravity_W = {0.3, -9.7, 1.1};  // Held against it.
+  RigidBody handle = BodyOf("handle", Sphere{0.3}, 3, {0, 0, 0});
+  handle.placed.X_WB = Pose::FromQuaternion({0, 0, 0}, {1, 0, 0, 0});
+  handle.w_WB = {10, 0, 0};
+  scenario.world.bodies = {handle};
+  scenario.world.dt = 0.01;
+  scenario.world.steps = 300;
+  const std::vector<const Oracle*> oracles = {&engine};
+  const std::vector<WorldScenario> worlds = {scenario};
+  for (const Finding& finding : RunWorlds(worlds, oracles, 1, {}).findings)
+    EXPECT_NE(finding.verdict, Verdict::kFail) << finding.proof;
+}
+
 TEST(RoundingGrowth, OfAFlightStaysOneAndHasNoHorizon) {
   const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
   const RoundingGrowth growth = GrowthOf(studied.study(), studied.whole);

@@ -126,5 +126,23 @@ TEST(SeenInWorld, BringsTheStartOfAVariantBackToThatOfTheWorld) {
   }
 }
 
+TEST(ClaimsOf, TurnTheirDirectionsWithTheWorld) {
+  const World world = Hanging();
+  Claim along;
+  along.law = "conserves_momentum";
+  along.numbers = {{"x", 3}, {"z", 4}, {"expected_momentum", 0.7}};
+  Claim other;
+  other.law = "rests";
+  other.numbers = {{"from", 2}};
+  for (const WorldVariant& variant : VariantsOf(world)) {
+    const std::vector<Claim> claims = ClaimsOf(variant, {along, other});
+    const Eigen::Vector3d turned = variant.S * Eigen::Vector3d(3, 0, 4);
+    EXPECT_DOUBLE_EQ(claims[0].numbers.at("x"), turned.x()) << NameOf(variant.measure);
+    EXPECT_DOUBLE_EQ(claims[0].numbers.at("z"), turned.z()) << NameOf(variant.measure);
+    EXPECT_EQ(claims[0].numbers.at("expected_momentum"), 0.7);
+    EXPECT_EQ(claims[1].numbers, other.numbers);
+  }
+}
+
 }  // namespace
 }  // namespace touchstone
