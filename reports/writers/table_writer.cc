@@ -280,10 +280,10 @@ std::string_view Headline(int code) {
 void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
                  const TableStyle& style, const Painter& paint, std::ostream& out) {
   VerdictCounts counts;
-  int subject_failed = 0;
+  VerdictCounts of_subject;
   for (const Outcome& outcome : outcomes) {
     ++counts[outcome.verdict];
-    if (outcome.oracle == 0 && IsFailure(outcome.verdict)) ++subject_failed;
+    if (outcome.oracle == 0) ++of_subject[outcome.verdict];
   }
   std::string list;
   for (int i = 0; i < kVerdicts; ++i) {
@@ -298,11 +298,19 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
                fmt::format("{}: {} failed in {}, references in {}{}, {} of the scenario "
                            "files and the ledger",
                            Headline(code), report.subject,
-                           Counted(subject_failed, "scenario"),
-                           counts.failed() - subject_failed,
+                           Counted(of_subject.failed(), "scenario"),
+                           counts.failed() - of_subject.failed(),
                            failed.empty() ? "" : fmt::format(" ({})", failed),
                            Counted(report.faults.size(), "fault")))
       << '\n';
+  if (counts[Verdict::kKnown] > 0) {
+    out << paint(Colour::kKnown,
+                 fmt::format("wrong too, as the ledger knows: {} in {}, references in {}",
+                             report.subject,
+                             Counted(of_subject[Verdict::kKnown], "scenario"),
+                             counts[Verdict::kKnown] - of_subject[Verdict::kKnown]))
+        << '\n';
+  }
   if (code == 2) {
     out << WhyNotExamined(report, outcomes) << "; --subject names another\n";
   } else if (code == 1 && ExitCode(report, FailOn::kSubject) == 0) {

@@ -32,6 +32,17 @@ TEST(OutcomesOf, DecidesByTheSimplestProofHoweverLittleItIsBeyondItsTolerance) {
   EXPECT_EQ(outcome.worst->measure, MeasureKind::kConsistencyError);
 }
 
+TEST(OutcomesOf, TakesNoOtherLegalModelForAnError) {
+  RunReport report = HandMadeReport();
+  Finding& recognised = report.findings[3];
+  recognised.value = 1e9;
+  recognised.verdict = Verdict::kPass;
+  recognised.reference = "law";
+  recognised.cause = Cause::kModel;
+  recognised.cause_because = "simultaneous impacts";
+  EXPECT_EQ(OutcomesOf(report)[2].worst->measure, MeasureKind::kSeparationError);
+}
+
 TEST(OutcomesOf, PutsAFailureBeforeAPass) {
   RunReport report = HandMadeReport();
   report.findings[2].verdict = Verdict::kPass;

@@ -125,6 +125,17 @@ TEST(WriteTable, SaysOkOnlyWithoutFailuresAndFaults) {
   EXPECT_THAT(Table(report), HasSubstr("OK: mine failed in 0 scenarios"));
 }
 
+TEST(WriteTable, CountsAtTheEndWhatIsWrongAndKnown) {
+  RunReport report = HandMadeReport();
+  EXPECT_THAT(Table(report),
+              HasSubstr("wrong too, as the ledger knows: mine in 0 scenarios, references "
+                        "in 1\n"));
+  std::erase_if(report.findings, [](const Finding& finding) {
+    return finding.verdict == Verdict::kKnown;
+  });
+  EXPECT_THAT(Table(report), Not(HasSubstr("as the ledger knows")));
+}
+
 TEST(WriteTable, GivesNoMultipleOfAToleranceOfZero) {
   RunReport report = HandMadeReport();
   for (Finding& finding : report.findings) {
