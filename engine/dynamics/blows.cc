@@ -174,6 +174,15 @@ void Blows::FindHeaps(std::span<const ContactPair> contacts) {
     heaps_.Join(pair.A, pair.B);
   }
   MeasureHeaps(heaps_);
+  // The last contact first, so that the list of a heap has them in their order.
+  first_of_heap_.assign(flies_.size(), -1);
+  next_of_heap_.resize(contacts.size());
+  for (int k = static_cast<int>(contacts.size()) - 1; k >= 0; --k) {
+    const ContactPair& pair = contacts[At(k)];
+    if (pair.manifold.count == 0) continue;
+    const int moving = IsStatic(pair.A) ? pair.B : pair.A;
+    next_of_heap_[At(k)] = std::exchange(first_of_heap_[At(heaps_.Of(moving))], k);
+  }
 }
 
 void Blows::MeasureHeaps(DisjointSets& heaps) {
@@ -302,16 +311,13 @@ void Blows::Widen(int body, double t, const End& end, ContactFinder& finder) {
 }
 
 void Blows::JoinHeap(int body, double t, const End& end) {
-  const int heap = heaps_.Of(body);
   const auto join = [&](int member) {
     if (!blow_.IsIn(member) && blows_[At(member)] == 0) TraceBack(member, end);
     Join(member, t);
   };
   join(body);
-  for (const ContactPair& contact : end.contacts) {
-    if (contact.manifold.count == 0) continue;
-    const int moving = IsStatic(contact.A) ? contact.B : contact.A;
-    if (heaps_.Of(moving) != heap) continue;
+  for (int k = first_of_heap_[At(heaps_.Of(body))]; k >= 0; k = next_of_heap_[At(k)]) {
+    const ContactPair& contact = end.contacts[At(k)];
     join(contact.A);
     join(contact.B);
     blow_.Add(contact);

@@ -132,6 +132,9 @@ class Blows {
   std::vector<std::pair<int, int>> strikers_;
   std::vector<bool> holds_;     ///< By body that stands for a heap: whether one is held.
   std::vector<int> heap_size_;  ///< By body that stands for a heap.
+  // The contacts of each heap of what is held, as lists.
+  std::vector<int> first_of_heap_;  ///< By body that stands for a heap; −1: none.
+  std::vector<int> next_of_heap_;   ///< By contact; −1: the last.
 
   Blow blow_;  ///< At hand.
   // Heaps with the least first: candidates that may join the blow at hand, in this look
