@@ -15,6 +15,9 @@ constexpr int kMostBlows = 8;
 /** Bodies of a heap that takes part in a blow: that costs as much as a step of the heap.
  */
 constexpr int kMostOfHeap = 32;
+/** The same in a large world, whose blows are too many to be solved: a heap that a blow
+ leaves half solved sinks deeper than what strikes it is late. */
+constexpr int kMostOfHeapOfMany = 4;
 
 /** What a blow leaves of an approach, as a share of the speeds, where it sends nothing
  back: rounding, and what the solver leaves. */
@@ -63,6 +66,9 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   pulls_.resize(count);
   Clear();
   blow_.BeginStep(count);
+  int contacts = 0;
+  for (const ContactPair& pair : finder.contacts()) contacts += pair.manifold.count;
+  most_of_heap_ = IsSmall(settings, contacts) ? kMostOfHeap : kMostOfHeapOfMany;
   if (FindFlying(start, finder)) FindCandidates(start, finder);
 }
 
@@ -133,7 +139,7 @@ void Blows::HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts) {
   }
   MeasureHeaps(touching_);
   for (const auto& [A, B] : strikers_) {
-    if (heap_size_[At(touching_.Of(A))] > kMostOfHeap) heaps_.Join(A, B);
+    if (heap_size_[At(touching_.Of(A))] > most_of_heap_) heaps_.Join(A, B);
   }
 }
 
@@ -246,7 +252,7 @@ bool Blows::ComeNear(const Candidate& candidate) const {
 bool Blows::IsAsked(const Candidate& candidate) {
   for (const int body : {candidate.A, candidate.B}) {
     if (Flies(body) && blows_[At(body)] >= kMostBlows) return false;
-    if (IsHeld(body) && heap_size_[At(heaps_.Of(body))] > kMostOfHeap) return false;
+    if (IsHeld(body) && heap_size_[At(heaps_.Of(body))] > most_of_heap_) return false;
   }
   return true;
 }

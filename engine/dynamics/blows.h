@@ -27,9 +27,10 @@ namespace cookbook {
  its velocity acts from then on.
 
  Not seen before the next step, which finds what is then inside: what strikes a heap of
- more than 32 bodies or what a rod or a spring holds; the blows of a body after its eighth
- in a step; those of two bodies that are both held; and what a struck body reaches that
- sleeps. Thinner things may be gone through there, and where FirstBlow() says so. */
+ more than 32 bodies, in a large world of more than 4, or what a rod or a spring holds;
+ the blows of a body after its eighth in a step; those of two bodies that are both held;
+ and what a struck body reaches that sleeps. Thinner things may be gone through there, and
+ where FirstBlow() says so. */
 class Blows {
  public:
   Blows();
@@ -132,6 +133,7 @@ class Blows {
   std::vector<std::pair<int, int>> strikers_;
   std::vector<bool> holds_;     ///< By body that stands for a heap: whether one is held.
   std::vector<int> heap_size_;  ///< By body that stands for a heap.
+  int most_of_heap_ = 0;        ///< Bodies of a heap that takes part in a blow.
   // The contacts of each heap of what is held, as lists.
   std::vector<int> first_of_heap_;  ///< By body that stands for a heap; −1: none.
   std::vector<int> next_of_heap_;   ///< By contact; −1: the last.

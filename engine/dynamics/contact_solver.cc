@@ -156,8 +156,7 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
   ColourAndJoin(pairs, world.bodies);
   // A world that may be swept more often than any world is solved as a whole: the sweeps
   // that one heap leaves over are for the others.
-  const bool is_small =
-      (settings.impulse_iterations + 1) * contacts_ <= settings.patience;
+  const bool is_small = IsSmall(settings, contacts_);
   Divide(pairs, world.bodies, is_small ? contacts_ : kPart);
   Order(pairs);
   heap_changes_.resize(world.bodies.size());

@@ -58,6 +58,8 @@ class ContactSolver {
   /** The greatest speed that a contact sees before it is solved. [m/s] */
   double scale() const { return whole_.scale(); }
   int row_count() const { return whole_.row_count(); }
+  /** How many contacts there were to solve. */
+  int contact_count() const { return contacts_; }
 
   /** What is too deep to be left, of the last step: for each thread its own, and last
    what all threads share. No two of them have a moving body in common. */

@@ -8,14 +8,23 @@ namespace {
 /** Batches below which it does not pay to wake another thread: see ContactGroup. */
 constexpr std::size_t kFewBatches = 48;
 
+/** Share of the excess that a large world removes at most. A few sweeps lift the one and
+ not yet the other: what is lifted off by more than the margin loses its contacts, and
+ with them the impulses to start from, so that all that rests on it sinks in. A pile of
+ 30 layers was 96 mm deep in itself where each step took 0.45. */
+constexpr double kLargeShare = 0.2;
+
 }  // namespace
 
-bool FindMoves(std::span<Overlaps> overlaps, std::span<const Velocity> mean,
+bool FindMoves(std::span<Overlaps> overlaps, int contacts, std::span<const Velocity> mean,
                std::span<const Velocity> solved, const Settings& settings, double h,
                Crew& crew, std::span<Velocity> moves) {
   const auto is_empty = [](const Overlaps& some) { return some.batches.empty(); };
   if (std::all_of(overlaps.begin(), overlaps.end(), is_empty)) return false;
-  const OverlapRules rules{h, h * settings.gravity_W.norm(), settings.projection_share};
+  const double share = IsSmall(settings, contacts)
+                           ? settings.projection_share
+                           : std::min(settings.projection_share, kLargeShare);
+  const OverlapRules rules{h, h * settings.gravity_W.norm(), share};
 
   std::fill(moves.begin(), moves.end(), Velocity{});
   const auto for_each_sweep = [&](const auto& remove) {

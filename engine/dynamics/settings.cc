@@ -25,6 +25,10 @@ double MarginOf(const Settings& settings, double h) {
   return settings.contact_margin.value_or(2 * h * h * settings.gravity_W.norm());
 }
 
+bool IsSmall(const Settings& settings, int contacts) {
+  return (settings.impulse_iterations + 1) * contacts <= settings.patience;
+}
+
 void Validate(const Settings& s) {
   for (const double g : s.gravity_W) {
     Expect(std::isfinite(g), "gravity_W", g, "finite numbers");

@@ -63,7 +63,8 @@ struct Settings {
   bool blows_in_time = true;
 
   Stabilisation stabilisation = Stabilisation::kNonLinearProjection;
-  /** Share of the excess depth removed per step, in (0, 1]. */
+  /** Share of the excess depth removed per step, in (0, 1]. A large world, see IsSmall(),
+   removes a fifth at most. */
   double projection_share = 0.45;
   /** Depth that is left, against jitter. Absent: 2 |g| dt². [m] */
   std::optional<double> penetration_slack;
@@ -93,6 +94,10 @@ double SlackOf(const Settings& settings, double h);
 
 /** Returns Settings::contact_margin, or what stands for it at step `h` [s]. [m] */
 double MarginOf(const Settings& settings, double h);
+
+/** Whether a world of so many contacts may be swept more often than any world, see
+ Settings::patience. What is so small is solved; what is large is off by more. */
+bool IsSmall(const Settings& settings, int contacts);
 
 /** Refuses settings that make no sense.
  @throws std::invalid_argument with a sentence that names the setting. */

@@ -425,8 +425,8 @@ bool World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
 }
 
 void World::Project(double h) {
-  bool moved =
-      FindMoves(contacts_.overlaps(), mean_, solved_, settings_, h, crew_, moves_);
+  bool moved = FindMoves(contacts_.overlaps(), contacts_.contact_count(), mean_, solved_,
+                         settings_, h, crew_, moves_);
   if (!joints_.empty()) {
     if (!moved) {
       std::fill(moves_.begin(), moves_.end(), Velocity{});
