@@ -136,6 +136,79 @@ HWY_INLINE void SpreadLoad(const ContactBatch& batch, ContactLanes* rows) {
   }
 }
 
+/** Spreads the impulses of friction of a face that holds as the load is spread: of all
+ that have the same sum and the same moment about the normal those of least Σ f²/λ, with
+ which every contact is as far from its bound as the face is, if it does not spin. Else
+ contacts pull against each other across the face, by what the first sweeps left there,
+ and slip too early.
+
+ f' = λ (F/Σλ + s × (x − x̄)), x̄ the centre of the load, s = M / Σ λ (x − x̄)². Left alone
+ where a contact slips, since its friction then follows from that, or where f' is beyond
+ the cone. */
+HWY_INLINE void SpreadFriction(const ContactBatch& batch, ContactLanes* rows,
+                               const Moving& A_before, const Moving& B_before,
+                               double steady) {
+  const Four zero{};
+  const Four one = Splat(1);
+  const Four3 t1 = At(batch.t1);
+  const Four3 t2 = At(batch.t2);
+  Four number{};
+  Four load{};
+  Four sum1{};
+  Four sum2{};
+  Four fastest{};
+  Four3 centre{};
+  for (int k = 0; k < batch.count; ++k) {
+    const Four impulse = At(rows[k].impulse);
+    const Four3 r_A = At(rows[k].r_A);
+    number = number + Select(impulse > zero, one, zero);
+    load = load + impulse;
+    sum1 = sum1 + At(rows[k].friction_impulse1);
+    sum2 = sum2 + At(rows[k].friction_impulse2);
+    centre = Plus(centre, Times(impulse, r_A));
+    const Four3 u = RelativeVelocity(A_before, B_before, r_A, At(rows[k].r_B));
+    const Four slip1 = Dot(u, t1);
+    const Four slip2 = Dot(u, t2);
+    const Four squared = slip1 * slip1 + slip2 * slip2;
+    fastest = Max(fastest, Select(impulse > zero, squared, zero));
+  }
+  FourBits spreads = (number > Splat(1.5)) & (fastest <= Splat(steady * steady));
+  if (Bits(spreads) == 0) return;
+  const Four share = one / Select(spreads, load, one);
+  centre = Times(share, centre);
+  Four x[8];
+  Four y[8];
+  Four moment{};
+  Four polar{};
+  for (int k = 0; k < batch.count; ++k) {
+    const Four3 arm = Minus(At(rows[k].r_A), centre);
+    x[k] = Dot(arm, t1);
+    y[k] = Dot(arm, t2);
+    moment = moment + x[k] * At(rows[k].friction_impulse2) -
+             y[k] * At(rows[k].friction_impulse1);
+    polar = polar + At(rows[k].impulse) * (x[k] * x[k] + y[k] * y[k]);
+  }
+  const Four spin = Select(polar > zero, moment, zero) / Select(polar > zero, polar, one);
+  const Four mean1 = share * sum1;
+  const Four mean2 = share * sum2;
+  // The sum of what is at its bound may round to beyond it.
+  const Four bound = At(batch.friction) * At(batch.friction) * Splat(1 + 1e-14);
+  for (int k = 0; k < batch.count; ++k) {
+    const Four along1 = mean1 - spin * y[k];
+    const Four along2 = mean2 + spin * x[k];
+    const FourBits inside = along1 * along1 + along2 * along2 <= bound;
+    spreads &= inside | ~(At(rows[k].impulse) > zero);
+  }
+  for (int k = 0; k < batch.count; ++k) {
+    const FourBits changes = spreads & (At(rows[k].used) > zero);
+    const Four impulse = At(rows[k].impulse);
+    Put(Select(changes, impulse * (mean1 - spin * y[k]), At(rows[k].friction_impulse1)),
+        rows[k].friction_impulse1);
+    Put(Select(changes, impulse * (mean2 + spin * x[k]), At(rows[k].friction_impulse2)),
+        rows[k].friction_impulse2);
+  }
+}
+
 /** Fills what a batch and its rows have of the pairs. */
 HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows,
                      std::span<const ContactPair> pairs, const SolverBodies& world,
@@ -239,6 +312,10 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
     const Moving B_before = Gather(before, batch.B);
     const Moving A_free = Gather(velocities, batch.A);
     const Moving B_free = Gather(velocities, batch.B);
+    if (warm_starting && batch.count > 1) {
+      SpreadFriction(batch, &rows.contacts[static_cast<std::size_t>(batch.first)],
+                     A_before, B_before, kSteady * rules.gravity_speed);
+    }
     const Inertias m = InertiasOf(batch);
     const Four3 n = At(batch.n);
     const Four3 t1 = At(batch.t1);

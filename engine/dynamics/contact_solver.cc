@@ -18,7 +18,7 @@ constexpr int kPart = 1000;
 constexpr int kLargePart = 2 * kPart;
 /** Contacts below which it does not pay to wake another thread. */
 constexpr int kFewContacts = 200;
-/** What the first steps of a world may spend beyond their patience, in patiences. */
+/** What steps may spend beyond their patience, in patiences, before others save it. */
 constexpr long kHeadStart = 20;
 
 ContactRules RulesOf(const Settings& settings, double h) {
@@ -182,7 +182,7 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
       if (group.Sweep(world.velocities, helpers) <= solved) break;
     }
     // A small world is one part: no other thread is here.
-    if (is_small) spent_ahead_ += std::max(0L, spent - settings.patience);
+    if (is_small) spent_ahead_ = std::max(0L, spent_ahead_ + spent - settings.patience);
     group.End(pairs, touches, NotesIn(overlaps));
   };
 

@@ -100,7 +100,9 @@ class ContactSolver {
   std::vector<ContactGroup> own_;     ///< Of each thread.
   std::vector<Overlaps> overlaps_;
   OverlapNotes notes_{};
-  long spent_ahead_ = 0;  ///< Sweeps × rows beyond the patience of the steps so far.
+  /** Sweeps × rows that steps spent beyond their patience, and others did not save yet.
+   */
+  long spent_ahead_ = 0;
   Crew alone_{1};
 };
 

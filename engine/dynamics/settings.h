@@ -39,8 +39,8 @@ struct Settings {
   /** Sweeps over all contacts and joints that a step may always use. */
   int impulse_iterations = 8;
   /** A small world may use more sweeps, until it is solved: as long as sweeps × rows stay
-   below this. Once, it may use 20 times as many: the first contacts have no impulses to
-   start from. */
+   below this on the average. A step may use up to 20 times as many more, which others
+   save, before it or after: new contacts have no impulses to start from. */
   int patience = 4000;
   /** A step is solved where no sweep changes a relative velocity by more than this share
    of the greatest there is. */

@@ -163,6 +163,7 @@ std::vector<Finding> BrokenBy(const WorldVariant& variant, const Trajectory& mov
           return known.measure == found.measure && known.verdict != Verdict::kPass;
         });
     if (is_known) continue;
+    found.reference.clear();  // Shown by a changed world.
     found.proof = fmt::format("the world {}: {}", ChangeOf(variant.measure), found.proof);
     broken.push_back(std::move(found));
   }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -26,30 +27,71 @@ void Build(World& world, const Eigen::Vector3d& place) {
   }
 }
 
-// A first step has no impulses to start from; what it leaves moving would stay so for
-// some steps. Sweeps leave ρ of the error of a heavy box on a light one, ρ near 1.
-TEST(Stack, AHeavyBoxOnALightOneRestsFromTheFirstStep) {
-  Settings settings;
-  settings.patience = 40000;
-  World world(settings);
+void AddFloor(World& world) {
   BodyDefinition floor;
   floor.shape = HalfSpace{};
   floor.state.q_WB = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
                                                         Eigen::Vector3d::UnitY());
   floor.mass = 0;
   world.AddBody(floor);
+}
+
+/** Puts a box of 1 kg on the floor and one of `mass` on it; returns the upper one. */
+int AddHeavyOnLight(World& world, double x, double mass) {
   BodyDefinition box;
   box.shape = Box{{0.5, 0.5, 0.5}};
   box.restitution = 0;
-  for (const double mass : {1.0, 100.0}) {
-    box.mass = mass;
-    box.state.p_WB = {0.1, 0.5 + (mass > 1), -0.2};
-    world.AddBody(box);
-  }
+  box.state.p_WB = {x, 0.5, -0.2};
+  world.AddBody(box);
+  box.mass = mass;
+  box.state.p_WB.y() = 1.5;
+  return world.AddBody(box);
+}
+
+/** Expects `body` to rest for eight steps, but for a share of what gravity adds in one.
+ */
+void ExpectToRest(World& world, int body, double share) {
   for (int k = 0; k < 8; ++k) {
     world.Step(1.0 / 240);
-    // What gravity adds in a step, solved to rounding.
-    EXPECT_LT(world.state(2).v_WB.norm(), 1e-12 * 9.82 / 240) << k;
+    EXPECT_LT(world.state(body).v_WB.norm(), share * 9.82 / 240) << k;
+  }
+}
+
+// A first step has no impulses to start from; what it leaves moving would stay so for
+// some steps. Sweeps leave ρ of the error of a heavy box on a light one, ρ near 1.
+TEST(Stack, AHeavyBoxOnALightOneRestsFromTheFirstStep) {
+  Settings settings;
+  settings.patience = 40000;
+  World world(settings);
+  AddFloor(world);
+  const int heavy = AddHeavyOnLight(world, 0.1, 100);
+  ExpectToRest(world, heavy, 1e-12);
+}
+
+TEST(Stack, AHeavyBoxThatComesLaterRestsFromItsFirstStepToo) {
+  World world{Settings()};
+  AddFloor(world);
+  const int early = AddHeavyOnLight(world, 50, 30);
+  ExpectToRest(world, early, 1e-11);
+  for (int k = 0; k < 100; ++k) world.Step(1.0 / 240);
+  const int late = AddHeavyOnLight(world, 0.1, 30);
+  ExpectToRest(world, late, 1e-11);
+}
+
+// Four contacts can pull against each other across a face, which nobody sees: until one
+// of them needs for the load what it spends on that.
+TEST(Stack, AFaceThatHoldsPullsAtNothingAcrossIt) {
+  World world{Settings()};
+  AddFloor(world);
+  AddHeavyOnLight(world, 0.1, 30);
+  for (int k = 0; k < 2; ++k) world.Step(1.0 / 240);
+  std::vector<ContactImpulse> impulses;
+  world.ReadImpulses(impulses);
+  ASSERT_EQ(impulses.size(), 8u);
+  for (const ContactImpulse& contact : impulses) {
+    const double load = contact.J_B_W.dot(contact.n_AB_W);
+    const Eigen::Vector3d across = contact.J_B_W - load * contact.n_AB_W;
+    EXPECT_LT(across.norm(), 1e-11 * load);
   }
 }
 

@@ -170,6 +170,7 @@ TEST(UnstableMotion, AWrongEngineDoesNotHideBehindAJump) {
       });
   ASSERT_NE(found, findings.end());
   EXPECT_EQ(found->measure, MeasureKind::kPositionError);
+  EXPECT_EQ(found->reference, "");
 }
 
 TEST(UnstableMotion, ARightEngineIsNotFailedForWhatASpinAboutTheMiddleAxisMakesOfIt) {
