@@ -104,14 +104,16 @@ void KeepWorst(std::vector<Finding>& findings, const std::vector<Finding>& other
   }
 }
 
-/** What the members of the ensemble beyond the first add to the findings, which are in
- groups: of answering, then of each claim. */
-void ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
-                    std::vector<std::vector<Finding>>& groups) {
+/** What the members of the ensemble beyond the first, which moved as `first`, add to the
+ findings, which are in groups: of answering, then of each claim. Returns what all of them
+ have in common. */
+EnsembleStatistics ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
+                                  const Trajectory& first,
+                                  std::vector<std::vector<Finding>>& groups) {
   std::vector<World> worlds;
   for (int index = 1; index < scenario.ensemble->members; ++index)
     worlds.push_back(MemberOf(scenario, index));
-  const std::vector<Trajectory> trajectories = oracle.SimulateEach(worlds);
+  std::vector<Trajectory> trajectories = oracle.SimulateEach(worlds);
   WorldScenario member = scenario;
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     member.world = std::move(worlds[i]);
@@ -124,6 +126,8 @@ void ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
       KeepWorst(groups[group], more[group]);
     }
   }
+  trajectories.push_back(first);
+  return StatisticsOf(scenario.world, trajectories);
 }
 
 /** Returns the world with every place moved by up to `nudge` [m] an axis, and every body
@@ -204,9 +208,10 @@ Neighbours AskNeighbours(const WorldScenario& scenario, const Oracle& oracle,
   return motions;
 }
 
-/** Everything that one oracle is asked of one world, and what it means. */
+/** Everything that one oracle is asked of one world, and what it means. Fills how it
+ moved, and what the members of an ensemble have in common. */
 std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle,
-                             Trajectory& trajectory) {
+                             Trajectory& trajectory, EnsembleStatistics& ensemble) {
   trajectory = oracle.Simulate(scenario.world);
   const double dt = scenario.world.dt;
   const bool studied = IsWhole(trajectory) && IsStudied(scenario);
@@ -221,7 +226,8 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
                     refined ? &quarter : nullptr};
   std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(study);
   const bool answered = groups.front().front().verdict == Verdict::kPass;
-  if (answered && scenario.ensemble) ExamineMembers(scenario, oracle, groups);
+  if (answered && scenario.ensemble)
+    ensemble = ExamineMembers(scenario, oracle, trajectory, groups);
   std::vector<Finding> findings;
   for (std::vector<Finding>& group : groups)
     std::move(group.begin(), group.end(), std::back_inserter(findings));
@@ -266,14 +272,16 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
                        const std::function<void()>& on_done) {
   WorldsReport report;
   for (const WorldScenario& scenario : worlds)
-    report.worlds.push_back({scenario, std::vector<Trajectory>(oracles.size())});
+    report.worlds.push_back({scenario, std::vector<Trajectory>(oracles.size()),
+                             std::vector<EnsembleStatistics>(oracles.size())});
   const std::vector<Pair> pairs = PairsOf(worlds, oracles);
   std::vector<std::vector<Finding>> findings(pairs.size());
   const std::vector<std::size_t> order = LongestFirst(pairs, worlds);
   ParallelFor(pairs.size(), jobs, [&](std::size_t turn) {
     const std::size_t i = order[turn];
     const auto [w, o] = pairs[i];
-    findings[i] = Examine(worlds[w], *oracles[o], report.worlds[w].trajectories[o]);
+    findings[i] = Examine(worlds[w], *oracles[o], report.worlds[w].trajectories[o],
+                          report.worlds[w].ensembles[o]);
     std::stable_sort(
         findings[i].begin(), findings[i].end(),
         [](const Finding& a, const Finding& b) { return a.measure < b.measure; });

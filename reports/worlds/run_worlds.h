@@ -8,6 +8,7 @@
 
 #include "oracles/oracle.h"
 #include "reports/finding.h"
+#include "reports/worlds/ensemble_statistics.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
@@ -17,6 +18,8 @@ struct WorldResult {
   WorldScenario scenario;
   /** In the order of the oracles; kUnsupported for those that do not simulate. */
   std::vector<Trajectory> trajectories;
+  /** The same of what the members of its ensemble, if it has one, have in common. */
+  std::vector<EnsembleStatistics> ensembles;
 };
 
 /** What came of the worlds. */

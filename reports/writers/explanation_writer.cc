@@ -302,6 +302,36 @@ void WriteMotion(const RunReport& report, const WorldResult& world,
   }
 }
 
+/** What is compared of a chaotic motion from engine to engine: means over the members of
+ its ensemble. What chance does not explain beside the subject is marked. */
+void WriteEnsemble(const RunReport& report, const WorldResult& world, std::ostream& out) {
+  if (!world.scenario.ensemble) return;
+  out << fmt::format(
+      "Ensemble of {}, at the end, as mean ± standard error (≠: beside {} of one chance "
+      "in 1000):\n  {:<26}{:>24}{:>24}{:>24}\n",
+      world.scenario.ensemble->members, report.subject, "", "kinetic energy [J]",
+      "height of centre [m]", "mean width [m]");
+  const EnsembleStatistics& subject = world.ensembles.front();
+  for (std::size_t o = 0; o < world.ensembles.size(); ++o) {
+    const EnsembleStatistics& ensemble = world.ensembles[o];
+    if (ensemble.members == 0) continue;
+    out << fmt::format("  {:<26}", report.oracles[o].name);
+    const auto write = [&](const Statistic& statistic, const Statistic& of_subject) {
+      const bool differs = subject.members > 0 && Differ(statistic, ensemble.members,
+                                                         of_subject, subject.members);
+      out << fmt::format(
+          "{:>12.6g} ± {:<8.2g}{}", statistic.mean,
+          statistic.deviation / std::sqrt(static_cast<double>(ensemble.members)),
+          differs ? "≠" : " ");
+    };
+    write(ensemble.kinetic_energy, subject.kinetic_energy);
+    write(ensemble.height, subject.height);
+    write(ensemble.width, subject.width);
+    out << '\n';
+  }
+  out << '\n';
+}
+
 void WriteWorld(const RunReport& report, const WorldResult& world,
                 std::span<const Outcome> outcomes, const ExplanationStyle& style,
                 std::ostream& out) {
@@ -311,6 +341,7 @@ void WriteWorld(const RunReport& report, const WorldResult& world,
   out << "  " << Describe(scenario.world) << "\n  laws: " << ClaimsOf(scenario) << "\n\n";
   WriteVerdict(report, outcomes, out);
   out << '\n';
+  WriteEnsemble(report, world, out);
   Origins origins;
   for (const Outcome& outcome : outcomes) {
     if (outcome.asked) WriteMotion(report, world, outcome, style, origins, out);

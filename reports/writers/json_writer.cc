@@ -240,6 +240,23 @@ Json MotionToJson(const RunReport& report, const Outcome& outcome,
   return json;
 }
 
+Json ToJson(const Statistic& statistic) {
+  Json json;
+  json["mean"] = ToJson(statistic.mean);
+  json["deviation"] = ToJson(statistic.deviation);
+  return json;
+}
+
+Json ToJson(const EnsembleStatistics& ensemble) {
+  if (ensemble.members == 0) return nullptr;
+  Json json;
+  json["members"] = ensemble.members;
+  json["kinetic_energy"] = ToJson(ensemble.kinetic_energy);
+  json["height"] = ToJson(ensemble.height);
+  json["width"] = ToJson(ensemble.width);
+  return json;
+}
+
 Json WorldToJson(const RunReport& report, const std::vector<Outcome>& outcomes,
                  std::size_t w) {
   const WorldResult& result = report.worlds[w];
@@ -256,8 +273,10 @@ Json WorldToJson(const RunReport& report, const std::vector<Outcome>& outcomes,
   const std::size_t oracles = report.oracles.size();
   for (std::size_t o = 0; o < oracles; ++o) {
     const Outcome& outcome = outcomes[(report.scenarios.size() + w) * oracles + o];
-    if (outcome.asked)
-      json["motions"].push_back(MotionToJson(report, outcome, result.trajectories[o]));
+    if (!outcome.asked) continue;
+    Json motion = MotionToJson(report, outcome, result.trajectories[o]);
+    motion["ensemble"] = ToJson(result.ensembles[o]);
+    json["motions"].push_back(std::move(motion));
   }
   return json;
 }

@@ -32,6 +32,7 @@ set(library_rules
   "hwy/ => engine/"
   "toml[+][+]/ => scenarios/toml/parser[.]h|reports/.*[.]cc"
   "(boost/multiprecision|mpfr) => reports/referee/"
+  "boost/math => reports/worlds/.*[.]cc"
   "nlohmann/ => (reports|scenarios|cli)/.*[.]cc"
   "CLI/ => cli/.*[.]cc"
   "CGAL/ => tests/")

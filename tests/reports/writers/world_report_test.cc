@@ -16,6 +16,7 @@ namespace touchstone {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -81,6 +82,11 @@ RunReport OneWorld() {
   none.reason = "no balls";
   world.trajectories = {Fallen(9.82), Fallen(9), none, {}};
   world.trajectories[1].complaint = "ODE <Message> 3";
+  world.scenario.ensemble = Ensemble{4, 1e-3, 1};
+  world.ensembles = {{4, {48.2, 0.1}, {-2.91, 0.002}, {0.3, 0}},
+                     {4, {40.5, 0.1}, {-2.912, 0.002}, {0.3, 0}},
+                     {},
+                     {}};
   report.worlds.push_back(world);
   report.findings = {FindingOf("mine", 0.001), FindingOf("light", 0.41),
                      FindingOf("none", 0)};
@@ -95,6 +101,16 @@ std::string Written(Writer write) {
   std::ostringstream out;
   write(OneWorld(), out);
   return out.str();
+}
+
+TEST(WorldReport, ExplanationSetsWhatEnsemblesHaveInCommonBesideEachOther) {
+  const std::string text = Written([](const RunReport& report, std::ostream& out) {
+    WriteExplanation(report, {}, out);
+  });
+  EXPECT_THAT(text, HasSubstr("Ensemble of 4, at the end"));
+  EXPECT_THAT(text, ContainsRegex("mine +48.2 ± 0.05 +-2.91 ± 0.001 +0.3 ± 0 "));
+  // 154 of its standard errors off in energy, 2 in height.
+  EXPECT_THAT(text, ContainsRegex("light +40.5 ± 0.05 +≠ +-2.912 ± 0.001 +0.3 ± 0 "));
 }
 
 TEST(WorldReport, ExplanationSetsEveryNumberBesideWhatIsAllowed) {
