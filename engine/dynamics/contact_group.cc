@@ -34,6 +34,7 @@ void Overlaps::Clear() {
   batches.clear();
   rows.clear();
   firsts.clear();
+  groups.clear();
 }
 
 void ContactGroup::LayOut(std::span<const ColouredPair> ordered,
@@ -187,6 +188,7 @@ void ContactGroup::End(std::span<ContactPair> pairs, std::span<Touch> touches,
   const std::span<const ContactBatch> batches = batches_;
   ReadContacts({batches_, contacts_}, pairs, touches);
   if (notes.overlaps == nullptr) return;
+  notes.overlaps->groups.push_back(notes.overlaps->batches.size());
   for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
     notes.overlaps->firsts.push_back(notes.overlaps->batches.size());
     for (const ContactBatch& batch :

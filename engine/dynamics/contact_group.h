@@ -27,6 +27,7 @@ struct Overlaps {
   std::vector<OverlapBatch> batches;
   std::vector<OverlapLanes> rows;
   std::vector<std::size_t> firsts;  ///< Batch of each colour, group after group.
+  std::vector<std::size_t> groups;  ///< First batch of each group.
 
   void Clear();
 };

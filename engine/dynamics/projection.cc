@@ -36,9 +36,16 @@ bool FindMoves(std::span<Overlaps> overlaps, int contacts, std::span<const Veloc
   const std::size_t least = batches < kFewBatches ? threads + 1 : 0;
   crew.Share(threads, least, [&](std::size_t begin, std::size_t end) {
     for (Overlaps& own : overlaps.subspan(begin, end - begin)) {
-      const OverlapRows rows{own.batches, own.rows};
-      FindExcess(rows, rules, mean, solved);
-      for_each_sweep([&] { RemoveExcess(rows, moves); });
+      // Group after group: each stays in a processor's cache for all its sweeps.
+      for (std::size_t k = 0; k < own.groups.size(); ++k) {
+        const std::size_t first = own.groups[k];
+        const std::size_t last =
+            k + 1 < own.groups.size() ? own.groups[k + 1] : own.batches.size();
+        const OverlapRows rows{std::span(own.batches).subspan(first, last - first),
+                               own.rows};
+        FindExcess(rows, rules, mean, solved);
+        for_each_sweep([&] { RemoveExcess(rows, moves); });
+      }
     }
   });
 
