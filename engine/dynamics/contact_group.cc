@@ -37,8 +37,7 @@ void Overlaps::Clear() {
   groups.clear();
 }
 
-void ContactGroup::LayOut(std::span<const ColouredPair> ordered,
-                          std::span<const ContactPair> pairs, int nobody) {
+void ContactGroup::LayOut(std::span<const ColouredPair> ordered, int nobody) {
   batches_.clear();
   firsts_.clear();
   row_count_ = 0;
@@ -46,7 +45,6 @@ void ContactGroup::LayOut(std::span<const ColouredPair> ordered,
   int colour = -1;
   std::size_t lane = 4;
   for (const ColouredPair& next : ordered) {
-    const ContactPair& pair = pairs[static_cast<std::size_t>(next.pair)];
     const bool starts_colour = next.colour != colour || next.colour == kLastColour;
     if (lane == 4 || starts_colour) {
       if (starts_colour) firsts_.push_back(batches_.size());
@@ -62,11 +60,11 @@ void ContactGroup::LayOut(std::span<const ColouredPair> ordered,
     }
     ContactBatch& batch = batches_.back();
     batch.pair[lane] = next.pair;
-    batch.A[lane] = pair.A;
-    batch.B[lane] = pair.B;
-    row_count_ += pair.manifold.count;
-    rows += std::max(0, pair.manifold.count - batch.count);
-    batch.count = std::max(batch.count, pair.manifold.count);
+    batch.A[lane] = next.A;
+    batch.B[lane] = next.B;
+    row_count_ += next.count;
+    rows += std::max(0, next.count - batch.count);
+    batch.count = std::max(batch.count, next.count);
     ++lane;
   }
   firsts_.push_back(batches_.size());
@@ -88,7 +86,7 @@ void ContactGroup::Begin(std::span<const ColouredPair> ordered,
                          std::span<const ContactPair> pairs, const SolverBodies& world,
                          const ContactRules& rules, bool warm_starting, Crew& crew) {
   rules_ = rules;
-  LayOut(ordered, pairs, static_cast<int>(world.bodies.size()));
+  LayOut(ordered, static_cast<int>(world.bodies.size()));
   Greatest scale;
   ShareByColour(crew, [&](const ContactRows& rows) {
     scale.Note(PrepareContacts(rows, rules, pairs, world, warm_starting));

@@ -15,10 +15,13 @@ namespace cookbook {
 inline constexpr int kColours = 64;
 inline constexpr int kLastColour = kColours - 1;
 
-/** A pair and its colour. */
+/** A pair, its colour, and what is asked of it most: pairs are large. */
 struct ColouredPair {
   int pair;
   int colour;
+  int A;
+  int B;
+  int count;  ///< Of contacts.
 };
 
 /** Overlaps too deep to be left, batch by batch in the order in which they are removed.
@@ -70,8 +73,7 @@ class ContactGroup {
   int row_count() const { return row_count_; }
 
  private:
-  void LayOut(std::span<const ColouredPair> ordered, std::span<const ContactPair> pairs,
-              int nobody);
+  void LayOut(std::span<const ColouredPair> ordered, int nobody);
   /** Calls `work(rows)` for all rows: colour after colour, each shared out. */
   template <class Work>
   void ShareByColour(Crew& crew, const Work& work);

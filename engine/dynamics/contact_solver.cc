@@ -62,43 +62,36 @@ ContactSolver::ContactSolver(int threads)
 void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
                                   std::span<const RigidBody> bodies) {
   colours_.assign(bodies.size(), 0);
+  static_.resize(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i) static_[i] = bodies[i].is_static();
   heaps_.Reset(bodies.size());
-  key_.resize(pairs.size());
+  coloured_.clear();
   contacts_ = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const ContactPair& pair = pairs[p];
-    key_[p] = -1;
     const auto a = static_cast<std::size_t>(pair.A);
     const auto b = static_cast<std::size_t>(pair.B);
-    if (pair.manifold.count == 0 || (bodies[a].is_static() && bodies[b].is_static())) {
-      continue;
-    }
+    if (pair.manifold.count == 0 || (static_[a] && static_[b])) continue;
     contacts_ += pair.manifold.count;
     const int colour = std::min(kLastColour, std::countr_one(colours_[a] | colours_[b]));
     const std::uint64_t bit = std::uint64_t{1} << colour;
-    if (!bodies[a].is_static()) colours_[a] |= bit;
-    if (!bodies[b].is_static()) colours_[b] |= bit;
-    // Pairs with more contacts first within a colour, so that the lanes of a batch are
-    // about as long as each other.
-    key_[p] = colour * (kMost + 1) + kMost - pair.manifold.count;
-    if (bodies[a].is_static() || bodies[b].is_static()) continue;
-    heaps_.Join(pair.A, pair.B);
+    if (!static_[a]) colours_[a] |= bit;
+    if (!static_[b]) colours_[b] |= bit;
+    coloured_.push_back(
+        {static_cast<int>(p), colour, pair.A, pair.B, pair.manifold.count});
+    if (!static_[a] && !static_[b]) heaps_.Join(pair.A, pair.B);
   }
   heap_ = heaps_.All();
 }
 
-void ContactSolver::Divide(std::span<const ContactPair> pairs,
-                           std::span<const RigidBody> bodies, int least) {
+void ContactSolver::Divide(std::size_t bodies, int least) {
   // Of a heap first its contacts, then its part.
-  heap_part_.assign(bodies.size(), 0);
-  part_.resize(pairs.size());
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (key_[p] < 0) continue;
-    const ContactPair& pair = pairs[p];
-    const int moving =
-        bodies[static_cast<std::size_t>(pair.A)].is_static() ? pair.B : pair.A;
-    part_[p] = heap_[static_cast<std::size_t>(moving)];
-    heap_part_[static_cast<std::size_t>(part_[p])] += pair.manifold.count;
+  heap_part_.assign(bodies, 0);
+  part_.clear();
+  for (const ColouredPair& pair : coloured_) {
+    const int moving = static_[static_cast<std::size_t>(pair.A)] ? pair.B : pair.A;
+    part_.push_back(heap_[static_cast<std::size_t>(moving)]);
+    heap_part_[static_cast<std::size_t>(part_.back())] += pair.count;
   }
   parts_.clear();
   for (int& heap : heap_part_) {
@@ -107,10 +100,9 @@ void ContactSolver::Divide(std::span<const ContactPair> pairs,
     parts_.back().contacts += heap;
     heap = static_cast<int>(parts_.size()) - 1;
   }
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (key_[p] < 0) continue;
-    part_[p] = heap_part_[static_cast<std::size_t>(part_[p])];
-    ++parts_[static_cast<std::size_t>(part_[p])].end;
+  for (int& part : part_) {
+    part = heap_part_[static_cast<std::size_t>(part)];
+    ++parts_[static_cast<std::size_t>(part)].end;
   }
   std::size_t begin = 0;
   for (Part& part : parts_) {
@@ -120,23 +112,23 @@ void ContactSolver::Divide(std::span<const ContactPair> pairs,
   }
 }
 
-void ContactSolver::Order(std::span<const ContactPair> pairs) {
+void ContactSolver::Order() {
+  // Pairs with more contacts first within a colour, so that the lanes of a batch are
+  // about as long as each other.
+  const auto key = [](const ColouredPair& pair) {
+    return static_cast<std::size_t>(pair.colour * (kMost + 1) + kMost - pair.count);
+  };
   starts_.assign(kColours * (kMost + 1) + 1, 0);
-  for (const int key : key_) {
-    if (key >= 0) ++starts_[static_cast<std::size_t>(key) + 1];
-  }
+  for (const ColouredPair& pair : coloured_) ++starts_[key(pair) + 1];
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  by_key_.resize(static_cast<std::size_t>(starts_.back()));
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (key_[p] < 0) continue;
-    by_key_[static_cast<std::size_t>(starts_[static_cast<std::size_t>(key_[p])]++)] =
-        static_cast<int>(p);
+  by_key_.resize(coloured_.size());
+  for (std::size_t k = 0; k < coloured_.size(); ++k) {
+    by_key_[static_cast<std::size_t>(starts_[key(coloured_[k])]++)] = static_cast<int>(k);
   }
-  ordered_.resize(by_key_.size());
-  for (const int pair : by_key_) {
-    const auto p = static_cast<std::size_t>(pair);
-    ordered_[parts_[static_cast<std::size_t>(part_[p])].end++] = {pair,
-                                                                  key_[p] / (kMost + 1)};
+  ordered_.resize(coloured_.size());
+  for (const int next : by_key_) {
+    const auto k = static_cast<std::size_t>(next);
+    ordered_[parts_[static_cast<std::size_t>(part_[k])].end++] = coloured_[k];
   }
 }
 
@@ -157,8 +149,8 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
   // A world that may be swept more often than any world is solved as a whole: the sweeps
   // that one heap leaves over are for the others.
   const bool is_small = IsSmall(settings, contacts_);
-  Divide(pairs, world.bodies, is_small ? contacts_ : kPart);
-  Order(pairs);
+  Divide(world.bodies.size(), is_small ? contacts_ : kPart);
+  Order();
   heap_changes_.resize(world.bodies.size());
   const bool warm_starting = settings.warm_starting && settings.accumulated_impulses;
   const long patience =
@@ -219,8 +211,8 @@ void ContactSolver::Begin(std::span<const ContactPair> pairs, const SolverBodies
                           const Settings& settings, double h, Crew& crew) {
   notes_ = RulesOfOverlap(settings, h, overlaps_.back());
   ColourAndJoin(pairs, world.bodies);
-  Divide(pairs, world.bodies, contacts_);
-  Order(pairs);
+  Divide(world.bodies.size(), contacts_);
+  Order();
   whole_.Begin(ordered_, pairs, world, RulesOf(settings, h),
                settings.warm_starting && settings.accumulated_impulses, crew);
 }

@@ -78,16 +78,16 @@ class ContactSolver {
                      std::span<const RigidBody> bodies);
   /** Divides the heaps into parts of at least `least` contacts where there are so many.
    */
-  void Divide(std::span<const ContactPair> pairs, std::span<const RigidBody> bodies,
-              int least);
+  void Divide(std::size_t bodies, int least);
   /** Sorts the pairs by part, colour and number of contacts. */
-  void Order(std::span<const ContactPair> pairs);
+  void Order();
   OverlapNotes NotesIn(Overlaps& overlaps) const;
 
   std::vector<std::uint64_t> colours_;  ///< Of each body: one bit for each in use.
-  std::vector<int> key_;                ///< Of each pair: its colour and count, or −1.
-  std::vector<int> part_;               ///< Of each pair.
-  std::vector<int> by_key_;             ///< The pairs, by key.
+  std::vector<char> static_;            ///< Of each body: 1 where it never moves.
+  std::vector<ColouredPair> coloured_;  ///< The pairs with contacts, in their order.
+  std::vector<int> part_;               ///< Of each of those.
+  std::vector<int> by_key_;             ///< The same, by colour and number of contacts.
   std::vector<int> starts_;             ///< Where in `by_key_` each key starts.
   std::vector<ColouredPair> ordered_;   ///< The pairs, by part and then by key.
   std::vector<Part> parts_;
