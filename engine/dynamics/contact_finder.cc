@@ -1,5 +1,7 @@
 #include "engine/dynamics/contact_finder.h"
 
+#include <cstddef>
+
 #include "engine/dynamics/fetch.h"
 
 namespace cookbook {
@@ -76,8 +78,10 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
   crew.Share(due_.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (i + kAhead < end) {
-        Fetch(&contacts_[static_cast<std::size_t>(near_[due_[i + kAhead]].contact)],
-              sizeof(ContactPair));
+        const NearPair& next = near_[due_[i + kAhead]];
+        Fetch(&contacts_[static_cast<std::size_t>(next.contact)], sizeof(ContactPair));
+        Fetch(&bodies[static_cast<std::size_t>(next.A)], offsetof(RigidBody, moments));
+        Fetch(&bodies[static_cast<std::size_t>(next.B)], offsetof(RigidBody, moments));
       }
       ContactPair& pair = contacts_[static_cast<std::size_t>(near_[due_[i]].contact)];
       Recollide(margin, bodies[static_cast<std::size_t>(pair.A)],

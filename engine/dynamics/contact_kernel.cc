@@ -291,6 +291,29 @@ HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows,
   if (warm_starting && batch.count > 3) SpreadLoad(batch, rows);
 }
 
+/** Tells memory what Prepare() will want of a batch. */
+void FetchBatch(const ContactBatch& batch, std::span<const ContactPair> pairs,
+                const SolverBodies& world) {
+  const auto impulses = static_cast<std::size_t>(batch.count) * sizeof(Eigen::Vector3d);
+  const std::size_t manifold =
+      offsetof(ContactPair, manifold) + offsetof(Manifold, contacts) +
+      static_cast<std::size_t>(batch.count) * sizeof(ContactPoint);
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    if (batch.pair[lane] < 0) continue;
+    const ContactPair& pair = pairs[static_cast<std::size_t>(batch.pair[lane])];
+    Fetch(&pair, manifold);
+    Fetch(&pair.J_W, impulses);
+    for (const int body : {batch.A[lane], batch.B[lane]}) {
+      const auto i = static_cast<std::size_t>(body);
+      Fetch(&world.bodies[i].state.p_WB, 1);
+      Fetch(&world.bodies[i].restitution, 1);
+      Fetch(&world.inertias[i], sizeof(InverseInertia));
+      Fetch(&world.before[i], 1);
+      Fetch(&world.velocities[i], 1);
+    }
+  }
+}
+
 double Prepare(const ContactRows& rows, const ContactRules& rules,
                std::span<const ContactPair> pairs, const SolverBodies& world,
                bool warm_starting) {
@@ -301,11 +324,7 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
   Four greatest{};
   for (std::size_t k = 0; k < rows.batches.size(); ++k) {
     ContactBatch& batch = rows.batches[k];
-    if (k + 1 < rows.batches.size()) {
-      for (const int next : rows.batches[k + 1].pair) {
-        if (next >= 0) Fetch(&pairs[static_cast<std::size_t>(next)], sizeof(ContactPair));
-      }
-    }
+    if (k + 1 < rows.batches.size()) FetchBatch(rows.batches[k + 1], pairs, world);
     Fill(batch, &rows.contacts[static_cast<std::size_t>(batch.first)], pairs, world,
          warm_starting);
     const Moving A_before = Gather(before, batch.A);
