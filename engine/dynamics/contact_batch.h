@@ -116,9 +116,10 @@ struct Changes {
   double least;  ///< +∞ where there is no pair.
 };
 
-/** Solves each contact of the batches at work once, batch after batch. */
+/** Solves each contact of the batches at work once, batch after batch. What is missing
+ along the normal is made up for times `relaxation`. */
 Changes SweepContacts(const ContactRows& rows, const ContactRules& rules,
-                      std::span<Velocity> velocities);
+                      double relaxation, std::span<Velocity> velocities);
 
 /** Writes the impulses to the pairs, and what the contacts did to the bodies that move.
  */

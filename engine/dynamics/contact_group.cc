@@ -97,11 +97,12 @@ void ContactGroup::Begin(std::span<const ColouredPair> ordered,
                 [&](const ContactRows& rows) { ApplyImpulses(rows, world.velocities); });
 }
 
-double ContactGroup::Sweep(std::span<Velocity> velocities, Crew& crew) {
+double ContactGroup::Sweep(double relaxation, std::span<Velocity> velocities,
+                           Crew& crew) {
   Greatest change;
   Greatest closeness(-std::numeric_limits<double>::infinity());  // −(least change).
   ShareByColour(crew, [&](const ContactRows& rows) {
-    const Changes changes = SweepContacts(rows, rules_, velocities);
+    const Changes changes = SweepContacts(rows, rules_, relaxation, velocities);
     change.Note(changes.greatest);
     closeness.Note(-changes.least);
   });

@@ -53,8 +53,8 @@ class ContactGroup {
              Crew& crew);
 
   /** Sweeps once over all contacts at work, at first all there are, and returns the
-   greatest change of a relative velocity. [m/s] */
-  double Sweep(std::span<Velocity> velocities, Crew& crew);
+   greatest change of a relative velocity. [m/s] `relaxation`: see SweepContacts(). */
+  double Sweep(double relaxation, std::span<Velocity> velocities, Crew& crew);
 
   /** Leaves out of the next sweeps the contacts of every heap in which the last sweep
    changed no relative velocity by more than `solved` [m/s]: how well one is solved does

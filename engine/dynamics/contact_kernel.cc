@@ -450,6 +450,7 @@ struct Swept {
   Four3 t1;
   Four3 t2;
   Four friction;
+  Four relaxation;
   Four changed{};
 
   /** Returns `changed`, and +∞ in lanes without a pair. */
@@ -459,7 +460,7 @@ struct Swept {
   }
 };
 
-HWY_INLINE Swept Begin(ContactBatch& batch, const ContactRows& rows,
+HWY_INLINE Swept Begin(ContactBatch& batch, const ContactRows& rows, Four relaxation,
                        const Velocity* velocities) {
   return {batch,
           &rows.contacts[static_cast<std::size_t>(batch.first)],
@@ -469,7 +470,8 @@ HWY_INLINE Swept Begin(ContactBatch& batch, const ContactRows& rows,
           At(batch.n),
           At(batch.t1),
           At(batch.t2),
-          At(batch.friction)};
+          At(batch.friction),
+          relaxation};
 }
 
 /** Of which kind all contacts of a world are. */
@@ -490,8 +492,8 @@ HWY_INLINE void SolveRow(ContactLanes& contact, Four kept, Swept& at) {
   const Four start = kind == Kind::kPlain ? sum : kept * sum;
   const Four softened =
       kind == Kind::kPlain ? start : start - At(contact.impulse_scale) * sum;
-  const Four impulse = Max(
-      zero, softened + At(contact.effective_mass) * (At(contact.target) - Dot(u, at.n)));
+  const Four mass = at.relaxation * At(contact.effective_mass);
+  const Four impulse = Max(zero, softened + mass * (At(contact.target) - Dot(u, at.n)));
   const Four change = impulse - start;
   Put(kind == Kind::kPlain ? impulse : sum + change, contact.impulse);
 
@@ -541,8 +543,10 @@ HWY_INLINE void End(const Swept& at, Velocity* velocities) {
 }
 
 template <Kind kind>
-Changes SweepKind(const ContactRows& rows, bool accumulated, Velocity* velocities) {
+Changes SweepKind(const ContactRows& rows, bool accumulated, double relaxation,
+                  Velocity* velocities) {
   const Four kept = Splat(accumulated ? 1 : 0);
+  const Four relaxed = Splat(relaxation);
   Four greatest{};
   Four least = Splat(std::numeric_limits<double>::infinity());
   const std::size_t count = rows.batches.size();
@@ -554,7 +558,7 @@ Changes SweepKind(const ContactRows& rows, bool accumulated, Velocity* velocitie
   // no batch of a colour for another.
   for (std::size_t k = next_at_work(0); k < count;) {
     const std::size_t second = next_at_work(k + 1);
-    Swept one = Begin(rows.batches[k], rows, velocities);
+    Swept one = Begin(rows.batches[k], rows, relaxed, velocities);
     if (second == count) {
       for (int i = 0; i < one.batch.count; ++i) SolveRow<kind>(one.rows[i], kept, one);
       End(one, velocities);
@@ -562,7 +566,7 @@ Changes SweepKind(const ContactRows& rows, bool accumulated, Velocity* velocitie
       least = Min(least, one.ChangedOfPairs());
       break;
     }
-    Swept two = Begin(rows.batches[second], rows, velocities);
+    Swept two = Begin(rows.batches[second], rows, relaxed, velocities);
     const int both = std::min(one.batch.count, two.batch.count);
     for (int i = 0; i < both; ++i) {
       SolveRow<kind>(one.rows[i], kept, one);
@@ -579,10 +583,12 @@ Changes SweepKind(const ContactRows& rows, bool accumulated, Velocity* velocitie
   return {Greatest(greatest), -Greatest(-least)};
 }
 
-Changes Sweep(const ContactRows& rows, const ContactRules& rules, Velocity* velocities) {
+Changes Sweep(const ContactRows& rows, const ContactRules& rules, double relaxation,
+              Velocity* velocities) {
   const bool is_plain = rules.accumulated && rules.soft_impulse_scale == 0;
-  return (is_plain ? SweepKind<Kind::kPlain>
-                   : SweepKind<Kind::kAny>)(rows, rules.accumulated, velocities);
+  return (is_plain
+              ? SweepKind<Kind::kPlain>
+              : SweepKind<Kind::kAny>)(rows, rules.accumulated, relaxation, velocities);
 }
 
 void Read(const ContactRows& rows, std::span<ContactPair> pairs, Touch* touches) {
@@ -661,8 +667,8 @@ void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities) {
 }
 
 Changes SweepContacts(const ContactRows& rows, const ContactRules& rules,
-                      std::span<Velocity> velocities) {
-  return HWY_DYNAMIC_DISPATCH(Sweep)(rows, rules, velocities.data());
+                      double relaxation, std::span<Velocity> velocities) {
+  return HWY_DYNAMIC_DISPATCH(Sweep)(rows, rules, relaxation, velocities.data());
 }
 
 void ReadContacts(const ContactRows& rows, std::span<ContactPair> pairs,
