@@ -5,6 +5,8 @@
 #include <functional>
 #include <limits>
 
+#include "engine/dynamics/fetch.h"
+
 namespace cookbook {
 namespace {
 
@@ -25,6 +27,9 @@ constexpr double kStopped = 1e-9;
 
 /** How much faster than a blow has to be what flies from within the margin. */
 constexpr double kSurely = 1.01;
+
+/** How many pairs ahead memory is told. */
+constexpr std::size_t kAhead = 3;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -93,7 +98,17 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
   const auto join = [&](const ContactPair& pair) {
     if (!IsStatic(pair.A) && !IsStatic(pair.B)) heaps_.Join(pair.A, pair.B);
   };
-  for (const ContactPair& pair : finder.contacts()) {
+  const std::span<const ContactPair> contacts = finder.contacts();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const ContactPair& pair = contacts[k];
+    if (k + kAhead < contacts.size()) {
+      for (const int next : {contacts[k + kAhead].A, contacts[k + kAhead].B}) {
+        if (!Flies(next)) continue;
+        Fetch(&start.bodies[At(next)].state, sizeof(BodyState));
+        Fetch(&start.before[At(next)], sizeof(Velocity));
+        Fetch(&start.free[At(next)], sizeof(Velocity));
+      }
+    }
     if (!Flies(pair.A) && !Flies(pair.B)) {
       join(pair);
       continue;

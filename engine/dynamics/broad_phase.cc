@@ -97,6 +97,7 @@ Aabb BoundsOf(const RigidBody& body) {
 
 void BroadPhase::Add(const RigidBody& body) {
   Proxy& proxy = proxies_.emplace_back();
+  has_moved_.push_back(0);
   proxy.is_static = body.is_static();
   if (!body.collides || body.is_point()) return;
   proxy.wide = Widened(BoundsOf(body), kWider * body.radius);
@@ -107,7 +108,7 @@ void BroadPhase::Add(const RigidBody& body) {
 void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double ahead,
                         std::vector<std::pair<int, int>>& appeared) {
   for (const int body : moved_) {
-    proxies_[static_cast<std::size_t>(body)].has_moved = false;
+    has_moved_[static_cast<std::size_t>(body)] = 0;
   }
   moved_.clear();
   for (std::size_t i = 0; i < proxies_.size(); ++i) {
@@ -129,7 +130,7 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
     moved_.push_back(static_cast<int>(i));
     if (!leaves) continue;
     SetWide(static_cast<int>(i), Widened(bounds, kWider * body.radius));
-    proxy.has_moved = true;
+    has_moved_[i] = 1;
   }
   for (const int body : moved_) Pair(body, appeared);
 }
@@ -169,9 +170,10 @@ void BroadPhase::Widen(int index, const RigidBody& body, double reach,
 }
 
 bool BroadPhase::AreStillNear(int a, int b) const {
-  const Proxy& A = proxies_[static_cast<std::size_t>(a)];
-  const Proxy& B = proxies_[static_cast<std::size_t>(b)];
-  return (!A.has_moved && !B.has_moved) || A.wide.Overlaps(B.wide);
+  const auto A = static_cast<std::size_t>(a);
+  const auto B = static_cast<std::size_t>(b);
+  return (!has_moved_[A] && !has_moved_[B]) ||
+         proxies_[A].wide.Overlaps(proxies_[B].wide);
 }
 
 }  // namespace cookbook

@@ -60,7 +60,6 @@ class BroadPhase {
     int leaf = -1;  ///< −1: does not collide.
     bool is_static = false;
     bool is_new = true;
-    bool has_moved = false;  ///< Has got another wide box in the last Update().
   };
 
   void SetWide(int body, const Aabb& wide);
@@ -71,6 +70,8 @@ class BroadPhase {
   AabbTree resting_;  ///< Static bodies: they meet moving ones only.
   std::vector<Proxy> proxies_;
   std::vector<int> moved_;
+  /** Of each body: 1 where it has got another wide box in the last Update(). */
+  std::vector<char> has_moved_;
   PairSet pairs_;
 };
 

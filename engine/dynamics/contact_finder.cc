@@ -66,9 +66,10 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
     // What was apart by a gap stays apart until the two have gone that far.
     const double gone =
         gone_[static_cast<std::size_t>(pair.A)] + gone_[static_cast<std::size_t>(pair.B)];
-    const bool both_static = bodies[static_cast<std::size_t>(pair.A)].is_static() &&
-                             bodies[static_cast<std::size_t>(pair.B)].is_static();
-    if (gone >= pair.apart_until && !both_static) {
+    const auto is_static = [&](int body) {
+      return bodies[static_cast<std::size_t>(body)].is_static();
+    };
+    if (gone >= pair.apart_until && !(is_static(pair.A) && is_static(pair.B))) {
       if (pair.contact < 0) Join(k);
       due_.push_back(k);
     }
