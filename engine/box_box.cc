@@ -7,6 +7,7 @@
 #define HWY_TARGET_INCLUDE "engine/box_box.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
+#include "engine/dispatch.h"
 #include "engine/four_lanes.h"
 #include "engine/one_pair_axis.h"
 #include "engine/one_pair_contacts.h"
@@ -46,10 +47,9 @@ HWY_AFTER_NAMESPACE();
 namespace cookbook {
 HWY_EXPORT(CollideBoxes);
 
-Manifold Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
-  Manifold manifold;
-  HWY_DYNAMIC_DISPATCH(CollideBoxes)(A, X_WA, B, X_WB, manifold);
-  return manifold;
+void Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
+             Manifold& manifold) {
+  CallOnTarget<HWY_DISPATCH_TABLE(CollideBoxes)>(A, X_WA, B, X_WB, manifold);
 }
 }  // namespace cookbook
 #endif

@@ -1,76 +1,114 @@
-#include <cmath>
-
 #include "engine/collide.h"
+
+// Vectors of four doubles: what is narrower than AVX2 brings no more than the baseline.
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/box_sphere.cc"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "engine/dispatch.h"
 #include "engine/feature.h"
+#include "engine/four_lanes.h"
 #include "engine/rounding.h"
 
+HWY_BEFORE_NAMESPACE();
 namespace cookbook {
+namespace HWY_NAMESPACE {
 namespace {
 
-/** The boundary point of a box nearest to a point, in the box's frame. */
-struct NearestPoint {
-  Eigen::Vector3d p_BQ;  ///< [m]
-  Eigen::Vector3d n_B;   ///< Unit, outward, from the boundary.
-  double distance;       ///< From the boundary; negative inside. [m]
-  FeatureId feature;
-};
+/** SphereContactId() for a centre that is outside the box along the axes of which the
+ lower three bits are set, on the negative side of those of the upper three. */
+constexpr std::array<std::uint8_t, 64> kFeatures = [] {
+  std::array<std::uint8_t, 64> features{};
+  for (unsigned bits = 0; bits < features.size(); ++bits) {
+    const auto side = [bits](unsigned axis) {
+      if ((bits >> axis & 1) == 0) return 0;
+      return (bits >> (3 + axis) & 1) != 0 ? -1 : 1;
+    };
+    features[bits] =
+        static_cast<std::uint8_t>(SphereContactId(side(0), side(1), side(2)));
+  }
+  return features;
+}();
 
-int SideOf(double value, double bound) {
-  return value > bound ? 1 : value < -bound ? -1 : 0;
-}
+void CollideBoxSphere(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
+                      Manifold& manifold) {
+  Four axes[3];        // Lane c of [i]: component c of axis i.
+  Four components[3];  // Lane i of [c].
+  LoadColumns(X_WA.R_WB.data(), axes);
+  Transpose(axes, components);
+  const Four p_WB = Load3(X_WB.p_WB.data(), 0);
+  const Four d = p_WB - Load3(X_WA.p_WB.data(), 0);
+  const Four p = components[0] * Splat(d[0]) + components[1] * Splat(d[1]) +
+                 components[2] * Splat(d[2]);
 
-NearestPoint NearestOnFaces(const Box& box, const Eigen::Vector3d& p_B) {
-  const Eigen::Vector3d inside = box.half_extents - p_B.cwiseAbs();
-  int axis = 0;
-  if (inside[1] < inside[axis]) axis = 1;
-  if (inside[2] < inside[axis]) axis = 2;
-  const int side = p_B[axis] < 0 ? -1 : 1;
+  // From the nearest point of the box. The fourth lane is 0 throughout.
+  const Four h = Load3(A.half_extents.data(), 0);
+  Four n = p - Min(Max(p, -h), h);
+  unsigned outside = Bits(Abs(p) > h);
+  const unsigned negative = Bits(p < Four{});
+  const Four squares = n * n;
+  const double squared_distance = squares[0] + squares[1] + squares[2];
+  double distance;
+  double scale;
+  if (squared_distance < kLeastSquaredLength) [[unlikely]] {
+    // Out through the nearest face.
+    const Four inside = h - Abs(p);
+    const double least = std::min(inside[0], inside[1]);
+    const unsigned axis = inside[2] < least ? 2 : inside[1] < inside[0];
+    const double side = (negative >> axis & 1) != 0 ? -1 : 1;
+    n = Four{axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0, 0};
+    outside = 1u << axis;
+    distance = -std::min(least, inside[2]);
+    scale = 1;
+  } else {
+    distance = std::sqrt(squared_distance);
+    scale = 1 / distance;
+  }
 
-  NearestPoint nearest{p_B, Eigen::Vector3d::Zero(), -inside[axis], 0};
-  nearest.p_BQ[axis] = side * box.half_extents[axis];
-  nearest.n_B[axis] = side;
-  nearest.feature =
-      SphereContactId(axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
-  return nearest;
-}
-
-NearestPoint NearestOnBoundary(const Box& box, const Eigen::Vector3d& p_B) {
-  const Eigen::Vector3d& h = box.half_extents;
-  const Eigen::Vector3d p_BQ = p_B.cwiseMax(-h).cwiseMin(h);
-  const Eigen::Vector3d outward = p_B - p_BQ;
-  const double squared_distance = outward.squaredNorm();
-  if (squared_distance < kLeastSquaredLength) return NearestOnFaces(box, p_B);
-  const double distance = std::sqrt(squared_distance);
-  return {
-      p_BQ, outward * (1 / distance), distance,
-      SphereContactId(SideOf(p_B[0], h[0]), SideOf(p_B[1], h[1]), SideOf(p_B[2], h[2]))};
+  const double separation = distance - B.radius;
+  const Four n_W =
+      (axes[0] * Splat(n[0]) + axes[1] * Splat(n[1]) + axes[2] * Splat(n[2])) *
+      Splat(scale);
+  // Filled in any case: a branch that cannot be foretold costs more than the contact.
+  const Four p_WC = p_WB - Splat(B.radius + separation / 2) * n_W;
+  const FourBits last{0, 0, 0, -1};
+  static_assert(offsetof(Manifold, separation) ==
+                offsetof(Manifold, n_AB_W) + sizeof(Eigen::Vector3d));
+  static_assert(offsetof(ContactPoint, separation) == sizeof(Eigen::Vector3d));
+  ContactPoint& contact = manifold.contacts[0];
+  Store(Select(last, Splat(separation), n_W), &manifold.n_AB_W);
+  Store(Select(last, Splat(separation), p_WC), &contact);
+  contact.feature = kFeatures[outside | negative << 3];
+  manifold.touching = separation <= 0;
+  manifold.count = manifold.touching;
 }
 
 }  // namespace
-
-Manifold Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB) {
-  const Eigen::Vector3d p_AB_A = X_WA.R_WB.transpose() * (X_WB.p_WB - X_WA.p_WB);
-  const NearestPoint nearest = NearestOnBoundary(A, p_AB_A);
-
-  Manifold manifold;
-  manifold.n_AB_W = X_WA.R_WB * nearest.n_B;
-  manifold.separation = nearest.distance - B.radius;
-  manifold.touching = manifold.separation <= 0;
-  if (manifold.touching) {
-    manifold.count = 1;
-    ContactPoint& contact = manifold.contacts[0];
-    contact.p_WC =
-        X_WA.p_WB + X_WA.R_WB * (nearest.p_BQ + (manifold.separation / 2) * nearest.n_B);
-    contact.separation = manifold.separation;
-    contact.feature = nearest.feature;
-  }
-  return manifold;
-}
-
-Manifold Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
-  Manifold manifold = Collide(B, X_WB, A, X_WA);
-  manifold.n_AB_W = -manifold.n_AB_W;
-  return manifold;
-}
-
+}  // namespace HWY_NAMESPACE
 }  // namespace cookbook
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cookbook {
+HWY_EXPORT(CollideBoxSphere);
+
+void Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
+             Manifold& manifold) {
+  CallOnTarget<HWY_DISPATCH_TABLE(CollideBoxSphere)>(A, X_WA, B, X_WB, manifold);
+}
+
+void Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
+             Manifold& manifold) {
+  Collide(B, X_WB, A, X_WA, manifold);
+  manifold.n_AB_W = -manifold.n_AB_W;
+}
+}  // namespace cookbook
+#endif

@@ -5,19 +5,22 @@
 
 namespace cookbook {
 
-/** Returns how two spheres touch, or how far apart they are. Concentric spheres: n = +y.
- Error of the separation: at most 8 u (|p_AB| + r_A + r_B), u = 2⁻⁵³. */
-Manifold Collide(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB);
+/** Sets `manifold` to how two spheres touch, or how far apart they are. Concentric
+ spheres: n = +y. Error of the separation: at most 8 u (|p_AB| + r_A + r_B), u = 2⁻⁵³. */
+void Collide(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
+             Manifold& manifold);
 
-/** Returns how a box and a sphere touch, or how far apart they are. A centre inside the
- box: the depth is the radius plus the distance to the nearest face. Error of the
- separation: at most 16 u (|p_AB| + |half extents| + r). */
-Manifold Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB);
+/** As of two spheres, of a box and a sphere. A centre inside the box: the depth is the
+ radius plus the distance to the nearest face. Error of the separation: at most
+ 16 u (|p_AB| + |half extents| + r). Every processor gives the same bits. */
+void Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
+             Manifold& manifold);
 
 /** As box against sphere, with the roles exchanged. */
-Manifold Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_WB);
+void Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
+             Manifold& manifold);
 
-/** Returns how two boxes touch: the axis of least overlap out of 15, and
+/** Sets `manifold` to how two boxes touch: the axis of least overlap out of 15, and
 
  - face on face: the incident face clipped to the reference face, up to 8 contacts;
  - edge on face 2, vertex on face 1, edge on edge 1.
@@ -25,7 +28,7 @@ Manifold Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_
  The points of the incident face that lie above the reference face are dropped, those
  below are kept with their own, lesser depth: a box that lands a little tilted keeps the
  corners that a solver will need in the next step, and an edge or a vertex well below its
- neighbours stands alone. "Above" leaves BoxBoxSlack() for rounding, so that a box resting
+ neighbours stands alone. "Above" leaves kFlush S for rounding, so that a box resting
  at exactly zero separation keeps all its corners.
 
  Where several axes are equally good to within rounding, a face is preferred to an edge
@@ -35,6 +38,15 @@ Manifold Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_
  direction separates with a translation shorter by more than kDepthRounding S
  (engine/rounding.h); touching is never reported of boxes further apart than that, nor
  missed of boxes deeper. */
-Manifold Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB);
+void Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
+             Manifold& manifold);
+
+/** Returns how two shapes touch, as one of the above sets it. */
+template <class ShapeA, class ShapeB>
+Manifold Collide(const ShapeA& A, const Pose& X_WA, const ShapeB& B, const Pose& X_WB) {
+  Manifold manifold;
+  Collide(A, X_WA, B, X_WB, manifold);
+  return manifold;
+}
 
 }  // namespace cookbook

@@ -24,14 +24,16 @@ using Four = double __attribute__((vector_size(32)));
 /** What comparing two Four gives: all bits set where true. */
 using FourBits = std::int64_t __attribute__((vector_size(32)));
 
-HWY_INLINE Four Load(const double* p) {
-  Four v;
-  std::memcpy(&v, p, sizeof v);
-  return v;
+/** A Four that may lie anywhere, over anything made of doubles. Of std::memcpy() g++ 12
+ makes, at times, moves through registers of integers. */
+using FourInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
+
+HWY_INLINE Four Load(const void* p) {
+  return *static_cast<const FourInMemory*>(p);
 }
 
-HWY_INLINE void Store(Four v, double* p) {
-  std::memcpy(p, &v, sizeof v);
+HWY_INLINE void Store(Four v, void* p) {
+  *static_cast<FourInMemory*>(p) = v;
 }
 
 /** Returns three numbers and `last`. */
@@ -95,6 +97,15 @@ HWY_INLINE void Transpose(const Four in[3], Four out[3]) {
   out[0] = __builtin_shufflevector(even, last_even, 0, 1, 4, 5);
   out[1] = __builtin_shufflevector(odd, last_odd, 0, 1, 4, 5);
   out[2] = __builtin_shufflevector(even, last_even, 2, 3, 6, 7);
+}
+
+/** Reads the columns of a matrix of 3 × 3; what is in the fourth lanes is of no concern.
+ */
+HWY_INLINE void LoadColumns(const double* matrix, Four out[3]) {
+  out[0] = Load(matrix);
+  out[1] = Load(matrix + 3);
+  const Four before_last = Load(matrix + 5);
+  out[2] = __builtin_shufflevector(before_last, before_last, 1, 2, 3, 0);
 }
 
 }  // namespace HWY_NAMESPACE

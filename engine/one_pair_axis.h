@@ -150,10 +150,9 @@ HWY_INLINE SeenPair See(const Box& A, const Pose& X_WA, const Box& B, const Pose
   const double* p_WA = X_WA.p_WB.data();
   const double* p_WB = X_WB.p_WB.data();
   const auto axes = [](const double* R, Four out[3]) HWY_ATTR {
-    const Four before_last = Load(R + 5);
-    const Four rows[3] = {Load(R), Load(R + 3),
-                          __builtin_shufflevector(before_last, before_last, 1, 2, 3, 0)};
-    Transpose(rows, out);
+    Four columns[3];
+    LoadColumns(R, columns);
+    Transpose(columns, out);
   };
   Four axes_A[3];  // Lane i of [k]: component k of axis i.
   Four axes_B[3];

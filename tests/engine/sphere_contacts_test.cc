@@ -1,11 +1,15 @@
 // Spheres against spheres and boxes: closed forms in awkward places.
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include <gtest/gtest.h>
 
 #include "engine/collide.h"
+#include "engine/feature.h"
 #include "engine/rounding.h"
+#include "tests/engine/on_target.h"
 #include "tests/engine/random_boxes.h"
 
 namespace cookbook::test {
@@ -82,11 +86,13 @@ TEST(SphereOnBox, NearestPointDecidesOutside) {
     const int region = 1 + random.Below(7);
     Eigen::Vector3d p_AQ;
     Eigen::Vector3d n_A = random.Direction();
+    Eigen::Vector3i side(0, 0, 0);
     for (int axis = 0; axis < 3; ++axis) {
       const double h = A.half_extents[axis];
       const bool rim = (region >> axis & 1) != 0;
       p_AQ[axis] = rim ? std::copysign(h, n_A[axis]) : random.Between(-h, h);
       if (!rim) n_A[axis] = 0;
+      if (rim) side[axis] = n_A[axis] < 0 ? -1 : 1;
     }
     n_A.normalize();
     const double distance = random.Between(1e-3, 2.5);
@@ -103,6 +109,7 @@ TEST(SphereOnBox, NearestPointDecidesOutside) {
     const Eigen::Vector3d half = manifold.n_AB_W * contact.separation / 2;
     EXPECT_LT((contact.p_WC - half - (X_WA.p_WB + X_WA.R_WB * p_AQ)).norm(), kRounding);
     EXPECT_NEAR((contact.p_WC + half - X_WB.p_WB).norm(), B.radius, kRounding / distance);
+    EXPECT_EQ(contact.feature, SphereContactId(side[0], side[1], side[2]));
 
     const Manifold swapped = Collide(B, X_WB, A, X_WA);
     EXPECT_EQ(swapped.n_AB_W, -manifold.n_AB_W);
@@ -134,6 +141,10 @@ TEST(SphereOnBox, CentreInsideLeavesThroughTheNearestFace) {
     ASSERT_EQ(manifold.count, 1);
     EXPECT_NEAR(manifold.separation, -(B.radius + in), kRounding);
     EXPECT_LT((manifold.n_AB_W - side * X_WA.R_WB.col(axis)).norm(), kRounding);
+    const int sign = side < 0 ? -1 : 1;
+    EXPECT_EQ(manifold.contacts[0].feature,
+              SphereContactId(axis == 0 ? sign : 0, axis == 1 ? sign : 0,
+                              axis == 2 ? sign : 0));
   }
 }
 
@@ -149,6 +160,40 @@ TEST(SphereOnBox, CentreOnTheSurfaceTouchesRadiusDeep) {
     EXPECT_EQ(manifold.n_AB_W.norm(), 1);
   }
 }
+
+using SphereOnBoxOnTarget = OnTarget;
+
+TEST_P(SphereOnBoxOnTarget, GivesTheBitsOfTheWidestVectors) {
+  Random random(5);
+  const auto expect_same_bits = [](double a, double b) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b));
+  };
+  int touching = 0;
+  for (int k = 0; k < 300 && !HasFailure(); ++k) {
+    const Box A{{random.Between(0.1, 2), random.Between(0.1, 2), random.Between(0.1, 2)}};
+    const Sphere B{random.Between(0.1, 2)};
+    const Pose X_WA = AnyPose(random);
+    const Pose X_WB{random.Rotation(), X_WA.p_WB + random.Within(4)};
+    Choose(GetParam());
+    const Manifold narrow = Collide(A, X_WA, B, X_WB);
+    Choose(kAll);
+    const Manifold wide = Collide(A, X_WA, B, X_WB);
+    ASSERT_EQ(narrow.count, wide.count);
+    expect_same_bits(narrow.separation, wide.separation);
+    for (int n = 0; n < 3; ++n) expect_same_bits(narrow.n_AB_W[n], wide.n_AB_W[n]);
+    if (!wide.touching) continue;
+    ++touching;
+    const ContactPoint& a = narrow.contacts[0];
+    const ContactPoint& b = wide.contacts[0];
+    EXPECT_EQ(a.feature, b.feature);
+    expect_same_bits(a.separation, b.separation);
+    for (int n = 0; n < 3; ++n) expect_same_bits(a.p_WC[n], b.p_WC[n]);
+  }
+  EXPECT_GT(touching, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, SphereOnBoxOnTarget, testing::ValuesIn(Targets()),
+                         NameOfTarget);
 
 }  // namespace
 }  // namespace cookbook::test
