@@ -12,7 +12,7 @@ constexpr std::size_t kBlock = kRows * kLanes;
 
 /** Returns the kernel's number of an axis as an AxisGap. */
 AxisGap ToAxisGap(int axis, double separation, double sine, double offset) {
-  AxisGap gap{AxisKind::kEdges, 0, 0, separation, sine, offset};
+  AxisGap gap{AxisKind::kEdges, 0, 0, separation, 1 / sine, offset};
   if (axis < 3) {
     gap.kind = AxisKind::kFaceOfA;
     gap.i = axis;

@@ -71,7 +71,7 @@ HWY_INLINE void KeepGreater(const EdgeLanes& other, EdgeLanes& edges) {
 struct alignas(32) Candidates {
   std::array<Row, 3> separation;
   std::array<Row, 3> offset;
-  Row sine;  ///< Of edges.
+  Row per_sine;  ///< Of edges.
   std::array<std::int64_t, 4> i;
 };
 
@@ -116,23 +116,23 @@ HWY_INLINE std::size_t FindEdges(const Four h_A, const Four h_B, const Four t,
   }
 
   constexpr auto kRow = static_cast<std::size_t>(AxisKind::kEdges);
-  alignas(32) Row signed_square;
-  alignas(32) Row squared_length;
-  Store(best.signed_square, signed_square.data());
-  Store(best.squared_length, squared_length.data());
   // Of all three, while the comparisons run: the verdict waits for both.
   const Four sines = Sqrt(best.squared_length);
   Store(Select(best.signed_square == Splat(-kInfinity), best.signed_square,
                best.gap / sines),
         found.separation[kRow].data());
+  Store(Splat(1) / sines, found.per_sine.data());
   Store(best.offset, found.offset[kRow].data());
-  Store(sines, found.sine.data());
   std::memcpy(found.i.data(), &best.i, sizeof best.i);
-  const auto greater = [&](std::size_t p, std::size_t q) HWY_ATTR {
-    return signed_square[p] * squared_length[q] > signed_square[q] * squared_length[p];
-  };
-  const std::size_t first = greater(1, 0);
-  return first + (2 - first) * static_cast<std::size_t>(greater(2, first));
+  // Edge 1 against 0, 2 against 0 and 2 against 1.
+  const auto one = [](Four x)
+                       HWY_ATTR { return __builtin_shufflevector(x, x, 1, 2, 2, 3); };
+  const auto other = [](Four x)
+                         HWY_ATTR { return __builtin_shufflevector(x, x, 0, 0, 1, 3); };
+  const unsigned better = Bits(one(best.signed_square) * other(best.squared_length) >
+                               other(best.signed_square) * one(best.squared_length));
+  // Two bits for each outcome: 2 if that beats the better of 0 and 1, else the better.
+  return 0b10'10'10'00'01'10'01'00 >> (2 * better) & 3;
 }
 
 /** BoxPair in registers. */
@@ -176,21 +176,17 @@ HWY_INLINE SeenPair See(const Box& A, const Pose& X_WA, const Box& B, const Pose
 }
 
 HWY_INLINE void Store(const SeenPair& seen, BoxPair& pair) {
-  Store(seen.h_A, pair.h_A.data());
-  Store(seen.h_B, pair.h_B.data());
-  Store(seen.p_AB_A, pair.p_AB_A.data());
-  Store(seen.p_AB_B, pair.p_AB_B.data());
+  const auto sum = [](Four x) HWY_ATTR { return x[0] + x[1] + x[2]; };
+  pair.size = sum(Abs(seen.p_AB_A)) + (sum(seen.h_A) + sum(seen.h_B));
+  Store(seen.h_A, pair.h[0].data());
+  Store(seen.h_B, pair.h[1].data());
+  Store(seen.p_AB_A, pair.p_AB[0].data());
+  Store(seen.p_AB_B, pair.p_AB[1].data());
 #pragma GCC unroll 3
   for (std::size_t k = 0; k < 3; ++k) {
-    Store(seen.R_AB[k], pair.R_AB[k].data());
-    Store(seen.R_BA[k], pair.R_BA[k].data());
+    Store(seen.R_AB[k], pair.R[0][k].data());
+    Store(seen.R_BA[k], pair.R[1][k].data());
   }
-}
-
-/** Returns `yes` where `which` is 1, `no` where it is 0, and never by a branch: which
- axis wins cannot be foretold. */
-constexpr std::size_t Either(std::size_t which, std::size_t yes, std::size_t no) {
-  return no ^ ((yes ^ no) & (0 - which));
 }
 
 /** As FindLeastOverlap(). With Search::kFirstGap it may return any axis of positive gap,
@@ -234,23 +230,29 @@ HWY_INLINE AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose
   Store(seen, pair);
   const std::size_t edge = FindEdges(h_A, h_B, p_AB_A, R, abs_R, found);
   const double separation = found.separation[2][edge];
+  const auto edge_i = static_cast<std::size_t>(found.i[edge]);
+  if (search == Search::kFirstGap && separation > 0) [[unlikely]] {
+    return {AxisKind::kEdges, static_cast<int>(edge_i), static_cast<int>(edge),
+            separation,       found.per_sine[edge],     found.offset[2][edge]};
+  }
+
   // No preference outweighs a gap: the verdict must not depend on it.
-  const bool touching = std::max(best_face, separation) <= 0;
-  const double slack = kTie * touching * pair.Size();
+  const std::array<double, 2> slacks = {0, kTie * pair.size};
+  const double slack =
+      slacks[search == Search::kFirstGap || std::max(best_face, separation) <= 0];
   // A's faces give way to what is better by more than the slack, then B's do: what is
   // preferred is never worse than the best by more than one slack.
   const std::size_t is_edges = separation > best_face + slack;
   const std::size_t is_B = std::max(best_face, separation) > face_A + slack;
   const std::size_t kind = Either(is_edges, 2, is_B);
-  const std::array<std::size_t, 3> lanes = {i, j, edge};
-  const auto edge_i = static_cast<std::size_t>(found.i[edge]);
-  const std::array<double, 2> sines = {1, found.sine[edge]};
+  const std::size_t lane = Either(is_edges, edge, Either(is_B, j, i));
+  const std::array<double, 2> per_sines = {1, found.per_sine[edge]};
   return {static_cast<AxisKind>(kind),
           static_cast<int>(Either(is_edges, edge_i, i)),
           static_cast<int>(Either(is_edges, edge, j)),
-          found.separation[kind][lanes[kind]],
-          sines[is_edges],
-          found.offset[kind][lanes[kind]]};
+          found.separation[kind][lane],
+          per_sines[is_edges],
+          found.offset[kind][lane]};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -45,9 +45,9 @@ namespace HWY_NAMESPACE {
  from its centre; z is the gap along the normal. Corners are centre ± side1 ± side2. [m]
  */
 struct SeenFace {
-  std::array<double, 3> centre;
-  std::array<double, 3> side1;
-  std::array<double, 3> side2;
+  Four centre[3];  ///< x, y and z, each in all lanes.
+  Four side1[3];
+  Four side2[3];
   BoxFace reference;
   BoxFace incident;
   double h_x;  ///< Half sides of the reference face.
@@ -63,13 +63,11 @@ HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) 
   const auto r2 = static_cast<std::size_t>(AfterNext(facing.axis));
   const auto lean = static_cast<std::size_t>(facing.lean);
   // Row k of `axes`: axis k of the incident box.
-  const std::array<const std::array<Row, 3>*, 2> both_R = {&pair.R_BA, &pair.R_AB};
-  const std::array<const Row*, 2> both_t = {&pair.p_AB_A, &pair.p_AB_B};
-  const std::array<const Row*, 2> both_h = {&pair.h_A, &pair.h_B};
-  const std::array<Row, 3>& axes = *both_R[is_B];
-  const std::array<Row, 3>& components = *both_R[1 - is_B];
-  const Row& h_R = *both_h[is_B];
-  const Row& h_I = *both_h[1 - is_B];
+  const std::array<Row, 3>& axes = pair.R[1 - is_B];
+  const std::array<Row, 3>& components = pair.R[is_B];
+  const Row& t = pair.p_AB[is_B];
+  const Row& h_R = pair.h[is_B];
+  const Row& h_I = pair.h[1 - is_B];
 
   // All from here on as seen from the reference box, be it A or B: t, from A to B, and
   // the normal are turned to the incident box.
@@ -87,34 +85,38 @@ HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) 
   const auto k2 = static_cast<std::size_t>(AfterNext(static_cast<int>(k)));
   const double reach = -std::copysign(h_I[k], n_I[k]);
 
-  alignas(32) Row centre;
-  alignas(32) Row side1;
-  alignas(32) Row side2;
-  Store(Splat(towards) * Load(both_t[is_B]->data()) + Splat(reach) * Load(axes[k].data()),
-        centre.data());
-  Store(Splat(h_I[k1]) * Load(axes[k1].data()), side1.data());
-  Store(Splat(h_I[k2]) * Load(axes[k2].data()), side2.data());
-
   // A point at height z above the plane is seen where the normal through it meets that,
   // z n_lean / n_axis aside.
   const double steepness = 1 / std::abs(n_axis);
   const double aside = n_lean * steepness;
   constexpr std::array<double, 2> kIs = {0,
                                          1};  // Of two numbers alike, without a branch.
-  const double aside_x = kIs[lean == r1] * aside;
-  const double aside_y = kIs[lean == r2] * aside;
-  const auto seen = [&](const Row& p, double plane) HWY_ATTR {
-    const double z = outward * p[r] - plane;
-    return std::array<double, 3>{p[r1] - z * aside_x, p[r2] - z * aside_y, z * steepness};
+  const Four aside_x = Splat(kIs[lean == r1] * aside);
+  const Four aside_y = Splat(kIs[lean == r2] * aside);
+  const auto see = [&](Four p_r, Four p_r1, Four p_r2, Four plane, Four out[3]) HWY_ATTR {
+    const Four z = Splat(outward) * p_r - plane;
+    out[0] = p_r1 - z * aside_x;
+    out[1] = p_r2 - z * aside_y;
+    out[2] = z * Splat(steepness);
   };
-  return {seen(centre, h_R[r]),
-          seen(side1, 0),
-          seen(side2, 0),
-          {facing.axis, outward > 0},
-          {static_cast<int>(k), reach > 0},
-          h_R[r1],
-          h_R[r2],
-          h_R[r]};
+  SeenFace face;
+  const auto centre = [&](std::size_t c) HWY_ATTR {
+    return Splat(towards) * Splat(t[c]) + Splat(reach) * Splat(axes[k][c]);
+  };
+  see(centre(r), centre(r1), centre(r2), Splat(h_R[r]), face.centre);
+  const auto side = [&](std::size_t axis, Four out[3]) HWY_ATTR {
+    const auto along = [&](std::size_t c)
+                           HWY_ATTR { return Splat(h_I[axis]) * Splat(axes[axis][c]); };
+    see(along(r), along(r1), along(r2), Four{}, out);
+  };
+  side(k1, face.side1);
+  side(k2, face.side2);
+  face.reference = {facing.axis, outward > 0};
+  face.incident = {static_cast<int>(k), reach > 0};
+  face.h_x = h_R[r1];
+  face.h_y = h_R[r2];
+  face.h_outward = h_R[r];
+  return face;
 }
 
 /** Where contacts may be: lanes 0…3 where an edge of the incident face enters the
@@ -164,11 +166,10 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double margin,
   const Four along_u{1, -1, -1, 1};
   const Four along_v{1, 1, -1, -1};
   const Four along_edge{-2, -2, 2, 2};
-  const auto corners = [&](std::size_t k) HWY_ATTR {
-    return Splat(c[k]) + along_u * Splat(u[k]) + along_v * Splat(v[k]);
-  };
+  const auto corners = [&](std::size_t k)
+                           HWY_ATTR { return c[k] + along_u * u[k] + along_v * v[k]; };
   const auto edges = [&](std::size_t k) HWY_ATTR {
-    return Four{u[k], v[k], u[k], v[k]} * along_edge;
+    return __builtin_shufflevector(u[k], v[k], 0, 5, 2, 7) * along_edge;
   };
   const Four x = corners(0);
   const Four y = corners(1);
@@ -227,35 +228,38 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double margin,
   // Corners of the rectangle in the parallelogram, to the same slack.
   const Four corner_x = Splat(face.h_x) * Four{1, -1, -1, 1};
   const Four corner_y = Splat(face.h_y) * Four{1, 1, -1, -1};
-  const Four from_x = corner_x - Splat(c[0]);
-  const Four from_y = corner_y - Splat(c[1]);
-  const double area = u[0] * v[1] - u[1] * v[0];
-  const Four share_u = from_x * Splat(v[1]) - from_y * Splat(v[0]);
-  const Four share_v = from_y * Splat(u[0]) - from_x * Splat(u[1]);
-  const Four beyond_u = Abs(share_u) - Splat(std::abs(area));
-  const Four beyond_v = Abs(share_v) - Splat(std::abs(area));
-  const Four slack_u = Splat(slack * (std::abs(v[0]) + std::abs(v[1])));
-  const Four slack_v = Splat(slack * (std::abs(u[0]) + std::abs(u[1])));
+  const Four from_x = corner_x - c[0];
+  const Four from_y = corner_y - c[1];
+  const Four area = u[0] * v[1] - u[1] * v[0];
+  const Four share_u = from_x * v[1] - from_y * v[0];
+  const Four share_v = from_y * u[0] - from_x * u[1];
+  const Four beyond_u = Abs(share_u) - Abs(area);
+  const Four beyond_v = Abs(share_v) - Abs(area);
+  const Four slack_u = Splat(slack) * (Abs(v[0]) + Abs(v[1]));
+  const Four slack_v = Splat(slack) * (Abs(u[0]) + Abs(u[1]));
   const FourBits covered = (beyond_u <= slack_u) & (beyond_v <= slack_v);
 
   const Four enter_z = z + enter * dz;
   const Four leave_z = z + leave * dz;
-  const Four corner_z =
-      Splat(c[2]) + (share_u * Splat(u[2]) + share_v * Splat(v[2])) / Splat(area);
-  const Four none = Splat(std::numeric_limits<double>::infinity());
-  const Four z0 = Select(enters, enter_z, none);
-  const Four z1 = Select(leaves, leave_z, none);
-  const Four z2 = Select(covered, corner_z, none);
-  Four highest = Splat(margin);
+  const Four corner_z = c[2] + (share_u * u[2] + share_v * v[2]) / area;
+  Four highest = Splat(keep == Keep::kTouching ? slack : margin);
   if constexpr (keep == Keep::kTouching) {
-    const Four low = Min(Min(z0, z1), z2);
-    const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
-    const double least_z = std::min(lower[0], lower[1]);
-    // The least is kept even where all lie above, and nothing where there is nothing.
-    highest = Splat(
-        std::min(std::max(slack, least_z + slack), std::numeric_limits<double>::max()));
+    const FourBits deep = ((enter_z <= zero) & enters) | ((leave_z <= zero) & leaves) |
+                          ((corner_z <= zero) & covered);
+    if (Bits(deep) == 0) [[unlikely]] {
+      // The least is kept even where all lie above, and nothing where there is nothing.
+      const Four none = Splat(std::numeric_limits<double>::infinity());
+      const Four low =
+          Min(Min(Select(enters, enter_z, none), Select(leaves, leave_z, none)),
+              Select(covered, corner_z, none));
+      const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
+      highest = Splat(std::min(std::max(slack, std::min(lower[0], lower[1]) + slack),
+                               std::numeric_limits<double>::max()));
+    }
   }
-  found.kept = Bits(z0 <= highest) | Bits(z1 <= highest) << 4 | Bits(z2 <= highest) << 8;
+  found.kept = Bits((enter_z <= highest) & enters) |
+               Bits((leave_z <= highest) & leaves) << 4 |
+               Bits((corner_z <= highest) & covered) << 8;
 
   // Two candidates are one only where a corner of one face is near a line of the other:
   // they lie within √2 kSame slack of each other, and adjacent edges of the incident
@@ -311,7 +315,7 @@ template <Keep keep>
 HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Pose& X_WA,
                              const Pose& X_WB, double margin, Manifold& manifold) {
   const SeenFace face = FindIncidentFace(pair, facing);
-  const double rounding = kFlush * pair.Size();
+  const double rounding = kFlush * pair.size;
   const double slack =
       keep == Keep::kNear ? std::max(rounding, kFlushOfMargin * margin) : rounding;
   Corners found;
@@ -344,7 +348,7 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
   if constexpr (keep == Keep::kNear) {
     // What only rounding lifts is not apart: corners of one face that lie on another
     // would be told to arrive there one after the other, which no rigid body can.
-    const Four rounded = Splat(kOverlapRounding * pair.Size());
+    const Four rounded = Splat(kOverlapRounding * pair.size);
     for (std::size_t k = 0; k < found.z.size(); k += 4) {
       const Four z = Load(found.z.data() + k);
       Store(Select(Abs(z) <= rounded, Four{}, z), found.z.data() + k);

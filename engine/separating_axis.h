@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "engine/rounding.h"
 #include "engine/shape.h"
@@ -17,23 +18,25 @@ constexpr int AfterNext(int axis) {
   return (0b01'00'10 >> (2 * axis)) & 3;
 }
 
+/** Returns `yes` where `which` is 1, `no` where it is 0, and never by a branch: which
+ axis wins cannot be foretold. */
+constexpr std::size_t Either(std::size_t which, std::size_t yes, std::size_t no) {
+  return no ^ ((yes ^ no) & (0 - which));
+}
+
 /** Three numbers in the lanes of a vector; what the fourth holds is of no concern. */
 using Row = std::array<double, 4>;
 
-/** Two boxes as they see each other. */
+/** Two boxes as they see each other; the first of two is what belongs to A. */
 struct alignas(32) BoxPair {
-  Row h_A;                  ///< [m]
-  Row h_B;                  ///< [m]
-  Row p_AB_A;               ///< Centre of B from that of A, A's frame. [m]
-  Row p_AB_B;               ///< The same vector in B's frame. [m]
-  std::array<Row, 3> R_AB;  ///< R_AB[i][j] = a_i · b_j.
-  std::array<Row, 3> R_BA;  ///< The transpose of R_AB.
-
-  /** The size that rounding errors are multiples of (engine/rounding.h). [m] */
-  double Size() const {
-    return std::abs(p_AB_A[0]) + std::abs(p_AB_A[1]) + std::abs(p_AB_A[2]) +
-           ((h_A[0] + h_A[1] + h_A[2]) + (h_B[0] + h_B[1] + h_B[2]));
-  }
+  std::array<Row, 2> h;  ///< Half extents. [m]
+  /** Centre of B from that of A, in the frame of the box. [m] */
+  std::array<Row, 2> p_AB;
+  /** Row k: axis k of the box in the frame of the other. R[0][i][j] = a_i · b_j. */
+  std::array<std::array<Row, 3>, 2> R;
+  /** |p_AB_A|₁ + |h_A|₁ + |h_B|₁, what rounding errors are multiples of (rounding.h). [m]
+   */
+  double size;
 };
 
 /** The direction that an axis of the test has: a face normal of A, one of B, or a_i ×
@@ -46,9 +49,9 @@ struct AxisGap {
   int i;              ///< Axis of A; unused for a face of B.
   int j;              ///< Axis of B; unused for a face of A.
   double separation;  ///< Signed gap along the unit axis: < 0 overlapping. [m]
-  double sine;        ///< |a_i × b_j|; 1 for a face.
-  /** Centre of B from that of A along the axis before it is turned from A to B, times
-   `sine`: negative where it has to be turned. [m] */
+  double per_sine;    ///< 1 / |a_i × b_j|; 1 for a face.
+  /** Centre of B from that of A along a_i × b_j, or along the face's axis, before that is
+   turned from A to B: negative where it has to be turned. [m] */
   double offset;
 };
 
@@ -68,8 +71,8 @@ AxisGap FindLeastOverlap(const Box& A, const Pose& X_WA, const Box& B, const Pos
 inline Eigen::Vector3d FaceNormal(const AxisGap& gap, const Eigen::Matrix3d& R_WA,
                                   const Eigen::Matrix3d& R_WB) {
   // Looked up: a branch for the face or the sign would be guessed wrong half the time.
-  const std::array<const double*, 2> columns = {R_WA.data() + 3 * gap.i,
-                                                R_WB.data() + 3 * gap.j};
+  const std::array<const double*, 2> columns = {R_WA.col(gap.i).data(),
+                                                R_WB.col(gap.j).data()};
   const double* n = columns[gap.kind == AxisKind::kFaceOfB];
   const double sign = 1 - 2 * (gap.offset < 0);
   return {sign * n[0], sign * n[1], sign * n[2]};
@@ -90,20 +93,26 @@ struct Facing {
  in column j, in the two rows after i, and matter for edges only: a_i × b_j has the
  components −r2 and r1 along the two axes of A after i. */
 inline Facing FacingOf(const AxisGap& gap, double r1, double r2) {
-  // Looked up: a branch for the kind or the sign would be guessed wrong half the time.
-  const bool is_edges = gap.kind == AxisKind::kEdges;
-  const bool is_B = gap.kind == AxisKind::kFaceOfB;
+  const std::size_t is_edges = gap.kind == AxisKind::kEdges;
+  const std::size_t is_B = gap.kind == AxisKind::kFaceOfB;
   const double sign = 1 - 2 * (gap.offset < 0);
-  const double scale = sign / gap.sine;
-  const std::array<double, 2> along = {-r2 * scale, r1 * scale};
-  const std::array<int, 2> after_i = {Next(gap.i), AfterNext(gap.i)};
-  const std::size_t steeper = std::abs(along[1]) > std::abs(along[0]);
-  const std::array<int, 2> faces = {gap.i, gap.j};
-  const std::array<int, 2> axes = {faces[is_B], after_i[steeper]};
-  const std::array<int, 2> leans = {Next(axes[0]), after_i[1 - steeper]};
-  const std::array<double, 2> n_axes = {sign, along[steeper]};
-  const std::array<double, 2> n_leans = {0, along[1 - steeper]};
-  return {is_B, axes[is_edges], leans[is_edges], n_axes[is_edges], n_leans[is_edges]};
+  const double scale = sign * gap.per_sine;
+  const double along_1 = -r2 * scale;
+  const double along_2 = r1 * scale;
+  const std::size_t steeper = std::abs(along_2) > std::abs(along_1);
+  // Looked up: a branch for the kind or the sign would be guessed wrong half the time.
+  const std::array<double, 4> components = {along_1, along_2, sign, 0};
+  const auto next = static_cast<std::size_t>(Next(gap.i));
+  const auto after_next = static_cast<std::size_t>(AfterNext(gap.i));
+  const std::size_t face =
+      Either(is_B, static_cast<std::size_t>(gap.j), static_cast<std::size_t>(gap.i));
+  const std::size_t axis = Either(is_edges, Either(steeper, after_next, next), face);
+  return {
+      is_B != 0, static_cast<int>(axis),
+      static_cast<int>(Either(is_edges, next ^ after_next ^ axis,
+                              static_cast<std::size_t>(Next(static_cast<int>(face))))),
+      components[Either(is_edges, steeper, 2)],
+      components[Either(is_edges, 1 - steeper, 3)]};
 }
 
 /** Returns the normal in the world. */
@@ -111,8 +120,8 @@ inline Eigen::Vector3d NormalInWorld(const Facing& facing, const Eigen::Matrix3d
                                      const Eigen::Matrix3d& R_WB) {
   const std::array<const double*, 2> both_R = {R_WA.data(), R_WB.data()};
   const double* R = both_R[facing.is_B];
-  const double* a = R + 3 * facing.axis;
-  const double* b = R + 3 * facing.lean;
+  const double* a = R + 3 * std::ptrdiff_t{facing.axis};
+  const double* b = R + 3 * std::ptrdiff_t{facing.lean};
   return {facing.n_axis * a[0] + facing.n_lean * b[0],
           facing.n_axis * a[1] + facing.n_lean * b[1],
           facing.n_axis * a[2] + facing.n_lean * b[2]};

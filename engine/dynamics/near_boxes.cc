@@ -51,8 +51,8 @@ bool NearFaces(double margin, const Box& A, const Pose& X_WA, const Box& B,
   const AxisGap axis = Find<Search::kGreatestGap>(A, X_WA, B, X_WB, pair);
   const auto j = static_cast<std::size_t>(axis.j);
   const Facing facing =
-      FacingOf(axis, pair.R_AB[static_cast<std::size_t>(Next(axis.i))][j],
-               pair.R_AB[static_cast<std::size_t>(AfterNext(axis.i))][j]);
+      FacingOf(axis, pair.R[0][static_cast<std::size_t>(Next(axis.i))][j],
+               pair.R[0][static_cast<std::size_t>(AfterNext(axis.i))][j]);
   manifold.n_AB_W = NormalInWorld(facing, X_WA.R_WB, X_WB.R_WB);
   manifold.separation = axis.separation;
   manifold.touching = axis.separation <= 0;
@@ -60,7 +60,7 @@ bool NearFaces(double margin, const Box& A, const Pose& X_WA, const Box& B,
   if (axis.separation > margin) return true;
 
   // The normal in the frame of the box that it is not given in.
-  const std::array<Row, 3>& axes = facing.is_B ? pair.R_BA : pair.R_AB;
+  const std::array<Row, 3>& axes = pair.R[facing.is_B];
   const auto own = static_cast<std::size_t>(facing.axis);
   const auto lean = static_cast<std::size_t>(facing.lean);
   const Four n = Splat(facing.n_axis) * Load(axes[own].data()) +
@@ -70,10 +70,10 @@ bool NearFaces(double margin, const Box& A, const Pose& X_WA, const Box& B,
   Store(n, n_other.data());
   const NearFace face_A =
       Near(facing.is_B ? other : own, facing.is_B ? n_other[other] : facing.n_axis,
-           pair.p_AB_A, pair.h_A, pair.R_AB, pair.h_B, X_WA.R_WB);
+           pair.p_AB[0], pair.h[0], pair.R[0], pair.h[1], X_WA.R_WB);
   const NearFace face_B =
       Near(facing.is_B ? own : other, facing.is_B ? facing.n_axis : n_other[other],
-           pair.p_AB_B, pair.h_B, pair.R_BA, pair.h_A, X_WB.R_WB);
+           pair.p_AB[1], pair.h[1], pair.R[1], pair.h[0], X_WB.R_WB);
   if (std::max(std::abs(face_A.cosine), std::abs(face_B.cosine)) < kNearlyFace &&
       axis.separation > std::max(face_A.gap, face_B.gap) + margin) {
     return false;
