@@ -72,6 +72,24 @@ class AabbTree {
     }
   }
 
+  /** Calls `visit(body)` for every leaf; leaves near each other mostly come soon after
+   each other. */
+  template <class Visit>
+  void ForEachLeaf(const Visit& visit) {
+    stack_.clear();
+    if (root_ >= 0) stack_.push_back(root_);
+    while (!stack_.empty()) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack_.back())];
+      stack_.pop_back();
+      if (node.child1 < 0) {
+        visit(node.body);
+      } else {
+        stack_.push_back(node.child1);
+        stack_.push_back(node.child2);
+      }
+    }
+  }
+
  private:
   struct Node {
     Aabb bounds;

@@ -169,6 +169,12 @@ void BroadPhase::Widen(int index, const RigidBody& body, double reach,
   resting_.Query(bounds, found);
 }
 
+void BroadPhase::NumberByPlace(std::vector<int>& number) {
+  number.assign(proxies_.size(), 0);
+  int last = 0;
+  moving_.ForEachLeaf([&](int body) { number[static_cast<std::size_t>(body)] = ++last; });
+}
+
 bool BroadPhase::AreStillNear(int a, int b) const {
   const auto A = static_cast<std::size_t>(a);
   const auto B = static_cast<std::size_t>(b);

@@ -51,6 +51,10 @@ class BroadPhase {
   /** Whether a pair that was near before the last Update() still is. */
   bool AreStillNear(int a, int b) const;
 
+  /** Numbers the bodies so that those near each other mostly have numbers near each
+   other; 0 for what is static or collides with nothing. */
+  void NumberByPlace(std::vector<int>& number);
+
   /** Forgets a pair that is no longer near. */
   void Forget(int a, int b) { pairs_.Erase(a, b); }
 

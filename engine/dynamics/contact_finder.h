@@ -53,6 +53,8 @@ class ContactFinder {
     double apart_until = 0;
   };
 
+  /** Sorts pairs by place. */
+  void Sort();
   void Join(std::size_t near);
   void Part(std::size_t near);
 
@@ -62,6 +64,9 @@ class ContactFinder {
   std::vector<ContactPair> contacts_;
   std::vector<std::size_t> due_;  ///< The near pairs to be looked at in this step.
   std::vector<double> gone_;      ///< By body. [m]
+  int unsorted_ = 0;              ///< Calls of Find() since pairs were sorted.
+  std::vector<int> number_;       ///< By body, see BroadPhase::NumberByPlace().
+  std::vector<ContactPair> sorted_;
 };
 
 }  // namespace cookbook
