@@ -116,15 +116,17 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     const RigidBody& A = start.bodies[At(pair.A)];
     const RigidBody& B = start.bodies[At(pair.B)];
     const Eigen::Vector3d a_AB_W = acceleration(pair.B) - acceleration(pair.A);
-    // What overlaps has to be parted, unless it strikes.
-    const double deepest = -rules_.margin - TouchOf(A, B);
     bool strikes = true;
     for (const ContactPoint& contact : pair.manifold.points()) {
       const Meeting meeting =
           MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, surely);
       if (meeting == Meeting::kStrikes) continue;
       strikes = false;
-      if (meeting == Meeting::kParts && contact.separation >= deepest) continue;
+      // What overlaps has to be parted, unless it strikes.
+      if (meeting == Meeting::kParts &&
+          contact.separation >= -rules_.margin - TouchOf(A, B)) {
+        continue;
+      }
       flies_[At(pair.A)] = flies_[At(pair.B)] = false;
       break;
     }

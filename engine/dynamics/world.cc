@@ -20,6 +20,9 @@ constexpr double kLargest = 1e12;
  body is taken for a blow. A contact that holds or slows a body makes less. */
 constexpr double kBlow = 4;
 
+/** Bodies below which it does not pay to wake another thread: some 20 microseconds. */
+constexpr std::size_t kFewBodies = 256;
+
 bool IsSane(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kLargest;  // False for NaN.
 }
@@ -223,29 +226,38 @@ bool World::FindContacts(double h) {
   return !finder_.contacts().empty();
 }
 
+template <class Work>
+void World::ForEachBody(const Work& work) {
+  crew_.Share(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) work(i);
+  });
+}
+
 void World::ApplyForces(double h) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const RigidBody& body = bodies_[i];
-    if (body.is_static()) continue;
-    inertias_[i] = InverseInertiaOf(body);
-    before_[i].v = body.state.v_WB;
-    before_[i].w = body.state.w_WB;
-    const Eigen::Vector3d pull =
-        settings_.gravity_W + body.inverse_mass * (body.force_W + body.applied_force_W);
-    if (body.is_point()) {
-      // An impulse of the step acts as a constant force, on which drag has its effect
-      // too.
-      const Drag drag(body.drag, h);
-      free_[i].v = drag.kept * body.state.v_WB + h * drag.gain * pull;
-      inertias_[i].mass *= drag.gain;
-      shares_[i] = drag.share;
-      continue;
-    }
-    free_[i].v = body.state.v_WB + h * pull;
-    free_[i].w = body.state.w_WB + inertias_[i].tensor_W * (h * body.applied_torque_W) +
-                 GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h,
-                                  settings_.gyroscopic);
+  ForEachBody([&](std::size_t i) { ApplyForcesTo(i, h); });
+}
+
+void World::ApplyForcesTo(std::size_t i, double h) {
+  const RigidBody& body = bodies_[i];
+  if (body.is_static()) return;
+  inertias_[i] = InverseInertiaOf(body);
+  before_[i].v = body.state.v_WB;
+  before_[i].w = body.state.w_WB;
+  const Eigen::Vector3d pull =
+      settings_.gravity_W + body.inverse_mass * (body.force_W + body.applied_force_W);
+  if (body.is_point()) {
+    // An impulse of the step acts as a constant force, on which drag has its effect
+    // too.
+    const Drag drag(body.drag, h);
+    free_[i].v = drag.kept * body.state.v_WB + h * drag.gain * pull;
+    inertias_[i].mass *= drag.gain;
+    shares_[i] = drag.share;
+    return;
   }
+  free_[i].v = body.state.v_WB + h * pull;
+  free_[i].w =
+      body.state.w_WB + inertias_[i].tensor_W * (h * body.applied_torque_W) +
+      GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h, settings_.gyroscopic);
 }
 
 void World::StopStretching(double h) {
@@ -391,23 +403,24 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 }
 
 void World::Move(double h) {
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    RigidBody& body = bodies_[i];
-    if (body.is_static()) continue;
-    if (body.is_point()) {
-      const RigidBody before = body;
-      MoveBody(i, h, body);
-      const bool may_meet = h > 0 && body.collides && !solids_.empty();
-      touches_[i].bounced = may_meet && MeetSolids(h, before, body);
-    } else {
-      const BodyState before = body.state;
-      MoveBody(i, h, body);
-      finder_.HasGone(i, Travel(before, body));
-    }
-    if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) ||
-        !IsSane(body.state.w_WB)) {
-      diverged_ = true;
-    }
+  ForEachBody([&](std::size_t i) { MoveOne(i, h); });
+}
+
+void World::MoveOne(std::size_t i, double h) {
+  RigidBody& body = bodies_[i];
+  if (body.is_static()) return;
+  if (body.is_point()) {
+    const RigidBody before = body;
+    MoveBody(i, h, body);
+    const bool may_meet = h > 0 && body.collides && !solids_.empty();
+    touches_[i].bounced = may_meet && MeetSolids(h, before, body);
+  } else {
+    const BodyState before = body.state;
+    MoveBody(i, h, body);
+    finder_.HasGone(i, Travel(before, body));
+  }
+  if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) || !IsSane(body.state.w_WB)) {
+    diverged_ = true;
   }
 }
 
@@ -434,15 +447,15 @@ void World::Project(double h) {
     moved |= rods_.Project(joints_, settings_.projection_share, bodies_, moves_);
   }
   if (!moved) return;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+  ForEachBody([&](std::size_t i) {
     RigidBody& body = bodies_[i];
-    if (body.is_static() || (moves_[i].v.isZero(0) && moves_[i].w.isZero(0))) continue;
+    if (body.is_static() || (moves_[i].v.isZero(0) && moves_[i].w.isZero(0))) return;
     const BodyState before = body.state;
     body.state.p_WB += moves_[i].v;
     body.state.q_WB = (Exp(moves_[i].w) * body.state.q_WB).normalized();
     body.R_WB = body.state.q_WB.toRotationMatrix();
     finder_.HasGone(i, Travel(before, body));
-  }
+  });
 }
 
 void World::Lull(double h) {

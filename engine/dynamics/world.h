@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -82,6 +83,7 @@ class World {
   void Advance(double h, bool follow_blows);
   /** Returns whether there are any contacts. */
   bool FindContacts(double h);
+  void ApplyForcesTo(std::size_t i, double h);
   void ApplyForces(double h);
   void StopStretching(double h);
   void Solve(double h);
@@ -90,6 +92,8 @@ class World {
   /** Moves `body`, which is body `i` as it is before the step, by the velocities solved
    so far. */
   void MoveBody(std::size_t i, double h, RigidBody& body);
+  /** The same with the body itself, and what comes of it. */
+  void MoveOne(std::size_t i, double h);
   void Move(double h);
   /** Returns whether the point has met a solid on its way. */
   bool MeetSolids(double h, const RigidBody& before, RigidBody& point);
@@ -97,12 +101,15 @@ class World {
   void Lull(double h);
 
   RigidBody& Find(int body);
+  /** Calls `work(i)` for all bodies, shared by the threads: each its own. */
+  template <class Work>
+  void ForEachBody(const Work& work);
   bool HasLinks() const { return !joints_.empty() || !springs_.empty(); }
   void ExpectTwoEnds(const Anchor& A, const Anchor& B, const char* what);
   void MarkLinked(const Anchor& A, const Anchor& B);
 
   Settings settings_;
-  bool diverged_ = false;
+  std::atomic<bool> diverged_ = false;
   std::vector<RigidBody> bodies_;
   Crew crew_;
   ContactFinder finder_;
@@ -115,8 +122,8 @@ class World {
   JointSolver rods_;
   SpringSolver spring_solver_;
 
-  double fastest_ = 0;      ///< Of the linked bodies, or pulls on them. [m/s]
-  bool point_hit_ = false;  ///< Whether a point has met a solid in this step.
+  double fastest_ = 0;  ///< Of the linked bodies, or pulls on them. [m/s]
+  std::atomic<bool> point_hit_ = false;  ///< Whether a point has met a solid.
 
   // By body, while a step is taken. Velocities have one more place, see SolverBodies.
   std::vector<InverseInertia> inertias_;
