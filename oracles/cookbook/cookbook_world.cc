@@ -174,8 +174,8 @@ std::vector<Setting> CookbookWorldSettings() {
           {"restitution", "min(e_A, e_B), of the velocity before the blow",
            "a bounce at e = 1 keeps the energy at any step"},
           {"blows", "at the moment what flies meets something, to 1e-10 of its size",
-           "a bounce is not a step late; a heap of more than 32 is struck by the next "
-           "step"},
+           "a bounce is not a step late; a heap of more than 32, in a large world of "
+           "more than 4, is struck by the next step"},
           {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
           {"damping", "none", "nothing damps what is not said to be damped"},
           {"sleeping", "none", "nothing sleeps"}};
