@@ -49,12 +49,42 @@ HWY_INLINE Four Abs(Four x) {
   return reinterpret_cast<Four>(reinterpret_cast<FourBits>(x) & INT64_MAX);
 }
 
-HWY_INLINE Four Min(Four a, Four b) {
-  return a < b ? a : b;
+/** Returns `operation` of the vectors that the processor has: two of them may make a
+ * Four.
+ */
+template <class Operation>
+HWY_INLINE Four OfVectors(Four a, Four b, const Operation& operation) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::CappedTag<double, 4> tag;
+  alignas(32) double x[4];
+  alignas(32) double y[4];
+  Store(a, x);
+  Store(b, y);
+  for (std::size_t k = 0; k < 4; k += hn::Lanes(tag)) {
+    hn::Store(operation(hn::Load(tag, x + k), hn::Load(tag, y + k)), tag, x + k);
+  }
+  return Load(x);
 }
 
+/** Returns the lesser, b where a lane is NaN. */
+HWY_INLINE Four Min(Four a, Four b) {
+#if HWY_ARCH_X86
+  // The very same, but of the comparison g++ 12 makes two instructions for AVX-512.
+  return OfVectors(a, b,
+                   [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
+#else
+  return a < b ? a : b;
+#endif
+}
+
+/** Returns the greater, b where a lane is NaN. */
 HWY_INLINE Four Max(Four a, Four b) {
+#if HWY_ARCH_X86
+  return OfVectors(a, b,
+                   [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Max(x, y); });
+#else
   return a > b ? a : b;
+#endif
 }
 
 HWY_INLINE Four Select(FourBits choose, Four a, Four b) {
