@@ -19,8 +19,8 @@ HWY_NOINLINE void AskAndCall(Arguments&... arguments) {
 }
 
 /** Calls the function of a HWY_DISPATCH_TABLE() that is for the vectors chosen, as
- HWY_DYNAMIC_DISPATCH() does, but asks Highway's library only once where it keeps them. To
- ask it in every call takes 3 ns, and the shortest query takes 7 without. */
+ HWY_DYNAMIC_DISPATCH() does, but asks Highway's library only once where it keeps them:
+ to ask in every call takes 2 ns, and a box and a sphere take 11 in all (EPYC, Zen 4). */
 template <auto& table, class... Arguments>
 HWY_INLINE void CallOnTarget(Arguments&... arguments) {
   if constexpr (std::size(table) == 1) {

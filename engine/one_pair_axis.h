@@ -26,10 +26,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Which axis wins cannot be foretold, and a branch guessed wrong costs as much as thirty
 // multiplications: winners are counted out in integers and looked up in arrays.
 
-/** Returns the greatest of the first three lanes, in all lanes. */
+/** Returns the greatest of the first three lanes, in each of them. */
 HWY_INLINE Four Greatest3(Four x) {
-  const Four greater = Max(x, __builtin_shufflevector(x, x, 1, 0, 0, 0));
-  return Max(greater, __builtin_shufflevector(x, x, 2, 2, 2, 2));
+  const Four greater = Max(x, __builtin_shufflevector(x, x, 1, 0, 1, 3));
+  return Max(greater, __builtin_shufflevector(x, x, 2, 2, 0, 3));
 }
 
 /** Returns the first of the greatest of the first three lanes. */
