@@ -26,7 +26,8 @@ using FourBits = std::int64_t __attribute__((vector_size(32)));
 
 /** A Four that may lie anywhere, over anything made of doubles. Of std::memcpy() g++ 12
  makes, at times, moves through registers of integers. */
-using FourInMemory = double __attribute__((vector_size(32), aligned(8), may_alias));
+using FourInMemory [[gnu::aligned(8), gnu::may_alias]] = Four;
+static_assert(alignof(FourInMemory) == 8);
 
 HWY_INLINE Four Load(const void* p) {
   return *static_cast<const FourInMemory*>(p);
