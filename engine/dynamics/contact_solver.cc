@@ -67,7 +67,8 @@ void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
                                   std::span<const RigidBody> bodies) {
   colours_.assign(bodies.size(), 0);
   static_.resize(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i) static_[i] = bodies[i].is_static();
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    static_[i] = bodies[i].is_static() ? 1 : 0;
   heaps_.Reset(bodies.size());
   coloured_.clear();
   contacts_ = 0;
