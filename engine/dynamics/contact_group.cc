@@ -138,7 +138,9 @@ void ContactGroup::LeaveBe(double solved, std::span<const int> heaps,
     if (change_of(batch, lane) <= solved) return;
     batch.at_work = true;
     for (int k = 0; k < batch.count; ++k) {
-      row_count_ += contacts_[static_cast<std::size_t>(batch.first + k)].used[lane] != 0;
+      row_count_ +=
+          contacts_[static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k)]
+              .used[lane] != 0;
     }
   });
 }
@@ -148,7 +150,8 @@ void ContactGroup::Note(const ContactBatch& batch, const OverlapNotes& notes) co
   std::vector<OverlapLanes>& rows = notes.overlaps->rows;
   const std::size_t first = rows.size();
   for (int k = 0; k < batch.count; ++k) {
-    const ContactLanes& contact = contacts_[static_cast<std::size_t>(batch.first + k)];
+    const ContactLanes& contact =
+        contacts_[static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k)];
     Lanes mass{};
     bool any = false;
     for (std::size_t lane = 0; lane < 4; ++lane) {
