@@ -79,7 +79,12 @@ class CommandLine {
       return 2;
     }
     try {
-      return command_();
+      const int code = command_();
+      // What nobody can read was not told: a full disk is no success.
+      if (std::cout.flush()) return code;
+      std::cerr << "touchstone: the output cannot be written; expected room for it where "
+                   "it goes\n";
+      return 2;
     } catch (const InputError& error) {
       std::cerr << "touchstone: " << error.what() << '\n';
       return 2;

@@ -70,6 +70,13 @@ std::vector<Fault> FaultsOf(const ContactExpectation& expect) {
   if (expect.separation && !std::isfinite(*expect.separation)) {
     faults.push_back(
         {"separation", fmt::format("is {}", *expect.separation), "a finite number"});
+  } else if (expect.separation && expect.touching &&
+             *expect.touching != (*expect.separation <= 0)) {
+    faults.push_back(
+        {"separation",
+         fmt::format("is {} beside touching = {}", *expect.separation, *expect.touching),
+         *expect.touching ? "0 or less: what touches is not apart"
+                          : "more than 0: what does not touch is apart"});
   }
   for (std::size_t i = 0; i < expect.normals.size(); ++i) {
     // Written so that a NaN is a fault.

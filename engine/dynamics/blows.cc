@@ -18,7 +18,8 @@ constexpr int kMostBlows = 8;
  */
 constexpr int kMostOfHeap = 32;
 /** The same in a large world, whose blows are too many to be solved: a heap that a blow
- leaves half solved sinks deeper than what strikes it is late. */
+ leaves half solved sinks deeper than what strikes it is late. Not of what would be
+ through the heap by the next step. */
 constexpr int kMostOfHeapOfMany = 4;
 
 /** What a blow leaves of an approach, as a share of the speeds, where it sends nothing
@@ -35,6 +36,21 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::size_t At(int body) {
   return static_cast<std::size_t>(body);
+}
+
+/** Returns the radius of the largest ball in a body. [m] */
+double InnerRadius(const RigidBody& body) {
+  if (const auto* box = std::get_if<Box>(&body.shape))
+    return box->half_extents.minCoeff();
+  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return sphere->radius;
+  return std::holds_alternative<HalfSpace>(body.shape) ? kNever : 0;
+}
+
+/** Returns whether the bodies may be more in each other by the next step than can be told
+ which way they came. */
+bool MayGoThrough(const RigidBody& A, const RigidBody& B, double h) {
+  const double way = h * (B.state.v_WB - A.state.v_WB).norm();
+  return way > 0.5 * (InnerRadius(A) + InnerRadius(B));
 }
 
 }  // namespace
@@ -267,11 +283,14 @@ bool Blows::ComeNear(const Candidate& candidate) const {
 }
 
 bool Blows::IsAsked(const Candidate& candidate) {
+  int heap = 0;
   for (const int body : {candidate.A, candidate.B}) {
     if (Flies(body) && blows_[At(body)] >= kMostBlows) return false;
-    if (IsHeld(body) && heap_size_[At(heaps_.Of(body))] > most_of_heap_) return false;
+    if (IsHeld(body)) heap = std::max(heap, heap_size_[At(heaps_.Of(body))]);
   }
-  return true;
+  return heap <= most_of_heap_ ||
+         (heap <= kMostOfHeap && MayGoThrough(flights_[At(candidate.A)].start,
+                                              flights_[At(candidate.B)].start, rules_.h));
 }
 
 void Blows::Foresee(double from, int index) {

@@ -147,16 +147,18 @@ HWY_INLINE void SpreadLoad(const ContactBatch& batch, ContactLanes* rows) {
  the cone. */
 HWY_INLINE void SpreadFriction(const ContactBatch& batch, ContactLanes* rows,
                                const Moving& A_before, const Moving& B_before,
-                               double steady) {
+                               const Moving& A_free, const Moving& B_free,
+                               double gravity_speed) {
   const Four zero{};
   const Four one = Splat(1);
+  const Four3 n = At(batch.n);
   const Four3 t1 = At(batch.t1);
   const Four3 t2 = At(batch.t2);
   Four number{};
   Four load{};
   Four sum1{};
   Four sum2{};
-  Four fastest{};
+  FourBits slips = zero > zero;
   Four3 centre{};
   for (int k = 0; k < batch.count; ++k) {
     const Four impulse = At(rows[k].impulse);
@@ -166,13 +168,15 @@ HWY_INLINE void SpreadFriction(const ContactBatch& batch, ContactLanes* rows,
     sum1 = sum1 + At(rows[k].friction_impulse1);
     sum2 = sum2 + At(rows[k].friction_impulse2);
     centre = Plus(centre, Times(impulse, r_A));
-    const Four3 u = RelativeVelocity(A_before, B_before, r_A, At(rows[k].r_B));
+    const Four3 r_B = At(rows[k].r_B);
+    const Four3 u = RelativeVelocity(A_before, B_before, r_A, r_B);
     const Four slip1 = Dot(u, t1);
     const Four slip2 = Dot(u, t2);
-    const Four squared = slip1 * slip1 + slip2 * slip2;
-    fastest = Max(fastest, Select(impulse > zero, squared, zero));
+    const Four pull = Dot(Minus(RelativeVelocity(A_free, B_free, r_A, r_B), u), n);
+    const Four steady = Splat(kSteady) * (Splat(gravity_speed) + Abs(pull));
+    slips |= (impulse > zero) & (slip1 * slip1 + slip2 * slip2 > steady * steady);
   }
-  FourBits spreads = (number > Splat(1.5)) & (fastest <= Splat(steady * steady));
+  FourBits spreads = (number > Splat(1.5)) & ~slips;
   if (Bits(spreads) == 0) return;
   const Four share = one / Select(spreads, load, one);
   centre = Times(share, centre);
@@ -333,7 +337,7 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
     const Moving B_free = Gather(velocities, batch.B);
     if (warm_starting && batch.count > 1) {
       SpreadFriction(batch, &rows.contacts[static_cast<std::size_t>(batch.first)],
-                     A_before, B_before, kSteady * rules.gravity_speed);
+                     A_before, B_before, A_free, B_free, rules.gravity_speed);
     }
     const Inertias m = InertiasOf(batch);
     const Four3 n = At(batch.n);

@@ -20,6 +20,10 @@
 namespace touchstone {
 namespace {
 
+/** A variant that moves as its world to this share of its size moves alike: so many times
+ as much as rounding makes, and less than any law needs. */
+constexpr double kAlike = 1e-9;
+
 double BodySteps(const World& world) {
   double things = static_cast<double>(world.particles.size());
   for (const RigidBody& body : world.bodies) things += body.mass > 0 ? 1 : 0;
@@ -152,7 +156,7 @@ World Nudged(WorldScenario scenario, double nudge) {
 }
 
 /** Returns what the motion of a variant breaks of the laws that the world itself obeys:
- they hold of it too, where the two motions cannot be compared. */
+ they hold of it too, whatever comparing the two motions tells. */
 std::vector<Finding> BrokenBy(const WorldVariant& variant, const Trajectory& moved,
                               const WorldScenario& scenario, const OracleInfo& oracle,
                               std::span<const Finding> of_world) {
@@ -164,7 +168,8 @@ std::vector<Finding> BrokenBy(const WorldVariant& variant, const Trajectory& mov
     if (found.verdict != Verdict::kFail) continue;
     const bool is_known =
         std::any_of(of_world.begin(), of_world.end(), [&](const Finding& known) {
-          return known.measure == found.measure && known.verdict != Verdict::kPass;
+          return known.law == found.law && known.measure == found.measure &&
+                 known.verdict == Verdict::kFail;
         });
     if (is_known) continue;
     found.reference.clear();  // Shown by a changed world.
@@ -250,7 +255,9 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
     if (!refined || !IsWhole(moved[v])) continue;
     Finding finding =
         JudgeVariant(study, growth, measure, SeenInWorld(variants[v], moved[v]));
-    if (finding.verdict == Verdict::kUndecidable) {
+    // Of what moves as the world does the laws say the same.
+    const bool alike = finding.value <= kAlike * SizeOf(scenario.world, trajectory);
+    if (finding.verdict != Verdict::kFail && !alike) {
       for (Finding& broken :
            BrokenBy(variants[v], moved[v], scenario, oracle.info(), of_world))
         findings.push_back(std::move(broken));

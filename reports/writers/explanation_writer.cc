@@ -159,7 +159,7 @@ std::string Charge(const Outcome& outcome, const ExplanationStyle& style) {
     }
     if (style.everything || &finding == outcome.decisive) {
       text += fmt::format("  {}\n", Sentence(finding));
-    } else {
+    } else if (finding.verdict != Verdict::kUndecidable) {
       also += fmt::format("{}{} {}", also.empty() ? "" : ", ", NameOf(finding.measure),
                           RelativeInWords(finding));
     }

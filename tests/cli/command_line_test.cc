@@ -87,6 +87,13 @@ TEST_F(CommandLineTest, ExitsWithZeroWhereTheSubjectIsRight) {
   EXPECT_THAT(ended.out, HasSubstr("right failed in 0 scenarios, "));
 }
 
+TEST_F(CommandLineTest, ExitsWithTwoWhereItsOutputIsLost) {
+  const Ended ended =
+      InPipe("(" + Command("run " + Path("mine/deep.toml")) + " >/dev/full)");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("the output cannot be written"));
+}
+
 TEST_F(CommandLineTest, ExitsWithOneAndAProofWhereTheSubjectIsWrong) {
   const Ended ended = Touchstone("run --subject half_depth " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 1) << ended.err;

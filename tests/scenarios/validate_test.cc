@@ -147,6 +147,27 @@ TEST(FaultsOfQuery, NameTheBodyAndTwoHalfSpaces) {
                           "B.radius is -2; expected a finite length > 0"));
 }
 
+TEST(FaultsOfScenario, NameASeparationThatContradictsTheTouching) {
+  Scenario scenario;
+  scenario.id = "mine/pair";
+  scenario.title = "t";
+  scenario.source = "s";
+  scenario.name_A = "A";
+  scenario.name_B = "B";
+  scenario.contact = {{Sphere{1}, AwkwardPose()}, {Sphere{1}, AwkwardPose()}};
+  scenario.expect.touching = true;
+  scenario.expect.separation = 0.05;
+  EXPECT_THAT(Sentences(FaultsOf(scenario)),
+              ElementsAre("expect.separation is 0.05 beside touching = true; expected 0 "
+                          "or less: what touches is not apart"));
+  scenario.expect.separation = 0;
+  EXPECT_THAT(FaultsOf(scenario), IsEmpty());
+  scenario.expect.touching = false;
+  EXPECT_THAT(Sentences(FaultsOf(scenario)),
+              ElementsAre("expect.separation is 0 beside touching = false; expected more "
+                          "than 0: what does not touch is apart"));
+}
+
 TEST(FaultsOfScenario, NameEveryPartThatAFileCouldNotHold) {
   Scenario scenario;
   scenario.id = "No Path";

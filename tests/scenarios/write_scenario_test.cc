@@ -22,8 +22,12 @@ Scenario AnyScenario() {
   scenario.contact.A = {AnyShape(false), AnyPose()};
   const bool bounded = KindOf(scenario.contact.A.shape) == ShapeKind::kHalfSpace;
   scenario.contact.B = {AnyShape(bounded), AnyPose()};
-  if (*rc::gen::arbitrary<bool>()) scenario.expect.touching = *rc::gen::arbitrary<bool>();
   if (*rc::gen::arbitrary<bool>()) scenario.expect.separation = AnyNumber();
+  if (*rc::gen::arbitrary<bool>()) {
+    scenario.expect.touching = scenario.expect.separation
+                                   ? *scenario.expect.separation <= 0
+                                   : *rc::gen::arbitrary<bool>();
+  }
   const int normals = *rc::gen::inRange(0, 3);
   for (int i = 0; i < normals; ++i) {
     scenario.expect.normals.push_back(

@@ -214,7 +214,8 @@ std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
       const Eigen::Vector3d p_W = row.p_W + balls[i].x * row.d_W;
       position.Take((is.p_WB - p_W).norm(),
                     kSafety * past.moments * h * past.change + share * row.speed * t +
-                        RoundingOf(motion.oracle, StepsBefore(motion, s)) * p_W.norm(),
+                        RoundingOf(motion.oracle, StepsBefore(motion, s)) *
+                            (row.p_W.norm() + std::abs(balls[i].x)),
                     [&] {
                       return fmt::format(
                           "{} has {} at {} after {:.6g} s; the impacts lead it to {}",
