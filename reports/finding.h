@@ -39,8 +39,8 @@ struct Finding {
   std::string scenario;
   std::string oracle;
   /** The oracle whose answer is the other side; "referee" for the certified truth, "law"
-   for what is true of a world; empty for the metamorphic measures, which need none, and for what a changed world
-   shows. */
+   for what is true of a world; empty for the metamorphic measures, which need none, and
+   for what a changed world shows. */
   std::string reference;
   std::string law;  ///< The name of the law that the number is of, if there is one.
   MeasureKind measure;

@@ -329,15 +329,15 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
   for (std::size_t k = 0; k < rows.batches.size(); ++k) {
     ContactBatch& batch = rows.batches[k];
     if (k + 1 < rows.batches.size()) FetchBatch(rows.batches[k + 1], pairs, world);
-    Fill(batch, &rows.contacts[static_cast<std::size_t>(batch.first)], pairs, world,
-         warm_starting);
+    ContactLanes* prepared = &rows.contacts[static_cast<std::size_t>(batch.first)];
+    Fill(batch, prepared, pairs, world, warm_starting);
     const Moving A_before = Gather(before, batch.A);
     const Moving B_before = Gather(before, batch.B);
     const Moving A_free = Gather(velocities, batch.A);
     const Moving B_free = Gather(velocities, batch.B);
     if (warm_starting && batch.count > 1) {
-      SpreadFriction(batch, &rows.contacts[static_cast<std::size_t>(batch.first)],
-                     A_before, B_before, A_free, B_free, rules.gravity_speed);
+      SpreadFriction(batch, prepared, A_before, B_before, A_free, B_free,
+                     rules.gravity_speed);
     }
     const Inertias m = InertiasOf(batch);
     const Four3 n = At(batch.n);
@@ -345,7 +345,7 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
     const Four3 t2 = At(batch.t2);
     const Four restitution = At(batch.restitution);
     for (int row = 0; row < batch.count; ++row) {
-      ContactLanes& contact = rows.contacts[static_cast<std::size_t>(batch.first + row)];
+      ContactLanes& contact = prepared[row];
       const Four3 r_A = At(contact.r_A);
       const Four3 r_B = At(contact.r_B);
       const FourBits used = At(contact.used) > zero;
@@ -430,9 +430,9 @@ void ApplyAll(const ContactRows& rows, Velocity* velocities) {
     const Four3 n = At(batch.n);
     const Four3 t1 = At(batch.t1);
     const Four3 t2 = At(batch.t2);
+    const ContactLanes* of_batch = &rows.contacts[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      const ContactLanes& contact =
-          rows.contacts[static_cast<std::size_t>(batch.first + k)];
+      const ContactLanes& contact = of_batch[k];
       const Four3 J = Plus(Times(At(contact.impulse), n),
                            Plus(Times(At(contact.friction_impulse1), t1),
                                 Times(At(contact.friction_impulse2), t2)));
@@ -611,9 +611,9 @@ void Read(const ContactRows& rows, std::span<ContactPair> pairs, Touch* touches)
     FourBits bounced{};
     FourBits rested{};
     FourBits unsteady{};
+    const ContactLanes* of_batch = &rows.contacts[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      const ContactLanes& contact =
-          rows.contacts[static_cast<std::size_t>(batch.first + k)];
+      const ContactLanes& contact = of_batch[k];
       const Four impulse = At(contact.impulse);
       const Four3 J =
           Plus(Plus(Times(impulse, n), Times(At(contact.friction_impulse1), t1)),

@@ -31,8 +31,9 @@ void Find(const OverlapRows& rows, const OverlapRules& rules, const Velocity* me
     const Moving B_now = Gather(solved, batch.B);
     const Four3 n = At(batch.n);
     FourBits any{};
+    OverlapLanes* of_batch = &rows.overlaps[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      OverlapLanes& overlap = rows.overlaps[static_cast<std::size_t>(batch.first + k)];
+      OverlapLanes& overlap = of_batch[k];
       const Four3 r_A = At(overlap.r_A);
       const Four3 r_B = At(overlap.r_B);
       const Four gone =
@@ -61,8 +62,9 @@ void Remove(const OverlapRows& rows, Velocity* moves) {
     Moving B = Gather(moves, batch.B);
     const Inertias m = InertiasOf(batch);
     const Four3 n = At(batch.n);
+    OverlapLanes* of_batch = &rows.overlaps[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      OverlapLanes& overlap = rows.overlaps[static_cast<std::size_t>(batch.first + k)];
+      OverlapLanes& overlap = of_batch[k];
       const Four3 r_A = At(overlap.r_A);
       const Four3 r_B = At(overlap.r_B);
       const Four gained = Dot(n, RelativeVelocity(A, B, r_A, r_B));

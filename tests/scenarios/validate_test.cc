@@ -27,6 +27,7 @@ Pose AwkwardPose() {
 
 std::vector<std::string> Sentences(const std::vector<Fault>& faults) {
   std::vector<std::string> sentences;
+  sentences.reserve(faults.size());
   for (const Fault& fault : faults) {
     sentences.push_back(fault.where + " " + fault.what + "; expected " + fault.expected);
   }
