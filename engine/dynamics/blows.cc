@@ -87,13 +87,11 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   pulls_.resize(count);
   Clear();
   blow_.BeginStep(count);
-  int contacts = 0;
-  for (const ContactPair& pair : finder.contacts()) contacts += pair.manifold.count;
-  most_of_heap_ = IsSmall(settings, contacts) ? kMostOfHeap : kMostOfHeapOfMany;
-  if (FindFlying(start, finder)) FindCandidates(start, finder);
+  if (FindFlying(start, finder, settings)) FindCandidates(start, finder);
 }
 
-bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
+bool Blows::FindFlying(const Start& start, ContactFinder& finder,
+                       const Settings& settings) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     const RigidBody& body = start.bodies[i];
     static_[i] = body.is_static();
@@ -115,8 +113,10 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     if (!IsStatic(pair.A) && !IsStatic(pair.B)) heaps_.Join(pair.A, pair.B);
   };
   const std::span<const ContactPair> contacts = finder.contacts();
+  int to_solve = 0;  // As ContactSolver counts them.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const ContactPair& pair = contacts[k];
+    if (!IsStatic(pair.A) || !IsStatic(pair.B)) to_solve += pair.manifold.count;
     if (k + kAhead < contacts.size()) {
       for (const int next : {contacts[k + kAhead].A, contacts[k + kAhead].B}) {
         if (!Flies(next)) continue;
@@ -151,6 +151,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder) {
     else if (!IsStatic(pair.A) && !IsStatic(pair.B))
       strikers_.emplace_back(pair.A, pair.B);
   }
+  most_of_heap_ = IsSmall(settings, to_solve) ? kMostOfHeap : kMostOfHeapOfMany;
   if (!strikers_.empty()) HoldStrikersOfLargeHeaps(finder.contacts());
   holds_.assign(flies_.size(), false);
   for (int i = 0; i < static_cast<int>(flies_.size()); ++i) {

@@ -27,10 +27,11 @@ namespace cookbook {
  its velocity acts from then on.
 
  Not seen before the next step, which finds what is then inside: what strikes a heap of
- more than 32 bodies, in a large world of more than 4, or what a rod or a spring holds;
- the blows of a body after its eighth in a step; those of two bodies that are both held;
- and what a struck body reaches that sleeps. Thinner things may be gone through there, and
- where FirstBlow() says so. */
+ more than 32 bodies, or what a rod or a spring holds; the blows of a body after its
+ eighth in a step; those of two bodies that are both held; and what a struck body reaches
+ that sleeps. Thinner things may be gone through there, and where FirstBlow() says so. In
+ a large world what strikes a heap of more than 4 is not seen either, unless it goes so
+ far in a step that the next might not tell which way it came. */
 class Blows {
  public:
   Blows();
@@ -82,7 +83,7 @@ class Blows {
   /** Whether it moves and does not fly. */
   bool IsHeld(int body) const { return !Flies(body) && !IsStatic(body); }
 
-  bool FindFlying(const Start& start, ContactFinder& finder);
+  bool FindFlying(const Start& start, ContactFinder& finder, const Settings& settings);
   /** Joins to a heap what strikes it where its blow would not be asked for. */
   void HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts);
   void FindCandidates(const Start& start, const ContactFinder& finder);

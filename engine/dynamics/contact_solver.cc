@@ -17,8 +17,7 @@ constexpr int kPart = 1000;
 /** A part of more contacts is solved by all threads, colour after colour. */
 constexpr int kLargePart = 2 * kPart;
 /** By how much a large world makes up for what is missing: a stack passes on a load
- sooner. Seven such sweeps leave less than eight others, beyond 1.5 more again.
- */
+ sooner, and seven such sweeps leave less than eight others. */
 constexpr double kRelaxation = 1.4;
 /** Contacts below which it does not pay to wake another thread. */
 constexpr int kFewContacts = 200;

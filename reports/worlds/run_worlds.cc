@@ -20,10 +20,6 @@
 namespace touchstone {
 namespace {
 
-/** A variant that moves as its world to this share of its size moves alike: so many times
- as much as rounding makes, and less than any law needs. */
-constexpr double kAlike = 1e-9;
-
 double BodySteps(const World& world) {
   double things = static_cast<double>(world.particles.size());
   for (const RigidBody& body : world.bodies) things += body.mass > 0 ? 1 : 0;
@@ -255,9 +251,7 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
     if (!refined || !IsWhole(moved[v])) continue;
     Finding finding =
         JudgeVariant(study, growth, measure, SeenInWorld(variants[v], moved[v]));
-    // Of what moves as the world does the laws say the same.
-    const bool alike = finding.value <= kAlike * SizeOf(scenario.world, trajectory);
-    if (finding.verdict != Verdict::kFail && !alike) {
+    if (finding.verdict != Verdict::kFail) {
       for (Finding& broken :
            BrokenBy(variants[v], moved[v], scenario, oracle.info(), of_world))
         findings.push_back(std::move(broken));

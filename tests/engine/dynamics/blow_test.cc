@@ -25,6 +25,17 @@ void AddFloor(double restitution, World& world) {
   world.AddBody(floor);
 }
 
+/** The same without an end: the half-space below y = 0. */
+void AddGround(double restitution, World& world) {
+  BodyDefinition ground;
+  ground.shape = HalfSpace{};
+  ground.state.q_WB = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
+                                                         Eigen::Vector3d::UnitY());
+  ground.mass = 0;
+  ground.restitution = restitution;
+  world.AddBody(ground);
+}
+
 BodyDefinition Ball(double height, double restitution) {
   BodyDefinition ball;
   ball.shape = Sphere{0.1};
@@ -373,13 +384,7 @@ TEST(Blow, WithoutTheRefinementABounceWaitsForTheNextStep) {
   Settings settings = OnEarth();
   settings.blows_in_time = false;
   World world(settings);
-  BodyDefinition floor;
-  floor.shape = HalfSpace{};
-  floor.state.q_WB = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
-                                                        Eigen::Vector3d::UnitY());
-  floor.mass = 0;
-  floor.restitution = 1;
-  world.AddBody(floor);
+  AddGround(1, world);
   const int ball = world.AddBody(Ball(0.5, 1));
   double deepest = 0;
   for (int k = 0; k < 100; ++k) {
@@ -393,12 +398,7 @@ TEST(Blow, WithoutTheRefinementABounceWaitsForTheNextStep) {
  step, in a world of `others` boxes that rest elsewhere. [m] */
 double WayThroughPlates(int plates, int others) {
   World world(OnEarth());
-  BodyDefinition floor;
-  floor.shape = HalfSpace{};
-  floor.state.q_WB = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
-                                                        Eigen::Vector3d::UnitY());
-  floor.mass = 0;
-  world.AddBody(floor);
+  AddGround(0, world);
   BodyDefinition box;
   box.shape = Box{{0.5, 0.5, 0.5}};
   for (int k = 0; k < others; ++k) {
