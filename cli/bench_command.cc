@@ -4,10 +4,13 @@
 #include <cmath>
 #include <ctime>
 #include <iostream>
+#include <iterator>
+#include <memory>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "cli/median.h"
 #include "cli/sweep_command.h"
 #include "reports/counted.h"
 #include "reports/referee/referee.h"
@@ -37,24 +40,36 @@ double ThreadNanoseconds() {
   return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
 }
 
-// The median of an odd number of passes: one pass is disturbed by whatever else the
-// machine does.
-std::optional<double> NanosecondsPerQuery(const Oracle& oracle,
-                                          std::span<const ContactQuery> queries) {
+// Of each engine the median of several passes, empty where it is not timed. The
+// engines take turns: what slows the machine for a while slows all alike.
+std::vector<std::optional<double>> NanosecondsPerQuery(
+    std::span<const Oracle* const> oracles, std::span<const ContactQuery> queries) {
   constexpr int kPasses = 7;
-  // Timing happens in this process: an engine that may hang or abort would take it along.
-  if (oracle.info().isolated) return std::nullopt;
-  const std::unique_ptr<PreparedBatch> batch = oracle.Prepare(queries);
-  if (batch == nullptr) return std::nullopt;
-  batch->Run();  // Warms caches; engines allocate in their first pass.
-  std::vector<double> passes;
-  for (int i = 0; i < kPasses; ++i) {
-    const double start = ThreadNanoseconds();
-    batch->Run();
-    passes.push_back((ThreadNanoseconds() - start) / static_cast<double>(queries.size()));
+  std::vector<std::unique_ptr<PreparedBatch>> batches;
+  for (const Oracle* oracle : oracles) {
+    // Timing happens in this process: an engine that may hang or abort would take it
+    // along.
+    const bool is_safe = !oracle->info().isolated;
+    batches.push_back(is_safe ? oracle->Prepare(queries) : nullptr);
   }
-  std::nth_element(passes.begin(), passes.begin() + kPasses / 2, passes.end());
-  return passes[kPasses / 2];
+  std::vector<std::vector<double>> passes(oracles.size());
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (std::size_t i = 0; i < batches.size(); ++i) {
+      if (batches[i] == nullptr) continue;
+      // Once for the caches, which hold what the engine before this one left; engines
+      // allocate in their first pass.
+      batches[i]->Run();
+      const double start = ThreadNanoseconds();
+      batches[i]->Run();
+      const double time = ThreadNanoseconds() - start;
+      passes[i].push_back(time / static_cast<double>(queries.size()));
+    }
+  }
+  std::vector<std::optional<double>> medians(oracles.size());
+  for (std::size_t i = 0; i < batches.size(); ++i) {
+    if (batches[i] != nullptr) medians[i] = MedianOf(passes[i]);
+  }
+  return medians;
 }
 
 Accuracy AccuracyOf(const Oracle& oracle, std::span<const ContactQuery> queries,
@@ -113,13 +128,15 @@ void BenchPair(ShapeKind A, ShapeKind B, std::span<const Oracle* const> oracles,
       truths.begin(), truths.end(),
       [](const auto& truth) { return truth.touching == Touching::kTouching; });
 
+  std::vector<const Oracle*> able;
+  std::copy_if(oracles.begin(), oracles.end(), std::back_inserter(able),
+               [&](const Oracle* oracle) { return oracle->info().For(A, B).supported; });
+  if (able.empty()) return;
+  const std::vector<std::optional<double>> nanoseconds =
+      NanosecondsPerQuery(able, queries);
   std::vector<Row> rows;
-  for (const Oracle* oracle : oracles) {
-    if (!oracle->info().For(A, B).supported) continue;
-    rows.push_back({oracle, NanosecondsPerQuery(*oracle, queries),
-                    AccuracyOf(*oracle, sample, truths)});
-  }
-  if (rows.empty()) return;
+  for (std::size_t i = 0; i < able.size(); ++i)
+    rows.push_back({able[i], nanoseconds[i], AccuracyOf(*able[i], sample, truths)});
   std::cout << fmt::format(
       "{} {}: {}, {} held against the truth, {} of them touching\n"
       "  {:<26}{:>10}{:>8} {:>16}{:>10}{:>15}{:>11}\n",

@@ -19,9 +19,9 @@ struct BenchArguments {
   std::uint64_t seed = 1;
 };
 
-/** Prints, per pair of shapes and oracle, the time of a query (median of several passes
- over the same random poses, engine objects made beforehand) and, beside it, how right the
- answers are. */
+/** Prints, per pair of shapes and oracle, the time of a query (median of several passes,
+ in turns, over the same random poses, engine objects made beforehand) and, beside it, how
+ right the answers are. */
 int BenchCommand(const Session& session, const BenchArguments& arguments);
 
 }  // namespace touchstone

@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ctime>
 #include <iostream>
 #include <iterator>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "cli/input_error.h"
+#include "cli/median.h"
 #include "cli/select_oracles.h"
-#include "reports/worlds/deepest_penetration.h"
+#include "cli/stepping_child.h"
 #include "scenarios/generators/crowds.h"
 
 namespace touchstone {
@@ -42,12 +41,9 @@ constexpr std::array kScenes = {
           [](std::uint64_t s) { return SpherePile(10000, s); }},
 };
 
-// What a child process sends back; plain bytes.
 struct Measured {
-  double microseconds = 0;  ///< A step.
-  double deepest = 0;       ///< Overlap of two bodies at the end. [m]
-  double fastest = 0;       ///< Speed of a body at the end. [m/s]
-  double sideways = 0;      ///< Farthest way of a body across gravity. [m]
+  double microseconds;  ///< A step.
+  WorldQuality quality;
 };
 
 struct Row {
@@ -55,66 +51,37 @@ struct Row {
   std::optional<Measured> measured;  ///< Empty where it was stopped, or crashed.
 };
 
-// CPU time of this thread: what else the machine does is not the engine's work. [s]
-double ThreadSeconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-// Written so that a NaN is the largest.
-void TakeLarger(double& largest, double value) {
-  if (!(value <= largest) && !std::isnan(largest)) largest = value;
-}
-
-void Assess(const World& world, const WorldState& state, Measured& row) {
-  row.deepest = DeepestPenetration(world, state).depth;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    if (world.bodies[i].mass == 0) continue;
-    Eigen::Vector3d moved = state.bodies[i].p_WB - world.bodies[i].placed.X_WB.p_WB;
-    moved.y() = 0;
-    TakeLarger(row.fastest, state.bodies[i].v_WB.norm());
-    TakeLarger(row.sideways, moved.norm());
+// Steps to settle, then as many that are timed: the work of a pile, not of a rain. The
+// engines take turns: what slows the machine for a while slows all alike, and the median
+// turn is not disturbed.
+std::vector<Row> Measure(std::span<const Oracle* const> oracles, const World& world,
+                         int steps, int seconds) {
+  constexpr int kTurns = 15;
+  struct Runner {
+    std::unique_ptr<SteppingChild> child;
+    std::vector<double> microseconds;
+  };
+  std::vector<Runner> runners;
+  for (const Oracle* oracle : oracles) {
+    runners.push_back({std::make_unique<SteppingChild>(*oracle, world, seconds), {}});
+    runners.back().child->Step(steps);
   }
-}
-
-// Steps to settle, then as many that are timed: the work of a pile, not of a rain.
-Measured Measure(const Oracle& oracle, const World& world, int steps) {
-  Measured measured;
-  const std::unique_ptr<Simulation> simulation = oracle.BeginAsShipped(world);
-  for (int i = 0; i < steps; ++i) simulation->Step();
-  const double settled = ThreadSeconds();
-  for (int i = 0; i < steps; ++i) simulation->Step();
-  measured.microseconds = 1e6 * (ThreadSeconds() - settled) / steps;
-  WorldState state;
-  simulation->Read(state);
-  Assess(world, state, measured);
-  return measured;
-}
-
-// In a child process, so that an engine that takes hours for a step, or dies of it, loses
-// this row only.
-std::optional<Measured> MeasureInChild(const Oracle& oracle, const World& world,
-                                       int steps, int seconds) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw InputError("no pipe to a child process");
-  std::cout.flush();
-  const pid_t child = fork();
-  if (child < 0) throw InputError("no child process");
-  if (child == 0) {
-    const rlimit limit{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds)};
-    setrlimit(RLIMIT_CPU, &limit);
-    const Measured measured = Measure(oracle, world, steps);
-    const ssize_t sent = write(ends[1], &measured, sizeof measured);
-    _exit(sent == sizeof measured ? 0 : 1);
+  const auto until = [&](long turn) { return static_cast<int>(steps * turn / kTurns); };
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const int now = until(turn + 1) - until(turn);
+    if (now == 0) continue;
+    for (Runner& runner : runners) {
+      const std::optional<double> time = runner.child->Step(now);
+      if (time) runner.microseconds.push_back(*time);
+    }
   }
-  close(ends[1]);
-  Measured measured;
-  const bool whole = read(ends[0], &measured, sizeof measured) == sizeof measured;
-  close(ends[0]);
-  waitpid(child, nullptr, 0);
-  if (!whole) return std::nullopt;
-  return measured;
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < oracles.size(); ++i) {
+    Row& row = rows.emplace_back(Row{oracles[i]->info().name, std::nullopt});
+    const std::optional<WorldQuality> quality = runners[i].child->Quality();
+    if (quality) row.measured = {MedianOf(runners[i].microseconds), *quality};
+  }
+  return rows;
 }
 
 double TimeOf(const Row& row) {
@@ -134,10 +101,10 @@ void Print(const Scene& scene, const World& world, int steps, std::vector<Row> r
       continue;
     }
     const Measured& measured = *row.measured;
-    std::cout << fmt::format("  {:<24}{:>11.0f}{:>8.1f}×{:>14.2g}{:>15.2g}{:>14.2g}\n",
-                             row.oracle, measured.microseconds,
-                             measured.microseconds / TimeOf(rows.front()),
-                             measured.deepest, measured.fastest, measured.sideways);
+    std::cout << fmt::format(
+        "  {:<24}{:>11.0f}{:>8.1f}×{:>14.2g}{:>15.2g}{:>14.2g}\n", row.oracle,
+        measured.microseconds, measured.microseconds / TimeOf(rows.front()),
+        measured.quality.deepest, measured.quality.fastest, measured.quality.sideways);
   }
   std::cout << '\n';
 }
@@ -165,13 +132,13 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
         std::find(wanted.begin(), wanted.end(), scene.name) == wanted.end())
       continue;
     const World world = scene.make(arguments.seed);
-    std::vector<Row> rows;
-    for (const Oracle* oracle : oracles) {
-      if (!oracle->info().CannotSimulate(world).empty()) continue;
-      rows.push_back({oracle->info().name, MeasureInChild(*oracle, world, arguments.steps,
-                                                          arguments.seconds)});
-    }
-    if (rows.empty()) throw InputError("none of these oracles simulates worlds");
+    std::vector<const Oracle*> able;
+    std::copy_if(oracles.begin(), oracles.end(), std::back_inserter(able),
+                 [&](const Oracle* oracle) {
+                   return oracle->info().CannotSimulate(world).empty();
+                 });
+    if (able.empty()) throw InputError("none of these oracles simulates worlds");
+    std::vector<Row> rows = Measure(able, world, arguments.steps, arguments.seconds);
     any_measured = any_measured ||
                    std::any_of(rows.begin(), rows.end(),
                                [](const Row& row) { return row.measured.has_value(); });

@@ -19,8 +19,8 @@ struct BenchWorldsArguments {
 /** Returns the names of the scenes: "boxes100", …, "stack20", "spheres10000". */
 std::vector<std::string> SceneNames();
 
-/** Times a step of each engine in each scene, in one thread, with the settings that its
- users run, and shows beside it what the state is worth. Returns 0. */
+/** Times a step of each engine in each scene, in turns, in one thread, with the settings
+ that its users run, and shows beside it what the state is worth. Returns 0. */
 int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& arguments);
 
 }  // namespace touchstone

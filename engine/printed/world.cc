@@ -104,8 +104,10 @@ int World::Add(const Cloth& cloth) {
       Add(node);
     }
   }
-  for (const auto& [row, column] : cloth.pinned)
-    particles_[static_cast<std::size_t>(first + row * cloth.n + column)].mass = 0;
+  for (const auto& [row, column] : cloth.pinned) {
+    const int node = first + row * cloth.n + column;
+    particles_[static_cast<std::size_t>(node)].mass = 0;
+  }
   const auto join = [&](const ClothSprings& family, int rows, int columns) {
     for (int row = 0; row + rows < cloth.n; ++row) {
       for (int column = std::max(0, -columns); column + std::max(0, columns) < cloth.n;

@@ -1,0 +1,115 @@
+#include "cli/stepping_child.h"
+
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <ctime>
+#include <iostream>
+
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "cli/input_error.h"
+#include "reports/worlds/deepest_penetration.h"
+
+namespace touchstone {
+namespace {
+
+// CPU time of this thread: what else the machine does is not the engine's work. [s]
+double ThreadSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Written so that a NaN is the largest.
+void TakeLarger(double& largest, double value) {
+  if (!(value <= largest) && !std::isnan(largest)) largest = value;
+}
+
+WorldQuality QualityOf(const World& world, const WorldState& state) {
+  WorldQuality quality;
+  quality.deepest = DeepestPenetration(world, state).depth;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (world.bodies[i].mass == 0) continue;
+    Eigen::Vector3d moved = state.bodies[i].p_WB - world.bodies[i].placed.X_WB.p_WB;
+    moved.y() = 0;
+    TakeLarger(quality.fastest, state.bodies[i].v_WB.norm());
+    TakeLarger(quality.sideways, moved.norm());
+  }
+  return quality;
+}
+
+// A message of plain bytes goes whole or not at all; a pipe that has burst is no signal.
+template <typename Plain>
+bool Send(int socket, const Plain& message) {
+  return send(socket, &message, sizeof message, MSG_NOSIGNAL) == sizeof message;
+}
+template <typename Plain>
+bool Receive(int socket, Plain& message) {
+  return recv(socket, &message, sizeof message, MSG_WAITALL) == sizeof message;
+}
+
+}  // namespace
+
+SteppingChild::SteppingChild(const Oracle& oracle, const World& world, int seconds) {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0)
+    throw InputError("no socket to a child process");
+  std::cout.flush();
+  pid_ = fork();
+  if (pid_ == 0) {
+    close(ends[0]);
+    const rlimit limit{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds)};
+    setrlimit(RLIMIT_CPU, &limit);
+    Run(oracle, world, ends[1]);
+  }
+  close(ends[1]);
+  orders_ = ends[0];
+  if (pid_ < 0) {
+    close(orders_);
+    throw InputError("no child process");
+  }
+}
+
+SteppingChild::~SteppingChild() {
+  close(orders_);
+  kill(pid_, SIGKILL);
+  waitpid(pid_, nullptr, 0);
+}
+
+void SteppingChild::Run(const Oracle& oracle, const World& world, int orders) {
+  const std::unique_ptr<Simulation> simulation = oracle.BeginAsShipped(world);
+  bool answered = true;
+  for (int steps = 0; answered && Receive(orders, steps);) {
+    if (steps == 0) {
+      WorldState state;
+      simulation->Read(state);
+      answered = Send(orders, QualityOf(world, state));
+      continue;
+    }
+    const double start = ThreadSeconds();
+    for (int i = 0; i < steps; ++i) simulation->Step();
+    answered = Send(orders, 1e6 * (ThreadSeconds() - start) / steps);
+  }
+  _exit(0);
+}
+
+template <typename Reply>
+std::optional<Reply> SteppingChild::Ask(int steps) {
+  Reply reply;
+  if (!Send(orders_, steps) || !Receive(orders_, reply)) return std::nullopt;
+  return reply;
+}
+
+std::optional<double> SteppingChild::Step(int steps) {
+  return Ask<double>(steps);
+}
+
+std::optional<WorldQuality> SteppingChild::Quality() {
+  return Ask<WorldQuality>(0);
+}
+
+}  // namespace touchstone
