@@ -167,7 +167,8 @@ class CommandLine {
         ->check(OneOf({"subject", "anything"}))
         ->type_name("WHOSE");
     AddJobs(app, run_.jobs);
-    app->add_flag("--quiet", run_.quiet, "only failures and the last line");
+    app->add_flag("--quiet", run_.quiet,
+                  "only the failures that count, and the last line");
   }
 
   void AddExplain() {

@@ -215,6 +215,7 @@ std::vector<std::vector<int>> MergeCoplanar(const Vertices& vertices,
       }
     }
     std::vector<Triangle> patch;
+    patch.reserve(members.size());
     for (const std::size_t member : members) patch.push_back(triangles[member]);
     std::vector<int> loop = BoundaryOf(patch);
     if (!loop.empty()) {

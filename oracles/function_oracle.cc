@@ -91,7 +91,7 @@ Capability DepthAndNormal() {
 }
 
 std::unique_ptr<Oracle> MakeOracle(std::string name, const std::vector<ShapePair>& pairs,
-                                   ContactFunction function, Capability gives) {
+                                   ContactFunction function, const Capability& gives) {
   return std::make_unique<FunctionOracle>(InfoOf(std::move(name), pairs, gives),
                                           std::move(function));
 }

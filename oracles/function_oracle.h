@@ -32,13 +32,13 @@ Capability DepthAndNormal();
  `gives.family` to take part in the consensus. */
 std::unique_ptr<Oracle> MakeOracle(std::string name, const std::vector<ShapePair>& pairs,
                                    ContactFunction function,
-                                   Capability gives = DepthAndNormal());
+                                   const Capability& gives = DepthAndNormal());
 
 /** Returns an oracle for one pair of shapes from `function(A, X_WA, B, X_WB) ->
  ContactAnswer`, e.g. MakeOracle<Box, Box>("mine", MyBoxBox). */
 template <typename ShapeA, typename ShapeB, typename Function>
 std::unique_ptr<Oracle> MakeOracle(std::string name, Function function,
-                                   Capability gives = DepthAndNormal()) {
+                                   const Capability& gives = DepthAndNormal()) {
   const ShapePair pair{static_cast<ShapeKind>(Shape(std::in_place_type<ShapeA>).index()),
                        static_cast<ShapeKind>(Shape(std::in_place_type<ShapeB>).index())};
   const ContactFunction ask = [function =
@@ -46,7 +46,7 @@ std::unique_ptr<Oracle> MakeOracle(std::string name, Function function,
     return function(std::get<ShapeA>(query.A.shape), query.A.X_WB,
                     std::get<ShapeB>(query.B.shape), query.B.X_WB);
   };
-  return MakeOracle(std::move(name), {pair}, ask, std::move(gives));
+  return MakeOracle(std::move(name), {pair}, ask, gives);
 }
 
 }  // namespace touchstone

@@ -80,29 +80,28 @@ class CatalogueReader {
     } else if (files.empty()) {
       Report(folder, "holds no scenario", "at least one .toml file");
     }
-    for (const fs::path& file : files) {
-      if (const std::optional<StatedId> stated = AddFile(file)) {
-        CheckPath(*stated, file, folder);
-      }
-    }
+    for (const fs::path& file : files) AddFile(file, &folder);
   }
 
-  std::optional<StatedId> AddFile(const fs::path& file) {
+  /** `folder`: that holds the file, or null where the file itself is named. */
+  void AddFile(const fs::path& file, const fs::path* folder = nullptr) {
     // The same file given twice, or inside a folder given too, is no duplicate of itself.
     std::error_code error;
     const fs::path real = fs::weakly_canonical(file, error);
-    if (!seen_.insert(error ? file : real).second) return std::nullopt;
+    if (!seen_.insert(error ? file : real).second) return;
 
     ReadResult read = ReadScenarioFile(file);
     for (Diagnostic& diagnostic : read.diagnostics) {
       catalogue_.diagnostics.push_back(std::move(diagnostic));
     }
-    const bool is_new = !read.stated_id || CheckUnique(*read.stated_id, file);
-    if (is_new) {
-      if (read.scenario) catalogue_.scenarios.push_back(std::move(*read.scenario));
-      if (read.world) catalogue_.worlds.push_back(std::move(*read.world));
+    if (read.stated_id) {
+      // A copy that keeps its id is told of its path alone.
+      const bool is_in_place =
+          folder == nullptr || CheckPath(*read.stated_id, file, *folder);
+      if (!is_in_place || !CheckUnique(*read.stated_id, file)) return;
     }
-    return read.stated_id;
+    if (read.scenario) catalogue_.scenarios.push_back(std::move(*read.scenario));
+    if (read.world) catalogue_.worlds.push_back(std::move(*read.world));
   }
 
   bool CheckUnique(const StatedId& stated, const fs::path& file) {
@@ -120,18 +119,19 @@ class CatalogueReader {
 
   /** Checks that the file's path ends in its id, and its id in the path below `folder`.
    */
-  void CheckPath(const StatedId& stated, const fs::path& file, const fs::path& folder) {
+  bool CheckPath(const StatedId& stated, const fs::path& file, const fs::path& folder) {
     std::error_code error;
     const fs::path whole = fs::absolute(file, error).lexically_normal();
     const std::string below = IdOf(file, folder);
     if (EndsWithLevels(stated.id, below) &&
         EndsWithLevels(IdOf(whole, whole.root_path()), stated.id)) {
-      return;
+      return true;
     }
     catalogue_.diagnostics.push_back(
         {file.generic_string(), stated.line, stated.column,
          fmt::format("id \"{}\" is not the path of {}", stated.id, file.generic_string()),
          fmt::format("\"{}\"", below)});
+    return false;
   }
 
   void Report(const fs::path& path, std::string what, std::string expected) {

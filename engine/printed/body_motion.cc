@@ -38,10 +38,10 @@ double InverseMass(const Body& body) {
 
 Eigen::Matrix3d InverseInertia(const Body& body, const Errata& errata) {
   if (body.mass == 0) return Eigen::Matrix3d::Zero();
-  const Eigen::Matrix3d inverse = body.inertia.cwiseInverse().asDiagonal();
-  if (errata.Has(Erratum::kE14)) return inverse;
+  const Eigen::Vector3d moments = body.inertia.cwiseInverse();
+  if (errata.Has(Erratum::kE14)) return moments.asDiagonal();
   const Eigen::Matrix3d R = body.q_WB.toRotationMatrix();
-  return R * inverse * R.transpose();
+  return R * moments.asDiagonal() * R.transpose();
 }
 
 void Give(Body& body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W,

@@ -8,36 +8,35 @@
 
 namespace cookbook::printed {
 
-/** A fault of the published recipes. The value is its number: kE01 is "E-01". */
+/** A fault of the published recipes; FaultOf() says which. The value is its number: kE01
+ is "E-01". */
 enum class Erratum {
-  kE01 = 1,  ///< Edge axes of boxes are cross products of A's axes with A's own.
-  kE02 = 2,  ///< Negative components of an axis are set to zero.
-  kE03 = 3,  ///< Sphere-sphere depth is taken from the normalised distance: |1 − (r_A +
-             ///< r_B)|.
-  kE04 = 4,  ///< Depths of spheres are halved.
-  kE05 = 5,  ///< Sphere centre in a box: pushed from centre to centre, by the radius.
-  kE06 = 6,  ///< Coinciding centres of a sphere and its partner do not collide.
-  kE07 = 7,  ///< A box wholly inside another has no contact.
-  kE08 =
-      8,  ///< Contacts of boxes are where edges cross faces: an edge on a face has four.
-  kE09 = 9,   ///< Contacts within 1 cm are merged, whatever the size of the boxes.
-  kE10 = 10,  ///< A linear impulse is added to the velocity, not divided by the mass.
-  kE11 = 11,  ///< Velocities lose a fiftieth per step, whatever the step.
-  kE12 = 12,  ///< Impulses are shared among contacts, and restitution is given per sweep.
-  kE13 = 13,  ///< Spheres do not turn.
-  kE14 = 14,  ///< The inertia tensor is not turned with the body.
-  kE15 = 15,  ///< Orientation is three Euler angles, to which ω dt is added.
-  kE16 = 16,  ///< No gyroscopic term.
-  kE17 = 17,  ///< Spring damping takes the length of the relative velocity.
-  kE18 = 18,  ///< The force of a spring is applied as an impulse, without dt.
-  kE19 = 19,  ///< Particles keep a share of their velocity per step, whatever the step.
-  kE20 = 20,  ///< The x and z of a cloth's place are multiplied by its spacing.
-  kE21 = 21,  ///< A cloth of fewer than 3 × 3 writes past the end of its particles.
-  kE22 = 22,  ///< Joints correct positions half and half, velocities not at all.
-  kE23 = 23,  ///< Friction takes the velocity from before the normal impulse.
-  kE24 = 24,  ///< Projection out of contact moves, but does not turn.
-  kE25 = 25,  ///< No friction of less than 0.005 N s.
-  kE26 = 26,  ///< Depth along an axis is the common length of the intervals.
+  kE01 = 1,
+  kE02,
+  kE03,
+  kE04,
+  kE05,
+  kE06,
+  kE07,
+  kE08,
+  kE09,
+  kE10,
+  kE11,
+  kE12,
+  kE13,
+  kE14,
+  kE15,
+  kE16,
+  kE17,
+  kE18,
+  kE19,
+  kE20,
+  kE21,
+  kE22,
+  kE23,
+  kE24,
+  kE25,
+  kE26
 };
 
 /** Every erratum of the contact recipes, in order. */
@@ -83,6 +82,10 @@ class Errata {
 
 /** Returns "E-04". */
 std::string NameOf(Erratum erratum);
+
+/** Returns what the recipes do wrong, as a sentence without its end: "depths of spheres
+ are halved". */
+std::string_view FaultOf(Erratum erratum);
 
 /** Returns the erratum of that name, or nothing. */
 std::optional<Erratum> ErratumNamed(std::string_view name);

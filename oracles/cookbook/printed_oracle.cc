@@ -37,17 +37,19 @@ class PrintedOracle final : public Oracle {
       for (Capability& capability : row) capability.distance = false;
     }
     SetPrintedWorldCapabilities(info_);
-    std::string in_force;
     for (const auto& list : {printed::kContactErrata, printed::kMotionErrata}) {
       for (const printed::Erratum erratum : list) {
-        if (errata.Has(erratum))
-          in_force += (in_force.empty() ? "" : ", ") + NameOf(erratum);
+        if (!errata.Has(erratum)) continue;
+        info_.settings.push_back({NameOf(erratum), std::string(FaultOf(erratum)),
+                                  "a fault of the published recipes"});
       }
     }
-    info_.settings = {{"errata", in_force.empty() ? "none" : in_force,
-                       "faults of the published recipes"},
-                      {"separation of a contact", "minus the depth",
-                       "the recipes have one depth for all"}};
+    if (info_.settings.empty()) {
+      info_.settings.push_back(
+          {"errata", "none", "the published recipes, put right one by one"});
+    }
+    info_.settings.push_back({"separation of a contact", "minus the depth",
+                              "the recipes have one depth for all"});
   }
 
   const OracleInfo& info() const override { return info_; }

@@ -79,7 +79,7 @@ class Pair {
   }
 
   /** Returns the type of the geom. */
-  int Place(const Body& body, int index) {
+  int Place(const Body& body, std::ptrdiff_t index) {
     const Geom geom = *ToMujoco(body.shape);
     model_->geom_type[index] = geom.type;
     Vector3d::Map(model_->geom_size + 3 * index) = geom.size;

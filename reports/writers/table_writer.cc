@@ -138,10 +138,12 @@ std::string AlsoFailing(const Outcome& outcome) {
 }
 
 void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
-                   const Painter& paint, std::ostream& out) {
+                   const TableStyle& style, const Painter& paint, std::ostream& out) {
+  const bool only_subject = style.quiet && style.fail_on == FailOn::kSubject;
   std::size_t last = QuestionCount(report);
   for (const Outcome& outcome : outcomes) {
     if (!IsFailure(outcome.verdict)) continue;
+    if (only_subject && report.oracles[outcome.oracle].name != report.subject) continue;
     if (outcome.scenario != last) {
       last = outcome.scenario;
       out << '\n'
@@ -325,7 +327,7 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   const Painter paint(style.colours);
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   if (!style.quiet) WriteTallies(report, outcomes, paint, out);
-  WriteFailures(report, outcomes, paint, out);
+  WriteFailures(report, outcomes, style, paint, out);
   WriteFaults(report, paint, out);
   if (!style.quiet) {
     WriteRecognised(report, outcomes, paint, out);

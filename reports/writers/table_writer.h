@@ -9,7 +9,7 @@ namespace touchstone {
 /** How the terminal table looks. */
 struct TableStyle {
   bool colours = false;  ///< ANSI colours; only for a terminal.
-  bool quiet = false;    ///< Failures and the last line only.
+  bool quiet = false;    ///< The failures that count and the last line only.
   /** Which failures count: the last line says what the exit code does. */
   FailOn fail_on = FailOn::kAnything;
 };

@@ -129,6 +129,14 @@ TEST_F(ReadCatalogue, ReportsAnIdThatIsNotTheFilesPath) {
                           "box/face.toml; expected \"box/face\""));
 }
 
+TEST_F(ReadCatalogue, TellsACopiedFolderOfItsPathsAlone) {
+  Write("box/edge.toml", "box/edge");
+  Write("a_copy/edge.toml", "box/edge");
+  EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_)),
+              ElementsAre("a_copy/edge.toml:1:6: id \"box/edge\" is not the path of "
+                          "a_copy/edge.toml; expected \"a_copy/edge\""));
+}
+
 TEST_F(ReadCatalogue, ReadsAPartOfACatalogueAlone) {
   Write("box/edge.toml", "box/edge");
   Write("box/odd.toml", "bax/odd");

@@ -1,5 +1,9 @@
 #include "oracles/cookbook/printed_oracle.h"
 
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace touchstone {
@@ -21,6 +25,29 @@ TEST(PrintedOracle, NameChoosesTheErrata) {
   EXPECT_NEAR(DepthSaidBy("printed:E-04"), 0.05, 1e-15);
   EXPECT_NEAR(DepthSaidBy("printed:E-03+E-04"), 0.5, 1e-15);
   EXPECT_NEAR(DepthSaidBy("printed:E-26"), 0.1, 1e-15);
+}
+
+std::vector<std::string> SettingsOf(std::string_view name) {
+  const std::unique_ptr<Oracle> oracle = MakePrintedOracle(name);
+  std::vector<std::string> settings;
+  for (const Setting& setting : oracle->info().settings)
+    settings.push_back(setting.name + " = " + setting.value);
+  return settings;
+}
+
+TEST(PrintedOracle, SaysOfEachErratumInForceWhatIsWrong) {
+  const std::string separation = "separation of a contact = minus the depth";
+  EXPECT_THAT(SettingsOf("printed:none"),
+              testing::ElementsAre("errata = none", separation));
+  EXPECT_THAT(SettingsOf("printed:E-04+E-13"),
+              testing::ElementsAre("E-04 = depths of spheres are halved",
+                                   "E-13 = spheres do not turn", separation));
+  EXPECT_THAT(
+      SettingsOf("printed"),
+      testing::AllOf(testing::SizeIs(27),
+                     testing::Contains("E-25 = no friction of less than 0.005 N s"),
+                     testing::Contains("E-26 = depth along an axis is the common "
+                                       "length of the intervals")));
 }
 
 TEST(PrintedOracle, UnknownNamesMakeNone) {

@@ -114,6 +114,18 @@ TEST(WriteTable, KeepsFailuresWhenQuiet) {
   EXPECT_THAT(table, Not(HasSubstr("unsupported worst/tol")));
 }
 
+TEST(WriteTable, KeepsWhatCountsOnlyWhenQuiet) {
+  const std::string proof_of_theirs = "theirs/float: invalid.";
+  const auto table = [](bool quiet, FailOn fail_on) {
+    return Table(HandMadeReport(), {.quiet = quiet, .fail_on = fail_on});
+  };
+  EXPECT_THAT(table(true, FailOn::kAnything), HasSubstr(proof_of_theirs));
+  EXPECT_THAT(table(false, FailOn::kSubject), HasSubstr(proof_of_theirs));
+  EXPECT_THAT(table(true, FailOn::kSubject),
+              AllOf(Not(HasSubstr(proof_of_theirs)), HasSubstr("leaves 0.01 of overlap"),
+                    HasSubstr("references in 1 (theirs/float)")));
+}
+
 TEST(WriteTable, SaysOkOnlyWithoutFailuresAndFaults) {
   RunReport report = HandMadeReport();
   EXPECT_THAT(Table(report),
