@@ -47,6 +47,7 @@ constexpr std::array<MeasureNames, kMeasureKinds> kMeasures = {{
     {"observed_order", ""},
     {"limit_error", "m"},
     {"determinism", ""},
+    {"stability", "m"},
     {"heading", "m"},
     {"translation", "m"},
     {"mirror", "m"},

@@ -46,6 +46,7 @@ enum class MeasureKind {
   kObservedOrder,         ///< How far the order of convergence is from the scheme's. [-]
   kLimitError,            ///< Error of the limit as dt → 0. [m]
   kDeterminism,           ///< 0 two runs alike bit for bit, 1 not. [-]
+  kStability,             ///< Change when the start is moved by a rounding. [m]
   kHeading,               ///< Change when the world is turned about gravity. [m]
   kTranslation,           ///< Change when the world is moved. [m]
   kMirror,                ///< Change when the world is mirrored. [m]

@@ -154,7 +154,7 @@ class MujocoSimulation final : public Simulation {
     mju_copy(option.o_solref, of_contacts.solref, mjNREF);
     mju_copy(option.o_solimp, of_contacts.solimp, mjNIMP);
     const Stiffness of_rods = Rigid(option.timestep, kErrorReduction);
-    for (int i = 0; i < model_->neq; ++i) {
+    for (std::ptrdiff_t i = 0; i < model_->neq; ++i) {
       mju_copy(model_->eq_solref + mjNREF * i, of_rods.solref, mjNREF);
       mju_copy(model_->eq_solimp + mjNIMP * i, of_rods.solimp, mjNIMP);
     }
@@ -168,7 +168,7 @@ class MujocoSimulation final : public Simulation {
     dofs.position = model_->jnt_qposadr[joint];
     dofs.velocity = model_->jnt_dofadr[joint];
     const RigidBody& asked = question_.bodies[i];
-    Vector3d::Map(data_->xfrc_applied + 6 * dofs.body) = asked.force_W;
+    Vector3d::Map(data_->xfrc_applied + std::ptrdiff_t{6} * dofs.body) = asked.force_W;
     Vector3d::Map(data_->qvel + dofs.velocity) = asked.v_WB;
     Vector3d::Map(data_->qvel + dofs.velocity + 3) =
         OrientationOf(dofs).conjugate() * asked.w_WB;

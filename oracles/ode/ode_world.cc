@@ -190,6 +190,7 @@ class OdeSimulation final : public Simulation {
     if (!asked.collides) return;
     const OdeGeom& geom = geoms_.emplace_back(asked.placed);
     if (body != nullptr) dGeomSetBody(geom.get(), body);
+    // ODE keeps a pointer for its users, here a number. NOLINTNEXTLINE(*-no-int-to-ptr)
     dGeomSetData(geom.get(), reinterpret_cast<void*>(index));
     dSpaceAdd(space_.get(), geom.get());
   }

@@ -1,6 +1,7 @@
 #include "reports/worlds/check_claims.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -19,7 +20,7 @@ namespace {
 
 /** What is expected instead of a law of that name. */
 std::string LawLike(std::string_view misspelt) {
-  std::vector<std::string_view> names = {kDeterministic};
+  std::vector<std::string_view> names = {kDeterministic, kStable};
   for (const Law& known : Laws()) names.push_back(known.name);
   const std::string_view nearest = NearestName(misspelt, names);
   return nearest.empty() ? fmt::format("one of {}", fmt::join(names, ", "))
@@ -33,11 +34,28 @@ std::string OneOf(std::span<const std::string_view> known, std::string_view law)
   return fmt::format("one of {}", fmt::join(known, ", "));
 }
 
+/** Adds what is wrong with the gain of a claim that a world is stable. */
+void AddErrorOfGain(const Claim& claim, std::string_view path, const FilePlaces& places,
+                    std::vector<Diagnostic>& errors) {
+  const auto gain = claim.numbers.find(std::string(kStableGain));
+  const bool is_there = gain != claim.numbers.end();
+  if (is_there && gain->second >= 1 && std::isfinite(gain->second)) return;
+  errors.push_back(ErrorAtValue(
+      places,
+      is_there ? fmt::format("{}.numbers.{}", path, kStableGain)
+               : fmt::format("{}.law", path),
+      is_there
+          ? fmt::format("{}.numbers.{} is {}", path, kStableGain, gain->second)
+          : fmt::format("{} states no number \"{}\" ({})", path, kStableGain, kStable),
+      "how many times as far as its start is moved the motion ends at most, 1 or more"));
+}
+
 /** Adds the errors of one claim, whose path is `path`. */
 void AddErrors(const World& world, const Claim& claim, std::string_view path,
                const FilePlaces& places, std::vector<Diagnostic>& errors) {
   const Law* law = FindLaw(claim.law);
-  if (!law && claim.law != kDeterministic) {
+  const bool is_stable = claim.law == kStable;
+  if (!law && !is_stable && claim.law != kDeterministic) {
     errors.push_back(
         ErrorAtValue(places, fmt::format("{}.law", path),
                      fmt::format("{}.law is \"{}\", which is no law", path, claim.law),
@@ -45,7 +63,9 @@ void AddErrors(const World& world, const Claim& claim, std::string_view path,
     return;
   }
   const std::span<const std::string_view> known =
-      law ? law->numbers : std::span<const std::string_view>();
+      law         ? law->numbers
+      : is_stable ? std::span(&kStableGain, 1)
+                  : std::span<const std::string_view>();
   Claim understood = claim;
   for (const auto& [name, number] : claim.numbers) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
@@ -55,6 +75,7 @@ void AddErrors(const World& world, const Claim& claim, std::string_view path,
                    fmt::format("unknown key \"{}\" in {}.numbers", name, path),
                    OneOf(known, claim.law)));
   }
+  if (is_stable) AddErrorOfGain(claim, path, places, errors);
   if (!law) return;
   std::set<std::tuple<std::string, std::string, std::string>> told;
   for (const Fault& fault : law->faults(world, understood)) {

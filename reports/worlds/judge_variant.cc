@@ -1,9 +1,11 @@
 #include "reports/worlds/judge_variant.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "reports/worlds/judge_world.h"
 #include "reports/worlds/trajectory_difference.h"
 #include "reports/worlds/world_size.h"
 
@@ -87,6 +89,35 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
       LargestDifference(study.trajectory, seen_in_world,
                         LargestRadius(study.scenario.world),
                         differs_before ? std::min(until, growth.horizon) : until));
+  return finding;
+}
+
+Finding JudgeStability(const Study& study, double gain, const Trajectory& nudged) {
+  const double until = UntilOf(study);
+  const Comparison whole = Compare(study, nudged, until);
+  // Places by that much an axis, and by turns the surfaces.
+  const double moved = 2 * std::sqrt(3.0) * RoundingOf(study, 1);
+  Finding finding;
+  finding.scenario = study.scenario.id;
+  finding.oracle = study.oracle.name;
+  finding.measure = MeasureKind::kStability;
+  finding.value = whole.apart;
+  finding.tolerance = whole.Granted(gain) + gain * moved;
+  finding.tolerance_because = fmt::format(
+      "two approximations of motions that are {:.3g} times {:.3g} m apart at most, each "
+      "off by twice what halving the step moves it ({:.3g} m), and by 64 roundings a "
+      "step",
+      gain, moved, whole.discretisation / 4);
+  if (finding.value <= finding.tolerance) return finding;
+  finding.verdict = Verdict::kFail;
+  finding.cause = Cause::kDefect;
+  finding.cause_because = "the motion is known not to multiply what moves its start";
+  finding.proof =
+      fmt::format("{} ends {:.6g} m elsewhere where its start is moved by {:.3g} m: {}",
+                  finding.oracle, finding.value, moved,
+                  LargestDifference(study.trajectory, nudged,
+                                    LargestRadius(study.scenario.world), until));
+  finding.proof += PrintedBy(nudged);
   return finding;
 }
 

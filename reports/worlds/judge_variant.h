@@ -24,4 +24,10 @@ std::string_view ChangeOf(MeasureKind measure);
 Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
                      MeasureKind measure, const Trajectory& seen_in_world);
 
+/** Judges `nudged`, the motion of the same world whose start is moved by the rounding of
+ a step: of a world of which its author knows that it ends at most `gain` times as far
+ away as its start was moved, two approximations do too.
+ @pre As of JudgeVariant(). */
+Finding JudgeStability(const Study& study, double gain, const Trajectory& nudged);
+
 }  // namespace touchstone

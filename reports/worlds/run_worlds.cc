@@ -28,9 +28,15 @@ double BodySteps(const World& world) {
   return things * world.steps;
 }
 
+/** Returns the first claim of that law, or null. */
+const Claim* ClaimOf(const WorldScenario& scenario, std::string_view law) {
+  const auto claim = std::find_if(scenario.claims.begin(), scenario.claims.end(),
+                                  [&](const Claim& c) { return c.law == law; });
+  return claim == scenario.claims.end() ? nullptr : &*claim;
+}
+
 bool Claims(const WorldScenario& scenario, std::string_view law) {
-  return std::any_of(scenario.claims.begin(), scenario.claims.end(),
-                     [&](const Claim& claim) { return claim.law == law; });
+  return ClaimOf(scenario, law) != nullptr;
 }
 
 bool IsStudied(const WorldScenario& scenario) {
@@ -242,8 +248,14 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
   };
   add_failure(half, "at half the step", dt / 2);
   add_failure(quarter, "at a quarter of the step", dt / 4);
-  const RoundingGrowth growth =
-      refined && IsWhole(nudged) ? GrowthOf(study, nudged) : RoundingGrowth();
+  add_failure(nudged, "with its start moved by a rounding", dt);
+  const bool is_nudged = refined && IsWhole(nudged);
+  RoundingGrowth growth = is_nudged ? GrowthOf(study, nudged) : RoundingGrowth();
+  if (const Claim* stable = ClaimOf(scenario, kStable)) {
+    const double gain = stable->numbers.at(std::string(kStableGain));
+    growth = {.gain = gain, .gain_before = gain};
+    if (is_nudged) findings.push_back(JudgeStability(study, gain, nudged));
+  }
   const std::vector<Finding> of_world = findings;
   for (std::size_t v = 0; v < variants.size(); ++v) {
     const MeasureKind measure = variants[v].measure;

@@ -48,6 +48,12 @@ std::size_t CountOfWorldRuns(std::span<const WorldScenario> worlds,
 /** The claim that a second run gives the same bits. No law of one motion can tell it. */
 inline constexpr std::string_view kDeterministic = "deterministic";
 
+/** The claim that what moves the start moves the motion by no more than `gain` times as
+ much, a number of the claim: then variants are compared to the end, whatever an engine
+ makes of rounding. */
+inline constexpr std::string_view kStable = "stable";
+inline constexpr std::string_view kStableGain = "gain";
+
 /** The bodies and nodes times steps up to which a world is simulated at other steps and
  in variants: a second or so of the slowest engine. */
 inline constexpr double kStudiedBodySteps = 1e5;

@@ -254,6 +254,7 @@ class Origins {
 std::string_view HeldAgainst(const Finding& finding) {
   if (!finding.law.empty()) return finding.law;
   if (finding.measure == MeasureKind::kDeterminism) return kDeterministic;
+  if (finding.measure == MeasureKind::kStability) return kStable;
   return finding.reference == "law" ? "smaller steps" : "a changed world";
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -187,6 +188,61 @@ TEST(RunWorlds, FindsAnEngineThatAnswersOtherwiseEachTime) {
                                       Field(&Finding::verdict, Verdict::kFail))));
 }
 
+//     x              One step of an engine that goes elsewhere where its start is not
+//     |              exactly `x`: any rounding decides where. Nothing of the truth does.
+//  ---o--->
+//      \.
+//       '->
+Trajectory TornByRounding(const World& world, double x) {
+  const double off = world.bodies[0].placed.X_WB.p_WB.x() == x ? 0 : 0.125;
+  return FreeFlight(world, [off](double t) { return Eigen::Vector3d(off * t, 0, 0); });
+}
+
+std::map<MeasureKind, Verdict> VerdictsOn(const Oracle& engine,
+                                          std::vector<Claim> claims) {
+  std::vector<WorldScenario> worlds = {Flight("world/test/a", 10)};
+  worlds[0].claims = std::move(claims);
+  const std::vector<const Oracle*> oracles = {&engine};
+  std::map<MeasureKind, Verdict> verdicts;
+  for (const Finding& finding : RunWorlds(worlds, oracles, 1, {}).findings)
+    verdicts[finding.measure] = finding.verdict;
+  return verdicts;
+}
+
+TEST(RunWorlds, ComparesVariantsToTheEndOfWhatIsKnownToBeStable) {
+  const FakeSimulator torn("torn",
+                           [](const World& world) { return TornByRounding(world, 0.3); });
+  auto verdicts = VerdictsOn(torn, {});
+  EXPECT_EQ(verdicts.at(MeasureKind::kTranslation), Verdict::kUndecidable);
+  EXPECT_FALSE(verdicts.contains(MeasureKind::kStability));
+
+  const Claim stable = ClaimOf(kStable, {}, {{std::string(kStableGain), 4}});
+  verdicts = VerdictsOn(torn, {stable});
+  EXPECT_EQ(verdicts.at(MeasureKind::kStability), Verdict::kFail);
+  EXPECT_EQ(verdicts.at(MeasureKind::kTranslation), Verdict::kFail);
+
+  verdicts = VerdictsOn(FakeSimulator("exact", Exact), {stable});
+  EXPECT_EQ(verdicts.at(MeasureKind::kStability), Verdict::kPass);
+  EXPECT_EQ(verdicts.at(MeasureKind::kTranslation), Verdict::kPass);
+}
+
+TEST(RunWorlds, FindsAnEngineThatDivergesWhereItsStartIsMovedByARounding) {
+  const FakeSimulator engine("engine", [](const World& world) {
+    Trajectory trajectory = FreeFlight(world);
+    const Eigen::Vector3d& p_WB = world.bodies[0].placed.X_WB.p_WB;
+    const bool is_nudged = p_WB.x() != 0.3 && std::abs(p_WB.x() - 0.3) < 1e-9;
+    if (is_nudged) trajectory.diverged_at_step = 4;
+    return trajectory;
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  const std::vector<WorldScenario> worlds = {Flight("world/test/a", 10)};
+  EXPECT_THAT(
+      RunWorlds(worlds, oracles, 1, {}).findings,
+      Contains(Field(&Finding::proof,
+                     testing::HasSubstr("engine, with its start moved by a rounding: "
+                                        "diverged in step 4"))));
+}
+
 std::vector<std::string> ErrorsIn(const WorldScenario& scenario) {
   std::vector<std::string> errors;
   for (const Diagnostic& error : ErrorsOfClaims(scenario))
@@ -224,6 +280,18 @@ TEST(ErrorsOfClaims, RefuseANumberThatNoLawReads) {
                                      "expected_momentum, x, y, z"),
                   testing::HasSubstr("expected none: ballistic knows no numbers"),
                   testing::HasSubstr("expected none: deterministic knows no numbers")));
+}
+
+TEST(ErrorsOfClaims, SayWhatGainIsExpectedOfWhatIsStable) {
+  WorldScenario scenario = Flight("world/test/a", 10);
+  const std::string gain(kStableGain);
+  scenario.claims = {ClaimOf(kStable), ClaimOf(kStable, {}, {{gain, 0.5}}),
+                     ClaimOf(kStable, {}, {{gain, 1}})};
+  EXPECT_THAT(
+      ErrorsIn(scenario),
+      ElementsAre(testing::HasSubstr("claims[0] states no number \"gain\" (stable); "
+                                     "expected how many times as far"),
+                  testing::HasSubstr("claims[1].numbers.gain is 0.5; expected")));
 }
 
 TEST(ErrorsOfClaims, StandWhereTheFileSaysSo) {
