@@ -1,3 +1,4 @@
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
@@ -9,7 +10,7 @@
 
 namespace {
 
-int allocations = 0;
+std::atomic<int> allocations = 0;
 
 }  // namespace
 
