@@ -38,21 +38,6 @@ std::size_t At(int body) {
   return static_cast<std::size_t>(body);
 }
 
-/** Returns the radius of the largest ball in a body. [m] */
-double InnerRadius(const RigidBody& body) {
-  if (const auto* box = std::get_if<Box>(&body.shape))
-    return box->half_extents.minCoeff();
-  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return sphere->radius;
-  return std::holds_alternative<HalfSpace>(body.shape) ? kNever : 0;
-}
-
-/** Returns whether the bodies may be more in each other by the next step than can be told
- which way they came. */
-bool MayGoThrough(const RigidBody& A, const RigidBody& B, double h) {
-  const double way = h * (B.state.v_WB - A.state.v_WB).norm();
-  return way > 0.5 * (InnerRadius(A) + InnerRadius(B));
-}
-
 }  // namespace
 
 Blows::Blows() {
@@ -72,8 +57,7 @@ void Blows::Clear() {
 
 void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& settings,
                   double h) {
-  rules_ = {h, h * settings.gravity_W.norm(), settings.resting_speed,
-            MarginOf(settings, h), settings.gyroscopic};
+  rules_ = {h, settings.resting_speed, settings.gyroscopic};
   const std::size_t count = start.bodies.size();
   flies_.resize(count);
   static_.resize(count);
@@ -132,15 +116,16 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
     const RigidBody& A = start.bodies[At(pair.A)];
     const RigidBody& B = start.bodies[At(pair.B)];
     const Eigen::Vector3d a_AB_W = acceleration(pair.B) - acceleration(pair.A);
+    const double pull = PullOn(pair, A, B);
     bool strikes = true;
     for (const ContactPoint& contact : pair.manifold.points()) {
       const Meeting meeting =
-          MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, surely);
+          MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, pull, surely);
       if (meeting == Meeting::kStrikes) continue;
       strikes = false;
       // What overlaps has to be parted, unless it strikes.
       if (meeting == Meeting::kParts &&
-          contact.separation >= -rules_.margin - TouchOf(A, B)) {
+          contact.separation >= -MarginBetween(A, B) - TouchOf(A, B)) {
         continue;
       }
       flies_[At(pair.A)] = flies_[At(pair.B)] = false;
@@ -289,9 +274,12 @@ bool Blows::IsAsked(const Candidate& candidate) {
     if (Flies(body) && blows_[At(body)] >= kMostBlows) return false;
     if (IsHeld(body)) heap = std::max(heap, heap_size_[At(heaps_.Of(body))]);
   }
+  const Eigen::Vector3d v_AB_W = flights_[At(candidate.B)].start.state.v_WB -
+                                 flights_[At(candidate.A)].start.state.v_WB;
   return heap <= most_of_heap_ ||
-         (heap <= kMostOfHeap && MayGoThrough(flights_[At(candidate.A)].start,
-                                              flights_[At(candidate.B)].start, rules_.h));
+         (heap <= kMostOfHeap &&
+          MayGoThrough(flights_[At(candidate.A)].start, flights_[At(candidate.B)].start,
+                       rules_.h * v_AB_W.norm()));
 }
 
 void Blows::Foresee(double from, int index) {
@@ -332,7 +320,7 @@ void Blows::Widen(int body, double t, const End& end, ContactFinder& finder) {
   if (way <= reach * left / rules_.h) return;
   reach = way * rules_.h / left;
   met_.clear();
-  finder.Widen(body, flight.start, way + rules_.margin, met_);
+  finder.Widen(body, flight.start, way + flight.start.margin, met_);
   for (const int other : met_) {
     if (linked_[At(body)] || linked_[At(other)]) continue;
     if (!Flies(body) && !Flies(other)) continue;
@@ -399,7 +387,7 @@ void Blows::Gather(double t, const End& end) {
                               : flights_[At(body)].At(t, rules_.gyroscopic);
     };
     ContactPair pair;
-    pair.manifold = CollideAtBlow(at(candidate.A), at(candidate.B), rules_);
+    pair.manifold = CollideAtBlow(at(candidate.A), at(candidate.B));
     if (pair.manifold.count == 0) continue;
     pair.A = candidate.A;
     pair.B = candidate.B;

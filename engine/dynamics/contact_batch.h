@@ -73,6 +73,8 @@ struct alignas(32) ContactBatch {
   VectorLanes t2;
   Lanes friction;
   Lanes restitution;
+  Lanes usual;  ///< What gravity and forces add in a step, see PullOn(). [m/s]
+  Lanes slack;  ///< [m]
   Lanes inverse_mass_A;
   Lanes inverse_mass_B;
   TensorLanes inverse_inertia_A;
@@ -82,9 +84,7 @@ struct alignas(32) ContactBatch {
 /** What the rows are made by. */
 struct ContactRules {
   double h;                ///< [s]
-  double gravity_speed;    ///< What gravity adds in a step. [m/s]
   double resting_speed;    ///< As Settings.
-  double slack;            ///< [m]
   double baumgarte;        ///< Share of the excess depth, or 0.
   double soft_rate;        ///< Speed per excess depth, or 0. [1/s]
   double soft_mass_scale;  ///< 1 where hard.

@@ -156,7 +156,7 @@ void ContactGroup::Note(const ContactBatch& batch, const OverlapNotes& notes) co
     bool any = false;
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const bool counts = contact.used[lane] != 0 && contact.bounces[lane] == 0 &&
-                          contact.separation[lane] < -notes.slack;
+                          contact.separation[lane] < -batch.slack[lane];
       if (!counts) continue;
       any = true;
       mass[lane] = notes.turns
@@ -169,7 +169,7 @@ void ContactGroup::Note(const ContactBatch& batch, const OverlapNotes& notes) co
     overlap.r_B = contact.r_B;
     overlap.mass = mass;
     for (std::size_t lane = 0; lane < 4; ++lane) {
-      overlap.depth[lane] = -contact.separation[lane] - notes.slack;
+      overlap.depth[lane] = -contact.separation[lane] - batch.slack[lane];
     }
   }
   if (rows.size() == first) return;
@@ -179,6 +179,7 @@ void ContactGroup::Note(const ContactBatch& batch, const OverlapNotes& notes) co
   noted.first = static_cast<int>(first);
   noted.count = static_cast<int>(rows.size() - first);
   noted.n = batch.n;
+  noted.usual = batch.usual;
   noted.inverse_mass_A = batch.inverse_mass_A;
   noted.inverse_mass_B = batch.inverse_mass_B;
   noted.inverse_inertia_A = notes.turns ? batch.inverse_inertia_A : TensorLanes{};

@@ -37,7 +37,6 @@ struct Overlaps {
 
 /** What is noted of overlaps. */
 struct OverlapNotes {
-  double slack;        ///< Depth that is left. [m]
   bool turns = true;   ///< Whether a body may turn, not only move.
   Overlaps* overlaps;  ///< nullptr: nothing is noted.
 };

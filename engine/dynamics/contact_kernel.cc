@@ -147,8 +147,7 @@ HWY_INLINE void SpreadLoad(const ContactBatch& batch, ContactLanes* rows) {
  the cone. */
 HWY_INLINE void SpreadFriction(const ContactBatch& batch, ContactLanes* rows,
                                const Moving& A_before, const Moving& B_before,
-                               const Moving& A_free, const Moving& B_free,
-                               double gravity_speed) {
+                               const Moving& A_free, const Moving& B_free) {
   const Four zero{};
   const Four one = Splat(1);
   const Four3 n = At(batch.n);
@@ -173,7 +172,7 @@ HWY_INLINE void SpreadFriction(const ContactBatch& batch, ContactLanes* rows,
     const Four slip1 = Dot(u, t1);
     const Four slip2 = Dot(u, t2);
     const Four pull = Dot(Minus(RelativeVelocity(A_free, B_free, r_A, r_B), u), n);
-    const Four steady = Splat(kSteady) * (Splat(gravity_speed) + Abs(pull));
+    const Four steady = Splat(kSteady) * (At(batch.usual) + Abs(pull));
     slips |= (impulse > zero) & (slip1 * slip1 + slip2 * slip2 > steady * steady);
   }
   FourBits spreads = (number > Splat(1.5)) & ~slips;
@@ -214,7 +213,7 @@ HWY_INLINE void SpreadFriction(const ContactBatch& batch, ContactLanes* rows,
 }
 
 /** Fills what a batch and its rows have of the pairs. */
-HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows,
+HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows, const ContactRules& rules,
                      std::span<const ContactPair> pairs, const SolverBodies& world,
                      bool warm_starting) {
   static_assert(offsetof(ContactPoint, separation) == sizeof(Eigen::Vector3d));
@@ -238,6 +237,7 @@ HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows,
     x_A[lane] = x_B[lane] = kNothing.data();
     inertia_A[lane] = inertia_B[lane] = &kImmovable;
     friction[lane] = batch.restitution[lane] = 0;
+    batch.usual[lane] = batch.slack[lane] = 0;
     if (!is_pair) continue;
     const auto a = static_cast<std::size_t>(batch.A[lane]);
     const auto b = static_cast<std::size_t>(batch.B[lane]);
@@ -249,6 +249,8 @@ HWY_INLINE void Fill(ContactBatch& batch, ContactLanes* rows,
     inertia_B[lane] = &world.inertias[b];
     friction[lane] = A.friction * B.friction;
     batch.restitution[lane] = std::min(A.restitution, B.restitution);
+    batch.usual[lane] = rules.h * PullOn(*pair[lane], A, B);
+    batch.slack[lane] = SlackBetween(A, B);
   }
   FillInertia(inertia_A, batch.inverse_mass_A, batch.inverse_inertia_A);
   FillInertia(inertia_B, batch.inverse_mass_B, batch.inverse_inertia_B);
@@ -330,14 +332,13 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
     ContactBatch& batch = rows.batches[k];
     if (k + 1 < rows.batches.size()) FetchBatch(rows.batches[k + 1], pairs, world);
     ContactLanes* prepared = &rows.contacts[static_cast<std::size_t>(batch.first)];
-    Fill(batch, prepared, pairs, world, warm_starting);
+    Fill(batch, prepared, rules, pairs, world, warm_starting);
     const Moving A_before = Gather(before, batch.A);
     const Moving B_before = Gather(before, batch.B);
     const Moving A_free = Gather(velocities, batch.A);
     const Moving B_free = Gather(velocities, batch.B);
     if (warm_starting && batch.count > 1) {
-      SpreadFriction(batch, prepared, A_before, B_before, A_free, B_free,
-                     rules.gravity_speed);
+      SpreadFriction(batch, prepared, A_before, B_before, A_free, B_free);
     }
     const Inertias m = InertiasOf(batch);
     const Four3 n = At(batch.n);
@@ -356,7 +357,7 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
               Select(used, Max(Dot(u_before, u_before), Dot(u_free, u_free)), zero));
       const Four approach = Dot(u_before, n);
       const Four pull = Dot(u_free, n) - approach;
-      const Four usual = Splat(rules.gravity_speed) + Abs(pull);
+      const Four usual = At(batch.usual) + Abs(pull);
       const Four sent_back = pull - restitution * approach;
       const FourBits apart = At(contact.separation) > zero;
       const Four fast = Splat(rules.resting_speed) * usual;
@@ -371,7 +372,7 @@ double Prepare(const ContactRows& rows, const ContactRules& rules,
       const Four arrive =
           Select(would_bounce, Splat(-std::numeric_limits<double>::infinity()),
                  zero - At(contact.separation) / Splat(rules.h));
-      const Four excess = zero - At(contact.separation) - Splat(rules.slack);
+      const Four excess = zero - At(contact.separation) - At(batch.slack);
       const FourBits deep = (excess > zero) & ~would_bounce;
       const Four push =
           Select(deep, Splat(rules.baumgarte + rules.soft_rate) * excess, zero);

@@ -63,11 +63,20 @@ void PassOn(const OldContacts& old, double reach, ContactPair& pair) {
 
 }  // namespace
 
-void Recollide(double margin, const RigidBody& A, const RigidBody& B, ContactPair& pair) {
+double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B) {
+  const double own = PullBetween(A, B);
+  const double of_heap = HeapPullBetween(A, B);
+  if (of_heap <= own) return own;
+  const bool press = std::any_of(pair.J_W.begin(), pair.J_W.begin() + pair.manifold.count,
+                                 [](const Eigen::Vector3d& J) { return !J.isZero(0); });
+  return press ? of_heap : own;
+}
+
+void Recollide(double most, const RigidBody& A, const RigidBody& B, ContactPair& pair) {
   const OldContacts old(pair.manifold);
   const Eigen::Vector3d guess =
       old.count > 0 ? pair.manifold.n_AB_W : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  CollideWithin(margin, A, B, guess, pair.manifold);
+  CollideWithin(std::min(most, MarginBetween(A, B)), A, B, guess, pair.manifold);
   if (HasSameFeatures(old, pair.manifold)) return;
 
   const double smaller = A.is_static()   ? B.radius

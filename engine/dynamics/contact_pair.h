@@ -19,9 +19,13 @@ struct ContactPair {
   std::array<Eigen::Vector3d, 8> J_W;
 };
 
+/** Returns how hard the two bodies of `pair` are pulled; as hard as their heap, where
+ they pressed each other in the last step. [m/s²] */
+double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B);
+
 /** Replaces the manifold of `pair` by that of its bodies as they are now, contacts apart
- by up to `margin` [m] included. The impulse of a contact is that of the old contact of
- the same feature; new contacts start at zero. */
-void Recollide(double margin, const RigidBody& A, const RigidBody& B, ContactPair& pair);
+ by up to MarginBetween() them, but no more than `most` [m], included. The impulse of a
+ contact is that of the old contact of the same feature; new contacts start at zero. */
+void Recollide(double most, const RigidBody& A, const RigidBody& B, ContactPair& pair);
 
 }  // namespace cookbook

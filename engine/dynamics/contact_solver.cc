@@ -21,15 +21,11 @@ constexpr int kLargePart = 2 * kPart;
 constexpr double kRelaxation = 1.4;
 /** Contacts below which it does not pay to wake another thread. */
 constexpr int kFewContacts = 200;
-/** What steps may spend beyond their patience, in patiences, before others save it. */
-constexpr long kHeadStart = 20;
 
 ContactRules RulesOf(const Settings& settings, double h) {
   ContactRules rules{};
   rules.h = h;
-  rules.gravity_speed = h * settings.gravity_W.norm();
   rules.resting_speed = settings.resting_speed;
-  rules.slack = SlackOf(settings, h);
   rules.soft_mass_scale = 1;
   rules.accumulated = settings.accumulated_impulses;
   if (settings.stabilisation == Stabilisation::kBaumgarte) {
@@ -49,11 +45,11 @@ ContactRules RulesOf(const Settings& settings, double h) {
 }
 
 /** Returns what is noted of overlaps, if anything is, in `overlaps`. */
-OverlapNotes RulesOfOverlap(const Settings& settings, double h, Overlaps& overlaps) {
+OverlapNotes RulesOfOverlap(const Settings& settings, Overlaps& overlaps) {
   const bool turns = settings.stabilisation == Stabilisation::kNonLinearProjection;
   const bool projects =
       turns || settings.stabilisation == Stabilisation::kLinearProjection;
-  return {SlackOf(settings, h), turns, projects ? &overlaps : nullptr};
+  return {turns, projects ? &overlaps : nullptr};
 }
 
 }  // namespace
@@ -148,7 +144,7 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
   for (Overlaps& overlaps : overlaps_) overlaps.Clear();
   if (pairs.empty()) return;
   const ContactRules rules = RulesOf(settings, h);
-  notes_ = RulesOfOverlap(settings, h, overlaps_.back());
+  notes_ = RulesOfOverlap(settings, overlaps_.back());
   ColourAndJoin(pairs, world.bodies);
   // A world that may be swept more often than any world is solved as a whole: the sweeps
   // that one heap leaves over are for the others.
@@ -157,10 +153,7 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
   Order();
   heap_changes_.resize(world.bodies.size());
   const bool warm_starting = settings.warm_starting && settings.accumulated_impulses;
-  const long patience =
-      settings.patience +
-      (is_small ? std::max(0L, kHeadStart * settings.patience - spent_ahead_) : 0);
-
+  const long patience = is_small ? patience_.Left(settings) : settings.patience;
   const int sweeps =
       settings.impulse_iterations - (is_small ? 0 : settings.impulse_iterations / 8);
 
@@ -184,7 +177,7 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
         break;
     }
     // A small world is one part: no other thread is here.
-    if (is_small) spent_ahead_ = std::max(0L, spent_ahead_ + spent - settings.patience);
+    if (is_small) patience_.Spend(spent, settings);
     group.End(pairs, touches, NotesIn(overlaps));
   };
 
@@ -219,7 +212,7 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
 
 void ContactSolver::Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
                           const Settings& settings, double h, Crew& crew) {
-  notes_ = RulesOfOverlap(settings, h, overlaps_.back());
+  notes_ = RulesOfOverlap(settings, overlaps_.back());
   ColourAndJoin(pairs, world.bodies);
   Divide(world.bodies.size(), contacts_);
   Order();

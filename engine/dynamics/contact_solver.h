@@ -9,6 +9,7 @@
 #include "engine/dynamics/contact_pair.h"
 #include "engine/dynamics/crew.h"
 #include "engine/dynamics/disjoint_sets.h"
+#include "engine/dynamics/patience.h"
 #include "engine/dynamics/settings.h"
 
 namespace cookbook {
@@ -100,9 +101,7 @@ class ContactSolver {
   std::vector<ContactGroup> own_;     ///< Of each thread.
   std::vector<Overlaps> overlaps_;
   OverlapNotes notes_{};
-  /** Sweeps × rows that steps spent beyond their patience, and others did not save yet.
-   */
-  long spent_ahead_ = 0;
+  Patience patience_;
   Crew alone_{1};
 };
 

@@ -35,9 +35,15 @@ Eigen::Vector3d PointVelocity(const RigidBody& body, const Eigen::Vector3d& p_W)
 bool Strikes(const Manifold& manifold, const RigidBody& A, const RigidBody& B,
              const Eigen::Vector3d& a_AB_W, const BlowRules& rules) {
   const auto points = manifold.points();
+  const double pull = PullBetween(A, B);
   return std::any_of(points.begin(), points.end(), [&](const ContactPoint& contact) {
-    return MeetingAt(contact.p_WC, manifold.n_AB_W, A, B, a_AB_W, rules) ==
-           Meeting::kStrikes;
+    const Meeting meeting =
+        MeetingAt(contact.p_WC, manifold.n_AB_W, A, B, a_AB_W, pull, rules);
+    if (meeting != Meeting::kHolds) return meeting == Meeting::kStrikes;
+    // The next step would hold it, had it not come too far by then.
+    const double approach = manifold.n_AB_W.dot(PointVelocity(A, contact.p_WC) -
+                                                PointVelocity(B, contact.p_WC));
+    return MayGoThrough(A, B, rules.h * approach);
   });
 }
 
@@ -114,22 +120,27 @@ double TouchOf(const RigidBody& A, const RigidBody& B) {
                                    : std::min(A.radius, B.radius));
 }
 
-Manifold CollideAtBlow(const RigidBody& A, const RigidBody& B, const BlowRules& rules) {
+Manifold CollideAtBlow(const RigidBody& A, const RigidBody& B) {
   Manifold manifold;
-  CollideWithin(rules.margin + TouchOf(A, B), A, B, Eigen::Vector3d::Zero(), manifold);
+  CollideWithin(MarginBetween(A, B) + TouchOf(A, B), A, B, Eigen::Vector3d::Zero(),
+                manifold);
   return manifold;
+}
+
+bool MayGoThrough(const RigidBody& A, const RigidBody& B, double way) {
+  return way > 0.5 * (InnerRadius(A) + InnerRadius(B));
 }
 
 Meeting MeetingAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
                   const RigidBody& A, const RigidBody& B, const Eigen::Vector3d& a_AB_W,
-                  const BlowRules& rules) {
+                  double pull, const BlowRules& rules) {
   const Eigen::Vector3d v_A = PointVelocity(A, p_W);
   const Eigen::Vector3d v_B = PointVelocity(B, p_W);
   const double approach = n_AB_W.dot(v_B - v_A);
   const double together = kTogether * (v_A.norm() + v_B.norm());
-  const double pull = rules.h * n_AB_W.dot(a_AB_W);
-  const double fast = rules.resting_speed * (rules.gravity_speed + std::abs(pull));
-  if (approach > fast || (approach >= -together && pull >= -together)) {
+  const double gain = rules.h * n_AB_W.dot(a_AB_W);
+  const double fast = rules.resting_speed * (rules.h * pull + std::abs(gain));
+  if (approach > fast || (approach >= -together && gain >= -together)) {
     return Meeting::kParts;
   }
   return approach < -std::max(fast, together) ? Meeting::kStrikes : Meeting::kHolds;
@@ -146,7 +157,7 @@ std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double
   for (int look = 0; look < kMostLooks; ++look) {
     const RigidBody a = A.At(t, rules.gyroscopic);
     const RigidBody b = B.At(t, rules.gyroscopic);
-    const Manifold manifold = CollideAtBlow(a, b, rules);
+    const Manifold manifold = CollideAtBlow(a, b);
     const double gap = manifold.separation;
     if (gap > touch) {
       if (t >= h) return std::nullopt;

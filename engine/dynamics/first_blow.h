@@ -10,9 +10,7 @@ namespace cookbook {
 /** When a meeting of two bodies is a blow. */
 struct BlowRules {
   double h;              ///< Of the step. [s]
-  double gravity_speed;  ///< What gravity adds in it. [m/s]
   double resting_speed;  ///< As Settings.
-  double margin;         ///< Contacts apart by less touch. [m]
   Gyroscopic gyroscopic;
 };
 
@@ -24,24 +22,30 @@ enum class Meeting {
 };
 
 /** Returns what two bodies make of their contact at `p_W`, given how forces change the
- velocity of B against A. The threshold is that of ContactSolver. */
+ velocity of B against A, and how hard they are pulled, see Pulls. The threshold
+ is that of ContactSolver. */
 Meeting MeetingAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
                   const RigidBody& A, const RigidBody& B, const Eigen::Vector3d& a_AB_W,
-                  const BlowRules& rules);
+                  double pull, const BlowRules& rules);
 
 /** Returns the gap below which two bodies touch in a blow. [m] */
 double TouchOf(const RigidBody& A, const RigidBody& B);
 
 /** Returns how two bodies touch that FirstBlow() brought together. */
-Manifold CollideAtBlow(const RigidBody& A, const RigidBody& B, const BlowRules& rules);
+Manifold CollideAtBlow(const RigidBody& A, const RigidBody& B);
+
+/** Returns whether two bodies that go `way` [m] into each other may be deeper than can be
+ told which way they came. */
+bool MayGoThrough(const RigidBody& A, const RigidBody& B, double way);
 
 /** Returns when, from `from` [s] to the end of the step, two bodies first touch where one
  contact at least strikes. They are found to touch by conservative advancement (Mirtich
  1996). Where neither turns, nothing is gone through that is struck; what comes no faster
- than MeetingAt() asks of a blow is not. Where one turns, the points that face each other
- decide how long not to look, at most a quarter of the step: what only the turn brings
- together may be seen by so much too late, or, where it is thinner than that way, not at
- all. Bounds take the turning as fast as it is when the step begins. */
+ than MeetingAt() asks of a blow is not, unless it might go through. Where one turns, the
+ points that face each other decide how long not to look, at most a quarter of the step:
+ what only the turn brings together may be seen by so much too late, or, where it is
+ thinner than that way, not at all. Bounds take the turning as fast as it is when the step
+ begins. */
 std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double from,
                                 const BlowRules& rules);
 

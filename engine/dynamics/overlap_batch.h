@@ -25,6 +25,7 @@ struct alignas(32) OverlapBatch {
   int count;
   bool at_work;  ///< Whether any contact of it is to be moved.
   VectorLanes n;
+  Lanes usual;  ///< As of ContactBatch. [m/s]
   Lanes inverse_mass_A;
   Lanes inverse_mass_B;
   TensorLanes inverse_inertia_A;
@@ -39,9 +40,8 @@ struct OverlapRows {
 
 /** How overlap is removed. */
 struct OverlapRules {
-  double h;              ///< [s]
-  double gravity_speed;  ///< What gravity adds in a step. [m/s]
-  double share;          ///< Of the excess, in (0, 1].
+  double h;      ///< [s]
+  double share;  ///< Of the excess, in (0, 1].
 };
 
 /** Finds what is to be removed of each overlap, given what has moved the bodies during

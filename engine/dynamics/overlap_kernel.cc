@@ -41,8 +41,7 @@ void Find(const OverlapRows& rows, const OverlapRules& rules, const Velocity* me
       const Four excess = At(overlap.depth) - gone;
       // What parts by itself needs no help, and help would be energy from nowhere.
       const Four parting = Dot(n, RelativeVelocity(A_now, B_now, r_A, r_B));
-      const FourBits parts =
-          parting > Splat(rules.gravity_speed) + share * excess / Splat(rules.h);
+      const FourBits parts = parting > At(batch.usual) + share * excess / Splat(rules.h);
       const Four mass = At(overlap.mass);
       const FourBits counts = (mass > zero) & (excess > zero) & ~parts;
       any |= counts;

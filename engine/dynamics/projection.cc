@@ -24,7 +24,7 @@ bool FindMoves(std::span<Overlaps> overlaps, int contacts, std::span<const Veloc
   const double share = IsSmall(settings, contacts)
                            ? settings.projection_share
                            : std::min(settings.projection_share, kLargeShare);
-  const OverlapRules rules{h, h * settings.gravity_W.norm(), share};
+  const OverlapRules rules{h, share};
 
   std::fill(moves.begin(), moves.end(), Velocity{});
   const auto for_each_sweep = [&](const auto& remove) {

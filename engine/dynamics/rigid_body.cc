@@ -1,5 +1,7 @@
 #include "engine/dynamics/rigid_body.h"
 
+#include <limits>
+
 namespace cookbook {
 namespace {
 
@@ -37,6 +39,15 @@ RigidBody MakeRigidBody(const BodyDefinition& definition) {
   body.radius = BoundingRadius(definition.shape);
   body.force_W = definition.force_W;
   return body;
+}
+
+double InnerRadius(const RigidBody& body) {
+  if (const auto* box = std::get_if<Box>(&body.shape))
+    return box->half_extents.minCoeff();
+  if (const auto* sphere = std::get_if<Sphere>(&body.shape)) return sphere->radius;
+  return std::holds_alternative<HalfSpace>(body.shape)
+             ? std::numeric_limits<double>::infinity()
+             : 0;
 }
 
 double Travel(const BodyState& before, const RigidBody& body) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "engine/dynamics/body.h"
 
 namespace cookbook {
@@ -10,10 +12,15 @@ struct RigidBody {
   BodyState state;
   Eigen::Matrix3d R_WB;             ///< That of state.q_WB.
   double inverse_mass;              ///< 0: static. [1/kg]
+  double margin = 0;                ///< Contacts apart by less are kept ready. [m]
   Eigen::Vector3d moments;          ///< Principal moments of inertia; zero where unused.
   Eigen::Vector3d inverse_moments;  ///< Zero where static, or a point.
   double restitution;
   double friction;
+  // How hard it is pulled, and so what counts for rest, see Pulls.
+  double pull = 0;       ///< What pulls at it, by its mass. [m/s²]
+  double heap_pull = 0;  ///< The same of its heap. [m/s²]
+  double slack = 0;      ///< Depth that is left. [m]
   bool collides;
   double drag;              ///< See BodyDefinition.
   double radius;            ///< Of the smallest ball about the origin that holds it. [m]
@@ -29,6 +36,35 @@ struct RigidBody {
 /** Returns the body that `definition` describes.
  @throws std::invalid_argument where it is refused, see Validate(). */
 RigidBody MakeRigidBody(const BodyDefinition& definition);
+
+// What counts for rest between two bodies of which one moves at least.
+
+/** Returns how far contacts of the two may be apart that are kept ready. [m] */
+inline double MarginBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static()   ? B.margin
+         : B.is_static() ? A.margin
+                         : std::min(A.margin, B.margin);
+}
+
+/** Returns the depth that is left. [m] */
+inline double SlackBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static() ? B.slack : B.is_static() ? A.slack : std::min(A.slack, B.slack);
+}
+
+/** Returns how hard the two are pulled, each by itself. [m/s²] */
+inline double PullBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static() ? B.pull : B.is_static() ? A.pull : std::max(A.pull, B.pull);
+}
+
+/** Returns how hard their heaps are. [m/s²] */
+inline double HeapPullBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static()   ? B.heap_pull
+         : B.is_static() ? A.heap_pull
+                         : std::max(A.heap_pull, B.heap_pull);
+}
+
+/** Returns the radius of the largest ball in a body. [m] */
+double InnerRadius(const RigidBody& body);
 
 /** Returns a bound of how far any point of `body` is from where it was. [m] */
 double Travel(const BodyState& before, const RigidBody& body);

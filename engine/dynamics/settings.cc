@@ -17,14 +17,6 @@ void Expect(bool holds, const char* setting, double value, const char* expected)
 
 }  // namespace
 
-double SlackOf(const Settings& settings, double h) {
-  return settings.penetration_slack.value_or(2 * h * h * settings.gravity_W.norm());
-}
-
-double MarginOf(const Settings& settings, double h) {
-  return settings.contact_margin.value_or(2 * h * h * settings.gravity_W.norm());
-}
-
 bool IsSmall(const Settings& settings, int contacts) {
   return (settings.impulse_iterations + 1) * contacts <= settings.patience;
 }

@@ -56,8 +56,8 @@ struct Settings {
   bool warm_starting = true;
   /** Clamps the sum of the impulses of a contact, not every single one. */
   bool accumulated_impulses = true;
-  /** Approach below which contacts do not bounce, in multiples of what gravity adds in a
-   step: slower bounces last less than two steps. */
+  /** Approach below which contacts do not bounce, in multiples of what gravity and forces
+   add in a step, see Pulls: slower bounces last less than two steps. */
   double resting_speed = 1;
   /** Lets what flies strike at the moment it meets something, not at the start of the
    step that finds it inside. */
@@ -67,11 +67,12 @@ struct Settings {
   /** Share of the excess depth removed per step, in (0, 1]. A large world, see IsSmall(),
    removes a fifth at most. */
   double projection_share = 0.45;
-  /** Depth that is left, against jitter. Absent: 2 |g| dt². [m] */
+  /** Depth that is left, against jitter. Absent: as `contact_margin`. [m] */
   std::optional<double> penetration_slack;
   int projection_iterations = 4;
   /** Contacts apart by less are kept ready, so that rounding does not take a corner from
-   a box at rest. Absent: 2 |g| dt². [m] */
+   a box at rest. Absent: 2 a dt², the way that the pull a on what rests would make of two
+   steps; under gravity alone a = |g|. Of what forces and springs pull see Pulls. [m] */
   std::optional<double> contact_margin;
   /** Of Stabilisation::kSoft. The frequency is at most 1/(8 dt). [Hz] */
   double soft_frequency = 30;
@@ -89,12 +90,6 @@ struct Settings {
   /** Every step is taken as so many shorter ones. */
   int sub_steps = 1;
 };
-
-/** Returns Settings::penetration_slack, or what stands for it at step `h` [s]. [m] */
-double SlackOf(const Settings& settings, double h);
-
-/** Returns Settings::contact_margin, or what stands for it at step `h` [s]. [m] */
-double MarginOf(const Settings& settings, double h);
 
 /** Whether a world of so many contacts may be swept more often than any world, see
  Settings::patience. What is so small is solved; what is large is off by more. */

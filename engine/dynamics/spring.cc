@@ -18,6 +18,12 @@ Eigen::Vector3d MeanDirection(const Eigen::Vector3d& d_sum, double length_sum) {
 
 }  // namespace
 
+Eigen::Vector3d PullOnA(const Spring& spring, std::span<const RigidBody> bodies) {
+  const Eigen::Vector3d d = PlaceOf(spring.B, bodies).p_W - PlaceOf(spring.A, bodies).p_W;
+  const double length = d.norm();
+  return spring.stiffness * (length - spring.rest_length) * MeanDirection(d, length);
+}
+
 void SpringSolver::Want(const Spring& spring, double length, double share, double h,
                         Row& row) {
   const double stretch = 0.5 * (row.length_start + length) - spring.rest_length;

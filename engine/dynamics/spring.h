@@ -17,6 +17,10 @@ struct Spring {
   double rest_length = 0;  ///< L. [m], >= 0
 };
 
+/** Returns k (ℓ − L) along the line of the anchors: the force with which the spring pulls
+ A at rest, and B the other way. [N] */
+Eigen::Vector3d PullOnA(const Spring& spring, std::span<const RigidBody> bodies);
+
 /** Solves the springs of a world together with its rods and contacts.
 
  With d from anchor A to B, of length ℓ₀ before a step of h and ℓ₁ after it, a spring

@@ -62,6 +62,8 @@ int World::AddBody(const BodyDefinition& definition) {
   driven_.push_back(false);
   ahead_.push_back(bodies_.back());
   const RigidBody& body = bodies_.back();
+  has_forces_ = has_forces_ || !body.force_W.isZero(0);
+  found_for_ = 0;
   const bool is_solid = std::holds_alternative<Box>(body.shape) ||
                         std::holds_alternative<HalfSpace>(body.shape);
   if (body.is_static() && body.collides && is_solid) solids_.push_back(added);
@@ -142,6 +144,7 @@ void World::ApplyForce(int body, const Eigen::Vector3d& p_W, const Eigen::Vector
     throw std::invalid_argument("A force or its point is not finite.");
   }
   sleep_.Wake(body, bodies_);
+  is_pushed_ = true;
   pushed.applied_force_W += F_W;
   pushed.applied_torque_W += (p_W - pushed.state.p_WB).cross(F_W);
 }
@@ -157,6 +160,7 @@ void World::Step(double dt) {
     body.applied_force_W.setZero();
     body.applied_torque_W.setZero();
   }
+  is_pushed_ = false;
 }
 
 void World::StepOnce(double h) {
@@ -221,8 +225,19 @@ bool World::StepAsFive(double h) {
   return false;
 }
 
+void World::FindPulls(double h) {
+  // Gravity alone pulls all alike, step after step.
+  const bool is_even = !has_forces_ && !is_pushed_ && springs_.empty();
+  if (is_even && found_for_ == h) return;
+  pulls_.Find(finder_.contacts(), joints_, springs_, settings_, h, bodies_);
+  found_for_ = is_even ? h : 0;
+}
+
 bool World::FindContacts(double h) {
-  finder_.Find(bodies_, MarginOf(settings_, h), settings_.blows_in_time ? h : 0, crew_);
+  FindPulls(h);
+  finder_.Find(bodies_, pulls_.greatest_margin(), settings_.blows_in_time ? h : 0, crew_);
+  // What has come into contact presses from now on.
+  FindPulls(h);
   return !finder_.contacts().empty();
 }
 
@@ -271,12 +286,15 @@ void World::StopStretching(double h) {
   // The step itself leaves less than the accelerations times h. More is a blow along a
   // rod, which takes no time.
   double fastest = 0;
+  double pull = 0;
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (linked_[i]) fastest = std::max(fastest, bodies_[i].state.v_WB.norm());
+    if (!linked_[i] || bodies_[i].is_static()) continue;
+    fastest = std::max(fastest, bodies_[i].state.v_WB.norm());
+    pull = std::max(pull, bodies_[i].pull);
   }
   for (const DistanceJoint& joint : joints_) shortest = std::min(shortest, joint.length);
-  const double usual = h * (settings_.gravity_W.norm() + fastest * fastest / shortest);
+  const double usual = h * (pull + fastest * fastest / shortest);
   if (rods_.FastestStretching(solved_) <= usual) return;
   rods_.Forget();
   const int sweeps = std::max(settings_.impulse_iterations,
@@ -297,14 +315,17 @@ void World::SweepLinksUntilSolved() {
   const double solved = settings_.residual * speed;
   const int rows =
       contacts_.row_count() + static_cast<int>(joints_.size() + springs_.size());
-  int spent = 0;
+  const bool is_small = IsSmall(settings_, rows);
+  const long patience = is_small ? patience_.Left(settings_) : settings_.patience;
+  long spent = 0;
   for (int k = 0;; ++k) {
     spent += rows;
-    if (k >= settings_.impulse_iterations && spent > settings_.patience) return;
+    if (k >= settings_.impulse_iterations && spent > patience) break;
     const double rods = rods_.Sweep(solved_);
     const double springs = spring_solver_.Sweep(solved_);
-    if (std::max({rods, springs, contacts_.Sweep(solved_, crew_)}) <= solved) return;
+    if (std::max({rods, springs, contacts_.Sweep(solved_, crew_)}) <= solved) break;
   }
+  if (is_small) patience_.Spend(spent, settings_);
 }
 
 void World::Solve(double h) {
@@ -367,11 +388,10 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
   // holds it, it has the velocity of the end from the start.
   const double change =
       (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
-  const double forces = settings_.gravity_W.norm() +
-                        body.inverse_mass * (body.force_W + body.applied_force_W).norm();
   const bool touched = touches_[i].bounced || touches_[i].rested;
-  const bool struck = touched && (touches_[i].bounced || !touches_[i].steady ||
-                                  change > kBlow * h * forces);
+  const bool struck =
+      touched && (touches_[i].bounced || !touches_[i].steady ||
+                  change > kBlow * h * std::max(body.pull, body.heap_pull));
   Velocity& mean = mean_[i];
   if (!struck) {
     mean.v = 0.5 * (before.v + after.v);
@@ -459,12 +479,16 @@ void World::Project(double h) {
 }
 
 void World::Lull(double h) {
+  // Forces that hold each other up leave this share of themselves: some roundings.
+  constexpr double kNothing = 1e-15;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const RigidBody& body = bodies_[i];
-    const Eigen::Vector3d pull =
-        settings_.gravity_W + body.inverse_mass * (body.force_W + body.applied_force_W);
+    const Eigen::Vector3d push =
+        body.inverse_mass * (body.force_W + body.applied_force_W);
+    const double pull = (settings_.gravity_W + push).norm();
+    const bool is_pulled = pull > kNothing * (settings_.gravity_W.norm() + push.norm());
     const bool is_held = linked_[i] || touches_[i].rested || touches_[i].bounced;
-    driven_[i] = !is_held && !(pull.isZero(0) && body.applied_torque_W.isZero(0));
+    driven_[i] = !is_held && (is_pulled || !body.applied_torque_W.isZero(0));
   }
   if (!sleep_.Lull(finder_, driven_, settings_, h, bodies_)) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {

@@ -10,6 +10,8 @@
 #include "engine/dynamics/contact_solver.h"
 #include "engine/dynamics/crew.h"
 #include "engine/dynamics/distance_joint.h"
+#include "engine/dynamics/patience.h"
+#include "engine/dynamics/pulls.h"
 #include "engine/dynamics/settings.h"
 #include "engine/dynamics/sleep.h"
 #include "engine/dynamics/spring.h"
@@ -81,6 +83,8 @@ class World {
    looked for. */
   bool MayStrike(double h);
   void Advance(double h, bool follow_blows);
+  /** Finds how hard the bodies are pulled. */
+  void FindPulls(double h);
   /** Returns whether there are any contacts. */
   bool FindContacts(double h);
   void ApplyForcesTo(std::size_t i, double h);
@@ -119,9 +123,15 @@ class World {
   std::vector<int> solids_;  ///< What points meet.
   ContactSolver contacts_;
   Blows blows_;
+  Pulls pulls_;
+  bool has_forces_ = false;  ///< Whether a constant force pulls a body.
+  bool is_pushed_ = false;   ///< Whether a force of this step pulls one.
+  /** The step for which all is found, and gravity alone pulls; 0: none. [s] */
+  double found_for_ = 0;
   JointSolver rods_;
   SpringSolver spring_solver_;
 
+  Patience patience_;   ///< Of what sweeps over rods and springs.
   double fastest_ = 0;  ///< Of the linked bodies, or pulls on them. [m/s]
   std::atomic<bool> point_hit_ = false;  ///< Whether a point has met a solid.
 

@@ -78,6 +78,27 @@ TEST(Stack, AHeavyBoxThatComesLaterRestsFromItsFirstStepToo) {
   ExpectToRest(world, late, 1e-11);
 }
 
+// What a spring or a rod needs elsewhere is little, and no reason for contacts to be
+// solved less.
+TEST(Stack, AHeavyBoxOnALightOneRestsAlsoWhereARodOrASpringHoldsSomethingElse) {
+  for (const bool rod : {false, true}) {
+    World world{Settings()};
+    AddFloor(world);
+    const int heavy = AddHeavyOnLight(world, 0.1, 30);
+    BodyDefinition bob;
+    bob.shape = Point{};
+    bob.state.p_WB = {20, 5, 0};
+    const int hangs = world.AddBody(bob);
+    const Anchor above{-1, {20, 6, 0}};
+    if (rod) {
+      world.AddJoint({above, {hangs, {0, 0, 0}}, 1});
+    } else {
+      world.AddSpring({above, {hangs, {0, 0, 0}}, 100, 0, 1});
+    }
+    ExpectToRest(world, heavy, 1e-11);
+  }
+}
+
 // Four contacts can pull against each other across a face, which nobody sees: until one
 // of them needs for the load what it spends on that.
 TEST(Stack, AFaceThatHoldsPullsAtNothingAcrossIt) {
