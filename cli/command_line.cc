@@ -291,7 +291,7 @@ class CommandLine {
     AddOracleList(app, simulate_.oracles)
         ->description("e.g. cookbook,bullet; all that simulate without it");
     app->add_option("--csv", simulate_.csv,
-                    "write the table there; standard output "
+                    "write the table there; standard output, as -, "
                     "without it")
         ->type_name("FILE");
   }

@@ -61,11 +61,12 @@ int SimulateCommand(const Session& session, const SimulateArguments& arguments) 
         "no world is among the selected scenarios: these are contact "
         "queries, see `touchstone explain`");
   std::ofstream file;
-  if (arguments.csv) {
+  const bool to_file = arguments.csv && *arguments.csv != "-";
+  if (to_file) {
     file.open(*arguments.csv, std::ios::binary);
     if (!file) throw InputError(fmt::format("cannot write {}", arguments.csv->string()));
   }
-  std::ostream& out = arguments.csv ? file : std::cout;
+  std::ostream& out = to_file ? file : std::cout;
   WriteTrajectoryHeader(out);
   int whole = 0;
   int broken = 0;

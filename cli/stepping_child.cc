@@ -6,6 +6,7 @@
 #include <ctime>
 #include <iostream>
 
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -59,8 +60,12 @@ SteppingChild::SteppingChild(const Oracle& oracle, const World& world, int secon
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0)
     throw InputError("no socket to a child process");
   std::cout.flush();
+  const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
+    // Nobody waits for what an orphan finds.
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);
     close(ends[0]);
     const rlimit limit{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds)};
     setrlimit(RLIMIT_CPU, &limit);

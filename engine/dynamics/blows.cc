@@ -97,7 +97,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
     if (!IsStatic(pair.A) && !IsStatic(pair.B)) heaps_.Join(pair.A, pair.B);
   };
   const std::span<const ContactPair> contacts = finder.contacts();
-  int to_solve = 0;  // As ContactSolver counts them.
+  int to_solve = 0;  // At least what is left to ContactSolver.
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const ContactPair& pair = contacts[k];
     if (!IsStatic(pair.A) || !IsStatic(pair.B)) to_solve += pair.manifold.count;

@@ -76,6 +76,12 @@ void AddErrors(const World& world, const Claim& claim, std::string_view path,
                    OneOf(known, claim.law)));
   }
   if (is_stable) AddErrorOfGain(claim, path, places, errors);
+  if (!law && !claim.about.empty()) {
+    errors.push_back(
+        ErrorAtValue(places, fmt::format("{}.about", path),
+                     fmt::format("{}.about names something ({})", path, claim.law),
+                     "no names: it is about all that moves"));
+  }
   if (!law) return;
   std::set<std::tuple<std::string, std::string, std::string>> told;
   for (const Fault& fault : law->faults(world, understood)) {
@@ -95,8 +101,23 @@ std::vector<Diagnostic> ErrorsOfClaims(const WorldScenario& scenario) {
   if (places.file.empty()) places.file = scenario.id;
   std::vector<Diagnostic> errors;
   for (std::size_t i = 0; i < scenario.claims.size(); ++i) {
-    AddErrors(scenario.world, scenario.claims[i], fmt::format("claims[{}]", i), places,
-              errors);
+    const Claim& claim = scenario.claims[i];
+    const std::string path = fmt::format("claims[{}]", i);
+    AddErrors(scenario.world, claim, path, places, errors);
+    if (claim.law != kStable) continue;
+    const auto add = [&](std::string_view what, std::string_view expected) {
+      errors.push_back(ErrorAtValue(places, fmt::format("{}.law", path),
+                                    fmt::format("{}.law is \"stable\" {}", path, what),
+                                    std::string(expected)));
+    };
+    if (!IsStudied(scenario)) {
+      add("in a world too large to be asked twice",
+          fmt::format("at most {:g} bodies times steps", kStudiedBodySteps));
+    }
+    const auto is_stable = [](const Claim& other) { return other.law == kStable; };
+    if (std::any_of(scenario.claims.begin(),
+                    scenario.claims.begin() + static_cast<std::ptrdiff_t>(i), is_stable))
+      add("a second time", "one gain of a world");
   }
   return errors;
 }

@@ -1,11 +1,9 @@
 #include "reports/worlds/judge_variant.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/judge_world.h"
 #include "reports/worlds/trajectory_difference.h"
 #include "reports/worlds/world_size.h"
 
@@ -17,17 +15,19 @@ struct Comparison {
   double apart;           ///< [m]
   double discretisation;  ///< [m]
   double rounding;        ///< Before the motion multiplies it; both motions'. [m]
+  double late;            ///< [m]
 
-  double Granted(double gain) const { return discretisation + gain * rounding; }
+  double Granted(double gain) const { return discretisation + gain * rounding + late; }
 };
 
-Comparison Compare(const Study& study, const Trajectory& seen_in_world, double until) {
+Comparison Compare(const Study& study, const Trajectory& seen_in_world, double until,
+                   double late) {
   const World& world = study.scenario.world;
   const double radius = LargestRadius(world);
   const double steps = std::min<double>(world.steps, until / world.dt);
   return {DistanceBetween(study.trajectory, seen_in_world, radius, until),
           4 * DistanceBetween(study.trajectory, *study.half, radius, until),
-          2 * RoundingOf(study, steps)};
+          2 * RoundingOf(study, steps), late};
 }
 
 }  // namespace
@@ -50,10 +50,10 @@ std::string_view ChangeOf(MeasureKind measure) {
 Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
                      MeasureKind measure, const Trajectory& seen_in_world) {
   const double until = UntilOf(study);
-  const Comparison whole = Compare(study, seen_in_world, until);
+  const Comparison whole = Compare(study, seen_in_world, until, growth.late);
   const bool unstable = growth.horizon < until;
   const Comparison before =
-      unstable ? Compare(study, seen_in_world, growth.horizon) : whole;
+      unstable ? Compare(study, seen_in_world, growth.horizon, growth.late) : whole;
   const bool differs_before = before.apart > before.Granted(growth.gain_before);
   const Comparison& told = differs_before ? before : whole;
   Finding finding;
@@ -65,8 +65,11 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
   finding.tolerance_because = fmt::format(
       "two approximations of one motion, each off by twice what halving the step moves "
       "it ({:.3g} m), and by 64 roundings a step, of which the motion makes {:.3g} times "
-      "as much",
-      told.discretisation / 4, growth.gain_before);
+      "as much{}",
+      told.discretisation / 4, growth.gain_before,
+      told.late > 0 ? fmt::format("; {:.3g} m for what may touch in one step or the next",
+                                  told.late)
+                    : "");
   if (!differs_before && finding.value <= finding.tolerance) return finding;
   finding.proof = fmt::format("{} moves the world {} otherwise, by {:.6g} m",
                               finding.oracle, ChangeOf(measure), finding.value);
@@ -89,35 +92,6 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
       LargestDifference(study.trajectory, seen_in_world,
                         LargestRadius(study.scenario.world),
                         differs_before ? std::min(until, growth.horizon) : until));
-  return finding;
-}
-
-Finding JudgeStability(const Study& study, double gain, const Trajectory& nudged) {
-  const double until = UntilOf(study);
-  const Comparison whole = Compare(study, nudged, until);
-  // Places by that much an axis, and by turns the surfaces.
-  const double moved = 2 * std::sqrt(3.0) * RoundingOf(study, 1);
-  Finding finding;
-  finding.scenario = study.scenario.id;
-  finding.oracle = study.oracle.name;
-  finding.measure = MeasureKind::kStability;
-  finding.value = whole.apart;
-  finding.tolerance = whole.Granted(gain) + gain * moved;
-  finding.tolerance_because = fmt::format(
-      "two approximations of motions that are {:.3g} times {:.3g} m apart at most, each "
-      "off by twice what halving the step moves it ({:.3g} m), and by 64 roundings a "
-      "step",
-      gain, moved, whole.discretisation / 4);
-  if (finding.value <= finding.tolerance) return finding;
-  finding.verdict = Verdict::kFail;
-  finding.cause = Cause::kDefect;
-  finding.cause_because = "the motion is known not to multiply what moves its start";
-  finding.proof =
-      fmt::format("{} ends {:.6g} m elsewhere where its start is moved by {:.3g} m: {}",
-                  finding.oracle, finding.value, moved,
-                  LargestDifference(study.trajectory, nudged,
-                                    LargestRadius(study.scenario.world), until));
-  finding.proof += PrintedBy(nudged);
   return finding;
 }
 

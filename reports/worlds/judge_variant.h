@@ -15,7 +15,7 @@ std::string_view ChangeOf(MeasureKind measure);
 /** Judges the motion of a variant, as seen in the world, against the motion of the world:
  both are approximations of one motion, so they may differ by the sum of their
  discretisation errors, 2 |x(h) − x(h/2)| each for a scheme of first order, and by
- rounding, as much of it as the motion makes.
+ rounding, as much of it as the motion makes, and in a stable world by what comes late.
 
  From the horizon of `growth` on nothing is granted for rounding beyond what the motion
  made of it before; what differs by more there, but not by more than rounding explains, is
@@ -23,11 +23,5 @@ std::string_view ChangeOf(MeasureKind measure);
  @pre study.half is there; both trajectories are answered and did not diverge. */
 Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
                      MeasureKind measure, const Trajectory& seen_in_world);
-
-/** Judges `nudged`, the motion of the same world whose start is moved by the rounding of
- a step: of a world of which its author knows that it ends at most `gain` times as far
- away as its start was moved, two approximations do too.
- @pre As of JudgeVariant(). */
-Finding JudgeStability(const Study& study, double gain, const Trajectory& nudged);
 
 }  // namespace touchstone

@@ -16,6 +16,9 @@ struct RoundingGrowth {
    than kLargestGain times as much of it, and more than the step makes of its error.
    Infinity where there is none. [s] */
   double horizon = std::numeric_limits<double>::infinity();
+  /** Of a world that is known to be stable, what is granted for events a step late. [m]
+   */
+  double late = 0;
 };
 
 /** Up to here what a motion makes of rounding is granted and its variants compared: a

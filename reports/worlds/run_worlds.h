@@ -50,9 +50,12 @@ inline constexpr std::string_view kDeterministic = "deterministic";
 
 /** The claim that what moves the start moves the motion by no more than `gain` times as
  much, a number of the claim: then variants are compared to the end, whatever an engine
- makes of rounding. */
+ makes of rounding. Of worlds that are studied. */
 inline constexpr std::string_view kStable = "stable";
 inline constexpr std::string_view kStableGain = "gain";
+
+/** Whether a world is small enough to be simulated at other steps and in variants. */
+bool IsStudied(const WorldScenario& scenario);
 
 /** The bodies and nodes times steps up to which a world is simulated at other steps and
  in variants: a second or so of the slowest engine. */

@@ -284,14 +284,41 @@ TEST(ErrorsOfClaims, RefuseANumberThatNoLawReads) {
 
 TEST(ErrorsOfClaims, SayWhatGainIsExpectedOfWhatIsStable) {
   WorldScenario scenario = Flight("world/test/a", 10);
+  const auto errors_with = [&](std::map<std::string, double> numbers) {
+    scenario.claims = {ClaimOf(kStable, {}, std::move(numbers))};
+    return ErrorsIn(scenario);
+  };
   const std::string gain(kStableGain);
-  scenario.claims = {ClaimOf(kStable), ClaimOf(kStable, {}, {{gain, 0.5}}),
-                     ClaimOf(kStable, {}, {{gain, 1}})};
+  EXPECT_THAT(errors_with({}), ElementsAre(testing::HasSubstr(
+                                   "claims[0] states no number \"gain\" (stable); "
+                                   "expected how many times as far")));
+  EXPECT_THAT(errors_with({{gain, 0.5}}),
+              ElementsAre(testing::HasSubstr("claims[0].numbers.gain is 0.5; expected")));
+  EXPECT_THAT(errors_with({{gain, 1}}), IsEmpty());
+}
+
+TEST(ErrorsOfClaims, RefuseAStableWorldThatIsNotAskedAgainOrIsSoTwice) {
+  WorldScenario scenario = Flight("world/test/a", 200'000);
+  const Claim stable = ClaimOf(kStable, {}, {{std::string(kStableGain), 1}});
+  scenario.claims = {stable};
   EXPECT_THAT(
       ErrorsIn(scenario),
-      ElementsAre(testing::HasSubstr("claims[0] states no number \"gain\" (stable); "
-                                     "expected how many times as far"),
-                  testing::HasSubstr("claims[1].numbers.gain is 0.5; expected")));
+      ElementsAre("world/test/a: claims[0].law is \"stable\" in a world too large "
+                  "to be asked twice; expected at most 100000 bodies times steps"));
+  scenario.world.steps = 10;
+  scenario.claims = {stable, ClaimOf("ballistic"), stable};
+  EXPECT_THAT(ErrorsIn(scenario),
+              ElementsAre("world/test/a: claims[2].law is \"stable\" a second time; "
+                          "expected one gain of a world"));
+}
+
+TEST(ErrorsOfClaims, RefuseNamesWhereAClaimIsAboutAllThatMoves) {
+  WorldScenario scenario = Flight("world/test/a", 10);
+  scenario.claims = {ClaimOf(kDeterministic, {"ball"})};
+  EXPECT_THAT(
+      ErrorsIn(scenario),
+      ElementsAre("world/test/a: claims[0].about names something (deterministic); "
+                  "expected no names: it is about all that moves"));
 }
 
 TEST(ErrorsOfClaims, StandWhereTheFileSaysSo) {
