@@ -52,8 +52,8 @@ class AabbTree {
     return nodes_[static_cast<std::size_t>(leaf)].bounds;
   }
 
-  /** Calls `found(body)` for every leaf that overlaps `bounds`, in an order that depends
-   on the history of the tree alone. */
+  /** Calls `found(body, its bounds)` for every leaf that overlaps `bounds`, in an order
+   that depends on the history of the tree alone. */
   template <class Found>
   void Query(const Aabb& bounds, const Found& found) {
     if (root_ < 0) return;
@@ -64,7 +64,7 @@ class AabbTree {
       stack_.pop_back();
       if (!node.bounds.Overlaps(bounds)) continue;
       if (node.child1 < 0) {
-        found(node.body);
+        found(node.body, node.bounds);
       } else {
         stack_.push_back(node.child1);
         stack_.push_back(node.child2);
@@ -91,7 +91,7 @@ class AabbTree {
   }
 
  private:
-  struct Node {
+  struct alignas(64) Node {
     Aabb bounds;
     int parent;  ///< −1: the root. Of a free node the next free one.
     int child1;  ///< −1: a leaf.

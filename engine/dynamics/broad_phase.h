@@ -9,23 +9,6 @@
 
 namespace cookbook {
 
-/** A set of pairs of body indices that allocates only while it grows. */
-class PairSet {
- public:
-  /** Returns whether the pair was not in the set. */
-  bool Insert(int a, int b);
-  void Erase(int a, int b);
-
- private:
-  static std::uint64_t Key(int a, int b);
-  std::size_t Home(std::uint64_t key) const;
-  void Grow();
-
-  /** Open addressing with linear probing; 0 is a free place. */
-  std::vector<std::uint64_t> places_;
-  std::size_t size_ = 0;
-};
-
 /** Finds the pairs of bodies that are near each other.
 
  Every body has a box along the world's axes that is wider than it needs; only a body that
@@ -55,19 +38,26 @@ class BroadPhase {
    other; 0 for what is static or collides with nothing. */
   void NumberByPlace(std::vector<int>& number);
 
-  /** Forgets a pair that is no longer near. */
-  void Forget(int a, int b) { pairs_.Erase(a, b); }
-
  private:
   struct Proxy {
     Aabb wide;
+    /** That before the last Update(), where `has_moved_`; of a new body it holds nothing.
+     */
+    Aabb before;
     int leaf = -1;  ///< −1: does not collide.
     bool is_static = false;
     bool is_new = true;
   };
 
+  Proxy& proxy(int body) { return proxies_[static_cast<std::size_t>(body)]; }
+  const Proxy& proxy(int body) const { return proxies_[static_cast<std::size_t>(body)]; }
+  bool has_moved(int body) const { return has_moved_[static_cast<std::size_t>(body)]; }
+
   void SetWide(int body, const Aabb& wide);
-  /** Appends the pairs of a body that have become near. */
+  /** Calls `found(other, wide)` for all that a body of wide box `wide` is near. */
+  template <class Found>
+  void ForEachNear(int body, const Found& found);
+  /** Appends the pairs of a body that has moved which have become near. */
   void Pair(int body, std::vector<std::pair<int, int>>& appeared);
 
   AabbTree moving_;
@@ -76,7 +66,6 @@ class BroadPhase {
   std::vector<int> moved_;
   /** Of each body: 1 where it has got another wide box in the last Update(). */
   std::vector<char> has_moved_;
-  PairSet pairs_;
 };
 
 /** Returns the box that holds `body`; of a half-space all of the world, as far as its

@@ -93,7 +93,6 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
   for (std::size_t k = 0; k < near_.size();) {
     NearPair& pair = near_[k];
     if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
-      broad_phase_.Forget(pair.A, pair.B);
       Part(k);
       pair = near_.back();
       if (pair.contact >= 0) contacts_[static_cast<std::size_t>(pair.contact)].near = k;
