@@ -9,12 +9,33 @@
 namespace cookbook {
 namespace {
 
-/** How much wider than the body its box is, as a share of its radius: wide enough that a
- body that rests or creeps stays inside, narrow enough that few strangers are in it. */
-constexpr double kWider = 0.1;
+/** How much wider than needed the box of a body is on all sides, as a share of its
+ radius: wide enough that a body that rests stays inside, narrow enough that few strangers
+ are in it. */
+constexpr double kWider = 0.05;
+
+/** A box is made for so many steps of a body that goes on as it moves now: to look for
+ who is near costs as much as to keep a hundred near pairs for a step. */
+constexpr double kSteps = 16;
+/** As long as it gets no farther than this share of its radius: what is fast would have
+ many strangers on its way. */
+constexpr double kFarthest = 1;
+
+/** What bounds are wider by than a body because its pose is rounded, as a share of where
+ it is and how large: more than the narrow phase allows for. */
+constexpr double kRounding = 1e-12;
 
 Aabb Widened(const Aabb& bounds, double by) {
   return {bounds.low.array() - by, bounds.high.array() + by};
+}
+
+/** Returns the box for a body that needs `bounds` and moves by `way_W` in a step. [m] */
+Aabb WideFor(const RigidBody& body, const Aabb& bounds, const Eigen::Vector3d& way_W) {
+  const double far = kSteps * way_W.norm();
+  const double farthest = kFarthest * body.radius;
+  const Eigen::Vector3d shift = (far > farthest ? farthest / far : 1) * kSteps * way_W;
+  const Aabb wide = Widened(bounds, kWider * body.radius);
+  return {wide.low + shift.cwiseMin(0), wide.high + shift.cwiseMax(0)};
 }
 
 /** Returns a box that overlaps no other. */
@@ -26,14 +47,15 @@ Aabb Nothing() {
 
 }  // namespace
 
-Aabb BoundsOf(const RigidBody& body) {
+RoundedBox BoundsOf(const RigidBody& body) {
   const Eigen::Vector3d& p = body.state.p_WB;
+  const double rounding = kRounding * (p.lpNorm<1>() + body.radius);
   if (const auto* box = std::get_if<Box>(&body.shape)) {
     const Eigen::Vector3d reach = body.R_WB.cwiseAbs() * box->half_extents;
-    return {p - reach, p + reach};
+    return {{p - reach, p + reach}, rounding};
   }
   if (const auto* sphere = std::get_if<Sphere>(&body.shape)) {
-    return {p.array() - sphere->radius, p.array() + sphere->radius};
+    return {{p, p}, sphere->radius + rounding};
   }
   Eigen::Vector3d low = Eigen::Vector3d::Constant(-std::numeric_limits<double>::max());
   Eigen::Vector3d high = -low;
@@ -42,15 +64,19 @@ Aabb BoundsOf(const RigidBody& body) {
     if (n[k] == 1) high[k] = p[k];
     if (n[k] == -1) low[k] = p[k];
   }
-  return {low, high};
+  return {{low, high}, rounding};
 }
 
 void BroadPhase::Add(const RigidBody& body) {
   Proxy& proxy = proxies_.emplace_back();
+  bounds_.emplace_back();
   has_moved_.push_back(0);
   proxy.is_static = body.is_static();
   if (!body.collides || body.is_point()) return;
-  proxy.wide = Widened(BoundsOf(body), kWider * body.radius);
+  bounds_.back() = BoundsOf(body);
+  // What stands still needs no more.
+  proxy.wide =
+      Widened(bounds_.back().bounds(), proxy.is_static ? 0 : kWider * body.radius);
   proxy.leaf = (proxy.is_static ? resting_ : moving_)
                    .Insert(proxy.wide, static_cast<int>(proxies_.size()) - 1);
 }
@@ -76,14 +102,16 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
     const Eigen::Vector3d pushed_W =
         body.state.v_WB +
         ahead * body.inverse_mass * (body.force_W + body.applied_force_W);
-    const Aabb bounds = Widened(BoundsOf(body), margin + Reach(body, pushed_W, ahead));
+    bounds_[i] = BoundsOf(body);
+    const Aabb bounds =
+        Widened(bounds_[i].bounds(), margin + Reach(body, pushed_W, ahead));
     if (proxy.wide.Contains(bounds)) continue;
     if (!is_new) {
       moved_.push_back(static_cast<int>(i));
       has_moved_[i] = 1;
       proxy.before = proxy.wide;
     }
-    SetWide(static_cast<int>(i), Widened(bounds, kWider * body.radius));
+    SetWide(static_cast<int>(i), WideFor(body, bounds, ahead * pushed_W));
   }
   for (const int body : moved_) Pair(body, appeared);
 }
@@ -116,7 +144,7 @@ void BroadPhase::Pair(int body, std::vector<std::pair<int, int>>& appeared) {
 void BroadPhase::Widen(int index, const RigidBody& body, double reach,
                        std::vector<std::pair<int, int>>& appeared,
                        std::vector<int>& met) {
-  const Aabb bounds = Widened(BoundsOf(body), reach);
+  const Aabb bounds = Widened(BoundsOf(body).bounds(), reach);
   const Aabb before = proxy(index).wide;
   if (!before.Contains(bounds)) {
     SetWide(index, Union(before, bounds));

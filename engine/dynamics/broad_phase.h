@@ -6,6 +6,7 @@
 
 #include "engine/dynamics/aabb_tree.h"
 #include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/rounded_box.h"
 
 namespace cookbook {
 
@@ -33,6 +34,12 @@ class BroadPhase {
 
   /** Whether a pair that was near before the last Update() still is. */
   bool AreStillNear(int a, int b) const;
+
+  /** Returns a bound of how far two bodies were apart in the last Update(). [m] */
+  double GapOf(int a, int b) const {
+    return cookbook::GapOf(bounds_[static_cast<std::size_t>(a)],
+                           bounds_[static_cast<std::size_t>(b)]);
+  }
 
   /** Numbers the bodies so that those near each other mostly have numbers near each
    other; 0 for what is static or collides with nothing. */
@@ -63,6 +70,7 @@ class BroadPhase {
   AabbTree moving_;
   AabbTree resting_;  ///< Static bodies: they meet moving ones only.
   std::vector<Proxy> proxies_;
+  std::vector<RoundedBox> bounds_;  ///< Of each body: what holds it.
   std::vector<int> moved_;
   /** Of each body: 1 where it has got another wide box in the last Update(). */
   std::vector<char> has_moved_;
@@ -70,6 +78,6 @@ class BroadPhase {
 
 /** Returns the box that holds `body`; of a half-space all of the world, as far as its
  axes tell no more. */
-Aabb BoundsOf(const RigidBody& body);
+RoundedBox BoundsOf(const RigidBody& body);
 
 }  // namespace cookbook

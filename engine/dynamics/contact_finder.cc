@@ -106,8 +106,13 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
       return bodies[static_cast<std::size_t>(body)].is_static();
     };
     if (gone >= pair.apart_until && !(is_static(pair.A) && is_static(pair.B))) {
-      if (pair.contact < 0) Join(k);
-      due_.push_back(k);
+      const double gap = pair.contact < 0 ? broad_phase_.GapOf(pair.A, pair.B) : 0;
+      if (gap > margin) {
+        pair.apart_until = gone + gap - margin;
+      } else {
+        if (pair.contact < 0) Join(k);
+        due_.push_back(k);
+      }
     }
     ++k;
   }

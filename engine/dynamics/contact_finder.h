@@ -16,8 +16,8 @@ class ContactFinder {
   /** Adds the body of the next index. */
   void Add(const RigidBody& body);
 
-  /** Says that no point of a body has gone farther than `way` [m] since it was last said.
-   */
+  /** Says that a body has got no farther than `way` [m] out of the room it filled when
+   that was last said, see Travel(). */
   void HasGone(std::size_t body, double way) { gone_[body] += way; }
 
   /** Brings contacts() up to date, those apart by up to `margin` [m] included. Bodies

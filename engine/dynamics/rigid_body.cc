@@ -51,10 +51,13 @@ double InnerRadius(const RigidBody& body) {
 }
 
 double Travel(const BodyState& before, const RigidBody& body) {
+  const double way = (body.state.p_WB - before.p_WB).norm();
+  // A ball that turns stays in its place.
+  if (std::holds_alternative<Sphere>(body.shape)) return way;
   // A rotation by θ moves a point at r by 2 r sin(θ/2), and the vector part of
   // q q₀⁻¹ has the length sin(θ/2).
   const double sine = (body.state.q_WB * before.q_WB.conjugate()).vec().norm();
-  return (body.state.p_WB - before.p_WB).norm() + 2 * body.radius * sine;
+  return way + 2 * body.radius * sine;
 }
 
 InverseInertia InverseInertiaOf(const RigidBody& body) {

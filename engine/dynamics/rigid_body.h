@@ -66,7 +66,8 @@ inline double HeapPullBetween(const RigidBody& A, const RigidBody& B) {
 /** Returns the radius of the largest ball in a body. [m] */
 double InnerRadius(const RigidBody& body);
 
-/** Returns a bound of how far any point of `body` is from where it was. [m] */
+/** Returns a bound of how far any point of `body` is from the room that it filled before:
+ of a ball, which turns in its place, the way of the centre. [m] */
 double Travel(const BodyState& before, const RigidBody& body);
 
 /** The velocity of a body while a step is solved: six doubles in a row and two of no

@@ -1,0 +1,252 @@
+#include "engine/dynamics/broad_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "engine/dynamics/body_flight.h"
+#include "engine/dynamics/contact_finder.h"
+#include "engine/dynamics/near_contact.h"
+
+namespace cookbook {
+namespace {
+
+using Pairs = std::set<std::pair<int, int>>;
+
+constexpr double kMargin = 1e-3;    // The greatest of a body. [m]
+constexpr double kStep = 1.0 / 60;  // [s]
+
+/** Returns a number in [low, high), any as likely, in the first cases as in the last. */
+int Draw(int low, int high) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
+}
+
+double Uniform(double low, double high) {
+  return low + (high - low) * Draw(0, 1 << 20) / (1 << 20);
+}
+
+Eigen::Vector3d InCube(double half) {
+  return {Uniform(-half, half), Uniform(-half, half), Uniform(-half, half)};
+}
+
+/** From a grain to a rock, at rest or as fast as a bullet. */
+RigidBody SomeBody() {
+  const double size = std::pow(10, Uniform(-2, 0.7));
+  BodyDefinition body;
+  switch (Draw(0, 10)) {
+    case 0:
+      body.shape = HalfSpace{};
+      body.mass = 0;
+      break;
+    case 1:
+      body.shape = Point{};
+      break;
+    case 2:
+    case 3:
+    case 4:
+      body.shape = Box{size * Eigen::Vector3d(Uniform(0.1, 1), Uniform(0.1, 1), 1)};
+      break;
+    default:
+      body.shape = Sphere{size};
+  }
+  body.collides = Draw(0, 10) > 0;
+  if (Draw(0, 6) == 0) body.mass = 0;
+  body.state.p_WB = InCube(2.5);
+  // Half-spaces along an axis have bounds, others have none.
+  if (Draw(0, 2) == 0) {
+    body.state.q_WB = Eigen::Quaterniond(1, Uniform(-1, 1), Uniform(-1, 1), 1);
+    body.state.q_WB.normalize();
+  }
+  if (body.mass > 0 && Draw(0, 4) > 0) {
+    body.state.v_WB = std::pow(10, Uniform(-2, 2.5)) * InCube(1);
+    body.state.w_WB = InCube(20);
+  }
+  RigidBody made = MakeRigidBody(body);
+  made.margin = Uniform(0, kMargin);
+  return made;
+}
+
+std::vector<RigidBody> SomeBodies() {
+  std::vector<RigidBody> bodies;
+  for (int i = Draw(2, 40); i > 0; --i) bodies.push_back(SomeBody());
+  return bodies;
+}
+
+bool TakesPart(const RigidBody& body) {
+  return body.collides && !body.is_point();
+}
+
+/** Lets every body fly on for a step; now and then one is turned back, falls asleep or
+ wakes. Returns it as it flies. */
+void Move(std::size_t i, std::vector<RigidBody>& bodies,
+          const std::vector<RigidBody>& first) {
+  RigidBody& body = bodies[i];
+  if (first[i].is_static()) return;
+  const int fate = Draw(0, 12);
+  if (fate == 0) body.inverse_mass = 0;
+  if (fate == 1) body.inverse_mass = first[i].inverse_mass;
+  if (fate == 2) body.state.v_WB = -body.state.v_WB;
+  if (fate == 3) body.state.v_WB += InCube(3);
+  body = BodyFlight{body}.At(kStep, Gyroscopic::kOff);
+}
+
+/** Whether the two may be within the margin before the next step ends. */
+bool MayMeet(const RigidBody& A, const RigidBody& B) {
+  if (!TakesPart(A) || !TakesPart(B)) return false;
+  if (A.is_static() && B.is_static()) return false;
+  const auto grown = [](const RigidBody& body) -> Aabb {
+    const double by =
+        body.is_static() ? 0 : kMargin + Reach(body, body.state.v_WB, kStep);
+    const Aabb bounds = BoundsOf(body).bounds();
+    return {bounds.low.array() - by, bounds.high.array() + by};
+  };
+  return grown(A).Overlaps(grown(B));
+}
+
+/** Keeps the near pairs as ContactFinder does, and checks what it is told. */
+class NearPairs {
+ public:
+  void Add(const std::vector<std::pair<int, int>>& appeared,
+           const std::vector<RigidBody>& first) {
+    for (const auto& [a, b] : appeared) {
+      RC_ASSERT(a < b);
+      const RigidBody& A = first[static_cast<std::size_t>(a)];
+      const RigidBody& B = first[static_cast<std::size_t>(b)];
+      RC_ASSERT(TakesPart(A) && TakesPart(B));
+      RC_ASSERT(!A.is_static() || !B.is_static());
+      RC_ASSERT(near_.insert({a, b}).second);
+    }
+  }
+
+  void DropThoseApart(const BroadPhase& broad_phase) {
+    std::erase_if(near_, [&](const std::pair<int, int>& pair) {
+      return !broad_phase.AreStillNear(pair.first, pair.second);
+    });
+  }
+
+  bool Has(int a, int b) const { return near_.contains(std::minmax(a, b)); }
+
+ private:
+  Pairs near_;
+};
+
+RC_GTEST_PROP(BroadPhase, WhatMayMeetInAStepIsNearAndAppearsOnce, ()) {
+  std::vector<RigidBody> bodies = SomeBodies();
+  const std::vector<RigidBody> first = bodies;
+  BroadPhase broad_phase;
+  NearPairs near;
+  const int late = Draw(0, 10);  // The step in which the last body comes.
+  std::vector<std::pair<int, int>> appeared;
+  int known = 0;
+  for (int step = 0; step < 20; ++step) {
+    const int count = static_cast<int>(bodies.size()) - (step < late ? 1 : 0);
+    for (; known < count; ++known) {
+      broad_phase.Add(bodies[static_cast<std::size_t>(known)]);
+    }
+    const std::span<const RigidBody> present(bodies.data(),
+                                             static_cast<std::size_t>(count));
+    appeared.clear();
+    broad_phase.Update(present, kMargin, kStep, appeared);
+    near.DropThoseApart(broad_phase);
+    near.Add(appeared, first);
+    for (int a = 0; a < count; ++a) {
+      for (int b = a + 1; b < count; ++b) {
+        if (MayMeet(present[static_cast<std::size_t>(a)],
+                    present[static_cast<std::size_t>(b)])) {
+          RC_ASSERT(near.Has(a, b));
+        }
+      }
+    }
+    // Something strikes one of them in the midst of the step.
+    const int struck = Draw(0, count);
+    RigidBody& body = bodies[static_cast<std::size_t>(struck)];
+    if (TakesPart(body) && !body.is_static()) {
+      body.state.v_WB = InCube(200);
+      const double reach = kMargin + Reach(body, body.state.v_WB, kStep);
+      std::vector<int> met;
+      appeared.clear();
+      broad_phase.Widen(struck, body, reach, appeared, met);
+      near.Add(appeared, first);
+      for (const int other : met) RC_ASSERT(near.Has(struck, other));
+      for (int other = 0; other < count; ++other) {
+        if (other == struck || !MayMeet(body, present[static_cast<std::size_t>(other)])) {
+          continue;
+        }
+        RC_ASSERT(std::find(met.begin(), met.end(), other) != met.end());
+      }
+    }
+    for (int i = 0; i < count; ++i) Move(static_cast<std::size_t>(i), bodies, first);
+  }
+}
+
+RC_GTEST_PROP(BroadPhase, ItsGapIsNoMoreThanTheDistance, ()) {
+  std::vector<RigidBody> bodies = {SomeBody(), SomeBody()};
+  while (!TakesPart(bodies[0]) || bodies[0].is_static()) bodies[0] = SomeBody();
+  while (!TakesPart(bodies[1])) bodies[1] = SomeBody();
+  BroadPhase broad_phase;
+  for (const RigidBody& body : bodies) broad_phase.Add(body);
+  const double gap = broad_phase.GapOf(0, 1);
+  Manifold manifold;
+  CollideWithin(0, bodies[0], bodies[1], Eigen::Vector3d::Zero(), manifold);
+  // Apart, the manifold of two boxes has only a bound as well.
+  const bool boxes = std::holds_alternative<Box>(bodies[0].shape) &&
+                     std::holds_alternative<Box>(bodies[1].shape);
+  if (manifold.touching || !boxes) RC_ASSERT(gap <= std::max(0.0, manifold.separation));
+  RC_CLASSIFY(gap > 0);
+}
+
+RC_GTEST_PROP(ContactFinder, FindsWhatALookAtAllPairsFinds, ()) {
+  std::vector<RigidBody> bodies = SomeBodies();
+  const std::vector<RigidBody> first = bodies;
+  ContactFinder finder;
+  Crew crew(1);
+  for (const RigidBody& body : bodies) finder.Add(body);
+  int most = 0;
+  for (int step = 0; step < 20; ++step) {
+    finder.Find(bodies, kMargin, kStep, crew);
+    Pairs found;
+    for (const ContactPair& pair : finder.contacts()) {
+      RC_ASSERT(found.insert({pair.A, pair.B}).second);
+    }
+    most = std::max(most, static_cast<int>(found.size()));
+    for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
+      for (int b = a + 1; b < static_cast<int>(bodies.size()); ++b) {
+        const RigidBody& A = bodies[static_cast<std::size_t>(a)];
+        const RigidBody& B = bodies[static_cast<std::size_t>(b)];
+        if (!TakesPart(A) || !TakesPart(B) || (A.is_static() && B.is_static())) continue;
+        Manifold manifold;
+        CollideWithin(MarginBetween(A, B), A, B, Eigen::Vector3d::Zero(), manifold);
+        RC_ASSERT(found.contains({a, b}) == (manifold.count > 0));
+      }
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const BodyState before = bodies[i].state;
+      Move(i, bodies, first);
+      finder.HasGone(i, Travel(before, bodies[i]));
+    }
+  }
+  RC_CLASSIFY(most > 0);
+}
+
+TEST(BroadPhase, AWideFloorIsNotNearWhatIsFarAboveIt) {
+  BodyDefinition floor;
+  floor.shape = Box{{1000, 1, 1000}};
+  floor.mass = 0;
+  BodyDefinition ball;
+  ball.state.p_WB = {0, 3, 0};
+  const std::vector<RigidBody> bodies = {MakeRigidBody(floor), MakeRigidBody(ball)};
+  BroadPhase broad_phase;
+  for (const RigidBody& body : bodies) broad_phase.Add(body);
+  std::vector<std::pair<int, int>> appeared;
+  broad_phase.Update(bodies, kMargin, kStep, appeared);
+  EXPECT_TRUE(appeared.empty());
+}
+
+}  // namespace
+}  // namespace cookbook
