@@ -2,6 +2,11 @@
 
 #include <array>
 #include <iostream>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/output_folder.h"
 #include "reports/writers/html_writer.h"
@@ -48,6 +53,13 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
               .quiet = arguments.quiet,
               .fail_on = arguments.fail_on},
              std::cout);
+  if (!session.registry.missing().empty() && arguments.oracles.against.empty()) {
+    std::vector<std::string_view> names;
+    for (const MissingOracle& missing : session.registry.missing())
+      names.push_back(missing.name);
+    std::cout << fmt::format("not installed, not asked: {}; see `touchstone oracles`\n",
+                             fmt::join(names, ", "));
+  }
   for (const ReportFile& file : kReportFiles) {
     if (out) out->Write(file.name, [&](std::ostream& to) { file.write(report, to); });
   }

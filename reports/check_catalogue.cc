@@ -161,6 +161,26 @@ std::string FaultOf(std::string_view place, const Indictment& indictment,
       place, indictment.oracle, indictment.anomaly, NameOf(measure), finding->proof);
 }
 
+/** A claim of `stable` that every engine breaks is rather wrong itself. */
+void CheckStability(RunReport& report) {
+  std::map<std::string_view, std::pair<int, int>> judged;  // And those of them that fail.
+  for (const Finding& finding : report.findings) {
+    if (finding.measure != MeasureKind::kStability) continue;
+    auto& [all, failed] = judged[finding.scenario];
+    ++all;
+    if (Indicts(finding)) ++failed;
+  }
+  for (const auto& [scenario, counts] : judged) {
+    const auto [all, failed] = counts;
+    if (all < 2 || failed < all) continue;
+    report.faults.push_back(
+        fmt::format("{}: claims to be stable, but each of {} engines multiplies what "
+                    "moves its start: "
+                    "is that not the motion's own?",
+                    scenario, all));
+  }
+}
+
 void CheckIndictments(RunReport& report) {
   using Key = std::tuple<std::string_view, std::string_view, MeasureKind>;
   std::map<Key, const Finding*> measured;  // The one that indicts, where one does.
@@ -198,6 +218,7 @@ void CheckCatalogue(RunReport& report) {
     CheckNormals(result, report.faults);
     CheckContacts(result, report.faults);
   }
+  CheckStability(report);
   CheckIndictments(report);
 }
 

@@ -63,7 +63,7 @@ Finding JudgeStability(const Study& study, double gain,
     finding.proof = fmt::format(
         "{} ends {:.6g} m elsewhere where its start is moved by {:.3g} m: {}{}",
         finding.oracle, apart, moved,
-        LargestDifference(study.trajectory, other, radius, until), PrintedBy(other));
+        LargestDifference(world, study.trajectory, other, until), PrintedBy(other));
   }
   if (finding.value <= finding.tolerance) {
     finding.proof.clear();
@@ -71,7 +71,8 @@ Finding JudgeStability(const Study& study, double gain,
   }
   finding.verdict = Verdict::kFail;
   finding.cause = Cause::kDefect;
-  finding.cause_because = "the motion is known not to multiply what moves its start";
+  finding.cause_because =
+      "the scenario claims that the motion does not multiply what moves its start";
   return finding;
 }
 

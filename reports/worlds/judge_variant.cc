@@ -89,8 +89,7 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
   finding.cause_because = fmt::format("the world {} moves otherwise", ChangeOf(measure));
   finding.proof += fmt::format(
       ": {} in the world itself and, brought back, in that one",
-      LargestDifference(study.trajectory, seen_in_world,
-                        LargestRadius(study.scenario.world),
+      LargestDifference(study.scenario.world, study.trajectory, seen_in_world,
                         differs_before ? std::min(until, growth.horizon) : until));
   return finding;
 }

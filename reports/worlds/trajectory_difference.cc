@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/world_size.h"
+
 namespace touchstone {
 namespace {
 
@@ -145,8 +147,9 @@ double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
   return largest;
 }
 
-std::string LargestDifference(const Trajectory& a, const Trajectory& b, double radius,
-                              double until) {
+std::string LargestDifference(const World& world, const Trajectory& a,
+                              const Trajectory& b, double until) {
+  const double radius = LargestRadius(world);
   const std::vector<double> distances = DistancesBetween(a, b, radius, until);
   const auto largest = std::max_element(distances.begin(), distances.end());
   if (largest == distances.end() || !(*largest > 0)) return "";
@@ -155,22 +158,22 @@ std::string LargestDifference(const Trajectory& a, const Trajectory& b, double r
   const WorldState& of_b = b.samples[s];
   std::string where;
   double farthest = 0;
-  const auto take = [&](std::string_view kind, std::size_t i, const Eigen::Vector3d& p,
+  const auto take = [&](std::string_view name, const Eigen::Vector3d& p,
                         const Eigen::Vector3d& q, double angle) {
     const double distance = (p - q).norm() + radius * angle;
     if (distance <= farthest) return;
     farthest = distance;
-    where = fmt::format("{} {} is at {} and {}", kind, i, InWords(p), InWords(q));
+    where = fmt::format("{} is at {} and {}", name, InWords(p), InWords(q));
     if (angle > 0) where += fmt::format(", {:.6g} rad apart", angle);
   };
   for (std::size_t i = 0; i < of_a.bodies.size(); ++i) {
-    take("body", i, of_a.bodies[i].p_WB, of_b.bodies[i].p_WB,
+    take(world.bodies[i].name, of_a.bodies[i].p_WB, of_b.bodies[i].p_WB,
          of_a.bodies[i].q_WB.angularDistance(of_b.bodies[i].q_WB));
   }
   for (std::size_t i = 0; i < of_a.particles.size(); ++i)
-    take("particle", i, of_a.particles[i].p_W, of_b.particles[i].p_W, 0);
+    take(world.particles[i].name, of_a.particles[i].p_W, of_b.particles[i].p_W, 0);
   for (std::size_t i = 0; i < of_a.nodes.size(); ++i)
-    take("node", i, of_a.nodes[i].p_W, of_b.nodes[i].p_W, 0);
+    take(fmt::format("node {}", i), of_a.nodes[i].p_W, of_b.nodes[i].p_W, 0);
   return fmt::format("at {:.6g} s {}", a.times[s], where);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "oracles/trajectory.h"
+#include "scenarios/worlds/world.h"
 
 namespace touchstone {
 
@@ -18,11 +19,11 @@ std::vector<double> DistancesBetween(const Trajectory& a, const Trajectory& b,
 double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
                        double until);
 
-/** Says where they are farthest from each other, before `until`: "at 0.32 s body 2 is at
+/** Says where they are farthest from each other, before `until`: "at 0.32 s lid is at
  (0, 1, 0) and (0, 1.5, 0)", with the angle between them where the bodies turn. Empty
  where they are nowhere apart. */
-std::string LargestDifference(const Trajectory& a, const Trajectory& b, double radius,
-                              double until);
+std::string LargestDifference(const World& world, const Trajectory& a,
+                              const Trajectory& b, double until);
 
 /** Returns whether two trajectories are the same bit for bit; −0 equals 0, NaN itself. */
 bool AreIdentical(const Trajectory& a, const Trajectory& b);

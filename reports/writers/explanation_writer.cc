@@ -177,8 +177,9 @@ void WriteLedgerReasons(const RunReport& report, const Outcome& outcome,
     const std::string_view reason = report.ledger.entries[index].reason;
     if (std::find(reasons.begin(), reasons.end(), reason) != reasons.end()) continue;
     reasons.push_back(reason);
-    out << fmt::format("    Ledger, of {}: {}\n", report.oracles[outcome.oracle].name,
-                       reason);
+    out << fmt::format("    Ledger, of {} ({}): {}\n",
+                       report.oracles[outcome.oracle].name,
+                       NameOf(report.ledger.entries[index].cause), reason);
   }
 }
 

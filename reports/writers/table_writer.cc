@@ -295,15 +295,19 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   out << fmt::format("\n{} × {}: {}\n", Counted(QuestionCount(report), "scenario"),
                      Counted(report.oracles.size(), "oracle"), list);
   const std::string failed = FailedReferences(report, outcomes);
+  const int unsupported = of_subject[Verdict::kUnsupported];
+  const std::string not_examined =
+      unsupported > 0 ? fmt::format(", was not examined in {}", unsupported) : "";
   const int code = ExitCode(report, style.fail_on);
-  out << paint(code == 0 ? Colour::kGood : Colour::kBad,
-               fmt::format("{}: {} failed in {}, references in {}{}, {} of the scenario "
-                           "files and the ledger",
-                           Headline(code), report.subject,
-                           Counted(of_subject.failed(), "scenario"),
-                           counts.failed() - of_subject.failed(),
-                           failed.empty() ? "" : fmt::format(" ({})", failed),
-                           Counted(report.faults.size(), "fault")))
+  out << paint(
+             code == 0 ? Colour::kGood : Colour::kBad,
+             fmt::format("{}: {} failed in {}{}, references in {}{}, {} of the scenario "
+                         "files and the ledger",
+                         Headline(code), report.subject,
+                         Counted(of_subject.failed(), "scenario"), not_examined,
+                         counts.failed() - of_subject.failed(),
+                         failed.empty() ? "" : fmt::format(" ({})", failed),
+                         Counted(report.faults.size(), "fault")))
       << '\n';
   if (counts[Verdict::kKnown] > 0) {
     out << paint(Colour::kKnown,

@@ -132,7 +132,8 @@ constexpr Key kClaimKeys[] = {
     {"about", ValueType::kNames, false,
      "The bodies, particles and cloths it is about; everything that moves where absent."},
     {"numbers", ValueType::kNumbers, false,
-     "What was derived by hand and the law does not know."},
+     "Numbers that the law reads; those that start with expected_ its author derived, "
+     "and are checked."},
     {"because", ValueType::kText, false, "The derivation or the citation."},
 };
 

@@ -305,6 +305,25 @@ RunReport Indicting(const Oracle& oracle, bool reproduces,
   return RunAll({scenario}, {&oracle});
 }
 
+TEST(CheckCatalogue, DoubtsAClaimOfStabilityThatEachEngineBreaks) {
+  const auto faults_with = [](Verdict first, Verdict second) {
+    RunReport report;
+    for (const Verdict verdict : {first, second}) {
+      Finding finding;
+      finding.scenario = "world/x";
+      finding.measure = MeasureKind::kStability;
+      finding.verdict = verdict;
+      report.findings.push_back(finding);
+    }
+    CheckCatalogue(report);
+    return report.faults;
+  };
+  EXPECT_THAT(faults_with(Verdict::kFail, Verdict::kPass), IsEmpty());
+  EXPECT_THAT(
+      faults_with(Verdict::kFail, Verdict::kKnown),
+      ElementsAre(testing::HasSubstr("world/x: claims to be stable, but each of 2")));
+}
+
 TEST(CheckCatalogue, WantsIndictmentsFoundAgain) {
   const FakeOracle right("right");
   const FakeOracle wrong = FakeOracle::Wrong(

@@ -36,7 +36,7 @@ TEST(WriteExplanation, GivesAReasonOfTheLedgerOnceForAnOracle) {
   second.measure = MeasureKind::kExcess;
   report.findings.insert(report.findings.begin() + 2, second);
   const std::string text = Explained(report);
-  const std::string reason = "Ledger, of theirs/float: Float build";
+  const std::string reason = "Ledger, of theirs/float (precision): Float build";
   const std::size_t first = text.find(reason);
   EXPECT_NE(first, std::string::npos);
   EXPECT_EQ(text.find(reason, first + 1), std::string::npos);
@@ -87,7 +87,7 @@ TEST(WriteExplanation, GivesTruthProofAndTheReasonOfTheLedger) {
   const std::string text = Explained(HandMadeReport());
   EXPECT_THAT(text, HasSubstr("Touching: the separation is -0.05 m, certified"));
   EXPECT_THAT(text, HasSubstr("moving B by 0.04 along n leaves 0.01 of overlap"));
-  EXPECT_THAT(text, HasSubstr("Ledger, of theirs/float: Float build"));
+  EXPECT_THAT(text, HasSubstr("Ledger, of theirs/float (precision): Float build"));
 }
 
 }  // namespace

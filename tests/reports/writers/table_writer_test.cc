@@ -78,7 +78,8 @@ TEST(WriteTable, SaysThatTheSubjectWasNotExaminedWhateverTheReferencesDo) {
   report.scenarios[0].answers[0] = {};
   report.scenarios[0].answers[0].reason = "no spheres.";
   const std::string table = Table(report);
-  EXPECT_THAT(table, HasSubstr("NOTHING VERIFIED: mine failed in 0 scenarios, references "
+  EXPECT_THAT(table, HasSubstr("NOTHING VERIFIED: mine failed in 0 scenarios, was not "
+                               "examined in 1, references "
                                "in 1 (theirs/float)"));
   EXPECT_THAT(table, HasSubstr("mine was not examined: unsupported: no spheres; "));
 }

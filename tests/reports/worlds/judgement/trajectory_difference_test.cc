@@ -51,15 +51,17 @@ TEST(DistanceBetween, EndsAtTheHorizon) {
 }
 
 TEST(LargestDifference, GivesBothPlacesSoThatTheyCanBeSubtracted) {
-  const Trajectory a = FreeFlight(OneBall());
+  const World world = OneBall();
+  const Trajectory a = FreeFlight(world);
   Trajectory b = a;
-  EXPECT_EQ(LargestDifference(a, b, 1, kEver), "");
+  EXPECT_EQ(LargestDifference(world, a, b, kEver), "");
   b.samples[3].bodies[0].p_WB.x() += 1;
   b.samples[30].particles[0].p_W = {1, 2, 3};
-  EXPECT_NE(LargestDifference(a, b, 1, kEver).find("at 0.3 s particle 0 is at (-0.98, "),
+  EXPECT_NE(LargestDifference(world, a, b, kEver).find("at 0.3 s drop is at (-0.98, "),
             std::string::npos);
-  EXPECT_NE(LargestDifference(a, b, 1, kEver).find(" and (1, 2, 3)"), std::string::npos);
-  EXPECT_EQ(LargestDifference(a, b, 1, 0.1).find("at 0.03 s body 0 is at (0.3, "), 0u);
+  EXPECT_NE(LargestDifference(world, a, b, kEver).find(" and (1, 2, 3)"),
+            std::string::npos);
+  EXPECT_EQ(LargestDifference(world, a, b, 0.1).find("at 0.03 s ball is at (0.3, "), 0u);
 }
 
 TEST(DistanceBetween, WhatIsNoNumberIsFarthest) {
