@@ -268,15 +268,23 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
   const auto unanswered = std::find_if_not(nudged.begin(), nudged.end(), IsWhole);
   if (unanswered != nudged.end())
     add_failure(*unanswered, "with its start moved by a rounding", dt);
-  RoundingGrowth growth = refined && IsWhole(nudged.front())
-                              ? GrowthOf(study, nudged.front())
-                              : RoundingGrowth();
+  RoundingGrowth growth;
+  for (const Trajectory& other : nudged) {
+    if (!refined || !IsWhole(other)) continue;
+    const RoundingGrowth more = GrowthOf(study, other);
+    if (more.gain > growth.gain) growth = more;
+  }
   if (const Claim* stable = ClaimOf(scenario, kStable)) {
     const double most = stable->numbers.at(std::string(kStableGain));
     const double gain = std::min(growth.gain, most);
-    growth = {.gain = gain, .gain_before = gain, .late = LatenessOf(study)};
-    findings.push_back(unanswered == nudged.end() ? JudgeStability(study, most, nudged)
-                                                  : Unverified(study, kStable));
+    const double late = LatenessOf(study);
+    const Finding finding = unanswered == nudged.end()
+                                ? JudgeStability(study, most, nudged)
+                                : Unverified(study, kStable);
+    // What shows no event that is late is granted none.
+    const bool is_late = finding.value > finding.tolerance - late;
+    growth = {.gain = gain, .gain_before = gain, .late = is_late ? late : 0};
+    findings.push_back(finding);
   }
   const std::vector<Finding> of_world = findings;
   for (std::size_t v = 0; v < variants.size(); ++v) {

@@ -226,6 +226,16 @@ TEST(RunWorlds, ComparesVariantsToTheEndOfWhatIsKnownToBeStable) {
   EXPECT_EQ(verdicts.at(MeasureKind::kTranslation), Verdict::kPass);
 }
 
+TEST(RunWorlds, GrantsNoLatenessToAnEngineThatShowsNone) {
+  std::vector<WorldScenario> worlds = {Flight("world/test/a", 10)};
+  worlds[0].claims = {ClaimOf(kStable, {}, {{std::string(kStableGain), 4}})};
+  const FakeSimulator exact("exact", Exact);
+  const std::vector<const Oracle*> oracles = {&exact};
+  EXPECT_THAT(RunWorlds(worlds, oracles, 1, {}).findings,
+              Contains(testing::AllOf(Field(&Finding::measure, MeasureKind::kTranslation),
+                                      Field(&Finding::tolerance, testing::Lt(1e-9)))));
+}
+
 TEST(RunWorlds, FindsAnEngineThatDivergesWhereItsStartIsMovedByARounding) {
   const FakeSimulator engine("engine", [](const World& world) {
     Trajectory trajectory = FreeFlight(world);
