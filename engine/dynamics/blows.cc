@@ -82,14 +82,12 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
     asleep_[i] = start.asleep[i];
     linked_[i] = start.linked[i];
     flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i];
+    pulls_[i].setZero();
+    if (!static_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
   }
   // A little more than Follow() asks for: what flies and is no blow there would sink in.
   BlowRules surely = rules_;
   surely.resting_speed *= kSurely;
-  const auto acceleration = [&](int body) -> Eigen::Vector3d {
-    if (IsStatic(body)) return Eigen::Vector3d::Zero();
-    return (start.free[At(body)].v - start.before[At(body)].v) / rules_.h;
-  };
   // What touches a body that is held is held, and what touches that; not what strikes.
   heaps_.Reset(flies_.size());
   strikers_.clear();
@@ -105,8 +103,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
       for (const int next : {contacts[k + kAhead].A, contacts[k + kAhead].B}) {
         if (!Flies(next)) continue;
         Fetch(&start.bodies[At(next)].state, sizeof(BodyState));
-        Fetch(&start.before[At(next)], sizeof(Velocity));
-        Fetch(&start.free[At(next)], sizeof(Velocity));
+        Fetch(&pulls_[At(next)], sizeof(Eigen::Vector3d));
       }
     }
     if (!Flies(pair.A) && !Flies(pair.B)) {
@@ -115,7 +112,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
     }
     const RigidBody& A = start.bodies[At(pair.A)];
     const RigidBody& B = start.bodies[At(pair.B)];
-    const Eigen::Vector3d a_AB_W = acceleration(pair.B) - acceleration(pair.A);
+    const Eigen::Vector3d a_AB_W = pulls_[At(pair.B)] - pulls_[At(pair.A)];
     const double pull = PullOn(pair, A, B);
     bool strikes = true;
     for (const ContactPoint& contact : pair.manifold.points()) {
@@ -128,7 +125,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
           contact.separation >= -MarginBetween(A, B) - TouchOf(A, B)) {
         continue;
       }
-      flies_[At(pair.A)] = flies_[At(pair.B)] = false;
+      flies_[At(pair.A)] = flies_[At(pair.B)] = 0;
       break;
     }
     if (!strikes)
@@ -138,17 +135,18 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
   }
   most_of_heap_ = IsSmall(settings, to_solve) ? kMostOfHeap : kMostOfHeapOfMany;
   if (!strikers_.empty()) HoldStrikersOfLargeHeaps(finder.contacts());
-  holds_.assign(flies_.size(), false);
-  for (int i = 0; i < static_cast<int>(flies_.size()); ++i) {
-    if (IsHeld(i)) holds_[At(heaps_.Of(i))] = true;
+  const std::span<const int> heap = heaps_.All();
+  holds_.assign(flies_.size(), 0);
+  for (std::size_t i = 0; i < heap.size(); ++i) {
+    if (!flies_[i] && !static_[i]) holds_[At(heap[i])] = 1;
   }
-  for (int i = 0; i < static_cast<int>(flies_.size()); ++i) {
-    if (holds_[At(heaps_.Of(i))]) flies_[At(i)] = false;
+  for (std::size_t i = 0; i < heap.size(); ++i) {
+    if (holds_[At(heap[i])]) flies_[i] = 0;
   }
   for (ContactPair& pair : finder.contacts()) {
     if (Flies(pair.A) || Flies(pair.B)) pair.manifold.count = 0;
   }
-  return std::find(flies_.begin(), flies_.end(), true) != flies_.end();
+  return std::find(flies_.begin(), flies_.end(), 1) != flies_.end();
 }
 
 void Blows::HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts) {
@@ -165,12 +163,10 @@ void Blows::HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts) {
 void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     reaches_[i] = Reach(start.bodies[i], start.free[i].v, rules_.h);
-    pulls_[i].setZero();
-    if (!static_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
   }
   const auto begin = [&](int body) {
     if (begun_[At(body)]) return;
-    begun_[At(body)] = true;
+    begun_[At(body)] = 1;
     BodyFlight& flight = flights_[At(body)];
     flight = {start.bodies[At(body)]};
     flight.pull_W = pulls_[At(body)];
@@ -179,7 +175,7 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
     flight.torque_W = flight.start.applied_torque_W;
   };
   meets_held_ = false;
-  std::fill(begun_.begin(), begun_.end(), false);
+  std::fill(begun_.begin(), begun_.end(), 0);
   meetings_.Begin(start.bodies.size());
   finder.ForEachNear([&](int A, int B, double gap) {
     if (!Flies(A) && !Flies(B)) return;
@@ -298,7 +294,7 @@ void Blows::Join(int body, double t) {
 }
 
 void Blows::TraceBack(int body, const End& end) {
-  begun_[At(body)] = true;
+  begun_[At(body)] = 1;
   BodyFlight& flight = flights_[At(body)];
   flight = {end.bodies[At(body)], rules_.h};
   flight.pull_W = pulls_[At(body)];

@@ -78,8 +78,8 @@ class Blows {
     std::span<const ContactPair> contacts;
   };
 
-  bool Flies(int body) const { return flies_[static_cast<std::size_t>(body)]; }
-  bool IsStatic(int body) const { return static_[static_cast<std::size_t>(body)]; }
+  bool Flies(int body) const { return flies_[static_cast<std::size_t>(body)] != 0; }
+  bool IsStatic(int body) const { return static_[static_cast<std::size_t>(body)] != 0; }
   /** Whether it moves and does not fly. */
   bool IsHeld(int body) const { return !Flies(body) && !IsStatic(body); }
 
@@ -114,13 +114,14 @@ class Blows {
   void EndSupports();
 
   BlowRules rules_;
-  std::vector<bool> flies_;             ///< By body.
-  std::vector<bool> static_;            ///< By body.
-  std::vector<bool> asleep_;            ///< By body.
-  std::vector<bool> linked_;            ///< By body.
+  // 1 where it is so: bytes, since each is asked many times a step.
+  std::vector<char> flies_;             ///< By body.
+  std::vector<char> static_;            ///< By body.
+  std::vector<char> asleep_;            ///< By body.
+  std::vector<char> linked_;            ///< By body.
   std::vector<int> blows_;              ///< By body: how many it had.
   std::vector<BodyFlight> flights_;     ///< By body: since its last blow.
-  std::vector<bool> begun_;             ///< By body: whether its flight is of this step.
+  std::vector<char> begun_;             ///< By body: whether its flight is of this step.
   std::vector<double> reaches_;         ///< By body. [m]
   std::vector<Eigen::Vector3d> pulls_;  ///< By body: of nothing that holds it. [m/s²]
   std::vector<Support> supports_;
@@ -132,7 +133,7 @@ class Blows {
   DisjointSets heaps_;     ///< Of bodies.
   DisjointSets touching_;  ///< Of bodies: what strikes with what it strikes.
   std::vector<std::pair<int, int>> strikers_;
-  std::vector<bool> holds_;     ///< By body that stands for a heap: whether one is held.
+  std::vector<char> holds_;     ///< By body that stands for a heap: whether one is held.
   std::vector<int> heap_size_;  ///< By body that stands for a heap.
   int most_of_heap_ = 0;        ///< Bodies of a heap that takes part in a blow.
   // The contacts of each heap of what is held, as lists.

@@ -137,12 +137,14 @@ Meeting MeetingAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
   const Eigen::Vector3d v_A = PointVelocity(A, p_W);
   const Eigen::Vector3d v_B = PointVelocity(B, p_W);
   const double approach = n_AB_W.dot(v_B - v_A);
-  const double together = kTogether * (v_A.norm() + v_B.norm());
   const double gain = rules.h * n_AB_W.dot(a_AB_W);
   const double fast = rules.resting_speed * (rules.h * pull + std::abs(gain));
-  if (approach > fast || (approach >= -together && gain >= -together)) {
-    return Meeting::kParts;
-  }
+  if (approach > fast) return Meeting::kParts;
+  // Most contacts rest: known without a root.
+  const double together_at_most = kTogether * (v_A.lpNorm<1>() + v_B.lpNorm<1>());
+  if (gain < -together_at_most && approach >= -fast) return Meeting::kHolds;
+  const double together = kTogether * (v_A.norm() + v_B.norm());
+  if (approach >= -together && gain >= -together) return Meeting::kParts;
   return approach < -std::max(fast, together) ? Meeting::kStrikes : Meeting::kHolds;
 }
 
