@@ -8,7 +8,7 @@ double ResponseOf(int body, const Eigen::Vector3d& n, const Eigen::Vector3d& r,
   if (body < 0) return 0;
   const InverseInertia& inertia = inertias[static_cast<std::size_t>(body)];
   const Eigen::Vector3d c = r.cross(n);
-  return inertia.mass * n.squaredNorm() + c.dot(inertia.tensor_W * c);
+  return inertia.mass * n.squaredNorm() + c.dot(inertia.Turn(c));
 }
 
 void Push(int body, const Eigen::Vector3d& J, const Eigen::Vector3d& r,
@@ -17,7 +17,7 @@ void Push(int body, const Eigen::Vector3d& J, const Eigen::Vector3d& r,
   const InverseInertia& inertia = inertias[static_cast<std::size_t>(body)];
   Velocity& velocity = velocities[static_cast<std::size_t>(body)];
   velocity.v += inertia.mass * J;
-  velocity.w += inertia.tensor_W * r.cross(J);
+  velocity.w += inertia.Turn(r.cross(J));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ void Blow::Exchange(const Settings& settings, double h, Crew& crew,
     spent_ += solver_.row_count();
     if (solver_.Sweep(after_, crew) <= settings.residual * solver_.scale()) break;
   }
-  solver_.End(pairs_, touches_);
+  solver_.End(pairs_, settings, touches_);
   for (const ContactPair& pair : pairs_) {
     const auto points = pair.manifold.points().size();
     const bool gave = std::any_of(pair.J_W.begin(), pair.J_W.begin() + points,

@@ -3,8 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 #include "engine/dynamics/contact_pair.h"
+#include "engine/dynamics/lanes.h"
 #include "engine/dynamics/rigid_body.h"
 
 namespace cookbook {
@@ -18,6 +20,17 @@ struct SolverBodies {
   std::span<Velocity> velocities;            ///< In: without impulses; then solved.
 };
 
+/** What impulses change of a Velocity, in single precision: its rounding is a share of
+ that, however fast the bodies go together. */
+struct alignas(32) SingleVelocity {
+  std::array<float, 8> numbers{};  ///< v, ω and two of no concern. [m/s], [rad/s]
+};
+
+/** What sweeps of this precision change. */
+template <class Real>
+using SweptVelocity =
+    std::conditional_t<std::is_same_v<Real, float>, SingleVelocity, Velocity>;
+
 /** What contacts did to a body in a step. */
 struct Touch {
   bool bounced = false;  ///< Some contact sent it back.
@@ -25,60 +38,63 @@ struct Touch {
   bool steady = true;    ///< Before the step, no contact that held it was approaching.
 };
 
-/** One number of each of four pairs. */
-using Lanes = std::array<double, 4>;
-/** One vector of each of four pairs, component by component. */
-using VectorLanes = std::array<Lanes, 3>;
-/** One symmetric tensor of each: xx, xy, xz, yy, yz, zz. */
-using TensorLanes = std::array<Lanes, 6>;
-
-/** One contact of each of four pairs. A pair that has fewer contacts than another has
- `effective_mass` 0 there, and nothing happens. */
-struct alignas(32) ContactLanes {
-  // Of the pair.
-  VectorLanes r_A;  ///< From the centre of A. [m]
-  VectorLanes r_B;
-  Lanes separation;         ///< [m]
-  Lanes impulse;            ///< λ, along n. [N s]
-  Lanes friction_impulse1;  ///< λ_t, along t1. [N s]
-  Lanes friction_impulse2;
-  Lanes used;  ///< 1, or 0 where the pair has no such contact.
-  // Prepared.
-  Lanes target;          ///< Least u·n; −∞ where the contact is let be. [m/s]
-  Lanes response;        ///< k(n). [1/kg]
-  Lanes effective_mass;  ///< 1 / k(n), for a soft contact less. [kg]
-  Lanes impulse_scale;   ///< 0 for a hard contact.
-  Lanes response_n1;     ///< What a unit impulse along n slips along t1. [1/kg]
-  Lanes response_n2;     ///< Along t2.
-  Lanes stick11;         ///< Inverse of the response of the slip along t1, t2. [kg]
-  Lanes stick12;
-  Lanes stick22;
-  Lanes slip_response;  ///< Greatest eigenvalue of that response. [1/kg]
-  Lanes slip_step;      ///< Its inverse. [kg]
-  Lanes bounces;        ///< 1 where it sends back.
-  Lanes steady;         ///< 1 where it did not approach before the step.
+/** One contact of each of some pairs, as sweeps see it. A pair that has fewer contacts
+ than another has `effective_mass` 0 there, and nothing happens. */
+template <class Real>
+struct alignas(kAlignment<Real>) ContactLanes {
+  VectorLanes<Real> r_A;  ///< From the centre of A. [m]
+  VectorLanes<Real> r_B;
+  Lanes<Real> impulse;            ///< λ, along n. [N s]
+  Lanes<Real> friction_impulse1;  ///< λ_t, along t1. [N s]
+  Lanes<Real> friction_impulse2;
+  Lanes<Real> target;          ///< Least u·n; −∞ where the contact is let be. [m/s]
+  Lanes<Real> effective_mass;  ///< 1 / k(n), for a soft contact less. [kg]
+  Lanes<Real> impulse_scale;   ///< 0 for a hard contact.
+  Lanes<Real> response_n1;     ///< What a unit impulse along n slips along t1. [1/kg]
+  Lanes<Real> response_n2;     ///< Along t2.
+  Lanes<Real> stick11;         ///< Inverse of the response of the slip along t1, t2. [kg]
+  Lanes<Real> stick12;
+  Lanes<Real> stick22;
+  Lanes<Real> slip_step;  ///< 1 / the greatest eigenvalue of that response. [kg]
+  // In single precision, where sweeps see what impulses change of a velocity, and
+  // `target` is of that: the slip at the end of the step without impulses. [m/s]
+  Lanes<Real> slip1;
+  Lanes<Real> slip2;
 };
 
-/** Four pairs of which no two share a moving body. */
-struct alignas(32) ContactBatch {
-  std::array<int, 4> pair;  ///< −1: none.
-  std::array<int, 4> A;
-  std::array<int, 4> B;
-  int first;     ///< Its first contact; the others follow.
-  int count;     ///< The greatest number of contacts of a pair.
-  bool at_work;  ///< Whether a sweep solves it.
-  Lanes change;  ///< The greatest that the last sweep changed a relative velocity. [m/s]
-  VectorLanes n;
-  VectorLanes t1;
-  VectorLanes t2;
-  Lanes friction;
-  Lanes restitution;
-  Lanes usual;  ///< What gravity and forces add in a step, see PullOn(). [m/s]
-  Lanes slack;  ///< [m]
-  Lanes inverse_mass_A;
-  Lanes inverse_mass_B;
-  TensorLanes inverse_inertia_A;
-  TensorLanes inverse_inertia_B;
+/** What sweeps in single precision do not look at of the same contacts. */
+template <class Real>
+struct alignas(kAlignment<Real>) ContactNotes {
+  Lanes<Real> separation;     ///< [m]
+  Lanes<Real> used;           ///< 1, or 0 where the pair has no such contact.
+  Lanes<Real> bounces;        ///< 1 where it sends back.
+  Lanes<Real> steady;         ///< 1 where it did not approach before the step.
+  Lanes<Real> response;       ///< k(n). [1/kg]
+  Lanes<Real> slip_response;  ///< 1 / slip_step. [1/kg]
+};
+
+/** Pairs of which no two share a moving body. */
+template <class Real>
+struct alignas(kAlignment<Real>) ContactBatch {
+  BodyLanes<Real> pair;  ///< −1: none.
+  BodyLanes<Real> A;
+  BodyLanes<Real> B;
+  int first;           ///< Its first contact; the others follow.
+  int count;           ///< The greatest number of contacts of a pair.
+  bool at_work;        ///< Whether a sweep solves it.
+  Lanes<Real> change;  ///< The greatest that the last sweep changed a relative velocity.
+                       ///< Not in single precision. [m/s]
+  VectorLanes<Real> n;
+  VectorLanes<Real> t1;
+  VectorLanes<Real> t2;
+  Lanes<Real> friction;
+  Lanes<Real> inverse_mass_A;
+  Lanes<Real> inverse_mass_B;
+  TensorLanes<Real> inverse_inertia_A;
+  TensorLanes<Real> inverse_inertia_B;
+  Lanes<Real> restitution;
+  Lanes<Real> usual;  ///< What gravity and forces add in a step, see PullOn(). [m/s]
+  Lanes<Real> slack;  ///< [m]
 };
 
 /** What the rows are made by. */
@@ -93,24 +109,38 @@ struct ContactRules {
 };
 
 /** Contacts and their batches. */
+template <class Real>
 struct ContactRows {
-  std::span<ContactBatch> batches;
-  std::span<ContactLanes> contacts;
+  std::span<ContactBatch<Real>> batches;
+  std::span<ContactLanes<Real>> contacts;
+  std::span<ContactNotes<Real>> notes;  ///< Of each of the contacts.
 };
+
+// All of these are there for double and for float. In single precision an impulse is off
+// by some 1e-7 of itself, and an approach by as much of what is changed and of what the
+// spins make of it; the two bodies receive opposite impulses at the same place all the
+// same, to the rounding of a double.
 
 /** Fills the rows of the pairs and bodies that the batches name, given the velocities
  before the step and those at its end without impulses. The impulses are those of the
  pairs, spread evenly over a face, or none without `warm_starting`. Returns the greatest
  relative velocity of a contact. [m/s] */
-double PrepareContacts(const ContactRows& rows, const ContactRules& rules,
+template <class Real>
+double PrepareContacts(const ContactRows<Real>& rows, const ContactRules& rules,
                        std::span<const ContactPair> pairs, const SolverBodies& world,
                        bool warm_starting);
 
 /** Applies the impulses. */
-void ApplyImpulses(const ContactRows& rows, std::span<Velocity> velocities);
+template <class Real>
+void ApplyImpulses(const ContactRows<Real>& rows,
+                   std::span<SweptVelocity<Real>> velocities);
+
+/** Applies impulses found in single precision to the velocities themselves. */
+void ApplyFoundImpulses(const ContactRows<float>& rows, const SolverBodies& world);
 
 /** How much a sweep changed the relative velocities of pairs: of each pair the greatest,
- and of those the greatest and the least. [m/s] */
+ and of those the greatest and the least; +∞ in single precision, where it is not known.
+ [m/s] */
 struct Changes {
   double greatest;
   double least;  ///< +∞ where there is no pair.
@@ -118,12 +148,14 @@ struct Changes {
 
 /** Solves each contact of the batches at work once, batch after batch. What is missing
  along the normal is made up for times `relaxation`. */
-Changes SweepContacts(const ContactRows& rows, const ContactRules& rules,
-                      double relaxation, std::span<Velocity> velocities);
+template <class Real>
+Changes SweepContacts(const ContactRows<Real>& rows, const ContactRules& rules,
+                      double relaxation, std::span<SweptVelocity<Real>> velocities);
 
 /** Writes the impulses to the pairs, and what the contacts did to the bodies that move.
  */
-void ReadContacts(const ContactRows& rows, std::span<ContactPair> pairs,
+template <class Real>
+void ReadContacts(const ContactRows<Real>& rows, std::span<ContactPair> pairs,
                   std::span<Touch> touches);
 
 }  // namespace cookbook

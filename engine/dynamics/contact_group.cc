@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <type_traits>
 
 namespace cookbook {
 namespace {
 
 /** Batches of a colour below which it does not pay to wake another thread: a batch takes
- about a quarter of a microsecond. */
+ about a quarter of a microsecond, of four pairs by doubles or of sixteen by floats. */
 constexpr std::size_t kFewBatches = 48;
 
 /** The greatest of numbers that several threads note. */
@@ -30,27 +31,29 @@ class Greatest {
 
 }  // namespace
 
-void Overlaps::Clear() {
+template <class Real>
+void Overlaps<Real>::Clear() {
   batches.clear();
   rows.clear();
   firsts.clear();
   groups.clear();
 }
 
-void ContactGroup::LayOut(std::span<const ColouredPair> ordered, int nobody) {
+template <class Real>
+void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobody) {
   batches_.clear();
   firsts_.clear();
   row_count_ = 0;
   int rows = 0;
   int colour = -1;
-  std::size_t lane = 4;
+  std::size_t lane = kLanes<Real>;
   for (const ColouredPair& next : ordered) {
     const bool starts_colour = next.colour != colour || next.colour == kLastColour;
-    if (lane == 4 || starts_colour) {
+    if (lane == kLanes<Real> || starts_colour) {
       if (starts_colour) firsts_.push_back(batches_.size());
       colour = next.colour;
       lane = 0;
-      ContactBatch& batch = batches_.emplace_back();
+      ContactBatch<Real>& batch = batches_.emplace_back();
       batch.pair.fill(-1);
       batch.A.fill(nobody);
       batch.B.fill(nobody);
@@ -58,7 +61,7 @@ void ContactGroup::LayOut(std::span<const ColouredPair> ordered, int nobody) {
       batch.count = 0;
       batch.at_work = true;
     }
-    ContactBatch& batch = batches_.back();
+    ContactBatch<Real>& batch = batches_.back();
     batch.pair[lane] = next.pair;
     batch.A[lane] = next.A;
     batch.B[lane] = next.B;
@@ -69,39 +72,43 @@ void ContactGroup::LayOut(std::span<const ColouredPair> ordered, int nobody) {
   }
   firsts_.push_back(batches_.size());
   contacts_.resize(static_cast<std::size_t>(rows));
+  notes_.resize(static_cast<std::size_t>(rows));
 }
 
+template <class Real>
 template <class Work>
-void ContactGroup::ShareByColour(Crew& crew, const Work& work) {
+void ContactGroup<Real>::ShareByColour(Crew& crew, const Work& work) {
   for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
-    const std::span<ContactBatch> colour =
+    const std::span<ContactBatch<Real>> colour =
         std::span(batches_).subspan(firsts_[k], firsts_[k + 1] - firsts_[k]);
     crew.Share(colour.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
-      work(ContactRows{colour.subspan(begin, end - begin), contacts_});
+      work(ContactRows<Real>{colour.subspan(begin, end - begin), contacts_, notes_});
     });
   }
 }
 
-void ContactGroup::Begin(std::span<const ColouredPair> ordered,
-                         std::span<const ContactPair> pairs, const SolverBodies& world,
-                         const ContactRules& rules, bool warm_starting, Crew& crew) {
+template <class Real>
+void ContactGroup<Real>::Begin(std::span<const ColouredPair> ordered,
+                               std::span<const ContactPair> pairs,
+                               const SolverBodies& world, const ContactRules& rules,
+                               bool warm_starting, Velocities velocities, Crew& crew) {
   rules_ = rules;
   LayOut(ordered, static_cast<int>(world.bodies.size()));
   Greatest scale;
-  ShareByColour(crew, [&](const ContactRows& rows) {
+  ShareByColour(crew, [&](const ContactRows<Real>& rows) {
     scale.Note(PrepareContacts(rows, rules, pairs, world, warm_starting));
   });
   scale_ = scale.value();
   // All rows have seen the velocities without impulses: now apply those to start from.
   ShareByColour(crew,
-                [&](const ContactRows& rows) { ApplyImpulses(rows, world.velocities); });
+                [&](const ContactRows<Real>& rows) { ApplyImpulses(rows, velocities); });
 }
 
-double ContactGroup::Sweep(double relaxation, std::span<Velocity> velocities,
-                           Crew& crew) {
+template <class Real>
+double ContactGroup<Real>::Sweep(double relaxation, Velocities velocities, Crew& crew) {
   Greatest change;
   Greatest closeness(-std::numeric_limits<double>::infinity());  // −(least change).
-  ShareByColour(crew, [&](const ContactRows& rows) {
+  ShareByColour(crew, [&](const ContactRows<Real>& rows) {
     const Changes changes = SweepContacts(rows, rules_, relaxation, velocities);
     change.Note(changes.greatest);
     closeness.Note(-changes.least);
@@ -110,70 +117,71 @@ double ContactGroup::Sweep(double relaxation, std::span<Velocity> velocities,
   return change.value();
 }
 
-void ContactGroup::LeaveBe(double solved, std::span<const int> heaps,
-                           std::span<double> heap_changes) {
+template <class Real>
+void ContactGroup<Real>::LeaveBe(double solved, std::span<const int> heaps,
+                                 std::span<double> heap_changes) {
   if (least_change_ > solved) return;  // No pair is solved, and so no heap.
   // A lane of its own says of each pair which of its bodies moves; both are in one heap.
-  const auto change_of = [&](const ContactBatch& batch, std::size_t lane) -> double& {
+  const auto change_of = [&](const ContactBatch<Real>& batch,
+                             std::size_t lane) -> double& {
     const int body = batch.inverse_mass_A[lane] > 0 ? batch.A[lane] : batch.B[lane];
     return heap_changes[static_cast<std::size_t>(heaps[static_cast<std::size_t>(body)])];
   };
   const auto for_each_pair = [&](const auto& visit) {
-    for (ContactBatch& batch : batches_) {
-      for (std::size_t lane = 0; lane < 4; ++lane) {
+    for (ContactBatch<Real>& batch : batches_) {
+      for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
         if (batch.pair[lane] >= 0) visit(batch, lane);
       }
     }
   };
-  for_each_pair(
-      [&](const ContactBatch& batch, std::size_t lane) { change_of(batch, lane) = 0; });
-  for_each_pair([&](const ContactBatch& batch, std::size_t lane) {
+  for_each_pair([&](const ContactBatch<Real>& batch, std::size_t lane) {
+    change_of(batch, lane) = 0;
+  });
+  for_each_pair([&](const ContactBatch<Real>& batch, std::size_t lane) {
     if (!batch.at_work) return;
     double& change = change_of(batch, lane);
-    change = std::max(change, batch.change[lane]);
+    change = std::max(change, double{batch.change[lane]});
   });
   row_count_ = 0;
-  for (ContactBatch& batch : batches_) batch.at_work = false;
-  for_each_pair([&](ContactBatch& batch, std::size_t lane) {
+  for (ContactBatch<Real>& batch : batches_) batch.at_work = false;
+  for_each_pair([&](ContactBatch<Real>& batch, std::size_t lane) {
     if (change_of(batch, lane) <= solved) return;
     batch.at_work = true;
     for (int k = 0; k < batch.count; ++k) {
-      row_count_ +=
-          contacts_[static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k)]
-              .used[lane] != 0;
+      row_count_ += notes_[static_cast<std::size_t>(batch.first + k)].used[lane] != 0;
     }
   });
 }
 
-void ContactGroup::Note(const ContactBatch& batch, const OverlapNotes& notes) const {
-  std::vector<OverlapBatch>& batches = notes.overlaps->batches;
-  std::vector<OverlapLanes>& rows = notes.overlaps->rows;
+template <class Real>
+void ContactGroup<Real>::Note(const ContactBatch<Real>& batch, bool turns,
+                              Overlaps<Real>& overlaps) const {
+  std::vector<OverlapLanes<Real>>& rows = overlaps.rows;
   const std::size_t first = rows.size();
   for (int k = 0; k < batch.count; ++k) {
-    const ContactLanes& contact =
-        contacts_[static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k)];
-    Lanes mass{};
+    const auto row = static_cast<std::size_t>(batch.first + k);
+    const ContactNotes<Real>& notes = notes_[row];
+    Lanes<Real> mass{};
     bool any = false;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      const bool counts = contact.used[lane] != 0 && contact.bounces[lane] == 0 &&
-                          contact.separation[lane] < -batch.slack[lane];
+    for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
+      const bool counts = notes.used[lane] != 0 && notes.bounces[lane] == 0 &&
+                          notes.separation[lane] < -batch.slack[lane];
       if (!counts) continue;
       any = true;
-      mass[lane] = notes.turns
-                       ? 1 / contact.response[lane]
-                       : 1 / (batch.inverse_mass_A[lane] + batch.inverse_mass_B[lane]);
+      mass[lane] = 1 / (turns ? notes.response[lane]
+                              : batch.inverse_mass_A[lane] + batch.inverse_mass_B[lane]);
     }
     if (!any) continue;
-    OverlapLanes& overlap = rows.emplace_back();
-    overlap.r_A = contact.r_A;
-    overlap.r_B = contact.r_B;
+    OverlapLanes<Real>& overlap = rows.emplace_back();
+    overlap.r_A = contacts_[row].r_A;
+    overlap.r_B = contacts_[row].r_B;
     overlap.mass = mass;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      overlap.depth[lane] = -contact.separation[lane] - batch.slack[lane];
+    for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
+      overlap.depth[lane] = -notes.separation[lane] - batch.slack[lane];
     }
   }
   if (rows.size() == first) return;
-  OverlapBatch& noted = batches.emplace_back();
+  OverlapBatch<Real>& noted = overlaps.batches.emplace_back();
   noted.A = batch.A;
   noted.B = batch.B;
   noted.first = static_cast<int>(first);
@@ -182,23 +190,37 @@ void ContactGroup::Note(const ContactBatch& batch, const OverlapNotes& notes) co
   noted.usual = batch.usual;
   noted.inverse_mass_A = batch.inverse_mass_A;
   noted.inverse_mass_B = batch.inverse_mass_B;
-  noted.inverse_inertia_A = notes.turns ? batch.inverse_inertia_A : TensorLanes{};
-  noted.inverse_inertia_B = notes.turns ? batch.inverse_inertia_B : TensorLanes{};
+  noted.inverse_inertia_A = turns ? batch.inverse_inertia_A : TensorLanes<Real>{};
+  noted.inverse_inertia_B = turns ? batch.inverse_inertia_B : TensorLanes<Real>{};
 }
 
-void ContactGroup::End(std::span<ContactPair> pairs, std::span<Touch> touches,
-                       const OverlapNotes& notes) {
-  const std::span<const ContactBatch> batches = batches_;
-  ReadContacts({batches_, contacts_}, pairs, touches);
-  if (notes.overlaps == nullptr) return;
-  notes.overlaps->groups.push_back(notes.overlaps->batches.size());
+template <class Real>
+void ContactGroup<Real>::NoteOverlaps(bool turns, Overlaps<Real>& overlaps) const {
+  overlaps.groups.push_back(overlaps.batches.size());
   for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
-    notes.overlaps->firsts.push_back(notes.overlaps->batches.size());
-    for (const ContactBatch& batch :
-         batches.subspan(firsts_[k], firsts_[k + 1] - firsts_[k])) {
-      Note(batch, notes);
+    overlaps.firsts.push_back(overlaps.batches.size());
+    for (std::size_t i = firsts_[k]; i < firsts_[k + 1]; ++i) {
+      Note(batches_[i], turns, overlaps);
     }
   }
 }
+
+template <class Real>
+void ContactGroup<Real>::End(std::span<ContactPair> pairs, std::span<Touch> touches) {
+  ReadContacts(ContactRows<Real>{batches_, contacts_, notes_}, pairs, touches);
+}
+
+template <class Real>
+void ContactGroup<Real>::Apply(const SolverBodies& world, Crew& crew) {
+  if constexpr (std::is_same_v<Real, float>) {
+    ShareByColour(
+        crew, [&](const ContactRows<float>& rows) { ApplyFoundImpulses(rows, world); });
+  }
+}
+
+template struct Overlaps<double>;
+template struct Overlaps<float>;
+template class ContactGroup<double>;
+template class ContactGroup<float>;
 
 }  // namespace cookbook

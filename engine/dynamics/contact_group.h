@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "engine/dynamics/contact_batch.h"
@@ -26,34 +28,34 @@ struct ColouredPair {
 
 /** Overlaps too deep to be left, batch by batch in the order in which they are removed.
  */
+template <class Real>
 struct Overlaps {
-  std::vector<OverlapBatch> batches;
-  std::vector<OverlapLanes> rows;
+  std::vector<OverlapBatch<Real>> batches;
+  std::vector<OverlapLanes<Real>> rows;
   std::vector<std::size_t> firsts;  ///< Batch of each colour, group after group.
   std::vector<std::size_t> groups;  ///< First batch of each group.
 
   void Clear();
 };
 
-/** What is noted of overlaps. */
-struct OverlapNotes {
-  bool turns = true;   ///< Whether a body may turn, not only move.
-  Overlaps* overlaps;  ///< nullptr: nothing is noted.
-};
-
-/** The rows of the pairs of some heaps, while they are solved. A heap is what contacts
- join, without what never moves. */
+/** The rows of the pairs of some heaps, while they are solved by doubles or by floats. A
+ heap is what contacts join, without what never moves. */
+template <class Real>
 class ContactGroup {
  public:
+  using Velocities = std::span<SweptVelocity<Real>>;
+
   /** Sets up the rows of `ordered`, which are sorted by colour, and applies the impulses
-   to start from. */
+   to start from to `velocities`, which are those of the world or, in single precision,
+   what is changed of them, at first zero. */
   void Begin(std::span<const ColouredPair> ordered, std::span<const ContactPair> pairs,
              const SolverBodies& world, const ContactRules& rules, bool warm_starting,
-             Crew& crew);
+             Velocities velocities, Crew& crew);
 
   /** Sweeps once over all contacts at work, at first all there are, and returns the
-   greatest change of a relative velocity. [m/s] `relaxation`: see SweepContacts(). */
-  double Sweep(double relaxation, std::span<Velocity> velocities, Crew& crew);
+   greatest change of a relative velocity, see Changes. [m/s] `relaxation`: see
+   SweepContacts(). */
+  double Sweep(double relaxation, Velocities velocities, Crew& crew);
 
   /** Leaves out of the next sweeps the contacts of every heap in which the last sweep
    changed no relative velocity by more than `solved` [m/s]: how well one is solved does
@@ -61,10 +63,15 @@ class ContactGroup {
    `heap_changes` is room for a number of each body. */
   void LeaveBe(double solved, std::span<const int> heaps, std::span<double> heap_changes);
 
-  /** Writes the impulses to the pairs, and what the contacts did to the bodies, and
-   appends what is too deep to the notes. */
-  void End(std::span<ContactPair> pairs, std::span<Touch> touches,
-           const OverlapNotes& notes);
+  /** Writes the impulses to the pairs, and what the contacts did to the bodies. */
+  void End(std::span<ContactPair> pairs, std::span<Touch> touches);
+
+  /** Appends what is too deep; `turns`: whether a body may turn, not only move. */
+  void NoteOverlaps(bool turns, Overlaps<Real>& overlaps) const;
+
+  /** Applies what was found in single precision to the velocities of the world; in
+   doubles it is there. */
+  void Apply(const SolverBodies& world, Crew& crew);
 
   /** The greatest speed that a contact sees before it is solved. [m/s] */
   double scale() const { return scale_; }
@@ -76,15 +83,19 @@ class ContactGroup {
   /** Calls `work(rows)` for all rows: colour after colour, each shared out. */
   template <class Work>
   void ShareByColour(Crew& crew, const Work& work);
-  void Note(const ContactBatch& batch, const OverlapNotes& notes) const;
+  void Note(const ContactBatch<Real>& batch, bool turns, Overlaps<Real>& overlaps) const;
 
-  std::vector<ContactBatch> batches_;
-  std::vector<ContactLanes> contacts_;
-  std::vector<std::size_t> firsts_;  ///< Batch of each colour in use, and the end.
+  std::vector<ContactBatch<Real>> batches_;
+  std::vector<ContactLanes<Real>> contacts_;
+  std::vector<ContactNotes<Real>> notes_;  ///< Of each of them.
+  std::vector<std::size_t> firsts_;        ///< Batch of each colour in use, and the end.
   ContactRules rules_{};
   double scale_ = 0;
   double least_change_ = 0;  ///< Of a pair at work, in the last sweep. [m/s]
   int row_count_ = 0;
 };
+
+extern template class ContactGroup<double>;
+extern template class ContactGroup<float>;
 
 }  // namespace cookbook

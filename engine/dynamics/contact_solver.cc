@@ -6,13 +6,15 @@
 #include <numbers>
 #include <numeric>
 
+#include "engine/dynamics/projection.h"
+
 namespace cookbook {
 namespace {
 
 /** Contacts of a manifold. */
 constexpr int kMost = 8;
-/** Contacts of a part: its rows, of 200 bytes a contact, stay in a cache of 256 KiB, and
- the batches that its colours leave unfilled are few. */
+/** Contacts of a part: its rows, of 220 bytes a contact or of 110 in single precision,
+ stay in a cache of 256 KiB, and the batches that its colours leave unfilled are few. */
 constexpr int kPart = 1000;
 /** A part of more contacts is solved by all threads, colour after colour. */
 constexpr int kLargePart = 2 * kPart;
@@ -21,6 +23,9 @@ constexpr int kLargePart = 2 * kPart;
 constexpr double kRelaxation = 1.4;
 /** Contacts below which it does not pay to wake another thread. */
 constexpr int kFewContacts = 200;
+/** Contacts from which on single precision pays: fewer leave most of sixteen lanes empty.
+ */
+constexpr int kManyContacts = 100;
 
 ContactRules RulesOf(const Settings& settings, double h) {
   ContactRules rules{};
@@ -44,19 +49,48 @@ ContactRules RulesOf(const Settings& settings, double h) {
   return rules;
 }
 
-/** Returns what is noted of overlaps, if anything is, in `overlaps`. */
-OverlapNotes RulesOfOverlap(const Settings& settings, Overlaps& overlaps) {
-  const bool turns = settings.stabilisation == Stabilisation::kNonLinearProjection;
-  const bool projects =
-      turns || settings.stabilisation == Stabilisation::kLinearProjection;
-  return {turns, projects ? &overlaps : nullptr};
+/** Whether single precision will do for every body that moves. What a contact resists
+ with, 1/m + a·I⁻¹ a with |a| <= r, is off by a few 6e-8 of what its greatest terms are:
+ where they cancel, as across a wire, by many times itself. Here by 1e-3 of itself at
+ most. Of such masses, and no speed beyond 1e12 m/s, the square of an impulse is a float.
+ */
+bool FitSinglePrecision(std::span<const RigidBody> bodies) {
+  constexpr double kMostMass = 1e6;      // [kg], and of 1 / mass.
+  constexpr double kMostResponse = 1e3;  // Of r² I⁻¹ by 1/m; 2.5 of a ball.
+  return std::all_of(bodies.begin(), bodies.end(), [&](const RigidBody& body) {
+    if (body.is_static() || body.is_point()) return true;
+    const double turning = body.radius * body.radius * body.inverse_moments.maxCoeff();
+    const double least = body.inverse_moments.minCoeff();
+    return body.inverse_mass <= kMostMass && body.inverse_mass >= 1 / kMostMass &&
+           turning <= kMostResponse * body.inverse_mass &&
+           body.inverse_moments.maxCoeff() <= kMostResponse * least;
+  });
+}
+
+Velocity Exact(const SingleVelocity& velocity) {
+  const Eigen::Map<const Eigen::Matrix<float, 6, 1>> numbers(velocity.numbers.data());
+  return {numbers.head<3>().cast<double>(), numbers.tail<3>().cast<double>()};
+}
+
+bool RemovesOverlap(const Settings& settings) {
+  return settings.stabilisation == Stabilisation::kNonLinearProjection ||
+         settings.stabilisation == Stabilisation::kLinearProjection;
+}
+
+/** Notes what is too deep in a group, where that is removed by moves. */
+template <class Real>
+void NoteOverlaps(const ContactGroup<Real>& group, const Settings& settings,
+                  Overlaps<Real>& overlaps) {
+  if (!RemovesOverlap(settings)) return;
+  group.NoteOverlaps(settings.stabilisation == Stabilisation::kNonLinearProjection,
+                     overlaps);
 }
 
 }  // namespace
 
 ContactSolver::ContactSolver(int threads)
-    : own_(static_cast<std::size_t>(threads)),
-      overlaps_(static_cast<std::size_t>(threads) + 1) {}
+    : groups_(static_cast<std::size_t>(threads)),
+      single_groups_(static_cast<std::size_t>(threads)) {}
 
 void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
                                   std::span<const RigidBody> bodies) {
@@ -132,66 +166,96 @@ void ContactSolver::Order() {
   }
 }
 
-OverlapNotes ContactSolver::NotesIn(Overlaps& overlaps) const {
-  OverlapNotes notes = notes_;
-  if (notes.overlaps != nullptr) notes.overlaps = &overlaps;
-  return notes;
+void ContactSolver::ForgetOverlaps() {
+  for (Overlaps<double>& overlaps : groups_.overlaps) overlaps.Clear();
+  for (Overlaps<float>& overlaps : single_groups_.overlaps) overlaps.Clear();
 }
 
 void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& world,
                           const Settings& settings, double h, Crew& crew,
                           std::span<Touch> touches) {
-  for (Overlaps& overlaps : overlaps_) overlaps.Clear();
-  if (pairs.empty()) return;
-  const ContactRules rules = RulesOf(settings, h);
-  notes_ = RulesOfOverlap(settings, overlaps_.back());
+  ForgetOverlaps();
+  const Task task{pairs,
+                  world,
+                  settings,
+                  RulesOf(settings, h),
+                  settings.warm_starting && settings.accumulated_impulses,
+                  touches};
   ColourAndJoin(pairs, world.bodies);
+  // Blows may have taken them all.
+  if (contacts_ == 0) return;
   // A world that may be swept more often than any world is solved as a whole: the sweeps
   // that one heap leaves over are for the others.
   const bool is_small = IsSmall(settings, contacts_);
   Divide(world.bodies.size(), is_small ? contacts_ : kPart);
   Order();
-  heap_changes_.resize(world.bodies.size());
-  const bool warm_starting = settings.warm_starting && settings.accumulated_impulses;
-  const long patience = is_small ? patience_.Left(settings) : settings.patience;
-  const int sweeps =
-      settings.impulse_iterations - (is_small ? 0 : settings.impulse_iterations / 8);
+  is_single_ = !is_small && settings.single_precision && contacts_ >= kManyContacts &&
+               FitSinglePrecision(world.bodies);
+  if (is_small) {
+    SolveSmall(task, crew);
+  } else if (is_single_) {
+    single_.assign(world.velocities.size(), {});
+    SolveLarge<float>(task, single_, single_groups_, crew);
+  } else {
+    SolveLarge<double>(task, world.velocities, groups_, crew);
+  }
+}
 
-  const auto solve = [&](const Part& part, ContactGroup& group, Overlaps& overlaps,
-                         Crew& helpers) {
-    group.Begin(std::span(ordered_).subspan(part.begin, part.end - part.begin), pairs,
-                world, rules, warm_starting, helpers);
-    const double solved = settings.residual * group.scale();
-    long spent = 0;
-    for (int k = 0;; ++k) {
-      // What is solved is left be, so that all the patience is for what is not.
-      if (k >= sweeps) {
-        if (!is_small) break;
-        group.LeaveBe(solved, heap_, heap_changes_);
-      }
-      spent += std::max(1, group.row_count());
-      if (k >= sweeps && spent > patience) break;
-      // The last sweep leaves what it solves last without overshoot.
-      const bool relaxes = !is_small && k + 1 < sweeps;
-      if (group.Sweep(relaxes ? kRelaxation : 1, world.velocities, helpers) <= solved)
-        break;
+void ContactSolver::SolveSmall(const Task& task, Crew& crew) {
+  const Settings& settings = task.settings;
+  heap_changes_.resize(task.world.bodies.size());
+  whole_.Begin(ordered_, task.pairs, task.world, task.rules, task.warm_starting,
+               task.world.velocities, crew);
+  const double solved = settings.residual * whole_.scale();
+  const long patience = patience_.Left(settings);
+  long spent = 0;
+  for (int k = 0;; ++k) {
+    // What is solved is left be, so that all the patience is for what is not.
+    if (k >= settings.impulse_iterations) {
+      whole_.LeaveBe(solved, heap_, heap_changes_);
     }
-    // A small world is one part: no other thread is here.
-    if (is_small) patience_.Spend(spent, settings);
-    group.End(pairs, touches, NotesIn(overlaps));
+    spent += std::max(1, whole_.row_count());
+    if (k >= settings.impulse_iterations && spent > patience) break;
+    if (whole_.Sweep(1, task.world.velocities, crew) <= solved) break;
+  }
+  patience_.Spend(spent, settings);
+  whole_.End(task.pairs, task.touches);
+  NoteOverlaps(whole_, settings, groups_.overlaps.back());
+}
+
+template <class Real>
+void ContactSolver::SolveLarge(const Task& task,
+                               std::span<SweptVelocity<Real>> velocities,
+                               Groups<Real>& groups, Crew& crew) {
+  const int sweeps =
+      task.settings.impulse_iterations - task.settings.impulse_iterations / 8;
+  const auto solve = [&](const Part& part, ContactGroup<Real>& group,
+                         Overlaps<Real>& overlaps, Crew& helpers) {
+    group.Begin(std::span(ordered_).subspan(part.begin, part.end - part.begin),
+                task.pairs, task.world, task.rules, task.warm_starting, velocities,
+                helpers);
+    const double solved = task.settings.residual * group.scale();
+    for (int k = 1; k <= sweeps; ++k) {
+      // The last sweep leaves what it solves last without overshoot.
+      const double relaxation = k < sweeps ? kRelaxation : 1;
+      if (group.Sweep(relaxation, velocities, helpers) <= solved) break;
+    }
+    group.Apply(task.world, helpers);
+    group.End(task.pairs, task.touches);
+    NoteOverlaps(group, task.settings, overlaps);
   };
 
+  const std::size_t threads = groups.own.size();
   const auto is_large = [&](const Part& part) {
-    return own_.size() > 1 && (part.contacts > kLargePart || parts_.size() == 1);
+    return threads > 1 && (part.contacts > kLargePart || parts_.size() == 1);
   };
   int left = contacts_;
   for (const Part& part : parts_) {
     if (!is_large(part)) continue;
-    solve(part, whole_, overlaps_.back(), crew);
+    solve(part, groups.shared, groups.overlaps.back(), crew);
     left -= part.contacts;
   }
   // The others are shared out, to each thread about as many contacts.
-  const std::size_t threads = own_.size();
   const std::size_t least = left < kFewContacts ? threads + 1 : 0;
   crew.Share(threads, least, [&](std::size_t begin, std::size_t end) {
     for (std::size_t thread = begin; thread < end; ++thread) {
@@ -204,7 +268,7 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
             thread) {
           continue;
         }
-        solve(part, own_[thread], overlaps_[thread], alone_);
+        solve(part, groups.own[thread], groups.overlaps[thread], alone_);
       }
     }
   });
@@ -212,21 +276,37 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
 
 void ContactSolver::Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
                           const Settings& settings, double h, Crew& crew) {
-  notes_ = RulesOfOverlap(settings, overlaps_.back());
+  is_single_ = false;
   ColourAndJoin(pairs, world.bodies);
   Divide(world.bodies.size(), contacts_);
   Order();
   whole_.Begin(ordered_, pairs, world, RulesOf(settings, h),
-               settings.warm_starting && settings.accumulated_impulses, crew);
+               settings.warm_starting && settings.accumulated_impulses, world.velocities,
+               crew);
 }
 
 double ContactSolver::Sweep(std::span<Velocity> velocities, Crew& crew) {
   return whole_.Sweep(1, velocities, crew);
 }
 
-void ContactSolver::End(std::span<ContactPair> pairs, std::span<Touch> touches) {
-  for (Overlaps& overlaps : overlaps_) overlaps.Clear();
-  whole_.End(pairs, touches, NotesIn(overlaps_.back()));
+void ContactSolver::End(std::span<ContactPair> pairs, const Settings& settings,
+                        std::span<Touch> touches) {
+  ForgetOverlaps();
+  whole_.End(pairs, touches);
+  NoteOverlaps(whole_, settings, groups_.overlaps.back());
+}
+
+bool ContactSolver::FindMoves(std::span<const Velocity> mean,
+                              std::span<const Velocity> solved, const Settings& settings,
+                              double h, Crew& crew, std::span<Velocity> moves) {
+  if (!is_single_) {
+    return cookbook::FindMoves<double>(groups_.overlaps, contacts_, mean, solved,
+                                       settings, h, crew, moves);
+  }
+  const bool moved = cookbook::FindMoves<float>(single_groups_.overlaps, contacts_, mean,
+                                                solved, settings, h, crew, single_);
+  if (moved) std::transform(single_.begin(), single_.end(), moves.begin(), Exact);
+  return moved;
 }
 
 }  // namespace cookbook

@@ -33,9 +33,10 @@ namespace cookbook {
  |λ_t| <= μ λ in the circular cone; λ_t is against the slip where it is at the bound, and
  there is no slip where it is inside.
 
- Four pairs that share no moving body are solved at once. What contacts join is a heap,
- and heaps do not depend on each other: a large world is solved group after group of them,
- each small enough to stay in a processor's cache from its first sweep to its last. */
+ Four pairs that share no moving body are solved at once, sixteen in single precision.
+ What contacts join is a heap, and heaps do not depend on each other: a large world is
+ solved group after group of them, each small enough to stay in a processor's cache from
+ its first sweep to its last. */
 class ContactSolver {
  public:
   /** `threads`: how many solve at once. */
@@ -55,16 +56,17 @@ class ContactSolver {
    velocity. [m/s] */
   double Sweep(std::span<Velocity> velocities, Crew& crew);
   /** Writes what Solve() does; may be called again after further sweeps. */
-  void End(std::span<ContactPair> pairs, std::span<Touch> touches);
+  void End(std::span<ContactPair> pairs, const Settings& settings,
+           std::span<Touch> touches);
   /** The greatest speed that a contact sees before it is solved. [m/s] */
   double scale() const { return whole_.scale(); }
   int row_count() const { return whole_.row_count(); }
-  /** How many contacts there were to solve. */
-  int contact_count() const { return contacts_; }
 
-  /** What is too deep to be left, of the last step: for each thread its own, and last
-   what all threads share. No two of them have a moving body in common. */
-  std::span<Overlaps> overlaps() { return overlaps_; }
+  /** Fills `moves` with what removes overlap of the pairs solved last, see FindMoves().
+   */
+  bool FindMoves(std::span<const Velocity> mean, std::span<const Velocity> solved,
+                 const Settings& settings, double h, Crew& crew,
+                 std::span<Velocity> moves);
 
  private:
   /** Some heaps: a part of ordered_. */
@@ -74,6 +76,36 @@ class ContactSolver {
     int contacts = 0;
   };
 
+  /** What solves parts of a large world. */
+  template <class Real>
+  struct Groups {
+    ContactGroup<Real> shared;            ///< Of a part that all threads share.
+    std::vector<ContactGroup<Real>> own;  ///< Of each thread.
+    /** What is too deep to be left: for each thread its own, and last what all share. No
+     two of them have a moving body in common. */
+    std::vector<Overlaps<Real>> overlaps;
+
+    explicit Groups(std::size_t threads) : own(threads), overlaps(threads + 1) {}
+  };
+
+  /** What all solving is given. */
+  struct Task {
+    std::span<ContactPair> pairs;
+    const SolverBodies& world;
+    const Settings& settings;
+    ContactRules rules;
+    bool warm_starting;
+    std::span<Touch> touches;
+  };
+
+  /** Sweeps until the whole is solved, or no patience is left. */
+  void SolveSmall(const Task& task, Crew& crew);
+  /** Sweeps part after part a few times, each with the velocities given. */
+  template <class Real>
+  void SolveLarge(const Task& task, std::span<SweptVelocity<Real>> velocities,
+                  Groups<Real>& groups, Crew& crew);
+
+  void ForgetOverlaps();
   /** Gives each pair with contacts its colour, and joins bodies to heaps. */
   void ColourAndJoin(std::span<const ContactPair> pairs,
                      std::span<const RigidBody> bodies);
@@ -82,7 +114,6 @@ class ContactSolver {
   void Divide(std::size_t bodies, int least);
   /** Sorts the pairs by part, colour and number of contacts. */
   void Order();
-  OverlapNotes NotesIn(Overlaps& overlaps) const;
 
   std::vector<std::uint64_t> colours_;  ///< Of each body: one bit for each in use.
   std::vector<char> static_;            ///< Of each body: 1 where it never moves.
@@ -97,10 +128,11 @@ class ContactSolver {
   std::span<const int> heap_;         ///< Of each body the one that stands for its heap.
   std::vector<int> heap_part_;        ///< Of each body that stands for a heap.
   std::vector<double> heap_changes_;  ///< Room for ContactGroup::LeaveBe().
-  ContactGroup whole_;                ///< Of a part that all threads share.
-  std::vector<ContactGroup> own_;     ///< Of each thread.
-  std::vector<Overlaps> overlaps_;
-  OverlapNotes notes_{};
+  ContactGroup<double> whole_;        ///< Of a small world.
+  Groups<double> groups_;             ///< Of a large one, and the overlaps of both.
+  Groups<float> single_groups_;
+  bool is_single_ = false;              ///< Whether those were used last.
+  std::vector<SingleVelocity> single_;  ///< Changes of velocities, or moves.
   Patience patience_;
   Crew alone_{1};
 };

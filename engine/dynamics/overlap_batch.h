@@ -1,41 +1,44 @@
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/lanes.h"
 
 namespace cookbook {
 
-/** One contact of each of four pairs that is too deep, where `mass` is not 0. */
-struct alignas(32) OverlapLanes {
-  VectorLanes r_A;  ///< From the centre of A. [m]
-  VectorLanes r_B;
-  Lanes depth;    ///< Beyond the slack, at the start of the step. [m]
-  Lanes mass;     ///< What resists a move along n. [kg]
-  Lanes excess;   ///< To be removed. [m]
-  Lanes impulse;  ///< [kg m]
+/** One contact of each of some pairs that is too deep, where `mass` is not 0. */
+template <class Real>
+struct alignas(kAlignment<Real>) OverlapLanes {
+  VectorLanes<Real> r_A;  ///< From the centre of A. [m]
+  VectorLanes<Real> r_B;
+  Lanes<Real> depth;    ///< Beyond the slack, at the start of the step. [m]
+  Lanes<Real> mass;     ///< What resists a move along n. [kg]
+  Lanes<Real> excess;   ///< To be removed. [m]
+  Lanes<Real> impulse;  ///< [kg m]
 };
 
-/** Four pairs of which no two share a moving body. */
-struct alignas(32) OverlapBatch {
-  std::array<int, 4> A;
-  std::array<int, 4> B;
+/** Pairs of which no two share a moving body. */
+template <class Real>
+struct alignas(kAlignment<Real>) OverlapBatch {
+  BodyLanes<Real> A;
+  BodyLanes<Real> B;
   int first;  ///< Its first row; the others follow.
   int count;
   bool at_work;  ///< Whether any contact of it is to be moved.
-  VectorLanes n;
-  Lanes usual;  ///< As of ContactBatch. [m/s]
-  Lanes inverse_mass_A;
-  Lanes inverse_mass_B;
-  TensorLanes inverse_inertia_A;
-  TensorLanes inverse_inertia_B;
+  VectorLanes<Real> n;
+  Lanes<Real> usual;  ///< As of ContactBatch. [m/s]
+  Lanes<Real> inverse_mass_A;
+  Lanes<Real> inverse_mass_B;
+  TensorLanes<Real> inverse_inertia_A;
+  TensorLanes<Real> inverse_inertia_B;
 };
 
 /** Overlaps and their batches. */
+template <class Real>
 struct OverlapRows {
-  std::span<OverlapBatch> batches;
-  std::span<OverlapLanes> overlaps;
+  std::span<OverlapBatch<Real>> batches;
+  std::span<OverlapLanes<Real>> overlaps;
 };
 
 /** How overlap is removed. */
@@ -44,12 +47,16 @@ struct OverlapRules {
   double share;  ///< Of the excess, in (0, 1].
 };
 
+// Both are there for double and for float.
+
 /** Finds what is to be removed of each overlap, given what has moved the bodies during
  the step and how they move now: contacts that part on their own are let go. */
-void FindExcess(const OverlapRows& rows, const OverlapRules& rules,
+template <class Real>
+void FindExcess(const OverlapRows<Real>& rows, const OverlapRules& rules,
                 std::span<const Velocity> mean, std::span<const Velocity> solved);
 
 /** Removes each overlap once, batch after batch: adds to the moves ([m], [rad]). */
-void RemoveExcess(const OverlapRows& rows, std::span<Velocity> moves);
+template <class Real>
+void RemoveExcess(const OverlapRows<Real>& rows, std::span<SweptVelocity<Real>> moves);
 
 }  // namespace cookbook

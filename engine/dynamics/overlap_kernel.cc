@@ -2,9 +2,9 @@
 
 #include "engine/dynamics/overlap_batch.h"
 
-// Four lanes are one register from AVX2 on; wider ones would add nothing.
-#define HWY_DISABLED_TARGETS                                                          \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
+// Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
+#define HWY_DISABLED_TARGETS                                               \
+  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/overlap_kernel.cc"
@@ -12,38 +12,37 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "engine/dynamics/four_bodies.h"
-#include "engine/four_lanes.h"
+#include "engine/dynamics/bodies_in_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {
 namespace HWY_NAMESPACE {
 namespace {
 
-void Find(const OverlapRows& rows, const OverlapRules& rules, const Velocity* mean,
+template <class Real>
+void Find(const OverlapRows<Real>& rows, const OverlapRules& rules, const Velocity* mean,
           const Velocity* solved) {
-  const Four zero{};
-  const Four share = Splat(rules.share);
-  for (OverlapBatch& batch : rows.batches) {
-    const Moving A_mean = Gather(mean, batch.A);
-    const Moving B_mean = Gather(mean, batch.B);
-    const Moving A_now = Gather(solved, batch.A);
-    const Moving B_now = Gather(solved, batch.B);
-    const Four3 n = At(batch.n);
-    FourBits any{};
-    OverlapLanes* of_batch = &rows.overlaps[static_cast<std::size_t>(batch.first)];
+  using V = Vec<Real>;
+  const V zero{};
+  const V h = All<Real>(rules.h);
+  const V share = All<Real>(rules.share);
+  for (OverlapBatch<Real>& batch : rows.batches) {
+    const Pairs<Real> moved = PairsOf<Real>(mean, batch.A, batch.B);
+    const Pairs<Real> now = PairsOf<Real>(solved, batch.A, batch.B);
+    const Vec3<Real> n = At(batch.n);
+    VecBits<Real> any{};
+    OverlapLanes<Real>* of_batch = &rows.overlaps[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      OverlapLanes& overlap = of_batch[k];
-      const Four3 r_A = At(overlap.r_A);
-      const Four3 r_B = At(overlap.r_B);
-      const Four gone =
-          Splat(rules.h) * Dot(n, RelativeVelocity(A_mean, B_mean, r_A, r_B));
-      const Four excess = At(overlap.depth) - gone;
+      OverlapLanes<Real>& overlap = of_batch[k];
+      const Vec3<Real> r_A = At(overlap.r_A);
+      const Vec3<Real> r_B = At(overlap.r_B);
+      const V gone = h * Dot(n, moved.At(r_A, r_B));
+      const V excess = At(overlap.depth) - gone;
       // What parts by itself needs no help, and help would be energy from nowhere.
-      const Four parting = Dot(n, RelativeVelocity(A_now, B_now, r_A, r_B));
-      const FourBits parts = parting > At(batch.usual) + share * excess / Splat(rules.h);
-      const Four mass = At(overlap.mass);
-      const FourBits counts = (mass > zero) & (excess > zero) & ~parts;
+      const V parting = Dot(n, now.At(r_A, r_B));
+      const VecBits<Real> parts = parting > At(batch.usual) + share * excess / h;
+      const V mass = At(overlap.mass);
+      const VecBits<Real> counts = (mass > zero) & (excess > zero) & ~parts;
       any |= counts;
       Put(Select(counts, mass, zero), overlap.mass);
       Put(share * excess, overlap.excess);
@@ -53,22 +52,24 @@ void Find(const OverlapRows& rows, const OverlapRules& rules, const Velocity* me
   }
 }
 
-void Remove(const OverlapRows& rows, Velocity* moves) {
-  const Four zero{};
-  for (const OverlapBatch& batch : rows.batches) {
+template <class Real>
+void Remove(const OverlapRows<Real>& rows, SweptVelocity<Real>* moves) {
+  using V = Vec<Real>;
+  const V zero{};
+  for (const OverlapBatch<Real>& batch : rows.batches) {
     if (!batch.at_work) continue;
-    Moving A = Gather(moves, batch.A);
-    Moving B = Gather(moves, batch.B);
-    const Inertias m = InertiasOf(batch);
-    const Four3 n = At(batch.n);
-    OverlapLanes* of_batch = &rows.overlaps[static_cast<std::size_t>(batch.first)];
+    Moving<Real> A = Gather(moves, batch.A);
+    Moving<Real> B = Gather(moves, batch.B);
+    const Inertias<Real> m = InertiasOf<Real>(batch);
+    const Vec3<Real> n = At(batch.n);
+    OverlapLanes<Real>* of_batch = &rows.overlaps[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      OverlapLanes& overlap = of_batch[k];
-      const Four3 r_A = At(overlap.r_A);
-      const Four3 r_B = At(overlap.r_B);
-      const Four gained = Dot(n, RelativeVelocity(A, B, r_A, r_B));
-      const Four start = At(overlap.impulse);
-      const Four impulse =
+      OverlapLanes<Real>& overlap = of_batch[k];
+      const Vec3<Real> r_A = At(overlap.r_A);
+      const Vec3<Real> r_B = At(overlap.r_B);
+      const V gained = Dot(n, RelativeVelocity(A, B, r_A, r_B));
+      const V start = At(overlap.impulse);
+      const V impulse =
           Max(zero, start + At(overlap.mass) * (At(overlap.excess) - gained));
       Put(impulse, overlap.impulse);
       Apply(Times(impulse - start, n), r_A, r_B, m, A, B);
@@ -78,6 +79,21 @@ void Remove(const OverlapRows& rows, Velocity* moves) {
   }
 }
 
+void FindDoubles(const OverlapRows<double>& rows, const OverlapRules& rules,
+                 const Velocity* mean, const Velocity* solved) {
+  Find(rows, rules, mean, solved);
+}
+void FindFloats(const OverlapRows<float>& rows, const OverlapRules& rules,
+                const Velocity* mean, const Velocity* solved) {
+  Find(rows, rules, mean, solved);
+}
+void RemoveDoubles(const OverlapRows<double>& rows, Velocity* moves) {
+  Remove(rows, moves);
+}
+void RemoveFloats(const OverlapRows<float>& rows, SingleVelocity* moves) {
+  Remove(rows, moves);
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace cookbook
@@ -85,16 +101,29 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(Find);
-HWY_EXPORT(Remove);
+HWY_EXPORT(FindDoubles);
+HWY_EXPORT(FindFloats);
+HWY_EXPORT(RemoveDoubles);
+HWY_EXPORT(RemoveFloats);
 
-void FindExcess(const OverlapRows& rows, const OverlapRules& rules,
+template <>
+void FindExcess(const OverlapRows<double>& rows, const OverlapRules& rules,
                 std::span<const Velocity> mean, std::span<const Velocity> solved) {
-  HWY_DYNAMIC_DISPATCH(Find)(rows, rules, mean.data(), solved.data());
+  HWY_DYNAMIC_DISPATCH(FindDoubles)(rows, rules, mean.data(), solved.data());
+}
+template <>
+void FindExcess(const OverlapRows<float>& rows, const OverlapRules& rules,
+                std::span<const Velocity> mean, std::span<const Velocity> solved) {
+  HWY_DYNAMIC_DISPATCH(FindFloats)(rows, rules, mean.data(), solved.data());
 }
 
-void RemoveExcess(const OverlapRows& rows, std::span<Velocity> moves) {
-  HWY_DYNAMIC_DISPATCH(Remove)(rows, moves.data());
+template <>
+void RemoveExcess(const OverlapRows<double>& rows, std::span<Velocity> moves) {
+  HWY_DYNAMIC_DISPATCH(RemoveDoubles)(rows, moves.data());
+}
+template <>
+void RemoveExcess(const OverlapRows<float>& rows, std::span<SingleVelocity> moves) {
+  HWY_DYNAMIC_DISPATCH(RemoveFloats)(rows, moves.data());
 }
 }  // namespace cookbook
 #endif

@@ -16,41 +16,43 @@ constexpr double kLargeShare = 0.2;
 
 }  // namespace
 
-bool FindMoves(std::span<Overlaps> overlaps, int contacts, std::span<const Velocity> mean,
-               std::span<const Velocity> solved, const Settings& settings, double h,
-               Crew& crew, std::span<Velocity> moves) {
-  const auto is_empty = [](const Overlaps& some) { return some.batches.empty(); };
+template <class Real>
+bool FindMoves(std::span<Overlaps<Real>> overlaps, int contacts,
+               std::span<const Velocity> mean, std::span<const Velocity> solved,
+               const Settings& settings, double h, Crew& crew,
+               std::span<SweptVelocity<Real>> moves) {
+  const auto is_empty = [](const Overlaps<Real>& some) { return some.batches.empty(); };
   if (std::all_of(overlaps.begin(), overlaps.end(), is_empty)) return false;
   const double share = IsSmall(settings, contacts)
                            ? settings.projection_share
                            : std::min(settings.projection_share, kLargeShare);
   const OverlapRules rules{h, share};
 
-  std::fill(moves.begin(), moves.end(), Velocity{});
+  std::fill(moves.begin(), moves.end(), SweptVelocity<Real>{});
   const auto for_each_sweep = [&](const auto& remove) {
     for (int k = 0; k < settings.projection_iterations; ++k) remove();
   };
   const std::size_t threads = overlaps.size() - 1;
   std::size_t batches = 0;
-  for (const Overlaps& own : overlaps.first(threads)) batches += own.batches.size();
+  for (const Overlaps<Real>& own : overlaps.first(threads)) batches += own.batches.size();
   const std::size_t least = batches < kFewBatches ? threads + 1 : 0;
   crew.Share(threads, least, [&](std::size_t begin, std::size_t end) {
-    for (Overlaps& own : overlaps.subspan(begin, end - begin)) {
+    for (Overlaps<Real>& own : overlaps.subspan(begin, end - begin)) {
       // Group after group: each stays in a processor's cache for all its sweeps.
       for (std::size_t k = 0; k < own.groups.size(); ++k) {
         const std::size_t first = own.groups[k];
         const std::size_t last =
             k + 1 < own.groups.size() ? own.groups[k + 1] : own.batches.size();
-        const OverlapRows rows{std::span(own.batches).subspan(first, last - first),
-                               own.rows};
+        const OverlapRows<Real> rows{std::span(own.batches).subspan(first, last - first),
+                                     own.rows};
         FindExcess(rows, rules, mean, solved);
         for_each_sweep([&] { RemoveExcess(rows, moves); });
       }
     }
   });
 
-  Overlaps& shared = overlaps.back();
-  const OverlapRows rows{shared.batches, shared.rows};
+  Overlaps<Real>& shared = overlaps.back();
+  const OverlapRows<Real> rows{shared.batches, shared.rows};
   FindExcess(rows, rules, mean, solved);
   for_each_sweep([&] {
     for (std::size_t k = 0; k < shared.firsts.size(); ++k) {
@@ -58,12 +60,19 @@ bool FindMoves(std::span<Overlaps> overlaps, int contacts, std::span<const Veloc
       const std::size_t last =
           k + 1 < shared.firsts.size() ? shared.firsts[k + 1] : shared.batches.size();
       crew.Share(last - first, kFewBatches, [&](std::size_t begin, std::size_t end) {
-        RemoveExcess({rows.batches.subspan(first + begin, end - begin), rows.overlaps},
-                     moves);
+        RemoveExcess<Real>(
+            {rows.batches.subspan(first + begin, end - begin), rows.overlaps}, moves);
       });
     }
   });
   return true;
 }
+
+template bool FindMoves<double>(std::span<Overlaps<double>>, int,
+                                std::span<const Velocity>, std::span<const Velocity>,
+                                const Settings&, double, Crew&, std::span<Velocity>);
+template bool FindMoves<float>(std::span<Overlaps<float>>, int, std::span<const Velocity>,
+                               std::span<const Velocity>, const Settings&, double, Crew&,
+                               std::span<SingleVelocity>);
 
 }  // namespace cookbook

@@ -14,8 +14,10 @@ namespace cookbook {
  moved the bodies during the step of length `h` since the contacts were found, `solved`
  how they move now. Returns false where there is nothing to move; `moves` is then as it
  was. */
-bool FindMoves(std::span<Overlaps> overlaps, int contacts, std::span<const Velocity> mean,
-               std::span<const Velocity> solved, const Settings& settings, double h,
-               Crew& crew, std::span<Velocity> moves);
+template <class Real>
+bool FindMoves(std::span<Overlaps<Real>> overlaps, int contacts,
+               std::span<const Velocity> mean, std::span<const Velocity> solved,
+               const Settings& settings, double h, Crew& crew,
+               std::span<SweptVelocity<Real>> moves);
 
 }  // namespace cookbook

@@ -61,12 +61,13 @@ double Travel(const BodyState& before, const RigidBody& body) {
 }
 
 InverseInertia InverseInertiaOf(const RigidBody& body) {
+  const Eigen::Vector3d& moments = body.inverse_moments;
   // A ball has no axes to turn, and its tensor stays diagonal to the last bit.
-  if (body.inverse_moments[0] == body.inverse_moments[1] &&
-      body.inverse_moments[1] == body.inverse_moments[2]) {
-    return {body.inverse_moments[0] * Eigen::Matrix3d::Identity(), body.inverse_mass};
+  if (moments[0] == moments[1] && moments[1] == moments[2]) {
+    return {{moments[0], 0, 0, moments[0], 0, moments[0]}, body.inverse_mass};
   }
-  return {body.R_WB * body.inverse_moments.asDiagonal() * body.R_WB.transpose(),
+  const Eigen::Matrix3d I_W = body.R_WB * moments.asDiagonal() * body.R_WB.transpose();
+  return {{I_W(0, 0), I_W(1, 0), I_W(2, 0), I_W(1, 1), I_W(2, 1), I_W(2, 2)},
           body.inverse_mass};
 }
 

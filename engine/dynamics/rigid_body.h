@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "engine/dynamics/body.h"
 
@@ -80,10 +81,20 @@ struct alignas(64) Velocity {
   Eigen::Vector3d At(const Eigen::Vector3d& r) const { return v + w.cross(r); }
 };
 
-/** What resists a change of velocity. */
+/** What resists a change of velocity, in one line of a cache. */
 struct alignas(64) InverseInertia {
-  Eigen::Matrix3d tensor_W;  ///< I⁻¹ = R diag(1/moments) Rᵀ. [1/(kg m²)]
-  double mass;               ///< 1/m. [1/kg]
+  /** xx, xy, xz, yy, yz, zz of I⁻¹ = R diag(1/moments) Rᵀ. [1/(kg m²)] */
+  std::array<double, 6> tensor_W{};
+  double mass = 0;    ///< 1/m. [1/kg]
+  double unused = 0;  ///< Read with the mass, four numbers at once.
+
+  /** Returns I⁻¹ u. */
+  Eigen::Vector3d Turn(const Eigen::Vector3d& u_W) const {
+    const auto& [xx, xy, xz, yy, yz, zz] = tensor_W;
+    return {xx * u_W[0] + xy * u_W[1] + xz * u_W[2],
+            xy * u_W[0] + yy * u_W[1] + yz * u_W[2],
+            xz * u_W[0] + yz * u_W[1] + zz * u_W[2]};
+  }
 };
 
 /** Returns the inverse inertia of `body` as it is turned now. */

@@ -5,9 +5,9 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/dynamics/point_flight.h"
-#include "engine/dynamics/projection.h"
 #include "engine/dynamics/rotation.h"
 
 namespace cookbook {
@@ -50,7 +50,7 @@ int World::AddBody(const BodyDefinition& definition) {
   const int added = body_count() - 1;
   finder_.Add(bodies_.back());
   sleep_.Add(bodies_.back());
-  inertias_.push_back({Eigen::Matrix3d::Zero(), 0});
+  inertias_.emplace_back();
   const std::size_t places = bodies_.size() + 1;
   for (std::vector<Velocity>* velocities :
        {&before_, &free_, &solved_, &mean_, &moves_}) {
@@ -156,11 +156,11 @@ void World::Step(double dt) {
   for (int k = 0; k < settings_.sub_steps && !diverged_; ++k) {
     StepOnce(dt / settings_.sub_steps);
   }
+  if (!std::exchange(is_pushed_, false)) return;
   for (RigidBody& body : bodies_) {
     body.applied_force_W.setZero();
     body.applied_torque_W.setZero();
   }
-  is_pushed_ = false;
 }
 
 void World::StepOnce(double h) {
@@ -271,7 +271,7 @@ void World::ApplyForcesTo(std::size_t i, double h) {
   }
   free_[i].v = body.state.v_WB + h * pull;
   free_[i].w =
-      body.state.w_WB + inertias_[i].tensor_W * (h * body.applied_torque_W) +
+      body.state.w_WB + inertias_[i].Turn(h * body.applied_torque_W) +
       GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h, settings_.gyroscopic);
 }
 
@@ -356,7 +356,7 @@ void World::SolveLinks(double h) {
     }
     SweepLinksUntilSolved();
     std::fill(touches_.begin(), touches_.end(), Touch{});
-    contacts_.End(finder_.contacts(), touches_);
+    contacts_.End(finder_.contacts(), settings_, touches_);
     if (round == settings_.joint_rounds) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!linked_[i]) continue;
@@ -458,8 +458,7 @@ bool World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
 }
 
 void World::Project(double h) {
-  bool moved = FindMoves(contacts_.overlaps(), contacts_.contact_count(), mean_, solved_,
-                         settings_, h, crew_, moves_);
+  bool moved = contacts_.FindMoves(mean_, solved_, settings_, h, crew_, moves_);
   if (!joints_.empty()) {
     if (!moved) {
       std::fill(moves_.begin(), moves_.end(), Velocity{});
@@ -493,7 +492,7 @@ void World::Lull(double h) {
   if (!sleep_.Lull(finder_, driven_, settings_, h, bodies_)) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_[i].is_static()) continue;
-    inertias_[i] = {Eigen::Matrix3d::Zero(), 0};
+    inertias_[i] = {};
     for (std::vector<Velocity>* velocities : {&before_, &free_, &solved_, &mean_}) {
       (*velocities)[i] = {};
     }

@@ -1,5 +1,6 @@
 #include <atomic>
 #include <cstdlib>
+#include <functional>
 #include <new>
 
 #include <gtest/gtest.h>
@@ -110,16 +111,28 @@ TEST(Repeatability, TheBitsOfManyHeapsDoNotDependOnTheNumberOfThreads) {
 
 using RepeatabilityOnTarget = test::OnTarget;
 
+void ExpectBitsOfTheWidestVectors(const Settings& settings, int heaps, int steps,
+                                  const std::function<void()>& widen) {
+  World narrow(settings);
+  Fill(narrow, heaps);
+  for (int k = 0; k < steps; ++k) narrow.Step(1.0 / 120);
+  widen();
+  World wide(settings);
+  Fill(wide, heaps);
+  for (int k = 0; k < steps; ++k) wide.Step(1.0 / 120);
+  ExpectSameBits(narrow, wide);
+}
+
 // Falling, striking, sliding and at rest: every kernel of a step has its part.
 TEST_P(RepeatabilityOnTarget, AHeapHasTheBitsOfTheWidestVectors) {
-  World narrow;
-  Fill(narrow);
-  for (int k = 0; k < 120; ++k) narrow.Step(1.0 / 120);
-  Choose(kAll);
-  World wide;
-  Fill(wide);
-  for (int k = 0; k < 120; ++k) wide.Step(1.0 / 120);
-  ExpectSameBits(narrow, wide);
+  ExpectBitsOfTheWidestVectors({}, 1, 120, [] { Choose(kAll); });
+}
+
+// Sixteen floats at once, or two times eight, or as many as there are.
+TEST_P(RepeatabilityOnTarget, SinglePrecisionHasTheBitsOfTheWidestVectors) {
+  Settings settings;
+  settings.patience = 0;
+  ExpectBitsOfTheWidestVectors(settings, 2, 90, [] { Choose(kAll); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, RepeatabilityOnTarget,

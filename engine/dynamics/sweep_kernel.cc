@@ -1,0 +1,422 @@
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "engine/dynamics/contact_batch.h"
+
+// Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
+#define HWY_DISABLED_TARGETS                                               \
+  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
+   HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/dynamics/sweep_kernel.cc"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+#include "engine/dynamics/bodies_in_lanes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cookbook {
+namespace HWY_NAMESPACE {
+namespace {
+
+template <class Real>
+void ApplyAll(const ContactRows<Real>& rows, SweptVelocity<Real>* velocities) {
+  for (const ContactBatch<Real>& batch : rows.batches) {
+    Moving<Real> A = Gather(velocities, batch.A);
+    Moving<Real> B = Gather(velocities, batch.B);
+    const Inertias<Real> m = InertiasOf<Real>(batch);
+    const Vec3<Real> n = At(batch.n);
+    const Vec3<Real> t1 = At(batch.t1);
+    const Vec3<Real> t2 = At(batch.t2);
+    const ContactLanes<Real>* rows_of_batch =
+        &rows.contacts[static_cast<std::size_t>(batch.first)];
+    for (int k = 0; k < batch.count; ++k) {
+      const ContactLanes<Real>& contact = rows_of_batch[k];
+      const Vec3<Real> J = Plus(Times(At(contact.impulse), n),
+                                Plus(Times(At(contact.friction_impulse1), t1),
+                                     Times(At(contact.friction_impulse2), t2)));
+      Apply(J, At(contact.r_A), At(contact.r_B), m, A, B);
+    }
+    Scatter(A, batch.A, batch.inverse_mass_A, velocities);
+    Scatter(B, batch.B, batch.inverse_mass_B, velocities);
+  }
+}
+
+/** Returns the impulse of a contact on B. */
+template <class Real>
+HWY_INLINE Vec3<Real> ImpulseOf(const ContactBatch<Real>& batch,
+                                const ContactLanes<Real>& contact) {
+  return Plus(Plus(Times(At(contact.impulse), At(batch.n)),
+                   Times(At(contact.friction_impulse1), At(batch.t1))),
+              Times(At(contact.friction_impulse2), At(batch.t2)));
+}
+
+/** Applies the impulses of floats in double precision. */
+void ApplyFound(const ContactRows<float>& rows, const SolverBodies& world) {
+  Velocity* velocities = world.velocities.data();
+  alignas(64) static const InverseInertia kImmovable{};
+  alignas(32) static constexpr std::array<double, 4> kAnywhere{};
+  for (const ContactBatch<float>& batch : rows.batches) {
+    const ContactLanes<float>* rows_of_batch =
+        &rows.contacts[static_cast<std::size_t>(batch.first)];
+    std::array<VectorLanes<float>, 8> J_W;
+    for (int k = 0; k < batch.count; ++k) {
+      const Vec3<float> J = ImpulseOf(batch, rows_of_batch[k]);
+      VectorLanes<float>& lanes = J_W[static_cast<std::size_t>(k)];
+      Put(J.x, lanes[0]);
+      Put(J.y, lanes[1]);
+      Put(J.z, lanes[2]);
+    }
+    for (std::size_t four = 0; four < kFours<float>; ++four) {
+      const int* bodies_A = batch.A.data() + 4 * four;
+      const int* bodies_B = batch.B.data() + 4 * four;
+      const auto load = [&](const int* bodies, Tensor<double>& tensor,
+                            Vec3<double>& centre) HWY_ATTR {
+        std::array<const InverseInertia*, 4> inertia;
+        std::array<const double*, 4> p_WB;
+        for (std::size_t k = 0; k < 4; ++k) {
+          const bool is_pair = batch.pair[4 * four + k] >= 0;
+          const auto body = static_cast<std::size_t>(bodies[k]);
+          inertia[k] = is_pair ? &world.inertias[body] : &kImmovable;
+          p_WB[k] = is_pair ? world.bodies[body].state.p_WB.data() : kAnywhere.data();
+        }
+        Four lanes[4];
+        LoadFour(p_WB, lanes);
+        centre = {lanes[0], lanes[1], lanes[2]};
+        return LoadInertias(inertia, tensor);
+      };
+      Inertias<double> m;
+      Vec3<double> p_A;
+      Vec3<double> p_B;
+      m.mass_A = load(bodies_A, m.tensor_A, p_A);
+      m.mass_B = load(bodies_B, m.tensor_B, p_B);
+      const Vec3<double> p_AB = Minus(p_B, p_A);
+      const FourBits A_moves = m.mass_A > Four{};
+      Moving<double> A = GatherFour(velocities, bodies_A);
+      Moving<double> B = GatherFour(velocities, bodies_B);
+      for (int k = 0; k < batch.count; ++k) {
+        const ContactLanes<float>& contact = rows_of_batch[k];
+        const Vec3<double> J = FourAt(J_W[static_cast<std::size_t>(k)], four);
+        // At the very same place of both, where both move: else they would turn for
+        // nothing, by what two roundings of the place differ.
+        const Vec3<double> r_A = FourAt(contact.r_A, four);
+        const Vec3<double> seen = Minus(r_A, p_AB);
+        const Vec3<double> own = FourAt(contact.r_B, four);
+        const Vec3<double> r_B{Select(A_moves, seen.x, own.x),
+                               Select(A_moves, seen.y, own.y),
+                               Select(A_moves, seen.z, own.z)};
+        Apply(J, r_A, r_B, m, A, B);
+      }
+      ScatterFour(A, bodies_A, m.mass_A, velocities);
+      ScatterFour(B, bodies_B, m.mass_B, velocities);
+    }
+  }
+}
+
+/** A batch while it is swept. */
+template <class Real>
+struct Swept {
+  using V = Vec<Real>;
+  static constexpr bool kMeasures = std::is_same_v<Real, double>;
+
+  ContactBatch<Real>& batch;
+  ContactLanes<Real>* rows;
+  const ContactNotes<Real>* notes;
+  Moving<Real> A;
+  Moving<Real> B;
+  Inertias<Real> m;
+  Vec3<Real> n;
+  Vec3<Real> t1;
+  Vec3<Real> t2;
+  V friction;
+  V relaxation;
+  V changed{};
+
+  /** Returns `changed`, and +∞ in lanes without a pair. */
+  HWY_INLINE V ChangedOfPairs() const {
+    return Select(m.mass_A + m.mass_B > V{}, changed,
+                  All<Real>(std::numeric_limits<Real>::infinity()));
+  }
+};
+
+template <class Real>
+HWY_INLINE Swept<Real> Begin(ContactBatch<Real>& batch, const ContactRows<Real>& rows,
+                             Vec<Real> relaxation,
+                             const SweptVelocity<Real>* velocities) {
+  const auto first = static_cast<std::size_t>(batch.first);
+  return {batch,
+          &rows.contacts[first],
+          &rows.notes[first],
+          Gather(velocities, batch.A),
+          Gather(velocities, batch.B),
+          InertiasOf<Real>(batch),
+          At(batch.n),
+          At(batch.t1),
+          At(batch.t2),
+          At(batch.friction),
+          relaxation};
+}
+
+/** Of which kind all contacts of a world are. */
+enum class Kind {
+  kPlain,  ///< Hard, with impulses that accumulate.
+  kAny,
+};
+
+/** Solves one contact of each pair, given 1 in `kept` where impulses accumulate. */
+template <Kind kind, class Real>
+HWY_INLINE void SolveRow(int row, Vec<Real> kept, Swept<Real>& at) {
+  using V = Vec<Real>;
+  ContactLanes<Real>& contact = at.rows[row];
+  const V zero{};
+  const Vec3<Real> r_A = At(contact.r_A);
+  const Vec3<Real> r_B = At(contact.r_B);
+
+  const Vec3<Real> u = RelativeVelocity(at.A, at.B, r_A, r_B);
+  const V sum = At(contact.impulse);
+  const V start = kind == Kind::kPlain ? sum : kept * sum;
+  const V softened =
+      kind == Kind::kPlain ? start : start - At(contact.impulse_scale) * sum;
+  const V mass = at.relaxation * At(contact.effective_mass);
+  const V impulse = Max(zero, softened + mass * (At(contact.target) - Dot(u, at.n)));
+  const V change = impulse - start;
+  Put(kind == Kind::kPlain ? impulse : sum + change, contact.impulse);
+
+  V slip1 = Dot(u, at.t1) + change * At(contact.response_n1);
+  V slip2 = Dot(u, at.t2) + change * At(contact.response_n2);
+  if constexpr (std::is_same_v<Real, float>) {
+    slip1 = slip1 + At(contact.slip1);
+    slip2 = slip2 + At(contact.slip2);
+  }
+  const V bound = at.friction * impulse;
+  const V bound_squared = bound * bound;
+  const V sum1 = At(contact.friction_impulse1);
+  const V sum2 = At(contact.friction_impulse2);
+  const V held1 = kind == Kind::kPlain ? sum1 : kept * sum1;
+  const V held2 = kind == Kind::kPlain ? sum2 : kept * sum2;
+  // Inside the cone the impulse that stops the slip. Else a step against the slip,
+  // brought back to the cone: where that stands still, the impulse is against the slip.
+  const V stick12 = At(contact.stick12);
+  const V stick1 = held1 - (At(contact.stick11) * slip1 + stick12 * slip2);
+  const V stick2 = held2 - (stick12 * slip1 + At(contact.stick22) * slip2);
+  V change1 = stick1 - held1;
+  V change2 = stick2 - held2;
+  const VecBits<Real> slides = stick1 * stick1 + stick2 * stick2 > bound_squared;
+  // Most contacts hold: the branch is foretold, and spares a root and a quotient, which
+  // the next row would wait for.
+  if (Bits(slides) != 0) {
+    const V step = At(contact.slip_step);
+    const V slide1 = held1 - step * slip1;
+    const V slide2 = held2 - step * slip2;
+    const V length_squared = slide1 * slide1 + slide2 * slide2;
+    const VecBits<Real> outside = length_squared > bound_squared;
+    const V length = Sqrt(Select(outside, length_squared, All<Real>(1)));
+    const V shrink = Select(outside, bound / length, All<Real>(1));
+    change1 = Select(slides, shrink * slide1, stick1) - held1;
+    change2 = Select(slides, shrink * slide2, stick2) - held2;
+  }
+  Put(sum1 + change1, contact.friction_impulse1);
+  Put(sum2 + change2, contact.friction_impulse2);
+  Apply(Plus(Times(change, at.n), Plus(Times(change1, at.t1), Times(change2, at.t2))),
+        r_A, r_B, at.m, at.A, at.B);
+
+  if constexpr (Swept<Real>::kMeasures) {
+    const ContactNotes<Real>& note = at.notes[row];
+    const V slip_response = At(note.slip_response);
+    at.changed = Max(at.changed, Abs(change) * At(note.response));
+    at.changed = Max(at.changed, Max(Abs(change1), Abs(change2)) * slip_response);
+  }
+}
+
+template <class Real>
+HWY_INLINE void End(const Swept<Real>& at, SweptVelocity<Real>* velocities) {
+  if constexpr (Swept<Real>::kMeasures) Put(at.changed, at.batch.change);
+  Scatter(at.A, at.batch.A, at.batch.inverse_mass_A, velocities);
+  Scatter(at.B, at.batch.B, at.batch.inverse_mass_B, velocities);
+}
+
+template <Kind kind, class Real>
+Changes SweepKind(const ContactRows<Real>& rows, bool accumulated, double relaxation,
+                  SweptVelocity<Real>* velocities) {
+  using V = Vec<Real>;
+  const V kept = All<Real>(accumulated ? 1 : 0);
+  const V relaxed = All<Real>(relaxation);
+  V greatest{};
+  V least = All<Real>(std::numeric_limits<Real>::infinity());
+  const std::size_t count = rows.batches.size();
+  const auto next_at_work = [&](std::size_t k) {
+    while (k < count && !rows.batches[k].at_work) ++k;
+    return k;
+  };
+  // Two batches at once, row by row: each row of a batch waits for the one before it, and
+  // no batch of a colour for another.
+  for (std::size_t k = next_at_work(0); k < count;) {
+    const std::size_t second = next_at_work(k + 1);
+    Swept<Real> one = Begin<Real>(rows.batches[k], rows, relaxed, velocities);
+    if (second == count) {
+      for (int i = 0; i < one.batch.count; ++i) SolveRow<kind, Real>(i, kept, one);
+      End(one, velocities);
+      greatest = Max(greatest, one.changed);
+      least = Min(least, one.ChangedOfPairs());
+      break;
+    }
+    Swept<Real> two = Begin<Real>(rows.batches[second], rows, relaxed, velocities);
+    const int both = std::min(one.batch.count, two.batch.count);
+    for (int i = 0; i < both; ++i) {
+      SolveRow<kind, Real>(i, kept, one);
+      SolveRow<kind, Real>(i, kept, two);
+    }
+    for (int i = both; i < one.batch.count; ++i) SolveRow<kind, Real>(i, kept, one);
+    for (int i = both; i < two.batch.count; ++i) SolveRow<kind, Real>(i, kept, two);
+    End(one, velocities);
+    End(two, velocities);
+    greatest = Max(greatest, Max(one.changed, two.changed));
+    least = Min(least, Min(one.ChangedOfPairs(), two.ChangedOfPairs()));
+    k = next_at_work(second + 1);
+  }
+  if constexpr (Swept<Real>::kMeasures) {
+    return {Greatest(greatest), -Greatest(-least)};
+  } else {
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    return {kUnknown, kUnknown};
+  }
+}
+
+template <class Real>
+Changes Sweep(const ContactRows<Real>& rows, const ContactRules& rules, double relaxation,
+              SweptVelocity<Real>* velocities) {
+  const bool is_plain = rules.accumulated && rules.soft_impulse_scale == 0;
+  return (is_plain ? SweepKind<Kind::kPlain, Real>
+                   : SweepKind<Kind::kAny, Real>)(rows, rules.accumulated, relaxation,
+                                                  velocities);
+}
+
+template <class Real>
+void Read(const ContactRows<Real>& rows, std::span<ContactPair> pairs, Touch* touches) {
+  using V = Vec<Real>;
+  const V zero{};
+  for (const ContactBatch<Real>& batch : rows.batches) {
+    std::array<ContactPair*, kLanes<Real>> pair{};
+    std::array<int, kLanes<Real>> counts{};
+    for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
+      if (batch.pair[lane] < 0) continue;
+      pair[lane] = &pairs[static_cast<std::size_t>(batch.pair[lane])];
+      counts[lane] = pair[lane]->manifold.count;
+    }
+    VecBits<Real> bounced{};
+    VecBits<Real> rested{};
+    VecBits<Real> unsteady{};
+    for (int k = 0; k < batch.count; ++k) {
+      const auto row = static_cast<std::size_t>(batch.first + k);
+      const ContactLanes<Real>& contact = rows.contacts[row];
+      const ContactNotes<Real>& note = rows.notes[row];
+      const V impulse = At(contact.impulse);
+      const Vec3<Real> J = ImpulseOf(batch, contact);
+      VectorLanes<Real> J_W;
+      Put(J.x, J_W[0]);
+      Put(J.y, J_W[1]);
+      Put(J.z, J_W[2]);
+      for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
+        if (k >= counts[lane]) continue;
+        pair[lane]->J_W[static_cast<std::size_t>(k)] = {J_W[0][lane], J_W[1][lane],
+                                                        J_W[2][lane]};
+      }
+      const VecBits<Real> acts = impulse > zero;
+      const VecBits<Real> bounces = At(note.bounces) > zero;
+      bounced |= acts & bounces;
+      rested |= acts & ~bounces;
+      unsteady |= acts & ~(At(note.steady) > zero);
+    }
+    const unsigned who_bounced = Bits(bounced);
+    const unsigned who_rested = Bits(rested);
+    const unsigned who_is_unsteady = Bits(unsteady);
+    for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
+      const auto note = [&](int body, double inverse_mass) {
+        if (inverse_mass == 0) return;
+        Touch& touch = touches[body];
+        touch.bounced = touch.bounced || (who_bounced >> lane & 1) != 0;
+        touch.rested = touch.rested || (who_rested >> lane & 1) != 0;
+        touch.steady = touch.steady && (who_is_unsteady >> lane & 1) == 0;
+      };
+      note(batch.A[lane], batch.inverse_mass_A[lane]);
+      note(batch.B[lane], batch.inverse_mass_B[lane]);
+    }
+  }
+}
+
+void ApplyAllDoubles(const ContactRows<double>& rows, Velocity* velocities) {
+  ApplyAll(rows, velocities);
+}
+void ApplyAllFloats(const ContactRows<float>& rows, SingleVelocity* velocities) {
+  ApplyAll(rows, velocities);
+}
+Changes SweepDoubles(const ContactRows<double>& rows, const ContactRules& rules,
+                     double relaxation, Velocity* velocities) {
+  return Sweep(rows, rules, relaxation, velocities);
+}
+Changes SweepFloats(const ContactRows<float>& rows, const ContactRules& rules,
+                    double relaxation, SingleVelocity* velocities) {
+  return Sweep(rows, rules, relaxation, velocities);
+}
+void ReadDoubles(const ContactRows<double>& rows, std::span<ContactPair> pairs,
+                 Touch* touches) {
+  Read(rows, pairs, touches);
+}
+void ReadFloats(const ContactRows<float>& rows, std::span<ContactPair> pairs,
+                Touch* touches) {
+  Read(rows, pairs, touches);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace cookbook
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cookbook {
+HWY_EXPORT(ApplyAllDoubles);
+HWY_EXPORT(ApplyAllFloats);
+HWY_EXPORT(ApplyFound);
+HWY_EXPORT(SweepDoubles);
+HWY_EXPORT(SweepFloats);
+HWY_EXPORT(ReadDoubles);
+HWY_EXPORT(ReadFloats);
+
+template <>
+void ApplyImpulses(const ContactRows<double>& rows, std::span<Velocity> velocities) {
+  HWY_DYNAMIC_DISPATCH(ApplyAllDoubles)(rows, velocities.data());
+}
+template <>
+void ApplyImpulses(const ContactRows<float>& rows, std::span<SingleVelocity> velocities) {
+  HWY_DYNAMIC_DISPATCH(ApplyAllFloats)(rows, velocities.data());
+}
+
+void ApplyFoundImpulses(const ContactRows<float>& rows, const SolverBodies& world) {
+  HWY_DYNAMIC_DISPATCH(ApplyFound)(rows, world);
+}
+
+template <>
+Changes SweepContacts(const ContactRows<double>& rows, const ContactRules& rules,
+                      double relaxation, std::span<Velocity> velocities) {
+  return HWY_DYNAMIC_DISPATCH(SweepDoubles)(rows, rules, relaxation, velocities.data());
+}
+template <>
+Changes SweepContacts(const ContactRows<float>& rows, const ContactRules& rules,
+                      double relaxation, std::span<SingleVelocity> velocities) {
+  return HWY_DYNAMIC_DISPATCH(SweepFloats)(rows, rules, relaxation, velocities.data());
+}
+
+template <>
+void ReadContacts(const ContactRows<double>& rows, std::span<ContactPair> pairs,
+                  std::span<Touch> touches) {
+  HWY_DYNAMIC_DISPATCH(ReadDoubles)(rows, pairs, touches.data());
+}
+template <>
+void ReadContacts(const ContactRows<float>& rows, std::span<ContactPair> pairs,
+                  std::span<Touch> touches) {
+  HWY_DYNAMIC_DISPATCH(ReadFloats)(rows, pairs, touches.data());
+}
+}  // namespace cookbook
+#endif

@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/dynamics/world.h"
+
+namespace cookbook {
+namespace {
+
+constexpr double kH = 1.0 / 120;
+constexpr double kApproach = 2;  // [m/s]
+constexpr int kRow = 6;
+
+/** No patience: any world of many contacts is a large one. */
+Settings Impatient() {
+  Settings settings;
+  settings.gravity_W.setZero();
+  settings.patience = 0;
+  return settings;
+}
+
+/** Two floating walls of bricks that slide into each other, each brick a little turned
+ and of a weight of its own. The walls meet in the first step; both go at `frame` besides.
+ Rough, so that friction has its part. */
+void AddTwoWalls(World& world, const Eigen::Vector3d& frame = {0, 0, 0}, int row = kRow) {
+  for (int wall = 0; wall < 2; ++wall) {
+    for (int k = 0; k < row * row; ++k) {
+      BodyDefinition brick;
+      brick.shape = Box{{0.5, 0.4, 0.45}};
+      brick.mass = 1 + 0.1 * (k % 4);
+      brick.restitution = 0;
+      const double tilt = 1e-4 * (k % 5);
+      brick.state.p_WB = {1.0 * wall, 0.8 * (k % row), 0.9 * (k / row)};
+      brick.state.q_WB = Eigen::Quaterniond(1, tilt, -tilt, 2 * tilt).normalized();
+      brick.state.v_WB =
+          frame + Eigen::Vector3d(wall == 0 ? kApproach : -kApproach, 0.3 * wall, 0);
+      brick.state.w_WB = {0, 0, 0.01 * (k % 3)};
+      world.AddBody(brick);
+    }
+  }
+}
+
+int ContactsThatAct(const World& world) {
+  std::vector<ContactImpulse> impulses;
+  world.ReadImpulses(impulses);
+  int acting = 0;
+  for (const ContactImpulse& impulse : impulses) {
+    acting += impulse.J_B_W.isZero(0) ? 0 : 1;
+  }
+  return acting;
+}
+
+double MassOf(int body) {
+  return 1 + 0.1 * (body % (kRow * kRow) % 4);
+}
+
+/** The greatest difference of a velocity or spin. [m/s], [rad/s] */
+double Difference(const World& a, const World& b) {
+  double greatest = 0;
+  for (int i = 0; i < a.body_count(); ++i) {
+    greatest = std::max({greatest, (a.state(i).v_WB - b.state(i).v_WB).norm(),
+                         (a.state(i).w_WB - b.state(i).w_WB).norm()});
+  }
+  return greatest;
+}
+
+Eigen::Vector3d MomentumOf(const World& world) {
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  for (int i = 0; i < world.body_count(); ++i) p += MassOf(i) * world.state(i).v_WB;
+  return p;
+}
+
+/** The angular momentum about the origin, of bodies that move as in `world` and are where
+ they are in `start`. */
+Eigen::Vector3d AngularMomentumOf(const World& world, const World& start) {
+  Eigen::Vector3d L = Eigen::Vector3d::Zero();
+  for (int i = 0; i < world.body_count(); ++i) {
+    const BodyState& at = start.state(i);
+    const BodyState& now = world.state(i);
+    const Eigen::Matrix3d R = at.q_WB.toRotationMatrix();
+    const Eigen::Vector3d moments = PrincipalInertia(Box{{0.5, 0.4, 0.45}}, MassOf(i));
+    L += MassOf(i) * at.p_WB.cross(now.v_WB) +
+         R * moments.cwiseProduct(R.transpose() * now.w_WB);
+  }
+  return L;
+}
+
+// The two bodies of a contact receive the very same impulse, whatever it was rounded to.
+TEST(SinglePrecision, KeepsMomentumToTheRoundingOfADouble) {
+  World world(Impatient());
+  AddTwoWalls(world);
+  const Eigen::Vector3d before = MomentumOf(world);
+  for (int k = 0; k < 30; ++k) world.Step(kH);
+  // 30 steps of some 300 impulses of 1 N s each round 2.2e-16 of it.
+  EXPECT_LT((MomentumOf(world) - before).norm(), 30 * 300 * 2.2e-16);
+}
+
+// And receive it at the very same place.
+TEST(SinglePrecision, KeepsAngularMomentumToTheRoundingOfADouble) {
+  Settings settings = Impatient();
+  settings.gyroscopic = Gyroscopic::kOff;
+  settings.stabilisation = Stabilisation::kNone;
+  World start(settings);
+  World world(settings);
+  AddTwoWalls(start);
+  AddTwoWalls(world);
+  world.Step(kH);
+  ASSERT_GT(ContactsThatAct(world), 100);
+  const Eigen::Vector3d change =
+      AngularMomentumOf(world, start) - AngularMomentumOf(start, start);
+  // 300 impulses of 1 N s, some 5 m from the origin; a float would be off by 1e-7.
+  EXPECT_LT(change.norm(), 300 * 5 * 2.2e-16);
+}
+
+/** Expects that a step differs from one in doubles, and by how little. */
+void ExpectOnlyRounding(const Eigen::Vector3d& frame) {
+  World single(Impatient());
+  AddTwoWalls(single, frame);
+  Settings settings = Impatient();
+  settings.single_precision = false;
+  World exact(settings);
+  AddTwoWalls(exact, frame);
+  single.Step(kH);
+  exact.Step(kH);
+  ASSERT_GT(ContactsThatAct(exact), 100);
+  // A sweep is linear in what it starts from, but for its bounds: each of some 30
+  // operations of seven sweeps rounds by 6e-8 of the approach.
+  EXPECT_LT(Difference(single, exact), 7 * 30 * 6e-8 * kApproach);
+  EXPECT_NE(Difference(single, exact), 0) << "Both were solved in doubles.";
+}
+
+TEST(SinglePrecision, IsAsGoodAsDoublesButForRounding) {
+  ExpectOnlyRounding({0, 0, 0});
+}
+
+// What is rounded is what impulses change, not how fast the bodies are: a float of 1e5
+// m/s would be off by 4e-3 m/s.
+TEST(SinglePrecision, IsAsGoodWhereAllGoesFast) {
+  ExpectOnlyRounding({3e4, 1e5, -2e4});
+}
+
+/** Whether a body in the same world keeps that from being solved in single precision. */
+bool KeepsToDoubles(const BodyDefinition& body) {
+  Settings settings = Impatient();
+  World one(settings);
+  settings.single_precision = false;
+  World other(settings);
+  for (World* world : {&one, &other}) {
+    AddTwoWalls(*world);
+    world->AddBody(body);
+    world->Step(kH);
+  }
+  return Difference(one, other) == 0;
+}
+
+BodyDefinition FarAway(const BodyShape& shape) {
+  BodyDefinition body;
+  body.shape = shape;
+  body.state.p_WB = {100, 0, 0};
+  return body;
+}
+
+TEST(SinglePrecision, IsNotForBodiesWhoseResponsesItCannotHold) {
+  EXPECT_FALSE(KeepsToDoubles(FarAway(Box{{0.5, 0.5, 0.5}})));
+  EXPECT_FALSE(KeepsToDoubles(FarAway(Box{{0.5, 0.05, 0.5}})));
+  EXPECT_TRUE(KeepsToDoubles(FarAway(Box{{0.5, 0.01, 0.01}}))) << "A wire.";
+  BodyDefinition heavy = FarAway(Sphere{1});
+  heavy.mass = 1e20;
+  EXPECT_TRUE(KeepsToDoubles(heavy));
+  BodyDefinition wheel = FarAway(Box{{1e3, 1e3, 1e3}});
+  wheel.inertia = Eigen::Vector3d::Constant(1e-14);
+  EXPECT_TRUE(KeepsToDoubles(wheel));
+}
+
+// A slim body in a large world made energy out of nothing, 1e12 times what there was.
+TEST(SinglePrecision, CrossingWiresMakeNoEnergy) {
+  World world(Impatient());
+  const auto add = [&](double x, double y, double v) {
+    BodyDefinition wire;
+    wire.shape = v > 0 ? Box{{0.5, 1e-5, 1e-5}} : Box{{1e-5, 1e-5, 0.5}};
+    wire.restitution = 0;
+    wire.state.p_WB = {x, y, 0};
+    wire.state.v_WB = {0, v, 0};
+    world.AddBody(wire);
+  };
+  constexpr int kPairs = 150;
+  for (int k = 0; k < kPairs; ++k) {
+    add(2 * k, -1.5e-5, 0.05);
+    add(2 * k + 0.2, 1.5e-5, -0.05);
+  }
+  for (int k = 0; k < 3; ++k) world.Step(kH);
+  double energy = 0;
+  for (int i = 0; i < world.body_count(); ++i) {
+    energy += 0.5 * world.state(i).v_WB.squaredNorm();
+  }
+  EXPECT_LE(energy, 2 * kPairs * 0.5 * 0.05 * 0.05);
+}
+
+// So many bricks meet that threads share each colour.
+TEST(SinglePrecision, TheBitsOfAWideHeapDoNotDependOnTheNumberOfThreads) {
+  Settings settings = Impatient();
+  World one(settings);
+  settings.threads = 3;
+  World three(settings);
+  for (World* world : {&one, &three}) {
+    AddTwoWalls(*world, {0, 0, 0}, 60);
+    for (int k = 0; k < 3; ++k) world->Step(kH);
+  }
+  EXPECT_EQ(Difference(one, three), 0);
+}
+
+}  // namespace
+}  // namespace cookbook
