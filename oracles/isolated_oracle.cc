@@ -99,6 +99,11 @@ class IsolatedOracle final : public Oracle {
     return oracle_->BeginAsShipped(world);
   }
 
+  std::unique_ptr<Simulation> BeginInThreads(const World& world,
+                                             int threads) const override {
+    return oracle_->BeginInThreads(world, threads);
+  }
+
   Trajectory Simulate(const World& world) const override {
     return std::move(SimulateEach(std::span(&world, 1)).front());
   }

@@ -58,8 +58,8 @@ struct IsolationLimits {
  A world is one question as well, and SimulateEach() one batch: what the child prints to
  its standard error on a world becomes Trajectory::complaint.
 
- Prepare(), Begin() and BeginAsShipped() give those of the inner oracle, in process: what
- a benchmark times is benign. Linux only. Thread safe. */
+ Prepare(), Begin() and its kin give those of the inner oracle, in process: what a
+ benchmark times is benign. Linux only. Thread safe. */
 std::unique_ptr<Oracle> Isolate(std::unique_ptr<Oracle> oracle,
                                 const IsolationLimits& limits = {},
                                 IsolationScope scope = IsolationScope::kEverything);

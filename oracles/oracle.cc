@@ -33,6 +33,10 @@ std::unique_ptr<Simulation> Oracle::BeginAsShipped(const World& world) const {
   return Begin(world);
 }
 
+std::unique_ptr<Simulation> Oracle::BeginInThreads(const World&, int) const {
+  return nullptr;
+}
+
 Trajectory Oracle::Simulate(const World& world) const {
   Trajectory trajectory;
   trajectory.reason = info().CannotSimulate(world);

@@ -63,6 +63,7 @@ struct OracleInfo {
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
   /** It simulates worlds at all; see also AnswersContacts(). */
   bool simulates = false;
+  bool steps_in_threads = false;  ///< It has BeginInThreads().
   std::array<WorldCapability, kWorldFeatures> world_capabilities;
 
   /** Returns the capability for A of kind `a` and B of kind `b`. */
@@ -141,6 +142,11 @@ class Oracle {
    run by default, for timing: Begin() spares no time. The same where there is no
    difference. */
   virtual std::unique_ptr<Simulation> BeginAsShipped(const World& world) const;
+
+  /** As BeginAsShipped(), to the same bits, but `threads` >= 1 threads share each step,
+   the caller's included. Null unless info().steps_in_threads. */
+  virtual std::unique_ptr<Simulation> BeginInThreads(const World& world,
+                                                     int threads) const;
 
   /** Returns how `world` moves. kUnsupported, with the reason, where the oracle cannot
    say.

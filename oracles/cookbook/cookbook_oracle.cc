@@ -89,6 +89,7 @@ CookbookOracle::CookbookOracle() {
     info_.settings.push_back(setting);
   }
   info_.simulates = true;
+  info_.steps_in_threads = true;
   info_.world_capabilities = CookbookWorldCapabilities();
 }
 
@@ -108,6 +109,11 @@ std::unique_ptr<Simulation> CookbookOracle::Begin(const World& world) const {
 
 std::unique_ptr<Simulation> CookbookOracle::BeginAsShipped(const World& world) const {
   return BeginCookbookWorld(world, Care::kAsShipped);
+}
+
+std::unique_ptr<Simulation> CookbookOracle::BeginInThreads(const World& world,
+                                                           int threads) const {
+  return BeginCookbookWorld(world, Care::kAsShipped, threads);
 }
 
 }  // namespace touchstone

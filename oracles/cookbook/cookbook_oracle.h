@@ -22,6 +22,8 @@ class CookbookOracle final : public Oracle {
       std::span<const ContactQuery> queries) const override;
   std::unique_ptr<Simulation> Begin(const World& world) const override;
   std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override;
+  std::unique_ptr<Simulation> BeginInThreads(const World& world,
+                                             int threads) const override;
 
  private:
   OracleInfo info_;

@@ -70,8 +70,8 @@ constexpr int kPatience = 40000;
 
 class CookbookSimulation final : public Simulation {
  public:
-  CookbookSimulation(const World& world, Care care)
-      : world_(SettingsFor(world, care)),
+  CookbookSimulation(const World& world, Care care, int threads)
+      : world_(SettingsFor(world, care, threads)),
         dt_(world.dt),
         bodies_(static_cast<int>(world.bodies.size())),
         particles_(static_cast<int>(world.particles.size())) {
@@ -123,10 +123,11 @@ class CookbookSimulation final : public Simulation {
   bool GivesImpulses() const override { return true; }
 
  private:
-  static cookbook::Settings SettingsFor(const World& world, Care care) {
+  static cookbook::Settings SettingsFor(const World& world, Care care, int threads) {
     cookbook::Settings settings;
     if (care == Care::kAll) settings.patience = kPatience;
     settings.gravity_W = world.gravity_W;
+    settings.threads = threads;
     return settings;
   }
 
@@ -182,8 +183,9 @@ std::vector<Setting> CookbookWorldSettings() {
       {"sleeping", "none", "nothing sleeps"}};
 }
 
-std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care) {
-  return std::make_unique<CookbookSimulation>(world, care);
+std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care,
+                                               int threads) {
+  return std::make_unique<CookbookSimulation>(world, care, threads);
 }
 
 }  // namespace touchstone

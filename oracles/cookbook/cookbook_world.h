@@ -19,8 +19,10 @@ enum class Care {
   kAsShipped,  ///< As the engine's defaults say.
 };
 
-/** Returns `world` at its start, in the corrected engine.
+/** Returns `world` at its start, in the corrected engine, in `threads` threads: the bits
+ do not depend on them.
  @pre The world is valid and within CookbookWorldCapabilities(). */
-std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care);
+std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care,
+                                               int threads = 1);
 
 }  // namespace touchstone

@@ -183,6 +183,12 @@ class PlantedOracle final : public Oracle {
     return nullptr;
   }
 
+  std::unique_ptr<Simulation> BeginInThreads(const World& world,
+                                             int threads) const override {
+    if (threads != 3) return nullptr;
+    return std::make_unique<PlantedSimulation>(world);
+  }
+
  private:
   OracleInfo info_;
 };
@@ -392,6 +398,8 @@ World WorldOf(Deed deed) {
 TEST(IsolatedOracle, BeginsWorldsInThisProcessAsTheOracleWithinDoes) {
   EXPECT_NE(Isolated()->Begin(WorldOf(kAnswer)), nullptr);
   EXPECT_EQ(Isolated()->BeginAsShipped(WorldOf(kAnswer)), nullptr);
+  EXPECT_EQ(Isolated()->BeginInThreads(WorldOf(kAnswer), 2), nullptr);
+  EXPECT_NE(Isolated()->BeginInThreads(WorldOf(kAnswer), 3), nullptr);
 }
 
 TEST(IsolatedWorlds, MoveAsTheEngineSaysWhatItPrintsIncluded) {

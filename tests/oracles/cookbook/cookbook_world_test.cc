@@ -1,3 +1,7 @@
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
+
 #include <gtest/gtest.h>
 
 #include "oracles/cookbook/cookbook_oracle.h"
@@ -62,6 +66,21 @@ TEST(CookbookWorld, TellsParticlesAndNodesFromBodies) {
   EXPECT_EQ(end.particles[0].p_W, Eigen::Vector3d(0, 0, 0));
   EXPECT_LT((end.particles[1].p_W - Eigen::Vector3d(0, -2, 0)).norm(), 1e-12);
   EXPECT_LT((end.nodes[4].p_W - Eigen::Vector3d(3, 4 - 0.5 * 9.82, 5)).norm(), 1e-12);
+}
+
+std::ptrdiff_t ThreadsOfThisProcess() {
+  return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {});
+}
+
+TEST(CookbookWorld, TakesTheThreadsThatItIsToldTo) {
+  World world;
+  const CookbookOracle oracle;
+  ASSERT_TRUE(oracle.info().steps_in_threads);
+  const std::ptrdiff_t before = ThreadsOfThisProcess();
+  const auto shipped = oracle.BeginAsShipped(world);
+  EXPECT_EQ(ThreadsOfThisProcess(), before);
+  const auto three = oracle.BeginInThreads(world, 3);
+  EXPECT_EQ(ThreadsOfThisProcess(), before + 2);
 }
 
 TEST(CookbookWorld, RefusesWhatItCannotSimulate) {
