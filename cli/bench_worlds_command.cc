@@ -5,13 +5,17 @@
 #include <cmath>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "cli/growth.h"
 #include "cli/input_error.h"
 #include "cli/median.h"
 #include "cli/select_oracles.h"
@@ -24,20 +28,23 @@ namespace {
 struct Scene {
   std::string_view name;
   std::string_view title;
+  std::string_view bodies;  ///< What is in it: of one kind there may be several sizes.
+  int size;                 ///< Their number.
   World (*make)(std::uint64_t seed);
 };
 
 constexpr std::array kScenes = {
-    Scene{"boxes100", "a pile of 100 boxes",
+    Scene{"boxes100", "a pile of 100 boxes", "boxes", 100,
           [](std::uint64_t s) { return BoxPile(100, s); }},
-    Scene{"boxes1000", "a pile of 1,000 boxes",
+    Scene{"boxes1000", "a pile of 1,000 boxes", "boxes", 1000,
           [](std::uint64_t s) { return BoxPile(1000, s); }},
-    Scene{"boxes10000", "a pile of 10,000 boxes",
+    Scene{"boxes10000", "a pile of 10,000 boxes", "boxes", 10000,
           [](std::uint64_t s) { return BoxPile(10000, s); }},
-    Scene{"boxes30000", "a pile of 30,000 boxes",
+    Scene{"boxes30000", "a pile of 30,000 boxes", "boxes", 30000,
           [](std::uint64_t s) { return BoxPile(30000, s); }},
-    Scene{"stack20", "a stack of 20 boxes", [](std::uint64_t) { return BoxStack(20); }},
-    Scene{"spheres10000", "a pile of 10,000 spheres",
+    Scene{"stack20", "a stack of 20 boxes", "stacked boxes", 20,
+          [](std::uint64_t) { return BoxStack(20); }},
+    Scene{"spheres10000", "a pile of 10,000 spheres", "spheres", 10000,
           [](std::uint64_t s) { return SpherePile(10000, s); }},
 };
 
@@ -48,38 +55,68 @@ struct Measured {
 
 struct Row {
   std::string oracle;
+  int threads = 1;
   std::optional<Measured> measured;  ///< Empty where it was stopped, or crashed.
+
+  std::string Name() const {
+    return threads == 1 ? oracle : fmt::format("{}, {} threads", oracle, threads);
+  }
 };
 
-// Steps to settle, then as many that are timed: the work of a pile, not of a rain. The
-// engines take turns: what slows the machine for a while slows all alike, and the median
-// turn is not disturbed.
-std::vector<Row> Measure(std::span<const Oracle* const> oracles, const World& world,
-                         int steps, int seconds) {
-  constexpr int kTurns = 15;
-  struct Runner {
-    std::unique_ptr<SteppingChild> child;
-    std::vector<double> microseconds;
-  };
+struct Runner {
+  Row row;
+  std::unique_ptr<SteppingChild> child;
+  std::vector<double> microseconds;  ///< A step of each turn.
+};
+
+// What knows how to is stepped in several threads right after itself in one.
+std::vector<Runner> Start(std::span<const Oracle* const> oracles, const World& world,
+                          const BenchWorldsArguments& arguments) {
   std::vector<Runner> runners;
+  const auto start = [&](const Oracle& oracle, int threads) {
+    Runner& runner = runners.emplace_back();
+    runner.row.oracle = oracle.info().name;
+    runner.row.threads = threads;
+    runner.child = std::make_unique<SteppingChild>(oracle, world,
+                                                   Stepping{threads, arguments.seconds});
+  };
   for (const Oracle* oracle : oracles) {
-    runners.push_back({std::make_unique<SteppingChild>(*oracle, world, seconds), {}});
-    runners.back().child->Step(steps);
+    start(*oracle, 1);
+    if (arguments.threads > 1 && oracle->info().steps_in_threads)
+      start(*oracle, arguments.threads);
   }
+  return runners;
+}
+
+// Steps to settle, then as many that are timed: the work of a pile, not of a rain. The
+// engines take turns: what slows the machine for a while slows all alike. The median turn
+// is not disturbed in its CPU time; to wall time whatever else runs only adds, so that
+// the least disturbed turn is the best.
+std::vector<Row> Measure(std::vector<Runner> runners,
+                         const BenchWorldsArguments& arguments) {
+  constexpr int kTurns = 15;
+  const int steps = arguments.steps;
+  const bool wall = arguments.threads > 1;
+  for (Runner& runner : runners) runner.child->Step(steps);
   const auto until = [&](long turn) { return static_cast<int>(steps * turn / kTurns); };
   for (int turn = 0; turn < kTurns; ++turn) {
     const int now = until(turn + 1) - until(turn);
     if (now == 0) continue;
     for (Runner& runner : runners) {
-      const std::optional<double> time = runner.child->Step(now);
-      if (time) runner.microseconds.push_back(*time);
+      const std::optional<StepTime> time = runner.child->Step(now);
+      if (time) runner.microseconds.push_back(wall ? time->wall : time->cpu);
     }
   }
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < oracles.size(); ++i) {
-    Row& row = rows.emplace_back(Row{oracles[i]->info().name, std::nullopt});
-    const std::optional<WorldQuality> quality = runners[i].child->Quality();
-    if (quality) row.measured = {MedianOf(runners[i].microseconds), *quality};
+  for (Runner& runner : runners) {
+    const std::optional<WorldQuality> quality = runner.child->Quality();
+    const auto& turns = runner.microseconds;
+    if (quality) {
+      runner.row.measured = {
+          wall ? *std::min_element(turns.begin(), turns.end()) : MedianOf(turns),
+          *quality};
+    }
+    rows.push_back(std::move(runner.row));
   }
   return rows;
 }
@@ -88,25 +125,43 @@ double TimeOf(const Row& row) {
   return row.measured ? row.measured->microseconds : HUGE_VAL;
 }
 
-void Print(const Scene& scene, const World& world, int steps, std::vector<Row> rows) {
+void PrintTable(const Scene& scene, const World& world,
+                const BenchWorldsArguments& arguments, std::vector<Row> rows) {
   std::stable_sort(rows.begin(), rows.end(),
                    [](const Row& a, const Row& b) { return TimeOf(a) < TimeOf(b); });
   std::cout << fmt::format(
-      "{}: steps {} to {} of {:.4g} ms\n  {:<24}{:>12}{:>9}{:>14}{:>15}{:>14}\n",
-      scene.title, steps + 1, 2 * steps, 1e3 * world.dt, "oracle", "µs/step", "of best",
-      "deepest [m]", "fastest [m/s]", "sideways [m]");
+      "{}: steps {} to {} of {:.4g} ms, {}\n  {:<24}{:>12}{:>9}{:>14}{:>15}{:>14}\n",
+      scene.title, arguments.steps + 1, 2 * arguments.steps, 1e3 * world.dt,
+      arguments.threads > 1 ? "wall time of the best turn"
+                            : "CPU time of the median turn",
+      "oracle", "µs/step", "of best", "deepest [m]", "fastest [m/s]", "sideways [m]");
   for (const Row& row : rows) {
     if (!row.measured) {
-      std::cout << fmt::format("  {:<24}{:>12}\n", row.oracle, "stopped");
+      std::cout << fmt::format("  {:<24}{:>12}\n", row.Name(), "stopped");
       continue;
     }
     const Measured& measured = *row.measured;
     std::cout << fmt::format(
-        "  {:<24}{:>11.0f}{:>8.1f}×{:>14.2g}{:>15.2g}{:>14.2g}\n", row.oracle,
+        "  {:<24}{:>11.0f}{:>8.1f}×{:>14.2g}{:>15.2g}{:>14.2g}\n", row.Name(),
         measured.microseconds, measured.microseconds / TimeOf(rows.front()),
         measured.quality.deepest, measured.quality.fastest, measured.quality.sideways);
   }
-  std::cout << '\n';
+}
+
+// A row of several threads comes after that of one.
+void PrintSpeedUps(std::span<const Row> rows) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Row& one = rows[i - 1];
+    const Row& several = rows[i];
+    if (several.threads == 1 || !one.measured || !several.measured) continue;
+    std::cout << fmt::format("  {}: {} threads are {:.2f}× as fast as one\n",
+                             several.oracle, several.threads,
+                             TimeOf(one) / TimeOf(several));
+  }
+}
+
+bool StepsInThreads(const Oracle* oracle) {
+  return oracle->info().steps_in_threads;
 }
 
 }  // namespace
@@ -125,7 +180,12 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
     for (const Oracle* oracle : OraclesNamed(session.registry, name))
       oracles.push_back(oracle);
   }
-  bool any_measured = false;
+  if (arguments.threads > 1 &&
+      std::none_of(oracles.begin(), oracles.end(), StepsInThreads))
+    throw InputError(
+        "none of these oracles steps in several threads; expected one that does, or no "
+        "--threads");
+  std::map<std::string_view, std::vector<TimeOfSize>> times;  // By what the bodies are.
   for (const Scene& scene : kScenes) {
     const auto& wanted = arguments.scenes;
     if (!wanted.empty() &&
@@ -138,17 +198,21 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
                    return oracle->info().CannotSimulate(world).empty();
                  });
     if (able.empty()) throw InputError("none of these oracles simulates worlds");
-    std::vector<Row> rows = Measure(able, world, arguments.steps, arguments.seconds);
-    any_measured = any_measured ||
-                   std::any_of(rows.begin(), rows.end(),
-                               [](const Row& row) { return row.measured.has_value(); });
-    Print(scene, world, arguments.steps, std::move(rows));
+    const std::vector<Row> rows = Measure(Start(able, world, arguments), arguments);
+    PrintTable(scene, world, arguments, rows);
+    PrintSpeedUps(rows);
+    std::cout << '\n';
+    for (const Row& row : rows) {
+      if (row.measured)
+        times[scene.bodies].push_back({row.Name(), scene.size, TimeOf(row)});
+    }
   }
-  if (!any_measured) {
+  if (times.empty()) {
     throw InputError(
         "nothing was measured: every engine was stopped or crashed; expected "
         "more --seconds, fewer --steps or a smaller --scene");
   }
+  for (const auto& [bodies, of_sizes] : times) std::cout << GrowthTable(bodies, of_sizes);
   return 0;
 }
 

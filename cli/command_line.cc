@@ -270,8 +270,15 @@ class CommandLine {
         ->type_name("N")
         ->capture_default_str();
     app->add_option("--seconds", bench_worlds_.seconds,
-                    "of worlds: CPU time after which an engine is stopped in a scene")
+                    "of worlds: CPU time after which an engine is stopped in a scene; "
+                    "so much for each of its threads")
         ->check(WholeNumber(1, 1'000'000))
+        ->type_name("N")
+        ->capture_default_str();
+    app->add_option("--threads", bench_worlds_.threads,
+                    "of worlds: step cookbook also with so many, in a row of its own; "
+                    "then all times are wall times, of a machine that does nothing else")
+        ->check(NumberOfThreads())
         ->type_name("N")
         ->capture_default_str();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <string_view>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,16 @@ Expected WholeNumber(std::uint64_t least, std::uint64_t most) {
     if (is_number && too_large) return fmt::format("{}; expected at most {}", text, most);
     if (is_number && number >= least) return "";
     return fmt::format("'{}'; expected a whole number from {} on", text, least);
+  };
+}
+
+Expected NumberOfThreads() {
+  return [](const std::string& text) -> std::string {
+    const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+    if (WholeNumber(1, processors)(text).empty()) return "";
+    return fmt::format(
+        "'{}'; expected a whole number from 1 to {}, the processors of this machine",
+        text, processors);
   };
 }
 

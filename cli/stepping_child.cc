@@ -18,11 +18,18 @@
 namespace touchstone {
 namespace {
 
-// CPU time of this thread: what else the machine does is not the engine's work. [s]
-double ThreadSeconds() {
+// [µs]
+double TimeBy(clockid_t clock) {
   timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  clock_gettime(clock, &time);
+  return 1e6 * static_cast<double>(time.tv_sec) +
+         1e-3 * static_cast<double>(time.tv_nsec);
+}
+
+// In one thread, what else the machine does is not the engine's work. Of several the CPU
+// time says nothing: one may work while the others wait.
+StepTime Now() {
+  return {TimeBy(CLOCK_THREAD_CPUTIME_ID), TimeBy(CLOCK_MONOTONIC)};
 }
 
 // Written so that a NaN is the largest.
@@ -55,7 +62,8 @@ bool Receive(int socket, Plain& message) {
 
 }  // namespace
 
-SteppingChild::SteppingChild(const Oracle& oracle, const World& world, int seconds) {
+SteppingChild::SteppingChild(const Oracle& oracle, const World& world,
+                             const Stepping& stepping) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0)
     throw InputError("no socket to a child process");
@@ -67,9 +75,12 @@ SteppingChild::SteppingChild(const Oracle& oracle, const World& world, int secon
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
     close(ends[0]);
-    const rlimit limit{static_cast<rlim_t>(seconds), static_cast<rlim_t>(seconds)};
+    // The limit counts what all threads of the child spend.
+    const rlim_t seconds =
+        static_cast<rlim_t>(stepping.seconds) * static_cast<rlim_t>(stepping.threads);
+    const rlimit limit{seconds, seconds};
     setrlimit(RLIMIT_CPU, &limit);
-    Run(oracle, world, ends[1]);
+    Run(oracle, world, stepping.threads, ends[1]);
   }
   close(ends[1]);
   orders_ = ends[0];
@@ -85,8 +96,10 @@ SteppingChild::~SteppingChild() {
   waitpid(pid_, nullptr, 0);
 }
 
-void SteppingChild::Run(const Oracle& oracle, const World& world, int orders) {
-  const std::unique_ptr<Simulation> simulation = oracle.BeginAsShipped(world);
+void SteppingChild::Run(const Oracle& oracle, const World& world, int threads,
+                        int orders) {
+  const std::unique_ptr<Simulation> simulation =
+      threads == 1 ? oracle.BeginAsShipped(world) : oracle.BeginInThreads(world, threads);
   bool answered = true;
   for (int steps = 0; answered && Receive(orders, steps);) {
     if (steps == 0) {
@@ -95,9 +108,11 @@ void SteppingChild::Run(const Oracle& oracle, const World& world, int orders) {
       answered = Send(orders, QualityOf(world, state));
       continue;
     }
-    const double start = ThreadSeconds();
+    const StepTime start = Now();
     for (int i = 0; i < steps; ++i) simulation->Step();
-    answered = Send(orders, 1e6 * (ThreadSeconds() - start) / steps);
+    const StepTime end = Now();
+    answered = Send(
+        orders, StepTime{(end.cpu - start.cpu) / steps, (end.wall - start.wall) / steps});
   }
   _exit(0);
 }
@@ -109,8 +124,8 @@ std::optional<Reply> SteppingChild::Ask(int steps) {
   return reply;
 }
 
-std::optional<double> SteppingChild::Step(int steps) {
-  return Ask<double>(steps);
+std::optional<StepTime> SteppingChild::Step(int steps) {
+  return Ask<StepTime>(steps);
 }
 
 std::optional<WorldQuality> SteppingChild::Quality() {

@@ -16,16 +16,28 @@ struct WorldQuality {
   double sideways = 0;  ///< Farthest way of a body across gravity, along y. [m]
 };
 
+/** What a step takes, on the average; plain bytes. [µs] */
+struct StepTime {
+  double cpu = 0;   ///< Of the thread that asks for the step; without those that help it.
+  double wall = 0;  ///< From its start to its end, whatever else the machine did.
+};
+
+/** How an engine is stepped. */
+struct Stepping {
+  int threads = 1;   ///< That share a step.
+  int seconds = 60;  ///< CPU time a thread; when all is spent, the child is stopped.
+};
+
 /** An engine that steps a world in a process of its own when it is told to, so that
  several take turns, and one that takes hours for a step, or dies of it, loses its own
  answers only.
  */
 class SteppingChild {
  public:
-  /** @param seconds CPU time after which the child is stopped.
-   @pre `oracle` simulates `world`; both outlive this.
+  /** @pre `oracle` simulates `world`, in several threads where it is to; both outlive
+   this.
    @throws InputError where the system gives no process. */
-  SteppingChild(const Oracle& oracle, const World& world, int seconds);
+  SteppingChild(const Oracle& oracle, const World& world, const Stepping& stepping);
 
   /** Ends the child. */
   ~SteppingChild();
@@ -33,15 +45,16 @@ class SteppingChild {
   SteppingChild(const SteppingChild&) = delete;
   SteppingChild& operator=(const SteppingChild&) = delete;
 
-  /** Takes `steps` > 0 steps. Returns the CPU time of its thread for one, on the average;
-   nothing once the child has ended. [µs] */
-  std::optional<double> Step(int steps);
+  /** Takes `steps` > 0 steps. Returns the time of one; nothing once the child has ended.
+   */
+  std::optional<StepTime> Step(int steps);
 
   /** Returns what the world is worth now; nothing once the child has ended. */
   std::optional<WorldQuality> Quality();
 
  private:
-  [[noreturn]] static void Run(const Oracle& oracle, const World& world, int orders);
+  [[noreturn]] static void Run(const Oracle& oracle, const World& world, int threads,
+                               int orders);
   template <typename Reply>
   std::optional<Reply> Ask(int steps);
 

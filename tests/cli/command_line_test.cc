@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -462,6 +463,22 @@ TEST_F(CommandLineTest, SaysInOneSentenceWhatIsWrongWithALine) {
   EXPECT_THAT(error("sweep contact --pair box"), HasSubstr("--pair SHAPE SHAPE"));
 }
 
+TEST_F(CommandLineTest, TakesAsManyThreadsAsTheMachineHasProcessors) {
+  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  for (const std::string& threads :
+       {std::string("0"), std::string("-1"), std::string("1.5"), std::string("two"),
+        std::to_string(processors + 1), std::string("99999999999999999999")}) {
+    const Ended ended = Touchstone("bench worlds --threads " + threads);
+    EXPECT_EQ(ended.code, 2) << threads;
+    EXPECT_EQ(ended.out, "") << threads;
+    EXPECT_EQ(ended.err, "touchstone: --threads: '" + threads +
+                             "'; expected a whole number from 1 to " +
+                             std::to_string(processors) +
+                             ", the processors of this machine; `touchstone bench "
+                             "--help` says what it takes\n");
+  }
+}
+
 TEST_F(CommandLineTest, SaysWhatAnOptionExpected) {
   const auto error = [this](const std::string& line) {
     const Ended ended = Touchstone(line);
@@ -613,6 +630,54 @@ TEST_F(CommandLineTest, TimesWorldsBesideTheirQuality) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("a stack of 20 boxes: steps 4 to 6"),
                                HasSubstr("  cookbook"), HasSubstr("  bullet")));
+}
+
+// Of the row of a table that begins so, what the world is worth: its last three numbers.
+std::string QualityIn(const std::string& table, const std::string& oracle) {
+  const std::size_t row = table.find("\n  " + oracle + "  ");
+  if (row == std::string::npos) return "no row of " + oracle + " in " + table;
+  const std::string line = table.substr(row + 1, table.find('\n', row + 1) - row - 1);
+  return line.substr(line.find("×"));
+}
+
+// 100 boxes fall on each other in the first 200 steps.
+TEST_F(CommandLineTest, TimesTheCookbookInThreadsThatDoNotChangeTheWorld) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one processor";
+  const Ended ended = Itself(
+      "bench worlds --scene boxes100 --steps 100 --threads 2 --oracle cookbook,bullet");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("4.167 ms, wall time of the best turn\n"),
+                    HasSubstr("\n  cookbook: 2 threads are "),
+                    HasSubstr("× as fast as one\n"), Not(HasSubstr("bullet, 2"))));
+  const std::string quality = QualityIn(ended.out, "cookbook");
+  EXPECT_EQ(QualityIn(ended.out, "cookbook, 2 threads"), quality);
+  EXPECT_NE(QualityIn(ended.out, "bullet"), quality);
+}
+
+TEST_F(CommandLineTest, TimesNoThreadsThatNobodyAskedFor) {
+  const Ended ended = Itself("bench worlds --scene stack20 --steps 3 --oracle cookbook");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr(", CPU time of the median turn\n"),
+                               Not(HasSubstr(" threads "))));
+}
+
+TEST_F(CommandLineTest, TellsHowTimesGrowWithTheSizeOfAWorld) {
+  const Ended ended = Itself(
+      "bench worlds --scene stack20,boxes100,boxes1000 --steps 3 --oracle cookbook");
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("\ngrowth of µs/step with the number n of boxes\n"),
+                    HasSubstr(" 100 to 1,000\n  cookbook "), HasSubstr(" n^"),
+                    Not(HasSubstr("of stacked boxes"))));
+}
+
+TEST_F(CommandLineTest, TimesThreadsOnlyOfWhatHasThem) {
+  if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one processor";
+  const Ended ended =
+      Itself("bench worlds --scene stack20 --steps 3 --threads 2 --oracle bullet");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("none of these oracles steps in several threads"));
 }
 
 TEST_F(CommandLineTest, TimesOfNothingAreAnError) {
