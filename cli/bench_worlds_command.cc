@@ -50,6 +50,7 @@ constexpr std::array kScenes = {
 
 struct Measured {
   double microseconds;  ///< A step.
+  double waited;  ///< For a processor: the share of wall time, on the average of threads.
   WorldQuality quality;
 };
 
@@ -66,7 +67,7 @@ struct Row {
 struct Runner {
   Row row;
   std::unique_ptr<SteppingChild> child;
-  std::vector<double> microseconds;  ///< A step of each turn.
+  std::vector<StepTime> turns;
 };
 
 // What knows how to is stepped in several threads right after itself in one.
@@ -88,15 +89,28 @@ std::vector<Runner> Start(std::span<const Oracle* const> oracles, const World& w
   return runners;
 }
 
+// A turn that was disturbed is not the median.
+Measured MedianByCpu(const std::vector<StepTime>& turns) {
+  std::vector<double> times;
+  times.reserve(turns.size());
+  for (const StepTime& turn : turns) times.push_back(turn.cpu);
+  return {MedianOf(times), 0, {}};
+}
+
+// To wall time whatever else runs only adds: the best turn is the least disturbed.
+Measured BestByWall(const std::vector<StepTime>& turns, int threads) {
+  const StepTime& best = *std::min_element(
+      turns.begin(), turns.end(),
+      [](const StepTime& a, const StepTime& b) { return a.wall < b.wall; });
+  return {best.wall, best.waited / (threads * best.wall), {}};
+}
+
 // Steps to settle, then as many that are timed: the work of a pile, not of a rain. The
-// engines take turns: what slows the machine for a while slows all alike. The median turn
-// is not disturbed in its CPU time; to wall time whatever else runs only adds, so that
-// the least disturbed turn is the best.
+// engines take turns: what slows the machine for a while slows all alike.
 std::vector<Row> Measure(std::vector<Runner> runners,
                          const BenchWorldsArguments& arguments) {
   constexpr int kTurns = 15;
   const int steps = arguments.steps;
-  const bool wall = arguments.threads > 1;
   for (Runner& runner : runners) runner.child->Step(steps);
   const auto until = [&](long turn) { return static_cast<int>(steps * turn / kTurns); };
   for (int turn = 0; turn < kTurns; ++turn) {
@@ -104,17 +118,17 @@ std::vector<Row> Measure(std::vector<Runner> runners,
     if (now == 0) continue;
     for (Runner& runner : runners) {
       const std::optional<StepTime> time = runner.child->Step(now);
-      if (time) runner.microseconds.push_back(wall ? time->wall : time->cpu);
+      if (time) runner.turns.push_back(*time);
     }
   }
   std::vector<Row> rows;
   for (Runner& runner : runners) {
     const std::optional<WorldQuality> quality = runner.child->Quality();
-    const auto& turns = runner.microseconds;
     if (quality) {
-      runner.row.measured = {
-          wall ? *std::min_element(turns.begin(), turns.end()) : MedianOf(turns),
-          *quality};
+      runner.row.measured = arguments.threads > 1
+                                ? BestByWall(runner.turns, runner.row.threads)
+                                : MedianByCpu(runner.turns);
+      runner.row.measured->quality = *quality;
     }
     rows.push_back(std::move(runner.row));
   }
@@ -160,6 +174,17 @@ void PrintSpeedUps(std::span<const Row> rows) {
   }
 }
 
+// Wall time is the engine's own only where nothing else wants the processors.
+void PrintDisturbances(std::span<const Row> rows) {
+  constexpr double kSeen = 0.05;  // Ratios are read to a tenth.
+  for (const Row& row : rows) {
+    if (!row.measured || row.measured->waited < kSeen) continue;
+    std::cout << fmt::format(
+        "  {}: waited for a processor {:.0f} % of that time; expected an idle machine\n",
+        row.Name(), 100 * row.measured->waited);
+  }
+}
+
 bool StepsInThreads(const Oracle* oracle) {
   return oracle->info().steps_in_threads;
 }
@@ -201,6 +226,7 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
     const std::vector<Row> rows = Measure(Start(able, world, arguments), arguments);
     PrintTable(scene, world, arguments, rows);
     PrintSpeedUps(rows);
+    PrintDisturbances(rows);
     std::cout << '\n';
     for (const Row& row : rows) {
       if (row.measured)

@@ -24,7 +24,7 @@ std::vector<std::string> SceneNames();
  run, and shows beside it what the state is worth, and how the times grow with the size of
  a scene. All run in one thread, and by its CPU time; where some are to have several
  threads too, all are timed by the clock on the wall, which is fair to both on a machine
- that does nothing else. Returns 0.
+ that does nothing else, and told where it did something else. Returns 0.
  @throws InputError where an oracle is unknown, or there is nothing to show. */
 int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& arguments);
 

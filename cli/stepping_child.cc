@@ -4,7 +4,10 @@
 #include <cmath>
 #include <csignal>
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <system_error>
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -26,10 +29,31 @@ double TimeBy(clockid_t clock) {
          1e-3 * static_cast<double>(time.tv_nsec);
 }
 
+// Of all threads of this process since they began: the second number of schedstat. [µs]
+double Waited() {
+  double sum = 0;
+  std::error_code none;
+  for (const auto& thread :
+       std::filesystem::directory_iterator("/proc/self/task", none)) {
+    double ran = 0;
+    double waited = 0;
+    if (std::ifstream(thread.path() / "schedstat") >> ran >> waited) sum += 1e-3 * waited;
+  }
+  return sum;
+}
+
 // In one thread, what else the machine does is not the engine's work. Of several the CPU
 // time says nothing: one may work while the others wait.
-StepTime Now() {
-  return {TimeBy(CLOCK_THREAD_CPUTIME_ID), TimeBy(CLOCK_MONOTONIC)};
+StepTime Take(Simulation& simulation, int steps) {
+  const double waited = Waited();
+  const double cpu = TimeBy(CLOCK_THREAD_CPUTIME_ID);
+  const double wall = TimeBy(CLOCK_MONOTONIC);
+  for (int i = 0; i < steps; ++i) simulation.Step();
+  StepTime time;
+  time.wall = (TimeBy(CLOCK_MONOTONIC) - wall) / steps;
+  time.cpu = (TimeBy(CLOCK_THREAD_CPUTIME_ID) - cpu) / steps;
+  time.waited = (Waited() - waited) / steps;
+  return time;
 }
 
 // Written so that a NaN is the largest.
@@ -108,11 +132,7 @@ void SteppingChild::Run(const Oracle& oracle, const World& world, int threads,
       answered = Send(orders, QualityOf(world, state));
       continue;
     }
-    const StepTime start = Now();
-    for (int i = 0; i < steps; ++i) simulation->Step();
-    const StepTime end = Now();
-    answered = Send(
-        orders, StepTime{(end.cpu - start.cpu) / steps, (end.wall - start.wall) / steps});
+    answered = Send(orders, Take(*simulation, steps));
   }
   _exit(0);
 }

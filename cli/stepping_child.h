@@ -20,6 +20,9 @@ struct WorldQuality {
 struct StepTime {
   double cpu = 0;   ///< Of the thread that asks for the step; without those that help it.
   double wall = 0;  ///< From its start to its end, whatever else the machine did.
+  /** In which a thread could have run and found no processor, all threads added; 0 where
+   the system does not tell. */
+  double waited = 0;
 };
 
 /** How an engine is stepped. */
