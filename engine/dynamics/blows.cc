@@ -78,10 +78,10 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
                        const Settings& settings) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i) {
     const RigidBody& body = start.bodies[i];
-    static_[i] = body.is_static();
-    asleep_[i] = start.asleep[i];
-    linked_[i] = start.linked[i];
-    flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i];
+    static_[i] = body.is_static() ? 1 : 0;
+    asleep_[i] = start.asleep[i] ? 1 : 0;
+    linked_[i] = start.linked[i] ? 1 : 0;
+    flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i] ? 1 : 0;
     pulls_[i].setZero();
     if (!static_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
   }

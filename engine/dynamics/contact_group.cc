@@ -148,7 +148,9 @@ void ContactGroup<Real>::LeaveBe(double solved, std::span<const int> heaps,
     if (change_of(batch, lane) <= solved) return;
     batch.at_work = true;
     for (int k = 0; k < batch.count; ++k) {
-      row_count_ += notes_[static_cast<std::size_t>(batch.first + k)].used[lane] != 0;
+      row_count_ +=
+          notes_[static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k)]
+              .used[lane] != 0;
     }
   });
 }
@@ -159,7 +161,7 @@ void ContactGroup<Real>::Note(const ContactBatch<Real>& batch, bool turns,
   std::vector<OverlapLanes<Real>>& rows = overlaps.rows;
   const std::size_t first = rows.size();
   for (int k = 0; k < batch.count; ++k) {
-    const auto row = static_cast<std::size_t>(batch.first + k);
+    const auto row = static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k);
     const ContactNotes<Real>& notes = notes_[row];
     Lanes<Real> mass{};
     bool any = false;

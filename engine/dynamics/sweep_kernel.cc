@@ -309,7 +309,8 @@ void Read(const ContactRows<Real>& rows, std::span<ContactPair> pairs, Touch* to
     VecBits<Real> rested{};
     VecBits<Real> unsteady{};
     for (int k = 0; k < batch.count; ++k) {
-      const auto row = static_cast<std::size_t>(batch.first + k);
+      const auto row =
+          static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k);
       const ContactLanes<Real>& contact = rows.contacts[row];
       const ContactNotes<Real>& note = rows.notes[row];
       const V impulse = At(contact.impulse);

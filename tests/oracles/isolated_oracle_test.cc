@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -310,6 +311,7 @@ TEST(IsolatedOracle, SaysThatItIsIsolated) {
 // One answer a question, in their order, whatever happens between them.
 TEST(IsolatedOracle, KeepsTheOrderOfALongBatch) {
   std::vector<ContactQuery> queries;
+  queries.reserve(5000);
   for (int i = 0; i < 5000; ++i) {
     queries.push_back(Ask(i % 500 == 250   ? kSegfault
                           : i % 500 == 100 ? kThrow
@@ -345,6 +347,7 @@ TEST(IsolatedOracle, AnswersSeveralThreadsAtOnce) {
   const std::unique_ptr<Oracle> oracle = Isolated(limits);
   std::atomic<int> right = 0;
   std::vector<std::thread> threads;
+  threads.reserve(8);
   for (int t = 0; t < 8; ++t) {
     threads.emplace_back([&, t] {
       for (int round = 0; round < 10; ++round) {
@@ -374,10 +377,11 @@ TEST(IsolatedOracle, DiesWithTheProgramThatAsks) {
     Isolate(std::make_unique<PlantedOracle>())->Answer(Ask(kBlock));
     _exit(0);
   }
-  const std::string id = std::to_string(asker);
+  std::ostringstream children;
+  children << "/proc/" << asker << "/task/" << asker << "/children";
   pid_t child = 0;
   while (child == 0) {
-    std::ifstream("/proc/" + id + "/task/" + id + "/children") >> child;
+    std::ifstream(children.str()) >> child;
     std::this_thread::yield();
   }
   kill(asker, SIGKILL);

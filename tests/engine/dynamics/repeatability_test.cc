@@ -68,8 +68,10 @@ void Fill(World& world, int heaps = 1) {
     }
     body.restitution = 0.1;
     const double tilt = 0.03 * (i % 7);
-    body.state.p_WB = {10.0 * (k / 125) + 1.1 * (i % 5) + tilt, 0.6 + 1.05 * (i / 25),
-                       1.1 * (i / 5 % 5)};
+    const int heap = k / 125;
+    const int layer = i / 25;
+    const int row = i / 5 % 5;
+    body.state.p_WB = {10.0 * heap + 1.1 * (i % 5) + tilt, 0.6 + 1.05 * layer, 1.1 * row};
     body.state.q_WB = Eigen::Quaterniond(1, tilt, 0.1 - tilt, 0.02).normalized();
     world.AddBody(body);
   }

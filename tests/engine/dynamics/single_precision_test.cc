@@ -31,7 +31,8 @@ void AddTwoWalls(World& world, const Eigen::Vector3d& frame = {0, 0, 0}, int row
       brick.mass = 1 + 0.1 * (k % 4);
       brick.restitution = 0;
       const double tilt = 1e-4 * (k % 5);
-      brick.state.p_WB = {1.0 * wall, 0.8 * (k % row), 0.9 * (k / row)};
+      const int layer = k / row;
+      brick.state.p_WB = {1.0 * wall, 0.8 * (k % row), 0.9 * layer};
       brick.state.q_WB = Eigen::Quaterniond(1, tilt, -tilt, 2 * tilt).normalized();
       brick.state.v_WB =
           frame + Eigen::Vector3d(wall == 0 ? kApproach : -kApproach, 0.3 * wall, 0);
