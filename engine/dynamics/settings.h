@@ -54,8 +54,8 @@ struct Settings {
   bool fourth_order_links = true;
   /** Solves the contacts of a large world, see IsSmall(), in single precision: what its
    few sweeps leave is more by far than what this rounds, and no `residual` ends them. Not
-   where a body has a mass beyond 1e±6 kg, or is so slim that its moments of inertia
-   differ a thousandfold. */
+   where a body has a mass beyond 1e±6 kg, is so slim that its moments of inertia differ a
+   thousandfold, or turns a thousand times easier than it moves (r² / I by 1/m). */
   bool single_precision = true;
   /** Starts from the impulses of the step before. */
   bool warm_starting = true;
