@@ -174,6 +174,51 @@ TEST(SinglePrecision, IsNotForBodiesWhoseResponsesItCannotHold) {
   EXPECT_TRUE(KeepsToDoubles(wheel));
 }
 
+/** Boxes beside each other on a floor 200 km wide, whose middle is 50 km away, each
+ `depth` [m] in it: more than enough contacts, which start from those of the step before.
+ */
+void AddBoxesOnWideFloor(World& world, double depth) {
+  BodyDefinition floor;
+  floor.shape = Box{{1e5, 1, 1e5}};
+  floor.state.p_WB = {5e4, -1, 0};
+  floor.mass = 0;
+  world.AddBody(floor);
+  for (int k = 0; k < 40; ++k) {
+    BodyDefinition box;
+    box.shape = Box{{0.05, 0.05, 0.05}};
+    box.restitution = 0;
+    box.state.p_WB = {0.2 * k, 0.05 - depth, 0};
+    world.AddBody(box);
+  }
+}
+
+TEST(SinglePrecision, WhatRestsFarFromTheMiddleOfItsGroundStaysAtRest) {
+  Settings settings = Impatient();
+  settings.gravity_W = {0, -9.82, 0};
+  World world(settings);
+  AddBoxesOnWideFloor(world, 0);
+  for (int k = 0; k < 240; ++k) world.Step(kH);
+  ASSERT_GT(ContactsThatAct(world), 100);
+  for (int i = 1; i < world.body_count(); ++i) {
+    // What a step's gravity makes is held but for the rounding of seven sweeps.
+    EXPECT_LT(world.state(i).v_WB.norm(), 7 * 30 * 6e-8 * 9.82 * kH) << i;
+  }
+}
+
+TEST(SinglePrecision, OverlapIsRemovedDownToTheSlack) {
+  Settings settings = Impatient();
+  settings.gravity_W = {0, -9.82, 0};
+  World world(settings);
+  const double slack = 2 * 9.82 * kH * kH;
+  AddBoxesOnWideFloor(world, 5 * slack);
+  for (int k = 0; k < 120; ++k) world.Step(kH);
+  for (int i = 1; i < world.body_count(); ++i) {
+    // A fifth of the excess goes in a step: of four slacks 4 · 0.8¹²⁰ are left, and what
+    // a float rounds of the depth.
+    EXPECT_NEAR(0.05 - world.state(i).p_WB.y(), slack, 1e-6 * slack) << i;
+  }
+}
+
 // A slim body in a large world made energy out of nothing, 1e12 times what there was.
 TEST(SinglePrecision, CrossingWiresMakeNoEnergy) {
   World world(Impatient());
