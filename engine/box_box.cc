@@ -34,7 +34,7 @@ void CollideBoxes(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB
                pair.R[0][static_cast<std::size_t>(AfterNext(axis.i))][j]);
   manifold.n_AB_W = NormalInWorld(facing, X_WA.R_WB, X_WB.R_WB);
   if (manifold.touching) {
-    FillContacts<Keep::kTouching>(pair, facing, X_WA, X_WB, 0, manifold);
+    FillContacts(pair, facing, X_WA, X_WB, manifold);
   }
 }
 

@@ -31,6 +31,13 @@ constexpr FeatureId FaceContactId(bool reference_is_B, BoxFace reference,
   return static_cast<FeatureId>(id);
 }
 
+/** Returns what the two edges that meet add to the identity of a contact: where the faces
+ are known, the edges are looked up. */
+constexpr int EdgesId(FaceEdge p, FaceEdge q) {
+  return static_cast<int>(FaceContactId(false, {0, 0}, {0, 0}, p, q) -
+                          FaceContactId(false, {0, 0}, {0, 0}, 0, 0));
+}
+
 /** Returns the identity of the contact of a sphere with the part of a box that is nearest
  to its centre: `x`, `y`, `z` are −1 or +1 along the axes on which that part is on the
  box's side, and 0 along the others (one non-zero: a face, two: an edge, three: a vertex).

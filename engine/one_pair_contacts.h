@@ -134,32 +134,15 @@ struct alignas(32) Corners {
 /** Candidates that differ by no more than this many times the slack are one contact. Far
  above what rounding sets apart, far below what a solver could tell apart. */
 constexpr double kSame = 12;
-/** How far flush corners may be out, as a share of the margin, for contacts that go on
- from step to step. Boxes stacked flush drift apart by more than rounding but far less
- than the margin; where their edges cross, all but parallel, hangs on nothing else, and so
- would how many contacts there are. */
-constexpr double kFlushOfMargin = 1e-3;
-
-/** The two edges that meet in a feature, as FaceContactId() has them. */
-constexpr std::int64_t Meeting(FaceEdge p, FaceEdge q) {
-  return static_cast<std::int64_t>(FaceContactId(false, {0, 0}, {0, 0}, p, q)) -
-         static_cast<std::int64_t>(FaceContactId(false, {0, 0}, {0, 0}, 0, 0));
-}
 
 HWY_INLINE void StoreBits(FourBits v, std::int64_t* p) {
   std::memcpy(p, &v, sizeof v);
 }
 
-/** Which candidates are contacts. */
-enum class Keep {
-  kTouching,  ///< Those at or below zero, to rounding; the least where all are above.
-  kNear,      ///< Those up to a margin.
-};
-
-/** `margin` matters for Keep::kNear. */
-template <Keep keep>
-HWY_INLINE void FindCorners(const SeenFace& face, double slack, double margin,
-                            double separation, std::int64_t faces, Corners& found) {
+/** Finds the corners, of which those at or below zero are kept, to rounding; the least
+ where all are above. */
+HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separation,
+                            std::int64_t faces, Corners& found) {
   const auto& c = face.centre;
   const auto& u = face.side1;
   const auto& v = face.side2;
@@ -212,8 +195,8 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double margin,
   // The edges of the incident face that leave and that reach its corners, and the lines
   // that an edge crosses.
   constexpr FaceEdge kEdge[] = {3, 0, 2, 1};
-  const FourBits corner_feature{Meeting(1, 3), Meeting(3, 0), Meeting(0, 2),
-                                Meeting(2, 1)};
+  const FourBits corner_feature{EdgesId(1, 3), EdgesId(3, 0), EdgesId(0, 2),
+                                EdgesId(2, 1)};
   const FourBits edge_feature{kEdge[0] << 3, kEdge[1] << 3, kEdge[2] << 3, kEdge[3] << 3};
   const FourBits up_x = per_x > zero;
   const FourBits up_y = per_y > zero;
@@ -222,7 +205,7 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double margin,
   StoreBits((inside ? corner_feature : edge_feature + enter_line) + faces,
             found.feature.data());
   StoreBits(edge_feature + leave_line + faces, found.feature.data() + 4);
-  StoreBits(FourBits{Meeting(5, 7), Meeting(4, 7), Meeting(4, 6), Meeting(5, 6)} + faces,
+  StoreBits(FourBits{EdgesId(5, 7), EdgesId(4, 7), EdgesId(4, 6), EdgesId(5, 6)} + faces,
             found.feature.data() + 8);
 
   // Corners of the rectangle in the parallelogram, to the same slack.
@@ -242,20 +225,18 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double margin,
   const Four enter_z = z + enter * dz;
   const Four leave_z = z + leave * dz;
   const Four corner_z = c[2] + (share_u * u[2] + share_v * v[2]) / area;
-  Four highest = Splat(keep == Keep::kTouching ? slack : margin);
-  if constexpr (keep == Keep::kTouching) {
-    const FourBits deep = ((enter_z <= zero) & enters) | ((leave_z <= zero) & leaves) |
-                          ((corner_z <= zero) & covered);
-    if (Bits(deep) == 0) [[unlikely]] {
-      // The least is kept even where all lie above, and nothing where there is nothing.
-      const Four none = Splat(std::numeric_limits<double>::infinity());
-      const Four low =
-          Min(Min(Select(enters, enter_z, none), Select(leaves, leave_z, none)),
-              Select(covered, corner_z, none));
-      const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
-      highest = Splat(std::min(std::max(slack, std::min(lower[0], lower[1]) + slack),
-                               std::numeric_limits<double>::max()));
-    }
+  Four highest = Splat(slack);
+  const FourBits deep = ((enter_z <= zero) & enters) | ((leave_z <= zero) & leaves) |
+                        ((corner_z <= zero) & covered);
+  if (Bits(deep) == 0) [[unlikely]] {
+    // The least is kept even where all lie above, and nothing where there is nothing.
+    const Four none = Splat(std::numeric_limits<double>::infinity());
+    const Four low =
+        Min(Min(Select(enters, enter_z, none), Select(leaves, leave_z, none)),
+            Select(covered, corner_z, none));
+    const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
+    highest = Splat(std::min(std::max(slack, std::min(lower[0], lower[1]) + slack),
+                             std::numeric_limits<double>::max()));
   }
   found.kept = Bits((enter_z <= highest) & enters) |
                Bits((leave_z <= highest) & leaves) << 4 |
@@ -309,20 +290,15 @@ inline unsigned WithoutRepeats(Corners& found, double slack) {
   return kept;
 }
 
-/** Fills the contacts of two boxes along the normal of `facing`. With Keep::kTouching
- there is at least one. */
-template <Keep keep>
+/** Fills the contacts of two boxes along the normal of `facing`: one at least. */
 HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Pose& X_WA,
-                             const Pose& X_WB, double margin, Manifold& manifold) {
+                             const Pose& X_WB, Manifold& manifold) {
   const SeenFace face = FindIncidentFace(pair, facing);
-  const double rounding = kFlush * pair.size;
-  const double slack =
-      keep == Keep::kNear ? std::max(rounding, kFlushOfMargin * margin) : rounding;
+  const double slack = kFlush * pair.size;
   Corners found;
-  FindCorners<keep>(face, slack, margin, manifold.separation,
-                    FaceContactId(facing.is_B, face.reference, face.incident, 0, 0),
-                    found);
-  if (keep == Keep::kTouching && found.kept == 0) {
+  FindCorners(face, slack, manifold.separation,
+              FaceContactId(facing.is_B, face.reference, face.incident, 0, 0), found);
+  if (found.kept == 0) {
     // Only where another axis is as good to within rounding can the faces miss each
     // other.
     found.kept =
@@ -345,15 +321,6 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
   const Four half_n_W{towards * manifold.n_AB_W[0], towards * manifold.n_AB_W[1],
                       towards * manifold.n_AB_W[2], 1};
   static_assert(offsetof(ContactPoint, separation) == sizeof(Eigen::Vector3d));
-  if constexpr (keep == Keep::kNear) {
-    // What only rounding lifts is not apart: corners of one face that lie on another
-    // would be told to arrive there one after the other, which no rigid body can.
-    const Four rounded = Splat(kOverlapRounding * pair.size);
-    for (std::size_t k = 0; k < found.z.size(); k += 4) {
-      const Four z = Load(found.z.data() + k);
-      Store(Select(Abs(z) <= rounded, Four{}, z), found.z.data() + k);
-    }
-  }
   unsigned left = distinct;
   const auto put = [&](std::size_t n) HWY_ATTR {
     const auto k = static_cast<std::size_t>(std::countr_zero(left | 1u << 11));

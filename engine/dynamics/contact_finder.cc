@@ -1,6 +1,7 @@
 #include "engine/dynamics/contact_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <tuple>
 
@@ -9,10 +10,9 @@
 namespace cookbook {
 namespace {
 
-/** Pairs below which it does not pay to wake another thread: some 20 microseconds. */
-constexpr std::size_t kFewPairs = 32;
-/** How many pairs ahead memory is told: a pair takes as long as memory some times. */
-constexpr std::size_t kAhead = 2;
+/** Groups of pairs below which it does not pay to wake another thread: some 10
+ microseconds. */
+constexpr std::size_t kFewGroups = 16;
 /** Pairs, of half a KiB, that do not fit a processor's cache. More of them are sorted by
  place, so that what is solved together lies together. */
 constexpr std::size_t kManyPairs = 4096;
@@ -117,17 +117,27 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
     ++k;
   }
 
-  crew.Share(due_.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i + kAhead < end) {
-        const NearPair& next = near_[due_[i + kAhead]];
-        Fetch(&contacts_[static_cast<std::size_t>(next.contact)], sizeof(ContactPair));
-        Fetch(&bodies[static_cast<std::size_t>(next.A)], offsetof(RigidBody, moments));
-        Fetch(&bodies[static_cast<std::size_t>(next.B)], offsetof(RigidBody, moments));
+  const auto contact_of = [&](std::size_t due) -> ContactPair& {
+    return contacts_[static_cast<std::size_t>(near_[due_[due]].contact)];
+  };
+  const std::size_t groups = (due_.size() + kNeighbours - 1) / kNeighbours;
+  crew.Share(groups, kFewGroups, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t group = begin; group < end; ++group) {
+      const std::size_t first = group * kNeighbours;
+      const std::size_t count = std::min(kNeighbours, due_.size() - first);
+      std::array<ContactPair*, kNeighbours> pairs;
+      for (std::size_t k = 0; k < count; ++k) {
+        pairs[k] = &contact_of(first + k);
+        if (first + k + kNeighbours >= due_.size()) continue;
+        const ContactPair& next = contact_of(first + k + kNeighbours);
+        const NearPair& next_near = near_[due_[first + k + kNeighbours]];
+        Fetch(&next, sizeof(ContactPair));
+        Fetch(&bodies[static_cast<std::size_t>(next_near.A)],
+              offsetof(RigidBody, moments));
+        Fetch(&bodies[static_cast<std::size_t>(next_near.B)],
+              offsetof(RigidBody, moments));
       }
-      ContactPair& pair = contacts_[static_cast<std::size_t>(near_[due_[i]].contact)];
-      Recollide(margin, bodies[static_cast<std::size_t>(pair.A)],
-                bodies[static_cast<std::size_t>(pair.B)], pair);
+      Recollide(margin, bodies, std::span(pairs).first(count));
     }
   });
 

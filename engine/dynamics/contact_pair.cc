@@ -17,7 +17,8 @@ struct OldContacts {
   std::size_t count;
   std::array<ContactPoint, 8> contacts;
 
-  explicit OldContacts(const Manifold& manifold) : count(manifold.points().size()) {
+  void Note(const Manifold& manifold) {
+    count = manifold.points().size();
     std::copy_n(manifold.contacts.begin(), count, contacts.begin());
   }
 };
@@ -72,17 +73,29 @@ double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B) {
   return press ? of_heap : own;
 }
 
-void Recollide(double most, const RigidBody& A, const RigidBody& B, ContactPair& pair) {
-  const OldContacts old(pair.manifold);
-  const Eigen::Vector3d guess =
-      old.count > 0 ? pair.manifold.n_AB_W : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  CollideWithin(std::min(most, MarginBetween(A, B)), A, B, guess, pair.manifold);
-  if (HasSameFeatures(old, pair.manifold)) return;
-
-  const double smaller = A.is_static()   ? B.radius
-                         : B.is_static() ? A.radius
-                                         : std::min(A.radius, B.radius);
-  PassOn(old, kSamePlace * smaller, pair);
+void Recollide(double most, std::span<const RigidBody> bodies,
+               std::span<ContactPair* const> pairs) {
+  std::array<OldContacts, kNeighbours> old;
+  std::array<Neighbours, kNeighbours> neighbours;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    ContactPair& pair = *pairs[k];
+    const RigidBody& A = bodies[static_cast<std::size_t>(pair.A)];
+    const RigidBody& B = bodies[static_cast<std::size_t>(pair.B)];
+    old[k].Note(pair.manifold);
+    neighbours[k] = {&A, &B, std::min(most, MarginBetween(A, B)), Eigen::Vector3d::Zero(),
+                     &pair.manifold};
+    if (old[k].count > 0) neighbours[k].n_guess_W = pair.manifold.n_AB_W;
+  }
+  CollideWithin(std::span(neighbours).first(pairs.size()));
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (HasSameFeatures(old[k], pairs[k]->manifold)) continue;
+    const RigidBody& A = *neighbours[k].A;
+    const RigidBody& B = *neighbours[k].B;
+    const double smaller = A.is_static()   ? B.radius
+                           : B.is_static() ? A.radius
+                                           : std::min(A.radius, B.radius);
+    PassOn(old[k], kSamePlace * smaller, *pairs[k]);
+  }
 }
 
 }  // namespace cookbook

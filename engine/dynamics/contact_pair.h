@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
+#include "engine/dynamics/near_boxes.h"
 #include "engine/dynamics/rigid_body.h"
 #include "engine/manifold.h"
 
@@ -23,9 +25,11 @@ struct ContactPair {
  they pressed each other in the last step. [m/s²] */
 double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B);
 
-/** Replaces the manifold of `pair` by that of its bodies as they are now, contacts apart
- by up to MarginBetween() them, but no more than `most` [m], included. The impulse of a
- contact is that of the old contact of the same feature; new contacts start at zero. */
-void Recollide(double most, const RigidBody& A, const RigidBody& B, ContactPair& pair);
+/** Replaces the manifolds of at most kNeighbours pairs by those of their bodies as they
+ are now, contacts apart by up to MarginBetween() them, but no more than `most` [m],
+ included. The impulse of a contact is that of the old contact of the same feature; new
+ contacts start at zero. */
+void Recollide(double most, std::span<const RigidBody> bodies,
+               std::span<ContactPair* const> pairs);
 
 }  // namespace cookbook

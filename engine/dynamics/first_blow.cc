@@ -24,10 +24,6 @@ constexpr double kNext = 1e-9;
  share of a step apart. */
 constexpr double kPatience = 1.0 / 4;
 
-/** Bodies that approach by less than this share of their speeds go together: what
- rounding and the solver leave. */
-constexpr double kTogether = 1e-12;
-
 Eigen::Vector3d PointVelocity(const RigidBody& body, const Eigen::Vector3d& p_W) {
   return body.state.v_WB + body.state.w_WB.cross(p_W - body.state.p_WB);
 }
@@ -141,8 +137,10 @@ Meeting MeetingAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
   const double fast = rules.resting_speed * (rules.h * pull + std::abs(gain));
   if (approach > fast) return Meeting::kParts;
   // Most contacts rest: known without a root.
+  const double least = std::min(approach, gain);
   const double together_at_most = kTogether * (v_A.lpNorm<1>() + v_B.lpNorm<1>());
-  if (gain < -together_at_most && approach >= -fast) return Meeting::kHolds;
+  if (least < -together_at_most && approach >= -fast) return Meeting::kHolds;
+  if (least >= 0) return Meeting::kParts;
   const double together = kTogether * (v_A.norm() + v_B.norm());
   if (approach >= -together && gain >= -together) return Meeting::kParts;
   return approach < -std::max(fast, together) ? Meeting::kStrikes : Meeting::kHolds;

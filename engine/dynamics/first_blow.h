@@ -14,6 +14,10 @@ struct BlowRules {
   Gyroscopic gyroscopic;
 };
 
+/** Bodies that approach by less than this share of their speeds go together: what
+ rounding and the solver leave. */
+inline constexpr double kTogether = 1e-12;
+
 /** What becomes of two bodies at a contact. */
 enum class Meeting {
   kParts,    ///< They go apart, or together with nothing that presses them.

@@ -1,16 +1,28 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+
+#include "engine/dynamics/rigid_body.h"
 #include "engine/manifold.h"
-#include "engine/shape.h"
 
 namespace cookbook {
 
-/** Fills `manifold` with the contacts of two boxes that are apart by no more than
- `margin` [m], as CollideWithin() says, each midway. Returns false where two edges meet,
- apart from all faces: the manifold then has its normal and separation, and no contacts.
- */
-bool CollideNearFaces(double margin, const Box& A, const Pose& X_WA, const Box& B,
-                      const Pose& X_WB, const Eigen::Vector3d& n_guess_W,
-                      Manifold& manifold);
+/** Two bodies that may touch, and what is to be known of how they do. */
+struct Neighbours {
+  const RigidBody* A;
+  const RigidBody* B;
+  double margin;              ///< Contacts apart by no more count. [m]
+  Eigen::Vector3d n_guess_W;  ///< As of CollideWithin().
+  Manifold* manifold;         ///< Where it is written.
+};
+
+/** Pairs of boxes that are looked at together. */
+inline constexpr std::size_t kNeighbours = 8;
+
+/** Fills the manifolds of at most kNeighbours pairs of boxes as CollideWithin() says,
+ each contact midway. Returns a bit for each pair of which two edges meet, apart from all
+ faces: its manifold then has its normal and separation, and no contacts. */
+unsigned CollideNearFaces(std::span<const Neighbours> boxes);
 
 }  // namespace cookbook

@@ -1,30 +1,55 @@
 #include "engine/dynamics/near_contact.h"
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <type_traits>
 
 #include "engine/collide.h"
 #include "engine/dynamics/half_space.h"
-#include "engine/dynamics/near_boxes.h"
 
 namespace cookbook {
 namespace {
 
-void CollideBoxes(double margin, const Box& A, const Pose& X_WA, const Box& B,
-                  const Pose& X_WB, const Eigen::Vector3d& n_guess_W,
-                  Manifold& manifold) {
-  if (CollideNearFaces(margin, A, X_WA, B, X_WB, n_guess_W, manifold)) return;
-  // Edge on edge: pulled together by the gap there is, the boxes just touch.
+/** Fills the one contact of two edges that meet, given the normal and the gap. */
+void CollideEdges(const RigidBody& A, const RigidBody& B, Manifold& manifold) {
+  // Pulled together by the gap there is, the boxes just touch.
   const double pull = manifold.touching ? 0 : 2 * manifold.separation;
-  Pose pulled = X_WB;
+  Pose pulled = B.pose();
   pulled.p_WB -= pull * manifold.n_AB_W;
-  const Manifold edges = Collide(A, X_WA, B, pulled);
+  const Manifold edges =
+      Collide(std::get<Box>(A.shape), A.pose(), std::get<Box>(B.shape), pulled);
   manifold.count = edges.count;
   for (std::size_t i = 0; i < edges.points().size(); ++i) {
     manifold.contacts[i] = edges.contacts[i];
     manifold.contacts[i].separation += pull;
     manifold.contacts[i].p_WC += 0.5 * pull * manifold.n_AB_W;
   }
+}
+
+/** Moves contacts from midway to the surface of the body that moves, where one does not.
+ */
+void PutOnMoving(const RigidBody& A, const RigidBody& B, Manifold& manifold) {
+  const double share =
+      0.5 * (static_cast<int>(A.is_static()) - static_cast<int>(B.is_static()));
+  if (share == 0) return;
+  for (int i = 0; i < manifold.count; ++i) {
+    ContactPoint& contact = manifold.contacts[static_cast<std::size_t>(i)];
+    contact.p_WC += share * contact.separation * manifold.n_AB_W;
+  }
+}
+
+/** Fills the manifolds of at most kNeighbours pairs of boxes. */
+void CollideBoxes(std::span<const Neighbours> boxes) {
+  const unsigned edges_meet = CollideNearFaces(boxes);
+  for (std::size_t k = 0; k < boxes.size(); ++k) {
+    const auto& [A, B, margin, n_guess_W, manifold] = boxes[k];
+    if ((edges_meet >> k & 1) != 0) CollideEdges(*A, *B, *manifold);
+    PutOnMoving(*A, *B, *manifold);
+  }
+}
+
+bool AreBoxes(const RigidBody& A, const RigidBody& B) {
+  return std::holds_alternative<Box>(A.shape) && std::holds_alternative<Box>(B.shape);
 }
 
 /** Fills the one contact of a sphere, given the unit vector out of it into the other
@@ -41,12 +66,11 @@ void PutOnSphere(double margin, const Sphere& sphere, const Eigen::Vector3d& p_W
   manifold.contacts[0] = {p_WS + sphere.radius * out_W, manifold.separation, 0};
 }
 
-}  // namespace
-
-void CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
-                   const Eigen::Vector3d& n_guess_W, Manifold& manifold) {
+/** Fills the manifold of two bodies that are not both boxes. */
+void CollideOthers(double margin, const RigidBody& A, const RigidBody& B,
+                   Manifold& manifold) {
   if (std::holds_alternative<HalfSpace>(B.shape)) {
-    CollideWithin(margin, B, A, -n_guess_W, manifold);
+    CollideOthers(margin, B, A, manifold);
     manifold.n_AB_W = -manifold.n_AB_W;
     return;
   }
@@ -57,10 +81,9 @@ void CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
         constexpr bool kFloorA = std::is_same_v<ShapeA, HalfSpace>;
         constexpr bool kSphereA = std::is_same_v<ShapeA, Sphere>;
         constexpr bool kSphereB = std::is_same_v<ShapeB, Sphere>;
-        constexpr bool kPoint =
-            std::is_same_v<ShapeA, Point> || std::is_same_v<ShapeB, Point>;
-        if constexpr (kPoint || std::is_same_v<ShapeB, HalfSpace>) {
-          manifold.count = 0;  // The latter are dealt with above.
+        if constexpr (std::is_same_v<ShapeA, Point> || std::is_same_v<ShapeB, Point> ||
+                      std::is_same_v<ShapeB, HalfSpace>) {
+          manifold.count = 0;  // The last are dealt with above.
         } else if constexpr (kSphereA || kSphereB) {
           manifold = Collide(a, X_WA, b, X_WB);
           if constexpr (kSphereA && kSphereB) {
@@ -75,22 +98,34 @@ void CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
           }
         } else if constexpr (kFloorA) {
           manifold = Collide(a, X_WA, b, X_WB, margin);
-        } else {
-          CollideBoxes(margin, a, X_WA, b, X_WB, n_guess_W, manifold);
+          PutOnMoving(A, B, manifold);
         }
       },
       A.shape, B.shape);
-  const bool boxes = !std::holds_alternative<Sphere>(A.shape) &&
-                     !std::holds_alternative<Sphere>(B.shape);
-  const double share =
-      boxes ? 0.5 * (static_cast<int>(A.is_static()) - static_cast<int>(B.is_static()))
-            : 0;
-  if (share != 0) {
-    for (int i = 0; i < manifold.count; ++i) {
-      ContactPoint& contact = manifold.contacts[static_cast<std::size_t>(i)];
-      contact.p_WC += share * contact.separation * manifold.n_AB_W;
+}
+
+}  // namespace
+
+void CollideWithin(std::span<const Neighbours> pairs) {
+  std::array<Neighbours, kNeighbours> boxes;
+  std::size_t count = 0;
+  for (const Neighbours& pair : pairs) {
+    if (!AreBoxes(*pair.A, *pair.B)) {
+      CollideOthers(pair.margin, *pair.A, *pair.B, *pair.manifold);
+      continue;
     }
+    boxes[count++] = pair;
+    if (count < kNeighbours) continue;
+    CollideBoxes(boxes);
+    count = 0;
   }
+  if (count > 0) CollideBoxes(std::span(boxes).first(count));
+}
+
+void CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
+                   const Eigen::Vector3d& n_guess_W, Manifold& manifold) {
+  const Neighbours pair{&A, &B, margin, n_guess_W, &manifold};
+  CollideWithin(std::span(&pair, 1));
 }
 
 }  // namespace cookbook

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "engine/dynamics/near_boxes.h"
 #include "engine/dynamics/rigid_body.h"
 #include "engine/manifold.h"
 
@@ -21,5 +24,9 @@ namespace cookbook {
  @pre Not two half-spaces, and no points. */
 void CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
                    const Eigen::Vector3d& n_guess_W, Manifold& manifold);
+
+/** The same of several pairs: boxes are looked at together, kNeighbours at once. What is
+ found of a pair does not depend on the others. */
+void CollideWithin(std::span<const Neighbours> pairs);
 
 }  // namespace cookbook

@@ -1,0 +1,350 @@
+// The patches in which faces of boxes meet, of a vector of pairs of boxes at once.
+// Include after engine/many_pairs_axis.h, within a file that foreach_target.h reads again
+// and again; hence the guard that toggles.
+//
+// As engine/one_pair_contacts.h does it for one pair: the incident face, a parallelogram,
+// is clipped to the reference face, a rectangle; here always along the normal of the
+// latter, and no corner less deep than a margin is left out.
+
+#if defined(COOKBOOK_ENGINE_FACE_PATCHES_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COOKBOOK_ENGINE_FACE_PATCHES_H_
+#undef COOKBOOK_ENGINE_FACE_PATCHES_H_
+#else
+#define COOKBOOK_ENGINE_FACE_PATCHES_H_
+#endif
+
+#include <cstddef>
+
+#include <hwy/highway.h>
+
+#include "engine/feature.h"
+#include "engine/many_pairs_axis.h"
+#include "engine/rounding.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace cookbook {
+namespace HWY_NAMESPACE {
+
+/** Which of three axes it is: 0 where neither. */
+struct AxisMask {
+  // By hand, see SeenPairs.
+  HWY_INLINE AxisMask() {}
+  HWY_INLINE AxisMask(PairMask one, PairMask two) : is1(one), is2(two) {}
+
+  PairMask is1;
+  PairMask is2;
+};
+
+/** Returns that of three which `axis` says. */
+HWY_INLINE PairVector Pick(const AxisMask& axis, PairVector x0, PairVector x1,
+                           PairVector x2) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  return hn::IfThenElse(axis.is2, x2, hn::IfThenElse(axis.is1, x1, x0));
+}
+HWY_INLINE PairVector Pick(const AxisMask& axis, const PairVector x[3]) {
+  return Pick(axis, x[0], x[1], x[2]);
+}
+
+/** Writes what belongs to `axis`, to the axis after it, and to the one after that. */
+HWY_INLINE void PickFrom(const AxisMask& axis, const PairVector x[3], PairVector out[3]) {
+  out[0] = Pick(axis, x[0], x[1], x[2]);
+  out[1] = Pick(axis, x[1], x[2], x[0]);
+  out[2] = Pick(axis, x[2], x[0], x[1]);
+}
+
+/** Returns the first of the axes along which |x| is greatest. */
+HWY_INLINE AxisMask Steepest(const PairVector x[3]) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  const PairVector x0 = hn::Abs(x[0]);
+  const PairVector x1 = hn::Abs(x[1]);
+  const PairVector x2 = hn::Abs(x[2]);
+  const PairMask is2 = hn::Gt(x2, hn::Max(x0, x1));
+  return {hn::AndNot(is2, hn::Gt(x1, x0)), is2};
+}
+
+/** Returns the number of an axis. */
+HWY_INLINE PairVector NumberOf(const AxisMask& axis) {
+  return Pick(axis, All(0), All(1), All(2));
+}
+
+/** A face of each pair that clips the other box's. */
+struct ReferenceFaces {
+  // By hand, see SeenPairs.
+  HWY_INLINE ReferenceFaces() {}
+
+  PairMask is_B;          ///< Whose.
+  AxisMask axis;          ///< Of the face.
+  PairVector outward;     ///< +1 or −1: on which side of its box, along the axis.
+  PairVector n_W[3];      ///< From A to B.
+  PairVector axes[3][3];  ///< Axes of its box in the world.
+  PairVector p_W[3];      ///< Centre of its box.
+};
+
+/** Where the contacts of each pair may be: 0…3 where an edge of the incident face enters
+ the reference face, or its first corner where that is inside; 4…7 where it leaves; 8…11
+ corners of the reference face. */
+struct alignas(64) PatchCorners {
+  static constexpr std::size_t kCount = 12;
+  using Row = double[kMostPairs];
+
+  Row kept;        ///< A bit for each that is one.
+  Row may_repeat;  ///< 1 where two of them may be one and the same, to rounding; else 0.
+  Row slack;       ///< By so much flush corners may be out. [m]
+  // Of each:
+  Row p_W[kCount][3];
+  Row separation[kCount];
+  Row feature[kCount];  ///< As FaceContactId().
+  Row x[kCount];        ///< Along the reference face. [m]
+  Row y[kCount];
+};
+
+/** Candidates that differ by no more than this many times the slack are one contact. Far
+ above what rounding sets apart, far below what a solver could tell apart. */
+constexpr double kSameCorner = 12;
+/** How far flush corners may be out, as a share of the margin. Boxes stacked flush drift
+ apart by more than rounding but far less than the margin; where their edges cross, all
+ but parallel, hangs on nothing else, and so would how many contacts there are. */
+constexpr double kFlushOfMargin = 1e-3;
+
+/** The incident face as the reference face sees it along the normal: x and y along that
+ face's edges from its centre; z is the gap. Corners are centre ± side1 ± side2. [m] */
+struct SeenFaces {
+  // By hand, see SeenPairs.
+  HWY_INLINE SeenFaces() {}
+
+  PairVector centre[3];
+  PairVector side1[3];
+  PairVector side2[3];
+  PairVector h[3];   ///< Half extents of the reference box: outward, then along x and y.
+  PairVector faces;  ///< FaceContactId() without edges.
+};
+
+HWY_INLINE SeenFaces SeeIncidentFaces(const SeenPairs& pairs,
+                                      const ReferenceFaces& reference) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  const PairMask is_B = reference.is_B;
+  // The axes of the other box, column by column, along those of the reference box.
+  PairVector R[3][3];
+  PairVector p_AB[3];
+  PairVector h_R[3];
+  PairVector h_I[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      R[j][i] = hn::IfThenElse(is_B, pairs.R[j][i], pairs.R[i][j]);
+    }
+    p_AB[i] = hn::IfThenElse(is_B, pairs.p_AB_B[i], pairs.p_AB_A[i]);
+    h_R[i] = hn::IfThenElse(is_B, pairs.h_B[i], pairs.h_A[i]);
+    h_I[i] = hn::IfThenElse(is_B, pairs.h_A[i], pairs.h_B[i]);
+  }
+  // Then outward, x and y of the reference face, each a component.
+  PairVector axes[3][3];
+  for (std::size_t j = 0; j < 3; ++j) PickFrom(reference.axis, R[j], axes[j]);
+  PairVector t[3];
+  PickFrom(reference.axis, p_AB, t);
+
+  SeenFaces seen;
+  PickFrom(reference.axis, h_R, seen.h);
+  const PairVector towards = hn::IfThenElse(is_B, All(-1), All(1));
+  const PairVector n_I[3] = {reference.outward * axes[0][0],
+                             reference.outward * axes[1][0],
+                             reference.outward * axes[2][0]};
+  const AxisMask k = Steepest(n_I);
+  PairVector h[3];
+  PickFrom(k, h_I, h);
+  const PairVector reach = hn::CopySign(h[0], All(0) - Pick(k, n_I));
+  const PairVector incident_up = hn::IfThenElse(hn::Gt(reach, All(0)), All(1), All(0));
+  const PairVector reference_up =
+      hn::IfThenElse(hn::Gt(reference.outward, All(0)), All(1), All(0));
+  const PairVector eight = All(8);
+  seen.faces = eight * eight *
+               (eight * (eight * hn::IfThenElse(is_B, All(3), All(2)) +
+                         (All(2) * NumberOf(reference.axis) + reference_up)) +
+                (All(2) * NumberOf(k) + incident_up));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const PairVector components[3] = {axes[0][c], axes[1][c], axes[2][c]};
+    PairVector along[3];
+    PickFrom(k, components, along);
+    const PairVector centre = towards * t[c] + reach * along[0];
+    const PairVector side1 = h[1] * along[1];
+    const PairVector side2 = h[2] * along[2];
+    if (c == 0) {
+      seen.centre[2] = reference.outward * centre - seen.h[0];
+      seen.side1[2] = reference.outward * side1;
+      seen.side2[2] = reference.outward * side2;
+    } else {
+      seen.centre[c - 1] = centre;
+      seen.side1[c - 1] = side1;
+      seen.side2[c - 1] = side2;
+    }
+  }
+  return seen;
+}
+
+/** Returns 1 / x, a number far off where x is all but zero: 1e-300 times any box's
+ distance from a line underflows to nothing; its inverse, 1e300, is finite, so that no
+ 0 · ∞ arises for a corner on the line. */
+HWY_INLINE PairVector FarInverse(PairVector x) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  const PairVector least = All(1e-300);
+  return All(1) / hn::IfThenElse(hn::Lt(hn::Abs(x), least), least, x);
+}
+
+/** Fills the lanes of `corners` from `lane` on, given the least separation, the margin
+ and the size of each pair, see BoxPair. */
+HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& reference,
+                            PairVector separation, PairVector margin, std::size_t lane,
+                            PatchCorners& corners) {
+  namespace hn = hwy::HWY_NAMESPACE;
+  const PairTag tag;
+  const SeenFaces face = SeeIncidentFaces(pairs, reference);
+  const PairVector* c = face.centre;
+  const PairVector* u = face.side1;
+  const PairVector* v = face.side2;
+  const PairVector zero = All(0);
+  const PairVector one = All(1);
+  const PairVector size = SizeOf(pairs);
+  const PairVector slack = hn::Max(All(kFlush) * size, All(kFlushOfMargin) * margin);
+  const PairVector rounded = All(kOverlapRounding) * size;
+  const PairVector h_x = face.h[1];
+  const PairVector h_y = face.h[2];
+
+  // From the face to the world.
+  PairVector axes_W[3][3];
+  PairVector p_W[3];
+  PairVector half_n_W[3];
+  const PairVector half = hn::IfThenElse(reference.is_B, All(-0.5), All(0.5));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const PairVector components[3] = {reference.axes[0][k], reference.axes[1][k],
+                                      reference.axes[2][k]};
+    PickFrom(reference.axis, components, axes_W[k]);
+    p_W[k] = reference.p_W[k] + (reference.outward * face.h[0]) * axes_W[k][0];
+    half_n_W[k] = half * reference.n_W[k];
+  }
+  PairVector kept = zero;
+  const auto put = [&](std::size_t n, PairMask is_corner, PairVector x, PairVector y,
+                       PairVector gap, PairVector feature) HWY_ATTR {
+    kept = kept + hn::IfThenElse(hn::And(is_corner, hn::Le(gap, margin)),
+                                 All(static_cast<double>(1u << n)), zero);
+    const PairVector deepest = hn::Max(gap, separation);
+    // What only rounding lifts is not apart: corners of one face that lie on another
+    // would be told to arrive there one after the other, which no rigid body can.
+    const PairVector z = hn::IfThenElse(hn::Le(hn::Abs(deepest), rounded), zero, deepest);
+    for (std::size_t k = 0; k < 3; ++k) {
+      hn::Store(p_W[k] + (x * axes_W[k][1] + y * axes_W[k][2] + z * half_n_W[k]), tag,
+                corners.p_W[n][k] + lane);
+    }
+    hn::Store(z, tag, corners.separation[n] + lane);
+    hn::Store(feature, tag, corners.feature[n] + lane);
+    hn::Store(x, tag, corners.x[n] + lane);
+    hn::Store(y, tag, corners.y[n] + lane);
+  };
+
+  // Faces that lie flush share corners: rounding must not cut those off, so the lines
+  // stand back by the slack, and what they let through is brought back to the face.
+  const PairVector bound_x = h_x + slack;
+  const PairVector bound_y = h_y + slack;
+  // Corner k, and the edge from there to the next: against side1, against side2, and
+  // back.
+  const PairVector x[4] = {c[0] + u[0] + v[0], c[0] - u[0] + v[0], c[0] - u[0] - v[0],
+                           c[0] + u[0] - v[0]};
+  const PairVector y[4] = {c[1] + u[1] + v[1], c[1] - u[1] + v[1], c[1] - u[1] - v[1],
+                           c[1] + u[1] - v[1]};
+  const PairVector z[4] = {c[2] + u[2] + v[2], c[2] - u[2] + v[2], c[2] - u[2] - v[2],
+                           c[2] + u[2] - v[2]};
+  const PairVector two = All(2);
+  PairMask inside[4];
+  // Two candidates are one only where a corner of one face is near a line of the other:
+  // they lie within √2 kSameCorner slack of each other, and adjacent edges of the
+  // incident face, seen along the other's normal, at most 45° off, meet at no angle so
+  // flat that their corner is more than thrice as far.
+  const PairVector near = All(4 * kSameCorner) * slack;
+  PairMask may_repeat = hn::Lt(near, zero);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const PairVector abs_x = hn::Abs(x[k]);
+    const PairVector abs_y = hn::Abs(y[k]);
+    inside[k] = hn::And(hn::Le(abs_x, bound_x), hn::Le(abs_y, bound_y));
+    may_repeat = hn::Or(may_repeat, hn::Or(hn::Le(hn::Abs(abs_x - bound_x), near),
+                                           hn::Le(hn::Abs(abs_y - bound_y), near)));
+  }
+  // The edges of the incident face that leave and that reach its corners.
+  constexpr FaceEdge kEdge[4] = {3, 0, 2, 1};
+  constexpr double kCorner[4] = {EdgesId(1, 3), EdgesId(3, 0), EdgesId(0, 2),
+                                 EdgesId(2, 1)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const PairVector* side = k % 2 == 0 ? u : v;
+    const PairVector length = k < 2 ? zero - two : two;
+    const PairVector dx = side[0] * length;
+    const PairVector dy = side[1] * length;
+    const PairVector dz = side[2] * length;
+    const PairMask next_inside = inside[(k + 1) % 4];
+    // Shares of the edge at which it meets the lines.
+    const PairVector per_x = FarInverse(dx);
+    const PairVector per_y = FarInverse(dy);
+    const PairVector x1 = (zero - bound_x - x[k]) * per_x;
+    const PairVector x2 = (bound_x - x[k]) * per_x;
+    const PairVector y1 = (zero - bound_y - y[k]) * per_y;
+    const PairVector y2 = (bound_y - y[k]) * per_y;
+    const PairVector enter_x = hn::Min(x1, x2);
+    const PairVector enter_y = hn::Min(y1, y2);
+    const PairVector leave_x = hn::Max(x1, x2);
+    const PairVector leave_y = hn::Max(y1, y2);
+    // Of a corner inside both are at most 0 and so 0: the corner.
+    const PairVector enter = hn::Min(hn::Max(hn::Max(enter_x, enter_y), zero), one);
+    const PairVector leave = hn::Max(hn::Min(hn::Min(leave_x, leave_y), one), zero);
+    // Of an edge with an end inside only that end decides, as it does for its neighbour.
+    const PairMask inside_or_crosses = hn::Or(inside[k], hn::Lt(enter, leave));
+    const PairMask enters = hn::Or(inside_or_crosses, next_inside);
+    const PairMask leaves = hn::AndNot(next_inside, inside_or_crosses);
+    const PairMask up_x = hn::Gt(per_x, zero);
+    const PairMask up_y = hn::Gt(per_y, zero);
+    const PairVector edge = All(static_cast<double>(kEdge[k] << 3)) + face.faces;
+    const PairVector enter_line =
+        hn::IfThenElse(hn::Gt(enter_x, enter_y), hn::IfThenElse(up_x, All(4), All(5)),
+                       hn::IfThenElse(up_y, All(6), All(7)));
+    const PairVector leave_line =
+        hn::IfThenElse(hn::Lt(leave_x, leave_y), hn::IfThenElse(up_x, All(5), All(4)),
+                       hn::IfThenElse(up_y, All(7), All(6)));
+    const auto within = [](PairVector at, PairVector bound) HWY_ATTR {
+      return hn::Min(hn::Max(at, All(0) - bound), bound);
+    };
+    put(k, enters, within(x[k] + enter * dx, h_x), within(y[k] + enter * dy, h_y),
+        z[k] + enter * dz,
+        hn::IfThenElse(inside[k], All(kCorner[k]) + face.faces, edge + enter_line));
+    put(k + 4, leaves, within(x[k] + leave * dx, h_x), within(y[k] + leave * dy, h_y),
+        z[k] + leave * dz, edge + leave_line);
+  }
+
+  // Corners of the rectangle in the parallelogram, to the same slack.
+  const PairVector area = u[0] * v[1] - u[1] * v[0];
+  const PairVector abs_area = hn::Abs(area);
+  const PairVector slack_u = slack * (hn::Abs(v[0]) + hn::Abs(v[1]));
+  const PairVector slack_v = slack * (hn::Abs(u[0]) + hn::Abs(u[1]));
+  const PairVector near_u = All(4 * kSameCorner) * slack_u;
+  const PairVector near_v = All(4 * kSameCorner) * slack_v;
+  constexpr double kCornerOfReference[4] = {EdgesId(5, 7), EdgesId(4, 7), EdgesId(4, 6),
+                                            EdgesId(5, 6)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const PairVector corner_x = k == 0 || k == 3 ? h_x : zero - h_x;
+    const PairVector corner_y = k < 2 ? h_y : zero - h_y;
+    const PairVector from_x = corner_x - c[0];
+    const PairVector from_y = corner_y - c[1];
+    const PairVector share_u = from_x * v[1] - from_y * v[0];
+    const PairVector share_v = from_y * u[0] - from_x * u[1];
+    const PairVector beyond_u = hn::Abs(share_u) - abs_area;
+    const PairVector beyond_v = hn::Abs(share_v) - abs_area;
+    may_repeat = hn::Or(may_repeat, hn::Or(hn::Le(hn::Abs(beyond_u), near_u),
+                                           hn::Le(hn::Abs(beyond_v), near_v)));
+    put(k + 8, hn::And(hn::Le(beyond_u, slack_u), hn::Le(beyond_v, slack_v)), corner_x,
+        corner_y, c[2] + (share_u * u[2] + share_v * v[2]) / area,
+        All(kCornerOfReference[k]) + face.faces);
+  }
+  hn::Store(kept, tag, corners.kept + lane);
+  hn::Store(hn::IfThenElse(may_repeat, one, zero), tag, corners.may_repeat + lane);
+  hn::Store(slack, tag, corners.slack + lane);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace cookbook
+HWY_AFTER_NAMESPACE();
+
+#endif

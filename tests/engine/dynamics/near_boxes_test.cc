@@ -1,0 +1,256 @@
+// Boxes that come near each other, many pairs at once.
+
+#include "engine/dynamics/near_boxes.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "engine/collide.h"
+#include "engine/rounding.h"
+#include "tests/engine/on_target.h"
+#include "tests/engine/random_boxes.h"
+
+namespace cookbook::test {
+namespace {
+
+/** Two bodies and how they touch. */
+struct Pair {
+  RigidBody A;
+  RigidBody B;
+  Manifold manifold;
+  bool edges_meet = false;
+};
+
+RigidBody BodyOf(const Box& box, const Pose& X_WO) {
+  BodyDefinition definition;
+  definition.shape = box;
+  RigidBody body = MakeRigidBody(definition);
+  body.state.p_WB = X_WO.p_WB;
+  body.R_WB = X_WO.R_WB;
+  return body;
+}
+
+Pair PairOf(const BoxQuestion& q) {
+  return {BodyOf(q.A, q.X_WA), BodyOf(q.B, q.X_WB), {}};
+}
+
+/** At most kNeighbours pairs at once. */
+void CollideTogether(double margin, std::span<Pair> pairs) {
+  std::vector<Neighbours> neighbours;
+  for (Pair& pair : pairs) {
+    neighbours.push_back(
+        {&pair.A, &pair.B, margin, Eigen::Vector3d::Zero(), &pair.manifold});
+  }
+  const unsigned edges_meet = CollideNearFaces(neighbours);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    pairs[k].edges_meet = (edges_meet >> k & 1) != 0;
+  }
+}
+
+Pair CollideAlone(double margin, const BoxQuestion& q) {
+  Pair pair = PairOf(q);
+  CollideTogether(margin, std::span(&pair, 1));
+  return pair;
+}
+
+std::uint64_t Bits(double x) {
+  return std::bit_cast<std::uint64_t>(x);
+}
+
+void ExpectSameBits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(Bits(a[k]), Bits(b[k]));
+}
+
+void ExpectSameBits(const Pair& a, const Pair& b) {
+  EXPECT_EQ(a.edges_meet, b.edges_meet);
+  EXPECT_EQ(a.manifold.touching, b.manifold.touching);
+  EXPECT_EQ(Bits(a.manifold.separation), Bits(b.manifold.separation));
+  ExpectSameBits(a.manifold.n_AB_W, b.manifold.n_AB_W);
+  ASSERT_EQ(a.manifold.count, b.manifold.count);
+  for (std::size_t k = 0; k < a.manifold.points().size(); ++k) {
+    const ContactPoint& p = a.manifold.contacts[k];
+    const ContactPoint& q = b.manifold.contacts[k];
+    ExpectSameBits(p.p_WC, q.p_WC);
+    EXPECT_EQ(Bits(p.separation), Bits(q.separation));
+    EXPECT_EQ(p.feature, q.feature);
+  }
+}
+
+constexpr double kMargin = 1e-3;
+
+/** Pairs of every family, as many of each as are looked at together, one family after
+ the other, or mixed. */
+std::vector<BoxQuestion> Questions(int rounds) {
+  std::vector<BoxQuestion> questions;
+  Random random(7);
+  for (int round = 0; round < rounds; ++round) {
+    for (const Family& family : Families()) questions.push_back(family.draw(random));
+    for (std::size_t k = 0; k < kNeighbours; ++k) questions.push_back(AnyBoxes(random));
+  }
+  return questions;
+}
+
+using NearBoxesOnTarget = OnTarget;
+
+TEST_P(NearBoxesOnTarget, ArePairByPairAsEachAloneWithTheWidestVectors) {
+  const std::vector<BoxQuestion> questions = Questions(200);
+  int contacts = 0;
+  // Groups of 1, 2, … 8, 1, 2, …
+  for (std::size_t first = 0, size = 1; first < questions.size() && !HasFailure();
+       first += size, size = size % kNeighbours + 1) {
+    std::vector<Pair> pairs;
+    for (std::size_t k = first; k < std::min(first + size, questions.size()); ++k) {
+      pairs.push_back(PairOf(questions[k]));
+    }
+    Choose(GetParam());
+    CollideTogether(kMargin, pairs);
+    Choose(kAll);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      ExpectSameBits(pairs[k], CollideAlone(kMargin, questions[first + k]));
+      contacts += pairs[k].manifold.count;
+    }
+  }
+  EXPECT_GT(contacts, 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(, NearBoxesOnTarget, testing::ValuesIn(Targets()), NameOfTarget);
+
+/** Returns the signed distance from a point to the planes of a box's faces: < 0 inside.
+ */
+double BeyondFaces(const RigidBody& body, const Eigen::Vector3d& p_W) {
+  const Eigen::Vector3d p_B = body.R_WB.transpose() * (p_W - body.state.p_WB);
+  return (p_B.cwiseAbs() - std::get<Box>(body.shape).half_extents).maxCoeff();
+}
+
+TEST(NearBoxes, ContactsAreMidwayBetweenTheSurfaces) {
+  Random random(11);
+  int contacts = 0;
+  for (int n = 0; n < 2000 && !testing::Test::HasFailure(); ++n) {
+    const Pair pair = CollideAlone(kMargin, AnyBoxes(random));
+    for (const ContactPoint& contact : pair.manifold.points()) {
+      const Eigen::Vector3d half = 0.5 * contact.separation * pair.manifold.n_AB_W;
+      EXPECT_GE(contact.separation, pair.manifold.separation);
+      EXPECT_LE(contact.separation, kMargin);
+      // Corners may be out by a thousandth of the margin, and are brought back to the
+      // reference face; the other face is at most 55° off it, so its surface is 1.7 times
+      // as far. That, and rounding.
+      const double slack = 1e-3 * kMargin * 2;
+      EXPECT_NEAR(BeyondFaces(pair.A, contact.p_WC - half), 0, slack);
+      EXPECT_NEAR(BeyondFaces(pair.B, contact.p_WC + half), 0, slack);
+      ++contacts;
+    }
+  }
+  EXPECT_GT(contacts, 2000);
+}
+
+TEST(NearBoxes, WithoutMarginFacesHaveTheContactsOfCollide) {
+  Random random(13);
+  int compared = 0;
+  for (int n = 0; n < 2000 && !testing::Test::HasFailure(); ++n) {
+    const BoxQuestion q = AnyBoxes(random);
+    const Manifold expected = Collide(q.A, q.X_WA, q.B, q.X_WB);
+    const Pair pair = CollideAlone(0, q);
+    ASSERT_EQ(pair.manifold.touching, expected.touching);
+    // Of two edges there is a patch here where the faces are nearly parallel.
+    if (!expected.touching || pair.edges_meet ||
+        !pair.manifold.n_AB_W.isApprox(expected.n_AB_W, 1e-12)) {
+      continue;
+    }
+    ASSERT_EQ(pair.manifold.count, expected.count);
+    for (std::size_t k = 0; k < expected.points().size(); ++k) {
+      const ContactPoint& contact = pair.manifold.contacts[k];
+      EXPECT_EQ(contact.feature, expected.contacts[k].feature);
+      EXPECT_LT((contact.p_WC - expected.contacts[k].p_WC).norm(), 1e-12);
+      EXPECT_NEAR(contact.separation, expected.contacts[k].separation, 1e-12);
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, 500);
+}
+
+/** A cube of 1 m on another, turned about the vertical, `gap` above it. */
+BoxQuestion OneOnAnother(double angle, double gap) {
+  const Box cube{{0.5, 0.5, 0.5}};
+  return {cube,
+          {Eigen::Matrix3d::Identity(), {0, 0, 0}},
+          cube,
+          {Turn(Eigen::Vector3d::UnitY(), angle), {0, 1 + gap, 0}}};
+}
+
+TEST(NearBoxes, FlushFacesMeetAtTheirFourCorners) {
+  const Pair pair = CollideAlone(kMargin, OneOnAnother(0, 0));
+  ASSERT_EQ(pair.manifold.count, 4);
+  EXPECT_EQ(pair.manifold.n_AB_W, Eigen::Vector3d::UnitY());
+  for (const ContactPoint& contact : pair.manifold.points()) {
+    EXPECT_EQ(contact.separation, 0);
+    EXPECT_EQ(contact.p_WC.cwiseAbs(), Eigen::Vector3d(0.5, 0.5, 0.5));
+  }
+}
+
+TEST(NearBoxes, FacesTurnedByAnEighthMeetInAnOctagon) {
+  const Pair pair = CollideAlone(kMargin, OneOnAnother(std::numbers::pi / 4, 0.5e-3));
+  ASSERT_EQ(pair.manifold.count, 8);
+  EXPECT_FALSE(pair.manifold.touching);
+  const double near = std::numbers::sqrt2 / 2 - 0.5;
+  for (const ContactPoint& contact : pair.manifold.points()) {
+    EXPECT_NEAR(contact.separation, 0.5e-3, 1e-15);
+    EXPECT_NEAR(contact.p_WC.y(), 0.5 + 0.25e-3, 1e-15);
+    const double x = std::abs(contact.p_WC.x());
+    const double z = std::abs(contact.p_WC.z());
+    EXPECT_NEAR(std::max(x, z), 0.5, 1e-15);
+    // Along the edge as far as flush corners may be out.
+    EXPECT_NEAR(std::min(x, z), near, 1e-3 * kMargin + 1e-15);
+  }
+}
+
+TEST(NearBoxes, FacesApartByMoreThanTheMarginDoNotMeet) {
+  const Pair pair = CollideAlone(kMargin, OneOnAnother(0.3, 1.1 * kMargin));
+  EXPECT_EQ(pair.manifold.count, 0);
+  EXPECT_FALSE(pair.edges_meet);
+  EXPECT_NEAR(pair.manifold.separation, 1.1 * kMargin, 1e-15);
+}
+
+TEST(NearBoxes, EdgesThatCrossAreLeftToAnother) {
+  // Each stands on an edge; B's, turned by a quarter, crosses A's from above.
+  const Box cube{{0.5, 0.5, 0.5}};
+  const Eigen::Matrix3d on_edge = Turn(Eigen::Vector3d::UnitZ(), std::numbers::pi / 4);
+  const double gap = 0.5 * kMargin;
+  const BoxQuestion q{cube,
+                      {on_edge, {0, 0, 0}},
+                      cube,
+                      {Turn(Eigen::Vector3d::UnitY(), std::numbers::pi / 2) * on_edge,
+                       {0, std::numbers::sqrt2 + gap, 0}}};
+  const Pair pair = CollideAlone(kMargin, q);
+  EXPECT_TRUE(pair.edges_meet);
+  EXPECT_EQ(pair.manifold.count, 0);
+  EXPECT_NEAR(pair.manifold.separation, gap, 1e-15);
+  EXPECT_LT((pair.manifold.n_AB_W - Eigen::Vector3d::UnitY()).norm(), 1e-15);
+}
+
+TEST(NearBoxes, TheFaceOfTheLastStepStaysTheReferenceWithinTheMargin) {
+  // B is tilted: along A's face it is as near as along its own, but for a tenth of the
+  // margin.
+  const Box cube{{0.5, 0.5, 0.5}};
+  const Eigen::Matrix3d tilted = Turn(Eigen::Vector3d::UnitZ(), 1e-3);
+  for (const bool was_B : {false, true}) {
+    Pair pair = PairOf({cube,
+                        {Eigen::Matrix3d::Identity(), {0, 0, 0}},
+                        cube,
+                        {tilted, {0, 1 + 0.4e-3, 0}}});
+    const Eigen::Vector3d n_A = Eigen::Vector3d::UnitY();
+    const Eigen::Vector3d n_B = tilted.col(1);
+    const Eigen::Vector3d guess = was_B ? n_B : n_A;
+    const Neighbours neighbours{&pair.A, &pair.B, kMargin, guess, &pair.manifold};
+    CollideNearFaces(std::span(&neighbours, 1));
+    EXPECT_LT((pair.manifold.n_AB_W - guess).norm(), 1e-15) << was_B;
+  }
+}
+
+}  // namespace
+}  // namespace cookbook::test
