@@ -62,6 +62,9 @@ class ContactGroup {
    `heap_changes` is room for a number of each body. */
   void LeaveBe(double solved, std::span<const int> heaps, std::span<double> heap_changes);
 
+  /** All rows, while they are solved. */
+  ContactRows<Real> rows() { return {batches_, contacts_, notes_}; }
+
   /** Writes the impulses to the pairs, and what the contacts did to the bodies. */
   void End(std::span<ContactPair> pairs, std::span<Touch> touches);
 

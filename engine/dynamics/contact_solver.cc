@@ -208,8 +208,15 @@ void ContactSolver::SolveSmall(const Task& task, Crew& crew) {
                task.world.velocities, crew);
   const double solved = settings.residual * whole_.scale();
   const long patience = patience_.Left(settings);
+  const ContactRules& rules = task.rules;
+  const bool may_rest =
+      rules.accumulated && rules.soft_impulse_scale == 0 && rules.baumgarte == 0;
   long spent = 0;
   for (int k = 0;; ++k) {
+    // What sweeps do not solve soon may be brought to rest at once.
+    if (k == settings.impulse_iterations && may_rest) {
+      standstill_.Find(whole_.rows(), heap_, solved, task.world);
+    }
     // What is solved is left be, so that all the patience is for what is not.
     if (k >= settings.impulse_iterations) {
       whole_.LeaveBe(solved, heap_, heap_changes_);

@@ -11,6 +11,7 @@
 #include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/patience.h"
 #include "engine/dynamics/settings.h"
+#include "engine/dynamics/standstill.h"
 
 namespace cookbook {
 
@@ -129,7 +130,8 @@ class ContactSolver {
   std::vector<int> heap_part_;        ///< Of each body that stands for a heap.
   std::vector<double> heap_changes_;  ///< Room for ContactGroup::LeaveBe().
   ContactGroup<double> whole_;        ///< Of a small world.
-  Groups<double> groups_;             ///< Of a large one, and the overlaps of both.
+  Standstill standstill_;
+  Groups<double> groups_;  ///< Of a large one, and the overlaps of both.
   Groups<float> single_groups_;
   bool is_single_ = false;              ///< Whether those were used last.
   std::vector<SingleVelocity> single_;  ///< Changes of velocities, or moves.
