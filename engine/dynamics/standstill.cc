@@ -11,6 +11,9 @@
 namespace cookbook {
 namespace {
 
+/** Some roundings, as a share of what is borne. */
+constexpr double kNothing = 1e-14;
+
 std::size_t At(int body) {
   return static_cast<std::size_t>(body);
 }
@@ -137,13 +140,18 @@ class Bed {
     });
   }
 
-  /** Whether each contact pushes, and holds no more than its friction. */
-  bool Holds(const std::array<Eigen::Vector3d, 8>& impulses) const {
+  /** Whether each contact pushes, and holds no more than its friction, to rounding: what
+ is at its bound would be held or not as a world is turned. What rounds to a pull is then
+ none. */
+  bool Holds(std::array<Eigen::Vector3d, 8>& impulses) const {
+    double load = 0;
+    ForEach([&](std::size_t k, const Eigen::Vector2d&) { load += impulses[k][0]; });
     bool holds = true;
     ForEach([&](std::size_t k, const Eigen::Vector2d&) {
-      const double bound = patch_.friction * impulses[k][0];
-      holds = holds && impulses[k][0] >= 0 &&
-              impulses[k].tail<2>().squaredNorm() <= bound * bound;
+      holds = holds && impulses[k][0] >= -kNothing * load;
+      impulses[k][0] = std::max(0.0, impulses[k][0]);
+      const double bound = patch_.friction * impulses[k][0] + kNothing * load;
+      holds = holds && impulses[k].tail<2>().squaredNorm() <= bound * bound;
     });
     return holds;
   }
@@ -168,7 +176,6 @@ bool Bear(const Patch& patch, const Eigen::Vector3d& force, const Eigen::Vector3
           std::array<Eigen::Vector3d, 8>& impulses) {
   // Each leaves of the one before it a share like the bed's height by its width.
   constexpr int kRounds = 4;
-  constexpr double kNothing = 1e-14;  // Of what is borne: some roundings.
   const Bed bed(patch);
   if (!bed.IsWide()) return false;
   impulses.fill(Eigen::Vector3d::Zero());
