@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "engine/dynamics/fetch.h"
+
 namespace cookbook {
 
 /** A box along the world's axes. */
@@ -66,6 +68,8 @@ class AabbTree {
       if (node.child1 < 0) {
         found(node.body, node.bounds);
       } else {
+        Fetch(&nodes_[static_cast<std::size_t>(node.child1)], sizeof(Node));
+        Fetch(&nodes_[static_cast<std::size_t>(node.child2)], sizeof(Node));
         stack_.push_back(node.child1);
         stack_.push_back(node.child2);
       }
