@@ -209,8 +209,8 @@ void ContactSolver::SolveSmall(const Task& task, Crew& crew) {
   const double solved = settings.residual * whole_.scale();
   const long patience = patience_.Left(settings);
   const ContactRules& rules = task.rules;
-  const bool may_rest =
-      rules.accumulated && rules.soft_impulse_scale == 0 && rules.baumgarte == 0;
+  const bool may_rest = settings.standstill && rules.accumulated &&
+                        rules.soft_impulse_scale == 0 && rules.baumgarte == 0;
   long spent = 0;
   for (int k = 0;; ++k) {
     // What sweeps do not solve soon may be brought to rest at once.

@@ -99,7 +99,8 @@ class ContactSolver {
     std::span<Touch> touches;
   };
 
-  /** Sweeps until the whole is solved, or no patience is left. */
+  /** Sweeps until the whole is solved, or no patience is left; what sweeps do not solve
+   soon is brought to rest where that can be, see Standstill. */
   void SolveSmall(const Task& task, Crew& crew);
   /** Sweeps part after part a few times, each with the velocities given. */
   template <class Real>

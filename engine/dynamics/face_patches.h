@@ -90,6 +90,7 @@ struct alignas(64) PatchCorners {
   Row kept;        ///< A bit for each that is one.
   Row may_repeat;  ///< 1 where two of them may be one and the same, to rounding; else 0.
   Row slack;       ///< By so much flush corners may be out. [m]
+  Row rounded;     ///< What is apart by less, or as deep, touches. [m]
   // Of each:
   Row p_W[kCount][3];
   Row separation[kCount];
@@ -226,14 +227,12 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
     kept = kept + hn::IfThenElse(hn::And(is_corner, hn::Le(gap, margin)),
                                  All(static_cast<double>(1u << n)), zero);
     const PairVector deepest = hn::Max(gap, separation);
-    // What only rounding lifts is not apart: corners of one face that lie on another
-    // would be told to arrive there one after the other, which no rigid body can.
     const PairVector z = hn::IfThenElse(hn::Le(hn::Abs(deepest), rounded), zero, deepest);
     for (std::size_t k = 0; k < 3; ++k) {
       hn::Store(p_W[k] + (x * axes_W[k][1] + y * axes_W[k][2] + z * half_n_W[k]), tag,
                 corners.p_W[n][k] + lane);
     }
-    hn::Store(z, tag, corners.separation[n] + lane);
+    hn::Store(deepest, tag, corners.separation[n] + lane);
     hn::Store(feature, tag, corners.feature[n] + lane);
     hn::Store(x, tag, corners.x[n] + lane);
     hn::Store(y, tag, corners.y[n] + lane);
@@ -255,8 +254,8 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
   PairMask inside[4];
   // Two candidates are one only where a corner of one face is near a line of the other:
   // they lie within √2 kSameCorner slack of each other, and adjacent edges of the
-  // incident face, seen along the other's normal, at most 45° off, meet at no angle so
-  // flat that their corner is more than thrice as far.
+  // incident face, seen along a normal at most 55° off, meet at no angle so flat that
+  // their corner is more than thrice as far from the line.
   const PairVector near = All(4 * kSameCorner) * slack;
   PairMask may_repeat = hn::Lt(near, zero);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -341,6 +340,7 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
   hn::Store(kept, tag, corners.kept + lane);
   hn::Store(hn::IfThenElse(may_repeat, one, zero), tag, corners.may_repeat + lane);
   hn::Store(slack, tag, corners.slack + lane);
+  hn::Store(rounded, tag, corners.rounded + lane);
 }
 
 }  // namespace HWY_NAMESPACE

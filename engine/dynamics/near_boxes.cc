@@ -262,7 +262,10 @@ HWY_INLINE void PutContact(const PatchCorners& corners, std::size_t corner,
                            std::size_t place, std::size_t lane, ContactPoint& contact) {
   contact.p_WC = {corners.p_W[place][0][lane], corners.p_W[place][1][lane],
                   corners.p_W[place][2][lane]};
-  contact.separation = corners.separation[place][lane];
+  // What only rounding lifts is not apart: corners of one face that lie on another would
+  // be told to arrive there one after the other, which no rigid body can.
+  const double z = corners.separation[place][lane];
+  contact.separation = std::abs(z) <= corners.rounded[lane] ? 0 : z;
   contact.feature =
       static_cast<FeatureId>(static_cast<std::int32_t>(corners.feature[corner][lane]));
 }

@@ -57,6 +57,8 @@ struct Settings {
    where a body has a mass beyond 1e±6 kg, is so slim that its moments of inertia differ a
    thousandfold, or turns a thousand times easier than it moves (r² / I by 1/m). */
   bool single_precision = true;
+  /** Brings heaps of a small world to rest at once, where they can be, see Standstill. */
+  bool standstill = true;
   /** Starts from the impulses of the step before. */
   bool warm_starting = true;
   /** Clamps the sum of the impulses of a contact, not every single one. */

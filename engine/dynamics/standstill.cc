@@ -12,7 +12,7 @@ namespace cookbook {
 namespace {
 
 /** Some roundings, as a share of what is borne. */
-constexpr double kNothing = 1e-14;
+constexpr double kNothing = 1e-15;
 
 std::size_t At(int body) {
   return static_cast<std::size_t>(body);
@@ -140,18 +140,21 @@ class Bed {
     });
   }
 
-  /** Whether each contact pushes, and holds no more than its friction, to rounding: what
- is at its bound would be held or not as a world is turned. What rounds to a pull is then
- none. */
-  bool Holds(std::array<Eigen::Vector3d, 8>& impulses) const {
+  /** Brings impulses to where each contact pushes, and holds no more than its friction,
+ where only rounding keeps them from there: what is at its bound would be held or not as a
+ world is turned. Returns false where more does. */
+  bool Clamp(std::array<Eigen::Vector3d, 8>& impulses) const {
     double load = 0;
     ForEach([&](std::size_t k, const Eigen::Vector2d&) { load += impulses[k][0]; });
+    const double rounding = kNothing * load;
     bool holds = true;
     ForEach([&](std::size_t k, const Eigen::Vector2d&) {
-      holds = holds && impulses[k][0] >= -kNothing * load;
+      holds = holds && impulses[k][0] >= -rounding;
       impulses[k][0] = std::max(0.0, impulses[k][0]);
-      const double bound = patch_.friction * impulses[k][0] + kNothing * load;
-      holds = holds && impulses[k].tail<2>().squaredNorm() <= bound * bound;
+      const double bound = patch_.friction * impulses[k][0];
+      const double held = impulses[k].tail<2>().norm();
+      holds = holds && held <= bound + rounding;
+      if (held > bound) impulses[k].tail<2>() *= bound / held;
     });
     return holds;
   }
@@ -187,9 +190,13 @@ bool Bear(const Patch& patch, const Eigen::Vector3d& force, const Eigen::Vector3
     moment_left = moment;
     bed.Subtract(impulses, force_left, moment_left);
   }
-  return force_left.norm() <= kNothing * force.norm() &&
-         moment_left.norm() <= kNothing * bed.width() * force.norm() &&
-         bed.Holds(impulses);
+  if (!bed.Clamp(impulses)) return false;
+  force_left = force;
+  moment_left = moment;
+  bed.Subtract(impulses, force_left, moment_left);
+  // Each of eight contacts may have been brought to its bound by as much.
+  const double nothing = 16 * kNothing * force.norm();
+  return force_left.norm() <= nothing && moment_left.norm() <= bed.width() * nothing;
 }
 
 }  // namespace

@@ -18,8 +18,10 @@ namespace cookbook {
  is spread as a stiff even bed would carry it: linearly along the normal, and across it as
  the load is, with the same sum and the same moment.
 
- Where no contact has to pull, and none holds more than its friction, no contact moves and
- none has to: the law of ContactSolver. */
+ Where no contact has to pull for that, and none to hold more than its friction, no
+ contact moves and none has to: the law of ContactSolver, to some ten roundings of the
+ load. Where one has to, the heap may still be able to rest, borne otherwise: it is left
+ to sweeps, as is a heap with a ring, or with two pairs on what is static. */
 class Standstill {
  public:
   /** Brings to rest each heap of `rows` that can be, of those in which the last sweep

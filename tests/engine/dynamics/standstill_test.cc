@@ -3,11 +3,14 @@
 #include "engine/dynamics/standstill.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "engine/dynamics/contact_group.h"
 #include "engine/dynamics/world.h"
 
 namespace cookbook {
@@ -172,6 +175,261 @@ TEST(Standstill, WhatSlidesIsSlowedByItsFrictionAlone) {
   world.ApplyImpulse(upper, {0, 0.3, 0}, {1, 0, 0});
   world.Step(kH);
   EXPECT_NEAR(world.state(upper).v_WB.x(), 1 - 0.6 * kG * kH, 1e-3 * kG * kH);
+}
+
+/** Some bodies, which of them touch, and one sweep over their contacts. Body 0 is a
+ floor. */
+class Heap {
+ public:
+  Heap() { Add({0, -1, 0}, {10, 1, 10}, 0); }
+
+  int Add(const Eigen::Vector3d& p_WB,
+          const Eigen::Vector3d& half_extents = {0.5, 0.5, 0.5}, double mass = 1) {
+    BodyDefinition box;
+    box.shape = Box{half_extents};
+    box.state.p_WB = p_WB;
+    box.mass = mass;
+    box.restitution = restitution;
+    box.friction = 0.6;
+    bodies.push_back(MakeRigidBody(box));
+    bodies.back().margin = 1e-3;
+    return static_cast<int>(bodies.size()) - 1;
+  }
+
+  void Join(int A, int B) {
+    ContactPair& pair = pairs.emplace_back();
+    pair.A = A;
+    pair.B = B;
+  }
+
+  /** A tower on the floor. */
+  void Stack(int count) {
+    for (int i = 0; i < count; ++i) {
+      Add({0.01 * i, 0.5 + i, 0});
+      Join(i, i + 1);
+    }
+  }
+
+  /** Returns whether all come to rest; expects that else nothing changes at all. */
+  bool Rests() {
+    Sweep();
+    const std::vector<Velocity> swept = velocities;
+    const std::vector<double> borne = Borne();
+    Standstill standstill;
+    standstill.Find(group.rows(), heaps, 1e-14 * group.scale(), World());
+    bool rests = true;
+    bool same = borne == Borne();
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      rests = rests && velocities[i].v.isZero(0) && velocities[i].w.isZero(0);
+      same = same && velocities[i].v == swept[i].v && velocities[i].w == swept[i].w;
+    }
+    EXPECT_NE(rests, same);
+    return rests;
+  }
+
+  /** What stays of the momentum of `body` and of its moment about the centre. */
+  Received Left(int body) {
+    const auto i = static_cast<std::size_t>(body);
+    const RigidBody& b = bodies[i];
+    Received left{free[i].v / b.inverse_mass, b.moments.cwiseProduct(free[i].w)};
+    const ContactRows<double> rows = group.rows();
+    for (const ContactBatch<double>& batch : rows.batches) {
+      const auto at = [](const VectorLanes<double>& v) {
+        return Eigen::Vector3d(v[0][0], v[1][0], v[2][0]);
+      };
+      if (batch.A[0] != body && batch.B[0] != body) continue;
+      for (int k = 0; k < batch.count; ++k) {
+        const ContactLanes<double>& contact =
+            rows.contacts[static_cast<std::size_t>(batch.first + k)];
+        const Eigen::Vector3d J_W = contact.impulse[0] * at(batch.n) +
+                                    contact.friction_impulse1[0] * at(batch.t1) +
+                                    contact.friction_impulse2[0] * at(batch.t2);
+        const double sign = batch.B[0] == body ? 1 : -1;
+        left.force += sign * J_W;
+        left.moment +=
+            at(batch.B[0] == body ? contact.r_B : contact.r_A).cross(sign * J_W);
+      }
+    }
+    return left;
+  }
+
+  double restitution = 0;
+  std::vector<RigidBody> bodies;
+  std::vector<ContactPair> pairs;
+  std::vector<Velocity> free;  ///< At the end of the step without impulses.
+
+ private:
+  SolverBodies World() { return {bodies, inertias, before, velocities}; }
+
+  void Sweep() {
+    ContactRules rules{};
+    rules.h = kH;
+    rules.resting_speed = 1;
+    rules.soft_mass_scale = 1;
+    rules.accumulated = true;
+    std::vector<ColouredPair> ordered;
+    for (ContactPair& pair : pairs) {
+      std::array<ContactPair*, 1> one = {&pair};
+      Recollide(1, bodies, one);
+      const auto k = static_cast<int>(ordered.size());
+      ordered.push_back({k, k, pair.A, pair.B, pair.manifold.count});
+    }
+    before.assign(bodies.size() + 1, {});
+    free = before;
+    heaps.clear();
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      RigidBody& body = bodies[i];
+      inertias.push_back(InverseInertiaOf(body));
+      heaps.push_back(body.is_static() ? static_cast<int>(i) : 1);
+      if (body.is_static()) continue;
+      body.pull = kG;
+      before[i] = {body.state.v_WB, body.state.w_WB};
+      free[i] = before[i];
+      free[i].v.y() -= kG * kH;
+    }
+    velocities = free;
+    group.Begin(ordered, pairs, World(), rules, false, velocities, crew);
+    group.Sweep(1, velocities, crew);
+  }
+
+  std::vector<double> Borne() {
+    std::vector<double> borne;
+    for (const ContactLanes<double>& contact : group.rows().contacts) {
+      for (const auto* lanes :
+           {&contact.impulse, &contact.friction_impulse1, &contact.friction_impulse2}) {
+        borne.insert(borne.end(), lanes->begin(), lanes->end());
+      }
+    }
+    return borne;
+  }
+
+  std::vector<InverseInertia> inertias;
+  std::vector<Velocity> before;
+  std::vector<Velocity> velocities;
+  std::vector<int> heaps;
+  ContactGroup<double> group;
+  Crew crew{1};
+};
+
+/** Of loads of some g h. */
+void ExpectNothingLeft(Heap& heap) {
+  for (int i = 1; i < static_cast<int>(heap.bodies.size()); ++i) {
+    const Received left = heap.Left(i);
+    EXPECT_LT(left.force.norm(), 1e-14) << i;
+    EXPECT_LT(left.moment.norm(), 1e-14) << i;
+  }
+}
+
+TEST(StandstillFind, BearsWhatEachBodyNeeds) {
+  Heap heap;
+  heap.Stack(4);
+  EXPECT_TRUE(heap.Rests());
+  ExpectNothingLeft(heap);
+}
+
+TEST(StandstillFind, BearsItWhicheverBodyOfAPairIsTheFirst) {
+  Heap heap;
+  heap.Stack(4);
+  std::swap(heap.pairs[0].A, heap.pairs[0].B);
+  std::swap(heap.pairs[2].A, heap.pairs[2].B);
+  heap.bodies[4].state.v_WB = {0.01, 0, 0};
+  EXPECT_TRUE(heap.Rests());
+  ExpectNothingLeft(heap);
+}
+
+TEST(StandstillFind, HoldsASlipNoFasterThanFrictionStops) {
+  // A step of friction stops μ g h = 0.0245 m/s of the upper box.
+  for (const double v : {0.024, 0.025}) {
+    Heap heap;
+    heap.Stack(2);
+    // Low, so that it does not tip.
+    heap.bodies[2] = heap.bodies[1];
+    heap.bodies[2].shape = Box{{0.5, 0.05, 0.5}};
+    heap.bodies[2].state.p_WB = {0, 1.05, 0};
+    heap.bodies[2].state.v_WB = {v, 0, 0};
+    EXPECT_EQ(heap.Rests(), v < 0.6 * kG * kH) << v;
+    if (v < 0.6 * kG * kH) ExpectNothingLeft(heap);
+  }
+}
+
+TEST(StandstillFind, HoldsASpinNoFasterThanFrictionStops) {
+  // Corners √½ m out bear g h/4 each: together μ g h √½, and 1/6 kg m² has to stop.
+  const double most = 0.6 * kG * kH * std::sqrt(0.5) * 6;
+  for (const double share : {0.99, 1.01}) {
+    Heap heap;
+    heap.Stack(1);
+    heap.bodies[1].state.w_WB = {0, share * most, 0};
+    EXPECT_EQ(heap.Rests(), share < 1) << share;
+    if (share < 1) ExpectNothingLeft(heap);
+  }
+}
+
+TEST(StandstillFind, PullsAtNothing) {
+  // On two of its corners a cube has ½ m g h, and 1/6 kg m² to stop.
+  const double most = 0.5 * kG * kH * 6;
+  for (const double share : {0.99, 1.01}) {
+    Heap heap;
+    heap.Stack(1);
+    heap.bodies[1].state.w_WB = {share * most, 0, 0};
+    EXPECT_EQ(heap.Rests(), share < 1) << share;
+    if (share < 1) ExpectNothingLeft(heap);
+  }
+}
+
+TEST(StandstillFind, LeavesRingsAndSecondSupports) {
+  Heap arch;
+  arch.Stack(1);
+  arch.Add({3, 0.5, 0});
+  arch.Join(0, 2);
+  arch.Add({1.5, 1.5, 0}, {2, 0.5, 0.5});
+  arch.Join(1, 3);
+  arch.Join(2, 3);
+  EXPECT_FALSE(arch.Rests());
+
+  Heap seam;
+  seam.Stack(1);
+  seam.Add({0.2, -1, 0}, {0.1, 1, 10}, 0);
+  seam.Join(2, 1);
+  EXPECT_FALSE(seam.Rests());
+
+  // As many pairs as bodies, and nothing to stand on.
+  Heap ring;
+  ring.Stack(2);
+  ring.pairs[0].A = 1;
+  ring.pairs[0].B = 2;
+  EXPECT_FALSE(ring.Rests());
+
+  Heap limb;
+  limb.Stack(3);
+  limb.pairs[0].A = 1;
+  limb.pairs[0].B = 2;
+  EXPECT_FALSE(limb.Rests());
+}
+
+TEST(StandstillFind, LetsComeWhatIsNotThereYet) {
+  Heap heap;
+  heap.Stack(2);
+  heap.bodies[2].state.p_WB.y() += 1e-5;
+  EXPECT_FALSE(heap.Rests());
+}
+
+TEST(StandstillFind, HoldsNothingThatBounces) {
+  Heap heap;
+  heap.restitution = 0.5;
+  heap.bodies[0].restitution = 0.5;
+  heap.Stack(2);
+  heap.bodies[2].state.v_WB = {0, -1, 0};
+  EXPECT_FALSE(heap.Rests());
+}
+
+TEST(StandstillFind, BalancesNothingOnALine) {
+  Heap heap;
+  heap.Add({0, 1, 0}, {1e-8, 1, 2}, 0);
+  heap.Add({0, 2.5, 0});
+  heap.bodies[1].state.p_WB = {0, 1, 0};
+  heap.Join(1, 2);
+  heap.bodies[2].state.w_WB = {0, 0, 1e-3};
+  EXPECT_FALSE(heap.Rests());
 }
 
 }  // namespace
