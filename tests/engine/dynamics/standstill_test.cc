@@ -213,15 +213,15 @@ class Heap {
   /** Returns whether all come to rest; expects that else nothing changes at all. */
   bool Rests() {
     Sweep();
-    const std::vector<Velocity> swept = velocities;
+    const std::vector<Velocity> swept = velocities_;
     const std::vector<double> borne = Borne();
     Standstill standstill;
-    standstill.Find(group.rows(), heaps, 1e-14 * group.scale(), World());
+    standstill.Find(group_.rows(), heaps_, 1e-14 * group_.scale(), World());
     bool rests = true;
     bool same = borne == Borne();
     for (std::size_t i = 1; i < bodies.size(); ++i) {
-      rests = rests && velocities[i].v.isZero(0) && velocities[i].w.isZero(0);
-      same = same && velocities[i].v == swept[i].v && velocities[i].w == swept[i].w;
+      rests = rests && velocities_[i].v.isZero(0) && velocities_[i].w.isZero(0);
+      same = same && velocities_[i].v == swept[i].v && velocities_[i].w == swept[i].w;
     }
     EXPECT_NE(rests, same);
     return rests;
@@ -232,7 +232,7 @@ class Heap {
     const auto i = static_cast<std::size_t>(body);
     const RigidBody& b = bodies[i];
     Received left{free[i].v / b.inverse_mass, b.moments.cwiseProduct(free[i].w)};
-    const ContactRows<double> rows = group.rows();
+    const ContactRows<double> rows = group_.rows();
     for (const ContactBatch<double>& batch : rows.batches) {
       const auto at = [](const VectorLanes<double>& v) {
         return Eigen::Vector3d(v[0][0], v[1][0], v[2][0]);
@@ -240,7 +240,8 @@ class Heap {
       if (batch.A[0] != body && batch.B[0] != body) continue;
       for (int k = 0; k < batch.count; ++k) {
         const ContactLanes<double>& contact =
-            rows.contacts[static_cast<std::size_t>(batch.first + k)];
+            rows.contacts[static_cast<std::size_t>(batch.first) +
+                          static_cast<std::size_t>(k)];
         const Eigen::Vector3d J_W = contact.impulse[0] * at(batch.n) +
                                     contact.friction_impulse1[0] * at(batch.t1) +
                                     contact.friction_impulse2[0] * at(batch.t2);
@@ -259,7 +260,7 @@ class Heap {
   std::vector<Velocity> free;  ///< At the end of the step without impulses.
 
  private:
-  SolverBodies World() { return {bodies, inertias, before, velocities}; }
+  SolverBodies World() { return {bodies, inertias_, before_, velocities_}; }
 
   void Sweep() {
     ContactRules rules{};
@@ -274,27 +275,27 @@ class Heap {
       const auto k = static_cast<int>(ordered.size());
       ordered.push_back({k, k, pair.A, pair.B, pair.manifold.count});
     }
-    before.assign(bodies.size() + 1, {});
-    free = before;
-    heaps.clear();
+    before_.assign(bodies.size() + 1, {});
+    free = before_;
+    heaps_.clear();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       RigidBody& body = bodies[i];
-      inertias.push_back(InverseInertiaOf(body));
-      heaps.push_back(body.is_static() ? static_cast<int>(i) : 1);
+      inertias_.push_back(InverseInertiaOf(body));
+      heaps_.push_back(body.is_static() ? static_cast<int>(i) : 1);
       if (body.is_static()) continue;
       body.pull = kG;
-      before[i] = {body.state.v_WB, body.state.w_WB};
-      free[i] = before[i];
+      before_[i] = {body.state.v_WB, body.state.w_WB};
+      free[i] = before_[i];
       free[i].v.y() -= kG * kH;
     }
-    velocities = free;
-    group.Begin(ordered, pairs, World(), rules, false, velocities, crew);
-    group.Sweep(1, velocities, crew);
+    velocities_ = free;
+    group_.Begin(ordered, pairs, World(), rules, false, velocities_, crew_);
+    group_.Sweep(1, velocities_, crew_);
   }
 
   std::vector<double> Borne() {
     std::vector<double> borne;
-    for (const ContactLanes<double>& contact : group.rows().contacts) {
+    for (const ContactLanes<double>& contact : group_.rows().contacts) {
       for (const auto* lanes :
            {&contact.impulse, &contact.friction_impulse1, &contact.friction_impulse2}) {
         borne.insert(borne.end(), lanes->begin(), lanes->end());
@@ -303,12 +304,12 @@ class Heap {
     return borne;
   }
 
-  std::vector<InverseInertia> inertias;
-  std::vector<Velocity> before;
-  std::vector<Velocity> velocities;
-  std::vector<int> heaps;
-  ContactGroup<double> group;
-  Crew crew{1};
+  std::vector<InverseInertia> inertias_;
+  std::vector<Velocity> before_;
+  std::vector<Velocity> velocities_;
+  std::vector<int> heaps_;
+  ContactGroup<double> group_;
+  Crew crew_{1};
 };
 
 /** Of loads of some g h. */
