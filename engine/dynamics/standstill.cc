@@ -14,6 +14,11 @@ namespace {
 /** Some roundings, as a share of what is borne. */
 constexpr double kNothing = 1e-15;
 
+/** What is apart by so little that it arrives with less than this share of what gravity
+ adds in a step bears as if it were there: by rounding, far from the origin, or by some
+ nanometres. Sweeps let it come. */
+constexpr double kArrives = 1e-3;
+
 std::size_t At(int body) {
   return static_cast<std::size_t>(body);
 }
@@ -51,7 +56,7 @@ struct Patch {
  or those that can bear do not hold a body upright. */
 std::optional<Patch> PatchOf(const ContactRows<double>& rows,
                              const ContactBatch<double>& batch, std::size_t lane,
-                             bool is_B, double solved) {
+                             bool is_B) {
   Patch patch;
   patch.axes_W << VectorAt(batch.n, lane), VectorAt(batch.t1, lane),
       VectorAt(batch.t2, lane);
@@ -65,7 +70,7 @@ std::optional<Patch> PatchOf(const ContactRows<double>& rows,
     if (rows.notes[row].used[lane] == 0) continue;
     if (contact.target[lane] > 0) return std::nullopt;
     // What may come nearer bears nothing at rest.
-    if (contact.target[lane] < -solved) continue;
+    if (contact.target[lane] < -kArrives * batch.usual[lane]) continue;
     patch.bears[k] = true;
     patch.r[k] = VectorAt(is_B ? contact.r_B : contact.r_A, lane);
     patch.middle_W += patch.r[k];
@@ -204,7 +209,7 @@ bool Bear(const Patch& patch, const Eigen::Vector3d& force, const Eigen::Vector3
 void Standstill::Find(const ContactRows<double>& rows, std::span<const int> heaps,
                       double solved, const SolverBodies& world) {
   if (!FindTrees(rows, heaps, solved)) return;
-  TakeApart(rows, heaps, solved, world);
+  TakeApart(rows, heaps, world);
   for (const Limb& limb : limbs_) {
     if (!heaps_[At(limb.heap)].may_rest) continue;
     const auto& [index, lane] = limb.place;
@@ -255,7 +260,7 @@ bool Standstill::FindTrees(const ContactRows<double>& rows, std::span<const int>
 }
 
 void Standstill::TakeApart(const ContactRows<double>& rows, std::span<const int> heaps,
-                           double solved, const SolverBodies& world) {
+                           const SolverBodies& world) {
   needs_.resize(heaps.size());
   limbs_.clear();
   loose_.clear();
@@ -292,8 +297,7 @@ void Standstill::TakeApart(const ContactRows<double>& rows, std::span<const int>
       if (--joint.pairs == 1) loose_.push_back(side.other);
     }
     if (!heap.may_rest) continue;
-    const std::optional<Patch> patch =
-        PatchOf(rows, batch, place.lane, side.is_B, solved);
+    const std::optional<Patch> patch = PatchOf(rows, batch, place.lane, side.is_B);
     if (!patch) {
       heap.may_rest = false;
       continue;

@@ -69,7 +69,7 @@ class Standstill {
                  double solved);
   /** Takes bodies that are one of one pair off their heap, until none is left. */
   void TakeApart(const ContactRows<double>& rows, std::span<const int> heaps,
-                 double solved, const SolverBodies& world);
+                 const SolverBodies& world);
 
   std::vector<Place> places_;  ///< Of all pairs.
   std::vector<Heap> heaps_;    ///< By body.

@@ -352,10 +352,10 @@ class Page {
       const Trajectory& trajectory = world.trajectories[o];
       const std::string_view model = RecognisedModelOf(outcomes[o]);
       out_ << fmt::format(
-          "<tr><td><i class=\"swatch line{}\"></i>{}<td class=\"v {}\">{} "
+          "<tr><td><i class=\"swatch {}\"></i>{}<td class=\"v {}\">{} "
           "{}{}<td>{}<td>{}"
           "</tr>\n",
-          o, XmlText(report_.oracles[o].name), CssClassOf(outcomes[o].verdict),
+          LineClass(o), XmlText(report_.oracles[o].name), CssClassOf(outcomes[o].verdict),
           SignOf(outcomes[o].verdict), NameOf(outcomes[o].verdict),
           model.empty() ? "" : fmt::format(", recognised: {}", XmlText(model)),
           WorstOf(outcomes[o].worst),

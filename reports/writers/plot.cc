@@ -57,7 +57,7 @@ class Drawing {
     // The subject after the others, so that nobody hides it, and the truth on top:
     // through its gaps one sees who follows it.
     for (std::size_t o = set_.of_oracle.size(); o-- > 0;)
-      svg += Line(set_.of_oracle[o], fmt::format("line{}", o));
+      svg += Line(set_.of_oracle[o], LineClass(o));
     if (set_.truth) svg += Line(*set_.truth, "truth");
     svg += fmt::format(
         "<text class=\"tick\" x=\"{}\" y=\"{}\">{:.4g}</text>"
@@ -118,6 +118,11 @@ class Drawing {
 };
 
 }  // namespace
+
+std::string LineClass(std::size_t oracle) {
+  constexpr std::size_t kColours = 8;
+  return fmt::format("line{}", oracle == 0 ? 0 : 1 + (oracle - 1) % kColours);
+}
 
 std::string Plot(const CurveSet& set, double band) {
   const bool any = std::any_of(set.of_oracle.begin(), set.of_oracle.end(),
