@@ -106,7 +106,7 @@ class Drawing {
     std::string back;
     for (std::size_t i = 0; i < truth.times.size(); i += Stride(truth)) {
       there += Point(truth.times[i], truth.values[i] + band_);
-      back = Point(truth.times[i], truth.values[i] - band_) + back;
+      back.insert(0, Point(truth.times[i], truth.values[i] - band_));
     }
     return fmt::format("<polygon class=\"band\" points=\"{}{}\"/>", there, back);
   }
