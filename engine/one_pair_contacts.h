@@ -35,6 +35,7 @@
 #include "engine/four_lanes.h"
 #include "engine/manifold.h"
 #include "engine/one_pair_axis.h"
+#include "engine/rounding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {
@@ -130,10 +131,6 @@ struct alignas(32) Corners {
   unsigned kept;    ///< A bit for each.
   bool may_repeat;  ///< Two may be one and the same point, to rounding.
 };
-
-/** Candidates that differ by no more than this many times the slack are one contact. Far
- above what rounding sets apart, far below what a solver could tell apart. */
-constexpr double kSame = 12;
 
 HWY_INLINE void StoreBits(FourBits v, std::int64_t* p) {
   std::memcpy(p, &v, sizeof v);
@@ -243,14 +240,14 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
                Bits((corner_z <= highest) & covered) << 8;
 
   // Two candidates are one only where a corner of one face is near a line of the other:
-  // they lie within √2 kSame slack of each other, and adjacent edges of the incident
-  // face, seen along a normal at most 55° off, meet at no angle so flat that their corner
-  // is more than thrice as far.
-  const Four near = Splat(4 * kSame * slack);
+  // they lie within √2 kSameCorner slack of each other, and adjacent edges of the
+  // incident face, seen along a normal at most 55° off, meet at no angle so flat that
+  // their corner is more than thrice as far.
+  const Four near = Splat(4 * kSameCorner * slack);
   found.may_repeat =
       Bits((Abs(Abs(x) - bound_x) <= near) | (Abs(Abs(y) - bound_y) <= near) |
-           (Abs(beyond_u) <= Splat(4 * kSame) * slack_u) |
-           (Abs(beyond_v) <= Splat(4 * kSame) * slack_v)) != 0;
+           (Abs(beyond_u) <= Splat(4 * kSameCorner) * slack_u) |
+           (Abs(beyond_v) <= Splat(4 * kSameCorner) * slack_v)) != 0;
 
   const Four h_x = Splat(face.h_x);
   const Four h_y = Splat(face.h_y);
@@ -267,11 +264,11 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
 }
 
 /** Returns which candidates are kept of those that differ in x or y by more than
- kSame slacks. One that stands for several is the first, but where the deepest is, if that
- is deeper by more than the slack: along a steep edge, what is no distance is many
+ kSameCorner slacks. One that stands for several is the first, but where the deepest is,
+ if that is deeper by more than the slack: along a steep edge, what is no distance is many
  roundings of depth. */
 inline unsigned WithoutRepeats(Corners& found, double slack) {
-  const double distance = kSame * slack;
+  const double distance = kSameCorner * slack;
   unsigned kept = 0;
   for (std::size_t k = 0; k < found.x.size(); ++k) {
     if ((found.kept >> k & 1) == 0) continue;

@@ -31,6 +31,10 @@ inline constexpr double kOverlapRounding = 24 * kUnitRoundoff;
  larger, since a contact brought back to a bound leaves the other surface by as much. */
 inline constexpr double kFlush = 8 * kUnitRoundoff;
 
+/** Corners that differ by no more than this many times what they may be out are one
+ contact. Far above what rounding sets apart, far below what a solver could tell apart. */
+inline constexpr double kSameCorner = 12;
+
 /** How much better, as a multiple of S, another axis must be than a face of A, and an
  edge axis than any face, to be chosen. Gaps that are equal are computed within twice
  kOverlapRounding of each other at worst, but roundings seldom add up: a third of one

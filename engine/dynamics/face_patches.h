@@ -99,9 +99,6 @@ struct alignas(64) PatchCorners {
   Row y[kCount];
 };
 
-/** Candidates that differ by no more than this many times the slack are one contact. Far
- above what rounding sets apart, far below what a solver could tell apart. */
-constexpr double kSameCorner = 12;
 /** How far flush corners may be out, as a share of the margin. Boxes stacked flush drift
  apart by more than rounding but far less than the margin; where their edges cross, all
  but parallel, hangs on nothing else, and so would how many contacts there are. */
@@ -190,8 +187,8 @@ HWY_INLINE PairVector FarInverse(PairVector x) {
   return All(1) / hn::IfThenElse(hn::Lt(hn::Abs(x), least), least, x);
 }
 
-/** Fills the lanes of `corners` from `lane` on, given the least separation, the margin
- and the size of each pair, see BoxPair. */
+/** Fills the lanes of `corners` from `lane` on, given the least separation and the margin
+ of each pair. [m] */
 HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& reference,
                             PairVector separation, PairVector margin, std::size_t lane,
                             PatchCorners& corners) {

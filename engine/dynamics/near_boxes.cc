@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "engine/feature.h"
+#include "engine/rounding.h"
 
 // Vectors without a size at compile time cannot be kept in arrays; what is between the
 // baseline and AVX2 brings no more than the baseline.

@@ -85,8 +85,8 @@ std::optional<Patch> PatchOf(const ContactRows<double>& rows,
   return patch;
 }
 
-/** Spreads a force and a moment about the middle, along n, t1 and t2, over the contacts
- of a patch. Returns nothing where one would pull, or hold more than its friction. */
+/** Spreads impulses and their moments about the middle, along n, t1 and t2, over the
+ contacts of a patch, as a stiff even bed does. */
 class Bed {
  public:
   explicit Bed(const Patch& patch) : patch_(patch) {
@@ -106,8 +106,8 @@ class Bed {
   /** About how far from the middle the contacts are. [m] */
   double width() const { return std::sqrt(square_.trace() / number_); }
 
-  /** Adds to `impulses` what bears `force` and `moment`, but for what the contacts are
-   out of one plane. */
+  /** Adds to `impulses` what bears `force` [N s] and `moment` [N m s], but for what the
+   contacts are out of one plane. */
   void Add(const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
            std::array<Eigen::Vector3d, 8>& impulses) const {
     // n × of a slope: the moment of a + b·r along n is (Σ r rᵀ) b, turned by a quarter.
@@ -182,7 +182,8 @@ class Bed {
  none. */
 bool Bear(const Patch& patch, const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
           std::array<Eigen::Vector3d, 8>& impulses) {
-  // Each leaves of the one before it a share like the bed's height by its width.
+  // A round leaves of what the one before it left a share like the bed's height by its
+  // width.
   constexpr int kRounds = 4;
   const Bed bed(patch);
   if (!bed.IsWide()) return false;

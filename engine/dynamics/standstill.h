@@ -20,8 +20,11 @@ namespace cookbook {
 
  Where no contact has to pull for that, and none to hold more than its friction, no
  contact moves and none has to: the law of ContactSolver, to some ten roundings of the
- load. Where one has to, the heap may still be able to rest, borne otherwise: it is left
- to sweeps, as is a heap with a ring, or with two pairs on what is static. */
+ load. A contact that is apart by so little that it arrives with less than a thousandth
+ of what gravity adds in a step counts as there: it bears, and the sweeps that follow let
+ it come. Where a contact would have to pull, the heap may still be able to rest, borne
+ otherwise: it is left to sweeps, as is a heap with a ring, or with two pairs on what is
+ static. */
 class Standstill {
  public:
   /** Brings to rest each heap of `rows` that can be, of those in which the last sweep

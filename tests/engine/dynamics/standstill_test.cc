@@ -108,6 +108,16 @@ TEST(Standstill, AStackStandsFarFromTheOriginToo) {
   }
 }
 
+TEST(Standstill, IsASettingWithoutWhichTheStackSways) {
+  Settings settings;
+  settings.standstill = false;
+  World world(settings);
+  AddFloor(world);
+  for (int i = 0; i < 20; ++i) AddBox(world, {0, 0.5 + i, 0});
+  for (int k = 0; k < 240; ++k) world.Step(kH);
+  EXPECT_GT(Fastest(world), 1e3 * kRest);
+}
+
 TEST(Standstill, AThousandfoldLoadRestsFromTheFirstStep) {
   World world{Settings()};
   AddFloor(world);
