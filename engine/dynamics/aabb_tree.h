@@ -55,23 +55,23 @@ class AabbTree {
   }
 
   /** Calls `found(body, its bounds)` for every leaf that overlaps `bounds`, in an order
-   that depends on the history of the tree alone. */
+   that depends on the history of the tree alone. `stack`: room, one for each thread. */
   template <class Found>
-  void Query(const Aabb& bounds, const Found& found) {
+  void Query(const Aabb& bounds, std::vector<int>& stack, const Found& found) const {
     if (root_ < 0) return;
-    stack_.clear();
-    stack_.push_back(root_);
-    while (!stack_.empty()) {
-      const Node& node = nodes_[static_cast<std::size_t>(stack_.back())];
-      stack_.pop_back();
+    stack.clear();
+    stack.push_back(root_);
+    while (!stack.empty()) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack.back())];
+      stack.pop_back();
       if (!node.bounds.Overlaps(bounds)) continue;
       if (node.child1 < 0) {
         found(node.body, node.bounds);
       } else {
         Fetch(&nodes_[static_cast<std::size_t>(node.child1)], sizeof(Node));
         Fetch(&nodes_[static_cast<std::size_t>(node.child2)], sizeof(Node));
-        stack_.push_back(node.child1);
-        stack_.push_back(node.child2);
+        stack.push_back(node.child1);
+        stack.push_back(node.child2);
       }
     }
   }
@@ -79,17 +79,17 @@ class AabbTree {
   /** Calls `visit(body)` for every leaf; leaves near each other mostly come soon after
    each other. */
   template <class Visit>
-  void ForEachLeaf(const Visit& visit) {
-    stack_.clear();
-    if (root_ >= 0) stack_.push_back(root_);
-    while (!stack_.empty()) {
-      const Node& node = nodes_[static_cast<std::size_t>(stack_.back())];
-      stack_.pop_back();
+  void ForEachLeaf(std::vector<int>& stack, const Visit& visit) const {
+    stack.clear();
+    if (root_ >= 0) stack.push_back(root_);
+    while (!stack.empty()) {
+      const Node& node = nodes_[static_cast<std::size_t>(stack.back())];
+      stack.pop_back();
       if (node.child1 < 0) {
         visit(node.body);
       } else {
-        stack_.push_back(node.child1);
-        stack_.push_back(node.child2);
+        stack.push_back(node.child1);
+        stack.push_back(node.child2);
       }
     }
   }
@@ -110,7 +110,6 @@ class AabbTree {
   void Rotate(int node);
 
   std::vector<Node> nodes_;
-  std::vector<int> stack_;
   int root_ = -1;
   int free_ = -1;
 };

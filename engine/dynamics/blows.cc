@@ -29,6 +29,13 @@ constexpr double kStopped = 1e-9;
 /** How much faster than a blow has to be what flies from within the margin. */
 constexpr double kSurely = 1.01;
 
+/** Bodies, pairs, near pairs and candidates below which it does not pay to share them
+ out: some microseconds. */
+constexpr std::size_t kFewBodies = 128;
+constexpr std::size_t kFewPairs = 128;
+constexpr std::size_t kFewNear = 1024;
+constexpr std::size_t kFewMeetings = 32;
+
 /** How many pairs ahead memory is told. */
 constexpr std::size_t kAhead = 3;
 
@@ -81,7 +88,7 @@ void Blows::Clear() {
 }
 
 void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& settings,
-                  double h) {
+                  double h, Crew& crew) {
   rules_ = {h, settings.resting_speed, settings.gyroscopic};
   const std::size_t count = start.bodies.size();
   flies_.resize(count);
@@ -96,75 +103,84 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   pulls_.resize(count);
   Clear();
   blow_.BeginStep(count);
-  if (FindFlying(start, finder, settings)) FindCandidates(start, finder);
+  if (FindFlying(start, finder, settings, crew)) FindCandidates(start, finder, crew);
 }
 
-bool Blows::FindFlying(const Start& start, ContactFinder& finder,
-                       const Settings& settings) {
-  for (std::size_t i = 0; i < start.bodies.size(); ++i) {
-    const RigidBody& body = start.bodies[i];
-    static_[i] = body.is_static() ? 1 : 0;
-    asleep_[i] = start.asleep[i] ? 1 : 0;
-    linked_[i] = start.linked[i] ? 1 : 0;
-    flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i] ? 1 : 0;
-    pulls_[i].setZero();
-    if (!static_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
+Meeting Blows::MeetingOf(const ContactPair& pair, std::span<const RigidBody> bodies,
+                         const BlowRules& rules) const {
+  if (!Flies(pair.A) && !Flies(pair.B)) return Meeting::kParts;
+  const RigidBody& A = bodies[At(pair.A)];
+  const RigidBody& B = bodies[At(pair.B)];
+  const Eigen::Vector3d a_AB_W = pulls_[At(pair.B)] - pulls_[At(pair.A)];
+  const double pull = PullOn(pair, A, B);
+  if (SurelyHolds(pair.manifold, A, B, pull, rules)) return Meeting::kHolds;
+  Meeting all = Meeting::kStrikes;
+  for (const ContactPoint& contact : pair.manifold.points()) {
+    const Meeting one =
+        MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, pull, rules);
+    if (one == Meeting::kStrikes) continue;
+    // What overlaps has to be parted, unless it strikes.
+    if (one == Meeting::kHolds ||
+        contact.separation < -MarginBetween(A, B) - TouchOf(A, B)) {
+      return Meeting::kHolds;
+    }
+    all = Meeting::kParts;
   }
+  return all;
+}
+
+void Blows::FindTouching(std::span<const ContactPair> contacts,
+                         std::span<const RigidBody> bodies, Crew& crew) {
   // A little more than Follow() asks for: what flies and is no blow there would sink in.
   BlowRules surely = rules_;
   surely.resting_speed *= kSurely;
+  touching_.resize(contacts.size());
+  crew.Share(contacts.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k + kAhead < end) {
+        for (const int next : {contacts[k + kAhead].A, contacts[k + kAhead].B}) {
+          if (!Flies(next)) continue;
+          Fetch(&bodies[At(next)].state, sizeof(BodyState));
+          Fetch(&pulls_[At(next)], sizeof(Eigen::Vector3d));
+        }
+      }
+      const ContactPair& pair = contacts[k];
+      touching_[k] = {pair.A, pair.B, pair.manifold.count,
+                      MeetingOf(pair, bodies, surely)};
+    }
+  });
+}
+
+bool Blows::FindFlying(const Start& start, ContactFinder& finder,
+                       const Settings& settings, Crew& crew) {
+  crew.Share(start.bodies.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const RigidBody& body = start.bodies[i];
+      static_[i] = body.is_static() ? 1 : 0;
+      asleep_[i] = start.asleep[i] ? 1 : 0;
+      linked_[i] = start.linked[i] ? 1 : 0;
+      flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i] ? 1 : 0;
+      pulls_[i].setZero();
+      if (!static_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
+    }
+  });
+  FindTouching(finder.contacts(), start.bodies, crew);
   // What touches a body that is held is held, and what touches that; not what strikes.
   heaps_.Reset(flies_.size());
   strikers_.clear();
-  const auto join = [&](const ContactPair& pair) {
-    if (!IsStatic(pair.A) && !IsStatic(pair.B)) heaps_.Join(pair.A, pair.B);
-  };
-  const std::span<const ContactPair> contacts = finder.contacts();
   int to_solve = 0;  // At least what is left to ContactSolver.
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const ContactPair& pair = contacts[k];
-    if (!IsStatic(pair.A) || !IsStatic(pair.B)) to_solve += pair.manifold.count;
-    if (k + kAhead < contacts.size()) {
-      for (const int next : {contacts[k + kAhead].A, contacts[k + kAhead].B}) {
-        if (!Flies(next)) continue;
-        Fetch(&start.bodies[At(next)].state, sizeof(BodyState));
-        Fetch(&pulls_[At(next)], sizeof(Eigen::Vector3d));
-      }
-    }
-    if (!Flies(pair.A) && !Flies(pair.B)) {
-      join(pair);
-      continue;
-    }
-    const RigidBody& A = start.bodies[At(pair.A)];
-    const RigidBody& B = start.bodies[At(pair.B)];
-    const Eigen::Vector3d a_AB_W = pulls_[At(pair.B)] - pulls_[At(pair.A)];
-    const double pull = PullOn(pair, A, B);
-    if (SurelyHolds(pair.manifold, A, B, pull, surely)) {
-      flies_[At(pair.A)] = flies_[At(pair.B)] = 0;
-      join(pair);
-      continue;
-    }
-    bool strikes = true;
-    for (const ContactPoint& contact : pair.manifold.points()) {
-      const Meeting meeting =
-          MeetingAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, pull, surely);
-      if (meeting == Meeting::kStrikes) continue;
-      strikes = false;
-      // What overlaps has to be parted, unless it strikes.
-      if (meeting == Meeting::kParts &&
-          contact.separation >= -MarginBetween(A, B) - TouchOf(A, B)) {
-        continue;
-      }
-      flies_[At(pair.A)] = flies_[At(pair.B)] = 0;
-      break;
-    }
-    if (!strikes)
-      join(pair);
-    else if (!IsStatic(pair.A) && !IsStatic(pair.B))
+  for (const Touching& pair : touching_) {
+    if (!IsStatic(pair.A) || !IsStatic(pair.B)) to_solve += pair.contacts;
+    if (pair.meeting == Meeting::kHolds) flies_[At(pair.A)] = flies_[At(pair.B)] = 0;
+    if (IsStatic(pair.A) || IsStatic(pair.B)) continue;
+    if (pair.meeting == Meeting::kStrikes && (Flies(pair.A) || Flies(pair.B))) {
       strikers_.emplace_back(pair.A, pair.B);
+    } else {
+      heaps_.Join(pair.A, pair.B);
+    }
   }
   most_of_heap_ = IsSmall(settings, to_solve) ? kMostOfHeap : kMostOfHeapOfMany;
-  if (!strikers_.empty()) HoldStrikersOfLargeHeaps(finder.contacts());
+  if (!strikers_.empty()) HoldStrikersOfLargeHeaps();
   const std::span<const int> heap = heaps_.All();
   holds_.assign(flies_.size(), 0);
   for (std::size_t i = 0; i < heap.size(); ++i) {
@@ -173,48 +189,63 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
   for (std::size_t i = 0; i < heap.size(); ++i) {
     if (holds_[At(heap[i])]) flies_[i] = 0;
   }
-  for (ContactPair& pair : finder.contacts()) {
-    if (Flies(pair.A) || Flies(pair.B)) pair.manifold.count = 0;
+  for (std::size_t k = 0; k < touching_.size(); ++k) {
+    if (!Flies(touching_[k].A) && !Flies(touching_[k].B)) continue;
+    finder.contacts()[k].manifold.count = 0;
   }
   return std::find(flies_.begin(), flies_.end(), 1) != flies_.end();
 }
 
-void Blows::HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts) {
-  touching_.Reset(flies_.size());
-  for (const ContactPair& pair : contacts) {
-    if (!IsStatic(pair.A) && !IsStatic(pair.B)) touching_.Join(pair.A, pair.B);
+void Blows::HoldStrikersOfLargeHeaps() {
+  crowds_.Reset(flies_.size());
+  for (const Touching& pair : touching_) {
+    if (!IsStatic(pair.A) && !IsStatic(pair.B)) crowds_.Join(pair.A, pair.B);
   }
-  MeasureHeaps(touching_);
+  heap_ = crowds_.All();
+  MeasureHeaps();
   for (const auto& [A, B] : strikers_) {
-    if (heap_size_[At(touching_.Of(A))] > most_of_heap_) heaps_.Join(A, B);
+    if (heap_size_[At(heap_[At(A)])] > most_of_heap_) heaps_.Join(A, B);
   }
 }
 
-void Blows::FindCandidates(const Start& start, const ContactFinder& finder) {
-  for (std::size_t i = 0; i < start.bodies.size(); ++i) {
-    reaches_[i] = Reach(start.bodies[i], start.free[i].v, rules_.h);
-  }
-  const auto begin = [&](int body) {
-    if (begun_[At(body)]) return;
-    begun_[At(body)] = 1;
-    BodyFlight& flight = flights_[At(body)];
-    flight = {start.bodies[At(body)]};
-    flight.pull_W = pulls_[At(body)];
-    if (!Flies(body)) return;
-    flight.a_W = pulls_[At(body)];
-    flight.torque_W = flight.start.applied_torque_W;
-  };
+void Blows::BeginFlight(int body, const Start& start) {
+  BodyFlight& flight = flights_[At(body)];
+  flight = {start.bodies[At(body)]};
+  flight.pull_W = pulls_[At(body)];
+  if (!Flies(body)) return;
+  flight.a_W = pulls_[At(body)];
+  flight.torque_W = flight.start.applied_torque_W;
+}
+
+void Blows::FindCandidates(const Start& start, const ContactFinder& finder, Crew& crew) {
+  crew.Share(start.bodies.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      reaches_[i] = Reach(start.bodies[i], start.free[i].v, rules_.h);
+    }
+  });
+  near_.Clear(crew.shares());
+  crew.ShareOut(finder.near_count(), kFewNear,
+                [&](std::size_t share, std::size_t begin, std::size_t end) {
+                  finder.ForEachNear(begin, end, [&](int A, int B, double gap) {
+                    if (!Flies(A) && !Flies(B)) return;
+                    if (linked_[At(A)] || linked_[At(B)]) return;
+                    if (gap <= reaches_[At(A)] + reaches_[At(B)])
+                      near_.Of(share).push_back({A, B, gap});
+                  });
+                });
   meets_held_ = false;
   std::fill(begun_.begin(), begun_.end(), 0);
+  beginning_.clear();
   meetings_.Begin(start.bodies.size());
-  finder.ForEachNear([&](int A, int B, double gap) {
-    if (!Flies(A) && !Flies(B)) return;
-    if (linked_[At(A)] || linked_[At(B)]) return;
-    if (gap > reaches_[At(A)] + reaches_[At(B)]) return;
-    begin(A);
-    begin(B);
-    meets_held_ = meets_held_ || IsHeld(A) || IsHeld(B);
-    meetings_.Append(A, B, gap);
+  near_.ForEach([&](const Near& pair) {
+    for (const int body : {pair.A, pair.B}) {
+      if (!std::exchange(begun_[At(body)], 1)) beginning_.push_back(body);
+      meets_held_ = meets_held_ || IsHeld(body);
+    }
+    meetings_.Append(pair.A, pair.B, pair.gap);
+  });
+  crew.Share(beginning_.size(), kFewMeetings, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) BeginFlight(beginning_[k], start);
   });
 }
 
@@ -224,7 +255,8 @@ void Blows::FindHeaps(std::span<const ContactPair> contacts) {
     if (pair.manifold.count == 0 || !IsHeld(pair.A) || !IsHeld(pair.B)) continue;
     heaps_.Join(pair.A, pair.B);
   }
-  MeasureHeaps(heaps_);
+  heap_ = heaps_.All();
+  MeasureHeaps();
   // The last contact first, so that the list of a heap has them in their order.
   first_of_heap_.assign(flies_.size(), -1);
   next_of_heap_.resize(contacts.size());
@@ -232,14 +264,14 @@ void Blows::FindHeaps(std::span<const ContactPair> contacts) {
     const ContactPair& pair = contacts[At(k)];
     if (pair.manifold.count == 0) continue;
     const int moving = IsStatic(pair.A) ? pair.B : pair.A;
-    next_of_heap_[At(k)] = std::exchange(first_of_heap_[At(heaps_.Of(moving))], k);
+    next_of_heap_[At(k)] = std::exchange(first_of_heap_[At(heap_[At(moving)])], k);
   }
 }
 
-void Blows::MeasureHeaps(DisjointSets& heaps) {
+void Blows::MeasureHeaps() {
   heap_size_.assign(flies_.size(), 0);
   for (std::size_t i = 0; i < flies_.size(); ++i) {
-    int& size = heap_size_[At(heaps.Of(static_cast<int>(i)))];
+    int& size = heap_size_[At(heap_[i])];
     // What rods and springs hold is not asked either.
     size += linked_[i] ? kMostOfHeap + 1 : 1;
   }
@@ -258,9 +290,7 @@ void Blows::Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
       flight.start.state.w_WB = mean[At(body)].w;
     }
   }
-  for (int index = 0; index < meetings_.size(); ++index) {
-    if (ComeNear(meetings_[index])) Foresee(0, index);
-  }
+  ForeseeAll(crew);
   for (int first = meetings_.TakeNext(); first >= 0; first = meetings_.TakeNext()) {
     const double t = meetings_[first].next;
     Strike(meetings_[first], end, settings, crew);
@@ -294,11 +324,11 @@ bool Blows::ComeNear(const Candidate& candidate) const {
   return candidate.gap <= way;
 }
 
-bool Blows::IsAsked(const Candidate& candidate) {
+bool Blows::IsAsked(const Candidate& candidate) const {
   int heap = 0;
   for (const int body : {candidate.A, candidate.B}) {
     if (Flies(body) && blows_[At(body)] >= kMostBlows) return false;
-    if (IsHeld(body)) heap = std::max(heap, heap_size_[At(heaps_.Of(body))]);
+    if (IsHeld(body)) heap = std::max(heap, heap_size_[At(heap_[At(body)])]);
   }
   const Eigen::Vector3d v_AB_W = flights_[At(candidate.B)].start.state.v_WB -
                                  flights_[At(candidate.A)].start.state.v_WB;
@@ -308,15 +338,28 @@ bool Blows::IsAsked(const Candidate& candidate) {
                        rules_.h * v_AB_W.norm()));
 }
 
-void Blows::Foresee(double from, int index) {
-  const Candidate& candidate = meetings_[index];
-  if (!IsAsked(candidate)) {
-    meetings_.Foresee(index, kNever);
-    return;
-  }
+double Blows::NextMeeting(double from, const Candidate& candidate) const {
+  if (!IsAsked(candidate)) return kNever;
   const BodyFlight& A = flights_[At(candidate.A)];
   const BodyFlight& B = flights_[At(candidate.B)];
-  meetings_.Foresee(index, FirstBlow(A, B, from, rules_).value_or(kNever));
+  return FirstBlow(A, B, from, rules_).value_or(kNever);
+}
+
+void Blows::Foresee(double from, int index) {
+  meetings_.Foresee(index, NextMeeting(from, meetings_[index]));
+}
+
+void Blows::ForeseeAll(Crew& crew) {
+  foreseen_.resize(At(meetings_.size()));
+  crew.Share(foreseen_.size(), kFewMeetings, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Candidate& candidate = meetings_[static_cast<int>(k)];
+      foreseen_[k] = ComeNear(candidate) ? NextMeeting(0, candidate) : kNever;
+    }
+  });
+  for (int index = 0; index < meetings_.size(); ++index) {
+    meetings_.Foresee(index, foreseen_[At(index)]);
+  }
 }
 
 void Blows::Join(int body, double t) {
@@ -373,7 +416,7 @@ void Blows::JoinHeap(int body, double t, const End& end) {
     Join(member, t);
   };
   join(body);
-  for (int k = first_of_heap_[At(heaps_.Of(body))]; k >= 0; k = next_of_heap_[At(k)]) {
+  for (int k = first_of_heap_[At(heap_[At(body)])]; k >= 0; k = next_of_heap_[At(k)]) {
     const ContactPair& contact = end.contacts[At(k)];
     join(contact.A);
     join(contact.B);

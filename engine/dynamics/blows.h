@@ -9,6 +9,7 @@
 #include "engine/dynamics/contact_finder.h"
 #include "engine/dynamics/crew.h"
 #include "engine/dynamics/disjoint_sets.h"
+#include "engine/dynamics/findings.h"
 #include "engine/dynamics/first_blow.h"
 #include "engine/dynamics/meetings.h"
 
@@ -48,7 +49,7 @@ class Blows {
   /** Begins a step of `h` [s]: finds what flies and what it may meet. Takes the contacts
    of what flies out of those that `finder` has. */
   void Begin(const Start& start, ContactFinder& finder, const Settings& settings,
-             double h);
+             double h, Crew& crew);
 
   /** Follows what flies. `bodies` are those after the step; what was struck is put where
    its blows lead it. `mean` is what has moved those that do not fly. */
@@ -78,20 +79,49 @@ class Blows {
     std::span<const ContactPair> contacts;
   };
 
+  /** What a pair with contacts does when the step begins. */
+  struct Touching {
+    int A;
+    int B;
+    int contacts;
+    /** It strikes where all its contacts do, and holds where one does or where what
+     overlaps has to be parted. */
+    Meeting meeting;
+  };
+
+  /** Two bodies that are near each other. */
+  struct Near {
+    int A;
+    int B;
+    double gap;  ///< As Candidate.
+  };
+
   bool Flies(int body) const { return flies_[static_cast<std::size_t>(body)] != 0; }
   bool IsStatic(int body) const { return static_[static_cast<std::size_t>(body)] != 0; }
   /** Whether it moves and does not fly. */
   bool IsHeld(int body) const { return !Flies(body) && !IsStatic(body); }
 
-  bool FindFlying(const Start& start, ContactFinder& finder, const Settings& settings);
+  bool FindFlying(const Start& start, ContactFinder& finder, const Settings& settings,
+                  Crew& crew);
+  /** Fills touching_: of each of the contacts. */
+  void FindTouching(std::span<const ContactPair> contacts,
+                    std::span<const RigidBody> bodies, Crew& crew);
+  Meeting MeetingOf(const ContactPair& pair, std::span<const RigidBody> bodies,
+                    const BlowRules& rules) const;
   /** Joins to a heap what strikes it where its blow would not be asked for. */
-  void HoldStrikersOfLargeHeaps(std::span<const ContactPair> contacts);
-  void FindCandidates(const Start& start, const ContactFinder& finder);
+  void HoldStrikersOfLargeHeaps();
+  void FindCandidates(const Start& start, const ContactFinder& finder, Crew& crew);
+  /** Begins the flight of a body at the start of the step. */
+  void BeginFlight(int body, const Start& start);
   void FindHeaps(std::span<const ContactPair> contacts);
-  void MeasureHeaps(DisjointSets& heaps);
+  void MeasureHeaps();
   /** Whether blows of the two are looked at. */
-  bool IsAsked(const Candidate& candidate);
+  bool IsAsked(const Candidate& candidate) const;
+  /** Returns when the two meet next from `from` on. [s] */
+  double NextMeeting(double from, const Candidate& candidate) const;
   void Foresee(double from, int candidate);
+  /** Foresees all candidates that come near each other. */
+  void ForeseeAll(Crew& crew);
   /** Whether the two come near enough to meet, going as they do when the step begins. */
   bool ComeNear(const Candidate& candidate) const;
   void Strike(const Candidate& first, const End& end, const Settings& settings,
@@ -130,8 +160,13 @@ class Blows {
   std::vector<int> met_;     ///< What one body may meet.
   bool meets_held_ = false;  ///< Whether a candidate is held.
   std::vector<ContactPair> struck_;
-  DisjointSets heaps_;     ///< Of bodies.
-  DisjointSets touching_;  ///< Of bodies: what strikes with what it strikes.
+  std::vector<Touching> touching_;
+  Findings<Near> near_;
+  std::vector<int> beginning_;    ///< Bodies whose flight begins.
+  std::vector<double> foreseen_;  ///< By candidate: when it meets first. [s]
+  DisjointSets heaps_;            ///< Of bodies.
+  std::span<const int> heap_;     ///< By body: who stands for its heap.
+  DisjointSets crowds_;           ///< Of bodies: what strikes with what it strikes.
   std::vector<std::pair<int, int>> strikers_;
   std::vector<char> holds_;     ///< By body that stands for a heap: whether one is held.
   std::vector<int> heap_size_;  ///< By body that stands for a heap.

@@ -25,6 +25,11 @@ constexpr double kFarthest = 1;
  it is and how large: more than the narrow phase allows for. */
 constexpr double kRounding = 1e-12;
 
+/** Bodies below which it does not pay to share them out, and of those that look anew for
+ who is near. */
+constexpr std::size_t kFewBodies = 128;
+constexpr std::size_t kFewMoved = 16;
+
 Aabb Widened(const Aabb& bounds, double by) {
   return {bounds.low.array() - by, bounds.high.array() + by};
 }
@@ -79,41 +84,62 @@ void BroadPhase::Add(const RigidBody& body) {
       Widened(bounds_.back().bounds(), proxy.is_static ? 0 : kWider * body.radius);
   proxy.leaf = (proxy.is_static ? resting_ : moving_)
                    .Insert(proxy.wide, static_cast<int>(proxies_.size()) - 1);
+  added_.push_back(static_cast<int>(proxies_.size()) - 1);
 }
 
-void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double ahead,
-                        std::vector<std::pair<int, int>>& appeared) {
-  for (const int body : moved_) {
-    has_moved_[static_cast<std::size_t>(body)] = 0;
-  }
-  moved_.clear();
-  for (std::size_t i = 0; i < proxies_.size(); ++i) {
-    Proxy& proxy = proxies_[i];
-    if (proxy.leaf < 0) continue;
-    const bool is_new = std::exchange(proxy.is_new, false);
-    if (is_new) {
-      moved_.push_back(static_cast<int>(i));
-      has_moved_[i] = 1;
-      proxy.before = Nothing();
-    }
-    if (bodies[i].is_static()) continue;  // Or asleep.
-    // The margin is as wide as gravity needs; other forces pull it farther.
+void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
+                             double ahead, Crew& crew) {
+  leaving_.Clear(crew.shares());
+  const auto look = [&](std::size_t i, std::vector<Leaving>& leaving) {
+    const Proxy& proxy = proxies_[i];
     const RigidBody& body = bodies[i];
+    if (proxy.leaf < 0 || body.is_static()) return;  // Or asleep.
+    // The margin is as wide as gravity needs; other forces pull it farther.
     const Eigen::Vector3d pushed_W =
         body.state.v_WB +
         ahead * body.inverse_mass * (body.force_W + body.applied_force_W);
     bounds_[i] = BoundsOf(body);
     const Aabb bounds =
         Widened(bounds_[i].bounds(), margin + Reach(body, pushed_W, ahead));
-    if (proxy.wide.Contains(bounds)) continue;
-    if (!is_new) {
-      moved_.push_back(static_cast<int>(i));
-      has_moved_[i] = 1;
-      proxy.before = proxy.wide;
-    }
-    SetWide(static_cast<int>(i), WideFor(body, bounds, ahead * pushed_W));
+    if (proxy.wide.Contains(bounds)) return;
+    leaving.push_back({static_cast<int>(i), WideFor(body, bounds, ahead * pushed_W)});
+  };
+  crew.ShareOut(proxies_.size(), kFewBodies,
+                [&](std::size_t share, std::size_t begin, std::size_t end) {
+                  for (std::size_t i = begin; i < end; ++i) look(i, leaving_.Of(share));
+                });
+}
+
+void BroadPhase::NoteMoved(int body, const Aabb& before) {
+  if (has_moved(body)) return;
+  moved_.push_back(body);
+  has_moved_[static_cast<std::size_t>(body)] = 1;
+  proxy(body).before = before;
+}
+
+void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double ahead,
+                        Crew& crew, std::vector<std::pair<int, int>>& appeared) {
+  for (const int body : moved_) {
+    has_moved_[static_cast<std::size_t>(body)] = 0;
   }
-  for (const int body : moved_) Pair(body, appeared);
+  moved_.clear();
+  for (const int body : added_) NoteMoved(body, Nothing());
+  added_.clear();
+  FindLeaving(bodies, margin, ahead, crew);
+  leaving_.ForEach([&](const Leaving& leaving) {
+    NoteMoved(leaving.body, proxy(leaving.body).wide);
+    SetWide(leaving.body, leaving.wide);
+  });
+
+  rooms_.resize(crew.shares());
+  appearing_.Clear(crew.shares());
+  crew.ShareOut(moved_.size(), kFewMoved,
+                [&](std::size_t share, std::size_t begin, std::size_t end) {
+                  for (std::size_t k = begin; k < end; ++k) {
+                    Pair(moved_[k], rooms_[share].stack, appearing_.Of(share));
+                  }
+                });
+  appearing_.ForEach([&](const std::pair<int, int>& pair) { appeared.push_back(pair); });
 }
 
 void BroadPhase::SetWide(int body, const Aabb& wide) {
@@ -123,17 +149,19 @@ void BroadPhase::SetWide(int body, const Aabb& wide) {
 }
 
 template <class Found>
-void BroadPhase::ForEachNear(int body, const Found& found) {
+void BroadPhase::ForEachNear(int body, std::vector<int>& stack,
+                             const Found& found) const {
   const Proxy& own = proxy(body);
-  moving_.Query(own.wide, [&](int other, const Aabb& wide) {
+  moving_.Query(own.wide, stack, [&](int other, const Aabb& wide) {
     if (other != body) found(other, wide);
   });
-  if (!own.is_static) resting_.Query(own.wide, found);
+  if (!own.is_static) resting_.Query(own.wide, stack, found);
 }
 
-void BroadPhase::Pair(int body, std::vector<std::pair<int, int>>& appeared) {
+void BroadPhase::Pair(int body, std::vector<int>& stack,
+                      std::vector<std::pair<int, int>>& appeared) const {
   const Aabb& before = proxy(body).before;
-  ForEachNear(body, [&](int other, const Aabb& wide) {
+  ForEachNear(body, stack, [&](int other, const Aabb& wide) {
     // Of two that have moved the first finds the pair.
     if (has_moved(other) && other < body) return;
     if (before.Overlaps(has_moved(other) ? proxy(other).before : wide)) return;
@@ -148,21 +176,22 @@ void BroadPhase::Widen(int index, const RigidBody& body, double reach,
   const Aabb before = proxy(index).wide;
   if (!before.Contains(bounds)) {
     SetWide(index, Union(before, bounds));
-    ForEachNear(index, [&](int other, const Aabb& wide) {
+    ForEachNear(index, rooms_[0].stack, [&](int other, const Aabb& wide) {
       if (!before.Overlaps(wide)) appeared.push_back(std::minmax(index, other));
     });
   }
   const auto found = [&](int other, const Aabb&) {
     if (other != index) met.push_back(other);
   };
-  moving_.Query(bounds, found);
-  resting_.Query(bounds, found);
+  moving_.Query(bounds, rooms_[0].stack, found);
+  resting_.Query(bounds, rooms_[0].stack, found);
 }
 
 void BroadPhase::NumberByPlace(std::vector<int>& number) {
   number.assign(proxies_.size(), 0);
   int last = 0;
-  moving_.ForEachLeaf([&](int body) { number[static_cast<std::size_t>(body)] = ++last; });
+  moving_.ForEachLeaf(rooms_[0].stack,
+                      [&](int body) { number[static_cast<std::size_t>(body)] = ++last; });
 }
 
 bool BroadPhase::AreStillNear(int a, int b) const {

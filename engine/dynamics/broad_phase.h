@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "engine/dynamics/aabb_tree.h"
+#include "engine/dynamics/crew.h"
+#include "engine/dynamics/findings.h"
 #include "engine/dynamics/rigid_body.h"
 #include "engine/dynamics/rounded_box.h"
 
@@ -23,7 +25,7 @@ class BroadPhase {
   /** Looks at all bodies anew and appends the pairs that have become near, the lesser
    index first. `margin`: how far contacts reach beyond the shapes. [m] Pairs that may
    meet within `ahead` [s], as the bodies move now, are near as well. */
-  void Update(std::span<const RigidBody> bodies, double margin, double ahead,
+  void Update(std::span<const RigidBody> bodies, double margin, double ahead, Crew& crew,
               std::vector<std::pair<int, int>>& appeared);
 
   /** Appends to `met` what the moving body `index` may meet that is at `body` now and
@@ -53,27 +55,45 @@ class BroadPhase {
     Aabb before;
     int leaf = -1;  ///< −1: does not collide.
     bool is_static = false;
-    bool is_new = true;
+  };
+  /** A body that has left its wide box, and the next one. */
+  struct Leaving {
+    int body;
+    Aabb wide;
+  };
+  /** Room of one thread. */
+  struct alignas(64) Room {
+    std::vector<int> stack;
   };
 
   Proxy& proxy(int body) { return proxies_[static_cast<std::size_t>(body)]; }
   const Proxy& proxy(int body) const { return proxies_[static_cast<std::size_t>(body)]; }
   bool has_moved(int body) const { return has_moved_[static_cast<std::size_t>(body)]; }
 
+  /** Brings bounds_ up to date, and notes who leaves its wide box. */
+  void FindLeaving(std::span<const RigidBody> bodies, double margin, double ahead,
+                   Crew& crew);
+  /** Notes that the wide box of a body is another now than `before`. */
+  void NoteMoved(int body, const Aabb& before);
   void SetWide(int body, const Aabb& wide);
-  /** Calls `found(other, wide)` for all that a body of wide box `wide` is near. */
+  /** Calls `found(other, wide)` for all that the wide box of a body overlaps. */
   template <class Found>
-  void ForEachNear(int body, const Found& found);
+  void ForEachNear(int body, std::vector<int>& stack, const Found& found) const;
   /** Appends the pairs of a body that has moved which have become near. */
-  void Pair(int body, std::vector<std::pair<int, int>>& appeared);
+  void Pair(int body, std::vector<int>& stack,
+            std::vector<std::pair<int, int>>& appeared) const;
 
   AabbTree moving_;
   AabbTree resting_;  ///< Static bodies: they meet moving ones only.
   std::vector<Proxy> proxies_;
   std::vector<RoundedBox> bounds_;  ///< Of each body: what holds it.
+  std::vector<int> added_;          ///< Since the last Update().
   std::vector<int> moved_;
   /** Of each body: 1 where it has got another wide box in the last Update(). */
   std::vector<char> has_moved_;
+  Findings<Leaving> leaving_;
+  Findings<std::pair<int, int>> appearing_;
+  std::vector<Room> rooms_{1};
 };
 
 /** Returns the box that holds `body`; of a half-space all of the world, as far as its

@@ -10,9 +10,10 @@
 namespace cookbook {
 namespace {
 
-/** Groups of pairs below which it does not pay to wake another thread: some 10
- microseconds. */
+/** Groups of pairs, and near pairs, below which it does not pay to share them out: some
+ 10 microseconds. */
 constexpr std::size_t kFewGroups = 16;
+constexpr std::size_t kFewNear = 2048;
 /** Pairs, of half a KiB, that do not fit a processor's cache. More of them are sorted by
  place, so that what is solved together lies together. */
 constexpr std::size_t kManyPairs = 4096;
@@ -81,7 +82,7 @@ void ContactFinder::Widen(int index, const RigidBody& body, double reach,
 void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, double ahead,
                          Crew& crew) {
   appeared_.clear();
-  broad_phase_.Update(bodies, margin, ahead, appeared_);
+  broad_phase_.Update(bodies, margin, ahead, crew, appeared_);
   for (const auto& [a, b] : appeared_) near_.push_back({a, b});
 
   if (contacts_.size() >= kManyPairs && ++unsorted_ >= kSorted) {
@@ -89,39 +90,71 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
     unsorted_ = 0;
   }
 
+  PartStrangers(crew);
+  FindDue(bodies, margin, crew);
+  Collide(bodies, margin, crew);
+}
+
+void ContactFinder::PartStrangers(Crew& crew) {
+  found_.Clear(crew.shares());
+  crew.ShareOut(near_.size(), kFewNear,
+                [&](std::size_t share, std::size_t begin, std::size_t end) {
+                  for (std::size_t k = begin; k < end; ++k) {
+                    if (broad_phase_.AreStillNear(near_[k].A, near_[k].B)) continue;
+                    found_.Of(share).push_back(k);
+                  }
+                });
   due_.clear();
-  for (std::size_t k = 0; k < near_.size();) {
-    NearPair& pair = near_[k];
-    if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
-      Part(k);
-      pair = near_.back();
-      if (pair.contact >= 0) contacts_[static_cast<std::size_t>(pair.contact)].near = k;
-      near_.pop_back();
-      continue;
-    }
+  found_.ForEach([&](std::size_t k) { due_.push_back(k); });
+  // The last first: what takes its place stays.
+  for (; !due_.empty(); due_.pop_back()) {
+    const std::size_t k = due_.back();
+    Part(k);
+    near_[k] = near_.back();
+    const int contact = near_[k].contact;
+    if (contact >= 0) contacts_[static_cast<std::size_t>(contact)].near = k;
+    near_.pop_back();
+  }
+}
+
+void ContactFinder::FindDue(std::span<const RigidBody> bodies, double margin,
+                            Crew& crew) {
+  const auto is_static = [&](int body) {
+    return bodies[static_cast<std::size_t>(body)].is_static();
+  };
+  const auto is_due = [&](NearPair& pair) {
     // What was apart by a gap stays apart until the two have gone that far.
     const double gone =
         gone_[static_cast<std::size_t>(pair.A)] + gone_[static_cast<std::size_t>(pair.B)];
-    const auto is_static = [&](int body) {
-      return bodies[static_cast<std::size_t>(body)].is_static();
-    };
-    if (gone >= pair.apart_until && !(is_static(pair.A) && is_static(pair.B))) {
-      const double gap = pair.contact < 0 ? broad_phase_.GapOf(pair.A, pair.B) : 0;
-      if (gap > margin) {
-        pair.apart_until = gone + gap - margin;
-      } else {
-        if (pair.contact < 0) Join(k);
-        due_.push_back(k);
-      }
-    }
-    ++k;
-  }
+    if (gone < pair.apart_until || (is_static(pair.A) && is_static(pair.B))) return false;
+    if (pair.contact >= 0) return true;
+    const double gap = broad_phase_.GapOf(pair.A, pair.B);
+    if (gap <= margin) return true;
+    pair.apart_until = gone + gap - margin;
+    return false;
+  };
+  found_.Clear(crew.shares());
+  crew.ShareOut(near_.size(), kFewNear,
+                [&](std::size_t share, std::size_t begin, std::size_t end) {
+                  for (std::size_t k = begin; k < end; ++k) {
+                    if (is_due(near_[k])) found_.Of(share).push_back(k);
+                  }
+                });
+  due_.clear();
+  found_.ForEach([&](std::size_t k) {
+    if (near_[k].contact < 0) Join(k);
+    due_.push_back(k);
+  });
+}
 
+void ContactFinder::Collide(std::span<const RigidBody> bodies, double margin,
+                            Crew& crew) {
   const auto contact_of = [&](std::size_t due) -> ContactPair& {
     return contacts_[static_cast<std::size_t>(near_[due_[due]].contact)];
   };
   const std::size_t groups = (due_.size() + kNeighbours - 1) / kNeighbours;
-  crew.Share(groups, kFewGroups, [&](std::size_t begin, std::size_t end) {
+  found_.Clear(crew.shares());  // Those without a contact.
+  const auto collide = [&](std::size_t share, std::size_t begin, std::size_t end) {
     for (std::size_t group = begin; group < end; ++group) {
       const std::size_t first = group * kNeighbours;
       const std::size_t count = std::min(kNeighbours, due_.size() - first);
@@ -138,18 +171,21 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
               offsetof(RigidBody, moments));
       }
       Recollide(margin, bodies, std::span(pairs).first(count));
+      for (std::size_t k = 0; k < count; ++k) {
+        if (pairs[k]->manifold.count == 0) found_.Of(share).push_back(due_[first + k]);
+      }
     }
-  });
+  };
+  crew.ShareOut(groups, kFewGroups, collide);
 
-  for (const std::size_t k : due_) {
+  found_.ForEach([&](std::size_t k) {
     NearPair& pair = near_[k];
     const Manifold& manifold = contacts_[static_cast<std::size_t>(pair.contact)].manifold;
-    if (manifold.count > 0) continue;
     pair.apart_until = gone_[static_cast<std::size_t>(pair.A)] +
                        gone_[static_cast<std::size_t>(pair.B)] + manifold.separation -
                        margin;
     Part(k);
-  }
+  });
 }
 
 }  // namespace cookbook

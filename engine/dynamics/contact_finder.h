@@ -7,6 +7,7 @@
 #include "engine/dynamics/broad_phase.h"
 #include "engine/dynamics/contact_pair.h"
 #include "engine/dynamics/crew.h"
+#include "engine/dynamics/findings.h"
 
 namespace cookbook {
 
@@ -36,12 +37,18 @@ class ContactFinder {
    apart by `gap` [m] or more. */
   template <class Visit>
   void ForEachNear(const Visit& visit) const {
-    for (const NearPair& pair : near_) {
+    ForEachNear(0, near_.size(), visit);
+  }
+  /** The same for the pairs from `begin` to `end` of near_count(). */
+  template <class Visit>
+  void ForEachNear(std::size_t begin, std::size_t end, const Visit& visit) const {
+    for (const NearPair& pair : std::span(near_).subspan(begin, end - begin)) {
       const double gone = gone_[static_cast<std::size_t>(pair.A)] +
                           gone_[static_cast<std::size_t>(pair.B)];
       visit(pair.A, pair.B, pair.contact >= 0 ? 0 : pair.apart_until - gone);
     }
   }
+  std::size_t near_count() const { return near_.size(); }
 
  private:
   /** Two bodies that the broad phase says are near. */
@@ -57,12 +64,19 @@ class ContactFinder {
   void Sort();
   void Join(std::size_t near);
   void Part(std::size_t near);
+  /** Forgets the pairs that are near no more. */
+  void PartStrangers(Crew& crew);
+  /** Finds the pairs to be looked at. */
+  void FindDue(std::span<const RigidBody> bodies, double margin, Crew& crew);
+  /** Looks at them, and parts those that have no contact. */
+  void Collide(std::span<const RigidBody> bodies, double margin, Crew& crew);
 
   BroadPhase broad_phase_;
   std::vector<std::pair<int, int>> appeared_;
   std::vector<NearPair> near_;
   std::vector<ContactPair> contacts_;
   std::vector<std::size_t> due_;  ///< The near pairs to be looked at in this step.
+  Findings<std::size_t> found_;   ///< Near pairs.
   std::vector<double> gone_;      ///< By body. [m]
   int unsorted_ = 0;              ///< Calls of Find() since pairs were sorted.
   std::vector<int> number_;       ///< By body, see BroadPhase::NumberByPlace().

@@ -8,9 +8,9 @@
 namespace cookbook {
 namespace {
 
-/** Batches of a colour below which it does not pay to wake another thread: a batch takes
- about a quarter of a microsecond, of four pairs by doubles or of sixteen by floats. */
-constexpr std::size_t kFewBatches = 48;
+/** Batches of a colour below which it does not pay to share them out: a batch takes about
+ a quarter of a microsecond, of four pairs by doubles or of sixteen by floats. */
+constexpr std::size_t kFewBatches = 12;
 
 /** The greatest of numbers that several threads note. */
 class Greatest {

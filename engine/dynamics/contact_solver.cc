@@ -21,7 +21,7 @@ constexpr int kLargePart = 2 * kPart;
 /** By how much a large world makes up for what is missing: a stack passes on a load
  sooner, and seven such sweeps leave less than eight others. */
 constexpr double kRelaxation = 1.4;
-/** Contacts below which it does not pay to wake another thread. */
+/** Contacts below which it does not pay to share them out. */
 constexpr int kFewContacts = 200;
 /** Contacts from which on single precision pays: fewer leave most of sixteen lanes empty.
  */

@@ -3,21 +3,34 @@
 namespace cookbook {
 namespace {
 
-/** How often a thread looks for news before it sleeps: some microseconds, what a sweep
- over one colour takes. Waking one that sleeps takes longer than that. */
+/** How often a thread that is not on a shift looks for news before it sleeps, and one
+ that is before it leaves its processor to others: some microseconds. */
 constexpr int kLooks = 4000;
 
-/** Returns once `value` is not `old`. */
-void WaitWhile(const std::atomic<unsigned>& value, unsigned old) {
-  for (int look = 0; look < kLooks; ++look) {
+}  // namespace
+
+Crew::Shift::Shift(Crew& crew, std::size_t count, std::size_t least) : crew_(crew) {
+  if (crew.workers_.empty() || count < least) return;
+  crew.on_shift_.store(true, std::memory_order_relaxed);
+}
+
+Crew::Shift::~Shift() {
+  crew_.on_shift_.store(false, std::memory_order_relaxed);
+}
+
+void Crew::WaitWhile(const std::atomic<unsigned>& value, unsigned old) const {
+  for (int look = 0; look < kLooks || on_shift_.load(std::memory_order_relaxed);) {
     if (value.load(std::memory_order_acquire) != old) return;
+    if (look < kLooks) {
+      ++look;
+    } else {
+      std::this_thread::yield();
+    }
   }
   while (value.load(std::memory_order_acquire) == old) {
     value.wait(old, std::memory_order_acquire);
   }
 }
-
-}  // namespace
 
 Crew::Crew(int threads) {
   for (int share = 1; share < threads; ++share) {
@@ -47,10 +60,9 @@ void Crew::Run(std::size_t count, const void* object, Call call) {
 }
 
 void Crew::DoShare(std::size_t share) const {
-  const std::size_t shares = workers_.size() + 1;
-  const std::size_t begin = count_ * share / shares;
-  const std::size_t end = count_ * (share + 1) / shares;
-  if (begin < end) call_(object_, begin, end);
+  const std::size_t begin = count_ * share / shares();
+  const std::size_t end = count_ * (share + 1) / shares();
+  if (begin < end) call_(object_, share, begin, end);
 }
 
 void Crew::Serve(std::size_t share) {

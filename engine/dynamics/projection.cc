@@ -5,8 +5,8 @@
 namespace cookbook {
 namespace {
 
-/** Batches below which it does not pay to wake another thread: see ContactGroup. */
-constexpr std::size_t kFewBatches = 48;
+/** Batches below which it does not pay to share them out: see ContactGroup. */
+constexpr std::size_t kFewBatches = 12;
 
 /** Share of the excess that a large world removes at most. A few sweeps lift the one and
  not yet the other: what is lifted off by more than the margin loses its contacts, and

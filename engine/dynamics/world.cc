@@ -20,8 +20,11 @@ constexpr double kLargest = 1e12;
  body is taken for a blow. A contact that holds or slows a body makes less. */
 constexpr double kBlow = 4;
 
-/** Bodies below which it does not pay to wake another thread: some 20 microseconds. */
-constexpr std::size_t kFewBodies = 256;
+/** Bodies of a world below which it does not pay to wake another thread: a step of so
+ many takes as long as to wake two. */
+constexpr std::size_t kFewToShare = 120;
+/** Bodies below which it does not pay to share them out. */
+constexpr std::size_t kFewBodies = 128;
 
 bool IsSane(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kLargest;  // False for NaN.
@@ -164,6 +167,7 @@ void World::Step(double dt) {
 }
 
 void World::StepOnce(double h) {
+  const Crew::Shift shift(crew_, bodies_.size(), kFewToShare);
   const bool touching = FindContacts(h);
   if (settings_.sleep_after) sleep_.WakeNear(finder_, bodies_);
   StopStretching(h);
@@ -178,7 +182,7 @@ void World::Advance(double h, bool follow_blows) {
   blows_.Clear();
   if (follow_blows) {
     blows_.Begin({bodies_, before_, free_, sleep_.asleep(), linked_}, finder_, settings_,
-                 h);
+                 h, crew_);
   }
   Solve(h);
   Move(h);
@@ -329,8 +333,10 @@ void World::SweepLinksUntilSolved() {
 }
 
 void World::Solve(double h) {
-  std::copy(free_.begin(), free_.end(), solved_.begin());
-  std::fill(touches_.begin(), touches_.end(), Touch{});
+  ForEachBody([&](std::size_t i) {
+    solved_[i] = free_[i];
+    touches_[i] = {};
+  });
   const SolverBodies world{bodies_, inertias_, before_, solved_};
   if (!HasLinks()) {
     contacts_.Solve(finder_.contacts(), world, settings_, h, crew_, touches_);

@@ -140,6 +140,7 @@ RC_GTEST_PROP(BroadPhase, WhatMayMeetInAStepIsNearAndAppearsOnce, ()) {
   std::vector<RigidBody> bodies = SomeBodies();
   const std::vector<RigidBody> first = bodies;
   BroadPhase broad_phase;
+  Crew alone(1);
   NearPairs near;
   const int late = Draw(0, 10);  // The step in which the last body comes.
   std::vector<std::pair<int, int>> appeared;
@@ -152,7 +153,7 @@ RC_GTEST_PROP(BroadPhase, WhatMayMeetInAStepIsNearAndAppearsOnce, ()) {
     const std::span<const RigidBody> present(bodies.data(),
                                              static_cast<std::size_t>(count));
     appeared.clear();
-    broad_phase.Update(present, kMargin, kStep, appeared);
+    broad_phase.Update(present, kMargin, kStep, alone, appeared);
     near.DropThoseApart(broad_phase);
     near.Add(appeared, first);
     for (int a = 0; a < count; ++a) {
@@ -242,9 +243,10 @@ TEST(BroadPhase, AWideFloorIsNotNearWhatIsFarAboveIt) {
   ball.state.p_WB = {0, 3, 0};
   const std::vector<RigidBody> bodies = {MakeRigidBody(floor), MakeRigidBody(ball)};
   BroadPhase broad_phase;
+  Crew alone(1);
   for (const RigidBody& body : bodies) broad_phase.Add(body);
   std::vector<std::pair<int, int>> appeared;
-  broad_phase.Update(bodies, kMargin, kStep, appeared);
+  broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
   EXPECT_TRUE(appeared.empty());
 }
 

@@ -15,13 +15,14 @@ std::atomic<int> allocations = 0;
 
 }  // namespace
 
-// Counts what the program allocates. NOLINTBEGIN(*-no-malloc)
-void* operator new(std::size_t size) {
+// Counts what the program allocates. Not inline: g++ 12 takes a free() that it sees in
+// the one, and not the malloc() in the other, for a mistake. NOLINTBEGIN(*-no-malloc)
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void* operator new(std::size_t size, std::align_val_t alignment) {
+[[gnu::noinline]] void* operator new(std::size_t size, std::align_val_t alignment) {
   ++allocations;
   const auto step = static_cast<std::size_t>(alignment);
   if (void* memory = std::aligned_alloc(step, (size + step - 1) / step * step)) {
@@ -29,16 +30,17 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   }
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
   std::free(memory);
 }
-void operator delete(void* memory, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept {
   std::free(memory);
 }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t,
+                                       std::align_val_t) noexcept {
   std::free(memory);
 }
 // NOLINTEND(*-no-malloc)
@@ -106,9 +108,10 @@ TEST(Repeatability, TheBitsOfAHeapDoNotDependOnTheNumberOfThreads) {
   ExpectSameBitsWhateverTheThreads(1, 120);
 }
 
-// Threads take heaps: 500 bodies have some 2,000 contacts, which are solved in parts.
+// Threads take heaps: 1,000 bodies have some 4,000 contacts, which are solved in parts;
+// and they share out who is near whom, what flies and what it meets.
 TEST(Repeatability, TheBitsOfManyHeapsDoNotDependOnTheNumberOfThreads) {
-  ExpectSameBitsWhateverTheThreads(4, 60);
+  ExpectSameBitsWhateverTheThreads(8, 60);
 }
 
 using RepeatabilityOnTarget = test::OnTarget;

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace cookbook {
+
+/** What the shares of a task find, see Crew::ShareOut(): share after share, so in the
+ order of what they looked at. */
+template <class Found>
+class Findings {
+ public:
+  /** Forgets all. `shares`: of the crew. */
+  void Clear(std::size_t shares) {
+    shares_.resize(shares);
+    for (Share& share : shares_) share.found.clear();
+  }
+
+  /** What one share has found: for that share alone, while they work. */
+  std::vector<Found>& Of(std::size_t share) { return shares_[share].found; }
+
+  template <class Visit>
+  void ForEach(const Visit& visit) const {
+    for (const Share& share : shares_) {
+      for (const Found& found : share.found) visit(found);
+    }
+  }
+
+ private:
+  /** In lines of a cache of its own: each finds without disturbing the others. */
+  struct alignas(64) Share {
+    std::vector<Found> found;
+  };
+
+  std::vector<Share> shares_;
+};
+
+}  // namespace cookbook
