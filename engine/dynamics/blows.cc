@@ -103,7 +103,9 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   pulls_.resize(count);
   Clear();
   blow_.BeginStep(count);
-  if (FindFlying(start, finder, settings, crew)) FindCandidates(start, finder, crew);
+  if (!FindFlying(start, finder, settings, crew)) return;
+  FindHeaps();
+  FindCandidates(start, finder, crew);
 }
 
 Meeting Blows::MeetingOf(const ContactPair& pair, std::span<const RigidBody> bodies,
@@ -181,13 +183,13 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
   }
   most_of_heap_ = IsSmall(settings, to_solve) ? kMostOfHeap : kMostOfHeapOfMany;
   if (!strikers_.empty()) HoldStrikersOfLargeHeaps();
-  const std::span<const int> heap = heaps_.All();
+  heap_ = heaps_.All();
   holds_.assign(flies_.size(), 0);
-  for (std::size_t i = 0; i < heap.size(); ++i) {
-    if (!flies_[i] && !static_[i]) holds_[At(heap[i])] = 1;
+  for (std::size_t i = 0; i < heap_.size(); ++i) {
+    if (!flies_[i] && !static_[i]) holds_[At(heap_[i])] = 1;
   }
-  for (std::size_t i = 0; i < heap.size(); ++i) {
-    if (holds_[At(heap[i])]) flies_[i] = 0;
+  for (std::size_t i = 0; i < heap_.size(); ++i) {
+    if (holds_[At(heap_[i])]) flies_[i] = 0;
   }
   for (std::size_t k = 0; k < touching_.size(); ++k) {
     if (!Flies(touching_[k].A) && !Flies(touching_[k].B)) continue;
@@ -197,10 +199,8 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
 }
 
 void Blows::HoldStrikersOfLargeHeaps() {
-  crowds_.Reset(flies_.size());
-  for (const Touching& pair : touching_) {
-    if (!IsStatic(pair.A) && !IsStatic(pair.B)) crowds_.Join(pair.A, pair.B);
-  }
+  crowds_ = heaps_;
+  for (const auto& [A, B] : strikers_) crowds_.Join(A, B);
   heap_ = crowds_.All();
   MeasureHeaps();
   for (const auto& [A, B] : strikers_) {
@@ -228,19 +228,17 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder, Crew
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
                   finder.ForEachNear(begin, end, [&](int A, int B, double gap) {
                     if (!Flies(A) && !Flies(B)) return;
-                    if (linked_[At(A)] || linked_[At(B)]) return;
+                    if (HeapOf(A) > kMostOfHeap || HeapOf(B) > kMostOfHeap) return;
                     if (gap <= reaches_[At(A)] + reaches_[At(B)])
                       near_.Of(share).push_back({A, B, gap});
                   });
                 });
-  meets_held_ = false;
   std::fill(begun_.begin(), begun_.end(), 0);
   beginning_.clear();
   meetings_.Begin(start.bodies.size());
   near_.ForEach([&](const Near& pair) {
     for (const int body : {pair.A, pair.B}) {
       if (!std::exchange(begun_[At(body)], 1)) beginning_.push_back(body);
-      meets_held_ = meets_held_ || IsHeld(body);
     }
     meetings_.Append(pair.A, pair.B, pair.gap);
   });
@@ -249,14 +247,16 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder, Crew
   });
 }
 
-void Blows::FindHeaps(std::span<const ContactPair> contacts) {
-  heaps_.Reset(flies_.size());
-  for (const ContactPair& pair : contacts) {
-    if (pair.manifold.count == 0 || !IsHeld(pair.A) || !IsHeld(pair.B)) continue;
-    heaps_.Join(pair.A, pair.B);
+void Blows::FindHeaps() {
+  // What strikes and is held after all presses too.
+  for (const auto& [A, B] : strikers_) {
+    if (IsHeld(A) && IsHeld(B)) heaps_.Join(A, B);
   }
   heap_ = heaps_.All();
   MeasureHeaps();
+}
+
+void Blows::ListHeaps(std::span<const ContactPair> contacts) {
   // The last contact first, so that the list of a heap has them in their order.
   first_of_heap_.assign(flies_.size(), -1);
   next_of_heap_.resize(contacts.size());
@@ -281,7 +281,7 @@ void Blows::Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
                    ContactFinder& finder, const Settings& settings, Crew& crew) {
   if (meetings_.size() == 0) return;
   const End end{bodies, mean, finder.contacts()};
-  if (meets_held_) FindHeaps(end.contacts);
+  heaps_are_listed_ = false;
   for (int index = 0; index < meetings_.size(); ++index) {
     for (const int body : {meetings_[index].A, meetings_[index].B}) {
       if (!IsHeld(body)) continue;
@@ -328,7 +328,7 @@ bool Blows::IsAsked(const Candidate& candidate) const {
   int heap = 0;
   for (const int body : {candidate.A, candidate.B}) {
     if (Flies(body) && blows_[At(body)] >= kMostBlows) return false;
-    if (IsHeld(body)) heap = std::max(heap, heap_size_[At(heap_[At(body)])]);
+    heap = std::max(heap, HeapOf(body));
   }
   const Eigen::Vector3d v_AB_W = flights_[At(candidate.B)].start.state.v_WB -
                                  flights_[At(candidate.A)].start.state.v_WB;
@@ -391,7 +391,7 @@ void Blows::Widen(int body, double t, const End& end, ContactFinder& finder) {
   met_.clear();
   finder.Widen(body, flight.start, way + flight.start.margin, met_);
   for (const int other : met_) {
-    if (linked_[At(body)] || linked_[At(other)]) continue;
+    if (HeapOf(body) > kMostOfHeap || HeapOf(other) > kMostOfHeap) continue;
     if (!Flies(body) && !Flies(other)) continue;
     // It is static in this step, and wakes for the next.
     if (asleep_[At(other)]) continue;
@@ -401,10 +401,6 @@ void Blows::Widen(int body, double t, const End& end, ContactFinder& finder) {
     });
     if (known) continue;
     if (!begun_[At(other)]) TraceBack(other, end);
-    if (IsHeld(other) && !meets_held_) {
-      meets_held_ = true;
-      FindHeaps(end.contacts);
-    }
     meetings_.Append(std::min(body, other), std::max(body, other), 0);
     Foresee(t, meetings_.size() - 1);
   }
@@ -416,6 +412,7 @@ void Blows::JoinHeap(int body, double t, const End& end) {
     Join(member, t);
   };
   join(body);
+  if (!std::exchange(heaps_are_listed_, true)) ListHeaps(end.contacts);
   for (int k = first_of_heap_[At(heap_[At(body)])]; k >= 0; k = next_of_heap_[At(k)]) {
     const ContactPair& contact = end.contacts[At(k)];
     join(contact.A);

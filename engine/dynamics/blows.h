@@ -113,8 +113,17 @@ class Blows {
   void FindCandidates(const Start& start, const ContactFinder& finder, Crew& crew);
   /** Begins the flight of a body at the start of the step. */
   void BeginFlight(int body, const Start& start);
-  void FindHeaps(std::span<const ContactPair> contacts);
+  /** Fills heap_ and heap_size_ of what is held. */
+  void FindHeaps();
   void MeasureHeaps();
+  /** Returns how many bodies are in the heap of a body that is held, 0 of others. Of more
+   than 32 no blow is looked at; what rods and springs hold counts for so many. */
+  int HeapOf(int body) const {
+    if (!IsHeld(body)) return 0;
+    const int heap = heap_[static_cast<std::size_t>(body)];
+    return heap_size_[static_cast<std::size_t>(heap)];
+  }
+  void ListHeaps(std::span<const ContactPair> contacts);
   /** Whether blows of the two are looked at. */
   bool IsAsked(const Candidate& candidate) const;
   /** Returns when the two meet next from `from` on. [s] */
@@ -157,8 +166,7 @@ class Blows {
   std::vector<Support> supports_;
   std::vector<Velocity> gains_;  ///< By body that is held: what blows gave it.
   Meetings meetings_;
-  std::vector<int> met_;     ///< What one body may meet.
-  bool meets_held_ = false;  ///< Whether a candidate is held.
+  std::vector<int> met_;  ///< What one body may meet.
   std::vector<ContactPair> struck_;
   std::vector<Touching> touching_;
   Findings<Near> near_;
@@ -174,6 +182,7 @@ class Blows {
   // The contacts of each heap of what is held, as lists.
   std::vector<int> first_of_heap_;  ///< By body that stands for a heap; −1: none.
   std::vector<int> next_of_heap_;   ///< By contact; −1: the last.
+  bool heaps_are_listed_ = false;
 
   Blow blow_;  ///< At hand.
   // Heaps with the least first: candidates that may join the blow at hand, in this look

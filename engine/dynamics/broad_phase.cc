@@ -76,6 +76,7 @@ void BroadPhase::Add(const RigidBody& body) {
   Proxy& proxy = proxies_.emplace_back();
   bounds_.emplace_back();
   has_moved_.push_back(0);
+  rests_.push_back(0);
   proxy.is_static = body.is_static();
   if (!body.collides || body.is_point()) return;
   bounds_.back() = BoundsOf(body);
@@ -93,7 +94,8 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
   const auto look = [&](std::size_t i, std::vector<Leaving>& leaving) {
     const Proxy& proxy = proxies_[i];
     const RigidBody& body = bodies[i];
-    if (proxy.leaf < 0 || body.is_static()) return;  // Or asleep.
+    rests_[i] = body.is_static() ? 1 : 0;
+    if (proxy.leaf < 0 || rests_[i] != 0) return;
     // The margin is as wide as gravity needs; other forces pull it farther.
     const Eigen::Vector3d pushed_W =
         body.state.v_WB +

@@ -37,6 +37,9 @@ class BroadPhase {
   /** Whether a pair that was near before the last Update() still is. */
   bool AreStillNear(int a, int b) const;
 
+  /** Whether a body was static, or asleep, in the last Update(). */
+  bool IsAtRest(int body) const { return rests_[static_cast<std::size_t>(body)] != 0; }
+
   /** Returns a bound of how far two bodies were apart in the last Update(). [m] */
   double GapOf(int a, int b) const {
     return cookbook::GapOf(bounds_[static_cast<std::size_t>(a)],
@@ -91,6 +94,7 @@ class BroadPhase {
   std::vector<int> moved_;
   /** Of each body: 1 where it has got another wide box in the last Update(). */
   std::vector<char> has_moved_;
+  std::vector<char> rests_;  ///< Of each body: 1 where it is static, or asleep.
   Findings<Leaving> leaving_;
   Findings<std::pair<int, int>> appearing_;
   std::vector<Room> rooms_{1};

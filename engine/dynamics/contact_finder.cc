@@ -90,22 +90,46 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
     unsorted_ = 0;
   }
 
-  PartStrangers(crew);
-  FindDue(bodies, margin, crew);
+  FindDue(margin, crew);
   Collide(bodies, margin, crew);
+  ForgetStrangers();
 }
 
-void ContactFinder::PartStrangers(Crew& crew) {
+void ContactFinder::FindDue(double margin, Crew& crew) {
+  const auto is_due = [&](NearPair& pair) {
+    // What was apart by a gap stays apart until the two have gone that far.
+    const double gone =
+        gone_[static_cast<std::size_t>(pair.A)] + gone_[static_cast<std::size_t>(pair.B)];
+    if (gone < pair.apart_until) return false;
+    if (broad_phase_.IsAtRest(pair.A) && broad_phase_.IsAtRest(pair.B)) return false;
+    if (pair.contact >= 0) return true;
+    const double gap = broad_phase_.GapOf(pair.A, pair.B);
+    if (gap <= margin) return true;
+    pair.apart_until = gone + gap - margin;
+    return false;
+  };
   found_.Clear(crew.shares());
+  strangers_.Clear(crew.shares());
   crew.ShareOut(near_.size(), kFewNear,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
                   for (std::size_t k = begin; k < end; ++k) {
-                    if (broad_phase_.AreStillNear(near_[k].A, near_[k].B)) continue;
-                    found_.Of(share).push_back(k);
+                    if (!broad_phase_.AreStillNear(near_[k].A, near_[k].B)) {
+                      strangers_.Of(share).push_back(k);
+                    } else if (is_due(near_[k])) {
+                      found_.Of(share).push_back(k);
+                    }
                   }
                 });
   due_.clear();
-  found_.ForEach([&](std::size_t k) { due_.push_back(k); });
+  found_.ForEach([&](std::size_t k) {
+    if (near_[k].contact < 0) Join(k);
+    due_.push_back(k);
+  });
+}
+
+void ContactFinder::ForgetStrangers() {
+  due_.clear();
+  strangers_.ForEach([&](std::size_t k) { due_.push_back(k); });
   // The last first: what takes its place stays.
   for (; !due_.empty(); due_.pop_back()) {
     const std::size_t k = due_.back();
@@ -115,36 +139,6 @@ void ContactFinder::PartStrangers(Crew& crew) {
     if (contact >= 0) contacts_[static_cast<std::size_t>(contact)].near = k;
     near_.pop_back();
   }
-}
-
-void ContactFinder::FindDue(std::span<const RigidBody> bodies, double margin,
-                            Crew& crew) {
-  const auto is_static = [&](int body) {
-    return bodies[static_cast<std::size_t>(body)].is_static();
-  };
-  const auto is_due = [&](NearPair& pair) {
-    // What was apart by a gap stays apart until the two have gone that far.
-    const double gone =
-        gone_[static_cast<std::size_t>(pair.A)] + gone_[static_cast<std::size_t>(pair.B)];
-    if (gone < pair.apart_until || (is_static(pair.A) && is_static(pair.B))) return false;
-    if (pair.contact >= 0) return true;
-    const double gap = broad_phase_.GapOf(pair.A, pair.B);
-    if (gap <= margin) return true;
-    pair.apart_until = gone + gap - margin;
-    return false;
-  };
-  found_.Clear(crew.shares());
-  crew.ShareOut(near_.size(), kFewNear,
-                [&](std::size_t share, std::size_t begin, std::size_t end) {
-                  for (std::size_t k = begin; k < end; ++k) {
-                    if (is_due(near_[k])) found_.Of(share).push_back(k);
-                  }
-                });
-  due_.clear();
-  found_.ForEach([&](std::size_t k) {
-    if (near_[k].contact < 0) Join(k);
-    due_.push_back(k);
-  });
 }
 
 void ContactFinder::Collide(std::span<const RigidBody> bodies, double margin,

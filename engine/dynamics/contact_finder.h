@@ -64,22 +64,23 @@ class ContactFinder {
   void Sort();
   void Join(std::size_t near);
   void Part(std::size_t near);
-  /** Forgets the pairs that are near no more. */
-  void PartStrangers(Crew& crew);
-  /** Finds the pairs to be looked at. */
-  void FindDue(std::span<const RigidBody> bodies, double margin, Crew& crew);
-  /** Looks at them, and parts those that have no contact. */
+  /** Finds the pairs to be looked at, and those that are near no more. */
+  void FindDue(double margin, Crew& crew);
+  /** Looks at the former, and parts those that have no contact. */
   void Collide(std::span<const RigidBody> bodies, double margin, Crew& crew);
+  /** Forgets the latter. */
+  void ForgetStrangers();
 
   BroadPhase broad_phase_;
   std::vector<std::pair<int, int>> appeared_;
   std::vector<NearPair> near_;
   std::vector<ContactPair> contacts_;
-  std::vector<std::size_t> due_;  ///< The near pairs to be looked at in this step.
-  Findings<std::size_t> found_;   ///< Near pairs.
-  std::vector<double> gone_;      ///< By body. [m]
-  int unsorted_ = 0;              ///< Calls of Find() since pairs were sorted.
-  std::vector<int> number_;       ///< By body, see BroadPhase::NumberByPlace().
+  std::vector<std::size_t> due_;     ///< The near pairs to be looked at in this step.
+  Findings<std::size_t> found_;      ///< Those, or those of them that are apart.
+  Findings<std::size_t> strangers_;  ///< The near pairs that are near no more.
+  std::vector<double> gone_;         ///< By body. [m]
+  int unsorted_ = 0;                 ///< Calls of Find() since pairs were sorted.
+  std::vector<int> number_;          ///< By body, see BroadPhase::NumberByPlace().
   std::vector<ContactPair> sorted_;
 };
 
