@@ -196,8 +196,4 @@ void BroadPhase::NumberByPlace(std::vector<int>& number) {
                       [&](int body) { number[static_cast<std::size_t>(body)] = ++last; });
 }
 
-bool BroadPhase::AreStillNear(int a, int b) const {
-  return (!has_moved(a) && !has_moved(b)) || proxy(a).wide.Overlaps(proxy(b).wide);
-}
-
 }  // namespace cookbook

@@ -35,7 +35,9 @@ class BroadPhase {
              std::vector<std::pair<int, int>>& appeared, std::vector<int>& met);
 
   /** Whether a pair that was near before the last Update() still is. */
-  bool AreStillNear(int a, int b) const;
+  bool AreStillNear(int a, int b) const {
+    return (!has_moved(a) && !has_moved(b)) || proxy(a).wide.Overlaps(proxy(b).wide);
+  }
 
   /** Whether a body was static, or asleep, in the last Update(). */
   bool IsAtRest(int body) const { return rests_[static_cast<std::size_t>(body)] != 0; }
@@ -71,7 +73,9 @@ class BroadPhase {
 
   Proxy& proxy(int body) { return proxies_[static_cast<std::size_t>(body)]; }
   const Proxy& proxy(int body) const { return proxies_[static_cast<std::size_t>(body)]; }
-  bool has_moved(int body) const { return has_moved_[static_cast<std::size_t>(body)]; }
+  bool has_moved(int body) const {
+    return has_moved_[static_cast<std::size_t>(body)] != 0;
+  }
 
   /** Brings bounds_ up to date, and notes who leaves its wide box. */
   void FindLeaving(std::span<const RigidBody> bodies, double margin, double ahead,

@@ -12,13 +12,13 @@ namespace cookbook {
 
 /** Two bodies that are near each other: how they touch, and the impulses that held them
  apart in the last step. */
-struct ContactPair {
+struct alignas(64) ContactPair {
   int A = 0;
   int B = 0;
   std::size_t near = 0;  ///< Where ContactFinder keeps it.
   Manifold manifold;     ///< See CollideWithin().
   /** Impulse on B at each contact of the manifold. World frame. [N s] */
-  std::array<Eigen::Vector3d, 8> J_W;
+  alignas(64) std::array<Eigen::Vector3d, 8> J_W;
 };
 
 /** Returns how hard the two bodies of `pair` are pulled; as hard as their heap, where

@@ -7,15 +7,16 @@
 
 namespace cookbook {
 
-/** A body as the world keeps it. */
-struct RigidBody {
+/** A body as the world keeps it: in whole lines of a cache, the place in the first. */
+struct alignas(64) RigidBody {
   BodyShape shape;
   BodyState state;
   Eigen::Matrix3d R_WB;             ///< That of state.q_WB.
-  double inverse_mass;              ///< 0: static. [1/kg]
-  double margin = 0;                ///< Contacts apart by less are kept ready. [m]
   Eigen::Vector3d moments;          ///< Principal moments of inertia; zero where unused.
   Eigen::Vector3d inverse_moments;  ///< Zero where static, or a point.
+  // What contacts ask for, in one line of a cache.
+  double inverse_mass;  ///< 0: static. [1/kg]
+  double margin = 0;    ///< Contacts apart by less are kept ready. [m]
   double restitution;
   double friction;
   // How hard it is pulled, and so what counts for rest, see Pulls.

@@ -91,19 +91,20 @@ Part Turn(const Eigen::Quaterniond& q, const Eigen::Vector3d& inverse,
 Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
                          const Eigen::Vector3d& L_W, const Eigen::Vector3d& dL_W,
                          double h) {
-  const Eigen::Vector3d inverse = moments.cwiseInverse();
   Turning end;
   if (IsRound(moments)) {
     // ω is parallel to L whatever q is. The Magnus expansion of an ω that changes at a
     // constant rate, to fourth order.
+    const double inverse = 1 / moments[0];
     const Eigen::Vector3d L_end = L_W + dL_W;
-    const Eigen::Vector3d k1 = h * inverse[0] * L_W;
-    const Eigen::Vector3d k4 = h * inverse[0] * L_end;
+    const Eigen::Vector3d k1 = h * inverse * L_W;
+    const Eigen::Vector3d k4 = h * inverse * L_end;
     end.q_WB = Exp(0.5 * (k1 + k4) - k1.cross(k4) / 12) * start.q_WB;
     end.q_WB.normalize();
-    end.w_WB = inverse[0] * L_end;
+    end.w_WB = inverse * L_end;
     return end;
   }
+  const Eigen::Vector3d inverse = moments.cwiseInverse();
   for (int parts = 1;; parts *= 2) {
     const double share = 1.0 / parts;
     const Eigen::Vector3d dL_part_W = share * dL_W;
