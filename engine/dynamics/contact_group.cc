@@ -32,14 +32,6 @@ class Greatest {
 }  // namespace
 
 template <class Real>
-void Overlaps<Real>::Clear() {
-  batches.clear();
-  rows.clear();
-  firsts.clear();
-  groups.clear();
-}
-
-template <class Real>
 void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobody) {
   batches_.clear();
   firsts_.clear();
@@ -156,54 +148,13 @@ void ContactGroup<Real>::LeaveBe(double solved, std::span<const int> heaps,
 }
 
 template <class Real>
-void ContactGroup<Real>::Note(const ContactBatch<Real>& batch, bool turns,
-                              Overlaps<Real>& overlaps) const {
-  std::vector<OverlapLanes<Real>>& rows = overlaps.rows;
-  const std::size_t first = rows.size();
-  for (int k = 0; k < batch.count; ++k) {
-    const auto row = static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k);
-    const ContactNotes<Real>& notes = notes_[row];
-    Lanes<Real> mass{};
-    bool any = false;
-    for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
-      const bool counts = notes.used[lane] != 0 && notes.bounces[lane] == 0 &&
-                          notes.separation[lane] < -batch.slack[lane];
-      if (!counts) continue;
-      any = true;
-      mass[lane] = 1 / (turns ? notes.response[lane]
-                              : batch.inverse_mass_A[lane] + batch.inverse_mass_B[lane]);
-    }
-    if (!any) continue;
-    OverlapLanes<Real>& overlap = rows.emplace_back();
-    overlap.r_A = contacts_[row].r_A;
-    overlap.r_B = contacts_[row].r_B;
-    overlap.mass = mass;
-    for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
-      overlap.depth[lane] = -notes.separation[lane] - batch.slack[lane];
-    }
-  }
-  if (rows.size() == first) return;
-  OverlapBatch<Real>& noted = overlaps.batches.emplace_back();
-  noted.A = batch.A;
-  noted.B = batch.B;
-  noted.first = static_cast<int>(first);
-  noted.count = static_cast<int>(rows.size() - first);
-  noted.n = batch.n;
-  noted.usual = batch.usual;
-  noted.inverse_mass_A = batch.inverse_mass_A;
-  noted.inverse_mass_B = batch.inverse_mass_B;
-  noted.inverse_inertia_A = turns ? batch.inverse_inertia_A : TensorLanes<Real>{};
-  noted.inverse_inertia_B = turns ? batch.inverse_inertia_B : TensorLanes<Real>{};
-}
-
-template <class Real>
-void ContactGroup<Real>::NoteOverlaps(bool turns, Overlaps<Real>& overlaps) const {
+void ContactGroup<Real>::NoteOverlaps(bool turns, Overlaps<Real>& overlaps) {
   overlaps.groups.push_back(overlaps.batches.size());
   for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
     overlaps.firsts.push_back(overlaps.batches.size());
-    for (std::size_t i = firsts_[k]; i < firsts_[k + 1]; ++i) {
-      Note(batches_[i], turns, overlaps);
-    }
+    const std::span<ContactBatch<Real>> colour =
+        std::span(batches_).subspan(firsts_[k], firsts_[k + 1] - firsts_[k]);
+    NoteTooDeep(ContactRows<Real>{colour, contacts_, notes_}, turns, overlaps);
   }
 }
 
@@ -220,8 +171,6 @@ void ContactGroup<Real>::Apply(const SolverBodies& world, Crew& crew) {
   }
 }
 
-template struct Overlaps<double>;
-template struct Overlaps<float>;
 template class ContactGroup<double>;
 template class ContactGroup<float>;
 

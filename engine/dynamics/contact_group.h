@@ -25,18 +25,6 @@ struct ColouredPair {
   int count;  ///< Of contacts.
 };
 
-/** Overlaps too deep to be left, batch by batch in the order in which they are removed.
- */
-template <class Real>
-struct Overlaps {
-  std::vector<OverlapBatch<Real>> batches;
-  std::vector<OverlapLanes<Real>> rows;
-  std::vector<std::size_t> firsts;  ///< Batch of each colour, group after group.
-  std::vector<std::size_t> groups;  ///< First batch of each group.
-
-  void Clear();
-};
-
 /** The rows of the pairs of some heaps, while they are solved by doubles or by floats. A
  heap is what contacts join, without what never moves. */
 template <class Real>
@@ -69,7 +57,7 @@ class ContactGroup {
   void End(std::span<ContactPair> pairs, std::span<Touch> touches);
 
   /** Appends what is too deep; `turns`: whether a body may turn, not only move. */
-  void NoteOverlaps(bool turns, Overlaps<Real>& overlaps) const;
+  void NoteOverlaps(bool turns, Overlaps<Real>& overlaps);
 
   /** Applies what was found in single precision to the velocities of the world; in
    doubles it is there. */
@@ -85,7 +73,6 @@ class ContactGroup {
   /** Calls `work(rows)` for all rows: colour after colour, each shared out. */
   template <class Work>
   void ShareByColour(Crew& crew, const Work& work);
-  void Note(const ContactBatch<Real>& batch, bool turns, Overlaps<Real>& overlaps) const;
 
   std::vector<ContactBatch<Real>> batches_;
   std::vector<ContactLanes<Real>> contacts_;

@@ -79,7 +79,7 @@ bool RemovesOverlap(const Settings& settings) {
 
 /** Notes what is too deep in a group, where that is removed by moves. */
 template <class Real>
-void NoteOverlaps(const ContactGroup<Real>& group, const Settings& settings,
+void NoteOverlaps(ContactGroup<Real>& group, const Settings& settings,
                   Overlaps<Real>& overlaps) {
   if (!RemovesOverlap(settings)) return;
   group.NoteOverlaps(settings.stabilisation == Stabilisation::kNonLinearProjection,

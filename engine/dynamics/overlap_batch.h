@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "engine/dynamics/contact_batch.h"
 #include "engine/dynamics/lanes.h"
@@ -34,6 +36,23 @@ struct alignas(kAlignment<Real>) OverlapBatch {
   TensorLanes<Real> inverse_inertia_B;
 };
 
+/** Overlaps too deep to be left, batch by batch in the order in which they are removed.
+ */
+template <class Real>
+struct Overlaps {
+  std::vector<OverlapBatch<Real>> batches;
+  std::vector<OverlapLanes<Real>> rows;
+  std::vector<std::size_t> firsts;  ///< Batch of each colour, group after group.
+  std::vector<std::size_t> groups;  ///< First batch of each group.
+
+  void Clear() {
+    batches.clear();
+    rows.clear();
+    firsts.clear();
+    groups.clear();
+  }
+};
+
 /** Overlaps and their batches. */
 template <class Real>
 struct OverlapRows {
@@ -47,7 +66,13 @@ struct OverlapRules {
   double share;  ///< Of the excess, in (0, 1].
 };
 
-// Both are there for double and for float.
+// All are there for double and for float.
+
+/** Appends what is deeper than its slack, and neither sends back nor is let be: a batch
+ for each batch of contacts that has any. `turns`: whether a body may turn, not only move.
+ */
+template <class Real>
+void NoteTooDeep(const ContactRows<Real>& rows, bool turns, Overlaps<Real>& overlaps);
 
 /** Finds what is to be removed of each overlap, given what has moved the bodies during
  the step and how they move now: contacts that part on their own are let go. */

@@ -20,6 +20,47 @@ namespace HWY_NAMESPACE {
 namespace {
 
 template <class Real>
+void Note(const ContactRows<Real>& rows, bool turns, Overlaps<Real>& overlaps) {
+  using V = Vec<Real>;
+  const V zero{};
+  const V one = All<Real>(1);
+  for (const ContactBatch<Real>& batch : rows.batches) {
+    const std::size_t first = overlaps.rows.size();
+    const V slack = At(batch.slack);
+    const V moved = At(batch.inverse_mass_A) + At(batch.inverse_mass_B);
+    for (int k = 0; k < batch.count; ++k) {
+      const auto row =
+          static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k);
+      const ContactNotes<Real>& note = rows.notes[row];
+      const V depth = zero - At(note.separation) - slack;
+      const VecBits<Real> counts =
+          (depth > zero) & (At(note.used) > zero) & ~(At(note.bounces) > zero);
+      if (Bits(counts) == 0) continue;
+      const V response = turns ? At(note.response) : moved;
+      OverlapLanes<Real>& overlap = overlaps.rows.emplace_back();
+      overlap.r_A = rows.contacts[row].r_A;
+      overlap.r_B = rows.contacts[row].r_B;
+      Put(depth, overlap.depth);
+      Put(Select(counts, one / response, zero), overlap.mass);
+    }
+    const std::size_t count = overlaps.rows.size() - first;
+    if (count == 0) continue;
+    OverlapBatch<Real>& noted = overlaps.batches.emplace_back();
+    noted.A = batch.A;
+    noted.B = batch.B;
+    noted.first = static_cast<int>(first);
+    noted.count = static_cast<int>(count);
+    noted.n = batch.n;
+    noted.usual = batch.usual;
+    noted.inverse_mass_A = batch.inverse_mass_A;
+    noted.inverse_mass_B = batch.inverse_mass_B;
+    if (!turns) continue;
+    noted.inverse_inertia_A = batch.inverse_inertia_A;
+    noted.inverse_inertia_B = batch.inverse_inertia_B;
+  }
+}
+
+template <class Real>
 void Find(const OverlapRows<Real>& rows, const OverlapRules& rules, const Velocity* mean,
           const Velocity* solved) {
   using V = Vec<Real>;
@@ -79,6 +120,13 @@ void Remove(const OverlapRows<Real>& rows, SweptVelocity<Real>* moves) {
   }
 }
 
+void NoteDoubles(const ContactRows<double>& rows, bool turns,
+                 Overlaps<double>& overlaps) {
+  Note(rows, turns, overlaps);
+}
+void NoteFloats(const ContactRows<float>& rows, bool turns, Overlaps<float>& overlaps) {
+  Note(rows, turns, overlaps);
+}
 void FindDoubles(const OverlapRows<double>& rows, const OverlapRules& rules,
                  const Velocity* mean, const Velocity* solved) {
   Find(rows, rules, mean, solved);
@@ -101,10 +149,22 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
+HWY_EXPORT(NoteDoubles);
+HWY_EXPORT(NoteFloats);
 HWY_EXPORT(FindDoubles);
 HWY_EXPORT(FindFloats);
 HWY_EXPORT(RemoveDoubles);
 HWY_EXPORT(RemoveFloats);
+
+template <>
+void NoteTooDeep(const ContactRows<double>& rows, bool turns,
+                 Overlaps<double>& overlaps) {
+  HWY_DYNAMIC_DISPATCH(NoteDoubles)(rows, turns, overlaps);
+}
+template <>
+void NoteTooDeep(const ContactRows<float>& rows, bool turns, Overlaps<float>& overlaps) {
+  HWY_DYNAMIC_DISPATCH(NoteFloats)(rows, turns, overlaps);
+}
 
 template <>
 void FindExcess(const OverlapRows<double>& rows, const OverlapRules& rules,
