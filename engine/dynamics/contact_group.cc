@@ -159,8 +159,10 @@ void ContactGroup<Real>::NoteOverlaps(bool turns, Overlaps<Real>& overlaps) {
 }
 
 template <class Real>
-void ContactGroup<Real>::End(std::span<ContactPair> pairs, std::span<Touch> touches) {
-  ReadContacts(ContactRows<Real>{batches_, contacts_, notes_}, pairs, touches);
+void ContactGroup<Real>::End(std::span<ContactPair> pairs, std::span<Touch> touches,
+                             Crew& crew) {
+  ShareByColour(
+      crew, [&](const ContactRows<Real>& rows) { ReadContacts(rows, pairs, touches); });
 }
 
 template <class Real>

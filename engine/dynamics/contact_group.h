@@ -54,7 +54,7 @@ class ContactGroup {
   ContactRows<Real> rows() { return {batches_, contacts_, notes_}; }
 
   /** Writes the impulses to the pairs, and what the contacts did to the bodies. */
-  void End(std::span<ContactPair> pairs, std::span<Touch> touches);
+  void End(std::span<ContactPair> pairs, std::span<Touch> touches, Crew& crew);
 
   /** Appends what is too deep; `turns`: whether a body may turn, not only move. */
   void NoteOverlaps(bool turns, Overlaps<Real>& overlaps);

@@ -226,7 +226,7 @@ void ContactSolver::SolveSmall(const Task& task, Crew& crew) {
     if (whole_.Sweep(1, task.world.velocities, crew) <= solved) break;
   }
   patience_.Spend(spent, settings);
-  whole_.End(task.pairs, task.touches);
+  whole_.End(task.pairs, task.touches, crew);
   NoteOverlaps(whole_, settings, groups_.overlaps.back());
 }
 
@@ -248,7 +248,7 @@ void ContactSolver::SolveLarge(const Task& task,
       if (group.Sweep(relaxation, velocities, helpers) <= solved) break;
     }
     group.Apply(task.world, helpers);
-    group.End(task.pairs, task.touches);
+    group.End(task.pairs, task.touches, helpers);
     NoteOverlaps(group, task.settings, overlaps);
   };
 
@@ -299,7 +299,7 @@ double ContactSolver::Sweep(std::span<Velocity> velocities, Crew& crew) {
 void ContactSolver::End(std::span<ContactPair> pairs, const Settings& settings,
                         std::span<Touch> touches) {
   ForgetOverlaps();
-  whole_.End(pairs, touches);
+  whole_.End(pairs, touches, alone_);
   NoteOverlaps(whole_, settings, groups_.overlaps.back());
 }
 

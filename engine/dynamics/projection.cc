@@ -53,7 +53,10 @@ bool FindMoves(std::span<Overlaps<Real>> overlaps, int contacts,
 
   Overlaps<Real>& shared = overlaps.back();
   const OverlapRows<Real> rows{shared.batches, shared.rows};
-  FindExcess(rows, rules, mean, solved);
+  crew.Share(rows.batches.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
+    FindExcess<Real>({rows.batches.subspan(begin, end - begin), rows.overlaps}, rules,
+                     mean, solved);
+  });
   for_each_sweep([&] {
     for (std::size_t k = 0; k < shared.firsts.size(); ++k) {
       const std::size_t first = shared.firsts[k];
