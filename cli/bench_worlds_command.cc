@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/error_output.h"
 #include "cli/growth.h"
 #include "cli/input_error.h"
 #include "cli/median.h"
@@ -58,6 +59,7 @@ struct Row {
   std::string oracle;
   int threads = 1;
   std::optional<Measured> measured;  ///< Empty where it was stopped, or crashed.
+  ErrorOutput::Said said;
 
   std::string Name() const {
     return threads == 1 ? oracle : fmt::format("{}, {} threads", oracle, threads);
@@ -130,6 +132,7 @@ std::vector<Row> Measure(std::vector<Runner> runners,
                                 : MedianByCpu(runner.turns);
       runner.row.measured->quality = *quality;
     }
+    runner.row.said = runner.child->Said();
     rows.push_back(std::move(runner.row));
   }
   return rows;
@@ -185,6 +188,16 @@ void PrintDisturbances(std::span<const Row> rows) {
   }
 }
 
+// What an engine prints is a sign that it failed at something, whatever its time.
+void PrintComplaints(std::span<const Row> rows) {
+  for (const Row& row : rows) {
+    if (row.said.lines == 0) continue;
+    std::cout << fmt::format("  {} printed {} {} to its standard error, last: {}\n",
+                             row.Name(), row.said.lines,
+                             row.said.lines == 1 ? "line" : "lines", row.said.last);
+  }
+}
+
 bool StepsInThreads(const Oracle* oracle) {
   return oracle->info().steps_in_threads;
 }
@@ -227,6 +240,7 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
     PrintTable(scene, world, arguments, rows);
     PrintSpeedUps(rows);
     PrintDisturbances(rows);
+    PrintComplaints(rows);
     std::cout << '\n';
     for (const Row& row : rows) {
       if (row.measured)

@@ -99,6 +99,7 @@ SteppingChild::SteppingChild(const Oracle& oracle, const World& world,
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
     close(ends[0]);
+    error_output_.Take();
     // The limit counts what all threads of the child spend.
     const rlim_t seconds =
         static_cast<rlim_t>(stepping.seconds) * static_cast<rlim_t>(stepping.threads);

@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include "cli/error_output.h"
 #include "oracles/oracle.h"
 #include "scenarios/worlds/world.h"
 
@@ -55,12 +56,16 @@ class SteppingChild {
   /** Returns what the world is worth now; nothing once the child has ended. */
   std::optional<WorldQuality> Quality();
 
+  /** Returns what the child has printed to its standard error so far. */
+  ErrorOutput::Said Said() const { return error_output_.Read(); }
+
  private:
   [[noreturn]] static void Run(const Oracle& oracle, const World& world, int threads,
                                int orders);
   template <typename Reply>
   std::optional<Reply> Ask(int steps);
 
+  ErrorOutput error_output_;
   pid_t pid_ = -1;
   int orders_ =
       -1;  ///< Our end: the steps to take, or 0 for the quality; then the reply.

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+namespace touchstone {
+
+/** What a child process prints to its standard error, kept until somebody asks. */
+class ErrorOutput {
+ public:
+  struct Said {
+    long lines = 0;    ///< That are not empty.
+    std::string last;  ///< Of them, without control characters; its first 200 bytes.
+  };
+
+  /** @throws InputError where the system gives no file. */
+  ErrorOutput();
+  ~ErrorOutput();
+  ErrorOutput(const ErrorOutput&) = delete;
+  ErrorOutput& operator=(const ErrorOutput&) = delete;
+
+  /** In the child: from now on its standard error goes here, up to 64 MiB of it. */
+  void Take() const;
+
+  /** Returns what has come so far. */
+  Said Read() const;
+
+ private:
+  int file_ = -1;  ///< Without a name.
+};
+
+}  // namespace touchstone
