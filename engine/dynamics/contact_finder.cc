@@ -159,10 +159,9 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies, double margin,
         const ContactPair& next = contact_of(first + k + kNeighbours);
         const NearPair& next_near = near_[due_[first + k + kNeighbours]];
         Fetch(&next, sizeof(ContactPair));
-        Fetch(&bodies[static_cast<std::size_t>(next_near.A)],
-              offsetof(RigidBody, moments));
-        Fetch(&bodies[static_cast<std::size_t>(next_near.B)],
-              offsetof(RigidBody, moments));
+        for (const int body : {next_near.A, next_near.B}) {
+          Fetch(&bodies[static_cast<std::size_t>(body)], offsetof(RigidBody, force_W));
+        }
       }
       Recollide(margin, bodies, std::span(pairs).first(count));
       for (std::size_t k = 0; k < count; ++k) {

@@ -3,76 +3,94 @@
 namespace cookbook {
 namespace {
 
-/** How often a thread that is not on a shift looks for news before it sleeps, and one
- that is before it leaves its processor to others: some microseconds. */
-constexpr int kLooks = 4000;
+/** How often a thread looks for news before it sleeps: some 40 microseconds, longer than
+ to wake it takes, and than most of what a step leaves to one thread. */
+constexpr int kLooks = 80'000;
+
+/** The same where threads are more than processors: who looks takes another's. */
+constexpr int kLooksOfMany = 100;
 
 }  // namespace
 
 Crew::Shift::Shift(Crew& crew, std::size_t count, std::size_t least) : crew_(crew) {
-  if (crew.workers_.empty() || count < least) return;
-  crew.on_shift_.store(true, std::memory_order_relaxed);
+  crew.on_shift_ = !crew.workers_.empty() && count >= least;
 }
 
 Crew::Shift::~Shift() {
-  crew_.on_shift_.store(false, std::memory_order_relaxed);
+  crew_.on_shift_ = false;
 }
 
-void Crew::WaitWhile(const std::atomic<unsigned>& value, unsigned old) const {
-  for (int look = 0; look < kLooks || on_shift_.load(std::memory_order_relaxed);) {
-    if (value.load(std::memory_order_acquire) != old) return;
-    if (look < kLooks) {
-      ++look;
-    } else {
-      std::this_thread::yield();
+Crew::Crew(int threads)
+    : claims_(static_cast<std::size_t>(threads)),
+      looks_(static_cast<unsigned>(threads) > std::thread::hardware_concurrency()
+                 ? kLooksOfMany
+                 : kLooks) {
+  try {
+    for (std::size_t share = 1; share < shares(); ++share) {
+      workers_.emplace_back([this, share] { Serve(share); });
     }
-  }
-  while (value.load(std::memory_order_acquire) == old) {
-    value.wait(old, std::memory_order_acquire);
-  }
-}
-
-Crew::Crew(int threads) {
-  for (int share = 1; share < threads; ++share) {
-    workers_.emplace_back([this, share] { Serve(static_cast<std::size_t>(share)); });
+  } catch (...) {
+    Dismiss();
+    throw;
   }
 }
 
 Crew::~Crew() {
+  Dismiss();
+}
+
+void Crew::Dismiss() {
   over_ = true;
   task_.fetch_add(1, std::memory_order_release);
   task_.notify_all();
   for (std::thread& worker : workers_) worker.join();
 }
 
-void Crew::Run(std::size_t count, const void* object, Call call) {
+void Crew::WaitWhile(const std::atomic<unsigned>& value, unsigned old) const {
+  for (int look = 0; look < looks_; ++look) {
+    if (value.load(std::memory_order_acquire) != old) return;
+  }
+  value.wait(old, std::memory_order_acquire);
+}
+
+void Crew::Run(std::size_t count, const void* object, Call call) noexcept {
+  // No share of the last task is left: nobody reads these.
   count_ = count;
   object_ = object;
   call_ = call;
-  pending_.store(static_cast<unsigned>(workers_.size()), std::memory_order_relaxed);
+  done_.store(0, std::memory_order_relaxed);
+  for (Claim& claim : claims_) claim.taken.store(false, std::memory_order_release);
   task_.fetch_add(1, std::memory_order_release);
   task_.notify_all();
-  DoShare(0);
-  for (unsigned left = pending_.load(std::memory_order_acquire); left != 0;
-       left = pending_.load(std::memory_order_acquire)) {
-    WaitWhile(pending_, left);
+  DoShares(0);
+  for (unsigned done = done_.load(std::memory_order_acquire); done != shares();
+       done = done_.load(std::memory_order_acquire)) {
+    WaitWhile(done_, done);
   }
 }
 
-void Crew::DoShare(std::size_t share) const {
-  const std::size_t begin = count_ * share / shares();
-  const std::size_t end = count_ * (share + 1) / shares();
-  if (begin < end) call_(object_, share, begin, end);
+void Crew::DoShares(std::size_t own) {
+  for (std::size_t k = 0; k < shares(); ++k) {
+    const std::size_t share = (own + k) % shares();
+    std::atomic<bool>& taken = claims_[share].taken;
+    if (taken.load(std::memory_order_relaxed) ||
+        taken.exchange(true, std::memory_order_acquire)) {
+      continue;
+    }
+    const std::size_t begin = count_ * share / shares();
+    const std::size_t end = count_ * (share + 1) / shares();
+    if (begin < end) call_(object_, share, begin, end);
+    done_.fetch_add(1, std::memory_order_release);
+    done_.notify_one();
+  }
 }
 
-void Crew::Serve(std::size_t share) {
-  for (unsigned done = 0;;) {
-    WaitWhile(task_, done);
+void Crew::Serve(std::size_t own) {
+  for (unsigned task = 0;;) {
+    WaitWhile(task_, task);
+    task = task_.load(std::memory_order_acquire);
     if (over_) return;
-    ++done;
-    DoShare(share);
-    pending_.fetch_sub(1, std::memory_order_release);
-    pending_.notify_one();
+    DoShares(own);
   }
 }
 

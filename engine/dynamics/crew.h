@@ -7,20 +7,21 @@
 
 namespace cookbook {
 
-/** Threads that share work with the one that calls them. The shares depend on the count
- alone, and what is done in one must not depend on another: so the bits are the same
- whatever the number of threads. */
+/** Threads that share work with the one that calls them. What is done in one share must
+ not depend on another: so the bits are the same whatever the number of threads. Each
+ takes its own share first, and then those that nobody has begun: a thread without a
+ processor keeps nobody waiting. */
 class Crew {
  public:
-  /** `threads`: how many work at once, the caller included; at least 1. */
+  /** `threads`: how many work at once, the caller included; at least 1.
+   @throws std::system_error where the system does not give so many. */
   explicit Crew(int threads);
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
-  /** The time in which work is shared. The threads stay awake from one task to the next,
-   since to wake one takes some 30 microseconds; they leave their processors to others
-   that want them. */
+  /** The time in which work is shared: else it does not pay to wake the threads, which
+   takes some 30 microseconds each time. No two at once. */
   class Shift {
    public:
     /** With fewer things to do than `least` there is none. */
@@ -35,7 +36,7 @@ class Crew {
 
   /** Calls `work(begin, end)` so that every index in [0, count) is in one of the calls,
    and returns when all have returned. Fewer than `least`, and all outside a Shift, are
-   done by the caller. `work` does not throw. */
+   done by the caller. `work` neither throws nor shares. */
   template <class Work>
   void Share(std::size_t count, std::size_t least, const Work& work) {
     ShareOut(count, least,
@@ -46,7 +47,7 @@ class Crew {
    shares(), have greater indices, and no two calls the same share. */
   template <class Work>
   void ShareOut(std::size_t count, std::size_t least, const Work& work) {
-    if (count < least || !on_shift_.load(std::memory_order_relaxed)) {
+    if (count < least || !on_shift_) {
       if (count > 0) work(std::size_t{0}, std::size_t{0}, count);
       return;
     }
@@ -56,26 +57,35 @@ class Crew {
         });
   }
 
-  std::size_t shares() const { return workers_.size() + 1; }
+  std::size_t shares() const { return claims_.size(); }
 
  private:
   using Call = void (*)(const void* object, std::size_t share, std::size_t begin,
                         std::size_t end);
 
-  void Run(std::size_t count, const void* object, Call call);
-  void DoShare(std::size_t share) const;
-  void Serve(std::size_t share);
+  /** Whether somebody has begun a share; in a line of a cache of its own. */
+  struct alignas(64) Claim {
+    std::atomic<bool> taken{true};
+  };
+
+  void Run(std::size_t count, const void* object, Call call) noexcept;
+  void Dismiss();
+  /** Does what nobody has begun of the task, the share `own` first. */
+  void DoShares(std::size_t own);
+  void Serve(std::size_t own);
   /** Returns once `value` is not `old`. */
   void WaitWhile(const std::atomic<unsigned>& value, unsigned old) const;
 
-  std::vector<std::thread> workers_;
-  std::atomic<unsigned> task_{0};     ///< Counts the tasks that were given.
-  std::atomic<unsigned> pending_{0};  ///< Workers that have not finished the last one.
-  std::atomic<bool> on_shift_{false};
+  std::vector<Claim> claims_;  ///< By share.
+  int looks_;                  ///< How often a thread looks for news before it sleeps.
+  bool on_shift_ = false;
+  std::atomic<unsigned> task_{0};  ///< Counts the tasks that were given.
+  std::atomic<unsigned> done_{0};  ///< Shares of the last one.
   std::atomic<bool> over_{false};
   std::size_t count_ = 0;
   const void* object_ = nullptr;
   Call call_ = nullptr;
+  std::vector<std::thread> workers_;
 };
 
 }  // namespace cookbook

@@ -7,7 +7,7 @@
 
 namespace cookbook {
 
-/** A body as the world keeps it: in whole lines of a cache, the place in the first. */
+/** A body as the world keeps it: in whole lines of a cache, its position in the first. */
 struct alignas(64) RigidBody {
   BodyShape shape;
   BodyState state;

@@ -26,6 +26,11 @@ constexpr std::size_t kFewToShare = 120;
 /** Bodies below which it does not pay to share them out. */
 constexpr std::size_t kFewBodies = 128;
 
+const Settings& Valid(const Settings& settings) {
+  Validate(settings);
+  return settings;
+}
+
 bool IsSane(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kLargest;  // False for NaN.
 }
@@ -42,11 +47,7 @@ void Read(const ContactPair& pair, std::vector<ContactImpulse>& impulses) {
 }  // namespace
 
 World::World(const Settings& settings)
-    : settings_(settings),
-      crew_(std::max(1, settings.threads)),
-      contacts_(std::max(1, settings.threads)) {
-  Validate(settings);
-}
+    : settings_(Valid(settings)), crew_(settings.threads), contacts_(settings.threads) {}
 
 int World::AddBody(const BodyDefinition& definition) {
   bodies_.push_back(MakeRigidBody(definition));
@@ -197,7 +198,8 @@ bool World::MayStrike(double h) {
     return Reach(bodies_[i], free_[i].v, h);
   };
   const auto takes_part = [&](int body) {
-    return !linked_[static_cast<std::size_t>(body)];
+    const auto i = static_cast<std::size_t>(body);
+    return !linked_[i] || bodies_[i].is_static();
   };
   bool may = false;
   finder_.ForEachNear([&](int A, int B, double gap) {

@@ -47,26 +47,47 @@ TEST(Crew, ReturnsWhenAllHaveReturnedHoweverManyTasks) {
 }
 
 TEST(Crew, TheCallerDoesAloneWhatIsTooLittleOrOutsideAShift) {
-  Crew crew(4);
-  const std::thread::id caller = std::this_thread::get_id();
-  const auto others_help = [&](std::size_t least) {
-    std::atomic<bool> helped = false;
-    crew.Share(100, least, [&](std::size_t, std::size_t) {
-      if (std::this_thread::get_id() != caller) helped = true;
+  Crew crew(2);
+  // Of two shares neither ends before both have begun, so that nobody does both.
+  const auto another_helps = [&](std::size_t least) {
+    std::atomic<int> begun = 0;
+    crew.Share(100, least, [&](std::size_t begin, std::size_t end) {
+      ++begun;
+      while (end - begin < 100 && begun < 2) std::this_thread::yield();
     });
-    return helped.load();
+    return begun == 2;
   };
-  EXPECT_FALSE(others_help(0));
+  EXPECT_FALSE(another_helps(0));
   {
     const Crew::Shift shift(crew, 99, 100);
-    EXPECT_FALSE(others_help(0));
+    EXPECT_FALSE(another_helps(0));
   }
   {
     const Crew::Shift shift(crew, 100, 100);
-    EXPECT_FALSE(others_help(101));
-    EXPECT_TRUE(others_help(100));
+    EXPECT_FALSE(another_helps(101));
+    EXPECT_TRUE(another_helps(100));
   }
-  EXPECT_FALSE(others_help(0));
+  EXPECT_FALSE(another_helps(0));
+}
+
+// One of two threads is kept from its share: the other does all.
+TEST(Crew, WaitsForNoThreadThatHasBegunNothing) {
+  Crew crew(3);
+  const Crew::Shift shift(crew, 1, 0);
+  for (int task = 0; task < 100; ++task) {
+    std::atomic<int> in_first = 0;
+    std::atomic<int> shares = 0;
+    crew.Share(3, 0, [&](std::size_t begin, std::size_t) {
+      // Whoever does the first share ends it only when the others are done.
+      if (begin == 0) {
+        ++in_first;
+        while (shares < 2) std::this_thread::yield();
+      }
+      ++shares;
+    });
+    ASSERT_EQ(shares, 3);
+    ASSERT_EQ(in_first, 1);
+  }
 }
 
 }  // namespace
