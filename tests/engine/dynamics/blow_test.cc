@@ -112,8 +112,9 @@ TEST(Blow, NothingGoesThroughAPlateThatIsThinnerThanItsStep) {
   EXPECT_NEAR(world.state(body).p_WB[0], -0.101 - 100 * (1e-2 - 0.499 / 200), 1e-9);
 }
 
-// A world with rods takes other steps, of fourth order, where nothing may strike.
-TEST(Blow, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
+/** Steps once a world in which a ball flies at a plate, and a pendulum swings elsewhere
+ that hangs from the world or from the plate. Returns the ball. */
+BodyState StateOfABallAtAPlate(bool plate_holds_pendulum) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -121,7 +122,7 @@ TEST(Blow, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
   plate.shape = Box{{0.001, 2, 2}};
   plate.mass = 0;
   plate.restitution = 1;
-  world.AddBody(plate);
+  const int holds = world.AddBody(plate);
   BodyDefinition ball = Ball(0, 1);
   ball.state.p_WB = {-0.6, 0.1, 0.2};
   ball.state.v_WB = {200, 0, 0};
@@ -129,11 +130,37 @@ TEST(Blow, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
   ball.state.p_WB = {100, 0, 0};
   ball.state.v_WB = {0, 1, 0};
   const int bob = world.AddBody(ball);
-  world.AddJoint({{-1, {100, 0, 3}}, {bob, {0, 0, 0}}, 3});
+  world.AddJoint({{plate_holds_pendulum ? holds : -1, {100, 0, 3}}, {bob, {0, 0, 0}}, 3});
   world.Step(1e-2);
-  // 0.499 m there, and 1.501 m back.
-  EXPECT_NEAR(world.state(body).p_WB[0], -0.101 - 1.501, 1e-9);
-  EXPECT_NEAR(world.state(body).v_WB[0], -200, 1e-9);
+  return world.state(body);
+}
+
+// A world with rods takes other steps, of fourth order, where nothing may strike.
+TEST(Blow, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
+  for (const bool plate_holds_pendulum : {false, true}) {
+    const BodyState ball = StateOfABallAtAPlate(plate_holds_pendulum);
+    // 0.499 m there, and 1.501 m back.
+    EXPECT_NEAR(ball.p_WB[0], -0.101 - 1.501, 1e-9) << plate_holds_pendulum;
+    EXPECT_NEAR(ball.v_WB[0], -200, 1e-9) << plate_holds_pendulum;
+  }
+}
+
+TEST(Blow, AFloorThatHoldsAPendulumIsBouncedOnAsAnyOther) {
+  World world(OnEarth());
+  AddFloor(1, world);
+  BodyDefinition ball = Ball(2, 1);
+  const int body = world.AddBody(ball);
+  ball.state.p_WB = {8, 2, 0};
+  const int bob = world.AddBody(ball);
+  world.AddJoint({{0, {7.7, 4, -0.2}}, {bob, {0, 0, 0}}, 1});  // The point (8, 3, 0).
+  const auto energy = [&] {
+    const BodyState& state = world.state(body);
+    return 0.5 * state.v_WB.squaredNorm() + kGravity * state.p_WB[1];
+  };
+  const double before = energy();
+  for (int k = 0; k < 1200; ++k) world.Step(1.0 / 120);
+  EXPECT_NEAR(energy(), before, 1e-9 * before);
+  EXPECT_GT(world.state(body).p_WB[1], 0.49);
 }
 
 TEST(Blow, NothingGoesThroughAPlateThatAForcePullsItTo) {

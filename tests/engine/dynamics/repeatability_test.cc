@@ -146,6 +146,10 @@ INSTANTIATE_TEST_SUITE_P(Targets, RepeatabilityOnTarget,
 TEST(Repeatability, AStepAllocatesNothingOnceWarm) {
   World heap;
   Fill(heap);
+  Settings settings;
+  settings.threads = 2;
+  World shared(settings);
+  Fill(shared);
   World net;
   Cloth cloth;
   cloth.structural.stiffness = 50;
@@ -161,11 +165,11 @@ TEST(Repeatability, AStepAllocatesNothingOnceWarm) {
   }
   // After ten seconds the last that falls has fallen from the heap; until then more and
   // more come near each other, or strike at once.
-  for (World* world : {&heap, &net, &bouncing}) {
+  for (World* world : {&heap, &shared, &net, &bouncing}) {
     for (int k = 0; k < 1300; ++k) world->Step(1.0 / 120);
   }
   const int before = allocations;
-  for (World* world : {&heap, &net, &bouncing}) {
+  for (World* world : {&heap, &shared, &net, &bouncing}) {
     for (int k = 0; k < 60; ++k) world->Step(1.0 / 120);
   }
   EXPECT_EQ(allocations, before);
