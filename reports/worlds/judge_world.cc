@@ -148,9 +148,13 @@ class Judgement {
     const bool vanishes = *half <= shrinks * finding.value && *quarter <= shrinks * *half;
     finding.cause = vanishes ? Cause::kDiscretisation : Cause::kDefect;
     finding.cause_because = fmt::format(
-        "{:.3g}, {:.3g} and {:.3g} with the step, a half and a quarter of it: "
-        "{} with the step",
-        finding.value, *half, *quarter, vanishes ? "it vanishes" : "it does not vanish");
+        "{:.3g}, {:.3g} and {:.3g} with the step, a half and a quarter of it: {}",
+        finding.value, *half, *quarter,
+        vanishes
+            ? "it vanishes with the step"
+            : fmt::format("to vanish with the step it would have to fall to 1/{:.2g} "
+                          "at each halving",
+                          1 / shrinks));
   }
 
   /** Judged once, whatever the number of smooth claims. */

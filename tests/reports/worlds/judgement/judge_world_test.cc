@@ -58,7 +58,8 @@ TEST(JudgeWorld, AnErrorThatStaysIsADefect) {
   ASSERT_NE(position, nullptr);
   EXPECT_EQ(position->verdict, Verdict::kFail);
   EXPECT_EQ(position->cause, Cause::kDefect);
-  EXPECT_THAT(position->cause_because, HasSubstr("does not vanish"));
+  EXPECT_THAT(position->cause_because,
+              HasSubstr("would have to fall to 1/1.4 at each halving"));
 }
 
 TEST(JudgeWorld, AnErrorThatHardlyFallsWithTheStepHasNoOrder) {
