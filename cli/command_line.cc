@@ -254,12 +254,13 @@ class CommandLine {
         ->type_name("");
     AddOracleList(app, bench_.oracles);
     AddPair(app, bench_.pair);
-    AddNumber(app, "--count", bench_.count, 1, "random poses per pair");
+    AddNumber(app, "--count", bench_.count, 1, "of contact: random poses per pair");
     AddNumber(app, "--sample", bench_.sample, 0,
-              "how many of them are held against the truth");
+              "of contact: how many of them are held against the truth");
     AddNumber(app, "--seed", bench_.seed, 0, "another seed, other poses");
     app->add_option("--scene", bench_worlds_.scenes,
-                    "of worlds: boxes100, boxes1000, …; all without it")
+                    "of worlds: boxes100, boxes1000, boxes10000, boxes30000, stack20, "
+                    "spheres10000; all without it")
         ->check(OneOf(SceneNames()))
         ->type_name("SCENE")
         ->delimiter(',')
