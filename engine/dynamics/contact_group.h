@@ -10,11 +10,10 @@
 
 namespace cookbook {
 
-/** Colours that pairs are sorted by, so that no two of a colour share a moving body; the
- last is for pairs that found none of the others free, which are solved one after the
- other. */
-inline constexpr int kColours = 64;
-inline constexpr int kLastColour = kColours - 1;
+/** The last of 64 colours that pairs are sorted by, so that no two of a colour share a
+ moving body: it is for pairs that found none of the others free, which are solved one
+ after the other. */
+inline constexpr int kLastColour = 63;
 
 /** A pair, its colour, and what is asked of it most: pairs are large. */
 struct ColouredPair {

@@ -100,6 +100,7 @@ void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
     static_[i] = bodies[i].is_static() ? 1 : 0;
   heaps_.Reset(bodies.size());
   coloured_.clear();
+  colours_used_ = 0;
   contacts_ = 0;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const ContactPair& pair = pairs[p];
@@ -111,6 +112,7 @@ void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
     const std::uint64_t bit = std::uint64_t{1} << colour;
     if (!static_[a]) colours_[a] |= bit;
     if (!static_[b]) colours_[b] |= bit;
+    colours_used_ = std::max(colours_used_, colour + 1);
     coloured_.push_back(
         {static_cast<int>(p), colour, pair.A, pair.B, pair.manifold.count});
     if (!static_[a] && !static_[b]) heaps_.Join(pair.A, pair.B);
@@ -152,7 +154,7 @@ void ContactSolver::Order() {
   const auto key = [](const ColouredPair& pair) {
     return static_cast<std::size_t>(pair.colour * (kMost + 1) + kMost - pair.count);
   };
-  starts_.assign(kColours * (kMost + 1) + 1, 0);
+  starts_.assign(static_cast<std::size_t>(colours_used_ * (kMost + 1)) + 1, 0);
   for (const ColouredPair& pair : coloured_) ++starts_[key(pair) + 1];
   std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
   by_key_.resize(coloured_.size());

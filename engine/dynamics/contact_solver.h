@@ -118,6 +118,7 @@ class ContactSolver {
   void Order();
 
   std::vector<std::uint64_t> colours_;  ///< Of each body: one bit for each in use.
+  int colours_used_ = 0;
   std::vector<char> static_;            ///< Of each body: 1 where it never moves.
   std::vector<ColouredPair> coloured_;  ///< The pairs with contacts, in their order.
   std::vector<int> part_;               ///< Of each of those.
