@@ -17,7 +17,7 @@ TEST(Crew, DoesEveryIndexOnceInSharesThatFollowEachOther) {
     Crew crew(threads);
     const Crew::Shift shift(crew, 1, 0);
     ASSERT_EQ(crew.shares(), static_cast<std::size_t>(threads));
-    for (const std::size_t count : {0, 1, 5, 1000}) {
+    for (const std::size_t count : {0UL, 1UL, 5UL, 1000UL}) {
       Findings<std::size_t> found;
       found.Clear(crew.shares());
       crew.ShareOut(count, 0, [&](std::size_t share, std::size_t begin, std::size_t end) {
