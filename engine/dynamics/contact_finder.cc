@@ -128,17 +128,14 @@ void ContactFinder::FindDue(double margin, Crew& crew) {
 }
 
 void ContactFinder::ForgetStrangers() {
-  due_.clear();
-  strangers_.ForEach([&](std::size_t k) { due_.push_back(k); });
   // The last first: what takes its place stays.
-  for (; !due_.empty(); due_.pop_back()) {
-    const std::size_t k = due_.back();
+  strangers_.ForEachBackwards([&](std::size_t k) {
     Part(k);
     near_[k] = near_.back();
     const int contact = near_[k].contact;
     if (contact >= 0) contacts_[static_cast<std::size_t>(contact)].near = k;
     near_.pop_back();
-  }
+  });
 }
 
 void ContactFinder::Collide(std::span<const RigidBody> bodies, double margin,

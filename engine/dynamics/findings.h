@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -23,6 +24,14 @@ class Findings {
   void ForEach(const Visit& visit) const {
     for (const Share& share : shares_) {
       for (const Found& found : share.found) visit(found);
+    }
+  }
+
+  /** The same, the last first. */
+  template <class Visit>
+  void ForEachBackwards(const Visit& visit) const {
+    for (auto share = shares_.rbegin(); share != shares_.rend(); ++share) {
+      std::for_each(share->found.rbegin(), share->found.rend(), visit);
     }
   }
 
