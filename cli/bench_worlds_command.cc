@@ -9,13 +9,13 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "cli/error_output.h"
 #include "cli/growth.h"
 #include "cli/input_error.h"
 #include "cli/median.h"
@@ -59,7 +59,7 @@ struct Row {
   std::string oracle;
   int threads = 1;
   std::optional<Measured> measured;  ///< Empty where it was stopped, or crashed.
-  ErrorOutput::Said said;
+  std::string complaint;             ///< The last that it printed to its standard error.
 
   std::string Name() const {
     return threads == 1 ? oracle : fmt::format("{}, {} threads", oracle, threads);
@@ -132,7 +132,7 @@ std::vector<Row> Measure(std::vector<Runner> runners,
                                 : MedianByCpu(runner.turns);
       runner.row.measured->quality = *quality;
     }
-    runner.row.said = runner.child->Said();
+    runner.row.complaint = runner.child->LastLine();
     rows.push_back(std::move(runner.row));
   }
   return rows;
@@ -191,10 +191,8 @@ void PrintDisturbances(std::span<const Row> rows) {
 // What an engine prints is a sign that it failed at something, whatever its time.
 void PrintComplaints(std::span<const Row> rows) {
   for (const Row& row : rows) {
-    if (row.said.lines == 0) continue;
-    std::cout << fmt::format("  {} printed {} {} to its standard error, last: {}\n",
-                             row.Name(), row.said.lines,
-                             row.said.lines == 1 ? "line" : "lines", row.said.last);
+    if (row.complaint.empty()) continue;
+    std::cout << fmt::format("  {} printed, last: {}\n", row.Name(), row.complaint);
   }
 }
 

@@ -1,6 +1,5 @@
 #include "cli/error_output.h"
 
-#include <array>
 #include <csignal>
 
 #include <sys/mman.h>
@@ -8,6 +7,7 @@
 #include <unistd.h>
 
 #include "cli/input_error.h"
+#include "oracles/last_line.h"
 
 namespace touchstone {
 
@@ -27,31 +27,8 @@ void ErrorOutput::Take() const {
   dup2(file_, STDERR_FILENO);
 }
 
-ErrorOutput::Said ErrorOutput::Read() const {
-  constexpr std::size_t kMost = 200;
-  Said said;
-  std::string line;
-  const auto end_line = [&] {
-    if (line.find_first_not_of(' ') == std::string::npos) return;
-    ++said.lines;
-    said.last = line;
-  };
-  std::array<char, 1 << 16> bytes;
-  off_t at = 0;
-  for (ssize_t count = 0; (count = pread(file_, bytes.data(), bytes.size(), at)) > 0;
-       at += count) {
-    for (ssize_t i = 0; i < count; ++i) {
-      const char c = bytes[static_cast<std::size_t>(i)];
-      if (c == '\n') {
-        end_line();
-        line.clear();
-      } else if (line.size() < kMost) {
-        line += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-      }
-    }
-  }
-  end_line();
-  return said;
+std::string ErrorOutput::LastLine() const {
+  return LastLineOf(file_);
 }
 
 }  // namespace touchstone

@@ -7,11 +7,6 @@ namespace touchstone {
 /** What a child process prints to its standard error, kept until somebody asks. */
 class ErrorOutput {
  public:
-  struct Said {
-    long lines = 0;    ///< That are not empty.
-    std::string last;  ///< Of them, without control characters; its first 200 bytes.
-  };
-
   /** @throws InputError where the system gives no file. */
   ErrorOutput();
   ~ErrorOutput();
@@ -21,8 +16,8 @@ class ErrorOutput {
   /** In the child: from now on its standard error goes here, up to 64 MiB of it. */
   void Take() const;
 
-  /** Returns what has come so far. */
-  Said Read() const;
+  /** Returns the last line that has come so far, see LastLineOf(). */
+  std::string LastLine() const;
 
  private:
   int file_ = -1;  ///< Without a name.

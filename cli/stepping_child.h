@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include <sys/types.h>
 
@@ -56,8 +57,8 @@ class SteppingChild {
   /** Returns what the world is worth now; nothing once the child has ended. */
   std::optional<WorldQuality> Quality();
 
-  /** Returns what the child has printed to its standard error so far. */
-  ErrorOutput::Said Said() const { return error_output_.Read(); }
+  /** Returns the last line that the child has printed to its standard error so far. */
+  std::string LastLine() const { return error_output_.LastLine(); }
 
  private:
   [[noreturn]] static void Run(const Oracle& oracle, const World& world, int threads,

@@ -24,6 +24,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "oracles/last_line.h"
 #include "oracles/sanitized_fork.h"
 
 namespace touchstone {
@@ -33,8 +34,6 @@ namespace {
 constexpr int kAnswersFd = 3;
 // A child may print this much to stderr on one question; more is lost. [bytes]
 constexpr rlim_t kMostOutput = rlim_t{64} << 20;
-// Of what it printed, this much is searched for the last line. [bytes]
-constexpr off_t kTail = 4096;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kLimitsMemory = false;
@@ -105,33 +104,6 @@ bool WriteAll(int fd, std::string_view bytes) {
     if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
   }
   return true;
-}
-
-// assert() says "program: file:line: the function's whole signature: Assertion `…'
-// failed.": what counts is where and which.
-std::string ShortAssertion(std::string line) {
-  const std::string program = std::string(program_invocation_short_name) + ": ";
-  if (line.starts_with(program)) line.erase(0, program.size());
-  const std::size_t place = line.find(": ");
-  const std::size_t assertion = line.find("Assertion `");
-  if (assertion != std::string::npos && place < assertion) {
-    line.erase(place + 2, assertion - place - 2);
-  }
-  return line;
-}
-
-// Of what an output file holds, empty where it holds nothing.
-std::string LastLineOf(int fd) {
-  const off_t size = lseek(fd, 0, SEEK_END);
-  std::array<char, kTail> bytes;
-  const ssize_t count =
-      pread(fd, bytes.data(), bytes.size(), std::max<off_t>(0, size - kTail));
-  std::string text(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }, ' ');
-  text.erase(text.find_last_not_of(" \n") + 1);
-  text.erase(0, text.find_last_of('\n') + 1);
-  return ShortAssertion(text);
 }
 
 std::string Seconds(std::chrono::milliseconds duration) {
