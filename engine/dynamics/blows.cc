@@ -1,6 +1,7 @@
 #include "engine/dynamics/blows.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -110,7 +111,6 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
 
 Meeting Blows::MeetingOf(const ContactPair& pair, std::span<const RigidBody> bodies,
                          const BlowRules& rules) const {
-  if (!Flies(pair.A) && !Flies(pair.B)) return Meeting::kParts;
   const RigidBody& A = bodies[At(pair.A)];
   const RigidBody& B = bodies[At(pair.B)];
   const Eigen::Vector3d a_AB_W = pulls_[At(pair.B)] - pulls_[At(pair.A)];
@@ -137,18 +137,30 @@ void Blows::FindTouching(std::span<const ContactPair> contacts,
   BlowRules surely = rules_;
   surely.resting_speed *= kSurely;
   touching_.resize(contacts.size());
+  // What one contact holds is held whatever the others do: of two that are, by whichever
+  // contacts threads have looked at by now, nothing more is asked.
+  const auto flies = [&](int body) {
+    return std::atomic_ref(flies_[At(body)]).load(std::memory_order_relaxed) != 0;
+  };
+  const auto hold = [&](int body) {
+    std::atomic_ref(flies_[At(body)]).store(0, std::memory_order_relaxed);
+  };
   crew.Share(contacts.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (k + kAhead < end) {
         for (const int next : {contacts[k + kAhead].A, contacts[k + kAhead].B}) {
-          if (!Flies(next)) continue;
-          Fetch(&bodies[At(next)].state, sizeof(BodyState));
+          if (!flies(next)) continue;
+          Fetch(&bodies[At(next)].state, offsetof(RigidBody, R_WB));
           Fetch(&pulls_[At(next)], sizeof(Eigen::Vector3d));
         }
       }
       const ContactPair& pair = contacts[k];
-      touching_[k] = {pair.A, pair.B, pair.manifold.count,
-                      MeetingOf(pair, bodies, surely)};
+      Meeting meeting = Meeting::kParts;
+      if (flies(pair.A) || flies(pair.B)) meeting = MeetingOf(pair, bodies, surely);
+      touching_[k] = {pair.A, pair.B, pair.manifold.count, meeting};
+      if (meeting != Meeting::kHolds) continue;
+      hold(pair.A);
+      hold(pair.B);
     }
   });
 }
@@ -161,9 +173,10 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
       static_[i] = body.is_static() ? 1 : 0;
       asleep_[i] = start.asleep[i] ? 1 : 0;
       linked_[i] = start.linked[i] ? 1 : 0;
-      flies_[i] = !body.is_static() && !body.is_point() && !start.linked[i] ? 1 : 0;
+      flies_[i] = !body.is_static() && !body.is_point && !start.linked[i] ? 1 : 0;
       pulls_[i].setZero();
       if (!static_[i]) pulls_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
+      reaches_[i] = Reach(body, start.free[i].v, rules_.h);
     }
   });
   FindTouching(finder.contacts(), start.bodies, crew);
@@ -173,7 +186,6 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
   int to_solve = 0;  // At least what is left to ContactSolver.
   for (const Touching& pair : touching_) {
     if (!IsStatic(pair.A) || !IsStatic(pair.B)) to_solve += pair.contacts;
-    if (pair.meeting == Meeting::kHolds) flies_[At(pair.A)] = flies_[At(pair.B)] = 0;
     if (IsStatic(pair.A) || IsStatic(pair.B)) continue;
     if (pair.meeting == Meeting::kStrikes && (Flies(pair.A) || Flies(pair.B))) {
       strikers_.emplace_back(pair.A, pair.B);
@@ -214,15 +226,10 @@ void Blows::BeginFlight(int body, const Start& start) {
   flight.pull_W = pulls_[At(body)];
   if (!Flies(body)) return;
   flight.a_W = pulls_[At(body)];
-  flight.torque_W = flight.start.applied_torque_W;
+  flight.torque_W = flight.start.Torque_W();
 }
 
 void Blows::FindCandidates(const Start& start, const ContactFinder& finder, Crew& crew) {
-  crew.Share(start.bodies.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      reaches_[i] = Reach(start.bodies[i], start.free[i].v, rules_.h);
-    }
-  });
   near_.Clear(crew.shares());
   crew.ShareOut(finder.near_count(), kFewNear,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
@@ -373,7 +380,7 @@ void Blows::TraceBack(int body, const End& end) {
   flight.pull_W = pulls_[At(body)];
   if (Flies(body)) {
     flight.a_W = pulls_[At(body)];
-    flight.torque_W = flight.start.applied_torque_W;
+    flight.torque_W = flight.start.Torque_W();
   } else if (!IsStatic(body)) {
     flight.start.state.v_WB = end.mean[At(body)].v;
     flight.start.state.w_WB = end.mean[At(body)].w;

@@ -31,13 +31,11 @@ RigidBody BodyFlight::At(double t, Gyroscopic rule) const {
 }
 
 double TurningSpeed(const RigidBody& body) {
-  if (!std::holds_alternative<Box>(body.shape)) return 0;
-  return body.radius * body.state.w_WB.norm();
+  return body.is_ball ? 0 : body.radius * body.state.w_WB.norm();
 }
 
 double TurningSpeed(const RigidBody& body, const Eigen::Vector3d& n_W) {
-  if (!std::holds_alternative<Box>(body.shape)) return 0;
-  return body.radius * n_W.cross(body.state.w_WB).norm();
+  return body.is_ball ? 0 : body.radius * n_W.cross(body.state.w_WB).norm();
 }
 
 double Reach(const RigidBody& body, const Eigen::Vector3d& v_W, double time) {

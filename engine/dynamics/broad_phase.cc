@@ -78,7 +78,7 @@ void BroadPhase::Add(const RigidBody& body) {
   has_moved_.push_back(0);
   rests_.push_back(0);
   proxy.is_static = body.is_static();
-  if (!body.collides || body.is_point()) return;
+  if (!body.collides || body.is_point) return;
   bounds_.back() = BoundsOf(body);
   // What stands still needs no more.
   proxy.wide =
@@ -98,8 +98,7 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
     if (proxy.leaf < 0 || rests_[i] != 0) return;
     // The margin is as wide as gravity needs; other forces pull it farther.
     const Eigen::Vector3d pushed_W =
-        body.state.v_WB +
-        ahead * body.inverse_mass * (body.force_W + body.applied_force_W);
+        body.state.v_WB + ahead * body.inverse_mass * body.Push_W();
     bounds_[i] = BoundsOf(body);
     const Aabb bounds =
         Widened(bounds_[i].bounds(), margin + Reach(body, pushed_W, ahead));

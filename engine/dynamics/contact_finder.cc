@@ -157,7 +157,7 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies, double margin,
         const NearPair& next_near = near_[due_[first + k + kNeighbours]];
         Fetch(&next, sizeof(ContactPair));
         for (const int body : {next_near.A, next_near.B}) {
-          Fetch(&bodies[static_cast<std::size_t>(body)], offsetof(RigidBody, force_W));
+          Fetch(&bodies[static_cast<std::size_t>(body)], offsetof(RigidBody, moments));
         }
       }
       Recollide(margin, bodies, std::span(pairs).first(count));

@@ -58,7 +58,7 @@ bool FitSinglePrecision(std::span<const RigidBody> bodies) {
   constexpr double kMostMass = 1e6;      // [kg], and of 1 / mass.
   constexpr double kMostResponse = 1e3;  // Of r² I⁻¹ by 1/m; 2.5 of a ball.
   return std::all_of(bodies.begin(), bodies.end(), [&](const RigidBody& body) {
-    if (body.is_static() || body.is_point()) return true;
+    if (body.is_static() || body.is_point) return true;
     const double turning = body.radius * body.radius * body.inverse_moments.maxCoeff();
     const double least = body.inverse_moments.minCoeff();
     return body.inverse_mass <= kMostMass && body.inverse_mass >= 1 / kMostMass &&

@@ -6,23 +6,19 @@
 
 namespace cookbook {
 
-Manifold Collide(const HalfSpace&, const Pose& X_WA, const Sphere& B, const Pose& X_WB) {
-  Manifold manifold;
+void Collide(const HalfSpace&, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
+             Manifold& manifold) {
   manifold.n_AB_W = X_WA.R_WB.col(2);
   manifold.separation = manifold.n_AB_W.dot(X_WB.p_WB - X_WA.p_WB) - B.radius;
   manifold.touching = manifold.separation <= 0;
-  if (manifold.touching) {
-    manifold.count = 1;
-    manifold.contacts[0] = {
-        X_WB.p_WB - (B.radius + manifold.separation / 2) * manifold.n_AB_W,
-        manifold.separation, 1};
-  }
-  return manifold;
+  manifold.count = manifold.touching;
+  manifold.contacts[0] = {
+      X_WB.p_WB - (B.radius + manifold.separation / 2) * manifold.n_AB_W,
+      manifold.separation, 1};
 }
 
-Manifold Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X_WB,
-                 double margin) {
-  Manifold manifold;
+void Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X_WB,
+             double margin, Manifold& manifold) {
   const Eigen::Vector3d n = X_WA.R_WB.col(2);
   const Eigen::Vector3d p_AB = X_WB.p_WB - X_WA.p_WB;
   const double height = n.dot(p_AB);
@@ -32,7 +28,8 @@ Manifold Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X
   const double slack = kOverlapRounding * (p_AB.lpNorm<1>() + B.half_extents.lpNorm<1>());
   manifold.touching = manifold.separation <= slack;
   const double reported = std::max(slack, margin);
-  if (manifold.separation > reported) return manifold;
+  manifold.count = 0;
+  if (manifold.separation > reported) return;
   for (unsigned vertex = 0; vertex < 8; ++vertex) {
     const Eigen::Vector3d sides(vertex & 1 ? 1 : -1, vertex & 2 ? 1 : -1,
                                 vertex & 4 ? 1 : -1);
@@ -43,7 +40,6 @@ Manifold Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X
     manifold.contacts[static_cast<std::size_t>(manifold.count++)] = {
         p_WV - (separation / 2) * n, separation, vertex + 1};
   }
-  return manifold;
 }
 
 }  // namespace cookbook

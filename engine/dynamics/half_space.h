@@ -7,12 +7,13 @@ namespace cookbook {
 
 /** As Collide() of a box, with an unbounded floor for A: the normal is the floor's +z.
  Separation to within 4 u (|p_AB| + r). */
-Manifold Collide(const HalfSpace& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB);
+void Collide(const HalfSpace& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
+             Manifold& manifold);
 
 /** The vertices of B below the floor, or less than `margin` [m] above it, each a contact
  of its own separation. A vertex at zero to within kOverlapRounding times the size of the
  pair counts as below. */
-Manifold Collide(const HalfSpace& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
-                 double margin);
+void Collide(const HalfSpace& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
+             double margin, Manifold& manifold);
 
 }  // namespace cookbook

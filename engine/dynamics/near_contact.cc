@@ -66,7 +66,22 @@ void PutOnSphere(double margin, const Sphere& sphere, const Eigen::Vector3d& p_W
   manifold.contacts[0] = {p_WS + sphere.radius * out_W, manifold.separation, 0};
 }
 
-/** Fills the manifold of two bodies that are not both boxes. */
+/** Returns where a ball is; what it is turned by is of no concern. */
+Pose PlaceOf(const RigidBody& ball) {
+  return {Eigen::Matrix3d::Identity(), ball.state.p_WB};
+}
+
+void CollideBalls(double margin, const RigidBody& A, const RigidBody& B,
+                  Manifold& manifold) {
+  const Sphere a{A.radius};
+  Collide(a, PlaceOf(A), Sphere{B.radius}, PlaceOf(B), manifold);
+  PutOnSphere(margin, a, A.state.p_WB, manifold.n_AB_W, manifold);
+  // Midway between two balls that move; on the moving one of two.
+  const double share = A.is_static() ? 1 : B.is_static() ? 0 : 0.5;
+  manifold.contacts[0].p_WC += share * manifold.separation * manifold.n_AB_W;
+}
+
+/** Fills the manifold of two bodies that are neither both boxes nor both balls. */
 void CollideOthers(double margin, const RigidBody& A, const RigidBody& B,
                    Manifold& manifold) {
   if (std::holds_alternative<HalfSpace>(B.shape)) {
@@ -84,20 +99,15 @@ void CollideOthers(double margin, const RigidBody& A, const RigidBody& B,
         if constexpr (std::is_same_v<ShapeA, Point> || std::is_same_v<ShapeB, Point> ||
                       std::is_same_v<ShapeB, HalfSpace>) {
           manifold.count = 0;  // The last are dealt with above.
-        } else if constexpr (kSphereA || kSphereB) {
-          manifold = Collide(a, X_WA, b, X_WB);
-          if constexpr (kSphereA && kSphereB) {
-            // Midway between two balls that move; on the moving one of two.
-            const double share = A.is_static() ? 1 : B.is_static() ? 0 : 0.5;
-            PutOnSphere(margin, a, X_WA.p_WB, manifold.n_AB_W, manifold);
-            manifold.contacts[0].p_WC += share * manifold.separation * manifold.n_AB_W;
-          } else if constexpr (kSphereB) {
+        } else if constexpr (kSphereA != kSphereB) {
+          Collide(a, X_WA, b, X_WB, manifold);
+          if constexpr (kSphereB) {
             PutOnSphere(margin, b, X_WB.p_WB, -manifold.n_AB_W, manifold);
           } else {
             PutOnSphere(margin, a, X_WA.p_WB, manifold.n_AB_W, manifold);
           }
         } else if constexpr (kFloorA) {
-          manifold = Collide(a, X_WA, b, X_WB, margin);
+          Collide(a, X_WA, b, X_WB, margin, manifold);
           PutOnMoving(A, B, manifold);
         }
       },
@@ -110,6 +120,10 @@ void CollideWithin(std::span<const Neighbours> pairs) {
   std::array<Neighbours, kNeighbours> boxes;
   std::size_t count = 0;
   for (const Neighbours& pair : pairs) {
+    if (pair.A->is_ball && pair.B->is_ball) {
+      CollideBalls(pair.margin, *pair.A, *pair.B, *pair.manifold);
+      continue;
+    }
     if (!AreBoxes(*pair.A, *pair.B)) {
       CollideOthers(pair.margin, *pair.A, *pair.B, *pair.manifold);
       continue;

@@ -10,11 +10,9 @@ constexpr double kOfBall = 1.0 / 50;
 
 /** Returns what gravity, forces and torques make of a body. [m/s²] */
 double PullOf(const RigidBody& body, const Eigen::Vector3d& gravity_W) {
-  const Eigen::Vector3d a_W =
-      gravity_W + body.inverse_mass * (body.force_W + body.applied_force_W);
+  const Eigen::Vector3d a_W = gravity_W + body.inverse_mass * body.Push_W();
   const double turning =
-      body.is_point() ? 0
-                      : body.inverse_mass * body.applied_torque_W.norm() / body.radius;
+      body.is_point ? 0 : body.inverse_mass * body.Torque_W().norm() / body.radius;
   return a_W.norm() + turning;
 }
 
@@ -47,7 +45,7 @@ void Pulls::Find(std::span<const ContactPair> contacts,
     RigidBody& body = bodies[at(i)];
     if (body.is_static()) continue;
     body.pull = PullOf(body, settings.gravity_W);
-    if (!body.is_point()) {
+    if (!body.is_point) {
       body.pull = std::max(body.pull, body.inverse_mass * spring_pulls_W_[at(i)].norm());
     }
     Heap& heap = heaps_[at(joined_.Of(i))];

@@ -24,7 +24,7 @@ RigidBody MakeRigidBody(const BodyDefinition& definition) {
   body.moments.setZero();
   body.inverse_moments.setZero();
   if (definition.mass == 0) body.state.v_WB.setZero();
-  if (definition.mass == 0 || body.is_point()) {
+  if (definition.mass == 0 || std::holds_alternative<Point>(body.shape)) {
     body.state.w_WB.setZero();
   } else {
     body.moments = definition.inertia
@@ -35,9 +35,12 @@ RigidBody MakeRigidBody(const BodyDefinition& definition) {
   body.restitution = definition.restitution;
   body.friction = definition.friction;
   body.collides = definition.collides;
+  body.is_ball = std::holds_alternative<Sphere>(body.shape);
+  body.is_point = std::holds_alternative<Point>(body.shape);
   body.drag = definition.drag;
   body.radius = BoundingRadius(definition.shape);
   body.force_W = definition.force_W;
+  body.is_pushed = !body.force_W.isZero(0);
   return body;
 }
 
@@ -53,7 +56,7 @@ double InnerRadius(const RigidBody& body) {
 double Travel(const BodyState& before, const RigidBody& body) {
   const double way = (body.state.p_WB - before.p_WB).norm();
   // A ball that turns stays in its place.
-  if (std::holds_alternative<Sphere>(body.shape)) return way;
+  if (body.is_ball) return way;
   // A rotation by θ moves a point at r by 2 r sin(θ/2), and the vector part of
   // q q₀⁻¹ has the length sin(θ/2).
   const double sine = (body.state.q_WB * before.q_WB.conjugate()).vec().norm();

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "engine/dynamics/body.h"
 
 namespace cookbook {
 
-/** A body as the world keeps it: in whole lines of a cache, its position in the first. */
+/** A body as the world keeps it: in whole lines of a cache, so that what looks at all
+ bodies reads of each the lines that it asks for. */
 struct alignas(64) RigidBody {
-  BodyShape shape;
+  // Where it is and how it moves, in two lines.
   BodyState state;
-  Eigen::Matrix3d R_WB;             ///< That of state.q_WB.
-  Eigen::Vector3d moments;          ///< Principal moments of inertia; zero where unused.
-  Eigen::Vector3d inverse_moments;  ///< Zero where static, or a point.
-  // What contacts ask for, in one line of a cache.
+  double radius;  ///< Of the smallest ball about the origin that holds it. [m]
+  bool collides;
+  bool is_ball;    ///< What it turns by moves none of its surface.
+  bool is_point;   ///< Has no volume, and does not turn.
+  bool is_pushed;  ///< Whether any of the forces below is not zero.
+  // What contacts ask for, in one line.
   double inverse_mass;  ///< 0: static. [1/kg]
   double margin = 0;    ///< Contacts apart by less are kept ready. [m]
   double restitution;
@@ -23,17 +27,31 @@ struct alignas(64) RigidBody {
   double pull = 0;       ///< What pulls at it, by its mass. [m/s²]
   double heap_pull = 0;  ///< The same of its heap. [m/s²]
   double slack = 0;      ///< Depth that is left. [m]
-  bool collides;
-  double drag;              ///< See BodyDefinition.
-  double radius;            ///< Of the smallest ball about the origin that holds it. [m]
+  double drag;           ///< See BodyDefinition.
+  // How it is turned and what it is, in two lines.
+  Eigen::Matrix3d R_WB;             ///< That of state.q_WB.
+  Eigen::Vector3d inverse_moments;  ///< Zero where static, or a point.
+  BodyShape shape;
+  // What few ask for.
+  Eigen::Vector3d moments;  ///< Principal moments of inertia; zero where unused.
   Eigen::Vector3d force_W;  ///< Constant, through the centre of mass. [N]
   Eigen::Vector3d applied_force_W = Eigen::Vector3d::Zero();   ///< For one step. [N]
   Eigen::Vector3d applied_torque_W = Eigen::Vector3d::Zero();  ///< For one step. [N m]
 
   bool is_static() const { return inverse_mass == 0; }
-  bool is_point() const { return std::holds_alternative<Point>(shape); }
   Pose pose() const { return {R_WB, state.p_WB}; }
+  /** All forces beside gravity. [N] */
+  Eigen::Vector3d Push_W() const {
+    return is_pushed ? Eigen::Vector3d(force_W + applied_force_W)
+                     : Eigen::Vector3d::Zero();
+  }
+  /** [N m] */
+  Eigen::Vector3d Torque_W() const {
+    return is_pushed ? applied_torque_W : Eigen::Vector3d::Zero();
+  }
 };
+static_assert(offsetof(RigidBody, inverse_mass) == 128);
+static_assert(offsetof(RigidBody, moments) == 320);
 
 /** Returns the body that `definition` describes.
  @throws std::invalid_argument where it is refused, see Validate(). */

@@ -66,7 +66,7 @@ int World::AddBody(const BodyDefinition& definition) {
   driven_.push_back(false);
   ahead_.push_back(bodies_.back());
   const RigidBody& body = bodies_.back();
-  has_forces_ = has_forces_ || !body.force_W.isZero(0);
+  has_forces_ = has_forces_ || body.is_pushed;
   found_for_ = 0;
   const bool is_solid = std::holds_alternative<Box>(body.shape) ||
                         std::holds_alternative<HalfSpace>(body.shape);
@@ -149,6 +149,7 @@ void World::ApplyForce(int body, const Eigen::Vector3d& p_W, const Eigen::Vector
   }
   sleep_.Wake(body, bodies_);
   is_pushed_ = true;
+  pushed.is_pushed = true;
   pushed.applied_force_W += F_W;
   pushed.applied_torque_W += (p_W - pushed.state.p_WB).cross(F_W);
 }
@@ -164,6 +165,7 @@ void World::Step(double dt) {
   for (RigidBody& body : bodies_) {
     body.applied_force_W.setZero();
     body.applied_torque_W.setZero();
+    body.is_pushed = !body.force_W.isZero(0);
   }
 }
 
@@ -255,7 +257,11 @@ void World::ForEachBody(const Work& work) {
 }
 
 void World::ApplyForces(double h) {
-  ForEachBody([&](std::size_t i) { ApplyForcesTo(i, h); });
+  ForEachBody([&](std::size_t i) {
+    ApplyForcesTo(i, h);
+    solved_[i] = free_[i];
+    touches_[i] = {};
+  });
 }
 
 void World::ApplyForcesTo(std::size_t i, double h) {
@@ -264,9 +270,8 @@ void World::ApplyForcesTo(std::size_t i, double h) {
   inertias_[i] = InverseInertiaOf(body);
   before_[i].v = body.state.v_WB;
   before_[i].w = body.state.w_WB;
-  const Eigen::Vector3d pull =
-      settings_.gravity_W + body.inverse_mass * (body.force_W + body.applied_force_W);
-  if (body.is_point()) {
+  const Eigen::Vector3d pull = settings_.gravity_W + body.inverse_mass * body.Push_W();
+  if (body.is_point) {
     // An impulse of the step acts as a constant force, on which drag has its effect
     // too.
     const Drag drag(body.drag, h);
@@ -277,7 +282,7 @@ void World::ApplyForcesTo(std::size_t i, double h) {
   }
   free_[i].v = body.state.v_WB + h * pull;
   free_[i].w =
-      body.state.w_WB + inertias_[i].Turn(h * body.applied_torque_W) +
+      body.state.w_WB + inertias_[i].Turn(h * body.Torque_W()) +
       GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h, settings_.gyroscopic);
 }
 
@@ -335,10 +340,6 @@ void World::SweepLinksUntilSolved() {
 }
 
 void World::Solve(double h) {
-  ForEachBody([&](std::size_t i) {
-    solved_[i] = free_[i];
-    touches_[i] = {};
-  });
   const SolverBodies world{bodies_, inertias_, before_, solved_};
   if (!HasLinks()) {
     contacts_.Solve(finder_.contacts(), world, settings_, h, crew_, touches_);
@@ -383,7 +384,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
   const Velocity& before = before_[i];
   const Velocity& free = free_[i];
   const Velocity& after = solved_[i];
-  if (body.is_point()) {
+  if (body.is_point) {
     const Drag drag(body.drag, h);
     body.state.p_WB +=
         h * (drag.gain * before.v + drag.share * (after.v - drag.kept * before.v));
@@ -413,7 +414,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
   body.state.p_WB += h * mean.v;
   body.state.v_WB = after.v;
   if (settings_.gyroscopic == Gyroscopic::kExact) {
-    const Eigen::Vector3d torque = h * body.applied_torque_W;
+    const Eigen::Vector3d torque = h * body.Torque_W();
     const Eigen::Vector3d L = TurnedInertiaTimes(body.R_WB, body.moments, before.w);
     const Eigen::Vector3d blow =
         TurnedInertiaTimes(body.R_WB, body.moments, after.w - free.w);
@@ -437,7 +438,7 @@ void World::Move(double h) {
 void World::MoveOne(std::size_t i, double h) {
   RigidBody& body = bodies_[i];
   if (body.is_static()) return;
-  if (body.is_point()) {
+  if (body.is_point) {
     const RigidBody before = body;
     MoveBody(i, h, body);
     const bool may_meet = h > 0 && body.collides && !solids_.empty();
@@ -490,12 +491,11 @@ void World::Lull(double h) {
   constexpr double kNothing = 1e-15;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const RigidBody& body = bodies_[i];
-    const Eigen::Vector3d push =
-        body.inverse_mass * (body.force_W + body.applied_force_W);
+    const Eigen::Vector3d push = body.inverse_mass * body.Push_W();
     const double pull = (settings_.gravity_W + push).norm();
     const bool is_pulled = pull > kNothing * (settings_.gravity_W.norm() + push.norm());
     const bool is_held = linked_[i] || touches_[i].rested || touches_[i].bounced;
-    driven_[i] = !is_held && (is_pulled || !body.applied_torque_W.isZero(0));
+    driven_[i] = !is_held && (is_pulled || !body.Torque_W().isZero(0));
   }
   if (!sleep_.Lull(finder_, driven_, settings_, h, bodies_)) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {

@@ -88,6 +88,7 @@ class World {
   /** Returns whether there are any contacts. */
   bool FindContacts(double h);
   void ApplyForcesTo(std::size_t i, double h);
+  /** Finds how bodies would move if nothing touched them: what is solved starts there. */
   void ApplyForces(double h);
   void StopStretching(double h);
   void Solve(double h);

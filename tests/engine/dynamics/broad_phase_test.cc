@@ -79,7 +79,7 @@ std::vector<RigidBody> SomeBodies() {
 }
 
 bool TakesPart(const RigidBody& body) {
-  return body.collides && !body.is_point();
+  return body.collides && !body.is_point;
 }
 
 /** Lets every body fly on for a step; now and then one is turned back, falls asleep or
