@@ -20,7 +20,7 @@ Eigen::Quaterniond Exp(const Eigen::Vector3d& phi) {
   const double squared = phi.squaredNorm();
   // sin(θ/2)/θ and cos(θ/2) by their series in θ²: the next terms, θ⁸/(2⁹ 9!) and
   // θ¹⁰/(2¹⁰ 10!), are under rounding.
-  if (squared < 0.01) {
+  if (squared < kSmallTurnSquared) {
     const double s =
         0.5 + squared * (-1.0 / 48 + squared * (1.0 / 3840 - squared / 645120));
     const double c =

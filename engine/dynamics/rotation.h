@@ -6,6 +6,9 @@
 
 namespace cookbook {
 
+/** The square of an angle below which Exp() is a series. [rad²] */
+inline constexpr double kSmallTurnSquared = 0.01;
+
 /** Returns the rotation by |phi| about phi: the exponential map. */
 Eigen::Quaterniond Exp(const Eigen::Vector3d& phi);
 

@@ -1,6 +1,7 @@
 #include "engine/dynamics/world.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -9,16 +10,13 @@
 
 #include "engine/dynamics/point_flight.h"
 #include "engine/dynamics/rotation.h"
+#include "engine/dynamics/round_motion.h"
 
 namespace cookbook {
 namespace {
 
 /** Beyond any world that means something. */
 constexpr double kLargest = 1e12;
-
-/** A change of velocity in a step beyond this many times what the forces make of a free
- body is taken for a blow. A contact that holds or slows a body makes less. */
-constexpr double kBlow = 4;
 
 /** Bodies of a world below which it does not pay to wake another thread: a step of so
  many takes as long as to wake two. */
@@ -33,6 +31,10 @@ const Settings& Valid(const Settings& settings) {
 
 bool IsSane(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kLargest;  // False for NaN.
+}
+
+bool IsSane(const BodyState& state) {
+  return IsSane(state.p_WB) && IsSane(state.v_WB) && IsSane(state.w_WB);
 }
 
 void Read(const ContactPair& pair, std::vector<ContactImpulse>& impulses) {
@@ -413,7 +415,16 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 
   body.state.p_WB += h * mean.v;
   body.state.v_WB = after.v;
-  if (settings_.gyroscopic == Gyroscopic::kExact) {
+  if (settings_.gyroscopic == Gyroscopic::kExact && IsRound(body)) {
+    // ω is parallel to the angular momentum whatever the orientation is. The Magnus
+    // expansion of an ω that changes at a constant rate, to fourth order.
+    const Eigen::Vector3d from = struck ? before.w + (after.w - free.w) : before.w;
+    const Eigen::Vector3d k1 = h * from;
+    const Eigen::Vector3d k4 = h * after.w;
+    body.state.q_WB = Exp(0.5 * (k1 + k4) - k1.cross(k4) / 12) * body.state.q_WB;
+    body.state.q_WB.normalize();
+    body.state.w_WB = after.w;
+  } else if (settings_.gyroscopic == Gyroscopic::kExact) {
     const Eigen::Vector3d torque = h * body.Torque_W();
     const Eigen::Vector3d L = TurnedInertiaTimes(body.R_WB, body.moments, before.w);
     const Eigen::Vector3d blow =
@@ -432,7 +443,32 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 }
 
 void World::Move(double h) {
-  ForEachBody([&](std::size_t i) { MoveOne(i, h); });
+  const Motion motion{bodies_, before_, free_, solved_, touches_, mean_, shares_, h};
+  const bool is_exact = settings_.gyroscopic == Gyroscopic::kExact;
+  crew_.Share(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t kAtOnce = 32;
+    std::array<int, kAtOnce> round;
+    std::array<double, kAtOnce> ways;
+    std::size_t count = 0;
+    const auto move_round = [&] {
+      MoveRound(motion, std::span(round).first(count), ways);
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(round[k]);
+        finder_.HasGone(i, ways[k]);
+        if (!IsSane(bodies_[i].state)) diverged_ = true;
+      }
+      count = 0;
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_exact && IsRound(bodies_[i])) {
+        round[count++] = static_cast<int>(i);
+        if (count == kAtOnce) move_round();
+      } else {
+        MoveOne(i, h);
+      }
+    }
+    if (count > 0) move_round();
+  });
 }
 
 void World::MoveOne(std::size_t i, double h) {
@@ -448,9 +484,7 @@ void World::MoveOne(std::size_t i, double h) {
     MoveBody(i, h, body);
     finder_.HasGone(i, Travel(before, body));
   }
-  if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) || !IsSane(body.state.w_WB)) {
-    diverged_ = true;
-  }
+  if (!IsSane(body.state)) diverged_ = true;
 }
 
 bool World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
