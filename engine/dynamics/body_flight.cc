@@ -1,6 +1,7 @@
 #include "engine/dynamics/body_flight.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/dynamics/rotation.h"
 
@@ -40,7 +41,7 @@ double TurningSpeed(const RigidBody& body, const Eigen::Vector3d& n_W) {
 
 double Reach(const RigidBody& body, const Eigen::Vector3d& v_W, double time) {
   if (body.is_static()) return 0;
-  return time * std::max(body.state.v_WB.norm(), v_W.norm()) +
+  return time * std::sqrt(std::max(body.state.v_WB.squaredNorm(), v_W.squaredNorm())) +
          std::min(2 * body.radius, time * TurningSpeed(body));
 }
 

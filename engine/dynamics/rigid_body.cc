@@ -32,6 +32,8 @@ RigidBody MakeRigidBody(const BodyDefinition& definition) {
                        : PrincipalInertia(definition.shape, definition.mass);
     body.inverse_moments = body.moments.cwiseInverse();
   }
+  const Eigen::Vector3d& moments = body.moments;
+  body.is_round = moments[0] > 0 && moments[0] == moments[1] && moments[1] == moments[2];
   body.restitution = definition.restitution;
   body.friction = definition.friction;
   body.collides = definition.collides;

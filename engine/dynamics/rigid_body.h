@@ -16,6 +16,7 @@ struct alignas(64) RigidBody {
   double radius;  ///< Of the smallest ball about the origin that holds it. [m]
   bool collides;
   bool is_ball;    ///< What it turns by moves none of its surface.
+  bool is_round;   ///< As easy to turn about any axis, as a ball and a cube are.
   bool is_point;   ///< Has no volume, and does not turn.
   bool is_pushed;  ///< Whether any of the forces below is not zero.
   // What contacts ask for, in one line.
@@ -39,6 +40,8 @@ struct alignas(64) RigidBody {
   Eigen::Vector3d applied_torque_W = Eigen::Vector3d::Zero();  ///< For one step. [N m]
 
   bool is_static() const { return inverse_mass == 0; }
+  /** Whether it moves, and turns as easily about any axis. */
+  bool moves_round() const { return is_round && !is_static(); }
   Pose pose() const { return {R_WB, state.p_WB}; }
   /** All forces beside gravity. [N] */
   Eigen::Vector3d Push_W() const {

@@ -73,8 +73,8 @@ HWY_INLINE void Store3(Four v, Eigen::Vector3d& to) {
   to = {v[0], v[1], v[2]};
 }
 
-/** Moves four bodies; `ways` has room for four. */
-HWY_INLINE void MoveFour(const Motion& motion, const int* indices, double* ways) {
+/** Moves four bodies; `ways` has room for four. Returns as MoveRound(). */
+HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways) {
   std::array<RigidBody*, 4> body;
   std::array<const double*, 4> p_WB;
   std::array<const double*, 4> q_WB;
@@ -127,6 +127,13 @@ HWY_INLINE void MoveFour(const Motion& motion, const int* indices, double* ways)
   LoadFour(p_WB, lanes);
   const Vec3<double> p{lanes[0], lanes[1], lanes[2]};
   const Vec3<double> moved = Plus(p, Times(h, mean.v));
+  const Four large = Splat(kLargest);
+  // Compared one by one: what is not a number is not below.
+  FourBits below = Abs(moved.x) < large;
+  for (const Four& x : {moved.y, moved.z, after.v.x, after.v.y, after.v.z, after.w.x,
+                        after.w.y, after.w.z})
+    below &= Abs(x) < large;
+  const bool is_sane = Bits(below) == 15;
   const Four way = Sqrt(SquaredLength(Minus(moved, p)));
 
   const Vec3<double> k1 = Times(h, turned);
@@ -178,21 +185,25 @@ HWY_INLINE void MoveFour(const Motion& motion, const int* indices, double* ways)
     motion.shares[static_cast<std::size_t>(indices[k])] = struck[k] ? 1 : 0.5;
   }
   ScatterFour(mean, indices, one, motion.mean.data());
+  return is_sane;
 }
 
-void MoveAll(const Motion& motion, std::span<const int> bodies, std::span<double> ways) {
+bool MoveAll(const Motion& motion, std::span<const int> bodies, std::span<double> ways) {
+  bool is_sane = true;
   std::size_t k = 0;
-  for (; k + 4 <= bodies.size(); k += 4) MoveFour(motion, &bodies[k], &ways[k]);
-  if (k == bodies.size()) return;
+  for (; k + 4 <= bodies.size(); k += 4)
+    is_sane &= MoveFour(motion, &bodies[k], &ways[k]);
+  if (k == bodies.size()) return is_sane;
   // Lanes without a body repeat the last: what they write is the same.
   std::array<int, 4> last;
   std::array<double, 4> ways_of_last;
   for (std::size_t lane = 0; lane < 4; ++lane) {
     last[lane] = bodies[std::min(k + lane, bodies.size() - 1)];
   }
-  MoveFour(motion, last.data(), ways_of_last.data());
+  is_sane &= MoveFour(motion, last.data(), ways_of_last.data());
   std::copy_n(ways_of_last.begin(), bodies.size() - k,
               ways.begin() + static_cast<std::ptrdiff_t>(k));
+  return is_sane;
 }
 
 }  // namespace
@@ -204,9 +215,9 @@ HWY_AFTER_NAMESPACE();
 namespace cookbook {
 HWY_EXPORT(MoveAll);
 
-void MoveRound(const Motion& motion, std::span<const int> bodies,
+bool MoveRound(const Motion& motion, std::span<const int> bodies,
                std::span<double> ways) {
-  HWY_DYNAMIC_DISPATCH(MoveAll)(motion, bodies, ways);
+  return HWY_DYNAMIC_DISPATCH(MoveAll)(motion, bodies, ways);
 }
 }  // namespace cookbook
 #endif

@@ -23,15 +23,13 @@ struct Motion {
   double h;                  ///< [s]
 };
 
-/** Returns whether a body moves, has a volume, and is as easy to turn about any axis. */
-inline bool IsRound(const RigidBody& body) {
-  const Eigen::Vector3d& turning = body.inverse_moments;
-  return turning[0] > 0 && turning[0] == turning[1] && turning[1] == turning[2] &&
-         !body.is_static();
-}
+/** Beyond any world that means something. */
+inline constexpr double kLargest = 1e12;
 
-/** Moves bodies of which IsRound() is true as World::MoveBody() does, four at once, and
- fills `ways` with the Travel() of each. */
-void MoveRound(const Motion& motion, std::span<const int> bodies, std::span<double> ways);
+/** Moves bodies that RigidBody::moves_round() as World::MoveBody() does, four at once,
+ and fills `ways` with the Travel() of each. Returns whether all numbers are below
+ kLargest.
+ */
+bool MoveRound(const Motion& motion, std::span<const int> bodies, std::span<double> ways);
 
 }  // namespace cookbook

@@ -15,9 +15,6 @@
 namespace cookbook {
 namespace {
 
-/** Beyond any world that means something. */
-constexpr double kLargest = 1e12;
-
 /** Bodies of a world below which it does not pay to wake another thread: a step of so
  many takes as long as to wake two. */
 constexpr std::size_t kFewToShare = 120;
@@ -31,10 +28,6 @@ const Settings& Valid(const Settings& settings) {
 
 bool IsSane(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kLargest;  // False for NaN.
-}
-
-bool IsSane(const BodyState& state) {
-  return IsSane(state.p_WB) && IsSane(state.v_WB) && IsSane(state.w_WB);
 }
 
 void Read(const ContactPair& pair, std::vector<ContactImpulse>& impulses) {
@@ -269,7 +262,9 @@ void World::ApplyForces(double h) {
 void World::ApplyForcesTo(std::size_t i, double h) {
   const RigidBody& body = bodies_[i];
   if (body.is_static()) return;
-  inertias_[i] = InverseInertiaOf(body);
+  // Of what is round it is what it was, but for what has slept.
+  if (!body.is_round || inertias_[i].mass != body.inverse_mass)
+    inertias_[i] = InverseInertiaOf(body);
   before_[i].v = body.state.v_WB;
   before_[i].w = body.state.w_WB;
   const Eigen::Vector3d pull = settings_.gravity_W + body.inverse_mass * body.Push_W();
@@ -283,9 +278,12 @@ void World::ApplyForcesTo(std::size_t i, double h) {
     return;
   }
   free_[i].v = body.state.v_WB + h * pull;
-  free_[i].w =
-      body.state.w_WB + inertias_[i].Turn(h * body.Torque_W()) +
-      GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h, settings_.gyroscopic);
+  free_[i].w = body.state.w_WB;
+  if (body.is_pushed) free_[i].w += inertias_[i].Turn(h * body.Torque_W());
+  if (!body.is_round) {
+    free_[i].w += GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h,
+                                   settings_.gyroscopic);
+  }
 }
 
 void World::StopStretching(double h) {
@@ -415,7 +413,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 
   body.state.p_WB += h * mean.v;
   body.state.v_WB = after.v;
-  if (settings_.gyroscopic == Gyroscopic::kExact && IsRound(body)) {
+  if (settings_.gyroscopic == Gyroscopic::kExact && body.is_round) {
     // ω is parallel to the angular momentum whatever the orientation is. The Magnus
     // expansion of an ω that changes at a constant rate, to fourth order.
     const Eigen::Vector3d from = struck ? before.w + (after.w - free.w) : before.w;
@@ -451,16 +449,14 @@ void World::Move(double h) {
     std::array<double, kAtOnce> ways;
     std::size_t count = 0;
     const auto move_round = [&] {
-      MoveRound(motion, std::span(round).first(count), ways);
+      if (!MoveRound(motion, std::span(round).first(count), ways)) diverged_ = true;
       for (std::size_t k = 0; k < count; ++k) {
-        const auto i = static_cast<std::size_t>(round[k]);
-        finder_.HasGone(i, ways[k]);
-        if (!IsSane(bodies_[i].state)) diverged_ = true;
+        finder_.HasGone(static_cast<std::size_t>(round[k]), ways[k]);
       }
       count = 0;
     };
     for (std::size_t i = begin; i < end; ++i) {
-      if (is_exact && IsRound(bodies_[i])) {
+      if (is_exact && bodies_[i].moves_round()) {
         round[count++] = static_cast<int>(i);
         if (count == kAtOnce) move_round();
       } else {
@@ -484,7 +480,9 @@ void World::MoveOne(std::size_t i, double h) {
     MoveBody(i, h, body);
     finder_.HasGone(i, Travel(before, body));
   }
-  if (!IsSane(body.state)) diverged_ = true;
+  if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) || !IsSane(body.state.w_WB)) {
+    diverged_ = true;
+  }
 }
 
 bool World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
