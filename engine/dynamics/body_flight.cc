@@ -7,12 +7,29 @@
 
 namespace cookbook {
 
+namespace {
+
+/** Moves `body`, which is that of `flight` when it starts, but does not turn it. */
+void Move(const BodyFlight& flight, double time, RigidBody& body) {
+  const BodyState& start = flight.start.state;
+  body.state.p_WB += time * (start.v_WB + 0.5 * time * flight.a_W);
+  body.state.v_WB += time * flight.a_W;
+}
+
+}  // namespace
+
+RigidBody BodyFlight::RoomAt(double t, Gyroscopic rule) const {
+  if (!start.is_ball) return At(t, rule);
+  RigidBody body = start;
+  if (!body.is_static()) Move(*this, t - from, body);
+  return body;
+}
+
 RigidBody BodyFlight::At(double t, Gyroscopic rule) const {
   RigidBody body = start;
   if (body.is_static() || t == from) return body;
   const double time = t - from;
-  body.state.p_WB += time * (start.state.v_WB + 0.5 * time * a_W);
-  body.state.v_WB += time * a_W;
+  Move(*this, time, body);
   const Eigen::Vector3d& w = start.state.w_WB;
   if (rule == Gyroscopic::kExact) {
     const Eigen::Vector3d L_W = TurnedInertiaTimes(start.R_WB, start.moments, w);

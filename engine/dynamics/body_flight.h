@@ -17,6 +17,10 @@ struct BodyFlight {
 
   /** Returns the body at time `t` [s]. What is static stays. */
   RigidBody At(double t, Gyroscopic rule) const;
+
+  /** The same, but that a ball, which fills the same room however it is turned, stays
+   turned as it was. */
+  RigidBody RoomAt(double t, Gyroscopic rule) const;
 };
 
 /** Returns a bound of how fast a point of `body` moves because it turns; 0 of a ball,

@@ -18,6 +18,7 @@ struct SolverBodies {
   std::span<const InverseInertia> inertias;  ///< At the start of the step.
   std::span<const Velocity> before;          ///< At the start of the step.
   std::span<Velocity> velocities;            ///< In: without impulses; then solved.
+  bool fit_single_precision = false;         ///< See FitsSinglePrecision().
 };
 
 /** What impulses change of a Velocity, in single precision: its rounding is a share of

@@ -49,24 +49,6 @@ ContactRules RulesOf(const Settings& settings, double h) {
   return rules;
 }
 
-/** Whether single precision will do for every body that moves. What a contact resists
- with, 1/m + a·I⁻¹ a with |a| <= r, is off by a few 6e-8 of what its greatest terms are:
- where they cancel, as across a wire, by many times itself. Here by 1e-3 of itself at
- most. Of such masses, and no speed beyond 1e12 m/s, the square of an impulse is a float.
- */
-bool FitSinglePrecision(std::span<const RigidBody> bodies) {
-  constexpr double kMostMass = 1e6;      // [kg], and of 1 / mass.
-  constexpr double kMostResponse = 1e3;  // Of r² I⁻¹ by 1/m; 2.5 of a ball.
-  return std::all_of(bodies.begin(), bodies.end(), [&](const RigidBody& body) {
-    if (body.is_static() || body.is_point) return true;
-    const double turning = body.radius * body.radius * body.inverse_moments.maxCoeff();
-    const double least = body.inverse_moments.minCoeff();
-    return body.inverse_mass <= kMostMass && body.inverse_mass >= 1 / kMostMass &&
-           turning <= kMostResponse * body.inverse_mass &&
-           body.inverse_moments.maxCoeff() <= kMostResponse * least;
-  });
-}
-
 Velocity Exact(const SingleVelocity& velocity) {
   const Eigen::Map<const Eigen::Matrix<float, 6, 1>> numbers(velocity.numbers.data());
   return {numbers.head<3>().cast<double>(), numbers.tail<3>().cast<double>()};
@@ -87,6 +69,17 @@ void NoteOverlaps(ContactGroup<Real>& group, const Settings& settings,
 }
 
 }  // namespace
+
+bool FitsSinglePrecision(const RigidBody& body) {
+  constexpr double kMostMass = 1e6;      // [kg], and of 1 / mass.
+  constexpr double kMostResponse = 1e3;  // Of r² I⁻¹ by 1/m; 2.5 of a ball.
+  if (body.is_static() || body.is_point) return true;
+  const double turning = body.radius * body.radius * body.inverse_moments.maxCoeff();
+  const double least = body.inverse_moments.minCoeff();
+  return body.inverse_mass <= kMostMass && body.inverse_mass >= 1 / kMostMass &&
+         turning <= kMostResponse * body.inverse_mass &&
+         body.inverse_moments.maxCoeff() <= kMostResponse * least;
+}
 
 ContactSolver::ContactSolver(int threads)
     : groups_(static_cast<std::size_t>(threads)),
@@ -192,7 +185,7 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
   Divide(world.bodies.size(), is_small ? contacts_ : kPart);
   Order();
   is_single_ = !is_small && settings.single_precision && contacts_ >= kManyContacts &&
-               FitSinglePrecision(world.bodies);
+               world.fit_single_precision;
   if (is_small) {
     SolveSmall(task, crew);
   } else if (is_single_) {

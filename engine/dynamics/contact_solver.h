@@ -15,6 +15,12 @@
 
 namespace cookbook {
 
+/** Returns whether single precision will do for a body. What a contact resists with,
+ 1/m + a·I⁻¹ a with |a| <= r, is off by a few 6e-8 of what its greatest terms are: where
+ they cancel, as across a wire, by many times itself. Here by 1e-3 of itself at most. Of
+ such masses, and no speed beyond 1e12 m/s, the square of an impulse is a float. */
+bool FitsSinglePrecision(const RigidBody& body);
+
 /** Sequential impulses: finds by sweeps the impulses that leave no contact approaching.
 
  With u the velocity of B against A at a contact, n the normal, h the step, u₀ and u_f

@@ -155,8 +155,8 @@ std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double
   double t = from;
   Bracket bracket;
   for (int look = 0; look < kMostLooks; ++look) {
-    const RigidBody a = A.At(t, rules.gyroscopic);
-    const RigidBody b = B.At(t, rules.gyroscopic);
+    const RigidBody a = A.RoomAt(t, rules.gyroscopic);
+    const RigidBody b = B.RoomAt(t, rules.gyroscopic);
     const Manifold manifold = CollideAtBlow(a, b);
     const double gap = manifold.separation;
     if (gap > touch) {

@@ -62,6 +62,7 @@ int World::AddBody(const BodyDefinition& definition) {
   ahead_.push_back(bodies_.back());
   const RigidBody& body = bodies_.back();
   has_forces_ = has_forces_ || body.is_pushed;
+  fit_single_precision_ = fit_single_precision_ && FitsSinglePrecision(body);
   found_for_ = 0;
   const bool is_solid = std::holds_alternative<Box>(body.shape) ||
                         std::holds_alternative<HalfSpace>(body.shape);
@@ -340,7 +341,7 @@ void World::SweepLinksUntilSolved() {
 }
 
 void World::Solve(double h) {
-  const SolverBodies world{bodies_, inertias_, before_, solved_};
+  const SolverBodies world{bodies_, inertias_, before_, solved_, fit_single_precision_};
   if (!HasLinks()) {
     contacts_.Solve(finder_.contacts(), world, settings_, h, crew_, touches_);
     return;

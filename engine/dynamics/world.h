@@ -125,8 +125,9 @@ class World {
   ContactSolver contacts_;
   Blows blows_;
   Pulls pulls_;
-  bool has_forces_ = false;  ///< Whether a constant force pulls a body.
-  bool is_pushed_ = false;   ///< Whether a force of this step pulls one.
+  bool has_forces_ = false;           ///< Whether a constant force pulls a body.
+  bool is_pushed_ = false;            ///< Whether a force of this step pulls one.
+  bool fit_single_precision_ = true;  ///< Whether all bodies do.
   /** The step for which all is found, and gravity alone pulls; 0: none. [s] */
   double found_for_ = 0;
   JointSolver rods_;
