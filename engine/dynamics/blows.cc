@@ -104,7 +104,7 @@ void Blows::Begin(const Start& start, ContactFinder& finder, const Settings& set
   pulls_.resize(count);
   Clear();
   blow_.BeginStep(count);
-  if (!FindFlying(start, finder, settings, crew)) return;
+  if (!FindFlying(start, finder, crew)) return;
   FindHeaps();
   FindCandidates(start, finder, crew);
 }
@@ -157,7 +157,7 @@ void Blows::FindTouching(std::span<const ContactPair> contacts,
       const ContactPair& pair = contacts[k];
       Meeting meeting = Meeting::kParts;
       if (flies(pair.A) || flies(pair.B)) meeting = MeetingOf(pair, bodies, surely);
-      touching_[k] = {pair.A, pair.B, pair.manifold.count, meeting};
+      touching_[k] = {pair.A, pair.B, meeting};
       if (meeting != Meeting::kHolds) continue;
       hold(pair.A);
       hold(pair.B);
@@ -165,8 +165,7 @@ void Blows::FindTouching(std::span<const ContactPair> contacts,
   });
 }
 
-bool Blows::FindFlying(const Start& start, ContactFinder& finder,
-                       const Settings& settings, Crew& crew) {
+bool Blows::FindFlying(const Start& start, ContactFinder& finder, Crew& crew) {
   crew.Share(start.bodies.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const RigidBody& body = start.bodies[i];
@@ -183,9 +182,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
   // What touches a body that is held is held, and what touches that; not what strikes.
   heaps_.Reset(flies_.size());
   strikers_.clear();
-  int to_solve = 0;  // At least what is left to ContactSolver.
   for (const Touching& pair : touching_) {
-    if (!IsStatic(pair.A) || !IsStatic(pair.B)) to_solve += pair.contacts;
     if (IsStatic(pair.A) || IsStatic(pair.B)) continue;
     if (pair.meeting == Meeting::kStrikes && (Flies(pair.A) || Flies(pair.B))) {
       strikers_.emplace_back(pair.A, pair.B);
@@ -193,7 +190,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder,
       heaps_.Join(pair.A, pair.B);
     }
   }
-  most_of_heap_ = IsSmall(settings, to_solve) ? kMostOfHeap : kMostOfHeapOfMany;
+  most_of_heap_ = start.is_large ? kMostOfHeapOfMany : kMostOfHeap;
   if (!strikers_.empty()) HoldStrikersOfLargeHeaps();
   heap_ = heaps_.All();
   holds_.assign(flies_.size(), 0);

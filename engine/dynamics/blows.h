@@ -44,6 +44,7 @@ class Blows {
     std::span<const Velocity> free;  ///< At the end of the step, without impulses.
     const std::vector<bool>& asleep;
     const std::vector<bool>& linked;
+    bool is_large;  ///< See ContactSolver.
   };
 
   /** Begins a step of `h` [s]: finds what flies and what it may meet. Takes the contacts
@@ -83,7 +84,6 @@ class Blows {
   struct Touching {
     int A;
     int B;
-    int contacts;
     /** It strikes where all its contacts do, and holds where one does or where what
      overlaps has to be parted. */
     Meeting meeting;
@@ -101,8 +101,7 @@ class Blows {
   /** Whether it moves and does not fly. */
   bool IsHeld(int body) const { return !Flies(body) && !IsStatic(body); }
 
-  bool FindFlying(const Start& start, ContactFinder& finder, const Settings& settings,
-                  Crew& crew);
+  bool FindFlying(const Start& start, ContactFinder& finder, Crew& crew);
   /** Fills touching_: of each of the contacts. */
   void FindTouching(std::span<const ContactPair> contacts,
                     std::span<const RigidBody> bodies, Crew& crew);

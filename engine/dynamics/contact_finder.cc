@@ -79,10 +79,10 @@ void ContactFinder::Widen(int index, const RigidBody& body, double reach,
   for (const auto& [a, b] : appeared_) near_.push_back({a, b});
 }
 
-void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, double ahead,
-                         Crew& crew) {
+void ContactFinder::Find(std::span<const RigidBody> bodies, const ContactChoice& choice,
+                         double ahead, Crew& crew) {
   appeared_.clear();
-  broad_phase_.Update(bodies, margin, ahead, crew, appeared_);
+  broad_phase_.Update(bodies, choice.margin, ahead, crew, appeared_);
   for (const auto& [a, b] : appeared_) near_.push_back({a, b});
 
   if (contacts_.size() >= kManyPairs && ++unsorted_ >= kSorted) {
@@ -90,8 +90,8 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, double margin, doubl
     unsorted_ = 0;
   }
 
-  FindDue(margin, crew);
-  Collide(bodies, margin, crew);
+  FindDue(choice.margin, crew);
+  Collide(bodies, choice, crew);
   ForgetStrangers();
 }
 
@@ -138,8 +138,8 @@ void ContactFinder::ForgetStrangers() {
   });
 }
 
-void ContactFinder::Collide(std::span<const RigidBody> bodies, double margin,
-                            Crew& crew) {
+void ContactFinder::Collide(std::span<const RigidBody> bodies,
+                            const ContactChoice& choice, Crew& crew) {
   const auto contact_of = [&](std::size_t due) -> ContactPair& {
     return contacts_[static_cast<std::size_t>(near_[due_[due]].contact)];
   };
@@ -160,7 +160,7 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies, double margin,
           Fetch(&bodies[static_cast<std::size_t>(body)], offsetof(RigidBody, moments));
         }
       }
-      Recollide(margin, bodies, std::span(pairs).first(count));
+      Recollide(choice, bodies, std::span(pairs).first(count));
       for (std::size_t k = 0; k < count; ++k) {
         if (pairs[k]->manifold.count == 0) found_.Of(share).push_back(due_[first + k]);
       }
@@ -173,7 +173,7 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies, double margin,
     const Manifold& manifold = contacts_[static_cast<std::size_t>(pair.contact)].manifold;
     pair.apart_until = gone_[static_cast<std::size_t>(pair.A)] +
                        gone_[static_cast<std::size_t>(pair.B)] + manifold.separation -
-                       margin;
+                       choice.margin;
     Part(k);
   });
 }

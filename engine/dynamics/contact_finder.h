@@ -23,7 +23,8 @@ class ContactFinder {
 
   /** Brings contacts() up to date, those apart by up to `margin` [m] included. Bodies
    that may meet within `ahead` [s] are near each other. */
-  void Find(std::span<const RigidBody> bodies, double margin, double ahead, Crew& crew);
+  void Find(std::span<const RigidBody> bodies, const ContactChoice& choice, double ahead,
+            Crew& crew);
 
   /** Appends to `met` what the moving body `index` may meet that is at `body` now and
    gets no farther than `reach` [m] in the step; both are near each other from now on. */
@@ -67,7 +68,8 @@ class ContactFinder {
   /** Finds the pairs to be looked at, and those that are near no more. */
   void FindDue(double margin, Crew& crew);
   /** Looks at the former, and parts those that have no contact. */
-  void Collide(std::span<const RigidBody> bodies, double margin, Crew& crew);
+  void Collide(std::span<const RigidBody> bodies, const ContactChoice& choice,
+               Crew& crew);
   /** Forgets the latter. */
   void ForgetStrangers();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/dynamics/near_contact.h"
+#include "engine/dynamics/widest_contacts.h"
 
 namespace cookbook {
 namespace {
@@ -73,7 +74,7 @@ double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B) {
   return press ? of_heap : own;
 }
 
-void Recollide(double most, std::span<const RigidBody> bodies,
+void Recollide(const ContactChoice& choice, std::span<const RigidBody> bodies,
                std::span<ContactPair* const> pairs) {
   std::array<OldContacts, kNeighbours> old;
   std::array<Neighbours, kNeighbours> neighbours;
@@ -82,12 +83,14 @@ void Recollide(double most, std::span<const RigidBody> bodies,
     const RigidBody& A = bodies[static_cast<std::size_t>(pair.A)];
     const RigidBody& B = bodies[static_cast<std::size_t>(pair.B)];
     old[k].Note(pair.manifold);
-    neighbours[k] = {&A, &B, std::min(most, MarginBetween(A, B)), Eigen::Vector3d::Zero(),
-                     &pair.manifold};
+    neighbours[k] = {&A, &B, std::min(choice.margin, MarginBetween(A, B)),
+                     Eigen::Vector3d::Zero(), &pair.manifold};
     if (old[k].count > 0) neighbours[k].n_guess_W = pair.manifold.n_AB_W;
   }
   CollideWithin(std::span(neighbours).first(pairs.size()));
   for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (choice.widest_alone)
+      KeepWidest(std::span(old[k].contacts).first(old[k].count), pairs[k]->manifold);
     if (HasSameFeatures(old[k], pairs[k]->manifold)) continue;
     const RigidBody& A = *neighbours[k].A;
     const RigidBody& B = *neighbours[k].B;

@@ -25,11 +25,16 @@ struct alignas(64) ContactPair {
  they pressed each other in the last step. [m/s²] */
 double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B);
 
+/** Which contacts are kept. */
+struct ContactChoice {
+  double margin;      ///< Those apart by no more, and no more than MarginBetween(). [m]
+  bool widest_alone;  ///< Of a face the few that hold it widest, see KeepWidest().
+};
+
 /** Replaces the manifolds of at most kNeighbours pairs by those of their bodies as they
- are now, contacts apart by up to MarginBetween() them, but no more than `most` [m],
- included. The impulse of a contact is that of the old contact of the same feature; new
+ are now. The impulse of a contact is that of the old contact of the same feature; new
  contacts start at zero. */
-void Recollide(double most, std::span<const RigidBody> bodies,
+void Recollide(const ContactChoice& choice, std::span<const RigidBody> bodies,
                std::span<ContactPair* const> pairs);
 
 }  // namespace cookbook

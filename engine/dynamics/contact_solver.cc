@@ -86,7 +86,8 @@ ContactSolver::ContactSolver(int threads)
       single_groups_(static_cast<std::size_t>(threads)) {}
 
 void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
-                                  std::span<const RigidBody> bodies) {
+                                  std::span<const RigidBody> bodies,
+                                  const Settings& settings) {
   colours_.assign(bodies.size(), 0);
   static_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -111,6 +112,7 @@ void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
     if (!static_[a] && !static_[b]) heaps_.Join(pair.A, pair.B);
   }
   heap_ = heaps_.All();
+  is_large_ = !IsSmall(settings, is_large_ ? 2 * contacts_ : contacts_);
 }
 
 void ContactSolver::Divide(std::size_t bodies, int least) {
@@ -176,17 +178,16 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
                   RulesOf(settings, h),
                   settings.warm_starting && settings.accumulated_impulses,
                   touches};
-  ColourAndJoin(pairs, world.bodies);
+  ColourAndJoin(pairs, world.bodies, settings);
   // Blows may have taken them all.
   if (contacts_ == 0) return;
   // A world that may be swept more often than any world is solved as a whole: the sweeps
   // that one heap leaves over are for the others.
-  const bool is_small = IsSmall(settings, contacts_);
-  Divide(world.bodies.size(), is_small ? contacts_ : kPart);
+  Divide(world.bodies.size(), is_large_ ? kPart : contacts_);
   Order();
-  is_single_ = !is_small && settings.single_precision && contacts_ >= kManyContacts &&
+  is_single_ = is_large_ && settings.single_precision && contacts_ >= kManyContacts &&
                world.fit_single_precision;
-  if (is_small) {
+  if (!is_large_) {
     SolveSmall(task, crew);
   } else if (is_single_) {
     single_.assign(world.velocities.size(), {});
@@ -279,7 +280,7 @@ void ContactSolver::SolveLarge(const Task& task,
 void ContactSolver::Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
                           const Settings& settings, double h, Crew& crew) {
   is_single_ = false;
-  ColourAndJoin(pairs, world.bodies);
+  ColourAndJoin(pairs, world.bodies, settings);
   Divide(world.bodies.size(), contacts_);
   Order();
   whole_.Begin(ordered_, pairs, world, RulesOf(settings, h),
@@ -302,10 +303,10 @@ bool ContactSolver::FindMoves(std::span<const Velocity> mean,
                               std::span<const Velocity> solved, const Settings& settings,
                               double h, Crew& crew, std::span<Velocity> moves) {
   if (!is_single_) {
-    return cookbook::FindMoves<double>(groups_.overlaps, contacts_, mean, solved,
+    return cookbook::FindMoves<double>(groups_.overlaps, is_large_, mean, solved,
                                        settings, h, crew, moves);
   }
-  const bool moved = cookbook::FindMoves<float>(single_groups_.overlaps, contacts_, mean,
+  const bool moved = cookbook::FindMoves<float>(single_groups_.overlaps, is_large_, mean,
                                                 solved, settings, h, crew, single_);
   if (moved) std::transform(single_.begin(), single_.end(), moves.begin(), Exact);
   return moved;

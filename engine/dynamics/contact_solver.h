@@ -68,6 +68,9 @@ class ContactSolver {
   /** The greatest speed that a contact sees before it is solved. [m/s] */
   double scale() const { return whole_.scale(); }
   int row_count() const { return whole_.row_count(); }
+  /** Whether the world solved last was large, see IsSmall(). It stays so until it has
+   half as many contacts: what is kept of them hangs on it. */
+  bool is_large() const { return is_large_; }
 
   /** Fills `moves` with what removes overlap of the pairs solved last, see FindMoves().
    */
@@ -116,7 +119,7 @@ class ContactSolver {
   void ForgetOverlaps();
   /** Gives each pair with contacts its colour, and joins bodies to heaps. */
   void ColourAndJoin(std::span<const ContactPair> pairs,
-                     std::span<const RigidBody> bodies);
+                     std::span<const RigidBody> bodies, const Settings& settings);
   /** Divides the heaps into parts of at least `least` contacts where there are so many.
    */
   void Divide(std::size_t bodies, int least);
@@ -141,6 +144,7 @@ class ContactSolver {
   Standstill standstill_;
   Groups<double> groups_;  ///< Of a large one, and the overlaps of both.
   Groups<float> single_groups_;
+  bool is_large_ = false;
   bool is_single_ = false;              ///< Whether those were used last.
   std::vector<SingleVelocity> single_;  ///< Changes of velocities, or moves.
   Patience patience_;

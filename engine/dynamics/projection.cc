@@ -17,15 +17,14 @@ constexpr double kLargeShare = 0.2;
 }  // namespace
 
 template <class Real>
-bool FindMoves(std::span<Overlaps<Real>> overlaps, int contacts,
+bool FindMoves(std::span<Overlaps<Real>> overlaps, bool is_large,
                std::span<const Velocity> mean, std::span<const Velocity> solved,
                const Settings& settings, double h, Crew& crew,
                std::span<SweptVelocity<Real>> moves) {
   const auto is_empty = [](const Overlaps<Real>& some) { return some.batches.empty(); };
   if (std::all_of(overlaps.begin(), overlaps.end(), is_empty)) return false;
-  const double share = IsSmall(settings, contacts)
-                           ? settings.projection_share
-                           : std::min(settings.projection_share, kLargeShare);
+  const double share = is_large ? std::min(settings.projection_share, kLargeShare)
+                                : settings.projection_share;
   const OverlapRules rules{h, share};
 
   std::fill(moves.begin(), moves.end(), SweptVelocity<Real>{});
@@ -71,11 +70,11 @@ bool FindMoves(std::span<Overlaps<Real>> overlaps, int contacts,
   return true;
 }
 
-template bool FindMoves<double>(std::span<Overlaps<double>>, int,
+template bool FindMoves<double>(std::span<Overlaps<double>>, bool,
                                 std::span<const Velocity>, std::span<const Velocity>,
                                 const Settings&, double, Crew&, std::span<Velocity>);
-template bool FindMoves<float>(std::span<Overlaps<float>>, int, std::span<const Velocity>,
-                               std::span<const Velocity>, const Settings&, double, Crew&,
-                               std::span<SingleVelocity>);
+template bool FindMoves<float>(std::span<Overlaps<float>>, bool,
+                               std::span<const Velocity>, std::span<const Velocity>,
+                               const Settings&, double, Crew&, std::span<SingleVelocity>);
 
 }  // namespace cookbook

@@ -180,8 +180,9 @@ void World::Advance(double h, bool follow_blows) {
   ApplyForces(h);
   blows_.Clear();
   if (follow_blows) {
-    blows_.Begin({bodies_, before_, free_, sleep_.asleep(), linked_}, finder_, settings_,
-                 h, crew_);
+    blows_.Begin(
+        {bodies_, before_, free_, sleep_.asleep(), linked_, contacts_.is_large()},
+        finder_, settings_, h, crew_);
   }
   Solve(h);
   Move(h);
@@ -239,7 +240,8 @@ void World::FindPulls(double h) {
 
 bool World::FindContacts(double h) {
   FindPulls(h);
-  finder_.Find(bodies_, pulls_.greatest_margin(), settings_.blows_in_time ? h : 0, crew_);
+  finder_.Find(bodies_, {pulls_.greatest_margin(), contacts_.is_large()},
+               settings_.blows_in_time ? h : 0, crew_);
   // What has come into contact presses from now on.
   FindPulls(h);
   return !finder_.contacts().empty();
@@ -400,7 +402,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
       (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
   const bool touched = touches_[i].bounced || touches_[i].rested;
   const bool struck =
-      touched && (touches_[i].bounced || !touches_[i].steady ||
+      touched && (contacts_.is_large() || touches_[i].bounced || !touches_[i].steady ||
                   change > kBlow * h * std::max(body.pull, body.heap_pull));
   Velocity& mean = mean_[i];
   if (!struck) {
@@ -442,7 +444,9 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 }
 
 void World::Move(double h) {
-  const Motion motion{bodies_, before_, free_, solved_, touches_, mean_, shares_, h};
+  const Motion motion{bodies_, before_,  free_,
+                      solved_, touches_, mean_,
+                      shares_, h,        contacts_.is_large()};
   const bool is_exact = settings_.gyroscopic == Gyroscopic::kExact;
   crew_.Share(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
     constexpr std::size_t kAtOnce = 32;

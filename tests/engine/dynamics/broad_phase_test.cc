@@ -210,7 +210,7 @@ RC_GTEST_PROP(ContactFinder, FindsWhatALookAtAllPairsFinds, ()) {
   for (const RigidBody& body : bodies) finder.Add(body);
   int most = 0;
   for (int step = 0; step < 20; ++step) {
-    finder.Find(bodies, kMargin, kStep, crew);
+    finder.Find(bodies, {kMargin, false}, kStep, crew);
     Pairs found;
     for (const ContactPair& pair : finder.contacts()) {
       RC_ASSERT(found.insert({pair.A, pair.B}).second);

@@ -301,7 +301,7 @@ class Heap {
     std::vector<ColouredPair> ordered;
     for (ContactPair& pair : pairs) {
       std::array<ContactPair*, 1> one = {&pair};
-      Recollide(1, bodies, one);
+      Recollide({1, false}, bodies, one);
       const auto k = static_cast<int>(ordered.size());
       ordered.push_back({k, k, pair.A, pair.B, pair.manifold.count});
     }

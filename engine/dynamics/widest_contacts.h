@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+
+#include "engine/manifold.h"
+
+namespace cookbook {
+
+/** Contacts that hold a face about as well as all that its outline has. */
+inline constexpr int kContactsOfFace = 4;
+
+/** Leaves of the contacts of a face those that hold it widest: one far from their middle,
+ the one farthest from that, and on either side of the line between the two the farthest
+ from it. Contacts of the features of `before` are taken for a little wider than they are,
+ so that a face at rest keeps them. */
+void KeepWidest(std::span<const ContactPoint> before, Manifold& manifold);
+
+}  // namespace cookbook
