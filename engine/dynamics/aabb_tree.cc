@@ -79,9 +79,13 @@ void AabbTree::Remove(int leaf) {
 }
 
 void AabbTree::Refit(int node) {
-  while (node >= 0) {
+  // A node turns by what its children and theirs are: where two in a row have stayed as
+  // they were, so has all above.
+  for (int same = 0; node >= 0 && same < 2;) {
     Node& here = at(node);
-    here.bounds = Union(at(here.child1).bounds, at(here.child2).bounds);
+    const Aabb bounds = Union(at(here.child1).bounds, at(here.child2).bounds);
+    same = bounds == here.bounds ? same + 1 : 0;
+    here.bounds = bounds;
     Rotate(node);
     node = here.parent;
   }

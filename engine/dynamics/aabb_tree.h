@@ -29,6 +29,10 @@ struct Aabb {
            (other.high.array() <= high.array()).all();
   }
 
+  bool operator==(const Aabb& other) const {
+    return low == other.low && high == other.high;
+  }
+
   /** Half the surface. [m²] */
   double Surface() const {
     const Eigen::Vector3d size = high - low;

@@ -231,10 +231,10 @@ void Blows::FindCandidates(const Start& start, const ContactFinder& finder, Crew
   crew.ShareOut(finder.near_count(), kFewNear,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
                   finder.ForEachNear(begin, end, [&](int A, int B, double gap) {
+                    if (gap > reaches_[At(A)] + reaches_[At(B)]) return;
                     if (!Flies(A) && !Flies(B)) return;
                     if (HeapOf(A) > kMostOfHeap || HeapOf(B) > kMostOfHeap) return;
-                    if (gap <= reaches_[At(A)] + reaches_[At(B)])
-                      near_.Of(share).push_back({A, B, gap});
+                    near_.Of(share).push_back({A, B, gap});
                   });
                 });
   std::fill(begun_.begin(), begun_.end(), 0);

@@ -39,6 +39,14 @@ class BroadPhase {
     return (!has_moved(a) && !has_moved(b)) || proxy(a).wide.Overlaps(proxy(b).wide);
   }
 
+  /** Calls `visit(body)` for each body that has got another wide box in the last
+   * Update().
+   */
+  template <class Visit>
+  void ForEachMoved(const Visit& visit) const {
+    for (const int body : moved_) visit(body);
+  }
+
   /** Whether a body was static, or asleep, in the last Update(). */
   bool IsAtRest(int body) const { return rests_[static_cast<std::size_t>(body)] != 0; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 
 #include "engine/dynamics/fetch.h"
@@ -108,11 +109,23 @@ void ContactFinder::FindDue(double margin, Crew& crew) {
     pair.apart_until = gone + gap - margin;
     return false;
   };
+  // Most are neither: known by one sum, as if what has left its wide box had gone however
+  // far.
+  may_have_gone_ = gone_;
+  broad_phase_.ForEachMoved([&](int body) {
+    may_have_gone_[static_cast<std::size_t>(body)] =
+        std::numeric_limits<double>::infinity();
+  });
   found_.Clear(crew.shares());
   strangers_.Clear(crew.shares());
   crew.ShareOut(near_.size(), kFewNear,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
                   for (std::size_t k = begin; k < end; ++k) {
+                    if (may_have_gone_[static_cast<std::size_t>(near_[k].A)] +
+                            may_have_gone_[static_cast<std::size_t>(near_[k].B)] <
+                        near_[k].apart_until) {
+                      continue;
+                    }
                     if (!broad_phase_.AreStillNear(near_[k].A, near_[k].B)) {
                       strangers_.Of(share).push_back(k);
                     } else if (is_due(near_[k])) {
@@ -152,10 +165,12 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies,
       std::array<ContactPair*, kNeighbours> pairs;
       for (std::size_t k = 0; k < count; ++k) {
         pairs[k] = &contact_of(first + k);
+        const std::size_t later = first + k + 2 * kNeighbours;
+        if (later < due_.size()) Fetch(&contact_of(later), 1);
         if (first + k + kNeighbours >= due_.size()) continue;
         const ContactPair& next = contact_of(first + k + kNeighbours);
+        FetchContacts(next, std::max(1, next.manifold.count));
         const NearPair& next_near = near_[due_[first + k + kNeighbours]];
-        Fetch(&next, sizeof(ContactPair));
         for (const int body : {next_near.A, next_near.B}) {
           Fetch(&bodies[static_cast<std::size_t>(body)], offsetof(RigidBody, moments));
         }

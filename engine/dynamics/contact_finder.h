@@ -77,12 +77,13 @@ class ContactFinder {
   std::vector<std::pair<int, int>> appeared_;
   std::vector<NearPair> near_;
   std::vector<ContactPair> contacts_;
-  std::vector<std::size_t> due_;     ///< The near pairs to be looked at in this step.
-  Findings<std::size_t> found_;      ///< Those, or those of them that are apart.
-  Findings<std::size_t> strangers_;  ///< The near pairs that are near no more.
-  std::vector<double> gone_;         ///< By body. [m]
-  int unsorted_ = 0;                 ///< Calls of Find() since pairs were sorted.
-  std::vector<int> number_;          ///< By body, see BroadPhase::NumberByPlace().
+  std::vector<std::size_t> due_;       ///< The near pairs to be looked at in this step.
+  Findings<std::size_t> found_;        ///< Those, or those of them that are apart.
+  Findings<std::size_t> strangers_;    ///< The near pairs that are near no more.
+  std::vector<double> gone_;           ///< By body. [m]
+  std::vector<double> may_have_gone_;  ///< The same, infinite of what has left its box.
+  int unsorted_ = 0;                   ///< Calls of Find() since pairs were sorted.
+  std::vector<int> number_;            ///< By body, see BroadPhase::NumberByPlace().
   std::vector<ContactPair> sorted_;
 };
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/dynamics/fetch.h"
 #include "engine/dynamics/near_boxes.h"
 #include "engine/dynamics/rigid_body.h"
 #include "engine/manifold.h"
@@ -20,6 +21,15 @@ struct alignas(64) ContactPair {
   /** Impulse on B at each contact of the manifold. World frame. [N s] */
   alignas(64) std::array<Eigen::Vector3d, 8> J_W;
 };
+
+/** Tells memory that so many contacts of `pair` and their impulses will be wanted soon.
+ */
+inline void FetchContacts(const ContactPair& pair, int contacts) {
+  const auto count = static_cast<std::size_t>(contacts);
+  Fetch(&pair, offsetof(ContactPair, manifold) + offsetof(Manifold, contacts) +
+                   count * sizeof(ContactPoint));
+  Fetch(&pair.J_W, count * sizeof(Eigen::Vector3d));
+}
 
 /** Returns how hard the two bodies of `pair` are pulled; as hard as their heap, where
  they pressed each other in the last step. [m/s²] */

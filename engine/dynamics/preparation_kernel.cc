@@ -320,15 +320,9 @@ HWY_INLINE void Fill(ContactBatch<Real>& batch, ContactLanes<Real>* rows,
 template <class Real>
 void FetchBatch(const ContactBatch<Real>& batch, std::span<const ContactPair> pairs,
                 const SolverBodies& world) {
-  const auto impulses = static_cast<std::size_t>(batch.count) * sizeof(Eigen::Vector3d);
-  const std::size_t manifold =
-      offsetof(ContactPair, manifold) + offsetof(Manifold, contacts) +
-      static_cast<std::size_t>(batch.count) * sizeof(ContactPoint);
   for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
     if (batch.pair[lane] < 0) continue;
-    const ContactPair& pair = pairs[static_cast<std::size_t>(batch.pair[lane])];
-    Fetch(&pair, manifold);
-    Fetch(&pair.J_W, impulses);
+    FetchContacts(pairs[static_cast<std::size_t>(batch.pair[lane])], batch.count);
     for (const int body : {batch.A[lane], batch.B[lane]}) {
       const auto i = static_cast<std::size_t>(body);
       Fetch(&world.bodies[i].state.p_WB, 1);
