@@ -179,6 +179,10 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder, Crew& crew) {
     }
   });
   FindTouching(finder.contacts(), start.bodies, crew);
+  const auto any_flies = [&] {
+    return std::find(flies_.begin(), flies_.end(), 1) != flies_.end();
+  };
+  if (!any_flies()) return false;
   // What touches a body that is held is held, and what touches that; not what strikes.
   heaps_.Reset(flies_.size());
   strikers_.clear();
@@ -204,7 +208,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder, Crew& crew) {
     if (!Flies(touching_[k].A) && !Flies(touching_[k].B)) continue;
     finder.contacts()[k].manifold.count = 0;
   }
-  return std::find(flies_.begin(), flies_.end(), 1) != flies_.end();
+  return any_flies();
 }
 
 void Blows::HoldStrikersOfLargeHeaps() {

@@ -289,6 +289,31 @@ HWY_INLINE void Apply(const Vec3<Real>& J, const Vec3<Real>& r_A, const Vec3<Rea
   B.w = Plus(B.w, Times(m.tensor_B, Cross(r_B, J)));
 }
 
+/** What several impulses of pairs make together. */
+template <class Real>
+struct Wrenches {
+  Vec3<Real> J{};    ///< On B, the opposite on A. [N s]
+  Vec3<Real> L_A{};  ///< The moment of it about the centre of A. [N m s]
+  Vec3<Real> L_B{};
+
+  HWY_INLINE void Add(const Vec3<Real>& impulse, const Vec3<Real>& r_A,
+                      const Vec3<Real>& r_B) {
+    J = Plus(J, impulse);
+    L_A = Plus(L_A, Cross(r_A, impulse));
+    L_B = Plus(L_B, Cross(r_B, impulse));
+  }
+};
+
+/** Applies them. */
+template <class Real>
+HWY_INLINE void Apply(const Wrenches<Real>& all, const Inertias<Real>& m, Moving<Real>& A,
+                      Moving<Real>& B) {
+  A.v = Minus(A.v, Times(m.mass_A, all.J));
+  A.w = Minus(A.w, Times(m.tensor_A, all.L_A));
+  B.v = Plus(B.v, Times(m.mass_B, all.J));
+  B.w = Plus(B.w, Times(m.tensor_B, all.L_B));
+}
+
 HWY_INLINE double Greatest(Four v) {
   return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
 }

@@ -96,6 +96,7 @@ void ApplyFound(const ContactRows<float>& rows, const SolverBodies& world) {
       const FourBits A_moves = m.mass_A > Four{};
       Moving<double> A = GatherFour(velocities, bodies_A);
       Moving<double> B = GatherFour(velocities, bodies_B);
+      Wrenches<double> all;
       for (int k = 0; k < batch.count; ++k) {
         const ContactLanes<float>& contact = rows_of_batch[k];
         const Vec3<double> J = FourAt(J_W[static_cast<std::size_t>(k)], four);
@@ -107,8 +108,9 @@ void ApplyFound(const ContactRows<float>& rows, const SolverBodies& world) {
         const Vec3<double> r_B{Select(A_moves, seen.x, own.x),
                                Select(A_moves, seen.y, own.y),
                                Select(A_moves, seen.z, own.z)};
-        Apply(J, r_A, r_B, m, A, B);
+        all.Add(J, r_A, r_B);
       }
+      Apply(all, m, A, B);
       ScatterFour(A, bodies_A, m.mass_A, velocities);
       ScatterFour(B, bodies_B, m.mass_B, velocities);
     }
