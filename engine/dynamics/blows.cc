@@ -222,9 +222,13 @@ void Blows::HoldStrikersOfLargeHeaps() {
 }
 
 void Blows::BeginFlight(int body, const Start& start) {
+  // In its place: a whole body is not copied twice.
   BodyFlight& flight = flights_[At(body)];
-  flight = {start.bodies[At(body)]};
+  flight.start = start.bodies[At(body)];
+  flight.from = 0;
   flight.pull_W = pulls_[At(body)];
+  flight.a_W.setZero();
+  flight.torque_W.setZero();
   if (!Flies(body)) return;
   flight.a_W = pulls_[At(body)];
   flight.torque_W = flight.start.Torque_W();

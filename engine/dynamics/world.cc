@@ -10,7 +10,7 @@
 
 #include "engine/dynamics/point_flight.h"
 #include "engine/dynamics/rotation.h"
-#include "engine/dynamics/round_motion.h"
+#include "engine/dynamics/motion.h"
 
 namespace cookbook {
 namespace {
@@ -254,6 +254,32 @@ void World::ForEachBody(const Work& work) {
   });
 }
 
+template <class Takes, class Work, class Other>
+void World::ForSomeBodies(const Takes& takes, const Work& work, const Other& other) {
+  crew_.Share(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t kAtOnce = 32;
+    std::array<int, kAtOnce> some;
+    std::array<double, kAtOnce> ways;
+    std::size_t count = 0;
+    const auto flush = [&] {
+      work(std::span<const int>(some).first(count), std::span(ways).first(count));
+      for (std::size_t k = 0; k < count; ++k) {
+        finder_.HasGone(static_cast<std::size_t>(some[k]), ways[k]);
+      }
+      count = 0;
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+      if (takes(i)) {
+        some[count++] = static_cast<int>(i);
+        if (count == kAtOnce) flush();
+      } else {
+        other(i);
+      }
+    }
+    if (count > 0) flush();
+  });
+}
+
 void World::ApplyForces(double h) {
   ForEachBody([&](std::size_t i) {
     ApplyForcesTo(i, h);
@@ -447,29 +473,12 @@ void World::Move(double h) {
   const Motion motion{bodies_, before_,  free_,
                       solved_, touches_, mean_,
                       shares_, h,        contacts_.is_large()};
-  const bool is_exact = settings_.gyroscopic == Gyroscopic::kExact;
-  crew_.Share(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
-    constexpr std::size_t kAtOnce = 32;
-    std::array<int, kAtOnce> round;
-    std::array<double, kAtOnce> ways;
-    std::size_t count = 0;
-    const auto move_round = [&] {
-      if (!MoveRound(motion, std::span(round).first(count), ways)) diverged_ = true;
-      for (std::size_t k = 0; k < count; ++k) {
-        finder_.HasGone(static_cast<std::size_t>(round[k]), ways[k]);
-      }
-      count = 0;
-    };
-    for (std::size_t i = begin; i < end; ++i) {
-      if (is_exact && bodies_[i].moves_round()) {
-        round[count++] = static_cast<int>(i);
-        if (count == kAtOnce) move_round();
-      } else {
-        MoveOne(i, h);
-      }
-    }
-    if (count > 0) move_round();
-  });
+  const bool in_lanes = settings_.gyroscopic == Gyroscopic::kExact;
+  ForSomeBodies([&](std::size_t i) { return in_lanes && bodies_[i].moves_round(); },
+                [&](std::span<const int> round, std::span<double> ways) {
+                  if (!MoveRound(motion, round, ways)) diverged_ = true;
+                },
+                [&](std::size_t i) { MoveOne(i, h); });
 }
 
 void World::MoveOne(std::size_t i, double h) {
@@ -512,15 +521,15 @@ void World::Project(double h) {
     moved |= rods_.Project(joints_, settings_.projection_share, bodies_, moves_);
   }
   if (!moved) return;
-  ForEachBody([&](std::size_t i) {
-    RigidBody& body = bodies_[i];
-    if (body.is_static() || (moves_[i].v.isZero(0) && moves_[i].w.isZero(0))) return;
-    const BodyState before = body.state;
-    body.state.p_WB += moves_[i].v;
-    body.state.q_WB = (Exp(moves_[i].w) * body.state.q_WB).normalized();
-    body.R_WB = body.state.q_WB.toRotationMatrix();
-    finder_.HasGone(i, Travel(before, body));
-  });
+  ForSomeBodies(
+      [&](std::size_t i) {
+        return !bodies_[i].is_static() &&
+               !(moves_[i].v.isZero(0) && moves_[i].w.isZero(0));
+      },
+      [&](std::span<const int> shifted, std::span<double> ways) {
+        Shift(bodies_, moves_, shifted, ways);
+      },
+      [](std::size_t) {});
 }
 
 void World::Lull(double h) {

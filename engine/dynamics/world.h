@@ -109,6 +109,10 @@ class World {
   /** Calls `work(i)` for all bodies, shared by the threads: each its own. */
   template <class Work>
   void ForEachBody(const Work& work);
+  /** Calls `work(bodies, ways)` for some of the bodies that `takes(i)` after the other,
+   which fills `ways` with how far they have gone; `other(i)` for the rest. */
+  template <class Takes, class Work, class Other>
+  void ForSomeBodies(const Takes& takes, const Work& work, const Other& other);
   bool HasLinks() const { return !joints_.empty() || !springs_.empty(); }
   void ExpectTwoEnds(const Anchor& A, const Anchor& B, const char* what);
   void MarkLinked(const Anchor& A, const Anchor& B);

@@ -35,4 +35,9 @@ inline constexpr double kLargest = 1e12;
  */
 bool MoveRound(const Motion& motion, std::span<const int> bodies, std::span<double> ways);
 
+/** Displaces and turns `some` of the bodies by their `moves` ([m], [rad], by body index),
+ four at once, and fills `ways` with the Travel() of each. */
+void Shift(std::span<RigidBody> bodies, std::span<const Velocity> moves,
+           std::span<const int> some, std::span<double> ways);
+
 }  // namespace cookbook

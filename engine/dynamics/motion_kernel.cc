@@ -1,4 +1,4 @@
-#include "engine/dynamics/round_motion.h"
+#include "engine/dynamics/motion.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/dynamics/round_motion.cc"
+#define HWY_TARGET_INCLUDE "engine/dynamics/motion_kernel.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>
@@ -73,31 +73,80 @@ HWY_INLINE void Store3(Four v, Eigen::Vector3d& to) {
   to = {v[0], v[1], v[2]};
 }
 
+/** Moves four bodies by `way_W` and turns them by `phi_W`. Fills `ways` with the Travel()
+ of each and returns where they are. */
+HWY_INLINE Vec3<double> Displace(const std::array<RigidBody*, 4>& body,
+                                 const Vec3<double>& way_W, const Vec3<double>& phi_W,
+                                 double* ways) {
+  std::array<const double*, 4> p_WB;
+  std::array<const double*, 4> q_WB;
+  Four reach;  // 0 of a ball, which no turn takes from its place.
+  for (std::size_t k = 0; k < 4; ++k) {
+    p_WB[k] = body[k]->state.p_WB.data();
+    q_WB[k] = body[k]->state.q_WB.coeffs().data();
+    reach[k] = body[k]->is_ball ? 0 : 2 * body[k]->radius;
+  }
+  Four lanes[4];
+  LoadFour(p_WB, lanes);
+  const Vec3<double> p{lanes[0], lanes[1], lanes[2]};
+  const Vec3<double> moved = Plus(p, way_W);
+  LoadFour(q_WB, lanes);
+  const Quaternions q =
+      Normalized(Product(ExpOf(phi_W), {lanes[0], lanes[1], lanes[2], lanes[3]}));
+  // A turn by θ moves a point at r by 2 r sin(θ / 2) at most.
+  const Four sine = Min(Splat(0.5) * Sqrt(SquaredLength(phi_W)), Splat(1));
+  Store(Sqrt(SquaredLength(Minus(moved, p))) + reach * sine, ways);
+
+  const Four zero{};
+  const Four one = Splat(1);
+  const Four tx = q.x + q.x;
+  const Four ty = q.y + q.y;
+  const Four tz = q.z + q.z;
+  const Four twx = tx * q.w;
+  const Four twy = ty * q.w;
+  const Four twz = tz * q.w;
+  const Four txx = tx * q.x;
+  const Four txy = ty * q.x;
+  const Four txz = tz * q.x;
+  const Four tyy = ty * q.y;
+  const Four tyz = tz * q.y;
+  const Four tzz = tz * q.z;
+  Four R_low[4] = {one - (tyy + tzz), txy + twz, txz - twy, txy - twz};
+  Four R_high[4] = {one - (txx + tzz), tyz + twx, txz + twy, tyz - twx};
+  const Four R_last = one - (txx + tyy);
+  Four places[4] = {moved.x, moved.y, moved.z, zero};
+  Four turnings[4] = {q.x, q.y, q.z, q.w};
+  for (Four* four : {R_low, R_high, places, turnings}) {
+    Transpose4(four[0], four[1], four[2], four[3]);
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    Store3(places[k], body[k]->state.p_WB);
+    Store(turnings[k], body[k]->state.q_WB.coeffs().data());
+    double* R_WB = body[k]->R_WB.data();
+    Store(R_low[k], R_WB);
+    Store(R_high[k], R_WB + 4);
+    R_WB[8] = R_last[k];
+  }
+  return moved;
+}
+
 /** Moves four bodies; `ways` has room for four. Returns as MoveRound(). */
 HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways) {
   std::array<RigidBody*, 4> body;
-  std::array<const double*, 4> p_WB;
-  std::array<const double*, 4> q_WB;
   Four radius;
   Four usual;
   Four touched{};
   Four surely_struck{};
   Four rested{};
-  Four turns;  // 0 of a ball, which no turn takes from its place.
-  bool is_pushed = false;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto i = static_cast<std::size_t>(indices[k]);
     body[k] = &motion.bodies[i];
-    p_WB[k] = body[k]->state.p_WB.data();
-    q_WB[k] = body[k]->state.q_WB.coeffs().data();
     radius[k] = body[k]->radius;
     usual[k] = std::max(body[k]->pull, body[k]->heap_pull);
     const Touch& touch = motion.touches[i];
     touched[k] = touch.bounced || touch.rested ? 1 : 0;
     surely_struck[k] = motion.is_large || touch.bounced || !touch.steady ? 1 : 0;
     rested[k] = touch.rested ? 1 : 0;
-    turns[k] = body[k]->is_ball ? 0 : 2;
-    is_pushed |= body[k]->is_pushed;
   }
   const Four zero{};
   const Four half = Splat(0.5);
@@ -113,7 +162,7 @@ HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways)
                         Select(struck, yes.z, no.z)};
   };
   Vec3<double> thrown = after.v;   // What is struck.
-  Vec3<double> turned = before.w;  // How what is struck turns from the start.
+  Vec3<double> turned = before.w;  // How all turn from the start.
   if (Bits(struck) != 0) {
     const Moving<double> free = GatherFour(motion.free.data(), indices);
     const Four share = Select(rested > zero, zero, half);
@@ -122,88 +171,76 @@ HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways)
   }
   const Moving<double> mean{choose(thrown, Times(half, Plus(before.v, after.v))),
                             choose(after.w, Times(half, Plus(before.w, after.w)))};
-
-  Four lanes[4];
-  LoadFour(p_WB, lanes);
-  const Vec3<double> p{lanes[0], lanes[1], lanes[2]};
-  const Vec3<double> moved = Plus(p, Times(h, mean.v));
-  const Four large = Splat(kLargest);
-  // Compared one by one: what is not a number is not below.
-  FourBits below = Abs(moved.x) < large;
-  for (const Four& x : {moved.y, moved.z, after.v.x, after.v.y, after.v.z, after.w.x,
-                        after.w.y, after.w.z})
-    below &= Abs(x) < large;
-  const bool is_sane = Bits(below) == 15;
-  const Four way = Sqrt(SquaredLength(Minus(moved, p)));
-
   const Vec3<double> k1 = Times(h, turned);
   const Vec3<double> k4 = Times(h, after.w);
   const Vec3<double> bend = Cross(k1, k4);
   const Four twelve = Splat(12);
   const Vec3<double> phi = Minus(Times(half, Plus(k1, k4)),
                                  {bend.x / twelve, bend.y / twelve, bend.z / twelve});
-  LoadFour(q_WB, lanes);
-  const Quaternions q =
-      Normalized(Product(ExpOf(phi), {lanes[0], lanes[1], lanes[2], lanes[3]}));
-  // A turn by θ moves a point at r by 2 r sin(θ / 2) at most.
-  const Four sine = Min(half * Sqrt(SquaredLength(phi)), Splat(1));
-  Store(way + turns * radius * sine, ways);
+  const Vec3<double> p = Displace(body, Times(h, mean.v), phi, ways);
 
-  const Four tx = q.x + q.x;
-  const Four ty = q.y + q.y;
-  const Four tz = q.z + q.z;
-  const Four twx = tx * q.w;
-  const Four twy = ty * q.w;
-  const Four twz = tz * q.w;
-  const Four txx = tx * q.x;
-  const Four txy = ty * q.x;
-  const Four txz = tz * q.x;
-  const Four tyy = ty * q.y;
-  const Four tyz = tz * q.y;
-  const Four tzz = tz * q.z;
-  const Four one = Splat(1);
-  Four R_low[4] = {one - (tyy + tzz), txy + twz, txz - twy, txy - twz};
-  Four R_high[4] = {one - (txx + tzz), tyz + twx, txz + twy, tyz - twx};
-  const Four R_last = one - (txx + tyy);
-  Four places[4] = {moved.x, moved.y, moved.z, zero};
-  Four turnings[4] = {q.x, q.y, q.z, q.w};
   Four velocities[4] = {after.v.x, after.v.y, after.v.z, zero};
   Four spins[4] = {after.w.x, after.w.y, after.w.z, zero};
-  for (Four* four : {R_low, R_high, places, turnings, velocities, spins}) {
-    Transpose4(four[0], four[1], four[2], four[3]);
-  }
+  Transpose4(velocities[0], velocities[1], velocities[2], velocities[3]);
+  Transpose4(spins[0], spins[1], spins[2], spins[3]);
   for (std::size_t k = 0; k < 4; ++k) {
-    BodyState& state = body[k]->state;
-    Store3(places[k], state.p_WB);
-    Store(turnings[k], state.q_WB.coeffs().data());
-    Store3(velocities[k], state.v_WB);
-    Store3(spins[k], state.w_WB);
-    double* R_WB = body[k]->R_WB.data();
-    Store(R_low[k], R_WB);
-    Store(R_high[k], R_WB + 4);
-    R_WB[8] = R_last[k];
+    Store3(velocities[k], body[k]->state.v_WB);
+    Store3(spins[k], body[k]->state.w_WB);
     motion.shares[static_cast<std::size_t>(indices[k])] = struck[k] ? 1 : 0.5;
   }
-  ScatterFour(mean, indices, one, motion.mean.data());
-  return is_sane;
+  ScatterFour(mean, indices, Splat(1), motion.mean.data());
+
+  // Each by itself: what is not a number is below nothing.
+  const Four large = Splat(kLargest);
+  FourBits below = Abs(p.x) < large;
+  for (const Four& x :
+       {p.y, p.z, after.v.x, after.v.y, after.v.z, after.w.x, after.w.y, after.w.z}) {
+    below &= Abs(x) < large;
+  }
+  return Bits(below) == 15;
 }
 
-bool MoveAll(const Motion& motion, std::span<const int> bodies, std::span<double> ways) {
-  bool is_sane = true;
+/** Displaces four bodies; `ways` has room for four. */
+HWY_INLINE void ShiftFour(std::span<RigidBody> bodies, const Velocity* moves,
+                          const int* indices, double* ways) {
+  std::array<RigidBody*, 4> body;
+  for (std::size_t k = 0; k < 4; ++k)
+    body[k] = &bodies[static_cast<std::size_t>(indices[k])];
+  const Moving<double> move = GatherFour(moves, indices);
+  Displace(body, move.v, move.w, ways);
+}
+
+/** Calls `work(indices, ways)` for four bodies after the other. */
+template <class Work>
+HWY_INLINE void FourByFour(std::span<const int> bodies, std::span<double> ways,
+                           const Work& work) {
   std::size_t k = 0;
-  for (; k + 4 <= bodies.size(); k += 4)
-    is_sane &= MoveFour(motion, &bodies[k], &ways[k]);
-  if (k == bodies.size()) return is_sane;
+  for (; k + 4 <= bodies.size(); k += 4) work(&bodies[k], &ways[k]);
+  if (k == bodies.size()) return;
   // Lanes without a body repeat the last: what they write is the same.
   std::array<int, 4> last;
   std::array<double, 4> ways_of_last;
   for (std::size_t lane = 0; lane < 4; ++lane) {
     last[lane] = bodies[std::min(k + lane, bodies.size() - 1)];
   }
-  is_sane &= MoveFour(motion, last.data(), ways_of_last.data());
+  work(last.data(), ways_of_last.data());
   std::copy_n(ways_of_last.begin(), bodies.size() - k,
               ways.begin() + static_cast<std::ptrdiff_t>(k));
+}
+
+bool MoveAll(const Motion& motion, std::span<const int> bodies, std::span<double> ways) {
+  bool is_sane = true;
+  FourByFour(bodies, ways, [&](const int* four, double* four_ways) HWY_ATTR {
+    is_sane &= MoveFour(motion, four, four_ways);
+  });
   return is_sane;
+}
+
+void ShiftAll(std::span<RigidBody> bodies, std::span<const Velocity> moves,
+              std::span<const int> some, std::span<double> ways) {
+  FourByFour(some, ways, [&](const int* four, double* four_ways) HWY_ATTR {
+    ShiftFour(bodies, moves.data(), four, four_ways);
+  });
 }
 
 }  // namespace
@@ -214,10 +251,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace cookbook {
 HWY_EXPORT(MoveAll);
+HWY_EXPORT(ShiftAll);
 
 bool MoveRound(const Motion& motion, std::span<const int> bodies,
                std::span<double> ways) {
   return HWY_DYNAMIC_DISPATCH(MoveAll)(motion, bodies, ways);
+}
+
+void Shift(std::span<RigidBody> bodies, std::span<const Velocity> moves,
+           std::span<const int> some, std::span<double> ways) {
+  HWY_DYNAMIC_DISPATCH(ShiftAll)(bodies, moves, some, ways);
 }
 }  // namespace cookbook
 #endif
