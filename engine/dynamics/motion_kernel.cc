@@ -1,8 +1,7 @@
-#include "engine/dynamics/motion.h"
-
 #include <algorithm>
 #include <array>
 
+#include "engine/dynamics/motion.h"
 #include "engine/dynamics/rotation.h"
 
 // Four doubles are one register from AVX2 on.
@@ -57,9 +56,10 @@ HWY_INLINE Quaternions ExpOf(const Vec3<double>& phi) {
                  squared * (Splat(1.0 / 384) +
                             squared * (Splat(-1.0 / 46080) + squared / Splat(10321920))));
   Quaternions turn{s * phi.x, s * phi.y, s * phi.z, c};
-  unsigned fast = Bits(~(squared < Splat(kSmallTurnSquared)));
-  for (std::size_t lane = 0; fast != 0; ++lane, fast >>= 1) {
-    if ((fast & 1) == 0) continue;
+  const FourBits small = squared < Splat(kSmallTurnSquared);
+  const unsigned is_small = Bits(small);
+  for (std::size_t lane = 0; lane < 4 && is_small != 15; ++lane) {
+    if ((is_small >> lane & 1) != 0) continue;
     const Eigen::Quaterniond exact = Exp({phi.x[lane], phi.y[lane], phi.z[lane]});
     turn.x[lane] = exact.x();
     turn.y[lane] = exact.y();

@@ -10,52 +10,63 @@ namespace {
 /** How much wider a contact is taken for that was there before. */
 constexpr double kKnown = 1.1;
 
+/** Contacts, and how wide each is taken for. */
+struct Outline {
+  std::span<const ContactPoint> contacts;
+  std::array<double, 8> share{};
+
+  /** Returns the contact of which `measure(p_WC)` is greatest, and is above 0; none: the
+   number of contacts. */
+  template <class Measure>
+  std::size_t Greatest(const Measure& measure) const {
+    std::size_t best = contacts.size();
+    double greatest = 0;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const double value = share[k] * measure(contacts[k].p_WC);
+      if (value <= greatest) continue;
+      greatest = value;
+      best = k;
+    }
+    return best;
+  }
+
+  /** Returns the contact farthest from `p_W`; the first where all are there. */
+  std::size_t Farthest(const Eigen::Vector3d& p_W) const {
+    const std::size_t farthest =
+        Greatest([&](const Eigen::Vector3d& p) { return (p - p_W).squaredNorm(); });
+    return farthest < contacts.size() ? farthest : 0;
+  }
+};
+
 }  // namespace
 
 void KeepWidest(std::span<const ContactPoint> before, Manifold& manifold) {
   if (manifold.count <= kContactsOfFace) return;
-  const std::span<const ContactPoint> contacts = manifold.points();
-  std::array<double, 8> share{};
-  std::array<Eigen::Vector3d, 8> arm;
+  Outline outline{manifold.points()};
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const ContactPoint& contact : contacts) middle += contact.p_WC;
-  middle /= static_cast<double>(contacts.size());
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const auto is_same = [&](const ContactPoint& known) {
-      return known.feature == contacts[k].feature;
-    };
-    share[k] = std::any_of(before.begin(), before.end(), is_same) ? kKnown : 1;
-    arm[k] = contacts[k].p_WC - middle;
+  for (std::size_t k = 0; k < outline.contacts.size(); ++k) {
+    const ContactPoint& contact = outline.contacts[k];
+    middle += contact.p_WC;
+    const bool is_known = std::any_of(
+        before.begin(), before.end(),
+        [&](const ContactPoint& known) { return known.feature == contact.feature; });
+    outline.share[k] = is_known ? kKnown : 1;
   }
-  // The contact of which a measure is greatest, and is greater than 0.
-  const auto greatest = [&](const auto& measure) {
-    std::size_t best = contacts.size();
-    double most = 0;
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      const double value = share[k] * measure(arm[k]);
-      if (value <= most) continue;
-      most = value;
-      best = k;
-    }
-    return best;
-  };
-  const std::size_t first =
-      greatest([](const Eigen::Vector3d& r) { return r.squaredNorm(); });
-  if (first == contacts.size()) return;
-  const Eigen::Vector3d start = arm[first];
-  const std::size_t second =
-      greatest([&](const Eigen::Vector3d& r) { return (r - start).squaredNorm(); });
-  const Eigen::Vector3d across = manifold.n_AB_W.cross(arm[second] - start);
+  middle /= manifold.count;
+  const std::size_t first = outline.Farthest(middle);
+  const Eigen::Vector3d start = outline.contacts[first].p_WC;
+  const std::size_t second = outline.Farthest(start);
+  const Eigen::Vector3d across =
+      manifold.n_AB_W.cross(outline.contacts[second].p_WC - start);
   const std::size_t left =
-      greatest([&](const Eigen::Vector3d& r) { return across.dot(r - start); });
+      outline.Greatest([&](const Eigen::Vector3d& p) { return across.dot(p - start); });
   const std::size_t right =
-      greatest([&](const Eigen::Vector3d& r) { return -across.dot(r - start); });
-  int count = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+      outline.Greatest([&](const Eigen::Vector3d& p) { return -across.dot(p - start); });
+  manifold.count = 0;
+  for (std::size_t k = 0; k < outline.contacts.size(); ++k) {
     if (k != first && k != second && k != left && k != right) continue;
-    manifold.contacts[static_cast<std::size_t>(count++)] = contacts[k];
+    manifold.contacts[static_cast<std::size_t>(manifold.count++)] = outline.contacts[k];
   }
-  manifold.count = count;
 }
 
 }  // namespace cookbook

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/dynamics/motion.h"
 #include "engine/dynamics/point_flight.h"
 #include "engine/dynamics/rotation.h"
-#include "engine/dynamics/motion.h"
 
 namespace cookbook {
 namespace {
