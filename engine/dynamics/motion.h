@@ -21,9 +21,6 @@ struct Motion {
   std::span<Velocity> mean;  ///< Out: what moves the bodies during the step.
   std::span<double> shares;  ///< Out: see JointSolver::Correct().
   double h;                  ///< [s]
-  /** Whether what touches moves with the velocity of the end throughout, see MoveBody().
-   */
-  bool is_large;
 };
 
 /** Beyond any world that means something. */

@@ -145,7 +145,7 @@ HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways)
     usual[k] = std::max(body[k]->pull, body[k]->heap_pull);
     const Touch& touch = motion.touches[i];
     touched[k] = touch.bounced || touch.rested ? 1 : 0;
-    surely_struck[k] = motion.is_large || touch.bounced || !touch.steady ? 1 : 0;
+    surely_struck[k] = touch.bounced || !touch.steady ? 1 : 0;
     rested[k] = touch.rested ? 1 : 0;
   }
   const Four zero{};

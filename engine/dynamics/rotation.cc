@@ -88,20 +88,24 @@ Part Turn(const Eigen::Quaterniond& q, const Eigen::Vector3d& inverse,
 
 }  // namespace
 
+Eigen::Quaterniond Turned(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& from_W,
+                          const Eigen::Vector3d& to_W, double h) {
+  // The Magnus expansion.
+  const Eigen::Vector3d k1 = h * from_W;
+  const Eigen::Vector3d k4 = h * to_W;
+  Eigen::Quaterniond q = Exp(0.5 * (k1 + k4) - k1.cross(k4) / 12) * q_WB;
+  q.normalize();
+  return q;
+}
+
 Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
                          const Eigen::Vector3d& L_W, const Eigen::Vector3d& dL_W,
                          double h) {
   Turning end;
   if (IsRound(moments)) {
-    // ω is parallel to L whatever q is. The Magnus expansion of an ω that changes at a
-    // constant rate, to fourth order.
-    const double inverse = 1 / moments[0];
-    const Eigen::Vector3d L_end = L_W + dL_W;
-    const Eigen::Vector3d k1 = h * inverse * L_W;
-    const Eigen::Vector3d k4 = h * inverse * L_end;
-    end.q_WB = Exp(0.5 * (k1 + k4) - k1.cross(k4) / 12) * start.q_WB;
-    end.q_WB.normalize();
-    end.w_WB = inverse * L_end;
+    // ω is parallel to L whatever q is.
+    end.w_WB = start.w_WB + dL_W / moments[0];
+    end.q_WB = Turned(start.q_WB, start.w_WB, end.w_WB, h);
     return end;
   }
   const Eigen::Vector3d inverse = moments.cwiseInverse();

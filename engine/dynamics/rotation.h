@@ -23,6 +23,11 @@ struct Turning {
   Eigen::Vector3d w_WB;  ///< [rad/s]
 };
 
+/** Returns the orientation after `h` of a body that is `q_WB` and whose spin goes from
+ `from_W` to `to_W` [rad/s] at a constant rate, to fourth order in h. */
+Eigen::Quaterniond Turned(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& from_W,
+                          const Eigen::Vector3d& to_W, double h);
+
 /** Returns the state after `h` of a free body whose angular momentum goes from L_W at a
  constant rate to L_W + dL_W. The momentum at the end is that to rounding; the
  orientation is of fourth order in h, and exact about a fixed axis at constant ω. The

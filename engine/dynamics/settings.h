@@ -100,8 +100,8 @@ struct Settings {
 
 /** Whether a world of so many contacts may be swept more often than any world, see
  Settings::patience. What is so small is solved; what is large is off by more, keeps of a
- face no more than four contacts, see KeepWidest(), and moves what touches by first order
- in time. It stays large until it has half as many contacts. */
+ face no more than four contacts, see KeepWidest(). It stays large until it has half as
+ many. */
 bool IsSmall(const Settings& settings, int contacts);
 
 /** Refuses settings that make no sense.

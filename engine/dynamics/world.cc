@@ -428,7 +428,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
       (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
   const bool touched = touches_[i].bounced || touches_[i].rested;
   const bool struck =
-      touched && (contacts_.is_large() || touches_[i].bounced || !touches_[i].steady ||
+      touched && (touches_[i].bounced || !touches_[i].steady ||
                   change > kBlow * h * std::max(body.pull, body.heap_pull));
   Velocity& mean = mean_[i];
   if (!struck) {
@@ -442,21 +442,17 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 
   body.state.p_WB += h * mean.v;
   body.state.v_WB = after.v;
+  // A blow acts at once: it turns from the start as that leaves it.
+  const Eigen::Vector3d from = struck ? before.w + (after.w - free.w) : before.w;
   if (settings_.gyroscopic == Gyroscopic::kExact && body.is_round) {
-    // ω is parallel to the angular momentum whatever the orientation is. The Magnus
-    // expansion of an ω that changes at a constant rate, to fourth order.
-    const Eigen::Vector3d from = struck ? before.w + (after.w - free.w) : before.w;
-    const Eigen::Vector3d k1 = h * from;
-    const Eigen::Vector3d k4 = h * after.w;
-    body.state.q_WB = Exp(0.5 * (k1 + k4) - k1.cross(k4) / 12) * body.state.q_WB;
-    body.state.q_WB.normalize();
+    body.state.q_WB = Turned(body.state.q_WB, from, after.w, h);
     body.state.w_WB = after.w;
   } else if (settings_.gyroscopic == Gyroscopic::kExact) {
     const Eigen::Vector3d torque = h * body.Torque_W();
     const Eigen::Vector3d L = TurnedInertiaTimes(body.R_WB, body.moments, before.w);
     const Eigen::Vector3d blow =
         TurnedInertiaTimes(body.R_WB, body.moments, after.w - free.w);
-    const Turning start{body.state.q_WB, before.w};
+    const Turning start{body.state.q_WB, from};
     const Turning end = struck
                             ? TurnWithMomentum(start, body.moments, L + blow, torque, h)
                             : TurnWithMomentum(start, body.moments, L, torque + blow, h);
@@ -470,9 +466,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 }
 
 void World::Move(double h) {
-  const Motion motion{bodies_, before_,  free_,
-                      solved_, touches_, mean_,
-                      shares_, h,        contacts_.is_large()};
+  const Motion motion{bodies_, before_, free_, solved_, touches_, mean_, shares_, h};
   const bool in_lanes = settings_.gyroscopic == Gyroscopic::kExact;
   ForSomeBodies([&](std::size_t i) { return in_lanes && bodies_[i].moves_round(); },
                 [&](std::span<const int> round, std::span<double> ways) {

@@ -102,14 +102,13 @@ double EnergyOfMotion(const World& world) {
   return energy;
 }
 
-// A hundred boxes of 1 kg that fall upon each other in columns: these rock, and what is
-// swept a few times only would rock on for ever, by a millijoule, where a body moved by
-// the mean of its velocities.
+// A hundred boxes of 1 kg that fall upon each other in columns, and these rock. With all
+// the contacts of a face they rocked on for ever, by some ten millijoules.
 TEST(LargeWorld, APileOfBoxesComesToRest) {
   World world;
   AddFloor(world);
   const auto share = [](int k) {  // In [-1, 1), evenly.
-    const double x = k * std::numbers::phi;
+    const double x = (6000 + k) * std::numbers::phi;
     return 2 * (x - std::floor(x)) - 1;
   };
   for (int k = 0; k < 100; ++k) {
