@@ -112,7 +112,9 @@ TEST(LargeWorld, APileOfBoxesComesToRest) {
     return 2 * (x - std::floor(x)) - 1;
   };
   for (int k = 0; k < 100; ++k) {
-    const Eigen::Vector3d cell(k % 5 - 2, k / 25, k / 5 % 5 - 2);
+    const int layer = k / 25;
+    const int row = k / 5 % 5;
+    const Eigen::Vector3d cell(k % 5 - 2, layer, row - 2);
     const Eigen::Vector3d shift(0.05 * share(7 * k), 0.6, 0.05 * share(7 * k + 1));
     const Eigen::Quaterniond turn(1, 0.05 * share(7 * k + 2), 0.05 * share(7 * k + 3),
                                   0.05 * share(7 * k + 4));

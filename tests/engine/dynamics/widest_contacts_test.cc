@@ -28,6 +28,7 @@ Manifold FaceOf(const std::vector<Eigen::Vector3d>& corners) {
 /** Corners of an ellipse at these angles. */
 Manifold OnEllipse(const std::vector<double>& angles, double width, double height) {
   std::vector<Eigen::Vector3d> corners;
+  corners.reserve(angles.size());
   for (const double a : angles) {
     corners.emplace_back(width * std::cos(a), height * std::sin(a), 0);
   }
@@ -36,6 +37,7 @@ Manifold OnEllipse(const std::vector<double>& angles, double width, double heigh
 
 Manifold Octagon(double turned) {
   std::vector<double> angles;
+  angles.reserve(8);
   for (int k = 0; k < 8; ++k) angles.push_back(turned + k * kPi / 4);
   return OnEllipse(angles, 1, 1);
 }
@@ -113,6 +115,7 @@ TEST(WidestContacts, OfOnePointWhateverIsKeptIsThatPoint) {
 RC_GTEST_PROP(WidestContacts, AQuarterOfAConvexFaceIsKeptAtLeast, ()) {
   std::vector<double> angles;
   const int count = *rc::gen::inRange(5, 9);
+  angles.reserve(8);
   for (int k = 0; k < count; ++k) {
     angles.push_back(2 * kPi * *rc::gen::inRange(0, 1000000) / 1e6);
   }
