@@ -79,19 +79,19 @@ void AabbTree::Remove(int leaf) {
 }
 
 void AabbTree::Refit(int node) {
-  // A node turns by what its children and theirs are: where two in a row have stayed as
-  // they were, so has all above.
+  // What becomes of a node hangs on its children and theirs: where two in a row have
+  // stayed as they were, so has all above.
   for (int same = 0; node >= 0 && same < 2;) {
     Node& here = at(node);
     const Aabb bounds = Union(at(here.child1).bounds, at(here.child2).bounds);
-    same = bounds == here.bounds ? same + 1 : 0;
+    const bool stays = bounds == here.bounds;
     here.bounds = bounds;
-    Rotate(node);
+    same = !Rotate(node) && stays ? same + 1 : 0;
     node = here.parent;
   }
 }
 
-void AabbTree::Rotate(int index) {
+bool AabbTree::Rotate(int index) {
   // Exchanges a child with a child of the other child where that makes the latter
   // smaller.
   Node& node = at(index);
@@ -113,7 +113,7 @@ void AabbTree::Rotate(int index) {
       best_down = children[1 - side];
     }
   }
-  if (best_up == nullptr) return;
+  if (best_up == nullptr) return false;
   const int goes = node.*best_down;
   const int stays = node.*(best_down == &Node::child1 ? &Node::child2 : &Node::child1);
   const int rises = at(stays).*best_up;
@@ -122,6 +122,7 @@ void AabbTree::Rotate(int index) {
   at(stays).*best_up = goes;
   at(goes).parent = stays;
   at(stays).bounds = Union(at(at(stays).child1).bounds, at(at(stays).child2).bounds);
+  return true;
 }
 
 }  // namespace cookbook

@@ -111,7 +111,8 @@ class AabbTree {
   int Allocate();
   int FindSibling(const Aabb& bounds);
   void Refit(int node);
-  void Rotate(int node);
+  /** Returns whether it did anything. */
+  bool Rotate(int node);
 
   std::vector<Node> nodes_;
   int root_ = -1;

@@ -44,7 +44,7 @@ class Blows {
     std::span<const Velocity> free;  ///< At the end of the step, without impulses.
     const std::vector<bool>& asleep;
     const std::vector<bool>& linked;
-    bool is_large;  ///< See ContactSolver.
+    bool is_large;  ///< In the step before, see ContactSolver.
   };
 
   /** Begins a step of `h` [s]: finds what flies and what it may meet. Takes the contacts

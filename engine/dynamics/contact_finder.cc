@@ -109,8 +109,8 @@ void ContactFinder::FindDue(double margin, Crew& crew) {
     pair.apart_until = gone + gap - margin;
     return false;
   };
-  // Most are neither: known by one sum, as if what has left its wide box had gone however
-  // far.
+  // Most near pairs are neither due nor strangers: known by one sum, as if what has left
+  // its wide box had gone however far.
   may_have_gone_ = gone_;
   broad_phase_.ForEachMoved([&](int body) {
     may_have_gone_[static_cast<std::size_t>(body)] =
@@ -167,7 +167,8 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies,
         pairs[k] = &contact_of(first + k);
         const std::size_t later = first + k + 2 * kNeighbours;
         if (later < due_.size()) Fetch(&contact_of(later), 1);
-        if (first + k + kNeighbours >= due_.size()) continue;
+        // How many contacts a pair has is for its own thread to read.
+        if (group + 1 == end || first + k + kNeighbours >= due_.size()) continue;
         const ContactPair& next = contact_of(first + k + kNeighbours);
         FetchContacts(next, std::max(1, next.manifold.count));
         const NearPair& next_near = near_[due_[first + k + kNeighbours]];

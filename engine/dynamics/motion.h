@@ -19,7 +19,6 @@ struct Motion {
   std::span<const Velocity> solved;  ///< At its end.
   std::span<const Touch> touches;
   std::span<Velocity> mean;  ///< Out: what moves the bodies during the step.
-  std::span<double> shares;  ///< Out: see JointSolver::Correct().
   double h;                  ///< [s]
 };
 

@@ -186,7 +186,6 @@ HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways)
   for (std::size_t k = 0; k < 4; ++k) {
     Store3(velocities[k], body[k]->state.v_WB);
     Store3(spins[k], body[k]->state.w_WB);
-    motion.shares[static_cast<std::size_t>(indices[k])] = struck[k] ? 1 : 0.5;
   }
   ScatterFour(mean, indices, Splat(1), motion.mean.data());
 

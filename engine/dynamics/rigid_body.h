@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 
 #include "engine/dynamics/body.h"
 
@@ -18,7 +17,7 @@ struct alignas(64) RigidBody {
   bool is_ball;    ///< What it turns by moves none of its surface.
   bool is_round;   ///< As easy to turn about any axis, as a ball and a cube are.
   bool is_point;   ///< Has no volume, and does not turn.
-  bool is_pushed;  ///< Whether any of the forces below is not zero.
+  bool is_pushed;  ///< Whether any of the forces below may differ from zero.
   // What contacts ask for, in one line.
   double inverse_mass;  ///< 0: static. [1/kg]
   double margin = 0;    ///< Contacts apart by less are kept ready. [m]
@@ -53,8 +52,6 @@ struct alignas(64) RigidBody {
     return is_pushed ? applied_torque_W : Eigen::Vector3d::Zero();
   }
 };
-static_assert(offsetof(RigidBody, inverse_mass) == 128);
-static_assert(offsetof(RigidBody, moments) == 320);
 
 /** Returns the body that `definition` describes.
  @throws std::invalid_argument where it is refused, see Validate(). */

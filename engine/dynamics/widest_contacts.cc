@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include <Eigen/Geometry>
+
 namespace cookbook {
 namespace {
 

@@ -466,7 +466,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 }
 
 void World::Move(double h) {
-  const Motion motion{bodies_, before_, free_, solved_, touches_, mean_, shares_, h};
+  const Motion motion{bodies_, before_, free_, solved_, touches_, mean_, h};
   const bool in_lanes = settings_.gyroscopic == Gyroscopic::kExact;
   ForSomeBodies([&](std::size_t i) { return in_lanes && bodies_[i].moves_round(); },
                 [&](std::span<const int> round, std::span<double> ways) {
