@@ -93,6 +93,31 @@ TEST(LargeWorld, IsSmallAgainWhereTwiceItsContactsAreFew) {
   EXPECT_GT((ContactsOfPairs(world)[{1, 2}]), 4);
 }
 
+// Thinner than the margin: all eight corners of a tile are contacts, and the four widest
+// might be those above.
+TEST(LargeWorld, TilesLieFlatOnAHalfSpace) {
+  World world;
+  BodyDefinition ground;
+  ground.shape = HalfSpace{};
+  ground.state.q_WB = Eigen::AngleAxisd(-std::numbers::pi / 2, Eigen::Vector3d::UnitX());
+  ground.mass = 0;
+  world.AddBody(ground);
+  BodyDefinition tile;
+  tile.shape = Box{{0.15, 0.0025, 0.15}};
+  tile.restitution = 0;
+  for (int k = 0; k < 120; ++k) {
+    tile.state.p_WB = {0.5 * (k % 12), 0.0025, k / 12 * 0.5};
+    tile.state.q_WB = AboutY(0.1 * k);
+    world.AddBody(tile);
+  }
+  for (int k = 0; k < 120; ++k) world.Step(1.0 / 60);
+  for (int k = 1; k <= 120; ++k) {
+    const BodyState& state = world.state(k);
+    EXPECT_GT((state.q_WB * Eigen::Vector3d::UnitY()).y(), 1 - 1e-6) << k;
+    EXPECT_NEAR(state.p_WB.y(), 0.0025, 1e-4) << k;
+  }
+}
+
 double EnergyOfMotion(const World& world) {
   double energy = 0;
   for (int i = 0; i < world.body_count(); ++i) {

@@ -88,8 +88,42 @@ TEST(Motion, WhatIsRoundIsPushedAsWhatIsNearlySo) {
     }
   }
   for (int k = 0; k < 5; ++k) ExpectNear(round.state(k), nearly.state(k), 1e-10);
-  // The force of a step is gone with it.
+  // Nothing turns what is pushed through its centre.
   EXPECT_EQ(round.state(1).w_WB, Eigen::Vector3d(3, 0.5, 0));
+}
+
+TEST(Motion, AConstantForceStaysWhereAnotherActsForAStep) {
+  Settings settings;
+  settings.gravity_W.setZero();
+  World world(settings);
+  BodyDefinition cube = Cube({0, 0, 0});
+  cube.mass = 2;
+  cube.force_W = {3, 0, 0};
+  world.AddBody(cube);
+  world.Step(kH);
+  world.ApplyForce(0, world.state(0).p_WB, {0, 5, 0});
+  for (int k = 0; k < 9; ++k) world.Step(kH);
+  // v = F t / m, each force by its own time.
+  const Eigen::Vector3d v = kH / 2 * Eigen::Vector3d(10 * 3, 5, 0);
+  EXPECT_LT((world.state(0).v_WB - v).norm(), 1e-15);
+}
+
+// Whatever it is that grows beyond all bounds, while the others are moderate still.
+TEST(Motion, WhatIsRoundAndTooFastHasDiverged) {
+  Settings settings;
+  settings.gravity_W.setZero();
+  for (const bool spins : {false, true}) {
+    World world(settings);
+    for (int k = 0; k < 5; ++k) world.AddBody(Cube({3.0 * k, 0, 0}));
+    world.Step(kH);
+    ASSERT_FALSE(world.diverged());
+    const Eigen::Vector3d p_W = world.state(2).p_WB;
+    const Eigen::Vector3d arm(0, 0.5, 0);
+    world.ApplyImpulse(2, p_W + arm, {2e12, 0, 0});
+    world.ApplyImpulse(2, p_W - arm, {spins ? -2e12 : 2e12, 0, 0});
+    world.Step(kH);
+    EXPECT_TRUE(world.diverged()) << spins;
+  }
 }
 
 // Landing, sliding to rest, and thrown up again.

@@ -1,0 +1,59 @@
+#include "engine/dynamics/near_contact.h"
+
+#include <gtest/gtest.h>
+
+namespace cookbook {
+namespace {
+
+RigidBody BallAt(double x, double radius, double mass) {
+  BodyDefinition ball;
+  ball.shape = Sphere{radius};
+  ball.state.p_WB = {x, 1, 2};
+  ball.mass = mass;
+  return MakeRigidBody(ball);
+}
+
+Manifold Meet(const RigidBody& A, const RigidBody& B) {
+  Manifold manifold;
+  CollideWithin(0, A, B, Eigen::Vector3d::Zero(), manifold);
+  return manifold;
+}
+
+/** Balls of 0.5 and 0.25 m that overlap by 0.25 m: from x = 0.25 to 0.5. */
+Manifold MeetOfMasses(double mass_A, double mass_B) {
+  return Meet(BallAt(0, 0.5, mass_A), BallAt(0.5, 0.25, mass_B));
+}
+
+TEST(NearContact, OfTwoBallsThatMoveIsMidway) {
+  const Manifold manifold = MeetOfMasses(1, 3);
+  ASSERT_EQ(manifold.count, 1);
+  EXPECT_EQ(manifold.n_AB_W, Eigen::Vector3d::UnitX());
+  EXPECT_EQ(manifold.separation, -0.25);
+  EXPECT_EQ(manifold.contacts[0].separation, -0.25);
+  EXPECT_LT((manifold.contacts[0].p_WC - Eigen::Vector3d(0.375, 1, 2)).norm(), 1e-15);
+}
+
+// Friction turns a ball by its radius, however deep it is caught.
+TEST(NearContact, OfTwoBallsIsOnTheOneThatMoves) {
+  const Manifold on_B = MeetOfMasses(0, 1);
+  EXPECT_LT((on_B.contacts[0].p_WC - Eigen::Vector3d(0.25, 1, 2)).norm(), 1e-15);
+  const Manifold on_A = MeetOfMasses(1, 0);
+  EXPECT_LT((on_A.contacts[0].p_WC - Eigen::Vector3d(0.5, 1, 2)).norm(), 1e-15);
+}
+
+TEST(NearContact, BallsApartByMoreThanTheMarginHaveNone) {
+  const RigidBody A = BallAt(0, 0.5, 1);
+  const RigidBody B = BallAt(1, 0.25, 1);
+  Manifold manifold;
+  CollideWithin(0.2, A, B, Eigen::Vector3d::Zero(), manifold);
+  EXPECT_EQ(manifold.count, 0);
+  EXPECT_FALSE(manifold.touching);
+  EXPECT_EQ(manifold.separation, 0.25);
+  CollideWithin(0.3, A, B, Eigen::Vector3d::Zero(), manifold);
+  ASSERT_EQ(manifold.count, 1);
+  EXPECT_EQ(manifold.contacts[0].separation, 0.25);
+  EXPECT_LT((manifold.contacts[0].p_WC - Eigen::Vector3d(0.625, 1, 2)).norm(), 1e-15);
+}
+
+}  // namespace
+}  // namespace cookbook
