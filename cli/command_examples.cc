@@ -64,7 +64,7 @@ constexpr auto kExamples = std::to_array<Examples>({
     {"bench", R"(
   touchstone bench contact
   touchstone bench contact --pair box box --oracles cookbook,bullet --count 5000
-  touchstone bench worlds --scene boxes1000 --oracles cookbook,bullet
+  touchstone bench worlds --scene boxes1000 --oracles cookbook,bullet_float
   touchstone bench worlds --scene boxes1000,boxes10000 --threads 2
 )",
      kShown},

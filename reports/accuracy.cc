@@ -27,9 +27,14 @@ constexpr std::string_view kPreamble =
     "\n"
     "The worst error of each oracle on each pair of shapes over the catalogue, relative "
     "to the\n"
-    "size of the scene: 1.5 times what was measured, rounded up. Generated, and guarded "
-    "from\n"
-    "both sides: an error above its row fails, and so does one below a twelfth of it.\n"
+    "size of the scene: 1.5 times what was measured, rounded up. Written by\n"
+    "`touchstone accuracy > docs/accuracy.md` and guarded from both sides: an error "
+    "above "
+    "its\n"
+    "row fails, and so does one below a twelfth of it. `touchstone explain ID --all` "
+    "shows "
+    "what\n"
+    "a row was measured from.\n"
     "\n";
 
 /** An oracle and an unordered pair of shapes: what a row is about. */
