@@ -31,6 +31,14 @@ struct Range {
   }
 };
 
+/** Returns the label of the lesser end, which tells it from that of the greater: a line
+ that only rounds is not to look like a fall from one to the same. */
+std::string LowLabel(const Range& range) {
+  const std::string low = fmt::format("{:.4g}", range.lo);
+  const std::string high = fmt::format("{:.4g}", range.hi);
+  return low != high ? low : fmt::format("{} − {:.2g}", high, range.hi - range.lo);
+}
+
 class Drawing {
  public:
   Drawing(const CurveSet& set, double band) : set_(set), band_(band) {
@@ -61,10 +69,10 @@ class Drawing {
     if (set_.truth) svg += Line(*set_.truth, "truth");
     svg += fmt::format(
         "<text class=\"tick\" x=\"{}\" y=\"{}\">{:.4g}</text>"
-        "<text class=\"tick\" x=\"{}\" y=\"{}\">{:.4g}</text>"
+        "<text class=\"tick\" x=\"{}\" y=\"{}\">{}</text>"
         "<text class=\"tick\" x=\"{}\" y=\"{}\">{:.4g} s</text>"
         "<text class=\"tick end\" x=\"{}\" y=\"{}\">{:.4g} s</text></svg>\n",
-        kLeft + 3, kTop + 9, y_.hi, kLeft + 3, kHeight - kBottom - 3, y_.lo, kLeft,
+        kLeft + 3, kTop + 9, y_.hi, kLeft + 3, kHeight - kBottom - 3, LowLabel(y_), kLeft,
         kHeight - kBottom + 12, x_.lo, kWidth - kLeft, kHeight - kBottom + 12, x_.hi);
     return svg;
   }

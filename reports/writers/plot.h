@@ -14,7 +14,8 @@ std::string LineClass(std::size_t oracle);
 /** Draws the curves of `set` over time as an SVG element: one line an oracle with its
  LineClass() in the order of the oracles, the truth
  dashed with a band of ± `band` about it [unit of the set; 0: none], the extremes of both
- axes as labels. Lines are thinned to what the eye can tell. */
+ axes as labels, the lesser of values that print alike by its difference. Lines are
+ thinned to what the eye can tell. */
 std::string Plot(const CurveSet& set, double band);
 
 }  // namespace touchstone

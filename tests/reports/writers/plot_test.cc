@@ -25,5 +25,26 @@ TEST(LineClass, DiffersWithinEight) {
   }
 }
 
+CurveSet CurveOf(double first, double last) {
+  CurveSet set{"energy", "J", MeasureKind::kEnergyDrift, {}, {}};
+  Curve& curve = set.of_oracle.emplace_back();
+  curve.times = {0.0, 1.0};
+  curve.values = {first, last};
+  return set;
+}
+
+TEST(Plot, LabelsTheExtremesOfItsValues) {
+  const std::string plot = Plot(CurveOf(0.5, 0.25), 0);
+  EXPECT_NE(plot.find(">0.5</text>"), std::string::npos) << plot;
+  EXPECT_NE(plot.find(">0.25</text>"), std::string::npos) << plot;
+}
+
+// Else rounding would look like a loss of all there is.
+TEST(Plot, TellsExtremesThatPrintAlikeByTheirDifference) {
+  const std::string plot = Plot(CurveOf(0.5, 0.5 - 0x1p-25), 0);
+  EXPECT_NE(plot.find(">0.5</text>"), std::string::npos) << plot;
+  EXPECT_NE(plot.find(">0.5 − 3e-08</text>"), std::string::npos) << plot;
+}
+
 }  // namespace
 }  // namespace touchstone
