@@ -106,7 +106,8 @@ TEST(LargeWorld, TilesLieFlatOnAHalfSpace) {
   tile.shape = Box{{0.15, 0.0025, 0.15}};
   tile.restitution = 0;
   for (int k = 0; k < 120; ++k) {
-    tile.state.p_WB = {0.5 * (k % 12), 0.0025, k / 12 * 0.5};
+    const int row = k / 12;
+    tile.state.p_WB = {0.5 * (k % 12), 0.0025, 0.5 * row};
     tile.state.q_WB = AboutY(0.1 * k);
     world.AddBody(tile);
   }
