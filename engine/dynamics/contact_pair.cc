@@ -63,13 +63,6 @@ void PassOn(const OldContacts& old, double reach, ContactPair& pair) {
   }
 }
 
-/** Whether the contacts are corners of one face. Those with a half-space are corners of a
- box, which may all be within the margin of it. */
-bool IsFace(const Manifold& manifold, const RigidBody& A, const RigidBody& B) {
-  return manifold.count > kContactsOfFace && std::holds_alternative<Box>(A.shape) &&
-         std::holds_alternative<Box>(B.shape);
-}
-
 }  // namespace
 
 double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B) {
@@ -96,8 +89,8 @@ void Recollide(const ContactChoice& choice, std::span<const RigidBody> bodies,
   }
   CollideWithin(std::span(neighbours).first(pairs.size()));
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (choice.widest_alone &&
-        IsFace(pairs[k]->manifold, *neighbours[k].A, *neighbours[k].B))
+    // With a half-space they are no face: all corners of a box may be within the margin.
+    if (choice.widest_alone && AreBoxes(*neighbours[k].A, *neighbours[k].B))
       KeepWidest(std::span(old[k].contacts).first(old[k].count), pairs[k]->manifold);
     if (HasSameFeatures(old[k], pairs[k]->manifold)) continue;
     const RigidBody& A = *neighbours[k].A;

@@ -48,10 +48,6 @@ void CollideBoxes(std::span<const Neighbours> boxes) {
   }
 }
 
-bool AreBoxes(const RigidBody& A, const RigidBody& B) {
-  return std::holds_alternative<Box>(A.shape) && std::holds_alternative<Box>(B.shape);
-}
-
 /** Fills the one contact of a sphere, given the unit vector out of it into the other
  body, on its own surface. */
 void PutOnSphere(double margin, const Sphere& sphere, const Eigen::Vector3d& p_WS,
@@ -115,6 +111,10 @@ void CollideOthers(double margin, const RigidBody& A, const RigidBody& B,
 }
 
 }  // namespace
+
+bool AreBoxes(const RigidBody& A, const RigidBody& B) {
+  return std::holds_alternative<Box>(A.shape) && std::holds_alternative<Box>(B.shape);
+}
 
 void CollideWithin(std::span<const Neighbours> pairs) {
   std::array<Neighbours, kNeighbours> boxes;

@@ -8,6 +8,9 @@
 
 namespace cookbook {
 
+/** Whether both are boxes: all contacts of theirs are of one face, or of two edges. */
+bool AreBoxes(const RigidBody& A, const RigidBody& B);
+
 /** Fills `manifold` with how the shapes of two bodies touch, and also the contacts that
  are apart by no more than `margin` [m], whose separation is positive: a box that rests on
  four corners keeps all four though rounding lifts one. `touching` is as Collide() says;

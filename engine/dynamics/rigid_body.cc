@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "engine/dynamics/rotation.h"
+
 namespace cookbook {
 namespace {
 
@@ -32,8 +34,7 @@ RigidBody MakeRigidBody(const BodyDefinition& definition) {
                        : PrincipalInertia(definition.shape, definition.mass);
     body.inverse_moments = body.moments.cwiseInverse();
   }
-  const Eigen::Vector3d& moments = body.moments;
-  body.is_round = moments[0] > 0 && moments[0] == moments[1] && moments[1] == moments[2];
+  body.is_round = body.moments[0] > 0 && IsRound(body.moments);
   body.restitution = definition.restitution;
   body.friction = definition.friction;
   body.collides = definition.collides;
@@ -68,7 +69,7 @@ double Travel(const BodyState& before, const RigidBody& body) {
 InverseInertia InverseInertiaOf(const RigidBody& body) {
   const Eigen::Vector3d& moments = body.inverse_moments;
   // A ball has no axes to turn, and its tensor stays diagonal to the last bit.
-  if (moments[0] == moments[1] && moments[1] == moments[2]) {
+  if (IsRound(moments)) {
     return {{moments[0], 0, 0, moments[0], 0, moments[0]}, body.inverse_mass};
   }
   const Eigen::Matrix3d I_W = body.R_WB * moments.asDiagonal() * body.R_WB.transpose();

@@ -7,14 +7,9 @@
 
 namespace cookbook {
 
-namespace {
-
-/** A ball, a cube and their like have no axes to turn. */
 bool IsRound(const Eigen::Vector3d& moments) {
   return moments[0] == moments[1] && moments[1] == moments[2];
 }
-
-}  // namespace
 
 Eigen::Quaterniond Exp(const Eigen::Vector3d& phi) {
   const double squared = phi.squaredNorm();

@@ -6,6 +6,10 @@
 
 namespace cookbook {
 
+/** Whether a body of these moments, or their inverses, is as easy to turn about any axis,
+ as a ball and a cube are. */
+bool IsRound(const Eigen::Vector3d& moments);
+
 /** The square of an angle below which Exp() is a series. [rad²] */
 inline constexpr double kSmallTurnSquared = 0.01;
 

@@ -129,7 +129,7 @@ double EnergyOfMotion(const World& world) {
 }
 
 // A hundred boxes of 1 kg that fall upon each other in columns, and these rock. With all
-// the contacts of a face they rocked on for ever, by some ten millijoules.
+// the contacts of a face they rocked on for ever, by thousands of times as much.
 TEST(LargeWorld, APileOfBoxesComesToRest) {
   World world;
   AddFloor(world);
