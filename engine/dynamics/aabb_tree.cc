@@ -8,86 +8,89 @@ int AabbTree::Allocate() {
     return static_cast<int>(nodes_.size()) - 1;
   }
   const int node = free_;
-  free_ = at(node).parent;
+  free_ = at(node).place();
   return node;
 }
 
-int AabbTree::FindSibling(const Aabb& bounds) {
+void AabbTree::Hang(Child child, const LooseBox& bounds, Place place) {
+  if (place == kTop) {
+    root_ = child;
+    root_bounds_ = bounds;
+  } else {
+    at(NodeOf(place)).SetChild(SideOf(place), bounds, child);
+  }
+  if (IsLeaf(child)) {
+    places_[static_cast<std::size_t>(~child)] = place;
+  } else {
+    at(child).SetPlace(place);
+  }
+}
+
+AabbTree::Place AabbTree::FindSibling(const LooseBox& bounds) const {
   // Descends to the child that grows least, as long as that costs less than a new parent
   // here: what every ancestor grows by is inherited either way.
-  int index = root_;
-  while (at(index).child1 >= 0) {
-    const Node& node = at(index);
-    const double surface = node.bounds.Surface();
-    const double here = Union(node.bounds, bounds).Surface();
-    const double inherited = here - surface;
-    const auto descend = [&](int child) {
-      const Node& below = at(child);
-      const double grown = Union(below.bounds, bounds).Surface();
-      return below.child1 < 0 ? grown + inherited
-                              : grown - below.bounds.Surface() + inherited;
+  Place place = kTop;
+  for (Child here = root_; !IsLeaf(here); here = ChildAt(place)) {
+    const LooseBox& own = BoundsAt(place);
+    const float grown = Union(own, bounds).Surface();
+    const float inherited = grown - own.Surface();
+    const Node& node = at(here);
+    const auto descend = [&](std::size_t side) {
+      const float surface = IsLeaf(node.child(side)) ? 0 : node.bounds[side].Surface();
+      return Union(node.bounds[side], bounds).Surface() - surface + inherited;
     };
-    const double cost1 = descend(node.child1);
-    const double cost2 = descend(node.child2);
-    if (here < cost1 && here < cost2) break;
-    index = cost1 <= cost2 ? node.child1 : node.child2;
+    const float cost1 = descend(0);
+    const float cost2 = descend(1);
+    if (grown < cost1 && grown < cost2) break;
+    place = 2 * here + (cost1 <= cost2 ? 0 : 1);
   }
-  return index;
+  return place;
 }
 
-int AabbTree::Insert(const Aabb& bounds, int body) {
-  const int leaf = Allocate();
-  at(leaf) = {bounds, -1, -1, -1, body};
-  if (root_ < 0) {
-    root_ = leaf;
-    return leaf;
+void AabbTree::Insert(const LooseBox& bounds, int body) {
+  if (places_.size() <= static_cast<std::size_t>(body)) {
+    places_.resize(static_cast<std::size_t>(body) + 1);
   }
-  const int sibling = FindSibling(bounds);
+  if (root_ == kNone) {
+    Hang(~body, bounds, kTop);
+    return;
+  }
+  const Place place = FindSibling(bounds);
+  const Child sibling = ChildAt(place);
+  const LooseBox beside = BoundsAt(place);
   const int parent = Allocate();
-  const int above = at(sibling).parent;
-  at(parent) = {Union(bounds, at(sibling).bounds), above, sibling, leaf, -1};
-  at(sibling).parent = parent;
-  at(leaf).parent = parent;
-  if (above < 0) {
-    root_ = parent;
-  } else {
-    (at(above).child1 == sibling ? at(above).child1 : at(above).child2) = parent;
-  }
-  Refit(above);
-  return leaf;
+  Hang(parent, Union(bounds, beside), place);
+  Hang(sibling, beside, 2 * parent);
+  Hang(~body, bounds, 2 * parent + 1);
+  if (place != kTop) Refit(at(NodeOf(place)).place());
 }
 
-void AabbTree::Remove(int leaf) {
-  const int parent = at(leaf).parent;
-  if (parent < 0) {
-    root_ = -1;
-  } else {
-    const int sibling = at(parent).child1 == leaf ? at(parent).child2 : at(parent).child1;
-    const int above = at(parent).parent;
-    at(sibling).parent = above;
-    if (above < 0) {
-      root_ = sibling;
-    } else {
-      (at(above).child1 == parent ? at(above).child1 : at(above).child2) = sibling;
-      Refit(above);
-    }
-    at(parent).parent = free_;
-    free_ = parent;
+void AabbTree::Remove(int body) {
+  const Place leaf = places_[static_cast<std::size_t>(body)];
+  if (leaf == kTop) {
+    root_ = kNone;
+    return;
   }
-  at(leaf).parent = free_;
-  free_ = leaf;
+  const int parent = NodeOf(leaf);
+  const std::size_t sibling = 1 - SideOf(leaf);
+  const Place place = at(parent).place();
+  Hang(at(parent).child(sibling), LooseBox(at(parent).bounds[sibling]), place);
+  at(parent).SetPlace(free_);
+  free_ = parent;
+  if (place != kTop) Refit(at(NodeOf(place)).place());
 }
 
-void AabbTree::Refit(int node) {
+void AabbTree::Refit(Place place) {
   // What becomes of a node hangs on its children and theirs: where two in a row have
   // stayed as they were, so has all above.
-  for (int same = 0; node >= 0 && same < 2;) {
-    Node& here = at(node);
-    const Aabb bounds = Union(at(here.child1).bounds, at(here.child2).bounds);
-    const bool stays = bounds == here.bounds;
-    here.bounds = bounds;
+  for (int same = 0; same < 2;) {
+    const int node = ChildAt(place);
+    const LooseBox bounds = Union(at(node).bounds[0], at(node).bounds[1]);
+    const bool stays = bounds == BoundsAt(place);
+    if (!stays) Hang(node, bounds, place);
     same = !Rotate(node) && stays ? same + 1 : 0;
-    node = here.parent;
+    if (place == kTop) return;
+    place = at(NodeOf(place)).place();
   }
 }
 
@@ -95,33 +98,33 @@ bool AabbTree::Rotate(int index) {
   // Exchanges a child with a child of the other child where that makes the latter
   // smaller.
   Node& node = at(index);
-  int Node::*const children[] = {&Node::child1, &Node::child2};
-  double best = 0;
-  int Node::*best_up = nullptr;    // Of the grandchild, in its parent.
-  int Node::*best_down = nullptr;  // Of the child that goes below.
-  for (int side = 0; side < 2; ++side) {
-    const int stays = node.*children[side];
-    const int goes = node.*children[1 - side];
-    if (at(stays).child1 < 0) continue;
-    for (int k = 0; k < 2; ++k) {
-      const int keeps = at(stays).*children[1 - k];
-      const double gain =
-          at(stays).bounds.Surface() - Union(at(keeps).bounds, at(goes).bounds).Surface();
+  float best = 0;
+  std::size_t best_stays = 0;  // Which child keeps its place.
+  std::size_t best_rises = 0;  // Which child of it rises.
+  for (std::size_t stays = 0; stays < 2; ++stays) {
+    if (IsLeaf(node.child(stays))) continue;
+    const Node& below = at(node.child(stays));
+    const float surface = node.bounds[stays].Surface();
+    for (std::size_t rises = 0; rises < 2; ++rises) {
+      const LooseBox grown = Union(below.bounds[1 - rises], node.bounds[1 - stays]);
+      const float gain = surface - grown.Surface();
       if (gain <= best) continue;
       best = gain;
-      best_up = children[k];
-      best_down = children[1 - side];
+      best_stays = stays;
+      best_rises = rises;
     }
   }
-  if (best_up == nullptr) return false;
-  const int goes = node.*best_down;
-  const int stays = node.*(best_down == &Node::child1 ? &Node::child2 : &Node::child1);
-  const int rises = at(stays).*best_up;
-  node.*best_down = rises;
-  at(rises).parent = index;
-  at(stays).*best_up = goes;
-  at(goes).parent = stays;
-  at(stays).bounds = Union(at(at(stays).child1).bounds, at(at(stays).child2).bounds);
+  if (best <= 0) return false;
+  const std::size_t goes = 1 - best_stays;
+  const int stays = node.child(best_stays);
+  const Child falling = node.child(goes);
+  const LooseBox falling_bounds = node.bounds[goes];
+  const auto place = [](int of, std::size_t side) {
+    return 2 * of + static_cast<int>(side);
+  };
+  Hang(at(stays).child(best_rises), at(stays).bounds[best_rises], place(index, goes));
+  Hang(falling, falling_bounds, place(stays, best_rises));
+  node.SetChild(best_stays, Union(at(stays).bounds[0], at(stays).bounds[1]), stays);
   return true;
 }
 

@@ -1,81 +1,49 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
-#include <Eigen/Core>
-
+#include "engine/dynamics/aabb.h"
 #include "engine/dynamics/fetch.h"
 
 namespace cookbook {
 
-/** A box along the world's axes. */
-struct Aabb {
-  Eigen::Vector3d low;   ///< [m]
-  Eigen::Vector3d high;  ///< [m]
-
-  bool Overlaps(const Aabb& other) const {
-    // Without branches: which of the six comparisons fails cannot be foretold.
-    int apart = 0;
-    for (int k = 0; k < 3; ++k) {
-      apart |= low[k] > other.high[k];
-      apart |= other.low[k] > high[k];
-    }
-    return apart == 0;
-  }
-
-  bool Contains(const Aabb& other) const {
-    return (low.array() <= other.low.array()).all() &&
-           (other.high.array() <= high.array()).all();
-  }
-
-  bool operator==(const Aabb& other) const {
-    return low == other.low && high == other.high;
-  }
-
-  /** Half the surface. [m²] */
-  double Surface() const {
-    const Eigen::Vector3d size = high - low;
-    return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-  }
-};
-
-inline Aabb Union(const Aabb& a, const Aabb& b) {
-  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
-}
-
 /** A binary tree of boxes that is kept balanced while leaves come and go: finds what a
  box overlaps in O(log n) for each that it finds. Leaves are inserted where they add least
- surface, and the tree is rotated where that makes it smaller (Catto, GDC 2019). */
+ surface, and the tree is rotated where that makes it smaller (Catto, GDC 2019).
+
+ A node knows the boxes of both its children, and a leaf is no more than that: who looks
+ down the tree reads one line of a cache a level. */
 class AabbTree {
  public:
-  /** Adds a leaf and returns its node, which stays its own until removed. */
-  int Insert(const Aabb& bounds, int body);
+  /** Adds a leaf for `body`, which has none. */
+  void Insert(const LooseBox& bounds, int body);
 
-  void Remove(int leaf);
+  /** Removes the leaf of `body`. */
+  void Remove(int body);
 
-  const Aabb& bounds(int leaf) const {
-    return nodes_[static_cast<std::size_t>(leaf)].bounds;
-  }
-
-  /** Calls `found(body, its bounds)` for every leaf that overlaps `bounds`, in an order
-   that depends on the history of the tree alone. `stack`: room, one for each thread. */
+  /** Calls `found(body)` for every leaf that overlaps `bounds`, in an order that depends
+   on the history of the tree alone. `stack`: room, one for each thread. */
   template <class Found>
-  void Query(const Aabb& bounds, std::vector<int>& stack, const Found& found) const {
-    if (root_ < 0) return;
+  void Query(const LooseBox& bounds, std::vector<int>& stack, const Found& found) const {
     stack.clear();
-    stack.push_back(root_);
+    if (root_ != kNone && root_bounds_.Overlaps(bounds)) stack.push_back(root_);
     while (!stack.empty()) {
-      const Node& node = nodes_[static_cast<std::size_t>(stack.back())];
+      const int next = stack.back();
       stack.pop_back();
-      if (!node.bounds.Overlaps(bounds)) continue;
-      if (node.child1 < 0) {
-        found(node.body, node.bounds);
-      } else {
-        Fetch(&nodes_[static_cast<std::size_t>(node.child1)], sizeof(Node));
-        Fetch(&nodes_[static_cast<std::size_t>(node.child2)], sizeof(Node));
-        stack.push_back(node.child1);
-        stack.push_back(node.child2);
+      if (IsLeaf(next)) {
+        found(~next);
+        continue;
+      }
+      const Node& node = at(next);
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (!node.bounds[side].Overlaps(bounds)) continue;
+        const Child child = node.child(side);
+        if (!IsLeaf(child)) Fetch(&at(child), sizeof(Node));
+        stack.push_back(child);
       }
     }
   }
@@ -85,37 +53,71 @@ class AabbTree {
   template <class Visit>
   void ForEachLeaf(std::vector<int>& stack, const Visit& visit) const {
     stack.clear();
-    if (root_ >= 0) stack.push_back(root_);
+    if (root_ != kNone) stack.push_back(root_);
     while (!stack.empty()) {
-      const Node& node = nodes_[static_cast<std::size_t>(stack.back())];
+      const int next = stack.back();
       stack.pop_back();
-      if (node.child1 < 0) {
-        visit(node.body);
+      if (IsLeaf(next)) {
+        visit(~next);
       } else {
-        stack.push_back(node.child1);
-        stack.push_back(node.child2);
+        stack.push_back(at(next).child(0));
+        stack.push_back(at(next).child(1));
       }
     }
   }
 
  private:
+  /** What a node has below it: another node, or of a leaf the complement of its body. */
+  using Child = int;
+  /** Where a child hangs: twice the node and, of its second child, one more; kTop: the
+   root. */
+  using Place = int;
+  static constexpr Child kNone = std::numeric_limits<int>::max();
+  static constexpr Place kTop = -1;
+
+  /** Two boxes, and what hangs there in the numbers that are no part of them. */
   struct alignas(64) Node {
-    Aabb bounds;
-    int parent;  ///< −1: the root. Of a free node the next free one.
-    int child1;  ///< −1: a leaf.
-    int child2;
-    int body;
+    std::array<LooseBox, 2> bounds;  ///< Of the children.
+
+    Child child(std::size_t side) const {
+      return std::bit_cast<Child>(float{bounds[side].low[3]});
+    }
+    /** Of a free node the next free one, −1: none. */
+    Place place() const { return std::bit_cast<Place>(float{bounds[0].high[3]}); }
+    void SetChild(std::size_t side, const LooseBox& box, Child child) {
+      const float kept = bounds[side].high[3];
+      bounds[side] = box;
+      bounds[side].low[3] = std::bit_cast<float>(child);
+      bounds[side].high[3] = kept;
+    }
+    void SetPlace(Place place) { bounds[0].high[3] = std::bit_cast<float>(place); }
   };
+  static_assert(sizeof(Node) == 64);
+
+  static bool IsLeaf(Child child) { return child < 0; }
+  static int NodeOf(Place place) { return place / 2; }
+  static std::size_t SideOf(Place place) { return static_cast<std::size_t>(place % 2); }
 
   Node& at(int node) { return nodes_[static_cast<std::size_t>(node)]; }
+  const Node& at(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
+  const LooseBox& BoundsAt(Place place) const {
+    return place == kTop ? root_bounds_ : at(NodeOf(place)).bounds[SideOf(place)];
+  }
+  Child ChildAt(Place place) const {
+    return place == kTop ? root_ : at(NodeOf(place)).child(SideOf(place));
+  }
+  void Hang(Child child, const LooseBox& bounds, Place place);
   int Allocate();
-  int FindSibling(const Aabb& bounds);
-  void Refit(int node);
+  Place FindSibling(const LooseBox& bounds) const;
+  /** Brings up to date what hangs on the children of the node at `place`. */
+  void Refit(Place place);
   /** Returns whether it did anything. */
   bool Rotate(int node);
 
   std::vector<Node> nodes_;
-  int root_ = -1;
+  std::vector<Place> places_;  ///< Of the leaf of each body.
+  Child root_ = kNone;
+  LooseBox root_bounds_{};
   int free_ = -1;
 };
 

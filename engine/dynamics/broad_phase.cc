@@ -43,13 +43,6 @@ Aabb WideFor(const RigidBody& body, const Aabb& bounds, const Eigen::Vector3d& w
   return {wide.low + shift.cwiseMin(0), wide.high + shift.cwiseMax(0)};
 }
 
-/** Returns a box that overlaps no other. */
-Aabb Nothing() {
-  const Eigen::Vector3d far =
-      Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  return {far, -far};
-}
-
 }  // namespace
 
 RoundedBox BoundsOf(const RigidBody& body) {
@@ -81,11 +74,12 @@ void BroadPhase::Add(const RigidBody& body) {
   if (!body.collides || body.is_point) return;
   bounds_.back() = BoundsOf(body);
   // What stands still needs no more.
-  proxy.wide =
-      Widened(bounds_.back().bounds(), proxy.is_static ? 0 : kWider * body.radius);
-  proxy.leaf = (proxy.is_static ? resting_ : moving_)
-                   .Insert(proxy.wide, static_cast<int>(proxies_.size()) - 1);
-  added_.push_back(static_cast<int>(proxies_.size()) - 1);
+  proxy.wide = LooseBox::Around(
+      Widened(bounds_.back().bounds(), proxy.is_static ? 0 : kWider * body.radius));
+  proxy.takes_part = true;
+  const int added = static_cast<int>(proxies_.size()) - 1;
+  (proxy.is_static ? resting_ : moving_).Insert(proxy.wide, added);
+  added_.push_back(added);
 }
 
 void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
@@ -95,7 +89,7 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
     const Proxy& proxy = proxies_[i];
     const RigidBody& body = bodies[i];
     rests_[i] = body.is_static() ? 1 : 0;
-    if (proxy.leaf < 0 || rests_[i] != 0) return;
+    if (!proxy.takes_part || rests_[i] != 0) return;
     // The margin is as wide as gravity needs; other forces pull it farther.
     const Eigen::Vector3d pushed_W =
         body.state.v_WB + ahead * body.inverse_mass * body.Push_W();
@@ -103,7 +97,8 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
     const Aabb bounds =
         Widened(bounds_[i].bounds(), margin + Reach(body, pushed_W, ahead));
     if (proxy.wide.Contains(bounds)) return;
-    leaving.push_back({static_cast<int>(i), WideFor(body, bounds, ahead * pushed_W)});
+    const Aabb wide = WideFor(body, bounds, ahead * pushed_W);
+    leaving.push_back({static_cast<int>(i), LooseBox::Around(wide)});
   };
   crew.ShareOut(proxies_.size(), kFewBodies,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
@@ -111,7 +106,7 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
                 });
 }
 
-void BroadPhase::NoteMoved(int body, const Aabb& before) {
+void BroadPhase::NoteMoved(int body, const LooseBox& before) {
   if (has_moved(body)) return;
   moved_.push_back(body);
   has_moved_[static_cast<std::size_t>(body)] = 1;
@@ -124,7 +119,7 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
     has_moved_[static_cast<std::size_t>(body)] = 0;
   }
   moved_.clear();
-  for (const int body : added_) NoteMoved(body, Nothing());
+  for (const int body : added_) NoteMoved(body, LooseBox::Nothing());
   added_.clear();
   FindLeaving(bodies, margin, ahead, crew);
   leaving_.ForEach([&](const Leaving& leaving) {
@@ -143,29 +138,31 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
   appearing_.ForEach([&](const std::pair<int, int>& pair) { appeared.push_back(pair); });
 }
 
-void BroadPhase::SetWide(int body, const Aabb& wide) {
+void BroadPhase::SetWide(int body, const LooseBox& wide) {
   proxy(body).wide = wide;
-  moving_.Remove(proxy(body).leaf);
-  proxy(body).leaf = moving_.Insert(wide, body);
+  moving_.Remove(body);
+  moving_.Insert(wide, body);
 }
 
 template <class Found>
 void BroadPhase::ForEachNear(int body, std::vector<int>& stack,
                              const Found& found) const {
   const Proxy& own = proxy(body);
-  moving_.Query(own.wide, stack, [&](int other, const Aabb& wide) {
-    if (other != body) found(other, wide);
+  moving_.Query(own.wide, stack, [&](int other) {
+    if (other != body) found(other);
   });
   if (!own.is_static) resting_.Query(own.wide, stack, found);
 }
 
 void BroadPhase::Pair(int body, std::vector<int>& stack,
                       std::vector<std::pair<int, int>>& appeared) const {
-  const Aabb& before = proxy(body).before;
-  ForEachNear(body, stack, [&](int other, const Aabb& wide) {
+  const LooseBox& before = proxy(body).before;
+  ForEachNear(body, stack, [&](int other) {
     // Of two that have moved the first finds the pair.
     if (has_moved(other) && other < body) return;
-    if (before.Overlaps(has_moved(other) ? proxy(other).before : wide)) return;
+    if (before.Overlaps(has_moved(other) ? proxy(other).before : proxy(other).wide)) {
+      return;
+    }
     appeared.push_back(std::minmax(body, other));
   });
 }
@@ -174,18 +171,21 @@ void BroadPhase::Widen(int index, const RigidBody& body, double reach,
                        std::vector<std::pair<int, int>>& appeared,
                        std::vector<int>& met) {
   const Aabb bounds = Widened(BoundsOf(body).bounds(), reach);
-  const Aabb before = proxy(index).wide;
+  const LooseBox now = LooseBox::Around(bounds);
+  const LooseBox before = proxy(index).wide;
   if (!before.Contains(bounds)) {
-    SetWide(index, Union(before, bounds));
-    ForEachNear(index, rooms_[0].stack, [&](int other, const Aabb& wide) {
-      if (!before.Overlaps(wide)) appeared.push_back(std::minmax(index, other));
+    SetWide(index, Union(before, now));
+    ForEachNear(index, rooms_[0].stack, [&](int other) {
+      if (!before.Overlaps(proxy(other).wide)) {
+        appeared.push_back(std::minmax(index, other));
+      }
     });
   }
-  const auto found = [&](int other, const Aabb&) {
+  const auto found = [&](int other) {
     if (other != index) met.push_back(other);
   };
-  moving_.Query(bounds, rooms_[0].stack, found);
-  resting_.Query(bounds, rooms_[0].stack, found);
+  moving_.Query(now, rooms_[0].stack, found);
+  resting_.Query(now, rooms_[0].stack, found);
 }
 
 void BroadPhase::NumberByPlace(std::vector<int>& number) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/dynamics/aabb.h"
 #include "engine/dynamics/aabb_tree.h"
 #include "engine/dynamics/crew.h"
 #include "engine/dynamics/findings.h"
@@ -61,18 +62,18 @@ class BroadPhase {
   void NumberByPlace(std::vector<int>& number);
 
  private:
-  struct Proxy {
-    Aabb wide;
+  struct alignas(64) Proxy {
+    LooseBox wide;
     /** That before the last Update(), where `has_moved_`; of a new body it holds nothing.
      */
-    Aabb before;
-    int leaf = -1;  ///< −1: does not collide.
+    LooseBox before;
+    bool takes_part = false;  ///< False: does not collide.
     bool is_static = false;
   };
   /** A body that has left its wide box, and the next one. */
   struct Leaving {
     int body;
-    Aabb wide;
+    LooseBox wide;
   };
   /** Room of one thread. */
   struct alignas(64) Room {
@@ -89,9 +90,9 @@ class BroadPhase {
   void FindLeaving(std::span<const RigidBody> bodies, double margin, double ahead,
                    Crew& crew);
   /** Notes that the wide box of a body is another now than `before`. */
-  void NoteMoved(int body, const Aabb& before);
-  void SetWide(int body, const Aabb& wide);
-  /** Calls `found(other, wide)` for all that the wide box of a body overlaps. */
+  void NoteMoved(int body, const LooseBox& before);
+  void SetWide(int body, const LooseBox& wide);
+  /** Calls `found(other)` for all that the wide box of a body overlaps. */
   template <class Found>
   void ForEachNear(int body, std::vector<int>& stack, const Found& found) const;
   /** Appends the pairs of a body that has moved which have become near. */

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/dynamics/aabb_tree.h"
+#include "engine/dynamics/aabb.h"
 
 namespace cookbook {
 
