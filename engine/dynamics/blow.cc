@@ -13,7 +13,9 @@ Blow::Blow() {
   before_.reserve(kMany);
   after_.reserve(kMany);
   touches_.reserve(kMany);
+  static_.reserve(kMany);
   pairs_.reserve(kMany);
+  edges_.reserve(kMany);
 }
 
 void Blow::BeginStep(std::size_t bodies) {
@@ -27,6 +29,7 @@ void Blow::Add(int body, const RigidBody& now) {
   bodies_.push_back(now);
   inertias_.push_back(InverseInertiaOf(now));
   before_.push_back({now.state.v_WB, now.state.w_WB});
+  static_.push_back(now.is_static() ? 1 : 0);
 }
 
 void Blow::Add(const ContactPair& pair) {
@@ -35,6 +38,7 @@ void Blow::Add(const ContactPair& pair) {
   added.B = place_[static_cast<std::size_t>(pair.B)];
   added.J_W.fill(Eigen::Vector3d::Zero());
   for (ContactPoint& contact : added.manifold.contacts) contact.separation = 0;
+  edges_.push_back({added.A, added.B, added.manifold.count});
 }
 
 void Blow::Exchange(const Settings& settings, double h, Crew& crew,
@@ -42,7 +46,8 @@ void Blow::Exchange(const Settings& settings, double h, Crew& crew,
   before_.emplace_back();
   after_.assign(before_.begin(), before_.end());
   touches_.assign(members_.size(), Touch{});
-  solver_.Begin(pairs_, {bodies_, inertias_, before_, after_}, settings, h, crew);
+  solver_.Begin(pairs_, edges_, {bodies_, inertias_, before_, after_, static_}, settings,
+                h, crew);
   for (int k = 0; k < settings.impulse_iterations || spent_ <= settings.patience; ++k) {
     spent_ += solver_.row_count();
     if (solver_.Sweep(after_, crew) <= settings.residual * solver_.scale()) break;
@@ -65,7 +70,9 @@ void Blow::Clear() {
   bodies_.clear();
   inertias_.clear();
   before_.clear();
+  static_.clear();
   pairs_.clear();
+  edges_.clear();
 }
 
 }  // namespace cookbook

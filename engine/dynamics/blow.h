@@ -60,7 +60,9 @@ class Blow {
   std::vector<Velocity> before_;  ///< One more than bodies, see SolverBodies.
   std::vector<Velocity> after_;
   std::vector<Touch> touches_;
+  std::vector<char> static_;        ///< 1 where a body is.
   std::vector<ContactPair> pairs_;  ///< Of places.
+  std::vector<ContactEdge> edges_;  ///< Of the same.
 };
 
 }  // namespace cookbook

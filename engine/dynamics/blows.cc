@@ -131,12 +131,14 @@ Meeting Blows::MeetingOf(const ContactPair& pair, std::span<const RigidBody> bod
   return all;
 }
 
-void Blows::FindTouching(std::span<const ContactPair> contacts,
-                         std::span<const RigidBody> bodies, Crew& crew) {
+void Blows::FindTouching(const ContactFinder& finder, std::span<const RigidBody> bodies,
+                         Crew& crew) {
+  const std::span<const ContactPair> contacts = finder.contacts();
+  const std::span<const ContactEdge> edges = finder.edges();
   // A little more than Follow() asks for: what flies and is no blow there would sink in.
   BlowRules surely = rules_;
   surely.resting_speed *= kSurely;
-  touching_.resize(contacts.size());
+  touching_.resize(edges.size());
   // What one contact holds is held whatever the others do: of two that are, by whichever
   // contacts threads have looked at by now, nothing more is asked.
   const auto flies = [&](int body) {
@@ -145,22 +147,24 @@ void Blows::FindTouching(std::span<const ContactPair> contacts,
   const auto hold = [&](int body) {
     std::atomic_ref(flies_[At(body)]).store(0, std::memory_order_relaxed);
   };
-  crew.Share(contacts.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
+  crew.Share(edges.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       if (k + kAhead < end) {
-        for (const int next : {contacts[k + kAhead].A, contacts[k + kAhead].B}) {
+        for (const int next : {edges[k + kAhead].A, edges[k + kAhead].B}) {
           if (!flies(next)) continue;
           Fetch(&bodies[At(next)].state, offsetof(RigidBody, R_WB));
           Fetch(&pulls_[At(next)], sizeof(Eigen::Vector3d));
         }
       }
-      const ContactPair& pair = contacts[k];
+      const ContactEdge& edge = edges[k];
       Meeting meeting = Meeting::kParts;
-      if (flies(pair.A) || flies(pair.B)) meeting = MeetingOf(pair, bodies, surely);
-      touching_[k] = {pair.A, pair.B, meeting};
+      if (flies(edge.A) || flies(edge.B)) {
+        meeting = MeetingOf(contacts[k], bodies, surely);
+      }
+      touching_[k] = {edge.A, edge.B, meeting};
       if (meeting != Meeting::kHolds) continue;
-      hold(pair.A);
-      hold(pair.B);
+      hold(edge.A);
+      hold(edge.B);
     }
   });
 }
@@ -178,7 +182,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder, Crew& crew) {
       reaches_[i] = Reach(body, start.free[i].v, rules_.h);
     }
   });
-  FindTouching(finder.contacts(), start.bodies, crew);
+  FindTouching(finder, start.bodies, crew);
   const auto any_flies = [&] {
     return std::find(flies_.begin(), flies_.end(), 1) != flies_.end();
   };
@@ -206,7 +210,7 @@ bool Blows::FindFlying(const Start& start, ContactFinder& finder, Crew& crew) {
   }
   for (std::size_t k = 0; k < touching_.size(); ++k) {
     if (!Flies(touching_[k].A) && !Flies(touching_[k].B)) continue;
-    finder.contacts()[k].manifold.count = 0;
+    finder.Release(k);
   }
   return any_flies();
 }
@@ -268,14 +272,14 @@ void Blows::FindHeaps() {
   MeasureHeaps();
 }
 
-void Blows::ListHeaps(std::span<const ContactPair> contacts) {
+void Blows::ListHeaps(std::span<const ContactEdge> contacts) {
   // The last contact first, so that the list of a heap has them in their order.
   first_of_heap_.assign(flies_.size(), -1);
   next_of_heap_.resize(contacts.size());
   for (int k = static_cast<int>(contacts.size()) - 1; k >= 0; --k) {
-    const ContactPair& pair = contacts[At(k)];
-    if (pair.manifold.count == 0) continue;
-    const int moving = IsStatic(pair.A) ? pair.B : pair.A;
+    const ContactEdge& edge = contacts[At(k)];
+    if (edge.count == 0) continue;
+    const int moving = IsStatic(edge.A) ? edge.B : edge.A;
     next_of_heap_[At(k)] = std::exchange(first_of_heap_[At(heap_[At(moving)])], k);
   }
 }
@@ -292,7 +296,7 @@ void Blows::MeasureHeaps() {
 void Blows::Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
                    ContactFinder& finder, const Settings& settings, Crew& crew) {
   if (meetings_.size() == 0) return;
-  const End end{bodies, mean, finder.contacts()};
+  const End end{bodies, mean, finder.contacts(), finder.edges()};
   heaps_are_listed_ = false;
   for (int index = 0; index < meetings_.size(); ++index) {
     for (const int body : {meetings_[index].A, meetings_[index].B}) {
@@ -424,7 +428,7 @@ void Blows::JoinHeap(int body, double t, const End& end) {
     Join(member, t);
   };
   join(body);
-  if (!std::exchange(heaps_are_listed_, true)) ListHeaps(end.contacts);
+  if (!std::exchange(heaps_are_listed_, true)) ListHeaps(end.edges);
   for (int k = first_of_heap_[At(heap_[At(body)])]; k >= 0; k = next_of_heap_[At(k)]) {
     const ContactPair& contact = end.contacts[At(k)];
     join(contact.A);

@@ -78,6 +78,7 @@ class Blows {
     std::span<const RigidBody> bodies;
     std::span<const Velocity> mean;
     std::span<const ContactPair> contacts;
+    std::span<const ContactEdge> edges;
   };
 
   /** What a pair with contacts does when the step begins. */
@@ -103,8 +104,8 @@ class Blows {
 
   bool FindFlying(const Start& start, ContactFinder& finder, Crew& crew);
   /** Fills touching_: of each of the contacts. */
-  void FindTouching(std::span<const ContactPair> contacts,
-                    std::span<const RigidBody> bodies, Crew& crew);
+  void FindTouching(const ContactFinder& finder, std::span<const RigidBody> bodies,
+                    Crew& crew);
   Meeting MeetingOf(const ContactPair& pair, std::span<const RigidBody> bodies,
                     const BlowRules& rules) const;
   /** Joins to a heap what strikes it where its blow would not be asked for. */
@@ -122,7 +123,7 @@ class Blows {
     const int heap = heap_[static_cast<std::size_t>(body)];
     return heap_size_[static_cast<std::size_t>(heap)];
   }
-  void ListHeaps(std::span<const ContactPair> contacts);
+  void ListHeaps(std::span<const ContactEdge> contacts);
   /** Whether blows of the two are looked at. */
   bool IsAsked(const Candidate& candidate) const;
   /** Returns when the two meet next from `from` on. [s] */

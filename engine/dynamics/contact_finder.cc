@@ -51,6 +51,9 @@ void ContactFinder::Sort() {
     contact = static_cast<int>(sorted_.size()) - 1;
   }
   contacts_.swap(sorted_);
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    edges_[k] = {contacts_[k].A, contacts_[k].B, contacts_[k].manifold.count};
+  }
 }
 
 void ContactFinder::Join(std::size_t near) {
@@ -59,6 +62,7 @@ void ContactFinder::Join(std::size_t near) {
   pair.A = near_[near].A;
   pair.B = near_[near].B;
   pair.near = near;
+  edges_.push_back({pair.A, pair.B, 0});
 }
 
 void ContactFinder::Part(std::size_t near) {
@@ -68,9 +72,11 @@ void ContactFinder::Part(std::size_t near) {
   ContactPair& pair = contacts_[static_cast<std::size_t>(contact)];
   if (&pair != &contacts_.back()) {
     pair = contacts_.back();
+    edges_[static_cast<std::size_t>(contact)] = edges_.back();
     near_[pair.near].contact = contact;
   }
   contacts_.pop_back();
+  edges_.pop_back();
 }
 
 void ContactFinder::Widen(int index, const RigidBody& body, double reach,
@@ -178,7 +184,10 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies,
       }
       Recollide(choice, bodies, std::span(pairs).first(count));
       for (std::size_t k = 0; k < count; ++k) {
-        if (pairs[k]->manifold.count == 0) found_.Of(share).push_back(due_[first + k]);
+        const ContactPair& pair = *pairs[k];
+        edges_[static_cast<std::size_t>(pairs[k] - contacts_.data())] = {
+            pair.A, pair.B, pair.manifold.count};
+        if (pair.manifold.count == 0) found_.Of(share).push_back(due_[first + k]);
       }
     }
   };

@@ -33,6 +33,13 @@ class ContactFinder {
   /** The pairs that have a contact, in an order that the history of the world decides. */
   std::span<ContactPair> contacts() { return contacts_; }
   std::span<const ContactPair> contacts() const { return contacts_; }
+  /** The same in short. */
+  std::span<const ContactEdge> edges() const { return edges_; }
+  /** Leaves a pair without contacts until the next Find(). */
+  void Release(std::size_t contact) {
+    contacts_[contact].manifold.count = 0;
+    edges_[contact].count = 0;
+  }
 
   /** Calls `visit(A, B, gap)` for every two bodies that are near each other; they are
    apart by `gap` [m] or more. */
@@ -77,6 +84,7 @@ class ContactFinder {
   std::vector<std::pair<int, int>> appeared_;
   std::vector<NearPair> near_;
   std::vector<ContactPair> contacts_;
+  std::vector<ContactEdge> edges_;     ///< Of contacts_.
   std::vector<std::size_t> due_;       ///< The near pairs to be looked at in this step.
   Findings<std::size_t> found_;        ///< Those, or those of them that are apart.
   Findings<std::size_t> strangers_;    ///< The near pairs that are near no more.

@@ -22,6 +22,14 @@ struct alignas(64) ContactPair {
   alignas(64) std::array<Eigen::Vector3d, 8> J_W;
 };
 
+/** What is asked of a pair most, side by side with those of the others: pairs are large.
+ */
+struct ContactEdge {
+  int A;
+  int B;
+  int count;  ///< Of contacts.
+};
+
 /** Tells memory that so many contacts of `pair` and their impulses will be wanted soon.
  */
 inline void FetchContacts(const ContactPair& pair, int contacts) {

@@ -85,42 +85,38 @@ ContactSolver::ContactSolver(int threads)
     : groups_(static_cast<std::size_t>(threads)),
       single_groups_(static_cast<std::size_t>(threads)) {}
 
-void ContactSolver::ColourAndJoin(std::span<const ContactPair> pairs,
-                                  std::span<const RigidBody> bodies,
+void ContactSolver::ColourAndJoin(std::span<const ContactEdge> edges,
+                                  std::span<const char> is_static,
                                   const Settings& settings) {
-  colours_.assign(bodies.size(), 0);
-  static_.resize(bodies.size());
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    static_[i] = bodies[i].is_static() ? 1 : 0;
-  heaps_.Reset(bodies.size());
+  colours_.assign(is_static.size(), 0);
+  heaps_.Reset(is_static.size());
   coloured_.clear();
   colours_used_ = 0;
   contacts_ = 0;
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    const ContactPair& pair = pairs[p];
-    const auto a = static_cast<std::size_t>(pair.A);
-    const auto b = static_cast<std::size_t>(pair.B);
-    if (pair.manifold.count == 0 || (static_[a] && static_[b])) continue;
-    contacts_ += pair.manifold.count;
+  for (std::size_t p = 0; p < edges.size(); ++p) {
+    const ContactEdge& edge = edges[p];
+    const auto a = static_cast<std::size_t>(edge.A);
+    const auto b = static_cast<std::size_t>(edge.B);
+    if (edge.count == 0 || (is_static[a] && is_static[b])) continue;
+    contacts_ += edge.count;
     const int colour = std::min(kLastColour, std::countr_one(colours_[a] | colours_[b]));
     const std::uint64_t bit = std::uint64_t{1} << colour;
-    if (!static_[a]) colours_[a] |= bit;
-    if (!static_[b]) colours_[b] |= bit;
+    if (!is_static[a]) colours_[a] |= bit;
+    if (!is_static[b]) colours_[b] |= bit;
     colours_used_ = std::max(colours_used_, colour + 1);
-    coloured_.push_back(
-        {static_cast<int>(p), colour, pair.A, pair.B, pair.manifold.count});
-    if (!static_[a] && !static_[b]) heaps_.Join(pair.A, pair.B);
+    coloured_.push_back({static_cast<int>(p), colour, edge.A, edge.B, edge.count});
+    if (!is_static[a] && !is_static[b]) heaps_.Join(edge.A, edge.B);
   }
   heap_ = heaps_.All();
   is_large_ = !IsSmall(settings, is_large_ ? 2 * contacts_ : contacts_);
 }
 
-void ContactSolver::Divide(std::size_t bodies, int least) {
+void ContactSolver::Divide(std::span<const char> is_static, int least) {
   // Of a heap first its contacts, then its part.
-  heap_part_.assign(bodies, 0);
+  heap_part_.assign(is_static.size(), 0);
   part_.clear();
   for (const ColouredPair& pair : coloured_) {
-    const int moving = static_[static_cast<std::size_t>(pair.A)] ? pair.B : pair.A;
+    const int moving = is_static[static_cast<std::size_t>(pair.A)] ? pair.B : pair.A;
     part_.push_back(heap_[static_cast<std::size_t>(moving)]);
     heap_part_[static_cast<std::size_t>(part_.back())] += pair.count;
   }
@@ -168,7 +164,8 @@ void ContactSolver::ForgetOverlaps() {
   for (Overlaps<float>& overlaps : single_groups_.overlaps) overlaps.Clear();
 }
 
-void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& world,
+void ContactSolver::Solve(std::span<ContactPair> pairs,
+                          std::span<const ContactEdge> edges, const SolverBodies& world,
                           const Settings& settings, double h, Crew& crew,
                           std::span<Touch> touches) {
   ForgetOverlaps();
@@ -178,12 +175,12 @@ void ContactSolver::Solve(std::span<ContactPair> pairs, const SolverBodies& worl
                   RulesOf(settings, h),
                   settings.warm_starting && settings.accumulated_impulses,
                   touches};
-  ColourAndJoin(pairs, world.bodies, settings);
+  ColourAndJoin(edges, world.is_static, settings);
   // Blows may have taken them all.
   if (contacts_ == 0) return;
   // A world that may be swept more often than any world is solved as a whole: the sweeps
   // that one heap leaves over are for the others.
-  Divide(world.bodies.size(), is_large_ ? kPart : contacts_);
+  Divide(world.is_static, is_large_ ? kPart : contacts_);
   Order();
   is_single_ = is_large_ && settings.single_precision && contacts_ >= kManyContacts &&
                world.fit_single_precision;
@@ -277,11 +274,12 @@ void ContactSolver::SolveLarge(const Task& task,
   });
 }
 
-void ContactSolver::Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
+void ContactSolver::Begin(std::span<const ContactPair> pairs,
+                          std::span<const ContactEdge> edges, const SolverBodies& world,
                           const Settings& settings, double h, Crew& crew) {
   is_single_ = false;
-  ColourAndJoin(pairs, world.bodies, settings);
-  Divide(world.bodies.size(), contacts_);
+  ColourAndJoin(edges, world.is_static, settings);
+  Divide(world.is_static, contacts_);
   Order();
   whole_.Begin(ordered_, pairs, world, RulesOf(settings, h),
                settings.warm_starting && settings.accumulated_impulses, world.velocities,

@@ -49,16 +49,18 @@ class ContactSolver {
   /** `threads`: how many solve at once. */
   explicit ContactSolver(int threads);
 
-  /** Finds the impulses; writes them to the pairs, and what they did to the bodies. */
-  void Solve(std::span<ContactPair> pairs, const SolverBodies& world,
-             const Settings& settings, double h, Crew& crew, std::span<Touch> touches);
+  /** Finds the impulses; writes them to the pairs, and what they did to the bodies.
+   `edges` are those of the pairs. */
+  void Solve(std::span<ContactPair> pairs, std::span<const ContactEdge> edges,
+             const SolverBodies& world, const Settings& settings, double h, Crew& crew,
+             std::span<Touch> touches);
 
   // The same in parts, for a world in which something else is solved with the contacts.
 
   /** Sets up the rows of all pairs with contacts and applies the impulses to start from.
    */
-  void Begin(std::span<const ContactPair> pairs, const SolverBodies& world,
-             const Settings& settings, double h, Crew& crew);
+  void Begin(std::span<const ContactPair> pairs, std::span<const ContactEdge> edges,
+             const SolverBodies& world, const Settings& settings, double h, Crew& crew);
   /** Sweeps once over all contacts and returns the greatest change of a relative
    velocity. [m/s] */
   double Sweep(std::span<Velocity> velocities, Crew& crew);
@@ -118,17 +120,16 @@ class ContactSolver {
 
   void ForgetOverlaps();
   /** Gives each pair with contacts its colour, and joins bodies to heaps. */
-  void ColourAndJoin(std::span<const ContactPair> pairs,
-                     std::span<const RigidBody> bodies, const Settings& settings);
+  void ColourAndJoin(std::span<const ContactEdge> edges, std::span<const char> is_static,
+                     const Settings& settings);
   /** Divides the heaps into parts of at least `least` contacts where there are so many.
    */
-  void Divide(std::size_t bodies, int least);
+  void Divide(std::span<const char> is_static, int least);
   /** Sorts the pairs by part, colour and number of contacts. */
   void Order();
 
   std::vector<std::uint64_t> colours_;  ///< Of each body: one bit for each in use.
   int colours_used_ = 0;
-  std::vector<char> static_;            ///< Of each body: 1 where it never moves.
   std::vector<ColouredPair> coloured_;  ///< The pairs with contacts, in their order.
   std::vector<int> part_;               ///< Of each of those.
   std::vector<int> by_key_;             ///< The same, by colour and number of contacts.

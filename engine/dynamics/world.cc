@@ -56,6 +56,7 @@ int World::AddBody(const BodyDefinition& definition) {
     velocities->resize(places);
   }
   touches_.emplace_back();
+  static_.emplace_back();
   shares_.push_back(0.5);
   linked_.push_back(false);
   driven_.push_back(false);
@@ -285,6 +286,7 @@ void World::ApplyForces(double h) {
     ApplyForcesTo(i, h);
     solved_[i] = free_[i];
     touches_[i] = {};
+    static_[i] = bodies_[i].is_static() ? 1 : 0;
   });
 }
 
@@ -369,12 +371,14 @@ void World::SweepLinksUntilSolved() {
 }
 
 void World::Solve(double h) {
-  const SolverBodies world{bodies_, inertias_, before_, solved_, fit_single_precision_};
+  const SolverBodies world{bodies_, inertias_, before_,
+                           solved_, static_,   fit_single_precision_};
   if (!HasLinks()) {
-    contacts_.Solve(finder_.contacts(), world, settings_, h, crew_, touches_);
+    contacts_.Solve(finder_.contacts(), finder_.edges(), world, settings_, h, crew_,
+                    touches_);
     return;
   }
-  contacts_.Begin(finder_.contacts(), world, settings_, h, crew_);
+  contacts_.Begin(finder_.contacts(), finder_.edges(), world, settings_, h, crew_);
   SolveLinks(h);
 }
 

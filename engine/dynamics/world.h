@@ -149,6 +149,7 @@ class World {
   std::vector<Velocity> mean_;    ///< What moves the body during the step.
   std::vector<Velocity> moves_;   ///< Of the projection. [m], [rad]
   std::vector<Touch> touches_;
+  std::vector<char> static_;      ///< 1 where it is, or sleeps.
   std::vector<double> shares_;    ///< See JointSolver::Correct().
   std::vector<bool> linked_;      ///< Whether a rod or a spring holds it.
   std::vector<bool> driven_;      ///< See Sleep::Lull().
