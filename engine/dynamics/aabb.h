@@ -23,7 +23,7 @@ struct Aabb {
 };
 
 /** The same in single precision, rounded outwards: enough to tell who may be near, in
- half the room. The fourth number of a corner is no part of the box. */
+ half the room. The fourth number of a corner is no part of it. */
 struct LooseBox {
   /** Four floats at once: a plain compiler vector, which every processor takes. */
   using Corner = float __attribute__((vector_size(16)));

@@ -1,131 +1,224 @@
 #include "engine/dynamics/aabb_tree.h"
 
-namespace cookbook {
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
-int AabbTree::Allocate() {
-  if (free_ < 0) {
-    nodes_.emplace_back();
-    return static_cast<int>(nodes_.size()) - 1;
+namespace cookbook {
+namespace {
+
+constexpr std::size_t kWide = AabbTree::kWide;
+/** A node of fewer bodies is dissolved, and no part of a split has fewer. */
+constexpr std::size_t kFewest = 4;
+
+std::size_t At(int index) {
+  return static_cast<std::size_t>(index);
+}
+
+/** Returns the child whose surface grows least if it takes in `box`. */
+std::size_t ChildFor(const LooseBox& box, const AabbTree::Node& node) {
+  AabbTree::Node::Lanes growth;
+  for (std::size_t k = 0; k < kWide; ++k) {
+    std::array<float, 3> size;
+    std::array<float, 3> grown;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float low = node.low[axis][k];
+      const float high = node.high[axis][k];
+      size[axis] = high - low;
+      grown[axis] = std::max(high, box.high[axis]) - std::min(low, box.low[axis]);
+    }
+    growth[k] = grown[0] * grown[1] + grown[1] * grown[2] + grown[2] * grown[0] -
+                (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
   }
-  const int node = free_;
-  free_ = at(node).place();
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < At(node.count); ++k) {
+    if (growth[k] < growth[best]) best = k;
+  }
+  return best;
+}
+
+/** Returns where a box is along an axis, twice; a number even where it has no end. */
+float PlaceOf(const LooseBox& box, std::size_t axis) {
+  constexpr float kFar = 1e30F;
+  const auto bound = [](float x) { return std::fmin(std::fmax(x, -kFar), kFar); };
+  return bound(box.low[axis]) + bound(box.high[axis]);
+}
+
+}  // namespace
+
+int AabbTree::Allocate(int level) {
+  int node = free_;
+  if (node < 0) {
+    nodes_.emplace_back();
+    node = static_cast<int>(nodes_.size()) - 1;
+  } else {
+    free_ = at(node).parent;
+  }
+  Node& empty = at(node);
+  for (std::size_t k = 0; k < kWide; ++k) empty.SetBox(k, LooseBox::Nothing());
+  empty.count = 0;
+  empty.level = level;
+  empty.parent = -1;
   return node;
 }
 
-void AabbTree::Hang(Child child, const LooseBox& bounds, Place place) {
-  if (place == kTop) {
-    root_ = child;
-    root_bounds_ = bounds;
-  } else {
-    at(NodeOf(place)).SetChild(SideOf(place), bounds, child);
+void AabbTree::Free(int node) {
+  at(node).parent = free_;
+  free_ = node;
+}
+
+LooseBox AabbTree::BoundsOf(int node) const {
+  LooseBox bounds = LooseBox::Nothing();
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t slot = 0; slot < kWide; ++slot) {
+      bounds.low[k] = std::min<float>(bounds.low[k], at(node).low[k][slot]);
+      bounds.high[k] = std::max<float>(bounds.high[k], at(node).high[k][slot]);
+    }
   }
-  if (IsLeaf(child)) {
-    places_[static_cast<std::size_t>(~child)] = place;
+  return bounds;
+}
+
+void AabbTree::Put(int node, std::size_t slot, const Entry& entry) {
+  Node& into = at(node);
+  into.SetBox(slot, entry.box);
+  into.children[slot] = entry.child;
+  if (into.level == 0) {
+    places_[At(entry.child)] = node * static_cast<int>(kWide) + static_cast<int>(slot);
   } else {
-    at(child).SetPlace(place);
+    at(entry.child).parent = node;
+    at(entry.child).slot = static_cast<int>(slot);
   }
 }
 
-AabbTree::Place AabbTree::FindSibling(const LooseBox& bounds) const {
-  // Descends to the child that grows least, as long as that costs less than a new parent
-  // here: what every ancestor grows by is inherited either way.
-  Place place = kTop;
-  for (Child here = root_; !IsLeaf(here); here = ChildAt(place)) {
-    const LooseBox& own = BoundsAt(place);
-    const float grown = Union(own, bounds).Surface();
-    const float inherited = grown - own.Surface();
-    const Node& node = at(here);
-    const auto descend = [&](std::size_t side) {
-      const float surface = IsLeaf(node.child(side)) ? 0 : node.bounds[side].Surface();
-      return Union(node.bounds[side], bounds).Surface() - surface + inherited;
-    };
-    const float cost1 = descend(0);
-    const float cost2 = descend(1);
-    if (grown < cost1 && grown < cost2) break;
-    place = 2 * here + (cost1 <= cost2 ? 0 : 1);
+void AabbTree::Add(int node, const Entry& entry) {
+  if (At(at(node).count) == kWide) {
+    Split(node, entry);
+  } else {
+    Put(node, At(at(node).count++), entry);
+    Refit(node);
   }
-  return place;
+}
+
+void AabbTree::Split(int node, const Entry& entry) {
+  constexpr std::size_t kAll = kWide + 1;
+  std::array<Entry, kAll> entries;
+  for (std::size_t k = 0; k < kWide; ++k) {
+    entries[k] = {at(node).BoxOf(k), at(node).children[k]};
+  }
+  entries[kWide] = entry;
+
+  // Along the axis along which they lie farthest apart, where the surfaces of both parts,
+  // each times what it holds, are least.
+  std::size_t axis = 0;
+  float farthest = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [first, last] =
+        std::minmax_element(entries.begin(), entries.end(), [&](const auto& a, const auto& b) {
+          return PlaceOf(a.box, k) < PlaceOf(b.box, k);
+        });
+    const float apart = PlaceOf(last->box, k) - PlaceOf(first->box, k);
+    if (apart > farthest) {
+      farthest = apart;
+      axis = k;
+    }
+  }
+  std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    return PlaceOf(a.box, axis) < PlaceOf(b.box, axis);
+  });
+  std::array<float, kAll> surface_after;  // Of those from one on.
+  LooseBox bounds = LooseBox::Nothing();
+  for (std::size_t k = kAll; k-- > 0;) {
+    bounds = Union(bounds, entries[k].box);
+    surface_after[k] = bounds.Surface();
+  }
+  std::size_t middle = kAll / 2;
+  float least = std::numeric_limits<float>::infinity();
+  bounds = LooseBox::Nothing();
+  for (std::size_t k = 1; k <= kAll - kFewest; ++k) {
+    bounds = Union(bounds, entries[k - 1].box);
+    if (k < kFewest) continue;
+    const float cost = static_cast<float>(k) * bounds.Surface() +
+                       static_cast<float>(kAll - k) * surface_after[k];
+    if (cost < least) {
+      least = cost;
+      middle = k;
+    }
+  }
+
+  const int beside = Allocate(at(node).level);
+  for (std::size_t k = 0; k < middle; ++k) Put(node, k, entries[k]);
+  for (std::size_t k = middle; k < kAll; ++k) Put(beside, k - middle, entries[k]);
+  for (std::size_t k = middle; k < kWide; ++k) at(node).SetBox(k, LooseBox::Nothing());
+  at(node).count = static_cast<int>(middle);
+  at(beside).count = static_cast<int>(kAll - middle);
+  if (at(node).parent < 0) {
+    root_ = Allocate(at(node).level + 1);
+    Add(root_, {BoundsOf(node), node});
+  } else {
+    Refit(node);
+  }
+  Add(at(node).parent, {BoundsOf(beside), beside});
 }
 
 void AabbTree::Insert(const LooseBox& bounds, int body) {
-  if (places_.size() <= static_cast<std::size_t>(body)) {
-    places_.resize(static_cast<std::size_t>(body) + 1);
+  if (places_.size() <= At(body)) places_.resize(At(body) + 1);
+  if (root_ < 0) root_ = Allocate(0);
+  int node = root_;
+  while (at(node).level > 0) node = at(node).children[ChildFor(bounds, at(node))];
+  Add(node, {bounds, body});
+}
+
+void AabbTree::TakeOut(int node, std::size_t slot) {
+  Node& from = at(node);
+  const std::size_t last = At(--from.count);
+  if (slot < last) Put(node, slot, {from.BoxOf(last), from.children[last]});
+  from.SetBox(last, LooseBox::Nothing());
+  if (from.count > 0) {
+    Refit(node);
+  } else if (node == root_) {
+    Free(node);
+    root_ = -1;
+  } else {
+    const int parent = from.parent;
+    const std::size_t slot_of_node = At(from.slot);
+    Free(node);
+    TakeOut(parent, slot_of_node);
   }
-  if (root_ == kNone) {
-    Hang(~body, bounds, kTop);
-    return;
+}
+
+void AabbTree::Dissolve(int node) {
+  std::array<Entry, kFewest> left;
+  const std::size_t count = At(at(node).count);
+  for (std::size_t k = 0; k < count; ++k) {
+    left[k] = {at(node).BoxOf(k), at(node).children[k]};
   }
-  const Place place = FindSibling(bounds);
-  const Child sibling = ChildAt(place);
-  const LooseBox beside = BoundsAt(place);
-  const int parent = Allocate();
-  Hang(parent, Union(bounds, beside), place);
-  Hang(sibling, beside, 2 * parent);
-  Hang(~body, bounds, 2 * parent + 1);
-  if (place != kTop) Refit(at(NodeOf(place)).place());
+  const int parent = at(node).parent;
+  const std::size_t slot = At(at(node).slot);
+  Free(node);
+  TakeOut(parent, slot);
+  for (std::size_t k = 0; k < count; ++k) Insert(left[k].box, left[k].child);
 }
 
 void AabbTree::Remove(int body) {
-  const Place leaf = places_[static_cast<std::size_t>(body)];
-  if (leaf == kTop) {
-    root_ = kNone;
-    return;
-  }
-  const int parent = NodeOf(leaf);
-  const std::size_t sibling = 1 - SideOf(leaf);
-  const Place place = at(parent).place();
-  Hang(at(parent).child(sibling), LooseBox(at(parent).bounds[sibling]), place);
-  at(parent).SetPlace(free_);
-  free_ = parent;
-  if (place != kTop) Refit(at(NodeOf(place)).place());
-}
-
-void AabbTree::Refit(Place place) {
-  // What becomes of a node hangs on its children and theirs: where two in a row have
-  // stayed as they were, so has all above.
-  for (int same = 0; same < 2;) {
-    const int node = ChildAt(place);
-    const LooseBox bounds = Union(at(node).bounds[0], at(node).bounds[1]);
-    const bool stays = bounds == BoundsAt(place);
-    if (!stays) Hang(node, bounds, place);
-    same = !Rotate(node) && stays ? same + 1 : 0;
-    if (place == kTop) return;
-    place = at(NodeOf(place)).place();
+  const int place = places_[At(body)];
+  const int node = place / static_cast<int>(kWide);
+  TakeOut(node, At(place) % kWide);
+  if (node != root_ && at(node).count > 0 && At(at(node).count) < kFewest) Dissolve(node);
+  while (root_ >= 0 && at(root_).level > 0 && at(root_).count == 1) {
+    const int only = at(root_).children[0];
+    Free(root_);
+    root_ = only;
+    at(root_).parent = -1;
   }
 }
 
-bool AabbTree::Rotate(int index) {
-  // Exchanges a child with a child of the other child where that makes the latter
-  // smaller.
-  Node& node = at(index);
-  float best = 0;
-  std::size_t best_stays = 0;  // Which child keeps its place.
-  std::size_t best_rises = 0;  // Which child of it rises.
-  for (std::size_t stays = 0; stays < 2; ++stays) {
-    if (IsLeaf(node.child(stays))) continue;
-    const Node& below = at(node.child(stays));
-    const float surface = node.bounds[stays].Surface();
-    for (std::size_t rises = 0; rises < 2; ++rises) {
-      const LooseBox grown = Union(below.bounds[1 - rises], node.bounds[1 - stays]);
-      const float gain = surface - grown.Surface();
-      if (gain <= best) continue;
-      best = gain;
-      best_stays = stays;
-      best_rises = rises;
-    }
+void AabbTree::Refit(int node) {
+  for (; at(node).parent >= 0; node = at(node).parent) {
+    const LooseBox bounds = BoundsOf(node);
+    Node& parent = at(at(node).parent);
+    if (bounds == parent.BoxOf(At(at(node).slot))) return;
+    parent.SetBox(At(at(node).slot), bounds);
   }
-  if (best <= 0) return false;
-  const std::size_t goes = 1 - best_stays;
-  const int stays = node.child(best_stays);
-  const Child falling = node.child(goes);
-  const LooseBox falling_bounds = node.bounds[goes];
-  const auto place = [](int of, std::size_t side) {
-    return 2 * of + static_cast<int>(side);
-  };
-  Hang(at(stays).child(best_rises), at(stays).bounds[best_rises], place(index, goes));
-  Hang(falling, falling_bounds, place(stays, best_rises));
-  node.SetChild(best_stays, Union(at(stays).bounds[0], at(stays).bounds[1]), stays);
-  return true;
 }
 
 }  // namespace cookbook

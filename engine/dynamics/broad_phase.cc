@@ -132,7 +132,7 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
   crew.ShareOut(moved_.size(), kFewMoved,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
                   for (std::size_t k = begin; k < end; ++k) {
-                    Pair(moved_[k], rooms_[share].stack, appearing_.Of(share));
+                    Pair(moved_[k], rooms_[share], appearing_.Of(share));
                   }
                 });
   appearing_.ForEach([&](const std::pair<int, int>& pair) { appeared.push_back(pair); });
@@ -145,19 +145,19 @@ void BroadPhase::SetWide(int body, const LooseBox& wide) {
 }
 
 template <class Found>
-void BroadPhase::ForEachNear(int body, std::vector<int>& stack,
-                             const Found& found) const {
+void BroadPhase::ForEachNear(int body, Room& room, const Found& found) const {
   const Proxy& own = proxy(body);
-  moving_.Query(own.wide, stack, [&](int other) {
+  for (const int other : moving_.Query(own.wide, room.tree)) {
     if (other != body) found(other);
-  });
-  if (!own.is_static) resting_.Query(own.wide, stack, found);
+  }
+  if (own.is_static) return;
+  for (const int other : resting_.Query(own.wide, room.tree)) found(other);
 }
 
-void BroadPhase::Pair(int body, std::vector<int>& stack,
+void BroadPhase::Pair(int body, Room& room,
                       std::vector<std::pair<int, int>>& appeared) const {
   const LooseBox& before = proxy(body).before;
-  ForEachNear(body, stack, [&](int other) {
+  ForEachNear(body, room, [&](int other) {
     // Of two that have moved the first finds the pair.
     if (has_moved(other) && other < body) return;
     if (before.Overlaps(has_moved(other) ? proxy(other).before : proxy(other).wide)) {
@@ -173,26 +173,18 @@ void BroadPhase::Widen(int index, const RigidBody& body, double reach,
   const Aabb bounds = Widened(BoundsOf(body).bounds(), reach);
   const LooseBox now = LooseBox::Around(bounds);
   const LooseBox before = proxy(index).wide;
-  if (!before.Contains(bounds)) {
-    SetWide(index, Union(before, now));
-    ForEachNear(index, rooms_[0].stack, [&](int other) {
-      if (!before.Overlaps(proxy(other).wide)) {
-        appeared.push_back(std::minmax(index, other));
-      }
-    });
-  }
-  const auto found = [&](int other) {
-    if (other != index) met.push_back(other);
-  };
-  moving_.Query(now, rooms_[0].stack, found);
-  resting_.Query(now, rooms_[0].stack, found);
+  if (!before.Contains(bounds)) SetWide(index, Union(before, now));
+  ForEachNear(index, rooms_[0], [&](int other) {
+    const LooseBox& wide = proxy(other).wide;
+    if (!before.Overlaps(wide)) appeared.push_back(std::minmax(index, other));
+    if (now.Overlaps(wide)) met.push_back(other);
+  });
 }
 
-void BroadPhase::NumberByPlace(std::vector<int>& number) {
+void BroadPhase::NumberByPlace(std::vector<int>& number) const {
   number.assign(proxies_.size(), 0);
   int last = 0;
-  moving_.ForEachLeaf(rooms_[0].stack,
-                      [&](int body) { number[static_cast<std::size_t>(body)] = ++last; });
+  moving_.ForEach([&](int body) { number[static_cast<std::size_t>(body)] = ++last; });
 }
 
 }  // namespace cookbook

@@ -59,7 +59,7 @@ class BroadPhase {
 
   /** Numbers the bodies so that those near each other mostly have numbers near each
    other; 0 for what is static or collides with nothing. */
-  void NumberByPlace(std::vector<int>& number);
+  void NumberByPlace(std::vector<int>& number) const;
 
  private:
   struct alignas(64) Proxy {
@@ -75,9 +75,9 @@ class BroadPhase {
     int body;
     LooseBox wide;
   };
-  /** Room of one thread. */
+  /** Room of one thread, in lines of a cache of its own. */
   struct alignas(64) Room {
-    std::vector<int> stack;
+    AabbTree::Room tree;
   };
 
   Proxy& proxy(int body) { return proxies_[static_cast<std::size_t>(body)]; }
@@ -94,10 +94,9 @@ class BroadPhase {
   void SetWide(int body, const LooseBox& wide);
   /** Calls `found(other)` for all that the wide box of a body overlaps. */
   template <class Found>
-  void ForEachNear(int body, std::vector<int>& stack, const Found& found) const;
+  void ForEachNear(int body, Room& room, const Found& found) const;
   /** Appends the pairs of a body that has moved which have become near. */
-  void Pair(int body, std::vector<int>& stack,
-            std::vector<std::pair<int, int>>& appeared) const;
+  void Pair(int body, Room& room, std::vector<std::pair<int, int>>& appeared) const;
 
   AabbTree moving_;
   AabbTree resting_;  ///< Static bodies: they meet moving ones only.

@@ -1,0 +1,72 @@
+#include <bit>
+#include <cstdint>
+
+#include "engine/dynamics/aabb_tree.h"
+
+// Sixteen floats are one register of AVX-512, two of AVX2.
+#define HWY_DISABLED_TARGETS                                               \
+  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
+   HWY_SVE2_128 | HWY_RVV)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/dynamics/aabb_tree_kernel.cc"
+#include <hwy/foreach_target.h>
+// After foreach_target.h.
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace cookbook {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/** Returns a bit for each box of a node that overlaps `bounds`. */
+HWY_INLINE std::uint64_t Overlapping(const AabbTree::Node& node, const LooseBox& bounds) {
+  const hn::CappedTag<float, AabbTree::kWide> tag;
+  std::uint64_t bits = 0;
+  for (std::size_t first = 0; first < AabbTree::kWide; first += hn::Lanes(tag)) {
+    auto overlaps = hn::FirstN(tag, AabbTree::kWide);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto low = hn::Load(tag, node.low[k].data() + first);
+      const auto high = hn::Load(tag, node.high[k].data() + first);
+      overlaps = hn::And(overlaps, hn::And(hn::Le(low, hn::Set(tag, bounds.high[k])),
+                                           hn::Ge(high, hn::Set(tag, bounds.low[k]))));
+    }
+    std::uint64_t some = 0;
+    hn::StoreMaskBits(tag, overlaps, reinterpret_cast<std::uint8_t*>(&some));
+    bits |= some << first;
+  }
+  return bits;
+}
+
+void Find(const AabbTree::Node* nodes, int root, const LooseBox& bounds,
+          AabbTree::Room& room) {
+  room.found.clear();
+  room.stack.assign(1, root);
+  while (!room.stack.empty()) {
+    const AabbTree::Node& node = nodes[room.stack.back()];
+    room.stack.pop_back();
+    std::vector<int>& into = node.level == 0 ? room.found : room.stack;
+    for (std::uint64_t bits = Overlapping(node, bounds); bits != 0; bits &= bits - 1) {
+      into.push_back(node.children[static_cast<std::size_t>(std::countr_zero(bits))]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace cookbook
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace cookbook {
+HWY_EXPORT(Find);
+
+std::span<const int> AabbTree::Query(const LooseBox& bounds, Room& room) const {
+  room.found.clear();
+  if (root_ >= 0) HWY_DYNAMIC_DISPATCH(Find)(nodes_.data(), root_, bounds, room);
+  return room.found;
+}
+
+}  // namespace cookbook
+#endif
