@@ -112,8 +112,8 @@ void AabbTree::Split(int node, const Entry& entry) {
   std::size_t axis = 0;
   float farthest = -1;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto [first, last] =
-        std::minmax_element(entries.begin(), entries.end(), [&](const auto& a, const auto& b) {
+    const auto [first, last] = std::minmax_element(
+        entries.begin(), entries.end(), [&](const auto& a, const auto& b) {
           return PlaceOf(a.box, k) < PlaceOf(b.box, k);
         });
     const float apart = PlaceOf(last->box, k) - PlaceOf(first->box, k);

@@ -9,8 +9,8 @@
 
 namespace cookbook {
 
-/** A tree of boxes, sixteen to a node, that stays balanced while bodies come and go: finds
- what a box overlaps in O(log n) for each that it finds. Sixteen boxes are looked at
+/** A tree of boxes, sixteen to a node, that stays balanced while bodies come and go:
+ finds what a box overlaps in O(log n) for each that it finds. Sixteen boxes are looked at
  together, in as many lanes as the processor has.
 
  As an R-tree (Guttman, SIGMOD 1984): a body goes down to the box that grows least; what

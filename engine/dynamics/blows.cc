@@ -240,12 +240,13 @@ void Blows::BeginFlight(int body, const Start& start) {
 
 void Blows::FindCandidates(const Start& start, const ContactFinder& finder, Crew& crew) {
   near_.Clear(crew.shares());
+  const auto is_asked = [&](int A, int B) {
+    return (Flies(A) || Flies(B)) && HeapOf(A) <= kMostOfHeap && HeapOf(B) <= kMostOfHeap;
+  };
   crew.ShareOut(finder.near_count(), kFewNear,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
-                  finder.ForEachNear(begin, end, [&](int A, int B, double gap) {
+                  finder.ForEachGap(begin, end, is_asked, [&](int A, int B, double gap) {
                     if (gap > reaches_[At(A)] + reaches_[At(B)]) return;
-                    if (!Flies(A) && !Flies(B)) return;
-                    if (HeapOf(A) > kMostOfHeap || HeapOf(B) > kMostOfHeap) return;
                     near_.Of(share).push_back({A, B, gap});
                   });
                 });
@@ -464,12 +465,12 @@ void Blows::Gather(double t, const End& end) {
     looks_.pop_back();
     Candidate& candidate = meetings_[index];
     if (std::exchange(candidate.known, true) || !IsAsked(candidate)) continue;
-    const auto at = [&](int body) {
+    const auto room_of = [&](int body) {
       return blow_.IsIn(body) ? blow_.BodyOf(body)
-                              : flights_[At(body)].At(t, rules_.gyroscopic);
+                              : flights_[At(body)].RoomAt(t, rules_.gyroscopic);
     };
     ContactPair pair;
-    pair.manifold = CollideAtBlow(at(candidate.A), at(candidate.B));
+    pair.manifold = CollideAtBlow(room_of(candidate.A), room_of(candidate.B));
     if (pair.manifold.count == 0) continue;
     pair.A = candidate.A;
     pair.B = candidate.B;

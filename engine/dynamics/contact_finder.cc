@@ -105,8 +105,7 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, const ContactChoice&
 void ContactFinder::FindDue(double margin, Crew& crew) {
   const auto is_due = [&](NearPair& pair) {
     // What was apart by a gap stays apart until the two have gone that far.
-    const double gone =
-        gone_[static_cast<std::size_t>(pair.A)] + gone_[static_cast<std::size_t>(pair.B)];
+    const double gone = GoneBy(pair);
     if (gone < pair.apart_until) return false;
     if (broad_phase_.IsAtRest(pair.A) && broad_phase_.IsAtRest(pair.B)) return false;
     if (pair.contact >= 0) return true;
@@ -122,28 +121,29 @@ void ContactFinder::FindDue(double margin, Crew& crew) {
     may_have_gone_[static_cast<std::size_t>(body)] =
         std::numeric_limits<double>::infinity();
   });
-  found_.Clear(crew.shares());
-  strangers_.Clear(crew.shares());
+  for (Findings<std::size_t>* findings : {&found_, &new_, &strangers_}) {
+    findings->Clear(crew.shares());
+  }
   crew.ShareOut(near_.size(), kFewNear,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
                   for (std::size_t k = begin; k < end; ++k) {
-                    if (may_have_gone_[static_cast<std::size_t>(near_[k].A)] +
-                            may_have_gone_[static_cast<std::size_t>(near_[k].B)] <
-                        near_[k].apart_until) {
+                    NearPair& pair = near_[k];
+                    if (may_have_gone_[static_cast<std::size_t>(pair.A)] +
+                            may_have_gone_[static_cast<std::size_t>(pair.B)] <
+                        pair.apart_until) {
                       continue;
                     }
-                    if (!broad_phase_.AreStillNear(near_[k].A, near_[k].B)) {
+                    if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
                       strangers_.Of(share).push_back(k);
-                    } else if (is_due(near_[k])) {
+                    } else if (is_due(pair)) {
                       found_.Of(share).push_back(k);
+                      if (pair.contact < 0) new_.Of(share).push_back(k);
                     }
                   }
                 });
+  new_.ForEach([&](std::size_t k) { Join(k); });
   due_.clear();
-  found_.ForEach([&](std::size_t k) {
-    if (near_[k].contact < 0) Join(k);
-    due_.push_back(k);
-  });
+  found_.AppendTo(due_);
 }
 
 void ContactFinder::ForgetStrangers() {
@@ -196,9 +196,7 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies,
   found_.ForEach([&](std::size_t k) {
     NearPair& pair = near_[k];
     const Manifold& manifold = contacts_[static_cast<std::size_t>(pair.contact)].manifold;
-    pair.apart_until = gone_[static_cast<std::size_t>(pair.A)] +
-                       gone_[static_cast<std::size_t>(pair.B)] + manifold.separation -
-                       choice.margin;
+    pair.apart_until = GoneBy(pair) + manifold.separation - choice.margin;
     Part(k);
   });
 }

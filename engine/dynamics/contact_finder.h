@@ -41,19 +41,19 @@ class ContactFinder {
     edges_[contact].count = 0;
   }
 
-  /** Calls `visit(A, B, gap)` for every two bodies that are near each other; they are
-   apart by `gap` [m] or more. */
+  /** Calls `visit(A, B)` for every two bodies that are near each other. */
   template <class Visit>
   void ForEachNear(const Visit& visit) const {
-    ForEachNear(0, near_.size(), visit);
+    for (const NearPair& pair : near_) visit(pair.A, pair.B);
   }
-  /** The same for the pairs from `begin` to `end` of near_count(). */
-  template <class Visit>
-  void ForEachNear(std::size_t begin, std::size_t end, const Visit& visit) const {
+  /** Calls `visit(A, B, gap)` for those from `begin` to `end` of near_count() of which
+   `takes(A, B)` is true: they are apart by `gap` [m] or more. */
+  template <class Takes, class Visit>
+  void ForEachGap(std::size_t begin, std::size_t end, const Takes& takes,
+                  const Visit& visit) const {
     for (const NearPair& pair : std::span(near_).subspan(begin, end - begin)) {
-      const double gone = gone_[static_cast<std::size_t>(pair.A)] +
-                          gone_[static_cast<std::size_t>(pair.B)];
-      visit(pair.A, pair.B, pair.contact >= 0 ? 0 : pair.apart_until - gone);
+      if (!takes(pair.A, pair.B)) continue;
+      visit(pair.A, pair.B, pair.contact >= 0 ? 0 : pair.apart_until - GoneBy(pair));
     }
   }
   std::size_t near_count() const { return near_.size(); }
@@ -68,6 +68,10 @@ class ContactFinder {
     double apart_until = 0;
   };
 
+  double GoneBy(const NearPair& pair) const {
+    return gone_[static_cast<std::size_t>(pair.A)] +
+           gone_[static_cast<std::size_t>(pair.B)];
+  }
   /** Sorts pairs by place. */
   void Sort();
   void Join(std::size_t near);
@@ -87,6 +91,7 @@ class ContactFinder {
   std::vector<ContactEdge> edges_;     ///< Of contacts_.
   std::vector<std::size_t> due_;       ///< The near pairs to be looked at in this step.
   Findings<std::size_t> found_;        ///< Those, or those of them that are apart.
+  Findings<std::size_t> new_;          ///< Those of them that had no contact.
   Findings<std::size_t> strangers_;    ///< The near pairs that are near no more.
   std::vector<double> gone_;           ///< By body. [m]
   std::vector<double> may_have_gone_;  ///< The same, infinite of what has left its box.

@@ -20,6 +20,13 @@ class Findings {
   /** What one share has found: for that share alone, while they work. */
   std::vector<Found>& Of(std::size_t share) { return shares_[share].found; }
 
+  /** Appends all to `list`. */
+  void AppendTo(std::vector<Found>& list) const {
+    for (const Share& share : shares_) {
+      list.insert(list.end(), share.found.begin(), share.found.end());
+    }
+  }
+
   template <class Visit>
   void ForEach(const Visit& visit) const {
     for (const Share& share : shares_) {

@@ -197,13 +197,15 @@ bool World::MayStrike(double h) {
     const auto i = static_cast<std::size_t>(body);
     return Reach(bodies_[i], free_[i].v, h);
   };
-  const auto takes_part = [&](int body) {
-    const auto i = static_cast<std::size_t>(body);
-    return !linked_[i] || bodies_[i].is_static();
+  const auto take_part = [&](int A, int B) {
+    const auto takes_part = [&](std::size_t i) {
+      return !linked_[i] || bodies_[i].is_static();
+    };
+    return takes_part(static_cast<std::size_t>(A)) &&
+           takes_part(static_cast<std::size_t>(B));
   };
   bool may = false;
-  finder_.ForEachNear([&](int A, int B, double gap) {
-    if (!takes_part(A) || !takes_part(B)) return;
+  finder_.ForEachGap(0, finder_.near_count(), take_part, [&](int A, int B, double gap) {
     const double way = reach(A) + reach(B);
     may = may || (way > 0 && gap <= way);
   });
