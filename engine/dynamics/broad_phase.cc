@@ -157,6 +157,7 @@ void BroadPhase::ForEachNear(int body, Room& room, const Found& found) const {
 void BroadPhase::Pair(int body, Room& room,
                       std::vector<std::pair<int, int>>& appeared) const {
   const LooseBox& before = proxy(body).before;
+  const auto first = static_cast<std::ptrdiff_t>(appeared.size());
   ForEachNear(body, room, [&](int other) {
     // Of two that have moved the first finds the pair.
     if (has_moved(other) && other < body) return;
@@ -165,6 +166,9 @@ void BroadPhase::Pair(int body, Room& room,
     }
     appeared.push_back(std::minmax(body, other));
   });
+  // How contacts are ordered decides how soon they are solved: as bodies were added, and
+  // not as the tree happens to have them.
+  std::sort(appeared.begin() + first, appeared.end());
 }
 
 void BroadPhase::Widen(int index, const RigidBody& body, double reach,
