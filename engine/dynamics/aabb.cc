@@ -9,12 +9,14 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/** Returns a float that is not less, by a few roundings more at most. */
+/** Returns a float that is not less, by a few roundings more at most; of what is beyond
+ them the last, so that all of the world does not overlap Nothing(). */
 float RoundedUp(double x) {
   using Limits = std::numeric_limits<float>;
-  if (x > Limits::max()) return kInfinity;
-  const auto near = static_cast<float>(std::max<double>(x, Limits::lowest()));
-  if (near >= x) return near;
+  const double kept =
+      std::min<double>(std::max<double>(x, Limits::lowest()), Limits::max());
+  const auto near = static_cast<float>(kept);
+  if (near >= kept) return near;
   return near + (std::abs(near) * Limits::epsilon() + Limits::min());
 }
 

@@ -18,7 +18,7 @@ struct SolverBodies {
   std::span<const InverseInertia> inertias;  ///< At the start of the step.
   std::span<const Velocity> before;          ///< At the start of the step.
   std::span<Velocity> velocities;            ///< In: without impulses; then solved.
-  std::span<const char> is_static;           ///< By body: 1 where it is.
+  std::span<const char> is_static{};         ///< By body: 1 where it is.
   bool fit_single_precision = false;         ///< See FitsSinglePrecision().
 };
 
