@@ -33,19 +33,21 @@ class Greatest {
 
 template <class Real>
 void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobody) {
-  batches_.clear();
   firsts_.clear();
   row_count_ = 0;
   int rows = 0;
   int colour = -1;
+  std::size_t used = 0;  // Batches.
   std::size_t lane = kLanes<Real>;
   for (const ColouredPair& next : ordered) {
     const bool starts_colour = next.colour != colour || next.colour == kLastColour;
     if (lane == kLanes<Real> || starts_colour) {
-      if (starts_colour) firsts_.push_back(batches_.size());
+      if (starts_colour) firsts_.push_back(used);
       colour = next.colour;
       lane = 0;
-      ContactBatch<Real>& batch = batches_.emplace_back();
+      // What a step before has left in a batch is filled anew: it need not be cleared.
+      if (used == batches_.size()) batches_.emplace_back();
+      ContactBatch<Real>& batch = batches_[used++];
       batch.pair.fill(-1);
       batch.A.fill(nobody);
       batch.B.fill(nobody);
@@ -53,7 +55,7 @@ void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobod
       batch.count = 0;
       batch.at_work = true;
     }
-    ContactBatch<Real>& batch = batches_.back();
+    ContactBatch<Real>& batch = batches_[used - 1];
     batch.pair[lane] = next.pair;
     batch.A[lane] = next.A;
     batch.B[lane] = next.B;
@@ -62,7 +64,8 @@ void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobod
     batch.count = std::max(batch.count, next.count);
     ++lane;
   }
-  firsts_.push_back(batches_.size());
+  firsts_.push_back(used);
+  batches_.resize(used);
   contacts_.resize(static_cast<std::size_t>(rows));
   notes_.resize(static_cast<std::size_t>(rows));
 }
