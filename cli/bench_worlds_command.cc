@@ -59,7 +59,8 @@ struct Row {
   std::string oracle;
   int threads = 1;
   std::optional<Measured> measured;  ///< Empty where it was stopped, or crashed.
-  std::string complaint;             ///< The last that it printed to its standard error.
+  std::vector<double> turns;  ///< µs a step of each; empty where the best one counts.
+  std::string complaint;      ///< The last that it printed to its standard error.
 
   std::string Name() const {
     return threads == 1 ? oracle : fmt::format("{}, {} threads", oracle, threads);
@@ -91,12 +92,11 @@ std::vector<Runner> Start(std::span<const Oracle* const> oracles, const World& w
   return runners;
 }
 
-// A turn that was disturbed is not the median.
-Measured MedianByCpu(const std::vector<StepTime>& turns) {
+std::vector<double> CpuOf(const std::vector<StepTime>& turns) {
   std::vector<double> times;
   times.reserve(turns.size());
   for (const StepTime& turn : turns) times.push_back(turn.cpu);
-  return {MedianOf(times), 0, {}};
+  return times;
 }
 
 // To wall time whatever else runs only adds: the best turn is the least disturbed.
@@ -127,9 +127,13 @@ std::vector<Row> Measure(std::vector<Runner> runners,
   for (Runner& runner : runners) {
     const std::optional<WorldQuality> quality = runner.child->Quality();
     if (quality) {
-      runner.row.measured = arguments.threads > 1
-                                ? BestByWall(runner.turns, runner.row.threads)
-                                : MedianByCpu(runner.turns);
+      if (arguments.threads > 1) {
+        runner.row.measured = BestByWall(runner.turns, runner.row.threads);
+      } else {
+        // A turn that was disturbed is not the median.
+        runner.row.turns = CpuOf(runner.turns);
+        runner.row.measured = Measured{MedianOf(runner.row.turns), 0, {}};
+      }
       runner.row.measured->quality = *quality;
     }
     runner.row.complaint = runner.child->LastLine();
@@ -140,6 +144,17 @@ std::vector<Row> Measure(std::vector<Runner> runners,
 
 double TimeOf(const Row& row) {
   return row.measured ? row.measured->microseconds : HUGE_VAL;
+}
+
+// The median of what each turn says, where the engines took turns: a machine that is slow
+// for a while slows both sides of a turn, and not of a median each.
+double TimesOf(const Row& row, const Row& best) {
+  if (row.turns.empty()) return TimeOf(row) / TimeOf(best);
+  std::vector<double> times;
+  times.reserve(row.turns.size());
+  for (std::size_t turn = 0; turn < row.turns.size(); ++turn)
+    times.push_back(row.turns[turn] / best.turns[turn]);
+  return MedianOf(times);
 }
 
 void PrintTable(const Scene& scene, const World& world,
@@ -158,10 +173,10 @@ void PrintTable(const Scene& scene, const World& world,
       continue;
     }
     const Measured& measured = *row.measured;
-    std::cout << fmt::format(
-        "  {:<24}{:>11.0f}{:>8.1f}×{:>14.2g}{:>15.2g}{:>14.2g}\n", row.Name(),
-        measured.microseconds, measured.microseconds / TimeOf(rows.front()),
-        measured.quality.deepest, measured.quality.fastest, measured.quality.sideways);
+    std::cout << fmt::format("  {:<24}{:>11.0f}{:>8.1f}×{:>14.2g}{:>15.2g}{:>14.2g}\n",
+                             row.Name(), measured.microseconds,
+                             TimesOf(row, rows.front()), measured.quality.deepest,
+                             measured.quality.fastest, measured.quality.sideways);
   }
 }
 
