@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace cookbook {
 namespace {
@@ -122,8 +123,10 @@ void AabbTree::Split(int node, const Entry& entry) {
       axis = k;
     }
   }
-  std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    return PlaceOf(a.box, axis) < PlaceOf(b.box, axis);
+  // No two children are one, so there is one order; a stable sort would allocate.
+  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    return std::pair(PlaceOf(a.box, axis), a.child) <
+           std::pair(PlaceOf(b.box, axis), b.child);
   });
   std::array<float, kAll> surface_after;  // Of those from one on.
   LooseBox bounds = LooseBox::Nothing();
