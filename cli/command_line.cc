@@ -2,12 +2,14 @@
 
 #include <exception>
 #include <functional>
+#include <initializer_list>
 #include <iostream>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "cli/bench_command.h"
 #include "cli/bench_worlds_command.h"
@@ -284,8 +286,22 @@ class CommandLine {
         ->capture_default_str();
   }
 
+  /** Refuses an option that says nothing about what is asked. */
+  void RefuseBenchOptions(std::initializer_list<const char*> names) const {
+    for (const char* name : names) {
+      if (app_.get_subcommand("bench")->get_option(name)->empty()) continue;
+      throw InputError(fmt::format("{} is no option of `bench {}`; expected it with {}",
+                                   name, benched_,
+                                   benched_ == "contact" ? "worlds" : "contact"));
+    }
+  }
+
   int Bench() {
-    if (benched_ == "contact") return BenchCommand(session_, bench_);
+    if (benched_ == "contact") {
+      RefuseBenchOptions({"--scene", "--steps", "--seconds", "--threads"});
+      return BenchCommand(session_, bench_);
+    }
+    RefuseBenchOptions({"--pair", "--count", "--sample"});
     bench_worlds_.oracles = bench_.oracles;
     bench_worlds_.seed = bench_.seed;
     return BenchWorldsCommand(session_, bench_worlds_);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -78,18 +79,28 @@ class StructureCheck {
   /** Checks `table`, whose path is `where`, e.g. "bodies.ball"; empty for the file. */
   void Table(const toml::table& table, std::string_view where,
              std::span<const Key> keys) {
+    std::vector<std::string_view> meant;
     for (const auto& [name, node] : table) {
       const auto key =
           std::find_if(keys.begin(), keys.end(),
                        [&name = name](const Key& k) { return k.name == name.str(); });
       if (key == keys.end()) {
-        UnknownKey(name, where, keys);
+        meant.push_back(UnknownKey(name, where, keys));
       } else {
         Value(node, Join(where, key->name), *key);
       }
     }
     for (const Key& key : keys) {
-      if (!key.required || table.contains(key.name)) continue;
+      // A key misspelt is one error: it is not called missing as well.
+      if (!key.required || table.contains(key.name) ||
+          std::find(meant.begin(), meant.end(), key.name) != meant.end()) {
+        continue;
+      }
+      if (key.table == TableKind::kContact) {
+        log_.Add(table.source(), "neither [contact] nor [world] is there",
+                 "the one or the other: what is asked");
+        continue;
+      }
       log_.Add(table.source(), fmt::format("{} is missing", Join(where, key.name)),
                ExpectationOf(key.type));
     }
@@ -99,14 +110,15 @@ class StructureCheck {
     return where.empty() ? std::string(key) : fmt::format("{}.{}", where, key);
   }
 
-  void UnknownKey(const toml::key& name, std::string_view where,
-                  std::span<const Key> keys) {
+  /** Returns the key that it most likely means; empty where there is none. */
+  std::string_view UnknownKey(const toml::key& name, std::string_view where,
+                              std::span<const Key> keys) {
     if (where.empty() && IsKeyOfAnotherFile(name.str())) {
       log_.Add(name.source(),
                fmt::format("\"{}\" has no place in a file with [{}]", name.str(),
                            kind_ == TableKind::kWorldFile ? "world" : "contact"),
                "one question a file");
-      return;
+      return {};
     }
     std::vector<std::string_view> known;
     for (const Key& key : keys) known.push_back(key.name);
@@ -114,6 +126,7 @@ class StructureCheck {
              fmt::format("unknown key \"{}\"{}{}", name.str(),
                          where.empty() ? "" : " in ", where),
              NearestOf(name.str(), known));
+    return NearestName(name.str(), known);
   }
 
   static std::string NearestOf(std::string_view misspelt,

@@ -680,6 +680,18 @@ TEST_F(CommandLineTest, TimesThreadsOnlyOfWhatHasThem) {
   EXPECT_THAT(ended.err, HasSubstr("none of these oracles steps in several threads"));
 }
 
+TEST_F(CommandLineTest, TimesNothingByOptionsOfTheOtherQuestion) {
+  const Ended worlds = Itself("bench worlds --scene stack20 --pair box box");
+  EXPECT_EQ(worlds.code, 2);
+  EXPECT_EQ(worlds.out, "");
+  EXPECT_EQ(worlds.err,
+            "touchstone: --pair is no option of `bench worlds`; expected it with "
+            "contact\n");
+  const Ended contact = Itself("bench contact --count 5 --threads 2");
+  EXPECT_EQ(contact.code, 2);
+  EXPECT_THAT(contact.err, HasSubstr("--threads is no option of `bench contact`"));
+}
+
 TEST_F(CommandLineTest, TimesOfNothingAreAnError) {
   const Ended ended = Itself(
       "bench worlds --scene stack20 --steps 1000000 --seconds 1 --oracle cookbook");

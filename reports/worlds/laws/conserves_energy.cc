@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/told_apart.h"
 #include "reports/worlds/laws/energy_bound.h"
 #include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/subjects.h"
@@ -56,8 +57,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   for (std::size_t s = 0; s < along.energies.size(); ++s) {
     const double E = along.energies[s].total();
     worst.Take(std::abs(E - E_0), along.tolerances[s], [&] {
-      return fmt::format("{} has {:.9g} J after {:.6g} s; it started with {:.9g} J",
-                         motion.oracle.name, E, motion.trajectory.times[s], E_0);
+      const ToldApart told = TellApart(E, E_0, 9);
+      return fmt::format("{} has {} J after {:.6g} s; it started with {} J",
+                         motion.oracle.name, told.a, motion.trajectory.times[s], told.b);
     });
     reflects = reflects && along.ReflectsAfterGravity(E - E_0, 0, s);
   }

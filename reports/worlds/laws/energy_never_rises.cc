@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/told_apart.h"
 #include "reports/worlds/laws/conserves_energy.h"
 #include "reports/worlds/laws/energy_bound.h"
 #include "reports/worlds/laws/numbers.h"
@@ -53,8 +54,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       least = s;
     }
     worst.Take(E - E_least, along.tolerances[s], [&] {
-      return fmt::format("{} has {:.9g} J after {:.6g} s; it had {:.9g} J before",
-                         motion.oracle.name, E, motion.trajectory.times[s], E_least);
+      const ToldApart told = TellApart(E, E_least, 9);
+      return fmt::format("{} has {} J after {:.6g} s; it had {} J before",
+                         motion.oracle.name, told.a, motion.trajectory.times[s], told.b);
     });
     reflects = reflects && (E - E_least <= along.tolerances[s] ||
                             along.ReflectsAfterGravity(E - E_least, least, s));

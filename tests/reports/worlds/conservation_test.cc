@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "reports/worlds/truth/mechanics.h"
@@ -164,6 +165,25 @@ TEST(ConservesEnergy, DoesNotTakeAnotherStartForARuleOfBouncing) {
                       MeasureKind::kEnergyDrift));
     EXPECT_TRUE(Finds(Judge(world, flew, ClaimOf("energy_never_rises")),
                       MeasureKind::kEnergyDrift));
+  }
+}
+
+TEST(ConservesEnergy, TellsEnergiesApartThatDifferByLittle) {
+  World world;
+  world.particles = {{"arrow", {0, 0, 0}, {100, 0, 0}, 1}};
+  world.gravity_W.setZero();
+  world.dt = 1e-3;
+  world.steps = 1;
+  const Trajectory gained = Stepped(world, [](WorldState& state) {
+    state.particles[0].v_W.x() *= 1 + 1e-11;
+    state.particles[0].p_W.x() += 0.1;
+  });
+  for (const char* law : {"conserves_energy", "energy_never_rises"}) {
+    const LawFinding found =
+        Of(Judge(world, gained, ClaimOf(law)), MeasureKind::kEnergyDrift);
+    EXPECT_GT(found.value, found.tolerance.value) << law;
+    EXPECT_THAT(found.proof, testing::HasSubstr("has 5000.0000001 J after 0.001 s"));
+    EXPECT_THAT(found.proof, testing::HasSubstr("5000 J"));
   }
 }
 
