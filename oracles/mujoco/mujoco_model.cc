@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
@@ -43,7 +44,8 @@ std::string Site(std::string_view name, const Vector3d& p) {
 /** Writes a world, the ends of its springs and joints into their bodies. */
 class Writer {
  public:
-  explicit Writer(const World& world) : world_(world), sites_(world.bodies.size()) {
+  Writer(const World& world, std::size_t contacts)
+      : world_(world), room_(contacts), sites_(world.bodies.size()) {
     for (std::size_t i = 0; i < world.springs.size(); ++i) {
       const Spring& spring = world.springs[i];
       Connect(fmt::format("s{}", i), spring.A, spring.B,
@@ -65,13 +67,21 @@ class Writer {
 
   std::string operator()() const {
     const std::size_t contacts = MostContacts();
+    const std::size_t rows = 4 * contacts + world_.joints.size();
+    // MuJoCo counts the bytes of its buffer in an int: of numbers and indices of rows by
+    // rows, and twice of rows by degrees of freedom.
+    const double bytes = 12.0 * static_cast<double>(rows * (rows + 2 * Freedoms()));
+    if (bytes > std::numeric_limits<int>::max()) {
+      throw std::runtime_error(
+          fmt::format("MuJoCo has no room for {} contacts of {} bodies: it takes 2 GiB",
+                      contacts, world_.bodies.size()));
+    }
     return fmt::format(
-        R"(<mujoco><compiler angle="radian"/><size nconmax="{}" njmax="{}"/>)"
+        R"(<mujoco><compiler angle="radian"/><size nconmax="{}" njmax="{}" nstack="{}"/>)"
         R"(<option collision="{}"/><worldbody>{}{}</worldbody><contact>{}</contact>)"
         R"(<tendon>{}</tendon><equality>{}</equality></mujoco>)",
-        contacts, 4 * contacts + world_.joints.size(),
-        pairs_.empty() ? "dynamic" : "predefined", world_sites_, bodies_, pairs_,
-        tendons_, equalities_);
+        contacts, rows, StackFor(rows), pairs_.empty() ? "dynamic" : "predefined",
+        world_sites_, bodies_, pairs_, tendons_, equalities_);
   }
 
  private:
@@ -81,20 +91,28 @@ class Writer {
     return A.collides && B.collides && (A.mass > 0 || B.mass > 0);
   }
 
-  /** Returns for how many contacts there must be room: as many as a packed pile has, or
-   all pairs, if those have fewer. MuJoCo clears room that grows with the square. */
+  /** Returns for how many contacts there is to be room. */
   std::size_t MostContacts() const {
-    const std::size_t packed = 100 + 24 * world_.bodies.size();
     std::size_t contacts = 1;
     for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
-      for (std::size_t j = 0; j < i && contacts < packed; ++j) {
+      for (std::size_t j = 0; j < i && contacts < room_; ++j) {
         if (!CanTouch(BodyAt(i), BodyAt(j))) continue;
         const bool round = KindOf(BodyAt(i).placed.shape) == ShapeKind::kSphere ||
                            KindOf(BodyAt(j).placed.shape) == ShapeKind::kSphere;
         contacts += round ? 1 : 8;  // MuJoCo gives at most eight, of a box on a box.
       }
     }
-    return std::min(contacts, packed);
+    return std::min(contacts, room_);
+  }
+
+  std::size_t Freedoms() const { return 6 * world_.bodies.size(); }
+
+  /** Returns how many numbers MuJoCo may need at once. Its solver takes three times the
+   square of the degrees of freedom, as measured, and a row for each constraint; what
+   it reserves of its own accord are five times the square of all of them. */
+  std::size_t StackFor(std::size_t rows) const {
+    const std::size_t freedoms = Freedoms();
+    return 4 * freedoms * freedoms + rows * freedoms + 200 * (rows + freedoms);
   }
 
   bool Moves(const Anchor& anchor) const {
@@ -161,6 +179,7 @@ class Writer {
   }
 
   const World& world_;
+  std::size_t room_;
   std::vector<std::string> sites_;  // Of each body.
   std::string world_sites_;
   std::string bodies_;
@@ -197,8 +216,8 @@ MujocoModel Compile(const std::string& mjcf) {
   return model;
 }
 
-std::string ToMjcf(const World& world) {
-  return Writer(world)();
+std::string ToMjcf(const World& world, std::size_t contacts) {
+  return Writer(world, contacts)();
 }
 
 }  // namespace touchstone

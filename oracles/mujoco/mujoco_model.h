@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -27,9 +28,11 @@ MujocoModel Compile(const std::string& mjcf);
 
 /** Returns `world` as MJCF: a body "b<i>" with a geom "g<i>" for each body, the static
  ones as geoms of MuJoCo's world; a tendon "s<i>" for each spring and "j<i>" for each
- joint, with an equality of the same name. No entry for what has nothing to move. Options
- are left as they are by default.
- @pre Shapes are spheres, boxes and static half-spaces; anchors are on no particle. */
-std::string ToMjcf(const World& world);
+ joint, with an equality of the same name. No entry for what has nothing to move. There is
+ room for so many `contacts`, or for all that there can be, if those are fewer: MuJoCo
+ clears memory that grows with their square. Options are left as they are by default.
+ @pre Shapes are spheres, boxes and static half-spaces; anchors are on no particle.
+ @throws std::runtime_error where MuJoCo has no such room. */
+std::string ToMjcf(const World& world, std::size_t contacts);
 
 }  // namespace touchstone

@@ -1,6 +1,8 @@
 #include "oracles/mujoco/mujoco_world.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -40,26 +42,12 @@ class MujocoSimulation final : public Simulation {
  public:
   MujocoSimulation(const World& world, MujocoIntegrator integrator,
                    MujocoContacts contacts)
-      : question_(world), model_(Compile(ToMjcf(world))), bodies_(world.bodies.size()) {
-    mjOption& option = model_->opt;
-    option.timestep = world.dt;
-    Vector3d::Map(option.gravity) = world.gravity_W;
-    option.integrator = integrator == MujocoIntegrator::kEuler ? mjINT_EULER : mjINT_RK4;
-    if (contacts == MujocoContacts::kRigid) MakeRigid();
-    for (std::size_t i = 0; i < world.joints.size(); ++i) {
-      const int tendon = Find(mjOBJ_TENDON, 'j', i);
-      if (tendon < 0) continue;
-      mjtNum* const equality = model_->eq_data + mjNEQDATA * Find(mjOBJ_EQUALITY, 'j', i);
-      equality[0] = world.joints[i].length - model_->tendon_length0[tendon];
-    }
-    data_.reset(mj_makeData(model_.get()));
-    if (data_ == nullptr) throw std::runtime_error("MuJoCo has no memory for this world");
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) Start(i);
-    geoms_.resize(static_cast<std::size_t>(model_->ngeom));
-    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-      const int geom = Find(mjOBJ_GEOM, 'g', i);
-      if (geom >= 0) geoms_[static_cast<std::size_t>(geom)] = static_cast<int>(i);
-    }
+      : question_(world),
+        integrator_(integrator),
+        contacts_(contacts),
+        room_(kFewContacts + kContactsOfBody * world.bodies.size()),
+        bodies_(world.bodies.size()) {
+    Make();
   }
 
   void Push(int body, const Vector3d& p_W, const Vector3d& J_W) override {
@@ -75,18 +63,23 @@ class MujocoSimulation final : public Simulation {
   }
 
   void Step() override {
+    Save();
     mj_step(model_.get(), data_.get());
-    for (const mjtWarning full : {mjWARN_CONTACTFULL, mjWARN_CNSTRFULL}) {
-      if (data_->warning[full].number > 0)
+    // What has no room is dropped: taken again with twice the room.
+    while (HasWarned({mjWARN_CONTACTFULL, mjWARN_CNSTRFULL})) {
+      const int had = model_->nconmax;
+      room_ *= 2;
+      Make();
+      if (model_->nconmax == had)
         throw std::runtime_error("MuJoCo has dropped contacts: its buffer is full");
+      Restore();
+      mj_step(model_.get(), data_.get());
     }
+    // MuJoCo starts the world anew where a number is none or large.
+    was_reset_ |= HasWarned({mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC});
   }
 
   void Read(WorldState& state) const override {
-    // MuJoCo starts the world anew where a number is none or large.
-    const bool was_reset = data_->warning[mjWARN_BADQPOS].number > 0 ||
-                           data_->warning[mjWARN_BADQVEL].number > 0 ||
-                           data_->warning[mjWARN_BADQACC].number > 0;
     state.bodies.resize(bodies_.size());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const BodyDofs& dofs = bodies_[i];
@@ -101,7 +94,7 @@ class MujocoSimulation final : public Simulation {
       body.q_WB = OrientationOf(dofs);
       body.v_WB = FromMujoco(data_->qvel + dofs.velocity);
       body.w_WB = body.q_WB * FromMujoco(data_->qvel + dofs.velocity + 3);
-      if (was_reset) body.p_WB.setConstant(std::numeric_limits<double>::quiet_NaN());
+      if (was_reset_) body.p_WB.setConstant(std::numeric_limits<double>::quiet_NaN());
     }
   }
 
@@ -133,6 +126,50 @@ class MujocoSimulation final : public Simulation {
     int position = -1;  // Into qpos: position, then quaternion.
     int velocity = -1;  // Into qvel: world frame, then body frame.
   };
+
+  /** Makes the world as it starts, with room for `room_` contacts. */
+  void Make() {
+    model_ = Compile(ToMjcf(question_, room_));
+    mjOption& option = model_->opt;
+    option.timestep = question_.dt;
+    Vector3d::Map(option.gravity) = question_.gravity_W;
+    option.integrator = integrator_ == MujocoIntegrator::kEuler ? mjINT_EULER : mjINT_RK4;
+    if (contacts_ == MujocoContacts::kRigid) MakeRigid();
+    for (std::size_t i = 0; i < question_.joints.size(); ++i) {
+      const int tendon = Find(mjOBJ_TENDON, 'j', i);
+      if (tendon < 0) continue;
+      mjtNum* const equality = model_->eq_data + mjNEQDATA * Find(mjOBJ_EQUALITY, 'j', i);
+      equality[0] = question_.joints[i].length - model_->tendon_length0[tendon];
+    }
+    data_.reset(mj_makeData(model_.get()));
+    if (data_ == nullptr) throw std::runtime_error("MuJoCo has no memory for this world");
+    for (std::size_t i = 0; i < question_.bodies.size(); ++i) Start(i);
+    geoms_.resize(static_cast<std::size_t>(model_->ngeom));
+    for (std::size_t i = 0; i < question_.bodies.size(); ++i) {
+      const int geom = Find(mjOBJ_GEOM, 'g', i);
+      if (geom >= 0) geoms_[static_cast<std::size_t>(geom)] = static_cast<int>(i);
+    }
+  }
+
+  bool HasWarned(std::initializer_list<mjtWarning> kinds) const {
+    return std::any_of(kinds.begin(), kinds.end(), [this](mjtWarning kind) {
+      return data_->warning[kind].number > 0;
+    });
+  }
+
+  /** Keeps what a step starts from. */
+  void Save() {
+    saved_.time = data_->time;
+    saved_.qpos.assign(data_->qpos, data_->qpos + model_->nq);
+    saved_.qvel.assign(data_->qvel, data_->qvel + model_->nv);
+    saved_.warm.assign(data_->qacc_warmstart, data_->qacc_warmstart + model_->nv);
+  }
+  void Restore() {
+    data_->time = saved_.time;
+    std::copy(saved_.qpos.begin(), saved_.qpos.end(), data_->qpos);
+    std::copy(saved_.qvel.begin(), saved_.qvel.end(), data_->qvel);
+    std::copy(saved_.warm.begin(), saved_.warm.end(), data_->qacc_warmstart);
+  }
 
   int Find(mjtObj kind, char prefix, std::size_t i) const {
     return mj_name2id(model_.get(), kind, fmt::format("{}{}", prefix, i).c_str());
@@ -174,7 +211,24 @@ class MujocoSimulation final : public Simulation {
         OrientationOf(dofs).conjugate() * asked.w_WB;
   }
 
+  /** What a step starts from. */
+  struct Saved {
+    mjtNum time = 0;
+    std::vector<mjtNum> qpos;
+    std::vector<mjtNum> qvel;
+    std::vector<mjtNum> warm;
+  };
+
+  // Contacts that there is room for at first.
+  static constexpr std::size_t kFewContacts = 100;
+  static constexpr std::size_t kContactsOfBody = 6;
+
   World question_;
+  MujocoIntegrator integrator_;
+  MujocoContacts contacts_;
+  std::size_t room_;
+  bool was_reset_ = false;
+  Saved saved_;
   MujocoModel model_;
   MujocoData data_;
   std::vector<BodyDofs> bodies_;

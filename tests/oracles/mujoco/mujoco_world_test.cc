@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "oracles/mujoco/mujoco_oracles.h"
@@ -45,6 +47,40 @@ TEST(MujocoWorld, ContactImpulsesAreWhatChangesMomentum) {
   const World world = WithoutRebound(BrickOnSlab());
   ExpectImpulsesChangeMomentum(Euler(), world, 1e4 * 64 * world.steps * 0x1p-53);
   EXPECT_FALSE(Rk4().Simulate(world).gives_impulses);
+}
+
+// Four layers of sixteen cubes, which close up in the third step: 96 faces of four
+// contacts and 72 edges, more than there is room for at first. The step is taken again,
+// from where it began.
+TEST(MujocoWorld, MakesRoomForContactsOnTheWay) {
+  constexpr int kRow = 4;
+  constexpr double kGap = 3e-3;
+  World world;
+  world.gravity_W.setZero();
+  world.dt = 1e-2;
+  world.steps = 4;
+  const double rate = kGap / (1 + kGap) / (2.5 * world.dt);
+  for (int i = 0; i < kRow * kRow * kRow; ++i) {
+    RigidBody cube;
+    cube.name = fmt::format("cube{}", i);
+    cube.placed.shape = Box{{0.5, 0.5, 0.5}};
+    const Vector3d in_layer = (1 + kGap) * Vector3d(i % kRow, i / kRow % kRow, 0);
+    const int layer = i / (kRow * kRow);
+    cube.placed.X_WB.p_WB = in_layer + Vector3d(0, 0, 1.1 * layer);
+    cube.v_WB = -rate * in_layer;
+    cube.restitution = 0;
+    world.bodies.push_back(cube);
+  }
+  const Trajectory trajectory = Euler().Simulate(world);
+  ASSERT_EQ(trajectory.samples.size(), 5U) << trajectory.reason;
+  const auto spacing = [&](std::size_t step) {
+    const std::vector<BodyState>& bodies = trajectory.samples[step].bodies;
+    return (bodies[1].p_WB - bodies[0].p_WB).norm();
+  };
+  EXPECT_NEAR(spacing(2), 1 + kGap / 5, 1e-12);
+  EXPECT_NEAR(spacing(3), 1 - kGap / 5, 1e-12);
+  EXPECT_NEAR(spacing(4), 1 - kGap / 5, kGap * kSoftness * 10);
+  EXPECT_GE(trajectory.impulses.size(), 96U * 4 + 72 * 2);
 }
 
 // m v' = m v − h (k x + b v), x' = x + h v'.
