@@ -16,32 +16,36 @@ std::size_t At(int index) {
   return static_cast<std::size_t>(index);
 }
 
-/** Returns the child whose surface grows least if it takes in `box`. */
-std::size_t ChildFor(const LooseBox& box, const AabbTree::Node& node) {
+/** Returns the child whose surface grows least if it takes in `box`, of equals the one of
+ the least surface. */
+std::size_t ChildFor(const Aabb& box, const AabbTree::Node& node) {
+  AabbTree::Node::Lanes surface;
   AabbTree::Node::Lanes growth;
   for (std::size_t k = 0; k < kWide; ++k) {
-    std::array<float, 3> size;
-    std::array<float, 3> grown;
+    std::array<double, 3> size;
+    std::array<double, 3> grown;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float low = node.low[axis][k];
-      const float high = node.high[axis][k];
+      const double low = node.low[axis][k];
+      const double high = node.high[axis][k];
       size[axis] = high - low;
       grown[axis] = std::max(high, box.high[axis]) - std::min(low, box.low[axis]);
     }
-    growth[k] = grown[0] * grown[1] + grown[1] * grown[2] + grown[2] * grown[0] -
-                (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
+    surface[k] = size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+    growth[k] =
+        grown[0] * grown[1] + grown[1] * grown[2] + grown[2] * grown[0] - surface[k];
   }
   std::size_t best = 0;
   for (std::size_t k = 1; k < At(node.count); ++k) {
-    if (growth[k] < growth[best]) best = k;
+    const bool as_good = growth[k] == growth[best] && surface[k] < surface[best];
+    if (growth[k] < growth[best] || as_good) best = k;
   }
   return best;
 }
 
 /** Returns where a box is along an axis, twice; a number even where it has no end. */
-float PlaceOf(const LooseBox& box, std::size_t axis) {
-  constexpr float kFar = 1e30F;
-  const auto bound = [](float x) { return std::fmin(std::fmax(x, -kFar), kFar); };
+double PlaceOf(const Aabb& box, std::size_t axis) {
+  constexpr double kFar = 1e300;
+  const auto bound = [](double x) { return std::fmin(std::fmax(x, -kFar), kFar); };
   return bound(box.low[axis]) + bound(box.high[axis]);
 }
 
@@ -56,7 +60,7 @@ int AabbTree::Allocate(int level) {
     free_ = at(node).parent;
   }
   Node& empty = at(node);
-  for (std::size_t k = 0; k < kWide; ++k) empty.SetBox(k, LooseBox::Nothing());
+  for (std::size_t k = 0; k < kWide; ++k) empty.SetBox(k, Aabb::Nothing());
   empty.count = 0;
   empty.level = level;
   empty.parent = -1;
@@ -68,12 +72,12 @@ void AabbTree::Free(int node) {
   free_ = node;
 }
 
-LooseBox AabbTree::BoundsOf(int node) const {
-  LooseBox bounds = LooseBox::Nothing();
+Aabb AabbTree::BoundsOf(int node) const {
+  Aabb bounds = Aabb::Nothing();
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t slot = 0; slot < kWide; ++slot) {
-      bounds.low[k] = std::min<float>(bounds.low[k], at(node).low[k][slot]);
-      bounds.high[k] = std::max<float>(bounds.high[k], at(node).high[k][slot]);
+      bounds.low[k] = std::min<double>(bounds.low[k], at(node).low[k][slot]);
+      bounds.high[k] = std::max<double>(bounds.high[k], at(node).high[k][slot]);
     }
   }
   return bounds;
@@ -111,13 +115,13 @@ void AabbTree::Split(int node, const Entry& entry) {
   // Along the axis along which they lie farthest apart, where the surfaces of both parts,
   // each times what it holds, are least.
   std::size_t axis = 0;
-  float farthest = -1;
+  double farthest = -1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [first, last] = std::minmax_element(
         entries.begin(), entries.end(), [&](const auto& a, const auto& b) {
           return PlaceOf(a.box, k) < PlaceOf(b.box, k);
         });
-    const float apart = PlaceOf(last->box, k) - PlaceOf(first->box, k);
+    const double apart = PlaceOf(last->box, k) - PlaceOf(first->box, k);
     if (apart > farthest) {
       farthest = apart;
       axis = k;
@@ -128,20 +132,20 @@ void AabbTree::Split(int node, const Entry& entry) {
     return std::pair(PlaceOf(a.box, axis), a.child) <
            std::pair(PlaceOf(b.box, axis), b.child);
   });
-  std::array<float, kAll> surface_after;  // Of those from one on.
-  LooseBox bounds = LooseBox::Nothing();
+  std::array<double, kAll> surface_after;  // Of those from one on.
+  Aabb bounds = Aabb::Nothing();
   for (std::size_t k = kAll; k-- > 0;) {
     bounds = Union(bounds, entries[k].box);
     surface_after[k] = bounds.Surface();
   }
   std::size_t middle = kAll / 2;
-  float least = std::numeric_limits<float>::infinity();
-  bounds = LooseBox::Nothing();
+  double least = std::numeric_limits<double>::infinity();
+  bounds = Aabb::Nothing();
   for (std::size_t k = 1; k <= kAll - kFewest; ++k) {
     bounds = Union(bounds, entries[k - 1].box);
     if (k < kFewest) continue;
-    const float cost = static_cast<float>(k) * bounds.Surface() +
-                       static_cast<float>(kAll - k) * surface_after[k];
+    const double cost = static_cast<double>(k) * bounds.Surface() +
+                        static_cast<double>(kAll - k) * surface_after[k];
     if (cost < least) {
       least = cost;
       middle = k;
@@ -151,7 +155,7 @@ void AabbTree::Split(int node, const Entry& entry) {
   const int beside = Allocate(at(node).level);
   for (std::size_t k = 0; k < middle; ++k) Put(node, k, entries[k]);
   for (std::size_t k = middle; k < kAll; ++k) Put(beside, k - middle, entries[k]);
-  for (std::size_t k = middle; k < kWide; ++k) at(node).SetBox(k, LooseBox::Nothing());
+  for (std::size_t k = middle; k < kWide; ++k) at(node).SetBox(k, Aabb::Nothing());
   at(node).count = static_cast<int>(middle);
   at(beside).count = static_cast<int>(kAll - middle);
   if (at(node).parent < 0) {
@@ -163,7 +167,7 @@ void AabbTree::Split(int node, const Entry& entry) {
   Add(at(node).parent, {BoundsOf(beside), beside});
 }
 
-void AabbTree::Insert(const LooseBox& bounds, int body) {
+void AabbTree::Insert(const Aabb& bounds, int body) {
   if (places_.size() <= At(body)) places_.resize(At(body) + 1);
   if (root_ < 0) root_ = Allocate(0);
   int node = root_;
@@ -175,7 +179,7 @@ void AabbTree::TakeOut(int node, std::size_t slot) {
   Node& from = at(node);
   const std::size_t last = At(--from.count);
   if (slot < last) Put(node, slot, {from.BoxOf(last), from.children[last]});
-  from.SetBox(last, LooseBox::Nothing());
+  from.SetBox(last, Aabb::Nothing());
   if (from.count > 0) {
     Refit(node);
   } else if (node == root_) {
@@ -217,7 +221,7 @@ void AabbTree::Remove(int body) {
 
 void AabbTree::Refit(int node) {
   for (; at(node).parent >= 0; node = at(node).parent) {
-    const LooseBox bounds = BoundsOf(node);
+    const Aabb bounds = BoundsOf(node);
     Node& parent = at(at(node).parent);
     if (bounds == parent.BoxOf(At(at(node).slot))) return;
     parent.SetBox(At(at(node).slot), bounds);

@@ -2,24 +2,24 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "engine/dynamics/aabb.h"
 
 namespace cookbook {
 
-/** A tree of boxes, sixteen to a node, that stays balanced while bodies come and go:
- finds what a box overlaps in O(log n) for each that it finds. Sixteen boxes are looked at
- together, in as many lanes as the processor has.
+/** A tree of boxes, sixteen to a node, all bodies at one depth while they come and go:
+ where boxes are of about one size, and few of them overlap, it looks at some log n nodes
+ to find what a box overlaps. Sixteen boxes are looked at together, in as many lanes as
+ the processor has.
 
- As an R-tree (Guttman, SIGMOD 1984): a body goes down to the box that grows least; what
- is full is split, and what is nearly empty is dissolved. Here both go by surface, which
- is how likely a box is looked into. */
+ As an R-tree (Guttman, SIGMOD 1984): a body goes down to the box that grows least, of
+ equals the smallest; what is full is split, and a node of bodies that is nearly empty is
+ dissolved. Here both go by surface, which is how likely a box is looked into. */
 class AabbTree {
  public:
   /** Adds `body`, which is not there. */
-  void Insert(const LooseBox& bounds, int body);
+  void Insert(const Aabb& bounds, int body);
 
   /** Removes `body`, which is. */
   void Remove(int body);
@@ -28,11 +28,12 @@ class AabbTree {
   struct Room {
     std::vector<int> stack;
     std::vector<int> found;
+    long looked_at = 0;  ///< Nodes, in all questions.
   };
 
-  /** Returns the bodies whose boxes overlap `bounds`, in an order that depends on the
-   history of the tree alone. Valid until `room` is used again. */
-  std::span<const int> Query(const LooseBox& bounds, Room& room) const;
+  /** Appends to what is `found` the bodies whose boxes overlap `bounds`, in an order that
+   depends on the history of the tree alone. */
+  void Find(const Aabb& bounds, Room& room) const;
 
   /** Calls `visit(body)` for every body; those near each other mostly come soon after
    each other. */
@@ -45,7 +46,7 @@ class AabbTree {
 
   /** Sixteen boxes, side by side; those from `count` on overlap nothing. */
   struct alignas(64) Node {
-    using Lanes = std::array<float, kWide>;
+    using Lanes = std::array<double, kWide>;
 
     std::array<Lanes, 3> low;
     std::array<Lanes, 3> high;
@@ -55,15 +56,15 @@ class AabbTree {
     int parent;  ///< −1: the root. Of a free node the next free one.
     int slot;    ///< Which child of the parent it is.
 
-    LooseBox BoxOf(std::size_t slot_of) const {
-      LooseBox box{};
+    Aabb BoxOf(std::size_t slot_of) const {
+      Aabb box{};
       for (std::size_t k = 0; k < 3; ++k) {
         box.low[k] = low[k][slot_of];
         box.high[k] = high[k][slot_of];
       }
       return box;
     }
-    void SetBox(std::size_t slot_of, const LooseBox& box) {
+    void SetBox(std::size_t slot_of, const Aabb& box) {
       for (std::size_t k = 0; k < 3; ++k) {
         low[k][slot_of] = box.low[k];
         high[k][slot_of] = box.high[k];
@@ -74,7 +75,7 @@ class AabbTree {
  private:
   /** A box and what is in it. */
   struct Entry {
-    LooseBox box;
+    Aabb box;
     int child;
   };
 
@@ -96,7 +97,7 @@ class AabbTree {
   /** Returns an empty node. */
   int Allocate(int level);
   void Free(int node);
-  LooseBox BoundsOf(int node) const;
+  Aabb BoundsOf(int node) const;
   /** Puts an entry where a node has nothing yet, or replaces one. */
   void Put(int node, std::size_t slot, const Entry& entry);
   void Add(int node, const Entry& entry);

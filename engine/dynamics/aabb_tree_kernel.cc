@@ -3,7 +3,7 @@
 
 #include "engine/dynamics/aabb_tree.h"
 
-// Sixteen floats are one register of AVX-512, two of AVX2.
+// Sixteen doubles are two registers of AVX-512, four of AVX2.
 #define HWY_DISABLED_TARGETS                                               \
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
@@ -21,8 +21,8 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /** Returns a bit for each box of a node that overlaps `bounds`. */
-HWY_INLINE std::uint64_t Overlapping(const AabbTree::Node& node, const LooseBox& bounds) {
-  const hn::CappedTag<float, AabbTree::kWide> tag;
+HWY_INLINE std::uint64_t Overlapping(const AabbTree::Node& node, const Aabb& bounds) {
+  const hn::CappedTag<double, AabbTree::kWide> tag;
   std::uint64_t bits = 0;
   for (std::size_t first = 0; first < AabbTree::kWide; first += hn::Lanes(tag)) {
     auto overlaps = hn::FirstN(tag, AabbTree::kWide);
@@ -36,14 +36,13 @@ HWY_INLINE std::uint64_t Overlapping(const AabbTree::Node& node, const LooseBox&
     hn::StoreMaskBits(tag, overlaps, reinterpret_cast<std::uint8_t*>(&some));
     bits |= some << first;
   }
-  return bits;
+  return bits & ((std::uint64_t{1} << node.count) - 1);
 }
 
-void Find(const AabbTree::Node* nodes, int root, const LooseBox& bounds,
-          AabbTree::Room& room) {
-  room.found.clear();
+void FindBelow(const AabbTree::Node* nodes, int root, const Aabb& bounds,
+               AabbTree::Room& room) {
   room.stack.assign(1, root);
-  while (!room.stack.empty()) {
+  for (; !room.stack.empty(); ++room.looked_at) {
     const AabbTree::Node& node = nodes[room.stack.back()];
     room.stack.pop_back();
     std::vector<int>& into = node.level == 0 ? room.found : room.stack;
@@ -60,12 +59,10 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(Find);
+HWY_EXPORT(FindBelow);
 
-std::span<const int> AabbTree::Query(const LooseBox& bounds, Room& room) const {
-  room.found.clear();
-  if (root_ >= 0) HWY_DYNAMIC_DISPATCH(Find)(nodes_.data(), root_, bounds, room);
-  return room.found;
+void AabbTree::Find(const Aabb& bounds, Room& room) const {
+  if (root_ >= 0) HWY_DYNAMIC_DISPATCH(FindBelow)(nodes_.data(), root_, bounds, room);
 }
 
 }  // namespace cookbook

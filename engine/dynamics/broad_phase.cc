@@ -34,13 +34,20 @@ Aabb Widened(const Aabb& bounds, double by) {
   return {bounds.low.array() - by, bounds.high.array() + by};
 }
 
+/** Returns a box that ends where numbers do, so that Aabb::Nothing() does not overlap it.
+ */
+Aabb Bounded(const Aabb& box) {
+  constexpr double kFar = std::numeric_limits<double>::max();
+  return {box.low.cwiseMax(-kFar), box.high.cwiseMin(kFar)};
+}
+
 /** Returns the box for a body that needs `bounds` and moves by `way_W` in a step. [m] */
 Aabb WideFor(const RigidBody& body, const Aabb& bounds, const Eigen::Vector3d& way_W) {
   const double far = kSteps * way_W.norm();
   const double farthest = kFarthest * body.radius;
   const Eigen::Vector3d shift = (far > farthest ? farthest / far : 1) * kSteps * way_W;
   const Aabb wide = Widened(bounds, kWider * body.radius);
-  return {wide.low + shift.cwiseMin(0), wide.high + shift.cwiseMax(0)};
+  return Bounded({wide.low + shift.cwiseMin(0), wide.high + shift.cwiseMax(0)});
 }
 
 }  // namespace
@@ -74,7 +81,7 @@ void BroadPhase::Add(const RigidBody& body) {
   if (!body.collides || body.is_point) return;
   bounds_.back() = BoundsOf(body);
   // What stands still needs no more.
-  proxy.wide = LooseBox::Around(
+  proxy.wide = Bounded(
       Widened(bounds_.back().bounds(), proxy.is_static ? 0 : kWider * body.radius));
   proxy.takes_part = true;
   const int added = static_cast<int>(proxies_.size()) - 1;
@@ -98,7 +105,7 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
         Widened(bounds_[i].bounds(), margin + Reach(body, pushed_W, ahead));
     if (proxy.wide.Contains(bounds)) return;
     const Aabb wide = WideFor(body, bounds, ahead * pushed_W);
-    leaving.push_back({static_cast<int>(i), LooseBox::Around(wide)});
+    leaving.push_back({static_cast<int>(i), wide});
   };
   crew.ShareOut(proxies_.size(), kFewBodies,
                 [&](std::size_t share, std::size_t begin, std::size_t end) {
@@ -106,7 +113,7 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
                 });
 }
 
-void BroadPhase::NoteMoved(int body, const LooseBox& before) {
+void BroadPhase::NoteMoved(int body, const Aabb& before) {
   if (has_moved(body)) return;
   moved_.push_back(body);
   has_moved_[static_cast<std::size_t>(body)] = 1;
@@ -119,7 +126,7 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
     has_moved_[static_cast<std::size_t>(body)] = 0;
   }
   moved_.clear();
-  for (const int body : added_) NoteMoved(body, LooseBox::Nothing());
+  for (const int body : added_) NoteMoved(body, Aabb::Nothing());
   added_.clear();
   FindLeaving(bodies, margin, ahead, crew);
   leaving_.ForEach([&](const Leaving& leaving) {
@@ -138,7 +145,7 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
   appearing_.ForEach([&](const std::pair<int, int>& pair) { appeared.push_back(pair); });
 }
 
-void BroadPhase::SetWide(int body, const LooseBox& wide) {
+void BroadPhase::SetWide(int body, const Aabb& wide) {
   proxy(body).wide = wide;
   moving_.Remove(body);
   moving_.Insert(wide, body);
@@ -156,7 +163,7 @@ void BroadPhase::ForEachNear(int body, Room& room, const Found& found) const {
 
 void BroadPhase::Pair(int body, Room& room,
                       std::vector<std::pair<int, int>>& appeared) const {
-  const LooseBox& before = proxy(body).before;
+  const Aabb& before = proxy(body).before;
   const auto first = static_cast<std::ptrdiff_t>(appeared.size());
   ForEachNear(body, room, [&](int other) {
     // Of two that have moved the first finds the pair.
@@ -166,23 +173,26 @@ void BroadPhase::Pair(int body, Room& room,
     }
     appeared.push_back(std::minmax(body, other));
   });
-  // How contacts are ordered decides how soon they are solved: as bodies were added, and
-  // not as the tree happens to have them.
+  // How contacts are ordered decides how soon they are solved: as bodies were added, not
+  // as the tree happens to have them.
   std::sort(appeared.begin() + first, appeared.end());
 }
 
 void BroadPhase::Widen(int index, const RigidBody& body, double reach,
                        std::vector<std::pair<int, int>>& appeared,
                        std::vector<int>& met) {
-  const Aabb bounds = Widened(BoundsOf(body).bounds(), reach);
-  const LooseBox now = LooseBox::Around(bounds);
-  const LooseBox before = proxy(index).wide;
-  if (!before.Contains(bounds)) SetWide(index, Union(before, now));
+  const Aabb now = Bounded(Widened(BoundsOf(body).bounds(), reach));
+  const Aabb before = proxy(index).wide;
+  if (!before.Contains(now)) SetWide(index, Union(before, now));
+  const auto first_appeared = static_cast<std::ptrdiff_t>(appeared.size());
+  const auto first_met = static_cast<std::ptrdiff_t>(met.size());
   ForEachNear(index, rooms_[0], [&](int other) {
-    const LooseBox& wide = proxy(other).wide;
+    const Aabb& wide = proxy(other).wide;
     if (!before.Overlaps(wide)) appeared.push_back(std::minmax(index, other));
     if (now.Overlaps(wide)) met.push_back(other);
   });
+  std::sort(appeared.begin() + first_appeared, appeared.end());
+  std::sort(met.begin() + first_met, met.end());
 }
 
 void BroadPhase::NumberByPlace(std::vector<int>& number) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/aabb.h"
+#include "engine/dynamics/aabb_forest.h"
 #include "engine/dynamics/aabb_tree.h"
 #include "engine/dynamics/crew.h"
 #include "engine/dynamics/findings.h"
@@ -30,8 +31,8 @@ class BroadPhase {
               std::vector<std::pair<int, int>>& appeared);
 
   /** Appends to `met` what the moving body `index` may meet that is at `body` now and
-   gets no farther than `reach` [m], and to `appeared` the pairs that become near by it.
- */
+   gets no farther than `reach` [m], and to `appeared` the pairs that become near by it,
+   both by index. */
   void Widen(int index, const RigidBody& body, double reach,
              std::vector<std::pair<int, int>>& appeared, std::vector<int>& met);
 
@@ -63,17 +64,17 @@ class BroadPhase {
 
  private:
   struct alignas(64) Proxy {
-    LooseBox wide;
+    Aabb wide;
     /** That before the last Update(), where `has_moved_`; of a new body it holds nothing.
      */
-    LooseBox before;
+    Aabb before;
     bool takes_part = false;  ///< False: does not collide.
     bool is_static = false;
   };
   /** A body that has left its wide box, and the next one. */
   struct Leaving {
     int body;
-    LooseBox wide;
+    Aabb wide;
   };
   /** Room of one thread, in lines of a cache of its own. */
   struct alignas(64) Room {
@@ -90,16 +91,16 @@ class BroadPhase {
   void FindLeaving(std::span<const RigidBody> bodies, double margin, double ahead,
                    Crew& crew);
   /** Notes that the wide box of a body is another now than `before`. */
-  void NoteMoved(int body, const LooseBox& before);
-  void SetWide(int body, const LooseBox& wide);
+  void NoteMoved(int body, const Aabb& before);
+  void SetWide(int body, const Aabb& wide);
   /** Calls `found(other)` for all that the wide box of a body overlaps. */
   template <class Found>
   void ForEachNear(int body, Room& room, const Found& found) const;
   /** Appends the pairs of a body that has moved which have become near. */
   void Pair(int body, Room& room, std::vector<std::pair<int, int>>& appeared) const;
 
-  AabbTree moving_;
-  AabbTree resting_;  ///< Static bodies: they meet moving ones only.
+  AabbForest moving_;
+  AabbForest resting_;  ///< Static bodies: they meet moving ones only.
   std::vector<Proxy> proxies_;
   std::vector<RoundedBox> bounds_;  ///< Of each body: what holds it.
   std::vector<int> added_;          ///< Since the last Update().

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <utility>
@@ -174,6 +175,8 @@ RC_GTEST_PROP(BroadPhase, WhatMayMeetInAStepIsNearAndAppearsOnce, ()) {
       appeared.clear();
       broad_phase.Widen(struck, body, reach, appeared, met);
       near.Add(appeared, first);
+      RC_ASSERT(std::is_sorted(appeared.begin(), appeared.end()));
+      RC_ASSERT(std::is_sorted(met.begin(), met.end()));
       for (const int other : met) RC_ASSERT(near.Has(struck, other));
       for (int other = 0; other < count; ++other) {
         if (other == struck || !MayMeet(body, present[static_cast<std::size_t>(other)])) {
@@ -233,6 +236,73 @@ RC_GTEST_PROP(ContactFinder, FindsWhatALookAtAllPairsFinds, ()) {
     }
   }
   RC_CLASSIFY(most > 0);
+}
+
+TEST(BroadPhase, WhatAppearsBesideABodyComesAsBodiesWereAdded) {
+  std::vector<RigidBody> bodies;
+  BroadPhase broad_phase;
+  constexpr int kCount = 60;
+  for (int k = 0; k < kCount; ++k) {
+    BodyDefinition ball;  // A row in no order, within a radius.
+    ball.state.p_WB = {0.001 * (k * 37 % kCount), 0, 0};
+    bodies.push_back(MakeRigidBody(ball));
+    broad_phase.Add(bodies.back());
+  }
+  Crew alone(1);
+  std::vector<std::pair<int, int>> appeared;
+  broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
+  EXPECT_EQ(appeared.size(), std::size_t{kCount} * (kCount - 1) / 2);
+  constexpr int kLate = 23;
+  const Eigen::Vector3d p_WB = bodies[kLate].state.p_WB;
+  for (const double away : {100.0, 0.0}) {
+    bodies[kLate].state.p_WB = p_WB + away * Eigen::Vector3d::UnitY();
+    appeared.clear();
+    broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
+  }
+  EXPECT_EQ(appeared.size(), std::size_t{kCount - 1});
+  EXPECT_TRUE(std::is_sorted(appeared.begin(), appeared.end()));
+}
+
+// As a float could not tell them apart: it rounds 1e8 m to 8 m.
+TEST(BroadPhase, WhatIsApartIsNotNearHoweverFarOut) {
+  for (const double far : {1e7, 1e8, 1e9, 1e11}) {
+    std::vector<RigidBody> bodies;
+    BroadPhase broad_phase;
+    for (int k = 0; k < 40; ++k) {
+      BodyDefinition box;
+      box.shape = Box{{0.5, 0.5, 0.5}};
+      box.state.p_WB = {far, far, 2.0 * k};
+      bodies.push_back(MakeRigidBody(box));
+      broad_phase.Add(bodies.back());
+    }
+    Crew alone(1);
+    std::vector<std::pair<int, int>> appeared;
+    broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
+    EXPECT_TRUE(appeared.empty()) << far << ": " << appeared.size();
+  }
+}
+
+// Where numbers end: nothing of an empty place of a tree is taken for a body.
+TEST(BroadPhase, WhatIsLargerThanNumbersIsNearEverythingOnce) {
+  for (const double half : {3.4028233e38, 1e300, std::numeric_limits<double>::max()}) {
+    std::vector<RigidBody> bodies;
+    BroadPhase broad_phase;
+    for (int k = 0; k < 20; ++k) {
+      BodyDefinition body;
+      body.state.p_WB = {5.0 * k, 0, 0};
+      if (k == 0) {
+        body.shape = Box{{half, half, half}};
+        body.mass = 0;
+      }
+      bodies.push_back(MakeRigidBody(body));
+      broad_phase.Add(bodies.back());
+    }
+    Crew alone(1);
+    std::vector<std::pair<int, int>> appeared;
+    broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
+    EXPECT_EQ(Pairs(appeared.begin(), appeared.end()).size(), 19u) << half;
+    EXPECT_EQ(appeared.size(), 19u) << half;
+  }
 }
 
 TEST(BroadPhase, AWideFloorIsNotNearWhatIsFarAboveIt) {

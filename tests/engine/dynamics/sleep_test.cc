@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -133,6 +134,44 @@ TEST(Sleep, EndsWithAnImpulseOrAForce) {
     world.Step(kStep);
     EXPECT_GT(world.state(stack + 2).v_WB[1], 0.5);
   }
+}
+
+TEST(Sleep, WhatWakesIsHeldAsBefore) {
+  World world(SleepsAfterHalfASecond());
+  AddFloor(world);
+  const int stack = AddStack(world, 0);
+  RunFor(world, 1);
+  ASSERT_TRUE(StackSleeps(world, stack));
+  world.ApplyImpulse(stack, world.state(stack).p_WB, {0.01, 0, 0});
+  RunFor(world, 0.4);
+  EXPECT_FALSE(StackSleeps(world, stack));
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(world.state(stack + k).p_WB[1], 0.5 + k, 1e-6);
+}
+
+// What is near is found in doubles: a float rounds 1e8 m to 8 m.
+TEST(Sleep, IsNotDisturbedByWhatBouncesNotNearHoweverFarOut) {
+  constexpr double kFar = 1e8;
+  World world(SleepsAfterHalfASecond());
+  BodyDefinition floor;
+  floor.shape = HalfSpace{};
+  floor.state.q_WB =
+      Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitX()));
+  floor.mass = 0;
+  floor.restitution = 1;
+  world.AddBody(floor);
+  BodyDefinition box;
+  box.shape = Box{{0.5, 0.5, 0.5}};
+  box.restitution = 0;
+  box.state.p_WB = {kFar, 0.5, 0};
+  const int resting = world.AddBody(box);
+  BodyDefinition ball;
+  ball.shape = Sphere{0.5};
+  ball.restitution = 1;
+  ball.state.p_WB = {kFar + 5, 2, 0};
+  const int bouncing = world.AddBody(ball);
+  RunFor(world, 3);
+  EXPECT_TRUE(world.IsAsleep(resting));
+  EXPECT_FALSE(world.IsAsleep(bouncing));
 }
 
 TEST(Sleep, SparesWhatHangsOnSomethingThatMoves) {
