@@ -147,7 +147,7 @@ double TimeOf(const Row& row) {
 }
 
 // The median of what each turn says, where the engines took turns: a machine that is slow
-// for a while slows both sides of a turn, and not of a median each.
+// for a while slows both sides of a turn. The ratio of the medians may differ by that.
 double TimesOf(const Row& row, const Row& best) {
   if (row.turns.empty()) return TimeOf(row) / TimeOf(best);
   std::vector<double> times;
@@ -165,7 +165,7 @@ void PrintTable(const Scene& scene, const World& world,
       "{}: steps {} to {} of {:.4g} ms, {}\n  {:<24}{:>12}{:>9}{:>14}{:>15}{:>14}\n",
       scene.title, arguments.steps + 1, 2 * arguments.steps, 1e3 * world.dt,
       arguments.threads > 1 ? "wall time of the best turn"
-                            : "CPU time of the median turn",
+                            : "CPU time, medians of the turns",
       "oracle", "µs/step", "of best", "deepest [m]", "fastest [m/s]", "sideways [m]");
   for (const Row& row : rows) {
     if (!row.measured) {

@@ -28,7 +28,8 @@ bool IsSane(const WorldState& state) {
 }
 
 bool IsSane(const ContactImpulse& contact) {
-  return IsSane(contact.p_WC) && IsSane(contact.n_AB_W) && IsSane(contact.J_B_W);
+  // However heavy what it stops.
+  return IsSane(contact.p_WC) && IsSane(contact.n_AB_W) && contact.J_B_W.allFinite();
 }
 
 }  // namespace

@@ -53,8 +53,8 @@ struct Trajectory {
    does not give them (`gives_impulses`). */
   std::vector<ContactImpulse> impulses;
   bool gives_impulses = false;
-  /** The first step after which a state was not finite, or larger than 1e12 in SI units;
-   0: none. The samples end before it. */
+  /** The first step after which a number was not finite, or a place or a speed beyond
+   1e12 in SI units; 0: none. The samples end before it. */
   int diverged_at_step = 0;
   /** The last line that an isolated engine printed to its standard error as it ran, e.g.
    "LCP internal error": a sign that it failed at something, whatever it then answered.

@@ -1,6 +1,7 @@
 #include "reports/worlds/judge_variant.h"
 
 #include <algorithm>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -18,6 +19,16 @@ struct Comparison {
   double late;            ///< [m]
 
   double Granted(double gain) const { return discretisation + gain * rounding + late; }
+  std::string Because(double gain) const {
+    return fmt::format(
+        "two approximations of one motion, each off by twice what halving the step moves "
+        "it ({:.3g} m), and by 64 roundings a step ({:.3g} m of both), of which the "
+        "motion makes {:.3g} times as much{}",
+        discretisation / 4, rounding, gain,
+        late > 0
+            ? fmt::format("; {:.3g} m for what may touch in one step or the next", late)
+            : "");
+  }
 };
 
 Comparison Compare(const Study& study, const Trajectory& seen_in_world, double until,
@@ -61,20 +72,16 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
   finding.oracle = study.oracle.name;
   finding.measure = measure;
   finding.value = told.apart;
-  finding.tolerance = told.Granted(growth.gain_before);
-  finding.tolerance_because = fmt::format(
-      "two approximations of one motion, each off by twice what halving the step moves "
-      "it ({:.3g} m), and by 64 roundings a step, of which the motion makes {:.3g} times "
-      "as much{}",
-      told.discretisation / 4, growth.gain_before,
-      told.late > 0 ? fmt::format("; {:.3g} m for what may touch in one step or the next",
-                                  told.late)
-                    : "");
+  const auto grant = [&](double gain) {
+    finding.tolerance = told.Granted(gain);
+    finding.tolerance_because = told.Because(gain);
+  };
+  grant(growth.gain_before);
   if (!differs_before && finding.value <= finding.tolerance) return finding;
   finding.proof = fmt::format("{} moves the world {} otherwise, by {:.6g} m",
                               finding.oracle, ChangeOf(measure), finding.value);
   if (unstable && !differs_before) {
-    finding.tolerance = whole.Granted(growth.gain);
+    grant(growth.gain);
     if (finding.value <= finding.tolerance) {
       finding.verdict = Verdict::kUndecidable;
       finding.proof += fmt::format(
@@ -88,7 +95,7 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
   finding.cause = Cause::kModel;
   finding.cause_because = fmt::format("the world {} moves otherwise", ChangeOf(measure));
   finding.proof += fmt::format(
-      ": {} in the world itself and, brought back, in that one",
+      ": {}, in the world itself and, brought back, in that one",
       LargestDifference(study.scenario.world, study.trajectory, seen_in_world,
                         differs_before ? std::min(until, growth.horizon) : until));
   return finding;

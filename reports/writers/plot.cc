@@ -129,7 +129,9 @@ class Drawing {
 
 std::string LineClass(std::size_t oracle) {
   constexpr std::size_t kColours = 8;
-  return fmt::format("line{}", oracle == 0 ? 0 : 1 + (oracle - 1) % kColours);
+  if (oracle == 0) return "line0";
+  return fmt::format("line{}{}", 1 + (oracle - 1) % kColours,
+                     oracle > kColours ? " again" : "");
 }
 
 std::string Plot(const CurveSet& set, double band) {

@@ -305,16 +305,17 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
                          "files and the ledger",
                          Headline(code), report.subject,
                          Counted(of_subject.failed(), "scenario"), not_examined,
-                         counts.failed() - of_subject.failed(),
+                         Counted(counts.failed() - of_subject.failed(), "answer"),
                          failed.empty() ? "" : fmt::format(" ({})", failed),
                          Counted(report.faults.size(), "fault")))
       << '\n';
   if (counts[Verdict::kKnown] > 0) {
     out << paint(Colour::kKnown,
-                 fmt::format("wrong too, as the ledger knows: {} in {}, references in {}",
-                             report.subject,
-                             Counted(of_subject[Verdict::kKnown], "scenario"),
-                             counts[Verdict::kKnown] - of_subject[Verdict::kKnown]))
+                 fmt::format(
+                     "wrong too, as the ledger knows: {} in {}, references in {}",
+                     report.subject, Counted(of_subject[Verdict::kKnown], "scenario"),
+                     Counted(counts[Verdict::kKnown] - of_subject[Verdict::kKnown],
+                             "answer")))
         << '\n';
   }
   if (code == 2) {

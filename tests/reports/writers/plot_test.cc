@@ -8,12 +8,15 @@
 namespace touchstone {
 namespace {
 
-TEST(LineClass, IsTheSubjectsAloneAndOneOfEightForTheOthers) {
+TEST(LineClass, IsTheSubjectsAloneAndOneOfEightForTheOthersPlainOrDashed) {
   EXPECT_EQ(LineClass(0), "line0");
   std::set<std::string> others;
-  for (std::size_t oracle = 1; oracle < 40; ++oracle) others.insert(LineClass(oracle));
+  for (std::size_t oracle = 1; oracle <= 8; ++oracle) others.insert(LineClass(oracle));
   EXPECT_EQ(others, (std::set<std::string>{"line1", "line2", "line3", "line4", "line5",
                                            "line6", "line7", "line8"}));
+  for (std::size_t oracle = 9; oracle < 40; ++oracle) {
+    EXPECT_EQ(LineClass(oracle), LineClass((oracle - 1) % 8 + 1) + " again");
+  }
 }
 
 // Neighbours in a table have colours of their own.

@@ -80,7 +80,7 @@ TEST(WriteTable, SaysThatTheSubjectWasNotExaminedWhateverTheReferencesDo) {
   const std::string table = Table(report);
   EXPECT_THAT(table, HasSubstr("NOTHING VERIFIED: mine failed in 0 scenarios, was not "
                                "examined in 1, references "
-                               "in 1 (theirs/float)"));
+                               "in 1 answer (theirs/float)"));
   EXPECT_THAT(table, HasSubstr("mine was not examined: unsupported: no spheres; "));
 }
 
@@ -124,13 +124,13 @@ TEST(WriteTable, KeepsWhatCountsOnlyWhenQuiet) {
   EXPECT_THAT(table(false, FailOn::kSubject), HasSubstr(proof_of_theirs));
   EXPECT_THAT(table(true, FailOn::kSubject),
               AllOf(Not(HasSubstr(proof_of_theirs)), HasSubstr("leaves 0.01 of overlap"),
-                    HasSubstr("references in 1 (theirs/float)")));
+                    HasSubstr("references in 1 answer (theirs/float)")));
 }
 
 TEST(WriteTable, SaysOkOnlyWithoutFailuresAndFaults) {
   RunReport report = HandMadeReport();
   EXPECT_THAT(Table(report),
-              HasSubstr("FAILED: mine failed in 1 scenario, references in 1 "
+              HasSubstr("FAILED: mine failed in 1 scenario, references in 1 answer "
                         "(theirs/float), 1 fault of the scenario files"));
   for (Finding& finding : report.findings) finding.verdict = Verdict::kPass;
   EXPECT_THAT(Table(report), HasSubstr("FAILED"));
@@ -142,7 +142,7 @@ TEST(WriteTable, CountsAtTheEndWhatIsWrongAndKnown) {
   RunReport report = HandMadeReport();
   EXPECT_THAT(Table(report),
               HasSubstr("wrong too, as the ledger knows: mine in 0 scenarios, references "
-                        "in 1\n"));
+                        "in 1 answer\n"));
   std::erase_if(report.findings, [](const Finding& finding) {
     return finding.verdict == Verdict::kKnown;
   });

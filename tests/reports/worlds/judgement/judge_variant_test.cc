@@ -65,6 +65,20 @@ TEST(JudgeVariant, GrantsRoundingAsMuchAsTheMotionMakesOfIt) {
   EXPECT_NEAR(tolerance(10), 10 * tolerance(1), 1e-3 * tolerance(1));
 }
 
+TEST(JudgeVariant, GivesTheNumbersOfTheToleranceThatItHoldsAgainst) {
+  const Studied studied(TwoBallsInFlight(), OffBy(1e-3, 0));
+  const WorldVariant heading = VariantsOf(studied.scenario.world).front();
+  const Trajectory seen = SeenInWorld(heading, OffBy(1e-3, 0).Simulate(heading.world));
+  // From the start on the motion makes 1e5 times as much of rounding, 10 times before.
+  const Finding finding =
+      JudgeVariant(studied.study(), {1e5, 10, 0}, MeasureKind::kHeading, seen);
+  EXPECT_THAT(finding.tolerance_because, HasSubstr("makes 1e+05 times as much"));
+  const Finding before =
+      JudgeVariant(studied.study(), {1e5, 10}, MeasureKind::kHeading, seen);
+  EXPECT_THAT(before.tolerance_because, HasSubstr("makes 10 times as much"));
+  EXPECT_NEAR(finding.tolerance, 1e4 * before.tolerance, 10 * before.tolerance);
+}
+
 //            ball
 //             o       A ball near the top of a smooth hump: x'' = k² x of its way x
 //          .-- --.    from the top, so that x = x₀ cosh k t. Of a rounding of its
