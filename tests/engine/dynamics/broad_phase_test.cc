@@ -205,6 +205,17 @@ RC_GTEST_PROP(BroadPhase, ItsGapIsNoMoreThanTheDistance, ()) {
   RC_CLASSIFY(gap > 0);
 }
 
+/** Whether the edges say of the contacts what those say. */
+bool AreInShort(const ContactFinder& finder) {
+  const std::span<const ContactPair> contacts = finder.contacts();
+  const std::span<const ContactEdge> edges = finder.edges();
+  return std::equal(contacts.begin(), contacts.end(), edges.begin(), edges.end(),
+                    [](const ContactPair& pair, const ContactEdge& edge) {
+                      return edge.A == pair.A && edge.B == pair.B &&
+                             edge.count == pair.manifold.count;
+                    });
+}
+
 RC_GTEST_PROP(ContactFinder, FindsWhatALookAtAllPairsFinds, ()) {
   std::vector<RigidBody> bodies = SomeBodies();
   const std::vector<RigidBody> first = bodies;
@@ -218,6 +229,7 @@ RC_GTEST_PROP(ContactFinder, FindsWhatALookAtAllPairsFinds, ()) {
     for (const ContactPair& pair : finder.contacts()) {
       RC_ASSERT(found.insert({pair.A, pair.B}).second);
     }
+    RC_ASSERT(AreInShort(finder));
     most = std::max(most, static_cast<int>(found.size()));
     for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
       for (int b = a + 1; b < static_cast<int>(bodies.size()); ++b) {
@@ -236,6 +248,32 @@ RC_GTEST_PROP(ContactFinder, FindsWhatALookAtAllPairsFinds, ()) {
     }
   }
   RC_CLASSIFY(most > 0);
+}
+
+// So many that they are sorted by place now and then.
+TEST(ContactFinder, TellsOfItsContactsInShort) {
+  constexpr int kRow = 12;
+  std::vector<RigidBody> bodies;
+  ContactFinder finder;
+  for (int k = 0; k < kRow * kRow * kRow; ++k) {
+    const int i = k * 1009 % (kRow * kRow * kRow);
+    const int layer = i / (kRow * kRow);
+    BodyDefinition ball;
+    ball.shape = Sphere{0.5};
+    ball.state.p_WB = 0.99 * Eigen::Vector3d(i % kRow, i / kRow % kRow, layer);
+    bodies.push_back(MakeRigidBody(ball));
+    finder.Add(bodies.back());
+  }
+  Crew alone(1);
+  constexpr std::size_t kFaces = std::size_t{3} * kRow * kRow * (kRow - 1);
+  for (int step = 0; step < 70; ++step) {
+    finder.Find(bodies, {kMargin, false}, kStep, alone);
+    EXPECT_EQ(finder.contacts().size(), kFaces);
+    EXPECT_TRUE(AreInShort(finder)) << step;
+  }
+  finder.Release(7);
+  EXPECT_EQ(finder.contacts()[7].manifold.count, 0);
+  EXPECT_TRUE(AreInShort(finder));
 }
 
 TEST(BroadPhase, WhatAppearsBesideABodyComesAsBodiesWereAdded) {
