@@ -267,6 +267,12 @@ TEST(ContactFinder, TellsOfItsContactsInShort) {
   Crew alone(1);
   constexpr std::size_t kFaces = std::size_t{3} * kRow * kRow * (kRow - 1);
   for (int step = 0; step < 70; ++step) {
+    // Half of them fall asleep: nobody looks at those again.
+    if (step == 30) {
+      for (RigidBody& body : bodies) {
+        if (body.state.p_WB[0] < 5) body.inverse_mass = 0;
+      }
+    }
     finder.Find(bodies, {kMargin, false}, kStep, alone);
     EXPECT_EQ(finder.contacts().size(), kFaces);
     EXPECT_TRUE(AreInShort(finder)) << step;
