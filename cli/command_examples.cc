@@ -66,6 +66,7 @@ constexpr auto kExamples = std::to_array<Examples>({
   touchstone bench contact --pair box box --oracles cookbook,bullet --count 5000
   touchstone bench worlds --scene boxes1000 --oracles cookbook,bullet_float
   touchstone bench worlds --scene boxes1000,boxes10000 --threads 2
+
 Of worlds, engines take 15 turns: medians of the turns, "of best" of their ratios. At the end:
 "deepest" what overlaps most, "fastest" what moves most, "sideways" the longest way across y.
 )",
