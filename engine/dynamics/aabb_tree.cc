@@ -24,11 +24,11 @@ std::size_t ChildFor(const Aabb& box, const AabbTree::Node& node) {
   for (std::size_t k = 0; k < kWide; ++k) {
     std::array<double, 3> size;
     std::array<double, 3> grown;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double low = node.low[axis][k];
-      const double high = node.high[axis][k];
-      size[axis] = high - low;
-      grown[axis] = std::max(high, box.high[axis]) - std::min(low, box.low[axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double low = node.low[At(axis)][k];
+      const double high = node.high[At(axis)][k];
+      size[At(axis)] = high - low;
+      grown[At(axis)] = std::max(high, box.high[axis]) - std::min(low, box.low[axis]);
     }
     surface[k] = size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
     growth[k] =
@@ -43,7 +43,7 @@ std::size_t ChildFor(const Aabb& box, const AabbTree::Node& node) {
 }
 
 /** Returns where a box is along an axis, twice; a number even where it has no end. */
-double PlaceOf(const Aabb& box, std::size_t axis) {
+double PlaceOf(const Aabb& box, int axis) {
   constexpr double kFar = 1e300;
   const auto bound = [](double x) { return std::fmin(std::fmax(x, -kFar), kFar); };
   return bound(box.low[axis]) + bound(box.high[axis]);
@@ -74,10 +74,10 @@ void AabbTree::Free(int node) {
 
 Aabb AabbTree::BoundsOf(int node) const {
   Aabb bounds = Aabb::Nothing();
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k) {
     for (std::size_t slot = 0; slot < kWide; ++slot) {
-      bounds.low[k] = std::min<double>(bounds.low[k], at(node).low[k][slot]);
-      bounds.high[k] = std::max<double>(bounds.high[k], at(node).high[k][slot]);
+      bounds.low[k] = std::min(bounds.low[k], at(node).low[At(k)][slot]);
+      bounds.high[k] = std::max(bounds.high[k], at(node).high[At(k)][slot]);
     }
   }
   return bounds;
@@ -114,9 +114,9 @@ void AabbTree::Split(int node, const Entry& entry) {
 
   // Along the axis along which they lie farthest apart, where the surfaces of both parts,
   // each times what it holds, are least.
-  std::size_t axis = 0;
+  int axis = 0;
   double farthest = -1;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; ++k) {
     const auto [first, last] = std::minmax_element(
         entries.begin(), entries.end(), [&](const auto& a, const auto& b) {
           return PlaceOf(a.box, k) < PlaceOf(b.box, k);

@@ -58,16 +58,16 @@ class AabbTree {
 
     Aabb BoxOf(std::size_t slot_of) const {
       Aabb box{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.low[k] = low[k][slot_of];
-        box.high[k] = high[k][slot_of];
+      for (int k = 0; k < 3; ++k) {
+        box.low[k] = low[static_cast<std::size_t>(k)][slot_of];
+        box.high[k] = high[static_cast<std::size_t>(k)][slot_of];
       }
       return box;
     }
     void SetBox(std::size_t slot_of, const Aabb& box) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        low[k][slot_of] = box.low[k];
-        high[k][slot_of] = box.high[k];
+      for (int k = 0; k < 3; ++k) {
+        low[static_cast<std::size_t>(k)][slot_of] = box.low[k];
+        high[static_cast<std::size_t>(k)][slot_of] = box.high[k];
       }
     }
   };

@@ -26,9 +26,10 @@ HWY_INLINE std::uint64_t Overlapping(const AabbTree::Node& node, const Aabb& bou
   std::uint64_t bits = 0;
   for (std::size_t first = 0; first < AabbTree::kWide; first += hn::Lanes(tag)) {
     auto overlaps = hn::FirstN(tag, AabbTree::kWide);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto low = hn::Load(tag, node.low[k].data() + first);
-      const auto high = hn::Load(tag, node.high[k].data() + first);
+    for (int k = 0; k < 3; ++k) {
+      const auto axis = static_cast<std::size_t>(k);
+      const auto low = hn::Load(tag, node.low[axis].data() + first);
+      const auto high = hn::Load(tag, node.high[axis].data() + first);
       overlaps = hn::And(overlaps, hn::And(hn::Le(low, hn::Set(tag, bounds.high[k])),
                                            hn::Ge(high, hn::Set(tag, bounds.low[k]))));
     }
