@@ -67,8 +67,9 @@ constexpr auto kExamples = std::to_array<Examples>({
   touchstone bench worlds --scene boxes1000 --oracles cookbook,bullet_float
   touchstone bench worlds --scene boxes1000,boxes10000 --threads 2
 
-Of worlds, engines take 15 turns: medians of the turns, "of best" of their ratios. At the end:
-"deepest" what overlaps most, "fastest" what moves most, "sideways" the longest way across y.
+Of worlds, engines take turns: shown are medians, "of best" that of the ratios turn by turn,
+with --threads the best turn. At the end, "deepest" is what overlaps most, "fastest" what moves
+most, "sideways" the longest way across y.
 )",
      kShown},
     {"schema", R"(

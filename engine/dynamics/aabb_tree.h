@@ -44,7 +44,7 @@ class AabbTree {
 
   static constexpr std::size_t kWide = 16;
 
-  /** Sixteen boxes, side by side; those from `count` on overlap nothing. */
+  /** Sixteen boxes, side by side; those from `count` on are no children. */
   struct alignas(64) Node {
     using Lanes = std::array<double, kWide>;
 

@@ -122,16 +122,18 @@ class StructureCheck {
     }
     std::vector<std::string_view> known;
     for (const Key& key : keys) known.push_back(key.name);
+    const std::string_view nearest = NearestName(name.str(), known);
     log_.Add(name.source(),
              fmt::format("unknown key \"{}\"{}{}", name.str(),
                          where.empty() ? "" : " in ", where),
-             NearestOf(name.str(), known));
-    return NearestName(name.str(), known);
+             Meant(nearest, known));
+    return nearest;
   }
 
-  static std::string NearestOf(std::string_view misspelt,
-                               std::span<const std::string_view> known) {
-    const std::string_view nearest = NearestName(misspelt, known);
+  /** Returns what is expected: the name `nearest` to what stands there, if any is near.
+   */
+  static std::string Meant(std::string_view nearest,
+                           std::span<const std::string_view> known) {
     return nearest.empty() ? fmt::format("one of {}", fmt::join(known, ", "))
                            : fmt::format("\"{}\"", nearest);
   }
@@ -243,7 +245,7 @@ class StructureCheck {
       } else if (!MeasureNamed(text->get())) {
         log_.Add(array->get(i)->source(),
                  fmt::format("{} is \"{}\"", element, text->get()),
-                 NearestOf(text->get(), known));
+                 Meant(NearestName(text->get(), known), known));
       }
     }
   }
