@@ -276,7 +276,8 @@ class Page {
             "table above: ✓ pass, ✗ proved wrong, ! no answer, ≈ known, ? undecidable, "
             "· unsupported. Filled dots are the contacts of the subject, rings those of "
             "the "
-            "others; dashed are the planes of the certificate. Of worlds, dashed is the "
+            "others; dashed are the planes of the certificate. Of worlds, dashes without "
+            "a colour are the "
             "truth, and "
             "shaded its tolerance.</p>\n";
     WriteLegend();
