@@ -7,8 +7,8 @@
 #define HWY_TARGET_INCLUDE "engine/box_box.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "engine/dispatch.h"
-#include "engine/four_lanes.h"
+#include "engine/simd/dispatch.h"
+#include "engine/simd/four_lanes.h"
 #include "engine/one_pair_axis.h"
 #include "engine/one_pair_contacts.h"
 

@@ -13,9 +13,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/dispatch.h"
+#include "engine/simd/dispatch.h"
 #include "engine/feature.h"
-#include "engine/four_lanes.h"
+#include "engine/simd/four_lanes.h"
 #include "engine/rounding.h"
 
 HWY_BEFORE_NAMESPACE();

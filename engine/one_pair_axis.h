@@ -1,5 +1,5 @@
 // FindLeastOverlap() as it is compiled once per processor target: include after
-// engine/four_lanes.h, within a file that foreach_target.h reads again and again; hence
+// engine/simd/four_lanes.h, within a file that foreach_target.h reads again and again; hence
 // the guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_ONE_PAIR_AXIS_H_) == defined(HWY_TARGET_TOGGLE)
@@ -14,7 +14,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "engine/four_lanes.h"
+#include "engine/simd/four_lanes.h"
 #include "engine/separating_axis.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,5 +1,5 @@
 // The contacts of two boxes, as they are found once per processor target: include after
-// engine/four_lanes.h, within a file that foreach_target.h reads again and again; hence
+// engine/simd/four_lanes.h, within a file that foreach_target.h reads again and again; hence
 // the guard that toggles.
 //
 // Seen along the normal, one face of each box meets the other's: of A the face from which
@@ -32,7 +32,7 @@
 #include <limits>
 
 #include "engine/feature.h"
-#include "engine/four_lanes.h"
+#include "engine/simd/four_lanes.h"
 #include "engine/manifold.h"
 #include "engine/one_pair_axis.h"
 #include "engine/rounding.h"

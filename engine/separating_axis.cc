@@ -9,7 +9,7 @@
 #define HWY_TARGET_INCLUDE "engine/separating_axis.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "engine/four_lanes.h"
+#include "engine/simd/four_lanes.h"
 #include "engine/one_pair_axis.h"
 
 HWY_BEFORE_NAMESPACE();

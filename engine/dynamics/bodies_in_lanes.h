@@ -1,5 +1,5 @@
 // Pairs of bodies, one a lane, for engine code compiled once per processor target: four
-// by doubles, sixteen by floats. Include after engine/sixteen_lanes.h, within a file that
+// by doubles, sixteen by floats. Include after engine/simd/sixteen_lanes.h, within a file that
 // foreach_target.h reads again and again; hence the guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_BODIES_IN_LANES_H_) == defined(HWY_TARGET_TOGGLE)
@@ -16,8 +16,8 @@
 #include <type_traits>
 
 #include "engine/dynamics/contact_batch.h"
-#include "engine/four_lanes.h"
-#include "engine/sixteen_lanes.h"
+#include "engine/simd/four_lanes.h"
+#include "engine/simd/sixteen_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

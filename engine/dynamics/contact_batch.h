@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "engine/dynamics/contact_pair.h"
-#include "engine/dynamics/lanes.h"
+#include "engine/simd/lanes.h"
 #include "engine/dynamics/rigid_body.h"
 
 namespace cookbook {

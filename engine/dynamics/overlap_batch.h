@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/contact_batch.h"
-#include "engine/dynamics/lanes.h"
+#include "engine/simd/lanes.h"
 
 namespace cookbook {
 

@@ -10,7 +10,8 @@ cmake_minimum_required(VERSION 3.24)
 set(own_rules
   # The corrected engine never calls the specimens.
   "engine/printed/ => engine/"
-  "engine/ => engine/(dynamics/)?[a-z_]+[.]h"
+  "engine/simd/ => engine/simd/"
+  "engine/ => engine/(simd|threads|collision|dynamics)/|engine/(dynamics/)?[a-z_]+[.]h"
   "scenarios/ => scenarios/"
   # Only the cookbook adapter sees the engine: no oracle is right because it ran
   # the code it judges.

@@ -1,4 +1,4 @@
-// Eight floats at once, as engine/four_lanes.h has four doubles. Include after
+// Eight floats at once, as engine/simd/four_lanes.h has four doubles. Include after
 // hwy/highway.h, within a file that foreach_target.h reads again and again; hence the
 // guard that toggles.
 
@@ -15,7 +15,7 @@
 
 #include <hwy/highway.h>
 
-#include "engine/four_lanes.h"
+#include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

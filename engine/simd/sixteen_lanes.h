@@ -16,7 +16,7 @@
 
 #include <hwy/highway.h>
 
-#include "engine/eight_lanes.h"
+#include "engine/simd/eight_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {
