@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/contact_solver.h"
-#include "engine/dynamics/crew.h"
+#include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 

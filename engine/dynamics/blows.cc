@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-#include "engine/dynamics/fetch.h"
+#include "engine/threads/prefetch.h"
 
 namespace cookbook {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "engine/dynamics/blow.h"
 #include "engine/dynamics/contact_finder.h"
-#include "engine/dynamics/crew.h"
+#include "engine/threads/thread_pool.h"
 #include "engine/dynamics/disjoint_sets.h"
-#include "engine/dynamics/findings.h"
+#include "engine/threads/per_thread.h"
 #include "engine/dynamics/first_blow.h"
 #include "engine/dynamics/meetings.h"
 

@@ -7,8 +7,8 @@
 #include "engine/dynamics/aabb.h"
 #include "engine/dynamics/aabb_forest.h"
 #include "engine/dynamics/aabb_tree.h"
-#include "engine/dynamics/crew.h"
-#include "engine/dynamics/findings.h"
+#include "engine/threads/thread_pool.h"
+#include "engine/threads/per_thread.h"
 #include "engine/dynamics/rigid_body.h"
 #include "engine/dynamics/rounded_box.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <tuple>
 
-#include "engine/dynamics/fetch.h"
+#include "engine/threads/prefetch.h"
 
 namespace cookbook {
 namespace {

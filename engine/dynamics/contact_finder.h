@@ -6,8 +6,8 @@
 
 #include "engine/dynamics/broad_phase.h"
 #include "engine/dynamics/contact_pair.h"
-#include "engine/dynamics/crew.h"
-#include "engine/dynamics/findings.h"
+#include "engine/threads/thread_pool.h"
+#include "engine/threads/per_thread.h"
 
 namespace cookbook {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/contact_batch.h"
-#include "engine/dynamics/crew.h"
+#include "engine/threads/thread_pool.h"
 #include "engine/dynamics/overlap_batch.h"
 
 namespace cookbook {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/dynamics/fetch.h"
+#include "engine/threads/prefetch.h"
 #include "engine/dynamics/near_boxes.h"
 #include "engine/dynamics/rigid_body.h"
 #include "engine/manifold.h"

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/dynamics/contact_batch.h"
-#include "engine/dynamics/fetch.h"
+#include "engine/threads/prefetch.h"
 
 // Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
 #define HWY_DISABLED_TARGETS                                               \

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/dynamics/contact_group.h"
-#include "engine/dynamics/crew.h"
+#include "engine/threads/thread_pool.h"
 #include "engine/dynamics/settings.h"
 
 namespace cookbook {

@@ -8,7 +8,7 @@
 #include "engine/dynamics/body.h"
 #include "engine/dynamics/contact_finder.h"
 #include "engine/dynamics/contact_solver.h"
-#include "engine/dynamics/crew.h"
+#include "engine/threads/thread_pool.h"
 #include "engine/dynamics/distance_joint.h"
 #include "engine/dynamics/patience.h"
 #include "engine/dynamics/pulls.h"

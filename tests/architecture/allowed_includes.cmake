@@ -11,6 +11,7 @@ set(own_rules
   # The corrected engine never calls the specimens.
   "engine/printed/ => engine/"
   "engine/simd/ => engine/simd/"
+  "engine/threads/ => engine/threads/"
   "engine/ => engine/(simd|threads|collision|dynamics)/|engine/(dynamics/)?[a-z_]+[.]h"
   "scenarios/ => scenarios/"
   # Only the cookbook adapter sees the engine: no oracle is right because it ran

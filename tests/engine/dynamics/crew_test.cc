@@ -1,4 +1,4 @@
-#include "engine/dynamics/crew.h"
+#include "engine/threads/thread_pool.h"
 
 #include <atomic>
 #include <numeric>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/findings.h"
+#include "engine/threads/per_thread.h"
 
 namespace cookbook {
 namespace {

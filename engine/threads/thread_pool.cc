@@ -1,4 +1,4 @@
-#include "engine/dynamics/crew.h"
+#include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 namespace {
