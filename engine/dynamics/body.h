@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "engine/shape.h"
+#include "engine/collision/shape.h"
 
 namespace cookbook {
 

@@ -1,8 +1,8 @@
 // The patches in which faces of boxes meet, of a vector of pairs of boxes at once.
-// Include after engine/many_pairs_axis.h, within a file that foreach_target.h reads again
+// Include after engine/collision/many_pairs_axis.h, within a file that foreach_target.h reads again
 // and again; hence the guard that toggles.
 //
-// As engine/one_pair_contacts.h does it for one pair: the incident face, a parallelogram,
+// As engine/collision/one_pair_contacts.h does it for one pair: the incident face, a parallelogram,
 // is clipped to the reference face, a rectangle; here always along the normal of the
 // latter, and no corner less deep than a margin is left out.
 
@@ -17,9 +17,9 @@
 
 #include <hwy/highway.h>
 
-#include "engine/feature.h"
-#include "engine/many_pairs_axis.h"
-#include "engine/rounding.h"
+#include "engine/collision/feature.h"
+#include "engine/collision/many_pairs_axis.h"
+#include "engine/collision/rounding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

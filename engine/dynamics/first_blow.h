@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "engine/dynamics/body_flight.h"
-#include "engine/manifold.h"
+#include "engine/collision/manifold.h"
 
 namespace cookbook {
 

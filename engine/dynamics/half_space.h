@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/dynamics/body.h"
-#include "engine/manifold.h"
+#include "engine/collision/manifold.h"
 
 namespace cookbook {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "engine/feature.h"
-#include "engine/rounding.h"
+#include "engine/collision/feature.h"
+#include "engine/collision/rounding.h"
 
 // Vectors without a size at compile time cannot be kept in arrays; what is between the
 // baseline and AVX2 brings no more than the baseline.
@@ -21,7 +21,7 @@
 #include <hwy/highway.h>
 
 #include "engine/dynamics/face_patches.h"
-#include "engine/many_pairs_axis.h"
+#include "engine/collision/many_pairs_axis.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "engine/dynamics/rigid_body.h"
-#include "engine/manifold.h"
+#include "engine/collision/manifold.h"
 
 namespace cookbook {
 

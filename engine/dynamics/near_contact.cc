@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "engine/collide.h"
+#include "engine/collision/collide.h"
 #include "engine/dynamics/half_space.h"
 
 namespace cookbook {

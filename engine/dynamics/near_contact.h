@@ -4,7 +4,7 @@
 
 #include "engine/dynamics/near_boxes.h"
 #include "engine/dynamics/rigid_body.h"
-#include "engine/manifold.h"
+#include "engine/collision/manifold.h"
 
 namespace cookbook {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "engine/manifold.h"
+#include "engine/collision/manifold.h"
 
 namespace cookbook {
 

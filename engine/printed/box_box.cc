@@ -4,7 +4,7 @@
 
 #include "engine/printed/box_contacts.h"
 #include "engine/printed/collide.h"
-#include "engine/rounding.h"
+#include "engine/collision/rounding.h"
 
 namespace cookbook::printed {
 namespace {

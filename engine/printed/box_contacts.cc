@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/rounding.h"
+#include "engine/collision/rounding.h"
 
 namespace cookbook::printed {
 namespace {

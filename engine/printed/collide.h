@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "engine/printed/errata.h"
-#include "engine/shape.h"
+#include "engine/collision/shape.h"
 
 namespace cookbook::printed {
 

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "engine/printed/collide.h"
-#include "engine/rounding.h"
+#include "engine/collision/rounding.h"
 
 namespace cookbook::printed {
 

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "engine/printed/errata.h"
-#include "engine/shape.h"
+#include "engine/collision/shape.h"
 
 namespace cookbook::printed {
 

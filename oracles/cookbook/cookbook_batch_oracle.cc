@@ -3,8 +3,8 @@
 #include <limits>
 #include <vector>
 
-#include "engine/box_batch.h"
-#include "engine/sphere_batch.h"
+#include "engine/collision/box_batch.h"
+#include "engine/collision/sphere_batch.h"
 #include "oracles/cookbook/translate.h"
 #include "oracles/no_answer.h"
 

@@ -3,7 +3,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "engine/collide.h"
+#include "engine/collision/collide.h"
 #include "oracles/cookbook/cookbook_world.h"
 #include "oracles/cookbook/translate.h"
 

@@ -3,8 +3,8 @@
 #include <type_traits>
 #include <variant>
 
-#include "engine/manifold.h"
-#include "engine/shape.h"
+#include "engine/collision/manifold.h"
+#include "engine/collision/shape.h"
 #include "oracles/contact_answer.h"
 #include "oracles/oracle.h"
 #include "scenarios/contact_query.h"

@@ -1,6 +1,6 @@
 // Many boxes at once: the same bits as one after the other, with every vector width.
 
-#include "engine/box_batch.h"
+#include "engine/collision/box_batch.h"
 
 #include <bit>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/collide.h"
+#include "engine/collision/collide.h"
 #include "tests/engine/on_target.h"
 #include "tests/engine/random_boxes.h"
 

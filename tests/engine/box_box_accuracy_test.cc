@@ -1,5 +1,5 @@
 // The engine against 113-bit arithmetic, on families of hard cases. Every bound is the
-// one that engine/rounding.h derives; nothing here was fitted to what the engine happens
+// one that engine/collision/rounding.h derives; nothing here was fitted to what the engine happens
 // to do.
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/collide.h"
-#include "engine/rounding.h"
+#include "engine/collision/collide.h"
+#include "engine/collision/rounding.h"
 #include "tests/engine/quad_boxes.h"
 #include "tests/engine/random_boxes.h"
 

@@ -8,8 +8,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "engine/collide.h"
-#include "engine/rounding.h"
+#include "engine/collision/collide.h"
+#include "engine/collision/rounding.h"
 #include "tests/engine/random_boxes.h"
 
 namespace cookbook::test {

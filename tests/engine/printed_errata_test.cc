@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/collide.h"
+#include "engine/collision/collide.h"
 #include "engine/printed/collide.h"
-#include "engine/rounding.h"
+#include "engine/collision/rounding.h"
 #include "tests/engine/quad_boxes.h"
 #include "tests/engine/random_boxes.h"
 

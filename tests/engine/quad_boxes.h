@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "engine/shape.h"
+#include "engine/collision/shape.h"
 
 namespace cookbook::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/shape.h"
+#include "engine/collision/shape.h"
 
 namespace cookbook::test {
 

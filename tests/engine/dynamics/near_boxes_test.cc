@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/collide.h"
-#include "engine/rounding.h"
+#include "engine/collision/collide.h"
+#include "engine/collision/rounding.h"
 #include "tests/engine/on_target.h"
 #include "tests/engine/random_boxes.h"
 

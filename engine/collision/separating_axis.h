@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/rounding.h"
-#include "engine/shape.h"
+#include "engine/collision/rounding.h"
+#include "engine/collision/shape.h"
 
 namespace cookbook {
 

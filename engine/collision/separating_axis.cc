@@ -1,4 +1,4 @@
-#include "engine/separating_axis.h"
+#include "engine/collision/separating_axis.h"
 
 // Vectors of four doubles: what is wider brings nothing, what is narrower than AVX2 no
 // more than the baseline.
@@ -6,11 +6,11 @@
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/separating_axis.cc"
+#define HWY_TARGET_INCLUDE "engine/collision/separating_axis.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include "engine/simd/four_lanes.h"
-#include "engine/one_pair_axis.h"
+#include "engine/collision/one_pair_axis.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -1,13 +1,13 @@
-// FindGap() of engine/sphere_sphere.cc, operation by operation, for a vector of pairs.
+// FindGap() of engine/collision/sphere_sphere.cc, operation by operation, for a vector of pairs.
 
-#include "engine/sphere_batch.h"
+#include "engine/collision/sphere_batch.h"
 
-#include "engine/rounding.h"
+#include "engine/collision/rounding.h"
 
 // As in box_batch_kernel.cc.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/sphere_batch.cc"
+#define HWY_TARGET_INCLUDE "engine/collision/sphere_batch.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>

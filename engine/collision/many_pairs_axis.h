@@ -1,4 +1,4 @@
-// FindLeastOverlap() of engine/one_pair_axis.h, operation by operation, for a vector of
+// FindLeastOverlap() of engine/collision/one_pair_axis.h, operation by operation, for a vector of
 // pairs: same products, same sums, same order, no fused multiply-add, hence same bits.
 // Include after hwy/highway.h, within a file that foreach_target.h reads again and again;
 // hence the guard that toggles.
@@ -15,7 +15,7 @@
 
 #include <hwy/highway.h>
 
-#include "engine/rounding.h"
+#include "engine/collision/rounding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

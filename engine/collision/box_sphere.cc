@@ -1,10 +1,10 @@
-#include "engine/collide.h"
+#include "engine/collision/collide.h"
 
 // Vectors of four doubles: what is narrower than AVX2 brings no more than the baseline.
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/box_sphere.cc"
+#define HWY_TARGET_INCLUDE "engine/collision/box_sphere.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <algorithm>
@@ -14,9 +14,9 @@
 #include <cstdint>
 
 #include "engine/simd/dispatch.h"
-#include "engine/feature.h"
+#include "engine/collision/feature.h"
 #include "engine/simd/four_lanes.h"
-#include "engine/rounding.h"
+#include "engine/collision/rounding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -1,9 +1,9 @@
-#include "engine/box_batch.h"
+#include "engine/collision/box_batch.h"
 
 #include <cstdint>
 
-#include "engine/box_batch_layout.h"
-#include "engine/separating_axis.h"
+#include "engine/collision/box_batch_layout.h"
+#include "engine/collision/separating_axis.h"
 
 namespace cookbook {
 namespace {

@@ -15,7 +15,7 @@
 #include <limits>
 
 #include "engine/simd/four_lanes.h"
-#include "engine/separating_axis.h"
+#include "engine/collision/separating_axis.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

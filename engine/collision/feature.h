@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/manifold.h"
+#include "engine/collision/manifold.h"
 
 namespace cookbook {
 

@@ -31,11 +31,11 @@
 #include <cstdint>
 #include <limits>
 
-#include "engine/feature.h"
+#include "engine/collision/feature.h"
 #include "engine/simd/four_lanes.h"
-#include "engine/manifold.h"
-#include "engine/one_pair_axis.h"
-#include "engine/rounding.h"
+#include "engine/collision/manifold.h"
+#include "engine/collision/one_pair_axis.h"
+#include "engine/collision/rounding.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "engine/shape.h"
+#include "engine/collision/shape.h"
 
 namespace cookbook {
 

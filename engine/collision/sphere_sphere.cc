@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "engine/collide.h"
-#include "engine/rounding.h"
-#include "engine/sphere_batch.h"
+#include "engine/collision/collide.h"
+#include "engine/collision/rounding.h"
+#include "engine/collision/sphere_batch.h"
 
 namespace cookbook {
 

@@ -10,7 +10,7 @@ namespace cookbook {
 
 /** Which features of the two shapes make a contact: equal from step to step for as long
  as the same features meet, so that a solver can start from the impulse it found last
- time. Opaque; engine/feature.h says how it is made. */
+ time. Opaque; engine/collision/feature.h says how it is made. */
 using FeatureId = std::uint32_t;
 
 /** One contact. */
