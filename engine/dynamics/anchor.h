@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/body/rigid_body.h"
 
 namespace cookbook {
 

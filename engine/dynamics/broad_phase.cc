@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "engine/dynamics/body_flight.h"
+#include "engine/dynamics/body/free_flight.h"
 
 namespace cookbook {
 namespace {

@@ -9,7 +9,7 @@
 #include "engine/dynamics/aabb_tree.h"
 #include "engine/threads/thread_pool.h"
 #include "engine/threads/per_thread.h"
-#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/body/rigid_body.h"
 #include "engine/dynamics/rounded_box.h"
 
 namespace cookbook {

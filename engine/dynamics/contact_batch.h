@@ -7,7 +7,7 @@
 
 #include "engine/dynamics/contact_pair.h"
 #include "engine/simd/lanes.h"
-#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/body/rigid_body.h"
 
 namespace cookbook {
 

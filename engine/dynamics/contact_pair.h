@@ -6,7 +6,7 @@
 
 #include "engine/threads/prefetch.h"
 #include "engine/dynamics/near_boxes.h"
-#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/body/rigid_body.h"
 #include "engine/collision/manifold.h"
 
 namespace cookbook {

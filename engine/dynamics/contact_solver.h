@@ -10,7 +10,7 @@
 #include "engine/threads/thread_pool.h"
 #include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/patience.h"
-#include "engine/dynamics/settings.h"
+#include "engine/dynamics/body/settings.h"
 #include "engine/dynamics/standstill.h"
 
 namespace cookbook {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/dynamics/near_contact.h"
-#include "engine/dynamics/time_of_fall.h"
+#include "engine/dynamics/body/time_of_fall.h"
 
 namespace cookbook {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/dynamics/body_flight.h"
+#include "engine/dynamics/body/free_flight.h"
 #include "engine/collision/manifold.h"
 
 namespace cookbook {

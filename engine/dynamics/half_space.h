@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/dynamics/body.h"
+#include "engine/dynamics/body/body.h"
 #include "engine/collision/manifold.h"
 
 namespace cookbook {

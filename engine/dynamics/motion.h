@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/dynamics/contact_batch.h"
-#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/body/rigid_body.h"
 
 namespace cookbook {
 

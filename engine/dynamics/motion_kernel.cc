@@ -2,7 +2,7 @@
 #include <array>
 
 #include "engine/dynamics/motion.h"
-#include "engine/dynamics/rotation.h"
+#include "engine/dynamics/body/rotation.h"
 
 // Four doubles are one register from AVX2 on.
 #define HWY_DISABLED_TARGETS                                               \

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/body/rigid_body.h"
 #include "engine/collision/manifold.h"
 
 namespace cookbook {

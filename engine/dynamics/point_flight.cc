@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "engine/dynamics/time_of_fall.h"
+#include "engine/dynamics/body/time_of_fall.h"
 
 namespace cookbook {
 namespace {

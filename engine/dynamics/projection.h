@@ -4,7 +4,7 @@
 
 #include "engine/dynamics/contact_group.h"
 #include "engine/threads/thread_pool.h"
-#include "engine/dynamics/settings.h"
+#include "engine/dynamics/body/settings.h"
 
 namespace cookbook {
 

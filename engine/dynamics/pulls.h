@@ -6,7 +6,7 @@
 #include "engine/dynamics/contact_pair.h"
 #include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/distance_joint.h"
-#include "engine/dynamics/settings.h"
+#include "engine/dynamics/body/settings.h"
 #include "engine/dynamics/spring.h"
 
 namespace cookbook {

@@ -6,8 +6,8 @@
 
 #include "engine/dynamics/contact_finder.h"
 #include "engine/dynamics/disjoint_sets.h"
-#include "engine/dynamics/rigid_body.h"
-#include "engine/dynamics/settings.h"
+#include "engine/dynamics/body/rigid_body.h"
+#include "engine/dynamics/body/settings.h"
 
 namespace cookbook {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Dense>
 
-#include "engine/dynamics/rotation.h"
+#include "engine/dynamics/body/rotation.h"
 
 namespace cookbook {
 namespace {

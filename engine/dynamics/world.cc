@@ -10,7 +10,7 @@
 
 #include "engine/dynamics/motion.h"
 #include "engine/dynamics/point_flight.h"
-#include "engine/dynamics/rotation.h"
+#include "engine/dynamics/body/rotation.h"
 
 namespace cookbook {
 namespace {

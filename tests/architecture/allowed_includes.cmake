@@ -13,6 +13,7 @@ set(own_rules
   "engine/simd/ => engine/simd/"
   "engine/threads/ => engine/threads/"
   "engine/collision/ => engine/(simd|collision)/"
+  "engine/dynamics/body/ => engine/(collision|dynamics/body)/"
   "engine/ => engine/(simd|threads|collision|dynamics)/|engine/(dynamics/)?[a-z_]+[.]h"
   "scenarios/ => scenarios/"
   # Only the cookbook adapter sees the engine: no oracle is right because it ran

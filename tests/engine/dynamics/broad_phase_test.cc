@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "engine/dynamics/body_flight.h"
+#include "engine/dynamics/body/free_flight.h"
 #include "engine/dynamics/contact_finder.h"
 #include "engine/dynamics/near_contact.h"
 

@@ -1,9 +1,9 @@
-#include "engine/dynamics/body_flight.h"
+#include "engine/dynamics/body/free_flight.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/rotation.h"
+#include "engine/dynamics/body/rotation.h"
 
 namespace cookbook {
 

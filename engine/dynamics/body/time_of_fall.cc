@@ -1,4 +1,4 @@
-#include "engine/dynamics/time_of_fall.h"
+#include "engine/dynamics/body/time_of_fall.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "engine/dynamics/rotation.h"
+#include "engine/dynamics/body/rotation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "engine/dynamics/rigid_body.h"
+#include "engine/dynamics/body/rigid_body.h"
 
 #include <limits>
 
-#include "engine/dynamics/rotation.h"
+#include "engine/dynamics/body/rotation.h"
 
 namespace cookbook {
 namespace {

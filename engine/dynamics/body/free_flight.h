@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/dynamics/rigid_body.h"
-#include "engine/dynamics/settings.h"
+#include "engine/dynamics/body/rigid_body.h"
+#include "engine/dynamics/body/settings.h"
 
 namespace cookbook {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/dynamics/body.h"
+#include "engine/dynamics/body/body.h"
 
 namespace cookbook {
 

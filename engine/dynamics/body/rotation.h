@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "engine/dynamics/settings.h"
+#include "engine/dynamics/body/settings.h"
 
 namespace cookbook {
 

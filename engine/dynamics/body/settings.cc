@@ -1,4 +1,4 @@
-#include "engine/dynamics/settings.h"
+#include "engine/dynamics/body/settings.h"
 
 #include <cmath>
 #include <sstream>

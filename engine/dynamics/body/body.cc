@@ -1,4 +1,4 @@
-#include "engine/dynamics/body.h"
+#include "engine/dynamics/body/body.h"
 
 #include <cmath>
 #include <sstream>
