@@ -14,6 +14,7 @@ set(own_rules
   "engine/threads/ => engine/threads/"
   "engine/collision/ => engine/(simd|collision)/"
   "engine/dynamics/body/ => engine/(collision|dynamics/body)/"
+  "engine/dynamics/broad_phase/ => engine/(simd|threads|dynamics/(body|broad_phase))/"
   "engine/ => engine/(simd|threads|collision|dynamics)/|engine/(dynamics/)?[a-z_]+[.]h"
   "scenarios/ => scenarios/"
   # Only the cookbook adapter sees the engine: no oracle is right because it ran

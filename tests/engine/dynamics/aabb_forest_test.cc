@@ -1,4 +1,4 @@
-#include "engine/dynamics/aabb_forest.h"
+#include "engine/dynamics/broad_phase/aabb_trees_by_size.h"
 
 #include <algorithm>
 #include <cmath>

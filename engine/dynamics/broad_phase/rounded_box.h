@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/dynamics/aabb.h"
+#include "engine/dynamics/broad_phase/aabb.h"
 
 namespace cookbook {
 

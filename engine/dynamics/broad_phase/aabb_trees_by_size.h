@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/aabb.h"
-#include "engine/dynamics/aabb_tree.h"
+#include "engine/dynamics/broad_phase/aabb.h"
+#include "engine/dynamics/broad_phase/aabb_tree.h"
 
 namespace cookbook {
 

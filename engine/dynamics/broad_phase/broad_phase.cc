@@ -1,4 +1,4 @@
-#include "engine/dynamics/broad_phase.h"
+#include "engine/dynamics/broad_phase/broad_phase.h"
 
 #include <algorithm>
 #include <limits>

@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/aabb.h"
-#include "engine/dynamics/aabb_forest.h"
-#include "engine/dynamics/aabb_tree.h"
+#include "engine/dynamics/broad_phase/aabb.h"
+#include "engine/dynamics/broad_phase/aabb_trees_by_size.h"
+#include "engine/dynamics/broad_phase/aabb_tree.h"
 #include "engine/threads/thread_pool.h"
 #include "engine/threads/per_thread.h"
 #include "engine/dynamics/body/rigid_body.h"
-#include "engine/dynamics/rounded_box.h"
+#include "engine/dynamics/broad_phase/rounded_box.h"
 
 namespace cookbook {
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/dynamics/aabb.h"
+#include "engine/dynamics/broad_phase/aabb.h"
 
 namespace cookbook {
 

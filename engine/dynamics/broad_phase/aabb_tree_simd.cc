@@ -1,14 +1,14 @@
 #include <bit>
 #include <cstdint>
 
-#include "engine/dynamics/aabb_tree.h"
+#include "engine/dynamics/broad_phase/aabb_tree.h"
 
 // Sixteen doubles are two registers of AVX-512, four of AVX2.
 #define HWY_DISABLED_TARGETS                                               \
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/dynamics/aabb_tree_kernel.cc"
+#define HWY_TARGET_INCLUDE "engine/dynamics/broad_phase/aabb_tree_simd.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>

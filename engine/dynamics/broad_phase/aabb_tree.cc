@@ -1,4 +1,4 @@
-#include "engine/dynamics/aabb_tree.h"
+#include "engine/dynamics/broad_phase/aabb_tree.h"
 
 #include <algorithm>
 #include <cmath>
