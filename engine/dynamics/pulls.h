@@ -5,9 +5,9 @@
 
 #include "engine/dynamics/contact_pair.h"
 #include "engine/dynamics/disjoint_sets.h"
-#include "engine/dynamics/distance_joint.h"
+#include "engine/dynamics/joints/distance_joint.h"
 #include "engine/dynamics/body/settings.h"
-#include "engine/dynamics/spring.h"
+#include "engine/dynamics/joints/spring.h"
 
 namespace cookbook {
 

@@ -9,12 +9,12 @@
 #include "engine/dynamics/contact_finder.h"
 #include "engine/dynamics/contact_solver.h"
 #include "engine/threads/thread_pool.h"
-#include "engine/dynamics/distance_joint.h"
+#include "engine/dynamics/joints/distance_joint.h"
 #include "engine/dynamics/patience.h"
 #include "engine/dynamics/pulls.h"
 #include "engine/dynamics/body/settings.h"
 #include "engine/dynamics/sleep.h"
-#include "engine/dynamics/spring.h"
+#include "engine/dynamics/joints/spring.h"
 
 namespace cookbook {
 

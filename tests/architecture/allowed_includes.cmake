@@ -15,6 +15,7 @@ set(own_rules
   "engine/collision/ => engine/(simd|collision)/"
   "engine/dynamics/body/ => engine/(collision|dynamics/body)/"
   "engine/dynamics/broad_phase/ => engine/(simd|threads|dynamics/(body|broad_phase))/"
+  "engine/dynamics/joints/ => engine/dynamics/(body|joints)/"
   "engine/ => engine/(simd|threads|collision|dynamics)/|engine/(dynamics/)?[a-z_]+[.]h"
   "scenarios/ => scenarios/"
   # Only the cookbook adapter sees the engine: no oracle is right because it ran

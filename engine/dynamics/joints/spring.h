@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/anchor.h"
+#include "engine/dynamics/joints/anchor.h"
 
 namespace cookbook {
 

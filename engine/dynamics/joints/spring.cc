@@ -1,4 +1,4 @@
-#include "engine/dynamics/spring.h"
+#include "engine/dynamics/joints/spring.h"
 
 #include <algorithm>
 #include <cmath>

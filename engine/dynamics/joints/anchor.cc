@@ -1,4 +1,4 @@
-#include "engine/dynamics/anchor.h"
+#include "engine/dynamics/joints/anchor.h"
 
 namespace cookbook {
 namespace {
