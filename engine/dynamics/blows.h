@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/dynamics/blow.h"
-#include "engine/dynamics/contact_finder.h"
+#include "engine/dynamics/contacts/contact_cache.h"
 #include "engine/threads/thread_pool.h"
 #include "engine/dynamics/disjoint_sets.h"
 #include "engine/threads/per_thread.h"

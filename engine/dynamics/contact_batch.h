@@ -5,7 +5,7 @@
 #include <span>
 #include <type_traits>
 
-#include "engine/dynamics/contact_pair.h"
+#include "engine/dynamics/contacts/contact_pair.h"
 #include "engine/simd/lanes.h"
 #include "engine/dynamics/body/rigid_body.h"
 

@@ -6,7 +6,7 @@
 
 #include "engine/dynamics/contact_batch.h"
 #include "engine/dynamics/contact_group.h"
-#include "engine/dynamics/contact_pair.h"
+#include "engine/dynamics/contacts/contact_pair.h"
 #include "engine/threads/thread_pool.h"
 #include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/patience.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/near_contact.h"
+#include "engine/dynamics/contacts/collide_bodies.h"
 #include "engine/dynamics/body/time_of_fall.h"
 
 namespace cookbook {

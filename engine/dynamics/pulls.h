@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/contact_pair.h"
+#include "engine/dynamics/contacts/contact_pair.h"
 #include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/joints/distance_joint.h"
 #include "engine/dynamics/body/settings.h"

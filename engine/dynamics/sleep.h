@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/dynamics/contact_finder.h"
+#include "engine/dynamics/contacts/contact_cache.h"
 #include "engine/dynamics/disjoint_sets.h"
 #include "engine/dynamics/body/rigid_body.h"
 #include "engine/dynamics/body/settings.h"

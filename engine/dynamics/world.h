@@ -6,7 +6,7 @@
 
 #include "engine/dynamics/blows.h"
 #include "engine/dynamics/body/body.h"
-#include "engine/dynamics/contact_finder.h"
+#include "engine/dynamics/contacts/contact_cache.h"
 #include "engine/dynamics/contact_solver.h"
 #include "engine/threads/thread_pool.h"
 #include "engine/dynamics/joints/distance_joint.h"

@@ -12,8 +12,8 @@
 #include <rapidcheck/gtest.h>
 
 #include "engine/dynamics/body/free_flight.h"
-#include "engine/dynamics/contact_finder.h"
-#include "engine/dynamics/near_contact.h"
+#include "engine/dynamics/contacts/contact_cache.h"
+#include "engine/dynamics/contacts/collide_bodies.h"
 
 namespace cookbook {
 namespace {

@@ -1,6 +1,6 @@
 // Boxes that come near each other, many pairs at once.
 
-#include "engine/dynamics/near_boxes.h"
+#include "engine/dynamics/contacts/collide_boxes_simd.h"
 
 #include <array>
 #include <bit>

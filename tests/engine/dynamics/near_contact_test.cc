@@ -1,4 +1,4 @@
-#include "engine/dynamics/near_contact.h"
+#include "engine/dynamics/contacts/collide_bodies.h"
 
 #include <gtest/gtest.h>
 

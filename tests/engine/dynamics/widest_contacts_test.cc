@@ -1,4 +1,4 @@
-#include "engine/dynamics/widest_contacts.h"
+#include "engine/dynamics/contacts/reduce_manifold.h"
 
 #include <algorithm>
 #include <cmath>

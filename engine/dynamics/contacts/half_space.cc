@@ -1,4 +1,4 @@
-#include "engine/dynamics/half_space.h"
+#include "engine/dynamics/contacts/half_space.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "engine/dynamics/contact_finder.h"
+#include "engine/dynamics/contacts/contact_cache.h"
 
 #include <algorithm>
 #include <array>

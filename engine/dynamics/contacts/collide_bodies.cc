@@ -1,11 +1,11 @@
-#include "engine/dynamics/near_contact.h"
+#include "engine/dynamics/contacts/collide_bodies.h"
 
 #include <array>
 #include <cstddef>
 #include <type_traits>
 
 #include "engine/collision/collide.h"
-#include "engine/dynamics/half_space.h"
+#include "engine/dynamics/contacts/half_space.h"
 
 namespace cookbook {
 namespace {

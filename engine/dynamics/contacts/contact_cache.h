@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/broad_phase/broad_phase.h"
-#include "engine/dynamics/contact_pair.h"
+#include "engine/dynamics/contacts/contact_pair.h"
 #include "engine/threads/thread_pool.h"
 #include "engine/threads/per_thread.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "engine/threads/prefetch.h"
-#include "engine/dynamics/near_boxes.h"
+#include "engine/dynamics/contacts/collide_boxes_simd.h"
 #include "engine/dynamics/body/rigid_body.h"
 #include "engine/collision/manifold.h"
 

@@ -1,4 +1,4 @@
-#include "engine/dynamics/near_boxes.h"
+#include "engine/dynamics/contacts/collide_boxes_simd.h"
 
 #include <algorithm>
 #include <array>
@@ -15,12 +15,12 @@
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/dynamics/near_boxes.cc"
+#define HWY_TARGET_INCLUDE "engine/dynamics/contacts/collide_boxes_simd.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "engine/dynamics/face_patches.h"
+#include "engine/dynamics/contacts/clip_faces_simd.h"
 #include "engine/collision/many_pairs_axis.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,9 +1,9 @@
-#include "engine/dynamics/contact_pair.h"
+#include "engine/dynamics/contacts/contact_pair.h"
 
 #include <algorithm>
 
-#include "engine/dynamics/near_contact.h"
-#include "engine/dynamics/widest_contacts.h"
+#include "engine/dynamics/contacts/collide_bodies.h"
+#include "engine/dynamics/contacts/reduce_manifold.h"
 
 namespace cookbook {
 namespace {
