@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/solver/contact_solver.h"
 #include "engine/threads/thread_pool.h"
 
 namespace cookbook {

@@ -8,7 +8,7 @@
 #include "engine/dynamics/blow.h"
 #include "engine/dynamics/contacts/contact_cache.h"
 #include "engine/threads/thread_pool.h"
-#include "engine/dynamics/disjoint_sets.h"
+#include "engine/dynamics/solver/union_find.h"
 #include "engine/threads/per_thread.h"
 #include "engine/dynamics/first_blow.h"
 #include "engine/dynamics/meetings.h"

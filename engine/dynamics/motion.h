@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/dynamics/body/rigid_body.h"
 
 namespace cookbook {

@@ -14,7 +14,7 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "engine/dynamics/bodies_in_lanes.h"
+#include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/dynamics/contacts/contact_pair.h"
-#include "engine/dynamics/disjoint_sets.h"
+#include "engine/dynamics/solver/union_find.h"
 #include "engine/dynamics/joints/distance_joint.h"
 #include "engine/dynamics/body/settings.h"
 #include "engine/dynamics/joints/spring.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/contacts/contact_cache.h"
-#include "engine/dynamics/disjoint_sets.h"
+#include "engine/dynamics/solver/union_find.h"
 #include "engine/dynamics/body/rigid_body.h"
 #include "engine/dynamics/body/settings.h"
 

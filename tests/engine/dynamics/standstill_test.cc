@@ -1,6 +1,6 @@
 // Heaps that come to rest at once, where each body stands on one other.
 
-#include "engine/dynamics/standstill.h"
+#include "engine/dynamics/solver/static_equilibrium.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/contact_group.h"
+#include "engine/dynamics/solver/constraint_group.h"
 #include "engine/dynamics/world.h"
 
 namespace cookbook {

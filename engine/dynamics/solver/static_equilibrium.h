@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/solver/contact_constraint.h"
 
 namespace cookbook {
 

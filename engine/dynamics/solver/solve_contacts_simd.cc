@@ -2,19 +2,19 @@
 #include <limits>
 #include <span>
 
-#include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/solver/contact_constraint.h"
 
 // Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
 #define HWY_DISABLED_TARGETS                                               \
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/dynamics/sweep_kernel.cc"
+#define HWY_TARGET_INCLUDE "engine/dynamics/solver/solve_contacts_simd.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "engine/dynamics/bodies_in_lanes.h"
+#include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -1,4 +1,4 @@
-#include "engine/dynamics/contact_solver.h"
+#include "engine/dynamics/solver/contact_solver.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "engine/dynamics/projection.h"
+#include "engine/dynamics/solver/position_correction.h"
 
 namespace cookbook {
 namespace {

@@ -2,7 +2,7 @@
 #include <limits>
 #include <span>
 
-#include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/threads/prefetch.h"
 
 // Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
@@ -10,12 +10,12 @@
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/dynamics/preparation_kernel.cc"
+#define HWY_TARGET_INCLUDE "engine/dynamics/solver/prepare_contacts_simd.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "engine/dynamics/bodies_in_lanes.h"
+#include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/simd/lanes.h"
 
 namespace cookbook {

@@ -15,7 +15,7 @@
 #include <cstring>
 #include <type_traits>
 
-#include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/simd/four_lanes.h"
 #include "engine/simd/sixteen_lanes.h"
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "engine/dynamics/contact_group.h"
+#include "engine/dynamics/solver/constraint_group.h"
 #include "engine/threads/thread_pool.h"
 #include "engine/dynamics/body/settings.h"
 

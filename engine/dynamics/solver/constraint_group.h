@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/contact_batch.h"
+#include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/threads/thread_pool.h"
-#include "engine/dynamics/overlap_batch.h"
+#include "engine/dynamics/solver/position_constraint.h"
 
 namespace cookbook {
 

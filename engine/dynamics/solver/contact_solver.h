@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/contact_batch.h"
-#include "engine/dynamics/contact_group.h"
+#include "engine/dynamics/solver/contact_constraint.h"
+#include "engine/dynamics/solver/constraint_group.h"
 #include "engine/dynamics/contacts/contact_pair.h"
 #include "engine/threads/thread_pool.h"
-#include "engine/dynamics/disjoint_sets.h"
-#include "engine/dynamics/patience.h"
+#include "engine/dynamics/solver/union_find.h"
+#include "engine/dynamics/solver/iteration_budget.h"
 #include "engine/dynamics/body/settings.h"
-#include "engine/dynamics/standstill.h"
+#include "engine/dynamics/solver/static_equilibrium.h"
 
 namespace cookbook {
 

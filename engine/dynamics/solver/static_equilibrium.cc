@@ -1,4 +1,4 @@
-#include "engine/dynamics/standstill.h"
+#include "engine/dynamics/solver/static_equilibrium.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/dynamics/contact_group.h"
+#include "engine/dynamics/solver/constraint_group.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "engine/dynamics/projection.h"
+#include "engine/dynamics/solver/position_correction.h"
 
 #include <algorithm>
 
