@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/blows.h"
+#include "engine/dynamics/impacts/impacts_in_step.h"
 #include "engine/dynamics/body/body.h"
 #include "engine/dynamics/contacts/contact_cache.h"
 #include "engine/dynamics/solver/contact_solver.h"

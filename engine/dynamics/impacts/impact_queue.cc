@@ -1,4 +1,4 @@
-#include "engine/dynamics/meetings.h"
+#include "engine/dynamics/impacts/impact_queue.h"
 
 #include <algorithm>
 #include <functional>

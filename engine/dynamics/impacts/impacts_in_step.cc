@@ -1,4 +1,4 @@
-#include "engine/dynamics/blows.h"
+#include "engine/dynamics/impacts/impacts_in_step.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "engine/dynamics/first_blow.h"
+#include "engine/dynamics/impacts/time_of_impact.h"
 
 #include <algorithm>
 #include <cmath>

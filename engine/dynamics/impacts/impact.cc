@@ -1,4 +1,4 @@
-#include "engine/dynamics/blow.h"
+#include "engine/dynamics/impacts/impact.h"
 
 #include <algorithm>
 

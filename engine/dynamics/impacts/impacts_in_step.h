@@ -5,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/dynamics/blow.h"
+#include "engine/dynamics/impacts/impact.h"
 #include "engine/dynamics/contacts/contact_cache.h"
 #include "engine/threads/thread_pool.h"
 #include "engine/dynamics/solver/union_find.h"
 #include "engine/threads/per_thread.h"
-#include "engine/dynamics/first_blow.h"
-#include "engine/dynamics/meetings.h"
+#include "engine/dynamics/impacts/time_of_impact.h"
+#include "engine/dynamics/impacts/impact_queue.h"
 
 namespace cookbook {
 
