@@ -2,8 +2,8 @@
 
 #include <type_traits>
 
-#include "engine/dynamics/cloth.h"
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/cloth.h"
+#include "engine/dynamics/world/world.h"
 #include "oracles/cookbook/translate.h"
 
 namespace touchstone {

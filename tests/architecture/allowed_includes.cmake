@@ -19,6 +19,7 @@ set(own_rules
   "engine/dynamics/contacts/ => engine/(simd|threads|collision|dynamics/(body|broad_phase|contacts))/"
   "engine/dynamics/solver/ => engine/(simd|threads|dynamics/(body|contacts|solver))/"
   "engine/dynamics/impacts/ => engine/(threads|collision|dynamics/(body|contacts|solver|impacts))/"
+  "engine/dynamics/world/ => engine/(simd|threads|dynamics)/"
   "engine/ => engine/(simd|threads|collision|dynamics)/|engine/(dynamics/)?[a-z_]+[.]h"
   "scenarios/ => scenarios/"
   # Only the cookbook adapter sees the engine: no oracle is right because it ran

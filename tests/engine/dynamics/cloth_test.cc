@@ -1,4 +1,4 @@
-#include "engine/dynamics/cloth.h"
+#include "engine/dynamics/world/cloth.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/world.h"
 
 namespace cookbook {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/world.h"
 
 namespace cookbook {
 namespace {

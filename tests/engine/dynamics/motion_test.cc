@@ -1,11 +1,11 @@
-#include "engine/dynamics/motion.h"
+#include "engine/dynamics/world/integrate.h"
 
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/world.h"
 
 namespace cookbook {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/cloth.h"
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/cloth.h"
+#include "engine/dynamics/world/world.h"
 #include "tests/engine/on_target.h"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/world.h"
 
 namespace cookbook {
 namespace {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/dynamics/solver/constraint_group.h"
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/world.h"
 
 namespace cookbook {
 namespace {

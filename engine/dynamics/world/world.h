@@ -11,9 +11,9 @@
 #include "engine/threads/thread_pool.h"
 #include "engine/dynamics/joints/distance_joint.h"
 #include "engine/dynamics/solver/iteration_budget.h"
-#include "engine/dynamics/pulls.h"
+#include "engine/dynamics/world/external_loads.h"
 #include "engine/dynamics/body/settings.h"
-#include "engine/dynamics/sleep.h"
+#include "engine/dynamics/world/sleep.h"
 #include "engine/dynamics/joints/spring.h"
 
 namespace cookbook {

@@ -1,4 +1,4 @@
-#include "engine/dynamics/pulls.h"
+#include "engine/dynamics/world/external_loads.h"
 
 #include <algorithm>
 

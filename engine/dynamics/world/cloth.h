@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/world.h"
 
 namespace cookbook {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/dynamics/motion.h"
+#include "engine/dynamics/world/integrate.h"
 #include "engine/dynamics/body/rotation.h"
 
 // Four doubles are one register from AVX2 on.
@@ -9,7 +9,7 @@
   (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
    HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/dynamics/motion_kernel.cc"
+#define HWY_TARGET_INCLUDE "engine/dynamics/world/integrate_simd.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
 #include <hwy/highway.h>

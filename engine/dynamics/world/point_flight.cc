@@ -1,4 +1,4 @@
-#include "engine/dynamics/point_flight.h"
+#include "engine/dynamics/world/point_flight.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/dynamics/sleep.h"
+#include "engine/dynamics/world/sleep.h"
 
 #include <algorithm>
 #include <limits>

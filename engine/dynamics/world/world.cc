@@ -1,4 +1,4 @@
-#include "engine/dynamics/world.h"
+#include "engine/dynamics/world/world.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/dynamics/motion.h"
-#include "engine/dynamics/point_flight.h"
+#include "engine/dynamics/world/integrate.h"
+#include "engine/dynamics/world/point_flight.h"
 #include "engine/dynamics/body/rotation.h"
 
 namespace cookbook {
