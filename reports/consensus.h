@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 #include "reports/run.h"
 
 namespace touchstone {

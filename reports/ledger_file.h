@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/ledger.h"
+#include "reports/finding/ledger.h"
 #include "reports/run.h"
 #include "scenarios/diagnostic.h"
 

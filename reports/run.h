@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "oracles/oracle.h"
-#include "reports/finding.h"
-#include "reports/ledger.h"
+#include "reports/finding/finding.h"
+#include "reports/finding/ledger.h"
 #include "reports/referee/contact_truth.h"
 #include "reports/worlds/run_worlds.h"
 #include "scenarios/scenario.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "oracles/oracle.h"
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 #include "reports/referee/contact_truth.h"
 #include "scenarios/scenario.h"
 

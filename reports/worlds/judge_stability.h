@@ -3,7 +3,7 @@
 #include <span>
 
 #include "oracles/trajectory.h"
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 #include "reports/worlds/study.h"
 
 namespace touchstone {

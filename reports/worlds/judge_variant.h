@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "oracles/trajectory.h"
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 #include "reports/worlds/rounding_growth.h"
 #include "reports/worlds/study.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "oracles/oracle.h"
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 #include "reports/worlds/law.h"
 #include "reports/worlds/study.h"
 

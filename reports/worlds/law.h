@@ -7,7 +7,7 @@
 
 #include "oracles/oracle.h"
 #include "oracles/trajectory.h"
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 #include "reports/tolerance.h"
 #include "scenarios/validate.h"
 #include "scenarios/worlds/world_scenario.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "oracles/oracle.h"
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 #include "reports/worlds/ensemble_statistics.h"
 #include "scenarios/worlds/world_scenario.h"
 

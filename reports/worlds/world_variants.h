@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "oracles/trajectory.h"
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {

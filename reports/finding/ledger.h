@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 
 namespace touchstone {
 

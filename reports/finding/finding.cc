@@ -1,4 +1,4 @@
-#include "reports/finding.h"
+#include "reports/finding/finding.h"
 
 #include <algorithm>
 #include <array>
