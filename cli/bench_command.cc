@@ -12,7 +12,7 @@
 
 #include "cli/median.h"
 #include "cli/sweep_command.h"
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/referee/referee.h"
 #include "reports/writers/describe.h"
 #include "scenarios/generators/generate.h"

@@ -10,7 +10,7 @@
 
 #include "cli/did_you_mean.h"
 #include "cli/input_error.h"
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 
 namespace touchstone {
 namespace {

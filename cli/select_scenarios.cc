@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/input_error.h"
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/glob.h"
 #include "reports/worlds/check_claims.h"
 #include "scenarios/scenario_file.h"

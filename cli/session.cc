@@ -8,7 +8,7 @@
 
 #include "cli/input_error.h"
 #include "cli/progress_bar.h"
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/ledger_file.h"
 
 namespace touchstone {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"

@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/measures/overlap_along.h"
 #include "reports/referee/referee.h"
-#include "reports/told_apart.h"
+#include "reports/text/told_apart.h"
 
 namespace touchstone {
 namespace {

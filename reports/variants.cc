@@ -16,7 +16,7 @@
 #include "reports/measures/overlap_along.h"
 #include "reports/measures/stated.h"
 #include "reports/proof.h"
-#include "reports/told_apart.h"
+#include "reports/text/told_apart.h"
 #include "reports/tolerance.h"
 #include "scenarios/cube_rotations.h"
 #include "scenarios/transformations.h"

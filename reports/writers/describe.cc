@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/proof.h"
 
 namespace touchstone {

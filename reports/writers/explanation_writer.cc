@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/proof.h"
 #include "reports/worlds/run_worlds.h"
 #include "reports/writers/describe.h"

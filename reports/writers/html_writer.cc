@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/proof.h"
 #include "reports/worlds/judge_world.h"
 #include "reports/writers/describe.h"

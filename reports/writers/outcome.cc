@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/told_apart.h"
+#include "reports/text/told_apart.h"
 
 namespace touchstone {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/writers/outcome.h"
 
 namespace touchstone {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 #include "reports/worlds/world_size.h"
 
 namespace touchstone {

@@ -1,4 +1,4 @@
-#include "reports/told_apart.h"
+#include "reports/text/told_apart.h"
 
 #include <limits>
 

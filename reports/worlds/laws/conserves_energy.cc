@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/told_apart.h"
+#include "reports/text/told_apart.h"
 #include "reports/worlds/laws/energy_bound.h"
 #include "reports/worlds/laws/numbers.h"
 #include "reports/worlds/laws/subjects.h"

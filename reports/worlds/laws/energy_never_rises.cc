@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/told_apart.h"
+#include "reports/text/told_apart.h"
 #include "reports/worlds/laws/conserves_energy.h"
 #include "reports/worlds/laws/energy_bound.h"
 #include "reports/worlds/laws/numbers.h"

@@ -1,4 +1,4 @@
-#include "reports/counted.h"
+#include "reports/text/counted.h"
 
 #include <fmt/format.h>
 
