@@ -11,7 +11,7 @@
 #include "reports/explain.h"
 #include "reports/judge.h"
 #include "reports/measures/invalidity.h"
-#include "reports/parallel.h"
+#include "reports/threads/parallel_for.h"
 #include "reports/referee/referee.h"
 #include "reports/tolerance.h"
 #include "reports/variants.h"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/parallel.h"
+#include "reports/threads/parallel_for.h"
 #include "reports/worlds/judge_stability.h"
 #include "reports/worlds/judge_variant.h"
 #include "reports/worlds/judge_world.h"

@@ -1,4 +1,4 @@
-#include "reports/parallel.h"
+#include "reports/threads/parallel_for.h"
 
 #include <algorithm>
 #include <atomic>
