@@ -12,9 +12,9 @@
 #include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"
-#include "reports/proof.h"
+#include "reports/contacts/proof.h"
 #include "reports/referee/referee.h"
-#include "reports/tolerance.h"
+#include "reports/contacts/tolerances.h"
 
 namespace touchstone {
 namespace {

@@ -5,16 +5,16 @@
 #include <mutex>
 
 #include "reports/apply_ledger.h"
-#include "reports/causes/precision.h"
+#include "reports/contacts/causes/precision.h"
 #include "reports/check_catalogue.h"
-#include "reports/consensus.h"
-#include "reports/explain.h"
-#include "reports/judge.h"
+#include "reports/contacts/consensus.h"
+#include "reports/contacts/explain.h"
+#include "reports/contacts/judge_answer.h"
 #include "reports/measures/invalidity.h"
 #include "reports/threads/parallel_for.h"
 #include "reports/referee/referee.h"
-#include "reports/tolerance.h"
-#include "reports/variants.h"
+#include "reports/contacts/tolerances.h"
+#include "reports/contacts/judge_variant.h"
 #include "reports/worlds/check_claims.h"
 
 namespace touchstone {

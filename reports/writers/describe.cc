@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/counted.h"
-#include "reports/proof.h"
+#include "reports/contacts/proof.h"
 
 namespace touchstone {
 namespace {

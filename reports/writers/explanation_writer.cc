@@ -14,7 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "reports/text/counted.h"
-#include "reports/proof.h"
+#include "reports/contacts/proof.h"
 #include "reports/worlds/run_worlds.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"

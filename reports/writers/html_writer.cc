@@ -11,7 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "reports/text/counted.h"
-#include "reports/proof.h"
+#include "reports/contacts/proof.h"
 #include "reports/worlds/judge_world.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"

@@ -6,7 +6,7 @@
 
 #include "oracles/cookbook/cookbook_oracle.h"
 #include "oracles/cookbook/printed_oracle.h"
-#include "reports/judge.h"
+#include "reports/contacts/judge_answer.h"
 #include "reports/referee/referee.h"
 #include "tests/catalogue/the_catalogue.h"
 

@@ -12,7 +12,7 @@
 
 #include <Eigen/Core>
 
-#include "reports/tolerance.h"
+#include "reports/contacts/tolerances.h"
 #include "tests/oracles/constructed_contact.h"
 #include "tests/oracles/surface.h"
 

@@ -14,7 +14,7 @@ using Breaches = std::vector<std::string>;
  kinds `a` and `b`, 2 mm deep in each other or 2 mm apart with faces and flanks a hundred
  times as wide, where there is one right answer and no engine documents another.
 
- Allowed is the rounding of the engine (reports/tolerance.h) and the error it documents; a
+ Allowed is the rounding of the engine (reports/contacts/tolerances.h) and the error it documents; a
  normal may tilt as far as that error can tilt it. */
 
 /** Touching, separation and normal are those of the construction, in either order of the

@@ -1,4 +1,4 @@
-#include "reports/consensus.h"
+#include "reports/contacts/consensus.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "reports/judge.h"
+#include "reports/contacts/judge_answer.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "reports/variants.h"
+#include "reports/contacts/judge_variant.h"
 
 #include <cmath>
 #include <functional>

@@ -5,11 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/causes/convention.h"
-#include "reports/causes/margin.h"
-#include "reports/causes/precision.h"
-#include "reports/causes/tie.h"
-#include "reports/judge.h"
+#include "reports/contacts/causes/convention.h"
+#include "reports/contacts/causes/margin.h"
+#include "reports/contacts/causes/precision.h"
+#include "reports/contacts/causes/tie.h"
+#include "reports/contacts/judge_answer.h"
 #include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/specimens.h"

@@ -14,7 +14,7 @@ namespace touchstone {
 
  A verdict is `pass`, `fail` with a proof, or `undecidable` where the truth itself is.
  What is outside the enclosure of the truth by more than the derived tolerance is proved
- wrong; nothing inside it is, see reports/consensus.h. Nor is anything inside an enclosure
+ wrong; nothing inside it is, see reports/contacts/consensus.h. Nor is anything inside an enclosure
  wider than the tolerance right, but what the whole of the enclosure is near. An answer
  that is invalid is judged no further. */
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,

@@ -1,4 +1,4 @@
-#include "reports/causes/margin.h"
+#include "reports/contacts/causes/margin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "reports/causes/tie.h"
+#include "reports/contacts/causes/tie.h"
 
 #include <fmt/format.h>
 
 #include "reports/measures/mixed_normals.h"
-#include "reports/proof.h"
+#include "reports/contacts/proof.h"
 
 namespace touchstone {
 

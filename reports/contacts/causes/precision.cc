@@ -1,4 +1,4 @@
-#include "reports/causes/precision.h"
+#include "reports/contacts/causes/precision.h"
 
 #include <algorithm>
 #include <cmath>

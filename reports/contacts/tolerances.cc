@@ -1,4 +1,4 @@
-#include "reports/tolerance.h"
+#include "reports/contacts/tolerances.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "reports/explain.h"
+#include "reports/contacts/explain.h"
 
 #include <algorithm>
 #include <map>
@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
-#include "reports/causes/convention.h"
-#include "reports/causes/margin.h"
-#include "reports/causes/precision.h"
-#include "reports/causes/tie.h"
+#include "reports/contacts/causes/convention.h"
+#include "reports/contacts/causes/margin.h"
+#include "reports/contacts/causes/precision.h"
+#include "reports/contacts/causes/tie.h"
 #include "reports/measures/stated.h"
-#include "reports/tolerance.h"
+#include "reports/contacts/tolerances.h"
 
 namespace touchstone {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/variants.h"
+#include "reports/contacts/judge_variant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +15,9 @@
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"
 #include "reports/measures/stated.h"
-#include "reports/proof.h"
+#include "reports/contacts/proof.h"
 #include "reports/text/told_apart.h"
-#include "reports/tolerance.h"
+#include "reports/contacts/tolerances.h"
 #include "scenarios/cube_rotations.h"
 #include "scenarios/transformations.h"
 

@@ -1,4 +1,4 @@
-#include "reports/consensus.h"
+#include "reports/contacts/consensus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "reports/measures/stated.h"
-#include "reports/tolerance.h"
+#include "reports/contacts/tolerances.h"
 
 namespace touchstone {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/proof.h"
+#include "reports/contacts/proof.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "reports/judge.h"
+#include "reports/contacts/judge_answer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@
 #include "reports/measures/separation_error.h"
 #include "reports/measures/stated.h"
 #include "reports/measures/touching.h"
-#include "reports/proof.h"
+#include "reports/contacts/proof.h"
 #include "reports/referee/referee.h"
-#include "reports/tolerance.h"
+#include "reports/contacts/tolerances.h"
 
 namespace touchstone {
 namespace {

@@ -1,14 +1,14 @@
-#include "reports/causes/convention.h"
+#include "reports/contacts/causes/convention.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/judge.h"
+#include "reports/contacts/judge_answer.h"
 #include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/separation_error.h"
 #include "reports/measures/stated.h"
-#include "reports/tolerance.h"
+#include "reports/contacts/tolerances.h"
 
 namespace touchstone {
 namespace {
