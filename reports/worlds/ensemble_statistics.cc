@@ -7,7 +7,7 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include "reports/worlds/judge_world.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/starting_state.h"
 #include "reports/worlds/trajectory_difference.h"
 #include "reports/worlds/world_size.h"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/words.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/world_size.h"
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/falls.h"
-#include "reports/worlds/laws/landing.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/falls.h"
+#include "reports/worlds/law_support/landing.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {

@@ -8,10 +8,10 @@
 #include <fmt/format.h>
 
 #include "reports/text/told_apart.h"
-#include "reports/worlds/laws/energy_bound.h"
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/energy_bound.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {

@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/landing.h"
-#include "reports/worlds/laws/scheme_drift.h"
-#include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/words.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/landing.h"
+#include "reports/worlds/law_support/scheme_drift.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/words.h"
+#include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/impact.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/truth/torque_free_rotation.h"

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/held_by_rods.h"
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/held_by_rods.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "reports/text/told_apart.h"
 #include "reports/worlds/laws/conserves_energy.h"
-#include "reports/worlds/laws/energy_bound.h"
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/energy_bound.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/worlds/law.h"
+#include "reports/worlds/law_support/law.h"
 
 namespace touchstone {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "reports/worlds/law.h"
+#include "reports/worlds/law_support/law.h"
 #include "reports/worlds/laws/ballistic.h"
 #include "reports/worlds/laws/bounce_series.h"
 #include "reports/worlds/laws/conserves_angular_momentum.h"

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/contact_history.h"
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/words.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/contact_history.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/words.h"
+#include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {

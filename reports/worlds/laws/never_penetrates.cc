@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/overlap.h"
-#include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/overlap.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {

@@ -6,10 +6,10 @@
 #include <limits>
 #include <string_view>
 
-#include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/landing.h"
-#include "reports/worlds/laws/sphere_meeting.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/landing.h"
+#include "reports/worlds/law_support/sphere_meeting.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {

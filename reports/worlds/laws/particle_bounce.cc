@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/falls.h"
-#include "reports/worlds/laws/landing.h"
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/falls.h"
+#include "reports/worlds/law_support/landing.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/held_by_rods.h"
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/held_by_rods.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/truth/pendulum.h"
 
 namespace touchstone {

@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/cone_models.h"
-#include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/on_plane.h"
-#include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/words.h"
+#include "reports/worlds/law_support/cone_models.h"
+#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 namespace {

@@ -3,11 +3,11 @@
 #include <array>
 #include <string_view>
 
-#include "reports/worlds/laws/ball_on_plane.h"
-#include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/on_plane.h"
-#include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/ball_on_plane.h"
+#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {

@@ -4,11 +4,11 @@
 #include <array>
 #include <string_view>
 
-#include "reports/worlds/laws/ball_on_plane.h"
-#include "reports/worlds/laws/cone_models.h"
-#include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/on_plane.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/ball_on_plane.h"
+#include "reports/worlds/law_support/cone_models.h"
+#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/sphere_meeting.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/sphere_meeting.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "reports/worlds/law.h"
+#include "reports/worlds/law_support/law.h"
 
 namespace touchstone {
 

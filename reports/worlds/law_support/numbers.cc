@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/numbers.h"
+#include "reports/worlds/law_support/numbers.h"
 
 #include <algorithm>
 #include <cmath>

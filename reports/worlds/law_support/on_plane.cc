@@ -1,9 +1,9 @@
-#include "reports/worlds/laws/on_plane.h"
+#include "reports/worlds/law_support/on_plane.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {

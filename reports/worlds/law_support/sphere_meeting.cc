@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/sphere_meeting.h"
+#include "reports/worlds/law_support/sphere_meeting.h"
 
 #include <algorithm>
 #include <array>
@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/cone_models.h"
-#include "reports/worlds/laws/each_body.h"
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/subjects.h"
-#include "reports/worlds/laws/words.h"
+#include "reports/worlds/law_support/cone_models.h"
+#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "oracles/trajectory.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/subjects.h"
 #include "scenarios/worlds/world.h"
 
 namespace touchstone {

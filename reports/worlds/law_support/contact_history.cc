@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/contact_history.h"
+#include "reports/worlds/law_support/contact_history.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "reports/worlds/law.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/law.h"
+#include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/impact.h"
 
 namespace touchstone {

@@ -1,12 +1,12 @@
-#include "reports/worlds/laws/ball_on_plane.h"
+#include "reports/worlds/law_support/ball_on_plane.h"
 
 #include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/words.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 

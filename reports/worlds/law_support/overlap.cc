@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/overlap.h"
+#include "reports/worlds/law_support/overlap.h"
 
 #include <algorithm>
 

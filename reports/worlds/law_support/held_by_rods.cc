@@ -1,13 +1,13 @@
-#include "reports/worlds/laws/held_by_rods.h"
+#include "reports/worlds/law_support/held_by_rods.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/words.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/words.h"
+#include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/subjects.h"
 
 #include <algorithm>
 

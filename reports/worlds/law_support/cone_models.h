@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/worlds/law.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/law.h"
+#include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/sliding.h"
 
 namespace touchstone {

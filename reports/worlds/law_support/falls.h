@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/worlds/law.h"
+#include "reports/worlds/law_support/law.h"
 #include "reports/worlds/truth/vertical_bounces.h"
 
 namespace touchstone {

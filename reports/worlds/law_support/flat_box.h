@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "reports/worlds/laws/on_plane.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 

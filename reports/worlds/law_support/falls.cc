@@ -1,14 +1,14 @@
-#include "reports/worlds/laws/falls.h"
+#include "reports/worlds/law_support/falls.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/energy_bound.h"
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/words.h"
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/energy_bound.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/words.h"
+#include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {

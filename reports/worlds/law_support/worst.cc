@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/worst.h"
+#include "reports/worlds/law_support/worst.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,10 +1,10 @@
-#include "reports/worlds/laws/isolated_system.h"
+#include "reports/worlds/law_support/isolated_system.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {

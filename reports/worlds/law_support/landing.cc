@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/landing.h"
+#include "reports/worlds/law_support/landing.h"
 
 #include <algorithm>
 #include <cmath>

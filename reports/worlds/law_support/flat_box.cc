@@ -1,11 +1,11 @@
-#include "reports/worlds/laws/flat_box.h"
+#include "reports/worlds/law_support/flat_box.h"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/words.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/worlds/law.h"
+#include "reports/worlds/law_support/law.h"
 
 namespace touchstone {
 

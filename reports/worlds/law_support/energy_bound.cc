@@ -1,10 +1,10 @@
-#include "reports/worlds/laws/energy_bound.h"
+#include "reports/worlds/law_support/energy_bound.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "reports/worlds/laws/error_laws.h"
-#include "reports/worlds/laws/scheme_drift.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/scheme_drift.h"
 
 namespace touchstone {
 namespace {

@@ -1,12 +1,12 @@
-#include "reports/worlds/laws/each_body.h"
+#include "reports/worlds/law_support/each_body.h"
 
 #include <utility>
 #include <variant>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/laws/numbers.h"
-#include "reports/worlds/laws/subjects.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 

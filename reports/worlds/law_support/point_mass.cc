@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/point_mass.h"
+#include "reports/worlds/law_support/point_mass.h"
 
 #include <algorithm>
 

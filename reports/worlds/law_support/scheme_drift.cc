@@ -1,4 +1,4 @@
-#include "reports/worlds/laws/scheme_drift.h"
+#include "reports/worlds/law_support/scheme_drift.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "reports/worlds/laws/landing.h"
+#include "reports/worlds/law_support/landing.h"
 
 namespace touchstone {
 

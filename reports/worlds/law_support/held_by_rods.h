@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/worlds/law.h"
-#include "reports/worlds/laws/point_mass.h"
+#include "reports/worlds/law_support/law.h"
+#include "reports/worlds/law_support/point_mass.h"
 #include "reports/worlds/truth/rods.h"
 
 namespace touchstone {

@@ -1,8 +1,8 @@
-#include "reports/worlds/laws/cone_models.h"
+#include "reports/worlds/law_support/cone_models.h"
 
 #include <utility>
 
-#include "reports/worlds/laws/landing.h"
+#include "reports/worlds/law_support/landing.h"
 
 namespace touchstone {
 

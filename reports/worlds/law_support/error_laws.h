@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "reports/worlds/law.h"
+#include "reports/worlds/law_support/law.h"
 
 namespace touchstone {
 
