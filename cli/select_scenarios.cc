@@ -10,7 +10,7 @@
 #include "cli/input_error.h"
 #include "reports/text/counted.h"
 #include "reports/glob.h"
-#include "reports/worlds/check_claims.h"
+#include "reports/worlds/study/check_claims.h"
 #include "scenarios/scenario_file.h"
 #include "scenarios/schema/nearest_name.h"
 

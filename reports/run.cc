@@ -15,7 +15,7 @@
 #include "reports/referee/referee.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/contacts/judge_variant.h"
-#include "reports/worlds/check_claims.h"
+#include "reports/worlds/study/check_claims.h"
 
 namespace touchstone {
 namespace {

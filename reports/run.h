@@ -11,7 +11,7 @@
 #include "reports/finding/finding.h"
 #include "reports/finding/ledger.h"
 #include "reports/referee/contact_truth.h"
-#include "reports/worlds/run_worlds.h"
+#include "reports/worlds/study/run_worlds.h"
 #include "scenarios/scenario.h"
 #include "scenarios/worlds/world_scenario.h"
 

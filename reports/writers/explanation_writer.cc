@@ -15,7 +15,7 @@
 
 #include "reports/text/counted.h"
 #include "reports/contacts/proof.h"
-#include "reports/worlds/run_worlds.h"
+#include "reports/worlds/study/run_worlds.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/world_words.h"

@@ -12,7 +12,7 @@
 
 #include "reports/text/counted.h"
 #include "reports/contacts/proof.h"
-#include "reports/worlds/judge_world.h"
+#include "reports/worlds/study/judge_world.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/page_assets.h"

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "reports/worlds/curves.h"
+#include "reports/worlds/study/curves.h"
 
 namespace touchstone {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/counted.h"
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/worlds/judge_world.h"
+#include "reports/worlds/study/judge_world.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "tests/catalogue/the_catalogue.h"
 

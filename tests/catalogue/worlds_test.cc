@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/worlds/check_claims.h"
+#include "reports/worlds/study/check_claims.h"
 #include "tests/catalogue/the_catalogue.h"
 
 namespace touchstone {

@@ -1,4 +1,4 @@
-#include "reports/worlds/ensemble_statistics.h"
+#include "reports/worlds/study/ensemble_statistics.h"
 
 #include <cmath>
 #include <vector>

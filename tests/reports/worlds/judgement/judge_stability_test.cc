@@ -1,11 +1,11 @@
-#include "reports/worlds/judge_stability.h"
+#include "reports/worlds/study/judge_stability.h"
 
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/worlds/run_worlds.h"
+#include "reports/worlds/study/run_worlds.h"
 #include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/motions.h"
 

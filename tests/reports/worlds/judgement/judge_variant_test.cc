@@ -1,4 +1,4 @@
-#include "reports/worlds/judge_variant.h"
+#include "reports/worlds/study/judge_variant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/worlds/run_worlds.h"
-#include "reports/worlds/world_variants.h"
+#include "reports/worlds/study/run_worlds.h"
+#include "reports/worlds/study/world_variants.h"
 #include "tests/reports/worlds/judgement/studied.h"
 #include "tests/reports/worlds/motions.h"
 

@@ -1,4 +1,4 @@
-#include "reports/worlds/judge_world.h"
+#include "reports/worlds/study/judge_world.h"
 
 #include <algorithm>
 #include <limits>

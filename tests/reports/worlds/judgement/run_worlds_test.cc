@@ -1,4 +1,4 @@
-#include "reports/worlds/run_worlds.h"
+#include "reports/worlds/study/run_worlds.h"
 
 #include <algorithm>
 #include <atomic>
@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/worlds/check_claims.h"
+#include "reports/worlds/study/check_claims.h"
 #include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/motions.h"
 

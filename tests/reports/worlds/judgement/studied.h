@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/worlds/study.h"
+#include "reports/worlds/study/study.h"
 #include "tests/reports/worlds/fake_simulator.h"
 
 namespace touchstone {

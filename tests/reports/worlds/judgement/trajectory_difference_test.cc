@@ -1,4 +1,4 @@
-#include "reports/worlds/trajectory_difference.h"
+#include "reports/worlds/study/trajectory_difference.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "reports/worlds/ensemble_statistics.h"
+#include "reports/worlds/study/ensemble_statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
-#include "reports/worlds/judge_world.h"
+#include "reports/worlds/study/judge_world.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/truth/mechanics.h"
 

@@ -1,11 +1,11 @@
-#include "reports/worlds/rounding_growth.h"
+#include "reports/worlds/study/rounding_growth.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-#include "reports/worlds/trajectory_difference.h"
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/trajectory_difference.h"
+#include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
 

@@ -1,4 +1,4 @@
-#include "reports/worlds/judge_world.h"
+#include "reports/worlds/study/judge_world.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/cone_models.h"
-#include "reports/worlds/starting_state.h"
-#include "reports/worlds/trajectory_difference.h"
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/starting_state.h"
+#include "reports/worlds/study/trajectory_difference.h"
+#include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
 namespace {

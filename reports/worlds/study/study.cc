@@ -1,8 +1,8 @@
-#include "reports/worlds/study.h"
+#include "reports/worlds/study/study.h"
 
 #include <limits>
 
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "oracles/trajectory.h"
-#include "reports/worlds/study.h"
+#include "reports/worlds/study/study.h"
 
 namespace touchstone {
 

@@ -1,12 +1,12 @@
-#include "reports/worlds/judge_variant.h"
+#include "reports/worlds/study/judge_variant.h"
 
 #include <algorithm>
 #include <string>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/trajectory_difference.h"
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/trajectory_difference.h"
+#include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
 namespace {

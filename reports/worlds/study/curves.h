@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "oracles/trajectory.h"
-#include "reports/worlds/run_worlds.h"
+#include "reports/worlds/study/run_worlds.h"
 
 namespace touchstone {
 

@@ -4,8 +4,8 @@
 
 #include "oracles/trajectory.h"
 #include "reports/finding/finding.h"
-#include "reports/worlds/rounding_growth.h"
-#include "reports/worlds/study.h"
+#include "reports/worlds/study/rounding_growth.h"
+#include "reports/worlds/study/study.h"
 
 namespace touchstone {
 

@@ -8,7 +8,7 @@
 
 #include "oracles/oracle.h"
 #include "reports/finding/finding.h"
-#include "reports/worlds/ensemble_statistics.h"
+#include "reports/worlds/study/ensemble_statistics.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {

@@ -1,4 +1,4 @@
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/world_size.h"
 
 #include <algorithm>
 

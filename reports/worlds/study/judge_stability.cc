@@ -1,13 +1,13 @@
-#include "reports/worlds/judge_stability.h"
+#include "reports/worlds/study/judge_stability.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "reports/worlds/judge_world.h"
-#include "reports/worlds/trajectory_difference.h"
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/judge_world.h"
+#include "reports/worlds/study/trajectory_difference.h"
+#include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
 namespace {

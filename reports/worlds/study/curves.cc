@@ -1,4 +1,4 @@
-#include "reports/worlds/curves.h"
+#include "reports/worlds/study/curves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "oracles/oracle.h"
 #include "reports/finding/finding.h"
 #include "reports/worlds/law_support/law.h"
-#include "reports/worlds/study.h"
+#include "reports/worlds/study/study.h"
 
 namespace touchstone {
 

@@ -1,4 +1,4 @@
-#include "reports/worlds/run_worlds.h"
+#include "reports/worlds/study/run_worlds.h"
 
 #include <algorithm>
 #include <iterator>
@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 
 #include "reports/threads/parallel_for.h"
-#include "reports/worlds/judge_stability.h"
-#include "reports/worlds/judge_variant.h"
-#include "reports/worlds/judge_world.h"
-#include "reports/worlds/rounding_growth.h"
-#include "reports/worlds/world_size.h"
-#include "reports/worlds/world_variants.h"
+#include "reports/worlds/study/judge_stability.h"
+#include "reports/worlds/study/judge_variant.h"
+#include "reports/worlds/study/judge_world.h"
+#include "reports/worlds/study/rounding_growth.h"
+#include "reports/worlds/study/world_size.h"
+#include "reports/worlds/study/world_variants.h"
 #include "scenarios/generators/ensemble.h"
 #include "scenarios/generators/random.h"
 

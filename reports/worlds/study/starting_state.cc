@@ -1,4 +1,4 @@
-#include "reports/worlds/starting_state.h"
+#include "reports/worlds/study/starting_state.h"
 
 #include <algorithm>
 #include <string_view>
@@ -8,7 +8,7 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/words.h"
 #include "reports/worlds/truth/mechanics.h"
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
 namespace {

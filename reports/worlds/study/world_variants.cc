@@ -1,4 +1,4 @@
-#include "reports/worlds/world_variants.h"
+#include "reports/worlds/study/world_variants.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "oracles/trajectory.h"
 #include "reports/finding/finding.h"
-#include "reports/worlds/study.h"
+#include "reports/worlds/study/study.h"
 
 namespace touchstone {
 

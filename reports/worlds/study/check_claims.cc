@@ -1,4 +1,4 @@
-#include "reports/worlds/check_claims.h"
+#include "reports/worlds/study/check_claims.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "reports/worlds/law_support/law.h"
-#include "reports/worlds/run_worlds.h"
+#include "reports/worlds/study/run_worlds.h"
 #include "scenarios/schema/nearest_name.h"
 
 namespace touchstone {

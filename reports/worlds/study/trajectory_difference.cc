@@ -1,4 +1,4 @@
-#include "reports/worlds/trajectory_difference.h"
+#include "reports/worlds/study/trajectory_difference.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/world_size.h"
+#include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
 namespace {
