@@ -5,7 +5,7 @@
 #include "cli/select_oracles.h"
 #include "cli/select_scenarios.h"
 #include "reports/accuracy.h"
-#include "reports/ledger_file.h"
+#include "reports/ledger/ledger_file.h"
 
 namespace touchstone {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "cli/input_error.h"
 #include "reports/text/counted.h"
-#include "reports/glob.h"
+#include "reports/ledger/glob.h"
 #include "reports/worlds/study/check_claims.h"
 #include "scenarios/scenario_file.h"
 #include "scenarios/schema/nearest_name.h"

@@ -9,7 +9,7 @@
 #include "cli/input_error.h"
 #include "cli/progress_bar.h"
 #include "reports/text/counted.h"
-#include "reports/ledger_file.h"
+#include "reports/ledger/ledger_file.h"
 
 namespace touchstone {
 namespace {

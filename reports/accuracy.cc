@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/apply_ledger.h"
+#include "reports/ledger/apply_ledger.h"
 #include "reports/published_table.h"
 #include "reports/world_accuracy.h"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/apply_ledger.h"
-#include "reports/ledger_file.h"
+#include "reports/ledger/apply_ledger.h"
+#include "reports/ledger/ledger_file.h"
 
 namespace touchstone {
 namespace {

@@ -4,9 +4,9 @@
 #include <map>
 #include <mutex>
 
-#include "reports/apply_ledger.h"
+#include "reports/ledger/apply_ledger.h"
 #include "reports/contacts/causes/precision.h"
-#include "reports/check_catalogue.h"
+#include "reports/ledger/check_catalogue.h"
 #include "reports/contacts/consensus.h"
 #include "reports/contacts/explain.h"
 #include "reports/contacts/judge_answer.h"

@@ -21,7 +21,7 @@
 
 #include "cli/select_oracles.h"
 #include "reports/accuracy.h"
-#include "reports/ledger_file.h"
+#include "reports/ledger/ledger_file.h"
 #include "reports/run.h"
 #include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"

@@ -1,4 +1,4 @@
-#include "reports/apply_ledger.h"
+#include "reports/ledger/apply_ledger.h"
 
 #include <cmath>
 #include <functional>
@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/ledger_file.h"
+#include "reports/ledger/ledger_file.h"
 #include "tests/reports/specimens.h"
 
 namespace touchstone {

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/glob.h"
-#include "reports/ledger_file.h"
+#include "reports/ledger/glob.h"
+#include "reports/ledger/ledger_file.h"
 
 namespace touchstone {
 namespace {

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/check_catalogue.h"
+#include "reports/ledger/check_catalogue.h"
 #include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/specimens.h"

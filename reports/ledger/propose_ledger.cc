@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/apply_ledger.h"
-#include "reports/ledger_file.h"
+#include "reports/ledger/apply_ledger.h"
+#include "reports/ledger/ledger_file.h"
 
 namespace touchstone {
 namespace {

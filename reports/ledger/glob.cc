@@ -1,4 +1,4 @@
-#include "reports/glob.h"
+#include "reports/ledger/glob.h"
 
 namespace touchstone {
 

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
-#include "reports/ledger_file.h"
+#include "reports/ledger/ledger_file.h"
 #include "scenarios/schema/nearest_name.h"
 
 namespace touchstone {

@@ -1,4 +1,4 @@
-#include "reports/check_catalogue.h"
+#include "reports/ledger/check_catalogue.h"
 
 #include <algorithm>
 #include <cmath>

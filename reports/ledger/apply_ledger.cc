@@ -1,4 +1,4 @@
-#include "reports/apply_ledger.h"
+#include "reports/ledger/apply_ledger.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/glob.h"
+#include "reports/ledger/glob.h"
 
 namespace touchstone {
 namespace {
