@@ -4,7 +4,7 @@
 
 #include "cli/select_oracles.h"
 #include "cli/select_scenarios.h"
-#include "reports/accuracy.h"
+#include "reports/accuracy/accuracy.h"
 #include "reports/ledger/ledger_file.h"
 
 namespace touchstone {

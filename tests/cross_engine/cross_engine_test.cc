@@ -20,7 +20,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/select_oracles.h"
-#include "reports/accuracy.h"
+#include "reports/accuracy/accuracy.h"
 #include "reports/ledger/ledger_file.h"
 #include "reports/run.h"
 #include "reports/writers/outcome.h"

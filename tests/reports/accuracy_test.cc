@@ -1,4 +1,4 @@
-#include "reports/accuracy.h"
+#include "reports/accuracy/accuracy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

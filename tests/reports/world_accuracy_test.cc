@@ -1,11 +1,11 @@
-#include "reports/world_accuracy.h"
+#include "reports/accuracy/world_accuracy.h"
 
 #include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "reports/accuracy.h"
+#include "reports/accuracy/accuracy.h"
 
 namespace touchstone {
 namespace {

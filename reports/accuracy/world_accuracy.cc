@@ -1,4 +1,4 @@
-#include "reports/world_accuracy.h"
+#include "reports/accuracy/world_accuracy.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/published_table.h"
+#include "reports/accuracy/published_table.h"
 
 namespace touchstone {
 namespace {

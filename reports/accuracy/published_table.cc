@@ -1,4 +1,4 @@
-#include "reports/published_table.h"
+#include "reports/accuracy/published_table.h"
 
 #include <charconv>
 #include <system_error>

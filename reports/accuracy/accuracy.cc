@@ -1,4 +1,4 @@
-#include "reports/accuracy.h"
+#include "reports/accuracy/accuracy.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "reports/ledger/apply_ledger.h"
-#include "reports/published_table.h"
-#include "reports/world_accuracy.h"
+#include "reports/accuracy/published_table.h"
+#include "reports/accuracy/world_accuracy.h"
 
 namespace touchstone {
 namespace {
