@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "cli/input_error.h"
-#include "oracles/last_line.h"
+#include "oracles/isolation/last_line.h"
 
 namespace touchstone {
 

@@ -8,7 +8,7 @@
 #include "oracles/dart/dart_contacts.h"
 #include "oracles/dart/dart_surfaces.h"
 #include "oracles/dart/dart_world.h"
-#include "oracles/isolated_oracle.h"
+#include "oracles/isolation/isolated_oracle.h"
 
 namespace touchstone {
 namespace {

@@ -1,7 +1,7 @@
 #include "oracles/fcl/fcl_oracles.h"
 
 #include "oracles/fcl/fcl_solver.h"
-#include "oracles/isolated_oracle.h"
+#include "oracles/isolation/isolated_oracle.h"
 
 namespace touchstone {
 

@@ -10,7 +10,7 @@
 #include <ccd/ccd.h>
 
 #include "oracles/answer_each.h"
-#include "oracles/isolated_oracle.h"
+#include "oracles/isolation/isolated_oracle.h"
 #include "oracles/libccd/ccd_body.h"
 #include "oracles/no_answer.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "oracles/isolated_oracle.h"
+#include "oracles/isolation/isolated_oracle.h"
 #include "oracles/mujoco/mujoco_contacts.h"
 #include "oracles/mujoco/mujoco_model.h"
 #include "oracles/mujoco/mujoco_world.h"

@@ -8,7 +8,7 @@
 #include <ode/ode.h>
 
 #include "oracles/answer_each.h"
-#include "oracles/isolated_oracle.h"
+#include "oracles/isolation/isolated_oracle.h"
 #include "oracles/no_answer.h"
 #include "oracles/ode/ode_contact_point.h"
 #include "oracles/ode/ode_geom.h"

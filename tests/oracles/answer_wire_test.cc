@@ -1,4 +1,4 @@
-#include "oracles/answer_wire.h"
+#include "oracles/isolation/answer_wire.h"
 
 #include <bit>
 #include <cmath>

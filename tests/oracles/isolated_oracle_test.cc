@@ -1,4 +1,4 @@
-#include "oracles/isolated_oracle.h"
+#include "oracles/isolation/isolated_oracle.h"
 
 #include <atomic>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "oracles/sanitized_fork.h"
+#include "oracles/isolation/sanitized_fork.h"
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)

@@ -1,4 +1,4 @@
-#include "oracles/answer_wire.h"
+#include "oracles/isolation/answer_wire.h"
 
 #include <cstdint>
 #include <cstring>

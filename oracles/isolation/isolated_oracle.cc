@@ -1,12 +1,12 @@
-#include "oracles/isolated_oracle.h"
+#include "oracles/isolation/isolated_oracle.h"
 
 #include <exception>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "oracles/answer_wire.h"
-#include "oracles/answering_child.h"
+#include "oracles/isolation/answer_wire.h"
+#include "oracles/isolation/answering_child.h"
 #include "oracles/no_answer.h"
 
 namespace touchstone {

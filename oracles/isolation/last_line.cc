@@ -1,4 +1,4 @@
-#include "oracles/last_line.h"
+#include "oracles/isolation/last_line.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "oracles/answering_child.h"
+#include "oracles/isolation/answering_child.h"
 
 #include <algorithm>
 #include <array>
@@ -24,8 +24,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "oracles/last_line.h"
-#include "oracles/sanitized_fork.h"
+#include "oracles/isolation/last_line.h"
+#include "oracles/isolation/sanitized_fork.h"
 
 namespace touchstone {
 namespace {
