@@ -1,4 +1,4 @@
-#include "cli/sweep_command.h"
+#include "cli/commands/sweep_command.h"
 
 #include <algorithm>
 #include <array>

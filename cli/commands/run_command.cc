@@ -1,4 +1,4 @@
-#include "cli/run_command.h"
+#include "cli/commands/run_command.h"
 
 #include <array>
 #include <iostream>

@@ -1,4 +1,4 @@
-#include "cli/bench_command.h"
+#include "cli/commands/bench_command.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "cli/median.h"
-#include "cli/sweep_command.h"
+#include "cli/commands/sweep_command.h"
 #include "reports/text/counted.h"
 #include "reports/referee/referee.h"
 #include "reports/writers/describe.h"

@@ -1,4 +1,4 @@
-#include "cli/oracles_command.h"
+#include "cli/commands/oracles_command.h"
 
 #include <iostream>
 #include <map>

@@ -1,4 +1,4 @@
-#include "cli/ledger_command.h"
+#include "cli/commands/ledger_command.h"
 
 #include <iostream>
 

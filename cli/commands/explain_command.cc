@@ -1,4 +1,4 @@
-#include "cli/explain_command.h"
+#include "cli/commands/explain_command.h"
 
 #include <iostream>
 

@@ -1,4 +1,4 @@
-#include "cli/bench_worlds_command.h"
+#include "cli/commands/bench_worlds_command.h"
 
 #include <algorithm>
 #include <array>
