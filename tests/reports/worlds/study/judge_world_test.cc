@@ -10,7 +10,7 @@
 #include "reports/worlds/truth/sliding.h"
 #include "reports/worlds/truth/vertical_bounces.h"
 #include "tests/reports/worlds/fake_simulator.h"
-#include "tests/reports/worlds/judgement/studied.h"
+#include "tests/reports/worlds/study/studied.h"
 #include "tests/reports/worlds/motions.h"
 
 namespace touchstone {

@@ -1,4 +1,4 @@
-#include "tests/reports/worlds/judgement/studied.h"
+#include "tests/reports/worlds/study/studied.h"
 
 #include <cmath>
 

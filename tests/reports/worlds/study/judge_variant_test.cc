@@ -10,7 +10,7 @@
 
 #include "reports/worlds/study/run_worlds.h"
 #include "reports/worlds/study/world_variants.h"
-#include "tests/reports/worlds/judgement/studied.h"
+#include "tests/reports/worlds/study/studied.h"
 #include "tests/reports/worlds/motions.h"
 
 namespace touchstone {
