@@ -7,10 +7,10 @@
 #define HWY_TARGET_INCLUDE "engine/collision/box_box.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "engine/simd/dispatch.h"
-#include "engine/simd/four_lanes.h"
 #include "engine/collision/one_pair_axis.h"
 #include "engine/collision/one_pair_contacts.h"
+#include "engine/simd/dispatch.h"
+#include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

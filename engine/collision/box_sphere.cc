@@ -13,10 +13,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/simd/dispatch.h"
 #include "engine/collision/feature.h"
-#include "engine/simd/four_lanes.h"
 #include "engine/collision/rounding.h"
+#include "engine/simd/dispatch.h"
+#include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

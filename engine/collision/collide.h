@@ -36,8 +36,8 @@ void Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
 
  Error: the separation is the gap along n_AB_W to within kOverlapRounding S, and no
  direction separates with a translation shorter by more than kDepthRounding S
- (engine/collision/rounding.h); touching is never reported of boxes further apart than that, nor
- missed of boxes deeper. */
+ (engine/collision/rounding.h); touching is never reported of boxes further apart than
+ that, nor missed of boxes deeper. */
 void Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
              Manifold& manifold);
 

@@ -1,7 +1,7 @@
-// FindLeastOverlap() of engine/collision/one_pair_axis.h, operation by operation, for a vector of
-// pairs: same products, same sums, same order, no fused multiply-add, hence same bits.
-// Include after hwy/highway.h, within a file that foreach_target.h reads again and again;
-// hence the guard that toggles.
+// FindLeastOverlap() of engine/collision/one_pair_axis.h, operation by operation, for a
+// vector of pairs: same products, same sums, same order, no fused multiply-add, hence
+// same bits. Include after hwy/highway.h, within a file that foreach_target.h reads again
+// and again; hence the guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_MANY_PAIRS_AXIS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_MANY_PAIRS_AXIS_H_

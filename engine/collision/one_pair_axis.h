@@ -1,6 +1,6 @@
 // FindLeastOverlap() as it is compiled once per processor target: include after
-// engine/simd/four_lanes.h, within a file that foreach_target.h reads again and again; hence
-// the guard that toggles.
+// engine/simd/four_lanes.h, within a file that foreach_target.h reads again and again;
+// hence the guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_ONE_PAIR_AXIS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_ONE_PAIR_AXIS_H_
@@ -14,8 +14,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "engine/simd/four_lanes.h"
 #include "engine/collision/separating_axis.h"
+#include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -1,6 +1,6 @@
 // The contacts of two boxes, as they are found once per processor target: include after
-// engine/simd/four_lanes.h, within a file that foreach_target.h reads again and again; hence
-// the guard that toggles.
+// engine/simd/four_lanes.h, within a file that foreach_target.h reads again and again;
+// hence the guard that toggles.
 //
 // Seen along the normal, one face of each box meets the other's: of A the face from which
 // the normal leans least, of B the face most opposed to it. Along a face normal that is
@@ -32,10 +32,10 @@
 #include <limits>
 
 #include "engine/collision/feature.h"
-#include "engine/simd/four_lanes.h"
 #include "engine/collision/manifold.h"
 #include "engine/collision/one_pair_axis.h"
 #include "engine/collision/rounding.h"
+#include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

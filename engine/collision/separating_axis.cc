@@ -9,8 +9,8 @@
 #define HWY_TARGET_INCLUDE "engine/collision/separating_axis.cc"
 #include <hwy/foreach_target.h>
 // After foreach_target.h.
-#include "engine/simd/four_lanes.h"
 #include "engine/collision/one_pair_axis.h"
+#include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

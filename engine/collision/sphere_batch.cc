@@ -1,4 +1,5 @@
-// FindGap() of engine/collision/sphere_sphere.cc, operation by operation, for a vector of pairs.
+// FindGap() of engine/collision/sphere_sphere.cc, operation by operation, for a vector of
+// pairs.
 
 #include "engine/collision/sphere_batch.h"
 

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/collision/rounding.h"
 #include "engine/printed/box_contacts.h"
 #include "engine/printed/collide.h"
-#include "engine/collision/rounding.h"
 
 namespace cookbook::printed {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "engine/printed/errata.h"
 #include "engine/collision/shape.h"
+#include "engine/printed/errata.h"
 
 namespace cookbook::printed {
 

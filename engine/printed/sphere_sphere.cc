@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "engine/printed/collide.h"
 #include "engine/collision/rounding.h"
+#include "engine/printed/collide.h"
 
 namespace cookbook::printed {
 

@@ -8,8 +8,8 @@
 
 #include <Eigen/Geometry>
 
-#include "engine/printed/errata.h"
 #include "engine/collision/shape.h"
+#include "engine/printed/errata.h"
 
 namespace cookbook::printed {
 

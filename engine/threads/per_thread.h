@@ -6,12 +6,12 @@
 
 namespace cookbook {
 
-/** What the shares of a task find, see Crew::ShareOut(): share after share, so in the
- order of what they looked at. */
+/** What the shares of a task find, see ThreadPool::ParallelForIndexed(): share after
+ share, so in the order of what they looked at. */
 template <class Found>
-class Findings {
+class PerThread {
  public:
-  /** Forgets all. `shares`: of the crew. */
+  /** Forgets all. `shares`: of the pool. */
   void Clear(std::size_t shares) {
     shares_.resize(shares);
     for (Share& share : shares_) share.found.clear();

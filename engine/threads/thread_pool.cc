@@ -12,48 +12,50 @@ constexpr int kLooksOfMany = 100;
 
 }  // namespace
 
-Crew::Shift::Shift(Crew& crew, std::size_t count, std::size_t least) : crew_(crew) {
-  crew.on_shift_ = !crew.workers_.empty() && count >= least;
+ThreadPool::ParallelScope::ParallelScope(ThreadPool& pool, std::size_t count,
+                                         std::size_t least)
+    : pool_(pool) {
+  pool.in_parallel_scope_ = !pool.workers_.empty() && count >= least;
 }
 
-Crew::Shift::~Shift() {
-  crew_.on_shift_ = false;
+ThreadPool::ParallelScope::~ParallelScope() {
+  pool_.in_parallel_scope_ = false;
 }
 
-Crew::Crew(int threads)
+ThreadPool::ThreadPool(int threads)
     : claims_(static_cast<std::size_t>(threads)),
       looks_(static_cast<unsigned>(threads) > std::thread::hardware_concurrency()
                  ? kLooksOfMany
                  : kLooks) {
   try {
     for (std::size_t share = 1; share < shares(); ++share) {
-      workers_.emplace_back([this, share] { Serve(share); });
+      workers_.emplace_back([this, share] { WorkerLoop(share); });
     }
   } catch (...) {
-    Dismiss();
+    Stop();
     throw;
   }
 }
 
-Crew::~Crew() {
-  Dismiss();
+ThreadPool::~ThreadPool() {
+  Stop();
 }
 
-void Crew::Dismiss() {
+void ThreadPool::Stop() {
   over_ = true;
   task_.fetch_add(1, std::memory_order_release);
   task_.notify_all();
   for (std::thread& worker : workers_) worker.join();
 }
 
-void Crew::WaitWhile(const std::atomic<unsigned>& value, unsigned old) const {
+void ThreadPool::WaitWhile(const std::atomic<unsigned>& value, unsigned old) const {
   for (int look = 0; look < looks_; ++look) {
     if (value.load(std::memory_order_acquire) != old) return;
   }
   value.wait(old, std::memory_order_acquire);
 }
 
-void Crew::Run(std::size_t count, const void* object, Call call) noexcept {
+void ThreadPool::Run(std::size_t count, const void* object, Call call) noexcept {
   // No share of the last task is left: nobody reads these.
   count_ = count;
   object_ = object;
@@ -62,14 +64,14 @@ void Crew::Run(std::size_t count, const void* object, Call call) noexcept {
   for (Claim& claim : claims_) claim.taken.store(false, std::memory_order_release);
   task_.fetch_add(1, std::memory_order_release);
   task_.notify_all();
-  DoShares(0);
+  RunChunks(0);
   for (unsigned done = done_.load(std::memory_order_acquire); done != shares();
        done = done_.load(std::memory_order_acquire)) {
     WaitWhile(done_, done);
   }
 }
 
-void Crew::DoShares(std::size_t own) {
+void ThreadPool::RunChunks(std::size_t own) {
   for (std::size_t k = 0; k < shares(); ++k) {
     const std::size_t share = (own + k) % shares();
     std::atomic<bool>& taken = claims_[share].taken;
@@ -85,12 +87,12 @@ void Crew::DoShares(std::size_t own) {
   }
 }
 
-void Crew::Serve(std::size_t own) {
+void ThreadPool::WorkerLoop(std::size_t own) {
   for (unsigned task = 0;;) {
     WaitWhile(task_, task);
     task = task_.load(std::memory_order_acquire);
     if (over_) return;
-    DoShares(own);
+    RunChunks(own);
   }
 }
 

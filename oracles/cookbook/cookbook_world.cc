@@ -66,7 +66,7 @@ cookbook::Cloth ToCookbook(const Cloth& cloth) {
 }
 
 /** Sweeps × rows that a question is worth: 20 ms a step at most. */
-constexpr int kPatience = 40000;
+constexpr int kIterationBudget = 40000;
 
 class CookbookSimulation final : public Simulation {
  public:
@@ -125,7 +125,7 @@ class CookbookSimulation final : public Simulation {
  private:
   static cookbook::Settings SettingsFor(const World& world, Care care, int threads) {
     cookbook::Settings settings;
-    if (care == Care::kAll) settings.patience = kPatience;
+    if (care == Care::kAll) settings.iteration_budget = kIterationBudget;
     settings.gravity_W = world.gravity_W;
     settings.threads = threads;
     return settings;
@@ -165,22 +165,22 @@ decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities() {
 }
 
 std::vector<Setting> CookbookWorldSettings() {
-  return {
-      {"integrator", "mean velocity; RKMK4 at constant angular momentum",
-       "flight under a constant force and tumbling without one are exact"},
-      {"rods and springs", "discrete gradients, five steps of Suzuki's in one",
-       "energy and momenta are kept to rounding, time is of fourth order; of second "
-       "where anything touches"},
-      {"particles", "sent back at the moment they meet a static box or half-space",
-       "no depth, and no loss at bounce 1"},
-      {"restitution", "min(e_A, e_B), of the velocity before the blow",
-       "a bounce at e = 1 keeps the energy at any step"},
-      {"blows", "at the moment what flies meets something, to 1e-10 of its size",
-       "a bounce is not a step late; a heap of more than 32 is struck by the next step, "
-       "in a large world one of more than 4 by what does not go through it before"},
-      {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
-      {"damping", "none", "nothing damps what is not said to be damped"},
-      {"sleeping", "none", "nothing sleeps"}};
+  return {{"integrator", "mean velocity; RKMK4 at constant angular momentum",
+           "flight under a constant force and tumbling without one are exact"},
+          {"rods and springs", "discrete gradients, five steps of Suzuki's in one",
+           "energy and momenta are kept to rounding, time is of fourth order; of second "
+           "where anything touches"},
+          {"particles", "sent back at the moment they meet a static box or half-space",
+           "no depth, and no loss at bounce 1"},
+          {"restitution", "min(e_A, e_B), of the velocity before the impact",
+           "a bounce at e = 1 keeps the energy at any step"},
+          {"impacts", "at the moment what flies meets something, to 1e-10 of its size",
+           "a bounce is not a step late; a island of more than 32 is struck by the next "
+           "step, "
+           "in a large world one of more than 4 by what does not go through it before"},
+          {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
+          {"damping", "none", "nothing damps what is not said to be damped"},
+          {"sleeping", "none", "nothing sleeps"}};
 }
 
 std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care,

@@ -10,7 +10,7 @@ namespace cookbook {
 namespace {
 
 /** Moves `body`, which is that of `flight` when it starts, but does not turn it. */
-void Move(const BodyFlight& flight, double time, RigidBody& body) {
+void Move(const FreeFlight& flight, double time, RigidBody& body) {
   const BodyState& start = flight.start.state;
   body.state.p_WB += time * (start.v_WB + 0.5 * time * flight.a_W);
   body.state.v_WB += time * flight.a_W;
@@ -18,14 +18,14 @@ void Move(const BodyFlight& flight, double time, RigidBody& body) {
 
 }  // namespace
 
-RigidBody BodyFlight::RoomAt(double t, Gyroscopic rule) const {
+RigidBody FreeFlight::RoomAt(double t, Gyroscopic rule) const {
   if (!start.is_ball) return At(t, rule);
   RigidBody body = start;
   if (!body.is_static()) Move(*this, t - from, body);
   return body;
 }
 
-RigidBody BodyFlight::At(double t, Gyroscopic rule) const {
+RigidBody FreeFlight::At(double t, Gyroscopic rule) const {
   RigidBody body = start;
   if (body.is_static() || t == from) return body;
   const double time = t - from;

@@ -7,13 +7,13 @@ namespace cookbook {
 
 /** The way of a rigid body under a constant force and torque, while nothing touches it.
  */
-struct BodyFlight {
+struct FreeFlight {
   RigidBody start;
   double from = 0;                                     ///< When it starts. [s]
   Eigen::Vector3d a_W = Eigen::Vector3d::Zero();       ///< [m/s²]
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N m]
   /** What forces would make of it if nothing held it: decides what strikes. [m/s²] */
-  Eigen::Vector3d pull_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d load_W = Eigen::Vector3d::Zero();
 
   /** Returns the body at time `t` [s]. What is static stays. */
   RigidBody At(double t, Gyroscopic rule) const;

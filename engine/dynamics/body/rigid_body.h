@@ -23,11 +23,11 @@ struct alignas(64) RigidBody {
   double margin = 0;    ///< Contacts apart by less are kept ready. [m]
   double restitution;
   double friction;
-  // How hard it is pulled, and so what counts for rest, see Pulls.
-  double pull = 0;       ///< What pulls at it, by its mass. [m/s²]
-  double heap_pull = 0;  ///< The same of its heap. [m/s²]
-  double slack = 0;      ///< Depth that is left. [m]
-  double drag;           ///< See BodyDefinition.
+  // How hard it is pulled, and so what counts for rest, see ExternalLoads.
+  double load = 0;         ///< What loads at it, by its mass. [m/s²]
+  double island_load = 0;  ///< The same of its island. [m/s²]
+  double slop = 0;         ///< Depth that is left. [m]
+  double drag;             ///< See BodyDefinition.
   // How it is turned and what it is, in two lines.
   Eigen::Matrix3d R_WB;             ///< That of state.q_WB.
   Eigen::Vector3d inverse_moments;  ///< Zero where static, or a point.
@@ -60,27 +60,27 @@ RigidBody MakeRigidBody(const BodyDefinition& definition);
 // What counts for rest between two bodies of which one moves at least.
 
 /** Returns how far contacts of the two may be apart that are kept ready. [m] */
-inline double MarginBetween(const RigidBody& A, const RigidBody& B) {
+inline double SpeculativeMarginBetween(const RigidBody& A, const RigidBody& B) {
   return A.is_static()   ? B.margin
          : B.is_static() ? A.margin
                          : std::min(A.margin, B.margin);
 }
 
 /** Returns the depth that is left. [m] */
-inline double SlackBetween(const RigidBody& A, const RigidBody& B) {
-  return A.is_static() ? B.slack : B.is_static() ? A.slack : std::min(A.slack, B.slack);
+inline double SlopBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static() ? B.slop : B.is_static() ? A.slop : std::min(A.slop, B.slop);
 }
 
 /** Returns how hard the two are pulled, each by itself. [m/s²] */
-inline double PullBetween(const RigidBody& A, const RigidBody& B) {
-  return A.is_static() ? B.pull : B.is_static() ? A.pull : std::max(A.pull, B.pull);
+inline double LoadBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static() ? B.load : B.is_static() ? A.load : std::max(A.load, B.load);
 }
 
-/** Returns how hard their heaps are. [m/s²] */
-inline double HeapPullBetween(const RigidBody& A, const RigidBody& B) {
-  return A.is_static()   ? B.heap_pull
-         : B.is_static() ? A.heap_pull
-                         : std::max(A.heap_pull, B.heap_pull);
+/** Returns how hard their islands are. [m/s²] */
+inline double IslandLoadBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static()   ? B.island_load
+         : B.is_static() ? A.island_load
+                         : std::max(A.island_load, B.island_load);
 }
 
 /** Returns the radius of the largest ball in a body. [m] */

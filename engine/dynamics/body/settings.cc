@@ -18,7 +18,7 @@ void Expect(bool holds, const char* setting, double value, const char* expected)
 }  // namespace
 
 bool IsSmall(const Settings& settings, int contacts) {
-  return (settings.impulse_iterations + 1) * contacts <= settings.patience;
+  return (settings.impulse_iterations + 1) * contacts <= settings.iteration_budget;
 }
 
 void Validate(const Settings& s) {
@@ -27,20 +27,21 @@ void Validate(const Settings& s) {
   }
   Expect(s.impulse_iterations > 0, "impulse_iterations", s.impulse_iterations,
          "at least 1");
-  Expect(s.patience >= 0, "patience", s.patience, "at least 0");
+  Expect(s.iteration_budget >= 0, "iteration_budget", s.iteration_budget, "at least 0");
   Expect(s.residual >= 0, "residual", s.residual, "at least 0");
   Expect(s.joint_rounds > 0, "joint_rounds", s.joint_rounds, "at least 1");
   Expect(s.resting_speed >= 0 && std::isfinite(s.resting_speed), "resting_speed",
          s.resting_speed, "a finite number >= 0");
-  Expect(s.projection_share > 0 && s.projection_share <= 1, "projection_share",
-         s.projection_share, "a number in (0, 1]");
-  const double slack = s.penetration_slack.value_or(0);
-  Expect(slack >= 0 && std::isfinite(slack), "penetration_slack", slack,
+  Expect(s.position_correction_fraction > 0 && s.position_correction_fraction <= 1,
+         "position_correction_fraction", s.position_correction_fraction,
+         "a number in (0, 1]");
+  const double slop = s.penetration_slop.value_or(0);
+  Expect(slop >= 0 && std::isfinite(slop), "penetration_slop", slop,
          "a finite number >= 0");
-  const double margin = s.contact_margin.value_or(0);
-  Expect(margin >= 0 && std::isfinite(margin), "contact_margin", margin,
+  const double margin = s.speculative_margin.value_or(0);
+  Expect(margin >= 0 && std::isfinite(margin), "speculative_margin", margin,
          "a finite number >= 0");
-  Expect(s.projection_iterations > 0, "projection_iterations", s.projection_iterations,
+  Expect(s.position_iterations > 0, "position_iterations", s.position_iterations,
          "at least 1");
   Expect(s.soft_frequency > 0 && std::isfinite(s.soft_frequency), "soft_frequency",
          s.soft_frequency, "a positive finite number");

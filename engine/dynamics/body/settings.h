@@ -42,7 +42,7 @@ struct Settings {
   /** A small world may use more sweeps, until it is solved: as long as sweeps × rows stay
    below this on the average. A step may use up to 20 times as many more, which others
    save, before it or after: new contacts have no impulses to start from. */
-  int patience = 4000;
+  int iteration_budget = 4000;
   /** A step is solved where no sweep changes a relative velocity by more than this share
    of the greatest there is. */
   double residual = 1e-14;
@@ -51,36 +51,38 @@ struct Settings {
   int joint_rounds = 12;
   /** Takes a step of a world with rods or springs as five where nothing touches: of
    fourth order in time, not of second. */
-  bool fourth_order_links = true;
+  bool fourth_order_joints = true;
   /** Solves the contacts of a large world, see IsSmall(), in single precision: what its
    few sweeps leave is more by far than what this rounds, and no `residual` ends them. Not
    where a body has a mass beyond 1e±6 kg, is so slim that its moments of inertia differ a
    thousandfold, or turns a thousand times easier than it moves (r² / I by 1/m). */
   bool single_precision = true;
-  /** Brings heaps of a small world to rest at once, where they can be, see Standstill. */
-  bool standstill = true;
+  /** Brings islands of a small world to rest at once, where they can be, see
+   * StaticEquilibrium. */
+  bool static_equilibrium = true;
   /** Starts from the impulses of the step before. */
   bool warm_starting = true;
   /** Clamps the sum of the impulses of a contact, not every single one. */
   bool accumulated_impulses = true;
   /** Approach below which contacts do not bounce, in multiples of what gravity and forces
-   add in a step, see Pulls: slower bounces last less than two steps. */
+   add in a step, see ExternalLoads: slower bounces last less than two steps. */
   double resting_speed = 1;
   /** Lets what flies strike at the moment it meets something, not at the start of the
    step that finds it inside. */
-  bool blows_in_time = true;
+  bool continuous_collision = true;
 
   Stabilisation stabilisation = Stabilisation::kNonLinearProjection;
   /** Share of the excess depth removed per step, in (0, 1]. A large world, see IsSmall(),
    removes a fifth at most. */
-  double projection_share = 0.45;
-  /** Depth that is left, against jitter. Absent: as `contact_margin`. [m] */
-  std::optional<double> penetration_slack;
-  int projection_iterations = 4;
+  double position_correction_fraction = 0.45;
+  /** Depth that is left, against jitter. Absent: as `speculative_margin`. [m] */
+  std::optional<double> penetration_slop;
+  int position_iterations = 4;
   /** Contacts apart by less are kept ready, so that rounding does not take a corner from
-   a box at rest. Absent: 2 a dt², the way that the pull a on what rests would make of two
-   steps; under gravity alone a = |g|. Of what forces and springs pull see Pulls. [m] */
-  std::optional<double> contact_margin;
+   a box at rest. Absent: 2 a dt², the way that the load a on what rests would make of two
+   steps; under gravity alone a = |g|. Of what forces and springs load see ExternalLoads.
+   [m] */
+  std::optional<double> speculative_margin;
   /** Of Stabilisation::kSoft. The frequency is at most 1/(8 dt). [Hz] */
   double soft_frequency = 30;
   double soft_damping_ratio = 10;
@@ -99,9 +101,9 @@ struct Settings {
 };
 
 /** Whether a world of so many contacts may be swept more often than any world, see
- Settings::patience. What is so small is solved; what is large is off by more, keeps of a
- face no more than four contacts, see KeepWidest(). It stays large until it has half as
- many. */
+ Settings::iteration_budget. What is so small is solved; what is large is off by more,
+ keeps of a face no more than four contacts, see ReduceManifold(). It stays large until it
+ has half as many. */
 bool IsSmall(const Settings& settings, int contacts);
 
 /** Refuses settings that make no sense.

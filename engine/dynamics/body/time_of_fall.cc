@@ -4,13 +4,13 @@
 
 namespace cookbook {
 
-std::optional<double> TimeOfFall(double height, double speed, double pull) {
+std::optional<double> TimeOfFall(double height, double speed, double load) {
   // The root without cancellation, for what falls (speed < 0) or is pulled back.
-  const double discriminant = speed * speed - 2 * pull * height;
+  const double discriminant = speed * speed - 2 * load * height;
   if (discriminant < 0) return std::nullopt;
   const double root = std::sqrt(discriminant);
   if (speed < 0) return 2 * height / (root - speed);
-  if (pull < 0) return (speed + root) / -pull;
+  if (load < 0) return (speed + root) / -load;
   return std::nullopt;
 }
 

@@ -4,9 +4,9 @@
 
 namespace cookbook {
 
-/** Returns when height + speed t + pull t²/2 falls below 0, t >= 0. Units as long as they
+/** Returns when height + speed t + load t²/2 falls below 0, t >= 0. Units as long as they
  agree, [m], [m/s], [m/s²].
  @pre height >= 0. */
-std::optional<double> TimeOfFall(double height, double speed, double pull);
+std::optional<double> TimeOfFall(double height, double speed, double load);
 
 }  // namespace cookbook

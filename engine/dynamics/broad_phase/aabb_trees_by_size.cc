@@ -21,7 +21,7 @@ int SizeOf(const Aabb& box) {
 
 }  // namespace
 
-void AabbForest::Insert(const Aabb& bounds, int body) {
+void AabbTreesBySize::Insert(const Aabb& bounds, int body) {
   const int size = SizeOf(bounds);
   auto sized = std::find_if(trees_.begin(), trees_.end(),
                             [size](const Sized& some) { return some.size == size; });
@@ -32,11 +32,12 @@ void AabbForest::Insert(const Aabb& bounds, int body) {
   tree_of_[index] = static_cast<std::size_t>(sized - trees_.begin());
 }
 
-void AabbForest::Remove(int body) {
+void AabbTreesBySize::Remove(int body) {
   trees_[tree_of_[static_cast<std::size_t>(body)]].tree.Remove(body);
 }
 
-std::span<const int> AabbForest::Query(const Aabb& bounds, AabbTree::Room& room) const {
+std::span<const int> AabbTreesBySize::Query(const Aabb& bounds,
+                                            AabbTree::Room& room) const {
   room.found.clear();
   for (const Sized& sized : trees_) sized.tree.Find(bounds, room);
   return room.found;

@@ -11,7 +11,7 @@ namespace cookbook {
 
 /** Trees of boxes, each of about one size: a wall or a floor in the tree of what lies on
  it would draw all of that to itself, whatever is near what. */
-class AabbForest {
+class AabbTreesBySize {
  public:
   /** Adds `body`, which is not there. */
   void Insert(const Aabb& bounds, int body);

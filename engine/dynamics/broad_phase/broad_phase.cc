@@ -90,14 +90,14 @@ void BroadPhase::Add(const RigidBody& body) {
 }
 
 void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
-                             double ahead, Crew& crew) {
-  leaving_.Clear(crew.shares());
+                             double ahead, ThreadPool& pool) {
+  leaving_.Clear(pool.shares());
   const auto look = [&](std::size_t i, std::vector<Leaving>& leaving) {
     const Proxy& proxy = proxies_[i];
     const RigidBody& body = bodies[i];
     rests_[i] = body.is_static() ? 1 : 0;
     if (!proxy.takes_part || rests_[i] != 0) return;
-    // The margin is as wide as gravity needs; other forces pull it farther.
+    // The margin is as wide as gravity needs; other forces load it farther.
     const Eigen::Vector3d pushed_W =
         body.state.v_WB + ahead * body.inverse_mass * body.Push_W();
     bounds_[i] = BoundsOf(body);
@@ -107,10 +107,11 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
     const Aabb wide = WideFor(body, bounds, ahead * pushed_W);
     leaving.push_back({static_cast<int>(i), wide});
   };
-  crew.ShareOut(proxies_.size(), kFewBodies,
-                [&](std::size_t share, std::size_t begin, std::size_t end) {
-                  for (std::size_t i = begin; i < end; ++i) look(i, leaving_.Of(share));
-                });
+  pool.ParallelForIndexed(proxies_.size(), kFewBodies,
+                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+                            for (std::size_t i = begin; i < end; ++i)
+                              look(i, leaving_.Of(share));
+                          });
 }
 
 void BroadPhase::NoteMoved(int body, const Aabb& before) {
@@ -121,27 +122,27 @@ void BroadPhase::NoteMoved(int body, const Aabb& before) {
 }
 
 void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double ahead,
-                        Crew& crew, std::vector<std::pair<int, int>>& appeared) {
+                        ThreadPool& pool, std::vector<std::pair<int, int>>& appeared) {
   for (const int body : moved_) {
     has_moved_[static_cast<std::size_t>(body)] = 0;
   }
   moved_.clear();
   for (const int body : added_) NoteMoved(body, Aabb::Nothing());
   added_.clear();
-  FindLeaving(bodies, margin, ahead, crew);
+  FindLeaving(bodies, margin, ahead, pool);
   leaving_.ForEach([&](const Leaving& leaving) {
     NoteMoved(leaving.body, proxy(leaving.body).wide);
     SetWide(leaving.body, leaving.wide);
   });
 
-  rooms_.resize(crew.shares());
-  appearing_.Clear(crew.shares());
-  crew.ShareOut(moved_.size(), kFewMoved,
-                [&](std::size_t share, std::size_t begin, std::size_t end) {
-                  for (std::size_t k = begin; k < end; ++k) {
-                    Pair(moved_[k], rooms_[share], appearing_.Of(share));
-                  }
-                });
+  rooms_.resize(pool.shares());
+  appearing_.Clear(pool.shares());
+  pool.ParallelForIndexed(moved_.size(), kFewMoved,
+                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+                            for (std::size_t k = begin; k < end; ++k) {
+                              Pair(moved_[k], rooms_[share], appearing_.Of(share));
+                            }
+                          });
   appearing_.ForEach([&](const std::pair<int, int>& pair) { appeared.push_back(pair); });
 }
 

@@ -4,13 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/broad_phase/aabb.h"
-#include "engine/dynamics/broad_phase/aabb_trees_by_size.h"
-#include "engine/dynamics/broad_phase/aabb_tree.h"
-#include "engine/threads/thread_pool.h"
-#include "engine/threads/per_thread.h"
 #include "engine/dynamics/body/rigid_body.h"
+#include "engine/dynamics/broad_phase/aabb.h"
+#include "engine/dynamics/broad_phase/aabb_tree.h"
+#include "engine/dynamics/broad_phase/aabb_trees_by_size.h"
 #include "engine/dynamics/broad_phase/rounded_box.h"
+#include "engine/threads/per_thread.h"
+#include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 
@@ -27,8 +27,8 @@ class BroadPhase {
   /** Looks at all bodies anew and appends the pairs that have become near, the lesser
    index first. `margin`: how far contacts reach beyond the shapes. [m] Pairs that may
    meet within `ahead` [s], as the bodies move now, are near as well. */
-  void Update(std::span<const RigidBody> bodies, double margin, double ahead, Crew& crew,
-              std::vector<std::pair<int, int>>& appeared);
+  void Update(std::span<const RigidBody> bodies, double margin, double ahead,
+              ThreadPool& pool, std::vector<std::pair<int, int>>& appeared);
 
   /** Appends to `met` what the moving body `index` may meet that is at `body` now and
    gets no farther than `reach` [m], and to `appeared` the pairs that become near by it,
@@ -89,7 +89,7 @@ class BroadPhase {
 
   /** Brings bounds_ up to date, and notes who leaves its wide box. */
   void FindLeaving(std::span<const RigidBody> bodies, double margin, double ahead,
-                   Crew& crew);
+                   ThreadPool& pool);
   /** Notes that the wide box of a body is another now than `before`. */
   void NoteMoved(int body, const Aabb& before);
   void SetWide(int body, const Aabb& wide);
@@ -99,8 +99,8 @@ class BroadPhase {
   /** Appends the pairs of a body that has moved which have become near. */
   void Pair(int body, Room& room, std::vector<std::pair<int, int>>& appeared) const;
 
-  AabbForest moving_;
-  AabbForest resting_;  ///< Static bodies: they meet moving ones only.
+  AabbTreesBySize moving_;
+  AabbTreesBySize resting_;  ///< Static bodies: they meet moving ones only.
   std::vector<Proxy> proxies_;
   std::vector<RoundedBox> bounds_;  ///< Of each body: what holds it.
   std::vector<int> added_;          ///< Since the last Update().
@@ -108,8 +108,8 @@ class BroadPhase {
   /** Of each body: 1 where it has got another wide box in the last Update(). */
   std::vector<char> has_moved_;
   std::vector<char> rests_;  ///< Of each body: 1 where it is static, or asleep.
-  Findings<Leaving> leaving_;
-  Findings<std::pair<int, int>> appearing_;
+  PerThread<Leaving> leaving_;
+  PerThread<std::pair<int, int>> appearing_;
   std::vector<Room> rooms_{1};
 };
 

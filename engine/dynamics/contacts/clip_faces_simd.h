@@ -1,10 +1,10 @@
 // The patches in which faces of boxes meet, of a vector of pairs of boxes at once.
-// Include after engine/collision/many_pairs_axis.h, within a file that foreach_target.h reads again
-// and again; hence the guard that toggles.
+// Include after engine/collision/many_pairs_axis.h, within a file that foreach_target.h
+// reads again and again; hence the guard that toggles.
 //
-// As engine/collision/one_pair_contacts.h does it for one pair: the incident face, a parallelogram,
-// is clipped to the reference face, a rectangle; here always along the normal of the
-// latter, and no corner less deep than a margin is left out.
+// As engine/collision/one_pair_contacts.h does it for one pair: the incident face, a
+// parallelogram, is clipped to the reference face, a rectangle; here always along the
+// normal of the latter, and no corner less deep than a margin is left out.
 
 #if defined(COOKBOOK_ENGINE_FACE_PATCHES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_FACE_PATCHES_H_
@@ -89,7 +89,7 @@ struct alignas(64) PatchCorners {
 
   Row kept;        ///< A bit for each that is one.
   Row may_repeat;  ///< 1 where two of them may be one and the same, to rounding; else 0.
-  Row slack;       ///< By so much flush corners may be out. [m]
+  Row slop;        ///< By so much flush corners may be out. [m]
   Row rounded;     ///< What is apart by less, or as deep, touches. [m]
   // Of each:
   Row p_W[kCount][3];
@@ -201,7 +201,7 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
   const PairVector zero = All(0);
   const PairVector one = All(1);
   const PairVector size = SizeOf(pairs);
-  const PairVector slack = hn::Max(All(kFlush) * size, All(kFlushOfMargin) * margin);
+  const PairVector slop = hn::Max(All(kFlush) * size, All(kFlushOfMargin) * margin);
   const PairVector rounded = All(kOverlapRounding) * size;
   const PairVector h_x = face.h[1];
   const PairVector h_y = face.h[2];
@@ -236,9 +236,9 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
   };
 
   // Faces that lie flush share corners: rounding must not cut those off, so the lines
-  // stand back by the slack, and what they let through is brought back to the face.
-  const PairVector bound_x = h_x + slack;
-  const PairVector bound_y = h_y + slack;
+  // stand back by the slop, and what they let through is brought back to the face.
+  const PairVector bound_x = h_x + slop;
+  const PairVector bound_y = h_y + slop;
   // Corner k, and the edge from there to the next: against side1, against side2, and
   // back.
   const PairVector x[4] = {c[0] + u[0] + v[0], c[0] - u[0] + v[0], c[0] - u[0] - v[0],
@@ -250,10 +250,10 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
   const PairVector two = All(2);
   PairMask inside[4];
   // Two candidates are one only where a corner of one face is near a line of the other:
-  // they lie within √2 kSameCorner slack of each other, and adjacent edges of the
+  // they lie within √2 kSameCorner slop of each other, and adjacent edges of the
   // incident face, seen along a normal at most 55° off, meet at no angle so flat that
   // their corner is more than thrice as far from the line.
-  const PairVector near = All(4 * kSameCorner) * slack;
+  const PairVector near = All(4 * kSameCorner) * slop;
   PairMask may_repeat = hn::Lt(near, zero);
   for (std::size_t k = 0; k < 4; ++k) {
     const PairVector abs_x = hn::Abs(x[k]);
@@ -310,11 +310,11 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
         z[k] + leave * dz, edge + leave_line);
   }
 
-  // Corners of the rectangle in the parallelogram, to the same slack.
+  // Corners of the rectangle in the parallelogram, to the same slop.
   const PairVector area = u[0] * v[1] - u[1] * v[0];
   const PairVector abs_area = hn::Abs(area);
-  const PairVector slack_u = slack * (hn::Abs(v[0]) + hn::Abs(v[1]));
-  const PairVector slack_v = slack * (hn::Abs(u[0]) + hn::Abs(u[1]));
+  const PairVector slack_u = slop * (hn::Abs(v[0]) + hn::Abs(v[1]));
+  const PairVector slack_v = slop * (hn::Abs(u[0]) + hn::Abs(u[1]));
   const PairVector near_u = All(4 * kSameCorner) * slack_u;
   const PairVector near_v = All(4 * kSameCorner) * slack_v;
   constexpr double kCornerOfReference[4] = {EdgesId(5, 7), EdgesId(4, 7), EdgesId(4, 6),
@@ -336,7 +336,7 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
   }
   hn::Store(kept, tag, corners.kept + lane);
   hn::Store(hn::IfThenElse(may_repeat, one, zero), tag, corners.may_repeat + lane);
-  hn::Store(slack, tag, corners.slack + lane);
+  hn::Store(slop, tag, corners.slop + lane);
   hn::Store(rounded, tag, corners.rounded + lane);
 }
 

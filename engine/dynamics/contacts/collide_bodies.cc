@@ -13,16 +13,16 @@ namespace {
 /** Fills the one contact of two edges that meet, given the normal and the gap. */
 void CollideEdges(const RigidBody& A, const RigidBody& B, Manifold& manifold) {
   // Pulled together by the gap there is, the boxes just touch.
-  const double pull = manifold.touching ? 0 : 2 * manifold.separation;
+  const double load = manifold.touching ? 0 : 2 * manifold.separation;
   Pose pulled = B.pose();
-  pulled.p_WB -= pull * manifold.n_AB_W;
+  pulled.p_WB -= load * manifold.n_AB_W;
   const Manifold edges =
       Collide(std::get<Box>(A.shape), A.pose(), std::get<Box>(B.shape), pulled);
   manifold.count = edges.count;
   for (std::size_t i = 0; i < edges.points().size(); ++i) {
     manifold.contacts[i] = edges.contacts[i];
-    manifold.contacts[i].separation += pull;
-    manifold.contacts[i].p_WC += 0.5 * pull * manifold.n_AB_W;
+    manifold.contacts[i].separation += load;
+    manifold.contacts[i].p_WC += 0.5 * load * manifold.n_AB_W;
   }
 }
 
@@ -40,7 +40,7 @@ void PutOnMoving(const RigidBody& A, const RigidBody& B, Manifold& manifold) {
 
 /** Fills the manifolds of at most kNeighbours pairs of boxes. */
 void CollideBoxes(std::span<const Neighbours> boxes) {
-  const unsigned edges_meet = CollideNearFaces(boxes);
+  const unsigned edges_meet = CollideBoxesSimd(boxes);
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     const auto& [A, B, margin, n_guess_W, manifold] = boxes[k];
     if ((edges_meet >> k & 1) != 0) CollideEdges(*A, *B, *manifold);
@@ -116,7 +116,7 @@ bool AreBoxes(const RigidBody& A, const RigidBody& B) {
   return std::holds_alternative<Box>(A.shape) && std::holds_alternative<Box>(B.shape);
 }
 
-void CollideWithin(std::span<const Neighbours> pairs) {
+void CollideSpeculative(std::span<const Neighbours> pairs) {
   std::array<Neighbours, kNeighbours> boxes;
   std::size_t count = 0;
   for (const Neighbours& pair : pairs) {
@@ -136,10 +136,10 @@ void CollideWithin(std::span<const Neighbours> pairs) {
   if (count > 0) CollideBoxes(std::span(boxes).first(count));
 }
 
-void CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
-                   const Eigen::Vector3d& n_guess_W, Manifold& manifold) {
+void CollideSpeculative(double margin, const RigidBody& A, const RigidBody& B,
+                        const Eigen::Vector3d& n_guess_W, Manifold& manifold) {
   const Neighbours pair{&A, &B, margin, n_guess_W, &manifold};
-  CollideWithin(std::span(&pair, 1));
+  CollideSpeculative(std::span(&pair, 1));
 }
 
 }  // namespace cookbook

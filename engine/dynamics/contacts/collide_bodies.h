@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "engine/dynamics/contacts/collide_boxes_simd.h"
-#include "engine/dynamics/body/rigid_body.h"
 #include "engine/collision/manifold.h"
+#include "engine/dynamics/body/rigid_body.h"
+#include "engine/dynamics/contacts/collide_boxes_simd.h"
 
 namespace cookbook {
 
@@ -25,11 +25,11 @@ bool AreBoxes(const RigidBody& A, const RigidBody& B);
  is not what holds a stack. `n_guess_W` is the normal of the pair in the step before, or
  zero; it decides ties.
  @pre Not two half-spaces, and no points. */
-void CollideWithin(double margin, const RigidBody& A, const RigidBody& B,
-                   const Eigen::Vector3d& n_guess_W, Manifold& manifold);
+void CollideSpeculative(double margin, const RigidBody& A, const RigidBody& B,
+                        const Eigen::Vector3d& n_guess_W, Manifold& manifold);
 
 /** The same of several pairs: boxes are looked at together, kNeighbours at once. What is
  found of a pair does not depend on the others. */
-void CollideWithin(std::span<const Neighbours> pairs);
+void CollideSpeculative(std::span<const Neighbours> pairs);
 
 }  // namespace cookbook

@@ -20,8 +20,8 @@
 // After foreach_target.h.
 #include <hwy/highway.h>
 
-#include "engine/dynamics/contacts/clip_faces_simd.h"
 #include "engine/collision/many_pairs_axis.h"
+#include "engine/dynamics/contacts/clip_faces_simd.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {
@@ -233,10 +233,10 @@ struct Distinct {
 
 /** Returns the corners that differ in x or y by more than kSameCorner slacks. One that
  stands for several is the first, but where the deepest is, if that is deeper by more than
- the slack: along a steep edge, what is no distance is many roundings of depth. */
+ the slop: along a steep edge, what is no distance is many roundings of depth. */
 Distinct WithoutRepeats(const PatchCorners& corners, unsigned kept, std::size_t lane) {
-  const double slack = corners.slack[lane];
-  const double distance = kSameCorner * slack;
+  const double slop = corners.slop[lane];
+  const double distance = kSameCorner * slop;
   Distinct distinct;
   for (; kept != 0; kept &= kept - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(kept));
@@ -247,7 +247,7 @@ Distinct WithoutRepeats(const PatchCorners& corners, unsigned kept, std::size_t 
       repeats = std::abs(corners.x[k][lane] - corners.x[place][lane]) <= distance &&
                 std::abs(corners.y[k][lane] - corners.y[place][lane]) <= distance;
       if (repeats &&
-          corners.separation[k][lane] < corners.separation[place][lane] - slack) {
+          corners.separation[k][lane] < corners.separation[place][lane] - slop) {
         place = k;
       }
     }
@@ -328,7 +328,7 @@ HWY_AFTER_NAMESPACE();
 namespace cookbook {
 HWY_EXPORT(CollideAll);
 
-unsigned CollideNearFaces(std::span<const Neighbours> boxes) {
+unsigned CollideBoxesSimd(std::span<const Neighbours> boxes) {
   return HWY_DYNAMIC_DISPATCH(CollideAll)(boxes);
 }
 }  // namespace cookbook

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/dynamics/body/rigid_body.h"
 #include "engine/collision/manifold.h"
+#include "engine/dynamics/body/rigid_body.h"
 
 namespace cookbook {
 
@@ -13,16 +13,16 @@ struct Neighbours {
   const RigidBody* A;
   const RigidBody* B;
   double margin;              ///< Contacts apart by no more count. [m]
-  Eigen::Vector3d n_guess_W;  ///< As of CollideWithin().
+  Eigen::Vector3d n_guess_W;  ///< As of CollideSpeculative().
   Manifold* manifold;         ///< Where it is written.
 };
 
 /** Pairs of boxes that are looked at together. */
 inline constexpr std::size_t kNeighbours = 8;
 
-/** Fills the manifolds of at most kNeighbours pairs of boxes as CollideWithin() says,
- each contact midway. Returns a bit for each pair of which two edges meet, apart from all
- faces: its manifold then has its normal and separation, and no contacts. */
-unsigned CollideNearFaces(std::span<const Neighbours> boxes);
+/** Fills the manifolds of at most kNeighbours pairs of boxes as CollideSpeculative()
+ says, each contact midway. Returns a bit for each pair of which two edges meet, apart
+ from all faces: its manifold then has its normal and separation, and no contacts. */
+unsigned CollideBoxesSimd(std::span<const Neighbours> boxes);
 
 }  // namespace cookbook

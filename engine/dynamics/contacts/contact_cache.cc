@@ -24,12 +24,12 @@ constexpr int kSorted = 64;
 
 }  // namespace
 
-void ContactFinder::Add(const RigidBody& body) {
+void ContactCache::Add(const RigidBody& body) {
   broad_phase_.Add(body);
-  gone_.push_back(0);
+  travel_.push_back(0);
 }
 
-void ContactFinder::Sort() {
+void ContactCache::Sort() {
   broad_phase_.NumberByPlace(number_);
   const auto numbers = [&](const NearPair& pair) {
     return std::minmax(number_[static_cast<std::size_t>(pair.A)],
@@ -56,7 +56,7 @@ void ContactFinder::Sort() {
   }
 }
 
-void ContactFinder::Join(std::size_t near) {
+void ContactCache::Join(std::size_t near) {
   near_[near].contact = static_cast<int>(contacts_.size());
   ContactPair& pair = contacts_.emplace_back();
   pair.A = near_[near].A;
@@ -65,7 +65,7 @@ void ContactFinder::Join(std::size_t near) {
   edges_.push_back({pair.A, pair.B, 0});
 }
 
-void ContactFinder::Part(std::size_t near) {
+void ContactCache::Part(std::size_t near) {
   const int contact = near_[near].contact;
   if (contact < 0) return;
   near_[near].contact = -1;
@@ -79,17 +79,17 @@ void ContactFinder::Part(std::size_t near) {
   edges_.pop_back();
 }
 
-void ContactFinder::Widen(int index, const RigidBody& body, double reach,
-                          std::vector<int>& met) {
+void ContactCache::Widen(int index, const RigidBody& body, double reach,
+                         std::vector<int>& met) {
   appeared_.clear();
   broad_phase_.Widen(index, body, reach, appeared_, met);
   for (const auto& [a, b] : appeared_) near_.push_back({a, b});
 }
 
-void ContactFinder::Find(std::span<const RigidBody> bodies, const ContactChoice& choice,
-                         double ahead, Crew& crew) {
+void ContactCache::Find(std::span<const RigidBody> bodies, const ContactChoice& choice,
+                        double ahead, ThreadPool& pool) {
   appeared_.clear();
-  broad_phase_.Update(bodies, choice.margin, ahead, crew, appeared_);
+  broad_phase_.Update(bodies, choice.margin, ahead, pool, appeared_);
   for (const auto& [a, b] : appeared_) near_.push_back({a, b});
 
   if (contacts_.size() >= kManyPairs && ++unsorted_ >= kSorted) {
@@ -97,58 +97,58 @@ void ContactFinder::Find(std::span<const RigidBody> bodies, const ContactChoice&
     unsorted_ = 0;
   }
 
-  FindDue(choice.margin, crew);
-  Collide(bodies, choice, crew);
-  ForgetStrangers();
+  FindDue(choice.margin, pool);
+  Collide(bodies, choice, pool);
+  RemoveSeparatedPairs();
 }
 
-void ContactFinder::FindDue(double margin, Crew& crew) {
+void ContactCache::FindDue(double margin, ThreadPool& pool) {
   const auto is_due = [&](NearPair& pair) {
     // What was apart by a gap stays apart until the two have gone that far.
-    const double gone = GoneBy(pair);
-    if (gone < pair.apart_until) return false;
+    const double gone = TravelOf(pair);
+    if (gone < pair.separated_until_travel) return false;
     if (broad_phase_.IsAtRest(pair.A) && broad_phase_.IsAtRest(pair.B)) return false;
     if (pair.contact >= 0) return true;
     const double gap = broad_phase_.GapOf(pair.A, pair.B);
     if (gap <= margin) return true;
-    pair.apart_until = gone + gap - margin;
+    pair.separated_until_travel = gone + gap - margin;
     return false;
   };
   // Most near pairs are neither due nor strangers: known by one sum, as if what has left
   // its wide box had gone however far.
-  may_have_gone_ = gone_;
+  travel_bounds_ = travel_;
   broad_phase_.ForEachMoved([&](int body) {
-    may_have_gone_[static_cast<std::size_t>(body)] =
+    travel_bounds_[static_cast<std::size_t>(body)] =
         std::numeric_limits<double>::infinity();
   });
-  for (Findings<std::size_t>* findings : {&found_, &new_, &strangers_}) {
-    findings->Clear(crew.shares());
+  for (PerThread<std::size_t>* findings : {&found_, &new_, &separated_}) {
+    findings->Clear(pool.shares());
   }
-  crew.ShareOut(near_.size(), kFewNear,
-                [&](std::size_t share, std::size_t begin, std::size_t end) {
-                  for (std::size_t k = begin; k < end; ++k) {
-                    NearPair& pair = near_[k];
-                    if (may_have_gone_[static_cast<std::size_t>(pair.A)] +
-                            may_have_gone_[static_cast<std::size_t>(pair.B)] <
-                        pair.apart_until) {
-                      continue;
-                    }
-                    if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
-                      strangers_.Of(share).push_back(k);
-                    } else if (is_due(pair)) {
-                      found_.Of(share).push_back(k);
-                      if (pair.contact < 0) new_.Of(share).push_back(k);
-                    }
-                  }
-                });
+  pool.ParallelForIndexed(near_.size(), kFewNear,
+                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+                            for (std::size_t k = begin; k < end; ++k) {
+                              NearPair& pair = near_[k];
+                              if (travel_bounds_[static_cast<std::size_t>(pair.A)] +
+                                      travel_bounds_[static_cast<std::size_t>(pair.B)] <
+                                  pair.separated_until_travel) {
+                                continue;
+                              }
+                              if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
+                                separated_.Of(share).push_back(k);
+                              } else if (is_due(pair)) {
+                                found_.Of(share).push_back(k);
+                                if (pair.contact < 0) new_.Of(share).push_back(k);
+                              }
+                            }
+                          });
   new_.ForEach([&](std::size_t k) { Join(k); });
   due_.clear();
   found_.AppendTo(due_);
 }
 
-void ContactFinder::ForgetStrangers() {
+void ContactCache::RemoveSeparatedPairs() {
   // The last first: what takes its place stays.
-  strangers_.ForEachBackwards([&](std::size_t k) {
+  separated_.ForEachBackwards([&](std::size_t k) {
     Part(k);
     near_[k] = near_.back();
     const int contact = near_[k].contact;
@@ -157,13 +157,13 @@ void ContactFinder::ForgetStrangers() {
   });
 }
 
-void ContactFinder::Collide(std::span<const RigidBody> bodies,
-                            const ContactChoice& choice, Crew& crew) {
+void ContactCache::Collide(std::span<const RigidBody> bodies, const ContactChoice& choice,
+                           ThreadPool& pool) {
   const auto contact_of = [&](std::size_t due) -> ContactPair& {
     return contacts_[static_cast<std::size_t>(near_[due_[due]].contact)];
   };
   const std::size_t groups = (due_.size() + kNeighbours - 1) / kNeighbours;
-  found_.Clear(crew.shares());  // Those without a contact.
+  found_.Clear(pool.shares());  // Those without a contact.
   const auto collide = [&](std::size_t share, std::size_t begin, std::size_t end) {
     for (std::size_t group = begin; group < end; ++group) {
       const std::size_t first = group * kNeighbours;
@@ -172,14 +172,14 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies,
       for (std::size_t k = 0; k < count; ++k) {
         pairs[k] = &contact_of(first + k);
         const std::size_t later = first + k + 2 * kNeighbours;
-        if (later < due_.size()) Fetch(&contact_of(later), 1);
+        if (later < due_.size()) Prefetch(&contact_of(later), 1);
         // How many contacts a pair has is for its own thread to read.
         if (group + 1 == end || first + k + kNeighbours >= due_.size()) continue;
         const ContactPair& next = contact_of(first + k + kNeighbours);
-        FetchContacts(next, std::max(1, next.manifold.count));
+        PrefetchContacts(next, std::max(1, next.manifold.count));
         const NearPair& next_near = near_[due_[first + k + kNeighbours]];
         for (const int body : {next_near.A, next_near.B}) {
-          Fetch(&bodies[static_cast<std::size_t>(body)], offsetof(RigidBody, moments));
+          Prefetch(&bodies[static_cast<std::size_t>(body)], offsetof(RigidBody, moments));
         }
       }
       Recollide(choice, bodies, std::span(pairs).first(count));
@@ -191,12 +191,12 @@ void ContactFinder::Collide(std::span<const RigidBody> bodies,
       }
     }
   };
-  crew.ShareOut(groups, kFewGroups, collide);
+  pool.ParallelForIndexed(groups, kFewGroups, collide);
 
   found_.ForEach([&](std::size_t k) {
     NearPair& pair = near_[k];
     const Manifold& manifold = contacts_[static_cast<std::size_t>(pair.contact)].manifold;
-    pair.apart_until = GoneBy(pair) + manifold.separation - choice.margin;
+    pair.separated_until_travel = TravelOf(pair) + manifold.separation - choice.margin;
     Part(k);
   });
 }

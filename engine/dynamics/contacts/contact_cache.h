@@ -6,25 +6,25 @@
 
 #include "engine/dynamics/broad_phase/broad_phase.h"
 #include "engine/dynamics/contacts/contact_pair.h"
-#include "engine/threads/thread_pool.h"
 #include "engine/threads/per_thread.h"
+#include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 
 /** Finds the contacts of a world, step after step. */
-class ContactFinder {
+class ContactCache {
  public:
   /** Adds the body of the next index. */
   void Add(const RigidBody& body);
 
   /** Says that a body has got no farther than `way` [m] out of the room it filled when
    that was last said, see Travel(). */
-  void HasGone(std::size_t body, double way) { gone_[body] += way; }
+  void AddTravel(std::size_t body, double way) { travel_[body] += way; }
 
   /** Brings contacts() up to date, those apart by up to `margin` [m] included. Bodies
    that may meet within `ahead` [s] are near each other. */
   void Find(std::span<const RigidBody> bodies, const ContactChoice& choice, double ahead,
-            Crew& crew);
+            ThreadPool& pool);
 
   /** Appends to `met` what the moving body `index` may meet that is at `body` now and
    gets no farther than `reach` [m] in the step; both are near each other from now on. */
@@ -53,7 +53,8 @@ class ContactFinder {
                   const Visit& visit) const {
     for (const NearPair& pair : std::span(near_).subspan(begin, end - begin)) {
       if (!takes(pair.A, pair.B)) continue;
-      visit(pair.A, pair.B, pair.contact >= 0 ? 0 : pair.apart_until - GoneBy(pair));
+      visit(pair.A, pair.B,
+            pair.contact >= 0 ? 0 : pair.separated_until_travel - TravelOf(pair));
     }
   }
   std::size_t near_count() const { return near_.size(); }
@@ -65,24 +66,24 @@ class ContactFinder {
     int B;
     int contact = -1;  ///< Among contacts_; −1: none.
     /** The sum of what the two have gone up to which they surely do not touch. [m] */
-    double apart_until = 0;
+    double separated_until_travel = 0;
   };
 
-  double GoneBy(const NearPair& pair) const {
-    return gone_[static_cast<std::size_t>(pair.A)] +
-           gone_[static_cast<std::size_t>(pair.B)];
+  double TravelOf(const NearPair& pair) const {
+    return travel_[static_cast<std::size_t>(pair.A)] +
+           travel_[static_cast<std::size_t>(pair.B)];
   }
   /** Sorts pairs by place. */
   void Sort();
   void Join(std::size_t near);
   void Part(std::size_t near);
   /** Finds the pairs to be looked at, and those that are near no more. */
-  void FindDue(double margin, Crew& crew);
+  void FindDue(double margin, ThreadPool& pool);
   /** Looks at the former, and parts those that have no contact. */
   void Collide(std::span<const RigidBody> bodies, const ContactChoice& choice,
-               Crew& crew);
+               ThreadPool& pool);
   /** Forgets the latter. */
-  void ForgetStrangers();
+  void RemoveSeparatedPairs();
 
   BroadPhase broad_phase_;
   std::vector<std::pair<int, int>> appeared_;
@@ -90,11 +91,11 @@ class ContactFinder {
   std::vector<ContactPair> contacts_;
   std::vector<ContactEdge> edges_;     ///< Of contacts_.
   std::vector<std::size_t> due_;       ///< The near pairs to be looked at in this step.
-  Findings<std::size_t> found_;        ///< Those, or those of them that are apart.
-  Findings<std::size_t> new_;          ///< Those of them that had no contact.
-  Findings<std::size_t> strangers_;    ///< The near pairs that are near no more.
-  std::vector<double> gone_;           ///< By body. [m]
-  std::vector<double> may_have_gone_;  ///< The same, infinite of what has left its box.
+  PerThread<std::size_t> found_;       ///< Those, or those of them that are apart.
+  PerThread<std::size_t> new_;         ///< Those of them that had no contact.
+  PerThread<std::size_t> separated_;   ///< The near pairs that are near no more.
+  std::vector<double> travel_;         ///< By body. [m]
+  std::vector<double> travel_bounds_;  ///< The same, infinite of what has left its box.
   int unsorted_ = 0;                   ///< Calls of Find() since pairs were sorted.
   std::vector<int> number_;            ///< By body, see BroadPhase::NumberByPlace().
   std::vector<ContactPair> sorted_;

@@ -65,9 +65,9 @@ void PassOn(const OldContacts& old, double reach, ContactPair& pair) {
 
 }  // namespace
 
-double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B) {
-  const double own = PullBetween(A, B);
-  const double of_heap = HeapPullBetween(A, B);
+double LoadOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B) {
+  const double own = LoadBetween(A, B);
+  const double of_heap = IslandLoadBetween(A, B);
   if (of_heap <= own) return own;
   const bool press = std::any_of(pair.J_W.begin(), pair.J_W.begin() + pair.manifold.count,
                                  [](const Eigen::Vector3d& J) { return !J.isZero(0); });
@@ -83,15 +83,15 @@ void Recollide(const ContactChoice& choice, std::span<const RigidBody> bodies,
     const RigidBody& A = bodies[static_cast<std::size_t>(pair.A)];
     const RigidBody& B = bodies[static_cast<std::size_t>(pair.B)];
     old[k].Note(pair.manifold);
-    neighbours[k] = {&A, &B, std::min(choice.margin, MarginBetween(A, B)),
+    neighbours[k] = {&A, &B, std::min(choice.margin, SpeculativeMarginBetween(A, B)),
                      Eigen::Vector3d::Zero(), &pair.manifold};
     if (old[k].count > 0) neighbours[k].n_guess_W = pair.manifold.n_AB_W;
   }
-  CollideWithin(std::span(neighbours).first(pairs.size()));
+  CollideSpeculative(std::span(neighbours).first(pairs.size()));
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     // With a half-space they are no face: all corners of a box may be within the margin.
-    if (choice.widest_alone && AreBoxes(*neighbours[k].A, *neighbours[k].B))
-      KeepWidest(std::span(old[k].contacts).first(old[k].count), pairs[k]->manifold);
+    if (choice.reduce_manifold && AreBoxes(*neighbours[k].A, *neighbours[k].B))
+      ReduceManifold(std::span(old[k].contacts).first(old[k].count), pairs[k]->manifold);
     if (HasSameFeatures(old[k], pairs[k]->manifold)) continue;
     const RigidBody& A = *neighbours[k].A;
     const RigidBody& B = *neighbours[k].B;

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/threads/prefetch.h"
-#include "engine/dynamics/contacts/collide_boxes_simd.h"
-#include "engine/dynamics/body/rigid_body.h"
 #include "engine/collision/manifold.h"
+#include "engine/dynamics/body/rigid_body.h"
+#include "engine/dynamics/contacts/collide_boxes_simd.h"
+#include "engine/threads/prefetch.h"
 
 namespace cookbook {
 
@@ -16,8 +16,8 @@ namespace cookbook {
 struct alignas(64) ContactPair {
   int A = 0;
   int B = 0;
-  std::size_t near = 0;  ///< Where ContactFinder keeps it.
-  Manifold manifold;     ///< See CollideWithin().
+  std::size_t near = 0;  ///< Where ContactCache keeps it.
+  Manifold manifold;     ///< See CollideSpeculative().
   /** Impulse on B at each contact of the manifold. World frame. [N s] */
   alignas(64) std::array<Eigen::Vector3d, 8> J_W;
 };
@@ -32,21 +32,22 @@ struct ContactEdge {
 
 /** Tells memory that so many contacts of `pair` and their impulses will be wanted soon.
  */
-inline void FetchContacts(const ContactPair& pair, int contacts) {
+inline void PrefetchContacts(const ContactPair& pair, int contacts) {
   const auto count = static_cast<std::size_t>(contacts);
-  Fetch(&pair, offsetof(ContactPair, manifold) + offsetof(Manifold, contacts) +
-                   count * sizeof(ContactPoint));
-  Fetch(&pair.J_W, count * sizeof(Eigen::Vector3d));
+  Prefetch(&pair, offsetof(ContactPair, manifold) + offsetof(Manifold, contacts) +
+                      count * sizeof(ContactPoint));
+  Prefetch(&pair.J_W, count * sizeof(Eigen::Vector3d));
 }
 
-/** Returns how hard the two bodies of `pair` are pulled; as hard as their heap, where
+/** Returns how hard the two bodies of `pair` are pulled; as hard as their island, where
  they pressed each other in the last step. [m/s²] */
-double PullOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B);
+double LoadOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B);
 
 /** Which contacts are kept. */
 struct ContactChoice {
-  double margin;      ///< Those apart by no more, and no more than MarginBetween(). [m]
-  bool widest_alone;  ///< Of a face the few that hold it widest, see KeepWidest().
+  double margin;         ///< Those apart by no more, and no more than
+                         ///< SpeculativeMarginBetween(). [m]
+  bool reduce_manifold;  ///< Of a face the few that hold it widest, see ReduceManifold().
 };
 
 /** Replaces the manifolds of at most kNeighbours pairs by those of their bodies as they

@@ -25,9 +25,9 @@ void Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X_WB,
   const Eigen::Vector3d reach = (X_WB.R_WB.transpose() * n).cwiseProduct(B.half_extents);
   manifold.n_AB_W = n;
   manifold.separation = height - reach.cwiseAbs().sum();
-  const double slack = kOverlapRounding * (p_AB.lpNorm<1>() + B.half_extents.lpNorm<1>());
-  manifold.touching = manifold.separation <= slack;
-  const double reported = std::max(slack, margin);
+  const double slop = kOverlapRounding * (p_AB.lpNorm<1>() + B.half_extents.lpNorm<1>());
+  manifold.touching = manifold.separation <= slop;
+  const double reported = std::max(slop, margin);
   manifold.count = 0;
   if (manifold.separation > reported) return;
   for (unsigned vertex = 0; vertex < 8; ++vertex) {

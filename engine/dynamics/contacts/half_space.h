@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/dynamics/body/body.h"
 #include "engine/collision/manifold.h"
+#include "engine/dynamics/body/body.h"
 
 namespace cookbook {
 

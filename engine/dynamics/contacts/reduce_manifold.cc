@@ -42,8 +42,8 @@ struct Outline {
 
 }  // namespace
 
-void KeepWidest(std::span<const ContactPoint> before, Manifold& manifold) {
-  if (manifold.count <= kContactsOfFace) return;
+void ReduceManifold(std::span<const ContactPoint> before, Manifold& manifold) {
+  if (manifold.count <= kContactsPerFace) return;
   Outline outline{manifold.points()};
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < outline.contacts.size(); ++k) {

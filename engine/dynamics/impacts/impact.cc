@@ -4,8 +4,8 @@
 
 namespace cookbook {
 
-Blow::Blow() {
-  // Of most blows of most steps: from then on they allocate nothing.
+Impact::Impact() {
+  // Of most impacts of most steps: from then on they allocate nothing.
   constexpr std::size_t kMany = 64;
   members_.reserve(kMany);
   bodies_.reserve(kMany);
@@ -18,12 +18,12 @@ Blow::Blow() {
   edges_.reserve(kMany);
 }
 
-void Blow::BeginStep(std::size_t bodies) {
+void Impact::BeginStep(std::size_t bodies) {
   place_.resize(bodies, -1);
   spent_ = 0;
 }
 
-void Blow::Add(int body, const RigidBody& now) {
+void Impact::Add(int body, const RigidBody& now) {
   place_[static_cast<std::size_t>(body)] = static_cast<int>(members_.size());
   members_.push_back(body);
   bodies_.push_back(now);
@@ -32,7 +32,7 @@ void Blow::Add(int body, const RigidBody& now) {
   static_.push_back(now.is_static() ? 1 : 0);
 }
 
-void Blow::Add(const ContactPair& pair) {
+void Impact::Add(const ContactPair& pair) {
   ContactPair& added = pairs_.emplace_back(pair);
   added.A = place_[static_cast<std::size_t>(pair.A)];
   added.B = place_[static_cast<std::size_t>(pair.B)];
@@ -41,16 +41,17 @@ void Blow::Add(const ContactPair& pair) {
   edges_.push_back({added.A, added.B, added.manifold.count});
 }
 
-void Blow::Exchange(const Settings& settings, double h, Crew& crew,
-                    std::vector<ContactPair>& struck) {
+void Impact::Exchange(const Settings& settings, double h, ThreadPool& pool,
+                      std::vector<ContactPair>& struck) {
   before_.emplace_back();
   after_.assign(before_.begin(), before_.end());
   touches_.assign(members_.size(), Touch{});
   solver_.Begin(pairs_, edges_, {bodies_, inertias_, before_, after_, static_}, settings,
-                h, crew);
-  for (int k = 0; k < settings.impulse_iterations || spent_ <= settings.patience; ++k) {
-    spent_ += solver_.row_count();
-    if (solver_.Sweep(after_, crew) <= settings.residual * solver_.scale()) break;
+                h, pool);
+  for (int k = 0; k < settings.impulse_iterations || spent_ <= settings.iteration_budget;
+       ++k) {
+    spent_ += solver_.constraint_count();
+    if (solver_.Iterate(after_, pool) <= settings.residual * solver_.scale()) break;
   }
   solver_.End(pairs_, settings, touches_);
   for (const ContactPair& pair : pairs_) {
@@ -64,7 +65,7 @@ void Blow::Exchange(const Settings& settings, double h, Crew& crew,
   }
 }
 
-void Blow::Clear() {
+void Impact::Clear() {
   for (const int body : members_) place_[static_cast<std::size_t>(body)] = -1;
   members_.clear();
   bodies_.clear();

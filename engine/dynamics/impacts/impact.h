@@ -9,14 +9,14 @@
 
 namespace cookbook {
 
-/** A blow: what takes part in it is a world of its own, in which no time goes by. Its
+/** A impact: what takes part in it is a world of its own, in which no time goes by. Its
  bodies exchange the impulses of ContactSolver. */
-class Blow {
+class Impact {
  public:
-  Blow();
+  Impact();
 
-  /** Begins a step of a world of so many bodies. All blows of a step share the patience
-   of one solve. */
+  /** Begins a step of a world of so many bodies. All impacts of a step share the
+   iteration_budget of one solve. */
   void BeginStep(std::size_t bodies);
 
   /** Adds a body of the world that does not take part yet, as it is at that moment. */
@@ -36,7 +36,7 @@ class Blow {
   std::span<const int> members() const { return members_; }
 
   /** Finds the impulses, and appends to `struck` the pairs that gave any. */
-  void Exchange(const Settings& settings, double h, Crew& crew,
+  void Exchange(const Settings& settings, double h, ThreadPool& pool,
                 std::vector<ContactPair>& struck);
 
   // Of the member `k`, after the exchange.
@@ -47,7 +47,7 @@ class Blow {
   /** The greatest speed at which a contact came. [m/s] */
   double scale() const { return solver_.scale(); }
 
-  /** Lets all go that took part: the next blow begins. */
+  /** Lets all go that took part: the next impact begins. */
   void Clear();
 
  private:

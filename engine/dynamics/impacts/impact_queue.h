@@ -9,19 +9,19 @@
 namespace cookbook {
 
 /** Two bodies that may meet in a step. */
-struct Candidate {
+struct ImpactCandidate {
   int A;
   int B;
   double gap;  ///< They are apart by so much or more when the step begins. [m]
   /** When they do; infinite: not in this step. [s] */
   double next = std::numeric_limits<double>::infinity();
-  bool known = false;  ///< Whether the blow at hand knows if they touch.
+  bool known = false;  ///< Whether the impact at hand knows if they touch.
   /** Of A and of B: the candidate appended before this one; −1: none. */
   std::array<int, 2> earlier;
 };
 
 /** What may meet in a step, and what meets next. */
-class Meetings {
+class ImpactQueue {
  public:
   /** Begins a step of so many bodies: without candidates. */
   void Begin(std::size_t bodies);
@@ -33,16 +33,16 @@ class Meetings {
   void Append(int A, int B, double gap);
 
   /** Says that a candidate meets next at `time` [s]; infinite: not in this step. */
-  void Foresee(int candidate, double time);
+  void Schedule(int candidate, double time);
 
   /** Returns the candidate that meets next, the first of several at once; −1: none. */
   int TakeNext();
 
   int size() const { return static_cast<int>(candidates_.size()); }
-  Candidate& operator[](int index) {
+  ImpactCandidate& operator[](int index) {
     return candidates_[static_cast<std::size_t>(index)];
   }
-  const Candidate& operator[](int index) const {
+  const ImpactCandidate& operator[](int index) const {
     return candidates_[static_cast<std::size_t>(index)];
   }
 
@@ -50,7 +50,7 @@ class Meetings {
   template <class Visit>
   void ForEachOf(int body, const Visit& visit) const {
     for (int index = newest_[static_cast<std::size_t>(body)]; index >= 0;) {
-      const Candidate& candidate = (*this)[index];
+      const ImpactCandidate& candidate = (*this)[index];
       const int next = candidate.earlier[candidate.A == body ? 0 : 1];
       visit(index);
       index = next;
@@ -58,9 +58,9 @@ class Meetings {
   }
 
  private:
-  std::vector<Candidate> candidates_;
+  std::vector<ImpactCandidate> candidates_;
   std::vector<int> newest_;  ///< By body: its candidate appended last; −1: none.
-  /** When candidates meet, and which: a heap with the earliest first, in which some are
+  /** When candidates meet, and which: a island with the earliest first, in which some are
    out of date. */
   std::vector<std::pair<double, int>> queue_;
 };

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/dynamics/contacts/collide_bodies.h"
 #include "engine/dynamics/body/time_of_fall.h"
+#include "engine/dynamics/contacts/collide_bodies.h"
 
 namespace cookbook {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 /** Looks at two bodies in a step. Some three will do, some eight where they turn. */
 constexpr int kMostLooks = 32;
 
-/** Bodies apart by less than this share of the smaller touch: what is left costs a blow
+/** Bodies apart by less than this share of the smaller touch: what is left costs a impact
  as much of its place. */
 constexpr double kTouch = 1e-10;
 
@@ -22,20 +22,20 @@ constexpr double kNext = 1e-9;
 
 /** Where bodies touch and no contact strikes, another may do so soon: looks are then this
  share of a step apart. */
-constexpr double kPatience = 1.0 / 4;
+constexpr double kIterationBudget = 1.0 / 4;
 
 Eigen::Vector3d PointVelocity(const RigidBody& body, const Eigen::Vector3d& p_W) {
   return body.state.v_WB + body.state.w_WB.cross(p_W - body.state.p_WB);
 }
 
 bool Strikes(const Manifold& manifold, const RigidBody& A, const RigidBody& B,
-             const Eigen::Vector3d& a_AB_W, const BlowRules& rules) {
+             const Eigen::Vector3d& a_AB_W, const ImpactRules& rules) {
   const auto points = manifold.points();
-  const double pull = PullBetween(A, B);
+  const double load = LoadBetween(A, B);
   return std::any_of(points.begin(), points.end(), [&](const ContactPoint& contact) {
-    const Meeting meeting =
-        MeetingAt(contact.p_WC, manifold.n_AB_W, A, B, a_AB_W, pull, rules);
-    if (meeting != Meeting::kHolds) return meeting == Meeting::kStrikes;
+    const ContactPhase meeting =
+        PhaseAt(contact.p_WC, manifold.n_AB_W, A, B, a_AB_W, load, rules);
+    if (meeting != ContactPhase::kResting) return meeting == ContactPhase::kImpacting;
     // The next step would hold it, had it not come too far by then.
     const double approach = manifold.n_AB_W.dot(PointVelocity(A, contact.p_WC) -
                                                 PointVelocity(B, contact.p_WC));
@@ -96,16 +96,16 @@ double TimeToMeet(const Manifold& manifold, const RigidBody& A, const RigidBody&
                   const Eigen::Vector3d& a_AB_W, double h) {
   const Eigen::Vector3d& n = manifold.n_AB_W;
   const double gap = manifold.separation;
-  const double pull = n.dot(a_AB_W);
+  const double load = n.dot(a_AB_W);
   const double turning = TurningSpeed(A, n) + TurningSpeed(B, n);
   const double parting = n.dot(B.state.v_WB - A.state.v_WB);
-  const std::optional<double> safe = TimeOfFall(gap, parting - turning, pull);
+  const std::optional<double> safe = TimeOfFall(gap, parting - turning, load);
   if (!safe) return h;
   if (turning == 0) return *safe;
   const double facing = n.dot(PointVelocity(B, FarthestAlong(-n, B)) -
                               PointVelocity(A, FarthestAlong(n, A)));
-  const std::optional<double> meet = TimeOfFall(gap, facing, pull);
-  return std::max(*safe, meet.value_or(kPatience * h));
+  const std::optional<double> meet = TimeOfFall(gap, facing, load);
+  return std::max(*safe, meet.value_or(kIterationBudget * h));
 }
 
 }  // namespace
@@ -116,10 +116,10 @@ double TouchOf(const RigidBody& A, const RigidBody& B) {
                                    : std::min(A.radius, B.radius));
 }
 
-Manifold CollideAtBlow(const RigidBody& A, const RigidBody& B) {
+Manifold CollideAtImpact(const RigidBody& A, const RigidBody& B) {
   Manifold manifold;
-  CollideWithin(MarginBetween(A, B) + TouchOf(A, B), A, B, Eigen::Vector3d::Zero(),
-                manifold);
+  CollideSpeculative(SpeculativeMarginBetween(A, B) + TouchOf(A, B), A, B,
+                     Eigen::Vector3d::Zero(), manifold);
   return manifold;
 }
 
@@ -127,29 +127,31 @@ bool MayGoThrough(const RigidBody& A, const RigidBody& B, double way) {
   return way > 0.5 * (InnerRadius(A) + InnerRadius(B));
 }
 
-Meeting MeetingAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
-                  const RigidBody& A, const RigidBody& B, const Eigen::Vector3d& a_AB_W,
-                  double pull, const BlowRules& rules) {
+ContactPhase PhaseAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
+                     const RigidBody& A, const RigidBody& B,
+                     const Eigen::Vector3d& a_AB_W, double load,
+                     const ImpactRules& rules) {
   const Eigen::Vector3d v_A = PointVelocity(A, p_W);
   const Eigen::Vector3d v_B = PointVelocity(B, p_W);
   const double approach = n_AB_W.dot(v_B - v_A);
   const double gain = rules.h * n_AB_W.dot(a_AB_W);
-  const double fast = rules.resting_speed * (rules.h * pull + std::abs(gain));
-  if (approach > fast) return Meeting::kParts;
+  const double fast = rules.resting_speed * (rules.h * load + std::abs(gain));
+  if (approach > fast) return ContactPhase::kSeparating;
   // Most contacts rest: known without a root.
   const double least = std::min(approach, gain);
   const double together_at_most = kTogether * (v_A.lpNorm<1>() + v_B.lpNorm<1>());
-  if (least < -together_at_most && approach >= -fast) return Meeting::kHolds;
-  if (least >= 0) return Meeting::kParts;
+  if (least < -together_at_most && approach >= -fast) return ContactPhase::kResting;
+  if (least >= 0) return ContactPhase::kSeparating;
   const double together = kTogether * (v_A.norm() + v_B.norm());
-  if (approach >= -together && gain >= -together) return Meeting::kParts;
-  return approach < -std::max(fast, together) ? Meeting::kStrikes : Meeting::kHolds;
+  if (approach >= -together && gain >= -together) return ContactPhase::kSeparating;
+  return approach < -std::max(fast, together) ? ContactPhase::kImpacting
+                                              : ContactPhase::kResting;
 }
 
-std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double from,
-                                const BlowRules& rules) {
+std::optional<double> TimeOfImpact(const FreeFlight& A, const FreeFlight& B, double from,
+                                   const ImpactRules& rules) {
   const Eigen::Vector3d a_AB_W = B.a_W - A.a_W;
-  const Eigen::Vector3d pull_AB_W = B.pull_W - A.pull_W;
+  const Eigen::Vector3d load_AB_W = B.load_W - A.load_W;
   const double touch = TouchOf(A.start, B.start);
   const double h = rules.h;
   double t = from;
@@ -157,7 +159,7 @@ std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double
   for (int look = 0; look < kMostLooks; ++look) {
     const RigidBody a = A.RoomAt(t, rules.gyroscopic);
     const RigidBody b = B.RoomAt(t, rules.gyroscopic);
-    const Manifold manifold = CollideAtBlow(a, b);
+    const Manifold manifold = CollideAtImpact(a, b);
     const double gap = manifold.separation;
     if (gap > touch) {
       if (t >= h) return std::nullopt;
@@ -169,9 +171,9 @@ std::optional<double> FirstBlow(const BodyFlight& A, const BodyFlight& B, double
       t = bracket.Between();
     } else {
       if (t >= (1 - kNext) * h) return std::nullopt;
-      if (Strikes(manifold, a, b, pull_AB_W, rules)) return t;
+      if (Strikes(manifold, a, b, load_AB_W, rules)) return t;
       bracket = {};
-      t = std::min(h, t + kPatience * h);
+      t = std::min(h, t + kIterationBudget * h);
     }
   }
   return std::nullopt;

@@ -22,7 +22,7 @@ struct AnchorPlace {
 /** Returns the place of `anchor`, given the poses of the bodies. */
 AnchorPlace PlaceOf(const Anchor& anchor, std::span<const RigidBody> bodies);
 
-/** Two bodies, or the world (−1), on which a massless thing pulls along one line. */
+/** Two bodies, or the world (−1), on which a massless thing loads along one line. */
 struct Line {
   int A;
   int B;

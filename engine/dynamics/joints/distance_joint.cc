@@ -71,7 +71,7 @@ void JointSolver::WarmStart(std::span<Velocity> velocities, double h) {
   }
 }
 
-double JointSolver::Sweep(std::span<Velocity> velocities) {
+double JointSolver::Iterate(std::span<Velocity> velocities) {
   double greatest = 0;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     const Row& row = rows_[k];
@@ -84,7 +84,7 @@ double JointSolver::Sweep(std::span<Velocity> velocities) {
   return greatest;
 }
 
-double JointSolver::GreatestPull() const {
+double JointSolver::GreatestLoad() const {
   double greatest = 0;
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     if (rows_[k].effective_mass == 0) continue;

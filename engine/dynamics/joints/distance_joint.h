@@ -37,11 +37,11 @@ class JointSolver {
   /** Applies the impulses of the step before, as those of one of `h` [s]. */
   void WarmStart(std::span<Velocity> velocities, double h);
 
-  /** As ContactSolver::Sweep(). */
-  double Sweep(std::span<Velocity> velocities);
+  /** As ContactSolver::Iterate(). */
+  double Iterate(std::span<Velocity> velocities);
 
   /** The greatest change of a relative velocity that a rod makes. [m/s] */
-  double GreatestPull() const;
+  double GreatestLoad() const;
 
   /** Corrects the rows, given where the bodies would be after the step. `share` says of
    each body how much of a change of its velocity moves it: 1/2 for one that moves by the

@@ -10,7 +10,7 @@ namespace {
 constexpr double kLengthRounding = 1e-15;
 
 /** Returns (d₀ + d₁)/(ℓ₀ + ℓ₁); zero where the ends stay on one another, for there is no
- direction to pull in. */
+ direction to load in. */
 Eigen::Vector3d MeanDirection(const Eigen::Vector3d& d_sum, double length_sum) {
   if (length_sum == 0) return Eigen::Vector3d::Zero();
   return d_sum / length_sum;
@@ -18,7 +18,7 @@ Eigen::Vector3d MeanDirection(const Eigen::Vector3d& d_sum, double length_sum) {
 
 }  // namespace
 
-Eigen::Vector3d PullOnA(const Spring& spring, std::span<const RigidBody> bodies) {
+Eigen::Vector3d LoadOnA(const Spring& spring, std::span<const RigidBody> bodies) {
   const Eigen::Vector3d d = PlaceOf(spring.B, bodies).p_W - PlaceOf(spring.A, bodies).p_W;
   const double length = d.norm();
   return spring.stiffness * (length - spring.rest_length) * MeanDirection(d, length);
@@ -56,7 +56,7 @@ void SpringSolver::Begin(std::span<const Spring> springs,
   }
 }
 
-double SpringSolver::Sweep(std::span<Velocity> velocities) {
+double SpringSolver::Iterate(std::span<Velocity> velocities) {
   double greatest = 0;
   for (Row& row : rows_) {
     if (row.response == 0) continue;
@@ -70,7 +70,7 @@ double SpringSolver::Sweep(std::span<Velocity> velocities) {
   return greatest;
 }
 
-double SpringSolver::GreatestPull() const {
+double SpringSolver::GreatestLoad() const {
   double greatest = 0;
   for (const Row& row : rows_) {
     greatest = std::max(greatest, std::abs(row.wanted) * row.response);

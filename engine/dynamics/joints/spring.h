@@ -7,7 +7,7 @@
 
 namespace cookbook {
 
-/** A spring with a damper, without mass: pulls its ends together with the force
+/** A spring with a damper, without mass: loads its ends together with the force
  k (ℓ − L) + b dℓ/dt, where ℓ is the distance of its anchors. */
 struct Spring {
   Anchor A;
@@ -17,14 +17,14 @@ struct Spring {
   double rest_length = 0;  ///< L. [m], >= 0
 };
 
-/** Returns k (ℓ − L) along the line of the anchors: the force with which the spring pulls
+/** Returns k (ℓ − L) along the line of the anchors: the force with which the spring loads
  A at rest, and B the other way. [N] */
-Eigen::Vector3d PullOnA(const Spring& spring, std::span<const RigidBody> bodies);
+Eigen::Vector3d LoadOnA(const Spring& spring, std::span<const RigidBody> bodies);
 
 /** Solves the springs of a world together with its rods and contacts.
 
  With d from anchor A to B, of length ℓ₀ before a step of h and ℓ₁ after it, a spring
- pulls during the step by
+ loads during the step by
 
    F = (k ((ℓ₀ + ℓ₁)/2 − L) + b (ℓ₁ − ℓ₀)/h) (d₀ + d₁)/(ℓ₀ + ℓ₁).
 
@@ -40,11 +40,11 @@ class SpringSolver {
              std::span<const InverseInertia> inertias, std::span<const Velocity> before,
              double h);
 
-  /** As ContactSolver::Sweep(). */
-  double Sweep(std::span<Velocity> velocities);
+  /** As ContactSolver::Iterate(). */
+  double Iterate(std::span<Velocity> velocities);
 
   /** The greatest change of a relative velocity that a spring makes. [m/s] */
-  double GreatestPull() const;
+  double GreatestLoad() const;
 
   /** As JointSolver::Correct(); returns whether all impulses were right: off by less than
    moves the anchors by the rounding of their distance, and than changes their relative

@@ -32,9 +32,9 @@ class Greatest {
 }  // namespace
 
 template <class Real>
-void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobody) {
+void ConstraintGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobody) {
   firsts_.clear();
-  row_count_ = 0;
+  constraint_count_ = 0;
   int rows = 0;
   int colour = -1;
   std::size_t used = 0;  // Batches.
@@ -47,7 +47,7 @@ void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobod
       lane = 0;
       // What a step before has left in a batch is filled anew: it need not be cleared.
       if (used == batches_.size()) batches_.emplace_back();
-      ContactBatch<Real>& batch = batches_[used++];
+      ConstraintBatch<Real>& batch = batches_[used++];
       batch.pair.fill(-1);
       batch.A.fill(nobody);
       batch.B.fill(nobody);
@@ -55,11 +55,11 @@ void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobod
       batch.count = 0;
       batch.at_work = true;
     }
-    ContactBatch<Real>& batch = batches_[used - 1];
+    ConstraintBatch<Real>& batch = batches_[used - 1];
     batch.pair[lane] = next.pair;
     batch.A[lane] = next.A;
     batch.B[lane] = next.B;
-    row_count_ += next.count;
+    constraint_count_ += next.count;
     rows += std::max(0, next.count - batch.count);
     batch.count = std::max(batch.count, next.count);
     ++lane;
@@ -72,39 +72,41 @@ void ContactGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobod
 
 template <class Real>
 template <class Work>
-void ContactGroup<Real>::ShareByColour(Crew& crew, const Work& work) {
+void ConstraintGroup<Real>::ShareByColour(ThreadPool& pool, const Work& work) {
   for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
-    const std::span<ContactBatch<Real>> colour =
+    const std::span<ConstraintBatch<Real>> colour =
         std::span(batches_).subspan(firsts_[k], firsts_[k + 1] - firsts_[k]);
-    crew.Share(colour.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
-      work(ContactRows<Real>{colour.subspan(begin, end - begin), contacts_, notes_});
+    pool.ParallelFor(colour.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
+      work(ConstraintView<Real>{colour.subspan(begin, end - begin), contacts_, notes_});
     });
   }
 }
 
 template <class Real>
-void ContactGroup<Real>::Begin(std::span<const ColouredPair> ordered,
-                               std::span<const ContactPair> pairs,
-                               const SolverBodies& world, const ContactRules& rules,
-                               bool warm_starting, Velocities velocities, Crew& crew) {
+void ConstraintGroup<Real>::Begin(std::span<const ColouredPair> ordered,
+                                  std::span<const ContactPair> pairs,
+                                  const SolverBodies& world, const ContactRules& rules,
+                                  bool warm_starting, Velocities velocities,
+                                  ThreadPool& pool) {
   rules_ = rules;
   LayOut(ordered, static_cast<int>(world.bodies.size()));
   Greatest scale;
-  ShareByColour(crew, [&](const ContactRows<Real>& rows) {
+  ShareByColour(pool, [&](const ConstraintView<Real>& rows) {
     scale.Note(PrepareContacts(rows, rules, pairs, world, warm_starting));
   });
   scale_ = scale.value();
   // All rows have seen the velocities without impulses: now apply those to start from.
-  ShareByColour(crew,
-                [&](const ContactRows<Real>& rows) { ApplyImpulses(rows, velocities); });
+  ShareByColour(
+      pool, [&](const ConstraintView<Real>& rows) { ApplyImpulses(rows, velocities); });
 }
 
 template <class Real>
-double ContactGroup<Real>::Sweep(double relaxation, Velocities velocities, Crew& crew) {
+double ConstraintGroup<Real>::Iterate(double relaxation, Velocities velocities,
+                                      ThreadPool& pool) {
   Greatest change;
   Greatest closeness(-std::numeric_limits<double>::infinity());  // −(least change).
-  ShareByColour(crew, [&](const ContactRows<Real>& rows) {
-    const Changes changes = SweepContacts(rows, rules_, relaxation, velocities);
+  ShareByColour(pool, [&](const ConstraintView<Real>& rows) {
+    const Changes changes = SolveContacts(rows, rules_, relaxation, velocities);
     change.Note(changes.greatest);
     closeness.Note(-changes.least);
   });
@@ -113,37 +115,40 @@ double ContactGroup<Real>::Sweep(double relaxation, Velocities velocities, Crew&
 }
 
 template <class Real>
-void ContactGroup<Real>::LeaveBe(double solved, std::span<const int> heaps,
-                                 std::span<double> heap_changes) {
-  if (least_change_ > solved) return;  // No pair is solved, and so no heap.
-  // A lane of its own says of each pair which of its bodies moves; both are in one heap.
-  const auto change_of = [&](const ContactBatch<Real>& batch,
+void ConstraintGroup<Real>::FreezeConvergedIslands(double solved,
+                                                   std::span<const int> islands,
+                                                   std::span<double> island_changes) {
+  if (least_change_ > solved) return;  // No pair is solved, and so no island.
+  // A lane of its own says of each pair which of its bodies moves; both are in one
+  // island.
+  const auto change_of = [&](const ConstraintBatch<Real>& batch,
                              std::size_t lane) -> double& {
     const int body = batch.inverse_mass_A[lane] > 0 ? batch.A[lane] : batch.B[lane];
-    return heap_changes[static_cast<std::size_t>(heaps[static_cast<std::size_t>(body)])];
+    return island_changes[static_cast<std::size_t>(
+        islands[static_cast<std::size_t>(body)])];
   };
   const auto for_each_pair = [&](const auto& visit) {
-    for (ContactBatch<Real>& batch : batches_) {
+    for (ConstraintBatch<Real>& batch : batches_) {
       for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
         if (batch.pair[lane] >= 0) visit(batch, lane);
       }
     }
   };
-  for_each_pair([&](const ContactBatch<Real>& batch, std::size_t lane) {
+  for_each_pair([&](const ConstraintBatch<Real>& batch, std::size_t lane) {
     change_of(batch, lane) = 0;
   });
-  for_each_pair([&](const ContactBatch<Real>& batch, std::size_t lane) {
+  for_each_pair([&](const ConstraintBatch<Real>& batch, std::size_t lane) {
     if (!batch.at_work) return;
     double& change = change_of(batch, lane);
     change = std::max(change, double{batch.change[lane]});
   });
-  row_count_ = 0;
-  for (ContactBatch<Real>& batch : batches_) batch.at_work = false;
-  for_each_pair([&](ContactBatch<Real>& batch, std::size_t lane) {
+  constraint_count_ = 0;
+  for (ConstraintBatch<Real>& batch : batches_) batch.at_work = false;
+  for_each_pair([&](ConstraintBatch<Real>& batch, std::size_t lane) {
     if (change_of(batch, lane) <= solved) return;
     batch.at_work = true;
     for (int k = 0; k < batch.count; ++k) {
-      row_count_ +=
+      constraint_count_ +=
           notes_[static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k)]
               .used[lane] != 0;
     }
@@ -151,32 +156,35 @@ void ContactGroup<Real>::LeaveBe(double solved, std::span<const int> heaps,
 }
 
 template <class Real>
-void ContactGroup<Real>::NoteOverlaps(bool turns, Overlaps<Real>& overlaps) {
+void ConstraintGroup<Real>::CollectPositionConstraints(bool turns,
+                                                       Overlaps<Real>& overlaps) {
   overlaps.groups.push_back(overlaps.batches.size());
   for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
     overlaps.firsts.push_back(overlaps.batches.size());
-    const std::span<ContactBatch<Real>> colour =
+    const std::span<ConstraintBatch<Real>> colour =
         std::span(batches_).subspan(firsts_[k], firsts_[k + 1] - firsts_[k]);
-    NoteTooDeep(ContactRows<Real>{colour, contacts_, notes_}, turns, overlaps);
+    CollectDeepContacts(ConstraintView<Real>{colour, contacts_, notes_}, turns, overlaps);
   }
 }
 
 template <class Real>
-void ContactGroup<Real>::End(std::span<ContactPair> pairs, std::span<Touch> touches,
-                             Crew& crew) {
-  ShareByColour(
-      crew, [&](const ContactRows<Real>& rows) { ReadContacts(rows, pairs, touches); });
+void ConstraintGroup<Real>::End(std::span<ContactPair> pairs, std::span<Touch> touches,
+                                ThreadPool& pool) {
+  ShareByColour(pool, [&](const ConstraintView<Real>& rows) {
+    ReadContacts(rows, pairs, touches);
+  });
 }
 
 template <class Real>
-void ContactGroup<Real>::Apply(const SolverBodies& world, Crew& crew) {
+void ConstraintGroup<Real>::Apply(const SolverBodies& world, ThreadPool& pool) {
   if constexpr (std::is_same_v<Real, float>) {
-    ShareByColour(
-        crew, [&](const ContactRows<float>& rows) { ApplyFoundImpulses(rows, world); });
+    ShareByColour(pool, [&](const ConstraintView<float>& rows) {
+      ApplyFoundImpulses(rows, world);
+    });
   }
 }
 
-template class ContactGroup<double>;
-template class ContactGroup<float>;
+template class ConstraintGroup<double>;
+template class ConstraintGroup<float>;
 
 }  // namespace cookbook

@@ -5,9 +5,9 @@
 #include <span>
 #include <type_traits>
 
+#include "engine/dynamics/body/rigid_body.h"
 #include "engine/dynamics/contacts/contact_pair.h"
 #include "engine/simd/lanes.h"
-#include "engine/dynamics/body/rigid_body.h"
 
 namespace cookbook {
 
@@ -30,7 +30,7 @@ struct alignas(32) SingleVelocity {
 
 /** What sweeps of this precision change. */
 template <class Real>
-using SweptVelocity =
+using SolverVelocity =
     std::conditional_t<std::is_same_v<Real, float>, SingleVelocity, Velocity>;
 
 /** What contacts did to a body in a step. */
@@ -77,7 +77,7 @@ struct alignas(kAlignment<Real>) ContactNotes {
 
 /** Pairs of which no two share a moving body. */
 template <class Real>
-struct alignas(kAlignment<Real>) ContactBatch {
+struct alignas(kAlignment<Real>) ConstraintBatch {
   BodyLanes<Real> pair;  ///< −1: none.
   BodyLanes<Real> A;
   BodyLanes<Real> B;
@@ -95,8 +95,8 @@ struct alignas(kAlignment<Real>) ContactBatch {
   TensorLanes<Real> inverse_inertia_A;
   TensorLanes<Real> inverse_inertia_B;
   Lanes<Real> restitution;
-  Lanes<Real> usual;  ///< What gravity and forces add in a step, see PullOn(). [m/s]
-  Lanes<Real> slack;  ///< [m]
+  Lanes<Real> usual;  ///< What gravity and forces add in a step, see LoadOn(). [m/s]
+  Lanes<Real> slop;   ///< [m]
 };
 
 /** What the rows are made by. */
@@ -112,8 +112,8 @@ struct ContactRules {
 
 /** Contacts and their batches. */
 template <class Real>
-struct ContactRows {
-  std::span<ContactBatch<Real>> batches;
+struct ConstraintView {
+  std::span<ConstraintBatch<Real>> batches;
   std::span<ContactLanes<Real>> contacts;
   std::span<ContactNotes<Real>> notes;  ///< Of each of the contacts.
 };
@@ -128,17 +128,17 @@ struct ContactRows {
  pairs, spread evenly over a face, or none without `warm_starting`. Returns the greatest
  relative velocity of a contact. [m/s] */
 template <class Real>
-double PrepareContacts(const ContactRows<Real>& rows, const ContactRules& rules,
+double PrepareContacts(const ConstraintView<Real>& rows, const ContactRules& rules,
                        std::span<const ContactPair> pairs, const SolverBodies& world,
                        bool warm_starting);
 
 /** Applies the impulses. */
 template <class Real>
-void ApplyImpulses(const ContactRows<Real>& rows,
-                   std::span<SweptVelocity<Real>> velocities);
+void ApplyImpulses(const ConstraintView<Real>& rows,
+                   std::span<SolverVelocity<Real>> velocities);
 
 /** Applies impulses found in single precision to the velocities themselves. */
-void ApplyFoundImpulses(const ContactRows<float>& rows, const SolverBodies& world);
+void ApplyFoundImpulses(const ConstraintView<float>& rows, const SolverBodies& world);
 
 /** How much a sweep changed the relative velocities of pairs: of each pair the greatest,
  and of those the greatest and the least; +∞ in single precision, where it is not known.
@@ -151,13 +151,13 @@ struct Changes {
 /** Solves each contact of the batches at work once, batch after batch. What is missing
  along the normal is made up for times `relaxation`. */
 template <class Real>
-Changes SweepContacts(const ContactRows<Real>& rows, const ContactRules& rules,
-                      double relaxation, std::span<SweptVelocity<Real>> velocities);
+Changes SolveContacts(const ConstraintView<Real>& rows, const ContactRules& rules,
+                      double relaxation, std::span<SolverVelocity<Real>> velocities);
 
 /** Writes the impulses to the pairs, and what the contacts did to the bodies that move.
  */
 template <class Real>
-void ReadContacts(const ContactRows<Real>& rows, std::span<ContactPair> pairs,
+void ReadContacts(const ConstraintView<Real>& rows, std::span<ContactPair> pairs,
                   std::span<Touch> touches);
 
 }  // namespace cookbook

@@ -34,7 +34,7 @@ ContactRules RulesOf(const Settings& settings, double h) {
   rules.soft_mass_scale = 1;
   rules.accumulated = settings.accumulated_impulses;
   if (settings.stabilisation == Stabilisation::kBaumgarte) {
-    rules.baumgarte = settings.projection_share / h;
+    rules.baumgarte = settings.position_correction_fraction / h;
   } else if (settings.stabilisation == Stabilisation::kSoft) {
     // A damped spring stepped implicitly (Catto 2011): ω = 2π f, damping ratio ζ.
     const double omega =
@@ -61,11 +61,11 @@ bool RemovesOverlap(const Settings& settings) {
 
 /** Notes what is too deep in a group, where that is removed by moves. */
 template <class Real>
-void NoteOverlaps(ContactGroup<Real>& group, const Settings& settings,
-                  Overlaps<Real>& overlaps) {
+void CollectPositionConstraints(ConstraintGroup<Real>& group, const Settings& settings,
+                                Overlaps<Real>& overlaps) {
   if (!RemovesOverlap(settings)) return;
-  group.NoteOverlaps(settings.stabilisation == Stabilisation::kNonLinearProjection,
-                     overlaps);
+  group.CollectPositionConstraints(
+      settings.stabilisation == Stabilisation::kNonLinearProjection, overlaps);
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ void ContactSolver::ColourAndJoin(std::span<const ContactEdge> edges,
                                   std::span<const char> is_static,
                                   const Settings& settings) {
   colours_.assign(is_static.size(), 0);
-  heaps_.Reset(is_static.size());
+  islands_.Reset(is_static.size());
   coloured_.clear();
   colours_used_ = 0;
   contacts_ = 0;
@@ -105,27 +105,27 @@ void ContactSolver::ColourAndJoin(std::span<const ContactEdge> edges,
     if (!is_static[b]) colours_[b] |= bit;
     colours_used_ = std::max(colours_used_, colour + 1);
     coloured_.push_back({static_cast<int>(p), colour, edge.A, edge.B, edge.count});
-    if (!is_static[a] && !is_static[b]) heaps_.Join(edge.A, edge.B);
+    if (!is_static[a] && !is_static[b]) islands_.Join(edge.A, edge.B);
   }
-  heap_ = heaps_.All();
+  island_ = islands_.All();
   is_large_ = !IsSmall(settings, is_large_ ? 2 * contacts_ : contacts_);
 }
 
 void ContactSolver::Divide(std::span<const char> is_static, int least) {
-  // Of a heap first its contacts, then its part.
+  // Of a island first its contacts, then its part.
   heap_part_.assign(is_static.size(), 0);
   part_.clear();
   for (const ColouredPair& pair : coloured_) {
     const int moving = is_static[static_cast<std::size_t>(pair.A)] ? pair.B : pair.A;
-    part_.push_back(heap_[static_cast<std::size_t>(moving)]);
+    part_.push_back(island_[static_cast<std::size_t>(moving)]);
     heap_part_[static_cast<std::size_t>(part_.back())] += pair.count;
   }
   parts_.clear();
-  for (int& heap : heap_part_) {
-    if (heap == 0) continue;
+  for (int& island : heap_part_) {
+    if (island == 0) continue;
     if (parts_.empty() || parts_.back().contacts >= least) parts_.emplace_back();
-    parts_.back().contacts += heap;
-    heap = static_cast<int>(parts_.size()) - 1;
+    parts_.back().contacts += island;
+    island = static_cast<int>(parts_.size()) - 1;
   }
   for (int& part : part_) {
     part = heap_part_[static_cast<std::size_t>(part)];
@@ -166,7 +166,7 @@ void ContactSolver::ForgetOverlaps() {
 
 void ContactSolver::Solve(std::span<ContactPair> pairs,
                           std::span<const ContactEdge> edges, const SolverBodies& world,
-                          const Settings& settings, double h, Crew& crew,
+                          const Settings& settings, double h, ThreadPool& pool,
                           std::span<Touch> touches) {
   ForgetOverlaps();
   const Task task{pairs,
@@ -176,61 +176,61 @@ void ContactSolver::Solve(std::span<ContactPair> pairs,
                   settings.warm_starting && settings.accumulated_impulses,
                   touches};
   ColourAndJoin(edges, world.is_static, settings);
-  // Blows may have taken them all.
+  // ImpactSolver may have taken them all.
   if (contacts_ == 0) return;
   // A world that may be swept more often than any world is solved as a whole: the sweeps
-  // that one heap leaves over are for the others.
+  // that one island leaves over are for the others.
   Divide(world.is_static, is_large_ ? kPart : contacts_);
   Order();
   is_single_ = is_large_ && settings.single_precision && contacts_ >= kManyContacts &&
                world.fit_single_precision;
   if (!is_large_) {
-    SolveSmall(task, crew);
+    SolveSmall(task, pool);
   } else if (is_single_) {
     single_.assign(world.velocities.size(), {});
-    SolveLarge<float>(task, single_, single_groups_, crew);
+    SolveLarge<float>(task, single_, single_groups_, pool);
   } else {
-    SolveLarge<double>(task, world.velocities, groups_, crew);
+    SolveLarge<double>(task, world.velocities, groups_, pool);
   }
 }
 
-void ContactSolver::SolveSmall(const Task& task, Crew& crew) {
+void ContactSolver::SolveSmall(const Task& task, ThreadPool& pool) {
   const Settings& settings = task.settings;
   heap_changes_.resize(task.world.bodies.size());
   whole_.Begin(ordered_, task.pairs, task.world, task.rules, task.warm_starting,
-               task.world.velocities, crew);
+               task.world.velocities, pool);
   const double solved = settings.residual * whole_.scale();
-  const long patience = patience_.Left(settings);
+  const long iteration_budget = iteration_budget_.Left(settings);
   const ContactRules& rules = task.rules;
-  const bool may_rest = settings.standstill && rules.accumulated &&
+  const bool may_rest = settings.static_equilibrium && rules.accumulated &&
                         rules.soft_impulse_scale == 0 && rules.baumgarte == 0;
   long spent = 0;
   for (int k = 0;; ++k) {
     // What sweeps do not solve soon may be brought to rest at once.
     if (k == settings.impulse_iterations && may_rest) {
-      standstill_.Find(whole_.rows(), heap_, solved, task.world);
+      standstill_.Find(whole_.rows(), island_, solved, task.world);
     }
-    // What is solved is left be, so that all the patience is for what is not.
+    // What is solved is left be, so that all the iteration_budget is for what is not.
     if (k >= settings.impulse_iterations) {
-      whole_.LeaveBe(solved, heap_, heap_changes_);
+      whole_.FreezeConvergedIslands(solved, island_, heap_changes_);
     }
-    spent += std::max(1, whole_.row_count());
-    if (k >= settings.impulse_iterations && spent > patience) break;
-    if (whole_.Sweep(1, task.world.velocities, crew) <= solved) break;
+    spent += std::max(1, whole_.constraint_count());
+    if (k >= settings.impulse_iterations && spent > iteration_budget) break;
+    if (whole_.Iterate(1, task.world.velocities, pool) <= solved) break;
   }
-  patience_.Spend(spent, settings);
-  whole_.End(task.pairs, task.touches, crew);
-  NoteOverlaps(whole_, settings, groups_.overlaps.back());
+  iteration_budget_.Spend(spent, settings);
+  whole_.End(task.pairs, task.touches, pool);
+  CollectPositionConstraints(whole_, settings, groups_.overlaps.back());
 }
 
 template <class Real>
 void ContactSolver::SolveLarge(const Task& task,
-                               std::span<SweptVelocity<Real>> velocities,
-                               Groups<Real>& groups, Crew& crew) {
+                               std::span<SolverVelocity<Real>> velocities,
+                               Groups<Real>& groups, ThreadPool& pool) {
   const int sweeps =
       task.settings.impulse_iterations - task.settings.impulse_iterations / 8;
-  const auto solve = [&](const Part& part, ContactGroup<Real>& group,
-                         Overlaps<Real>& overlaps, Crew& helpers) {
+  const auto solve = [&](const Part& part, ConstraintGroup<Real>& group,
+                         Overlaps<Real>& overlaps, ThreadPool& helpers) {
     group.Begin(std::span(ordered_).subspan(part.begin, part.end - part.begin),
                 task.pairs, task.world, task.rules, task.warm_starting, velocities,
                 helpers);
@@ -238,11 +238,11 @@ void ContactSolver::SolveLarge(const Task& task,
     for (int k = 1; k <= sweeps; ++k) {
       // The last sweep leaves what it solves last without overshoot.
       const double relaxation = k < sweeps ? kRelaxation : 1;
-      if (group.Sweep(relaxation, velocities, helpers) <= solved) break;
+      if (group.Iterate(relaxation, velocities, helpers) <= solved) break;
     }
     group.Apply(task.world, helpers);
     group.End(task.pairs, task.touches, helpers);
-    NoteOverlaps(group, task.settings, overlaps);
+    CollectPositionConstraints(group, task.settings, overlaps);
   };
 
   const std::size_t threads = groups.own.size();
@@ -252,12 +252,12 @@ void ContactSolver::SolveLarge(const Task& task,
   int left = contacts_;
   for (const Part& part : parts_) {
     if (!is_large(part)) continue;
-    solve(part, groups.shared, groups.overlaps.back(), crew);
+    solve(part, groups.shared, groups.overlaps.back(), pool);
     left -= part.contacts;
   }
   // The others are shared out, to each thread about as many contacts.
   const std::size_t least = left < kFewContacts ? threads + 1 : 0;
-  crew.Share(threads, least, [&](std::size_t begin, std::size_t end) {
+  pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
     for (std::size_t thread = begin; thread < end; ++thread) {
       long before = 0;
       for (const Part& part : parts_) {
@@ -276,36 +276,37 @@ void ContactSolver::SolveLarge(const Task& task,
 
 void ContactSolver::Begin(std::span<const ContactPair> pairs,
                           std::span<const ContactEdge> edges, const SolverBodies& world,
-                          const Settings& settings, double h, Crew& crew) {
+                          const Settings& settings, double h, ThreadPool& pool) {
   is_single_ = false;
   ColourAndJoin(edges, world.is_static, settings);
   Divide(world.is_static, contacts_);
   Order();
   whole_.Begin(ordered_, pairs, world, RulesOf(settings, h),
                settings.warm_starting && settings.accumulated_impulses, world.velocities,
-               crew);
+               pool);
 }
 
-double ContactSolver::Sweep(std::span<Velocity> velocities, Crew& crew) {
-  return whole_.Sweep(1, velocities, crew);
+double ContactSolver::Iterate(std::span<Velocity> velocities, ThreadPool& pool) {
+  return whole_.Iterate(1, velocities, pool);
 }
 
 void ContactSolver::End(std::span<ContactPair> pairs, const Settings& settings,
                         std::span<Touch> touches) {
   ForgetOverlaps();
   whole_.End(pairs, touches, alone_);
-  NoteOverlaps(whole_, settings, groups_.overlaps.back());
+  CollectPositionConstraints(whole_, settings, groups_.overlaps.back());
 }
 
-bool ContactSolver::FindMoves(std::span<const Velocity> mean,
-                              std::span<const Velocity> solved, const Settings& settings,
-                              double h, Crew& crew, std::span<Velocity> moves) {
+bool ContactSolver::FindPositionCorrections(std::span<const Velocity> mean,
+                                            std::span<const Velocity> solved,
+                                            const Settings& settings, double h,
+                                            ThreadPool& pool, std::span<Velocity> moves) {
   if (!is_single_) {
-    return cookbook::FindMoves<double>(groups_.overlaps, is_large_, mean, solved,
-                                       settings, h, crew, moves);
+    return cookbook::FindPositionCorrections<double>(groups_.overlaps, is_large_, mean,
+                                                     solved, settings, h, pool, moves);
   }
-  const bool moved = cookbook::FindMoves<float>(single_groups_.overlaps, is_large_, mean,
-                                                solved, settings, h, crew, single_);
+  const bool moved = cookbook::FindPositionCorrections<float>(
+      single_groups_.overlaps, is_large_, mean, solved, settings, h, pool, single_);
   if (moved) std::transform(single_.begin(), single_.end(), moves.begin(), Exact);
   return moved;
 }

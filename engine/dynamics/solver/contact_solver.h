@@ -4,14 +4,14 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/solver/contact_constraint.h"
-#include "engine/dynamics/solver/constraint_group.h"
-#include "engine/dynamics/contacts/contact_pair.h"
-#include "engine/threads/thread_pool.h"
-#include "engine/dynamics/solver/union_find.h"
-#include "engine/dynamics/solver/iteration_budget.h"
 #include "engine/dynamics/body/settings.h"
+#include "engine/dynamics/contacts/contact_pair.h"
+#include "engine/dynamics/solver/constraint_group.h"
+#include "engine/dynamics/solver/contact_constraint.h"
+#include "engine/dynamics/solver/iteration_budget.h"
 #include "engine/dynamics/solver/static_equilibrium.h"
+#include "engine/dynamics/solver/union_find.h"
+#include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 
@@ -33,7 +33,7 @@ bool FitsSinglePrecision(const RigidBody& body);
  with an impulse λ >= 0 that is zero where the inequality is strict. The first line sends
  back the velocity of the start of the step and then lets the forces of the step act, so
  that a bounce at e = 1 keeps the energy whatever the step. The second and third let what
- a blow turns round in the step that it leaves in come back no faster than it left
+ a impact turns round in the step that it leaves in come back no faster than it left
  (Moreau's rule, under which impacts of one e together, without friction, never gain
  energy: with u = −e u₀ where λ > 0 and W the response, ½ λ·(u + u₀) =
  −½ (1 − e)/(1 + e) λ·W λ; friction at an eccentric contact may add to it). Friction:
@@ -41,7 +41,7 @@ bool FitsSinglePrecision(const RigidBody& body);
  there is no slip where it is inside.
 
  Four pairs that share no moving body are solved at once, sixteen in single precision.
- What contacts join is a heap, and heaps do not depend on each other: a large world is
+ What contacts join is a island, and islands do not depend on each other: a large world is
  solved group after group of them, each small enough to stay in a processor's cache from
  its first sweep to its last. */
 class ContactSolver {
@@ -52,36 +52,38 @@ class ContactSolver {
   /** Finds the impulses; writes them to the pairs, and what they did to the bodies.
    `edges` are those of the pairs. */
   void Solve(std::span<ContactPair> pairs, std::span<const ContactEdge> edges,
-             const SolverBodies& world, const Settings& settings, double h, Crew& crew,
-             std::span<Touch> touches);
+             const SolverBodies& world, const Settings& settings, double h,
+             ThreadPool& pool, std::span<Touch> touches);
 
   // The same in parts, for a world in which something else is solved with the contacts.
 
   /** Sets up the rows of all pairs with contacts and applies the impulses to start from.
    */
   void Begin(std::span<const ContactPair> pairs, std::span<const ContactEdge> edges,
-             const SolverBodies& world, const Settings& settings, double h, Crew& crew);
+             const SolverBodies& world, const Settings& settings, double h,
+             ThreadPool& pool);
   /** Sweeps once over all contacts and returns the greatest change of a relative
    velocity. [m/s] */
-  double Sweep(std::span<Velocity> velocities, Crew& crew);
+  double Iterate(std::span<Velocity> velocities, ThreadPool& pool);
   /** Writes what Solve() does; may be called again after further sweeps. */
   void End(std::span<ContactPair> pairs, const Settings& settings,
            std::span<Touch> touches);
   /** The greatest speed that a contact sees before it is solved. [m/s] */
   double scale() const { return whole_.scale(); }
-  int row_count() const { return whole_.row_count(); }
+  int constraint_count() const { return whole_.constraint_count(); }
   /** Whether the world solved last was large, see IsSmall(). It stays so until it has
    half as many contacts: what is kept of them hangs on it. */
   bool is_large() const { return is_large_; }
 
-  /** Fills `moves` with what removes overlap of the pairs solved last, see FindMoves().
+  /** Fills `moves` with what removes overlap of the pairs solved last, see
+   * FindPositionCorrections().
    */
-  bool FindMoves(std::span<const Velocity> mean, std::span<const Velocity> solved,
-                 const Settings& settings, double h, Crew& crew,
-                 std::span<Velocity> moves);
+  bool FindPositionCorrections(std::span<const Velocity> mean,
+                               std::span<const Velocity> solved, const Settings& settings,
+                               double h, ThreadPool& pool, std::span<Velocity> moves);
 
  private:
-  /** Some heaps: a part of ordered_. */
+  /** Some islands: a part of ordered_. */
   struct Part {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -91,8 +93,8 @@ class ContactSolver {
   /** What solves parts of a large world. */
   template <class Real>
   struct Groups {
-    ContactGroup<Real> shared;            ///< Of a part that all threads share.
-    std::vector<ContactGroup<Real>> own;  ///< Of each thread.
+    ConstraintGroup<Real> shared;            ///< Of a part that all threads share.
+    std::vector<ConstraintGroup<Real>> own;  ///< Of each thread.
     /** What is too deep to be left: for each thread its own, and last what all share. No
      two of them have a moving body in common. */
     std::vector<Overlaps<Real>> overlaps;
@@ -110,19 +112,19 @@ class ContactSolver {
     std::span<Touch> touches;
   };
 
-  /** Sweeps until the whole is solved, or no patience is left; what sweeps do not solve
-   soon is brought to rest where that can be, see Standstill. */
-  void SolveSmall(const Task& task, Crew& crew);
+  /** Sweeps until the whole is solved, or no iteration_budget is left; what sweeps do not
+   solve soon is brought to rest where that can be, see StaticEquilibrium. */
+  void SolveSmall(const Task& task, ThreadPool& pool);
   /** Sweeps part after part a few times, each with the velocities given. */
   template <class Real>
-  void SolveLarge(const Task& task, std::span<SweptVelocity<Real>> velocities,
-                  Groups<Real>& groups, Crew& crew);
+  void SolveLarge(const Task& task, std::span<SolverVelocity<Real>> velocities,
+                  Groups<Real>& groups, ThreadPool& pool);
 
   void ForgetOverlaps();
-  /** Gives each pair with contacts its colour, and joins bodies to heaps. */
+  /** Gives each pair with contacts its colour, and joins bodies to islands. */
   void ColourAndJoin(std::span<const ContactEdge> edges, std::span<const char> is_static,
                      const Settings& settings);
-  /** Divides the heaps into parts of at least `least` contacts where there are so many.
+  /** Divides the islands into parts of at least `least` contacts where there are so many.
    */
   void Divide(std::span<const char> is_static, int least);
   /** Sorts the pairs by part, colour and number of contacts. */
@@ -137,19 +139,20 @@ class ContactSolver {
   std::vector<ColouredPair> ordered_;   ///< The pairs, by part and then by key.
   std::vector<Part> parts_;
   int contacts_ = 0;
-  DisjointSets heaps_;                ///< Of bodies.
-  std::span<const int> heap_;         ///< Of each body the one that stands for its heap.
-  std::vector<int> heap_part_;        ///< Of each body that stands for a heap.
-  std::vector<double> heap_changes_;  ///< Room for ContactGroup::LeaveBe().
-  ContactGroup<double> whole_;        ///< Of a small world.
-  Standstill standstill_;
+  UnionFind islands_;            ///< Of bodies.
+  std::span<const int> island_;  ///< Of each body the one that stands for its island.
+  std::vector<int> heap_part_;   ///< Of each body that stands for a island.
+  std::vector<double>
+      heap_changes_;  ///< Room for ConstraintGroup::FreezeConvergedIslands().
+  ConstraintGroup<double> whole_;  ///< Of a small world.
+  StaticEquilibrium standstill_;
   Groups<double> groups_;  ///< Of a large one, and the overlaps of both.
   Groups<float> single_groups_;
   bool is_large_ = false;
   bool is_single_ = false;              ///< Whether those were used last.
   std::vector<SingleVelocity> single_;  ///< Changes of velocities, or moves.
-  Patience patience_;
-  Crew alone_{1};
+  IterationBudget iteration_budget_;
+  ThreadPool alone_{1};
 };
 
 }  // namespace cookbook

@@ -20,24 +20,24 @@ namespace HWY_NAMESPACE {
 namespace {
 
 template <class Real>
-void Note(const ContactRows<Real>& rows, bool turns, Overlaps<Real>& overlaps) {
+void Note(const ConstraintView<Real>& rows, bool turns, Overlaps<Real>& overlaps) {
   using V = Vec<Real>;
   const V zero{};
   const V one = All<Real>(1);
-  for (const ContactBatch<Real>& batch : rows.batches) {
+  for (const ConstraintBatch<Real>& batch : rows.batches) {
     const std::size_t first = overlaps.rows.size();
-    const V slack = At(batch.slack);
+    const V slop = At(batch.slop);
     const V moved = At(batch.inverse_mass_A) + At(batch.inverse_mass_B);
     for (int k = 0; k < batch.count; ++k) {
       const auto row =
           static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k);
       const ContactNotes<Real>& note = rows.notes[row];
-      const V depth = zero - At(note.separation) - slack;
+      const V depth = zero - At(note.separation) - slop;
       const VecBits<Real> counts =
           (depth > zero) & (At(note.used) > zero) & ~(At(note.bounces) > zero);
       if (Bits(counts) == 0) continue;
       const V response = turns ? At(note.response) : moved;
-      OverlapLanes<Real>& overlap = overlaps.rows.emplace_back();
+      PositionConstraintLanes<Real>& overlap = overlaps.rows.emplace_back();
       overlap.r_A = rows.contacts[row].r_A;
       overlap.r_B = rows.contacts[row].r_B;
       Put(depth, overlap.depth);
@@ -45,7 +45,7 @@ void Note(const ContactRows<Real>& rows, bool turns, Overlaps<Real>& overlaps) {
     }
     const std::size_t count = overlaps.rows.size() - first;
     if (count == 0) continue;
-    OverlapBatch<Real>& noted = overlaps.batches.emplace_back();
+    PositionConstraintBatch<Real>& noted = overlaps.batches.emplace_back();
     noted.A = batch.A;
     noted.B = batch.B;
     noted.first = static_cast<int>(first);
@@ -61,20 +61,21 @@ void Note(const ContactRows<Real>& rows, bool turns, Overlaps<Real>& overlaps) {
 }
 
 template <class Real>
-void Find(const OverlapRows<Real>& rows, const OverlapRules& rules, const Velocity* mean,
-          const Velocity* solved) {
+void Find(const PositionConstraintView<Real>& rows, const PositionRules& rules,
+          const Velocity* mean, const Velocity* solved) {
   using V = Vec<Real>;
   const V zero{};
   const V h = All<Real>(rules.h);
   const V share = All<Real>(rules.share);
-  for (OverlapBatch<Real>& batch : rows.batches) {
+  for (PositionConstraintBatch<Real>& batch : rows.batches) {
     const Pairs<Real> moved = PairsOf<Real>(mean, batch.A, batch.B);
     const Pairs<Real> now = PairsOf<Real>(solved, batch.A, batch.B);
     const Vec3<Real> n = At(batch.n);
     VecBits<Real> any{};
-    OverlapLanes<Real>* of_batch = &rows.overlaps[static_cast<std::size_t>(batch.first)];
+    PositionConstraintLanes<Real>* of_batch =
+        &rows.overlaps[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      OverlapLanes<Real>& overlap = of_batch[k];
+      PositionConstraintLanes<Real>& overlap = of_batch[k];
       const Vec3<Real> r_A = At(overlap.r_A);
       const Vec3<Real> r_B = At(overlap.r_B);
       const V gone = h * Dot(n, moved.At(r_A, r_B));
@@ -94,18 +95,19 @@ void Find(const OverlapRows<Real>& rows, const OverlapRules& rules, const Veloci
 }
 
 template <class Real>
-void Remove(const OverlapRows<Real>& rows, SweptVelocity<Real>* moves) {
+void Remove(const PositionConstraintView<Real>& rows, SolverVelocity<Real>* moves) {
   using V = Vec<Real>;
   const V zero{};
-  for (const OverlapBatch<Real>& batch : rows.batches) {
+  for (const PositionConstraintBatch<Real>& batch : rows.batches) {
     if (!batch.at_work) continue;
     Moving<Real> A = Gather(moves, batch.A);
     Moving<Real> B = Gather(moves, batch.B);
     const Inertias<Real> m = InertiasOf<Real>(batch);
     const Vec3<Real> n = At(batch.n);
-    OverlapLanes<Real>* of_batch = &rows.overlaps[static_cast<std::size_t>(batch.first)];
+    PositionConstraintLanes<Real>* of_batch =
+        &rows.overlaps[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      OverlapLanes<Real>& overlap = of_batch[k];
+      PositionConstraintLanes<Real>& overlap = of_batch[k];
       const Vec3<Real> r_A = At(overlap.r_A);
       const Vec3<Real> r_B = At(overlap.r_B);
       const V gained = Dot(n, RelativeVelocity(A, B, r_A, r_B));
@@ -120,25 +122,26 @@ void Remove(const OverlapRows<Real>& rows, SweptVelocity<Real>* moves) {
   }
 }
 
-void NoteDoubles(const ContactRows<double>& rows, bool turns,
+void NoteDoubles(const ConstraintView<double>& rows, bool turns,
                  Overlaps<double>& overlaps) {
   Note(rows, turns, overlaps);
 }
-void NoteFloats(const ContactRows<float>& rows, bool turns, Overlaps<float>& overlaps) {
+void NoteFloats(const ConstraintView<float>& rows, bool turns,
+                Overlaps<float>& overlaps) {
   Note(rows, turns, overlaps);
 }
-void FindDoubles(const OverlapRows<double>& rows, const OverlapRules& rules,
+void FindDoubles(const PositionConstraintView<double>& rows, const PositionRules& rules,
                  const Velocity* mean, const Velocity* solved) {
   Find(rows, rules, mean, solved);
 }
-void FindFloats(const OverlapRows<float>& rows, const OverlapRules& rules,
+void FindFloats(const PositionConstraintView<float>& rows, const PositionRules& rules,
                 const Velocity* mean, const Velocity* solved) {
   Find(rows, rules, mean, solved);
 }
-void RemoveDoubles(const OverlapRows<double>& rows, Velocity* moves) {
+void RemoveDoubles(const PositionConstraintView<double>& rows, Velocity* moves) {
   Remove(rows, moves);
 }
-void RemoveFloats(const OverlapRows<float>& rows, SingleVelocity* moves) {
+void RemoveFloats(const PositionConstraintView<float>& rows, SingleVelocity* moves) {
   Remove(rows, moves);
 }
 
@@ -157,32 +160,34 @@ HWY_EXPORT(RemoveDoubles);
 HWY_EXPORT(RemoveFloats);
 
 template <>
-void NoteTooDeep(const ContactRows<double>& rows, bool turns,
-                 Overlaps<double>& overlaps) {
+void CollectDeepContacts(const ConstraintView<double>& rows, bool turns,
+                         Overlaps<double>& overlaps) {
   HWY_DYNAMIC_DISPATCH(NoteDoubles)(rows, turns, overlaps);
 }
 template <>
-void NoteTooDeep(const ContactRows<float>& rows, bool turns, Overlaps<float>& overlaps) {
+void CollectDeepContacts(const ConstraintView<float>& rows, bool turns,
+                         Overlaps<float>& overlaps) {
   HWY_DYNAMIC_DISPATCH(NoteFloats)(rows, turns, overlaps);
 }
 
 template <>
-void FindExcess(const OverlapRows<double>& rows, const OverlapRules& rules,
+void FindExcess(const PositionConstraintView<double>& rows, const PositionRules& rules,
                 std::span<const Velocity> mean, std::span<const Velocity> solved) {
   HWY_DYNAMIC_DISPATCH(FindDoubles)(rows, rules, mean.data(), solved.data());
 }
 template <>
-void FindExcess(const OverlapRows<float>& rows, const OverlapRules& rules,
+void FindExcess(const PositionConstraintView<float>& rows, const PositionRules& rules,
                 std::span<const Velocity> mean, std::span<const Velocity> solved) {
   HWY_DYNAMIC_DISPATCH(FindFloats)(rows, rules, mean.data(), solved.data());
 }
 
 template <>
-void RemoveExcess(const OverlapRows<double>& rows, std::span<Velocity> moves) {
+void RemoveExcess(const PositionConstraintView<double>& rows, std::span<Velocity> moves) {
   HWY_DYNAMIC_DISPATCH(RemoveDoubles)(rows, moves.data());
 }
 template <>
-void RemoveExcess(const OverlapRows<float>& rows, std::span<SingleVelocity> moves) {
+void RemoveExcess(const PositionConstraintView<float>& rows,
+                  std::span<SingleVelocity> moves) {
   HWY_DYNAMIC_DISPATCH(RemoveFloats)(rows, moves.data());
 }
 }  // namespace cookbook

@@ -7,17 +7,18 @@
 namespace cookbook {
 
 /** How much the solves of a small world may spend, in sweeps × rows: on the average
- Settings::patience, and ahead of others up to 20 times as much. */
-class Patience {
+ Settings::iteration_budget, and ahead of others up to 20 times as much. */
+class IterationBudget {
  public:
   /** Returns what the next solve may spend. */
   long Left(const Settings& settings) const {
-    return settings.patience + std::max(0L, kHeadStart * settings.patience - ahead_);
+    return settings.iteration_budget +
+           std::max(0L, kHeadStart * settings.iteration_budget - ahead_);
   }
 
   /** Says what it spent. */
   void Spend(long spent, const Settings& settings) {
-    ahead_ = std::max(0L, ahead_ + spent - settings.patience);
+    ahead_ = std::max(0L, ahead_ + spent - settings.iteration_budget);
   }
 
  private:

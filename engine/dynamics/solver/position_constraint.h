@@ -11,10 +11,10 @@ namespace cookbook {
 
 /** One contact of each of some pairs that is too deep, where `mass` is not 0. */
 template <class Real>
-struct alignas(kAlignment<Real>) OverlapLanes {
+struct alignas(kAlignment<Real>) PositionConstraintLanes {
   VectorLanes<Real> r_A;  ///< From the centre of A. [m]
   VectorLanes<Real> r_B;
-  Lanes<Real> depth;    ///< Beyond the slack, at the start of the step. [m]
+  Lanes<Real> depth;    ///< Beyond the slop, at the start of the step. [m]
   Lanes<Real> mass;     ///< What resists a move along n. [kg]
   Lanes<Real> excess;   ///< To be removed. [m]
   Lanes<Real> impulse;  ///< [kg m]
@@ -22,14 +22,14 @@ struct alignas(kAlignment<Real>) OverlapLanes {
 
 /** Pairs of which no two share a moving body. */
 template <class Real>
-struct alignas(kAlignment<Real>) OverlapBatch {
+struct alignas(kAlignment<Real>) PositionConstraintBatch {
   BodyLanes<Real> A;
   BodyLanes<Real> B;
   int first;  ///< Its first row; the others follow.
   int count;
   bool at_work;  ///< Whether any contact of it is to be moved.
   VectorLanes<Real> n;
-  Lanes<Real> usual;  ///< As of ContactBatch. [m/s]
+  Lanes<Real> usual;  ///< As of ConstraintBatch. [m/s]
   Lanes<Real> inverse_mass_A;
   Lanes<Real> inverse_mass_B;
   TensorLanes<Real> inverse_inertia_A;
@@ -40,8 +40,8 @@ struct alignas(kAlignment<Real>) OverlapBatch {
  */
 template <class Real>
 struct Overlaps {
-  std::vector<OverlapBatch<Real>> batches;
-  std::vector<OverlapLanes<Real>> rows;
+  std::vector<PositionConstraintBatch<Real>> batches;
+  std::vector<PositionConstraintLanes<Real>> rows;
   std::vector<std::size_t> firsts;  ///< Batch of each colour, group after group.
   std::vector<std::size_t> groups;  ///< First batch of each group.
 
@@ -55,33 +55,35 @@ struct Overlaps {
 
 /** Overlaps and their batches. */
 template <class Real>
-struct OverlapRows {
-  std::span<OverlapBatch<Real>> batches;
-  std::span<OverlapLanes<Real>> overlaps;
+struct PositionConstraintView {
+  std::span<PositionConstraintBatch<Real>> batches;
+  std::span<PositionConstraintLanes<Real>> overlaps;
 };
 
 /** How overlap is removed. */
-struct OverlapRules {
+struct PositionRules {
   double h;      ///< [s]
   double share;  ///< Of the excess, in (0, 1].
 };
 
 // All are there for double and for float.
 
-/** Appends what is deeper than its slack, and neither sends back nor is let be: a batch
+/** Appends what is deeper than its slop, and neither sends back nor is let be: a batch
  for each batch of contacts that has any. `turns`: whether a body may turn, not only move.
  */
 template <class Real>
-void NoteTooDeep(const ContactRows<Real>& rows, bool turns, Overlaps<Real>& overlaps);
+void CollectDeepContacts(const ConstraintView<Real>& rows, bool turns,
+                         Overlaps<Real>& overlaps);
 
 /** Finds what is to be removed of each overlap, given what has moved the bodies during
  the step and how they move now: contacts that part on their own are let go. */
 template <class Real>
-void FindExcess(const OverlapRows<Real>& rows, const OverlapRules& rules,
+void FindExcess(const PositionConstraintView<Real>& rows, const PositionRules& rules,
                 std::span<const Velocity> mean, std::span<const Velocity> solved);
 
 /** Removes each overlap once, batch after batch: adds to the moves ([m], [rad]). */
 template <class Real>
-void RemoveExcess(const OverlapRows<Real>& rows, std::span<SweptVelocity<Real>> moves);
+void RemoveExcess(const PositionConstraintView<Real>& rows,
+                  std::span<SolverVelocity<Real>> moves);
 
 }  // namespace cookbook

@@ -5,7 +5,7 @@
 namespace cookbook {
 namespace {
 
-/** Batches below which it does not pay to share them out: see ContactGroup. */
+/** Batches below which it does not pay to share them out: see ConstraintGroup. */
 constexpr std::size_t kFewBatches = 12;
 
 /** Share of the excess that a large world removes at most. A few sweeps lift the one and
@@ -17,33 +17,35 @@ constexpr double kLargeShare = 0.2;
 }  // namespace
 
 template <class Real>
-bool FindMoves(std::span<Overlaps<Real>> overlaps, bool is_large,
-               std::span<const Velocity> mean, std::span<const Velocity> solved,
-               const Settings& settings, double h, Crew& crew,
-               std::span<SweptVelocity<Real>> moves) {
+bool FindPositionCorrections(std::span<Overlaps<Real>> overlaps, bool is_large,
+                             std::span<const Velocity> mean,
+                             std::span<const Velocity> solved, const Settings& settings,
+                             double h, ThreadPool& pool,
+                             std::span<SolverVelocity<Real>> moves) {
   const auto is_empty = [](const Overlaps<Real>& some) { return some.batches.empty(); };
   if (std::all_of(overlaps.begin(), overlaps.end(), is_empty)) return false;
-  const double share = is_large ? std::min(settings.projection_share, kLargeShare)
-                                : settings.projection_share;
-  const OverlapRules rules{h, share};
+  const double share = is_large
+                           ? std::min(settings.position_correction_fraction, kLargeShare)
+                           : settings.position_correction_fraction;
+  const PositionRules rules{h, share};
 
-  std::fill(moves.begin(), moves.end(), SweptVelocity<Real>{});
+  std::fill(moves.begin(), moves.end(), SolverVelocity<Real>{});
   const auto for_each_sweep = [&](const auto& remove) {
-    for (int k = 0; k < settings.projection_iterations; ++k) remove();
+    for (int k = 0; k < settings.position_iterations; ++k) remove();
   };
   const std::size_t threads = overlaps.size() - 1;
   std::size_t batches = 0;
   for (const Overlaps<Real>& own : overlaps.first(threads)) batches += own.batches.size();
   const std::size_t least = batches < kFewBatches ? threads + 1 : 0;
-  crew.Share(threads, least, [&](std::size_t begin, std::size_t end) {
+  pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
     for (Overlaps<Real>& own : overlaps.subspan(begin, end - begin)) {
       // Group after group: each stays in a processor's cache for all its sweeps.
       for (std::size_t k = 0; k < own.groups.size(); ++k) {
         const std::size_t first = own.groups[k];
         const std::size_t last =
             k + 1 < own.groups.size() ? own.groups[k + 1] : own.batches.size();
-        const OverlapRows<Real> rows{std::span(own.batches).subspan(first, last - first),
-                                     own.rows};
+        const PositionConstraintView<Real> rows{
+            std::span(own.batches).subspan(first, last - first), own.rows};
         FindExcess(rows, rules, mean, solved);
         for_each_sweep([&] { RemoveExcess(rows, moves); });
       }
@@ -51,30 +53,35 @@ bool FindMoves(std::span<Overlaps<Real>> overlaps, bool is_large,
   });
 
   Overlaps<Real>& shared = overlaps.back();
-  const OverlapRows<Real> rows{shared.batches, shared.rows};
-  crew.Share(rows.batches.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
-    FindExcess<Real>({rows.batches.subspan(begin, end - begin), rows.overlaps}, rules,
-                     mean, solved);
-  });
+  const PositionConstraintView<Real> rows{shared.batches, shared.rows};
+  pool.ParallelFor(
+      rows.batches.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
+        FindExcess<Real>({rows.batches.subspan(begin, end - begin), rows.overlaps}, rules,
+                         mean, solved);
+      });
   for_each_sweep([&] {
     for (std::size_t k = 0; k < shared.firsts.size(); ++k) {
       const std::size_t first = shared.firsts[k];
       const std::size_t last =
           k + 1 < shared.firsts.size() ? shared.firsts[k + 1] : shared.batches.size();
-      crew.Share(last - first, kFewBatches, [&](std::size_t begin, std::size_t end) {
-        RemoveExcess<Real>(
-            {rows.batches.subspan(first + begin, end - begin), rows.overlaps}, moves);
-      });
+      pool.ParallelFor(
+          last - first, kFewBatches, [&](std::size_t begin, std::size_t end) {
+            RemoveExcess<Real>(
+                {rows.batches.subspan(first + begin, end - begin), rows.overlaps}, moves);
+          });
     }
   });
   return true;
 }
 
-template bool FindMoves<double>(std::span<Overlaps<double>>, bool,
-                                std::span<const Velocity>, std::span<const Velocity>,
-                                const Settings&, double, Crew&, std::span<Velocity>);
-template bool FindMoves<float>(std::span<Overlaps<float>>, bool,
-                               std::span<const Velocity>, std::span<const Velocity>,
-                               const Settings&, double, Crew&, std::span<SingleVelocity>);
+template bool FindPositionCorrections<double>(std::span<Overlaps<double>>, bool,
+                                              std::span<const Velocity>,
+                                              std::span<const Velocity>, const Settings&,
+                                              double, ThreadPool&, std::span<Velocity>);
+template bool FindPositionCorrections<float>(std::span<Overlaps<float>>, bool,
+                                             std::span<const Velocity>,
+                                             std::span<const Velocity>, const Settings&,
+                                             double, ThreadPool&,
+                                             std::span<SingleVelocity>);
 
 }  // namespace cookbook

@@ -72,9 +72,9 @@ HWY_INLINE Vec3<double> Across(const Vec3<double>& n) {
  step, hangs on their order; how a face slides hangs on the way.
 
  λ' = λ̄ + g·(x − x̄), g the least squares of λ − λ̄: of all λ of these sums the one of least
- Σ λ². Left alone where a contact carries nothing, or would pull. */
+ Σ λ². Left alone where a contact carries nothing, or would load. */
 template <class Real>
-HWY_INLINE void SpreadLoad(const ContactBatch<Real>& batch, ContactLanes<Real>* rows,
+HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
                            const ContactNotes<Real>* notes) {
   using V = Vec<Real>;
   const V zero{};
@@ -141,16 +141,16 @@ HWY_INLINE void SpreadLoad(const ContactBatch<Real>& batch, ContactLanes<Real>* 
 /** Spreads the impulses of friction of a face that holds as the load is spread: of all
  that have the same sum and the same moment about the normal those of least Σ f²/λ, with
  which every contact is as far from its bound as the face is, if it does not spin. Else
- contacts pull against each other across the face, by what the first sweeps left there,
+ contacts load against each other across the face, by what the first sweeps left there,
  and slip too early.
 
  f' = λ (F/Σλ + s × (x − x̄)), x̄ the centre of the load, s = M / Σ λ (x − x̄)². Left alone
  where a contact slips, since its friction then follows from that, or where f' is beyond
  the cone. */
 template <class Real>
-HWY_INLINE void SpreadFriction(const ContactBatch<Real>& batch, ContactLanes<Real>* rows,
-                               const ContactNotes<Real>* notes, const Pairs<Real>& before,
-                               const Pairs<Real>& free) {
+HWY_INLINE void SpreadFriction(const ConstraintBatch<Real>& batch,
+                               ContactLanes<Real>* rows, const ContactNotes<Real>* notes,
+                               const Pairs<Real>& before, const Pairs<Real>& free) {
   using V = Vec<Real>;
   const V zero{};
   const V one = All<Real>(1);
@@ -175,8 +175,8 @@ HWY_INLINE void SpreadFriction(const ContactBatch<Real>& batch, ContactLanes<Rea
     const Vec3<Real> u = before.At(r_A, r_B);
     const V slip1 = Dot(u, t1);
     const V slip2 = Dot(u, t2);
-    const V pull = Dot(Minus(free.At(r_A, r_B), u), n);
-    const V steady = All<Real>(kSteady) * (At(batch.usual) + Abs(pull));
+    const V gain = Dot(Minus(free.At(r_A, r_B), u), n);
+    const V steady = All<Real>(kSteady) * (At(batch.usual) + Abs(gain));
     slips |= (impulse > zero) & (slip1 * slip1 + slip2 * slip2 > steady * steady);
   }
   VecBits<Real> spreads = (number > All<Real>(1.5)) & ~slips;
@@ -219,7 +219,7 @@ HWY_INLINE void SpreadFriction(const ContactBatch<Real>& batch, ContactLanes<Rea
 
 /** Fills what a batch and its rows have of the pairs. */
 template <class Real>
-HWY_INLINE void Fill(ContactBatch<Real>& batch, ContactLanes<Real>* rows,
+HWY_INLINE void Fill(ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
                      ContactNotes<Real>* notes, const ContactRules& rules,
                      std::span<const ContactPair> pairs, const SolverBodies& world,
                      bool warm_starting) {
@@ -246,7 +246,7 @@ HWY_INLINE void Fill(ContactBatch<Real>& batch, ContactLanes<Real>* rows,
       x_A[k] = x_B[k] = kNothing.data();
       inertia_A[k] = inertia_B[k] = &kImmovable;
       friction[k] = 0;
-      batch.restitution[lane] = batch.usual[lane] = batch.slack[lane] = 0;
+      batch.restitution[lane] = batch.usual[lane] = batch.slop[lane] = 0;
       if (!is_pair) continue;
       const auto a = static_cast<std::size_t>(batch.A[lane]);
       const auto b = static_cast<std::size_t>(batch.B[lane]);
@@ -258,8 +258,8 @@ HWY_INLINE void Fill(ContactBatch<Real>& batch, ContactLanes<Real>* rows,
       inertia_B[k] = &world.inertias[b];
       friction[k] = A.friction * B.friction;
       batch.restitution[lane] = static_cast<Real>(std::min(A.restitution, B.restitution));
-      batch.usual[lane] = static_cast<Real>(rules.h * PullOn(*pair[k], A, B));
-      batch.slack[lane] = static_cast<Real>(SlackBetween(A, B));
+      batch.usual[lane] = static_cast<Real>(rules.h * LoadOn(*pair[k], A, B));
+      batch.slop[lane] = static_cast<Real>(SlopBetween(A, B));
     }
     const auto put_inertias = [&](const std::array<const InverseInertia*, 4>& from,
                                   Lanes<Real>& mass, TensorLanes<Real>& tensor) HWY_ATTR {
@@ -318,24 +318,24 @@ HWY_INLINE void Fill(ContactBatch<Real>& batch, ContactLanes<Real>* rows,
 
 /** Tells memory what Prepare() will want of a batch. */
 template <class Real>
-void FetchBatch(const ContactBatch<Real>& batch, std::span<const ContactPair> pairs,
-                const SolverBodies& world) {
+void PrefetchBatch(const ConstraintBatch<Real>& batch, std::span<const ContactPair> pairs,
+                   const SolverBodies& world) {
   for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
     if (batch.pair[lane] < 0) continue;
-    FetchContacts(pairs[static_cast<std::size_t>(batch.pair[lane])], batch.count);
+    PrefetchContacts(pairs[static_cast<std::size_t>(batch.pair[lane])], batch.count);
     for (const int body : {batch.A[lane], batch.B[lane]}) {
       const auto i = static_cast<std::size_t>(body);
-      Fetch(&world.bodies[i].state.p_WB, 1);
-      Fetch(&world.bodies[i].restitution, 1);
-      Fetch(&world.inertias[i], sizeof(InverseInertia));
-      Fetch(&world.before[i], 1);
-      Fetch(&world.velocities[i], 1);
+      Prefetch(&world.bodies[i].state.p_WB, 1);
+      Prefetch(&world.bodies[i].restitution, 1);
+      Prefetch(&world.inertias[i], sizeof(InverseInertia));
+      Prefetch(&world.before[i], 1);
+      Prefetch(&world.velocities[i], 1);
     }
   }
 }
 
 template <class Real>
-double Prepare(const ContactRows<Real>& rows, const ContactRules& rules,
+double Prepare(const ConstraintView<Real>& rows, const ContactRules& rules,
                std::span<const ContactPair> pairs, const SolverBodies& world,
                bool warm_starting) {
   using V = Vec<Real>;
@@ -343,8 +343,8 @@ double Prepare(const ContactRows<Real>& rows, const ContactRules& rules,
   const V one = All<Real>(1);
   V greatest{};
   for (std::size_t k = 0; k < rows.batches.size(); ++k) {
-    ContactBatch<Real>& batch = rows.batches[k];
-    if (k + 1 < rows.batches.size()) FetchBatch(rows.batches[k + 1], pairs, world);
+    ConstraintBatch<Real>& batch = rows.batches[k];
+    if (k + 1 < rows.batches.size()) PrefetchBatch(rows.batches[k + 1], pairs, world);
     const auto first = static_cast<std::size_t>(batch.first);
     ContactLanes<Real>* prepared = &rows.contacts[first];
     ContactNotes<Real>* notes = &rows.notes[first];
@@ -371,14 +371,14 @@ double Prepare(const ContactRows<Real>& rows, const ContactRules& rules,
           Max(greatest,
               Select(used, Max(Dot(u_before, u_before), Dot(u_free, u_free)), zero));
       const V approach = Dot(u_before, n);
-      const V pull = Dot(u_free, n) - approach;
-      const V usual = At(batch.usual) + Abs(pull);
-      const V sent_back = pull - restitution * approach;
+      const V load = Dot(u_free, n) - approach;
+      const V usual = At(batch.usual) + Abs(load);
+      const V sent_back = load - restitution * approach;
       const VecBits<Real> apart = At(note.separation) > zero;
       const V fast = All<Real>(rules.resting_speed) * usual;
       const VecBits<Real> would_bounce = (approach < zero - fast) & (sent_back > zero);
-      // What parts, and meets a blow of this step, comes back by the same law: held at
-      // rest it would leave the other body of the blow with the energy of both.
+      // What parts, and meets a impact of this step, comes back by the same law: held at
+      // rest it would leave the other body of the impact with the energy of both.
       const VecBits<Real> leaves = restitution * approach > fast;
       const VecBits<Real> bounces = leaves | (would_bounce & ~apart);
       const VecBits<Real> steady = Abs(approach) <= All<Real>(kSteady) * usual;
@@ -387,7 +387,7 @@ double Prepare(const ContactRows<Real>& rows, const ContactRules& rules,
       const V arrive =
           Select(would_bounce, All<Real>(-std::numeric_limits<Real>::infinity()),
                  zero - At(note.separation) / All<Real>(rules.h));
-      const V excess = zero - At(note.separation) - At(batch.slack);
+      const V excess = zero - At(note.separation) - At(batch.slop);
       const VecBits<Real> deep = (excess > zero) & ~would_bounce;
       const V push =
           Select(deep, All<Real>(rules.baumgarte + rules.soft_rate) * excess, zero);
@@ -444,12 +444,12 @@ double Prepare(const ContactRows<Real>& rows, const ContactRules& rules,
   return Greatest(Sqrt(greatest));
 }
 
-double PrepareDoubles(const ContactRows<double>& rows, const ContactRules& rules,
+double PrepareDoubles(const ConstraintView<double>& rows, const ContactRules& rules,
                       std::span<const ContactPair> pairs, const SolverBodies& world,
                       bool warm_starting) {
   return Prepare(rows, rules, pairs, world, warm_starting);
 }
-double PrepareFloats(const ContactRows<float>& rows, const ContactRules& rules,
+double PrepareFloats(const ConstraintView<float>& rows, const ContactRules& rules,
                      std::span<const ContactPair> pairs, const SolverBodies& world,
                      bool warm_starting) {
   return Prepare(rows, rules, pairs, world, warm_starting);
@@ -466,13 +466,13 @@ HWY_EXPORT(PrepareDoubles);
 HWY_EXPORT(PrepareFloats);
 
 template <>
-double PrepareContacts(const ContactRows<double>& rows, const ContactRules& rules,
+double PrepareContacts(const ConstraintView<double>& rows, const ContactRules& rules,
                        std::span<const ContactPair> pairs, const SolverBodies& world,
                        bool warm_starting) {
   return HWY_DYNAMIC_DISPATCH(PrepareDoubles)(rows, rules, pairs, world, warm_starting);
 }
 template <>
-double PrepareContacts(const ContactRows<float>& rows, const ContactRules& rules,
+double PrepareContacts(const ConstraintView<float>& rows, const ContactRules& rules,
                        std::span<const ContactPair> pairs, const SolverBodies& world,
                        bool warm_starting) {
   return HWY_DYNAMIC_DISPATCH(PrepareFloats)(rows, rules, pairs, world, warm_starting);

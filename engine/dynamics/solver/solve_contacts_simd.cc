@@ -22,8 +22,8 @@ namespace HWY_NAMESPACE {
 namespace {
 
 template <class Real>
-void ApplyAll(const ContactRows<Real>& rows, SweptVelocity<Real>* velocities) {
-  for (const ContactBatch<Real>& batch : rows.batches) {
+void ApplyAll(const ConstraintView<Real>& rows, SolverVelocity<Real>* velocities) {
+  for (const ConstraintBatch<Real>& batch : rows.batches) {
     Moving<Real> A = Gather(velocities, batch.A);
     Moving<Real> B = Gather(velocities, batch.B);
     const Inertias<Real> m = InertiasOf<Real>(batch);
@@ -46,7 +46,7 @@ void ApplyAll(const ContactRows<Real>& rows, SweptVelocity<Real>* velocities) {
 
 /** Returns the impulse of a contact on B. */
 template <class Real>
-HWY_INLINE Vec3<Real> ImpulseOf(const ContactBatch<Real>& batch,
+HWY_INLINE Vec3<Real> ImpulseOf(const ConstraintBatch<Real>& batch,
                                 const ContactLanes<Real>& contact) {
   return Plus(Plus(Times(At(contact.impulse), At(batch.n)),
                    Times(At(contact.friction_impulse1), At(batch.t1))),
@@ -54,11 +54,11 @@ HWY_INLINE Vec3<Real> ImpulseOf(const ContactBatch<Real>& batch,
 }
 
 /** Applies the impulses of floats in double precision. */
-void ApplyFound(const ContactRows<float>& rows, const SolverBodies& world) {
+void ApplyFound(const ConstraintView<float>& rows, const SolverBodies& world) {
   Velocity* velocities = world.velocities.data();
   alignas(64) static const InverseInertia kImmovable{};
   alignas(32) static constexpr std::array<double, 4> kAnywhere{};
-  for (const ContactBatch<float>& batch : rows.batches) {
+  for (const ConstraintBatch<float>& batch : rows.batches) {
     const ContactLanes<float>* rows_of_batch =
         &rows.contacts[static_cast<std::size_t>(batch.first)];
     std::array<VectorLanes<float>, 8> J_W;
@@ -119,11 +119,11 @@ void ApplyFound(const ContactRows<float>& rows, const SolverBodies& world) {
 
 /** A batch while it is swept. */
 template <class Real>
-struct Swept {
+struct Solved {
   using V = Vec<Real>;
   static constexpr bool kMeasures = std::is_same_v<Real, double>;
 
-  ContactBatch<Real>& batch;
+  ConstraintBatch<Real>& batch;
   ContactLanes<Real>* rows;
   const ContactNotes<Real>* notes;
   Moving<Real> A;
@@ -144,9 +144,9 @@ struct Swept {
 };
 
 template <class Real>
-HWY_INLINE Swept<Real> Begin(ContactBatch<Real>& batch, const ContactRows<Real>& rows,
-                             Vec<Real> relaxation,
-                             const SweptVelocity<Real>* velocities) {
+HWY_INLINE Solved<Real> Begin(ConstraintBatch<Real>& batch,
+                              const ConstraintView<Real>& rows, Vec<Real> relaxation,
+                              const SolverVelocity<Real>* velocities) {
   const auto first = static_cast<std::size_t>(batch.first);
   return {batch,
           &rows.contacts[first],
@@ -169,7 +169,7 @@ enum class Kind {
 
 /** Solves one contact of each pair, given 1 in `kept` where impulses accumulate. */
 template <Kind kind, class Real>
-HWY_INLINE void SolveRow(int row, Vec<Real> kept, Swept<Real>& at) {
+HWY_INLINE void SolveRow(int row, Vec<Real> kept, Solved<Real>& at) {
   using V = Vec<Real>;
   ContactLanes<Real>& contact = at.rows[row];
   const V zero{};
@@ -224,7 +224,7 @@ HWY_INLINE void SolveRow(int row, Vec<Real> kept, Swept<Real>& at) {
   Apply(Plus(Times(change, at.n), Plus(Times(change1, at.t1), Times(change2, at.t2))),
         r_A, r_B, at.m, at.A, at.B);
 
-  if constexpr (Swept<Real>::kMeasures) {
+  if constexpr (Solved<Real>::kMeasures) {
     const ContactNotes<Real>& note = at.notes[row];
     const V slip_response = At(note.slip_response);
     at.changed = Max(at.changed, Abs(change) * At(note.response));
@@ -233,15 +233,15 @@ HWY_INLINE void SolveRow(int row, Vec<Real> kept, Swept<Real>& at) {
 }
 
 template <class Real>
-HWY_INLINE void End(const Swept<Real>& at, SweptVelocity<Real>* velocities) {
-  if constexpr (Swept<Real>::kMeasures) Put(at.changed, at.batch.change);
+HWY_INLINE void End(const Solved<Real>& at, SolverVelocity<Real>* velocities) {
+  if constexpr (Solved<Real>::kMeasures) Put(at.changed, at.batch.change);
   Scatter(at.A, at.batch.A, at.batch.inverse_mass_A, velocities);
   Scatter(at.B, at.batch.B, at.batch.inverse_mass_B, velocities);
 }
 
 template <Kind kind, class Real>
-Changes SweepKind(const ContactRows<Real>& rows, bool accumulated, double relaxation,
-                  SweptVelocity<Real>* velocities) {
+Changes SweepKind(const ConstraintView<Real>& rows, bool accumulated, double relaxation,
+                  SolverVelocity<Real>* velocities) {
   using V = Vec<Real>;
   const V kept = All<Real>(accumulated ? 1 : 0);
   const V relaxed = All<Real>(relaxation);
@@ -256,7 +256,7 @@ Changes SweepKind(const ContactRows<Real>& rows, bool accumulated, double relaxa
   // no batch of a colour for another.
   for (std::size_t k = next_at_work(0); k < count;) {
     const std::size_t second = next_at_work(k + 1);
-    Swept<Real> one = Begin<Real>(rows.batches[k], rows, relaxed, velocities);
+    Solved<Real> one = Begin<Real>(rows.batches[k], rows, relaxed, velocities);
     if (second == count) {
       for (int i = 0; i < one.batch.count; ++i) SolveRow<kind, Real>(i, kept, one);
       End(one, velocities);
@@ -264,7 +264,7 @@ Changes SweepKind(const ContactRows<Real>& rows, bool accumulated, double relaxa
       least = Min(least, one.ChangedOfPairs());
       break;
     }
-    Swept<Real> two = Begin<Real>(rows.batches[second], rows, relaxed, velocities);
+    Solved<Real> two = Begin<Real>(rows.batches[second], rows, relaxed, velocities);
     const int both = std::min(one.batch.count, two.batch.count);
     for (int i = 0; i < both; ++i) {
       SolveRow<kind, Real>(i, kept, one);
@@ -278,7 +278,7 @@ Changes SweepKind(const ContactRows<Real>& rows, bool accumulated, double relaxa
     least = Min(least, Min(one.ChangedOfPairs(), two.ChangedOfPairs()));
     k = next_at_work(second + 1);
   }
-  if constexpr (Swept<Real>::kMeasures) {
+  if constexpr (Solved<Real>::kMeasures) {
     return {Greatest(greatest), -Greatest(-least)};
   } else {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
@@ -287,8 +287,8 @@ Changes SweepKind(const ContactRows<Real>& rows, bool accumulated, double relaxa
 }
 
 template <class Real>
-Changes Sweep(const ContactRows<Real>& rows, const ContactRules& rules, double relaxation,
-              SweptVelocity<Real>* velocities) {
+Changes Iterate(const ConstraintView<Real>& rows, const ContactRules& rules,
+                double relaxation, SolverVelocity<Real>* velocities) {
   const bool is_plain = rules.accumulated && rules.soft_impulse_scale == 0;
   return (is_plain ? SweepKind<Kind::kPlain, Real>
                    : SweepKind<Kind::kAny, Real>)(rows, rules.accumulated, relaxation,
@@ -296,10 +296,11 @@ Changes Sweep(const ContactRows<Real>& rows, const ContactRules& rules, double r
 }
 
 template <class Real>
-void Read(const ContactRows<Real>& rows, std::span<ContactPair> pairs, Touch* touches) {
+void Read(const ConstraintView<Real>& rows, std::span<ContactPair> pairs,
+          Touch* touches) {
   using V = Vec<Real>;
   const V zero{};
-  for (const ContactBatch<Real>& batch : rows.batches) {
+  for (const ConstraintBatch<Real>& batch : rows.batches) {
     std::array<ContactPair*, kLanes<Real>> pair{};
     std::array<int, kLanes<Real>> counts{};
     for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
@@ -349,25 +350,25 @@ void Read(const ContactRows<Real>& rows, std::span<ContactPair> pairs, Touch* to
   }
 }
 
-void ApplyAllDoubles(const ContactRows<double>& rows, Velocity* velocities) {
+void ApplyAllDoubles(const ConstraintView<double>& rows, Velocity* velocities) {
   ApplyAll(rows, velocities);
 }
-void ApplyAllFloats(const ContactRows<float>& rows, SingleVelocity* velocities) {
+void ApplyAllFloats(const ConstraintView<float>& rows, SingleVelocity* velocities) {
   ApplyAll(rows, velocities);
 }
-Changes SweepDoubles(const ContactRows<double>& rows, const ContactRules& rules,
+Changes SolveDoubles(const ConstraintView<double>& rows, const ContactRules& rules,
                      double relaxation, Velocity* velocities) {
-  return Sweep(rows, rules, relaxation, velocities);
+  return Iterate(rows, rules, relaxation, velocities);
 }
-Changes SweepFloats(const ContactRows<float>& rows, const ContactRules& rules,
+Changes SolveFloats(const ConstraintView<float>& rows, const ContactRules& rules,
                     double relaxation, SingleVelocity* velocities) {
-  return Sweep(rows, rules, relaxation, velocities);
+  return Iterate(rows, rules, relaxation, velocities);
 }
-void ReadDoubles(const ContactRows<double>& rows, std::span<ContactPair> pairs,
+void ReadDoubles(const ConstraintView<double>& rows, std::span<ContactPair> pairs,
                  Touch* touches) {
   Read(rows, pairs, touches);
 }
-void ReadFloats(const ContactRows<float>& rows, std::span<ContactPair> pairs,
+void ReadFloats(const ConstraintView<float>& rows, std::span<ContactPair> pairs,
                 Touch* touches) {
   Read(rows, pairs, touches);
 }
@@ -382,42 +383,43 @@ namespace cookbook {
 HWY_EXPORT(ApplyAllDoubles);
 HWY_EXPORT(ApplyAllFloats);
 HWY_EXPORT(ApplyFound);
-HWY_EXPORT(SweepDoubles);
-HWY_EXPORT(SweepFloats);
+HWY_EXPORT(SolveDoubles);
+HWY_EXPORT(SolveFloats);
 HWY_EXPORT(ReadDoubles);
 HWY_EXPORT(ReadFloats);
 
 template <>
-void ApplyImpulses(const ContactRows<double>& rows, std::span<Velocity> velocities) {
+void ApplyImpulses(const ConstraintView<double>& rows, std::span<Velocity> velocities) {
   HWY_DYNAMIC_DISPATCH(ApplyAllDoubles)(rows, velocities.data());
 }
 template <>
-void ApplyImpulses(const ContactRows<float>& rows, std::span<SingleVelocity> velocities) {
+void ApplyImpulses(const ConstraintView<float>& rows,
+                   std::span<SingleVelocity> velocities) {
   HWY_DYNAMIC_DISPATCH(ApplyAllFloats)(rows, velocities.data());
 }
 
-void ApplyFoundImpulses(const ContactRows<float>& rows, const SolverBodies& world) {
+void ApplyFoundImpulses(const ConstraintView<float>& rows, const SolverBodies& world) {
   HWY_DYNAMIC_DISPATCH(ApplyFound)(rows, world);
 }
 
 template <>
-Changes SweepContacts(const ContactRows<double>& rows, const ContactRules& rules,
+Changes SolveContacts(const ConstraintView<double>& rows, const ContactRules& rules,
                       double relaxation, std::span<Velocity> velocities) {
-  return HWY_DYNAMIC_DISPATCH(SweepDoubles)(rows, rules, relaxation, velocities.data());
+  return HWY_DYNAMIC_DISPATCH(SolveDoubles)(rows, rules, relaxation, velocities.data());
 }
 template <>
-Changes SweepContacts(const ContactRows<float>& rows, const ContactRules& rules,
+Changes SolveContacts(const ConstraintView<float>& rows, const ContactRules& rules,
                       double relaxation, std::span<SingleVelocity> velocities) {
-  return HWY_DYNAMIC_DISPATCH(SweepFloats)(rows, rules, relaxation, velocities.data());
+  return HWY_DYNAMIC_DISPATCH(SolveFloats)(rows, rules, relaxation, velocities.data());
 }
 
 template <>
-void ReadContacts(const ContactRows<double>& rows, std::span<ContactPair> pairs,
+void ReadContacts(const ConstraintView<double>& rows, std::span<ContactPair> pairs,
                   std::span<Touch> touches) {
   HWY_DYNAMIC_DISPATCH(ReadDoubles)(rows, pairs, touches.data());
 }
 template <>
-void ReadContacts(const ContactRows<float>& rows, std::span<ContactPair> pairs,
+void ReadContacts(const ConstraintView<float>& rows, std::span<ContactPair> pairs,
                   std::span<Touch> touches) {
   HWY_DYNAMIC_DISPATCH(ReadFloats)(rows, pairs, touches.data());
 }

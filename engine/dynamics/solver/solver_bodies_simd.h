@@ -1,6 +1,6 @@
 // Pairs of bodies, one a lane, for engine code compiled once per processor target: four
-// by doubles, sixteen by floats. Include after engine/simd/sixteen_lanes.h, within a file that
-// foreach_target.h reads again and again; hence the guard that toggles.
+// by doubles, sixteen by floats. Include after engine/simd/sixteen_lanes.h, within a file
+// that foreach_target.h reads again and again; hence the guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_BODIES_IN_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_BODIES_IN_LANES_H_

@@ -31,7 +31,7 @@ struct Side {
   bool other_moves;
 };
 
-Side SideOf(const ContactBatch<double>& batch, std::size_t lane, int body) {
+Side SideOf(const ConstraintBatch<double>& batch, std::size_t lane, int body) {
   const bool is_B = batch.B[lane] == body;
   return {is_B, body, is_B ? batch.A[lane] : batch.B[lane],
           (is_B ? batch.inverse_mass_A : batch.inverse_mass_B)[lane] != 0};
@@ -54,8 +54,8 @@ struct Patch {
 
 /** Returns the patch, or nothing where some contact has to be left faster than at rest,
  or those that can bear do not hold a body upright. */
-std::optional<Patch> PatchOf(const ContactRows<double>& rows,
-                             const ContactBatch<double>& batch, std::size_t lane,
+std::optional<Patch> PatchOf(const ConstraintView<double>& rows,
+                             const ConstraintBatch<double>& batch, std::size_t lane,
                              bool is_B) {
   Patch patch;
   patch.axes_W << VectorAt(batch.n, lane), VectorAt(batch.t1, lane),
@@ -122,7 +122,7 @@ class Bed {
     });
     if (!(load > 0)) return;
     centre /= load;
-    // About the centre of the load, so that the pull and the turn do not mix.
+    // About the centre of the load, so that the load and the turn do not mix.
     const double turn = moment[0] - (centre[0] * force[2] - centre[1] * force[1]);
     double polar = 0;
     ForEach([&](std::size_t k, const Eigen::Vector2d& arm) {
@@ -207,14 +207,15 @@ bool Bear(const Patch& patch, const Eigen::Vector3d& force, const Eigen::Vector3
 
 }  // namespace
 
-void Standstill::Find(const ContactRows<double>& rows, std::span<const int> heaps,
-                      double solved, const SolverBodies& world) {
-  if (!FindTrees(rows, heaps, solved)) return;
-  TakeApart(rows, heaps, world);
+void StaticEquilibrium::Find(const ConstraintView<double>& rows,
+                             std::span<const int> islands, double solved,
+                             const SolverBodies& world) {
+  if (!FindTrees(rows, islands, solved)) return;
+  TakeApart(rows, islands, world);
   for (const Limb& limb : limbs_) {
-    if (!heaps_[At(limb.heap)].may_rest) continue;
+    if (!islands_[At(limb.island)].may_rest) continue;
     const auto& [index, lane] = limb.place;
-    const ContactBatch<double>& batch = rows.batches[index];
+    const ConstraintBatch<double>& batch = rows.batches[index];
     for (std::size_t k = 0; k < static_cast<std::size_t>(batch.count); ++k) {
       const std::size_t row = static_cast<std::size_t>(batch.first) + k;
       ContactLanes<double>& contact = rows.contacts[row];
@@ -227,46 +228,50 @@ void Standstill::Find(const ContactRows<double>& rows, std::span<const int> heap
   }
 }
 
-bool Standstill::FindTrees(const ContactRows<double>& rows, std::span<const int> heaps,
-                           double solved) {
+bool StaticEquilibrium::FindTrees(const ConstraintView<double>& rows,
+                                  std::span<const int> islands, double solved) {
   places_.clear();
-  heaps_.assign(heaps.size(), {});
-  joints_.assign(heaps.size(), {});
+  islands_.assign(islands.size(), {});
+  joints_.assign(islands.size(), {});
   for (std::size_t index = 0; index < rows.batches.size(); ++index) {
-    const ContactBatch<double>& batch = rows.batches[index];
+    const ConstraintBatch<double>& batch = rows.batches[index];
     for (std::size_t lane = 0; lane < kLanes<double>; ++lane) {
       if (batch.pair[lane] < 0) continue;
       const auto join = [&](int body, double inverse_mass) {
         if (inverse_mass == 0) return;
         Joint& joint = joints_[At(body)];
-        if (joint.pairs++ == 0) ++heaps_[At(heaps[At(body)])].bodies;
+        if (joint.pairs++ == 0) ++islands_[At(islands[At(body)])].bodies;
         joint.last ^= places_.size();
       };
       join(batch.A[lane], batch.inverse_mass_A[lane]);
       join(batch.B[lane], batch.inverse_mass_B[lane]);
       const int moving = batch.inverse_mass_A[lane] != 0 ? batch.A[lane] : batch.B[lane];
-      Heap& heap = heaps_[At(heaps[At(moving)])];
-      ++heap.pairs;
-      heap.change = std::max(heap.change, batch.change[lane]);
+      Island& island = islands_[At(islands[At(moving)])];
+      ++island.pairs;
+      island.change = std::max(island.change, batch.change[lane]);
       places_.push_back({index, lane});
     }
   }
   // A tree has one pair less than bodies; one more is with what is static.
   bool any = false;
-  for (Heap& heap : heaps_) {
-    heap.may_rest = heap.pairs > 0 && heap.pairs == heap.bodies && heap.change > solved;
-    any = any || heap.may_rest;
+  for (Island& island : islands_) {
+    island.may_rest =
+        island.pairs > 0 && island.pairs == island.bodies && island.change > solved;
+    any = any || island.may_rest;
   }
   return any;
 }
 
-void Standstill::TakeApart(const ContactRows<double>& rows, std::span<const int> heaps,
-                           const SolverBodies& world) {
-  needs_.resize(heaps.size());
+void StaticEquilibrium::TakeApart(const ConstraintView<double>& rows,
+                                  std::span<const int> islands,
+                                  const SolverBodies& world) {
+  needs_.resize(islands.size());
   limbs_.clear();
   loose_.clear();
-  const auto heap_of = [&](int body) -> Heap& { return heaps_[At(heaps[At(body)])]; };
-  for (std::size_t i = 0; i < heaps.size(); ++i) {
+  const auto heap_of = [&](int body) -> Island& {
+    return islands_[At(islands[At(body)])];
+  };
+  for (std::size_t i = 0; i < islands.size(); ++i) {
     const int body = static_cast<int>(i);
     if (joints_[i].pairs == 0 || !heap_of(body).may_rest) continue;
     const RigidBody& moving = world.bodies[i];
@@ -281,10 +286,10 @@ void Standstill::TakeApart(const ContactRows<double>& rows, std::span<const int>
     const std::size_t last = joints_[At(body)].last;
     joints_[At(body)].pairs = 0;
     const Place place = places_[last];
-    const ContactBatch<double>& batch = rows.batches[place.batch];
+    const ConstraintBatch<double>& batch = rows.batches[place.batch];
     const Side side = SideOf(batch, place.lane, body);
-    Heap& heap = heap_of(body);
-    --heap.bodies;
+    Island& island = heap_of(body);
+    --island.bodies;
     if (side.other_moves) {
       // The other needs what this one receives.
       const Wrench& need = needs_[At(body)];
@@ -297,10 +302,10 @@ void Standstill::TakeApart(const ContactRows<double>& rows, std::span<const int>
       joint.last ^= last;
       if (--joint.pairs == 1) loose_.push_back(side.other);
     }
-    if (!heap.may_rest) continue;
+    if (!island.may_rest) continue;
     const std::optional<Patch> patch = PatchOf(rows, batch, place.lane, side.is_B);
     if (!patch) {
-      heap.may_rest = false;
+      island.may_rest = false;
       continue;
     }
     // What the contacts bear already, and what is still needed: of A the opposite.
@@ -319,14 +324,14 @@ void Standstill::TakeApart(const ContactRows<double>& rows, std::span<const int>
     }
     Limb& limb = limbs_.emplace_back();
     limb.place = place;
-    limb.heap = heaps[At(body)];
-    heap.may_rest =
+    limb.island = islands[At(body)];
+    island.may_rest =
         Bear(*patch, patch->axes_W.transpose() * all.force,
              patch->axes_W.transpose() * (all.moment - patch->middle_W.cross(all.force)),
              limb.impulses);
   }
   // What goes round in a ring is left.
-  for (Heap& heap : heaps_) heap.may_rest = heap.may_rest && heap.bodies == 0;
+  for (Island& island : islands_) island.may_rest = island.may_rest && island.bodies == 0;
 }
 
 }  // namespace cookbook

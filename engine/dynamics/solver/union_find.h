@@ -10,7 +10,7 @@
 namespace cookbook {
 
 /** Joins 0, 1, 2, … to sets. The least of a set stands for it. */
-class DisjointSets {
+class UnionFind {
  public:
   /** Puts each of `count` into a set of its own. */
   void Reset(std::size_t count) {

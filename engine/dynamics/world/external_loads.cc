@@ -9,7 +9,7 @@ namespace {
 constexpr double kOfBall = 1.0 / 50;
 
 /** Returns what gravity, forces and torques make of a body. [m/s²] */
-double PullOf(const RigidBody& body, const Eigen::Vector3d& gravity_W) {
+double LoadOf(const RigidBody& body, const Eigen::Vector3d& gravity_W) {
   const Eigen::Vector3d a_W = gravity_W + body.inverse_mass * body.Push_W();
   const double turning =
       body.is_point ? 0 : body.inverse_mass * body.Torque_W().norm() / body.radius;
@@ -18,9 +18,10 @@ double PullOf(const RigidBody& body, const Eigen::Vector3d& gravity_W) {
 
 }  // namespace
 
-void Pulls::Find(std::span<const ContactPair> contacts,
-                 std::span<const DistanceJoint> joints, std::span<const Spring> springs,
-                 const Settings& settings, double h, std::span<RigidBody> bodies) {
+void ExternalLoads::Find(std::span<const ContactPair> contacts,
+                         std::span<const DistanceJoint> joints,
+                         std::span<const Spring> springs, const Settings& settings,
+                         double h, std::span<RigidBody> bodies) {
   const auto at = [](int body) { return static_cast<std::size_t>(body); };
   const auto moves = [&](int body) { return body >= 0 && !bodies[at(body)].is_static(); };
   joined_.Reset(bodies.size());
@@ -31,44 +32,44 @@ void Pulls::Find(std::span<const ContactPair> contacts,
     if (pair.manifold.count > 0) join(pair.A, pair.B);
   }
   for (const DistanceJoint& joint : joints) join(joint.A.body, joint.B.body);
-  spring_pulls_W_.assign(bodies.size(), Eigen::Vector3d::Zero());
+  spring_forces_W_.assign(bodies.size(), Eigen::Vector3d::Zero());
   for (const Spring& spring : springs) {
     join(spring.A.body, spring.B.body);
-    const Eigen::Vector3d pull_W = PullOnA(spring, bodies);
-    if (spring.A.body >= 0) spring_pulls_W_[at(spring.A.body)] += pull_W;
-    if (spring.B.body >= 0) spring_pulls_W_[at(spring.B.body)] -= pull_W;
+    const Eigen::Vector3d load_W = LoadOnA(spring, bodies);
+    if (spring.A.body >= 0) spring_forces_W_[at(spring.A.body)] += load_W;
+    if (spring.B.body >= 0) spring_forces_W_[at(spring.B.body)] -= load_W;
   }
 
   const double g = settings.gravity_W.norm();
-  heaps_.assign(bodies.size(), {});
+  islands_.assign(bodies.size(), {});
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     RigidBody& body = bodies[at(i)];
     if (body.is_static()) continue;
-    body.pull = PullOf(body, settings.gravity_W);
+    body.load = LoadOf(body, settings.gravity_W);
     if (!body.is_point) {
-      body.pull = std::max(body.pull, body.inverse_mass * spring_pulls_W_[at(i)].norm());
+      body.load = std::max(body.load, body.inverse_mass * spring_forces_W_[at(i)].norm());
     }
-    Heap& heap = heaps_[at(joined_.Of(i))];
-    heap.mass += 1 / body.inverse_mass;
-    heap.excess += (body.pull - g) / body.inverse_mass;
+    Island& island = islands_[at(joined_.Of(i))];
+    island.mass += 1 / body.inverse_mass;
+    island.excess += (body.load - g) / body.inverse_mass;
   }
 
   const double of_gravity = 2 * h * h * g;
-  greatest_margin_ = settings.contact_margin.value_or(of_gravity);
+  greatest_margin_ = settings.speculative_margin.value_or(of_gravity);
   for (int i = 0; i < static_cast<int>(bodies.size()); ++i) {
     RigidBody& body = bodies[at(i)];
     // What sleeps may wake in this step.
-    body.heap_pull = g;
+    body.island_load = g;
     if (body.is_static()) {
-      body.pull = g;
+      body.load = g;
     } else {
-      const Heap& heap = heaps_[at(joined_.Of(i))];
-      body.heap_pull = std::max(0.0, g + heap.excess / heap.mass);
+      const Island& island = islands_[at(joined_.Of(i))];
+      body.island_load = std::max(0.0, g + island.excess / island.mass);
     }
     const double of_two_steps = std::min(
-        2 * h * h * body.heap_pull, std::max(of_gravity, kOfBall * InnerRadius(body)));
-    body.margin = settings.contact_margin.value_or(of_two_steps);
-    body.slack = settings.penetration_slack.value_or(of_two_steps);
+        2 * h * h * body.island_load, std::max(of_gravity, kOfBall * InnerRadius(body)));
+    body.margin = settings.speculative_margin.value_or(of_two_steps);
+    body.slop = settings.penetration_slop.value_or(of_two_steps);
     greatest_margin_ = std::max(greatest_margin_, body.margin);
   }
 }

@@ -2,14 +2,14 @@
 
 #include <span>
 
-#include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/dynamics/body/rigid_body.h"
+#include "engine/dynamics/solver/contact_constraint.h"
 
 namespace cookbook {
 
 /** A change of velocity in a step beyond this many times what the forces make of a free
- body is taken for a blow. A contact that holds or slows a body makes less. */
-inline constexpr double kBlow = 4;
+ body is taken for a impact. A contact that holds or slows a body makes less. */
+inline constexpr double kImpactFactor = 4;
 
 /** A step of some bodies, all by body index. */
 struct Motion {

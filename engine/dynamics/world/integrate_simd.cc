@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/dynamics/world/integrate.h"
 #include "engine/dynamics/body/rotation.h"
+#include "engine/dynamics/world/integrate.h"
 
 // Four doubles are one register from AVX2 on.
 #define HWY_DISABLED_TARGETS                                               \
@@ -142,7 +142,7 @@ HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways)
     const auto i = static_cast<std::size_t>(indices[k]);
     body[k] = &motion.bodies[i];
     radius[k] = body[k]->radius;
-    usual[k] = std::max(body[k]->pull, body[k]->heap_pull);
+    usual[k] = std::max(body[k]->load, body[k]->island_load);
     const Touch& touch = motion.touches[i];
     touched[k] = touch.bounced || touch.rested ? 1 : 0;
     surely_struck[k] = touch.bounced || !touch.steady ? 1 : 0;
@@ -155,8 +155,9 @@ HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways)
   const Moving<double> after = GatherFour(motion.solved.data(), indices);
   const Four change = Sqrt(SquaredLength(Minus(after.v, before.v))) +
                       radius * Sqrt(SquaredLength(Minus(after.w, before.w)));
-  const FourBits struck = (touched > zero) & ((surely_struck > zero) |
-                                              (change > Splat(kBlow * motion.h) * usual));
+  const FourBits struck =
+      (touched > zero) &
+      ((surely_struck > zero) | (change > Splat(kImpactFactor * motion.h) * usual));
   const auto choose = [&](const Vec3<double>& yes, const Vec3<double>& no) HWY_ATTR {
     return Vec3<double>{Select(struck, yes.x, no.x), Select(struck, yes.y, no.y),
                         Select(struck, yes.z, no.z)};

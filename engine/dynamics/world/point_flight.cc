@@ -56,8 +56,8 @@ std::optional<double> TimeThrough(const Face& face, const Flight& flight, double
   if (IsBelow(face, flight.p)) return std::nullopt;
   const double height = std::max(0.0, face.n_W.dot(flight.p) - face.offset);
   const double speed = AcrossUnlessRounding(face, flight.v);
-  const double pull = AcrossUnlessRounding(face, flight.a);
-  const std::optional<double> time = TimeOfFall(height, speed, pull);
+  const double load = AcrossUnlessRounding(face, flight.a);
+  const std::optional<double> time = TimeOfFall(height, speed, load);
   if (!time || *time > limit) return std::nullopt;
   return time;
 }

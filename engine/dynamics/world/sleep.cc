@@ -31,18 +31,18 @@ void Sleep::Wake(int body, std::span<RigidBody> bodies) {
   }
 }
 
-void Sleep::WakeNear(const ContactFinder& finder, std::span<RigidBody> bodies) {
+void Sleep::WakeNear(const ContactCache& cache, std::span<RigidBody> bodies) {
   const auto moves = [&](int body) {
     return !bodies[static_cast<std::size_t>(body)].is_static();
   };
-  finder.ForEachNear([&](int A, int B) {
+  cache.ForEachNear([&](int A, int B) {
     if (IsAsleep(A) && moves(B)) Wake(A, bodies);
     if (IsAsleep(B) && moves(A)) Wake(B, bodies);
   });
 }
 
-bool Sleep::Lull(const ContactFinder& finder, const std::vector<bool>& driven,
-                 const Settings& settings, double h, std::span<RigidBody> bodies) {
+bool Sleep::PutToSleep(const ContactCache& cache, const std::vector<bool>& driven,
+                       const Settings& settings, double h, std::span<RigidBody> bodies) {
   const double enough = *settings.sleep_after;
   islands_.Reset(bodies.size());
   bool tired = false;
@@ -61,7 +61,7 @@ bool Sleep::Lull(const ContactFinder& finder, const std::vector<bool>& driven,
                            !bodies[static_cast<std::size_t>(B)].is_static();
     if (both_move) islands_.Join(A, B);
   };
-  finder.ForEachNear(join);
+  cache.ForEachNear(join);
   for (const auto& [A, B] : links_) join(A, B);
 
   std::fill(slowest_.begin(), slowest_.end(), std::numeric_limits<double>::infinity());

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/dynamics/contacts/contact_cache.h"
-#include "engine/dynamics/solver/union_find.h"
 #include "engine/dynamics/body/rigid_body.h"
 #include "engine/dynamics/body/settings.h"
+#include "engine/dynamics/contacts/contact_cache.h"
+#include "engine/dynamics/solver/union_find.h"
 
 namespace cookbook {
 
@@ -38,13 +38,13 @@ class Sleep {
   void Wake(int body, std::span<RigidBody> bodies);
 
   /** Wakes the islands that something awake has come near. */
-  void WakeNear(const ContactFinder& finder, std::span<RigidBody> bodies);
+  void WakeNear(const ContactCache& cache, std::span<RigidBody> bodies);
 
   /** Ends a step of `h` [s]: lets fall asleep what has been slow for long. `driven`: by
    body, whether a force moves it that nothing holds. Returns whether anything did.
    @pre Settings::sleep_after is there. */
-  bool Lull(const ContactFinder& finder, const std::vector<bool>& driven,
-            const Settings& settings, double h, std::span<RigidBody> bodies);
+  bool PutToSleep(const ContactCache& cache, const std::vector<bool>& driven,
+                  const Settings& settings, double h, std::span<RigidBody> bodies);
 
  private:
   /** What a body is given back when it wakes. */
@@ -58,7 +58,7 @@ class Sleep {
   std::vector<double> slow_for_;  ///< [s]
   std::vector<double> slowest_;   ///< By body that stands for an island: least slow_for_.
   std::vector<int> next_;         ///< The next that sleeps in its island, in a ring.
-  DisjointSets islands_;          ///< Of bodies that are awake.
+  UnionFind islands_;             ///< Of bodies that are awake.
   std::vector<std::pair<int, int>> links_;
 };
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/dynamics/body/rotation.h"
 #include "engine/dynamics/world/integrate.h"
 #include "engine/dynamics/world/point_flight.h"
-#include "engine/dynamics/body/rotation.h"
 
 namespace cookbook {
 namespace {
@@ -42,12 +42,12 @@ void Read(const ContactPair& pair, std::vector<ContactImpulse>& impulses) {
 }  // namespace
 
 World::World(const Settings& settings)
-    : settings_(Valid(settings)), crew_(settings.threads), contacts_(settings.threads) {}
+    : settings_(Valid(settings)), pool_(settings.threads), contacts_(settings.threads) {}
 
 int World::AddBody(const BodyDefinition& definition) {
   bodies_.push_back(MakeRigidBody(definition));
   const int added = body_count() - 1;
-  finder_.Add(bodies_.back());
+  contact_cache_.Add(bodies_.back());
   sleep_.Add(bodies_.back());
   inertias_.emplace_back();
   const std::size_t places = bodies_.size() + 1;
@@ -167,31 +167,31 @@ void World::Step(double dt) {
 }
 
 void World::StepOnce(double h) {
-  const Crew::Shift shift(crew_, bodies_.size(), kFewToShare);
+  const ThreadPool::ParallelScope shift(pool_, bodies_.size(), kFewToShare);
   const bool touching = FindContacts(h);
-  if (settings_.sleep_after) sleep_.WakeNear(finder_, bodies_);
+  if (settings_.sleep_after) sleep_.WakeNear(contact_cache_, bodies_);
   StopStretching(h);
-  const bool may_be_five = settings_.fourth_order_links && HasLinks() && !touching &&
-                           !(settings_.blows_in_time && MayStrike(h));
-  if (!may_be_five || !StepAsFive(h)) Advance(h, settings_.blows_in_time);
-  if (settings_.sleep_after) Lull(h);
+  const bool may_be_five = settings_.fourth_order_joints && HasLinks() && !touching &&
+                           !(settings_.continuous_collision && MayImpact(h));
+  if (!may_be_five || !StepFourthOrder(h)) Advance(h, settings_.continuous_collision);
+  if (settings_.sleep_after) PutToSleep(h);
 }
 
 void World::Advance(double h, bool follow_blows) {
   ApplyForces(h);
-  blows_.Clear();
+  impacts_.Clear();
   if (follow_blows) {
-    blows_.Begin(
+    impacts_.Begin(
         {bodies_, before_, free_, sleep_.asleep(), linked_, contacts_.is_large()},
-        finder_, settings_, h, crew_);
+        contact_cache_, settings_, h, pool_);
   }
   Solve(h);
   Move(h);
-  if (follow_blows) blows_.Follow(bodies_, mean_, finder_, settings_, crew_);
+  if (follow_blows) impacts_.Follow(bodies_, mean_, contact_cache_, settings_, pool_);
   Project(h);
 }
 
-bool World::MayStrike(double h) {
+bool World::MayImpact(double h) {
   ApplyForces(h);
   const auto reach = [&](int body) {
     const auto i = static_cast<std::size_t>(body);
@@ -205,14 +205,15 @@ bool World::MayStrike(double h) {
            takes_part(static_cast<std::size_t>(B));
   };
   bool may = false;
-  finder_.ForEachGap(0, finder_.near_count(), take_part, [&](int A, int B, double gap) {
-    const double way = reach(A) + reach(B);
-    may = may || (way > 0 && gap <= way);
-  });
+  contact_cache_.ForEachGap(0, contact_cache_.near_count(), take_part,
+                            [&](int A, int B, double gap) {
+                              const double way = reach(A) + reach(B);
+                              may = may || (way > 0 && gap <= way);
+                            });
   return may;
 }
 
-bool World::StepAsFive(double h) {
+bool World::StepFourthOrder(double h) {
   // A step that is symmetric in time and of second order, taken as five, two of them
   // forwards, one backwards and two forwards again, is of fourth order; what each of them
   // keeps is kept (Suzuki, Phys. Lett. A 146, 1990).
@@ -225,7 +226,7 @@ bool World::StepAsFive(double h) {
   }
   if (!point_hit_ && !diverged_ && !FindContacts(h)) return true;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    finder_.HasGone(i, Travel(bodies_[i].state, kept_[i]));
+    contact_cache_.AddTravel(i, Travel(bodies_[i].state, kept_[i]));
     bodies_[i] = kept_[i];
   }
   diverged_ = false;
@@ -233,33 +234,33 @@ bool World::StepAsFive(double h) {
   return false;
 }
 
-void World::FindPulls(double h) {
-  // Gravity alone pulls all alike, step after step.
+void World::FindLoads(double h) {
+  // Gravity alone loads all alike, step after step.
   const bool is_even = !has_forces_ && !is_pushed_ && springs_.empty();
   if (is_even && found_for_ == h) return;
-  pulls_.Find(finder_.contacts(), joints_, springs_, settings_, h, bodies_);
+  loads_.Find(contact_cache_.contacts(), joints_, springs_, settings_, h, bodies_);
   found_for_ = is_even ? h : 0;
 }
 
 bool World::FindContacts(double h) {
-  FindPulls(h);
-  finder_.Find(bodies_, {pulls_.greatest_margin(), contacts_.is_large()},
-               settings_.blows_in_time ? h : 0, crew_);
+  FindLoads(h);
+  contact_cache_.Find(bodies_, {loads_.greatest_margin(), contacts_.is_large()},
+                      settings_.continuous_collision ? h : 0, pool_);
   // What has come into contact presses from now on.
-  FindPulls(h);
-  return !finder_.contacts().empty();
+  FindLoads(h);
+  return !contact_cache_.contacts().empty();
 }
 
 template <class Work>
 void World::ForEachBody(const Work& work) {
-  crew_.Share(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
+  pool_.ParallelFor(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) work(i);
   });
 }
 
 template <class Takes, class Work, class Other>
 void World::ForSomeBodies(const Takes& takes, const Work& work, const Other& other) {
-  crew_.Share(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
+  pool_.ParallelFor(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
     constexpr std::size_t kAtOnce = 32;
     std::array<int, kAtOnce> some;
     std::array<double, kAtOnce> ways;
@@ -267,7 +268,7 @@ void World::ForSomeBodies(const Takes& takes, const Work& work, const Other& oth
     const auto flush = [&] {
       work(std::span<const int>(some).first(count), std::span(ways).first(count));
       for (std::size_t k = 0; k < count; ++k) {
-        finder_.HasGone(static_cast<std::size_t>(some[k]), ways[k]);
+        contact_cache_.AddTravel(static_cast<std::size_t>(some[k]), ways[k]);
       }
       count = 0;
     };
@@ -300,17 +301,17 @@ void World::ApplyForcesTo(std::size_t i, double h) {
     inertias_[i] = InverseInertiaOf(body);
   before_[i].v = body.state.v_WB;
   before_[i].w = body.state.w_WB;
-  const Eigen::Vector3d pull = settings_.gravity_W + body.inverse_mass * body.Push_W();
+  const Eigen::Vector3d load = settings_.gravity_W + body.inverse_mass * body.Push_W();
   if (body.is_point) {
     // An impulse of the step acts as a constant force, on which drag has its effect
     // too.
     const Drag drag(body.drag, h);
-    free_[i].v = drag.kept * body.state.v_WB + h * drag.gain * pull;
+    free_[i].v = drag.kept * body.state.v_WB + h * drag.gain * load;
     inertias_[i].mass *= drag.gain;
     shares_[i] = drag.share;
     return;
   }
-  free_[i].v = body.state.v_WB + h * pull;
+  free_[i].v = body.state.v_WB + h * load;
   free_[i].w = body.state.w_WB;
   if (body.is_pushed) free_[i].w += inertias_[i].Turn(h * body.Torque_W());
   if (!body.is_round) {
@@ -327,24 +328,25 @@ void World::StopStretching(double h) {
     solved_[i].w = bodies_[i].state.w_WB;
   }
   rods_.Begin(joints_, bodies_, inertias_);
-  // The step itself leaves less than the accelerations times h. More is a blow along a
+  // The step itself leaves less than the accelerations times h. More is a impact along a
   // rod, which takes no time.
   double fastest = 0;
-  double pull = 0;
+  double load = 0;
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!linked_[i] || bodies_[i].is_static()) continue;
     fastest = std::max(fastest, bodies_[i].state.v_WB.norm());
-    pull = std::max(pull, bodies_[i].pull);
+    load = std::max(load, bodies_[i].load);
   }
   for (const DistanceJoint& joint : joints_) shortest = std::min(shortest, joint.length);
-  const double usual = h * (pull + fastest * fastest / shortest);
+  const double usual = h * (load + fastest * fastest / shortest);
   if (rods_.FastestStretching(solved_) <= usual) return;
   rods_.Forget();
-  const int sweeps = std::max(settings_.impulse_iterations,
-                              settings_.patience / static_cast<int>(joints_.size()));
+  const int sweeps =
+      std::max(settings_.impulse_iterations,
+               settings_.iteration_budget / static_cast<int>(joints_.size()));
   for (int k = 0; k < sweeps; ++k) {
-    if (rods_.Sweep(solved_) <= settings_.residual * fastest) break;
+    if (rods_.Iterate(solved_) <= settings_.residual * fastest) break;
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!linked_[i]) continue;
@@ -354,37 +356,39 @@ void World::StopStretching(double h) {
   rods_.Forget();
 }
 
-void World::SweepLinksUntilSolved() {
+void World::SolveJointsUntilConverged() {
   const double speed = std::max(contacts_.scale(), fastest_);
   const double solved = settings_.residual * speed;
   const int rows =
-      contacts_.row_count() + static_cast<int>(joints_.size() + springs_.size());
+      contacts_.constraint_count() + static_cast<int>(joints_.size() + springs_.size());
   const bool is_small = IsSmall(settings_, rows);
-  const long patience = is_small ? patience_.Left(settings_) : settings_.patience;
+  const long iteration_budget =
+      is_small ? iteration_budget_.Left(settings_) : settings_.iteration_budget;
   long spent = 0;
   for (int k = 0;; ++k) {
     spent += rows;
-    if (k >= settings_.impulse_iterations && spent > patience) break;
-    const double rods = rods_.Sweep(solved_);
-    const double springs = spring_solver_.Sweep(solved_);
-    if (std::max({rods, springs, contacts_.Sweep(solved_, crew_)}) <= solved) break;
+    if (k >= settings_.impulse_iterations && spent > iteration_budget) break;
+    const double rods = rods_.Iterate(solved_);
+    const double springs = spring_solver_.Iterate(solved_);
+    if (std::max({rods, springs, contacts_.Iterate(solved_, pool_)}) <= solved) break;
   }
-  if (is_small) patience_.Spend(spent, settings_);
+  if (is_small) iteration_budget_.Spend(spent, settings_);
 }
 
 void World::Solve(double h) {
   const SolverBodies world{bodies_, inertias_, before_,
                            solved_, static_,   fit_single_precision_};
   if (!HasLinks()) {
-    contacts_.Solve(finder_.contacts(), finder_.edges(), world, settings_, h, crew_,
-                    touches_);
+    contacts_.Solve(contact_cache_.contacts(), contact_cache_.edges(), world, settings_,
+                    h, pool_, touches_);
     return;
   }
-  contacts_.Begin(finder_.contacts(), finder_.edges(), world, settings_, h, crew_);
-  SolveLinks(h);
+  contacts_.Begin(contact_cache_.contacts(), contact_cache_.edges(), world, settings_, h,
+                  pool_);
+  SolveJoints(h);
 }
 
-void World::SolveLinks(double h) {
+void World::SolveJoints(double h) {
   // Lengths are kept to this share, a few roundings.
   constexpr double kSameLength = 1e-15;
   if (!settings_.warm_starting) rods_.Forget();
@@ -392,15 +396,15 @@ void World::SolveLinks(double h) {
   rods_.WarmStart(solved_, h);
   spring_solver_.Begin(springs_, bodies_, inertias_, before_, h);
   for (int round = 0;; ++round) {
-    // What is solved is a difference of velocities and pulls: that rounds as they do.
-    fastest_ = std::max(rods_.GreatestPull(), spring_solver_.GreatestPull());
+    // What is solved is a difference of velocities and loads: that rounds as they do.
+    fastest_ = std::max(rods_.GreatestLoad(), spring_solver_.GreatestLoad());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!linked_[i]) continue;
       fastest_ = std::max({fastest_, free_[i].v.norm(), solved_[i].v.norm()});
     }
-    SweepLinksUntilSolved();
+    SolveJointsUntilConverged();
     std::fill(touches_.begin(), touches_.end(), Touch{});
-    contacts_.End(finder_.contacts(), settings_, touches_);
+    contacts_.End(contact_cache_.contacts(), settings_, touches_);
     if (round == settings_.joint_rounds) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!linked_[i]) continue;
@@ -428,14 +432,14 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
   }
 
   // Forces act during all of the step: under them the mean of the velocities is exact.
-  // A blow acts at its start. Where the body is sent back it then flies; where something
-  // holds it, it has the velocity of the end from the start.
+  // A impact acts at its start. Where the body is sent back it then flies; where
+  // something holds it, it has the velocity of the end from the start.
   const double change =
       (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
   const bool touched = touches_[i].bounced || touches_[i].rested;
   const bool struck =
       touched && (touches_[i].bounced || !touches_[i].steady ||
-                  change > kBlow * h * std::max(body.pull, body.heap_pull));
+                  change > kImpactFactor * h * std::max(body.load, body.island_load));
   Velocity& mean = mean_[i];
   if (!struck) {
     mean.v = 0.5 * (before.v + after.v);
@@ -448,7 +452,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 
   body.state.p_WB += h * mean.v;
   body.state.v_WB = after.v;
-  // A blow acts at once: it turns from the start as that leaves it.
+  // A impact acts at once: it turns from the start as that leaves it.
   const Eigen::Vector3d from = struck ? before.w + (after.w - free.w) : before.w;
   if (settings_.gyroscopic == Gyroscopic::kExact && body.is_round) {
     body.state.q_WB = Turned(body.state.q_WB, from, after.w, h);
@@ -456,12 +460,12 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
   } else if (settings_.gyroscopic == Gyroscopic::kExact) {
     const Eigen::Vector3d torque = h * body.Torque_W();
     const Eigen::Vector3d L = TurnedInertiaTimes(body.R_WB, body.moments, before.w);
-    const Eigen::Vector3d blow =
+    const Eigen::Vector3d impact =
         TurnedInertiaTimes(body.R_WB, body.moments, after.w - free.w);
     const Turning start{body.state.q_WB, from};
-    const Turning end = struck
-                            ? TurnWithMomentum(start, body.moments, L + blow, torque, h)
-                            : TurnWithMomentum(start, body.moments, L, torque + blow, h);
+    const Turning end =
+        struck ? TurnWithMomentum(start, body.moments, L + impact, torque, h)
+               : TurnWithMomentum(start, body.moments, L, torque + impact, h);
     body.state.q_WB = end.q_WB;
     body.state.w_WB = end.w_WB;
   } else {
@@ -492,7 +496,7 @@ void World::MoveOne(std::size_t i, double h) {
   } else {
     const BodyState before = body.state;
     MoveBody(i, h, body);
-    finder_.HasGone(i, Travel(before, body));
+    contact_cache_.AddTravel(i, Travel(before, body));
   }
   if (!IsSane(body.state.p_WB) || !IsSane(body.state.v_WB) || !IsSane(body.state.w_WB)) {
     diverged_ = true;
@@ -513,12 +517,14 @@ bool World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
 }
 
 void World::Project(double h) {
-  bool moved = contacts_.FindMoves(mean_, solved_, settings_, h, crew_, moves_);
+  bool moved =
+      contacts_.FindPositionCorrections(mean_, solved_, settings_, h, pool_, moves_);
   if (!joints_.empty()) {
     if (!moved) {
       std::fill(moves_.begin(), moves_.end(), Velocity{});
     }
-    moved |= rods_.Project(joints_, settings_.projection_share, bodies_, moves_);
+    moved |=
+        rods_.Project(joints_, settings_.position_correction_fraction, bodies_, moves_);
   }
   if (!moved) return;
   ForSomeBodies(
@@ -532,18 +538,18 @@ void World::Project(double h) {
       [](std::size_t) {});
 }
 
-void World::Lull(double h) {
+void World::PutToSleep(double h) {
   // Forces that hold each other up leave this share of themselves: some roundings.
   constexpr double kNothing = 1e-15;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const RigidBody& body = bodies_[i];
     const Eigen::Vector3d push = body.inverse_mass * body.Push_W();
-    const double pull = (settings_.gravity_W + push).norm();
-    const bool is_pulled = pull > kNothing * (settings_.gravity_W.norm() + push.norm());
+    const double load = (settings_.gravity_W + push).norm();
+    const bool is_pulled = load > kNothing * (settings_.gravity_W.norm() + push.norm());
     const bool is_held = linked_[i] || touches_[i].rested || touches_[i].bounced;
     driven_[i] = !is_held && (is_pulled || !body.Torque_W().isZero(0));
   }
-  if (!sleep_.Lull(finder_, driven_, settings_, h, bodies_)) return;
+  if (!sleep_.PutToSleep(contact_cache_, driven_, settings_, h, bodies_)) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_[i].is_static()) continue;
     inertias_[i] = {};
@@ -554,8 +560,8 @@ void World::Lull(double h) {
 }
 
 void World::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
-  for (const ContactPair& pair : blows_.struck()) Read(pair, impulses);
-  for (const ContactPair& pair : finder_.contacts()) Read(pair, impulses);
+  for (const ContactPair& pair : impacts_.struck()) Read(pair, impulses);
+  for (const ContactPair& pair : contact_cache_.contacts()) Read(pair, impulses);
 }
 
 }  // namespace cookbook

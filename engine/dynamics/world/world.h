@@ -4,17 +4,17 @@
 #include <span>
 #include <vector>
 
-#include "engine/dynamics/impacts/impacts_in_step.h"
 #include "engine/dynamics/body/body.h"
+#include "engine/dynamics/body/settings.h"
 #include "engine/dynamics/contacts/contact_cache.h"
-#include "engine/dynamics/solver/contact_solver.h"
-#include "engine/threads/thread_pool.h"
+#include "engine/dynamics/impacts/impact_solver.h"
 #include "engine/dynamics/joints/distance_joint.h"
+#include "engine/dynamics/joints/spring.h"
+#include "engine/dynamics/solver/contact_solver.h"
 #include "engine/dynamics/solver/iteration_budget.h"
 #include "engine/dynamics/world/external_loads.h"
-#include "engine/dynamics/body/settings.h"
 #include "engine/dynamics/world/sleep.h"
-#include "engine/dynamics/joints/spring.h"
+#include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 
@@ -25,7 +25,7 @@ struct ContactImpulse {
   Eigen::Vector3d p_WC;    ///< Where it acted. [m]
   Eigen::Vector3d n_AB_W;  ///< Unit, out of A into B.
   Eigen::Vector3d J_B_W;   ///< Impulse on B; A received its opposite. [N s]
-  /** At the start of the step, or at the moment of a blow: < 0 penetrating. [m] */
+  /** At the start of the step, or at the moment of a impact: < 0 penetrating. [m] */
   double separation;
 };
 
@@ -78,13 +78,13 @@ class World {
   void StepOnce(double h);
   /** Takes one step of fourth order, or, where anything touches on the way, none at all,
    and returns whether it did. */
-  bool StepAsFive(double h);
-  /** Whether two that no rod or spring holds come so near in `h` [s] that a blow is to be
-   looked for. */
-  bool MayStrike(double h);
+  bool StepFourthOrder(double h);
+  /** Whether two that no rod or spring holds come so near in `h` [s] that a impact is to
+   be looked for. */
+  bool MayImpact(double h);
   void Advance(double h, bool follow_blows);
   /** Finds how hard the bodies are pulled. */
-  void FindPulls(double h);
+  void FindLoads(double h);
   /** Returns whether there are any contacts. */
   bool FindContacts(double h);
   void ApplyForcesTo(std::size_t i, double h);
@@ -92,8 +92,8 @@ class World {
   void ApplyForces(double h);
   void StopStretching(double h);
   void Solve(double h);
-  void SolveLinks(double h);
-  void SweepLinksUntilSolved();
+  void SolveJoints(double h);
+  void SolveJointsUntilConverged();
   /** Moves `body`, which is body `i` as it is before the step, by the velocities solved
    so far. */
   void MoveBody(std::size_t i, double h, RigidBody& body);
@@ -103,7 +103,7 @@ class World {
   /** Returns whether the point has met a solid on its way. */
   bool MeetSolids(double h, const RigidBody& before, RigidBody& point);
   void Project(double h);
-  void Lull(double h);
+  void PutToSleep(double h);
 
   RigidBody& Find(int body);
   /** Calls `work(i)` for all bodies, shared by the threads: each its own. */
@@ -120,25 +120,25 @@ class World {
   Settings settings_;
   std::atomic<bool> diverged_ = false;
   std::vector<RigidBody> bodies_;
-  Crew crew_;
-  ContactFinder finder_;
+  ThreadPool pool_;
+  ContactCache contact_cache_;
   Sleep sleep_;
   std::vector<DistanceJoint> joints_;
   std::vector<Spring> springs_;
   std::vector<int> solids_;  ///< What points meet.
   ContactSolver contacts_;
-  Blows blows_;
-  Pulls pulls_;
-  bool has_forces_ = false;           ///< Whether a constant force pulls a body.
-  bool is_pushed_ = false;            ///< Whether a force of this step pulls one.
+  ImpactSolver impacts_;
+  ExternalLoads loads_;
+  bool has_forces_ = false;           ///< Whether a constant force loads a body.
+  bool is_pushed_ = false;            ///< Whether a force of this step loads one.
   bool fit_single_precision_ = true;  ///< Whether all bodies do.
-  /** The step for which all is found, and gravity alone pulls; 0: none. [s] */
+  /** The step for which all is found, and gravity alone loads; 0: none. [s] */
   double found_for_ = 0;
   JointSolver rods_;
   SpringSolver spring_solver_;
 
-  Patience patience_;   ///< Of what sweeps over rods and springs.
-  double fastest_ = 0;  ///< Of the linked bodies, or pulls on them. [m/s]
+  IterationBudget iteration_budget_;  ///< Of what sweeps over rods and springs.
+  double fastest_ = 0;                ///< Of the linked bodies, or loads on them. [m/s]
   std::atomic<bool> point_hit_ = false;  ///< Whether a point has met a solid.
 
   // By body, while a step is taken. Velocities have one more place, see SolverBodies.
@@ -152,7 +152,7 @@ class World {
   std::vector<char> static_;      ///< 1 where it is, or sleeps.
   std::vector<double> shares_;    ///< See JointSolver::Correct().
   std::vector<bool> linked_;      ///< Whether a rod or a spring holds it.
-  std::vector<bool> driven_;      ///< See Sleep::Lull().
+  std::vector<bool> driven_;      ///< See Sleep::PutToSleep().
   std::vector<RigidBody> ahead_;  ///< After the step; valid where linked.
   std::vector<RigidBody> kept_;   ///< As it was, should a step have to be taken back.
 };

@@ -1,6 +1,6 @@
 // The engine against 113-bit arithmetic, on families of hard cases. Every bound is the
-// one that engine/collision/rounding.h derives; nothing here was fitted to what the engine happens
-// to do.
+// one that engine/collision/rounding.h derives; nothing here was fitted to what the
+// engine happens to do.
 
 #include <algorithm>
 #include <set>

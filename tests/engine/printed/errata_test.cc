@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/collision/collide.h"
-#include "engine/printed/collide.h"
 #include "engine/collision/rounding.h"
+#include "engine/printed/collide.h"
 #include "tests/engine/quad_boxes.h"
 #include "tests/engine/random_boxes.h"
 

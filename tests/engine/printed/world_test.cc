@@ -1,12 +1,12 @@
 // The published recipes of motion: put right they keep the laws of mechanics, and each
 // erratum alone breaks the one that it is about. Figures are those of the specification.
+#include "engine/printed/world.h"
+
 #include <cmath>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "engine/printed/world.h"
 
 namespace cookbook::printed {
 namespace {

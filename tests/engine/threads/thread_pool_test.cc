@@ -12,19 +12,20 @@
 namespace cookbook {
 namespace {
 
-TEST(Crew, DoesEveryIndexOnceInSharesThatFollowEachOther) {
+TEST(ThreadPool, DoesEveryIndexOnceInSharesThatFollowEachOther) {
   for (const int threads : {1, 2, 3, 7}) {
-    Crew crew(threads);
-    const Crew::Shift shift(crew, 1, 0);
-    ASSERT_EQ(crew.shares(), static_cast<std::size_t>(threads));
+    ThreadPool pool(threads);
+    const ThreadPool::ParallelScope shift(pool, 1, 0);
+    ASSERT_EQ(pool.shares(), static_cast<std::size_t>(threads));
     for (const std::size_t count : {0UL, 1UL, 5UL, 1000UL}) {
-      Findings<std::size_t> found;
-      found.Clear(crew.shares());
-      crew.ShareOut(count, 0, [&](std::size_t share, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          found.Of(share).push_back(i);
-        }
-      });
+      PerThread<std::size_t> found;
+      found.Clear(pool.shares());
+      pool.ParallelForIndexed(count, 0,
+                              [&](std::size_t share, std::size_t begin, std::size_t end) {
+                                for (std::size_t i = begin; i < end; ++i) {
+                                  found.Of(share).push_back(i);
+                                }
+                              });
       std::vector<std::size_t> all;
       found.ForEach([&](std::size_t i) { all.push_back(i); });
       std::vector<std::size_t> expected(count);
@@ -34,24 +35,24 @@ TEST(Crew, DoesEveryIndexOnceInSharesThatFollowEachOther) {
   }
 }
 
-TEST(Crew, ReturnsWhenAllHaveReturnedHoweverManyTasks) {
-  Crew crew(3);
-  const Crew::Shift shift(crew, 1, 0);
+TEST(ThreadPool, ReturnsWhenAllHaveReturnedHoweverManyTasks) {
+  ThreadPool pool(3);
+  const ThreadPool::ParallelScope shift(pool, 1, 0);
   std::vector<int> times(300, 0);  // Plain: no two threads have an index in common.
   for (int task = 1; task <= 2000; ++task) {
-    crew.Share(times.size(), 0, [&](std::size_t begin, std::size_t end) {
+    pool.ParallelFor(times.size(), 0, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) ++times[i];
     });
     ASSERT_EQ(times, std::vector<int>(times.size(), task));
   }
 }
 
-TEST(Crew, TheCallerDoesAloneWhatIsTooLittleOrOutsideAShift) {
-  Crew crew(2);
+TEST(ThreadPool, TheCallerDoesAloneWhatIsTooLittleOrOutsideAShift) {
+  ThreadPool pool(2);
   // Of two shares neither ends before both have begun, so that nobody does both.
   const auto another_helps = [&](std::size_t least) {
     std::atomic<int> begun = 0;
-    crew.Share(100, least, [&](std::size_t begin, std::size_t end) {
+    pool.ParallelFor(100, least, [&](std::size_t begin, std::size_t end) {
       ++begun;
       while (end - begin < 100 && begun < 2) std::this_thread::yield();
     });
@@ -59,11 +60,11 @@ TEST(Crew, TheCallerDoesAloneWhatIsTooLittleOrOutsideAShift) {
   };
   EXPECT_FALSE(another_helps(0));
   {
-    const Crew::Shift shift(crew, 99, 100);
+    const ThreadPool::ParallelScope shift(pool, 99, 100);
     EXPECT_FALSE(another_helps(0));
   }
   {
-    const Crew::Shift shift(crew, 100, 100);
+    const ThreadPool::ParallelScope shift(pool, 100, 100);
     EXPECT_FALSE(another_helps(101));
     EXPECT_TRUE(another_helps(100));
   }
@@ -71,13 +72,13 @@ TEST(Crew, TheCallerDoesAloneWhatIsTooLittleOrOutsideAShift) {
 }
 
 // One of two threads is kept from its share: the other does all.
-TEST(Crew, WaitsForNoThreadThatHasBegunNothing) {
-  Crew crew(3);
-  const Crew::Shift shift(crew, 1, 0);
+TEST(ThreadPool, WaitsForNoThreadThatHasBegunNothing) {
+  ThreadPool pool(3);
+  const ThreadPool::ParallelScope shift(pool, 1, 0);
   for (int task = 0; task < 100; ++task) {
     std::atomic<int> in_first = 0;
     std::atomic<int> shares = 0;
-    crew.Share(3, 0, [&](std::size_t begin, std::size_t) {
+    pool.ParallelFor(3, 0, [&](std::size_t begin, std::size_t) {
       // Whoever does the first share ends it only when the others are done.
       if (begin == 0) {
         ++in_first;

@@ -51,7 +51,7 @@ std::vector<int> Answer(const AabbTree& tree, const Aabb& asked, AabbTree::Room&
   tree.Find(asked, room);
   return room.found;
 }
-std::vector<int> Answer(const AabbForest& forest, const Aabb& asked,
+std::vector<int> Answer(const AabbTreesBySize& forest, const Aabb& asked,
                         AabbTree::Room& room) {
   const std::span<const int> found = forest.Query(asked, room);
   return {found.begin(), found.end()};
@@ -94,8 +94,8 @@ RC_GTEST_PROP(AabbTree, FindsWhatOverlapsWhoeverCameAndWent, ()) {
   ExpectFindsWhatOverlaps<AabbTree>();
 }
 
-RC_GTEST_PROP(AabbForest, FindsWhatOverlapsWhoeverCameAndWent, ()) {
-  ExpectFindsWhatOverlaps<AabbForest>();
+RC_GTEST_PROP(AabbTreesBySize, FindsWhatOverlapsWhoeverCameAndWent, ()) {
+  ExpectFindsWhatOverlaps<AabbTreesBySize>();
 }
 
 TEST(AabbTree, IsEmptyBeforeTheFirstAndAfterTheLast) {
@@ -142,15 +142,15 @@ std::vector<Aabb> Crowd() {
 }
 
 /** Nodes that a question about one of them looks at, on the average. */
-double LookedAt(const AabbForest& forest, const std::vector<Aabb>& crowd) {
+double LookedAt(const AabbTreesBySize& forest, const std::vector<Aabb>& crowd) {
   AabbTree::Room room;
   for (const Aabb& box : crowd) forest.Query(box, room);
   return static_cast<double>(room.looked_at) / static_cast<double>(crowd.size());
 }
 
 // Three levels of a tree of eight thousand are five nodes or more.
-TEST(AabbForest, LooksAtFewNodes) {
-  AabbForest forest;
+TEST(AabbTreesBySize, LooksAtFewNodes) {
+  AabbTreesBySize forest;
   const std::vector<Aabb> crowd = Crowd();
   int body = 0;
   for (const Aabb& box : crowd) forest.Insert(box, body++);
@@ -163,8 +163,8 @@ TEST(AabbForest, LooksAtFewNodes) {
   EXPECT_LT(LookedAt(forest, crowd), 8);
 }
 
-TEST(AabbForest, LooksAtFewNodesInsideWallsAndAboveAFloorThatCameFirst) {
-  AabbForest forest;
+TEST(AabbTreesBySize, LooksAtFewNodesInsideWallsAndAboveAFloorThatCameFirst) {
+  AabbTreesBySize forest;
   const std::vector<Aabb> crowd = Crowd();
   int body = 0;
   const Aabb world{-Aabb::Nothing().low, Aabb::Nothing().low};

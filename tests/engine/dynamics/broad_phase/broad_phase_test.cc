@@ -12,8 +12,8 @@
 #include <rapidcheck/gtest.h>
 
 #include "engine/dynamics/body/free_flight.h"
-#include "engine/dynamics/contacts/contact_cache.h"
 #include "engine/dynamics/contacts/collide_bodies.h"
+#include "engine/dynamics/contacts/contact_cache.h"
 
 namespace cookbook {
 namespace {
@@ -94,7 +94,7 @@ void Move(std::size_t i, std::vector<RigidBody>& bodies,
   if (fate == 1) body.inverse_mass = first[i].inverse_mass;
   if (fate == 2) body.state.v_WB = -body.state.v_WB;
   if (fate == 3) body.state.v_WB += InCube(3);
-  body = BodyFlight{body}.At(kStep, Gyroscopic::kOff);
+  body = FreeFlight{body}.At(kStep, Gyroscopic::kOff);
 }
 
 /** Whether the two may be within the margin before the next step ends. */
@@ -110,7 +110,7 @@ bool MayMeet(const RigidBody& A, const RigidBody& B) {
   return grown(A).Overlaps(grown(B));
 }
 
-/** Keeps the near pairs as ContactFinder does, and checks what it is told. */
+/** Keeps the near pairs as ContactCache does, and checks what it is told. */
 class NearPairs {
  public:
   void Add(const std::vector<std::pair<int, int>>& appeared,
@@ -141,7 +141,7 @@ RC_GTEST_PROP(BroadPhase, WhatMayMeetInAStepIsNearAndAppearsOnce, ()) {
   std::vector<RigidBody> bodies = SomeBodies();
   const std::vector<RigidBody> first = bodies;
   BroadPhase broad_phase;
-  Crew alone(1);
+  ThreadPool alone(1);
   NearPairs near;
   const int late = Draw(0, 10);  // The step in which the last body comes.
   std::vector<std::pair<int, int>> appeared;
@@ -197,7 +197,7 @@ RC_GTEST_PROP(BroadPhase, ItsGapIsNoMoreThanTheDistance, ()) {
   for (const RigidBody& body : bodies) broad_phase.Add(body);
   const double gap = broad_phase.GapOf(0, 1);
   Manifold manifold;
-  CollideWithin(0, bodies[0], bodies[1], Eigen::Vector3d::Zero(), manifold);
+  CollideSpeculative(0, bodies[0], bodies[1], Eigen::Vector3d::Zero(), manifold);
   // Apart, the manifold of two boxes has only a bound as well.
   const bool boxes = std::holds_alternative<Box>(bodies[0].shape) &&
                      std::holds_alternative<Box>(bodies[1].shape);
@@ -206,9 +206,9 @@ RC_GTEST_PROP(BroadPhase, ItsGapIsNoMoreThanTheDistance, ()) {
 }
 
 /** Whether the edges say of the contacts what those say. */
-bool AreInShort(const ContactFinder& finder) {
-  const std::span<const ContactPair> contacts = finder.contacts();
-  const std::span<const ContactEdge> edges = finder.edges();
+bool AreInShort(const ContactCache& cache) {
+  const std::span<const ContactPair> contacts = cache.contacts();
+  const std::span<const ContactEdge> edges = cache.edges();
   return std::equal(contacts.begin(), contacts.end(), edges.begin(), edges.end(),
                     [](const ContactPair& pair, const ContactEdge& edge) {
                       return edge.A == pair.A && edge.B == pair.B &&
@@ -216,20 +216,20 @@ bool AreInShort(const ContactFinder& finder) {
                     });
 }
 
-RC_GTEST_PROP(ContactFinder, FindsWhatALookAtAllPairsFinds, ()) {
+RC_GTEST_PROP(ContactCache, FindsWhatALookAtAllPairsFinds, ()) {
   std::vector<RigidBody> bodies = SomeBodies();
   const std::vector<RigidBody> first = bodies;
-  ContactFinder finder;
-  Crew crew(1);
-  for (const RigidBody& body : bodies) finder.Add(body);
+  ContactCache cache;
+  ThreadPool pool(1);
+  for (const RigidBody& body : bodies) cache.Add(body);
   int most = 0;
   for (int step = 0; step < 20; ++step) {
-    finder.Find(bodies, {kMargin, false}, kStep, crew);
+    cache.Find(bodies, {kMargin, false}, kStep, pool);
     Pairs found;
-    for (const ContactPair& pair : finder.contacts()) {
+    for (const ContactPair& pair : cache.contacts()) {
       RC_ASSERT(found.insert({pair.A, pair.B}).second);
     }
-    RC_ASSERT(AreInShort(finder));
+    RC_ASSERT(AreInShort(cache));
     most = std::max(most, static_cast<int>(found.size()));
     for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
       for (int b = a + 1; b < static_cast<int>(bodies.size()); ++b) {
@@ -237,24 +237,25 @@ RC_GTEST_PROP(ContactFinder, FindsWhatALookAtAllPairsFinds, ()) {
         const RigidBody& B = bodies[static_cast<std::size_t>(b)];
         if (!TakesPart(A) || !TakesPart(B) || (A.is_static() && B.is_static())) continue;
         Manifold manifold;
-        CollideWithin(MarginBetween(A, B), A, B, Eigen::Vector3d::Zero(), manifold);
+        CollideSpeculative(SpeculativeMarginBetween(A, B), A, B, Eigen::Vector3d::Zero(),
+                           manifold);
         RC_ASSERT(found.contains({a, b}) == (manifold.count > 0));
       }
     }
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const BodyState before = bodies[i].state;
       Move(i, bodies, first);
-      finder.HasGone(i, Travel(before, bodies[i]));
+      cache.AddTravel(i, Travel(before, bodies[i]));
     }
   }
   RC_CLASSIFY(most > 0);
 }
 
 // So many that they are sorted by place now and then.
-TEST(ContactFinder, TellsOfItsContactsInShort) {
+TEST(ContactCache, TellsOfItsContactsInShort) {
   constexpr int kRow = 12;
   std::vector<RigidBody> bodies;
-  ContactFinder finder;
+  ContactCache cache;
   for (int k = 0; k < kRow * kRow * kRow; ++k) {
     const int i = k * 1009 % (kRow * kRow * kRow);
     const int layer = i / (kRow * kRow);
@@ -262,9 +263,9 @@ TEST(ContactFinder, TellsOfItsContactsInShort) {
     ball.shape = Sphere{0.5};
     ball.state.p_WB = 0.99 * Eigen::Vector3d(i % kRow, i / kRow % kRow, layer);
     bodies.push_back(MakeRigidBody(ball));
-    finder.Add(bodies.back());
+    cache.Add(bodies.back());
   }
-  Crew alone(1);
+  ThreadPool alone(1);
   constexpr std::size_t kFaces = std::size_t{3} * kRow * kRow * (kRow - 1);
   for (int step = 0; step < 70; ++step) {
     // Half of them fall asleep: nobody looks at those again.
@@ -273,13 +274,13 @@ TEST(ContactFinder, TellsOfItsContactsInShort) {
         if (body.state.p_WB[0] < 5) body.inverse_mass = 0;
       }
     }
-    finder.Find(bodies, {kMargin, false}, kStep, alone);
-    EXPECT_EQ(finder.contacts().size(), kFaces);
-    EXPECT_TRUE(AreInShort(finder)) << step;
+    cache.Find(bodies, {kMargin, false}, kStep, alone);
+    EXPECT_EQ(cache.contacts().size(), kFaces);
+    EXPECT_TRUE(AreInShort(cache)) << step;
   }
-  finder.Release(7);
-  EXPECT_EQ(finder.contacts()[7].manifold.count, 0);
-  EXPECT_TRUE(AreInShort(finder));
+  cache.Release(7);
+  EXPECT_EQ(cache.contacts()[7].manifold.count, 0);
+  EXPECT_TRUE(AreInShort(cache));
 }
 
 TEST(BroadPhase, WhatAppearsBesideABodyComesAsBodiesWereAdded) {
@@ -292,7 +293,7 @@ TEST(BroadPhase, WhatAppearsBesideABodyComesAsBodiesWereAdded) {
     bodies.push_back(MakeRigidBody(ball));
     broad_phase.Add(bodies.back());
   }
-  Crew alone(1);
+  ThreadPool alone(1);
   std::vector<std::pair<int, int>> appeared;
   broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
   EXPECT_EQ(appeared.size(), std::size_t{kCount} * (kCount - 1) / 2);
@@ -319,7 +320,7 @@ TEST(BroadPhase, WhatIsApartIsNotNearHoweverFarOut) {
       bodies.push_back(MakeRigidBody(box));
       broad_phase.Add(bodies.back());
     }
-    Crew alone(1);
+    ThreadPool alone(1);
     std::vector<std::pair<int, int>> appeared;
     broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
     EXPECT_TRUE(appeared.empty()) << far << ": " << appeared.size();
@@ -341,7 +342,7 @@ TEST(BroadPhase, WhatIsLargerThanNumbersIsNearEverythingOnce) {
       bodies.push_back(MakeRigidBody(body));
       broad_phase.Add(bodies.back());
     }
-    Crew alone(1);
+    ThreadPool alone(1);
     std::vector<std::pair<int, int>> appeared;
     broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
     EXPECT_EQ(Pairs(appeared.begin(), appeared.end()).size(), 19u) << half;
@@ -357,7 +358,7 @@ TEST(BroadPhase, AWideFloorIsNotNearWhatIsFarAboveIt) {
   ball.state.p_WB = {0, 3, 0};
   const std::vector<RigidBody> bodies = {MakeRigidBody(floor), MakeRigidBody(ball)};
   BroadPhase broad_phase;
-  Crew alone(1);
+  ThreadPool alone(1);
   for (const RigidBody& body : bodies) broad_phase.Add(body);
   std::vector<std::pair<int, int>> appeared;
   broad_phase.Update(bodies, kMargin, kStep, alone, appeared);

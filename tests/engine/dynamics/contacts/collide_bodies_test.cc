@@ -15,7 +15,7 @@ RigidBody BallAt(double x, double radius, double mass) {
 
 Manifold Meet(const RigidBody& A, const RigidBody& B) {
   Manifold manifold;
-  CollideWithin(0, A, B, Eigen::Vector3d::Zero(), manifold);
+  CollideSpeculative(0, A, B, Eigen::Vector3d::Zero(), manifold);
   return manifold;
 }
 
@@ -45,11 +45,11 @@ TEST(NearContact, BallsApartByMoreThanTheMarginHaveNone) {
   const RigidBody A = BallAt(0, 0.5, 1);
   const RigidBody B = BallAt(1, 0.25, 1);
   Manifold manifold;
-  CollideWithin(0.2, A, B, Eigen::Vector3d::Zero(), manifold);
+  CollideSpeculative(0.2, A, B, Eigen::Vector3d::Zero(), manifold);
   EXPECT_EQ(manifold.count, 0);
   EXPECT_FALSE(manifold.touching);
   EXPECT_EQ(manifold.separation, 0.25);
-  CollideWithin(0.3, A, B, Eigen::Vector3d::Zero(), manifold);
+  CollideSpeculative(0.3, A, B, Eigen::Vector3d::Zero(), manifold);
   ASSERT_EQ(manifold.count, 1);
   EXPECT_EQ(manifold.contacts[0].separation, 0.25);
   EXPECT_LT((manifold.contacts[0].p_WC - Eigen::Vector3d(0.625, 1, 2)).norm(), 1e-15);

@@ -47,7 +47,7 @@ void CollideTogether(double margin, std::span<Pair> pairs) {
     neighbours.push_back(
         {&pair.A, &pair.B, margin, Eigen::Vector3d::Zero(), &pair.manifold});
   }
-  const unsigned edges_meet = CollideNearFaces(neighbours);
+  const unsigned edges_meet = CollideBoxesSimd(neighbours);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     pairs[k].edges_meet = (edges_meet >> k & 1) != 0;
   }
@@ -140,9 +140,9 @@ TEST(NearBoxes, ContactsAreMidwayBetweenTheSurfaces) {
       // Corners may be out by a thousandth of the margin, and are brought back to the
       // reference face; the other face is at most 55° off it, so its surface is 1.7 times
       // as far. That, and rounding.
-      const double slack = 1e-3 * kMargin * 2;
-      EXPECT_NEAR(BeyondFaces(pair.A, contact.p_WC - half), 0, slack);
-      EXPECT_NEAR(BeyondFaces(pair.B, contact.p_WC + half), 0, slack);
+      const double slop = 1e-3 * kMargin * 2;
+      EXPECT_NEAR(BeyondFaces(pair.A, contact.p_WC - half), 0, slop);
+      EXPECT_NEAR(BeyondFaces(pair.B, contact.p_WC + half), 0, slop);
       ++contacts;
     }
   }
@@ -247,7 +247,7 @@ TEST(NearBoxes, TheFaceOfTheLastStepStaysTheReferenceWithinTheMargin) {
     const Eigen::Vector3d n_B = tilted.col(1);
     const Eigen::Vector3d guess = was_B ? n_B : n_A;
     const Neighbours neighbours{&pair.A, &pair.B, kMargin, guess, &pair.manifold};
-    CollideNearFaces(std::span(&neighbours, 1));
+    CollideBoxesSimd(std::span(&neighbours, 1));
     EXPECT_LT((pair.manifold.n_AB_W - guess).norm(), 1e-15) << was_B;
   }
 }

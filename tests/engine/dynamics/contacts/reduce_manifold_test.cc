@@ -66,7 +66,7 @@ TEST(WidestContacts, FourAndFewerAreKept) {
     for (std::size_t k = 0; k < count; ++k) angles.push_back(static_cast<double>(k));
     Manifold face = OnEllipse(angles, 1, 2);
     const std::vector<FeatureId> before = FeaturesOf(face);
-    KeepWidest({}, face);
+    ReduceManifold({}, face);
     EXPECT_EQ(FeaturesOf(face), before);
   }
 }
@@ -75,7 +75,7 @@ TEST(WidestContacts, FourAndFewerAreKept) {
 TEST(WidestContacts, OfARegularOctagonASquareIsKept) {
   Manifold face = Octagon(0.1);
   const double whole = AreaOf(face);
-  KeepWidest({}, face);
+  ReduceManifold({}, face);
   ASSERT_EQ(face.count, 4);
   EXPECT_NEAR(AreaOf(face), whole / std::sqrt(2), 1e-12);
 }
@@ -90,7 +90,7 @@ TEST(WidestContacts, ThoseThatWereThereStay) {
           Octagon(0).contacts[2 * k + other];
     }
     Manifold face = Octagon(1e-9);
-    KeepWidest(before.points(), face);
+    ReduceManifold(before.points(), face);
     EXPECT_EQ(FeaturesOf(face), FeaturesOf(before));
   }
 }
@@ -98,13 +98,13 @@ TEST(WidestContacts, ThoseThatWereThereStay) {
 TEST(WidestContacts, OfALineItsEndsAreKept) {
   Manifold face =
       FaceOf({{0.3, 0, 0}, {-1, 0, 0}, {0.2, 0, 0}, {0.7, 0, 0}, {0, 0, 0}, {0.9, 0, 0}});
-  KeepWidest({}, face);
+  ReduceManifold({}, face);
   EXPECT_EQ(FeaturesOf(face), (std::vector<FeatureId>{11, 15}));
 }
 
 TEST(WidestContacts, OfOnePointWhateverIsKeptIsThatPoint) {
   Manifold face = FaceOf(std::vector<Eigen::Vector3d>(6, {1, 2, 3}));
-  KeepWidest({}, face);
+  ReduceManifold({}, face);
   ASSERT_GT(face.count, 0);
   EXPECT_EQ(face.contacts[0].p_WC, Eigen::Vector3d(1, 2, 3));
 }
@@ -122,7 +122,7 @@ RC_GTEST_PROP(WidestContacts, AQuarterOfAConvexFaceIsKeptAtLeast, ()) {
   std::sort(angles.begin(), angles.end());
   Manifold face = OnEllipse(angles, 1, *rc::gen::inRange(1, 1000) / 1e3);
   const double whole = AreaOf(face);
-  KeepWidest({}, face);
+  ReduceManifold({}, face);
   RC_ASSERT(face.count <= 4);
   RC_ASSERT(AreaOf(face) >= whole / 4 - 1e-12);
 }

@@ -76,7 +76,7 @@ double KineticEnergy(const World& world) {
 RC_GTEST_PROP(Impact, AColumnOfBallsGainsNothingHoweverItsBlowsCoincide, ()) {
   Settings settings;
   settings.gravity_W.setZero();
-  settings.contact_margin = 1e-4;
+  settings.speculative_margin = 1e-4;
   World world(settings);
   const double e = std::abs(AnyShare());
   BodyDefinition floor = Floor();
@@ -124,7 +124,7 @@ TEST(Impact, ABallStruckAsItLeavesTheFloorLeavesTheEnergyAsItWas) {
   };
   const double before = energy();
   for (int k = 0; k < 2; ++k) world.Step(h);
-  // Each blow is early or late by less than a step, in which gravity works.
+  // Each impact is early or late by less than a step, in which gravity works.
   EXPECT_NEAR(energy(), before, 2 * h * 9.81 * 4.47);
   EXPECT_GT(world.state(leaves).v_WB[1], 4);
 }

@@ -31,7 +31,7 @@ BodyDefinition PointAt(const Eigen::Vector3d& p_W, double mass = 1) {
  where it rests. Returns how far from there it is after 2 s. */
 double Swing(double h, double damping, bool fourth_order = true) {
   Settings settings = Weightless();
-  settings.fourth_order_links = fourth_order;
+  settings.fourth_order_joints = fourth_order;
   World world(settings);
   const int bob = world.AddBody(PointAt({1.5, 0.3, -0.2}));
   world.AddSpring(
@@ -96,7 +96,7 @@ TEST(Spring, KeepsEnergyAndMomentaHoweverStiff) {
     for (int k = 0; k < steps; ++k) world.Step(1.0 / 240);
     // Five small steps of some ten roundings each; the solver stops within 1e-14 of the
     // greatest speed. At the last stiffness a step is two radians of the swing, and the
-    // rounds end before the direction of the pull has settled: still within 1e-5.
+    // rounds end before the direction of the load has settled: still within 1e-5.
     const double rounding = stiffness > 1e5 ? 1e-5 : 5 * steps * (10 * kRounding + 1e-14);
     EXPECT_NEAR(energy(), start, rounding * start) << stiffness;
     EXPECT_LT((spin() - L).norm(), rounding * 5) << stiffness;

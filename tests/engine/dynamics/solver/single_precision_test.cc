@@ -12,11 +12,11 @@ constexpr double kH = 1.0 / 120;
 constexpr double kApproach = 2;  // [m/s]
 constexpr int kRow = 6;
 
-/** No patience: any world of many contacts is a large one. */
+/** No iteration_budget: any world of many contacts is a large one. */
 Settings Impatient() {
   Settings settings;
   settings.gravity_W.setZero();
-  settings.patience = 0;
+  settings.iteration_budget = 0;
   return settings;
 }
 
@@ -212,13 +212,13 @@ TEST(SinglePrecision, OverlapIsRemovedDownToTheSlack) {
   Settings settings = Impatient();
   settings.gravity_W = {0, -9.82, 0};
   World world(settings);
-  const double slack = 2 * 9.82 * kH * kH;
-  AddBoxesOnWideFloor(world, 5 * slack);
+  const double slop = 2 * 9.82 * kH * kH;
+  AddBoxesOnWideFloor(world, 5 * slop);
   for (int k = 0; k < 120; ++k) world.Step(kH);
   for (int i = 1; i < world.body_count(); ++i) {
     // A fifth of the excess goes in a step: of four slacks 4 · 0.8¹²⁰ are left, and what
     // a float rounds of the depth.
-    EXPECT_NEAR(0.05 - world.state(i).p_WB.y(), slack, 1e-6 * slack) << i;
+    EXPECT_NEAR(0.05 - world.state(i).p_WB.y(), slop, 1e-6 * slop) << i;
   }
 }
 

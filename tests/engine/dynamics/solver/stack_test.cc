@@ -61,7 +61,7 @@ void ExpectToRest(World& world, int body, double share) {
 // some steps. Sweeps leave ρ of the error of a heavy box on a light one, ρ near 1.
 TEST(Stack, AHeavyBoxOnALightOneRestsFromTheFirstStep) {
   Settings settings;
-  settings.patience = 40000;
+  settings.iteration_budget = 40000;
   World world(settings);
   AddFloor(world);
   const int heavy = AddHeavyOnLight(world, 0.1, 100);
@@ -99,7 +99,7 @@ TEST(Stack, AHeavyBoxOnALightOneRestsAlsoWhereARodOrASpringHoldsSomethingElse) {
   }
 }
 
-// Four contacts can pull against each other across a face, which nobody sees: until one
+// Four contacts can load against each other across a face, which nobody sees: until one
 // of them needs for the load what it spends on that.
 TEST(Stack, AFaceThatHoldsPullsAtNothingAcrossIt) {
   World world{Settings()};
@@ -120,7 +120,7 @@ TEST(Stack, AFaceThatHoldsPullsAtNothingAcrossIt) {
 // corners: else a stack would sway by as much as one contact more or less makes of it.
 TEST(Stack, StandsTheSameWhereverItIsPut) {
   Settings settings;
-  settings.patience = 40000;  // Solved to rounding.
+  settings.iteration_budget = 40000;  // Solved to rounding.
   World here(settings);
   Build(here, Eigen::Vector3d::Zero());
   for (int k = 0; k < kSteps; ++k) here.Step(1.0 / 240);

@@ -76,7 +76,7 @@ Received ReceivedBy(const World& world, int body) {
   return received;
 }
 
-TEST(Standstill, AStackOfTwentyStandsThoughSweepsWouldNotHoldIt) {
+TEST(StaticEquilibrium, AStackOfTwentyStandsThoughSweepsWouldNotHoldIt) {
   World world{Settings()};
   AddFloor(world);
   for (int i = 0; i < 20; ++i) {
@@ -90,7 +90,7 @@ TEST(Standstill, AStackOfTwentyStandsThoughSweepsWouldNotHoldIt) {
 
 // There the gaps between boxes are what a coordinate rounds: contacts that are not there
 // yet, and arrive within the step.
-TEST(Standstill, AStackStandsFarFromTheOriginToo) {
+TEST(StaticEquilibrium, AStackStandsFarFromTheOriginToo) {
   for (const double gap : {0.0, 1e-12, 1e-9}) {
     World world{Settings()};
     constexpr double kFar = 1000.1;
@@ -108,9 +108,9 @@ TEST(Standstill, AStackStandsFarFromTheOriginToo) {
   }
 }
 
-TEST(Standstill, IsASettingWithoutWhichTheStackSways) {
+TEST(StaticEquilibrium, IsASettingWithoutWhichTheStackSways) {
   Settings settings;
-  settings.standstill = false;
+  settings.static_equilibrium = false;
   World world(settings);
   AddFloor(world);
   for (int i = 0; i < 20; ++i) AddBox(world, {0, 0.5 + i, 0});
@@ -118,7 +118,7 @@ TEST(Standstill, IsASettingWithoutWhichTheStackSways) {
   EXPECT_GT(Fastest(world), 1e3 * kRest);
 }
 
-TEST(Standstill, AThousandfoldLoadRestsFromTheFirstStep) {
+TEST(StaticEquilibrium, AThousandfoldLoadRestsFromTheFirstStep) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.5, 0});
@@ -126,7 +126,7 @@ TEST(Standstill, AThousandfoldLoadRestsFromTheFirstStep) {
   ExpectToRest(world, 20);
 }
 
-TEST(Standstill, WhatBranchesRests) {
+TEST(StaticEquilibrium, WhatBranchesRests) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.5, 0}, 0.1, {3, 0.5, 1});  // A plank with two stacks on it.
@@ -137,7 +137,7 @@ TEST(Standstill, WhatBranchesRests) {
   ExpectToRest(world, 20);
 }
 
-TEST(Standstill, BodiesReceiveJustWhatGravityTakes) {
+TEST(StaticEquilibrium, BodiesReceiveJustWhatGravityTakes) {
   World world{Settings()};
   AddFloor(world);
   // Each a tenth further out, so that none bears its load in the middle.
@@ -151,7 +151,7 @@ TEST(Standstill, BodiesReceiveJustWhatGravityTakes) {
   }
 }
 
-TEST(Standstill, ASlopeHoldsWhatItsFrictionHoldsAndNoMore) {
+TEST(StaticEquilibrium, ASlopeHoldsWhatItsFrictionHoldsAndNoMore) {
   for (const double steepness : {0.95, 1.05}) {
     Settings settings;
     const double angle = std::atan(0.6 * steepness);
@@ -174,7 +174,7 @@ TEST(Standstill, ASlopeHoldsWhatItsFrictionHoldsAndNoMore) {
   }
 }
 
-TEST(Standstill, WhatLeansOutTooFarFalls) {
+TEST(StaticEquilibrium, WhatLeansOutTooFarFalls) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.5, 0});
@@ -185,7 +185,7 @@ TEST(Standstill, WhatLeansOutTooFarFalls) {
   EXPECT_LT(world.state(top).p_WB.y(), 2.4);
 }
 
-TEST(Standstill, WhatIsThrownUpIsNotHeld) {
+TEST(StaticEquilibrium, WhatIsThrownUpIsNotHeld) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.5, 0});
@@ -196,7 +196,7 @@ TEST(Standstill, WhatIsThrownUpIsNotHeld) {
   EXPECT_NEAR(world.state(top).v_WB.y(), 1 - kG * kH, 1e-12);
 }
 
-TEST(Standstill, WhatSlidesIsSlowedByItsFrictionAlone) {
+TEST(StaticEquilibrium, WhatSlidesIsSlowedByItsFrictionAlone) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.1, 0}, 1, {0.5, 0.1, 0.5});
@@ -209,9 +209,9 @@ TEST(Standstill, WhatSlidesIsSlowedByItsFrictionAlone) {
 
 /** Some bodies, which of them touch, and one sweep over their contacts. Body 0 is a
  floor. */
-class Heap {
+class Island {
  public:
-  Heap() { Add({0, -1, 0}, {10, 1, 10}, 0); }
+  Island() { Add({0, -1, 0}, {10, 1, 10}, 0); }
 
   int Add(const Eigen::Vector3d& p_WB,
           const Eigen::Vector3d& half_extents = {0.5, 0.5, 0.5}, double mass = 1) {
@@ -242,11 +242,11 @@ class Heap {
 
   /** Returns whether all come to rest; expects that else nothing changes at all. */
   bool Rests() {
-    Sweep();
+    Iterate();
     const std::vector<Velocity> swept = velocities_;
     const std::vector<double> borne = Borne();
-    Standstill standstill;
-    standstill.Find(group_.rows(), heaps_, 1e-14 * group_.scale(), World());
+    StaticEquilibrium static_equilibrium;
+    static_equilibrium.Find(group_.rows(), islands_, 1e-14 * group_.scale(), World());
     bool rests = true;
     bool same = borne == Borne();
     for (std::size_t i = 1; i < bodies.size(); ++i) {
@@ -262,8 +262,8 @@ class Heap {
     const auto i = static_cast<std::size_t>(body);
     const RigidBody& b = bodies[i];
     Received left{free[i].v / b.inverse_mass, b.moments.cwiseProduct(free[i].w)};
-    const ContactRows<double> rows = group_.rows();
-    for (const ContactBatch<double>& batch : rows.batches) {
+    const ConstraintView<double> rows = group_.rows();
+    for (const ConstraintBatch<double>& batch : rows.batches) {
       const auto at = [](const VectorLanes<double>& v) {
         return Eigen::Vector3d(v[0][0], v[1][0], v[2][0]);
       };
@@ -292,7 +292,7 @@ class Heap {
  private:
   SolverBodies World() { return {bodies, inertias_, before_, velocities_}; }
 
-  void Sweep() {
+  void Iterate() {
     ContactRules rules{};
     rules.h = kH;
     rules.resting_speed = 1;
@@ -307,20 +307,20 @@ class Heap {
     }
     before_.assign(bodies.size() + 1, {});
     free = before_;
-    heaps_.clear();
+    islands_.clear();
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       RigidBody& body = bodies[i];
       inertias_.push_back(InverseInertiaOf(body));
-      heaps_.push_back(body.is_static() ? static_cast<int>(i) : 1);
+      islands_.push_back(body.is_static() ? static_cast<int>(i) : 1);
       if (body.is_static()) continue;
-      body.pull = kG;
+      body.load = kG;
       before_[i] = {body.state.v_WB, body.state.w_WB};
       free[i] = before_[i];
       free[i].v.y() -= kG * kH;
     }
     velocities_ = free;
-    group_.Begin(ordered, pairs, World(), rules, false, velocities_, crew_);
-    group_.Sweep(1, velocities_, crew_);
+    group_.Begin(ordered, pairs, World(), rules, false, velocities_, pool_);
+    group_.Iterate(1, velocities_, pool_);
   }
 
   std::vector<double> Borne() {
@@ -337,49 +337,49 @@ class Heap {
   std::vector<InverseInertia> inertias_;
   std::vector<Velocity> before_;
   std::vector<Velocity> velocities_;
-  std::vector<int> heaps_;
-  ContactGroup<double> group_;
-  Crew crew_{1};
+  std::vector<int> islands_;
+  ConstraintGroup<double> group_;
+  ThreadPool pool_{1};
 };
 
 /** Of loads of some g h. */
-void ExpectNothingLeft(Heap& heap) {
-  for (int i = 1; i < static_cast<int>(heap.bodies.size()); ++i) {
-    const Received left = heap.Left(i);
+void ExpectNothingLeft(Island& island) {
+  for (int i = 1; i < static_cast<int>(island.bodies.size()); ++i) {
+    const Received left = island.Left(i);
     EXPECT_LT(left.force.norm(), 1e-14) << i;
     EXPECT_LT(left.moment.norm(), 1e-14) << i;
   }
 }
 
 TEST(StandstillFind, BearsWhatEachBodyNeeds) {
-  Heap heap;
-  heap.Stack(4);
-  EXPECT_TRUE(heap.Rests());
-  ExpectNothingLeft(heap);
+  Island island;
+  island.Stack(4);
+  EXPECT_TRUE(island.Rests());
+  ExpectNothingLeft(island);
 }
 
 TEST(StandstillFind, BearsItWhicheverBodyOfAPairIsTheFirst) {
-  Heap heap;
-  heap.Stack(4);
-  std::swap(heap.pairs[0].A, heap.pairs[0].B);
-  std::swap(heap.pairs[2].A, heap.pairs[2].B);
-  heap.bodies[4].state.v_WB = {0.01, 0, 0};
-  EXPECT_TRUE(heap.Rests());
-  ExpectNothingLeft(heap);
+  Island island;
+  island.Stack(4);
+  std::swap(island.pairs[0].A, island.pairs[0].B);
+  std::swap(island.pairs[2].A, island.pairs[2].B);
+  island.bodies[4].state.v_WB = {0.01, 0, 0};
+  EXPECT_TRUE(island.Rests());
+  ExpectNothingLeft(island);
 }
 
 TEST(StandstillFind, HoldsASlipNoFasterThanFrictionStops) {
   // A step of friction stops μ g h = 0.0245 m/s of the upper box.
   for (const double v : {0.024, 0.025}) {
-    Heap heap;
-    heap.Stack(2);
+    Island island;
+    island.Stack(2);
     // Low, so that it does not tip.
-    heap.bodies[2] = heap.bodies[1];
-    heap.bodies[2].shape = Box{{0.5, 0.05, 0.5}};
-    heap.bodies[2].state.p_WB = {0, 1.05, 0};
-    heap.bodies[2].state.v_WB = {v, 0, 0};
-    EXPECT_EQ(heap.Rests(), v < 0.6 * kG * kH) << v;
-    if (v < 0.6 * kG * kH) ExpectNothingLeft(heap);
+    island.bodies[2] = island.bodies[1];
+    island.bodies[2].shape = Box{{0.5, 0.05, 0.5}};
+    island.bodies[2].state.p_WB = {0, 1.05, 0};
+    island.bodies[2].state.v_WB = {v, 0, 0};
+    EXPECT_EQ(island.Rests(), v < 0.6 * kG * kH) << v;
+    if (v < 0.6 * kG * kH) ExpectNothingLeft(island);
   }
 }
 
@@ -387,11 +387,11 @@ TEST(StandstillFind, HoldsASpinNoFasterThanFrictionStops) {
   // Corners √½ m out bear g h/4 each: together μ g h √½, and 1/6 kg m² has to stop.
   const double most = 0.6 * kG * kH * std::sqrt(0.5) * 6;
   for (const double share : {0.99, 1.01}) {
-    Heap heap;
-    heap.Stack(1);
-    heap.bodies[1].state.w_WB = {0, share * most, 0};
-    EXPECT_EQ(heap.Rests(), share < 1) << share;
-    if (share < 1) ExpectNothingLeft(heap);
+    Island island;
+    island.Stack(1);
+    island.bodies[1].state.w_WB = {0, share * most, 0};
+    EXPECT_EQ(island.Rests(), share < 1) << share;
+    if (share < 1) ExpectNothingLeft(island);
   }
 }
 
@@ -399,16 +399,16 @@ TEST(StandstillFind, PullsAtNothing) {
   // On two of its corners a cube has ½ m g h, and 1/6 kg m² to stop.
   const double most = 0.5 * kG * kH * 6;
   for (const double share : {0.99, 1.01}) {
-    Heap heap;
-    heap.Stack(1);
-    heap.bodies[1].state.w_WB = {share * most, 0, 0};
-    EXPECT_EQ(heap.Rests(), share < 1) << share;
-    if (share < 1) ExpectNothingLeft(heap);
+    Island island;
+    island.Stack(1);
+    island.bodies[1].state.w_WB = {share * most, 0, 0};
+    EXPECT_EQ(island.Rests(), share < 1) << share;
+    if (share < 1) ExpectNothingLeft(island);
   }
 }
 
 TEST(StandstillFind, LeavesRingsAndSecondSupports) {
-  Heap arch;
+  Island arch;
   arch.Stack(1);
   arch.Add({3, 0.5, 0});
   arch.Join(0, 2);
@@ -417,20 +417,20 @@ TEST(StandstillFind, LeavesRingsAndSecondSupports) {
   arch.Join(2, 3);
   EXPECT_FALSE(arch.Rests());
 
-  Heap seam;
+  Island seam;
   seam.Stack(1);
   seam.Add({0.2, -1, 0}, {0.1, 1, 10}, 0);
   seam.Join(2, 1);
   EXPECT_FALSE(seam.Rests());
 
   // As many pairs as bodies, and nothing to stand on.
-  Heap ring;
+  Island ring;
   ring.Stack(2);
   ring.pairs[0].A = 1;
   ring.pairs[0].B = 2;
   EXPECT_FALSE(ring.Rests());
 
-  Heap limb;
+  Island limb;
   limb.Stack(3);
   limb.pairs[0].A = 1;
   limb.pairs[0].B = 2;
@@ -438,29 +438,29 @@ TEST(StandstillFind, LeavesRingsAndSecondSupports) {
 }
 
 TEST(StandstillFind, LetsComeWhatIsNotThereYet) {
-  Heap heap;
-  heap.Stack(2);
-  heap.bodies[2].state.p_WB.y() += 1e-5;
-  EXPECT_FALSE(heap.Rests());
+  Island island;
+  island.Stack(2);
+  island.bodies[2].state.p_WB.y() += 1e-5;
+  EXPECT_FALSE(island.Rests());
 }
 
 TEST(StandstillFind, HoldsNothingThatBounces) {
-  Heap heap;
-  heap.restitution = 0.5;
-  heap.bodies[0].restitution = 0.5;
-  heap.Stack(2);
-  heap.bodies[2].state.v_WB = {0, -1, 0};
-  EXPECT_FALSE(heap.Rests());
+  Island island;
+  island.restitution = 0.5;
+  island.bodies[0].restitution = 0.5;
+  island.Stack(2);
+  island.bodies[2].state.v_WB = {0, -1, 0};
+  EXPECT_FALSE(island.Rests());
 }
 
 TEST(StandstillFind, BalancesNothingOnALine) {
-  Heap heap;
-  heap.Add({0, 1, 0}, {1e-8, 1, 2}, 0);
-  heap.Add({0, 2.5, 0});
-  heap.bodies[1].state.p_WB = {0, 1, 0};
-  heap.Join(1, 2);
-  heap.bodies[2].state.w_WB = {0, 0, 1e-3};
-  EXPECT_FALSE(heap.Rests());
+  Island island;
+  island.Add({0, 1, 0}, {1e-8, 1, 2}, 0);
+  island.Add({0, 2.5, 0});
+  island.bodies[1].state.p_WB = {0, 1, 0};
+  island.Join(1, 2);
+  island.bodies[2].state.w_WB = {0, 0, 1e-3};
+  EXPECT_FALSE(island.Rests());
 }
 
 }  // namespace

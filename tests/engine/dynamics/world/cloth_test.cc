@@ -44,23 +44,23 @@ TEST(Cloth, ADampedOneHangsFromItsCornersAndTheyCarryItsWeight) {
   const int first = AddCloth(cloth, world);
   for (int k = 0; k < 2400; ++k) world.Step(1.0 / 100);
   // At rest the springs at each node carry it. Those at the two corners carry all: what
-  // they pull is minus the pull on the other 23 nodes.
+  // they load is minus the load on the other 23 nodes.
   Eigen::Vector3d held(0, 0, 0);
-  const auto pull = [&](int corner, int other, double k, double rest) {
+  const auto load = [&](int corner, int other, double k, double rest) {
     const Eigen::Vector3d d =
         world.state(first + other).p_WB - world.state(first + corner).p_WB;
     held += k * (d.norm() - rest) * d.normalized();
   };
-  pull(0, 1, 80, 0.25);
-  pull(0, 5, 80, 0.25);
-  pull(0, 6, 40, 0.25 * std::sqrt(2.0));
-  pull(0, 2, 20, 0.5);
-  pull(0, 10, 20, 0.5);
-  pull(4, 3, 80, 0.25);
-  pull(4, 9, 80, 0.25);
-  pull(4, 8, 40, 0.25 * std::sqrt(2.0));
-  pull(4, 2, 20, 0.5);
-  pull(4, 14, 20, 0.5);
+  load(0, 1, 80, 0.25);
+  load(0, 5, 80, 0.25);
+  load(0, 6, 40, 0.25 * std::sqrt(2.0));
+  load(0, 2, 20, 0.5);
+  load(0, 10, 20, 0.5);
+  load(4, 3, 80, 0.25);
+  load(4, 9, 80, 0.25);
+  load(4, 8, 40, 0.25 * std::sqrt(2.0));
+  load(4, 2, 20, 0.5);
+  load(4, 14, 20, 0.5);
   const double weight = 23 * 0.1 * 9.82;
   EXPECT_NEAR(held[1], -weight, 1e-6 * weight);
   EXPECT_NEAR(held[0], 0, 1e-6 * weight);

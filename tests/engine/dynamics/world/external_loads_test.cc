@@ -74,11 +74,11 @@ void ExpectToRest(World& world, int body, double share) {
 
 /** Two stacks, one of them heavy on light, a box that falls on a corner, one that slides,
  and a ball that bounces and comes to rest. */
-std::vector<BodyState> Simulate(const Pull& pull, int steps) {
-  World world(Under(pull.gravity_W));
+std::vector<BodyState> Simulate(const Pull& load, int steps) {
+  World world(Under(load.gravity_W));
   AddFloor(world);
   const auto add = [&](BodyDefinition body) {
-    body.force_W = body.mass * pull.force_per_mass_W;
+    body.force_W = body.mass * load.force_per_mass_W;
     world.AddBody(body);
   };
   for (int k = 0; k < 3; ++k) add(BoxAt({0.1, 0.5 + k, -0.2}, 2, {0, 0, 0}));
@@ -236,12 +236,12 @@ TEST(Pressed, WhatAForcePushesAlongIsPushedAsOneBody) {
 }
 
 TEST(Pressed, APendulumSwingsUnderAForceAsUnderGravity) {
-  const auto swing = [](const Pull& pull) {
-    World world(Under(pull.gravity_W));
+  const auto swing = [](const Pull& load) {
+    World world(Under(load.gravity_W));
     BodyDefinition bob;
     bob.shape = Point{};
     bob.mass = 2;
-    bob.force_W = bob.mass * pull.force_per_mass_W;
+    bob.force_W = bob.mass * load.force_per_mass_W;
     bob.state.p_WB = {1, 0, 0};
     const int body = world.AddBody(bob);
     world.AddJoint({{-1, {0, 0, 0}}, {body, {0, 0, 0}}, 1});

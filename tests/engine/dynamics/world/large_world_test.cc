@@ -54,7 +54,7 @@ void AddTurned(World& world) {
 /** Settings under which a world of more contacts is large. */
 Settings SmallUpTo(int contacts) {
   Settings settings;
-  settings.patience = (settings.impulse_iterations + 1) * contacts;
+  settings.iteration_budget = (settings.impulse_iterations + 1) * contacts;
   return settings;
 }
 

@@ -62,9 +62,9 @@ BodyDefinition MakeFloor() {
 }
 
 /** Heaps of boxes and spheres that fall together on a floor. */
-void Fill(World& world, int heaps = 1) {
+void Fill(World& world, int islands = 1) {
   world.AddBody(MakeFloor());
-  for (int k = 0; k < 125 * heaps; ++k) {
+  for (int k = 0; k < 125 * islands; ++k) {
     const int i = k % 125;
     BodyDefinition body;
     if (i % 3 == 0) {
@@ -74,10 +74,11 @@ void Fill(World& world, int heaps = 1) {
     }
     body.restitution = 0.1;
     const double tilt = 0.03 * (i % 7);
-    const int heap = k / 125;
+    const int island = k / 125;
     const int layer = i / 25;
     const int row = i / 5 % 5;
-    body.state.p_WB = {10.0 * heap + 1.1 * (i % 5) + tilt, 0.6 + 1.05 * layer, 1.1 * row};
+    body.state.p_WB = {10.0 * island + 1.1 * (i % 5) + tilt, 0.6 + 1.05 * layer,
+                       1.1 * row};
     body.state.q_WB = Eigen::Quaterniond(1, tilt, 0.1 - tilt, 0.02).normalized();
     world.AddBody(body);
   }
@@ -92,7 +93,7 @@ void ExpectSameBits(const World& a, const World& b) {
   }
 }
 
-void ExpectSameBitsWhateverTheThreads(int heaps, int steps) {
+void ExpectSameBitsWhateverTheThreads(int islands, int steps) {
   Settings settings;
   World one(settings);
   settings.threads = 2;
@@ -100,19 +101,19 @@ void ExpectSameBitsWhateverTheThreads(int heaps, int steps) {
   settings.threads = 5;
   World five(settings);
   for (World* world : {&one, &two, &five}) {
-    Fill(*world, heaps);
+    Fill(*world, islands);
     for (int k = 0; k < steps; ++k) world->Step(1.0 / 120);
   }
   ExpectSameBits(one, two);
   ExpectSameBits(one, five);
 }
 
-// Threads share the colours of one heap.
+// Threads share the colours of one island.
 TEST(Repeatability, TheBitsOfAHeapDoNotDependOnTheNumberOfThreads) {
   ExpectSameBitsWhateverTheThreads(1, 120);
 }
 
-// Threads take heaps: 1,000 bodies have some 4,000 contacts, which are solved in parts;
+// Threads take islands: 1,000 bodies have some 4,000 contacts, which are solved in parts;
 // and they share out who is near whom, what flies and what it meets.
 TEST(Repeatability, TheBitsOfManyHeapsDoNotDependOnTheNumberOfThreads) {
   ExpectSameBitsWhateverTheThreads(8, 60);
@@ -120,14 +121,14 @@ TEST(Repeatability, TheBitsOfManyHeapsDoNotDependOnTheNumberOfThreads) {
 
 using RepeatabilityOnTarget = test::OnTarget;
 
-void ExpectBitsOfTheWidestVectors(const Settings& settings, int heaps, int steps,
+void ExpectBitsOfTheWidestVectors(const Settings& settings, int islands, int steps,
                                   const std::function<void()>& widen) {
   World narrow(settings);
-  Fill(narrow, heaps);
+  Fill(narrow, islands);
   for (int k = 0; k < steps; ++k) narrow.Step(1.0 / 120);
   widen();
   World wide(settings);
-  Fill(wide, heaps);
+  Fill(wide, islands);
   for (int k = 0; k < steps; ++k) wide.Step(1.0 / 120);
   ExpectSameBits(narrow, wide);
 }
@@ -140,7 +141,7 @@ TEST_P(RepeatabilityOnTarget, AHeapHasTheBitsOfTheWidestVectors) {
 // Sixteen floats at once, or two times eight, or as many as there are.
 TEST_P(RepeatabilityOnTarget, SinglePrecisionHasTheBitsOfTheWidestVectors) {
   Settings settings;
-  settings.patience = 0;
+  settings.iteration_budget = 0;
   ExpectBitsOfTheWidestVectors(settings, 2, 90, [] { Choose(kAll); });
 }
 
@@ -148,8 +149,8 @@ INSTANTIATE_TEST_SUITE_P(Targets, RepeatabilityOnTarget,
                          testing::ValuesIn(test::Targets()), test::NameOfTarget);
 
 TEST(Repeatability, AStepAllocatesNothingOnceWarm) {
-  World heap;
-  Fill(heap);
+  World island;
+  Fill(island);
   Settings settings;
   settings.threads = 2;
   World shared(settings);
@@ -167,13 +168,13 @@ TEST(Repeatability, AStepAllocatesNothingOnceWarm) {
     ball.state.p_WB = {1.1 * i, 1 + 0.3 * i, 0};
     bouncing.AddBody(ball);
   }
-  // After ten seconds the last that falls has fallen from the heap; until then more and
+  // After ten seconds the last that falls has fallen from the island; until then more and
   // more come near each other, or strike at once.
-  for (World* world : {&heap, &shared, &net, &bouncing}) {
+  for (World* world : {&island, &shared, &net, &bouncing}) {
     for (int k = 0; k < 1300; ++k) world->Step(1.0 / 120);
   }
   const int before = allocations;
-  for (World* world : {&heap, &shared, &net, &bouncing}) {
+  for (World* world : {&island, &shared, &net, &bouncing}) {
     for (int k = 0; k < 60; ++k) world->Step(1.0 / 120);
   }
   EXPECT_EQ(allocations, before);

@@ -89,7 +89,7 @@ TEST(Sleep, WakesAllOfAnIslandAsSomethingComesAndLeavesOthersAsleep) {
   EXPECT_TRUE(StackSleeps(world, other));
 }
 
-// What was asleep takes its whole part in a blow: the same as if it had never slept.
+// What was asleep takes its whole part in a impact: the same as if it had never slept.
 TEST(Sleep, DoesNotChangeABlow) {
   Settings weightless = SleepsAfterHalfASecond();
   weightless.gravity_W.setZero();

@@ -53,21 +53,21 @@ double HeightOfBouncing(double height, double time) {
   return height - kGravity / 2 * since_apex * since_apex;
 }
 
-TEST(Blow, ABallIsWhereItsBouncesLeadItAtAnyStep) {
+TEST(Impact, ABallIsWhereItsBouncesLeadItAtAnyStep) {
   for (const double h : {1e-3, 7e-3, 4e-2}) {
     World world(OnEarth());
     AddFloor(1, world);
     const int ball = world.AddBody(Ball(1.3, 1));
     for (int k = 1; k * h < 5; ++k) {
       world.Step(h);
-      // A blow is 1e-10 of the radius off at most, and each passes that on.
+      // A impact is 1e-10 of the radius off at most, and each passes that on.
       EXPECT_NEAR(world.state(ball).p_WB[1] - 0.1, HeightOfBouncing(1.3, k * h), 1e-9)
           << h << " " << k;
     }
   }
 }
 
-TEST(Blow, ABallBouncesMoreThanOnceInAStep) {
+TEST(Impact, ABallBouncesMoreThanOnceInAStep) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -91,7 +91,7 @@ TEST(Blow, ABallBouncesMoreThanOnceInAStep) {
   EXPECT_NEAR(world.state(body).v_WB[0], -100, 1e-9);
 }
 
-TEST(Blow, NothingGoesThroughAPlateThatIsThinnerThanItsStep) {
+TEST(Impact, NothingGoesThroughAPlateThatIsThinnerThanItsStep) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -136,7 +136,7 @@ BodyState StateOfABallAtAPlate(bool plate_holds_pendulum) {
 }
 
 // A world with rods takes other steps, of fourth order, where nothing may strike.
-TEST(Blow, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
+TEST(Impact, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
   for (const bool plate_holds_pendulum : {false, true}) {
     const BodyState ball = StateOfABallAtAPlate(plate_holds_pendulum);
     // 0.499 m there, and 1.501 m back.
@@ -145,7 +145,7 @@ TEST(Blow, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
   }
 }
 
-TEST(Blow, AFloorThatHoldsAPendulumIsBouncedOnAsAnyOther) {
+TEST(Impact, AFloorThatHoldsAPendulumIsBouncedOnAsAnyOther) {
   World world(OnEarth());
   AddFloor(1, world);
   BodyDefinition ball = Ball(2, 1);
@@ -163,7 +163,7 @@ TEST(Blow, AFloorThatHoldsAPendulumIsBouncedOnAsAnyOther) {
   EXPECT_GT(world.state(body).p_WB[1], 0.49);
 }
 
-TEST(Blow, NothingGoesThroughAPlateThatAForcePullsItTo) {
+TEST(Impact, NothingGoesThroughAPlateThatAForcePullsItTo) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -191,7 +191,7 @@ TEST(Blow, NothingGoesThroughAPlateThatAForcePullsItTo) {
 }
 
 // Each is at rest when the step begins, and struck in it.
-TEST(Blow, WhatIsStruckStrikesTheNextInTheSameStep) {
+TEST(Impact, WhatIsStruckStrikesTheNextInTheSameStep) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -214,7 +214,7 @@ TEST(Blow, WhatIsStruckStrikesTheNextInTheSameStep) {
   EXPECT_NEAR(world.state(3).v_WB[0], 6, 1e-9);
 }
 
-TEST(Blow, WhatIsStruckDoesNotGoThroughAPlateFarFromWhereItRested) {
+TEST(Impact, WhatIsStruckDoesNotGoThroughAPlateFarFromWhereItRested) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -245,7 +245,7 @@ TEST(Blow, WhatIsStruckDoesNotGoThroughAPlateFarFromWhereItRested) {
   EXPECT_NEAR(world.state(light).v_WB[0], -v, 1e-9);
 }
 
-TEST(Blow, ASpinningBoxStrikesWithTheCornerThatIsThereFirst) {
+TEST(Impact, ASpinningBoxStrikesWithTheCornerThatIsThereFirst) {
   World world(OnEarth());
   AddFloor(1, world);
   BodyDefinition box;
@@ -272,7 +272,7 @@ TEST(Blow, ASpinningBoxStrikesWithTheCornerThatIsThereFirst) {
   EXPECT_TRUE(rose);
 }
 
-TEST(Blow, ABallWithoutReboundStaysWhereItLands) {
+TEST(Impact, ABallWithoutReboundStaysWhereItLands) {
   for (const double h : {1e-3, 7e-3, 4e-2}) {
     World world(OnEarth());
     AddFloor(1, world);
@@ -283,7 +283,7 @@ TEST(Blow, ABallWithoutReboundStaysWhereItLands) {
   }
 }
 
-TEST(Blow, WhatStrikesFromWithinTheMarginIsStoppedWhereItTouches) {
+TEST(Impact, WhatStrikesFromWithinTheMarginIsStoppedWhereItTouches) {
   // A ball comes to one that rests, from nearer than where contacts begin. Taken for a
   // contact it moves by the mean of its velocities, 0.4 mm here, before it stops.
   World world(OnEarth());
@@ -303,8 +303,8 @@ TEST(Blow, WhatStrikesFromWithinTheMarginIsStoppedWhereItTouches) {
   }
 }
 
-TEST(Blow, WhatStrikesALargeHeapOrAPendulumFromWithinTheMarginDoesNotSinkIn) {
-  // Blows of neither are looked at.
+TEST(Impact, WhatStrikesALargeHeapOrAPendulumFromWithinTheMarginDoesNotSinkIn) {
+  // ImpactSolver of neither are looked at.
   const double h = 1.0 / 240;
   for (const bool pendulum : {false, true}) {
     World world(OnEarth());
@@ -334,8 +334,8 @@ TEST(Blow, WhatStrikesALargeHeapOrAPendulumFromWithinTheMarginDoesNotSinkIn) {
   }
 }
 
-TEST(Blow, WhatStrikesAHeapHardlyFasterThanItWouldRestDoesNotSinkIn) {
-  // Between once and twice what gravity adds in a step: a blow to what falls, none to
+TEST(Impact, WhatStrikesAHeapHardlyFasterThanItWouldRestDoesNotSinkIn) {
+  // Between once and twice what gravity adds in a step: a impact to what falls, none to
   // what is held.
   const double h = 1.0 / 240;
   for (const double fast : {1.05, 1.1, 1.25, 1.5, 1.9}) {
@@ -355,7 +355,7 @@ TEST(Blow, WhatStrikesAHeapHardlyFasterThanItWouldRestDoesNotSinkIn) {
   }
 }
 
-TEST(Blow, WhatRestsIsStruckWithAllThatItRestsOn) {
+TEST(Impact, WhatRestsIsStruckWithAllThatItRestsOn) {
   World world(OnEarth());
   AddFloor(0, world);
   BodyDefinition box;
@@ -383,7 +383,7 @@ TEST(Blow, WhatRestsIsStruckWithAllThatItRestsOn) {
   EXPECT_NEAR(world.state(lower).p_WB[1], 0.3, 2e-3);
 }
 
-TEST(Blow, TheImpulsesThatAreReportedAreWhatChangedTheMomentum) {
+TEST(Impact, TheImpulsesThatAreReportedAreWhatChangedTheMomentum) {
   for (const double e : {0.0, 0.7}) {
     World world(OnEarth());
     AddFloor(e, world);
@@ -407,9 +407,9 @@ TEST(Blow, TheImpulsesThatAreReportedAreWhatChangedTheMomentum) {
   }
 }
 
-TEST(Blow, WithoutTheRefinementABounceWaitsForTheNextStep) {
+TEST(Impact, WithoutTheRefinementABounceWaitsForTheNextStep) {
   Settings settings = OnEarth();
-  settings.blows_in_time = false;
+  settings.continuous_collision = false;
   World world(settings);
   AddGround(1, world);
   const int ball = world.AddBody(Ball(0.5, 1));
@@ -449,7 +449,7 @@ double WayThroughPlates(int plates, int others) {
 }
 
 // What a large world leaves to the next step is not there any more by then.
-TEST(Blow, NothingIsThroughAHeapBeforeItIsSeenHoweverManyRestElsewhere) {
+TEST(Impact, NothingIsThroughAHeapBeforeItIsSeenHoweverManyRestElsewhere) {
   for (const int others : {0, 120})
     EXPECT_LT(WayThroughPlates(10, others), 1.5) << others;
 }
