@@ -594,9 +594,9 @@ TEST_F(CommandLineTest, RunsTheFilesThatTheDescriptionOfTheFormatShows) {
   EXPECT_THAT(ended.out, HasSubstr("cookbook failed in 0 scenarios, "));
 }
 
-TEST_F(CommandLineTest, RunsTheExampleOfTheReadme) {
-  const std::string readme = TextOf(TOUCHSTONE_SOURCE_DIR "/README.md");
-  std::istringstream lines(readme.substr(readme.find("    id = \"mine/ball_on_post\"")));
+TEST_F(CommandLineTest, RunsTheScenarioThatTheUserGuideShows) {
+  const std::string guide = TextOf(TOUCHSTONE_SOURCE_DIR "/docs/using.md");
+  std::istringstream lines(guide.substr(guide.find("    id = \"mine/ball_on_post\"")));
   std::string file;
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty() && !line.starts_with("    ")) break;
