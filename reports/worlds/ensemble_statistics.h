@@ -18,7 +18,7 @@ struct Statistic {
 struct EnsembleStatistics {
   int members = 0;  ///< 0 if there is no ensemble or not every member was answered.
   Statistic kinetic_energy;  ///< [J]
-  Statistic height;          ///< Height of the common centre of mass. [m]
+  Statistic height;          ///< Height of the centre of mass, against gravity. [m]
   /** Root mean square distance from the common centre of mass, weighted by mass. [m] */
   Statistic width;
 };
