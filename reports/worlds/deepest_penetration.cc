@@ -10,19 +10,19 @@
 namespace touchstone {
 namespace {
 
-/** Unbounded bodies are near to everything. */
+/** Returns the bounding radius; infinite for a half-space. [m] */
 double RadiusOf(const Shape& shape) {
   return KindOf(shape) == ShapeKind::kHalfSpace ? HUGE_VAL : BoundingRadius(shape);
 }
 
-/** The ball that holds a body as it is now. */
+/** The bounding sphere of a body at its current pose. */
 struct Ball {
   std::size_t body;
   Eigen::Vector3d p_W;
   double radius;
 };
 
-/** By the left end along x, for a sweep. */
+/** Returns the bounding spheres sorted by their lower end along x, for a sweep. */
 std::vector<Ball> SortedBalls(const World& world, const WorldState& state) {
   std::vector<Ball> balls;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
@@ -62,7 +62,7 @@ Penetration DeepestPenetration(const World& world, const WorldState& state) {
       const ContactTruth truth =
           JudgeContact({AsItIs(world, state, a), AsItIs(world, state, b)});
       const double depth = -(truth.separation.lo + truth.separation.hi) / 2;
-      // Written so that a NaN is the deepest.
+      // Written so that a NaN counts as the deepest.
       if (!(depth <= deepest.depth) && !std::isnan(deepest.depth))
         deepest = {depth, static_cast<int>(a), static_cast<int>(b)};
     }

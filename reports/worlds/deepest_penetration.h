@@ -5,16 +5,17 @@
 
 namespace touchstone {
 
-/** Where two bodies of a world overlap most. */
+/** The two bodies of a world that overlap most. */
 struct Penetration {
-  /** [m]; 0 where nothing overlaps, NaN where body A is nowhere. */
+  /** 0 if nothing overlaps; NaN if the pose of body A is not finite. [m] */
   double depth = 0;
-  int A = -1;  ///< Into World::bodies; −1 where nothing overlaps.
-  int B = -1;
+  int A = -1;  ///< Index into World::bodies; −1 if nothing overlaps.
+  int B = -1;  ///< The same; also −1 if the pose of A is not finite.
 };
 
-/** Returns the deepest overlap of two bodies that collide and of which at least one
- moves, as the referee of contact queries certifies it: the middle of the enclosure. */
+/** Returns the deepest overlap of any two bodies that collide, at least one of which can
+ move. The referee of contact queries certifies each depth; the middle of its enclosure is
+ used. */
 Penetration DeepestPenetration(const World& world, const WorldState& state);
 
 }  // namespace touchstone

@@ -18,7 +18,7 @@
 namespace touchstone {
 namespace {
 
-/** What is expected instead of a law of that name. */
+/** Returns what is expected instead of the unknown law `misspelt`. */
 std::string LawLike(std::string_view misspelt) {
   std::vector<std::string_view> names = {kDeterministic, kStable};
   for (const Law& known : Laws()) names.push_back(known.name);
@@ -27,14 +27,14 @@ std::string LawLike(std::string_view misspelt) {
                          : fmt::format("\"{}\"", nearest);
 }
 
-/** What is expected instead of a number that is none of `known`. */
+/** Returns what is expected instead of a number that is not one of `known`. */
 std::string OneOf(std::span<const std::string_view> known, std::string_view law) {
-  if (known.empty()) return fmt::format("none: {} knows no numbers", law);
+  if (known.empty()) return fmt::format("none: {} takes no numbers", law);
   if (known.size() == 1) return fmt::format("\"{}\"", known.front());
   return fmt::format("one of {}", fmt::join(known, ", "));
 }
 
-/** Adds what is wrong with the gain of a claim that a world is stable. */
+/** Adds the error in the gain of a `stable` claim, if there is one. */
 void AddErrorOfGain(const Claim& claim, std::string_view path, const FilePlaces& places,
                     std::vector<Diagnostic>& errors) {
   const auto gain = claim.numbers.find(std::string(kStableGain));
@@ -44,13 +44,13 @@ void AddErrorOfGain(const Claim& claim, std::string_view path, const FilePlaces&
       places,
       is_there ? fmt::format("{}.numbers.{}", path, kStableGain)
                : fmt::format("{}.law", path),
-      is_there
-          ? fmt::format("{}.numbers.{} is {}", path, kStableGain, gain->second)
-          : fmt::format("{} states no number \"{}\" ({})", path, kStableGain, kStable),
-      "how many times as far as its start is moved the motion ends at most, 1 or more"));
+      is_there ? fmt::format("{}.numbers.{} is {}", path, kStableGain, gain->second)
+               : fmt::format("{} has no number \"{}\" ({})", path, kStableGain, kStable),
+      "the largest factor by which the motion amplifies a change of its start, 1 or "
+      "more"));
 }
 
-/** Adds the errors of one claim, whose path is `path`. */
+/** Adds the errors of one claim; `path` is its path in the file, e.g. "claims[2]". */
 void AddErrors(const World& world, const Claim& claim, std::string_view path,
                const FilePlaces& places, std::vector<Diagnostic>& errors) {
   const Law* law = FindLaw(claim.law);
@@ -58,7 +58,7 @@ void AddErrors(const World& world, const Claim& claim, std::string_view path,
   if (!law && !is_stable && claim.law != kDeterministic) {
     errors.push_back(
         ErrorAtValue(places, fmt::format("{}.law", path),
-                     fmt::format("{}.law is \"{}\", which is no law", path, claim.law),
+                     fmt::format("{}.law is \"{}\", which is not a law", path, claim.law),
                      LawLike(claim.law)));
     return;
   }
@@ -80,12 +80,12 @@ void AddErrors(const World& world, const Claim& claim, std::string_view path,
     errors.push_back(
         ErrorAtValue(places, fmt::format("{}.about", path),
                      fmt::format("{}.about names something ({})", path, claim.law),
-                     "no names: it is about all that moves"));
+                     "no names: it is about everything that moves"));
   }
   if (!law) return;
   std::set<std::tuple<std::string, std::string, std::string>> told;
   for (const Fault& fault : law->faults(world, understood)) {
-    // Several bodies may find the same fault with a number.
+    // A law may report the same fault of a number once for each body.
     if (!told.emplace(fault.where, fault.what, fault.expected).second) continue;
     errors.push_back(ErrorAtValue(
         places, fmt::format("{}.{}", path, fault.where),
@@ -111,13 +111,13 @@ std::vector<Diagnostic> ErrorsOfClaims(const WorldScenario& scenario) {
                                     std::string(expected)));
     };
     if (!IsStudied(scenario)) {
-      add("in a world too large to be asked twice",
+      add("in a world too large to be simulated twice",
           fmt::format("at most {:g} bodies times steps", kStudiedBodySteps));
     }
     const auto is_stable = [](const Claim& other) { return other.law == kStable; };
     if (std::any_of(scenario.claims.begin(),
                     scenario.claims.begin() + static_cast<std::ptrdiff_t>(i), is_stable))
-      add("a second time", "one gain of a world");
+      add("a second time", "one gain per world");
   }
   return errors;
 }

@@ -7,10 +7,10 @@
 
 namespace touchstone {
 
-/** Returns what is wrong with the claims of a scenario: a law that nobody knows; a number
- that the law does not know; a law that does not apply to the world; a number that
- contradicts what the law derives. Each where it stands in the scenario's file; of a
- scenario without one, with its id for the file. */
+/** Returns the errors in the claims of a scenario: an unknown law; a number that the law
+ does not know; a law that does not apply to the world; a number that contradicts what
+ the law derives. Each error carries its position in the scenario's file. The id of the
+ scenario replaces the file name if the scenario has no file. */
 std::vector<Diagnostic> ErrorsOfClaims(const WorldScenario& scenario);
 
 }  // namespace touchstone

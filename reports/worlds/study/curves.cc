@@ -13,7 +13,7 @@
 namespace touchstone {
 namespace {
 
-/** The one thing whose place is drawn. */
+/** The body, particle or cloth node whose position is drawn. */
 struct Watched {
   std::string name;
   std::function<Eigen::Vector3d(const WorldState&)> place;
@@ -32,7 +32,7 @@ Watched WatchedOf(const World& world, const Claim& claim) {
             [i](const WorldState& state) { return state.particles[i].p_W; }};
   }
   if (!subjects.cloths.empty()) {
-    // The node in the middle: of a cloth held at its edge it moves farthest.
+    // The node in the middle moves farthest if the cloth is held at its edge.
     const int cloth = subjects.cloths.front();
     const Cloth& of_world = world.cloths[static_cast<std::size_t>(cloth)];
     const auto i = static_cast<std::size_t>(
@@ -67,7 +67,7 @@ int AxisOfLargestExtent(const Trajectory& trajectory, const Watched& watched) {
     lo = lo.cwiseMin(watched.place(state));
     hi = hi.cwiseMax(watched.place(state));
   }
-  int axis = 1;  // Where nothing moves: the height.
+  int axis = 1;  // The height, if nothing moves.
   const double extent = (hi - lo).maxCoeff(&axis);
   return extent > 0 ? axis : 1;
 }
@@ -78,8 +78,8 @@ const Trajectory* FirstMotion(const WorldResult& world) {
   return found == world.trajectories.end() ? nullptr : &*found;
 }
 
-/** The claim whose closed form says a place; else the first; else one about everything.
- */
+/** Returns the first claim whose law has a closed form of the position; else the first
+ claim; else a claim about everything. */
 Claim ClaimWithPlace(const WorldScenario& scenario) {
   for (const Claim& claim : scenario.claims) {
     const Law* law = FindLaw(claim.law);

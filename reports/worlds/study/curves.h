@@ -15,23 +15,25 @@ struct Curve {
   std::vector<double> values;
 };
 
-/** One number of a world as every oracle moves it, for the eye: it decides nothing. */
+/** One quantity of a world over time, for every oracle. It is drawn for people to look
+ at; no verdict depends on it. */
 struct CurveSet {
   std::string title;    ///< E.g. "y of ball".
   std::string unit;     ///< E.g. "m".
-  MeasureKind measure;  ///< Whose tolerance is a band about the truth.
-  /** In the order of WorldResult::trajectories; empty curves where there is no motion. */
+  MeasureKind measure;  ///< Its tolerance is drawn as a band about the truth.
+  /** One curve per oracle, in the order of WorldResult::trajectories. A curve is empty if
+   there is no motion. */
   std::vector<Curve> of_oracle;
-  std::optional<Curve> truth;  ///< Where a claim's closed form says it.
+  std::optional<Curve> truth;  ///< Absent if no claim has a closed form for it.
 };
 
-/** Returns the place of what the world is about, along the axis on which the first oracle
- moves it farthest; the energy; and the magnitude of the linear momentum of everything
- that moves.
+/** Returns three quantities: the position of the first thing that the world's claims are
+ about; the energy; and the magnitude of the linear momentum of everything that moves. The
+ position is given along the axis on which the first oracle moves the thing farthest.
 
- The truth of the place is the closed form of the first claim that has one; those of
- energy and, without gravity, momentum are their values at the start, where a claim says
- that they are conserved. */
+ The truth of the position is the closed form of the first claim that has one. The truth
+ of energy, and without gravity of momentum, is the value at the start, provided that a
+ claim says that it is conserved. */
 std::vector<CurveSet> CurvesOf(const WorldResult& world);
 
 }  // namespace touchstone

@@ -13,10 +13,10 @@
 namespace touchstone {
 namespace {
 
-/** How seldom chance may be taken for a difference. */
+/** The significance level: the probability that chance is treated as a difference. [-] */
 constexpr double kChance = 1e-3;
 
-/** Of what a number of an ensemble is rounded by, of itself. */
+/** Relative rounding error of a mean. [-] */
 constexpr double kRounded = 1e-9;
 
 Statistic StatisticOf(std::span<const double> values) {
@@ -29,7 +29,7 @@ Statistic StatisticOf(std::span<const double> values) {
   return of;
 }
 
-/** Σ m |x − c|² over its mass, of the bodies and particles. [m²] */
+/** Returns Σ m |x − c|²/Σ m over the bodies and particles. [m²] */
 double SquaredWidth(const World& world, const WorldState& state, const Subjects& subjects,
                     const Eigen::Vector3d& c_W) {
   double squares = 0;
@@ -49,7 +49,7 @@ double SquaredWidth(const World& world, const WorldState& state, const Subjects&
 
 EnsembleStatistics StatisticsOf(const World& world, std::span<const Trajectory> motions) {
   Subjects subjects = SubjectsOf(world, {});
-  subjects.cloths.clear();  // Only places of bodies and particles are jittered.
+  subjects.cloths.clear();  // Only positions of bodies and particles are jittered.
   if (motions.size() < 2 || !std::all_of(motions.begin(), motions.end(), IsWhole) ||
       !(MassOf(world, subjects) > 0)) {
     return {};

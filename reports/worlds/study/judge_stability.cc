@@ -42,7 +42,7 @@ Finding JudgeStability(const Study& study, double gain,
   const World& world = study.scenario.world;
   const double radius = LargestRadius(world);
   const double until = UntilOf(study);
-  // Places by that much an axis, and by turns the surfaces.
+  // Positions move by one rounding per axis; rotations move the surfaces by as much.
   const double moved = 2 * std::sqrt(3.0) * RoundingOf(study, 1);
   const double steps = std::min<double>(world.steps, until / world.dt);
   const double late = LatenessOf(study);
@@ -52,16 +52,15 @@ Finding JudgeStability(const Study& study, double gain,
   finding.measure = MeasureKind::kStability;
   finding.tolerance = gain * (moved + 2 * RoundingOf(study, steps)) + late;
   finding.tolerance_because = fmt::format(
-      "{:.3g} times the {:.3g} m by which the start is moved and the 64 roundings of "
-      "each "
-      "step, and {:.3g} m for what may touch in one step or the next",
+      "{:.3g} × (the {:.3g} m by which the start is moved and 64 roundings a step); "
+      "{:.3g} m for a contact that is detected a step late",
       gain, moved, late);
   for (const Trajectory& other : nudged) {
     const double apart = DistanceBetween(study.trajectory, other, radius, until);
     if (apart <= finding.value) continue;
     finding.value = apart;
     finding.proof = fmt::format(
-        "{} ends {:.6g} m elsewhere where its start is moved by {:.3g} m: {}{}",
+        "{} is up to {:.6g} m away if its start is moved by {:.3g} m: {}{}",
         finding.oracle, apart, moved,
         LargestDifference(world, study.trajectory, other, until), PrintedBy(other));
   }
@@ -71,8 +70,7 @@ Finding JudgeStability(const Study& study, double gain,
   }
   finding.verdict = Verdict::kFail;
   finding.cause = Cause::kDefect;
-  finding.cause_because =
-      "the scenario claims that the motion does not multiply what moves its start";
+  finding.cause_because = "the scenario claims that the motion is stable";
   return finding;
 }
 

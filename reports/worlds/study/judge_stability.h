@@ -8,17 +8,18 @@
 
 namespace touchstone {
 
-/** Returns how far apart two motions of a stable world may come because an event falls
- into one step or the next: what starts a rounding off a contact may not be seen to touch
- until the step after. Until then all goes on as it moves, V h, and brakes later by that
- way; and of what lies on each other each falls by up to 2 g h². Times 1.5. [m] */
+/** Returns the distance by which two motions of a stable world may differ because an
+ event falls into one step or the next. A body that starts a rounding error away from a
+ contact may touch only in the next step. Until then everything continues to move, by
+ V h, and brakes that much later; and each body of a stack falls by up to 2 g h². The sum
+ is taken 1.5 times. [m] */
 double LatenessOf(const Study& study);
 
-/** Judges `nudged`, motions of the same world whose start is moved by the rounding of a
- step: of a world of which its author knows that it ends at most `gain` times as far away
- as its start was moved, the steps of one engine do too, but for LatenessOf(). One
- finding, of the worst.
- @pre All are answered and did not diverge. */
+/** Judges a world that its author claims to be stable: a change of its start is amplified
+ at most `gain` times. `nudged` are motions of the same world with the start moved by the
+ rounding error of one step. The engine's motion must be as stable, apart from
+ LatenessOf(). Returns one finding, that of the worst motion.
+ @pre All motions are answered and did not diverge. */
 Finding JudgeStability(const Study& study, double gain,
                        std::span<const Trajectory> nudged);
 

@@ -11,22 +11,22 @@
 namespace touchstone {
 namespace {
 
-/** How far apart two motions are before `until`, and what of it is explained. */
+/** The difference of two motions up to a time, and the parts that explain it. */
 struct Comparison {
   double apart;           ///< [m]
   double discretisation;  ///< [m]
-  double rounding;        ///< Before the motion multiplies it; both motions'. [m]
-  double late;            ///< [m]
+  double rounding;        ///< Sum for both motions, before amplification. [m]
+  double late;            ///< Due to events a step late. [m]
 
   double Granted(double gain) const { return discretisation + gain * rounding + late; }
   std::string Because(double gain) const {
     return fmt::format(
-        "two approximations of one motion, each off by twice what halving the step moves "
-        "it ({:.3g} m), and by 64 roundings a step ({:.3g} m of both), of which the "
-        "motion makes {:.3g} times as much{}",
+        "two approximations of one motion: each is off by twice the change from halving "
+        "the step ({:.3g} m), and by 64 roundings a step ({:.3g} m for both), which the "
+        "motion amplifies {:.3g} times{}",
         discretisation / 4, rounding, gain,
         late > 0
-            ? fmt::format("; {:.3g} m for what may touch in one step or the next", late)
+            ? fmt::format("; {:.3g} m for a contact that is detected a step late", late)
             : "");
   }
 };
@@ -78,24 +78,25 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
   };
   grant(growth.gain_before);
   if (!differs_before && finding.value <= finding.tolerance) return finding;
-  finding.proof = fmt::format("{} moves the world {} otherwise, by {:.6g} m",
+  finding.proof = fmt::format("{} moves the world {} differently, by {:.6g} m",
                               finding.oracle, ChangeOf(measure), finding.value);
   if (unstable && !differs_before) {
     grant(growth.gain);
     if (finding.value <= finding.tolerance) {
       finding.verdict = Verdict::kUndecidable;
       finding.proof += fmt::format(
-          "; from {:.6g} s on this motion multiplies what rounding does by {:.3g}: the "
-          "variants cannot be compared",
+          "; from {:.6g} s on this motion amplifies rounding {:.3g} times: the variants "
+          "cannot be compared",
           growth.horizon, growth.gain);
       return finding;
     }
   }
   finding.verdict = Verdict::kFail;
   finding.cause = Cause::kModel;
-  finding.cause_because = fmt::format("the world {} moves otherwise", ChangeOf(measure));
+  finding.cause_because =
+      fmt::format("the world {} moves differently", ChangeOf(measure));
   finding.proof += fmt::format(
-      ": {}, in the world itself and, brought back, in that one",
+      ": {}, in the world itself and in the variant mapped back",
       LargestDifference(study.scenario.world, study.trajectory, seen_in_world,
                         differs_before ? std::min(until, growth.horizon) : until));
   return finding;

@@ -9,18 +9,19 @@
 
 namespace touchstone {
 
-/** Returns how a variant differs from its world: "mirrored", … */
+/** Returns the words for how a variant differs from its world, e.g. "mirrored". */
 std::string_view ChangeOf(MeasureKind measure);
 
-/** Judges the motion of a variant, as seen in the world, against the motion of the world:
- both are approximations of one motion, so they may differ by the sum of their
- discretisation errors, 2 |x(h) − x(h/2)| each for a scheme of first order, and by
- rounding, as much of it as the motion makes, and in a stable world by what comes late.
+/** Judges the motion of a variant against the motion of the world itself.
+ `seen_in_world` is the variant's motion mapped back into the world. Both motions
+ approximate the same one, so they may differ by the sum of three terms: their
+ discretisation errors, 2 |x(h) − x(h/2)| each for a scheme of first order; rounding,
+ amplified by the motion; and in a stable world, events that come a step late.
 
- From the horizon of `growth` on nothing is granted for rounding beyond what the motion
- made of it before; what differs by more there, but not by more than rounding explains, is
- `undecidable`.
- @pre study.half is there; both trajectories are answered and did not diverge. */
+ The tolerance uses the amplification of rounding before the horizon of `growth`. After
+ the horizon a larger difference is `undecidable` as long as amplified rounding explains
+ it, and a failure beyond that.
+ @pre study.half is set; both trajectories are answered and did not diverge. */
 Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
                      MeasureKind measure, const Trajectory& seen_in_world);
 

@@ -17,12 +17,14 @@
 namespace touchstone {
 namespace {
 
-/** Nearer to first order, which every consistent scheme has, than to none: what falls to
- less than 2^-0.5 with half the step vanishes with it. */
+/** The least order at which an error counts as vanishing with the step: nearer to 1,
+ which every consistent scheme has, than to 0. Half the step must leave at most 2^-0.5 of
+ it. */
 constexpr double kLeastOrder = 0.5;
 
-/** The largest of both up to where the first has grown to an eighth of its largest: what
- turns or swings gets out of step for good, and then differs as much whatever the step. */
+/** Returns the largest value of each series up to the sample at which `first` has reached
+ an eighth of its maximum. Later samples say nothing about the order: two rotations or
+ swings that have lost phase differ by as much at any step. */
 std::pair<double, double> WhileGrowing(const std::vector<double>& first,
                                        const std::vector<double>& second) {
   if (first.empty() || second.empty()) return {0, 0};
@@ -35,7 +37,7 @@ std::pair<double, double> WhileGrowing(const std::vector<double>& first,
   return largest;
 }
 
-/** The same finding of the same claim in another motion. */
+/** Returns the value of the same claim and measure for another motion, if it has one. */
 std::optional<double> ValueOf(const Law& law, const Motion& motion, const Claim& claim,
                               MeasureKind measure) {
   for (const LawFinding& finding : law.judge(motion, claim)) {
@@ -44,8 +46,8 @@ std::optional<double> ValueOf(const Law& law, const Motion& motion, const Claim&
   return std::nullopt;
 }
 
-/** Says in `finding` how an oracle failed to give a motion, if it did. `asked` is empty
- for the world itself, else how it was asked. */
+/** Describes in `finding` how an oracle failed to return a motion, if it failed. `asked`
+ is empty for the world itself, else it names the change of the world. */
 void DescribeAnswering(const Trajectory& trajectory, double dt, std::string_view asked,
                        Finding& finding) {
   const std::string who =
@@ -85,14 +87,14 @@ class Judgement {
     for (const Claim& claim : study_.scenario.claims) {
       groups_.emplace_back();
       const Law* law = FindLaw(claim.law);
-      // What is wrong with a claim is an error of the file, not of an oracle.
+      // A claim with faults is an error of the file, not of an oracle.
       if (law && law->faults(study_.scenario.world, claim).empty()) Hold(*law, claim);
     }
     return std::move(groups_);
   }
 
  private:
-  /** Returns whether there is anything to judge. */
+  /** Returns whether there is a motion to judge. */
   bool JudgeAnswering() {
     Finding& finding = Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"});
     DescribeAnswering(study_.trajectory, study_.scenario.world.dt, "", finding);
@@ -133,7 +135,7 @@ class Judgement {
     if (law.has_impacts && study_.quarter) JudgeNearLimit(law, claim);
   }
 
-  /** Whether the error vanishes with the step. */
+  /** Sets the cause of a failure: whether its error vanishes with the step. */
   void Attribute(Finding& finding, const Law& law, const Claim& claim) {
     finding.cause = Cause::kDefect;
     if (!study_.half || !study_.quarter) return;
@@ -148,7 +150,7 @@ class Judgement {
     const bool vanishes = *half <= shrinks * finding.value && *quarter <= shrinks * *half;
     finding.cause = vanishes ? Cause::kDiscretisation : Cause::kDefect;
     finding.cause_because = fmt::format(
-        "{:.3g}, {:.3g} and {:.3g} with the step, a half and a quarter of it: {}",
+        "{:.3g}, {:.3g} and {:.3g} at the step, a half and a quarter of it: {}",
         finding.value, *half, *quarter,
         vanishes
             ? "it vanishes with the step"
@@ -157,7 +159,7 @@ class Judgement {
                           1 / shrinks));
   }
 
-  /** Judged once, whatever the number of smooth claims. */
+  /** Judges order and limit, once for any number of smooth claims. */
   void JudgeConvergence() {
     if (convergence_judged_) return;
     convergence_judged_ = true;
@@ -167,13 +169,13 @@ class Judgement {
         WhileGrowing(DistancesBetween(study_.trajectory, *study_.half, radius, until),
                      DistancesBetween(*study_.half, *study_.quarter, radius, until));
     const double rounding = RoundingOf(study_, 4 * study_.scenario.world.steps);
-    // Where halving the step changes nothing, there is no order to observe.
+    // If halving the step changes nothing, there is no order to observe.
     if (first > 8 * rounding && second > 8 * rounding) {
       const double order = std::log2(first / second);
       Finding& finding = Add(MeasureKind::kObservedOrder, std::max(0.0, 1 - order),
                              {1 - kLeastOrder,
-                              "the error of a consistent scheme falls at least as the "
-                              "first power of the step: nearer to 1 than to 0"});
+                              "the error of a consistent scheme is at least of first "
+                              "order in the step: an order nearer to 1 than to 0"});
       if (finding.value > finding.tolerance) {
         finding.verdict = Verdict::kFail;
         finding.cause = Cause::kDefect;
@@ -198,20 +200,20 @@ class Judgement {
       Finding& finding =
           Add(MeasureKind::kLimitError, *error,
               {tolerance,
-               "the extrapolated motion is off by less than halving the step "
-               "moves it, and by rounding"});
+               "the extrapolated motion is off by less than the last halving of the "
+               "step changes it, plus rounding"});
       finding.law = claim.law;
       if (finding.value <= finding.tolerance) continue;
       finding.verdict = Verdict::kFail;
       finding.cause = Cause::kModel;
-      finding.cause_because = "it converges to another motion than the truth";
+      finding.cause_because = "it converges to a motion other than the truth";
       finding.proof = fmt::format(
           "{}: as the step goes to 0, {} converges to a motion that is {:.6g} m off",
           claim.law, study_.oracle.name, *error);
     }
   }
 
-  /** Of motions with impacts, see Law::has_impacts. */
+  /** Judges a motion with impacts at a quarter of the step; see Law::has_impacts. */
   void JudgeNearLimit(const Law& law, const Claim& claim) {
     const World world = Refined(study_.scenario.world, 4);
     if (!law.faults(world, claim).empty()) return;
@@ -228,7 +230,7 @@ class Judgement {
       } else if (!(found.value <= found.tolerance.value)) {
         finding.verdict = Verdict::kFail;
         finding.cause = Cause::kDefect;
-        finding.cause_because = "it does not near the truth as the step shrinks";
+        finding.cause_because = "it does not approach the truth as the step shrinks";
         finding.proof =
             fmt::format("{}: at a quarter of the step, {}", claim.law, found.proof);
       }
@@ -250,11 +252,11 @@ class Judgement {
   const Study& study_;
   Motion motion_;
   bool convergence_judged_ = false;
-  std::vector<std::vector<Finding>> groups_;  ///< Of answering, then of each claim.
+  std::vector<std::vector<Finding>> groups_;  ///< Answering first, then one per claim.
 };
 
-/** An engine has one friction cone: where claims of one motion recognise two, none is
- what it has. */
+/** Turns recognised friction cones into failures if claims of one motion recognise two
+ different ones: an engine has only one cone. */
 void RefuseTwoCones(std::vector<std::vector<Finding>>& groups) {
   std::set<std::string_view> cones;
   const auto is_cone = [](const Finding& finding) {
@@ -270,8 +272,9 @@ void RefuseTwoCones(std::vector<std::vector<Finding>>& groups) {
       if (!is_cone(finding)) continue;
       finding.verdict = Verdict::kFail;
       finding.cause = Cause::kDefect;
-      finding.cause_because = fmt::format(
-          "the {} explains it, and another one another claim", finding.cause_because);
+      finding.cause_because =
+          fmt::format("the {} explains this claim, but another claim shows another cone",
+                      finding.cause_because);
     }
   }
 }

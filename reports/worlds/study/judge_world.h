@@ -12,31 +12,31 @@
 
 namespace touchstone {
 
-/** Holds the trajectory against every claim of the scenario: one finding a claim and
- measure, in the order of the claims. A trajectory that diverged, crashed or never ended,
- or that does not start in the state that the world gives, fails `answering` and is judged
- no further. Where half and quarter steps are there:
+/** Judges the trajectory by every claim of the scenario. Returns one finding per claim
+ and measure, in the order of the claims. A trajectory fails `answering` and is judged no
+ further if it diverged, crashed or timed out, or if it does not start in the state that
+ the world gives. If the motions at half and a quarter of the step are available:
 
- - what fails at dt and shrinks with it as a first power or faster has the cause
-   `discretisation`; what does not shrink, `defect`;
- - of smooth laws the order of convergence and the limit are judged too, and of laws
-   with impacts the motion at a quarter of the step. */
+ - a failure has the cause `discretisation` if its value falls to at most 1/√2 at each
+   halving of the step, else the cause `defect`;
+ - smooth laws are also judged on the order of convergence and on the limit, and laws with
+   impacts on the motion at a quarter of the step. */
 std::vector<Finding> JudgeWorld(const Study& study);
 
-/** Returns the same findings in groups: those of answering, then those of each claim. */
+/** Returns the same findings in groups: first answering, then one group per claim. */
 std::vector<std::vector<Finding>> JudgeWorldByClaim(const Study& study);
 
-/** Returns the `answering` finding of a motion of the same world `asked` otherwise, e.g.
- "at half the step" or "mirrored", with steps of `dt` [s]: empty where it answered or does
- not support that. */
+/** Returns the `answering` finding of `other`, a motion of a changed world with steps of
+ `dt` [s]. `asked` names the change, e.g. "at half the step" or "mirrored". Empty if the
+ oracle answered or does not support that world. */
 std::optional<Finding> FailureToAnswer(const Study& study, const Trajectory& other,
                                        std::string_view asked, double dt);
 
-/** Judges a second run of the same world: bit for bit. */
+/** Judges whether a second run of the same world gives the same bits. */
 Finding JudgeRepetition(const Study& study, const Trajectory& again);
 
-/** Returns what an engine printed as it ran, for the end of a sentence: " (it printed:
- LCP internal error)"; empty where it printed nothing. */
+/** Returns what an engine printed while it ran, as the end of a sentence: " (it printed:
+ LCP internal error)". Empty if it printed nothing. */
 std::string PrintedBy(const Trajectory& trajectory);
 
 /** Returns whether the trajectory reached the end of its world. */

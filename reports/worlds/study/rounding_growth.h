@@ -7,28 +7,27 @@
 
 namespace touchstone {
 
-/** What a motion makes of rounding: how many times as far as its start was moved it ends,
- at most, at least 1. */
+/** The factor by which a motion amplifies rounding errors: the largest distance to the
+ motion with a moved start, over the distance by which the start was moved; at least 1. */
 struct RoundingGrowth {
-  double gain = 1;         ///< Of all samples that are compared. [-]
-  double gain_before = 1;  ///< Of those before the horizon. [-]
-  /** The first sample from which on rounding decides where the motion goes: it makes more
-   than kLargestGain times as much of it, and more than the step makes of its error.
-   Infinity where there is none. [s] */
+  double gain = 1;         ///< Largest factor over all compared samples. [-]
+  double gain_before = 1;  ///< Largest factor over the samples before the horizon. [-]
+  /** The time of the first sample from which on rounding decides the motion: the gain
+   exceeds kLargestGain, and amplified rounding exceeds the discretisation error. Infinity
+   if there is none. [s] */
   double horizon = std::numeric_limits<double>::infinity();
-  /** Of a world that is known to be stable, what is granted for events a step late. [m]
-   */
+  /** Tolerance for events that come a step late, in a world claimed to be stable. [m] */
   double late = 0;
 };
 
-/** Up to here what a motion makes of rounding is granted and its variants compared: a
- flight, a swing, a few bounces. What multiplies it by more falls over, scatters or jumps,
- as where a row of balls just touches. [-] */
+/** The largest gain at which variants are still compared: a flight, a swing and a few
+ bounces stay below it. A motion with a larger gain falls over, scatters or jumps, as does
+ a row of balls that just touch. [-] */
 inline constexpr double kLargestGain = 1e3;
 
-/** Measures it by `nudged`, the motion of the same world whose start is moved by the
- rounding of one step, RoundingOf(study, 1).
- @pre study.half is there; all three are answered and did not diverge. */
+/** Measures the growth by `nudged`, the motion of the same world with its start moved by
+ the rounding error of one step, RoundingOf(study, 1).
+ @pre study.half is set; all three motions are answered and did not diverge. */
 RoundingGrowth GrowthOf(const Study& study, const Trajectory& nudged);
 
 }  // namespace touchstone

@@ -40,19 +40,20 @@ bool Claims(const WorldScenario& scenario, std::string_view law) {
   return ClaimOf(scenario, law) != nullptr;
 }
 
-/** Roughly what all that is asked of one oracle takes: body-steps. */
+/** Returns the approximate cost of all simulations of one world by one oracle.
+ [body-steps] */
 double WorkOf(const WorldScenario& scenario) {
-  // At the step itself, at half and a quarter of it, nudged, and five variants.
+  // The step itself, half and a quarter of it, a moved start, and five variants.
   const double times = IsStudied(scenario) ? 1 + 2 + 4 + 1 + 5 : 1;
   const int members = scenario.ensemble ? scenario.ensemble->members : 1;
   return BodySteps(scenario.world) * (times + members - 1);
 }
 
-/** How often the start of a stable world is moved: whether a rounding opens a contact or
- closes it is chance. */
+/** Number of times that the start of a stable world is moved: whether one rounding error
+ opens a contact or closes it is chance. */
 constexpr std::size_t kNudgesOfStable = 4;
 
-/** One oracle and one world. */
+/** The indices of a world and an oracle. */
 struct Pair {
   std::size_t world;
   std::size_t oracle;
@@ -69,8 +70,8 @@ std::vector<Pair> PairsOf(std::span<const WorldScenario> worlds,
   return pairs;
 }
 
-/** Returns the order in which the pairs are taken: the longest first, so that the last
- ones are short and no core waits long for another. */
+/** Returns the order in which the pairs are simulated: the most expensive first, so that
+ the last ones are short and no core idles for long at the end. */
 std::vector<std::size_t> LongestFirst(std::span<const Pair> pairs,
                                       std::span<const WorldScenario> worlds) {
   std::vector<double> works;
@@ -83,7 +84,7 @@ std::vector<std::size_t> LongestFirst(std::span<const Pair> pairs,
   return order;
 }
 
-/** How far beyond what is allowed: what passes is before what fails. */
+/** Returns a sort key: passing or not first, then the value over its tolerance. */
 std::pair<bool, double> Severity(const Finding& finding) {
   const bool passes = finding.verdict == Verdict::kPass;
   return {!passes, finding.tolerance > 0 ? finding.value / finding.tolerance : 0};
@@ -93,10 +94,10 @@ bool IsUnverified(const Finding& finding) {
   return finding.verdict == Verdict::kUnsupported;
 }
 
-/** Puts each of `others` in the place of the finding that says the same of another member
- of the ensemble, where it is worse; what none says yet is added. Both are of the same
- claim, which has one finding a measure; a member that gives its law nothing to judge adds
- nothing, and is replaced by one that does. */
+/** Merges `others`, the findings of one ensemble member, into `findings`, those of the
+ members before it: per measure the worse one is kept. Both belong to the same claim,
+ which has one finding per measure. A member whose motion gives the law nothing to judge
+ adds nothing; its finding is replaced by those of a member that does. */
 void KeepWorst(std::vector<Finding>& findings, const std::vector<Finding>& others) {
   if (std::any_of(others.begin(), others.end(), IsUnverified)) return;
   std::erase_if(findings, IsUnverified);
@@ -111,9 +112,9 @@ void KeepWorst(std::vector<Finding>& findings, const std::vector<Finding>& other
   }
 }
 
-/** What the members of the ensemble beyond the first, which moved as `first`, add to the
- findings, which are in groups: of answering, then of each claim. Returns what all of them
- have in common. */
+/** Simulates and judges the members of an ensemble other than the first, whose motion is
+ `first`, and merges their findings into `groups`: answering first, then one group per
+ claim. Returns the statistics of all members. */
 EnsembleStatistics ExamineMembers(const WorldScenario& scenario, const Oracle& oracle,
                                   const Trajectory& first,
                                   std::vector<std::vector<Finding>>& groups) {
@@ -137,10 +138,10 @@ EnsembleStatistics ExamineMembers(const WorldScenario& scenario, const Oracle& o
   return StatisticsOf(scenario.world, trajectories);
 }
 
-/** Returns the world with every place moved by up to `nudge` [m] an axis, and every body
- turned by as much as moves the surface of the largest by that: what spins about its
- middle axis tells only by a turn what it makes of rounding. Another seed, another move.
- */
+/** Returns the world with every position moved by up to `nudge` [m] along each axis.
+ Every body is also turned, by the angle that moves the surface of the largest body by as
+ much: a body that spins about its middle axis amplifies rotations, not translations. The
+ moves depend on `seed`. */
 World Nudged(WorldScenario scenario, double nudge, unsigned seed) {
   scenario.ensemble = Ensemble{2, nudge, seed};
   World world = MemberOf(scenario, 1);
@@ -159,8 +160,9 @@ World Nudged(WorldScenario scenario, double nudge, unsigned seed) {
   return world;
 }
 
-/** Returns what the motion of a variant breaks of the laws that the world itself obeys:
- they hold of it too, whatever comparing the two motions tells. */
+/** Returns the failures of a variant's motion under the claims of the world, except those
+ that the world itself has too. The claims hold for the variant whether or not the two
+ motions can be compared. */
 std::vector<Finding> BrokenBy(const WorldVariant& variant, const Trajectory& moved,
                               const WorldScenario& scenario, const OracleInfo& oracle,
                               std::span<const Finding> of_world) {
@@ -176,14 +178,14 @@ std::vector<Finding> BrokenBy(const WorldVariant& variant, const Trajectory& mov
                  known.verdict == Verdict::kFail;
         });
     if (is_known) continue;
-    found.reference.clear();  // Shown by a changed world.
+    found.reference.clear();  // The failure is shown by a changed world.
     found.proof = fmt::format("the world {}: {}", ChangeOf(variant.measure), found.proof);
     broken.push_back(std::move(found));
   }
   return broken;
 }
 
-/** Returns that the claim of that law was not held against this motion. */
+/** Returns the finding that the claim of that law could not be judged. */
 Finding Unverified(const Study& study, std::string_view law) {
   Finding finding;
   finding.scenario = study.scenario.id;
@@ -192,21 +194,21 @@ Finding Unverified(const Study& study, std::string_view law) {
   finding.law = law;
   finding.verdict = Verdict::kUnsupported;
   finding.tolerance_because = "an answer is an answer";
-  finding.proof = fmt::format("{}: the worlds beside it were not answered", law);
+  finding.proof = fmt::format("{}: not every world with a moved start was answered", law);
   return finding;
 }
 
-/** How an oracle moves the worlds that are asked beside the world itself. Those of a
- study are not asked of a world that is not studied. */
+/** The motions of the changed copies of a world by one oracle. All but `again` are left
+ empty unless IsStudied(). */
 struct Neighbours {
   Trajectory half;
   Trajectory quarter;
-  std::vector<Trajectory> nudged;  ///< Once; of a stable world kNudgesOfStable times.
+  std::vector<Trajectory> nudged;  ///< One; kNudgesOfStable for a stable world.
   std::vector<Trajectory> variants;
-  Trajectory again;  ///< Where the world claims to be deterministic.
+  Trajectory again;  ///< A second run; only with the claim `deterministic`.
 };
 
-/** Asks all of them in one batch, so that an isolated oracle forks but once. */
+/** Simulates all of them in one batch, so that an isolated oracle forks only once. */
 Neighbours AskNeighbours(const WorldScenario& scenario, const Oracle& oracle,
                          double nudge, std::span<const WorldVariant> variants) {
   std::vector<World> worlds;
@@ -232,8 +234,8 @@ Neighbours AskNeighbours(const WorldScenario& scenario, const Oracle& oracle,
   return motions;
 }
 
-/** Everything that one oracle is asked of one world, and what it means. Fills how it
- moved, and what the members of an ensemble have in common. */
+/** Runs all simulations of one world by one oracle and returns their findings. Stores the
+ motion of the world in `trajectory` and the statistics of its members in `ensemble`. */
 std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle,
                              Trajectory& trajectory, EnsembleStatistics& ensemble) {
   trajectory = oracle.Simulate(scenario.world);
@@ -281,7 +283,7 @@ std::vector<Finding> Examine(const WorldScenario& scenario, const Oracle& oracle
     const Finding finding = unanswered == nudged.end()
                                 ? JudgeStability(study, most, nudged)
                                 : Unverified(study, kStable);
-    // What shows no event that is late is granted none.
+    // Lateness is granted only if a moved start shows it.
     const bool is_late = finding.value > finding.tolerance - late;
     growth = {.gain = gain, .gain_before = gain, .late = is_late ? late : 0};
     findings.push_back(finding);

@@ -13,52 +13,54 @@
 
 namespace touchstone {
 
-/** One world with every motion of it. */
+/** A world with its motion by every oracle. */
 struct WorldResult {
   WorldScenario scenario;
-  /** In the order of the oracles; kUnsupported for those that do not simulate. */
+  /** Indexed by oracle; kUnsupported for those that do not simulate. */
   std::vector<Trajectory> trajectories;
-  /** The same of what the members of its ensemble, if it has one, have in common. */
+  /** Statistics of the world's ensemble, indexed by oracle; 0 members without one. */
   std::vector<EnsembleStatistics> ensembles;
 };
 
-/** What came of the worlds. */
+/** The results of RunWorlds(). */
 struct WorldsReport {
-  std::vector<WorldResult> worlds;  ///< In the order of the questions.
-  /** By world, then oracle, then measure. Oracles that answer contact queries only have
-   none. */
+  std::vector<WorldResult> worlds;  ///< In the order of the scenarios.
+  /** Sorted by world, then oracle, then measure. Oracles that only answer contact queries
+   have none. */
   std::vector<Finding> findings;
 };
 
-/** Puts every world to every oracle that simulates, at its step and where it is worth it
- at a half and a quarter, with its variants, and judges the motions; of an ensemble every
- member once, and the worst finding of each kind counts. Worlds of more than
- kStudiedBodySteps body-steps are simulated once.
+/** Simulates every world with every oracle that can simulate, and judges the motions.
+ Each world is simulated at its step; if IsStudied(), also at half and a quarter of it,
+ with a moved start and in its variants. Each member of an ensemble is simulated once, and
+ the worst finding per claim and measure is kept. Larger worlds are simulated once only.
 
- Deterministic whatever the number of jobs. `on_done` is called after each pair of world
- and oracle, from any thread. */
+ The report does not depend on the number of jobs. `on_done` is called after each pair of
+ world and oracle, from any thread. */
 WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
                        std::span<const Oracle* const> oracles, int jobs,
                        const std::function<void()>& on_done);
 
-/** Returns how often RunWorlds() calls `on_done`. */
+/** Returns the number of times that RunWorlds() calls `on_done`. */
 std::size_t CountOfWorldRuns(std::span<const WorldScenario> worlds,
                              std::span<const Oracle* const> oracles);
 
-/** The claim that a second run gives the same bits. No law of one motion can tell it. */
+/** The claim that a second run gives the same bits. It is not a law: no single motion can
+ show it. */
 inline constexpr std::string_view kDeterministic = "deterministic";
 
-/** The claim that what moves the start moves the motion by no more than `gain` times as
- much, a number of the claim: then variants are compared to the end, whatever an engine
- makes of rounding. Of worlds that are studied. */
+/** The claim that the motion amplifies a change of its start at most `gain` times, a
+ number of the claim. Variants are then compared to the end, however much an engine
+ amplifies rounding. The claim applies only to worlds with IsStudied(). */
 inline constexpr std::string_view kStable = "stable";
 inline constexpr std::string_view kStableGain = "gain";
 
-/** Whether a world is small enough to be simulated at other steps and in variants. */
+/** Returns whether a world is simulated at other steps and in variants too: it has at
+ most kStudiedBodySteps body-steps. */
 bool IsStudied(const WorldScenario& scenario);
 
-/** The bodies and nodes times steps up to which a world is simulated at other steps and
- in variants: a second or so of the slowest engine. */
+/** The largest product of steps and the number of moving bodies, particles and cloth
+ nodes at which a world is studied: about a second of the slowest engine. [body-steps] */
 inline constexpr double kStudiedBodySteps = 1e5;
 
 }  // namespace touchstone

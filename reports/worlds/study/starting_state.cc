@@ -13,8 +13,8 @@
 namespace touchstone {
 namespace {
 
-/** Holds one vector after another against what the world says, and keeps the first that
- differs. */
+/** Compares vectors with those of the world one by one and keeps a description of the
+ first that differs. */
 class Comparison {
  public:
   explicit Comparison(double rounding) : rounding_(rounding) {}
@@ -58,7 +58,7 @@ std::string DeviationFromStart(const World& world, const OracleInfo& oracle,
   if (is.bodies.size() != said.bodies.size() ||
       is.particles.size() != said.particles.size() ||
       is.nodes.size() != said.nodes.size())
-    return "starts with other things than the world has";
+    return "starts with other bodies or points than the world has";
   Trajectory start;
   start.samples = {said};
   const double size = SizeOf(world, start);

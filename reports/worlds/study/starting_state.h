@@ -8,12 +8,15 @@
 
 namespace touchstone {
 
-/** Says where the first sample of `trajectory` is not the state that `world` gives, to 64
- roundings of the oracle's format; empty where it is: an engine that starts elsewhere
- moves another world, and what laws say of it is void.
+/** Returns a description of the first difference between the first sample of `trajectory`
+ and the starting state of `world`; empty if they agree to 64 roundings of the oracle's
+ format. An engine with another starting state simulates another world, and no law applies
+ to its motion.
 
- Positions round as large as the farthest thing is from the origin and as large as it is
- itself; velocities with them where an engine keeps them about the origin: |v| + |ω| that.
+ Positions are rounded relative to the largest coordinate plus the largest radius of all
+ moving things, and at least to the body's own distance from the origin. Velocities are
+ rounded relative to |v| + |ω| times that size, since some engines store them about the
+ origin.
  @pre The trajectory is answered. */
 std::string DeviationFromStart(const World& world, const OracleInfo& oracle,
                                const Trajectory& trajectory);

@@ -7,9 +7,9 @@
 namespace touchstone {
 
 double RoundingOf(const Study& study, double steps) {
-  // Roundings that one step may add to a position: a dozen products and sums a coordinate
-  // in the force, the velocity and the position, with the contact or joint solver's. They
-  // add up from step to step, in the worst case linearly.
+  // The roundings that one step may add to a position: a dozen products and sums per
+  // coordinate in force, velocity and position, and those of the contact or joint solver.
+  // They add up over the steps, linearly in the worst case.
   constexpr double kRoundingsOfAStep = 64;
   return kRoundingsOfAStep * study.oracle.unit_roundoff *
          SizeOf(study.scenario.world, study.trajectory) * steps;

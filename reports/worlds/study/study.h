@@ -5,21 +5,21 @@
 
 namespace touchstone {
 
-/** How one oracle moves one world, at the step that the world asks for and, where they
- were simulated, at a half and a quarter of it. */
+/** The motions of one world by one oracle: at the step of the world and, if they were
+ simulated, at half and a quarter of it. */
 struct Study {
   const WorldScenario& scenario;
   const OracleInfo& oracle;
   const Trajectory& trajectory;
-  const Trajectory* half = nullptr;
-  const Trajectory* quarter = nullptr;
+  const Trajectory* half = nullptr;     ///< Null if not simulated.
+  const Trajectory* quarter = nullptr;  ///< Null if not simulated.
 };
 
-/** Returns by how much rounding may move the places within `steps` steps. [m] */
+/** Returns the largest change of positions by rounding within `steps` steps. [m] */
 double RoundingOf(const Study& study, double steps);
 
-/** Returns from when on trajectories are not compared: the horizon of the scenario, or
- infinity. [s] */
+/** Returns the time from which on trajectories are not compared: the horizon of the
+ scenario, or infinity. [s] */
 double UntilOf(const Study& study);
 
 }  // namespace touchstone

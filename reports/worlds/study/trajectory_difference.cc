@@ -14,7 +14,7 @@
 namespace touchstone {
 namespace {
 
-// A NaN is the largest of all, once and for all.
+// A NaN counts as the largest value and is never replaced.
 void TakeLarger(double& largest, double value) {
   if (!std::isnan(largest) && !(value <= largest)) largest = value;
 }
@@ -26,7 +26,7 @@ double PointDistance(const std::vector<PointState>& a, const std::vector<PointSt
   return largest;
 }
 
-/** The numbers of a state in one row, with what they are called. */
+/** The numbers of a state as one flat list, with the name of each. */
 struct Numbers {
   std::vector<double> values;
   std::vector<std::string> names;
@@ -71,7 +71,7 @@ bool AreSame(double a, double b) {
   return a == b || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-/** The first sample and number at which they differ. */
+/** The sample and number at which two trajectories first differ. */
 struct Place {
   std::size_t sample;
   std::string text;
@@ -82,7 +82,8 @@ std::optional<Place> FirstPlace(const Trajectory& a, const Trajectory& b) {
   for (std::size_t s = 0; s < samples; ++s) {
     const Numbers of_a = NumbersOf(a.samples[s]);
     const Numbers of_b = NumbersOf(b.samples[s]);
-    if (of_a.values.size() != of_b.values.size()) return Place{s, "has other bodies"};
+    if (of_a.values.size() != of_b.values.size())
+      return Place{s, "the numbers of bodies or points differ"};
     for (std::size_t i = 0; i < of_a.values.size(); ++i) {
       if (AreSame(of_a.values[i], of_b.values[i])) continue;
       return Place{s, fmt::format("{} is {:.17g} and {:.17g}", of_a.names[i],

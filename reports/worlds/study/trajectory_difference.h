@@ -8,33 +8,36 @@
 
 namespace touchstone {
 
-/** Returns the largest distance between the places of one thing in two trajectories of
- the same bodies, for each sample that both have and that is before `until` [s]: rigid
- bodies by their centres plus `radius` times their angle to each other, particles and
- nodes as points. [m] */
+/** Returns the distance between two trajectories of the same world, for each sample that
+ both have and that is before `until` [s]. It is the largest over all bodies, particles
+ and nodes. For a rigid body it is the distance of the centres plus `radius` times the
+ angle between the orientations. [m] */
 std::vector<double> DistancesBetween(const Trajectory& a, const Trajectory& b,
                                      double radius, double until);
 
-/** Returns the largest of DistancesBetween(): a NaN where there is one, 0 of none. [m] */
+/** Returns the largest of DistancesBetween(): NaN if one of them is NaN, 0 if there are
+ none. [m] */
 double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
                        double until);
 
-/** Says where they are farthest from each other, before `until`: "at 0.32 s lid is at
- (0, 1, 0) and (0, 1.5, 0)", with the angle between them where the bodies turn. Empty
- where they are nowhere apart. */
+/** Returns a description of the largest difference before `until` [s]: "at 0.32 s lid is
+ at (0, 1, 0) and (0, 1.5, 0)", with the angle between the orientations if they differ.
+ Empty if the trajectories do not differ. */
 std::string LargestDifference(const World& world, const Trajectory& a,
                               const Trajectory& b, double until);
 
-/** Returns whether two trajectories are the same bit for bit; −0 equals 0, NaN itself. */
+/** Returns whether two trajectories agree bit for bit; −0 equals 0, and a NaN equals
+ itself. */
 bool AreIdentical(const Trajectory& a, const Trajectory& b);
 
-/** Says where two trajectories that are not identical first differ: the sample's time,
- which body, particle or node by its index, and which field. */
+/** Returns a description of the first difference of two trajectories: the time of the
+ sample, the body, particle or node by its index, the field, and both numbers. Empty if
+ they are identical. */
 std::string FirstDifference(const Trajectory& a, const Trajectory& b);
 
-/** Returns the limit of the motion for a step that goes to 0, by Richardson's
- extrapolation of a scheme of first order: 2 x(h/2) − x(h), sample by sample; orientations
- are added with equal signs and normalised.
+/** Returns the limit of the motion as the step goes to 0, by Richardson extrapolation of
+ a scheme of first order: 2 x(h/2) − x(h), sample by sample. Quaternions are brought to
+ the same sign first and normalised afterwards.
  @pre Both have the same samples. */
 Trajectory ExtrapolatedToZeroStep(const Trajectory& coarse, const Trajectory& fine);
 

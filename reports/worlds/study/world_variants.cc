@@ -7,16 +7,17 @@
 namespace touchstone {
 namespace {
 
-/** Neither a fraction of a turn nor of a right angle. [rad] */
+/** The angle of the turned variant: no simple fraction of a full turn or a right angle.
+ [rad] */
 constexpr double kTurn = 0.7390851332151607;
 
-/** Not exact in binary, and as far as the worlds are large. [m] */
+/** The offset of the moved variant: not exact in binary, and about as large as the
+ worlds. [m] */
 const Eigen::Vector3d kOffset(3.7, -2.3, 5.9);
 
-/** Turns, mirrors and moves everything that a world says. A body that is mirrored by S
- keeps its own frame right-handed: its rotation becomes S R M with M the mirror of the
- body's first axis, under which every symmetric shape and every principal inertia is
- itself. */
+/** Applies x → S x + offset to everything in a world. The frame of a mirrored body stays
+ right-handed: its rotation becomes S R M, with M the mirror of the body's first axis. M
+ leaves every symmetric shape and every principal inertia unchanged. */
 class Mover {
  public:
   Mover(const Eigen::Matrix3d& S, const Eigen::Vector3d& offset)

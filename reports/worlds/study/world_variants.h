@@ -14,8 +14,8 @@ namespace touchstone {
 struct WorldVariant {
   MeasureKind measure;  ///< kHeading … kMassScaling.
   World world;
-  /** x_V = S x_W + offset: where what was at x_W is in the variant. Orthogonal; of
-   determinant −1 for the mirror. */
+  /** Maps a point x_W of the world to x_V = S x_W + offset in the variant. Orthogonal;
+   its determinant is −1 for the mirror. */
   Eigen::Matrix3d S = Eigen::Matrix3d::Identity();
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< [m]
   /** Body i of the variant is body `order[i]` of the world. */
@@ -23,18 +23,19 @@ struct WorldVariant {
 };
 
 /** Returns the metamorphic variants of `world`: turned about gravity by an awkward angle,
- moved, mirrored, its bodies in the opposite order, all masses (with stiffnesses, forces
- and blows) times three. A law of mechanics each: none needs a reference.
+ moved, mirrored, with its bodies in the opposite order, and with all masses, stiffnesses,
+ forces and impulses times three. Mechanics says how each moves, so none needs a
+ reference.
 
- A cloth knows only the world's axes, so that a world with one is neither turned nor
- mirrored, and one with a hull, which is not its own mirror image, not mirrored; a world
- of one body is not reordered. */
+ A cloth is always aligned with the world's axes, so a world with a cloth is neither
+ turned nor mirrored. A convex hull is in general not its own mirror image, so a world
+ with one is not mirrored. A world with one body is not reordered. */
 std::vector<WorldVariant> VariantsOf(const World& world);
 
-/** Returns the claims of a world as they hold of its variant: directions turn with it. */
+/** Returns the claims of a world as they apply to its variant: S maps directions too. */
 std::vector<Claim> ClaimsOf(const WorldVariant& variant, std::vector<Claim> claims);
 
-/** Returns the motion of a variant as seen in the world itself. */
+/** Returns the motion of a variant mapped back into the world itself. */
 Trajectory SeenInWorld(const WorldVariant& variant, Trajectory trajectory);
 
 }  // namespace touchstone

@@ -27,7 +27,7 @@ TEST(DeepestPenetration, IsThatOfThePairThatOverlapsMost) {
   EXPECT_EQ(deepest.B, 1);
 }
 
-TEST(DeepestPenetration, OfABodyThatIsNowhereIsNoNumber) {
+TEST(DeepestPenetration, IsNanForABodyWithoutAFinitePose) {
   const World world = ThreeBalls();
   WorldState state = StateAtStart(world);
   state.bodies[2].p_WB.y() = std::numeric_limits<double>::quiet_NaN();

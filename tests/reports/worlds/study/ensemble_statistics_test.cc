@@ -23,7 +23,7 @@ World TwoBalls() {
   return world;
 }
 
-/** Both balls at `height`, the light one at `speed`. */
+/** A motion with both balls at `height` and the light one at `speed`. */
 Trajectory At(double height, double speed) {
   const World world = TwoBalls();
   return Sampled(world, [&](double) {
@@ -39,7 +39,7 @@ Trajectory At(double height, double speed) {
   });
 }
 
-TEST(StatisticsOf, AreMeansAndDeviationsOfTheEnd) {
+TEST(StatisticsOf, AreMeansAndDeviationsOfTheFinalStates) {
   const std::vector<Trajectory> motions = {At(1, 2), At(2, 4), At(3, 6)};
   const EnsembleStatistics of = StatisticsOf(TwoBalls(), motions);
   EXPECT_EQ(of.members, 3);
@@ -51,16 +51,17 @@ TEST(StatisticsOf, AreMeansAndDeviationsOfTheEnd) {
   EXPECT_LE(of.width.deviation, 1e-15);
 }
 
-TEST(StatisticsOf, AreNoneWhereAMemberWasNotAnswered) {
+TEST(StatisticsOf, HaveNoMembersIfOneWasNotAnswered) {
   std::vector<Trajectory> motions = {At(1, 2), At(2, 4), Trajectory()};
   EXPECT_EQ(StatisticsOf(TwoBalls(), motions).members, 0);
   motions.resize(1);
   EXPECT_EQ(StatisticsOf(TwoBalls(), motions).members, 0);
 }
 
-// Welch's own quotient: 8 and 8 members that are off by 1 each have a standard error of
-// ½ together and 14 degrees of freedom, of which one in 1000 is beyond 4.1405.
-TEST(Differ, AtTheQuantileOfStudentsDistribution) {
+// Welch's quotient: two ensembles of 8 members with a standard deviation of 1 each have a
+// joint standard error of ½ and 14 degrees of freedom. Student's t exceeds 4.1405 in one
+// of 1000 cases.
+TEST(Differ, BeyondTheQuantileOfStudentsDistribution) {
   const Statistic here{10, 1};
   EXPECT_FALSE(Differ(here, 8, {10 + 0.5 * 4.140, 1}, 8));
   EXPECT_TRUE(Differ(here, 8, {10 + 0.5 * 4.141, 1}, 8));
@@ -71,13 +72,13 @@ TEST(Differ, NotByRounding) {
   EXPECT_TRUE(Differ({10, 0}, 8, {10 * (1 + 1e-6), 0}, 8));
 }
 
-TEST(Differ, TakesChanceForADifferenceAsSeldomAsItSays) {
+TEST(Differ, ByChanceInOneOfAThousandTrials) {
   Random random({7, 1});
   const auto ensemble = [&] {
     double sum = 0;
     double squares = 0;
     for (int member = 0; member < 8; ++member) {
-      // About normal: the sum of twelve uniform numbers.
+      // Nearly normal: the sum of twelve uniform numbers.
       double value = 0;
       for (int k = 0; k < 12; ++k) value += random.Uniform(-0.5, 0.5);
       sum += value;
@@ -88,7 +89,7 @@ TEST(Differ, TakesChanceForADifferenceAsSeldomAsItSays) {
   int differ = 0;
   for (int trial = 0; trial < 20000; ++trial)
     differ += Differ(ensemble(), 8, ensemble(), 8);
-  // 20 are expected, give or take 4.5.
+  // 20 are expected, with a standard deviation of 4.5.
   EXPECT_GT(differ, 2);
   EXPECT_LT(differ, 40);
 }

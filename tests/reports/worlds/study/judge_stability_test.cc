@@ -18,7 +18,7 @@ constexpr double kSpeed = 3;      // [m/s]
 constexpr double kBraking = 4.9;  // [m/s²]
 
 //   ____
-//  |    |-->     A box that slides over the floor, and starts a rounding off it.
+//  |    |-->     A box that slides over the floor and starts a rounding error above it.
 //  '----'
 //  ---------
 WorldScenario SlidingBox() {
@@ -33,8 +33,9 @@ WorldScenario SlidingBox() {
   return scenario;
 }
 
-/** Slides on until the floor is seen in the step after `late`, having fallen meanwhile;
- brakes from there on; and is moved by `off`. */
+/** Returns a motion of the box in which the contact is detected only after `late` steps.
+ Until then the box slides freely and falls; from then on it brakes. `off` is added to all
+ its positions. */
 Trajectory Slides(const World& world, int late, const Eigen::Vector3d& off) {
   return Sampled(world, [&](double t) {
     WorldState state;
@@ -59,7 +60,7 @@ Finding JudgedBeside(const std::vector<Trajectory>& nudged) {
   return JudgeStability({scenario, DoubleEngine(), in_time}, 10, nudged);
 }
 
-TEST(JudgeStability, GrantsThatAContactIsSeenAStepLate) {
+TEST(JudgeStability, AllowsAContactToBeDetectedAStepLate) {
   const World world = SlidingBox().world;
   const Finding finding =
       JudgedBeside({Slides(world, 0, Eigen::Vector3d::Constant(1e-15)),
@@ -77,8 +78,7 @@ TEST(JudgeStability, FindsTheWorstOfSeveralNudges) {
   EXPECT_EQ(finding.verdict, Verdict::kFail);
   EXPECT_EQ(finding.cause, Cause::kDefect);
   EXPECT_NEAR(finding.value, 0.07, 1e-12);
-  EXPECT_THAT(finding.proof,
-              testing::HasSubstr(" m elsewhere where its start is moved "));
+  EXPECT_THAT(finding.proof, testing::HasSubstr(" m away if its start is moved "));
 }
 
 TEST(JudgeStability, QuotesWhatTheEnginePrinted) {

@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(JudgeVariant, WorldsThatLawsOfMechanicsMapToEachOtherMoveAlike) {
+TEST(JudgeVariant, PassesIfAllVariantsMoveAlike) {
   const FakeSimulator engine = OffBy(0, 1);
   const Studied studied(TwoBallsInFlight(), engine);
   for (const WorldVariant& variant : VariantsOf(studied.scenario.world)) {
@@ -30,7 +30,7 @@ TEST(JudgeVariant, WorldsThatLawsOfMechanicsMapToEachOtherMoveAlike) {
   }
 }
 
-TEST(JudgeVariant, AnErrorAlongOneAxisOfTheWorldIsFoundByTheHeading) {
+TEST(JudgeVariant, FindsAnErrorAlongOneAxisOfTheWorldByTheHeading) {
   const FakeSimulator engine = OffBy(1e-3, 0);
   const Studied studied(TwoBallsInFlight(), engine);
   const std::vector<WorldVariant> variants = VariantsOf(studied.scenario.world);
@@ -41,10 +41,11 @@ TEST(JudgeVariant, AnErrorAlongOneAxisOfTheWorldIsFoundByTheHeading) {
   EXPECT_EQ(finding.verdict, Verdict::kFail);
   EXPECT_THAT(finding.proof, HasSubstr("turned about gravity"));
   EXPECT_THAT(finding.proof, HasSubstr(" m: at "));
-  EXPECT_THAT(finding.proof, HasSubstr("in the world itself and, brought back, in that"));
+  EXPECT_THAT(finding.proof,
+              HasSubstr("in the world itself and in the variant mapped back"));
 }
 
-TEST(JudgeVariant, GrantsWhatTheStepExplains) {
+TEST(JudgeVariant, AllowsTheDiscretisationError) {
   const FakeSimulator engine = OffBy(1e-3, 1);
   const Studied studied(TwoBallsInFlight(), engine);
   const std::vector<WorldVariant> variants = VariantsOf(studied.scenario.world);
@@ -55,7 +56,7 @@ TEST(JudgeVariant, GrantsWhatTheStepExplains) {
   EXPECT_EQ(finding.verdict, Verdict::kPass) << finding.proof;
 }
 
-TEST(JudgeVariant, GrantsRoundingAsMuchAsTheMotionMakesOfIt) {
+TEST(JudgeVariant, AllowsRoundingTimesTheGain) {
   const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
   const auto tolerance = [&](double gain) {
     return JudgeVariant(studied.study(), {gain, gain}, MeasureKind::kHeading,
@@ -65,24 +66,24 @@ TEST(JudgeVariant, GrantsRoundingAsMuchAsTheMotionMakesOfIt) {
   EXPECT_NEAR(tolerance(10), 10 * tolerance(1), 1e-3 * tolerance(1));
 }
 
-TEST(JudgeVariant, GivesTheNumbersOfTheToleranceThatItHoldsAgainst) {
+TEST(JudgeVariant, ExplainsTheToleranceThatItApplies) {
   const Studied studied(TwoBallsInFlight(), OffBy(1e-3, 0));
   const WorldVariant heading = VariantsOf(studied.scenario.world).front();
   const Trajectory seen = SeenInWorld(heading, OffBy(1e-3, 0).Simulate(heading.world));
-  // From the start on the motion makes 1e5 times as much of rounding, 10 times before.
+  // The gain is 10 before the horizon and 1e5 after it; here the horizon is the start.
   const Finding finding =
       JudgeVariant(studied.study(), {1e5, 10, 0}, MeasureKind::kHeading, seen);
-  EXPECT_THAT(finding.tolerance_because, HasSubstr("makes 1e+05 times as much"));
+  EXPECT_THAT(finding.tolerance_because, HasSubstr("amplifies 1e+05 times"));
   const Finding before =
       JudgeVariant(studied.study(), {1e5, 10}, MeasureKind::kHeading, seen);
-  EXPECT_THAT(before.tolerance_because, HasSubstr("makes 10 times as much"));
+  EXPECT_THAT(before.tolerance_because, HasSubstr("amplifies 10 times"));
   EXPECT_NEAR(finding.tolerance, 1e4 * before.tolerance, 10 * before.tolerance);
 }
 
 //            ball
-//             o       A ball near the top of a smooth hump: x'' = k² x of its way x
-//          .-- --.    from the top, so that x = x₀ cosh k t. Of a rounding of its
-//        .'       '.  place the motion makes cosh(k 1.5 s) = 1.5e8 times as much.
+//             o       A ball near the top of a smooth hump: x'' = k² x for its distance
+//          .-- --.    x from the top, so that x = x₀ cosh k t. A rounding error of its
+//        .'       '.  position is amplified cosh(k 1.5 s) = 1.5e8 times.
 constexpr double kRate = 13;  // [1/s]
 
 WorldScenario BallOnAHump() {
@@ -97,8 +98,8 @@ WorldScenario BallOnAHump() {
   return scenario;
 }
 
-/** Exact but for the rounding of the places in the world; `off(t)` [m] is added along x.
- */
+/** Returns the exact motion, apart from the rounding of positions in the world. `off(t)`
+ [m] is added along x. */
 Trajectory OverTheHump(const World& world, double (*off)(double t)) {
   return Sampled(world, [&](double t) {
     WorldState state;
@@ -134,7 +135,7 @@ const Finding& Heading(const std::vector<Finding>& findings) {
   });
 }
 
-TEST(UnstableMotion, ARightEngineIsNotFailedForWhatTheMotionMakesOfRounding) {
+TEST(UnstableMotion, DoesNotFailARightEngineForAmplifiedRounding) {
   const std::vector<Finding> findings = FindingsOnTheHump([](double) { return 0.0; });
   for (const Finding& finding : findings) {
     EXPECT_TRUE(finding.verdict == Verdict::kPass ||
@@ -142,29 +143,29 @@ TEST(UnstableMotion, ARightEngineIsNotFailedForWhatTheMotionMakesOfRounding) {
         << finding.proof;
   }
   EXPECT_EQ(Heading(findings).verdict, Verdict::kUndecidable);
-  EXPECT_THAT(Heading(findings).proof, HasSubstr("multiplies what rounding does by"));
+  EXPECT_THAT(Heading(findings).proof, HasSubstr("this motion amplifies rounding "));
   EXPECT_THAT(Heading(findings).proof, HasSubstr("the variants cannot be compared"));
 }
 
-TEST(UnstableMotion, AnEngineThatPrefersADirectionFailsBeforeTheHorizon) {
-  // Hidden later, where what the motion makes of rounding explains as much.
+TEST(UnstableMotion, FailsAnEngineThatPrefersADirectionBeforeTheHorizon) {
+  // Later the error is hidden, since amplified rounding explains as much.
   const std::vector<Finding> findings =
       FindingsOnTheHump([](double t) { return t > 0 && t < 0.5 ? 1e-8 : 0.0; });
   EXPECT_EQ(Heading(findings).verdict, Verdict::kFail);
   EXPECT_LT(Heading(findings).tolerance, 1e-8);
 }
 
-TEST(UnstableMotion,
-     AnEngineThatPrefersADirectionByMoreThanRoundingExplainsFailsAfterIt) {
+TEST(UnstableMotion, FailsAnEngineAfterTheHorizonByMoreThanRoundingExplains) {
   const std::vector<Finding> findings =
       FindingsOnTheHump([](double t) { return t > 1.4 ? 1e-2 : 0.0; });
   EXPECT_EQ(Heading(findings).verdict, Verdict::kFail);
-  EXPECT_THAT(Heading(findings).proof, HasSubstr("turned about gravity otherwise"));
+  EXPECT_THAT(Heading(findings).proof, HasSubstr("turned about gravity differently"));
 }
 
-TEST(UnstableMotion, AWrongEngineDoesNotHideBehindAJump) {
-  // A rounding of the start makes 0.3 m, as where a row just touches: times two roundings
-  // a step for a hundred steps, 60 m would be granted. A heavier ball goes up by 35 m.
+TEST(UnstableMotion, FailsAWrongEngineWhoseMotionJumps) {
+  // A moved start changes the motion by 0.3 m, as with a row of balls that just touch.
+  // That gain, times two roundings a step for a hundred steps, would allow 60 m. A
+  // heavier ball rises by 35 m.
   const FakeSimulator engine("engine", [](const World& world) {
     return FreeFlight(world, [&](double t) {
       const bool jumps = world.bodies[0].placed.X_WB.p_WB.x() != 0.3;
@@ -187,8 +188,8 @@ TEST(UnstableMotion, AWrongEngineDoesNotHideBehindAJump) {
   EXPECT_EQ(found->reference, "");
 }
 
-TEST(UnstableMotion, ARightEngineIsNotFailedForWhatASpinAboutTheMiddleAxisMakesOfIt) {
-  // Where it is moved says nothing: only by a turn is the spin off the axis, which grows.
+TEST(UnstableMotion, DoesNotFailARightEngineForASpinAboutTheMiddleAxis) {
+  // A moved position changes nothing; a turn tilts the spin off the axis, and that grows.
   const FakeSimulator engine("engine", [](const World& world) {
     return Sampled(world, [&](double t) {
       const RigidBody& body = world.bodies[0];
@@ -205,7 +206,7 @@ TEST(UnstableMotion, ARightEngineIsNotFailedForWhatASpinAboutTheMiddleAxisMakesO
   });
   WorldScenario scenario;
   scenario.id = "world/test/handle";
-  scenario.world.gravity_W = {0.3, -9.7, 1.1};  // Held against it.
+  scenario.world.gravity_W = {0.3, -9.7, 1.1};  // It has no effect: the body is held.
   RigidBody handle = BodyOf("handle", Sphere{0.3}, 3, {0, 0, 0});
   handle.placed.X_WB = Pose::FromQuaternion({0, 0, 0}, {1, 0, 0, 0});
   handle.w_WB = {10, 0, 0};
@@ -218,14 +219,14 @@ TEST(UnstableMotion, ARightEngineIsNotFailedForWhatASpinAboutTheMiddleAxisMakesO
     EXPECT_NE(finding.verdict, Verdict::kFail) << finding.proof;
 }
 
-TEST(RoundingGrowth, OfAFlightStaysOneAndHasNoHorizon) {
+TEST(RoundingGrowth, StaysOneWithoutAHorizonInFreeFlight) {
   const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
   const RoundingGrowth growth = GrowthOf(studied.study(), studied.whole);
   EXPECT_EQ(growth.gain, 1);
   EXPECT_EQ(growth.horizon, std::numeric_limits<double>::infinity());
 }
 
-TEST(RoundingGrowth, HasItsHorizonWhereTheMotionJumps) {
+TEST(RoundingGrowth, HasItsHorizonAtAJumpOfTheMotion) {
   const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
   Trajectory nudged = studied.whole;
   for (std::size_t s = 40; s < nudged.samples.size(); ++s)
@@ -236,7 +237,7 @@ TEST(RoundingGrowth, HasItsHorizonWhereTheMotionJumps) {
   EXPECT_NEAR(growth.gain, 0.3 / RoundingOf(studied.study(), 1), 1e-6 * growth.gain);
 }
 
-TEST(RoundingGrowth, HasNoHorizonWhereTheStepExplainsMore) {
+TEST(RoundingGrowth, HasNoHorizonIfDiscretisationExplainsMore) {
   const Studied studied(TwoBallsInFlight(), OffBy(1, 1));
   Trajectory nudged = studied.whole;
   nudged.samples.back().bodies[0].p_WB.x() += 1e-6;

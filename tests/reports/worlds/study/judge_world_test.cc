@@ -24,7 +24,7 @@ const Finding* Find(const std::vector<Finding>& findings, MeasureKind measure) {
   return found == findings.end() ? nullptr : &*found;
 }
 
-TEST(JudgeWorld, TheClosedFormFollowsItsLaw) {
+TEST(JudgeWorld, PassesTheClosedForm) {
   const Studied studied(TwoBallsInFlight(), OffBy(0, 1));
   for (const Finding& finding : JudgeWorld(studied.study())) {
     EXPECT_EQ(finding.verdict, Verdict::kPass) << finding.proof;
@@ -32,7 +32,7 @@ TEST(JudgeWorld, TheClosedFormFollowsItsLaw) {
   }
 }
 
-TEST(JudgeWorld, AnErrorThatVanishesWithTheStepIsDiscretisation) {
+TEST(JudgeWorld, CallsAnErrorThatVanishesWithTheStepDiscretisation) {
   const Studied studied(TwoBallsInFlight(), OffBy(1000, 1));
   const std::vector<Finding> findings = JudgeWorld(studied.study());
   const Finding* position = Find(findings, MeasureKind::kPositionError);
@@ -42,7 +42,7 @@ TEST(JudgeWorld, AnErrorThatVanishesWithTheStepIsDiscretisation) {
   EXPECT_THAT(position->proof, HasSubstr("ballistic: off has"));
 }
 
-TEST(JudgeWorld, AFailureQuotesWhatTheEnginePrinted) {
+TEST(JudgeWorld, QuotesWhatTheEnginePrintedInAFailure) {
   Studied studied(TwoBallsInFlight(), OffBy(1, 0));
   studied.whole.complaint = "LCP internal error";
   const std::vector<Finding> findings = JudgeWorld(studied.study());
@@ -51,7 +51,7 @@ TEST(JudgeWorld, AFailureQuotesWhatTheEnginePrinted) {
   EXPECT_EQ(Find(findings, MeasureKind::kAnswering)->proof, "");
 }
 
-TEST(JudgeWorld, AnErrorThatStaysIsADefect) {
+TEST(JudgeWorld, CallsAnErrorThatStaysADefect) {
   const Studied studied(TwoBallsInFlight(), OffBy(1, 0));
   const std::vector<Finding> findings = JudgeWorld(studied.study());
   const Finding* position = Find(findings, MeasureKind::kPositionError);
@@ -62,7 +62,7 @@ TEST(JudgeWorld, AnErrorThatStaysIsADefect) {
               HasSubstr("would have to fall to 1/1.4 at each halving"));
 }
 
-TEST(JudgeWorld, AnErrorThatHardlyFallsWithTheStepHasNoOrder) {
+TEST(JudgeWorld, FailsTheOrderOfAnErrorThatHardlyFallsWithTheStep) {
   const Studied studied(TwoBallsInFlight(), OffBy(1e-3, 0.2));
   const std::vector<Finding> findings = JudgeWorld(studied.study());
   const Finding* order = Find(findings, MeasureKind::kObservedOrder);
@@ -71,8 +71,9 @@ TEST(JudgeWorld, AnErrorThatHardlyFallsWithTheStepHasNoOrder) {
   EXPECT_NEAR(order->value, 0.8, 1e-6);
 }
 
-TEST(JudgeWorld, WhatSwingsOutOfStepHasTheOrderWithWhichItLeft) {
-  // First-order in its phase: soon the swings differ by twice their width at any step.
+TEST(JudgeWorld, ObservesTheOrderBeforeSwingsLosePhase) {
+  // First-order in its phase: soon the swings differ by twice their amplitude at any
+  // step.
   const FakeSimulator engine("swings", [](const World& world) {
     return FreeFlight(world, [&](double t) {
       return Eigen::Vector3d(1e-3 * std::sin(100 * (1 + 10 * world.dt) * t), 0, 0);
@@ -85,7 +86,7 @@ TEST(JudgeWorld, WhatSwingsOutOfStepHasTheOrderWithWhichItLeft) {
   EXPECT_EQ(order->verdict, Verdict::kPass) << order->proof;
 }
 
-TEST(JudgeWorld, WithoutSmallerStepsNoErrorIsBlamedOnTheStep) {
+TEST(JudgeWorld, BlamesNoErrorOnTheStepWithoutSmallerSteps) {
   const Studied studied(TwoBallsInFlight(), OffBy(1000, 1));
   Study study = studied.study();
   study.half = nullptr;
@@ -93,7 +94,8 @@ TEST(JudgeWorld, WithoutSmallerStepsNoErrorIsBlamedOnTheStep) {
   EXPECT_EQ(Find(JudgeWorld(study), MeasureKind::kPositionError)->cause, Cause::kDefect);
 }
 
-/** A ball that bounces as the closed form says, `off` [m] too high once it has. */
+/** An engine whose ball follows the closed form, but `off` [m] too high after its first
+ impact. */
 FakeSimulator Bouncing(double off) {
   return FakeSimulator("bounces", [off](const World& world) {
     const VerticalBounces truth({1, 0}, 9.82, 0.8);
@@ -107,7 +109,7 @@ FakeSimulator Bouncing(double off) {
   });
 }
 
-TEST(JudgeWorld, AMotionWithImpactsIsHeldToAQuarterOfTheErrorAtAQuarterOfTheStep) {
+TEST(JudgeWorld, HoldsImpactsToTheToleranceOfAQuarterOfTheStep) {
   WorldScenario scenario;
   scenario.id = "world/test/bounce";
   scenario.world.bodies = {BodyOf("ball", Sphere{0.5}, 3, {0.2, 1.5, -0.1}), GroundOf()};
@@ -122,13 +124,13 @@ TEST(JudgeWorld, AMotionWithImpactsIsHeldToAQuarterOfTheErrorAtAQuarterOfTheStep
     return Find(JudgeWorld(studied.study()), measure)->verdict;
   };
   EXPECT_EQ(verdict(0, MeasureKind::kLimitError), Verdict::kPass);
-  // Less than V h, more than is left of it at a quarter of the step.
+  // The error is below V h, but above the V h of a quarter of the step.
   EXPECT_EQ(verdict(0.05, MeasureKind::kPositionError), Verdict::kPass);
   EXPECT_EQ(verdict(0.05, MeasureKind::kLimitError), Verdict::kFail);
 }
 
-TEST(JudgeWorld, AClaimThatNothingWasHeldAgainstIsUnverifiedAndSaysSo) {
-  // No contact, so that no impulse is there to be in a cone.
+TEST(JudgeWorld, ReportsAClaimWithNothingToJudgeAsUnverified) {
+  // Without a contact there is no impulse to check against the cone.
   WorldScenario scenario = TwoBallsInFlight();
   scenario.claims.push_back(ClaimOf("coulomb_cone", {"near"}));
   const Studied studied(scenario, OffBy(0, 1));
@@ -140,7 +142,7 @@ TEST(JudgeWorld, AClaimThatNothingWasHeldAgainstIsUnverifiedAndSaysSo) {
             "coulomb_cone: this motion gives the law nothing to judge");
 }
 
-TEST(JudgeWorld, AFailedAnswerIsAFindingAndIsJudgedNoFurther) {
+TEST(JudgeWorld, JudgesAFailedAnswerNoFurther) {
   struct Case {
     AnswerStatus status;
     Verdict verdict;
@@ -165,7 +167,7 @@ TEST(JudgeWorld, AFailedAnswerIsAFindingAndIsJudgedNoFurther) {
   }
 }
 
-TEST(JudgeWorld, DivergingIsInvalidAndSaysTheStep) {
+TEST(JudgeWorld, CallsADivergedMotionInvalidAndNamesTheStep) {
   const FakeSimulator engine("explodes", [](const World& world) {
     Trajectory trajectory = FreeFlight(world);
     trajectory.diverged_at_step = 42;
@@ -179,7 +181,7 @@ TEST(JudgeWorld, DivergingIsInvalidAndSaysTheStep) {
   EXPECT_FALSE(IsWhole(studied.whole));
 }
 
-TEST(JudgeWorld, AMotionOfAnotherWorldIsInvalidEvenWithoutAClaim) {
+TEST(JudgeWorld, CallsAMotionWithAnotherStartInvalidEvenWithoutAClaim) {
   struct Case {
     std::string_view said;
     void (*change)(WorldState&);
@@ -195,7 +197,8 @@ TEST(JudgeWorld, AMotionOfAnotherWorldIsInvalidEvenWithoutAClaim) {
              [](WorldState& state) {
                state.bodies[0].q_WB = Turned(state.bodies[0].q_WB, {0, 0.01, 0});
              }},
-        Case{"other things", [](WorldState& state) { state.bodies.pop_back(); }}}) {
+        Case{"other bodies or points",
+             [](WorldState& state) { state.bodies.pop_back(); }}}) {
     WorldScenario scenario = TwoBallsInFlight();
     scenario.claims.clear();
     const FakeSimulator engine("elsewhere", [&](const World& world) {
@@ -212,9 +215,9 @@ TEST(JudgeWorld, AMotionOfAnotherWorldIsInvalidEvenWithoutAClaim) {
   }
 }
 
-TEST(JudgeWorld, AnEngineHasOneFrictionCone) {
-  // Two blocks slide obliquely; one engine brakes one by the box, the other by the
-  // diamond.
+TEST(JudgeWorld, FailsAnEngineWithTwoFrictionCones) {
+  // Two blocks slide obliquely. The second engine brakes one by the box cone and the
+  // other by the diamond cone.
   WorldScenario scenario;
   scenario.id = "world/test/cones";
   for (const double x : {-3.0, 3.0}) {
@@ -261,7 +264,7 @@ TEST(JudgeWorld, AnEngineHasOneFrictionCone) {
       testing::AllOf(testing::Not(testing::IsEmpty()), testing::Each(Verdict::kFail)));
 }
 
-TEST(JudgeRepetition, OneBitIsADifference) {
+TEST(JudgeRepetition, FailsADifferenceOfOneBit) {
   const WorldScenario scenario = TwoBallsInFlight();
   const Studied studied(scenario, OffBy(0, 1));
   EXPECT_EQ(JudgeRepetition(studied.study(), studied.whole).verdict, Verdict::kPass);

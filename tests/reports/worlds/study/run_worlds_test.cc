@@ -47,7 +47,7 @@ std::vector<std::string> Described(const WorldsReport& report) {
   return lines;
 }
 
-TEST(RunWorlds, GivesTheSameReportWhateverTheNumberOfThreads) {
+TEST(RunWorlds, ReturnsTheSameReportForAnyNumberOfThreads) {
   const FakeSimulator a("a", Exact);
   const FakeSimulator b("b", Exact);
   const std::vector<const Oracle*> oracles = {&a, &b};
@@ -62,7 +62,7 @@ TEST(RunWorlds, GivesTheSameReportWhateverTheNumberOfThreads) {
   EXPECT_THAT(one, Contains("world/test/b b determinism"));
 }
 
-TEST(RunWorlds, AsksAtSmallerStepsOnlyWhatIsSmall) {
+TEST(RunWorlds, SimulatesOnlySmallWorldsAtSmallerSteps) {
   std::atomic<int> runs = 0;
   const FakeSimulator engine("engine", [&](const World& world) {
     ++runs;
@@ -76,7 +76,7 @@ TEST(RunWorlds, AsksAtSmallerStepsOnlyWhatIsSmall) {
   worlds[0].world.steps = 100;
   worlds[0].world.sample_every = 100;
   RunWorlds(worlds, oracles, 1, {});
-  // The whole, half and quarter step, a nudged start, and each of four variants.
+  // The whole, half and quarter step, a moved start, and each of four variants.
   EXPECT_EQ(runs, 1 + 3 + 1 + 4);
 }
 
@@ -100,8 +100,8 @@ TEST(RunWorlds, FindsTheWorstMemberOfAnEnsemble) {
                   Field(&Finding::proof, testing::HasSubstr("member 2 of the")))));
 }
 
-TEST(RunWorlds, FindsWhatOnlyAnotherMemberOfAnEnsembleShows) {
-  // Of a motion without a contact the cone says nothing.
+TEST(RunWorlds, FindsAFailureThatOnlyALaterMemberOfAnEnsembleShows) {
+  // A motion without a contact gives the cone nothing to judge.
   std::atomic<int> runs = 0;
   const FakeSimulator engine("engine", [&](const World& world) {
     Trajectory trajectory = FreeFlight(world);
@@ -121,12 +121,12 @@ TEST(RunWorlds, FindsWhatOnlyAnotherMemberOfAnEnsembleShows) {
                   Field(&Finding::measure, MeasureKind::kConeViolation),
                   Field(&Finding::verdict, Verdict::kFail),
                   Field(&Finding::proof, testing::HasSubstr("member 1 of the")))));
-  // So that the claim is verified, if by no other member.
+  // One member is enough to verify the claim.
   EXPECT_THAT(report.findings,
               Not(Contains(Field(&Finding::verdict, Verdict::kUnsupported))));
 }
 
-TEST(RunWorlds, SaysWhereAnEngineFailsAtASmallerStepOrInAVariant) {
+TEST(RunWorlds, NamesTheSmallerStepOrTheVariantThatFails) {
   struct Case {
     bool (*strikes)(const World& world, const World& asked);
     std::string_view said;
@@ -158,7 +158,7 @@ TEST(RunWorlds, SaysWhereAnEngineFailsAtASmallerStepOrInAVariant) {
   }
 }
 
-TEST(RunWorlds, SaysWhereAnEngineDivergesAtASmallerStep) {
+TEST(RunWorlds, NamesTheSmallerStepThatDiverges) {
   const std::vector<WorldScenario> worlds = {Flight("world/test/a", 100)};
   const FakeSimulator engine("engine", [&](const World& world) {
     Trajectory trajectory = FreeFlight(world);
@@ -174,7 +174,7 @@ TEST(RunWorlds, SaysWhereAnEngineDivergesAtASmallerStep) {
                 testing::HasSubstr("engine, at half the step: diverged in step 7")))));
 }
 
-TEST(RunWorlds, FindsAnEngineThatAnswersOtherwiseEachTime) {
+TEST(RunWorlds, FindsAnEngineThatIsNotDeterministic) {
   std::atomic<int> runs = 0;
   const FakeSimulator engine("moody", [&](const World& world) {
     const double off = 1e-15 * ++runs;
@@ -188,8 +188,8 @@ TEST(RunWorlds, FindsAnEngineThatAnswersOtherwiseEachTime) {
                                       Field(&Finding::verdict, Verdict::kFail))));
 }
 
-//     x              One step of an engine that goes elsewhere where its start is not
-//     |              exactly `x`: any rounding decides where. Nothing of the truth does.
+//     x              A motion that goes another way unless its start is exactly `x`: any
+//     |              rounding error decides the way. The true motion does not.
 //  ---o--->
 //      \.
 //       '->
@@ -209,7 +209,7 @@ std::map<MeasureKind, Verdict> VerdictsOn(const Oracle& engine,
   return verdicts;
 }
 
-TEST(RunWorlds, ComparesVariantsToTheEndOfWhatIsKnownToBeStable) {
+TEST(RunWorlds, ComparesVariantsOfStableWorldsToTheEnd) {
   const FakeSimulator torn("torn",
                            [](const World& world) { return TornByRounding(world, 0.3); });
   auto verdicts = VerdictsOn(torn, {});
@@ -226,7 +226,7 @@ TEST(RunWorlds, ComparesVariantsToTheEndOfWhatIsKnownToBeStable) {
   EXPECT_EQ(verdicts.at(MeasureKind::kTranslation), Verdict::kPass);
 }
 
-TEST(RunWorlds, GrantsNoLatenessToAnEngineThatShowsNone) {
+TEST(RunWorlds, AllowsNoLatenessToAnEngineThatShowsNone) {
   std::vector<WorldScenario> worlds = {Flight("world/test/a", 10)};
   worlds[0].claims = {ClaimOf(kStable, {}, {{std::string(kStableGain), 4}})};
   const FakeSimulator exact("exact", Exact);
@@ -236,7 +236,7 @@ TEST(RunWorlds, GrantsNoLatenessToAnEngineThatShowsNone) {
                                       Field(&Finding::tolerance, testing::Lt(1e-9)))));
 }
 
-TEST(RunWorlds, FindsAnEngineThatDivergesWhereItsStartIsMovedByARounding) {
+TEST(RunWorlds, FindsAnEngineThatDivergesWithAMovedStart) {
   const FakeSimulator engine("engine", [](const World& world) {
     Trajectory trajectory = FreeFlight(world);
     const Eigen::Vector3d& p_WB = world.bodies[0].placed.X_WB.p_WB;
@@ -260,19 +260,20 @@ std::vector<std::string> ErrorsIn(const WorldScenario& scenario) {
   return errors;
 }
 
-TEST(ErrorsOfClaims, AreNoneOfEveryLawAndTheHarnesssOwn) {
+TEST(ErrorsOfClaims, AreNoneForAValidLawAndForDeterministic) {
   EXPECT_THAT(ErrorsIn(Flight("world/test/a", 10)), IsEmpty());
 }
 
 TEST(ErrorsOfClaims, NameTheNearestLaw) {
   WorldScenario scenario = Flight("world/test/a", 10);
   scenario.claims = {ClaimOf("balistic")};
-  EXPECT_THAT(ErrorsIn(scenario),
-              ElementsAre("world/test/a: claims[0].law is \"balistic\", which is no law; "
-                          "expected \"ballistic\""));
+  EXPECT_THAT(
+      ErrorsIn(scenario),
+      ElementsAre("world/test/a: claims[0].law is \"balistic\", which is not a law; "
+                  "expected \"ballistic\""));
 }
 
-TEST(ErrorsOfClaims, SayWhatALawMisses) {
+TEST(ErrorsOfClaims, IncludeTheFaultsOfTheLaw) {
   WorldScenario scenario = Flight("world/test/a", 10);
   scenario.claims = {ClaimOf("ballistic", {"nobody"})};
   EXPECT_THAT(ErrorsIn(scenario), Not(IsEmpty()));
@@ -288,50 +289,50 @@ TEST(ErrorsOfClaims, RefuseANumberThatNoLawReads) {
       ElementsAre(testing::HasSubstr("unknown key \"expected_bounce\" in "
                                      "claims[0].numbers; expected one of "
                                      "expected_momentum, x, y, z"),
-                  testing::HasSubstr("expected none: ballistic knows no numbers"),
-                  testing::HasSubstr("expected none: deterministic knows no numbers")));
+                  testing::HasSubstr("expected none: ballistic takes no numbers"),
+                  testing::HasSubstr("expected none: deterministic takes no numbers")));
 }
 
-TEST(ErrorsOfClaims, SayWhatGainIsExpectedOfWhatIsStable) {
+TEST(ErrorsOfClaims, SayWhatGainAStableWorldNeeds) {
   WorldScenario scenario = Flight("world/test/a", 10);
   const auto errors_with = [&](std::map<std::string, double> numbers) {
     scenario.claims = {ClaimOf(kStable, {}, std::move(numbers))};
     return ErrorsIn(scenario);
   };
   const std::string gain(kStableGain);
-  EXPECT_THAT(errors_with({}), ElementsAre(testing::HasSubstr(
-                                   "claims[0] states no number \"gain\" (stable); "
-                                   "expected how many times as far")));
+  EXPECT_THAT(errors_with({}),
+              ElementsAre(testing::HasSubstr("claims[0] has no number \"gain\" (stable); "
+                                             "expected the largest factor by which")));
   EXPECT_THAT(errors_with({{gain, 0.5}}),
               ElementsAre(testing::HasSubstr("claims[0].numbers.gain is 0.5; expected")));
   EXPECT_THAT(errors_with({{gain, 1}}), IsEmpty());
 }
 
-TEST(ErrorsOfClaims, RefuseAStableWorldThatIsNotAskedAgainOrIsSoTwice) {
+TEST(ErrorsOfClaims, RefuseStableInALargeWorldOrTwice) {
   WorldScenario scenario = Flight("world/test/a", 200'000);
   const Claim stable = ClaimOf(kStable, {}, {{std::string(kStableGain), 1}});
   scenario.claims = {stable};
   EXPECT_THAT(
       ErrorsIn(scenario),
       ElementsAre("world/test/a: claims[0].law is \"stable\" in a world too large "
-                  "to be asked twice; expected at most 100000 bodies times steps"));
+                  "to be simulated twice; expected at most 100000 bodies times steps"));
   scenario.world.steps = 10;
   scenario.claims = {stable, ClaimOf("ballistic"), stable};
   EXPECT_THAT(ErrorsIn(scenario),
               ElementsAre("world/test/a: claims[2].law is \"stable\" a second time; "
-                          "expected one gain of a world"));
+                          "expected one gain per world"));
 }
 
-TEST(ErrorsOfClaims, RefuseNamesWhereAClaimIsAboutAllThatMoves) {
+TEST(ErrorsOfClaims, RefuseNamesInAClaimAboutEverythingThatMoves) {
   WorldScenario scenario = Flight("world/test/a", 10);
   scenario.claims = {ClaimOf(kDeterministic, {"ball"})};
   EXPECT_THAT(
       ErrorsIn(scenario),
       ElementsAre("world/test/a: claims[0].about names something (deterministic); "
-                  "expected no names: it is about all that moves"));
+                  "expected no names: it is about everything that moves"));
 }
 
-TEST(ErrorsOfClaims, StandWhereTheFileSaysSo) {
+TEST(ErrorsOfClaims, CarryTheirPositionInTheFile) {
   WorldScenario scenario = Flight("world/test/a", 10);
   scenario.claims = {ClaimOf("conserves_momentum")};
   scenario.claims[0].numbers = {{"expected_momentum", 77}, {"up", 1}};
@@ -348,7 +349,7 @@ TEST(Laws, AreDescribedWithTheirNumbers) {
   std::ostringstream page;
   page << std::ifstream(TOUCHSTONE_LAWS_PAGE).rdbuf();
   std::istringstream rows(page.str().substr(page.str().find("## Numbers")));
-  std::map<std::string, std::string> row_of;  // By the name of a law.
+  std::map<std::string, std::string> row_of;  // Indexed by the name of a law.
   for (std::string row; std::getline(rows, row);) {
     const std::size_t names_end = row.find(" | ");
     for (const Law& law : Laws()) {
@@ -366,7 +367,7 @@ TEST(Laws, AreDescribedWithTheirNumbers) {
   }
 }
 
-TEST(Laws, SortTheNumbersThatTheyKnow) {
+TEST(Laws, HaveSortedNumbers) {
   for (const Law& law : Laws())
     EXPECT_TRUE(std::is_sorted(law.numbers.begin(), law.numbers.end())) << law.name;
 }

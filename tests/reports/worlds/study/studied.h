@@ -5,9 +5,10 @@
 
 namespace touchstone {
 
+/** Returns a world of two balls in free flight that claims `ballistic`. */
 WorldScenario TwoBallsInFlight();
 
-/** The motion at the step of the world, a half and a quarter of it. */
+/** The motions of a world at its step, and at half and a quarter of it. */
 struct Studied {
   Studied(const WorldScenario& s, const FakeSimulator& oracle);
   Study study() const { return {scenario, info, whole, &half, &quarter}; }
@@ -19,7 +20,7 @@ struct Studied {
   Trajectory quarter;
 };
 
-/** An engine whose positions are off by `scale` h^order t along (1, 2, −1). */
+/** Returns an engine whose positions are off by `scale` h^order t times (1, 2, −1). */
 FakeSimulator OffBy(double scale, double order);
 
 }  // namespace touchstone

@@ -23,7 +23,7 @@ World OneBall() {
   return world;
 }
 
-TEST(DistanceBetween, IsTheFarthestOfCentresAndPoints) {
+TEST(DistanceBetween, IsTheLargestOverCentresAndPoints) {
   const Trajectory a = FreeFlight(OneBall());
   Trajectory b = a;
   b.samples[3].bodies[0].p_WB += Eigen::Vector3d(0.3, 0, 0.4);
@@ -32,7 +32,7 @@ TEST(DistanceBetween, IsTheFarthestOfCentresAndPoints) {
   EXPECT_NEAR(DistanceBetween(a, b, 0, kEver), 0.75, 1e-15);
 }
 
-TEST(DistanceBetween, CountsATurnAsTheWayOfTheFarthestPoint) {
+TEST(DistanceBetween, CountsARotationAsAngleTimesRadius) {
   const Trajectory a = FreeFlight(OneBall());
   Trajectory b = a;
   Eigen::Quaterniond& q = b.samples[9].bodies[0].q_WB;
@@ -50,7 +50,7 @@ TEST(DistanceBetween, EndsAtTheHorizon) {
   EXPECT_NEAR(DistanceBetween(a, b, 0, 0.305), 1, 1e-15);
 }
 
-TEST(LargestDifference, GivesBothPlacesSoThatTheyCanBeSubtracted) {
+TEST(LargestDifference, NamesBothPositions) {
   const World world = OneBall();
   const Trajectory a = FreeFlight(world);
   Trajectory b = a;
@@ -64,7 +64,7 @@ TEST(LargestDifference, GivesBothPlacesSoThatTheyCanBeSubtracted) {
   EXPECT_EQ(LargestDifference(world, a, b, 0.1).find("at 0.03 s ball is at (0.3, "), 0u);
 }
 
-TEST(DistanceBetween, WhatIsNoNumberIsFarthest) {
+TEST(DistanceBetween, TreatsANanAsTheLargest) {
   const Trajectory a = FreeFlight(OneBall());
   Trajectory b = a;
   b.samples[3].particles[0].p_W.x() = std::numeric_limits<double>::quiet_NaN();
@@ -72,7 +72,7 @@ TEST(DistanceBetween, WhatIsNoNumberIsFarthest) {
   EXPECT_FALSE(DistanceBetween(a, b, 0, kEver) <= 1);
 }
 
-TEST(AreIdentical, ZeroesOfEitherSignAreOneNumber) {
+TEST(AreIdentical, TreatsZerosOfEitherSignAsEqual) {
   Trajectory a = FreeFlight(OneBall());
   a.samples[0].bodies[0].w_WB.x() = 0.0;
   Trajectory b = a;
@@ -91,7 +91,7 @@ TEST(FirstDifference, NamesTimeBodyAndField) {
   EXPECT_EQ(FirstDifference(a, a), "");
 }
 
-TEST(ExtrapolatedToZeroStep, TakesAwayWhatIsOfFirstOrder) {
+TEST(ExtrapolatedToZeroStep, RemovesTheErrorOfFirstOrder) {
   const World world = OneBall();
   const auto off = [&](double h) {
     return FreeFlight(world, [h](double t) { return Eigen::Vector3d(3 * h * t, h, 0); });

@@ -40,7 +40,7 @@ std::vector<MeasureKind> KindsOf(const World& world) {
   return kinds;
 }
 
-TEST(VariantsOf, TurnsMovesMirrorsReordersAndWeighs) {
+TEST(VariantsOf, AreTurnedMovedMirroredReorderedAndHeavier) {
   EXPECT_THAT(
       KindsOf(Hanging()),
       ElementsAre(MeasureKind::kHeading, MeasureKind::kTranslation, MeasureKind::kMirror,
@@ -52,7 +52,7 @@ TEST(VariantsOf, AreWorldsThatCanBeSimulated) {
     EXPECT_THAT(FaultsOf(variant.world), IsEmpty()) << NameOf(variant.measure);
 }
 
-TEST(VariantsOf, NeitherTurnOrMirrorWhatKnowsTheAxesOfTheWorld) {
+TEST(VariantsOf, AreNotTurnedWithAClothNorMirroredWithAHull) {
   World cloth;
   cloth.cloths.emplace_back();
   EXPECT_THAT(KindsOf(cloth),
@@ -64,7 +64,7 @@ TEST(VariantsOf, NeitherTurnOrMirrorWhatKnowsTheAxesOfTheWorld) {
                                          MeasureKind::kMassScaling));
 }
 
-TEST(VariantsOf, KeepTheirAnchorsAtTheirPlaces) {
+TEST(VariantsOf, MapTheirAnchors) {
   const World world = Hanging();
   for (const WorldVariant& variant : VariantsOf(world)) {
     const auto expect_at_place = [&](const Anchor& of_world, const Anchor& of_variant) {
@@ -79,7 +79,7 @@ TEST(VariantsOf, KeepTheirAnchorsAtTheirPlaces) {
   }
 }
 
-TEST(VariantsOf, ApplyABlowAtItsPlaceAndAlongItsDirection) {
+TEST(VariantsOf, MapPointAndDirectionOfAnImpulse) {
   const World world = Hanging();
   const auto place = [](const World& w) {
     const Push& push = w.pushes[0];
@@ -97,7 +97,7 @@ TEST(VariantsOf, ApplyABlowAtItsPlaceAndAlongItsDirection) {
   }
 }
 
-TEST(SeenInWorld, BringsTheStartOfAVariantBackToThatOfTheWorld) {
+TEST(SeenInWorld, MapsTheStartOfAVariantBackToThatOfTheWorld) {
   const World world = Hanging();
   const auto start = [](const World& w) {
     return Sampled(w, [&](double) {
@@ -126,7 +126,7 @@ TEST(SeenInWorld, BringsTheStartOfAVariantBackToThatOfTheWorld) {
   }
 }
 
-TEST(ClaimsOf, TurnTheirDirectionsWithTheWorld) {
+TEST(ClaimsOf, MapTheirDirections) {
   const World world = Hanging();
   Claim along;
   along.law = "conserves_momentum";
