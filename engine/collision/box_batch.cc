@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kBlock = kRows * kLanes;
 
-/** Returns the kernel's number of an axis as an AxisGap. */
+/** Returns the kernel's results for one pair as an AxisGap. */
 AxisGap ToAxisGap(int axis, double separation, double sine, double offset) {
   AxisGap gap{AxisKind::kEdges, 0, 0, separation, 1 / sine, offset};
   if (axis < 3) {
@@ -26,10 +26,10 @@ AxisGap ToAxisGap(int axis, double separation, double sine, double offset) {
   return gap;
 }
 
-/** Returns the normal of `gap` in the world. */
+/** Returns the normal of `gap` in the world frame. */
 Eigen::Vector3d Normal(const AxisGap& gap, const Eigen::Matrix3d& R_WA,
                        const Eigen::Matrix3d& R_WB) {
-  // As FindLeastOverlap() computes the entries of R_AB.
+  // The same operations as in FindLeastOverlap() for the entries of R_AB.
   const auto entry = [&](int i) {
     return R_WA(0, i) * R_WB(0, gap.j) + R_WA(1, i) * R_WB(1, gap.j) +
            R_WA(2, i) * R_WB(2, gap.j);
@@ -38,7 +38,7 @@ Eigen::Vector3d Normal(const AxisGap& gap, const Eigen::Matrix3d& R_WA,
                        R_WB);
 }
 
-/** Returns the rotation whose first row of a block begins at `lane`. */
+/** Returns the rotation of one lane of a block, whose first entry is at `lane`. */
 Eigen::Matrix3d Rotation(const double* lane) {
   Eigen::Matrix3d R;
   for (std::size_t k = 0; k < 9; ++k) R.data()[k] = lane[k * kLanes];
@@ -60,7 +60,7 @@ BoxBatch::BoxBatch(std::size_t size)
       separations_(blocks_ * kLanes),
       sines_(blocks_ * kLanes),
       offsets_(blocks_ * kLanes) {
-  // Lanes of the last block without a pair hold zeros; their results are not read.
+  // Unused lanes of the last block hold zeros; their results are not read.
   constexpr std::size_t kLine = 64 / sizeof(double);
   storage_ = std::make_unique<double[]>(blocks_ * kBlock + kLine);
   const auto address = reinterpret_cast<std::uintptr_t>(storage_.get());

@@ -11,26 +11,26 @@
 
 namespace cookbook {
 
-/** How far apart two boxes are along the best of the 15 axes, or how deep. */
+/** The signed gap of two boxes along the best of the 15 axes. */
 struct BoxGap {
-  /** Signed gap along n_AB_W: minus the depth where touching, else a lower bound of the
-   distance, the greatest that a face normal or a pair of edges gives. [m] */
+  /** Signed gap along n_AB_W. If touching, minus the depth. If apart, a lower bound of
+   the distance: the greatest gap along any face normal or cross product of edges. [m] */
   double separation;
-  Eigen::Vector3d n_AB_W;  ///< Unit, out of A into B, world frame.
+  Eigen::Vector3d n_AB_W;  ///< Unit normal out of A into B, world frame.
 };
 
 /** Returns the gap of one pair of boxes: Collide() without contacts and without the early
- end for boxes apart. Where the boxes touch, both give the same bits. */
+ exit for boxes apart. If the boxes touch, both return the same bits. */
 BoxGap FindGap(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB);
 
-/** Many pairs of boxes, asked at once with the widest vectors that the processor has.
+/** Many pairs of boxes, queried at once with the processor's widest vectors.
 
- Every processor gives the same bits, and the same as FindGap(): multiplications and
- additions are never fused, and each lane runs the very operations of the one-pair code.
- */
+ Every processor returns the same bits, and the same as FindGap(): multiplications and
+ additions are never fused, and each lane runs exactly the operations of the one-pair
+ code. */
 class BoxBatch {
  public:
-  /** Makes room for `size` pairs; all must be set before FindGaps(). */
+  /** Allocates `size` pairs; all must be set before FindGaps(). */
   explicit BoxBatch(std::size_t size);
 
   std::size_t size() const { return size_; }
@@ -41,22 +41,22 @@ class BoxBatch {
   /** Finds the gap of every pair. */
   void FindGaps();
 
-  /** Returns, after FindGaps(), the separations of all pairs. [m] */
+  /** Returns the separations of all pairs, found by FindGaps(). [m] */
   std::span<const double> separations() const {
     return std::span(separations_).first(size_);
   }
 
-  /** Returns, after FindGaps(), the gap of one pair. */
+  /** Returns the gap of one pair, found by FindGaps(). */
   BoxGap gap(std::size_t index) const;
 
  private:
   std::size_t size_;
   std::size_t blocks_;
-  /** Blocks of eight pairs; in a block, each of 30 numbers of a pair has its row of
-   * eight. */
+  /** Blocks of eight pairs. In a block, each of a pair's 30 numbers has a row of eight
+   lanes. */
   std::unique_ptr<double[]> storage_;
   double* rows_;  ///< The first block, aligned to a cache line.
-  // What was found, in whole blocks; the normal is made of it when asked for.
+  // Results, padded to whole blocks. gap() derives the normal from them.
   std::vector<double> axes_;
   std::vector<double> separations_;
   std::vector<double> sines_;

@@ -2,12 +2,12 @@
 
 #include "engine/collision/box_batch_layout.h"
 
-// Vectors without a size at compile time cannot be kept in arrays.
+// Vectors whose size is unknown at compile time cannot be stored in arrays.
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/collision/box_batch_simd.cc"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
+// Must come after foreach_target.h.
 #include <hwy/highway.h>
 
 #include "engine/collision/many_pairs_axis.h"

@@ -1,16 +1,16 @@
 #include "engine/collision/collide.h"
 
-// Vectors of four doubles: what is narrower than AVX2 brings no more than the baseline.
+// Vectors of four doubles: targets narrower than AVX2 are no faster than the baseline.
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/collision/box_box.cc"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
-#include "engine/collision/one_pair_axis.h"
-#include "engine/collision/one_pair_contacts.h"
+// Must come after foreach_target.h.
 #include "engine/simd/dispatch.h"
 #include "engine/simd/four_lanes.h"
+#include "engine/collision/one_pair_axis.h"
+#include "engine/collision/one_pair_contacts.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace cookbook {

@@ -1,12 +1,12 @@
 #include "engine/collision/collide.h"
 
-// Vectors of four doubles: what is narrower than AVX2 brings no more than the baseline.
+// Vectors of four doubles: targets narrower than AVX2 are no faster than the baseline.
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/collision/box_sphere.cc"
 #include <hwy/foreach_target.h>
-// After foreach_target.h.
+// Must come after foreach_target.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,8 +23,8 @@ namespace cookbook {
 namespace HWY_NAMESPACE {
 namespace {
 
-/** SphereContactId() for a centre that is outside the box along the axes of which the
- lower three bits are set, on the negative side of those of the upper three. */
+/** A table of SphereContactId(). The lower three bits of the index mark the axes along
+ which the centre is outside the box, the upper three those with a negative coordinate. */
 constexpr std::array<std::uint8_t, 64> kFeatures = [] {
   std::array<std::uint8_t, 64> features{};
   for (unsigned bits = 0; bits < features.size(); ++bits) {
@@ -49,7 +49,7 @@ void CollideBoxSphere(const Box& A, const Pose& X_WA, const Sphere& B, const Pos
   const Four p = components[0] * Splat(d[0]) + components[1] * Splat(d[1]) +
                  components[2] * Splat(d[2]);
 
-  // From the nearest point of the box. The fourth lane is 0 throughout.
+  // n points from the nearest point of the box to the centre. The fourth lane stays 0.
   const Four h = Load3(A.half_extents.data(), 0);
   Four n = p - Min(Max(p, -h), h);
   unsigned outside = Bits(Abs(p) > h);
@@ -59,7 +59,7 @@ void CollideBoxSphere(const Box& A, const Pose& X_WA, const Sphere& B, const Pos
   double distance;
   double scale;
   if (squared_distance < kLeastSquaredLength) [[unlikely]] {
-    // Out through the nearest face.
+    // The centre is inside or on the surface: the normal leaves by the nearest face.
     const Four inside = h - Abs(p);
     const double least = std::min(inside[0], inside[1]);
     const unsigned axis = inside[2] < least ? 2 : inside[1] < inside[0];
@@ -77,7 +77,7 @@ void CollideBoxSphere(const Box& A, const Pose& X_WA, const Sphere& B, const Pos
   const Four n_W =
       (axes[0] * Splat(n[0]) + axes[1] * Splat(n[1]) + axes[2] * Splat(n[2])) *
       Splat(scale);
-  // Filled in any case: a branch that cannot be foretold costs more than the contact.
+  // Filled even if apart: an unpredictable branch costs more than the contact.
   const Four p_WC = p_WB - Splat(B.radius + separation / 2) * n_W;
   const FourBits last{0, 0, 0, -1};
   static_assert(offsetof(Manifold, separation) ==

@@ -1,7 +1,7 @@
-// FindLeastOverlap() of engine/collision/one_pair_axis.h, operation by operation, for a
-// vector of pairs: same products, same sums, same order, no fused multiply-add, hence
-// same bits. Include after hwy/highway.h, within a file that foreach_target.h reads again
-// and again; hence the guard that toggles.
+// The separating-axis test of a vector of pairs: FindLeastOverlap() of
+// engine/collision/one_pair_axis.h, operation by operation. Same products, same sums, same order,
+// no fused multiply-add, hence same bits. Include it after hwy/highway.h, in a file that
+// foreach_target.h includes repeatedly; hence the include guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_MANY_PAIRS_AXIS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_MANY_PAIRS_AXIS_H_
@@ -21,13 +21,13 @@ HWY_BEFORE_NAMESPACE();
 namespace cookbook {
 namespace HWY_NAMESPACE {
 
-/** At most so many pairs at once: the widest vector of doubles in use. */
+/** Greatest number of pairs at once: the lanes of the widest vector of doubles in use. */
 inline constexpr std::size_t kMostPairs = 8;
 
 using PairTag = hwy::HWY_NAMESPACE::CappedTag<double, kMostPairs>;
-/** A number of each pair. */
+/** One number per pair. */
 using PairVector = hwy::HWY_NAMESPACE::Vec<PairTag>;
-/** What is true of some pairs. */
+/** One truth value per pair. */
 using PairMask = hwy::HWY_NAMESPACE::Mask<PairTag>;
 
 HWY_INLINE PairVector All(double x) {
@@ -38,24 +38,24 @@ HWY_INLINE PairVector Dot(const PairVector a[3], const PairVector b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** Boxes as they see each other. */
+/** The relative geometry of pairs of boxes. */
 struct SeenPairs {
-  // By hand: where a vector's constructor is for the target alone (arm64), the one that
-  // the compiler would make for this struct may not call it.
+  // Written out because on some targets (arm64) a vector's constructor is compiled for
+  // that target only, and the implicit constructor of this struct may not call it.
   HWY_INLINE SeenPairs() {}
 
   PairVector h_A[3];
   PairVector h_B[3];
-  PairVector p_AB_A[3];  ///< Centre of B from that of A, in the frame of A. [m]
+  PairVector p_AB_A[3];  ///< Centre of B relative to that of A, in the frame of A. [m]
   PairVector p_AB_B[3];
   PairVector R[3][3];  ///< a_i · b_j.
   PairVector abs_R[3][3];
-  PairVector reach_A[3];  ///< Along an axis of A, of both boxes. [m]
+  PairVector reach_A[3];  ///< Sum of both boxes' reaches along each axis of A. [m]
   PairVector reach_B[3];
 };
 
-/** Returns how boxes see each other, given their axes, B's centre from A's, and their
- half extents. */
+/** Returns the relative geometry of boxes, given their axes, B's centre relative to A's,
+ and their half extents. */
 HWY_INLINE SeenPairs See(const PairVector a[3][3], const PairVector b[3][3],
                          const PairVector d[3], const PairVector h_A[3],
                          const PairVector h_B[3]) {
@@ -78,7 +78,7 @@ HWY_INLINE SeenPairs See(const PairVector a[3][3], const PairVector b[3][3],
   return seen;
 }
 
-/** Returns what rounding errors are multiples of, see BoxPair. [m] */
+/** Returns the unit of the rounding bounds, see BoxPair::size. [m] */
 HWY_INLINE PairVector SizeOf(const SeenPairs& seen) {
   namespace hn = hwy::HWY_NAMESPACE;
   const auto sum = [](const PairVector v[3]) HWY_ATTR { return v[0] + v[1] + v[2]; };
@@ -87,7 +87,7 @@ HWY_INLINE PairVector SizeOf(const SeenPairs& seen) {
   return sum(way) + (sum(seen.h_A) + sum(seen.h_B));
 }
 
-/** The axis of each pair, as AxisGap has it. */
+/** The axis found for each pair: the fields of AxisGap. */
 struct AxesOfPairs {
   PairVector axis;        ///< 0…2 faces of A, 3…5 of B, 6 + 3 i + j edges.
   PairVector separation;  ///< [m]
@@ -110,8 +110,8 @@ HWY_INLINE void Keep(PairMask better, PairVector axis, PairVector separation,
   best.offset = hn::IfThenElse(better, offset, best.offset);
 }
 
-/** Returns the best face of a box, given the centre of B from that of A and the reach
- along its axes. */
+/** Returns the best face of a box, given B's centre relative to A's and both boxes' reach
+ along its axes. `first` is the number of its first face. */
 HWY_INLINE BestAxes FindFaces(double first, const PairVector offset[3],
                               const PairVector reach[3]) {
   namespace hn = hwy::HWY_NAMESPACE;
@@ -148,8 +148,8 @@ HWY_INLINE AxesOfPairs FindLeastOverlaps(const SeenPairs& seen) {
   const BestAxes face_A = FindFaces(0, t, reach_A);
   const BestAxes face_B = FindFaces(3, p_AB_B, reach_B);
 
-  // The best of each edge of B over those of A, then the best of the three. A parallel
-  // pair is worse than any: the square of its gap counts as −∞.
+  // First the best axis of each edge of B over the edges of A, then the best of the
+  // three. A parallel pair is worse than any: the square of its gap counts as −∞.
   const PairVector zero = All(0);
   const PairVector one = All(1);
   const PairVector worst = All(-std::numeric_limits<double>::infinity());

@@ -1,6 +1,6 @@
-// FindLeastOverlap() as it is compiled once per processor target: include after
-// engine/simd/four_lanes.h, within a file that foreach_target.h reads again and again;
-// hence the guard that toggles.
+// The separating-axis test of one pair of boxes: FindLeastOverlap() as compiled once per
+// SIMD target. Include it after engine/simd/four_lanes.h, in a file that foreach_target.h
+// includes repeatedly; hence the include guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_ONE_PAIR_AXIS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_ONE_PAIR_AXIS_H_
@@ -23,28 +23,28 @@ namespace HWY_NAMESPACE {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Which axis wins cannot be foretold, and a branch guessed wrong costs as much as thirty
-// multiplications: winners are counted out in integers and looked up in arrays.
+// The winning axis is unpredictable, and a mispredicted branch costs as much as thirty
+// multiplications: winners are computed as integers and looked up in arrays.
 
-/** Returns the greatest of the first three lanes, in each of them. */
+/** Returns the greatest of the first three lanes, in each of those lanes. */
 HWY_INLINE Four Greatest3(Four x) {
   const Four greater = Max(x, __builtin_shufflevector(x, x, 1, 0, 1, 3));
   return Max(greater, __builtin_shufflevector(x, x, 2, 2, 0, 3));
 }
 
-/** Returns the first of the greatest of the first three lanes. */
+/** Returns the index of the first lane that is the greatest of the first three. */
 HWY_INLINE std::size_t FirstGreatest(Four x) {
   const unsigned bits = Bits(x == Greatest3(x));
   return static_cast<std::size_t>(std::countr_zero(bits | 4));
 }
 
-/** Returns the greatest lane. */
+/** Returns the greatest value of all four lanes. */
 HWY_INLINE double Greatest(Four x) {
   const Four greater = Max(x, __builtin_shufflevector(x, x, 2, 3, 0, 1));
   return std::max(greater[0], greater[1]);
 }
 
-/** The best edge axis for each edge of B, a lane each. */
+/** The best edge axis so far for each edge of B, one lane each. */
 struct EdgeLanes {
   Four signed_square;
   Four squared_length;
@@ -53,9 +53,9 @@ struct EdgeLanes {
   FourBits i;
 };
 
-/** Keeps in each lane the greater of the gaps along unit axes. Compares gap |gap| against
- squared lengths, which orders like gap / length and leaves one root and one quotient for
- the winner. */
+/** Keeps in each lane the edge axis with the greater gap along its unit vector. Compares
+ the quotients gap |gap| / squared length, multiplied out. They order like gap / length,
+ which leaves one root and one quotient for the winner. */
 HWY_INLINE void KeepGreater(const EdgeLanes& other, EdgeLanes& edges) {
   const FourBits better = other.signed_square * edges.squared_length >
                           edges.signed_square * other.squared_length;
@@ -66,20 +66,22 @@ HWY_INLINE void KeepGreater(const EdgeLanes& other, EdgeLanes& edges) {
   edges.i = better ? other.i : edges.i;
 }
 
-/** The candidates of the search, a row for each AxisKind: of faces a lane for each, of
- edges the best for each edge of B. A separation is −∞ where all are parallel. */
+/** The candidates of the search, one row per AxisKind. The rows of faces have one lane
+ per face; the row of edges has one lane per edge of B, for its best edge axis. A
+ separation is −∞ if all edge axes of a lane are parallel pairs. */
 struct alignas(32) Candidates {
   std::array<Row, 3> separation;
   std::array<Row, 3> offset;
-  Row per_sine;  ///< Of edges.
-  std::array<std::int64_t, 4> i;
+  Row per_sine;                   ///< 1 / |a_i × b_j| of the edge axes.
+  std::array<std::int64_t, 4> i;  ///< Axis of A of the edge axes.
 };
 
-/** Returns the edge of B that has the best edge axis of all. */
+/** Finds the best edge axis of each edge of B. Returns the edge of B with the best of
+ all. */
 HWY_INLINE std::size_t FindEdges(const Four h_A, const Four h_B, const Four t,
                                  const Four R[3], const Four abs_R[3],
                                  Candidates& found) {
-  // Lane j of these is what belongs to the axis of B after j, and the one after that.
+  // Lane j of the result belongs to the axis of B after j, or to the one after that.
   const auto next = [](Four x)
                         HWY_ATTR { return __builtin_shufflevector(x, x, 1, 2, 0, 3); };
   const auto after_next = [](Four x) HWY_ATTR {
@@ -103,7 +105,8 @@ HWY_INLINE std::size_t FindEdges(const Four h_A, const Four h_B, const Four t,
                        (h_B1 * after_next(abs_minor) + h_B2 * next(abs_minor));
     const Four offset = Splat(t[i2]) * R[i1] - Splat(t[i1]) * R[i2];
     const Four gap = Abs(offset) - reach;
-    // A parallel pair is worse than any; the fourth lane, of length 0, counts as one.
+    // A parallel pair is worse than any. The fourth lane, of length 0, counts as
+    // parallel.
     const FourBits counts = squared_length > Splat(kParallelSquared);
     const EdgeLanes edges{counts ? gap * Abs(gap) : Splat(-kInfinity),
                           counts ? squared_length : Splat(1), gap, offset,
@@ -116,7 +119,7 @@ HWY_INLINE std::size_t FindEdges(const Four h_A, const Four h_B, const Four t,
   }
 
   constexpr auto kRow = static_cast<std::size_t>(AxisKind::kEdges);
-  // Of all three, while the comparisons run: the verdict waits for both.
+  // Computed for all three edges while the comparisons run: the verdict waits for both.
   const Four sines = Sqrt(best.squared_length);
   Store(Select(best.signed_square == Splat(-kInfinity), best.signed_square,
                best.gap / sines),
@@ -124,18 +127,18 @@ HWY_INLINE std::size_t FindEdges(const Four h_A, const Four h_B, const Four t,
   Store(Splat(1) / sines, found.per_sine.data());
   Store(best.offset, found.offset[kRow].data());
   std::memcpy(found.i.data(), &best.i, sizeof best.i);
-  // Edge 1 against 0, 2 against 0 and 2 against 1.
+  // Compares edge 1 with 0, 2 with 0, and 2 with 1.
   const auto one = [](Four x)
                        HWY_ATTR { return __builtin_shufflevector(x, x, 1, 2, 2, 3); };
   const auto other = [](Four x)
                          HWY_ATTR { return __builtin_shufflevector(x, x, 0, 0, 1, 3); };
   const unsigned better = Bits(one(best.signed_square) * other(best.squared_length) >
                                other(best.signed_square) * one(best.squared_length));
-  // Two bits for each outcome: 2 if that beats the better of 0 and 1, else the better.
+  // Two bits per outcome: edge 2 if it beats the better of 0 and 1, else the better one.
   return 0b10'10'10'00'01'10'01'00 >> (2 * better) & 3;
 }
 
-/** BoxPair in registers. */
+/** A BoxPair in registers. */
 struct SeenPair {
   Four h_A;
   Four h_B;
@@ -145,7 +148,7 @@ struct SeenPair {
   Four R_BA[3];
 };
 
-/** Returns how two boxes see each other. In the fourth lane both are without end. */
+/** Returns the relative geometry of two boxes. In the fourth lane both are infinite. */
 HWY_INLINE SeenPair See(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB) {
   const double* p_WA = X_WA.p_WB.data();
   const double* p_WB = X_WB.p_WB.data();
@@ -189,8 +192,8 @@ HWY_INLINE void Store(const SeenPair& seen, BoxPair& pair) {
   }
 }
 
-/** As FindLeastOverlap(). With Search::kFirstGap it may return any axis of positive gap,
- and `pair` is then incomplete. */
+/** The implementation of FindLeastOverlap(). With Search::kFirstGap it may return any
+ axis of positive gap, and `pair` may then be incomplete. */
 template <Search search>
 HWY_INLINE AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
                         BoxPair& pair) {
@@ -214,7 +217,7 @@ HWY_INLINE AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose
   const std::size_t j = FirstGreatest(gap_B);
   const double face_A = found.separation[0][i];
   const double face_B = found.separation[1][j];
-  // Not the greater of those two: known sooner, and a branch waits for it.
+  // The greater of those two, but known sooner: the branch below waits for it.
   const double best_face = Greatest(Max(gap_A, gap_B));
   if (search == Search::kFirstGap && best_face > 0) {
     const std::size_t kind = face_B > face_A;
@@ -236,12 +239,12 @@ HWY_INLINE AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose
             separation,       found.per_sine[edge],     found.offset[2][edge]};
   }
 
-  // No preference outweighs a gap: the verdict must not depend on it.
+  // No preference for faces if an axis separates: the verdict must not depend on it.
   const std::array<double, 2> slacks = {0, kTie * pair.size};
   const double slack =
       slacks[search == Search::kFirstGap || std::max(best_face, separation) <= 0];
-  // A's faces give way to what is better by more than the slack, then B's do: what is
-  // preferred is never worse than the best by more than one slack.
+  // A face of A loses to any axis that is better by more than `slack`, then a face of B
+  // does. The winner is thus never worse than the best by more than one `slack`.
   const std::size_t is_edges = separation > best_face + slack;
   const std::size_t is_B = std::max(best_face, separation) > face_A + slack;
   const std::size_t kind = Either(is_edges, 2, is_B);

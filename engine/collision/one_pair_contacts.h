@@ -1,20 +1,22 @@
-// The contacts of two boxes, as they are found once per processor target: include after
-// engine/simd/four_lanes.h, within a file that foreach_target.h reads again and again;
-// hence the guard that toggles.
+// The contacts of two boxes, compiled once per SIMD target. Include it after
+// engine/simd/four_lanes.h, in a file that foreach_target.h includes repeatedly; hence the
+// include guard that toggles.
 //
-// Seen along the normal, one face of each box meets the other's: of A the face from which
-// the normal leans least, of B the face most opposed to it. Along a face normal that is
-// reference face and incident face (Gaul). Along the cross product of two edges these
-// edges bound the two faces, and where they cross is a corner of what the faces have in
-// common: the deepest, and the only one below where the faces fall away from it. Where
-// they hardly do, the edge pair was best by a hair, and the corners of a face that lies
-// flush must not be lost by it.
+// Contacts lie between one face of each box, projected along the normal: the reference
+// face, from which the normal leans least, and the incident face, the face of the other
+// box that is most opposed to the normal. Along a face normal these are the usual
+// reference and incident faces (Gaul). Along the cross product of two edges, the
+// reference face is A's and the two edges bound the two faces. The point where the edges
+// cross is a corner of the faces' intersection: the deepest corner, and the only one
+// below zero if the faces slope away from it. If they hardly slope, the edge pair was
+// best by a hair, and the corners of a face that lies flush must not be lost because of
+// that.
 //
-// So one routine serves for both. The incident face, a parallelogram, is clipped to the
-// reference face, a rectangle, all edges at once: corners of either lie in the other or
-// not, and each edge of the incident face enters and leaves the rectangle at one place
-// (Liang and Barsky, ACM TOG 3(1), 1984). One corner after the other (Sutherland and
-// Hodgman) takes a dozen branches that nothing foretells.
+// One routine therefore serves both cases. The incident face, a parallelogram, is clipped
+// to the reference face, a rectangle, with all edges at once: each corner of either face
+// lies inside the other or not, and each edge of the incident face enters the rectangle
+// at one point and leaves it at one (Liang and Barsky, ACM TOG 3(1), 1984). Clipping
+// corner by corner (Sutherland and Hodgman) takes a dozen unpredictable branches.
 
 #if defined(COOKBOOK_ENGINE_ONE_PAIR_CONTACTS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_ONE_PAIR_CONTACTS_H_
@@ -41,22 +43,22 @@ HWY_BEFORE_NAMESPACE();
 namespace cookbook {
 namespace HWY_NAMESPACE {
 
-/** The incident face as the reference face sees it along the normal: x and y are where
- the normal through a point meets the plane of the reference face, along that face's edges
- from its centre; z is the gap along the normal. Corners are centre ± side1 ± side2. [m]
- */
+/** The incident face, projected along the normal onto the plane of the reference face. x
+ and y locate the projected point along the reference face's edges, from its centre; z is
+ the gap along the normal. The corners are centre ± side1 ± side2. [m] */
 struct SeenFace {
   Four centre[3];  ///< x, y and z, each in all lanes.
   Four side1[3];
   Four side2[3];
   BoxFace reference;
   BoxFace incident;
-  double h_x;  ///< Half sides of the reference face.
-  double h_y;
-  double h_outward;  ///< From the centre of the reference box to its face.
+  double h_x;        ///< Half side of the reference face along x. [m]
+  double h_y;        ///< Half side along y. [m]
+  double h_outward;  ///< From the centre of the reference box to the face. [m]
 };
 
-/** Returns the face of the other box that is most opposed to the normal. */
+/** Returns the incident face: the face of the other box that is most opposed to the
+ normal. */
 HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) {
   const std::size_t is_B = facing.is_B;
   const auto r = static_cast<std::size_t>(facing.axis);
@@ -70,8 +72,8 @@ HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) 
   const Row& h_R = pair.h[is_B];
   const Row& h_I = pair.h[1 - is_B];
 
-  // All from here on as seen from the reference box, be it A or B: t, from A to B, and
-  // the normal are turned to the incident box.
+  // From here on everything is relative to the reference box, whether A or B: t, which
+  // points from A to B, and the normal are flipped to point to the incident box.
   const double towards = 1 - 2 * facing.is_B;
   const double n_axis = towards * facing.n_axis;
   const double n_lean = towards * facing.n_lean;
@@ -86,12 +88,11 @@ HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) 
   const auto k2 = static_cast<std::size_t>(AfterNext(static_cast<int>(k)));
   const double reach = -std::copysign(h_I[k], n_I[k]);
 
-  // A point at height z above the plane is seen where the normal through it meets that,
-  // z n_lean / n_axis aside.
+  // A point at height z above the plane is projected along the normal, which shifts it
+  // sideways by z n_lean / n_axis.
   const double steepness = 1 / std::abs(n_axis);
   const double aside = n_lean * steepness;
-  constexpr std::array<double, 2> kIs = {0,
-                                         1};  // Of two numbers alike, without a branch.
+  constexpr std::array<double, 2> kIs = {0, 1};  // Converts a bool without a branch.
   const Four aside_x = Splat(kIs[lean == r1] * aside);
   const Four aside_y = Splat(kIs[lean == r2] * aside);
   const auto see = [&](Four p_r, Four p_r1, Four p_r2, Four plane, Four out[3]) HWY_ATTR {
@@ -120,24 +121,24 @@ HWY_INLINE SeenFace FindIncidentFace(const BoxPair& pair, const Facing& facing) 
   return face;
 }
 
-/** Where contacts may be: lanes 0…3 where an edge of the incident face enters the
- rectangle, or its first corner where that is inside; 4…7 where it leaves; 8…11 corners of
- the rectangle. */
+/** The candidates for contacts. Lanes 0…3: the points where the edges of the incident
+ face enter the rectangle, or an edge's first corner if that is inside. Lanes 4…7: the
+ points where they leave it. Lanes 8…11: the corners of the rectangle. */
 struct alignas(32) Corners {
   std::array<double, 12> x;
   std::array<double, 12> y;
   std::array<double, 12> z;
   std::array<std::int64_t, 12> feature;
-  unsigned kept;    ///< A bit for each.
-  bool may_repeat;  ///< Two may be one and the same point, to rounding.
+  unsigned kept;    ///< Bit k is set if candidate k is kept.
+  bool may_repeat;  ///< Whether two may be the same point, to rounding.
 };
 
 HWY_INLINE void StoreBits(FourBits v, std::int64_t* p) {
   std::memcpy(p, &v, sizeof v);
 }
 
-/** Finds the corners, of which those at or below zero are kept, to rounding; the least
- where all are above. */
+/** Finds the candidates. Those at or below zero are kept, to rounding; if all are above,
+ the lowest is kept. */
 HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separation,
                             std::int64_t faces, Corners& found) {
   const auto& c = face.centre;
@@ -158,16 +159,17 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   const Four dy = edges(1);
   const Four dz = edges(2);
 
-  // Faces that lie flush share corners: rounding must not cut those off, so the lines
-  // stand back by the slack, and what they let through is brought back to the face.
+  // Faces that lie flush share corners, which rounding must not cut off. The clip lines
+  // are therefore moved out by `slack`, and the points that pass are clamped to the face.
   const Four bound_x = Splat(face.h_x + slack);
   const Four bound_y = Splat(face.h_y + slack);
   const FourBits inside = (Abs(x) <= bound_x) & (Abs(y) <= bound_y);
   const FourBits next_inside = __builtin_shufflevector(inside, inside, 1, 2, 3, 0);
 
-  // Shares of an edge at which it meets the lines; of parallel lines far off, not NaN.
-  // 1e-300 times any box's distance from a line underflows to nothing; its inverse,
-  // 1e300, is finite, so that no 0 · ∞ arises for a corner on the line.
+  // Fractions of an edge at which it meets the clip lines. For an edge parallel to a line
+  // they are 0 or far outside [0, 1], never NaN: 1e-300 is negligible next to the
+  // distance of any box from a line, and its inverse, 1e300, is finite, so that no 0 · ∞
+  // arises for a corner on the line.
   const Four least = Splat(1e-300);
   const Four one = Splat(1);
   const Four zero{};
@@ -181,16 +183,16 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   const Four enter_y = Min(y1, y2);
   const Four leave_x = Max(x1, x2);
   const Four leave_y = Max(y1, y2);
-  // Of a corner inside both are at most 0 and so 0: the corner.
+  // For a corner inside, both are at most 0 and `enter` is 0: the corner itself.
   const Four enter = Min(Max(Max(enter_x, enter_y), zero), one);
   const Four leave = Max(Min(Min(leave_x, leave_y), one), zero);
-  // Of an edge with an end inside only that end decides, as it does for its neighbour.
+  // If an end of an edge is inside, that end alone decides, as it does for the neighbour.
   const FourBits crosses = enter < leave;
   const FourBits enters = inside | next_inside | crosses;
   const FourBits leaves = ~next_inside & (inside | crosses);
 
-  // The edges of the incident face that leave and that reach its corners, and the lines
-  // that an edge crosses.
+  // Features. A corner is named after the two edges of the incident face that meet in it,
+  // a crossing after the edge and the line that it crosses.
   constexpr FaceEdge kEdge[] = {3, 0, 2, 1};
   const FourBits corner_feature{EdgesId(1, 3), EdgesId(3, 0), EdgesId(0, 2),
                                 EdgesId(2, 1)};
@@ -205,7 +207,7 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   StoreBits(FourBits{EdgesId(5, 7), EdgesId(4, 7), EdgesId(4, 6), EdgesId(5, 6)} + faces,
             found.feature.data() + 8);
 
-  // Corners of the rectangle in the parallelogram, to the same slack.
+  // Corners of the rectangle that lie in the parallelogram, to within the same slack.
   const Four corner_x = Splat(face.h_x) * Four{1, -1, -1, 1};
   const Four corner_y = Splat(face.h_y) * Four{1, 1, -1, -1};
   const Four from_x = corner_x - c[0];
@@ -226,7 +228,7 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   const FourBits deep = ((enter_z <= zero) & enters) | ((leave_z <= zero) & leaves) |
                         ((corner_z <= zero) & covered);
   if (Bits(deep) == 0) [[unlikely]] {
-    // The least is kept even where all lie above, and nothing where there is nothing.
+    // The lowest is kept even if all lie above; none is kept if there is none.
     const Four none = Splat(std::numeric_limits<double>::infinity());
     const Four low =
         Min(Min(Select(enters, enter_z, none), Select(leaves, leave_z, none)),
@@ -239,10 +241,10 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
                Bits((leave_z <= highest) & leaves) << 4 |
                Bits((corner_z <= highest) & covered) << 8;
 
-  // Two candidates are one only where a corner of one face is near a line of the other:
-  // they lie within √2 kSameCorner slack of each other, and adjacent edges of the
-  // incident face, seen along a normal at most 55° off, meet at no angle so flat that
-  // their corner is more than thrice as far.
+  // Two candidates can be one point only if a corner of one face is near a line of the
+  // other. They then lie within √2 kSameCorner slack of each other. Adjacent edges of the
+  // incident face, projected along a normal at most 55° off, never meet at so flat an
+  // angle that their corner is more than three times as far.
   const Four near = Splat(4 * kSameCorner * slack);
   found.may_repeat =
       Bits((Abs(Abs(x) - bound_x) <= near) | (Abs(Abs(y) - bound_y) <= near) |
@@ -263,9 +265,9 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   Store(Max(corner_z, deepest), found.z.data() + 8);
 }
 
-/** Returns which candidates are kept of those that differ in x or y by more than
- kSameCorner slacks. One that stands for several is the first, but where the deepest is,
- if that is deeper by more than the slack: along a steep edge, what is no distance is many
+/** Returns the kept candidates without repeats: those that differ in x or y by more than
+ kSameCorner · slack. The first of several repeats is kept, but moved to the deepest if
+ that is deeper by more than `slack`: along a steep edge, a negligible distance makes many
  roundings of depth. */
 inline unsigned WithoutRepeats(Corners& found, double slack) {
   const double distance = kSameCorner * slack;
@@ -287,7 +289,7 @@ inline unsigned WithoutRepeats(Corners& found, double slack) {
   return kept;
 }
 
-/** Fills the contacts of two boxes along the normal of `facing`: one at least. */
+/** Fills in the contacts of two boxes along the normal of `facing`: at least one. */
 HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Pose& X_WA,
                              const Pose& X_WB, Manifold& manifold) {
   const SeenFace face = FindIncidentFace(pair, facing);
@@ -296,8 +298,7 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
   FindCorners(face, slack, manifold.separation,
               FaceContactId(facing.is_B, face.reference, face.incident, 0, 0), found);
   if (found.kept == 0) {
-    // Only where another axis is as good to within rounding can the faces miss each
-    // other.
+    // The faces can miss each other only if another axis is as good to within rounding.
     found.kept =
         1u << (std::min_element(found.z.begin(), found.z.begin() + 4) - found.z.begin());
   }
@@ -309,7 +310,7 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
   const auto axis_W = [&X_WR](int i)
                           HWY_ATTR { return Load3(X_WR.R_WB.col(i).data(), 0); };
   const double outward = 2 * face.reference.side - 1;
-  // A contact's p_WC and separation, four numbers, at once: lane 3 is the separation.
+  // p_WC and separation of a contact are computed at once: lane 3 is the separation.
   const Four x_W = axis_W(Next(facing.axis));
   const Four y_W = axis_W(AfterNext(facing.axis));
   const Four p_W =
@@ -327,8 +328,8 @@ HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Po
     manifold.contacts[n].feature = static_cast<FeatureId>(found.feature[k]);
     left &= left - 1;
   };
-  // Four in any case, of none if need be: how many there are cannot be foretold, but more
-  // than four are seldom enough (three in ten of random pairs) for a branch.
+  // Four are always written, even if there are fewer: their number is unpredictable. More
+  // than four are rare enough (three in ten random pairs) for a branch.
 #pragma GCC unroll 4
   for (std::size_t n = 0; n < 4; ++n) put(n);
   if (left != 0) {

@@ -4,18 +4,18 @@
 
 namespace cookbook {
 
-/** Where a body is: x_W = R_WB x_B + p_WB. */
+/** The pose of a body in the world: x_W = R_WB x_B + p_WB. */
 struct Pose {
   Eigen::Matrix3d R_WB = Eigen::Matrix3d::Identity();  ///< A rotation, to rounding.
-  Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();      ///< [m]
+  Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();      ///< Origin of the body. [m]
 };
 
-/** A ball centred on its body origin. */
+/** A sphere centred on its body origin. */
 struct Sphere {
   double radius;  ///< [m], > 0
 };
 
-/** A rectangular solid centred on its body origin, edges along the body axes. */
+/** A box centred on its body origin, with its edges along the body axes. */
 struct Box {
   Eigen::Vector3d half_extents;  ///< [m], each > 0
 };

@@ -11,16 +11,17 @@
 
 namespace cookbook {
 
-/** How far apart two spheres are, or how deep in each other. */
+/** The signed gap of two spheres: < 0 if they overlap. */
 struct SphereGap {
   double separation;       ///< Signed distance. [m]
-  Eigen::Vector3d n_AB_W;  ///< Unit, out of A into B, world frame.
+  Eigen::Vector3d n_AB_W;  ///< Unit normal out of A into B, world frame.
 };
 
-/** Returns the gap of one pair of spheres: Collide() without the contact, same bits. */
+/** Returns the gap of one pair of spheres. Same bits as Collide(), without the
+ contact. */
 SphereGap FindGap(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB);
 
-/** Eight pairs of spheres, number by number: a row for each, a lane for each pair. */
+/** Eight pairs of spheres as a structure of arrays, with one lane per pair. */
 struct alignas(64) SphereBlock {
   using Lanes = std::array<double, 8>;
   std::array<Lanes, 3> p_WA;  ///< [m]
@@ -29,11 +30,11 @@ struct alignas(64) SphereBlock {
   Lanes radius_B;             ///< [m]
 };
 
-/** Many pairs of spheres, asked at once with the widest vectors that the processor has.
- Every processor gives the same bits, and the same as FindGap(). */
+/** Many pairs of spheres, queried at once with the processor's widest vectors. Every
+ processor returns the same bits, and the same as FindGap(). */
 class SphereBatch {
  public:
-  /** Makes room for `size` pairs; all must be set before FindGaps(). */
+  /** Allocates `size` pairs; all must be set before FindGaps(). */
   explicit SphereBatch(std::size_t size);
 
   std::size_t size() const { return size_; }
@@ -44,7 +45,7 @@ class SphereBatch {
   /** Finds the separation of every pair. */
   void FindGaps();
 
-  /** Returns, after FindGaps(), the separations of all pairs. [m] */
+  /** Returns the separations of all pairs, found by FindGaps(). [m] */
   std::span<const double> separations() const {
     return std::span(separations_).first(size_);
   }
@@ -52,7 +53,7 @@ class SphereBatch {
  private:
   std::size_t size_;
   std::vector<SphereBlock> blocks_;
-  std::vector<double> separations_;  ///< In whole blocks.
+  std::vector<double> separations_;  ///< Padded to whole blocks.
 };
 
 }  // namespace cookbook

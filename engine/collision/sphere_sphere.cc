@@ -8,8 +8,8 @@ namespace cookbook {
 
 void Collide(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
              Manifold& manifold) {
-  // In numbers of their own: a vector that is written one number at a time and read two
-  // at a time waits for memory, as long as all the rest takes.
+  // Three scalars: a vector that is written one number at a time and read two at a time
+  // stalls on memory for as long as all the rest takes.
   double x = X_WB.p_WB[0] - X_WA.p_WB[0];
   double y = X_WB.p_WB[1] - X_WA.p_WB[1];
   double z = X_WB.p_WB[2] - X_WA.p_WB[2];
@@ -32,7 +32,7 @@ void Collide(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_W
   manifold.count = manifold.touching;
   manifold.n_AB_W = {x, y, z};
   manifold.separation = separation;
-  // Filled in any case: a branch that cannot be foretold costs more than the contact.
+  // Filled even if apart: an unpredictable branch costs more than the contact.
   ContactPoint& contact = manifold.contacts[0];
   contact.p_WC = {X_WA.p_WB[0] + to_middle * x, X_WA.p_WB[1] + to_middle * y,
                   X_WA.p_WB[2] + to_middle * z};

@@ -3,7 +3,7 @@
 namespace cookbook::printed {
 namespace {
 
-/** What is left of a velocity after a step under E-11. */
+/** The fraction of a velocity that is left after a step under E-11. */
 constexpr double kKept = 0.98;
 
 Eigen::Quaterniond FromAngles(const Eigen::Vector3d& angles) {
@@ -16,7 +16,7 @@ bool IsSphere(const Body& body) {
   return std::holds_alternative<Sphere>(body.shape);
 }
 
-/** ω × (I ω), the torque that the body's own spin asks for. */
+/** Returns the gyroscopic torque ω × (I ω). World frame. [N m] */
 Eigen::Vector3d GyroscopicTorque(const Body& body) {
   const Eigen::Matrix3d R = body.q_WB.toRotationMatrix();
   const Eigen::Vector3d w_B = R.transpose() * body.w_WB;

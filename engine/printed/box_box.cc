@@ -20,22 +20,22 @@ Interval Shadow(const PlacedBox& box, const Eigen::Vector3d& n_W) {
   return {centre - reach, centre + reach};
 }
 
-/** Returns a b − c d to two roundings of its own size, where the products cancel too.
+/** Returns a b − c d to within two roundings of the result, even if the products cancel.
  Source: Kahan; Jeannerod, Louvet & Muller, Math. Comp. 82 (2013), algorithm 1. */
 double DifferenceOfProducts(double a, double b, double c, double d) {
   const double cd = c * d;
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
-/** Returns a × b. Axes that are nearly parallel cancel: rounded products would turn the
- normal by u / |a × b|, out of the plane across the edges. */
+/** Returns a × b. The products of nearly parallel axes cancel: if rounded, they would
+ turn the normal by u / |a × b|, so that it is no longer perpendicular to the edges. */
 Eigen::Vector3d Cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return {DifferenceOfProducts(a.y(), b.z(), a.z(), b.y()),
           DifferenceOfProducts(a.z(), b.x(), a.x(), b.z()),
           DifferenceOfProducts(a.x(), b.y(), a.y(), b.x())};
 }
 
-/** Tries axis after axis and keeps the one of least depth. */
+/** The search for the axis of least depth: tries one axis after another. */
 class Search {
  public:
   Search(const PlacedBox& A, const PlacedBox& B, const Errata& errata)
@@ -70,7 +70,7 @@ class Search {
             A_.Reach(n_W) + B_.Reach(n_W) - std::abs(offset)};
   }
 
-  /** Ties to within rounding stay with the axis tried first: A's faces, B's, edges. */
+  /** Ties to within rounding go to the axis tried first: A's faces, B's faces, edges. */
   bool Better(const LeastDepth& found) const {
     const double size = A_.box.half_extents.sum() + B_.box.half_extents.sum();
     return found.depth < least_->depth - 2 * kOverlapRounding * size;

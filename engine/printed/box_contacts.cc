@@ -10,8 +10,8 @@
 namespace cookbook::printed {
 namespace {
 
-/** Contacts closer than this share of the boxes' size are one: far above what rounding
- spreads them by, far below any feature. */
+/** Contacts closer than this fraction of the boxes' size are merged. It is far above the
+ spread that rounding causes, and far below the size of any feature. */
 constexpr double kMergedShare = 1e-6;
 
 struct Line {
@@ -19,7 +19,7 @@ struct Line {
   Eigen::Vector3d d_W;
 };
 
-/** The twelve edges, each as p + t d for t in [0, 1]. */
+/** Returns the twelve edges, each as p + t d for t in [0, 1]. */
 std::array<Line, 12> Edges(const PlacedBox& box) {
   std::array<Line, 12> edges;
   std::size_t count = 0;
@@ -39,14 +39,14 @@ std::array<Line, 12> Edges(const PlacedBox& box) {
   return edges;
 }
 
-/** A part of a line; empty where it ends before it begins. */
+/** A segment of a line, as an interval of t; empty if `end` < `begin`. */
 struct Chord {
   double begin;
   double end;
 };
 
-/** Returns the part of the line in [0, 1] that is within `slack` of the box where the
- line runs along a face, and within `across` of it where the line crosses one. */
+/** Returns the segment of the line in [0, 1] that is inside the box. The tolerance is
+ `slack` at faces that the line runs along, and `across` at faces that it crosses. [m] */
 Chord Inside(const PlacedBox& box, const Line& line, double slack, double across) {
   const Eigen::Vector3d p = box.X_WB.R_WB.transpose() * (line.p_W - box.X_WB.p_WB);
   const Eigen::Vector3d d = box.X_WB.R_WB.transpose() * line.d_W;
@@ -66,9 +66,10 @@ Chord Inside(const PlacedBox& box, const Line& line, double slack, double across
   return chord;
 }
 
-/** Returns the part of the line that is in the box; where it only grazes it to within
- `slack`, the one point where it comes nearest. Slack decides what is kept, not where it
- is: a crossing lies on the face that it crosses. */
+/** Returns the segment of the line that is in the box. If the line only grazes the box to
+ within `slack`, the segment is the single point where it is nearest. The slack decides
+ whether a point is kept, not its position: a crossing lies on the face that it
+ crosses. */
 Chord Clip(const PlacedBox& box, const Line& line, double slack) {
   const Chord chord = Inside(box, line, slack, 0);
   if (chord.begin <= chord.end) return chord;
@@ -78,8 +79,8 @@ Chord Clip(const PlacedBox& box, const Line& line, double slack) {
   return {middle, middle};
 }
 
-/** The ends of the edges of one box clipped by the other, where the clipping cut them and
- where it did not. */
+/** The ends of the edges of one box, clipped by the other: crossings are ends made by the
+ clipping, corners are ends that it left. */
 struct ClippedEdges {
   std::vector<Eigen::Vector3d> crossings_W;
   std::vector<Eigen::Vector3d> corners_W;
@@ -97,7 +98,7 @@ void ClipEdges(const PlacedBox& of, const PlacedBox& by, double slack,
   }
 }
 
-/** Keeps the first of any points closer to each other than `distance`. */
+/** Returns the points, but only the first of any closer together than `distance`. */
 std::vector<Eigen::Vector3d> Merged(const std::vector<Eigen::Vector3d>& points,
                                     double distance) {
   std::vector<Eigen::Vector3d> merged;
@@ -111,7 +112,7 @@ std::vector<Eigen::Vector3d> Merged(const std::vector<Eigen::Vector3d>& points,
 }
 
 ClippedEdges ClipBoth(const PlacedBox& A, const PlacedBox& B) {
-  // A coordinate is a sum of some ten rounded terms, none above the size: 32 leaves room.
+  // A coordinate is a sum of some ten rounded terms, none above `size`: 32 is ample.
   const double size = A.box.half_extents.sum() + B.box.half_extents.sum() +
                       A.X_WB.p_WB.lpNorm<1>() + B.X_WB.p_WB.lpNorm<1>();
   const double slack = 32 * kUnitRoundoff * size;
@@ -121,7 +122,7 @@ ClippedEdges ClipBoth(const PlacedBox& A, const PlacedBox& B) {
   return clipped;
 }
 
-/** Returns corners of the place where the boxes meet once B is moved clear of A. */
+/** Returns the corners of the contact patch after B is moved out of A. */
 std::vector<Eigen::Vector3d> Patch(const PlacedBox& A, const PlacedBox& B,
                                    const LeastDepth& least) {
   const Pose moved{B.X_WB.R_WB, B.X_WB.p_WB + least.depth * least.n_AB_W};
@@ -140,7 +141,7 @@ std::vector<Eigen::Vector3d> Contacts(const PlacedBox& A, const PlacedBox& B,
 
   std::vector<Eigen::Vector3d> points;
   if (!errata.Has(Erratum::kE08)) points = Patch(A, B, least);
-  // Along the wrong axis of another erratum the boxes may not meet at all.
+  // Moved along the wrong axis of another erratum, the boxes may not touch at all.
   if (points.empty()) points = clipped.crossings_W;
   if (points.empty()) points = clipped.corners_W;
 

@@ -35,7 +35,7 @@ Manifold Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_
 
   manifold.n_AB_W = X_WA.R_WB * n_A;
   manifold.depth = errata.Has(Erratum::kE04) ? depth / 2 : depth;
-  // Midway between the nearest point and the sphere's deepest.
+  // Midway between the nearest point and the sphere's deepest point.
   manifold.contacts_W = {X_WA.p_WB +
                          X_WA.R_WB * (0.5 * (p_AQ_A + (p_AB_A - B.radius * n_A)))};
   return manifold;

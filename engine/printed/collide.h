@@ -9,11 +9,11 @@
 
 namespace cookbook::printed {
 
-/** What a published recipe returns: one depth for all contacts, nothing about shapes
- * apart. */
+/** The contact manifold of a published recipe: one depth for all contacts, and no data if
+ the shapes are apart. */
 struct Manifold {
   bool touching = false;
-  Eigen::Vector3d n_AB_W = Eigen::Vector3d::Zero();  ///< Unit, A to B. Zero where apart.
+  Eigen::Vector3d n_AB_W = Eigen::Vector3d::Zero();  ///< Unit, A to B; zero if apart.
   double depth = 0;                                  ///< [m]
   std::vector<Eigen::Vector3d> contacts_W;           ///< World frame. [m]
 };
@@ -26,7 +26,7 @@ Manifold Collide(const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose&
 Manifold Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
                  const Errata& errata);
 
-/** As box against sphere, with the roles exchanged. */
+/** The published recipe for a sphere and a box: the above with swapped roles. */
 Manifold Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
                  const Errata& errata);
 

@@ -8,7 +8,7 @@
 namespace cookbook::printed {
 namespace {
 
-/** Below this there is no friction under E-25. [N s] */
+/** The least friction impulse that is applied under E-25. [N s] */
 constexpr double kLeastFriction = 0.005;
 
 Pose PoseOf(const Body& body) {
@@ -23,7 +23,8 @@ Manifold CollideBodies(const Body& a, const Body& b, const Errata& errata) {
       a.shape, b.shape);
 }
 
-/** k(d): the change of relative velocity along `d` by a unit impulse along it. [1/kg] */
+/** Returns k(d): the change of relative velocity along `d` per impulse along it.
+ [1/kg] */
 double Response(const Body& a, const Body& b, const Eigen::Vector3d& p_W,
                 const Eigen::Vector3d& d, const Errata& errata) {
   const Eigen::Vector3d r_A = p_W - a.p_WB;
@@ -44,14 +45,14 @@ Eigen::Vector3d RelativeVelocity(const Body& a, const Body& b,
   return VelocityAt(b, p_W) - VelocityAt(a, p_W);
 }
 
-/** One contact through the sweeps. */
+/** A contact and its accumulated impulses. */
 struct Contact {
   const ContactPair* pair;
   Eigen::Vector3d p_W;
-  double aim = 0;  ///< Normal velocity after the impact. [m/s]
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< Before the first impulse. [m/s]
-  double normal = 0;                               ///< Sum of normal impulses. [N s]
-  Eigen::Vector3d friction = Eigen::Vector3d::Zero();  ///< Sum of tangential ones. [N s]
+  double aim = 0;  ///< Target normal velocity after the impact. [m/s]
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();      ///< Slip before any impulse. [m/s]
+  double normal = 0;                                   ///< Total normal impulse. [N s]
+  Eigen::Vector3d friction = Eigen::Vector3d::Zero();  ///< Total friction impulse. [N s]
 };
 
 class Sweeps {
@@ -100,8 +101,8 @@ class Sweeps {
   }
   double Friction(const Contact& c) { return std::sqrt(A(c).friction * B(c).friction); }
 
-  /** Sum so far clamped, not each part of it: what one sweep gave too much, a later one
-   takes back. */
+  /** Sequential impulses: the accumulated impulse is clamped, not each increment, so that
+   a later iteration can take back the surplus of an earlier one. */
   void ApplyAccumulated(Contact& c) {
     Body& a = A(c);
     Body& b = B(c);
@@ -119,7 +120,7 @@ class Sweeps {
     const Eigen::Vector3d t = slip.normalized();
     const Eigen::Vector3d stop = -slip.norm() / Response(a, b, c.p_W, t, errata_) * t;
     if (errata_.Has(Erratum::kE25) && stop.norm() < kLeastFriction) return;
-    // The slip of now asks for more friction; that of before the impact for all of it.
+    // The current slip determines an increment; the slip before the impact, the total.
     Eigen::Vector3d friction = late ? Eigen::Vector3d(c.friction + stop) : stop;
     const double most = Friction(c) * c.normal;
     if (friction.norm() > most) friction *= most / friction.norm();
@@ -127,7 +128,8 @@ class Sweeps {
     c.friction = friction;
   }
 
-  /** As printed: every sweep bounces again, by a share of the contacts. */
+  /** The recipe as printed: every iteration applies restitution again, and each contact
+   its share, one over the number of contacts. */
   void ApplyShared(Contact& c) {
     Body& a = A(c);
     Body& b = B(c);
@@ -157,11 +159,10 @@ class Sweeps {
   std::vector<Contact> contacts_;
 };
 
-/** By how much two bodies have been pushed apart at `p_W` along `n`, as seen from where
- they were. [m] */
+/** The displacement of a body by the position correction, relative to its pose before. */
 struct Displacement {
-  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
-  Eigen::Vector3d turned = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();   ///< [m]
+  Eigen::Vector3d turned = Eigen::Vector3d::Zero();  ///< [rad]
 
   Eigen::Vector3d At(const Eigen::Vector3d& r) const { return moved + turned.cross(r); }
 };

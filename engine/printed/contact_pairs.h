@@ -8,29 +8,31 @@
 
 namespace cookbook::printed {
 
-/** Two bodies that touch. */
+/** Two touching bodies, given as indices, and their manifold. */
 struct ContactPair {
   int A;
   int B;
   Manifold manifold;
 };
 
-/** Returns the touching pairs, of which at least one body moves, every body tried against
- every other. */
+/** Returns the touching pairs with at least one body that is not static. Every body is
+ tested against every other. */
 std::vector<ContactPair> TouchingPairs(std::span<const Body> bodies,
                                        const Errata& errata);
 
-/** Applies the impulses of all contacts, sweep by sweep, and returns what each gave.
+/** Applies the impulses of all contacts, iteration by iteration, and returns the impulse
+ of each contact.
 
- Put right: each contact aims at −e times its normal velocity from before the first sweep;
- its sum of normal impulses is never negative, its sum of friction never longer than μ
- times that. */
+ In the corrected recipe, the target velocity of a contact is −e times its normal velocity
+ before the first iteration. Its accumulated normal impulse is never negative, and its
+ accumulated friction impulse never longer than μ times that. */
 std::vector<ContactImpulse> ApplyImpulses(std::span<Body> bodies,
                                           std::span<const ContactPair> pairs,
                                           int iterations, const Errata& errata);
 
-/** Moves the bodies of each pair apart by a share of the depth beyond the slack, by
- inverse mass; put right, it also turns them, each contact pushing at its own place. */
+/** Position correction: moves the bodies of each pair apart by the fraction `share` of
+ the depth beyond `slack` [m], in proportion to inverse mass. The corrected recipe also
+ turns them: each contact pushes at its own position. */
 void Project(std::span<Body> bodies, std::span<const ContactPair> pairs, double share,
              double slack, const Errata& errata);
 

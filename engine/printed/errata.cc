@@ -5,7 +5,7 @@
 namespace cookbook::printed {
 namespace {
 
-/** Of each erratum, in order. */
+/** The descriptions of the errata, in order of their numbers. */
 constexpr std::array<std::string_view, 26> kFaults = {
     "edge axes of boxes are cross products of A's axes with A's own",
     "negative components of an axis are set to zero",

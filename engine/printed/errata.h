@@ -8,8 +8,8 @@
 
 namespace cookbook::printed {
 
-/** A fault of the published recipes; FaultOf() says which. The value is its number: kE01
- is "E-01". */
+/** A fault of the published recipes; FaultOf() describes it. The value is its number:
+ kE01 is "E-01". */
 enum class Erratum {
   kE01 = 1,
   kE02,
@@ -51,7 +51,7 @@ inline constexpr std::initializer_list<Erratum> kMotionErrata = {
     Erratum::kE18, Erratum::kE19, Erratum::kE20, Erratum::kE21,
     Erratum::kE22, Erratum::kE23, Erratum::kE24, Erratum::kE25};
 
-/** Which errata are in force. */
+/** The set of errata in force. */
 class Errata {
  public:
   constexpr Errata() = default;
@@ -61,13 +61,13 @@ class Errata {
 
   constexpr void Add(Erratum erratum) { bits_ |= Bit(erratum); }
 
-  /** Returns the recipes as printed. */
+  /** Returns all errata: the recipes as printed. */
   static constexpr Errata All() {
     Errata all(kContactErrata);
     for (const Erratum erratum : kMotionErrata) all.Add(erratum);
     return all;
   }
-  /** Returns the recipes put right. */
+  /** Returns no errata: the corrected recipes. */
   static constexpr Errata None() { return {}; }
 
   constexpr bool Has(Erratum erratum) const { return (bits_ & Bit(erratum)) != 0; }
@@ -80,14 +80,14 @@ class Errata {
   std::uint32_t bits_ = 0;
 };
 
-/** Returns "E-04". */
+/** Returns the name of an erratum, for example "E-04". */
 std::string NameOf(Erratum erratum);
 
-/** Returns what the recipes do wrong, as a sentence without its end: "depths of spheres
- are halved". */
+/** Returns a description of the fault, as a sentence without a full stop: "depths of
+ spheres are halved". */
 std::string_view FaultOf(Erratum erratum);
 
-/** Returns the erratum of that name, or nothing. */
+/** Returns the erratum called `name`, or nothing. */
 std::optional<Erratum> ErratumNamed(std::string_view name);
 
 }  // namespace cookbook::printed

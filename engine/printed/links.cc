@@ -5,7 +5,7 @@
 namespace cookbook::printed {
 namespace {
 
-/** An end as it is now. */
+/** An end of a spring or a joint, at its current position. */
 class End {
  public:
   End(const Anchor& anchor, const Things& things, const Errata& errata)
@@ -28,7 +28,7 @@ class End {
     return Eigen::Vector3d::Zero();
   }
 
-  /** The change of velocity along `n` by a unit impulse along it. [1/kg] */
+  /** Returns the change of velocity along `n` per impulse along it. [1/kg] */
   double Response(const Eigen::Vector3d& n) const {
     if (particle_) return particle_->mass == 0 ? 0 : 1 / particle_->mass;
     if (!body_) return 0;
@@ -42,7 +42,8 @@ class End {
     if (particle_ && particle_->mass != 0) particle_->v_W += J_W / particle_->mass;
   }
 
-  /** Moves as an impulse `J_W` would, a second long. [kg m] */
+  /** Moves the end as the velocity change of an impulse `J_W` would in one second. [kg
+   m] */
   void Displace(const Eigen::Vector3d& J_W) {
     if (particle_ && particle_->mass != 0) particle_->p_W += J_W / particle_->mass;
     if (!body_ || body_->mass == 0) return;
@@ -51,7 +52,7 @@ class End {
     Turn(*body_, InverseInertia(*body_, errata_) * r.cross(J_W), errata_);
   }
 
-  /** Moves by `way_W`, whatever the mass. */
+  /** Moves the end by `way_W`, whatever the mass. [m] */
   void Carry(const Eigen::Vector3d& way_W) {
     if (particle_) particle_->p_W += way_W;
     if (body_) body_->p_WB += way_W;

@@ -6,18 +6,19 @@
 
 namespace cookbook::printed {
 
-/** Everything that an end of a spring or a joint may be fixed to. */
+/** The objects that an end of a spring or a joint may be attached to. */
 struct Things {
   std::span<Body> bodies;
   std::span<Particle> particles;
 };
 
-/** Changes the velocities of a spring's ends by its force over a step; under E-18 by the
- force itself, whatever the step. */
+/** Applies a spring's force over a step to the velocities of its ends. Under E-18 the
+ force itself is the impulse, whatever the step. */
 void Pull(const Spring& spring, const Things& things, double dt, const Errata& errata);
 
-/** Puts the ends of a joint at their distance, by inverse mass, and takes away the
- velocity along it; under E-22 half and half, and no velocity. */
+/** Moves the ends of a joint to their distance, in proportion to inverse mass, and
+ removes their relative velocity along it. Under E-22 each end moves by half of the error,
+ and no velocity is removed. */
 void Satisfy(const DistanceJoint& joint, const Things& things, const Errata& errata);
 
 }  // namespace cookbook::printed

@@ -6,20 +6,20 @@
 namespace cookbook::printed {
 namespace {
 
-/** How far above the surface a particle is put. [m] */
+/** The height above the surface at which a particle is put. [m] */
 constexpr double kAbove = 0.003;
 
-/** The step for which the share of velocity kept under E-19 is meant. [s] */
+/** The step that the decay of velocity under E-19 assumes. [s] */
 constexpr double kNominalStep = 1.0 / 60;
 
-/** Where a way enters a box. World frame. */
+/** The point where a path enters a box. World frame. */
 struct Hit {
-  double share;  ///< Of the way, in [0, 1].
+  double share;  ///< Fraction of the path, in [0, 1].
   Eigen::Vector3d n_W;
 };
 
-/** Slabs: Kay & Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986. Nothing where the
- way starts inside. */
+/** Returns where the path enters a box, or nothing if it starts inside. Slab method: Kay
+ & Kajiya, "Ray tracing complex scenes", SIGGRAPH 1986. */
 std::optional<Hit> Enter(const Body& body, const Eigen::Vector3d& from_W,
                          const Eigen::Vector3d& to_W) {
   const auto* box = std::get_if<Box>(&body.shape);

@@ -20,7 +20,7 @@ bool IsAmount(double x) {
   return std::isfinite(x) && x >= 0;
 }
 
-/** Under E-15 the angles that give `q`: R = R_z R_y R_x. */
+/** Returns the Euler angles of `q` for E-15: R = R_z R_y R_x. [rad] */
 Eigen::Vector3d AnglesOf(const Eigen::Quaterniond& q) {
   const Eigen::Matrix3d R = q.toRotationMatrix();
   return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),

@@ -1,6 +1,6 @@
-// Eight floats at once, as engine/simd/four_lanes.h has four doubles. Include after
-// hwy/highway.h, within a file that foreach_target.h reads again and again; hence the
-// guard that toggles.
+// A vector of eight floats, the counterpart of Four in engine/simd/four_lanes.h. Include it
+// after hwy/highway.h, in a file that foreach_target.h includes repeatedly; hence the
+// include guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_EIGHT_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_EIGHT_LANES_H_
@@ -22,10 +22,10 @@ namespace cookbook {
 namespace HWY_NAMESPACE {
 
 using Eight = float __attribute__((vector_size(32)));
-/** What comparing two Eight gives: all bits set where true. */
+/** The result of comparing two Eight: all bits set in a lane where it is true. */
 using EightBits = std::int32_t __attribute__((vector_size(32)));
 
-/** An Eight that may lie anywhere, over anything made of floats. */
+/** An Eight with the alignment of a float, over any memory made of floats. */
 using EightInMemory [[gnu::aligned(4), gnu::may_alias]] = Eight;
 static_assert(alignof(EightInMemory) == 4);
 
@@ -41,7 +41,7 @@ HWY_INLINE Eight Abs(Eight x) {
   return reinterpret_cast<Eight>(reinterpret_cast<EightBits>(x) & INT32_MAX);
 }
 
-/** As OfVectors() of two Four. */
+/** The counterpart of OfVectors() for Four. */
 template <class Operation>
 HWY_INLINE Eight OfVectors(Eight a, Eight b, const Operation& operation) {
   namespace hn = hwy::HWY_NAMESPACE;
@@ -56,7 +56,7 @@ HWY_INLINE Eight OfVectors(Eight a, Eight b, const Operation& operation) {
   return LoadEight(x);
 }
 
-/** Returns the lesser, b where a lane is NaN. */
+/** Returns the lesser in each lane; b if either is NaN. */
 HWY_INLINE Eight Min(Eight a, Eight b) {
 #if HWY_ARCH_X86
   return OfVectors(a, b,
@@ -66,7 +66,7 @@ HWY_INLINE Eight Min(Eight a, Eight b) {
 #endif
 }
 
-/** Returns the greater, b where a lane is NaN. */
+/** Returns the greater in each lane; b if either is NaN. */
 HWY_INLINE Eight Max(Eight a, Eight b) {
 #if HWY_ARCH_X86
   return OfVectors(a, b,
@@ -85,7 +85,7 @@ HWY_INLINE Eight Sqrt(Eight x) {
                    [](auto v, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Sqrt(v); });
 }
 
-/** Returns a bit for each lane that is true. */
+/** Returns a mask whose bit k is set if lane k is true. */
 HWY_INLINE unsigned Bits(EightBits x) {
   namespace hn = hwy::HWY_NAMESPACE;
   const hn::CappedTag<std::int32_t, 8> tag;
@@ -102,14 +102,14 @@ HWY_INLINE unsigned Bits(EightBits x) {
 
 using FourFloats = float __attribute__((vector_size(16)));
 
-/** Returns the floats next to eight doubles. */
+/** Rounds eight doubles to floats. */
 HWY_INLINE Eight Narrow(Four low, Four high) {
   return __builtin_shufflevector(__builtin_convertvector(low, FourFloats),
                                  __builtin_convertvector(high, FourFloats), 0, 1, 2, 3, 4,
                                  5, 6, 7);
 }
 
-/** Replaces eight rows of a matrix by its columns. */
+/** Transposes an 8 × 8 matrix in place. */
 HWY_INLINE void Transpose8(Eight m[8]) {
   Eight a[8];
 #pragma GCC unroll 4

@@ -1,7 +1,7 @@
-// Four doubles at once, for engine code compiled once per processor target. A plain
-// compiler vector, which every target takes: where registers are narrower it is two of
-// them. Include after hwy/highway.h, within a file that foreach_target.h reads again and
-// again; hence the guard that toggles.
+// A vector of four doubles, for engine code that is compiled once per SIMD target. It is
+// a plain compiler vector, which every target supports: on narrower registers it becomes
+// two vectors. Include it after hwy/highway.h, in a file that foreach_target.h includes
+// repeatedly; hence the include guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_FOUR_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_FOUR_LANES_H_
@@ -21,11 +21,11 @@ namespace cookbook {
 namespace HWY_NAMESPACE {
 
 using Four = double __attribute__((vector_size(32)));
-/** What comparing two Four gives: all bits set where true. */
+/** The result of comparing two Four: all bits set in a lane where it is true. */
 using FourBits = std::int64_t __attribute__((vector_size(32)));
 
-/** A Four that may lie anywhere, over anything made of doubles. Of std::memcpy() g++ 12
- makes, at times, moves through registers of integers. */
+/** A Four with the alignment of a double, over any memory made of doubles. It replaces
+ std::memcpy(), which g++ 12 sometimes compiles to moves through integer registers. */
 using FourInMemory [[gnu::aligned(8), gnu::may_alias]] = Four;
 static_assert(alignof(FourInMemory) == 8);
 
@@ -37,7 +37,7 @@ HWY_INLINE void Store(Four v, void* p) {
   *static_cast<FourInMemory*>(p) = v;
 }
 
-/** Returns three numbers and `last`. */
+/** Returns the three numbers at `p`, and `last` in the fourth lane. */
 HWY_INLINE Four Load3(const double* p, double last) {
   return Four{p[0], p[1], p[2], last};
 }
@@ -50,9 +50,7 @@ HWY_INLINE Four Abs(Four x) {
   return reinterpret_cast<Four>(reinterpret_cast<FourBits>(x) & INT64_MAX);
 }
 
-/** Returns `operation` of the vectors that the processor has: two of them may make a
- * Four.
- */
+/** Applies `operation` to the processor's own vectors, of which a Four may take two. */
 template <class Operation>
 HWY_INLINE Four OfVectors(Four a, Four b, const Operation& operation) {
   namespace hn = hwy::HWY_NAMESPACE;
@@ -67,10 +65,10 @@ HWY_INLINE Four OfVectors(Four a, Four b, const Operation& operation) {
   return Load(x);
 }
 
-/** Returns the lesser, b where a lane is NaN. */
+/** Returns the lesser in each lane; b if either is NaN. */
 HWY_INLINE Four Min(Four a, Four b) {
 #if HWY_ARCH_X86
-  // The very same, but of the comparison g++ 12 makes two instructions for AVX-512.
+  // The same result, but for AVX-512 g++ 12 needs two instructions for the comparison.
   return OfVectors(a, b,
                    [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
 #else
@@ -78,7 +76,7 @@ HWY_INLINE Four Min(Four a, Four b) {
 #endif
 }
 
-/** Returns the greater, b where a lane is NaN. */
+/** Returns the greater in each lane; b if either is NaN. */
 HWY_INLINE Four Max(Four a, Four b) {
 #if HWY_ARCH_X86
   return OfVectors(a, b,
@@ -103,7 +101,7 @@ HWY_INLINE Four Sqrt(Four x) {
   return Load(lanes);
 }
 
-/** Returns a bit for each lane that is true. */
+/** Returns a mask whose bit k is set if lane k is true. */
 HWY_INLINE unsigned Bits(FourBits x) {
   namespace hn = hwy::HWY_NAMESPACE;
   const hn::CappedTag<std::int64_t, 4> tag;
@@ -118,7 +116,7 @@ HWY_INLINE unsigned Bits(FourBits x) {
   return bits;
 }
 
-/** Writes the columns of the three rows `in`, the fourth lane of each 0. */
+/** Transposes the 3 × 3 matrix with the rows `in`; the fourth lanes of `out` are 0. */
 HWY_INLINE void Transpose(const Four in[3], Four out[3]) {
   const Four zero{};
   const Four even = __builtin_shufflevector(in[0], in[1], 0, 4, 2, 6);
@@ -130,8 +128,8 @@ HWY_INLINE void Transpose(const Four in[3], Four out[3]) {
   out[2] = __builtin_shufflevector(even, last_even, 2, 3, 6, 7);
 }
 
-/** Reads the columns of a matrix of 3 × 3; what is in the fourth lanes is of no concern.
- */
+/** Loads the columns of a 3 × 3 matrix; the values of the fourth lanes are
+ unspecified. */
 HWY_INLINE void LoadColumns(const double* matrix, Four out[3]) {
   out[0] = Load(matrix);
   out[1] = Load(matrix + 3);

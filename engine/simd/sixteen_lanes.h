@@ -1,7 +1,7 @@
-// Sixteen floats at once: a plain compiler vector where the processor has registers for
-// it (AVX-512), else two Eights, which g++ 12 does not make of such a vector by itself.
-// Include after hwy/highway.h, within a file that foreach_target.h reads again and again;
-// hence the guard that toggles.
+// A vector of sixteen floats. It is a plain compiler vector if the processor has
+// registers of that size (AVX-512), else two Eights: g++ 12 does not split such a vector
+// by itself. Include it after hwy/highway.h, in a file that foreach_target.h includes
+// repeatedly; hence the include guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_SIXTEEN_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_SIXTEEN_LANES_H_
@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE {
 #if HWY_TARGET == HWY_AVX3
 
 using Sixteen = float __attribute__((vector_size(64)));
-/** What comparing two Sixteen gives: all bits set where true. */
+/** The result of comparing two Sixteen: all bits set in a lane where it is true. */
 using SixteenBits = std::int32_t __attribute__((vector_size(64)));
 
 HWY_INLINE Sixteen Beside(Eight low, Eight high) {
@@ -43,7 +43,7 @@ HWY_INLINE Sixteen SplatSixteen(float x) {
   return Sixteen{} + x;
 }
 
-/** As OfVectors() of two Four. */
+/** The counterpart of OfVectors() for Four. */
 template <class Operation>
 HWY_INLINE Sixteen OfVectors(Sixteen a, Sixteen b, const Operation& operation) {
   const hwy::HWY_NAMESPACE::CappedTag<float, 16> tag;
@@ -90,7 +90,7 @@ struct Sixteen {
   Eight low;
   Eight high;
 };
-/** What comparing two Sixteen gives: all bits set where true. */
+/** The result of comparing two Sixteen: all bits set in a lane where it is true. */
 struct SixteenBits {
   EightBits low;
   EightBits high;
@@ -179,12 +179,12 @@ HWY_INLINE void Store(const Sixteen& v, float* p) {
   Store(High(v), p + 8);
 }
 
-/** Returns a bit for each lane that is true. */
+/** Returns a mask whose bit k is set if lane k is true. */
 HWY_INLINE unsigned Bits(const SixteenBits& x) {
   return Bits(Low(x)) | Bits(High(x)) << 8;
 }
 
-/** Returns the floats next to sixteen doubles. */
+/** Rounds sixteen doubles to floats. */
 HWY_INLINE Sixteen Narrow(const Four doubles[4]) {
   return Beside(Narrow(doubles[0], doubles[1]), Narrow(doubles[2], doubles[3]));
 }

@@ -1,9 +1,9 @@
-# Fails when a room includes what it must not, or when headers include each other
-# in a circle. The architecture, executable.
+# Checks the architecture. Fails if a file includes a header that its folder must not
+# include, or if headers include each other in a cycle.
 #   cmake -D ROOT=<source dir> -P allowed_includes.cmake
 #
-# A rule is "folder => headers it may include", both sides regular expressions; the
-# first folder that matches a file decides, so the narrower rules stand first.
+# A rule is "folder => headers it may include"; both sides are regular expressions. The
+# first rule whose folder matches a file decides, so the narrower rules come first.
 
 cmake_minimum_required(VERSION 3.24)
 
@@ -22,7 +22,7 @@ set(own_rules
   "engine/dynamics/world/ => engine/(simd|threads|dynamics)/"
   "engine/ => engine/(simd|threads|collision|dynamics)/|engine/(dynamics/)?[a-z_]+[.]h"
   "scenarios/ => scenarios/"
-  # Only the cookbook adapter sees the engine: no oracle is right because it ran
+  # Only the cookbook adapter sees the engine, so that no oracle is right because it ran
   # the code it judges.
   "oracles/cookbook/ => (oracles|scenarios|engine)/"
   "oracles/ => (oracles|scenarios)/"
@@ -31,7 +31,7 @@ set(own_rules
   "reports/ => (reports|scenarios)/|oracles/(oracle|contact_answer|simulation|trajectory)[.]h"
   "cli/ => (cli|reports|oracles|scenarios)/")
 
-# The headers of a library appear in the sources of the one place that wraps it.
+# The headers of a third-party library may be included only by the files that wrap it.
 set(library_rules
   "ode/ => oracles/ode/.*[.]cc"
   "fcl/ => oracles/fcl/.*[.]cc"
@@ -97,10 +97,11 @@ if(seen LESS 15)
 endif()
 if(broken)
   list(JOIN broken "\n  " broken)
-  message(FATAL_ERROR "Includes against the architecture:\n  ${broken}")
+  message(FATAL_ERROR "Includes that break the architecture:\n  ${broken}")
 endif()
 
-# Headers whose includes are all settled are settled; what never settles is a circle.
+# A header is settled once all its includes are. The headers that never settle form a
+# cycle or depend on one.
 set(open ${headers})
 while(TRUE)
   set(still_open)
@@ -119,9 +120,9 @@ while(TRUE)
     break()
   elseif(still_open STREQUAL open)
     list(JOIN open "\n  " open)
-    message(FATAL_ERROR "Headers that include each other in a circle, or wait for one:\n  ${open}")
+    message(FATAL_ERROR "Headers that include each other in a cycle, or depend on one:\n  ${open}")
   endif()
   set(open ${still_open})
 endwhile()
 list(LENGTH headers count)
-message(STATUS "${seen} files, ${count} headers: every include points the right way")
+message(STATUS "${seen} files, ${count} headers: every include obeys the rules")

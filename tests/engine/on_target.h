@@ -10,8 +10,8 @@
 
 namespace cookbook::test {
 
-/** A test that runs once with each kind of vectors that this processor has, narrowed to
- its parameter. */
+/** A test that runs once for each SIMD target of this processor, with the dispatch
+ restricted to its parameter. */
 class OnTarget : public testing::TestWithParam<std::int64_t> {
  protected:
   void SetUp() override { Choose(GetParam()); }

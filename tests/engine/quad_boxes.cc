@@ -13,7 +13,7 @@ Quad Abs(Quad x) {
 Quad Sqrt(Quad x) {
   if (x == 0) return 0;
   Quad root = std::sqrt(static_cast<double>(x));
-  // Newton doubles the digits: 53 become 106, then all 113.
+  // Newton's method doubles the correct bits: 53 become 106, then all 113.
   for (int k = 0; k < 3; ++k) root = (root + x / root) / 2;
   return root;
 }

@@ -14,7 +14,7 @@ Box AnyBox(Random& random) {
   return {{random.Between(0.1, 2), random.Between(0.1, 2), random.Between(0.1, 2)}};
 }
 
-/** Puts B so that the boxes overlap by about a share of their sizes. */
+/** Returns an offset from A to B of up to 0.8 of the sum of their half diagonals. */
 Eigen::Vector3d Nearby(Random& random, const Box& A, const Box& B) {
   const double reach = A.half_extents.norm() + B.half_extents.norm();
   return random.Within(0.8) * reach;
@@ -23,10 +23,10 @@ Eigen::Vector3d Nearby(Random& random, const Box& A, const Box& B) {
 BoxQuestion NearlyParallel(Random& random) {
   BoxQuestion question = AnyBoxes(random);
   const double angle = std::pow(10, -random.Between(0, 16));
-  const int axis = random.Below(6);  // Half the time a shared axis, else any.
+  const int axis = random.Below(6);  // Half the time an axis of A, else any.
   const Eigen::Vector3d about =
       axis < 3 ? Eigen::Vector3d::Unit(axis) : random.Direction();
-  // Labels of B's axes turned as well, so that a_i is near any b_j.
+  // The labels of B's axes are permuted as well, so that a_i may be near any b_j.
   Eigen::Matrix3d labels = Eigen::Matrix3d::Identity();
   const int shift = random.Below(3);
   for (int k = 0; k < 3; ++k) labels.col(k) = Eigen::Vector3d::Unit((k + shift) % 3);
@@ -54,7 +54,7 @@ BoxQuestion Contained(Random& random) {
   return question;
 }
 
-/** Puts B where the greatest gap is 10⁻ᵘ, of either sign. */
+/** Puts B where the greatest gap is ±10⁻ᵘ, u between 1 and 17. */
 BoxQuestion NearlyTouching(Random& random) {
   BoxQuestion question = AnyBoxes(random);
   if (random.Below(3) == 0) question = NearlyParallel(random);

@@ -1,4 +1,4 @@
-// Many boxes at once: the same bits as one after the other, with every vector width.
+// A batch of box pairs returns the same bits as one pair at a time, on every SIMD target.
 
 #include "engine/collision/box_batch.h"
 
@@ -45,7 +45,7 @@ void ExpectSameBits(const BoxGap& a, const BoxGap& b) {
 
 using BoxBatchOnTarget = OnTarget;
 
-TEST_P(BoxBatchOnTarget, GivesTheBitsOfOnePairAtATime) {
+TEST_P(BoxBatchOnTarget, ReturnsTheBitsOfOnePairAtATime) {
   const std::vector<BoxQuestion> questions = Questions(1000);
   const BoxBatch batch = BatchOf(questions);
   for (std::size_t k = 0; k < questions.size() && !HasFailure(); ++k) {
@@ -75,7 +75,7 @@ TEST_P(BoxBatchOnTarget, ContactsHaveTheBitsOfTheWidestVectors) {
 INSTANTIATE_TEST_SUITE_P(Targets, BoxBatchOnTarget, testing::ValuesIn(Targets()),
                          NameOfTarget);
 
-TEST(BoxBatch, BlocksThatAreNotFullAreAnsweredInFull) {
+TEST(BoxBatch, EveryPairOfAPartlyFilledBlockIsAnswered) {
   const std::vector<BoxQuestion> all = Questions(2);
   for (std::size_t count = 0; count <= all.size(); ++count) {
     const std::vector<BoxQuestion> questions(

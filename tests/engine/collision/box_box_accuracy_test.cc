@@ -1,6 +1,5 @@
 // The engine against 113-bit arithmetic, on families of hard cases. Every bound is the
-// one that engine/collision/rounding.h derives; nothing here was fitted to what the
-// engine happens to do.
+// one that engine/collision/rounding.h derives; none is fitted to the engine's results.
 
 #include <algorithm>
 #include <set>
@@ -33,7 +32,7 @@ std::string Describe(const BoxQuestion& q) {
 
 class BoxBoxAccuracy : public testing::TestWithParam<Family> {
  protected:
-  /** Asks the family's questions; `check` gets each with the engine's answer. */
+  /** Draws the family's questions and calls `check` with each and the engine's answer. */
   template <class Check>
   void Sweep(const Check& check) {
     Random random(20250131);

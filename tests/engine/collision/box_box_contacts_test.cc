@@ -1,4 +1,4 @@
-// Which contacts two boxes have, where the geometry is known by construction.
+// The contacts of two boxes whose geometry is known by construction.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace cookbook::test {
 namespace {
 
-/** A hundred places in the world: what is built in A's frame must be found in any. */
+/** Calls `check` at a hundred poses of A: a case built in A's frame must hold at any. */
 template <class Check>
 void InManyPlaces(const Check& check) {
   Random random(7);
@@ -40,12 +40,13 @@ double DeepestOf(const Manifold& manifold) {
   return deepest;
 }
 
-/** kDepthRounding of pairs whose size |p_AB|₁ + |h_A|₁ + |h_B|₁ stays below 8 m. [m] */
+/** kDepthRounding for pairs whose size |p_AB|₁ + |h_A|₁ + |h_B|₁ is below 8 m. [m] */
 constexpr double kRounding = 8 * kDepthRounding;
 
-/** Returns the least sine of the angles at which edges of A and of B cross as seen along
- `n_W`. Edges seen at less than half their length do not bound the faces that meet, whose
- normals are at most acos(√⅓) off n_W. */
+/** Returns the least sine of the angles at which edges of A and of B cross, projected
+ along `n_W`. Two edges are skipped if the product of their projected unit lengths is at
+ most 1/4: such edges do not bound the faces in contact, whose normals are at most
+ acos(√⅓) off n_W. */
 double LeastSine(const BoxQuestion& q, const Eigen::Vector3d& n_W) {
   double least = 1;
   for (int i = 0; i < 3; ++i) {
@@ -95,7 +96,7 @@ TEST(BoxOnFace, FlushFacesOfEqualBoxesHaveFourContacts) {
   });
 }
 
-TEST(BoxOnFace, SquaresTurnedByAnEighthMeetInAnOctagon) {
+TEST(BoxOnFace, SquaresTurnedBy45DegreesMeetInAnOctagon) {
   const Box cube{{0.5, 0.5, 0.5}};
   InManyPlaces([&](const Pose& X_WA, Random&) {
     const Pose X_WB = Placed(X_WA, Turn(Eigen::Vector3d::UnitY(), std::numbers::pi / 4),
@@ -104,7 +105,7 @@ TEST(BoxOnFace, SquaresTurnedByAnEighthMeetInAnOctagon) {
     ASSERT_EQ(manifold.count, 8);
     for (const ContactPoint& contact : manifold.points()) {
       const Eigen::Vector3d p_AC = X_WA.R_WB.transpose() * (contact.p_WC - X_WA.p_WB);
-      // Corners of a regular octagon of inradius 1/2: one coordinate 1/2, one tan(π/8)/2.
+      // Corners of a regular octagon of inradius 1/2: coordinates 1/2 and tan(π/8)/2.
       const double large = std::max(std::abs(p_AC[0]), std::abs(p_AC[2]));
       const double small = std::min(std::abs(p_AC[0]), std::abs(p_AC[2]));
       EXPECT_NEAR(large, 0.5, kRounding);
@@ -116,7 +117,7 @@ TEST(BoxOnFace, SquaresTurnedByAnEighthMeetInAnOctagon) {
 TEST(BoxOnFace, EdgeOnFaceHasTwoContactsWhateverTheTilt) {
   const Box B{{0.2, 0.25, 0.3}};
   InManyPlaces([&](const Pose& X_WA, Random& random) {
-    // Turned about z, B stands on an edge that is level; it rises to both sides of it.
+    // Turned about z, B stands on a level edge and rises on both sides of it.
     const double tilt = random.Between(0.1, 1.4);
     const double depth = random.Below(3) == 0 ? 1e-16 : random.Between(0, 0.01);
     const double lowest = 0.2 * std::sin(tilt) + 0.25 * std::cos(tilt);
@@ -172,7 +173,7 @@ TEST(BoxOnFace, SlightlyTiltedBoxKeepsItsShallowCorners) {
         Placed(X_WA, Turn(Eigen::Vector3d::UnitX(), tilt), {0.1, 0.449, -0.2});
     const Manifold manifold = Collide(kFloor, X_WA, B, X_WB);
     ASSERT_EQ(manifold.count, 4);
-    // Ends 0.7 apart, turned about the middle: 0.7 sin(tilt) between the two depths.
+    // The ends are 0.7 apart, so the two depths differ by 0.7 sin(tilt).
     double shallowest = DeepestOf(manifold);
     for (const ContactPoint& contact : manifold.points()) {
       shallowest = std::max(shallowest, contact.separation);
@@ -181,9 +182,9 @@ TEST(BoxOnFace, SlightlyTiltedBoxKeepsItsShallowCorners) {
   });
 }
 
-TEST(BoxOnFace, AlmostFlatHasFourContactsEvenWhereAPairOfEdgesIsBest) {
-  // B lies across the floor: their edges bound what they have in common, and a pair of
-  // them that is nearly parallel may beat both faces by a little more than rounding.
+TEST(BoxOnFace, AlmostFlatHasFourContactsEvenIfAPairOfEdgesIsBest) {
+  // B lies across the floor, and edges of both bound their common patch. A nearly
+  // parallel pair of these edges may beat both faces by a little more than rounding.
   const Box B{{1.5, 0.15, 0.35}};
   InManyPlaces([&](const Pose& X_WA, Random& random) {
     for (int k = 0; k < 50; ++k) {
@@ -197,15 +198,15 @@ TEST(BoxOnFace, AlmostFlatHasFourContactsEvenWhereAPairOfEdgesIsBest) {
           widest = std::max(widest, (p.p_WC - q.p_WC).norm());
         }
       }
-      // The common rectangle, 2.2 by 0.7, and what the tilt turns it by.
+      // The diagonal of the common rectangle, 2.2 by 0.7, and the effect of the tilt.
       EXPECT_NEAR(widest, std::hypot(2.2, 0.7), 10 * tilt + kRounding);
     }
   });
 }
 
-TEST(BoxOnBox, DeepestContactIsAsDeepAsTheSeparationWhereACornerMeetsTheRim) {
-  // The corner of B is over the rim of the floor, beside it by no more than rounding: its
-  // steep edges are clipped there, to candidates that are one contact but not one depth.
+TEST(BoxOnBox, DeepestContactHasTheSeparationWhereACornerMeetsTheRim) {
+  // A corner of B is above the rim of the floor, off it by no more than rounding. Its
+  // steep edges are clipped there, to candidates at one point but of different depths.
   const Box B{{0.2, 0.25, 0.3}};
   const double size = 5;  // |p_AB|₁ + |h_A|₁ + |h_B|₁ is less. [m]
   int touching = 0;
@@ -231,8 +232,8 @@ TEST(BoxOnBox, DeepestContactIsAsDeepAsTheSeparationWhereACornerMeetsTheRim) {
 TEST(BoxOnBox, CrossedEdgesHaveOneContactMidway) {
   const Box cube{{0.5, 0.5, 0.5}};
   InManyPlaces([&](const Pose& X_WA, Random& random) {
-    // A stands on an edge along x, its highest edge at y = √½; B stands on an edge turned
-    // away from it by `yaw`. Only the two edges meet, above A's centre, and n = y.
+    // A stands on an edge along x, its highest edge at y = √½. B stands on an edge turned
+    // from that by `yaw`. Only the two edges meet, above A's centre, and n = y.
     const Eigen::Matrix3d on_edge = Turn(Eigen::Vector3d::UnitX(), std::numbers::pi / 4);
     const double yaw = random.Between(0.4, 2.7);
     const double depth = random.Between(1e-6, 0.05);
@@ -292,7 +293,7 @@ TEST(BoxOnBox, SwappingBodiesOnlyNegatesTheNormal) {
     EXPECT_NEAR(forth.separation, back.separation, kRounding);
     ASSERT_EQ(forth.count, back.count);
     EXPECT_LT((forth.n_AB_W + back.n_AB_W).norm(), 1e-12);
-    // Lines known to within rounding cross within rounding / sine.
+    // The crossing of lines known to within rounding is known to within rounding / sine.
     const double allowed = kRounding / LeastSine(q, forth.n_AB_W);
     for (const ContactPoint& contact : forth.points()) {
       double nearest = 1;
@@ -305,7 +306,7 @@ TEST(BoxOnBox, SwappingBodiesOnlyNegatesTheNormal) {
   EXPECT_GT(touching, 2000);
 }
 
-TEST(BoxOnBox, FeaturesKeepTheirNamesWhileTheBoxSlides) {
+TEST(BoxOnBox, FeaturesKeepTheirIdsWhileTheBoxSlides) {
   const Box B{{0.2, 0.15, 0.35}};
   InManyPlaces([&](const Pose& X_WA, Random& random) {
     const Eigen::Matrix3d R_AB = Turn(Eigen::Vector3d::UnitY(), 0.3);

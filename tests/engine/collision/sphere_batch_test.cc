@@ -1,4 +1,5 @@
-// Many spheres at once: the same bits as one after the other, with every vector width.
+// A batch of sphere pairs returns the same bits as one pair at a time, on every SIMD
+// target.
 
 #include "engine/collision/sphere_batch.h"
 
@@ -23,7 +24,7 @@ struct SphereQuestion {
   Pose X_WB;
 };
 
-/** Near and far, every fifth pair concentric or as good as that. */
+/** Returns pairs near and far; the centres of every fifth are at most 1e-160 m apart. */
 std::vector<SphereQuestion> SphereQuestions(int count) {
   std::vector<SphereQuestion> questions;
   Random random(17);
@@ -54,7 +55,7 @@ std::uint64_t Bits(double x) {
 
 using SphereBatchOnTarget = OnTarget;
 
-TEST_P(SphereBatchOnTarget, GivesTheBitsOfOnePairAtATime) {
+TEST_P(SphereBatchOnTarget, ReturnsTheBitsOfOnePairAtATime) {
   // 1003: the last block is not full.
   const std::vector<SphereQuestion> questions = SphereQuestions(1003);
   const SphereBatch batch = BatchOf(questions);

@@ -1,4 +1,4 @@
-// Spheres against spheres and boxes: closed forms in awkward places.
+// Spheres against spheres and boxes: closed forms at awkward poses.
 
 #include <bit>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kQuestions = 2000;
 
-/** 32 roundings of coordinates below 16 m. [m] */
+/** The error of 32 roundings of coordinates below 16 m. [m] */
 constexpr double kRounding = 32 * 16 * kUnitRoundoff;
 
 Pose AnyPose(Random& random) {
@@ -81,8 +81,8 @@ TEST(SphereOnBox, NearestPointDecidesOutside) {
     const Box A{{random.Between(0.1, 2), random.Between(0.1, 2), random.Between(0.1, 2)}};
     const Sphere B{random.Between(0.1, 2)};
     const Pose X_WA = AnyPose(random);
-    // Nearest to a face, an edge or a vertex: outward along one, two or three axes from a
-    // point that is on the box's rim along just these.
+    // Nearest to a face, an edge or a vertex: outward along one, two or three axes, from
+    // a point that is on the box's surface along exactly these axes.
     const int region = 1 + random.Below(7);
     Eigen::Vector3d p_AQ;
     Eigen::Vector3d n_A = random.Direction();
@@ -125,7 +125,7 @@ TEST(SphereOnBox, CentreInsideLeavesThroughTheNearestFace) {
     const Box A{{random.Between(0.3, 2), random.Between(0.3, 2), random.Between(0.3, 2)}};
     const Sphere B{random.Between(0.01, 2)};
     const Pose X_WA = AnyPose(random);
-    // Nearest to the face on `axis`, at `in`; further from every other.
+    // At the distance `in` from the face on `axis`, further from every other face.
     const int axis = random.Below(3);
     const double in = random.Between(0, 0.2);
     Eigen::Vector3d p_AB_A;
@@ -163,7 +163,7 @@ TEST(SphereOnBox, CentreOnTheSurfaceTouchesRadiusDeep) {
 
 using SphereOnBoxOnTarget = OnTarget;
 
-TEST_P(SphereOnBoxOnTarget, GivesTheBitsOfTheWidestVectors) {
+TEST_P(SphereOnBoxOnTarget, ReturnsTheBitsOfTheWidestVectors) {
   Random random(5);
   const auto expect_same_bits = [](double a, double b) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b));

@@ -1,5 +1,5 @@
-// The published recipes: put right they agree with the engine; with their errata they
-// show the figures that are known of them.
+// The published recipes of contact. Corrected, they agree with the engine; with their
+// errata, they reproduce the known figures.
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@ using printed::Erratum;
 
 constexpr int kQuestions = 3000;
 
-/** 64 roundings of coordinates and sizes below 16 m. [m] */
+/** The error of 64 roundings of coordinates and sizes below 16 m. [m] */
 constexpr double kRounding = 64 * 16 * kUnitRoundoff;
 
 Pose At(double x, double y, double z) {
   return {Turn(Eigen::Vector3d(2, -1, 2) / 3, 0.7), {x, y, z}};
 }
 
-/** Puts the point of A's body frame into the world, B turned as A. */
+/** Returns the pose of B with A's orientation and its centre at `p_AB_A` in A's frame. */
 Pose Beside(const Pose& X_WA, const Eigen::Vector3d& p_AB_A) {
   return {X_WA.R_WB, X_WA.p_WB + X_WA.R_WB * p_AB_A};
 }
@@ -111,8 +111,8 @@ TEST(PrintedWithoutErrata, BoxesAgreeWithTheEngine) {
       }
     }
     ASSERT_EQ(deepest.size(), 1u);
-    // Clipping reaches some 1e-14 m beyond a face; along an edge of slope s that is 1e-14
-    // / s.
+    // Clipping reaches some 1e-14 m beyond a face, which is 1e-14 / s along an edge of
+    // slope s.
     EXPECT_LT(Beyond(deepest, recipe.contacts_W), 1e-9);
     EXPECT_LT(Beyond(recipe.contacts_W, deepest), 1e-9);
   }
@@ -133,8 +133,8 @@ TEST(PrintedWithoutErrata, FlatBoxesShareTheWholePatchWithTheEngine) {
     EXPECT_NEAR(recipe.depth, -engine.separation, kRounding);
     std::vector<Eigen::Vector3d> contacts;
     for (const ContactPoint& contact : engine.points()) contacts.push_back(contact.p_WC);
-    // Clipping with a slack of 1e-13 S displaces a corner by that over the sine of the
-    // turn.
+    // Clipping with a slack of 1e-13 S displaces a corner by that slack over the sine of
+    // the turn.
     EXPECT_LT(Beyond(contacts, recipe.contacts_W), 1e-10);
     EXPECT_LT(Beyond(recipe.contacts_W, contacts), 1e-10);
   }
@@ -151,13 +151,14 @@ TEST(PrintedErrata, E01AndE02ReportBoxesApartAsTouching) {
     wrong += printed::Collide(q.A, q.X_WA, q.B, q.X_WB, {Erratum::kE01, Erratum::kE02})
                  .touching;
   }
-  // Known of the published recipe: 19,828 of 41,744, on poses of another distribution.
+  // Known figure of the published recipe: 19,828 of 41,744, for another distribution of
+  // poses.
   EXPECT_GT(wrong, 0.2 * apart);
   EXPECT_LT(wrong, 0.8 * apart);
 }
 
 TEST(PrintedErrata, E01MissesThePlaneBetweenTwoEdges) {
-  // Two long bars crossed on their edges, 0.01 m apart along the cross product of the
+  // Two long bars, crossed edge on edge, 0.01 m apart along the cross product of the
   // edges.
   const Box bar{{3, 0.3, 0.4}};
   const Pose X_WA = At(0.4, -0.3, 1.2);
@@ -183,7 +184,7 @@ TEST(PrintedErrata, E02TurnsMostNormalsOfBoxes) {
     ++touching;
     turned += recipe.n_AB_W.dot(engine.n_AB_W) < std::cos(8 * std::numbers::pi / 180);
   }
-  // Known of the published recipe: 48,665 of 58,256 off by more than 8°.
+  // Known figure of the published recipe: 48,665 of 58,256 are off by more than 8°.
   EXPECT_GT(turned, 0.7 * touching);
 }
 
@@ -224,7 +225,7 @@ TEST(PrintedErrata, E05PushesASphereInABoxByItsRadiusFromCentreToCentre) {
   EXPECT_LT((alone.n_AB_W - centres).norm(), kRounding);
 }
 
-TEST(PrintedErrata, E06ReportsNoCollisionOfCoincidingCentres) {
+TEST(PrintedErrata, E06ReportsNoCollisionForCoincidingCentres) {
   const Pose X_W = At(-0.7, 0.2, 0.3);
   const Errata faulty{Erratum::kE06};
   EXPECT_FALSE(printed::Collide(Sphere{1}, X_W, Sphere{2}, X_W, faulty).touching);
@@ -256,7 +257,7 @@ TEST(PrintedErrata, E07LeavesAContainedBoxWithoutContact) {
     touching += recipe.touching;
     without += recipe.touching && recipe.contacts_W.empty();
   }
-  // Known of the published recipe: 1,032 of 58,256 random overlaps.
+  // Known figure of the published recipe: 1,032 of 58,256 random overlaps.
   EXPECT_GT(without, 0.002 * touching);
   EXPECT_LT(without, 0.1 * touching);
 }
@@ -282,9 +283,9 @@ TEST(PrintedErrata, E09MergesTheContactsOfSmallBoxes) {
   EXPECT_EQ(printed::Collide(A, X_WA, B, X_WB, {Erratum::kE09}).contacts_W.size(), 1u);
 }
 
-TEST(PrintedErrata, E26MeasuresTheCommonPartOfTheIntervals) {
-  // Half size 0.2 in 1.0, 0.2 off centre: all of the inner box is common, the way out
-  // is 1.
+TEST(PrintedErrata, E26MeasuresTheCommonLengthOfTheIntervals) {
+  // Half size 0.2 in 1.0, 0.2 off centre: the intervals have 0.4 in common, but the
+  // shortest translation out is 1.
   const Pose X_WA = At(0.3, 0.8, -0.4);
   const Pose X_WB = Beside(X_WA, {0.2, 0.05, -0.02});
   const Box outer{{1, 1, 1}};

@@ -1,7 +1,6 @@
-// The published recipes of motion: put right they keep the laws of mechanics, and each
-// erratum alone breaks the one that it is about. Figures are those of the specification.
-#include "engine/printed/world.h"
-
+// The published recipes of motion. Corrected, they obey the laws of mechanics; each
+// erratum alone breaks the law that it concerns. The figures are those of the
+// specification.
 #include <cmath>
 #include <stdexcept>
 
@@ -13,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// What some hundred steps of a dozen operations each may round off.
+// A bound on the rounding of some hundred steps of a dozen operations each.
 constexpr double kRounding = 1e-12;
 
 Settings Weightless() {
@@ -60,28 +59,28 @@ double SpeedAfter(const Errata& errata, double dt, int steps) {
   return world.bodies()[0].v_WB.x();
 }
 
-TEST(PrintedWorld, KeepsTheVelocityOfFreeFlightWhenPutRight) {
+TEST(PrintedWorld, KeepsTheVelocityOfFreeFlightWhenCorrected) {
   EXPECT_EQ(SpeedAfter(Errata::None(), 1.0 / 60, 60), 1);
 }
 
-TEST(PrintedWorld, LosesMomentumByTheStepUnderE11) {
+TEST(PrintedWorld, LosesVelocityPerStepUnderE11) {
   EXPECT_NEAR(SpeedAfter({Erratum::kE11}, 1.0 / 60, 60), 0.30, 0.005);
   EXPECT_NEAR(SpeedAfter({Erratum::kE11}, 1.0 / 100, 100), 0.13, 0.005);
 }
 
-Vector3d VelocityAfterBlow(const Errata& errata) {
+Vector3d VelocityAfterImpulse(const Errata& errata) {
   World world(errata, Weightless());
   world.Add(Ball(10));
   world.ApplyImpulse(0, Vector3d::Zero(), {20, 0, 0});
   return world.bodies()[0].v_WB;
 }
 
-TEST(PrintedWorld, DividesABlowByTheMassButNotUnderE10) {
-  EXPECT_NEAR(VelocityAfterBlow(Errata::None()).x(), 2, kRounding);
-  EXPECT_NEAR(VelocityAfterBlow({Erratum::kE10}).x(), 20, kRounding);
+TEST(PrintedWorld, DividesAnImpulseByTheMassButNotUnderE10) {
+  EXPECT_NEAR(VelocityAfterImpulse(Errata::None()).x(), 2, kRounding);
+  EXPECT_NEAR(VelocityAfterImpulse({Erratum::kE10}).x(), 20, kRounding);
 }
 
-// A box lands flat on four contacts at 4 m/s, e = 0.5: its speed after some steps.
+// The speed of a box some steps after it lands flat on four contacts at 4 m/s, e = 0.5.
 double SpeedAfterLanding(const Errata& errata, int steps) {
   World world(errata, Weightless());
   Body box;
@@ -95,9 +94,10 @@ double SpeedAfterLanding(const Errata& errata, int steps) {
 }
 
 TEST(PrintedWorld, BouncesOffFourContactsButNotUnderE12) {
-  // Five sweeps over four contacts that turn the box against each other.
+  // Five iterations over four contacts, whose impulses turn the box in opposite
+  // directions.
   EXPECT_NEAR(SpeedAfterLanding(Errata::None(), 1), 2, 0.04);
-  // A hundredth of what it came with, where half is right.
+  // About a hundredth of the approach speed is left, where half is correct.
   for (const int steps : {1, 2, 5, 20})
     EXPECT_LT(SpeedAfterLanding({Erratum::kE12}, steps), 0.05) << steps;
 }
@@ -116,8 +116,9 @@ TEST(PrintedWorld, TurnsSpheresButNotUnderE13) {
   EXPECT_EQ(TurnOfASpinningBall({Erratum::kE13}), 0);
 }
 
-// A slab turned by a right angle about z: its long and its flat side change places.
-Vector3d SpinAfterBlow(const Errata& errata) {
+// The spin of a slab after an impulse. The slab is turned by 90° about z, which swaps its
+// thin and its middle side.
+Vector3d SpinAfterImpulse(const Errata& errata) {
   World world(errata, Weightless());
   Body slab = Slab();
   slab.q_WB = Eigen::AngleAxisd(std::acos(0.0), Vector3d::UnitZ());
@@ -127,12 +128,12 @@ Vector3d SpinAfterBlow(const Errata& errata) {
 }
 
 TEST(PrintedWorld, TurnsTheInertiaTensorButNotUnderE14) {
-  // The torque impulse (0, 0.5, 0) meets the body's x axis: m/3 (0.5² + 1²).
-  EXPECT_NEAR(SpinAfterBlow(Errata::None()).y(), 0.5 / (2 / 3. * 1.25), kRounding);
-  EXPECT_NEAR(SpinAfterBlow({Erratum::kE14}).y(), 0.5 / (2 / 3. * 1.01), kRounding);
+  // The angular impulse (0, 0.5, 0) is along the body's x axis: I = m/3 (0.5² + 1²).
+  EXPECT_NEAR(SpinAfterImpulse(Errata::None()).y(), 0.5 / (2 / 3. * 1.25), kRounding);
+  EXPECT_NEAR(SpinAfterImpulse({Erratum::kE14}).y(), 0.5 / (2 / 3. * 1.01), kRounding);
 }
 
-// The largest change of angular momentum in free flight, relative.
+// The relative change of angular momentum after one second of free flight.
 double DriftOfAngularMomentum(const Errata& errata, double dt) {
   World world(errata, Weightless());
   Body slab = Slab();
@@ -151,7 +152,7 @@ TEST(PrintedWorld, KeepsAngularMomentumAsTheStepVanishesButNotUnderE15OrE16) {
   EXPECT_GT(DriftOfAngularMomentum({Erratum::kE16}, 1e-4), 0.02);
 }
 
-// A particle on a damped spring: its energy after one second.
+// The energy of a particle on a damped spring after one second.
 double EnergyOnSpring(const Errata& errata, double damping, double dt) {
   World world(errata, Weightless());
   Particle particle;
@@ -170,7 +171,7 @@ TEST(PrintedWorld, DampsSpringsButNotUnderE17) {
   EXPECT_GT(EnergyOnSpring({Erratum::kE17}, 1, 1e-4), 19);
 }
 
-TEST(PrintedWorld, SpringsKeepTheirPaceWhateverTheStepButNotUnderE18) {
+TEST(PrintedWorld, SpringsKeepTheirEnergyWhateverTheStepButNotUnderE18) {
   EXPECT_NEAR(EnergyOnSpring(Errata::None(), 0, 1e-3), 20, 0.5);
   EXPECT_GT(EnergyOnSpring({Erratum::kE18}, 0, 1e-3), 100);
 }
@@ -185,7 +186,7 @@ double ParticleSpeedAfterASecond(const Errata& errata, double dt) {
   return world.particles()[0].v_W.x();
 }
 
-TEST(PrintedWorld, ParticlesDecayByTimeButByStepUnderE19) {
+TEST(PrintedWorld, ParticlesDecayPerSecondButPerStepUnderE19) {
   EXPECT_NEAR(ParticleSpeedAfterASecond(Errata::None(), 1e-2), std::exp(-2), kRounding);
   EXPECT_NEAR(ParticleSpeedAfterASecond({Erratum::kE19}, 1e-2), std::exp(-200 / 60.),
               kRounding);
@@ -204,7 +205,7 @@ TEST(PrintedWorld, AParticleIsPutAboveTheFloorAndReflected) {
   EXPECT_TRUE(world.particles()[0].v_W.isApprox(Vector3d(1, 7, 0)));
 }
 
-TEST(PrintedWorld, AClothHasItsSpringsAndItsPlaceButNotUnderE20) {
+TEST(PrintedWorld, AClothIsPutAtItsCentreButNotUnderE20) {
   Cloth cloth;
   cloth.n = 4;
   cloth.spacing = 0.5;
@@ -220,7 +221,7 @@ TEST(PrintedWorld, AClothHasItsSpringsAndItsPlaceButNotUnderE20) {
   EXPECT_TRUE(middle({Erratum::kE20}).isApprox(Vector3d(1, 3, -2)));
 }
 
-TEST(PrintedWorld, RefusesATooSmallClothAndTellsTheFaultOfE21) {
+TEST(PrintedWorld, RejectsATooSmallClothAndReportsTheFaultOfE21) {
   Cloth cloth;
   cloth.n = 2;
   World right(Errata::None(), {});
@@ -229,7 +230,7 @@ TEST(PrintedWorld, RefusesATooSmallClothAndTellsTheFaultOfE21) {
   EXPECT_THROW(wrong.Add(cloth), std::out_of_range);
 }
 
-// Two unequal particles on a rod, flying and turning: their momentum after a second.
+// The momentum of two unequal particles on a rod after one second of free flight.
 Vector3d MomentumOfARod(const Errata& errata) {
   World world(errata, Weightless());
   Particle light;
@@ -254,8 +255,8 @@ TEST(PrintedWorld, JointsKeepMomentumButNotUnderE22) {
   EXPECT_FALSE(MomentumOfARod({Erratum::kE22}).isApprox(Vector3d(0, 3, 0), 0.01));
 }
 
-// A tilted box strikes the floor with an edge, e = 0, and enough friction to stick: how
-// fast the edge slips after it.
+// The slip of the edge of a tilted box after it hits the floor with e = 0 and enough
+// friction to stick.
 double SlipAfterImpact(const Errata& errata) {
   World world(errata, Weightless());
   Body box;
@@ -280,7 +281,7 @@ TEST(PrintedWorld, AnImpactThatSticksLeavesNoSlipButDoesUnderE23) {
   EXPECT_GT(SlipAfterImpact({Erratum::kE23}), 0.1);
 }
 
-// A light ball slides on the floor: its speed after a second.
+// The speed of a light ball after it has slid on the floor for one second.
 double SlideOfALightBall(const Errata& errata) {
   World world(errata, {});
   Body ball = Ball(1e-3);
@@ -298,8 +299,8 @@ TEST(PrintedWorld, ALightBallIsBrakedButSlidesForEverUnderE25) {
   EXPECT_EQ(SlideOfALightBall({Erratum::kE25}), 1);
 }
 
-// A tilted box that overlaps the floor with one edge.
-double TurnByProjection(const Errata& errata) {
+// The rotation of a tilted box whose one edge overlaps the floor.
+double TurnByPositionCorrection(const Errata& errata) {
   World world(errata, Weightless());
   Body box;
   box.shape = Box{{1, 0.2, 0.5}};
@@ -311,9 +312,9 @@ double TurnByProjection(const Errata& errata) {
   return std::abs(Eigen::AngleAxisd(world.bodies()[1].q_WB).angle() - 0.1);
 }
 
-TEST(PrintedWorld, ProjectionTurnsButNotUnderE24) {
-  EXPECT_GT(TurnByProjection(Errata::None()), 1e-3);
-  EXPECT_LT(TurnByProjection({Erratum::kE24}), 1e-15);
+TEST(PrintedWorld, PositionCorrectionTurnsButNotUnderE24) {
+  EXPECT_GT(TurnByPositionCorrection(Errata::None()), 1e-3);
+  EXPECT_LT(TurnByPositionCorrection({Erratum::kE24}), 1e-15);
 }
 
 }  // namespace
