@@ -12,8 +12,8 @@
 namespace touchstone {
 namespace {
 
-/** How many roundings a neighbour is away: above the one that storing it costs, below the
- kRoundings that a right computation may accumulate. */
+/** The distance of a neighbour in roundings: more than storing it costs, less than the
+ kRoundings that a correct computation may accumulate. [-] */
 constexpr double kAway = 4;
 
 constexpr double kDouble = 0x1p-53;
@@ -87,7 +87,7 @@ double MovementOf(const ContactQuery& query, const ContactTruth& truth,
   double movement = 0;
   for (const ContactAnswer& neighbour : neighbours) {
     if (neighbour.status != AnswerStatus::kAnswered) continue;
-    // A neighbour without a usable normal says nothing of the distance it moved.
+    // A neighbour without a usable normal or separation gives no distance.
     if (neighbour.n_AB_W && !(neighbour.n_AB_W->norm() > 0)) continue;
     if (neighbour.separation && !std::isfinite(*neighbour.separation)) continue;
     movement =

@@ -32,7 +32,7 @@ TEST(ConsistencyError, OfASwappedSignIsTwiceTheDepth) {
   EXPECT_NEAR(ConsistencyError(s.query, *s.right.n_AB_W, kDepth), 2 * kDepth, kRounding);
 }
 
-TEST(ConsistencyError, OfAFlippedNormalIsTheWayThroughBothBodies) {
+TEST(ConsistencyError, OfAFlippedNormalIsTheDistanceThroughBothBodies) {
   // Against n, B has to leave through A's far face: o(-n) = 2 h + 2 r - d.
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_NEAR(ConsistencyError(s.query, -*s.right.n_AB_W, -kDepth),
@@ -63,9 +63,9 @@ TEST(Excess, OfAFlippedNormalIsTheDetour) {
 }
 
 TEST(Excess, SeesATinyTilt) {
-  // Tilted by θ about A's y, the box's support grows by 0.3 sin θ less what its height
-  // and the sphere's place take back: o(n) = 0.3 sin θ + h cos θ - (0.07 sin θ + (h + r -
-  // d) cos θ) + r.
+  // If n is tilted by θ about A's y, the box's support grows by 0.3 sin θ minus what its
+  // height and the sphere's position take back: o(n) = 0.3 sin θ + h cos θ - (0.07 sin θ
+  // + (h + r - d) cos θ) + r.
   const Specimen s = SphereInBoxFace(kDepth);
   constexpr double kTilt = 1e-9;  // [rad]
   const Eigen::Vector3d n =

@@ -1,4 +1,5 @@
-// Truth that can be derived by hand, asked at poses where nothing is exact in binary.
+// Cases with a truth that can be derived by hand, at poses where nothing is exact in
+// binary.
 
 #include <cmath>
 #include <limits>
@@ -11,8 +12,9 @@
 namespace touchstone {
 namespace {
 
-/** Placing the bodies rounds the poses, which moves the truth by no more than the band of
- the input; the enclosure itself is a few ulps of the scene. */
+/** Expects the separation derived by hand. Placing the bodies rounds the poses, which
+ moves the truth by at most the band of the input. The enclosure itself is a few ulps of
+ the scene. */
 void ExpectSeparation(const ContactQuery& query, double expected) {
   const ContactTruth truth = JudgeContact(query);
   const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
@@ -121,8 +123,8 @@ TEST(ClosedForm, HalfSpaceIsDeepToTheLowestPointOfEveryShape) {
   ExpectSeparation({ground, Place(Cone{0.2, 0.6}, p, q)}, 0.5 - 0.6 * c - 0.2 * s);
   ExpectSeparation({Place(Cone{0.2, 0.6}, p, Turn(M_PI - tilt, {1, 2, 0})), ground},
                    0.5 - 0.6 * c);
-  // Up in the body frame is sin(tilt) (-2, 1, 0)/√5 + cos(tilt) z, up to the sign of the
-  // first.
+  // The up direction in the body frame is sin(tilt) (-2, 1, 0)/√5 + cos(tilt) z, up to
+  // the sign of the first term.
   const double up_x = s * 2 / std::sqrt(5.0);
   const double up_y = s / std::sqrt(5.0);
   ExpectSeparation({ground, Place(Box{{0.2, 0.3, 0.4}}, p, q)},
