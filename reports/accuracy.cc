@@ -15,7 +15,7 @@
 namespace touchstone {
 namespace {
 
-/** The measures that have a column, in this order. */
+/** The measures that have a column, in the order of the columns. */
 constexpr std::array kColumns = {MeasureKind::kSeparationError, MeasureKind::kExcess,
                                  MeasureKind::kContactSurfaceError};
 

@@ -17,7 +17,7 @@ struct Rule {
   const LedgerEntry& entry;
   LedgerUse& use;
   int index;
-  bool voided;  ///< The library has another version.
+  bool voided;  ///< Whether the library has another version than the entry.
 };
 
 std::string PlaceOf(const Ledger& ledger, const LedgerEntry& entry) {

@@ -66,7 +66,7 @@ void CheckSeparation(const ScenarioResult& result, std::vector<std::string>& fau
   if (!expected) return;
   const double slack = RoundingGranted(result) + kWritten * std::abs(*expected);
   const Enclosure& truth = result.truth.separation;
-  // Written so that an enclosure without an end is too wide.
+  // Written so that an unbounded enclosure is too wide.
   if (!(truth.hi - truth.lo <= slack)) {
     faults.push_back(
         fmt::format("{}: expects separation = {:.12g} m, which cannot be checked: it is "

@@ -26,7 +26,7 @@ enum class Verdict {
 enum class Cause {
   kNone,        ///< The answer does not differ, or its cause is unknown.
   kConvention,  ///< Converting from a known convention brings it to the truth.
-  kTie,         ///< Another answer is equally right.
+  kTie,         ///< Several answers are equally right.
   kPrecision,   ///< The engine's arithmetic: rounding the input at the engine's precision
                 ///< moves the truth, or its answer, as much as the error.
   kDiscretisation,  ///< The time step: the error vanishes with dt.
@@ -34,7 +34,7 @@ enum class Cause {
   kDefect,  ///< None of these.
 };
 
-/** One oracle, one scenario, one measure: a number and what it means. */
+/** The value of one measure for one oracle in one scenario, and its meaning. */
 struct Finding {
   std::string scenario;
   std::string oracle;

@@ -255,8 +255,8 @@ class Judgement {
 
   void JudgeOffPatch() {
     const double e = tolerances_.separation.value;
-    // A contact as deep as the deepest to within e lies within √(2 e L) of features that
-    // are within as much of the supporting plane, L being the size of the scene.
+    // A contact as deep as the deepest to within e lies within √(2 e L) of the features
+    // that are within √(2 e L) of the supporting plane, where L is the size of the scene.
     const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
     const ContactPatch patch =
         PatchAlong(query_, n, SeparationAlong(n), tolerances_.across.value / 2);

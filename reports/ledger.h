@@ -25,19 +25,19 @@ struct Accepted {
 
 /** A known and accepted difference. */
 struct LedgerEntry {
-  std::string
-      scenarios;  ///< Glob over scenario ids: '*' within a level, '**' across levels.
+  /** Glob over scenario ids: '*' within a level, '**' across levels. */
+  std::string scenarios;
   std::string oracle;  ///< Exact oracle name.
-  std::string
-      version;  ///< Library version it was seen in; another version voids the entry.
+  /** Library version it was seen in. Another version voids the entry. */
+  std::string version;
   std::vector<Accepted> accepted;  ///< Each measure at most once.
   /** The verdict it excuses: kFail, kDisagree, kInvalid, kCrashed or kTimedOut. */
   Verdict verdict = Verdict::kFail;
   Cause cause = Cause::kDefect;
   std::string reason;  ///< One or two sentences: what goes wrong and why.
-  std::string
-      upstream;  ///< Link or issue "owner/repo#123"; "unreported" where there is none.
-  std::string expires;  ///< ISO date after which the entry must be looked at again.
+  /** Link or issue "owner/repo#123"; "unreported" if there is none. */
+  std::string upstream;
+  std::string expires;  ///< ISO date after which the entry must be reviewed.
   /** Whether the engine shows it in some runs and not in others, on one question. A run
    in which the entry hides little or nothing is then no improvement. */
   bool intermittent = false;
@@ -50,7 +50,7 @@ struct LedgerUse {
   /** The findings of one measure that the entry hides. */
   struct Hidden {
     int findings = 0;  ///< Number of findings made `known`.
-    double worst = 0;  ///< Largest value among them, in the unit of the bound.
+    double worst = 0;  ///< Largest hidden value, in the unit of the bound.
   };
   std::vector<Hidden> hidden;  ///< In the order of `accepted`.
   /** Number of findings in its scenarios, for its oracle and measures, whatever the

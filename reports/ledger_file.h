@@ -51,7 +51,8 @@ inline constexpr double kProposedBound = 1.5;
  above 1 would bound nothing. */
 bool IsShare(MeasureKind measure);
 
-/** Returns `value` rounded up to two decimal digits, 0 for anything not positive. */
+/** Returns `value` rounded up to two significant decimal digits, or 0 if it is not
+ positive. */
 double RoundedUp(double value);
 
 }  // namespace touchstone

@@ -32,7 +32,7 @@ InsidePoint PointInsideBoth(const ContactQuery& query, const ContactTruth& truth
   const Certificate& proof = truth.certificate;
   std::vector<Eigen::Vector3d> candidates = {query.A.X_WB.p_WB, query.B.X_WB.p_WB,
                                              (proof.p_WCa + proof.p_WCb) / 2};
-  // The patch lies midway through the overlap; its middle is well inside.
+  // The patch lies midway through the overlap, so its middle is well inside both.
   const ContactPatch patch =
       PatchAlong(query, proof.n_AB_W, Middle(truth.separation), truth.input_rounding);
   if (!patch.vertices_W.empty()) {

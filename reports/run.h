@@ -56,8 +56,8 @@ struct RunOptions {
   bool partial = false;
   /** Returns whether any build has an oracle of that name, see ApplyLedger(). */
   std::function<bool(std::string_view)> is_oracle;
-  /** Called with (done, total) question-oracle pairs, from one thread at a time; may be
-   * empty. */
+  /** Called with the numbers of question-oracle pairs (done, total), from one thread at a
+   time; may be empty. */
   std::function<void(std::size_t, std::size_t)> on_progress;
 };
 

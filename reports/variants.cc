@@ -200,7 +200,7 @@ std::vector<Variant> VariantsOf(const Scenario& scenario) {
   add(MeasureKind::kRigidMotion, MovedRigidly(query, AwkwardMotion()), 1, 0);
   add(MeasureKind::kScaling, Scaled(query, kScale), kScale, 0);
   if (IsBox(query.A) || IsBox(query.B)) {
-    // 0 is the identity.
+    // Symmetry 0 is the identity.
     const int symmetry = 1 + static_cast<int>(HashOf(scenario.id) % (kCubeRotations - 1));
     add(MeasureKind::kRelabelling, Relabelled(query, symmetry, kCubeRotations - symmetry),
         1, 0);

@@ -18,7 +18,8 @@ constexpr double kAway = 4;
 
 constexpr double kDouble = 0x1p-53;
 
-// Never inlined: g++ 12 at -O2 vectorises pairs of (double)(float)x into no conversion.
+// Never inlined: g++ 12 at -O2 vectorises pairs of (double)(float)x and drops the
+// conversion.
 [[gnu::noinline]] double RoundedToFloat(double number) {
   return static_cast<float>(number);
 }

@@ -38,7 +38,7 @@ class Bounded {
 
   /** Returns the tightest interval of doubles that certainly contains the true value. */
   Enclosure enclosure() const {
-    // Infinity less infinity, and a NaN less anything, is a NaN.
+    // Infinity minus infinity is a NaN, and so is a NaN minus anything.
     if (error_ == std::numeric_limits<double>::infinity()) return {-error_, error_};
     return {Below(value_, error_), -Below(Real(-value_), error_)};
   }

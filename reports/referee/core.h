@@ -30,7 +30,7 @@ using Core = std::variant<Point, Segment, Box, Vertices, Cylinder, Cone>;
  transformed. */
 struct RoundedCore {
   Core core;
-  double radius;  ///< [m], >= 0
+  double radius;  ///< Radius of the ball, >= 0. [m]
   Pose X_WB;      ///< Pose of the body.
 };
 
@@ -39,7 +39,7 @@ struct RoundedCore {
  @pre `body` is not a half-space. */
 RoundedCore CoreOf(const Body& body);
 
-/** Returns true for cylinders and cones, whose boundary is not made of flat faces. */
+/** Returns true for a cylinder or a cone, whose boundary has curved faces. */
 bool IsCurved(const Core& core);
 
 /** Returns the largest distance of a point of the core from the body origin, to rounding.

@@ -27,7 +27,7 @@ Vector<Real> UnitPerpendicular(const Vector<Real>& a) {
   return length > 0 ? (Real(1) / length) * b : x;
 }
 
-/** Grows an InnerPolytope. */
+/** The search that grows an InnerPolytope. */
 template <typename Real>
 class Expansion {
  public:
@@ -140,7 +140,8 @@ class Expansion {
       if (!AddFarthest({n}, reach)) return false;
     }
     const Real volume = Dot(v[3].x - v[0].x, Cross(v[1].x - v[0].x, v[2].x - v[0].x));
-    if (volume > 0) std::swap(v[1], v[2]);  // The fourth is behind the first three.
+    if (volume > 0)
+      std::swap(v[1], v[2]);  // Afterwards the fourth is behind the first three.
     return AddFacet({0, 1, 2}, {1, 2, 3}) && AddFacet({1, 0, 3}, {0, 3, 2}) &&
            AddFacet({2, 1, 3}, {0, 1, 3}) && AddFacet({0, 2, 3}, {0, 2, 1});
   }
@@ -190,7 +191,7 @@ class Expansion {
       for (int index : visible) facet(index).removed = false;
       return false;
     };
-    // Put the sides of the horizon in order, each beginning where the last one ended.
+    // Sort the sides of the horizon so that each begins where the last one ended.
     for (std::size_t i = 0; i + 1 < horizon.size(); ++i) {
       const auto next = std::find_if(
           horizon.begin() + static_cast<std::ptrdiff_t>(i) + 1, horizon.end(),

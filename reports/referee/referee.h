@@ -25,7 +25,7 @@ ContactTruth JudgeContact(const ContactQuery& query);
 Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W);
 
 /** Returns an enclosure of the signed distance of the point `p_W` from the surface of
- `body`: negative inside. [m] */
+ `body`, negative inside. [m] */
 Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W);
 
 /** Returns the true contact patch along `n_W`, given that B just touches A once it is

@@ -61,7 +61,7 @@ struct SweepResult {
 struct SweepOptions {
   int jobs = 0;                   ///< Number of threads, as RunOptions::jobs.
   std::size_t failures_kept = 3;  ///< Largest size of SweepResult::first_failures.
-  /** Called with (done, total) questions; may be empty. */
+  /** Called with the numbers of questions (done, total); may be empty. */
   std::function<void(std::size_t, std::size_t)> on_progress = nullptr;
 };
 

@@ -145,7 +145,7 @@ TEST(Judge, FindsAFlippedNormalByItsExcessAndInconsistency) {
               HasSubstr("moving B by 0.002 m along ("));
 }
 
-// Tilted by θ, the overlap of the faces grows by their lever times θ.
+// If the normal is tilted by θ, the overlap of the faces grows by their lever times θ.
 TEST(Judge, AllowsANormalTwiceTheRoundingOfADepth) {
   const Specimen s = BoxOnBoxFace(kDepth);
   const auto excess_of = [&](double tilt) {

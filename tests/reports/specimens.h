@@ -28,7 +28,8 @@ Pose Placed(const Pose& pose, const Eigen::Vector3d& p_B,
 //  |        A        |   The overlap is d deep along z: n = +z, separation = -d, contact
 //  |_________________|   at (0.07, -0.03, h - d/2). If d < 0, a gap of -d.
 //
-/** A sphere sunk `depth` into a box face of half extents (0.3, 0.2, 0.1). [m] */
+/** Returns a sphere that penetrates a box face of half extents (0.3, 0.2, 0.1) by
+ `depth`. [m] */
 Specimen SphereInBoxFace(double depth);
 
 //      ______
@@ -38,10 +39,10 @@ Specimen SphereInBoxFace(double depth);
 //  |             |         at z = h - d/2.
 //  |_____A_______|
 //
-/** A box sunk `depth` into the face of another. [m] */
+/** Returns a box that penetrates the face of another by `depth`. [m] */
 Specimen BoxOnBoxFace(double depth);
 
-/** A sphere sunk `depth` into a half-space. [m] */
+/** Returns a sphere that penetrates a half-space by `depth`. [m] */
 Specimen SphereInHalfSpace(double depth);
 
 }  // namespace touchstone

@@ -57,9 +57,9 @@ TEST(ContactSurfaceError, OfAFlippedNormalIsTheDepth) {
   EXPECT_NEAR(WorstSurfaceError(s), kDepth, kRounding);
 }
 
-TEST(ContactSurfaceError, SeesAContactInTheAirBesideTheFace) {
-  // A's face ends at x = 0.3: a contact 0.3 further along x is 0.07 beyond it, and B's
-  // sphere bends away underneath.
+TEST(ContactSurfaceError, SeesAContactInTheAirNextToTheFace) {
+  // A's face ends at x = 0.3. A contact 0.3 further along x is 0.07 beyond it, where B's
+  // sphere curves away from the plane.
   Specimen s = SphereInBoxFace(kDepth);
   s.right.points[0].p_WC += 0.3 * s.query.A.X_WB.R_WB.col(0);
   EXPECT_GE(WorstSurfaceError(s), 0.07 - kRounding);
@@ -247,7 +247,7 @@ TEST(ContactCount, SeesRepeatedContacts) {
   EXPECT_EQ(ContactCountError(PatchOf(s), contacts, kRounding), 2);
 }
 
-TEST(ContactTooDeep, BlamesDeeperContactsOnly) {
+TEST(ContactTooDeep, CountsDeeperContactsOnly) {
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_EQ(ContactTooDeep(s.truth, {s.right.points[0].p_WC, -kDepth, {}}), 0);
   EXPECT_EQ(ContactTooDeep(s.truth, {s.right.points[0].p_WC, -kDepth / 2, {}}), 0);

@@ -33,14 +33,15 @@ TEST(ConsistencyError, OfASwappedSignIsTwiceTheDepth) {
 }
 
 TEST(ConsistencyError, OfAFlippedNormalIsTheDistanceThroughBothBodies) {
-  // Against n, B has to leave through A's far face: o(-n) = 2 h + 2 r - d.
+  // Moved against n, B leaves through A's far face: o(-n) = 2 h + 2 r - d.
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_NEAR(ConsistencyError(s.query, -*s.right.n_AB_W, -kDepth),
               0.2 + 2.0 / 3 - 2 * kDepth, kRounding);
 }
 
 TEST(ConsistencyError, HoldsForABadDirectionThatKnowsItsOwnDepth) {
-  // Along A's x: o = 0.3 + r - 0.07. Consistent, though far from the least.
+  // Along A's x, o = 0.3 + r - 0.07: the answer is consistent, though far from the least
+  // overlap.
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_LE(
       ConsistencyError(s.query, s.query.A.X_WB.R_WB.col(0), -(0.3 + 1.0 / 3 - 0.07)),
@@ -56,7 +57,7 @@ TEST(Excess, IsNoneForARightNormal) {
   }
 }
 
-TEST(Excess, OfAFlippedNormalIsTheDetour) {
+TEST(Excess, OfAFlippedNormalIsTheExtraTranslation) {
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_NEAR(Excess(s.query, s.truth, -*s.right.n_AB_W), 0.2 + 2.0 / 3 - 2 * kDepth,
               kRounding);

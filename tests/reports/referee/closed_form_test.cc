@@ -52,7 +52,7 @@ TEST(ClosedForm, SphereOffABoxCornerIsApartByThePythagoreanDistance) {
   ExpectSeparation({box, Place(Sphere{0.05}, {0.4, 0.4, 0.3})}, 0.25);
 }
 
-//   Axes crossed at a right angle, 0.5 apart along the third.
+// The axes cross at a right angle, 0.5 apart along the third.
 TEST(ClosedForm, CrossedCapsulesAreApartAlongTheCommonPerpendicular) {
   const Body A = Place(Capsule{0.2, 0.7}, {0, 0, 0});
   const Eigen::Quaterniond along_x = Turn(M_PI / 2, Eigen::Vector3d::UnitY());
@@ -60,7 +60,7 @@ TEST(ClosedForm, CrossedCapsulesAreApartAlongTheCommonPerpendicular) {
   ExpectSeparation({A, Place(Capsule{0.4, 0.4}, {0.05, 0.5, 0.1}, along_x)}, -0.1);
 }
 
-// Both axes cross at one point: the cores touch, and the radii alone make the depth.
+// Both axes cross at one point: the cores touch, and the depth is the sum of the radii.
 TEST(ClosedForm, CapsulesWithCrossingAxesAreAsDeepAsTheirRadiiTogether) {
   const Body A = Place(Capsule{0.2, 0.7}, {0, 0, 0});
   const Eigen::Quaterniond along_x = Turn(M_PI / 2, Eigen::Vector3d::UnitY());
@@ -73,7 +73,7 @@ TEST(ClosedForm, CollinearCapsulesAreApartEndToEnd) {
   ExpectSeparation({A, Place(Capsule{0.1, 0.4}, {0, 0, 0.6})}, -0.3);
 }
 
-// Turned by 45 degrees about z, the corner edge of B reaches √2 h towards A.
+// B is turned by 45 degrees about z, so that its edge reaches √2 h towards A.
 TEST(ClosedForm, BoxEdgeOnFaceIsAsDeepAsItsDiagonalSays) {
   const Body A = Place(Box{{0.5, 0.6, 0.7}}, {0, 0, 0});
   const Eigen::Quaterniond turned = Turn(M_PI / 4, Eigen::Vector3d::UnitZ());
@@ -113,7 +113,7 @@ TEST(ClosedForm, HalfSpaceIsDeepToTheLowestPointOfEveryShape) {
   const Body ground = Place(HalfSpace{}, {0.4, -0.3, 0.1});
   const double tilt = 0.4;
   const Eigen::Quaterniond q =
-      Turn(tilt, {1, 2, 0});  // The body's z makes `tilt` with up.
+      Turn(tilt, {1, 2, 0});  // The body's z is at the angle `tilt` to the up direction.
   const double c = std::cos(tilt);
   const double s = std::sin(tilt);
   const Eigen::Vector3d p(2.3, 1.9, 0.6);  // 0.5 above the plane.

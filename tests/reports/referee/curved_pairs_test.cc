@@ -119,11 +119,11 @@ TEST(CurvedPairs, PointIsAsFarFromARimAsPythagorasSays) {
   const Body cylinder = Place(Cylinder{0.3, 0.5}, {0, 0, 0});
   const Eigen::Vector3d p = AwkwardPose() * Eigen::Vector3d(0.6 * 0.6, 0.6 * 0.8, 0.9);
   const Enclosure e = SignedDistance(cylinder, p);
-  EXPECT_NEAR(e.lo, 0.5, 1e-14);  // 0.3 out and 0.4 up; a scene of size 2.
+  EXPECT_NEAR(e.lo, 0.5, 1e-14);  // 0.3 out and 0.4 up, in a scene of size 2.
   EXPECT_NEAR(e.hi, 0.5, 1e-14);
 }
 
-TEST(CurvedPairs, PointOnTheSurfaceIsAtNoDistance) {
+TEST(CurvedPairs, PointOnTheSurfaceHasZeroDistance) {
   const Body cone = Place(Cone{0.3, 0.5}, {0, 0, 0});
   const Enclosure e =
       SignedDistance(cone, AwkwardPose() * Eigen::Vector3d(0.09, 0.12, 0));
