@@ -15,8 +15,8 @@ namespace touchstone {
 /** A ledger, or all errors of its file. */
 struct LedgerResult {
   std::optional<Ledger> ledger;  ///< Present if and only if there are no diagnostics.
-  std::vector<Diagnostic>
-      diagnostics;  ///< All errors of the file, in the order of lines.
+  /** All errors of the file, in the order of lines. */
+  std::vector<Diagnostic> diagnostics;
 };
 
 /** Reads a ledger from TOML: one [[entry]] per known discrepancy, with the keys of
