@@ -20,19 +20,19 @@
 namespace touchstone {
 namespace {
 
-/** Questions to one oracle in one batch. Small enough that threads share the work evenly,
- large enough that the start of a batch costs nothing beside it. */
+/** The number of questions in one batch to one oracle. Small enough that threads share
+ the work evenly, large enough that starting a batch costs next to nothing. */
 constexpr std::size_t kBatch = 64;
 
-/** A share of the questions, put to one oracle at once. */
+/** A range of the questions, put to one oracle at once. */
 struct Batch {
   std::size_t oracle;
   std::size_t begin;
   std::size_t end;
 };
 
-/** Splits `count` questions to each oracle into batches. An isolated oracle forks once a
- batch and gets one, first, since it is the slowest. */
+/** Splits the questions to each oracle into batches. An isolated oracle forks once per
+ batch: it has a single batch, and goes first because it is the slowest. */
 std::vector<Batch> BatchesOf(std::span<const Oracle* const> oracles,
                              const std::vector<std::size_t>& counts) {
   std::vector<Batch> isolated;
@@ -50,11 +50,11 @@ std::vector<Batch> BatchesOf(std::span<const Oracle* const> oracles,
   return isolated;
 }
 
-/** The questions of each oracle, and its answers to them. */
+/** The questions to each oracle, and its answers to them. */
 struct Round {
   explicit Round(std::size_t oracles) : queries(oracles), answers(oracles) {}
 
-  /** Asks everything; what an oracle does not support is not asked. */
+  /** Asks all questions. Questions that an oracle does not support are not put to it. */
   void Ask(std::span<const Oracle* const> oracles, int jobs,
            const std::function<void(std::size_t)>& on_done);
 
@@ -99,7 +99,8 @@ void Round::Ask(std::span<const Oracle* const> oracles, int jobs,
   });
 }
 
-/** Whether an answer can be compared with that to a variant of its question. */
+/** Returns whether an answer can be compared with the answer to a variant of its
+ question. */
 bool IsComparable(const ScenarioResult& result, const OracleInfo& oracle,
                   const ContactAnswer& answer) {
   return answer.status == AnswerStatus::kAnswered &&
@@ -172,7 +173,7 @@ class Suite {
     }
   }
 
-  /** From any thread. */
+  /** Counts `more` questions as done. May be called from any thread. */
   void Progress(std::size_t more) {
     const std::scoped_lock lock(progress_);
     done_ += more;
@@ -199,8 +200,8 @@ class Suite {
     });
   }
 
-  /** Asks the variants of every question that was answered, in one round, so that an
-   isolated oracle forks but once more. */
+  /** Asks the variants of every answered question, all in one round, so that an isolated
+   oracle forks only once more. */
   void AskVariants() {
     std::vector<std::vector<Variant>> variants(report_.scenarios.size());
     ParallelFor(variants.size(), options_.jobs, [&](std::size_t s) {
@@ -210,7 +211,7 @@ class Suite {
     struct Asked {
       std::size_t oracle;
       std::size_t variant;
-      std::size_t place;  ///< In the round.
+      std::size_t place;  ///< Index into the queries of the round.
     };
     std::vector<std::vector<Asked>> asked(report_.scenarios.size());
     for (std::size_t i = 0; i < oracles_.size(); ++i) {
@@ -235,7 +236,7 @@ class Suite {
     });
   }
 
-  /** By oracle, in the order of the report, then by measure. */
+  /** Sorts findings by oracle, in the order of the report, then by measure. */
   void SortFindings() {
     std::map<std::string_view, std::size_t> places;
     for (std::size_t i = 0; i < oracles_.size(); ++i) places[report_.oracles[i].name] = i;
@@ -248,8 +249,8 @@ class Suite {
     });
   }
 
-  /** Finds causes: first those that the answers show, then, for failures without one, by
-   asking the oracle about neighbouring questions, again in one round. */
+  /** Finds causes: first those that the answers show. For failures still without a cause
+   it then asks the oracle about neighbouring questions, again in one round. */
   void Explain() {
     ForEachScenario([this](const ScenarioResult& result, std::vector<Finding>& findings) {
       ForEachOracle(findings, [&](std::size_t i, std::span<Finding> of_oracle) {
@@ -258,7 +259,7 @@ class Suite {
     });
     Round round(oracles_.size());
     struct Asked {
-      std::size_t begin = 0;  ///< In the round of its oracle.
+      std::size_t begin = 0;  ///< Index into the queries of the round.
       std::size_t end = 0;
     };
     std::vector<std::vector<Asked>> asked(report_.scenarios.size(),
@@ -293,7 +294,7 @@ class Suite {
     }
   }
 
-  /** Calls `work(i, findings)` for the sorted findings of each oracle i that has some. */
+  /** Calls `work(i, findings)` with the sorted findings of each oracle i that has any. */
   template <typename Work>
   void ForEachOracle(std::vector<Finding>& findings, Work work) {
     auto begin = findings.begin();
@@ -319,7 +320,7 @@ class Suite {
   std::size_t done_ = 0;
   std::size_t total_ = 0;
   RunReport report_;
-  std::vector<std::vector<Finding>> findings_;  ///< Per scenario.
+  std::vector<std::vector<Finding>> findings_;  ///< Indexed by scenario.
 };
 
 bool IsFailure(Verdict verdict) {

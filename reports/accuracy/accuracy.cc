@@ -15,7 +15,7 @@
 namespace touchstone {
 namespace {
 
-/** The measures that have a column, in this order. */
+/** The measures that have a column, in the order of the columns. */
 constexpr std::array kColumns = {MeasureKind::kSeparationError, MeasureKind::kExcess,
                                  MeasureKind::kContactSurfaceError};
 
@@ -25,29 +25,24 @@ constexpr std::string_view kNotGiven = "-";
 constexpr std::string_view kPreamble =
     "# Accuracy\n"
     "\n"
-    "The worst error of each oracle on each pair of shapes over the catalogue, relative "
-    "to the\n"
-    "size of the scene: 1.5 times what was measured, rounded up. Written by\n"
-    "`touchstone accuracy > docs/accuracy.md` and guarded from both sides: an error "
-    "above "
-    "its\n"
-    "row fails, and so does one below a twelfth of it. `touchstone explain ID --all` "
-    "shows "
-    "what\n"
-    "a row was measured from.\n"
+    "The worst error of each oracle on each pair of shapes over the catalogue,\n"
+    "relative to the size of the scene: 1.5 times the measured value, rounded up.\n"
+    "Written by `touchstone accuracy > docs/accuracy.md` and guarded from both sides:\n"
+    "an error above its row fails, and so does one below a twelfth of it.\n"
+    "`touchstone explain ID --all` shows the measurements behind a row.\n"
     "\n";
 
-/** An oracle and an unordered pair of shapes: what a row is about. */
+/** The key of a row: an oracle and an unordered pair of shapes. */
 struct RowKey {
-  std::size_t oracle;  ///< In the order of the report.
+  std::size_t oracle;  ///< Index into RunReport::oracles.
   ShapeKind a;
-  ShapeKind b;  ///< Not before a.
+  ShapeKind b;  ///< Not less than `a`.
   auto operator<=>(const RowKey&) const = default;
 };
 
-/** Worst errors by column; empty where the measure never applied. */
+/** The worst errors, indexed by column; empty where the measure never applied. */
 struct Row {
-  int questions = 0;  ///< Answered.
+  int questions = 0;  ///< Number of answered questions.
   std::array<std::optional<double>, kColumns.size()> worst;
 };
 
@@ -98,11 +93,11 @@ std::vector<std::string> CellsOf(const Row& row) {
   return cells;
 }
 
-/** Published cells by oracle and shapes. */
+/** Published cells, keyed by oracle and shapes. */
 using Published = std::map<std::pair<std::string_view, std::string_view>, TableLine>;
 
 Published PublishedRows(std::string_view text) {
-  constexpr std::size_t kNames = 3;  // Oracle, version, shapes.
+  constexpr std::size_t kNames = 3;  // Columns: oracle, version, shapes.
   Published rows;
   for (const TableLine& cells : TableLines(text)) {
     if (cells.size() != kNames + kColumns.size()) continue;

@@ -16,10 +16,12 @@ namespace {
 
 constexpr std::string_view kAbsent = "-";
 
-/** Of one world and one measure. */
+/** The errors of one world and one measure. */
 struct Row {
-  std::map<std::string_view, double> worst;  ///< By oracle; of those that were judged.
-  /** Oracles that follow another legal model than the truth's: theirs is no error. */
+  std::map<std::string_view, double>
+      worst;  ///< Keyed by oracle; only oracles that were judged.
+  /** Oracles that follow another legal model than the truth's: their values are not
+   errors. */
   std::set<std::string_view> legal;
   double least_tolerance = std::numeric_limits<double>::infinity();
 
@@ -28,12 +30,13 @@ struct Row {
     return found == worst.end() ? std::nullopt : std::optional(found->second);
   }
 
-  /** Returns the same where it is an error. */
+  /** Returns the value of an oracle unless it follows another legal model. */
   std::optional<double> ErrorOf(std::string_view oracle) const {
     return legal.contains(oracle) ? std::nullopt : Of(oracle);
   }
 
-  /** Returns who errs less than `oracle`, the least of all; empty where none does. */
+  /** Returns the oracle with the least error of those with a smaller error than `oracle`;
+   "" if there is none. */
   std::string_view LessThan(std::string_view oracle) const {
     const std::optional<double> error = ErrorOf(oracle);
     std::string_view least;
@@ -48,7 +51,7 @@ struct Row {
 
 using Rows = std::map<std::pair<std::string_view, MeasureKind>, Row>;
 
-/** Whether a measure compares a motion with the truth: not with itself. */
+/** Returns whether a finding compares a motion with the truth, not with itself. */
 bool IsError(const Finding& finding) {
   return finding.reference == "law" && finding.measure >= MeasureKind::kPositionError &&
          finding.measure <= MeasureKind::kForceError;
@@ -84,7 +87,8 @@ std::string MeasureCell(MeasureKind measure) {
   return fmt::format("{} [{}]", NameOf(measure), unit);
 }
 
-/** Rows that an oracle was judged in, and in how many of them none erred less. */
+/** The number of rows in which an oracle was judged, and in how many of them no oracle
+ has a smaller error. */
 struct Standing {
   int judged = 0;
   int least = 0;
@@ -100,7 +104,8 @@ Standing StandingOf(std::string_view oracle, const Rows& rows) {
   return standing;
 }
 
-/** The rows in which another errs less than `oracle`, one line each. */
+/** Lists the rows in which another oracle has a smaller error than `oracle`, one line
+ each. */
 std::string LostRows(std::string_view oracle, const Rows& rows) {
   std::string lines;
   for (const auto& [key, row] : rows) {
@@ -111,12 +116,13 @@ std::string LostRows(std::string_view oracle, const Rows& rows) {
                          PublishedCell(row.Of(less), kAbsent), less);
   }
   if (lines.empty()) return "";
-  return fmt::format("In these rows another errs less than {}:\n\n{}\n", oracle, lines);
+  return fmt::format("In these rows another oracle has a smaller error than {}:\n\n{}\n",
+                     oracle, lines);
 }
 
 std::string Summary(const std::vector<const OracleInfo*>& simulators, const Rows& rows) {
   std::string text =
-      "| oracle | version | rows | in which none errs less |\n|---|---|---|---|\n";
+      "| oracle | version | rows | in which no error is smaller |\n|---|---|---|---|\n";
   for (const OracleInfo* oracle : simulators) {
     const auto [judged, least] = StandingOf(oracle->name, rows);
     text += fmt::format("| {} | {} | {} | {} |\n", oracle->name, oracle->version, judged,
@@ -125,12 +131,12 @@ std::string Summary(const std::vector<const OracleInfo*>& simulators, const Rows
   return text + "\n";
 }
 
-/** Published cells by world and measure, then by oracle. */
+/** Published cells, keyed by world and measure, then by oracle. */
 using Published = std::map<std::pair<std::string_view, std::string_view>,
                            std::map<std::string_view, std::string_view>>;
 
 Published PublishedRows(std::string_view text) {
-  constexpr std::size_t kNames = 2;  // World, measure.
+  constexpr std::size_t kNames = 2;  // Columns: world, measure.
   Published rows;
   TableLine header;
   for (const TableLine& cells : TableLines(text)) {
@@ -150,19 +156,12 @@ std::string WorldAccuracyTable(const RunReport& report) {
   const std::vector<const OracleInfo*> simulators = SimulatorsOf(report);
   std::string text = fmt::format(
       "\n{}\n\n"
-      "The worst error of each oracle against the laws of each world, in the unit of "
-      "the\n"
-      "measure: 1.5 times what was measured, rounded up; - where the world or the "
-      "measure "
-      "is not\n"
-      "for it. Guarded like the table above. Where two errors differ by less than {:g} "
-      "of "
-      "what is\n"
-      "allowed, neither is less. What follows another legal model than the truth's "
-      "(impacts\n"
-      "at once, another friction cone) is not counted: how far the models are apart is "
-      "no\n"
-      "error.\n\n",
+      "The worst error of each oracle against the laws of each world, in the unit\n"
+      "of the measure: 1.5 times the measured value, rounded up; - where the world or\n"
+      "the measure does not apply to it. Guarded like the table above. Two errors\n"
+      "that differ by less than {:g} of the tolerance count as equal. A motion that\n"
+      "follows another legal model than the truth's (simultaneous impacts, another\n"
+      "friction cone) is not counted: the distance between two models is no error.\n\n",
       kWorldAccuracyHeading, kAlike);
   text += Summary(simulators, rows);
   if (!simulators.empty()) text += LostRows(simulators.front()->name, rows);

@@ -14,13 +14,13 @@
 namespace touchstone {
 namespace {
 
-/** What one oracle says, as far as it takes part in a vote. */
+/** One oracle's answer, reduced to what is voted on. */
 struct Voter {
   std::string name;
   std::string family;
   bool touching;
   std::optional<double> separation;  ///< [m]
-  double tolerance;                  ///< Of its separation. [m]
+  double tolerance;                  ///< Tolerance of `separation`. [m]
 };
 
 std::vector<Voter> VotersOf(const ScenarioResult& result,
@@ -51,14 +51,14 @@ bool SameSeparation(const Voter& a, const Voter& b) {
 
 /** The vote of all others on one answer. */
 struct Vote {
-  int with = 1;  ///< Families, its own included.
-  int against = 0;
-  std::string first_against;  ///< The oracle.
+  int with = 1;               ///< Number of families in favour, its own included.
+  int against = 0;            ///< Number of families against.
+  std::string first_against;  ///< Name of the first oracle against it.
 };
 
 Vote VoteOn(const Voter& voter, const std::vector<Voter>& voters,
             bool (*same)(const Voter&, const Voter&)) {
-  std::map<std::string, bool> agrees;  // By family.
+  std::map<std::string, bool> agrees;  // Keyed by family.
   Vote vote;
   for (const Voter& other : voters) {
     if (other.family == voter.family) continue;
@@ -77,9 +77,8 @@ void Settle(Finding& finding, const Voter& voter, const std::vector<Voter>& vote
   finding.verdict = Verdict::kDisagree;
   finding.reference = vote.first_against;
   finding.proof = fmt::format(
-      "{} differs from {} algorithm families, {} among them, and {} are with it; the "
-      "truth is "
-      "certified only to lie in [{:.9g}, {:.9g}] m.",
+      "{} differs from {} algorithm families, {} among them, and agrees with {}; the "
+      "truth is certified only to lie in [{:.9g}, {:.9g}] m.",
       voter.name, vote.against, vote.first_against, vote.with - 1, truth.lo, truth.hi);
 }
 

@@ -20,7 +20,8 @@ bool IsFailure(const Finding& finding) {
   return finding.verdict == Verdict::kFail;
 }
 
-/** A pass that rounding alone would not have been is owed to the documented error. */
+/** Sets the cause `model` on a pass whose error is larger than rounding: only the
+ documented error lets it pass. */
 void ExplainByModel(const ScenarioResult& result, const OracleInfo& oracle,
                     Finding& finding) {
   const ContactQuery& query = result.scenario.contact;

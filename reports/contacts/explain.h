@@ -9,23 +9,25 @@
 namespace touchstone {
 
 /** Sets the causes that the answers themselves show, on the findings of one scenario and
- one oracle: a convention on failures; on passes, a tie of normals, and a documented model
- where only that lets them pass. */
+ one oracle. A failure may be due to a convention; a pass may be due to a tie of normals,
+ or to a documented model without which it would fail. */
 void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
                      const ContactAnswer& answer, std::span<Finding> findings);
 
-/** Returns whether a failure is still without a cause that asking again might find. */
+/** Returns whether a failure still has no cause, so that querying the oracle again may
+ find one. */
 bool IsUnexplained(const Finding& finding);
 
-/** Sets the cause `precision` on the failures of one scenario and one oracle whose error
- is no larger than what a few roundings of the input do to the answer. */
+/** Sets the cause `precision` on those failures of one scenario and one oracle whose
+ error is no larger than the change that a few roundings of the input make to the answer.
+ */
 void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
                          const ContactAnswer& answer,
                          std::span<const ContactAnswer> neighbours,
                          std::span<Finding> findings);
 
-/** Sets the cause of all failures that are left: a margin where many share one error,
- else a defect. Differences that are not proved keep no cause. */
+/** Sets the cause of all remaining failures: a margin where many share one error,
+ otherwise a defect. Unproved differences keep no cause. */
 void ExplainTheRest(RunReport& report);
 
 }  // namespace touchstone

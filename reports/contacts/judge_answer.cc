@@ -28,7 +28,7 @@
 namespace touchstone {
 namespace {
 
-/** The judgement of one answer: each method adds the findings of one measure. */
+/** The judgement of one answer. Each method adds the findings of one measure. */
 class Judgement {
  public:
   Judgement(const Scenario& scenario, const ContactTruth& truth, const OracleInfo& oracle,
@@ -66,7 +66,7 @@ class Judgement {
   }
 
  private:
-  /** Adds a finding; `prove` makes its proof where it is a failure. */
+  /** Adds a finding. `prove` is called to make the proof of a failure. */
   template <typename Prove>
   Finding& Add(MeasureKind measure, double value, const Tolerance& tolerance,
                Prove prove) {
@@ -80,23 +80,23 @@ class Judgement {
     finding.tolerance_because = tolerance.because;
     // Written so that a NaN fails.
     finding.verdict = value <= tolerance.value ? Verdict::kPass : Verdict::kFail;
-    // A truth without an end, where doubles overflow, proves nobody wrong.
+    // If doubles overflow, the enclosure is unbounded and proves no answer wrong.
     if (!std::isfinite(tolerance.value)) finding.verdict = Verdict::kUndecidable;
     if (finding.verdict == Verdict::kFail) finding.proof = prove();
     return finding;
   }
 
-  /** Withdraws a pass that a truth wider than the tolerance does not prove.
-   @param most The error, should the truth be at the end of its enclosure that is least
-   in the answer's favour. [m] */
+  /** Withdraws a pass that is not proved because the truth is wider than the tolerance.
+   @param most The error if the truth is at the end of its enclosure that is worst for the
+   answer. [m] */
   void RequireProof(Finding& finding, double most) const {
     const double width = truth_.separation.hi - truth_.separation.lo;
     if (finding.verdict != Verdict::kPass || !(width > finding.tolerance)) return;
     if (most <= finding.tolerance) return;
     finding.verdict = Verdict::kUndecidable;
     finding.tolerance_because = fmt::format(
-        "the truth is only known to within {:.2g} m, more than what is allowed: {}",
-        width, finding.tolerance_because);
+        "the truth is known only to within {:.2g} m, more than is allowed: {}", width,
+        finding.tolerance_because);
   }
 
   void Unanswered(Verdict verdict, const std::string& why) {
@@ -126,7 +126,7 @@ class Judgement {
     return false;
   }
 
-  /** What the oracle promises for this pair and does not give. */
+  /** Returns the field that the oracle promises for this pair but did not return. */
   std::optional<std::string> MissingField() const {
     if (!answer_.touching) {
       if (capability_.distance && !separation_)
@@ -134,7 +134,8 @@ class Judgement {
       return std::nullopt;
     }
     if (capability_.depth && !separation_) return "touching, without the promised depth";
-    // Who takes the normal from a pair of witness points has none where these coincide.
+    // An engine that derives the normal from two witness points has none where they
+    // coincide.
     const bool deep = truth_.separation.hi < -tolerances_.separation.value;
     if (capability_.normal && !n_W_ && deep) {
       return "touching, without the promised normal";
@@ -173,7 +174,7 @@ class Judgement {
                            [&] { return ProveSeparation(dispute_, *separation_); });
     RequireProof(finding, std::max(*separation_ - truth_.separation.lo,
                                    truth_.separation.hi - *separation_));
-    if (!n_W_) return;  // Nor contacts, which would have one.
+    if (!n_W_) return;  // No contacts either: they would have a normal.
     const double along = ConsistencyError(query_, *n_W_, *separation_);
     const double unmet = ManifoldInconsistency(answer_.points, *separation_);
     Add(MeasureKind::kConsistencyError, std::max(along, unmet), tolerances_.apart, [&] {
@@ -183,8 +184,9 @@ class Judgement {
     });
   }
 
-  /** Apart, a normal is a direction that separates; only an oracle that gives distances
-   says that it is the direction of the least. */
+  /** Judges the normal. Where the bodies are apart, any separating direction is a legal
+   normal, unless the oracle promises distances: then it claims the direction of the
+   distance. */
   void JudgeNormal() {
     if (!n_W_ || (IsApart() && !answer_.touching && !capability_.distance)) return;
     Finding& finding =
@@ -197,7 +199,7 @@ class Judgement {
   void JudgeWitnesses() {
     if (!answer_.witnesses || !IsApart() || answer_.touching) return;
     const WitnessPoints& w = *answer_.witnesses;
-    if (w.p_WCa == w.p_WCb) return;  // Found by the surface error below.
+    if (w.p_WCa == w.p_WCb) return;  // Covered by the surface error below.
     Add(MeasureKind::kDualityGap, DualityGap(query_, w), tolerances_.apart,
         [&] { return ProveDualityGap(dispute_); });
   }
@@ -225,9 +227,9 @@ class Judgement {
         [&] { return ProveSurfaceError(dispute_, worst.p_WCa, worst.p_WCb); });
   }
 
-  /** Where contacts lie and how many there are. Applies where the normal is right, since
-   a patch belongs to a normal, and where the truth is known well enough to tell deepest
-   contacts. */
+  /** Judges the positions and the number of the contacts. Applies where the normal is
+   right, since a patch belongs to a normal, and where the truth is narrow enough to
+   identify the deepest contacts. */
   void JudgePatch() {
     const ContactPoint* deepest = DeepestOf(answer_);
     if (deepest == nullptr) return;
@@ -235,7 +237,7 @@ class Judgement {
     const bool certain = truth_.separation.hi - truth_.separation.lo <= e;
     if (normal_is_right_ && certain && answer_.touching) {
       JudgeOffPatch();
-      // Where all of the patch overlaps by more than rounding, none of it may be missed.
+      // Where the whole patch overlaps by more than rounding, all of it must be covered.
       if (capability_.manifold && truth_.separation.hi < -2 * e) JudgeCoverage();
     }
     Finding& finding =
@@ -244,7 +246,8 @@ class Judgement {
     RequireProof(finding, truth_.separation.hi - deepest->separation);
   }
 
-  /** The separation along the normal of the answer, midway through its enclosure. */
+  /** Returns the separation along the normal of the answer, midway through its enclosure.
+   */
   double SeparationAlong(const Eigen::Vector3d& n_W) const {
     const Enclosure overlap = Overlap(query_, n_W);
     return -(overlap.lo + (overlap.hi - overlap.lo) / 2);
@@ -252,8 +255,8 @@ class Judgement {
 
   void JudgeOffPatch() {
     const double e = tolerances_.separation.value;
-    // A contact as deep as the deepest to within e lies within √(2 e L) of features that
-    // are within as much of the supporting plane, L being the size of the scene.
+    // A contact as deep as the deepest to within e lies within √(2 e L) of the features
+    // that are within √(2 e L) of the supporting plane, where L is the size of the scene.
     const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
     const ContactPatch patch =
         PatchAlong(query_, n, SeparationAlong(n), tolerances_.across.value / 2);
@@ -273,9 +276,10 @@ class Judgement {
         [&] { return ProveOffPatch(dispute_, *worst, off); });
   }
 
-  /** The tolerance across the normal, where a rim may be the deepest feature: along a rim
-   of radius r that leans by θ the depth falls by w² sin θ / 2r only, so that a depth off
-   by e leaves w = √(2 e r / sin θ) open, at most the whole rim. */
+  /** Returns the tolerance across the normal where a rim may be the deepest feature.
+   Along a rim of radius r that leans by θ the depth falls by only w² sin θ / 2r at the
+   distance w. A depth off by e therefore leaves w = √(2 e r / sin θ) uncertain, at most
+   the whole rim. */
   Tolerance AcrossWithRims() const {
     Tolerance tolerance = tolerances_.across;
     for (const Body* body : {&query_.A, &query_.B}) {
@@ -302,8 +306,8 @@ class Judgement {
       const double blur = PatchBlur(patch, n, e);
       Add(MeasureKind::kPatchCoverage, unspanned,
           {LegalUnspanned(patch) + blur,
-           fmt::format("a triangle inscribed in a disc leaves a quarter of its diameter, "
-                       "sides that are off by {:.2g} m {:.2g} of it",
+           fmt::format("a triangle inscribed in a disc leaves a quarter of its diameter "
+                       "unspanned, and sides off by {:.2g} m leave {:.2g} of it",
                        e, blur)},
           [&] { return ProveUnspanned(dispute_, patch, unspanned); });
     }

@@ -12,11 +12,12 @@ namespace touchstone {
 /** Judges one answer against the certified truth: one finding per measure that applies,
  in the order of MeasureKind.
 
- A verdict is `pass`, `fail` with a proof, or `undecidable` where the truth itself is.
- What is outside the enclosure of the truth by more than the derived tolerance is proved
- wrong; nothing inside it is, see reports/contacts/consensus.h. Nor is anything inside an enclosure
- wider than the tolerance right, but what the whole of the enclosure is near. An answer
- that is invalid is judged no further. */
+ A verdict is `pass`, `fail` with a proof, or `undecidable` where the truth itself is. A
+ value is proved wrong if it lies outside the enclosure of the truth by more than the
+ derived tolerance. A value inside the enclosure is never proved wrong, see
+ reports/contacts/consensus.h. If the enclosure is wider than the tolerance, a value passes only if
+ it is within the tolerance of every point of it. An invalid answer is judged no further.
+ */
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
                                  const OracleInfo& oracle, const ContactAnswer& answer);
 

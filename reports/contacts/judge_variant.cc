@@ -24,29 +24,30 @@
 namespace touchstone {
 namespace {
 
-/** Small, so that absolute tolerances of an engine show, and not a power of two, so that
- digits do change. [-] */
+/** The factor of the scaled variant: small, so that an engine's absolute tolerances show,
+ and not a power of two, so that the digits change. [-] */
 constexpr double kScale = 1 / 7.3;
 
-/** Of the scene: sixteen times the rounding of a float, so that float engines see it, and
- far below any feature. [-] */
+/** The displacement of the perturbed variant relative to the scene: sixteen times the
+ rounding of a float, so that float engines see it, and far smaller than any feature. [-]
+ */
 constexpr double kPerturbation = 0x1p-20;
 
-/** A direction along nothing. */
+/** Returns a direction along no axis. */
 const Eigen::Vector3d& AwkwardDirection() {
   static const Eigen::Vector3d direction =
       Eigen::Vector3d(0.52831, -0.77123, 0.35507).normalized();
   return direction;
 }
 
-/** FNV-1a, so that the choice is the same on every machine. */
+/** Returns the FNV-1a hash, so that the choice is the same on every machine. */
 std::uint32_t HashOf(const std::string& id) {
   std::uint32_t hash = 2166136261U;
   for (const char c : id) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
   return hash;
 }
 
-/** A motion by some metres, about no axis. */
+/** Returns a motion by about a metre and a rotation about no coordinate axis. */
 const Pose& AwkwardMotion() {
   static const Pose motion = Pose::FromQuaternion(
       {0.71, -0.43, 0.97}, Eigen::Quaterniond(0.31, 0.53, -0.59, 0.52).normalized());
@@ -71,7 +72,7 @@ ContactAnswer BroughtBack(const Variant& variant, const ContactAnswer& answer) {
   }
 }
 
-/** What was done to the question. */
+/** Returns how the variant differs from the question. */
 std::string ChangeOf(const ContactQuery& query, const Variant& variant) {
   switch (variant.measure) {
     case MeasureKind::kSwap:
@@ -92,7 +93,7 @@ std::string ChangeOf(const ContactQuery& query, const Variant& variant) {
   }
 }
 
-/** "0.05 m deep", "0.01 m apart", of a signed separation. */
+/** Returns a signed separation as text: "0.05 m deep", "0.01 m apart". */
 std::string DeepOrApart(std::string_view separation) {
   return separation.starts_with('-') ? fmt::format("{} m deep", separation.substr(1))
                                      : fmt::format("{} m apart", separation);
@@ -100,7 +101,8 @@ std::string DeepOrApart(std::string_view separation) {
 
 constexpr int kDigits = 9;
 
-/** Says by which numbers, that anybody may subtract, the separations differ. */
+/** States the two separations and their difference, which a reader can check by
+ subtraction. */
 std::string ProveSeparations(const ContactTruth& truth, const ContactAnswer& answer,
                              const ContactAnswer& back, std::string_view change) {
   const auto first = SeparationOf(answer);
@@ -110,19 +112,20 @@ std::string ProveSeparations(const ContactTruth& truth, const ContactAnswer& ans
     if (answer.touching == back.touching ||
         std::abs(*first - *second) >= Outside(0, truth.separation)) {
       return fmt::format(
-          "says {}; of its variant ({}), brought back, it says {}: a "
+          "says {}; for its variant ({}), mapped back, it says {}: a "
           "difference of {} m",
           DeepOrApart(said), change, DeepOrApart(other), difference);
     }
   }
   return fmt::format(
-      "says {}; of its variant ({}) it says {}: the separation is "
+      "says {}; for its variant ({}) it says {}: the separation is "
       "certified to be {:.3g} m from touching",
       answer.touching ? "touching" : "apart", change,
       back.touching ? "touching" : "apart", Outside(0, truth.separation));
 }
 
-/** Says by which overlaps, that anybody may compute, the normals differ. */
+/** States the overlaps along the two normals, which a reader can compute, and their
+ difference. */
 std::string ProveOverlaps(const ContactQuery& query, const ContactAnswer& answer,
                           const ContactAnswer& back, std::string_view change) {
   const auto overlap = [&](const Eigen::Vector3d& n_W) {
@@ -134,13 +137,14 @@ std::string ProveOverlaps(const ContactQuery& query, const ContactAnswer& answer
   const auto [first, second, difference] =
       TellApart(overlap(n_W), overlap(back_W), kDigits);
   return fmt::format(
-      "says n = {}, along which max_A n·x − min_B n·x is {} m; of its variant ({}), "
-      "brought back, it says n = {}, along which that is {} m: a difference of {} m",
+      "says n = {}, along which max_A n·x − min_B n·x is {} m; for its variant ({}), "
+      "mapped back, it says n = {}, along which that is {} m: a difference of {} m",
       InWords(n_W), first, change, InWords(back_W), second, difference);
 }
 
-/** What `answer` states and `back` does not, "" where nothing is missing.
- @param promised Whether the oracle gives distances of pairs apart. */
+/** Returns the name of a field that `answer` states and `back` does not; "" if there is
+ none.
+ @param promised Whether the oracle returns distances for separated pairs. */
 std::string_view MissingOf(const ContactAnswer& answer, const ContactAnswer& back,
                            bool promised) {
   if (answer.touching != back.touching || !(answer.touching || promised)) return "";
@@ -153,14 +157,15 @@ void ForgetNormals(ContactAnswer& answer) {
   for (ContactPoint& contact : answer.points) contact.n_AB_W.reset();
 }
 
-/** What an answer and that to a variant, brought back, may differ by. */
+/** The differences granted between an answer and the mapped-back answer to a variant. */
 struct Granted {
   Tolerance separation;
   Tolerance overlap;
 };
 
-/** Both separations may be off, which adds up. Both overlaps lie between the least, which
- is one for both, and what is granted above it: they differ by no more than the larger. */
+/** Returns the granted differences. Both separations may be off, and their errors add up.
+ Both overlaps lie between the least overlap, which is the same for both, and the granted
+ excess above it: they differ by no more than the larger excess. */
 Granted GrantedBetween(const Scenario& scenario, const ContactTruth& truth,
                        const OracleInfo& oracle, const Variant& variant) {
   const double f = variant.factor;
@@ -195,14 +200,15 @@ std::vector<Variant> VariantsOf(const Scenario& scenario) {
   add(MeasureKind::kRigidMotion, MovedRigidly(query, AwkwardMotion()), 1, 0);
   add(MeasureKind::kScaling, Scaled(query, kScale), kScale, 0);
   if (IsBox(query.A) || IsBox(query.B)) {
-    // 0 is the identity.
+    // Symmetry 0 is the identity.
     const int symmetry = 1 + static_cast<int>(HashOf(scenario.id) % (kCubeRotations - 1));
     add(MeasureKind::kRelabelling, Relabelled(query, symmetry, kCubeRotations - symmetry),
         1, 0);
   }
   const double shift = kPerturbation * SceneSize(query);
   // The depth moves by at most the shift, and so does the overlap along a fixed
-  // direction; the overlap along the direction that is best for the moved B, by both.
+  // direction. The overlap along the direction that is best for the moved B moves by at
+  // most both together.
   add(MeasureKind::kPerturbation, Perturbed(query, shift * AwkwardDirection()), 1,
       2 * shift);
   return variants;
@@ -243,14 +249,15 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   ContactAnswer back = BroughtBack(variant, variant_answer);
   const bool near =
       Outside(0, truth.separation) <= granted.separation.value + variant.play;
-  // Apart, only an oracle that gives distances says which of all separating directions it
-  // gives.
+  // If the bodies are apart, any separating direction is legal, unless the oracle
+  // promises distances.
   const Capability& capability = oracle.For(KindOf(query.A.shape), KindOf(query.B.shape));
-  // Who takes the normal from a pair of witness points has none where these coincide.
+  // An engine that derives the normal from two witness points has none where they
+  // coincide.
   const std::string_view missing =
       near ? "" : MissingOf(answer, back, capability.distance);
   if (!missing.empty()) {
-    return failed(Verdict::kInvalid, fmt::format("it gives no {}", missing));
+    return failed(Verdict::kInvalid, fmt::format("it returns no {}", missing));
   }
   if (truth.separation.lo > 0 && !answer.touching && !capability.distance) {
     ForgetNormals(back);
@@ -259,7 +266,7 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   if (near && !change.compared) return std::nullopt;
   const double separation = std::max(0.0, change.separation - variant.play);
   const double overlap = std::max(0.0, change.overlap - variant.play);
-  // Of the two, what is further beyond its tolerance.
+  // The finding reports whichever of the two is further beyond its tolerance.
   finding.value = separation;
   const bool by_overlap =
       overlap * granted.separation.value > separation * granted.overlap.value;
@@ -277,7 +284,7 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
         fmt::format("{} {}", oracle.name,
                     by_overlap ? ProveOverlaps(query, answer, back, changed)
                                : ProveSeparations(truth, answer, back, changed));
-    // The head states what the variant itself does not explain.
+    // The value of the finding excludes the change that the variant itself explains.
     if (variant.play > 0) {
       finding.proof += fmt::format(
           ", of which the motion itself explains up to {:.3g} m, and {:.3g} m are left",

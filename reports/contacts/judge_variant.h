@@ -10,26 +10,26 @@
 
 namespace touchstone {
 
-/** A changed question whose answer follows from the answer to the question itself. */
+/** A changed question whose answer follows from the answer to the original question. */
 struct Variant {
   MeasureKind measure;  ///< kSwap … kPerturbation.
   ContactQuery query;
-  /** All lengths of `query` over those of the question. [-] */
+  /** Ratio of the lengths of `query` to those of the question. [-] */
   double factor = 1;
-  double rounding = 0;  ///< Of the variant itself, see TransformedQuery. [m]
-  /** The most by which an overlap along a right normal may move. [m] */
+  double rounding = 0;  ///< Rounding of the variant itself, see TransformedQuery. [m]
+  /** Upper bound on the change of the overlap along a right normal. [m] */
   double play = 0;
 };
 
 /** Returns the metamorphic variants of a scenario's question: swapped; moved rigidly;
- scaled; with the axes of its boxes relabelled, where it has a box; B moved by a millionth
- of the scene. Deterministic: which of the 24 labellings is chosen by the scenario's id.
- */
+ scaled; with the axes of its boxes relabelled, if it has a box; with B moved by a
+ millionth of the scene. Deterministic: the scenario's id selects one of the 24
+ labellings. */
 std::vector<Variant> VariantsOf(const Scenario& scenario);
 
 /** Judges the answer to a variant against the answer to the question itself. Empty where
- there is nothing to compare: answers that say only whether the bodies touch, which may go
- either way so near to touching.
+ there is nothing to compare: both answers say only whether the bodies touch, and either
+ may be right so near to touching.
  @pre `answer` is valid, see reports/measures/invalidity.h. */
 std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
                                     const OracleInfo& oracle, const ContactAnswer& answer,

@@ -21,17 +21,18 @@ double Middle(const Enclosure& e) {
   return e.lo + (e.hi - e.lo) / 2;
 }
 
-/** A point inside both shapes, and how deep inside both it certainly is. */
+/** A point inside both shapes. */
 struct InsidePoint {
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();
-  double depth = -std::numeric_limits<double>::infinity();  ///< [m]
+  /** Certified depth of the point inside both shapes. [m] */
+  double depth = -std::numeric_limits<double>::infinity();
 };
 
 InsidePoint PointInsideBoth(const ContactQuery& query, const ContactTruth& truth) {
   const Certificate& proof = truth.certificate;
   std::vector<Eigen::Vector3d> candidates = {query.A.X_WB.p_WB, query.B.X_WB.p_WB,
                                              (proof.p_WCa + proof.p_WCb) / 2};
-  // The patch lies midway through the overlap; its middle is well inside.
+  // The patch lies midway through the overlap, so its middle is well inside both.
   const ContactPatch patch =
       PatchAlong(query, proof.n_AB_W, Middle(truth.separation), truth.input_rounding);
   if (!patch.vertices_W.empty()) {
@@ -54,7 +55,7 @@ std::string InMetres(double length) {
   return fmt::format("{:.{}g}", length, kDigits);
 }
 
-// `gap` is truth.separation.lo in words. [m]
+// `gap` is truth.separation.lo as text. [m]
 std::string SeparatingPlane(const ContactTruth& truth, std::string_view gap) {
   const Certificate& proof = truth.certificate;
   const double c = proof.n_AB_W.dot(proof.p_WCa + proof.p_WCb) / 2;
@@ -62,7 +63,7 @@ std::string SeparatingPlane(const ContactTruth& truth, std::string_view gap) {
                      InWords(proof.n_AB_W), gap);
 }
 
-// `depth` is -truth.separation.lo in words. [m]
+// `depth` is -truth.separation.lo as text. [m]
 std::string LeastTranslation(const ContactTruth& truth, std::string_view depth) {
   return fmt::format("moving B by {} m along {} separates them", depth,
                      InWords(truth.certificate.n_AB_W));
@@ -71,7 +72,7 @@ std::string LeastTranslation(const ContactTruth& truth, std::string_view depth) 
 }  // namespace
 
 std::string InWords(const Eigen::Vector3d& v) {
-  // Adding zero leaves no "-0".
+  // Adding zero turns -0 into 0.
   return fmt::format("({}, {}, {})", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
 }
 
@@ -201,7 +202,7 @@ std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,
 std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
                            double unspanned) {
   return fmt::format(
-      "{} gives {}, which leaves {:.0f} % of the patch's extent unspanned; one of its "
+      "{} returns {}, which leaves {:.0f} % of the patch's extent unspanned; one of its "
       "{} is {}.",
       dispute.oracle, Counted(dispute.answer.points.size(), "contact"), 100 * unspanned,
       Counted(patch.vertices_W.size(), "corner"), InWords(patch.vertices_W.front()));
@@ -209,7 +210,7 @@ std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
 
 std::string ProveCount(const Dispute& dispute, const ContactPatch& patch) {
   return fmt::format(
-      "{} gives {}; {} would span the patch.", dispute.oracle,
+      "{} returns {}; {} would span the patch.", dispute.oracle,
       Counted(dispute.answer.points.size(), "contact"),
       Counted(static_cast<std::uint64_t>(patch.least_contacts), "different one"));
 }
@@ -218,7 +219,7 @@ std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact) {
   const ContactTruth& truth = dispute.truth;
   const auto [said, depth, less] =
       TellApart(-contact.separation, -truth.separation.lo, kDigits);
-  const std::string says = fmt::format("{} gives a contact {} m deep at {}",
+  const std::string says = fmt::format("{} returns a contact {} m deep at {}",
                                        dispute.oracle, said, InWords(contact.p_WC));
   if (truth.separation.lo > 0) {
     return fmt::format("{}; {}.", says,
@@ -228,8 +229,8 @@ std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact) {
 }
 
 std::string ProveMixedNormals(const Dispute& dispute, double angle) {
-  return fmt::format("{} gives normals {:.9g} rad apart in one manifold.", dispute.oracle,
-                     angle);
+  return fmt::format("{} returns normals {:.9g} rad apart in one manifold.",
+                     dispute.oracle, angle);
 }
 
 }  // namespace touchstone

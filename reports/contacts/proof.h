@@ -10,7 +10,7 @@
 
 namespace touchstone {
 
-/** A disputed answer with all that a proof of its error may cite. */
+/** A disputed answer with everything that a proof of its error may cite. */
 struct Dispute {
   const std::string& oracle;
   const ContactQuery& query;
@@ -18,10 +18,10 @@ struct Dispute {
   const ContactAnswer& answer;
 };
 
-/** Each function returns one sentence with numbers that a person can check by hand, given
- that the measure of that name found an error. Lengths in m to nine digits, or to as
- many more as tell two of them apart; points, directions and planes to the last: they
- read back as the doubles that were found. */
+/** Each function below returns one sentence with numbers that a person can check by hand,
+ given that the measure of that name found an error. Lengths are in m with nine digits, or
+ with as many more as distinguish two of them. Points, directions and planes have all
+ digits: they read back as the exact doubles. */
 std::string ProveTouching(const Dispute& dispute);
 std::string ProveSeparation(const Dispute& dispute, double separation);
 std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_W,
@@ -40,8 +40,8 @@ std::string ProveCount(const Dispute& dispute, const ContactPatch& patch);
 std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact);
 std::string ProveMixedNormals(const Dispute& dispute, double angle);
 
-/** Returns "(0.125, -0.6, 0.7905694150420949)": the fewest digits that read back as `v`.
- */
+/** Returns a vector as text, e.g. "(0.125, -0.6, 0.7905694150420949)", with the fewest
+ digits that read back as `v`. */
 std::string InWords(const Eigen::Vector3d& v);
 
 }  // namespace touchstone

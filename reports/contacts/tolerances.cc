@@ -40,7 +40,8 @@ Tolerance SeparationTolerance(const OracleInfo& oracle, const Scenario& scenario
   const double rounding = RoundingOf(oracle, scenario.contact);
   const double largest =
       std::max(std::abs(truth.separation.lo), std::abs(truth.separation.hi));
-  // Without a share there is none to take, of an enclosure without an end either.
+  // Without a relative error the product is skipped: the enclosure may be unbounded, and
+  // 0 times infinity is a NaN.
   const double relative = capability.documented_relative_error > 0
                               ? capability.documented_relative_error * largest
                               : 0;
@@ -49,8 +50,7 @@ Tolerance SeparationTolerance(const OracleInfo& oracle, const Scenario& scenario
       rounding + truth.input_rounding + capability.documented_error + relative;
   tolerance.because = fmt::format(
       "{} roundings of 2^{:.0f} on a scene of {:.3g} m, and {:.2g} m for the rounding of "
-      "the "
-      "input",
+      "the input",
       kRoundings, std::log2(oracle.unit_roundoff), SceneSize(scenario.contact),
       truth.input_rounding);
   if (capability.documented_error + relative > 0) {
@@ -93,14 +93,14 @@ Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
   const double again = RoundingOf(oracle, scenario.contact) + truth.input_rounding;
   tolerances.excess = {
       tolerances.apart.value + again,
-      fmt::format("{}; {:.2g} m again, since a direction is chosen among rounded ones",
+      fmt::format("{}; {:.2g} m more, since a direction is chosen among rounded ones",
                   tolerances.apart.because, again)};
 
-  // Twice: once for the patch, taken with a slack of half of it, and once for the
+  // Twice: once for the patch, whose slack is half of this value, and once for the
   // contact.
   tolerances.across = {
       2 * std::sqrt(2 * e * size),
-      fmt::format("a depth off by {:.2g} m leaves the deepest point open by "
+      fmt::format("a depth off by {:.2g} m leaves the deepest point uncertain by "
                   "2 sqrt(2 * {:.2g} * {:.3g}) m across the normal",
                   e, e, size)};
 
@@ -108,7 +108,7 @@ Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
                       fmt::format("lengths off by {:.2g} m tilt a feature of {:.3g} m", e,
                                   SmallestFeatureOf(scenario.contact))};
 
-  // A normal turned by a given matrix is as long as that matrix makes it.
+  // A normal rotated by a given matrix is as long as that matrix makes it.
   tolerances.unit_normal = kNormalRoundings * oracle.unit_roundoff +
                            OrthonormalityDefect(scenario.contact.A.X_WB.R_WB) +
                            OrthonormalityDefect(scenario.contact.B.X_WB.R_WB);

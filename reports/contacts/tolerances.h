@@ -8,68 +8,69 @@
 
 namespace touchstone {
 
-/** How much error is acceptable, and the argument for it. */
+/** An acceptable error, and the argument for it. */
 struct Tolerance {
   double value = 0;
   std::string because;  ///< One sentence, quoted in the report.
 };
 
-/** Roundings of the scene's size L that a right computation of an overlap along an axis,
- and of the axis itself, may accumulate.
-
- The longest path is that of a separating-axis test in the frame of A. To first order in
- the unit roundoff u (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
- §3.1: a dot product of k terms is off by at most k u |x|ᵀ|y|; for a rotation, |R| |x| is
- up to √3 as long as x), with a = |p|∞ of each body, ρ its bounding radius, P = ρ_A + ρ_B
- and D = |p_B − p_A|, the steps cost, in units of u:
-
-   input rounded to the engine's precision   √3 (a_A + a_B) + (√3 + 1) P
-   p_B − p_A, brought into A's frame         (1 + 3 √3) D
-   R_Aᵀ R_B, on B's extents                  9 ρ_B
-   the axis on the extents of A and B        3 P + 3 √3 ρ_B
-   the axis on the centre distance           3 D
-   differences 2, the axis normalised 3.5    5.5 max(D, P)
-   the axis turned to the world, on a lever  3 √3 (D + P)
-
- By the definition of L, a_A + a_B ≤ 2 L − P, hence D ≤ √3 (2 L − P). Touching, D ≤ P: the
- sum is greatest for D = P = 2 √3 / (1 + √3) L and ρ_B = L, 54.5 L. Apart, without the
- lever, which Tolerances::apart grants, it is greatest for P = 0: 54.4 L. Rounded up to a
- power of two, since terms may be ordered otherwise. [-] */
+/** The number of roundings of the scene's size L that a correct computation of an overlap
+ along an axis, and of the axis itself, may accumulate. The longest path is that of a
+ separating-axis test in the frame of A. The costs below are first-order in the unit
+ roundoff u (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., §3.1: a dot
+ product of k terms is off by at most k u |x|ᵀ|y|). For a rotation, |R| |x| is up to √3 as
+ long as x. With a = |p|∞ of each body, ρ its bounding radius, P = ρ_A + ρ_B and D = |p_B
+ − p_A|, the steps cost, in units of u:
+    input rounded to the engine's precision   √3 (a_A + a_B) + (√3 + 1) P
+    p_B − p_A, brought into A's frame         (1 + 3 √3) D
+    R_Aᵀ R_B, on B's extents                  9 ρ_B
+    the axis on the extents of A and B        3 P + 3 √3 ρ_B
+    the axis on the centre distance           3 D
+    differences 2, the axis normalised 3.5    5.5 max(D, P)
+    the axis turned to the world, on a lever  3 √3 (D + P)
+ The definition of L implies a_A + a_B ≤ 2 L − P, hence D ≤ √3 (2 L − P). If the bodies
+ touch, D ≤ P: the sum is greatest for D = P = 2 √3 / (1 + √3) L and ρ_B = L, 54.5 L. If
+ they are apart, without the lever, which Tolerances::apart grants, it is greatest for P =
+ 0: 54.4 L. Rounded up to a power of two, since an engine may order the terms otherwise.
+ [-] */
 inline constexpr double kRoundings = 64;
 
-/** Roundings that the length of a unit normal may be off by: normalising costs 4 (a sum
- of three squares 3, a root and a division half each), rotating it by a matrix 4 more.
- Doubled, for engines that normalise in one frame and again in another. [-] */
+/** The number of roundings that the length of a unit normal may be off by. Normalising
+ costs 4: a sum of three squares 3, a root and a division half each. Rotating by a matrix
+ costs 4 more. Doubled, for engines that normalise in one frame and again in another. [-]
+ */
 inline constexpr double kNormalRoundings = 16;
 
-/** What an oracle may be off by in one scenario. */
+/** The tolerances of one oracle in one scenario. */
 struct Tolerances {
-  /** Of every length along the normal: separations, overlaps, distances from a surface.
-   The least of several overlaps is off no further than the worst of them. [m] */
+  /** Tolerance of every length along the normal: separations, overlaps, distances from a
+   surface. The least of several overlaps is off no further than the worst of them. [m] */
   Tolerance separation;
-  /** Of what depends on a normal where the bodies are apart. The normal is then the
-   direction between two nearest points, each off by e: it tilts by e / distance, on a
-   lever as long as the scene. [m] */
+  /** Tolerance of values that depend on a normal where the bodies are apart. The normal
+   is then the direction between two nearest points, each off by e: it tilts by e /
+   distance, on a lever as long as the scene. [m] */
   Tolerance apart;
-  /** Of how much the overlap along a normal exceeds the least. The normal is chosen by
-   computed overlaps: the one chosen may be longer than computed, and the least shorter,
-   each by its rounding and by that of the input. [m] */
+  /** Tolerance of the excess of the overlap along a normal over the least overlap. The
+   normal is chosen by computed overlaps: the true overlap along it may be larger than
+   computed, and the least one smaller, each by its rounding and by that of the input. [m]
+   */
   Tolerance excess;
-  /** Of where a deepest contact lies across the normal. A depth off by e moves the
-   deepest point of a surface of radius r by √(2 r e), and that of a nearly parallel face
-   as far. [m] */
+  /** Tolerance of the position of a deepest contact across the normal. A depth off by e
+   moves the deepest point of a surface of radius r by √(2 r e), and that of a nearly
+   parallel face as far. [m] */
   Tolerance across;
-  /** Of angles between normals that should be one: e over the smallest feature. [rad] */
+  /** Tolerance of angles between normals that should be equal: e over the smallest
+   feature. [rad] */
   Tolerance angle;
-  /** Of the length of a unit normal. [-] */
+  /** Tolerance of the length of a unit normal. [-] */
   double unit_normal = 0;
 };
 
 /** Returns the rounding of `oracle` on a scene: kRoundings u SceneSize(). [m] */
 double RoundingOf(const OracleInfo& oracle, const ContactQuery& query);
 
-/** Returns what `oracle` may be off by in `scenario`: its rounding, the rounding of the
- input, its documented error, and what the scenario's author grants. */
+/** Returns the tolerances of `oracle` in `scenario`: its rounding, the rounding of the
+ input, its documented error, and the tolerance that the scenario's author grants. */
 Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
                         const ContactTruth& truth);
 

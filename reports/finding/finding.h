@@ -9,63 +9,63 @@
 
 namespace touchstone {
 
-/** What a measure's value means for the oracle that gave it. */
+/** The meaning of a measured value for the oracle it belongs to. */
 enum class Verdict {
   kPass,         ///< Within the derived tolerance of the certified truth.
   kFail,         ///< Proved wrong.
   kDisagree,     ///< Differs from the others, unproved.
   kKnown,        ///< Proved wrong, and listed in the ledger.
-  kUndecidable,  ///< Inside the certified error band: nobody can be wrong.
-  kUnsupported,  ///< The oracle has no such query.
-  kCrashed,      ///< The engine died on the question.
+  kUndecidable,  ///< Inside the certified error band: no answer can be proved wrong.
+  kUnsupported,  ///< The oracle does not answer such a query.
+  kCrashed,      ///< The engine crashed on the question.
   kTimedOut,     ///< The engine did not answer in time.
   kInvalid,      ///< NaN, infinite, non-unit normal, contact without a point.
 };
 
-/** Why an answer differs. */
+/** The reason why an answer differs. */
 enum class Cause {
-  kNone,        ///< It does not.
-  kConvention,  ///< A known convention, applied, brings it to the truth.
-  kTie,         ///< Another answer is equally right.
+  kNone,        ///< The answer does not differ, or its cause is unknown.
+  kConvention,  ///< Converting from a known convention brings it to the truth.
+  kTie,         ///< Several answers are equally right.
   kPrecision,   ///< The engine's arithmetic: rounding the input at the engine's precision
                 ///< moves the truth, or its answer, as much as the error.
-  kDiscretisation,  ///< The step: the error vanishes as dt does.
-  kModel,   ///< A documented model (rounded corners, a margin) answers another question.
+  kDiscretisation,  ///< The time step: the error vanishes with dt.
+  kModel,   ///< A documented model (rounded corners, a margin) solves another problem.
   kDefect,  ///< None of these.
 };
 
-/** One oracle, one scenario, one measure: a number and what it means. */
+/** The value of one measure for one oracle in one scenario, and its meaning. */
 struct Finding {
   std::string scenario;
   std::string oracle;
-  /** The oracle whose answer is the other side; "referee" for the certified truth, "law"
-   for what is true of a world; empty for the metamorphic measures, which need none, and
-   for what a changed world shows. */
+  /** The other side of the comparison: the name of an oracle; "referee" for the certified
+   truth; "law" for a law of a world. Empty for the metamorphic measures, which need no
+   reference, and for findings on a changed world. */
   std::string reference;
-  std::string law;  ///< The name of the law that the number is of, if there is one.
+  std::string law;  ///< Name of the law that was measured; empty if there is none.
   MeasureKind measure;
   double value = 0;
   double tolerance = 0;
-  std::string tolerance_because;  ///< The origin of the tolerance, one sentence.
+  std::string tolerance_because;  ///< Origin of the tolerance, one sentence.
   Verdict verdict = Verdict::kPass;
   Cause cause = Cause::kNone;
   std::string cause_because;  ///< E.g. "depth is half the overlap along its own normal".
-  /** The proof as a sentence: "fcl/collide says 0.0135 along n; moving B by 0.01341 along
-   m separates them." Empty for passes. */
+  /** The proof as a sentence, e.g. "fcl/collide says 0.0135 along n; moving B by 0.01341
+   along m separates them." Empty for passes. */
   std::string proof;
-  /** The ledger entry that makes it `known`: its index in the ledger file. */
+  /** Index, in the ledger file, of the entry that makes it `known`. */
   std::optional<int> ledger_entry;
 };
 
-/** Returns whether the findings of one answer hold it against anything: the referee, a
- law, another engine; or its own variants, where no claim is left unverified. That it
- answered is no proof of anything, and what does not move at all does so in every frame.
- */
+/** Returns whether the findings of one answer compare it with anything: the referee, a
+ law, another engine; or its own variants, provided that no claim is left unverified. The
+ mere existence of an answer proves nothing, and a body that never moves passes every
+ change of frame. */
 bool IsVerified(std::span<const Finding> of_one_answer);
 
-/** Returns the legal model that a motion follows instead of the truth's, "simultaneous
- impacts": where it is recognised, its finding is beyond its tolerance and passes. Empty
- for every other finding. */
+/** Returns the legal model that a motion follows instead of the truth's, e.g.
+ "simultaneous impacts". A finding of a recognised model passes although it exceeds its
+ tolerance. Returns "" for every other finding. */
 std::string_view RecognisedModelOf(const Finding& finding);
 
 /** Returns "pass", "fail", …, "timed out". */

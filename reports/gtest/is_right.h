@@ -9,12 +9,11 @@
 namespace touchstone {
 
 /** Returns whether `subject` answers every question of the series within the derived
- tolerance of the certified truth. A failure shows the first question as a file, the
- answers of `subject` and `references` side by side, the proofs, and how to ask again:
-
-     EXPECT_TRUE(IsRight(*mine, {.A = ShapeKind::kBox, .B = ShapeKind::kBox}, {fcl}));
-
- A reference that is wrong is shown so, and is not held against the subject. */
+ tolerance of the certified truth. A failure shows the first wrong question as a file, the
+ answers of `subject` and `references` side by side, the proofs, and the command that
+ repeats it:
+      EXPECT_TRUE(IsRight(*mine, {.A = ShapeKind::kBox, .B = ShapeKind::kBox}, {fcl}));
+ A wrong reference is shown as wrong, and does not make the subject fail. */
 inline testing::AssertionResult IsRight(
     const Oracle& subject, const QuestionSeries& series,
     const std::vector<const Oracle*>& references = {}) {

@@ -12,20 +12,20 @@
 namespace touchstone {
 namespace {
 
-/** An entry, with what it may be compared to. */
+/** A ledger entry as this run applies it. */
 struct Rule {
   const LedgerEntry& entry;
   LedgerUse& use;
   int index;
-  bool voided;  ///< The library has another version.
+  bool voided;  ///< Whether the library has another version than the entry.
 };
 
 std::string PlaceOf(const Ledger& ledger, const LedgerEntry& entry) {
   return fmt::format("{}:{}", ledger.file.filename().string(), entry.line);
 }
 
-/** Returns what `entry` accepts of the measure of `finding`; nullptr where it is not
- about it. */
+/** Returns what `entry` accepts for the measure of `finding`, or nullptr where the entry
+ does not concern it. */
 const Accepted* Concerned(const LedgerEntry& entry, const Finding& finding) {
   if (entry.oracle != finding.oracle) return nullptr;
   const auto found =
@@ -75,7 +75,7 @@ void Excuse(Finding& finding, const LedgerScale& scale, std::span<Rule> rules,
 std::string WhyNotNeeded(const Rule& rule) {
   if (rule.voided) return "";
   if (rule.use.candidates == 0) {
-    return "is about nothing that was asked: correct or remove this entry";
+    return "matches no finding of the run: correct or remove this entry";
   }
   if (rule.entry.intermittent) return "";
   if (rule.use.findings() == 0) return "improved: remove this entry, it hides nothing";
@@ -85,11 +85,11 @@ std::string WhyNotNeeded(const Rule& rule) {
     const LedgerUse::Hidden& hidden = rule.use.hidden[i];
     if (hidden.findings == 0) {
       improvements.push_back(
-          fmt::format("remove {}, nothing of it is hidden", NameOf(accepted.measure)));
+          fmt::format("remove {}, the entry hides none of it", NameOf(accepted.measure)));
     } else if (HasValue(rule.entry.verdict) &&
                hidden.worst < accepted.bound * kImproved) {
       improvements.push_back(
-          fmt::format("lower the bound {:.3g} of {}, the worst it hides is {:.3g}",
+          fmt::format("lower the bound {:.3g} of {}, the worst hidden value is {:.3g}",
                       accepted.bound, NameOf(accepted.measure), hidden.worst));
     }
   }
@@ -122,7 +122,7 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial,
   for (std::size_t i = 0; i < entries.size(); ++i) {
     report.ledger_use[i].hidden.resize(entries[i].accepted.size());
   }
-  std::map<std::string, std::vector<Rule>> rules;  // By oracle.
+  std::map<std::string, std::vector<Rule>> rules;  // Keyed by oracle.
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto oracle = std::find_if(
         report.oracles.begin(), report.oracles.end(),
@@ -152,9 +152,9 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial,
       // ISO dates compare as strings.
       const bool looked_at = !partial || rule.use.candidates > 0;
       if (!today.empty() && rule.entry.expires < today && looked_at) {
-        report.faults.push_back(fmt::format(
-            "{}: expired on {}: look at it again and set a new date, or remove it.",
-            place, rule.entry.expires));
+        report.faults.push_back(
+            fmt::format("{}: expired on {}: review it and set a new date, or remove it.",
+                        place, rule.entry.expires));
       }
       const std::string why = partial ? "" : WhyNotNeeded(rule);
       if (!why.empty()) {

@@ -19,15 +19,16 @@
 namespace touchstone {
 namespace {
 
-/** What rounding an expectation is granted: that of the input, and of a double
- * computation. */
+/** Returns the rounding granted to an expectation: that of the input, and that of a
+ double computation. [m] */
 double RoundingGranted(const ScenarioResult& result) {
   constexpr double kDouble = 0x1p-53;
   return result.truth.input_rounding +
          kRoundings * kDouble * SceneSize(result.scenario.contact);
 }
 
-/** Where a scenario says something: in its file, or in a scenario without one. */
+/** Returns the place of a statement: in the scenario's file, or the id of a scenario that
+ has none. */
 std::string PlaceOf(const std::string& id, const FilePlaces& places,
                     std::string_view path) {
   if (places.file.empty()) return id;
@@ -65,7 +66,7 @@ void CheckSeparation(const ScenarioResult& result, std::vector<std::string>& fau
   if (!expected) return;
   const double slack = RoundingGranted(result) + kWritten * std::abs(*expected);
   const Enclosure& truth = result.truth.separation;
-  // Written so that an enclosure without an end is too wide.
+  // Written so that an unbounded enclosure is too wide.
   if (!(truth.hi - truth.lo <= slack)) {
     faults.push_back(
         fmt::format("{}: expects separation = {:.12g} m, which cannot be checked: it is "
@@ -82,7 +83,8 @@ void CheckSeparation(const ScenarioResult& result, std::vector<std::string>& fau
 
 void CheckNormals(const ScenarioResult& result, std::vector<std::string>& faults) {
   const ContactQuery& query = result.scenario.contact;
-  // A normal off by kWritten tilts on a lever as long as the scene.
+  // A normal off by kWritten moves a point at the distance of the scene's size by
+  // kWritten times that size.
   const double slack = RoundingGranted(result) + kWritten * SceneSize(query);
   const std::vector<Eigen::Vector3d>& normals = result.scenario.expect.normals;
   for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -99,7 +101,7 @@ void CheckNormals(const ScenarioResult& result, std::vector<std::string>& faults
 void CheckContacts(const ScenarioResult& result, std::vector<std::string>& faults) {
   const ContactExpectation& expect = result.scenario.expect;
   if (!expect.contacts) return;
-  // The patch of a truth not known has a normal that may not be its own.
+  // If the truth is not known, the patch may belong to a normal other than the true one.
   const Enclosure& truth = result.truth.separation;
   const double slack =
       RoundingGranted(result) + kWritten * SceneSize(result.scenario.contact);
@@ -121,7 +123,8 @@ void CheckContacts(const ScenarioResult& result, std::vector<std::string>& fault
   const int least =
       least_along(expect.normals.empty() ? certified : expect.normals[0], slack);
   if (least == *expect.contacts) return;
-  // What a written normal cannot tell from parallel, the certified one may.
+  // The written normal may be too coarse to show which faces are parallel; the certified
+  // one is not.
   if (least_along(certified, RoundingGranted(result)) == *expect.contacts) return;
   const auto expected = static_cast<std::uint64_t>(*expect.contacts);
   faults.push_back(fmt::format("{}: expects {}, but it takes {} to span the patch.",
@@ -135,35 +138,36 @@ bool Indicts(const Finding& finding) {
          finding.verdict == Verdict::kTimedOut;
 }
 
-/** Returns what is wrong with an indictment by one measure, "" where nothing is.
- @param place Where the indictment stands.
- @param finding Of that measure; null where nothing was measured. */
+/** Returns the fault of an indictment for one measure, or "".
+ @param place The place of the indictment.
+ @param finding The finding for that measure; null where nothing was measured. */
 std::string FaultOf(std::string_view place, const Indictment& indictment,
                     MeasureKind measure, const Finding* finding) {
   const bool found = finding != nullptr && Indicts(*finding);
   if (indictment.reproduces) {
     if (found) return "";
     return fmt::format(
-        "{}: indicts {} of {} (\"{}\"), which is not found again: remove the measure, or "
+        "{}: indicts {} of {} (\"{}\"), which is not reproduced: remove the measure, or "
         "set reproduces = false.",
         place, indictment.oracle, NameOf(measure), indictment.anomaly);
   }
   if (finding == nullptr) {
     return fmt::format(
-        "{}: says that {} does not show \"{}\" any more by {}, which is not measured "
-        "there: name a measure that is.",
+        "{}: says that {} no longer shows \"{}\", but {} is not measured there: name a "
+        "measure that is.",
         place, indictment.oracle, indictment.anomaly, NameOf(measure));
   }
   if (!found) return "";
   return fmt::format(
-      "{}: says that {} does not show \"{}\" any more, but by {}: {} Set reproduces = "
-      "true.",
+      "{}: says that {} no longer shows \"{}\", but {} still finds it: {} Set "
+      "reproduces = true.",
       place, indictment.oracle, indictment.anomaly, NameOf(measure), finding->proof);
 }
 
-/** A claim of `stable` that every engine breaks is rather wrong itself. */
+/** If every engine breaks a claim of `stable`, the claim itself is probably wrong. */
 void CheckStability(RunReport& report) {
-  std::map<std::string_view, std::pair<int, int>> judged;  // And those of them that fail.
+  std::map<std::string_view, std::pair<int, int>>
+      judged;  // All judged, and those that fail.
   for (const Finding& finding : report.findings) {
     if (finding.measure != MeasureKind::kStability) continue;
     auto& [all, failed] = judged[finding.scenario];
@@ -174,16 +178,15 @@ void CheckStability(RunReport& report) {
     const auto [all, failed] = counts;
     if (all < 2 || failed < all) continue;
     report.faults.push_back(
-        fmt::format("{}: claims to be stable, but each of {} engines multiplies what "
-                    "moves its start: "
-                    "is that not the motion's own?",
+        fmt::format("{}: claims to be stable, but each of {} engines amplifies a change "
+                    "of its start: is the motion itself unstable?",
                     scenario, all));
   }
 }
 
 void CheckIndictments(RunReport& report) {
   using Key = std::tuple<std::string_view, std::string_view, MeasureKind>;
-  std::map<Key, const Finding*> measured;  // The one that indicts, where one does.
+  std::map<Key, const Finding*> measured;  // The finding that indicts, if any.
   for (const Finding& finding : report.findings) {
     const Key key(finding.scenario, finding.oracle, finding.measure);
     if (Indicts(finding)) measured.insert_or_assign(key, &finding);

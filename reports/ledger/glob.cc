@@ -3,7 +3,7 @@
 namespace touchstone {
 
 bool MatchesGlob(std::string_view pattern, std::string_view path) {
-  // Recursion is as deep as the pattern has stars.
+  // The recursion depth is the number of stars in the pattern.
   while (!pattern.empty() && pattern.front() != '*') {
     if (path.empty() || path.front() != pattern.front()) return false;
     pattern.remove_prefix(1);

@@ -27,7 +27,7 @@ std::string FolderOf(const std::string& id) {
   return id.substr(0, id.rfind('/'));
 }
 
-/** What the failures of one entry have in common. */
+/** The properties that the failures of one entry share. */
 struct Kind {
   std::string oracle;
   Verdict verdict;
@@ -35,11 +35,11 @@ struct Kind {
   auto operator<=>(const Kind&) const = default;
 };
 
-/** What one scenario shows of a kind. */
+/** The failures of one kind in one scenario. */
 struct Shown {
   std::map<MeasureKind, double> worst;
-  double tolerances = 0;  ///< How many tolerances the worst of all is off.
-  std::string proof;      ///< Of that one.
+  double tolerances = 0;  ///< The worst failure, as a multiple of its tolerance.
+  std::string proof;      ///< Proof of the worst failure.
 
   std::set<MeasureKind> Measures() const {
     std::set<MeasureKind> measures;
@@ -48,7 +48,7 @@ struct Shown {
   }
 };
 
-/** One entry to be, and the scenarios it is made of. */
+/** A proposed entry, and the scenarios it covers. */
 struct Proposal {
   Kind kind;
   std::string scenarios;
@@ -75,7 +75,8 @@ std::string Quoted(std::string_view text) {
   return quoted + '"';
 }
 
-/** How many scenarios of each folder an oracle answers to, or ought to. */
+/** The scenarios that each oracle answers or ought to answer, keyed by oracle and folder.
+ */
 using Folders = std::map<std::pair<std::string, std::string>, std::set<std::string>>;
 
 Folders AnsweredFolders(const RunReport& report) {
@@ -101,8 +102,8 @@ std::map<Kind, std::map<std::string, Shown>> FailuresOf(const RunReport& report)
   return failures;
 }
 
-/** Groups the scenarios of one kind: those of a folder in which all fail alike become
- * one. */
+/** Groups the failures of one kind. If all scenarios of a folder fail alike, they become
+ one proposal. */
 std::vector<Proposal> Grouped(const Kind& kind,
                               const std::map<std::string, Shown>& failures,
                               const Folders& folders) {
@@ -140,7 +141,7 @@ LedgerEntry EntryOf(const Proposal& proposal, const RunReport& report,
         HasValue(entry.verdict) ? RoundedUp(kProposedBound * worst) : 0.0;
     entry.accepted.push_back({measure, IsShare(measure) ? std::min(bound, 1.0) : bound});
   }
-  // What is not proved has no cause yet: a defect until somebody knows better.
+  // An unproved difference has no cause yet: it is a defect until somebody knows better.
   entry.cause =
       proposal.kind.cause == Cause::kNone ? Cause::kDefect : proposal.kind.cause;
   entry.upstream = "unreported";

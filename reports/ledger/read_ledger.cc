@@ -33,7 +33,7 @@ std::vector<std::string_view> NamesOf(const Values& values) {
   return names;
 }
 
-/** Reads one file and collects what is wrong with it. */
+/** Reads one file and collects its errors. */
 class LedgerReader {
  public:
   explicit LedgerReader(const std::filesystem::path& file) : file_(file.string()) {
@@ -107,7 +107,7 @@ class LedgerReader {
     ledger_.entries.push_back(std::move(entry));
   }
 
-  /** Returns the node, having complained if there is none. */
+  /** Returns the node, or nullptr after adding a diagnostic. */
   const toml::node* Required(const toml::table& table, std::string_view key,
                              const std::string& expected) {
     const toml::node* node = table.get(key);
@@ -155,8 +155,9 @@ class LedgerReader {
     const bool has_value = verdict == Verdict::kFail || verdict == Verdict::kDisagree;
     const char* other = has_value ? "measures" : "bounds";
     if (const toml::node* node = table.get(other)) {
-      Add(node->source(), fmt::format("{} of the verdict \"{}\"", other, NameOf(verdict)),
-          has_value ? "bounds" : "measures, as it has no value");
+      Add(node->source(),
+          fmt::format("{} for the verdict \"{}\"", other, NameOf(verdict)),
+          has_value ? "bounds" : "measures, since it has no value");
     }
     std::vector<Accepted> accepted = has_value ? Bounds(table) : Measures(table);
     std::sort(accepted.begin(), accepted.end(),
@@ -182,7 +183,7 @@ class LedgerReader {
                       [&](const Accepted& of) { return of.measure == *measure; });
       if (again) {
         Add(element.source(), fmt::format("{} is named twice", NameOf(*measure)),
-            "every measure once");
+            "each measure once");
       } else {
         accepted.push_back({*measure});
       }
@@ -230,7 +231,8 @@ class LedgerReader {
     const toml::node* node = table.get("intermittent");
     if (node == nullptr) return false;
     const auto intermittent = node->value_exact<bool>();
-    if (!intermittent) Add(node->source(), "intermittent is neither", "true or false");
+    if (!intermittent)
+      Add(node->source(), "intermittent is not a boolean", "true or false");
     return intermittent.value_or(false);
   }
 

@@ -7,13 +7,11 @@
 
 namespace touchstone {
 
-/** Returns the contacts that are missing from, or repeated in, a manifold, the larger.
- [-]
-
- Missing: what it has less than the fewest that span the patch. Repeated: contacts nearer
- than `same` [m] to an earlier one, which would push twice where the bodies touch once.
- Source: the least numbers are those of the patch, a point 1, a segment 2, a face 3 or 4.
- */
+/** Returns the number of missing or of repeated contacts of a manifold, whichever is
+ larger. [-] Missing: the fewest contacts that span the patch, minus those there are.
+ Repeated: contacts nearer than `same` [m] to an earlier one, which would apply two
+ impulses where the bodies touch once. Source: the fewest contacts of the patch are 1 for
+ a point, 2 for a segment, 3 or 4 for a face. */
 int ContactCountError(const ContactPatch& patch, std::span<const ContactPoint> contacts,
                       double same);
 

@@ -5,11 +5,10 @@
 
 namespace touchstone {
 
-/** Returns how far a contact lies outside the true contact patch, across the normal. [m]
-
- A convex polygon's distance, both seen along `n_AB_W`. Applies to deepest contacts only:
- shallower ones of a tilted manifold lie legally elsewhere.
- Source: by definition of the patch, reports/referee/contact_truth.h.
+/** Returns the distance of a contact from the true contact patch, across the normal. [m]
+ It is the distance from a convex polygon, both seen along `n_AB_W`. Applies to deepest
+ contacts only: shallower ones of a tilted manifold may legally lie elsewhere. Source: by
+ definition of the patch, reports/referee/contact_truth.h.
  @pre The patch has a vertex; `n_AB_W` is a unit vector. */
 double ContactOffPatch(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                        const ContactPoint& contact);

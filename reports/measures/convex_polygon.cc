@@ -41,7 +41,7 @@ std::vector<Eigen::Vector2d> ConvexHullOf(std::span<const Eigen::Vector2d> point
   for (const Eigen::Vector2d& p : sorted) append(p, 1);
   const std::size_t lower = hull.size();
   for (auto p = sorted.rbegin() + 1; p != sorted.rend(); ++p) append(*p, lower);
-  hull.pop_back();  // The first point again.
+  hull.pop_back();  // The first point is there twice.
   return hull;
 }
 

@@ -7,13 +7,12 @@
 
 namespace touchstone {
 
-/** Returns o(n) − depth*, as far as it is proved: how much shorter another direction is.
- [m]
-
- o(n) is an upper bound on the depth for every n, with equality for the best ones, so
- normals are judged without comparing angles and a tie between two axes is never a false
- alarm. Apart, it is the distance less the gap along n: how much of the distance n fails
- to prove. Source: Cameron & Culley, ICRA 1986; the judging by excess is MuJoCo's
+/** Returns o(n) − depth*, as far as it is proved: how much shorter a translation along
+ another direction is. [m] o(n) is an upper bound on the depth for every n, with equality
+ for the best ones. Normals are thus judged without comparing angles, and a tie between
+ two axes is never a false alarm. If the shapes are apart, it is the distance minus the
+ gap along n: the part of the distance that n fails to prove. Source: Cameron & Culley,
+ ICRA 1986; judging by excess is MuJoCo's
  test/engine/engine_collision_box_fuzz_test.cc:384-386.
  @pre `n_W` is finite and not zero. */
 double Excess(const ContactQuery& query, const ContactTruth& truth,

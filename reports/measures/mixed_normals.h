@@ -4,11 +4,11 @@
 
 namespace touchstone {
 
-/** Returns the largest angle between two normals of one manifold, in [0, π]. [rad]
-
- A manifold has one normal; contacts that bring their own pull a solver two ways. By atan2
- of |m × n| and m·n: acos(m·n) resolves angles near zero only to √ε ≈ 1.5e-8. Source:
- Kahan, "How futile are mindless assessments of roundoff", §12 (2006). */
+/** Returns the largest angle between two normals of one manifold, in [0, π]. [rad] A
+ manifold has one normal; contacts with different normals push a solver in two directions.
+ Computed by atan2 of |m × n| and m·n, because acos(m·n) resolves angles near zero only to
+ √ε ≈ 1.5e-8. Source: Kahan, "How futile are mindless assessments of roundoff", §12
+ (2006). */
 double MixedNormals(const ContactAnswer& answer);
 
 /** Returns the angle between `m` and `n`, in [0, π]. [rad] */

@@ -4,15 +4,15 @@
 
 namespace touchstone {
 
-/** Returns the distance of `value` from the interval, 0 inside it: what can be proved of
- an error when the truth is known as an enclosure, so that the referee's own width never
- blames anyone. NaN for a NaN. */
+/** Returns the distance of `value` from the interval, 0 inside it. It is the provable
+ part of an error if the truth is known as an enclosure: the width of the enclosure is
+ never held against an engine. NaN for a NaN. */
 inline double Outside(double value, const Enclosure& truth) {
   if (value >= truth.lo && value <= truth.hi) return 0;
   return value < truth.lo ? truth.lo - value : value - truth.hi;
 }
 
-/** Returns the distance between two intervals, 0 where they meet. */
+/** Returns the distance between two intervals, 0 if they overlap. */
 inline double Apart(const Enclosure& a, const Enclosure& b) {
   if (a.hi < b.lo) return b.lo - a.hi;
   return a.lo > b.hi ? a.lo - b.hi : 0;

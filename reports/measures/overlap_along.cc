@@ -16,7 +16,7 @@ bool IsHalfSpace(const Body& body) {
 Eigen::Vector3d SupportingDirection(const ContactQuery& query,
                                     const Eigen::Vector3d& n_W) {
   if (IsHalfSpace(query.A)) return query.A.X_WB.R_WB.col(2);
-  // B's outward normal points at A, against n_AB.
+  // B's outward normal points towards A, against n_AB.
   if (IsHalfSpace(query.B)) return -query.B.X_WB.R_WB.col(2);
   return n_W;
 }

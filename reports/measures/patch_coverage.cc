@@ -11,8 +11,8 @@
 namespace touchstone {
 namespace {
 
-/** Maps the plane so that the corners spread by one along both principal axes; an axis
- along which they spread by nothing is dropped. */
+/** Returns the linear map after which the corners spread by one along both principal
+ axes. An axis along which they have no spread is dropped. */
 Eigen::Matrix2d Whitening(std::span<const Eigen::Vector2d> corners) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& c : corners)
@@ -21,16 +21,16 @@ Eigen::Matrix2d Whitening(std::span<const Eigen::Vector2d> corners) {
   for (const Eigen::Vector2d& c : corners) spread += (c - mean) * (c - mean).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
   const Eigen::Matrix2d principal = axes.eigenvectors().transpose();
-  // The axes are known to a rounding, but the smaller of two sums of squares loses half
-  // its digits: the lengths are taken again, along the axes.
+  // The axes are accurate to a rounding, but the smaller of two sums of squares loses
+  // half its digits. The lengths are therefore computed again along the axes.
   Eigen::Vector2d squares = Eigen::Vector2d::Zero();
   double farthest = 0;
   for (const Eigen::Vector2d& c : corners) {
     squares += (principal * (c - mean)).cwiseAbs2();
     farthest = std::max(farthest, c.norm());
   }
-  // Shorter than the rounding of the corners, a length is that of a segment's own
-  // rounding: a handful of 2^-53 in the corners, their mean and the axes.
+  // A length below this is only a segment's own rounding: a handful of 2^-53 in the
+  // corners, their mean and the axes.
   const double least = farthest * 0x1p-48;
   Eigen::Vector2d scale = Eigen::Vector2d::Zero();
   for (int i = 0; i < 2; ++i) {

@@ -7,36 +7,33 @@
 
 namespace touchstone {
 
-/** Returns the share of the patch's extent that its contacts leave unspanned, in [0, 1].
- [-]
-
- The patch and the contacts are seen along `n_AB_W`, the patch stretched to unit spread
- along its principal axes so that a slab's width counts like its length; the value is the
- largest distance of a corner from the hull of the contacts, over the patch's diameter.
- One contact in the middle of a square face gives 1/2: a stack on it tips over. 1 where
- there is no contact, 0 for a patch that is a point.
+/** Returns the fraction of the patch's extent that its contacts leave unspanned, in [0,
+ 1]. [-] The patch and the contacts are seen along `n_AB_W`. The patch is stretched to
+ unit spread along its principal axes, so that a slab's width counts like its length. The
+ value is the largest distance of a corner from the hull of the contacts, over the patch's
+ diameter. One contact in the middle of a square face gives 1/2: a stack on it tips over.
+ 1 without a contact, 0 for a patch that is a point.
  @pre The patch has a vertex; `n_AB_W` is a unit vector. */
 double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                       std::span<const ContactPoint> contacts);
 
-/** Returns the share of the patch's extent that a computation may leave unspanned whose
- lengths are off by `e` [m]. [-]
-
- What is left of a convex set when its sides move inwards by e holds the set shrunk by
- e / r about the centre of its incircle, whose radius r is at least area / perimeter, half
- the length of a segment. Shrinking is the same seen along stretched axes.
+/** Returns the fraction of the patch's extent that a computation whose lengths are off by
+ `e` [m] may leave unspanned. [-] When the sides of a convex set move inwards by e, the
+ rest contains the set shrunk by e / r about the centre of its incircle. Its radius r is
+ at least area / perimeter, or half the length of a segment. Shrinking is the same along
+ stretched axes.
  @pre The patch has two vertices; `n_AB_W` is a unit vector. */
 double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, double e);
 
-/** What a triangle inscribed in a disc leaves of the disc's diameter: half the radius. A
- manifold that does better holds any face up; two opposite corners of a square, or three
- of them, leave half its diagonal and do worse. [-] */
+/** The fraction of a disc's diameter that an inscribed triangle leaves unspanned: half
+ the radius. A manifold that does better holds any face up. Two opposite corners of a
+ square, or three of them, leave half its diagonal and do worse. [-] */
 inline constexpr double kLegalUnspanned = 0.25;
 
-/** Returns kLegalUnspanned as it is seen of `patch`. A disc of radius r is given by a
- polygon of k corners around it, at r / cos(π/k), from which the side of the triangle is
- still r / 2 away from the centre: (r / cos(π/k) − r / 2) of a diameter of 2 r / cos(π/k)
- is ½ − ¼ cos(π/k). [-] */
+/** Returns kLegalUnspanned as it applies to `patch`. A disc of radius r is given by a
+ polygon of k corners around it, at r / cos(π/k). The side of the triangle is still r / 2
+ away from the centre. The unspanned fraction is (r / cos(π/k) − r / 2) of a diameter of 2
+ r / cos(π/k), which is ½ − ¼ cos(π/k). [-] */
 double LegalUnspanned(const ContactPatch& patch);
 
 }  // namespace touchstone

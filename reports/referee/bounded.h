@@ -11,34 +11,34 @@
 namespace touchstone::referee {
 
 /** A computed number with a running bound on its error: |true value − value| <= error.
-
- Each operation adds what its operands' errors can do, by the exact formula, to what
- rounding its own result can do, u |result|. The bound is itself computed in double with a
+ Each operation adds the propagated errors of its operands, by the exact formula, to the
+ rounding of its own result, u |result|. The bound itself is computed in double with a
  handful of roundings to nearest, each at most 2^-53 of a sum of positive terms:
  `kInflation` covers them. Products that underflow lose at most 2^-1075 each: `kUnderflow`
- covers those. Where doubles overflow nothing is known: the error is infinite, never a
+ covers those. If doubles overflow, nothing is known: the error is infinite. It is never a
  NaN, which comparisons would drop. */
 template <typename Real>
 class Bounded {
  public:
   Bounded() : value_(0) {}
-  /** Holds `exact` without error. */
+  /** Makes a number without error. */
   explicit Bounded(const Real& exact) : Bounded(exact, 0) {}
   explicit Bounded(double exact) requires(!std::is_same_v<Real, double>)
       : Bounded(Real(exact), 0) {}
-  /** Knows nothing where either is a NaN. */
+  /** Makes a number with an error bound, which is infinite if either argument is a NaN.
+   */
   Bounded(const Real& value, double error)
       : value_(value),
-        // Written so that a NaN is unbounded.
+        // Written so that a NaN leaves the error unbounded.
         error_(value == value && error >= 0 ? error
                                             : std::numeric_limits<double>::infinity()) {}
 
   const Real& value() const { return value_; }
   double error() const { return error_; }
 
-  /** Returns the tightest doubles that certainly hold the true value. */
+  /** Returns the tightest interval of doubles that certainly contains the true value. */
   Enclosure enclosure() const {
-    // Infinity less infinity, and a NaN less anything, is a NaN.
+    // Infinity minus infinity is a NaN, and so is a NaN minus anything.
     if (error_ == std::numeric_limits<double>::infinity()) return {-error_, error_};
     return {Below(value_, error_), -Below(Real(-value_), error_)};
   }
@@ -59,8 +59,8 @@ class Bounded {
                                             a.error_ * b.error_ + kUnderflow);
   }
 
-  /** x/y − a/b = ((x − a) − (a/b)(y − b)) / y, and |y| >= |b| − e_b. An unbounded error
-   where the divisor may be zero. */
+  /** Divides by x/y − a/b = ((x − a) − (a/b)(y − b)) / y with |y| >= |b| − e_b. The error
+   is unbounded if the divisor may be zero. */
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
     const double least = Below(Real(abs(b.value_)), b.error_);
     if (!(least > 0)) return Bounded(Real(0), std::numeric_limits<double>::infinity());
@@ -70,8 +70,8 @@ class Bounded {
     return Rounded(quotient, carried);
   }
 
-  /** |√x − √a| = |x − a| / (√x + √a) <= e / √a, or where a itself may be wrong in sign,
-   both roots lie in [0, √(a + e)]. @pre The true value is >= 0. */
+  /** Takes the root by |√x − √a| = |x − a| / (√x + √a) <= e / √a. Where a itself may have
+   the wrong sign, both roots lie in [0, √(a + e)]. @pre The true value is >= 0. */
   friend Bounded Sqrt(const Bounded& a) {
     using std::sqrt;
     if (!(Below(a.value_, a.error_) > 0)) {
@@ -85,7 +85,8 @@ class Bounded {
   }
 
   friend Bounded Abs(const Bounded& a) { return Bounded(Real(abs(a.value_)), a.error_); }
-  /** max and min are 1-Lipschitz in the larger of the two errors. */
+  /** Returns the larger number. max and min are 1-Lipschitz in the larger of the two
+   errors. */
   friend Bounded Max(const Bounded& a, const Bounded& b) {
     return Bounded(a.value_ < b.value_ ? b.value_ : a.value_,
                    std::max(a.error_, b.error_));

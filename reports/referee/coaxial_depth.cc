@@ -9,12 +9,13 @@ namespace {
 
 using Number = Bounded<Precise>;
 
-/** A direction in the half-plane: away from the axis, and along it. Not normalised. */
+/** A direction in the half-plane: components away from the axis and along it, not
+ normalised. */
 struct Meridian {
   Number out, up;
 };
 
-/** The profile of a core whose own axis points along `sense` = ±1 times the common one.
+/** The profile of a core whose own axis points along `sense` = ±1 times the common axis.
  */
 class Profile {
  public:
@@ -33,12 +34,12 @@ class Profile {
     return segment != nullptr ? Number(segment->half_length) * Abs(up) : Number();
   }
 
-  /** Adds the outward normals of the sides. */
+  /** Adds the outward normals of the profile's sides. */
   void AddNormals(std::vector<Meridian>* normals) const {
     const Number one(1.0);
     if (const auto* cone = std::get_if<Cone>(&core_)) {
       normals->push_back({Number(), Number(-sense_)});
-      // The side falls from (0, h) to (r, −h); (2 h, r) points out of it.
+      // The side falls from (0, h) to (r, −h); its outward normal is (2 h, r).
       const Number h(cone->half_height);
       normals->push_back({h + h, Number(sense_ * cone->radius)});
     } else if (std::holds_alternative<Cylinder>(core_)) {
@@ -64,9 +65,9 @@ Vector<Number> AxisOf(const RoundedCore& placed) {
   return Exactly<Number>(Eigen::Vector3d(placed.X_WB.R_WB.col(2)));
 }
 
-/** Returns a bound on |S − 1|₂, R = Q S with the nearest rotation Q. Its eigenvalues s
- obey |s − 1| = |s² − 1| / (s + 1) <= F / (2 − F) for the Frobenius norm F of RᵀR − 1,
- since s >= 1 − F. */
+/** Returns a bound on |S − 1|₂ for R = Q S with the nearest rotation Q. The eigenvalues s
+ of S obey |s − 1| = |s² − 1| / (s + 1) <= F / (2 − F) for the Frobenius norm F of RᵀR −
+ 1, since s >= 1 − F. */
 double StretchOf(const Eigen::Matrix3d& R) {
   Number square;
   for (int i = 0; i < 3; ++i) {
@@ -81,8 +82,8 @@ double StretchOf(const Eigen::Matrix3d& R) {
   return (F / (Number(2.0) - F)).enclosure().hi;
 }
 
-/** Returns the sense of a core's axis along z, and by how much it has to move to be
- * there. */
+/** Returns the sense of a core's axis along z, and a bound on how far aligning the axis
+ with z moves a point of the core. [-, m] */
 std::pair<double, double> Align(const RoundedCore& placed, const Vector<Number>& z) {
   if (std::holds_alternative<Point>(placed.core)) return {1, 0};
   const Vector<Number> axis = AxisOf(placed);
@@ -102,7 +103,7 @@ std::optional<DepthProof> CoaxialDepth(const MinkowskiDifference& M) {
   const Profile A(M.A().core, sense_A);
   const Profile reflected_B(M.B().core, -sense_B);
 
-  // The origin as seen from the centre of M.
+  // The origin relative to the centre of M.
   const Vector<Number> origin = -M.Centre<Precise>();
   const Number up = Dot(origin, z);
   const Vector<Number> radial = origin - up * z;
@@ -125,7 +126,7 @@ std::optional<DepthProof> CoaxialDepth(const MinkowskiDifference& M) {
   const Number moved(Precise(0), (moved_A + moved_B) * (1 + 0x1p-40));
   depth = {(Number(depth.lo) + moved).enclosure().lo,
            (Number(depth.hi) + moved).enclosure().hi};
-  // There is no shallowest where every overlap overflows.
+  // There is no shallowest direction if every overlap overflows.
   if (shallowest == nullptr || !(depth.lo > 0)) return {};
 
   const auto rounded = [](const Vector<Number>& a) {
@@ -133,7 +134,7 @@ std::optional<DepthProof> CoaxialDepth(const MinkowskiDifference& M) {
                            Nearest(a.z.value()));
   };
   const Eigen::Vector3d z_W = rounded(z);
-  // On the axis every direction is as good.
+  // On the axis every radial direction is equally good.
   Eigen::Vector3d out_W = rounded(radial);
   out_W = out_W.isZero(0) ? z_W.unitOrthogonal() : out_W.stableNormalized();
   const Eigen::Vector3d n_W =

@@ -13,7 +13,7 @@ namespace {
 
 using namespace referee;
 
-/** Coordinates in the plane perpendicular to a normal, about an origin near the features.
+/** Coordinates in the plane perpendicular to a normal, with an origin near the features.
  */
 class Plane {
  public:
@@ -27,7 +27,7 @@ class Plane {
   Eigen::Vector2d Project(const Eigen::Vector3d& p) const {
     return {u_.dot(p - origin_), v_.dot(p - origin_)};
   }
-  /** The point over `p` whose coordinate along the normal is `height` from the origin. */
+  /** Returns the point over `p` at `height` above the origin along the normal. */
   Eigen::Vector3d Lift(const Eigen::Vector2d& p, double height) const {
     return origin_ + p.x() * u_ + p.y() * v_ + height * n_;
   }
@@ -63,7 +63,7 @@ bool Same(const Polygon& P, const Polygon& Q, double slack) {
          });
 }
 
-/** Adds the spread of the points about their mean. */
+/** Adds the covariance of the points to `spread`. */
 void AddSpread(const std::vector<Eigen::Vector3d>& points, Eigen::Matrix3d& spread) {
   if (points.empty()) return;
   const double share = 1 / static_cast<double>(points.size());
@@ -74,10 +74,11 @@ void AddSpread(const std::vector<Eigen::Vector3d>& points, Eigen::Matrix3d& spre
   }
 }
 
-/** The direction nearest to the unit vector `n` along which the features of both bodies
- within `slack` of their supporting planes lie flat: n less what it has of the directions
- in which they spread. Across the plane, points within slack of each other spread by no
- more than slack / 2, and the solver is off by some roundings of the largest spread. */
+/** Returns the direction nearest to the unit vector `n` along which the features of both
+ bodies within `slack` of their supporting planes are flat. It is n minus its components
+ along the directions in which the features spread. Points within slack of each other
+ spread across the plane by no more than slack / 2, and the eigenvalue solver is off by
+ some roundings of the largest spread. */
 Eigen::Vector3d FlatDirection(const ContactQuery& query, const Eigen::Vector3d& n,
                               double slack) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -98,7 +99,7 @@ Eigen::Vector3d FlatDirection(const ContactQuery& query, const Eigen::Vector3d& 
 ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
                         double separation, double slack) {
   const Eigen::Vector3d n = n_W.normalized();
-  // Corners are placed, and projected, with a few roundings of the scene.
+  // Transforming and projecting the corners costs a few roundings of the scene.
   const double rounding =
       slack + 32 * std::numeric_limits<double>::epsilon() * SceneSize(query);
   const SupportFeature A = FeatureAlong(query.A, n, rounding);
@@ -106,8 +107,8 @@ ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
 
   const Eigen::Vector3d origin = A.is_plane ? B.points_W[0] : A.points_W[0];
   const Plane plane(n, origin);
-  // Midway through the overlap: half of it back from the front of A, which is as far
-  // beyond the back of B.
+  // The plane midway through the overlap: half the overlap back from the front of A,
+  // which is as far beyond the back of B.
   const double middle = A.is_plane ? -Farthest(B.points_W, -n, origin) - separation / 2
                                    : Farthest(A.points_W, n, origin) + separation / 2;
 
@@ -117,7 +118,7 @@ ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
   if (A.is_plane || B.is_plane) {
     patch = A.is_plane ? Q : P;
   } else {
-    // Round bodies that stray sideways by w are lower by w²/2R only.
+    // A round body displaced sideways by w is lower by only w²/2R.
     const double parallel = std::sqrt(2 * rounding * std::max(Extent(P), Extent(Q)));
     patch = Intersect(P, Q, rounding, parallel);
   }
@@ -133,7 +134,7 @@ ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
 
 ContactPatch CertainPatch(const ContactQuery& query, const Eigen::Vector3d& n_W,
                           double separation, double flush, double e) {
-  // A half-space has but one direction, and that is known.
+  // A half-space has only one direction, which is known exactly.
   const bool is_known = KindOf(query.A.shape) == ShapeKind::kHalfSpace ||
                         KindOf(query.B.shape) == ShapeKind::kHalfSpace;
   const Eigen::Vector3d n =

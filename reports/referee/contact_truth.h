@@ -9,51 +9,54 @@
 
 namespace touchstone {
 
-/** A closed interval that certainly holds a true value. */
+/** A closed interval that certainly contains a true value. */
 struct Enclosure {
   double lo;
   double hi;
 };
 
-/** Whether two shapes touch, as far as it can be proved. */
+/** The proved answer to whether two shapes touch. */
 enum class Touching {
   kApart,     ///< Proved by a separating plane wider than the input's own rounding.
   kTouching,  ///< Proved by a point in both shapes, deeper than the input's own rounding.
-  kUndecided,  ///< Touching to within the rounding of the input: nobody can be wrong.
+  kUndecided,  ///< Touching to within the rounding of the input: no answer can be proved
+               ///< wrong.
 };
 
-/** A proof that anyone can check by hand, in words and numbers. */
+/** A proof that a person can check by hand. */
 struct Certificate {
-  /** The unit direction of the proof: the plane that separates, or the direction along
-   which the least translation separates. From A to B, world frame. */
+  /** Unit direction of the proof, from A to B, world frame: the normal of the separating
+   plane, or the direction along which the least translation separates. */
   Eigen::Vector3d n_AB_W;
-  /** A point of A and a point of B: nearest points where apart (their distance is the
-   upper bound, the support gap along n_AB_W the lower), supporting points where
-   penetrating. */
+  /** A point of A and a point of B. If the bodies are apart, they are nearest points:
+   their distance is the upper bound, the support gap along n_AB_W the lower. If the
+   bodies penetrate, they are supporting points. */
   Eigen::Vector3d p_WCa;  ///< [m]
   Eigen::Vector3d p_WCb;  ///< [m]
 };
 
-/** Where the two shapes touch once B is moved by -separation * n_AB_W: the convex polygon
- (a point, a segment, or a face; discs are given by points of their rim) in which every
- deepest contact lies. */
+/** The contact patch: the convex polygon in which the two shapes touch once B is moved by
+ -separation * n_AB_W. Every deepest contact lies in it. It is a point, a segment or a
+ face; a disc is given by points of its rim. */
 struct ContactPatch {
   std::vector<Eigen::Vector3d> vertices_W;  ///< Corners, world frame. [m]
-  int least_contacts = 0;  ///< Fewest contacts that span it: 1 a point, 2 a segment, 3 a
-                           ///< triangle or a disc, 4 any other face.
+  /** Fewest contacts that span the patch: 1 for a point, 2 for a segment, 3 for a
+   triangle or a disc, 4 for any other face. */
+  int least_contacts = 0;
 };
 
 /** The certified truth of one contact query. */
 struct ContactTruth {
   Touching touching = Touching::kUndecided;
-  /** Signed separation: distance where apart, minus the depth where penetrating. [m] */
+  /** Signed separation: the distance if apart, minus the depth if penetrating. [m] */
   Enclosure separation;
-  /** Half-width of the band around zero inside which the touching verdict is undecided:
-   rounding of the input, from the poses' orthonormality defect and one ulp of every
+  /** Half-width of the band around zero inside which touching is undecided. It is the
+   rounding of the input: the poses' orthonormality defect and one ulp of every
    coordinate. [m] */
   double input_rounding = 0;
   Certificate certificate;
-  /** "polytope", "core" (sphere- or capsule-rounded polytope), "half_space", "bounds". */
+  /** The method: "polytope", "core" (a polytope rounded by a sphere or capsule radius),
+   "half_space" or "bounds". */
   std::string method;
 };
 

@@ -15,7 +15,7 @@ struct ToCore {
   RoundedCore operator()(const ConvexHull& hull) const {
     return {Vertices(hull.vertices), 0, X_WB};
   }
-  // Excluded by the precondition; its boundary point keeps the visit total.
+  // Excluded by the precondition. A point of its boundary keeps the visitor complete.
   RoundedCore operator()(const HalfSpace&) const { return {Point{}, 0, X_WB}; }
   template <typename Solid>
   RoundedCore operator()(const Solid& solid) const {
@@ -94,10 +94,10 @@ struct Farthest {
     return along < 0 ? Real(-half) : Real(half);
   }
 
-  /** A point of the disc of `radius` at height `z`. The quotient, root and products below
-   err by less than 6 u of its radius, so that a disc smaller by 8 u keeps it inside;
-   squares below 1e-280 could underflow and are left at the centre instead, 1e-140 short.
- */
+  /** Returns a point of the disc of `radius` at height `z` that is farthest along n up to
+   rounding. The quotient, root and products below err by less than 6 u of the radius, so
+   a disc smaller by 8 u keeps the point inside. Squares below 1e-280 could underflow: the
+   point is then the centre, 1e-140 short. */
   Vector<Real> Rim(double radius, const Real& z) const {
     using std::sqrt;
     const Real square = n.x * n.x + n.y * n.y;

@@ -29,15 +29,16 @@ Enclosure Negated(const Enclosure& e) {
   return {-e.hi, -e.lo};
 }
 
-/** Returns the overlap of the cores along the unit vector that `n` normalises to. */
+/** Returns an enclosure of the overlap of the cores along the unit vector that `n`
+ normalises to. */
 Enclosure OverlapAlong(const MinkowskiDifference& M, const Eigen::Vector3d& n) {
   using Number = Bounded<Precise>;
   const Vector<Number> exact = Exactly<Number>(n);
   return (M.SupportValue(exact) / Norm(exact)).enclosure();
 }
 
-/** Returns a unit vector perpendicular to a line along `direction`; any where it has
- * none. */
+/** Returns a unit vector perpendicular to `direction`, or any unit vector if `direction`
+ is zero. */
 Eigen::Vector3d Perpendicular(const Eigen::Vector3d& direction) {
   Eigen::Index least;
   direction.cwiseAbs().minCoeff(&least);
@@ -51,20 +52,22 @@ void SetSupportingPoints(const MinkowskiDifference& M, CoreTruth* truth) {
   truth->p_WCb = M.B().X_WB * ToEigen(deepest.q_B);
 }
 
-/** Where the search for the nearest point of M ended, and what that proves. */
+/** The end of the search for the point of M nearest to the origin, and the truth that it
+ proves. */
 struct NearestTruth {
   Simplex<Precise> simplex;
   CoreTruth truth;
 };
 
-/** Returns the truth that `simplex` proves, searching on at high precision where its
- features turn out not to be the nearest. */
+/** Returns the truth that `simplex` proves. If its features are not the nearest, the
+ search continues at high precision. */
 NearestTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex) {
   Simplex<Precise> sharp = Sharpen(M, simplex);
   CoreTruth truth;
   truth.separation = CertifyNearest(M, sharp);
-  // Right features leave nothing but the rounding of the result. Of points on a round rim
-  // the simplex of doubles knows only that many digits, however right it is.
+  // With the right features only the rounding of the result is left. On a round rim the
+  // points of a double simplex have no more digits than a double, even if the features
+  // are right.
   const double rounding =
       M.IsCurved() ? 8 * kUlp * M.Size() : 4 * kUlp * std::abs(truth.separation.hi);
   if (!(Width(truth.separation) <= rounding)) {
@@ -86,7 +89,8 @@ NearestTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex
   return {sharp, truth};
 }
 
-/** Offers the overlap along `n` as a lower bound on the separation. */
+/** Raises the lower bound on the separation to that of the overlap along `n`, if it is
+ higher. */
 void Improve(const Eigen::Vector3d& n, const Enclosure& overlap, CoreTruth* truth) {
   if (-overlap.hi < truth->separation.lo) return;
   truth->separation.lo = -overlap.hi;
@@ -104,7 +108,8 @@ CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   }
   CoreTruth truth = Refine(M, FindNearest<double>(M, {})).truth;
   if (truth.separation.lo > 0) return truth;
-  // The origin is on M to rounding, where the mixture has no direction of its own.
+  // The origin is on the boundary of M to rounding, so the mixture v has no direction of
+  // its own.
   if (depth) {
     Improve(depth->n_AB_W, depth->depth, &truth);
   } else {
@@ -123,16 +128,16 @@ CoreTruth FromDepth(const MinkowskiDifference& M, const DepthProof& proof) {
   return truth;
 }
 
-/** Returns what both proofs say together. */
+/** Returns the intersection of both proofs. */
 DepthProof Both(const DepthProof& a, const DepthProof& b) {
   return {{std::max(a.depth.lo, b.depth.lo), std::min(a.depth.hi, b.depth.hi)},
           a.depth.hi < b.depth.hi ? a.n_AB_W : b.n_AB_W};
 }
 
-/** Returns the truth where the origin is in M, or on it to rounding. */
+/** Returns the truth if the origin is in M, or on its boundary to rounding. */
 CoreTruth JudgeDeep(const MinkowskiDifference& M, const Simplex<double>& simplex) {
-  // What is left to gain is the rounding of plane distances in double, sums of some ten
-  // terms as large as M. Flat faces are met exactly. Round ones take a few facets a
+  // The target is the rounding of plane distances in double, which are sums of some ten
+  // terms as large as M. Flat faces are met exactly. Round ones take a few facets per
   // digit, unless the least overlap is reached all around an axis of symmetry, which
   // cannot be tiled.
   const double target = 8 * kUlp * M.Size();
@@ -151,7 +156,8 @@ CoreTruth JudgeDeep(const MinkowskiDifference& M, const Simplex<double>& simplex
     Improve(proof.n_AB_W, proof.depth, &truth);
     if (Width(truth.separation) <= target) return truth;
   }
-  // The origin is too near the boundary, or the facets are too thin, for doubles.
+  // Doubles are too coarse: the origin is too near the boundary, or the facets are too
+  // thin.
   constexpr std::size_t kMostPreciseVertices = 200;
   const InnerPolytope<Precise> sharp =
       Expand(M, nearest.simplex, target / 4, kMostPreciseVertices);

@@ -27,7 +27,7 @@ Vector<Real> UnitPerpendicular(const Vector<Real>& a) {
   return length > 0 ? (Real(1) / length) * b : x;
 }
 
-/** Grows an InnerPolytope. */
+/** The search that grows an InnerPolytope. */
 template <typename Real>
 class Expansion {
  public:
@@ -44,8 +44,9 @@ class Expansion {
         nearest_.pop();
         continue;
       }
-      // A growing convex polytope only moves outwards. One that does not has lost its
-      // convexity to rounding, and more steps would tear it further.
+      // The facets of a growing convex polytope only move outwards. A polytope whose
+      // facets do not has lost its convexity to rounding, and further steps would make it
+      // worse.
       if (distance < reached_ - Real(4) * rounding_) break;
       if (reached_ < distance) reached_ = distance;
       if (distance >= polytope_.overlap - target_) break;
@@ -69,7 +70,8 @@ class Expansion {
     return polytope_.vertices[static_cast<std::size_t>(index)].x;
   }
 
-  /** Returns the support along the unit vector n, and remembers the least overlap. */
+  /** Returns the support point along the unit vector n, and updates the least overlap
+   found. */
   DifferencePoint<Real> Try(const Vector<Real>& n) {
     const DifferencePoint<Real> w = M_.Support(n);
     const Real overlap = Dot(n, w.x);
@@ -80,8 +82,8 @@ class Expansion {
     return w;
   }
 
-  /** Adds the support point among ±`directions` that `reach` ranks highest; false where
-   even that one adds no dimension. */
+  /** Adds the support point among ±`directions` with the largest `reach`. Returns false
+   if even that one adds no dimension. */
   template <typename Reach>
   bool AddFarthest(std::initializer_list<Vector<Real>> directions, const Reach& reach) {
     Real most(0);
@@ -101,8 +103,8 @@ class Expansion {
     return true;
   }
 
-  /** Completes the simplex to a tetrahedron, which holds the origin as the simplex does;
-   false where M is flat, when the directions across it have been tried. */
+  /** Completes the simplex to a tetrahedron, which contains the origin as the simplex
+   does. Returns false if M is flat; the directions across it have then been tried. */
   bool MakeTetrahedron(const Simplex<Real>& simplex) {
     using std::abs;
     auto& v = polytope_.vertices;
@@ -138,7 +140,8 @@ class Expansion {
       if (!AddFarthest({n}, reach)) return false;
     }
     const Real volume = Dot(v[3].x - v[0].x, Cross(v[1].x - v[0].x, v[2].x - v[0].x));
-    if (volume > 0) std::swap(v[1], v[2]);  // The fourth is behind the first three.
+    if (volume > 0)
+      std::swap(v[1], v[2]);  // Afterwards the fourth is behind the first three.
     return AddFacet({0, 1, 2}, {1, 2, 3}) && AddFacet({1, 0, 3}, {0, 3, 2}) &&
            AddFacet({2, 1, 3}, {0, 1, 3}) && AddFacet({0, 2, 3}, {0, 2, 1});
   }
@@ -155,8 +158,9 @@ class Expansion {
     return true;
   }
 
-  /** Replaces the facets that w sees, those connected to `seen`, by a cone from their
-   horizon to w; false where rounding has made the horizon anything but one loop. */
+  /** Replaces the facets visible from w, those connected to `seen`, by a cone from their
+   horizon to w. Returns false if rounding has broken the horizon into anything but one
+   loop. */
   bool Add(const DifferencePoint<Real>& w, int seen) {
     struct Side {
       int from, to, beyond;
@@ -187,7 +191,7 @@ class Expansion {
       for (int index : visible) facet(index).removed = false;
       return false;
     };
-    // Put the sides of the horizon in order, each beginning where the last one ended.
+    // Sort the sides of the horizon so that each begins where the last one ended.
     for (std::size_t i = 0; i + 1 < horizon.size(); ++i) {
       const auto next = std::find_if(
           horizon.begin() + static_cast<std::ptrdiff_t>(i) + 1, horizon.end(),
@@ -218,13 +222,13 @@ class Expansion {
   const MinkowskiDifference& M_;
   const Real rounding_;
   const Real target_;
-  Real reached_{0};  ///< The largest distance of a nearest facet yet. [m]
+  Real reached_{0};  ///< Largest distance of a nearest facet so far. [m]
   InnerPolytope<Real> polytope_;
   std::priority_queue<Entry, std::vector<Entry>, FartherFirst> nearest_;
 };
 
 /** Returns true if every side of every triangle is the reversed side of exactly one
- * other. */
+ other. */
 template <typename Real>
 bool IsClosed(const std::vector<Facet<Real>>& facets) {
   std::vector<std::pair<int, int>> sides;
@@ -251,14 +255,14 @@ bool KeepsOrientation(const Triangle<Number>& x) {
   return Dot(x[0], Cross(x[1], x[2])).enclosure().lo > 0;
 }
 
-/** Returns the least n·x_i per length of n: no point of the triangle is nearer. */
+/** Returns the least n·x_i / |n|: no point of the triangle is nearer to the origin. */
 template <typename Number>
 Enclosure DistanceAlong(const Triangle<Number>& x, const Vector<Number>& n) {
   const Number least = Min(Dot(n, x[0]), Min(Dot(n, x[1]), Dot(n, x[2])));
   return (least / Norm(n)).enclosure();
 }
 
-/** The corners of the facets over Bounded<Real>, placed when first asked for. */
+/** The corners of the facets over Bounded<Real>, computed on first use. */
 template <typename Real, typename Search>
 class Corners {
  public:
@@ -320,7 +324,7 @@ DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>&
   }
   if (nearest == nullptr) return proof;
   Corners<Precise, Real> sharp(M, polytope);
-  // The exact normal of the nearest facet: where it is a facet of M, both bounds meet.
+  // The exact normal of the nearest facet. If it is a facet of M, both bounds meet.
   const Vector<Number> n = NormalOf(sharp.Of(*nearest));
   const double overlap = OverlapAlong(M, n).hi;
   if (overlap < proof.depth.hi) proof = {{0, overlap}, Direction(n)};
@@ -338,7 +342,7 @@ DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>&
       distance = DistanceAlong(x, Exactly<Bounded<double>>(f.n)).lo;
     }
     if (!oriented && !KeepsOrientation(sharp.Of(f))) return proof;
-    // Only facets that could hold the minimum are worth more digits.
+    // Only a facet that could have the minimum is worth more digits.
     if (distance < proof.depth.hi + target) {
       const Triangle<Number> x = sharp.Of(f);
       distance = std::max(distance, DistanceAlong(x, NormalOf(x)).lo);

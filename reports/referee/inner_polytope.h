@@ -11,43 +11,47 @@ namespace touchstone::referee {
 /** A triangle of an inner polytope, seen counterclockwise from outside. */
 template <typename Real>
 struct Facet {
-  std::array<int, 3> corners;     ///< Indices of vertices.
-  std::array<int, 3> neighbours;  ///< Across the side from corner i to corner i + 1.
-  Vector<Real> n;                 ///< Unit outward normal, to rounding.
-  Real distance;                  ///< Of its plane from the origin, along n. [m]
+  std::array<int, 3> corners;  ///< Indices into InnerPolytope::vertices.
+  std::array<int, 3>
+      neighbours;  ///< Facets across the side from corner i to corner i + 1.
+  Vector<Real> n;  ///< Unit outward normal, to rounding.
+  Real distance;   ///< Distance of its plane from the origin, along n. [m]
   bool removed = false;
 };
 
-/** A polytope of points of M around the origin, and the shallowest direction met while
- growing it. A guess: CertifyDepth() proves what it is worth. */
+/** A polytope of points of M around the origin, and the direction of the least overlap
+ found while growing it. It is a guess: CertifyDepth() proves bounds from it. */
 template <typename Real>
 struct InnerPolytope {
   std::vector<DifferencePoint<Real>> vertices;
-  std::vector<Facet<Real>> facets;  ///< Removed ones included. None where M is flat.
-  Vector<Real> n;                   ///< Unit direction of the least overlap met.
-  Real overlap;                     ///< The overlap along n, to rounding. [m]
+  std::vector<Facet<Real>>
+      facets;      ///< All facets, including removed ones; empty if M is flat.
+  Vector<Real> n;  ///< Unit direction of the least overlap found.
+  Real overlap;    ///< The overlap along n, to rounding. [m]
 };
 
-/** Grows a polytope from a simplex that holds the origin until its nearest facet is on
- the boundary of M to within `target` [m], or until it has `most_vertices`: the expanding
- polytope algorithm. */
+/** Grows an inner polytope by the expanding polytope algorithm (EPA). It starts from a
+ simplex that contains the origin. It ends when its nearest facet is within `target` [m]
+ of the boundary of M, or when it has `most_vertices`. */
 template <typename Real>
 InnerPolytope<Real> Expand(const MinkowskiDifference& M, const Simplex<Real>& simplex,
                            double target, std::size_t most_vertices);
 
-/** Proves bounds on the depth of the origin in M.
+/** Proves bounds on the depth of the origin in M. The upper bound is the overlap along
+ any direction.
 
- Upper: the overlap along any direction.
+ The lower bound is the radius ρ of a ball about the origin. The ball lies in M if the
+ surface of triangles is closed, each triangle x_1 x_2 x_3 of points of M has det(x_1,
+ x_2, x_3) > 0, and each has a direction n with n·x_i >= ρ |n|. Proof: project the surface
+ radially onto the unit sphere. A closed oriented surface whose triangles all keep their
+ orientation covers the sphere with a degree that counts sheets, all of one sign. The
+ degree is not zero, so every direction u meets a triangle. There t u is a convex
+ combination of the x_i for some t > 0, so that it lies in M, and t >= n·(t u) / |n| >= ρ.
+ The same holds for −u. M is convex, so it contains the origin and the whole segment from
+ the origin to t u.
 
- Lower: the ball of radius ρ lies in M if the surface of triangles is closed, each
- triangle x_1 x_2 x_3 of points of M has det(x_1, x_2, x_3) > 0, and each has a direction
- n with n·x_i >= ρ |n|. For, projected radially onto the unit sphere, a closed oriented
- surface whose triangles all keep their orientation covers the sphere with a degree that
- counts sheets, all of one sign: it is not zero, so every direction u meets a triangle.
- There t u is a mixture of the x_i for some t > 0, so that it lies in M, and t >= n·(t u)
- / |n| >= ρ. The same holds of −u, so that M, being convex, holds the origin and all of
- the segment from the origin to t u. No convexity of the surface is used, so it does not
- matter how the search rounded. */
+ The proof does not assume that the surface is convex, so the rounding of the search does
+ not matter. */
 template <typename Real>
 DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>& polytope,
                         double target);

@@ -4,9 +4,9 @@
 
 namespace touchstone::referee {
 
-/** Returns how far the signed separation can move when every number of the query moves by
- an ulp and each matrix is replaced by the nearest rotation: the half-width of the band in
- which nobody can be wrong about touching. [m] */
+/** Returns the largest change of the signed separation when every number of the query
+ changes by an ulp and each matrix is replaced by the nearest rotation. It is the
+ half-width of the band in which no answer about touching can be proved wrong. [m] */
 double InputRounding(const ContactQuery& query);
 
 }  // namespace touchstone::referee

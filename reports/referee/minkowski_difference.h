@@ -6,20 +6,19 @@
 
 namespace touchstone::referee {
 
-/** A point a − b of the Minkowski difference, with the points it comes from. */
+/** A point a − b of the Minkowski difference, with the points a and b. */
 template <typename Real>
 struct DifferencePoint {
-  Vector<Real> q_A;  ///< In the core of A, body frame. [m]
-  Vector<Real> q_B;  ///< In the core of B, body frame. [m]
-  Vector<Real>
-      x;  ///< a − b in the world frame, to rounding: for searches, not for proofs. [m]
+  Vector<Real> q_A;  ///< Point a in the body frame of A. [m]
+  Vector<Real> q_B;  ///< Point b in the body frame of B. [m]
+  /** a − b in the world frame, to rounding: for searches, not for proofs. [m] */
+  Vector<Real> x;
 };
 
-/** M = {a − b : a in the core of A, b in the core of B}, world frame.
-
- The cores are apart by the distance of the origin from M, or the origin lies in M and the
- depth of the cores is its distance from the boundary of M; the separation of the shapes
- is that of their cores minus both radii. */
+/** The Minkowski difference M = {a − b : a in the core of A, b in the core of B}, world
+ frame. If the origin is outside M, the distance of the cores is its distance from M. If
+ it is in M, the depth of the cores is its distance from the boundary of M. The separation
+ of the shapes is that of their cores minus both radii. */
 class MinkowskiDifference {
  public:
   /** @pre Both outlive this, and neither is a half-space. */
@@ -35,21 +34,21 @@ class MinkowskiDifference {
   template <typename Real>
   Vector<Bounded<Real>> Centre() const;
 
-  /** Returns a point of M farthest along n, up to rounding. */
+  /** Returns the support point of M along n, up to rounding. */
   template <typename Real>
   DifferencePoint<Real> Support(const Vector<Real>& n) const;
 
-  /** Returns the exact a − b of the points q_A and q_B, enclosed. */
+  /** Returns an enclosure of the exact a − b for the points q_A and q_B. */
   template <typename Real>
   Vector<Bounded<Real>> Place(const Vector<Real>& q_A, const Vector<Real>& q_B) const;
 
-  /** Returns max n · x over M: the overlap of the cores along n, times the length of n.
-   */
+  /** Returns the maximum of n · x over M: the overlap of the cores along n, times the
+   length of n. */
   template <typename Real>
   Bounded<Real> SupportValue(const Vector<Bounded<Real>>& n) const;
 
-  /** Returns an upper bound on |x| over M, to rounding: the length of which errors in the
-   search are multiples. [m] */
+  /** Returns an upper bound on |x| over M, to rounding. Errors of the search are
+   multiples of it. [m] */
   double Size() const;
 
  private:

@@ -6,12 +6,12 @@
 namespace touchstone::referee {
 namespace {
 
-// GJK gains at least a bit per step on flat faces and a constant factor on round ones;
-// what has not converged by then does not, and the enclosure says how far it came.
+// GJK gains at least a bit per step on flat faces and a constant factor on round ones. A
+// search that has not converged by then will not, and the enclosure shows how far it got.
 constexpr int kMostSteps = 300;
 
-/** The mixture of `subset` of the points that is nearest to the origin within their
- affine hull; false where it lies outside their convex hull. */
+/** Computes the point nearest to the origin in the affine hull of `subset` of the points.
+ Returns false if it lies outside their convex hull. */
 template <typename Real>
 bool SolveSubset(const Simplex<Real>& all, unsigned subset, Simplex<Real>* solved) {
   solved->count = 0;
@@ -38,8 +38,9 @@ bool SolveSubset(const Simplex<Real>& all, unsigned subset, Simplex<Real>* solve
       break;
     }
     case 3: {
-      // The weight of a corner is the area of the triangle that the foot of the origin
-      // makes with the other two; n · (b × c) is that times |n|², as the foot is along n.
+      // The weight of a corner is the area of the triangle that the projection of the
+      // origin forms with the other two corners. n · (b × c) is that area times 2 |n|,
+      // because the projection is along n.
       const Vector<Real> n = Cross(b - a, c - a);
       weights[0] = Dot(n, Cross(b, c));
       weights[1] = Dot(n, Cross(c, a));
@@ -97,8 +98,8 @@ Simplex<Real> FindNearest(const MinkowskiDifference& M, const Simplex<Real>& sta
     simplex.v = simplex.points[0].x;
   }
   // v·w / |v| is uncertain by the rounding of numbers as large as M. Flat faces are found
-  // in finitely many steps, so rounding is all that has to be granted; round ones are
-  // only approached, and a sixteenth of a double's roundoff is near enough.
+  // in finitely many steps, so the tolerance is that rounding. Round faces are only
+  // approached: a sixteenth of a double's roundoff (4 / 64) is near enough.
   const double roundoff =
       M.IsCurved() ? std::max(kRoundoff<Real>, kRoundoff<double> / 64) : kRoundoff<Real>;
   const Real tolerance = Real(4 * roundoff * M.Size());
@@ -138,7 +139,7 @@ Simplex<Precise> Sharpen(const MinkowskiDifference& M, const Simplex<double>& si
 template <typename Real>
 Enclosure CertifyNearest(const MinkowskiDifference& M, const Simplex<Real>& simplex) {
   using Number = Bounded<Real>;
-  // The weights are positive numbers as they stand, so the mixture is a point of M.
+  // The weights are exact positive numbers, so the combination is a point of M.
   Number total;
   Vector<Number> sum;
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {

@@ -6,29 +6,30 @@
 
 namespace touchstone::referee {
 
-/** Up to four points of M with positive weights: a convex mixture of them, v, and what it
- says about the origin. */
+/** A simplex of GJK: up to four points of M with positive weights, and v, their convex
+ combination. */
 template <typename Real>
 struct Simplex {
   std::array<DifferencePoint<Real>, 4> points;
-  std::array<Real, 4> weights;  ///< Positive, not normalised.
+  std::array<Real, 4> weights;  ///< Weights of the points: positive, not normalised.
   int count = 0;
-  Vector<Real> v;                ///< The mixture, to rounding. [m]
-  bool encloses_origin = false;  ///< A tetrahedron around the origin, to rounding.
+  Vector<Real> v;  ///< The convex combination, to rounding. [m]
+  bool encloses_origin =
+      false;  ///< Whether it is a tetrahedron around the origin, to rounding.
 };
 
-/** Searches for the point of M nearest to the origin: GJK with every face of the simplex
- tried, so that no rounding sends it down a wrong branch. Starts from `start`, which may
- be empty. The result is a guess; CertifyNearest() proves what it is worth. */
+/** Searches for the point of M nearest to the origin by GJK. It tries every face of the
+ simplex, so that no rounding leads it into a wrong branch. Starts from `start`, which may
+ be empty. The result is a guess: CertifyNearest() proves bounds from it. */
 template <typename Real>
 Simplex<Real> FindNearest(const MinkowskiDifference& M, const Simplex<Real>& start);
 
-/** Returns the same points over more digits, with the weights solved anew. */
+/** Returns the same points in higher precision, with the weights computed again. */
 Simplex<Precise> Sharpen(const MinkowskiDifference& M, const Simplex<double>& simplex);
 
-/** Returns an enclosure of the signed distance of the origin from M, negative inside: no
- less than the support gap along −v, no more than |v|. Valid for every simplex, tight for
- a good one. [m] */
+/** Returns an enclosure of the signed distance of the origin from M, negative inside. Its
+ lower end is the support gap along −v, its upper end |v|. It is valid for every simplex,
+ and tight for a good one. [m] */
 template <typename Real>
 Enclosure CertifyNearest(const MinkowskiDifference& M, const Simplex<Real>& simplex);
 

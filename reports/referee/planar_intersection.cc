@@ -12,7 +12,8 @@ double Cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/** Returns the corners of the exact hull, counterclockwise: Andrew's monotone chain. */
+/** Returns the corners of the convex hull without slack, counterclockwise, by Andrew's
+ monotone chain. */
 Polygon StrictHull(std::vector<Vector2d> points) {
   std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -29,7 +30,7 @@ Polygon StrictHull(std::vector<Vector2d> points) {
       }
       hull.push_back(*p);
     }
-    hull.pop_back();  // It begins the other chain.
+    hull.pop_back();  // The last point starts the other chain.
   };
   add_chain(points.begin(), points.end());
   add_chain(points.rbegin(), points.rend());
@@ -43,12 +44,12 @@ double DistanceFromSegment(const Vector2d& p, const Vector2d& a, const Vector2d&
   return (p - a - t * e).norm();
 }
 
-/** Keeps what lies left of the line from a to b, moved out by `slack`. */
+/** Clips P to the left of the line from a to b, moved outwards by `slack`. */
 Polygon Clip(const Polygon& P, const Vector2d& a, const Vector2d& b, double slack) {
   const Vector2d e = (b - a).normalized();
   const auto inside = [&](const Vector2d& p) { return Cross(e, p - a) + slack; };
   Polygon kept;
-  // A segment is walked once, a polygon around.
+  // A segment has one side, a polygon as many as corners.
   const std::size_t sides = P.size() == 2 ? 1 : P.size();
   for (std::size_t i = 0; i < sides; ++i) {
     const Vector2d& from = P[i];
@@ -80,8 +81,8 @@ Polygon IntersectSegments(const Polygon& P, const Polygon& Q, double slack,
   return {P[0] + std::clamp(t, 0.0, 1.0) * e};
 }
 
-/** The point midway between the nearest points of two polygons that do not meet: one of
- the two is a corner. */
+/** Returns the point midway between the nearest points of two disjoint polygons. One of
+ the nearest points is a corner. */
 Vector2d Midway(const Polygon& P, const Polygon& Q) {
   double least = std::numeric_limits<double>::infinity();
   Vector2d middle = P[0];
@@ -109,7 +110,7 @@ Vector2d Midway(const Polygon& P, const Polygon& Q) {
 
 Polygon HullOf(std::vector<Vector2d> points, double slack) {
   Polygon hull = StrictHull(std::move(points));
-  // Dropping the corner that matters least first keeps the others in place.
+  // Dropping the least significant corner first keeps the others in place.
   while (hull.size() > 1) {
     double least = std::numeric_limits<double>::infinity();
     std::size_t drop = 0;

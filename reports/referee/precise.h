@@ -7,21 +7,21 @@
 
 namespace touchstone::referee {
 
-/** The reals of the second opinion: 257 bits, round to nearest. The product of two
- doubles is exact in them, and the sum of such products almost always. */
+/** The high-precision real: 257 bits, rounded to nearest. The product of two doubles is
+ exact in it, and the sum of such products almost always. */
 using Precise = boost::multiprecision::number<
     boost::multiprecision::mpfr_float_backend<77, boost::multiprecision::allocate_stack>,
     boost::multiprecision::et_off>;
 
-/** Bound on the relative error of one operation of the arithmetic of `Real`. */
+/** Bound on the relative error of one operation in the arithmetic of `Real`. [-] */
 template <typename Real>
 inline constexpr double kRoundoff = 0x1p-53;
 template <>
 inline constexpr double kRoundoff<Precise> = 0x1p-256;
 static_assert(std::numeric_limits<Precise>::digits >= 256);
 
-/** Returns a double no smaller than |x|, and at most twice as large; infinity for
- what is not finite. */
+/** Returns a double no smaller than |x| and at most twice as large; infinity if x is not
+ finite. */
 inline double Magnitude(double x) {
   return std::abs(x);
 }

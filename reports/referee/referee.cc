@@ -54,12 +54,12 @@ ContactTruth JudgeBounded(const ContactQuery& query) {
   return truth;
 }
 
-/** Where B moved by t along n, t > 0, just leaves the half-space: t (n·m) is the overlap
- along the plane's own normal m. A gap is shortened instead, so that both bound
- −separation. */
+/** Returns the overlap along a direction n other than the plane's normal m. B moved by t
+ > 0 along n just leaves the half-space where t (n·m) is the overlap along m. A gap is
+ multiplied by n·m instead of divided, so that both cases bound −separation. */
 Enclosure OverlapAlongTilted(const PlaneOverlap& plane, const Eigen::Vector3d& n_W) {
   using Near = Bounded<double>;
-  // The normal is known to a few roundings of a unit vector.
+  // The normal is accurate to a few roundings of a unit vector.
   constexpr double kNormalError = 8 * std::numeric_limits<double>::epsilon();
   const Vector<Near> n = Exactly<Near>(n_W);
   const Vector<Near> m = {Near(plane.n_AB_W.x(), kNormalError),
@@ -100,7 +100,7 @@ Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {
 }
 
 Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W) {
-  // A ball without a radius: the separation from it is the distance of its centre.
+  // A ball of radius zero: the separation from it is the distance of its centre.
   const Body point{Sphere{0}, Pose::FromMatrix(p_W, Eigen::Matrix3d::Identity())};
   const ContactQuery query{body, point};
   const ContactTruth truth =

@@ -10,10 +10,11 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-// A polygon of this many sides around a disc is 2 % larger across.
+// The number of sides of the polygon around a disc, which is 2 % wider than the disc.
 constexpr int kRimSides = 16;
 
-/** The rim of a disc at height z; its first point is the one farthest along n. */
+/** Returns points on the rim of a disc at height z. The first is the one farthest along
+ n. */
 Points Rim(double radius, double z, const Eigen::Vector3d& n_B) {
   const double start = std::atan2(n_B.y(), n_B.x());
   Points points;
@@ -24,7 +25,7 @@ Points Rim(double radius, double z, const Eigen::Vector3d& n_B) {
   return points;
 }
 
-/** Keeps the points within `slack` of the farthest along n. */
+/** Returns the points within `slack` of the farthest along n. */
 Points Keep(const Points& points, const Eigen::Vector3d& n_B, double slack) {
   double most = -std::numeric_limits<double>::infinity();
   for (const Eigen::Vector3d& p : points) most = std::max(most, n_B.dot(p));
@@ -35,13 +36,13 @@ Points Keep(const Points& points, const Eigen::Vector3d& n_B, double slack) {
   return kept;
 }
 
-/** A disc of which all lies within slack of the plane, as a polygon that holds it. */
+/** Returns a disc that lies within slack of the plane, as a polygon around it. */
 SupportFeature Disc(double radius, double z) {
   const double around = radius / std::cos(std::numbers::pi / kRimSides);
   return {Rim(around, z, Eigen::Vector3d::UnitX()), true, false};
 }
 
-/** Features in the body frame, along the body-frame direction n_B. */
+/** Returns the feature in the body frame along the body-frame direction n_B. */
 struct InBody {
   const Eigen::Vector3d& n_B;
   double slack;

@@ -10,9 +10,12 @@ namespace touchstone::referee {
 
 /** The part of a body that touches its supporting plane: a point, a segment or a face. */
 struct SupportFeature {
-  std::vector<Eigen::Vector3d> points_W;  ///< Their hull is the feature. [m]
-  bool is_disc = false;   ///< The points are the corners of a polygon around a disc.
-  bool is_plane = false;  ///< A half-space: no points, it bounds nothing sideways.
+  std::vector<Eigen::Vector3d>
+      points_W;  ///< Points whose convex hull is the feature. [m]
+  bool is_disc =
+      false;  ///< Whether the points are the corners of a polygon around a disc.
+  bool is_plane = false;  ///< Whether it is a half-space, which has no points and is
+                          ///< unbounded sideways.
 };
 
 /** Returns the corners of `body` within `slack` [m] of its supporting plane along the

@@ -8,15 +8,16 @@ namespace touchstone::referee {
 namespace {
 
 struct Generator {
-  Eigen::Vector3d direction;         ///< A column of a pose's matrix: exact.
-  std::vector<double> half_lengths;  ///< Of parallel edges, whose sum counts. [m]
+  Eigen::Vector3d direction;  ///< A column of a pose's matrix, without rounding.
+  std::vector<double>
+      half_lengths;  ///< Half lengths of parallel edges; their sum counts. [m]
 };
 
 void AddGenerator(const Eigen::Vector3d& direction, double half_length,
                   std::vector<Generator>* generators) {
-  // Bodies that share an orientation share edges to the bit. Merging them leaves fewer
-  // candidates; edges parallel only in exact arithmetic are told apart by their exact
-  // cross.
+  // Bodies of one orientation have edges that are equal to the bit. Merging them leaves
+  // fewer candidates. Edges parallel only in exact arithmetic are distinguished by their
+  // exact cross product.
   for (Generator& generator : *generators) {
     if (generator.direction == direction || generator.direction == -direction) {
       generator.half_lengths.push_back(half_length);
@@ -41,9 +42,8 @@ struct Candidate {
   Eigen::Vector3d n_AB_W = Eigen::Vector3d::Zero();
 };
 
-/** Returns the overlap along ± the cross product of two generators, whichever sign is
- less. Where the cross is exactly zero there is no such face, and the overlap is infinite.
- */
+/** Returns the lesser overlap of the two along ± the cross product of two generators. If
+ the product is exactly zero, there is no such face and the overlap is infinite. */
 template <typename Real>
 Candidate Evaluate(const MinkowskiDifference& M, const std::vector<Generator>& generators,
                    std::size_t i, std::size_t j) {
@@ -99,8 +99,7 @@ std::optional<CoreDepth> ZonotopeDepth(const MinkowskiDifference& M) {
       least = std::min(least, overlap.hi);
     }
   }
-  // Every candidate that may be the least is evaluated again; the others cannot change
-  // it.
+  // Only candidates that may be the least are evaluated again in high precision.
   CoreDepth best{
       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
       Eigen::Vector3d::Zero()};

@@ -6,25 +6,25 @@
 
 namespace touchstone::referee {
 
-/** A depth of M and the direction along which it is reached. */
+/** The depth of the origin in M and the direction along which it is reached. */
 struct CoreDepth {
-  /** Signed overlap along the best candidate: the depth where `lo` > 0. Where it is not,
-   the origin is outside M or on it, and only −hi, a lower bound on the distance, has a
-   meaning. */
-  Enclosure depth;         ///< [m]
-  Eigen::Vector3d n_AB_W;  ///< Unit.
+  /** Signed overlap along the best candidate: the depth if `lo` > 0. Otherwise the origin
+   is outside M or on its boundary, and only −hi has a meaning: it is a lower bound on the
+   distance. [m] */
+  Enclosure depth;
+  Eigen::Vector3d n_AB_W;  ///< Unit direction from A to B.
 };
 
-/** Returns true for the cores that are zonotopes: points, segments and boxes. */
+/** Returns true if the core is a zonotope: a point, a segment or a box. */
 bool IsZonotope(const Core& core);
 
-/** Returns the least overlap of two zonotopes over the normals of the faces of M; empty
- where M has no faces, being a point or a segment.
+/** Returns the least overlap of two zonotopes over the normals of the faces of M. Empty
+ if M is a point or a segment and has no faces.
 
  M = c + Σ [−h_k, h_k] g_k is itself a zonotope, with the edges of both as generators.
- Each of its faces is spanned by two of them, so the cross products of all pairs hold
- every face normal (face normals of A, of B, and edge crosses alike), and along a face
- normal max n·x = n·c + Σ h_k |n·g_k|. For an origin inside a full-dimensional M, the
+ Each of its faces is spanned by two of them. The cross products of all pairs therefore
+ include every face normal: face normals of A, of B, and edge crosses alike. Along a face
+ normal max n·x = n·c + Σ h_k |n·g_k|. If the origin is inside a full-dimensional M, the
  least of these per unit length is the depth. */
 std::optional<CoreDepth> ZonotopeDepth(const MinkowskiDifference& M);
 

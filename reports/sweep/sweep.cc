@@ -13,7 +13,8 @@
 namespace touchstone {
 namespace {
 
-// Questions to a run: memory for one chunk at a time, threads kept busy within it.
+// The number of questions per run: only one chunk is in memory at a time, and it keeps
+// the threads busy.
 constexpr std::uint64_t kChunk = 4096;
 
 RunReport OnlyScenario(const RunReport& report, const Outcome& subject) {
@@ -36,7 +37,7 @@ void Add(const RunReport& report, const Outcome& subject, std::uint64_t index,
   if (truth.touching == Touching::kUndecided) ++result.undecided;
   if (subject.verdict == Verdict::kUnsupported) ++result.unsupported;
   for (const Finding& finding : subject.findings) {
-    // What nobody can be blamed for is not among the worst.
+    // A measure that proves nothing is not among the worst.
     if (finding.verdict == Verdict::kUndecidable ||
         finding.verdict == Verdict::kUnsupported) {
       continue;
@@ -58,7 +59,7 @@ void Add(const RunReport& report, const Outcome& subject, std::uint64_t index,
 
 Scenario ScenarioAt(const QuestionSeries& series, std::uint64_t index) {
   Scenario scenario;
-  // Of equal width, so that ids sort as indices do.
+  // Indices have equal width, so that ids sort as indices do.
   scenario.id = fmt::format("sweep/{}/{}_{}/seed_{}/{:020}", NameOf(series.family),
                             NameOf(series.A), NameOf(series.B), series.seed, index);
   scenario.title =
@@ -125,7 +126,7 @@ std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
   WriteExplanation(first.report, {}, text);
   text << "\nThe question, as a file for `touchstone run`:\n\n"
        << WriteScenario(first.report.scenarios[0].scenario)
-       << "\nAsk everybody else again: " << ReplayOf(series, first.index) << '\n';
+       << "\nTo ask the other oracles: " << ReplayOf(series, first.index) << '\n';
   return text.str();
 }
 

@@ -14,7 +14,7 @@
 
 namespace touchstone {
 
-/** A seeded series of generated questions: the same on every machine. */
+/** A seeded series of generated questions, the same on every machine. */
 struct QuestionSeries {
   Family family = Family::kRandom;
   ShapeKind A = ShapeKind::kBox;
@@ -24,55 +24,58 @@ struct QuestionSeries {
   std::uint64_t count = 1000;
 };
 
-/** Returns question `index` of the series as a scenario,
- * "sweep/random/box_box/seed_1/0...42". */
+/** Returns question `index` of the series as a scenario with an id such as
+ "sweep/random/box_box/seed_1/0...42". */
 Scenario ScenarioAt(const QuestionSeries& series, std::uint64_t index);
 
-/** Returns the command line that asks question `index` again. */
+/** Returns the command line that repeats question `index`. */
 std::string ReplayOf(const QuestionSeries& series, std::uint64_t index);
 
-/** The largest value of a measure relative to its tolerance. */
+/** The worst value of a measure relative to its tolerance. */
 struct WorstMeasure {
-  double relative = 0;      ///< Multiple of the tolerance. [-]
-  double value = 0;         ///< In the measure's unit.
-  std::uint64_t index = 0;  ///< Of the question.
+  double relative = 0;      ///< Value as a multiple of the tolerance. [-]
+  double value = 0;         ///< Value in the measure's unit.
+  std::uint64_t index = 0;  ///< Index of the question.
 };
 
-/** A question that the subject failed, with everything that was said about it. */
+/** A question that the subject failed, with the report of it. */
 struct FailedQuestion {
   std::uint64_t index;
-  RunReport report;  ///< Of this one question.
+  RunReport report;  ///< Report of this one question.
 };
 
-/** What a sweep found. A sweep that touched nothing has verified nothing. */
+/** The result of a sweep. A sweep in which no bodies touched has verified nothing. */
 struct SweepResult {
-  std::uint64_t asked = 0;
-  std::uint64_t touching = 0;     ///< Certified.
-  std::uint64_t undecided = 0;    ///< Touching to within the rounding of the input.
-  std::uint64_t unsupported = 0;  ///< By the subject.
-  std::uint64_t failed = 0;       ///< By the subject.
-  /** By MeasureKind, of the subject; empty where it was never measured. */
+  std::uint64_t asked = 0;        ///< Number of questions.
+  std::uint64_t touching = 0;     ///< Questions certified as touching.
+  std::uint64_t undecided = 0;    ///< Questions touching to within the input's rounding.
+  std::uint64_t unsupported = 0;  ///< Questions that the subject does not support.
+  std::uint64_t failed = 0;       ///< Questions that the subject failed.
+  /** Worst values of the subject, indexed by MeasureKind; empty where it was never
+   measured. */
   std::array<std::optional<WorstMeasure>, kMeasureKinds> worst;
   std::vector<FailedQuestion> first_failures;
 };
 
-/** How to sweep. */
+/** The options of a sweep. */
 struct SweepOptions {
-  int jobs = 0;                   ///< As RunOptions::jobs.
-  std::size_t failures_kept = 3;  ///< At most so many of SweepResult::first_failures.
-  /** Called with (done, total) questions; may be empty. */
+  int jobs = 0;                   ///< Number of threads, as RunOptions::jobs.
+  std::size_t failures_kept = 3;  ///< Largest size of SweepResult::first_failures.
+  /** Called with the numbers of questions (done, total); may be empty. */
   std::function<void(std::size_t, std::size_t)> on_progress = nullptr;
 };
 
 /** Asks `oracles` every question of the series and judges the answers of the first, the
- subject, without a ledger. Deterministic whatever the number of jobs. */
+ subject, without a ledger. The result is deterministic and independent of the number of
+ jobs. */
 SweepResult Sweep(const QuestionSeries& series, std::span<const Oracle* const> oracles,
                   const SweepOptions& options = {});
 
-/** Returns what is wrong with `subject` on the series, for a person: how many questions
- it failed, and of the first the file, every answer with its proof, and how to ask it
- again. Empty where nothing is wrong. That none of the questions touched, or that the
- subject supports none, is wrong too. The answers of `references` are shown beside. */
+/** Returns the faults of `subject` on the series, written for a person; empty where there
+ are none. It states how many questions the subject failed. For the first of them it shows
+ the file, every answer with its proof, and the command that repeats it. A series in which
+ no bodies touch, or which the subject does not support, is a fault too. The answers of
+ `references` are shown next to the subject's. */
 std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
                            std::span<const Oracle* const> references = {});
 

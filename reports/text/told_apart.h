@@ -4,7 +4,7 @@
 
 namespace touchstone {
 
-/** Two numbers as a reader compares them. */
+/** Two numbers as text that shows how they differ. */
 struct ToldApart {
   std::string a;
   std::string b;
@@ -12,7 +12,7 @@ struct ToldApart {
 };
 
 /** Writes `a` and `b` with `digits` significant digits, or with as many more as show two
- digits of their difference: two numbers that differ never look equal. */
+ digits of their difference: numbers that differ never look equal. */
 ToldApart TellApart(double a, double b, int digits);
 
 }  // namespace touchstone

@@ -5,9 +5,9 @@
 
 namespace touchstone {
 
-/** Calls `work(i)` for every i in [0, count) from `jobs` threads, 0 meaning one per core.
- Returns when all are done. What `work` writes must belong to its own i, so that the
- outcome does not depend on the number of threads.
+/** Calls `work(i)` for every i in [0, count) from `jobs` threads, 0 meaning one per core,
+ and returns when all calls are done. Each call may write only to data of its own i, so
+ that the result does not depend on the number of threads.
  @pre `work` does not throw. */
 void ParallelFor(std::size_t count, int jobs,
                  const std::function<void(std::size_t)>& work);

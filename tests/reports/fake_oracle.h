@@ -7,19 +7,20 @@
 
 namespace touchstone {
 
-/** Returns the right answer to `query`, made from the certified truth: everything that an
- oracle can give, contacts at all corners of the true patch. */
+/** Returns the right answer to `query`, made from the certified truth. It has every field
+ that an oracle can return, and contacts at all corners of the true patch. */
 ContactAnswer RightAnswer(const ContactQuery& query);
 
-/** An oracle made of a function, so that an error can be planted. */
+/** An oracle made from a function, so that tests can plant an error. */
 class FakeOracle : public Oracle {
  public:
   using Function = std::function<ContactAnswer(const ContactQuery&)>;
 
-  /** Supports and promises everything, in double. */
+  /** Makes an oracle that supports and promises everything, in double precision. */
   explicit FakeOracle(std::string name, Function function = RightAnswer);
 
-  /** An oracle that answers rightly, but for what `plant` does to its answer. */
+  /** Returns an oracle that answers correctly except for the change that `plant` makes to
+   its answer. */
   static FakeOracle Wrong(std::string name,
                           std::function<void(const ContactQuery&, ContactAnswer&)> plant);
 

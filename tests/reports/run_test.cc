@@ -29,7 +29,7 @@ Scenario ScenarioOf(std::string id, const ContactQuery& query) {
   return scenario;
 }
 
-/** Numbers in [lo, hi) that are the same on every machine. */
+/** A random generator that is the same on every machine. */
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -72,8 +72,8 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/** Random questions over every pair of spheres, boxes, capsules, hulls and a half-space.
- */
+/** Returns random questions over every pair of spheres, boxes, capsules, hulls and a
+ half-space. */
 std::vector<Scenario> Sweep(int rounds) {
   Random random(20250317);
   std::vector<Scenario> scenarios;
@@ -115,7 +115,7 @@ TEST(Run, RaisesNoFalseAlarmOnARightOracle) {
   EXPECT_THAT(ProofsOfFailures(report), IsEmpty());
   EXPECT_THAT(report.faults, IsEmpty());
   EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
-  // The sweep touched something, and left something apart.
+  // The sweep contains both touching and separated bodies.
   const auto touching = std::count_if(
       report.scenarios.begin(), report.scenarios.end(), [](const ScenarioResult& result) {
         return result.truth.touching == Touching::kTouching;
@@ -124,7 +124,7 @@ TEST(Run, RaisesNoFalseAlarmOnARightOracle) {
   EXPECT_LT(touching, static_cast<long>(scenarios.size() * 9 / 10));
 }
 
-/** What differs between two reports, as text. */
+/** Returns everything in which two reports could differ, as text. */
 std::string Digest(const RunReport& report) {
   std::string text;
   for (const Finding& f : report.findings) {
@@ -192,14 +192,15 @@ TEST(Run, AsksNoQuestionThatAnOracleDoesNotSupport) {
     capability.supported = false;
     capability.reason = "no such pair";
   });
-  none.info().capabilities[0][0].supported = true;  // Two spheres: it answers something.
+  none.info().capabilities[0][0].supported =
+      true;  // Two spheres are supported, so that it answers contact queries.
   const RunReport report =
       RunAll({ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)}, {&none});
   ASSERT_EQ(report.findings.size(), 1U);
   EXPECT_EQ(report.findings[0].verdict, Verdict::kUnsupported);
   EXPECT_EQ(report.findings[0].proof, "none: no such pair.");
   EXPECT_EQ(ExitCode(report, FailOn::kAnything), 2);
-  // Nor does a reference that is wrong make an examination of it.
+  // A wrong reference does not make the subject examined either.
   const FakeOracle wrong = FakeOracle::Wrong(
       "wrong",
       [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
@@ -234,7 +235,7 @@ TEST(ExitCode, IsTwoWhereOnlyVariantsAgreeAndAClaimIsUnverified) {
   EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
 }
 
-TEST(ExitCode, CountsTheReferencesOnlyWhereAsked) {
+TEST(ExitCode, CountsTheReferencesOnlyOnRequest) {
   const FakeOracle right("right");
   const FakeOracle wrong = FakeOracle::Wrong(
       "wrong",
@@ -246,8 +247,8 @@ TEST(ExitCode, CountsTheReferencesOnlyWhereAsked) {
   EXPECT_EQ(ExitCode(RunAll(scenarios, {&wrong, &right}), FailOn::kSubject), 1);
 }
 
-/** The causes of the failures against the referee of one oracle, whose answers `plant`
- * spoils. */
+/** Returns the causes of the failures against the referee of one oracle, whose answers
+ `plant` spoils. */
 std::vector<Cause> CausesOf(
     std::function<void(const ContactQuery&, ContactAnswer&)> plant) {
   const FakeOracle wrong = FakeOracle::Wrong("wrong", std::move(plant));
@@ -281,8 +282,8 @@ TEST(Run, CallsAnErrorOfTheSameLengthEverywhereAMargin) {
               testing::Contains(Cause::kConvention));
 }
 
-TEST(Run, CallsNoiseThatRoundingSetsOffPrecision) {
-  // An answer that depends on the last bits of the question.
+TEST(Run, CallsNoiseFromRoundingPrecision) {
+  // The answer depends on the last bits of the question.
   EXPECT_THAT(CausesOf([](const ContactQuery& query, ContactAnswer& answer) {
                 const double bits = std::sin(3e17 * query.B.X_WB.p_WB.sum());
                 *answer.separation *= 1.5 + 0.4 * bits;
@@ -324,7 +325,7 @@ TEST(CheckCatalogue, DoubtsAClaimOfStabilityThatEachEngineBreaks) {
       ElementsAre(testing::HasSubstr("world/x: claims to be stable, but each of 2")));
 }
 
-TEST(CheckCatalogue, WantsIndictmentsFoundAgain) {
+TEST(CheckCatalogue, RequiresIndictmentsToBeReproduced) {
   const FakeOracle right("right");
   const FakeOracle wrong = FakeOracle::Wrong(
       "wrong",
@@ -334,17 +335,17 @@ TEST(CheckCatalogue, WantsIndictmentsFoundAgain) {
   EXPECT_THAT(
       Indicting(right, true).faults,
       ElementsAre("contact/x: indicts right of separation_error (\"the depth is "
-                  "halved\"), which is not found again: remove the measure, or set "
+                  "halved\"), which is not reproduced: remove the measure, or set "
                   "reproduces = false."));
   const RunReport found = Indicting(wrong, false);
   ASSERT_EQ(found.faults.size(), 1U);
   EXPECT_THAT(found.faults[0],
-              HasSubstr("wrong does not show \"the depth is halved\" any "
-                        "more, but by separation_error: wrong says 0.0005 m deep"));
+              HasSubstr("wrong no longer shows \"the depth is halved\", but "
+                        "separation_error still finds it: wrong says 0.0005 m deep"));
   EXPECT_EQ(ExitCode(Indicting(right, true), FailOn::kSubject), 1);
 }
 
-TEST(CheckCatalogue, CountsNoMeasureButTheOneIndicted) {
+TEST(CheckCatalogue, CountsOnlyTheIndictedMeasure) {
   const FakeOracle halved = FakeOracle::Wrong(
       "halved",
       [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
@@ -353,13 +354,13 @@ TEST(CheckCatalogue, CountsNoMeasureButTheOneIndicted) {
               ElementsAre(HasSubstr("indicts halved of excess")));
 }
 
-TEST(CheckCatalogue, WantsWhatIsSaidToBeFixedMeasured) {
+TEST(CheckCatalogue, RequiresAFixedIndictmentToBeMeasured) {
   const FakeOracle right("right");
   EXPECT_THAT(Indicting(right, false, MeasureKind::kDualityGap).faults,
-              ElementsAre(HasSubstr("by duality_gap, which is not measured there")));
+              ElementsAre(HasSubstr("but duality_gap is not measured there")));
 }
 
-TEST(CheckCatalogue, WantsEveryMeasureOfAnIndictment) {
+TEST(CheckCatalogue, RequiresEveryMeasureOfAnIndictment) {
   const FakeOracle halved = FakeOracle::Wrong(
       "halved",
       [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 0.5; });
@@ -372,7 +373,7 @@ TEST(CheckCatalogue, WantsEveryMeasureOfAnIndictment) {
               ElementsAre(HasSubstr("indicts halved of excess")));
 }
 
-TEST(CheckCatalogue, WantsTheIndictmentsOfWorldsFoundAgainToo) {
+TEST(CheckCatalogue, RequiresIndictmentsOfWorldsToBeReproduced) {
   RunReport report;
   report.oracles.emplace_back().name = "ode";
   report.worlds.emplace_back().scenario.id = "world/x";
@@ -426,7 +427,7 @@ TEST(CheckCatalogue, RefutesExpectationsThatAreFalse) {
   EXPECT_THAT(
       FaultsWith(expect),
       ElementsAre(HasSubstr("expects 1 contact, but it takes 4 to span the patch")));
-  // Apart, the patch is where they would touch.
+  // If the bodies are apart, the patch is where they would touch.
   EXPECT_THAT(FaultsWith(expect, BoxOnBoxFace(-1e-3)),
               ElementsAre(HasSubstr("expects 1 contact, but it takes 4")));
 }

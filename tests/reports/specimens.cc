@@ -5,11 +5,11 @@
 namespace touchstone {
 namespace {
 
-constexpr double kHeight = 0.1;  // [m], of A's upper face above its origin
+constexpr double kHeight = 0.1;  // [m], height of A's upper face above its origin
 const Eigen::Vector3d kHalfExtents(0.3, 0.2, kHeight);
 
-/** The doubles of the specimens are off the drawing by rounding: 2^-48 is 32 roundings of
- a scene below 2 m. [m] */
+/** The rounding of the specimens' doubles: 2^-48 is 32 roundings of a scene below 2 m.
+ [m] */
 constexpr double kRounded = 0x1p-48;
 
 ContactTruth TruthOf(double depth, const Eigen::Vector3d& n_AB_W,
@@ -23,8 +23,8 @@ ContactTruth TruthOf(double depth, const Eigen::Vector3d& n_AB_W,
   return truth;
 }
 
-/** The answer that gives everything, with contacts at the points `p_WCs` where touching.
- */
+/** Returns an answer with every field, with contacts at the points `p_WCs` where
+ touching. */
 ContactAnswer AnswerOf(const ContactTruth& truth, double depth,
                        const std::vector<Eigen::Vector3d>& p_WCs) {
   ContactAnswer answer;

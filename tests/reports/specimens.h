@@ -13,7 +13,8 @@ struct Specimen {
   ContactAnswer right;
 };
 
-/** A pose along no axis, exact in no digit: no luck with rounding. */
+/** Returns a pose aligned with no axis and exact in no digit, so that no rounding is
+ avoided by luck. */
 Pose AwkwardPose();
 
 /** Returns `pose` moved by `p_B` and turned by `R`, both in its own frame. */
@@ -24,25 +25,24 @@ Pose Placed(const Pose& pose, const Eigen::Vector3d& p_B,
 //        .'   '.   B, radius r = 1/3, centre at (0.07, -0.03, h + r - d) in A's frame
 //   ____(___d___)____  z = h = 0.1
 //  |                 |
-//  |        A        |   The overlap is d deep on the axis: n = +z, separation = -d,
-//  contact at
-//  |_________________|   (0.07, -0.03, h - d/2). d < 0: a gap of -d.
+//  |        A        |   The overlap is d deep along z: n = +z, separation = -d, contact
+//  |_________________|   at (0.07, -0.03, h - d/2). If d < 0, a gap of -d.
 //
-/** A sphere sunk `depth` into a box face of half extents (0.3, 0.2, 0.1). [m] */
+/** Returns a sphere that penetrates a box face of half extents (0.3, 0.2, 0.1) by
+ `depth`. [m] */
 Specimen SphereInBoxFace(double depth);
 
 //      ______
-//     |  B   |    yawed by 0.4 about z, half extents (0.06, 0.05, 0.11); all of its lower
-//     face
-//   __|______|___ z = h   is inside A's upper face, and d below it: n = +z, separation =
-//   -d,
-//  |             |        contacts at B's four lower corners, at z = h - d/2.
+//     |  B   |      B is yawed by 0.4 about z, half extents (0.06, 0.05, 0.11).
+//   __|______|___ z = h    Its whole lower face is inside A's upper face and d below it:
+//  |             |         n = +z, separation = -d, contacts at B's four lower corners,
+//  |             |         at z = h - d/2.
 //  |_____A_______|
 //
-/** A box sunk `depth` into the face of another. [m] */
+/** Returns a box that penetrates the face of another by `depth`. [m] */
 Specimen BoxOnBoxFace(double depth);
 
-/** A sphere sunk `depth` into a half-space. [m] */
+/** Returns a sphere that penetrates a half-space by `depth`. [m] */
 Specimen SphereInHalfSpace(double depth);
 
 }  // namespace touchstone

@@ -25,7 +25,7 @@ void ScaleSeparations(ContactAnswer& answer, double factor) {
   for (ContactPoint& contact : answer.points) contact.separation *= factor;
 }
 
-/** Moves contacts along the normal by `share` of their separation. */
+/** Moves contacts along the normal by the fraction `share` of their separation. */
 void ShiftContacts(ContactAnswer& answer, const Eigen::Vector3d& n_AB_W, double share) {
   for (ContactPoint& contact : answer.points) {
     const Eigen::Vector3d n = contact.n_AB_W.value_or(n_AB_W);
@@ -34,7 +34,7 @@ void ShiftContacts(ContactAnswer& answer, const Eigen::Vector3d& n_AB_W, double 
 }
 
 struct ScaleConvention {
-  double factor;  ///< What brings such a separation to ours.
+  double factor;  ///< Factor from such a separation to ours. [-]
   const char* name;
 };
 
@@ -49,7 +49,8 @@ struct PlaceConvention {
   const char* name;
 };
 
-// p ∓ n s/2 are the points on A and B: from A it is n s/2 to the midpoint, from B -n s/2.
+// The points on A and B are p ∓ n s/2: the midpoint is n s/2 from the point on A, and -n
+// s/2 from the point on B.
 constexpr PlaceConvention kPlaces[] = {
     {0.5, "its contacts lie on the surface of A, not midway"},
     {-0.5, "its contacts lie on the surface of B, not midway"},
@@ -59,7 +60,8 @@ std::string Both(const std::string& a, const std::string& b) {
   return a.empty() ? b : a + ", and " + b;
 }
 
-/** Adds to `readings` each of them with its contacts moved to midway. */
+/** Adds to `readings` a copy of the answer and of each reading, with the contacts moved
+ midway from either surface. */
 void AddPlaces(std::vector<Reading>& readings, const ContactAnswer& answer) {
   const std::vector<Reading> so_far = readings;
   const auto add = [&](const Reading& reading) {
@@ -86,7 +88,7 @@ const Finding* Find(const std::vector<Finding>& findings, MeasureKind measure) {
   return found == findings.end() ? nullptr : &*found;
 }
 
-/** Whether a measure that passes for the answer fails for its reading. */
+/** Returns whether a measure that passes for the answer fails for its reading. */
 bool Breaks(const std::vector<Finding>& reading, const std::vector<Finding*>& findings) {
   return std::any_of(findings.begin(), findings.end(), [&](const Finding* finding) {
     const Finding* again = Find(reading, finding->measure);

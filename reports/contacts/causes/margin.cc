@@ -8,7 +8,8 @@
 namespace touchstone {
 namespace {
 
-/** The end of a run of equal errors that starts at `begin`, in sorted errors. */
+/** Returns the end of the run of equal errors that starts at `begin`; `errors` is sorted.
+ */
 std::size_t EndOfRun(std::span<const SignedError> errors, std::size_t begin) {
   std::size_t end = begin + 1;
   while (end < errors.size() &&

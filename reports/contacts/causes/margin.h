@@ -7,21 +7,21 @@
 
 namespace touchstone {
 
-/** A failed separation: the finding, and by how much it is off, with its sign. */
+/** A failed separation and its signed error. */
 struct SignedError {
   Finding* finding;
   double error;  ///< separation − truth. [m]
-  double truth;  ///< [m]
+  double truth;  ///< The certified separation nearest to the answer. [m]
 };
 
-/** How many questions with different truths must show the same error for it to be a
- * margin. */
+/** The number of questions with different truths that must show the same error for it to
+ be a margin. [-] */
 inline constexpr int kMarginWitnesses = 3;
 
-/** Sets the cause of failed separations, all of one oracle and one pair of shapes, that
- are off by the same amount, to within their tolerances, in at least kMarginWitnesses
- questions whose truths differ by more than that: a margin around the shapes, not a wrong
- computation. */
+/** Sets the cause of failed separations that a margin around the shapes explains. All
+ errors belong to one oracle and one pair of shapes. A margin is one error, to within the
+ tolerances, in at least kMarginWitnesses questions whose truths differ by more than the
+ tolerances. */
 void ExplainByMargin(std::span<SignedError> errors);
 
 }  // namespace touchstone

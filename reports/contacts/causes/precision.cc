@@ -12,13 +12,14 @@
 namespace touchstone {
 namespace {
 
-/** How many roundings a neighbour is away: above the one that storing it costs, below the
- kRoundings that a right computation may accumulate. */
+/** The distance of a neighbour in roundings: more than storing it costs, less than the
+ kRoundings that a correct computation may accumulate. [-] */
 constexpr double kAway = 4;
 
 constexpr double kDouble = 0x1p-53;
 
-// Never inlined: g++ 12 at -O2 vectorises pairs of (double)(float)x into no conversion.
+// Never inlined: g++ 12 at -O2 vectorises pairs of (double)(float)x and drops the
+// conversion.
 [[gnu::noinline]] double RoundedToFloat(double number) {
   return static_cast<float>(number);
 }
@@ -87,7 +88,7 @@ double MovementOf(const ContactQuery& query, const ContactTruth& truth,
   double movement = 0;
   for (const ContactAnswer& neighbour : neighbours) {
     if (neighbour.status != AnswerStatus::kAnswered) continue;
-    // A neighbour without a usable normal says nothing of the distance it moved.
+    // A neighbour without a usable normal or separation gives no distance.
     if (neighbour.n_AB_W && !(neighbour.n_AB_W->norm() > 0)) continue;
     if (neighbour.separation && !std::isfinite(*neighbour.separation)) continue;
     movement =

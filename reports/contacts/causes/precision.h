@@ -11,23 +11,23 @@
 
 namespace touchstone {
 
-/** Returns questions that an arithmetic of unit roundoff `u` can hardly tell from
- `query`: B moved and turned by a few roundings, and, for u coarser than double, every
- number rounded. */
+/** Returns questions that an arithmetic of unit roundoff `u` can hardly distinguish from
+ `query`: B moved and turned by a few roundings. If u is coarser than double, also the
+ query with every number rounded to float. */
 std::vector<ContactQuery> NeighboursOf(const ContactQuery& query, double u);
 
-/** Returns how much the answers to the neighbours differ from the answer to the question,
- at most. A touching verdict that flips counts as the certified distance from touching.
- [m] */
+/** Returns the largest difference between the answer to the question and the answers to
+ its neighbours. A touching verdict that flips counts as the certified distance from
+ touching. [m] */
 double MovementOf(const ContactQuery& query, const ContactTruth& truth,
                   const ContactAnswer& answer, std::span<const ContactAnswer> neighbours);
 
-/** Share of an error that the movement must reach to explain it: a few neighbours seldom
- include the worst one, so half. [-] */
+/** The fraction of an error that the movement must reach to explain it. It is a half
+ because a few neighbours seldom include the worst one. [-] */
 inline constexpr double kExplains = 0.5;
 
-/** Returns in words that `movement` explains the error of `finding`, or nothing. The
- error of a touching verdict is the certified distance from touching.
+/** Returns a sentence if `movement` explains the error of `finding`, otherwise nothing.
+ The error of a touching verdict is the certified distance from touching.
  @pre The finding is a failure. */
 std::optional<std::string> PrecisionOf(const Finding& finding, const ContactTruth& truth,
                                        double movement, double u);

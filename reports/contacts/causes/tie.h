@@ -9,14 +9,14 @@
 
 namespace touchstone {
 
-/** Angle from the certificate's direction beyond which a normal of no excess is another
- one rather than the same one rounded. With an excess of at most e = 1e-14 of the scene's
- size, a smooth body could turn its normal so far only about a curvature of 2 e / 0.01² =
- 2e-10 of the size. [rad] */
+/** The angle from the certificate's direction beyond which a normal without excess is a
+ different normal, not the same one rounded. With an excess of at most e = 1e-14 of the
+ scene's size, a smooth body could turn its normal so far only about a curvature of 2 e /
+ 0.01² = 2e-10 of the size. [rad] */
 inline constexpr double kOtherNormal = 0.01;
 
-/** Returns how `n_W`, whose excess is within tolerance, is as good as the certificate's
- direction without being it; nothing where it is that direction. */
+/** Returns a sentence if `n_W`, whose excess is within tolerance, is another direction as
+ good as the certificate's; otherwise nothing. */
 std::optional<std::string> TieOf(const ContactTruth& truth, const Eigen::Vector3d& n_W);
 
 }  // namespace touchstone

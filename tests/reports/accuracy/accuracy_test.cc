@@ -12,8 +12,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/** A report of two sphere-box questions with these separation errors, relative to the
- * scene. */
+/** Returns a report of two sphere-box questions with the given separation errors,
+ relative to the size of the scene. */
 RunReport ReportOf(double first, double second) {
   RunReport report;
   OracleInfo info;
@@ -40,7 +40,7 @@ RunReport ReportOf(double first, double second) {
   return report;
 }
 
-TEST(AccuracyTable, GivesTheWorstOfEachPairInEitherOrder) {
+TEST(AccuracyTable, ReturnsTheWorstOfEachPairInEitherOrder) {
   // 1.5 * 2.01e-15 = 3.015e-15, rounded up.
   EXPECT_THAT(AccuracyTable(ReportOf(1e-15, 2.01e-15)),
               HasSubstr("| oracle | version | shapes | separation_error | excess | "
@@ -49,7 +49,7 @@ TEST(AccuracyTable, GivesTheWorstOfEachPairInEitherOrder) {
                         "| ode | 0.16.2 | sphere, box | 3.1e-15 | - | - |\n"));
 }
 
-TEST(AccuracyTable, SaysWhatIsNotSupported) {
+TEST(AccuracyTable, MarksUnsupportedPairs) {
   RunReport report = ReportOf(0, 0);
   report.findings.clear();
   for (ScenarioResult& result : report.scenarios) {
@@ -59,7 +59,7 @@ TEST(AccuracyTable, SaysWhatIsNotSupported) {
               HasSubstr("| ode | 0.16.2 | sphere, box | unsupported | unsupported | "));
 }
 
-TEST(AccuracyTable, LeavesOutWhoOnlySimulates) {
+TEST(AccuracyTable, LeavesOutOraclesThatOnlySimulate) {
   RunReport report = ReportOf(0, 0);
   report.oracles.emplace_back().name = "ode/quick";
   for (ScenarioResult& result : report.scenarios) result.answers.emplace_back();

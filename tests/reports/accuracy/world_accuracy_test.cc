@@ -26,8 +26,9 @@ Finding Found(std::string oracle, MeasureKind measure, double value) {
   return finding;
 }
 
-/** Two simulators and one that answers contacts only; the first has position errors of
- `a` [m], in two claims, and of `b` [m]; the second was only judged by its energy. */
+/** Returns a report of two simulators and one oracle that answers contact queries only.
+ The first has position errors of `a` [m], in two claims, and of `b` [m]. The second was
+ judged only by its energy. */
 RunReport ReportOf(double a, double b) {
   RunReport report;
   for (const char* name : {"cookbook", "ode", "fcl"}) {
@@ -43,7 +44,7 @@ RunReport ReportOf(double a, double b) {
   return report;
 }
 
-TEST(WorldAccuracyTable, GivesTheWorstOfEachWorldAndMeasure) {
+TEST(WorldAccuracyTable, ReturnsTheWorstOfEachWorldAndMeasure) {
   // 1.5 * 2.01e-3 = 3.015e-3, rounded up.
   EXPECT_THAT(WorldAccuracyTable(ReportOf(1e-3, 2.01e-3)),
               HasSubstr("| world | measure | cookbook | ode |\n"
@@ -52,7 +53,7 @@ TEST(WorldAccuracyTable, GivesTheWorstOfEachWorldAndMeasure) {
                         "| world/free/stone | energy_drift [J] | - | 4.5e-03 |\n"));
 }
 
-TEST(WorldAccuracyTable, LeavesOutWhatIsNotHeldToTheTruth) {
+TEST(WorldAccuracyTable, LeavesOutMeasuresNotComparedWithTheTruth) {
   RunReport report = ReportOf(1e-3, 2e-3);
   report.findings.push_back(Found("ode", MeasureKind::kObservedOrder, 1));
   report.findings.push_back(Found("ode", MeasureKind::kPositionError, 7));
@@ -62,23 +63,24 @@ TEST(WorldAccuracyTable, LeavesOutWhatIsNotHeldToTheTruth) {
   EXPECT_EQ(WorldAccuracyTable(report), "");
 }
 
-TEST(WorldAccuracyTable, CountsWhereNoneErrsLess) {
+TEST(WorldAccuracyTable, CountsRowsWithoutASmallerError) {
   RunReport report = ReportOf(0.3, 0.2);
   const Finding near = Found("ode", MeasureKind::kPositionError, 0.3 - 0.9 * kAlike);
   report.findings.push_back(near);
   EXPECT_THAT(WorldAccuracyTable(report), HasSubstr("| cookbook | 1.0 | 1 | 1 |\n"
                                                     "| ode | 1.0 | 2 | 2 |\n"));
-  EXPECT_THAT(WorldAccuracyTable(report), Not(HasSubstr("another errs less")));
+  EXPECT_THAT(WorldAccuracyTable(report), Not(HasSubstr("smaller error than")));
   report.findings.back().value = 0.3 - 1.1 * kAlike;
-  EXPECT_THAT(WorldAccuracyTable(report),
-              HasSubstr("| cookbook | 1.0 | 1 | 0 |\n"
-                        "| ode | 1.0 | 2 | 2 |\n\n"
-                        "In these rows another errs less than cookbook:\n\n"
-                        "- world/free/stone, position_error [m]: 4.5e-01, and 4.4e-01 by "
-                        "ode\n"));
+  EXPECT_THAT(
+      WorldAccuracyTable(report),
+      HasSubstr("| cookbook | 1.0 | 1 | 0 |\n"
+                "| ode | 1.0 | 2 | 2 |\n\n"
+                "In these rows another oracle has a smaller error than cookbook:\n\n"
+                "- world/free/stone, position_error [m]: 4.5e-01, and 4.4e-01 by "
+                "ode\n"));
 }
 
-TEST(WorldAccuracyTable, CountsNoErrorOfWhatFollowsAnotherLegalModel) {
+TEST(WorldAccuracyTable, CountsNoErrorOfAMotionThatFollowsAnotherLegalModel) {
   for (const std::size_t who : {0U, 1U}) {
     RunReport report = ReportOf(0.3, 0.3);
     report.findings[1] = Found("ode", MeasureKind::kPositionError, 0.1);
@@ -89,7 +91,7 @@ TEST(WorldAccuracyTable, CountsNoErrorOfWhatFollowsAnotherLegalModel) {
                                           : "| cookbook | 1.0 | 1 | 1 |\n"
                                             "| ode | 1.0 | 1 | 1 |\n"));
     EXPECT_THAT(table, HasSubstr("| 4.5e-01 | 1.6e-01 |"));
-    // Not legal, only known why.
+    // Not a legal model: only the cause is known.
     report.findings[who].verdict = Verdict::kFail;
     EXPECT_THAT(WorldAccuracyTable(report), HasSubstr("| cookbook | 1.0 | 1 | 0 |\n"
                                                       "| ode | 1.0 | 2 | 2 |\n"));

@@ -8,14 +8,14 @@
 namespace touchstone {
 namespace {
 
-/** One oracle's part in a vote. */
+/** One oracle's vote. */
 struct Says {
   std::string family;
   double separation;  ///< [m]
 };
 
-/** The verdicts after a vote on separations that the truth, [-0.3, 0.1] m, cannot tell
- * apart. */
+/** Returns the verdicts after a vote on separations that the truth, [-0.3, 0.1] m, cannot
+ decide. */
 std::vector<Verdict> Settled(const std::vector<Says>& voters, MeasureKind measure) {
   ScenarioResult result;
   result.scenario.id = "contact/x";
@@ -68,7 +68,7 @@ TEST(Consensus, MakesBothOfTwoThatDifferDisagree) {
               testing::ElementsAre(kDisagree, kDisagree));
 }
 
-TEST(Consensus, LeavesALoneVoiceAlone) {
+TEST(Consensus, LeavesASingleFamilyUndecided) {
   EXPECT_THAT(Settled({{"sat", -0.2}, {"sat", -0.1}}, MeasureKind::kSeparationError),
               testing::ElementsAre(kUndecidable, kUndecidable));
 }

@@ -145,8 +145,8 @@ TEST(Judge, FindsAFlippedNormalByItsExcessAndInconsistency) {
               HasSubstr("moving B by 0.002 m along ("));
 }
 
-// Tilted by θ, the overlap of the faces grows by their lever times θ.
-TEST(Judge, LeavesANormalTwiceTheRoundingThatItLeavesADepth) {
+// If the normal is tilted by θ, the overlap of the faces grows by their lever times θ.
+TEST(Judge, AllowsANormalTwiceTheRoundingOfADepth) {
   const Specimen s = BoxOnBoxFace(kDepth);
   const auto excess_of = [&](double tilt) {
     ContactAnswer answer = s.right;
@@ -187,7 +187,8 @@ TEST(Judge, FindsMissingAndRepeatedContacts) {
               testing::ElementsAre(MeasureKind::kContactCount));
 }
 
-/** A float engine's answer to `s`: its normal is off by a rounding or two. */
+/** Returns the findings on a float engine's answer to `s`, whose normal is off by a
+ rounding or two. */
 std::vector<Finding> JudgedAsFloat(const Specimen& s) {
   FakeOracle coarse("mine");
   coarse.info().unit_roundoff = 0x1p-24;
@@ -204,7 +205,8 @@ TEST(Judge, FindsMissingContactsOfAFloatEngineWhoseNormalIsRounded) {
                                                              MeasureKind::kContactCount));
 }
 
-// Tilted by 1e-8, the deepest corner is the patch, of which a float engine cannot know.
+// If the question tilts the face by 1e-8, the patch is the deepest corner, which a float
+// engine cannot know.
 TEST(Judge, AllowsOneContactWhereTheQuestionTiltsAFace) {
   Specimen s = BoxOnBoxFace(kDepth);
   const Eigen::Matrix3d tilt =
@@ -221,7 +223,8 @@ TEST(Judge, FindsAContactTooDeepAndAllowsAShallowOne) {
   EXPECT_THAT(Failed(Judged(s.query, s.right)),
               testing::Contains(MeasureKind::kContactTooDeep));
   s = BoxOnBoxFace(kDepth);
-  // Of a tilted manifold: half as deep, and its two surface points half as far apart.
+  // This is a contact of a tilted manifold: half as deep, with its two surface points
+  // half as far apart.
   s.right.points[0].separation = -kDepth / 2;
   EXPECT_THAT(Failed(Judged(s.query, s.right)),
               testing::Not(testing::Contains(MeasureKind::kContactTooDeep)));
@@ -230,7 +233,7 @@ TEST(Judge, FindsAContactTooDeepAndAllowsAShallowOne) {
 TEST(Judge, FindsAManifoldThatIsNowhereAsDeepAsTheAnswerSays) {
   Specimen s = BoxOnBoxFace(kDepth);
   const Eigen::Vector3d n = *s.right.n_AB_W;
-  // On the rim of the overlap: each is on the top of A and on a side of B.
+  // On the rim of the overlap: each contact lies on the top of A and on a side of B.
   for (ContactPoint& contact : s.right.points) {
     contact.p_WC += n * (kDepth / 2);
     contact.separation = 0;
@@ -272,7 +275,7 @@ TEST(Judge, CallsNanInvalidAndJudgesNoFurther) {
   EXPECT_EQ(findings[0].proof, "mine: separation is nan.");
 }
 
-TEST(Judge, CallsAPromiseThatIsNotKeptInvalid) {
+TEST(Judge, CallsAnAnswerWithoutAPromisedFieldInvalid) {
   Specimen s = BoxOnBoxFace(kDepth);
   s.right.points.clear();
   const std::vector<Finding> findings = Judged(s.query, s.right);
@@ -284,7 +287,7 @@ TEST(Judge, CallsAPromiseThatIsNotKeptInvalid) {
   EXPECT_THAT(Failed(Judged(s.query, s.right, modest)), testing::IsEmpty());
 }
 
-TEST(Judge, PassesOnWhyThereIsNoAnswer) {
+TEST(Judge, QuotesTheReasonForAMissingAnswer) {
   const Specimen s = BoxOnBoxFace(kDepth);
   for (const auto& [status, verdict] :
        {std::pair(AnswerStatus::kCrashed, Verdict::kCrashed),
@@ -300,9 +303,9 @@ TEST(Judge, PassesOnWhyThereIsNoAnswer) {
   }
 }
 
-// The plane x = 1e100 of the box cuts the sphere at its centre: 1 m deep, however the
-// squares of 1e100 overflow on the way.
-TEST(Judge, ProvesNobodyWrongWhereDoublesOverflow) {
+// The plane x = 1e100 of the box cuts the sphere at its centre. The overlap is 1 m,
+// although the squares of 1e100 overflow in the computation.
+TEST(Judge, ProvesNothingWrongWhereDoublesOverflow) {
   const ContactQuery query{
       {Box{Eigen::Vector3d::Constant(1e100)}, Pose{}},
       {Sphere{1}, Pose::FromMatrix({1e100, 0, 0}, Eigen::Matrix3d::Identity())}};
@@ -318,8 +321,9 @@ TEST(Judge, ProvesNobodyWrongWhereDoublesOverflow) {
 }
 
 // A cylinder of radius and half length 1 leans by θ about y, 0.1 deep in the half-space.
-// Its rim at the angle φ from the deepest point is sin θ (1 − cos φ) less deep: 1e-14 m
-// for θ = 1e-5 and φ = 4.5e-5, which nobody can tell from the deepest.
+// A point of its rim at the angle φ from the deepest point is sin θ (1 − cos φ) less
+// deep: 1e-14 m for θ = 1e-5 and φ = 4.5e-5, which no engine can distinguish from the
+// deepest.
 TEST(Judge, AcceptsAContactAnywhereOnARimThatIsDeepestToRounding) {
   const double lean = 1e-5;
   const double phi = 4.5e-5;
@@ -340,7 +344,7 @@ TEST(Judge, AcceptsAContactAnywhereOnARimThatIsDeepestToRounding) {
   EXPECT_THAT(Failed(Judged(query, answer)), testing::Not(testing::IsEmpty()));
 }
 
-TEST(Judge, BlamesNobodyAtTouchingToARounding) {
+TEST(Judge, IsUndecidedWhereBodiesTouchToARounding) {
   Specimen s = SphereInBoxFace(0);
   for (const bool touching : {false, true}) {
     ContactAnswer answer = s.right;
@@ -353,7 +357,7 @@ TEST(Judge, BlamesNobodyAtTouchingToARounding) {
   }
 }
 
-TEST(Judge, LeavesAFloatEngineItsOwnRounding) {
+TEST(Judge, AllowsAFloatEngineItsOwnRounding) {
   // A gap of 1e-7 m in a scene of 1.4 m is below 64 roundings of 2^-24, 5e-6 m.
   Specimen s = SphereInBoxFace(-1e-7);
   s.right.touching = true;
@@ -369,7 +373,7 @@ TEST(Judge, LeavesAFloatEngineItsOwnRounding) {
   EXPECT_EQ(Of(MeasureKind::kTouching, Judged(s.query, s.right)).verdict, Verdict::kFail);
 }
 
-TEST(Judge, VerifiesNothingByATruthWiderThanTheTolerance) {
+TEST(Judge, PassesOnlyValuesNearTheWholeEnclosure) {
   const Specimen s = SphereInBoxFace(kDepth);
   Scenario scenario;
   scenario.id = "contact/specimen";
@@ -392,9 +396,9 @@ TEST(Judge, VerifiesNothingByATruthWiderThanTheTolerance) {
   EXPECT_EQ(verdict(MeasureKind::kExcess, findings), Verdict::kUndecidable);
   EXPECT_EQ(verdict(MeasureKind::kContactTooDeep, findings), Verdict::kUndecidable);
   EXPECT_THAT(Of(MeasureKind::kSeparationError, findings).tolerance_because,
-              StartsWith("the truth is only known to within 0.003 m, more than what is "
+              StartsWith("the truth is known only to within 0.003 m, more than is "
                          "allowed: 64 roundings"));
-  // Outside, wrong; near all of it, right.
+  // A value outside the enclosure fails; a value near all of it passes.
   findings = judged(kDepth / 2, kDepth, -3 * kDepth);
   EXPECT_EQ(verdict(MeasureKind::kSeparationError, findings), Verdict::kFail);
   findings = judged(0.8 * e, 0.8 * e, -kDepth);

@@ -26,8 +26,8 @@ Scenario ScenarioOf(const ContactQuery& query) {
   return scenario;
 }
 
-/** The findings of all variants of `query` put to an oracle that is right but for
- * `plant`. */
+/** Returns the findings of all variants of `query` put to an oracle that is right except
+ for `plant`. */
 std::vector<Finding> Judged(const ContactQuery& query, const Plant& plant) {
   const FakeOracle oracle = FakeOracle::Wrong("mine", plant);
   const Scenario scenario = ScenarioOf(query);
@@ -53,7 +53,7 @@ std::vector<MeasureKind> Failed(const std::vector<Finding>& findings) {
 
 const Plant kNothing = [](const ContactQuery&, ContactAnswer&) {};
 
-TEST(Variants, OfARightOracleAllPass) {
+TEST(Variants, AllPassForARightOracle) {
   for (const double depth : {2e-3, -2e-3}) {
     for (const Specimen& s :
          {SphereInBoxFace(depth), BoxOnBoxFace(depth), SphereInHalfSpace(depth)}) {
@@ -75,8 +75,8 @@ TEST(Variants, RelabelOnlyWhereThereIsABox) {
   EXPECT_EQ(measures(SphereInHalfSpace(2e-3).query).size(), 4U);
 }
 
-TEST(Variants, SeeANormalThatDoesNotTurnWithTheSwap) {
-  // Always out of the box, whichever body it is.
+TEST(Variants, DetectANormalThatDoesNotTurnWithTheSwap) {
+  // The normal always points out of the box, whichever body that is.
   const Plant out_of_the_box = [](const ContactQuery& query, ContactAnswer& answer) {
     if (KindOf(query.A.shape) == ShapeKind::kSphere) *answer.n_AB_W *= -1;
   };
@@ -87,7 +87,7 @@ TEST(Variants, SeeANormalThatDoesNotTurnWithTheSwap) {
   EXPECT_THAT(findings[0].cause_because, HasSubstr("does not turn"));
 }
 
-TEST(Variants, SeeANormalInTheFrameOfABody) {
+TEST(Variants, DetectANormalInTheFrameOfABody) {
   const Plant in_frame_A = [](const ContactQuery& query, ContactAnswer& answer) {
     answer.n_AB_W = query.A.X_WB.R_WB.transpose() * *answer.n_AB_W;
   };
@@ -95,18 +95,18 @@ TEST(Variants, SeeANormalInTheFrameOfABody) {
               testing::Contains(MeasureKind::kRigidMotion));
 }
 
-TEST(Variants, SeeAnAbsoluteMargin) {
+TEST(Variants, DetectAnAbsoluteMargin) {
   const Plant margin = [](const ContactQuery&, ContactAnswer& answer) {
     *answer.separation -= 1e-3;
   };
   const std::vector<Finding> findings = Judged(SphereInBoxFace(2e-3).query, margin);
   ASSERT_THAT(Failed(findings), ElementsAre(MeasureKind::kScaling));
-  // Scaled by 1/7.3, the margin is 7.3 times as large in the lengths of the question.
+  // At the scale 1/7.3 the margin is 7.3 times as large in the lengths of the question.
   EXPECT_NEAR(findings[2].value, 6.3e-3, 1e-12);
 }
 
-TEST(Variants, SeeAPreferenceForOneAxisOfABox) {
-  // The face that the sphere lies on is recognised by its label.
+TEST(Variants, DetectAPreferenceForOneAxisOfABox) {
+  // The planted oracle recognises the face that the sphere lies on by its label.
   const Plant z_only = [](const ContactQuery& query, ContactAnswer& answer) {
     for (const Body* body : {&query.A, &query.B}) {
       if (KindOf(body->shape) != ShapeKind::kBox) continue;
@@ -115,7 +115,7 @@ TEST(Variants, SeeAPreferenceForOneAxisOfABox) {
       }
     }
   };
-  // Of the 24 labellings, 16 give the face another axis; the ids are of both kinds.
+  // 16 of the 24 labellings give the face another axis; the ids select both kinds.
   int found = 0;
   for (int i = 0; i < 12; ++i) {
     Scenario scenario = ScenarioOf(SphereInBoxFace(2e-3).query);
@@ -130,8 +130,8 @@ TEST(Variants, SeeAPreferenceForOneAxisOfABox) {
   EXPECT_GT(found, 4);
 }
 
-TEST(Variants, SeeAnAnswerThatJumps) {
-  // An answer that depends on digits far below the size of the scene.
+TEST(Variants, DetectAnAnswerThatJumps) {
+  // The answer depends on digits far below the size of the scene.
   const Plant jumps = [](const ContactQuery& query, ContactAnswer& answer) {
     *answer.separation *= 1.5 + 0.4 * std::sin(1e9 * query.B.X_WB.p_WB.sum());
   };
@@ -140,14 +140,15 @@ TEST(Variants, SeeAnAnswerThatJumps) {
 }
 
 TEST(Variants, AllowAnAnswerToMoveAsFarAsTheBody) {
-  // Perturbed by a millionth of the scene, the truth moves by a fraction of that.
+  // If B moves by a millionth of the scene, the truth changes by a fraction of that.
   const std::vector<Finding> findings = Judged(BoxOnBoxFace(2e-3).query, kNothing);
   EXPECT_EQ(findings[4].measure, MeasureKind::kPerturbation);
   EXPECT_EQ(findings[4].value, 0);
 }
 
-TEST(Variants, LetASeparatingDirectionBeAnyWhereNoDistanceIsPromised) {
-  // Of two corners apart, many planes separate: one for each order of the bodies.
+TEST(Variants, AllowAnySeparatingDirectionWhereNoDistanceIsPromised) {
+  // Many planes separate bodies that are apart: the answer to the swapped question has
+  // another one.
   const Specimen s = SphereInBoxFace(-0.05);
   ContactAnswer answer = s.right;
   answer.separation.reset();
@@ -166,7 +167,7 @@ TEST(Variants, LetASeparatingDirectionBeAnyWhereNoDistanceIsPromised) {
   EXPECT_EQ(verdict(), Verdict::kPass);
 }
 
-TEST(Variants, SeeAnAnswerInContactsOnlyThatDoesNotTurn) {
+TEST(Variants, DetectAnAnswerInContactsOnlyThatDoesNotTurn) {
   const Plant contacts_of_one_body = [](const ContactQuery& query,
                                         ContactAnswer& answer) {
     if (KindOf(query.A.shape) == ShapeKind::kSphere) *answer.n_AB_W *= -1;
@@ -180,7 +181,7 @@ TEST(Variants, SeeAnAnswerInContactsOnlyThatDoesNotTurn) {
   EXPECT_EQ(findings[0].cause, Cause::kConvention);
   EXPECT_THAT(findings[0].proof, HasSubstr("mine says n = ("));
   EXPECT_THAT(findings[0].proof, HasSubstr("along which max_A n·x − min_B n·x is 0.00"));
-  EXPECT_THAT(findings[0].proof, HasSubstr("variant (swap: A and B exchanged), brought"));
+  EXPECT_THAT(findings[0].proof, HasSubstr("variant (swap: A and B exchanged), mapped"));
   EXPECT_THAT(findings[0].proof, HasSubstr("along which that is "));
 }
 
@@ -194,11 +195,11 @@ TEST(Variants, AreRefutedByTwoNumbersAndTheirDifference) {
   ASSERT_FALSE(findings.empty());
   ASSERT_EQ(findings[0].measure, MeasureKind::kSwap);
   EXPECT_EQ(findings[0].proof,
-            "mine says 0.002 m deep; of its variant (swap: A and B exchanged), brought "
+            "mine says 0.002 m deep; for its variant (swap: A and B exchanged), mapped "
             "back, it says 0.0022 m deep: a difference of 0.0002 m.");
 }
 
-TEST(Variants, SayWhatTheMotionOfBExplainsItself) {
+TEST(Variants, StateTheChangeThatTheMotionOfBExplains) {
   const ContactQuery asked = SphereInBoxFace(2e-3).query;
   const Plant jumps = [&](const ContactQuery& query, ContactAnswer& answer) {
     const double moved = (query.B.X_WB.p_WB - asked.B.X_WB.p_WB).norm();
@@ -212,7 +213,7 @@ TEST(Variants, SayWhatTheMotionOfBExplainsItself) {
               HasSubstr(" m, of which the motion itself explains up to "));
 }
 
-TEST(Variants, CallAnAnswerThatLacksWhatTheFirstGaveInvalid) {
+TEST(Variants, CallAnAnswerThatLacksAFieldOfTheFirstInvalid) {
   const Plant sphere_first_says_only_that = [](const ContactQuery& query,
                                                ContactAnswer& answer) {
     if (KindOf(query.A.shape) != ShapeKind::kSphere) return;
@@ -225,8 +226,7 @@ TEST(Variants, CallAnAnswerThatLacksWhatTheFirstGaveInvalid) {
   EXPECT_EQ(findings[0].verdict, Verdict::kInvalid);
   EXPECT_EQ(findings[0].proof,
             "mine answers the question, but not its variant (swap: A and B "
-            "exchanged): it gives no "
-            "separation.");
+            "exchanged): it returns no separation.");
 }
 
 TEST(Variants, VerifyNothingWhereNothingIsCompared) {
@@ -236,12 +236,12 @@ TEST(Variants, VerifyNothingWhereNothingIsCompared) {
     answer.witnesses.reset();
     answer.points.clear();
   };
-  // Whether they touch is compared, and can be wrong, away from touching only.
+  // Only the touching verdict is compared, and it can be wrong only away from touching.
   EXPECT_EQ(Judged(SphereInBoxFace(2e-3).query, says_only_that).size(), 5U);
   EXPECT_THAT(Judged(SphereInBoxFace(0).query, says_only_that), IsEmpty());
 }
 
-TEST(Variants, ReportAnEngineThatDiesOfOne) {
+TEST(Variants, ReportAnEngineThatCrashesOnOne) {
   const Plant dies = [](const ContactQuery& query, ContactAnswer& answer) {
     if (KindOf(query.A.shape) == ShapeKind::kSphere) {
       answer = {};

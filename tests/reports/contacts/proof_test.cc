@@ -10,25 +10,25 @@
 namespace touchstone {
 namespace {
 
-/** The vector that `words` are. */
+/** Returns the vector written as `words`. */
 Eigen::Vector3d Read(const std::string& words) {
   std::array<double, 3> v{};
   EXPECT_EQ(std::sscanf(words.c_str(), "(%lf, %lf, %lf)", &v[0], &v[1], &v[2]), 3);
   return {v[0], v[1], v[2]};
 }
 
-// Six digits of a point leave it 1e-6 off, where its proof speaks of 1e-12.
-TEST(InWords, ReadsBackAsItWas) {
+// With six digits a point would be 1e-6 off, while its proof speaks of 1e-12.
+TEST(InWords, ReadsBackExactly) {
   const Eigen::Matrix3d R = AwkwardPose().R_WB;
   for (int i = 0; i < 3; ++i) EXPECT_EQ(Read(InWords(R.col(i))), R.col(i));
 }
 
-TEST(InWords, WritesNoMoreDigitsThanThatTakes) {
+TEST(InWords, WritesNoMoreDigitsThanNeeded) {
   EXPECT_EQ(InWords({0.1, -0.0, 3}), "(0.1, 0, 3)");
 }
 
-// By hand: n·x over the corners of a box is n·p ± Σ |n·e_i| h_i.
-TEST(ProveTouching, NamesAPlaneThatSeparatesAsItIsPrinted) {
+// The corners of a box have n·x between n·p ± Σ |n·e_i| h_i.
+TEST(ProveTouching, PrintsAPlaneThatSeparatesExactlyAsPrinted) {
   Specimen s = SphereInBoxFace(-1e-9);
   s.right.touching = true;
   const std::string oracle = "mine";

@@ -17,8 +17,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/** A report of failures with the given values, relative to the size of their scenes, one
- scenario each, and a ledger of one entry about them. */
+/** Returns a report of failures with the given values, relative to the size of their
+ scenes, one scenario each, and a ledger with one entry for them. */
 RunReport ReportOf(std::initializer_list<double> values, double bound) {
   RunReport report;
   OracleInfo info;
@@ -74,7 +74,7 @@ TEST(ApplyLedger, MakesFailuresKnownAndCountsThem) {
   EXPECT_THAT(report.faults, IsEmpty());
 }
 
-TEST(ApplyLedger, LeavesWhatExceedsTheBoundAFailureAndSaysByHowMuch) {
+TEST(ApplyLedger, KeepsAFailureBeyondTheBoundAndSaysByHowMuch) {
   RunReport report = ReportOf({0.04, 0.08}, 0.05);
   ApplyLedger(report, "2026-01-01", false);
   EXPECT_EQ(report.findings[1].verdict, Verdict::kFail);
@@ -83,7 +83,7 @@ TEST(ApplyLedger, LeavesWhatExceedsTheBoundAFailureAndSaysByHowMuch) {
       "It is wrong. known_discrepancies.toml:17 allows 0.05; 0.08 exceeds it by 0.03.");
 }
 
-TEST(ApplyLedger, ExcusesAMissedHairlineAndNotAMissedDepth) {
+TEST(ApplyLedger, ExcusesAMissedHairlineContactButNotAMissedDeepOne) {
   const double size = SceneSize(SphereInBoxFace(1e-3).query);
   RunReport report = ReportOf({1, 1}, 1e-5 / size);
   report.ledger.entries[0].accepted[0].measure = MeasureKind::kTouching;
@@ -130,8 +130,8 @@ TEST(ApplyLedger, FailsABoundThatIsTwelveTimesTooWide) {
   EXPECT_THAT(report.faults, IsEmpty());
 }
 
-// A depth that is off by a tenth must not excuse a witness point that is.
-TEST(ApplyLedger, BoundsEveryMeasureByItself) {
+// The large bound of one measure must not excuse an error in another.
+TEST(ApplyLedger, BoundsEachMeasureSeparately) {
   RunReport report = ReportOf({0.04, 0.04}, 0.05);
   report.ledger.entries[0].accepted.push_back({MeasureKind::kConsistencyError, 0.001});
   report.findings[1].measure = MeasureKind::kConsistencyError;
@@ -141,14 +141,14 @@ TEST(ApplyLedger, BoundsEveryMeasureByItself) {
   EXPECT_THAT(report.findings[1].proof, HasSubstr("allows 0.001"));
 }
 
-TEST(ApplyLedger, FailsAnEntryThatHidesNothingOfOneOfItsMeasures) {
+TEST(ApplyLedger, FailsAnEntryOneOfWhoseMeasuresHidesNothing) {
   RunReport report = ReportOf({0.04, 0}, 0.05);
   report.ledger.entries[0].accepted.push_back({MeasureKind::kConsistencyError, 0.001});
   report.findings[1].measure = MeasureKind::kConsistencyError;
   ApplyLedger(report, "2026-01-01", false);
   EXPECT_THAT(report.faults,
               ElementsAre("known_discrepancies.toml:17: improved: remove "
-                          "consistency_error, nothing of it is hidden (ode in "
+                          "consistency_error, the entry hides none of it (ode in "
                           "contact/box_box/*)."));
 }
 
@@ -158,7 +158,7 @@ TEST(ApplyLedger, CallsNothingImprovedInAPartialRun) {
   EXPECT_THAT(report.faults, IsEmpty());
 }
 
-TEST(ApplyLedger, FaultsAnEntryAboutNothing) {
+TEST(ApplyLedger, FaultsAnEntryThatMatchesNothing) {
   RunReport report = ReportOf({0, 0}, 0.05);
   report.ledger.entries[0].scenarios = "contact/bxo_box/*";
   ApplyLedger(report, "2026-01-01", true);
@@ -166,14 +166,14 @@ TEST(ApplyLedger, FaultsAnEntryAboutNothing) {
   ApplyLedger(report, "2026-01-01", false);
   EXPECT_THAT(
       report.faults,
-      ElementsAre("known_discrepancies.toml:17: is about nothing that was asked: correct "
+      ElementsAre("known_discrepancies.toml:17: matches no finding of the run: correct "
                   "or remove this entry (ode in contact/bxo_box/*)."));
 }
 
 TEST(ApplyLedger, FaultsAnEntryForAnOracleThatNoBuildHas) {
   const auto is_oracle = [](std::string_view name) { return name == "fcl/collide"; };
   RunReport report = ReportOf({0.04}, 0.05);
-  report.ledger.entries[0].oracle = "fcl/collide";  // Not of this build.
+  report.ledger.entries[0].oracle = "fcl/collide";  // Not in this build.
   ApplyLedger(report, "2026-01-01", false, is_oracle);
   EXPECT_THAT(report.faults, IsEmpty());
   report.ledger.entries[0].oracle = "fcl/colide";
@@ -192,7 +192,7 @@ TEST(ApplyLedger, FailsAnExpiredEntryThoughItStillExcuses) {
   ASSERT_EQ(report.faults.size(), 1U);
   EXPECT_THAT(report.faults[0],
               HasSubstr("known_discrepancies.toml:17: expired on 2026-06-30"));
-  // Whatever it is about: nobody would look at it again.
+  // An entry that matches nothing expires too: otherwise nobody would review it.
   report = ReportOf({0.04}, 0.05);
   report.ledger.entries[0].scenarios = "contact/bxo_box/*";
   ApplyLedger(report, "2026-07-01", false);
@@ -269,7 +269,7 @@ TEST(ProposeLedger, BoundsEveryMeasureInItsOwnUnit) {
                   "bounds = {{ touching = {:.6g}, contact_count = 3 }}\n", touching)));
 }
 
-TEST(ProposeLedger, ListsTheMeasuresOfWhatHasNoValue) {
+TEST(ProposeLedger, ListsTheMeasuresOfVerdictsWithoutAValue) {
   RunReport report = ReportOf({1}, 0.05);
   report.ledger.entries.clear();
   report.findings[0].measure = MeasureKind::kAnswering;
@@ -285,7 +285,7 @@ TEST(ProposeLedger, IsRefusedUntilAPersonGivesReasons) {
   for (const Diagnostic& d : result.diagnostics) EXPECT_EQ(d.what, "reason is empty");
 }
 
-TEST(ProposeLedger, ExcusesWhatItWasMadeOfOnceReasonsAreGiven) {
+TEST(ProposeLedger, ExcusesItsOwnFailuresOnceReasonsAreGiven) {
   RunReport report = ReportOf({0.0123, 0, 0.0456}, 0.05);
   std::string text = ProposeLedger(report, "2026-06-30");
   for (auto at = text.find("reason = \"\""); at != std::string::npos;

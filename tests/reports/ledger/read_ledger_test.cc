@@ -30,7 +30,7 @@ std::vector<std::string> Complaints(std::string_view text) {
   return complaints;
 }
 
-/** kEntry with `before` replaced. */
+/** Returns kEntry with `before` replaced by `after`. */
 std::string With(std::string_view before, std::string_view after) {
   std::string text(kEntry);
   text.replace(text.find(before), before.size(), after);
@@ -58,7 +58,7 @@ TEST(ReadLedger, ReadsEveryField) {
   EXPECT_EQ(entry.line, 1);
 }
 
-TEST(ReadLedger, TakesAnEntryForSteadyUnlessItSaysIntermittent) {
+TEST(ReadLedger, TreatsAnEntryAsSteadyUnlessItSaysIntermittent) {
   const auto intermittent = [](std::string_view line) {
     const LedgerResult result =
         ReadLedger(std::string(kEntry).append(line), "ledger.toml");
@@ -67,9 +67,10 @@ TEST(ReadLedger, TakesAnEntryForSteadyUnlessItSaysIntermittent) {
   EXPECT_FALSE(intermittent(""));
   EXPECT_FALSE(intermittent("intermittent = false\n"));
   EXPECT_TRUE(intermittent("intermittent = true\n"));
-  EXPECT_THAT(Complaints(std::string(kEntry).append("intermittent = 1\n")),
-              ElementsAre("ledger.toml:11:16: intermittent is neither; expected true or "
-                          "false"));
+  EXPECT_THAT(
+      Complaints(std::string(kEntry).append("intermittent = 1\n")),
+      ElementsAre("ledger.toml:11:16: intermittent is not a boolean; expected true or "
+                  "false"));
 }
 
 TEST(ReadLedger, AcceptsAnEmptyLedger) {
@@ -90,7 +91,7 @@ TEST(ReadLedger, SuggestsTheKeyThatWasMeant) {
                   "ledger.toml:3:1: unknown key \"orcale\"; expected \"oracle\""));
 }
 
-TEST(ReadLedger, NamesTheMeasuresVerdictsAndCausesThereAre) {
+TEST(ReadLedger, ListsTheValidMeasuresVerdictsAndCauses) {
   const auto complaints = Complaints(With("excess", "depth"));
   ASSERT_EQ(complaints.size(), 1U);
   EXPECT_THAT(
@@ -106,7 +107,7 @@ TEST(ReadLedger, NamesTheMeasuresVerdictsAndCausesThereAre) {
                   "precision, discretisation, model, defect"));
 }
 
-TEST(ReadLedger, RefusesABoundThatIsNone) {
+TEST(ReadLedger, RefusesABoundThatIsNotAPositiveNumber) {
   for (const std::string_view bound : {"0", "-1.0", "nan", "inf", "\"much\""}) {
     EXPECT_THAT(
         Complaints(With("0.05", bound)),
@@ -118,7 +119,7 @@ TEST(ReadLedger, RefusesABoundThatIsNone) {
                           "of measures, e.g. { separation_error = 0.05 }"));
 }
 
-TEST(ReadLedger, RefusesABoundThatAShareCannotExceed) {
+TEST(ReadLedger, RefusesABoundThatAFractionCannotExceed) {
   std::string text = With("excess", "patch_coverage");
   text.replace(text.find("0.001"), 5, "1.3");
   EXPECT_THAT(Complaints(text),
@@ -127,32 +128,33 @@ TEST(ReadLedger, RefusesABoundThatAShareCannotExceed) {
   EXPECT_THAT(Complaints(With("0.05", "1.3")), IsEmpty());
 }
 
-TEST(ReadLedger, WantsBoundsOfWhatHasAValueAndMeasuresOfWhatHasNone) {
+TEST(ReadLedger, RequiresBoundsIfTheVerdictHasAValueAndMeasuresOtherwise) {
   EXPECT_THAT(
       Complaints(With("bounds = { separation_error = 0.05, excess = 0.001 }",
                       "measures = [\"excess\"]")),
-      ElementsAre("ledger.toml:1:1: bounds is missing; expected a table of measures, "
-                  "e.g. { separation_error = 0.05 }",
-                  "ledger.toml:6:12: measures of the verdict \"fail\"; expected bounds"));
+      ElementsAre(
+          "ledger.toml:1:1: bounds is missing; expected a table of measures, "
+          "e.g. { separation_error = 0.05 }",
+          "ledger.toml:6:12: measures for the verdict \"fail\"; expected bounds"));
   EXPECT_THAT(
       Complaints(With("\"fail\"", "\"crashed\"")),
       ElementsAre("ledger.toml:1:1: measures is missing; expected a list of measures, "
                   "e.g. [\"answering\"]",
-                  "ledger.toml:6:10: bounds of the verdict \"crashed\"; expected "
-                  "measures, as it has no value"));
+                  "ledger.toml:6:10: bounds for the verdict \"crashed\"; expected "
+                  "measures, since it has no value"));
 }
 
-TEST(ReadLedger, NamesEveryMeasureOnce) {
+TEST(ReadLedger, RefusesAMeasureNamedTwice) {
   std::string text = With("\"fail\"", "\"crashed\"");
   const std::string_view bounds = "bounds = { separation_error = 0.05, excess = 0.001 }";
   text.replace(text.find(bounds), bounds.size(),
                "measures = [\"answering\", \"answering\"]");
   EXPECT_THAT(Complaints(text),
-              ElementsAre("ledger.toml:6:26: answering is named twice; expected every "
+              ElementsAre("ledger.toml:6:26: answering is named twice; expected each "
                           "measure once"));
 }
 
-TEST(ReadLedger, WantsAProperDate) {
+TEST(ReadLedger, RequiresATomlDate) {
   EXPECT_THAT(
       Complaints(With("2026-06-30", "\"2026-06-30\"")),
       ElementsAre("ledger.toml:10:11: expires is not a date; expected a date, e.g. "
@@ -170,7 +172,7 @@ TEST(ReadLedger, ReportsAllErrorsAtOnceInTheOrderOfLines) {
   EXPECT_THAT(complaints[2], testing::StartsWith("ledger.toml:21:"));
 }
 
-TEST(ReadLedger, SaysWhereTomlItselfIsBroken) {
+TEST(ReadLedger, ReportsWhereTheTomlIsMalformed) {
   const auto complaints = Complaints("[[entry]\n");
   ASSERT_EQ(complaints.size(), 1U);
   EXPECT_THAT(complaints[0], testing::StartsWith("ledger.toml:1:"));

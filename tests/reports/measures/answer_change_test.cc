@@ -44,7 +44,8 @@ TEST(AnswerChange, KeepsNormalsApartFromSeparations) {
   EXPECT_EQ(AnswerChange(s.query, s.truth, s.right, other).separation, 0);
 }
 
-/** The answer without what it says of itself: its contacts say it instead. */
+/** Returns the answer without its own normal and separation: its contacts state them
+ instead. */
 ContactAnswer InContactsOnly(ContactAnswer answer) {
   for (ContactPoint& contact : answer.points) contact.n_AB_W = answer.n_AB_W;
   answer.n_AB_W.reset();

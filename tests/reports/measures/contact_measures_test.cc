@@ -16,7 +16,7 @@ namespace {
 constexpr double kDepth = 2e-3;        // [m]
 constexpr double kRounding = 0x1p-46;  // [m], 64 roundings of a scene below 2 m
 
-/** B's lower face in BoxOnBoxFace: its contacts, in order around it. */
+/** Returns B's lower face in BoxOnBoxFace: its contacts, in order around it. */
 ContactPatch PatchOf(const Specimen& s) {
   ContactPatch patch;
   for (const ContactPoint& contact : s.right.points)
@@ -57,9 +57,9 @@ TEST(ContactSurfaceError, OfAFlippedNormalIsTheDepth) {
   EXPECT_NEAR(WorstSurfaceError(s), kDepth, kRounding);
 }
 
-TEST(ContactSurfaceError, SeesAContactInTheAirBesideTheFace) {
-  // A's face ends at x = 0.3: a contact 0.3 further along x is 0.07 beyond it, and B's
-  // sphere bends away underneath.
+TEST(ContactSurfaceError, SeesAContactInTheAirNextToTheFace) {
+  // A's face ends at x = 0.3. A contact 0.3 further along x is 0.07 beyond it, where B's
+  // sphere curves away from the plane.
   Specimen s = SphereInBoxFace(kDepth);
   s.right.points[0].p_WC += 0.3 * s.query.A.X_WB.R_WB.col(0);
   EXPECT_GE(WorstSurfaceError(s), 0.07 - kRounding);
@@ -126,7 +126,7 @@ TEST(PatchCoverage, CountsTheWidthOfASlabLikeItsLength) {
 }
 
 TEST(PatchCoverage, CountsTheWidthOfANeedleLikeItsLength) {
-  // Held along one of its long edges only, it can turn about it.
+  // A needle held along one of its long edges only can turn about it.
   const Eigen::Vector3d along = AwkwardPose().R_WB.col(0);
   const Eigen::Vector3d across = AwkwardPose().R_WB.col(1);
   const Eigen::Vector3d n = AwkwardPose().R_WB.col(2);
@@ -146,7 +146,8 @@ TEST(PatchCoverage, OfASegmentFarAwayTakesItsRoundingForNoWidth) {
   ContactPatch segment;
   segment.vertices_W = {p - half, p + half};
   const Eigen::Vector3d n = AwkwardPose().R_WB.col(2);
-  // The ends, a hundred roundings of the coordinates across.
+  // The contacts at the ends are a hundred roundings of the coordinates off, across the
+  // segment.
   const Eigen::Vector3d off = 1e-11 * AwkwardPose().R_WB.col(1);
   const std::vector<ContactPoint> ends = {{p - half + off, -1e-3, {}},
                                           {p + half + off, -1e-3, {}}};
@@ -205,7 +206,7 @@ TEST(PatchCoverage, OfASegmentNeedsBothEnds) {
 }
 
 TEST(PatchBlur, IsWhatSidesMovedInwardsLeaveUnspanned) {
-  // A face of 2 m by 1 cm, all of its sides 1 mm further in.
+  // A face of 2 m by 1 cm, with all of its sides moved 1 mm inwards.
   ContactPatch patch;
   patch.vertices_W = {{1, 0.005, 0}, {-1, 0.005, 0}, {-1, -0.005, 0}, {1, -0.005, 0}};
   std::vector<ContactPoint> contacts;
@@ -246,7 +247,7 @@ TEST(ContactCount, SeesRepeatedContacts) {
   EXPECT_EQ(ContactCountError(PatchOf(s), contacts, kRounding), 2);
 }
 
-TEST(ContactTooDeep, BlamesDeeperContactsOnly) {
+TEST(ContactTooDeep, CountsDeeperContactsOnly) {
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_EQ(ContactTooDeep(s.truth, {s.right.points[0].p_WC, -kDepth, {}}), 0);
   EXPECT_EQ(ContactTooDeep(s.truth, {s.right.points[0].p_WC, -kDepth / 2, {}}), 0);

@@ -20,8 +20,8 @@ TEST(DualityGap, IsNoneForNearestPoints) {
 }
 
 TEST(DualityGap, SeesAWitnessSlidAlongTheFace) {
-  // p_A slides by t along A's x: |p| = √(g² + t²), and along that tilted direction, tan θ
-  // = -t/g, the box reaches to x = -0.3 rather than under the sphere: the gap shrinks by
+  // p_A slides by t along A's x: |p| = √(g² + t²). Along that tilted direction, tan θ =
+  // -t/g, the box reaches to x = -0.3 instead of below the sphere, so the gap shrinks by
   // more.
   const Specimen s = SphereInBoxFace(-kGap);
   constexpr double t = 1e-3;
@@ -37,8 +37,8 @@ TEST(DualityGap, SeesAWitnessSlidAlongTheFace) {
 }
 
 TEST(DualityGap, SeesWitnessesInsideTheBodies) {
-  // Both moved towards each other by a quarter of the gap, off the surfaces: nearer than
-  // any points of the shapes can be.
+  // Both points move towards each other by a quarter of the gap, off the surfaces: nearer
+  // than any points of the shapes can be.
   const Specimen s = SphereInBoxFace(-kGap);
   WitnessPoints w = *s.right.witnesses;
   const Eigen::Vector3d quarter = (w.p_WCb - w.p_WCa) / 4;

@@ -32,15 +32,16 @@ TEST(ConsistencyError, OfASwappedSignIsTwiceTheDepth) {
   EXPECT_NEAR(ConsistencyError(s.query, *s.right.n_AB_W, kDepth), 2 * kDepth, kRounding);
 }
 
-TEST(ConsistencyError, OfAFlippedNormalIsTheWayThroughBothBodies) {
-  // Against n, B has to leave through A's far face: o(-n) = 2 h + 2 r - d.
+TEST(ConsistencyError, OfAFlippedNormalIsTheDistanceThroughBothBodies) {
+  // Moved against n, B leaves through A's far face: o(-n) = 2 h + 2 r - d.
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_NEAR(ConsistencyError(s.query, -*s.right.n_AB_W, -kDepth),
               0.2 + 2.0 / 3 - 2 * kDepth, kRounding);
 }
 
 TEST(ConsistencyError, HoldsForABadDirectionThatKnowsItsOwnDepth) {
-  // Along A's x: o = 0.3 + r - 0.07. Consistent, though far from the least.
+  // Along A's x, o = 0.3 + r - 0.07: the answer is consistent, though far from the least
+  // overlap.
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_LE(
       ConsistencyError(s.query, s.query.A.X_WB.R_WB.col(0), -(0.3 + 1.0 / 3 - 0.07)),
@@ -56,16 +57,16 @@ TEST(Excess, IsNoneForARightNormal) {
   }
 }
 
-TEST(Excess, OfAFlippedNormalIsTheDetour) {
+TEST(Excess, OfAFlippedNormalIsTheExtraTranslation) {
   const Specimen s = SphereInBoxFace(kDepth);
   EXPECT_NEAR(Excess(s.query, s.truth, -*s.right.n_AB_W), 0.2 + 2.0 / 3 - 2 * kDepth,
               kRounding);
 }
 
 TEST(Excess, SeesATinyTilt) {
-  // Tilted by θ about A's y, the box's support grows by 0.3 sin θ less what its height
-  // and the sphere's place take back: o(n) = 0.3 sin θ + h cos θ - (0.07 sin θ + (h + r -
-  // d) cos θ) + r.
+  // If n is tilted by θ about A's y, the box's support grows by 0.3 sin θ minus what its
+  // height and the sphere's position take back: o(n) = 0.3 sin θ + h cos θ - (0.07 sin θ
+  // + (h + r - d) cos θ) + r.
   const Specimen s = SphereInBoxFace(kDepth);
   constexpr double kTilt = 1e-9;  // [rad]
   const Eigen::Vector3d n =

@@ -28,7 +28,7 @@ TEST(SeparationError, IsNoneAnywhereInsideTheEnclosure) {
 }
 
 TEST(SeparationError, CountsFromTheNearerEndOfTheEnclosure) {
-  // A difference of numbers near 0.035 is off by half their last bits, 2^-57.
+  // A difference of numbers near 0.035 is off by at most half their last bits, 2^-57.
   EXPECT_NEAR(SeparationError(Truth(-0.03, -0.01), -0.035), 0.005, 0x1p-57);
   EXPECT_EQ(SeparationError(Truth(-0.03, -0.01), 0.0), 0.01);
 }

@@ -21,7 +21,7 @@ TEST(TouchingError, IsOneForAPhantomContact) {
   EXPECT_EQ(TouchingError(specimen.truth, specimen.right), 1);
 }
 
-TEST(TouchingError, BlamesNobodyForAnUndecidedTruth) {
+TEST(TouchingError, IsZeroForAnUndecidedTruth) {
   Specimen specimen = SphereInBoxFace(0);
   specimen.truth.touching = Touching::kUndecided;
   for (const bool touching : {false, true}) {

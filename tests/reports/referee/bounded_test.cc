@@ -1,4 +1,4 @@
-// The arithmetic that every proof rests on.
+// Tests of the arithmetic that every proof uses.
 
 #include "reports/referee/bounded.h"
 
@@ -20,7 +20,7 @@ bool Holds(const Bounded<double>& number, const Rational& exact) {
   return Rational(e.lo) <= exact && exact <= Rational(e.hi);
 }
 
-/** The same polynomial and quotient of awkward magnitudes, in any arithmetic. */
+/** Returns one polynomial and quotient of awkward magnitudes, in any arithmetic. */
 template <typename T>
 T Expression(const T& a, const T& b, const T& c, const T& d) {
   return (a * b - c * d) / (a * a + b * b) + (a - c) * (b + d);
@@ -32,14 +32,14 @@ TEST(Bounded, HoldsTheExactValueThroughCancellation) {
   for (int i = 0; i < 2000; ++i) {
     const double a = random.Uniform(-1, 1) * random.Power(-8, 8);
     const double b = random.Uniform(-1, 1) * random.Power(-8, 8);
-    // So near that the differences lose almost all digits.
+    // These are so near that the differences lose almost all digits.
     const double c = a * (1 + random.Uniform(-1, 1) * random.Power(-17, -1));
     const double d = -b * (1 + random.Uniform(-1, 1) * random.Power(-17, -1));
     using Number = Bounded<double>;
     const Number computed = Expression(Number(a), Number(b), Number(c), Number(d));
     const Rational exact = Expression(Rational(a), Rational(b), Rational(c), Rational(d));
     EXPECT_TRUE(Holds(computed, exact)) << a << " " << b << " " << c << " " << d;
-    // The error bound is what makes it so: without it the value alone is wrong.
+    // The error bound is what makes it pass: without it the value alone is wrong.
     missed_without_bound += !Holds(Number(computed.value()), exact);
   }
   EXPECT_GT(missed_without_bound, 1900);
@@ -58,7 +58,7 @@ TEST(Bounded, HoldsTheRootOfAnUncertainNumber) {
   }
 }
 
-TEST(Bounded, KnowsNothingOfAQuotientByWhatMayBeZero) {
+TEST(Bounded, IsUnboundedForAQuotientByAPossibleZero) {
   const Bounded<double> quotient = Bounded<double>(1.0) / Bounded<double>(1e-17, 2e-17);
   EXPECT_EQ(quotient.enclosure().lo, -INFINITY);
   EXPECT_EQ(quotient.enclosure().hi, INFINITY);
@@ -81,7 +81,7 @@ void ExpectOverflowToBeUnknown() {
   ExpectUnknown(one + nothing);
   ExpectUnknown(one / nothing);
   ExpectUnknown(-Abs(nothing));
-  // In either order: a comparison with a NaN must not choose the other.
+  // The order does not matter: a comparison with a NaN must not select the other.
   ExpectUnknown(Max(one, nothing));
   ExpectUnknown(Max(nothing, one));
   ExpectUnknown(Min(one, nothing));
@@ -89,7 +89,7 @@ void ExpectOverflowToBeUnknown() {
   EXPECT_EQ(Sqrt(nothing).enclosure().hi, INFINITY);
 }
 
-TEST(Bounded, KnowsNothingOfWhatOverflowed) {
+TEST(Bounded, IsUnboundedAfterAnOverflow) {
   ExpectOverflowToBeUnknown<Bounded<double>>();
   ExpectOverflowToBeUnknown<Bounded<Precise>>();
   const Bounded<double> large(1e200, 1e190);

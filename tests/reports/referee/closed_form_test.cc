@@ -1,4 +1,5 @@
-// Truth that can be derived by hand, asked at poses where nothing is exact in binary.
+// Cases with a truth that can be derived by hand, at poses where nothing is exact in
+// binary.
 
 #include <cmath>
 #include <limits>
@@ -11,8 +12,9 @@
 namespace touchstone {
 namespace {
 
-/** Placing the bodies rounds the poses, which moves the truth by no more than the band of
- the input; the enclosure itself is a few ulps of the scene. */
+/** Expects the separation derived by hand. Placing the bodies rounds the poses, which
+ moves the truth by at most the band of the input. The enclosure itself is a few ulps of
+ the scene. */
 void ExpectSeparation(const ContactQuery& query, double expected) {
   const ContactTruth truth = JudgeContact(query);
   const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
@@ -50,7 +52,7 @@ TEST(ClosedForm, SphereOffABoxCornerIsApartByThePythagoreanDistance) {
   ExpectSeparation({box, Place(Sphere{0.05}, {0.4, 0.4, 0.3})}, 0.25);
 }
 
-//   Axes crossed at a right angle, 0.5 apart along the third.
+// The axes cross at a right angle, 0.5 apart along the third.
 TEST(ClosedForm, CrossedCapsulesAreApartAlongTheCommonPerpendicular) {
   const Body A = Place(Capsule{0.2, 0.7}, {0, 0, 0});
   const Eigen::Quaterniond along_x = Turn(M_PI / 2, Eigen::Vector3d::UnitY());
@@ -58,7 +60,7 @@ TEST(ClosedForm, CrossedCapsulesAreApartAlongTheCommonPerpendicular) {
   ExpectSeparation({A, Place(Capsule{0.4, 0.4}, {0.05, 0.5, 0.1}, along_x)}, -0.1);
 }
 
-// Both axes cross at one point: the cores touch, and the radii alone make the depth.
+// Both axes cross at one point: the cores touch, and the depth is the sum of the radii.
 TEST(ClosedForm, CapsulesWithCrossingAxesAreAsDeepAsTheirRadiiTogether) {
   const Body A = Place(Capsule{0.2, 0.7}, {0, 0, 0});
   const Eigen::Quaterniond along_x = Turn(M_PI / 2, Eigen::Vector3d::UnitY());
@@ -71,7 +73,7 @@ TEST(ClosedForm, CollinearCapsulesAreApartEndToEnd) {
   ExpectSeparation({A, Place(Capsule{0.1, 0.4}, {0, 0, 0.6})}, -0.3);
 }
 
-// Turned by 45 degrees about z, the corner edge of B reaches √2 h towards A.
+// B is turned by 45 degrees about z, so that its edge reaches √2 h towards A.
 TEST(ClosedForm, BoxEdgeOnFaceIsAsDeepAsItsDiagonalSays) {
   const Body A = Place(Box{{0.5, 0.6, 0.7}}, {0, 0, 0});
   const Eigen::Quaterniond turned = Turn(M_PI / 4, Eigen::Vector3d::UnitZ());
@@ -111,7 +113,7 @@ TEST(ClosedForm, HalfSpaceIsDeepToTheLowestPointOfEveryShape) {
   const Body ground = Place(HalfSpace{}, {0.4, -0.3, 0.1});
   const double tilt = 0.4;
   const Eigen::Quaterniond q =
-      Turn(tilt, {1, 2, 0});  // The body's z makes `tilt` with up.
+      Turn(tilt, {1, 2, 0});  // The body's z is at the angle `tilt` to the up direction.
   const double c = std::cos(tilt);
   const double s = std::sin(tilt);
   const Eigen::Vector3d p(2.3, 1.9, 0.6);  // 0.5 above the plane.
@@ -121,8 +123,8 @@ TEST(ClosedForm, HalfSpaceIsDeepToTheLowestPointOfEveryShape) {
   ExpectSeparation({ground, Place(Cone{0.2, 0.6}, p, q)}, 0.5 - 0.6 * c - 0.2 * s);
   ExpectSeparation({Place(Cone{0.2, 0.6}, p, Turn(M_PI - tilt, {1, 2, 0})), ground},
                    0.5 - 0.6 * c);
-  // Up in the body frame is sin(tilt) (-2, 1, 0)/√5 + cos(tilt) z, up to the sign of the
-  // first.
+  // The up direction in the body frame is sin(tilt) (-2, 1, 0)/√5 + cos(tilt) z, up to
+  // the sign of the first term.
   const double up_x = s * 2 / std::sqrt(5.0);
   const double up_y = s / std::sqrt(5.0);
   ExpectSeparation({ground, Place(Box{{0.2, 0.3, 0.4}}, p, q)},

@@ -1,4 +1,4 @@
-// Patches whose shape is known by hand.
+// Patches whose shape is derived by hand.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace touchstone {
 namespace {
 
-/** The frame the scenes are built in has its z as the contact normal. */
+/** Returns the contact normal: z of the frame in which the scenes are built. */
 Eigen::Vector3d Up() {
   return AwkwardPose().R_WB.col(2);
 }
@@ -23,11 +23,11 @@ ContactPatch PatchOf(const ContactQuery& query) {
   return PatchAlong(query, Up(), -overlap.hi, slack);
 }
 
-/** Each of `expected`, given in the awkward frame, is a corner of the patch and no other
- * is. */
+/** Expects the corners of the patch to be those of `expected`, given in the awkward
+ frame, and no others. */
 void ExpectCorners(const ContactPatch& patch,
                    const std::vector<Eigen::Vector3d>& expected) {
-  // Corners are known to some hundred roundings of a scene of size 1.
+  // Corners are accurate to some hundred roundings of a scene of size 1.
   constexpr double kRounding = 1e-13;
   EXPECT_EQ(patch.vertices_W.size(), expected.size());
   for (const Eigen::Vector3d& p : expected) {
@@ -111,9 +111,10 @@ TEST(ContactPatch, TetrahedronOnAFaceNeedsThreeContacts) {
   EXPECT_EQ(patch.least_contacts, 3);
 }
 
-constexpr double kFloatError = 1e-6;  // [m], of a float engine on a scene of this size
+constexpr double kFloatError =
+    1e-6;  // [m], error of a float engine on a scene of this size
 
-/** Up(), off by what a float is off by. */
+/** Returns Up() with the rounding error of a float. */
 Eigen::Vector3d RoundedUp() {
   return Turn(1e-7, {0.3, -0.8, 0.4}) * Up();
 }

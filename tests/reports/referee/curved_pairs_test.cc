@@ -1,5 +1,6 @@
-// Cylinders and cones, for which there is no exact kernel: bounds have to meet, no
-// direction may contradict them, and a blind search has to come as near as it can.
+// Tests of cylinders and cones, for which there is no exact kernel: the bounds have to
+// meet, no direction may contradict them, and a blind search has to come as near as it
+// can.
 
 #include <array>
 #include <cmath>
@@ -48,9 +49,9 @@ TEST(CurvedPairs, AreBoundedTightlyAndNoDirectionContradictsThem) {
     const Enclosure separation = truth.separation;
     const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
     EXPECT_LE(separation.hi - separation.lo, 64 * ulp) << "pair " << i;
-    // The far bound: whatever direction the search tries, none separates them further.
+    // Upper bound: no direction that the search tries separates them further.
     EXPECT_LE(-LeastOverlapFound(query), separation.hi + ulp) << "pair " << i;
-    // The near bound: its own direction shows it, to the rounding of that direction.
+    // Lower bound: its own direction proves it, to the rounding of that direction.
     EXPECT_NEAR(-OverlapFound(query, truth.certificate.n_AB_W), separation.lo, 64 * ulp)
         << "pair " << i;
     touching += separation.hi < 0;
@@ -73,7 +74,8 @@ TEST(CurvedPairs, CylinderStandingInAnotherIsDeepAlongTheirCommonAxis) {
       -0.01);
 }
 
-// The least overlap is reached all around the axis: 0.3 + 0.2, against 1 + 1 along it.
+// The least overlap, 0.3 + 0.2, is reached all around the axis; along the axis it is 1 +
+// 1.
 TEST(CurvedPairs, CoaxialCylindersAreAsDeepAsTheirRadiiTogether) {
   ExpectSeparation(
       {Place(Cylinder{0.3, 1}, {0, 0, 0}), Place(Cylinder{0.2, 1}, {0, 0, 0})}, -0.5);
@@ -85,7 +87,7 @@ TEST(CurvedPairs, ParallelCylindersSideBySideAreDeepAlongTheLineOfCentres) {
       std::hypot(0.3, 0.36) - 0.5);
 }
 
-// Each holds a ball of its radius, and lies in one √2 times as large.
+// Each cylinder contains a ball of its radius, and lies in a ball √2 times as large.
 TEST(CurvedPairs, CylindersWhoseOverlapsOverflowAreDeepByAnUnknownAmount) {
   const Cylinder huge{1e160, 1e160};
   const ContactTruth truth =
@@ -106,7 +108,7 @@ TEST(CurvedPairs, TiltedCylinderOnABoxIsDeepByItsRim) {
   }
 }
 
-// From the centre of a cone, r (h) / √(r² + 4 h²) to its side, h to its base.
+// The centre of a cone is r h / √(r² + 4 h²) from its side, h from its base.
 TEST(CurvedPairs, SphereOnTheAxisOfAConeLeavesThroughItsSideAllAround) {
   const double side = 0.3 * 0.5 / std::sqrt(0.3 * 0.3 + 4 * 0.5 * 0.5);
   ExpectSeparation({Place(Cone{0.3, 0.5}, {0, 0, 0}), Place(Sphere{0.1}, {0, 0, 0})},
@@ -117,11 +119,11 @@ TEST(CurvedPairs, PointIsAsFarFromARimAsPythagorasSays) {
   const Body cylinder = Place(Cylinder{0.3, 0.5}, {0, 0, 0});
   const Eigen::Vector3d p = AwkwardPose() * Eigen::Vector3d(0.6 * 0.6, 0.6 * 0.8, 0.9);
   const Enclosure e = SignedDistance(cylinder, p);
-  EXPECT_NEAR(e.lo, 0.5, 1e-14);  // 0.3 out and 0.4 up; a scene of size 2.
+  EXPECT_NEAR(e.lo, 0.5, 1e-14);  // 0.3 out and 0.4 up, in a scene of size 2.
   EXPECT_NEAR(e.hi, 0.5, 1e-14);
 }
 
-TEST(CurvedPairs, PointOnTheSurfaceIsAtNoDistance) {
+TEST(CurvedPairs, PointOnTheSurfaceHasZeroDistance) {
   const Body cone = Place(Cone{0.3, 0.5}, {0, 0, 0});
   const Enclosure e =
       SignedDistance(cone, AwkwardPose() * Eigen::Vector3d(0.09, 0.12, 0));

@@ -1,4 +1,4 @@
-// What the proof of a depth has to refuse.
+// Tests of what the proof of a depth must refuse.
 
 #include <cmath>
 
@@ -20,7 +20,8 @@ class DepthProofTest : public testing::Test {
     return polytope.facets.front();
   }
 
-  // A cylinder of radius 0.4 with a hull 0.1 below the middle of its end.
+  // A cylinder of radius 0.4 whose end overlaps a hull with its apex 0.1 below the
+  // middle.
   Body A = Place(Cylinder{0.4, 0.5}, {0, 0, 0});
   Body B = Place(ConvexHull{{{0, 0, 0}, {1, 0.1, 1}, {-0.9, 0.8, 1.1}, {0.1, -1, 0.9}}},
                  {0.02, 0.01, 0.4});
@@ -31,7 +32,8 @@ class DepthProofTest : public testing::Test {
 
 TEST_F(DepthProofTest, IsTightForWhatTheSearchFound) {
   const DepthProof proof = Prove();
-  EXPECT_NEAR(proof.depth.lo, 0.1, 1e-14);  // Some ten roundings of a scene of size 2.
+  EXPECT_NEAR(proof.depth.lo, 0.1,
+              1e-14);  // The tolerance is some ten roundings of a scene of size 2.
   EXPECT_NEAR(proof.depth.hi, 0.1, 1e-14);
 }
 
@@ -47,7 +49,8 @@ TEST_F(DepthProofTest, ClaimsNothingForAFacetInsideOut) {
 
 TEST_F(DepthProofTest, ClaimsNothingForASurfaceThatDoesNotSurroundTheOrigin) {
   for (DifferencePoint<double>& point : polytope.vertices) {
-    // The apex of B: the differences shrink to points of A, half of them on the far side.
+    // With B reduced to its apex and A to its far end, the differences lie in a disc that
+    // does not surround the origin.
     point.q_B = {0, 0, 0};
     point.q_A = {point.q_A.x, point.q_A.y, -0.5};
   }

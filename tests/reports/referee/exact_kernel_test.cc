@@ -1,5 +1,5 @@
-// The referee against an exact computation that shares nothing with it. Each family holds
-// the exact value in its enclosure, always, and the enclosure is as narrow as promised.
+// Tests of the referee against an exact computation that shares nothing with it. For each
+// family the enclosure must always contain the exact value and be as narrow as promised.
 
 #include <functional>
 #include <limits>
@@ -17,12 +17,13 @@ double UlpOf(const ContactQuery& query) {
   return std::numeric_limits<double>::epsilon() * SceneSize(query);
 }
 
-/** A turn by a tiny angle about any axis. */
+/** Returns a rotation by a tiny angle about a random axis. */
 Eigen::Quaterniond Tilt(RandomScene& random, double angle) {
   return Eigen::Quaterniond(Eigen::AngleAxisd(angle, random.Point(1).normalized()));
 }
 
-/** How many of the pairs touched. */
+/** Expects the exact value inside a narrow enclosure and returns the number of touching
+ pairs. */
 int ExpectExact(std::uint64_t seed, int pairs,
                 const std::function<ContactQuery(RandomScene&)>& family) {
   RandomScene random(seed);
@@ -109,7 +110,8 @@ TEST(ExactKernel, AgreesAtEveryScale) {
   });
 }
 
-// Faces of many coplanar vertices, with one inside and one twice.
+// The hulls have faces of many coplanar vertices, with one vertex inside and one
+// repeated.
 TEST(ExactKernel, AgreesOnHullsWithCoplanarRepeatedAndInteriorVertices) {
   ExpectExact(8, 20, [](RandomScene& random) {
     ConvexHull hull;
@@ -121,8 +123,8 @@ TEST(ExactKernel, AgreesOnHullsWithCoplanarRepeatedAndInteriorVertices) {
   });
 }
 
-// The test that the test bites: an enclosure that misses the exact value by less than an
-// ulp of the scene is told from one that holds it.
+// Tests the test itself: it must distinguish an enclosure that misses the exact value by
+// less than an ulp of the scene from one that contains it.
 TEST(ExactKernel, CatchesAnEnclosureThatIsOffByAnUlp) {
   RandomScene random(9);
   for (int i = 0; i < 10; ++i) {
@@ -134,8 +136,8 @@ TEST(ExactKernel, CatchesAnEnclosureThatIsOffByAnUlp) {
   }
 }
 
-// Without the crosses of edges the candidates are incomplete: the least overlap along
-// face normals is then proved too large by the exact kernel.
+// Without the edge crosses the candidates are incomplete: the exact kernel then proves
+// the least overlap along face normals too large.
 TEST(ExactKernel, CatchesCandidatesWithoutEdgeCrosses) {
   RandomScene random(10);
   int caught = 0;
@@ -156,8 +158,8 @@ TEST(ExactKernel, CatchesCandidatesWithoutEdgeCrosses) {
   EXPECT_GT(caught, 0);
 }
 
-// Where edges are parallel to rounding, their cross product in double is noise. It is an
-// axis like any other: the overlap along it is never less than the depth.
+// If edges are parallel to rounding, their cross product in double is noise. It is still
+// a valid axis: the overlap along it is never less than the depth.
 TEST(ExactKernel, FindsNoAxisOfNoiseThatUndercutsTheDepth) {
   RandomScene random(11);
   for (int i = 0; i < 30; ++i) {

@@ -41,7 +41,7 @@ std::vector<Point> PlacedCorners(const Body& body) {
   return placed;
 }
 
-/** The exact separation: its sign and its square. */
+/** The exact separation as its sign and its square. */
 struct SignedSquare {
   bool apart;
   Number square;
@@ -77,7 +77,7 @@ SignedSquare Separation(const ContactQuery& query) {
   return {apart, apart ? *distance : *depth};
 }
 
-/** Returns bound <= the exact separation, or >= with both signs turned. */
+/** Returns whether bound <= the exact separation, or >= if `sense` is -1. */
 bool Below(const Number& bound, const SignedSquare& exact, int sense) {
   const int sign = (exact.apart ? 1 : -1) * sense;
   const Number b = bound * Number(sense);

@@ -5,16 +5,17 @@
 
 namespace touchstone {
 
-/** How an enclosure compares with the separation computed exactly, in rational
- * arithmetic. */
+/** The comparison of an enclosure with the separation computed exactly, in rational
+ arithmetic. */
 struct ExactComparison {
   bool lo_holds;      ///< lo <= the exact separation.
   bool hi_holds;      ///< hi >= the exact separation.
   double separation;  ///< The exact separation, to rounding. [m]
 };
 
-/** Compares by CGAL's exact kernel, which shares nothing with the referee: the convex
- hull of all differences of corners, and the least distance of the origin from its facets.
+/** Compares `separation` with the exact separation of `query` by CGAL's exact kernel,
+ which shares nothing with the referee: the convex hull of all differences of corners, and
+ the least distance of the origin from its facets.
  @pre Both shapes are boxes or hulls, and their difference has a volume. */
 ExactComparison CompareExactly(const ContactQuery& query, const Enclosure& separation);
 

@@ -78,7 +78,7 @@ double LeastOverlapFound(const ContactQuery& query) {
   Real least = starts.front().overlap;
   for (std::size_t i = 0; i < 12; ++i) {
     Start best = starts[i];
-    // Random steps, halved when forty of them gain nothing, follow creases too.
+    // Random steps follow creases too; they are halved when forty in a row gain nothing.
     for (Real step = 0.05L; step > 1e-12L; step /= 2) {
       for (int failures = 0; failures < 40; ++failures) {
         const Vector n = (best.n + step * random.Point(1).cast<Real>()).normalized();

@@ -9,20 +9,20 @@
 
 namespace touchstone {
 
-/** Random shapes and poses, the same on every machine: nothing but the bits of
- * mt19937_64. */
+/** A generator of random shapes and poses that uses only the bits of mt19937_64, so that
+ they are the same on every machine. */
 class RandomScene {
  public:
   explicit RandomScene(std::uint64_t seed) : bits_(seed) {}
 
-  /** Returns a number of [lo, hi). */
+  /** Returns a random number in [lo, hi). */
   double Uniform(double lo, double hi) {
     return lo + (hi - lo) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
   }
-  /** Returns 10 to the power of a number of [lo, hi). */
+  /** Returns 10 to the power of a random number in [lo, hi). */
   double Power(double lo, double hi) { return std::pow(10, Uniform(lo, hi)); }
 
-  /** Returns a point of the cube of half-width `size`. [m] */
+  /** Returns a random point in the cube of half-width `size`. [m] */
   Eigen::Vector3d Point(double size) {
     const double x = Uniform(-size, size);
     const double y = Uniform(-size, size);

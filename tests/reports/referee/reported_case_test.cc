@@ -1,5 +1,5 @@
-// Cases reported to other projects' trackers, with the truth that a search in quadruple
-// precision (113 bits) found. It shares nothing with the referee.
+// Cases reported to other projects' trackers. Their truth was found by a search in
+// quadruple precision (113 bits) that shares nothing with the referee.
 
 #include <limits>
 
@@ -17,7 +17,7 @@ Eigen::Matrix3d Rows(double xx, double xy, double xz, double yx, double yy, doub
 
 void ExpectSeparation(const ContactQuery& query, double expected) {
   const ContactTruth truth = JudgeContact(query);
-  // Both enclose the truth to an ulp of the scene.
+  // Both ends enclose the truth to an ulp of the scene.
   const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
   EXPECT_NEAR(truth.separation.lo, expected, 2 * ulp);
   EXPECT_NEAR(truth.separation.hi, expected, 2 * ulp);

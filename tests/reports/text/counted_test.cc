@@ -5,7 +5,7 @@
 namespace touchstone {
 namespace {
 
-TEST(Counted, TakesThePluralOfAllNumbersButOne) {
+TEST(Counted, UsesThePluralExceptForOne) {
   EXPECT_EQ(Counted(0, "scenario"), "0 scenarios");
   EXPECT_EQ(Counted(1, "scenario"), "1 scenario");
   EXPECT_EQ(Counted(2, "scenario"), "2 scenarios");

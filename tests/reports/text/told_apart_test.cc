@@ -7,7 +7,7 @@
 namespace touchstone {
 namespace {
 
-TEST(TellApart, WritesAsManyDigitsAsAskedForWhereTheseDiffer) {
+TEST(TellApart, WritesTheRequestedDigitsWhereTheseDiffer) {
   const auto [a, b, difference] = TellApart(0.0134911746, 0.0134086138, 9);
   EXPECT_EQ(a, "0.0134911746");
   EXPECT_EQ(b, "0.0134086138");
@@ -21,14 +21,14 @@ TEST(TellApart, WritesTwoDigitsOfTheDifferenceOfNumbersThatLookEqual) {
   EXPECT_EQ(difference, "1.25e-13");
 }
 
-TEST(TellApart, TellsNeighboursApart) {
+TEST(TellApart, DistinguishesNeighbouringDoubles) {
   const double one_up = 0.3 * (1 + std::numeric_limits<double>::epsilon());
   const auto [a, b, difference] = TellApart(0.3, one_up, 9);
   EXPECT_NE(a, b);
   EXPECT_NE(difference, "0");
 }
 
-TEST(TellApart, WritesWhatHasNoDigits) {
+TEST(TellApart, WritesNumbersWithoutDigits) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(TellApart(kInfinity, 0.1, 9).a, "inf");
   EXPECT_EQ(TellApart(0.1, std::numeric_limits<double>::quiet_NaN(), 9).b, "nan");

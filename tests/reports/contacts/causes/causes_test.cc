@@ -21,7 +21,7 @@ using testing::HasSubstr;
 
 constexpr double kDepth = 2e-3;  // [m]
 
-/** The failures of an answer with the convention found for each; "" where none is. */
+/** Returns the convention found for each failure of an answer; "" where none is found. */
 std::vector<std::string> Conventions(const Specimen& s) {
   const FakeOracle oracle("mine");
   Scenario scenario;
@@ -74,7 +74,7 @@ TEST(Convention, RecognisesHalvedDoubledAndNegatedDepths) {
 }
 
 TEST(Convention, RecognisesContactsOnEitherSurface) {
-  // A's surface is half a depth along n from midway.
+  // A's surface is half the depth along n from the midpoint.
   for (const auto& [shift, words] : {std::pair(kDepth / 2, "on the surface of A"),
                                      {-kDepth / 2, "on the surface of B"}}) {
     Specimen s = BoxOnBoxFace(kDepth);
@@ -97,9 +97,9 @@ TEST(Convention, RecognisesTwoAtOnce) {
   EXPECT_THAT(conventions, testing::Not(testing::Contains("")));
 }
 
-TEST(Convention, IsNotReadIntoSeparationsNearTheTolerance) {
-  // Twice 2e-14 m, and a little: above the tolerance of 1e-14 m, and by chance near a
-  // doubling.
+TEST(Convention, IsNotInferredFromSeparationsNearTheTolerance) {
+  // The answer says a little more than twice 2e-14 m: an error above the tolerance of
+  // 1e-14 m that is near a doubling by chance.
   Specimen s = BoxOnBoxFace(2e-14);
   s.truth = JudgeContact(s.query);
   ScaleSeparations(s.right, 2.2);
@@ -141,7 +141,7 @@ TEST(Neighbours, AreAFewRoundingsAwayAndNotTheQuestionItself) {
       const double moved = (neighbour.B.X_WB.p_WB - query.B.X_WB.p_WB).norm();
       const double turned = (neighbour.B.X_WB.R_WB - query.B.X_WB.R_WB).norm();
       EXPECT_GT(moved + turned, 0);
-      // Four roundings of the scene, and one for storing each number.
+      // The limit is four roundings of the scene, and one for storing each number.
       EXPECT_LE(moved, 8 * u * SceneSize(query));
       EXPECT_LE(turned, 16 * u);
     }
@@ -205,8 +205,8 @@ TEST(Precision, LearnsNothingFromNeighboursWithoutAnAnswer) {
   EXPECT_EQ(MovementOf(s.query, s.truth, s.right, neighbours), 0);
 }
 
-/** The causes found for separations that are off by `errors` in questions with `truths`.
- */
+/** Returns the causes found for separations that are off by `errors` in questions with
+ `truths`. */
 std::vector<Cause> Margins(std::vector<double> errors, std::vector<double> truths) {
   std::vector<Finding> findings(errors.size());
   std::vector<SignedError> off;
