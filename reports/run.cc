@@ -4,17 +4,17 @@
 #include <map>
 #include <mutex>
 
-#include "reports/ledger/apply_ledger.h"
 #include "reports/contacts/causes/precision.h"
-#include "reports/ledger/check_catalogue.h"
 #include "reports/contacts/consensus.h"
 #include "reports/contacts/explain.h"
 #include "reports/contacts/judge_answer.h"
-#include "reports/measures/invalidity.h"
-#include "reports/threads/parallel_for.h"
-#include "reports/referee/referee.h"
-#include "reports/contacts/tolerances.h"
 #include "reports/contacts/judge_variant.h"
+#include "reports/contacts/tolerances.h"
+#include "reports/ledger/apply_ledger.h"
+#include "reports/ledger/check_catalogue.h"
+#include "reports/measures/invalidity.h"
+#include "reports/referee/referee.h"
+#include "reports/threads/parallel_for.h"
 #include "reports/worlds/study/check_claims.h"
 
 namespace touchstone {
@@ -140,7 +140,7 @@ class Suite {
     SortFindings();
     Explain();
     Collect();
-    ExplainTheRest(report_);
+    ExplainTheRest(report_.scenarios, report_.oracles, report_.findings);
     RunTheWorlds();
     report_.ledger = ledger;
     ApplyLedger(report_, options_.today, options_.partial, options_.is_oracle);
@@ -323,12 +323,6 @@ class Suite {
   std::vector<std::vector<Finding>> findings_;  ///< Indexed by scenario.
 };
 
-bool IsFailure(Verdict verdict) {
-  return verdict == Verdict::kFail || verdict == Verdict::kDisagree ||
-         verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
-         verdict == Verdict::kInvalid;
-}
-
 }  // namespace
 
 RunReport Run(const Questions& questions, std::span<const Oracle* const> oracles,
@@ -339,54 +333,6 @@ RunReport Run(const Questions& questions, std::span<const Oracle* const> oracles
 RunReport Run(std::span<const Scenario> scenarios, std::span<const Oracle* const> oracles,
               const Ledger& ledger, const RunOptions& options) {
   return Suite(scenarios, {}, oracles, options).Report(ledger);
-}
-
-std::size_t QuestionCount(const RunReport& report) {
-  return report.scenarios.size() + report.worlds.size();
-}
-
-const std::string& IdOf(const RunReport& report, std::size_t i) {
-  const std::size_t contacts = report.scenarios.size();
-  return i < contacts ? report.scenarios[i].scenario.id
-                      : report.worlds[i - contacts].scenario.id;
-}
-
-const std::string& TitleOf(const RunReport& report, std::size_t i) {
-  const std::size_t contacts = report.scenarios.size();
-  return i < contacts ? report.scenarios[i].scenario.title
-                      : report.worlds[i - contacts].scenario.title;
-}
-
-bool Answers(const RunReport& report, std::size_t oracle, std::size_t i) {
-  const OracleInfo& info = report.oracles[oracle];
-  return i < report.scenarios.size() ? info.AnswersContacts() : info.simulates;
-}
-
-bool IsSubjectExamined(const RunReport& report) {
-  const std::span<const Finding> findings = report.findings;
-  for (std::size_t begin = 0, end = 0; begin < findings.size(); begin = end) {
-    while (end < findings.size() && findings[end].oracle == findings[begin].oracle &&
-           findings[end].scenario == findings[begin].scenario) {
-      ++end;
-    }
-    if (findings[begin].oracle == report.subject &&
-        IsVerified(findings.subspan(begin, end - begin))) {
-      return true;
-    }
-  }
-  return false;
-}
-
-int ExitCode(const RunReport& report, FailOn fail_on) {
-  const auto fails = [](const Finding& f) { return IsFailure(f.verdict); };
-  const auto subject_fails = [&](const Finding& f) {
-    return fails(f) && f.oracle == report.subject;
-  };
-  if (std::ranges::any_of(report.findings, subject_fails)) return 1;
-  if (!IsSubjectExamined(report)) return 2;
-  if (!report.faults.empty()) return 1;
-  return fail_on == FailOn::kAnything && std::ranges::any_of(report.findings, fails) ? 1
-                                                                                     : 0;
 }
 
 }  // namespace touchstone

@@ -8,41 +8,12 @@
 #include <vector>
 
 #include "oracles/oracle.h"
-#include "reports/finding/finding.h"
 #include "reports/finding/ledger.h"
-#include "reports/referee/contact_truth.h"
-#include "reports/worlds/study/run_worlds.h"
+#include "reports/run_report.h"
 #include "scenarios/scenario.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
-
-/** One scenario, its truth and the answers to it. */
-struct ScenarioResult {
-  Scenario scenario;
-  ContactTruth truth;
-  std::vector<ContactAnswer> answers;  ///< In the order of RunReport::oracles.
-};
-
-/** The outcome of a run: all data that the writers show. */
-struct RunReport {
-  std::string subject;                    ///< Name of the oracle under examination.
-  std::vector<OracleInfo> oracles;        ///< The subject first, then the references.
-  std::vector<ScenarioResult> scenarios;  ///< Contact queries, in the order of their ids.
-  std::vector<WorldResult> worlds;        ///< In the order of their ids.
-  /** The findings: first those of contact queries, then those of worlds, each sorted by
-   scenario, then oracle (in the order above), then measure. One finding per measure that
-   applies; a question that an oracle does not support has one kUnsupported finding. An
-   oracle has no findings on questions of a kind that it does not answer at all. */
-  std::vector<Finding> findings;
-  Ledger ledger;
-  std::vector<LedgerUse> ledger_use;  ///< Indexed by entry of the ledger.
-  /** Faults of the scenario files and the ledger that fail the run: an expectation that
-   the truth contradicts; an indictment that is not reproduced; an entry that has expired,
-   has improved or matches nothing. One sentence each. It starts with the place in the
-   file, or with the id of a scenario that has no file, and says what to do. */
-  std::vector<std::string> faults;
-};
 
 /** The options of a run. */
 struct RunOptions {
@@ -75,30 +46,5 @@ RunReport Run(const Questions& questions, std::span<const Oracle* const> oracles
 /** The same for contact queries only. */
 RunReport Run(std::span<const Scenario> scenarios, std::span<const Oracle* const> oracles,
               const Ledger& ledger, const RunOptions& options);
-
-/** Returns the number of questions of either kind. */
-std::size_t QuestionCount(const RunReport& report);
-
-/** Returns the id of question i: the contact queries first, then the worlds. */
-const std::string& IdOf(const RunReport& report, std::size_t i);
-/** Returns the title of question i. */
-const std::string& TitleOf(const RunReport& report, std::size_t i);
-
-/** Returns whether an oracle answers questions of the kind of question i at all. */
-bool Answers(const RunReport& report, std::size_t oracle, std::size_t i);
-
-/** The failures that count for the exit code. */
-enum class FailOn {
-  kAnything,  ///< A reference proved wrong outside the ledger fails the run too.
-  kSubject,   ///< Only the subject's failures and the faults of files count.
-};
-
-/** Returns whether any answer of the subject was verified, see IsVerified(). */
-bool IsSubjectExamined(const RunReport& report);
-
-/** Returns the exit code of a run. It is 1 if the subject fails; otherwise 2 if none of
- its answers was verified, whatever the references do. It is otherwise 1 for a fault of
- the files, and for a reference that fails where that counts; otherwise 0. */
-int ExitCode(const RunReport& report, FailOn fail_on);
 
 }  // namespace touchstone

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/run.h"
+#include "reports/run_report.h"
 
 namespace touchstone {
 

@@ -3,8 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "oracles/oracle.h"
+#include "reports/contacts/contact_result.h"
 #include "reports/finding/finding.h"
-#include "reports/run.h"
 
 namespace touchstone {
 

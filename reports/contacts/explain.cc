@@ -10,15 +10,11 @@
 #include "reports/contacts/causes/margin.h"
 #include "reports/contacts/causes/precision.h"
 #include "reports/contacts/causes/tie.h"
-#include "reports/measures/stated.h"
 #include "reports/contacts/tolerances.h"
+#include "reports/measures/stated.h"
 
 namespace touchstone {
 namespace {
-
-bool IsFailure(const Finding& finding) {
-  return finding.verdict == Verdict::kFail;
-}
 
 /** Sets the cause `model` on a pass whose error is larger than rounding: only the
  documented error lets it pass. */
@@ -39,7 +35,7 @@ void ExplainByModel(const ScenarioResult& result, const OracleInfo& oracle,
 }  // namespace
 
 bool IsUnexplained(const Finding& finding) {
-  return IsFailure(finding) && finding.cause == Cause::kNone;
+  return IsProvedWrong(finding) && finding.cause == Cause::kNone;
 }
 
 void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
@@ -57,7 +53,7 @@ void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
     if (finding.reference == "referee") of_answer.push_back(&finding);
   }
   const bool any = std::any_of(of_answer.begin(), of_answer.end(),
-                               [](const Finding* f) { return IsFailure(*f); });
+                               [](const Finding* f) { return IsProvedWrong(*f); });
   if (any) ExplainByConvention(result.scenario, result.truth, oracle, answer, of_answer);
 }
 
@@ -76,23 +72,23 @@ void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
   }
 }
 
-void ExplainTheRest(RunReport& report) {
+void ExplainTheRest(std::span<const ScenarioResult> results,
+                    std::span<const OracleInfo> oracles, std::span<Finding> findings) {
   std::map<std::string_view, std::size_t> scenarios;
-  for (std::size_t s = 0; s < report.scenarios.size(); ++s) {
-    scenarios[report.scenarios[s].scenario.id] = s;
+  for (std::size_t s = 0; s < results.size(); ++s) {
+    scenarios[results[s].scenario.id] = s;
   }
-  std::map<std::string_view, std::size_t> oracles;
-  for (std::size_t i = 0; i < report.oracles.size(); ++i)
-    oracles[report.oracles[i].name] = i;
+  std::map<std::string_view, std::size_t> places;
+  for (std::size_t i = 0; i < oracles.size(); ++i) places[oracles[i].name] = i;
 
   std::map<std::tuple<std::string_view, ShapeKind, ShapeKind>, std::vector<SignedError>>
       off;
-  for (Finding& finding : report.findings) {
+  for (Finding& finding : findings) {
     if (finding.measure != MeasureKind::kSeparationError || !IsUnexplained(finding))
       continue;
-    const ScenarioResult& result = report.scenarios[scenarios.at(finding.scenario)];
+    const ScenarioResult& result = results[scenarios.at(finding.scenario)];
     const ContactQuery& query = result.scenario.contact;
-    const ContactAnswer& answer = result.answers[oracles.at(finding.oracle)];
+    const ContactAnswer& answer = result.answers[places.at(finding.oracle)];
     const Enclosure& truth = result.truth.separation;
     const double separation = SeparationOf(answer).value();
     const double nearest = std::clamp(separation, truth.lo, truth.hi);
@@ -101,7 +97,7 @@ void ExplainTheRest(RunReport& report) {
   }
   for (auto& [who, errors] : off) ExplainByMargin(errors);
 
-  for (Finding& finding : report.findings) {
+  for (Finding& finding : findings) {
     if (IsUnexplained(finding)) {
       finding.cause = Cause::kDefect;
       finding.cause_because =

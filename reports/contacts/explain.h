@@ -3,8 +3,9 @@
 #include <span>
 #include <vector>
 
+#include "oracles/oracle.h"
+#include "reports/contacts/contact_result.h"
 #include "reports/finding/finding.h"
-#include "reports/run.h"
 
 namespace touchstone {
 
@@ -28,6 +29,7 @@ void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
 
 /** Sets the cause of all remaining failures: a margin where many share one error,
  otherwise a defect. Unproved differences keep no cause. */
-void ExplainTheRest(RunReport& report);
+void ExplainTheRest(std::span<const ScenarioResult> results,
+                    std::span<const OracleInfo> oracles, std::span<Finding> findings);
 
 }  // namespace touchstone

@@ -1,18 +1,11 @@
 #pragma once
 
-#include <string>
-
 #include "oracles/oracle.h"
+#include "reports/finding/tolerance.h"
 #include "reports/referee/contact_truth.h"
 #include "scenarios/scenario.h"
 
 namespace touchstone {
-
-/** An acceptable error, and the argument for it. */
-struct Tolerance {
-  double value = 0;
-  std::string because;  ///< One sentence, quoted in the report.
-};
 
 /** The number of roundings of the scene's size L that a correct computation of an overlap
  along an axis, and of the axis itself, may accumulate. The longest path is that of a

@@ -5,6 +5,12 @@
 
 namespace touchstone {
 
+bool IsFailure(Verdict verdict) {
+  return verdict == Verdict::kFail || verdict == Verdict::kDisagree ||
+         verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
+         verdict == Verdict::kInvalid;
+}
+
 bool IsVerified(std::span<const Finding> of_one_answer) {
   const auto is_unverified = [](const Finding& finding) {
     return finding.verdict == Verdict::kUnsupported;

@@ -57,6 +57,15 @@ struct Finding {
   std::optional<int> ledger_entry;
 };
 
+/** Returns whether a verdict fails a run unless the ledger lists it: fail, disagree,
+ crashed, timed out or invalid. */
+bool IsFailure(Verdict verdict);
+
+/** Returns whether the verdict is `fail`. Such a failure has a cause to look for. */
+inline bool IsProvedWrong(const Finding& finding) {
+  return finding.verdict == Verdict::kFail;
+}
+
 /** Returns whether the findings of one answer compare it with anything: the referee, a
  law, another engine; or its own variants, provided that no claim is left unverified. The
  mere existence of an answer proves nothing, and a body that never moves passes every

@@ -4,7 +4,7 @@
 #include <map>
 #include <string_view>
 
-#include "reports/run.h"
+#include "reports/run_report.h"
 
 namespace touchstone {
 

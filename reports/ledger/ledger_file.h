@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reports/finding/ledger.h"
-#include "reports/run.h"
+#include "reports/run_report.h"
 #include "scenarios/diagnostic.h"
 
 namespace touchstone {

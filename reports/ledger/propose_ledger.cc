@@ -13,12 +13,6 @@
 namespace touchstone {
 namespace {
 
-bool IsFailure(Verdict verdict) {
-  return verdict == Verdict::kFail || verdict == Verdict::kDisagree ||
-         verdict == Verdict::kInvalid || verdict == Verdict::kCrashed ||
-         verdict == Verdict::kTimedOut;
-}
-
 bool HasValue(Verdict verdict) {
   return verdict == Verdict::kFail || verdict == Verdict::kDisagree;
 }

@@ -29,14 +29,6 @@ Enclosure Negated(const Enclosure& e) {
   return {-e.hi, -e.lo};
 }
 
-/** Returns an enclosure of the overlap of the cores along the unit vector that `n`
- normalises to. */
-Enclosure OverlapAlong(const MinkowskiDifference& M, const Eigen::Vector3d& n) {
-  using Number = Bounded<Precise>;
-  const Vector<Number> exact = Exactly<Number>(n);
-  return (M.SupportValue(exact) / Norm(exact)).enclosure();
-}
-
 /** Returns a unit vector perpendicular to `direction`, or any unit vector if `direction`
  is zero. */
 Eigen::Vector3d Perpendicular(const Eigen::Vector3d& direction) {
@@ -115,7 +107,7 @@ CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   } else {
     const bool segment_A = std::holds_alternative<Segment>(M.A().core);
     const Eigen::Vector3d n = Perpendicular((segment_A ? M.A() : M.B()).X_WB.R_WB.col(2));
-    Improve(n, OverlapAlong(M, n), &truth);
+    Improve(n, M.OverlapAlong(Exactly<Bounded<Precise>>(n)).enclosure(), &truth);
   }
   return truth;
 }

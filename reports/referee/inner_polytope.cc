@@ -290,10 +290,6 @@ class Corners {
 
 using Number = Bounded<Precise>;
 
-Enclosure OverlapAlong(const MinkowskiDifference& M, const Vector<Number>& n) {
-  return (M.SupportValue(n) / Norm(n)).enclosure();
-}
-
 Vector<Number> NormalOf(const Triangle<Number>& x) {
   return Cross(x[1] - x[0], x[2] - x[0]);
 }
@@ -315,7 +311,7 @@ template <typename Real>
 DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>& polytope,
                         double target) {
   const Vector<Number> met = Exactly<Number>(polytope.n);
-  DepthProof proof{{0, OverlapAlong(M, met).hi}, Direction(met)};
+  DepthProof proof{{0, M.OverlapAlong(met).enclosure().hi}, Direction(met)};
 
   const Facet<Real>* nearest = nullptr;
   for (const Facet<Real>& f : polytope.facets) {
@@ -326,7 +322,7 @@ DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>&
   Corners<Precise, Real> sharp(M, polytope);
   // The exact normal of the nearest facet. If it is a facet of M, both bounds meet.
   const Vector<Number> n = NormalOf(sharp.Of(*nearest));
-  const double overlap = OverlapAlong(M, n).hi;
+  const double overlap = M.OverlapAlong(n).enclosure().hi;
   if (overlap < proof.depth.hi) proof = {{0, overlap}, Direction(n)};
 
   if (!IsClosed(polytope.facets)) return proof;

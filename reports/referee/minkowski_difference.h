@@ -47,6 +47,12 @@ class MinkowskiDifference {
   template <typename Real>
   Bounded<Real> SupportValue(const Vector<Bounded<Real>>& n) const;
 
+  /** Returns the overlap of the cores along the unit vector that n normalises to. [m] */
+  template <typename Real>
+  Bounded<Real> OverlapAlong(const Vector<Bounded<Real>>& n) const {
+    return SupportValue(n) / Norm(n);
+  }
+
   /** Returns an upper bound on |x| over M, to rounding. Errors of the search are
    multiples of it. [m] */
   double Size() const;

@@ -57,7 +57,7 @@ ContactTruth JudgeBounded(const ContactQuery& query) {
 /** Returns the overlap along a direction n other than the plane's normal m. B moved by t
  > 0 along n just leaves the half-space where t (n·m) is the overlap along m. A gap is
  multiplied by n·m instead of divided, so that both cases bound −separation. */
-Enclosure OverlapAlongTilted(const PlaneOverlap& plane, const Eigen::Vector3d& n_W) {
+Enclosure TiltedOverlap(const PlaneOverlap& plane, const Eigen::Vector3d& n_W) {
   using Near = Bounded<double>;
   // The normal is accurate to a few roundings of a unit vector.
   constexpr double kNormalError = 8 * std::numeric_limits<double>::epsilon();
@@ -76,14 +76,6 @@ Enclosure OverlapAlongTilted(const PlaneOverlap& plane, const Eigen::Vector3d& n
   return {along(plane.overlap.lo).lo, along(plane.overlap.hi).hi};
 }
 
-template <typename Real>
-Enclosure OverlapAlong(const MinkowskiDifference& M, const Eigen::Vector3d& n_W) {
-  const Vector<Bounded<Real>> n = Exactly<Bounded<Real>>(n_W);
-  return (M.SupportValue(n) / Norm(n) + Bounded<Real>(M.A().radius) +
-          Bounded<Real>(M.B().radius))
-      .enclosure();
-}
-
 }  // namespace
 
 ContactTruth JudgeContact(const ContactQuery& query) {
@@ -95,8 +87,12 @@ ContactTruth JudgeContact(const ContactQuery& query) {
 }
 
 Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {
-  if (HasHalfSpace(query)) return OverlapAlongTilted(OverlapWithPlane(query), n_W);
-  return OverlapAlong<Precise>(MinkowskiDifference(query.A, query.B), n_W);
+  if (HasHalfSpace(query)) return TiltedOverlap(OverlapWithPlane(query), n_W);
+  using Number = Bounded<Precise>;
+  const MinkowskiDifference M(query.A, query.B);
+  return (M.OverlapAlong(Exactly<Number>(n_W)) + Number(M.A().radius) +
+          Number(M.B().radius))
+      .enclosure();
 }
 
 Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W) {

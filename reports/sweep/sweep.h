@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "oracles/oracle.h"
-#include "reports/run.h"
+#include "reports/run_report.h"
 #include "scenarios/generators/generate.h"
 
 namespace touchstone {

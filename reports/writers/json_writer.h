@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "reports/run.h"
+#include "reports/run_report.h"
 
 namespace touchstone {
 

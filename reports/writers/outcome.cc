@@ -99,10 +99,6 @@ int VerdictCounts::total() const {
   return sum;
 }
 
-bool IsFailure(Verdict verdict) {
-  return Gravity(verdict) >= Gravity(Verdict::kDisagree);
-}
-
 double RelativeToTolerance(const Finding& finding) {
   if (std::isnan(finding.value)) return std::numeric_limits<double>::infinity();
   if (finding.value == 0) return 0;

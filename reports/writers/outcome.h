@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/run.h"
+#include "reports/run_report.h"
 
 namespace touchstone {
 
@@ -27,9 +27,6 @@ class VerdictCounts {
  private:
   std::array<int, kVerdicts> counts_{};
 };
-
-/** Returns whether `verdict` is one that fails a run. */
-bool IsFailure(Verdict verdict);
 
 /** What one oracle did with one scenario: the sum of its findings. */
 struct Outcome {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "reports/run.h"
+#include "reports/run_report.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {

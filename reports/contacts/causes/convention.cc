@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "reports/contacts/judge_answer.h"
+#include "reports/contacts/tolerances.h"
 #include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/separation_error.h"
 #include "reports/measures/stated.h"
-#include "reports/contacts/tolerances.h"
 
 namespace touchstone {
 namespace {
@@ -78,10 +78,6 @@ void AddPlaces(std::vector<Reading>& readings, const ContactAnswer& answer) {
   for (const Reading& reading : so_far) add(reading);
 }
 
-bool IsFailure(const Finding& finding) {
-  return finding.verdict == Verdict::kFail;
-}
-
 const Finding* Find(const std::vector<Finding>& findings, MeasureKind measure) {
   const auto found = std::find_if(findings.begin(), findings.end(),
                                   [&](const Finding& f) { return f.measure == measure; });
@@ -92,7 +88,7 @@ const Finding* Find(const std::vector<Finding>& findings, MeasureKind measure) {
 bool Breaks(const std::vector<Finding>& reading, const std::vector<Finding*>& findings) {
   return std::any_of(findings.begin(), findings.end(), [&](const Finding* finding) {
     const Finding* again = Find(reading, finding->measure);
-    return !IsFailure(*finding) && again != nullptr && IsFailure(*again);
+    return !IsProvedWrong(*finding) && again != nullptr && IsProvedWrong(*again);
   });
 }
 
@@ -148,7 +144,7 @@ void ExplainByConvention(const Scenario& scenario, const ContactTruth& truth,
         JudgeAnswer(scenario, truth, oracle, reading.answer);
     if (Breaks(judged, findings)) continue;
     for (Finding* finding : findings) {
-      if (!IsFailure(*finding) || finding->cause != Cause::kNone) continue;
+      if (!IsProvedWrong(*finding) || finding->cause != Cause::kNone) continue;
       const Finding* again = Find(judged, finding->measure);
       if (again == nullptr || again->verdict != Verdict::kPass) continue;
       finding->cause = Cause::kConvention;

@@ -8,7 +8,7 @@
 #include "oracles/oracle.h"
 #include "oracles/trajectory.h"
 #include "reports/finding/finding.h"
-#include "reports/contacts/tolerances.h"
+#include "reports/finding/tolerance.h"
 #include "scenarios/validate.h"
 #include "scenarios/worlds/world_scenario.h"
 

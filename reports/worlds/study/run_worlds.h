@@ -8,19 +8,10 @@
 
 #include "oracles/oracle.h"
 #include "reports/finding/finding.h"
-#include "reports/worlds/study/ensemble_statistics.h"
+#include "reports/worlds/study/world_result.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
-
-/** A world with its motion by every oracle. */
-struct WorldResult {
-  WorldScenario scenario;
-  /** Indexed by oracle; kUnsupported for those that do not simulate. */
-  std::vector<Trajectory> trajectories;
-  /** Statistics of the world's ensemble, indexed by oracle; 0 members without one. */
-  std::vector<EnsembleStatistics> ensembles;
-};
 
 /** The results of RunWorlds(). */
 struct WorldsReport {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/run.h"
+#include "reports/run_report.h"
 
 namespace touchstone {
 

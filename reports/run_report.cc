@@ -1,0 +1,56 @@
+#include "reports/run_report.h"
+
+#include <algorithm>
+#include <span>
+
+namespace touchstone {
+
+std::size_t QuestionCount(const RunReport& report) {
+  return report.scenarios.size() + report.worlds.size();
+}
+
+const std::string& IdOf(const RunReport& report, std::size_t i) {
+  const std::size_t contacts = report.scenarios.size();
+  return i < contacts ? report.scenarios[i].scenario.id
+                      : report.worlds[i - contacts].scenario.id;
+}
+
+const std::string& TitleOf(const RunReport& report, std::size_t i) {
+  const std::size_t contacts = report.scenarios.size();
+  return i < contacts ? report.scenarios[i].scenario.title
+                      : report.worlds[i - contacts].scenario.title;
+}
+
+bool Answers(const RunReport& report, std::size_t oracle, std::size_t i) {
+  const OracleInfo& info = report.oracles[oracle];
+  return i < report.scenarios.size() ? info.AnswersContacts() : info.simulates;
+}
+
+bool IsSubjectExamined(const RunReport& report) {
+  const std::span<const Finding> findings = report.findings;
+  for (std::size_t begin = 0, end = 0; begin < findings.size(); begin = end) {
+    while (end < findings.size() && findings[end].oracle == findings[begin].oracle &&
+           findings[end].scenario == findings[begin].scenario) {
+      ++end;
+    }
+    if (findings[begin].oracle == report.subject &&
+        IsVerified(findings.subspan(begin, end - begin))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+int ExitCode(const RunReport& report, FailOn fail_on) {
+  const auto fails = [](const Finding& f) { return IsFailure(f.verdict); };
+  const auto subject_fails = [&](const Finding& f) {
+    return fails(f) && f.oracle == report.subject;
+  };
+  if (std::ranges::any_of(report.findings, subject_fails)) return 1;
+  if (!IsSubjectExamined(report)) return 2;
+  if (!report.faults.empty()) return 1;
+  return fail_on == FailOn::kAnything && std::ranges::any_of(report.findings, fails) ? 1
+                                                                                     : 0;
+}
+
+}  // namespace touchstone
