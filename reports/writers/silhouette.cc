@@ -116,7 +116,8 @@ struct Outline {
     const Vector3d m_W = X_WB.R_WB.col(2);
     const Vector2d m(view.right_W.dot(m_W), view.up_W.dot(m_W));
     constexpr double kFar = 4;  // Covers the picture from any edge through it.
-    // Only a view perpendicular to the normal shows an edge; others are filled.
+    // Only an edge-on view (normal in the plane of the picture) shows an edge; any other
+    // view is filled.
     if (m.norm() < 0.5)
       return {{-kFar, -kFar}, {kFar, -kFar}, {kFar, kFar}, {-kFar, kFar}};
     const double height = m_W.dot(view.centre_W - X_WB.p_WB) / view.half_width;

@@ -10,7 +10,7 @@
 namespace touchstone {
 namespace {
 
-constexpr double kShareOfScene = 1e-3;  // Visible in a plot of the scene.
+constexpr double kShareOfScene = 1e-3;
 
 struct Farthest {
   double distance = 0;

@@ -1,5 +1,5 @@
 # Installs the build, moves the prefix, and builds and tests docs/examples against it as a user
-# would: what is missing from the package, or tied to where it was built, shows here.
+# would. Detects files missing from the package and paths tied to the build folder.
 #   cmake -D SOURCE=<source dir> -D BUILD=<build dir> -D CONFIG=<config> -D CXX=<compiler>
 #         -D WORK=<scratch dir> -P package_test.cmake
 cmake_minimum_required(VERSION 3.24)
@@ -18,6 +18,6 @@ run(${CMAKE_COMMAND} -S ${SOURCE}/docs/examples -B ${WORK}/build -G Ninja
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/build --output-on-failure --no-tests=error)
 
-# The installed program finds its catalogue and its engines beside itself.
+# The installed program finds its catalogue and its engines relative to itself.
 run(${WORK}/prefix/bin/touchstone list contact/box_box)
 run(${WORK}/prefix/bin/touchstone oracles)
