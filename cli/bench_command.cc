@@ -56,8 +56,8 @@ std::vector<std::optional<double>> NanosecondsPerQuery(
   for (int turn = 0; turn < kTurns; ++turn) {
     for (std::size_t i = 0; i < batches.size(); ++i) {
       if (batches[i] == nullptr) continue;
-      // Warm-up: caches and branch predictors still hold the state of the previous engine,
-      // and engines allocate in their first pass.
+      // Warm-up: caches and branch predictors still hold the state of the previous
+      // engine, and engines allocate in their first pass.
       for (int pass = 0; pass < kPasses; ++pass) batches[i]->Run();
       for (int pass = 0; pass < kPasses; ++pass) {
         const double start = ThreadNanoseconds();

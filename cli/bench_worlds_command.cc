@@ -59,8 +59,9 @@ struct Row {
   std::string oracle;
   int threads = 1;
   std::optional<Measured> measured;  ///< Empty if the oracle was stopped or crashed.
-  std::vector<double> turns;  ///< Indexed by turn; empty if the best one counts. [µs/step]
-  std::string complaint;      ///< Last line printed to standard error.
+  std::vector<double>
+      turns;              ///< Indexed by turn; empty if the best one counts. [µs/step]
+  std::string complaint;  ///< Last line printed to standard error.
 
   std::string Name() const {
     return threads == 1 ? oracle : fmt::format("{}, {} threads", oracle, threads);
@@ -204,7 +205,8 @@ void PrintDisturbances(std::span<const Row> rows) {
   }
 }
 
-// An engine that prints to standard error probably failed at something, whatever its time.
+// An engine that prints to standard error probably failed at something, whatever its
+// time.
 void PrintComplaints(std::span<const Row> rows) {
   for (const Row& row : rows) {
     if (row.complaint.empty()) continue;

@@ -40,7 +40,8 @@ class BodyReader {
       p_WB = Eigen::Vector3d(xyz[0], xyz[1], xyz[2]);
     }
     body.X_WB = ReadOrientation(p_WB);
-    if (at_ < words_.size()) Fail(fmt::format("has unexpected text at '{}'", words_[at_]));
+    if (at_ < words_.size())
+      Fail(fmt::format("has unexpected text at '{}'", words_[at_]));
     return body;
   }
 

@@ -29,9 +29,9 @@ that the ledger of known discrepancies lists counts as known.
   touchstone run 'contact/zoo/fcl_*' --against fcl
   touchstone run mine.toml --out report          also write report/index.html
 )",
-     "0 all pass or known; 1 failures of the subject, of a file,\n"
-     "or of a reference (references do not count with --fail-on subject); 2 bad input, or\n"
-     "nothing of the subject was verified, even if references fail"},
+     "0 all pass or known; 1 failures of the subject, a reference or a file\n"
+     "(references do not count with --fail-on subject); 2 bad input, or nothing of the\n"
+     "subject was verified, even if references fail"},
     {"explain", R"(
 
 For one scenario, prints the certified truth, the oracles that are right and wrong, all

@@ -5,8 +5,8 @@
 
 namespace touchstone {
 
-/** Returns the paragraph of the --help text of `command` that follows its summary: what the
- command does.
+/** Returns the paragraph of the --help text of `command` that follows its summary: what
+ the command does.
  @pre `command` is one of the program's. */
 std::string DescriptionOf(std::string_view command);
 

@@ -158,8 +158,7 @@ class CommandLine {
                                [this] { return RunCommand(session_, run_); });
     AddScenarios(app, run_.scenarios);
     AddOracleOptions(app, run_.oracles);
-    app->add_option("--out", run_.out,
-                    "folder for index.html, report.json and junit.xml")
+    app->add_option("--out", run_.out, "folder for index.html, report.json and junit.xml")
         ->type_name("DIR");
     app->add_option("--ledger", run_.ledger,
                     "ledger of known discrepancies (default: the built-in ledger)")
@@ -169,8 +168,8 @@ class CommandLine {
            [this](const std::string& whose) {
              run_.fail_on = whose == "subject" ? FailOn::kSubject : FailOn::kAnything;
            },
-           "failures that give exit code 1: anything (default; includes references proved "
-           "wrong outside the ledger) or subject (for your own CI)")
+           "failures that give exit code 1: anything (default; includes references "
+           "proved wrong outside the ledger) or subject (for your own CI)")
         ->check(OneOf({"subject", "anything"}))
         ->type_name("SCOPE");
     AddJobs(app, run_.jobs);
@@ -185,8 +184,9 @@ class CommandLine {
     AddScenarios(app, explained_);
     app->get_option("PATTERN")->required()->description(kPatterns);
     AddOracleOptions(app, oracles_);
-    app->add_flag("--all", everything_,
-                  "print the scenario file, and every contact and number of every oracle");
+    app->add_flag(
+        "--all", everything_,
+        "print the scenario file, and every contact and number of every oracle");
   }
 
   void AddAsk() {
@@ -212,9 +212,8 @@ class CommandLine {
   }
 
   void AddOracles() {
-    CLI::App* app =
-        AddCommand("oracles", "List the oracles and their capabilities",
-                   [this] { return OraclesCommand(session_, settings_); });
+    CLI::App* app = AddCommand("oracles", "List the oracles and their capabilities",
+                               [this] { return OraclesCommand(session_, settings_); });
     app->add_flag("--settings", settings_,
                   "print the settings and conversions of each adapter instead");
   }
@@ -239,9 +238,10 @@ class CommandLine {
                    [this] { return SweepCommand(session_, sweep_); });
     AddContact(app);
     AddOracleOptions(app, sweep_.oracles);
-    app->add_option("--family", sweep_.family,
-                    "family of questions: random, near_parallel, edge_edge, vertex_face, "
-                    "touching, deep, slabs_and_needles, extreme_scales, symmetries or all")
+    app->add_option(
+           "--family", sweep_.family,
+           "family of questions: random, near_parallel, edge_edge, vertex_face, "
+           "touching, deep, slabs_and_needles, extreme_scales, symmetries or all")
         ->type_name("FAMILY")
         ->capture_default_str();
     AddPair(app, sweep_.pair);
@@ -264,7 +264,8 @@ class CommandLine {
         ->type_name("");
     AddOracleList(app, bench_.oracles);
     AddPair(app, bench_.pair);
-    AddNumber(app, "--count", bench_.count, 1, "contact: number of random poses per pair");
+    AddNumber(app, "--count", bench_.count, 1,
+              "contact: number of random poses per pair");
     AddNumber(app, "--sample", bench_.sample, 0,
               "contact: number of poses checked against the truth");
     AddNumber(app, "--seed", bench_.seed, 0, "seed of the poses");
@@ -297,9 +298,9 @@ class CommandLine {
   void RefuseBenchOptions(std::initializer_list<const char*> names) const {
     for (const char* name : names) {
       if (app_.get_subcommand("bench")->get_option(name)->empty()) continue;
-      throw InputError(fmt::format("{} is not an option of `bench {}`; expected it with {}",
-                                   name, benched_,
-                                   benched_ == "contact" ? "worlds" : "contact"));
+      throw InputError(
+          fmt::format("{} is not an option of `bench {}`; expected it with {}", name,
+                      benched_, benched_ == "contact" ? "worlds" : "contact"));
     }
   }
 
@@ -320,7 +321,8 @@ class CommandLine {
     AddScenarios(app, simulate_.scenarios);
     app->get_option("PATTERN")->required()->description(kPatterns);
     AddOracleList(app, simulate_.oracles)
-        ->description("oracles, e.g. cookbook,bullet (default: all that simulate worlds)");
+        ->description(
+            "oracles, e.g. cookbook,bullet (default: all that simulate worlds)");
     app->add_option("--csv", simulate_.csv,
                     "file for the table, - for standard output (default: -)")
         ->type_name("FILE");
@@ -332,10 +334,8 @@ class CommandLine {
                    [this] { return LedgerCommand(session_); });
     app->add_flag("--propose", propose_, "print the entries, for a person to complete")
         ->required();
-    AddCommand(
-        "accuracy",
-        "Print docs/accuracy.md, the worst error of each oracle",
-        [this] { return AccuracyCommand(session_); });
+    AddCommand("accuracy", "Print docs/accuracy.md, the worst error of each oracle",
+               [this] { return AccuracyCommand(session_); });
   }
 
   void AddSchema() {

@@ -14,9 +14,9 @@ struct CommandLineDefaults {
   std::filesystem::path data = TOUCHSTONE_DATA_DIR;
 };
 
-/** The whole `touchstone` program, with the oracles of `registry`. To add your own, add it
- to OracleRegistry::BuiltIn() and call this from main(). Returns the exit code: 0 all pass
- or known, 1 failures, 2 bad input or nothing verified. */
+/** The whole `touchstone` program, with the oracles of `registry`. To add your own, add
+ it to OracleRegistry::BuiltIn() and call this from main(). Returns the exit code: 0 all
+ pass or known, 1 failures, 2 bad input or nothing verified. */
 int RunCommandLine(int argc, const char* const* argv, OracleRegistry registry,
                    const CommandLineDefaults& defaults = {});
 

@@ -18,8 +18,8 @@ struct TimeOfSize {
  @pre The sizes differ; sizes and times are positive. */
 double GrowthExponent(const TimeOfSize& a, const TimeOfSize& b);
 
-/** Returns a table of GrowthExponent() with a row for each oracle. A column spans each two
- neighbouring sizes. If at least three sizes have 1,000 bodies or more, a last column
+/** Returns a table of GrowthExponent() with a row for each oracle. A column spans each
+ two neighbouring sizes. If at least three sizes have 1,000 bodies or more, a last column
  spans all of those. Empty if no oracle has two such sizes.
  @param bodies Plural of the kind of body, e.g. "boxes". */
 std::string GrowthTable(std::string_view bodies, std::span<const TimeOfSize> times);

@@ -21,8 +21,8 @@ struct RunArguments {
   bool quiet = false;
 };
 
-/** Runs scenarios on oracles, prints the findings and writes the reports. Returns the exit
- code of the run. */
+/** Runs scenarios on oracles, prints the findings and writes the reports. Returns the
+ exit code of the run. */
 int RunCommand(const Session& session, const RunArguments& arguments);
 
 }  // namespace touchstone

@@ -21,7 +21,8 @@ struct OracleSelection {
 std::vector<const Oracle*> SelectOracles(const OracleRegistry& registry,
                                          const OracleSelection& selection);
 
-/** Returns the oracles that `pattern` names. Throws the same errors as SelectOracles(). */
+/** Returns the oracles that `pattern` names. Throws the same errors as SelectOracles().
+ */
 std::vector<const Oracle*> OraclesNamed(const OracleRegistry& registry,
                                         const std::string& pattern);
 

@@ -60,8 +60,8 @@ Questions WithoutErrors(Catalogue catalogue) {
   throw InputError(text);
 }
 
-// Returns e.g. "contact/sphere_box/*" for "contact/box_sphere/*": a folder names a pair of
-// shapes in one order only. Empty if no other order selects anything.
+// Returns e.g. "contact/sphere_box/*" for "contact/box_sphere/*": a folder names a pair
+// of shapes in one order only. Empty if no other order selects anything.
 std::string WithShapesInOrder(const std::string& pattern, const Ids& known) {
   for (std::size_t at = 0; (at = pattern.find('_', at)) != std::string::npos; ++at) {
     const std::size_t begin = pattern.rfind('/', at) + 1;  // npos + 1 is 0.

@@ -28,8 +28,8 @@ bool SelectsId(std::string_view pattern, std::string_view id);
  any: a broken selection is not used in part. */
 Questions SelectQuestions(const ScenarioSelection& selection);
 
-/** Returns the ids of those `questions`, selected by `selection`, that are not part of the
- catalogue in the folder `catalogue`: it has no file of that id, or one with different
+/** Returns the ids of those `questions`, selected by `selection`, that are not part of
+ the catalogue in the folder `catalogue`: it has no file of that id, or one with different
  content. */
 std::set<std::string, std::less<>> Strangers(const ScenarioSelection& selection,
                                              const Questions& questions,

@@ -44,7 +44,7 @@ void Simulate(const WorldScenario& scenario, const Oracle& oracle, std::ostream&
     tell(trajectory.reason);
     ++broken;
   } else if (trajectory.diverged_at_step != 0) {
-    tell(fmt::format("diverged at step {}", trajectory.diverged_at_step));
+    tell(fmt::format("diverged in step {}", trajectory.diverged_at_step));
     ++broken;
   } else {
     ++whole;

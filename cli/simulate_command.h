@@ -18,8 +18,8 @@ struct SimulateArguments {
 };
 
 /** Writes the motion of each selected world by each oracle as CSV, with a row for each
- sample and moving object. Returns 0; 1 if an oracle that supports a world did not simulate
- it to the end; 2 if no world was simulated. */
+ sample and moving object. Returns 0; 1 if an oracle that supports a world did not
+ simulate it to the end; 2 if no world was simulated. */
 int SimulateCommand(const Session& session, const SimulateArguments& arguments);
 
 }  // namespace touchstone

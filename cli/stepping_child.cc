@@ -75,8 +75,8 @@ WorldQuality QualityOf(const World& world, const WorldState& state) {
   return quality;
 }
 
-// Sends and receives a message of plain bytes as a whole. A broken socket returns false and
-// raises no signal.
+// Sends and receives a message of plain bytes as a whole. A broken socket returns false
+// and raises no signal.
 template <typename Plain>
 bool Send(int socket, const Plain& message) {
   return send(socket, &message, sizeof message, MSG_NOSIGNAL) == sizeof message;

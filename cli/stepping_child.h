@@ -22,8 +22,8 @@ struct WorldQuality {
 struct StepTime {
   double cpu = 0;   ///< CPU time of the thread that requests the step, without helpers.
   double wall = 0;  ///< Wall time, including other work of the machine.
-  /** Time for which threads were ready to run but had no processor, summed over threads; 0
-   if the system does not report it. */
+  /** Time for which threads were ready to run but had no processor, summed over threads;
+   0 if the system does not report it. */
   double waited = 0;
 };
 

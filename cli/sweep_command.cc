@@ -55,8 +55,8 @@ std::vector<KindPair> PairsOf(const SweepArguments& arguments,
   return pairs;
 }
 
-// Returns e.g. "separation_error 0.31, excess 0.02": the measures that are largest relative
-// to their tolerances, as many as fit in a line.
+// Returns e.g. "separation_error 0.31, excess 0.02": the measures that are largest
+// relative to their tolerances, as many as fit in a line.
 std::string WorstOf(const SweepResult& result) {
   constexpr std::size_t kShown = 2;
   std::vector<std::pair<MeasureKind, WorstMeasure>> measures;
@@ -100,7 +100,8 @@ void PrintFailures(const QuestionSeries& series, const SweepResult& result) {
 std::pair<ShapeKind, ShapeKind> PairNamed(const std::vector<std::string>& names) {
   const KindPair pair(ShapeKindNamed(names[0]), ShapeKindNamed(names[1]));
   if (pair == KindPair(ShapeKind::kHalfSpace, ShapeKind::kHalfSpace)) {
-    throw InputError("two half-spaces are not a valid pair; expected at least one other shape");
+    throw InputError(
+        "two half-spaces are not a valid pair; expected at least one other shape");
   }
   return pair;
 }
@@ -116,7 +117,8 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) {
   std::uint64_t touching = 0;
   std::uint64_t failed = 0;
   std::cout << fmt::format("{:<19}{:<27}{:>9}{:>10}{:>11}{:>8}  worst, in tolerances\n",
-                           "family", "pair", "questions", "touching", "undecided", "failed");
+                           "family", "pair", "questions", "touching", "undecided",
+                           "failed");
   for (const Family family : families) {
     for (const auto& [A, B] : pairs) {
       const QuestionSeries series{.family = family,

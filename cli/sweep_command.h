@@ -27,10 +27,10 @@ struct SweepArguments {
   bool quiet = false;
 };
 
-/** Runs generated questions on the subject. Prints, per family and pair, the fraction that
- touches, the failures and the worst measures relative to their tolerances; then the first
- failures with proofs. Returns 1 on failures, 2 if no question that the subject supports
- touched, else 0. */
+/** Runs generated questions on the subject. Prints, per family and pair, the fraction
+ that touches, the failures and the worst measures relative to their tolerances; then the
+ first failures with proofs. Returns 1 on failures, 2 if no question that the subject
+ supports touched, else 0. */
 int SweepCommand(const Session& session, const SweepArguments& arguments);
 
 /** Returns the shape kinds of two names. Throws InputError for an unknown name, with the

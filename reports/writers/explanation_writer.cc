@@ -87,7 +87,8 @@ void WriteAnswers(const RunReport& report, const ScenarioResult& result,
                   std::span<const Outcome> outcomes, const ExplanationStyle& style,
                   std::ostream& out) {
   out << fmt::format("  {:<26} {:<12} {:<9}{:>20} {:>9} {:>8} {}\n", "oracle", "verdict",
-                     "answer", "separation [m]", "error [m]", "contacts", "normal A to B");
+                     "answer", "separation [m]", "error [m]", "contacts",
+                     "normal A to B");
   std::vector<Alike> groups;
   for (std::size_t o = 0; o < outcomes.size(); ++o) {
     std::string row = RowOf(result.answers[o], result.truth, outcomes[o].verdict);
@@ -123,8 +124,8 @@ std::string Names(const RunReport& report, std::span<const Outcome> outcomes,
   return names.empty() ? "none" : names;
 }
 
-/** Returns `text` with "it" in place of each `name` that is a word of its own. The texts of
- two oracles are then equal if only their names differ. */
+/** Returns `text` with "it" in place of each `name` that is a word of its own. The texts
+ of two oracles are then equal if only their names differ. */
 std::string WithoutName(const std::string& text, std::string_view name) {
   const auto is_part_of_name = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';

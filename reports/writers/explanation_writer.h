@@ -21,8 +21,8 @@ struct ExplanationStyle {
 void WriteExplanation(const RunReport& report, const ExplanationStyle& style,
                       std::ostream& out);
 
-/** Writes a line for every scenario of `report`: the truth, the verdict on the subject, the
- number of oracles that are right, and the names of those that are wrong. */
+/** Writes a line for every scenario of `report`: the truth, the verdict on the subject,
+ the number of oracles that are right, and the names of those that are wrong. */
 void WriteExplanationTable(const RunReport& report, std::ostream& out);
 
 }  // namespace touchstone

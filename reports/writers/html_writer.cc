@@ -271,12 +271,13 @@ class Page {
   }
 
   void WriteScenarios() {
-    out_ << "<h2>Scenarios</h2>\n<p class=\"soft\">Each oracle has one sign, in the order "
-            "of the table above: ✓ pass, ✗ proved wrong, ! no answer, ≈ known, "
-            "? undecidable, · unsupported. Filled dots are the contacts of the subject, "
-            "rings those of the other oracles, and dashed lines the planes of the "
-            "certificate. In world plots the uncoloured dashed line is the truth and the "
-            "shaded band its tolerance.</p>\n";
+    out_
+        << "<h2>Scenarios</h2>\n<p class=\"soft\">Each oracle has one sign, in the order "
+           "of the table above: ✓ pass, ✗ proved wrong, ! no answer, ≈ known, "
+           "? undecidable, · unsupported. Filled dots are the contacts of the subject, "
+           "rings those of the other oracles, and dashed lines the planes of the "
+           "certificate. In world plots the uncoloured dashed line is the truth and the "
+           "shaded band its tolerance.</p>\n";
     WriteLegend();
     WriteFilter();
     for (std::size_t s = 0; s < report_.scenarios.size(); ++s) WriteScenario(s);

@@ -37,10 +37,11 @@ struct Outcome {
   std::size_t oracle;                 ///< Index into RunReport::oracles.
   std::span<const Finding> findings;  ///< Findings of this oracle, ordered by measure.
   /** Most severe verdict of the findings. kUnsupported if no measure applied, or if the
-   only finding that passed is that the oracle answered, and a law had nothing to judge. */
+   only finding that passed is that the oracle answered, and a law had nothing to judge.
+ */
   Verdict verdict = Verdict::kUnsupported;
-  /** Finding with that verdict. If there are several, the simplest to check: the one whose
-   measure comes first in the enumeration. Null without findings. */
+  /** Finding with that verdict. If there are several, the simplest to check: the one
+   whose measure comes first in the enumeration. Null without findings. */
   const Finding* decisive = nullptr;
   /** Finding with the largest value relative to its tolerance, whatever its verdict. Null
    if nothing was measured against a tolerance. */
@@ -54,8 +55,8 @@ struct Outcome {
  for a positive value with a tolerance of zero. [-] */
 double RelativeToTolerance(const Finding& finding);
 
-/** Returns the value of `finding` relative to its tolerance: "2.1 × tolerance", or "1 where
- 0 is allowed" if the tolerance is zero. */
+/** Returns the value of `finding` relative to its tolerance: "2.1 × tolerance", or "1
+ where 0 is allowed" if the tolerance is zero. */
 std::string RelativeInWords(const Finding& finding);
 
 /** Returns the outcome of every oracle in every scenario: scenario s and oracle o are at
@@ -76,7 +77,8 @@ std::string WhyNotExamined(const RunReport& report, std::span<const Outcome> out
 /** Returns the names of the references that fail, separated by commas; empty if none. */
 std::string FailedReferences(const RunReport& report, std::span<const Outcome> outcomes);
 
-/** Returns the folder of a scenario id: "contact/box_box" for "contact/box_box/face_face".
+/** Returns the folder of a scenario id: "contact/box_box" for
+ * "contact/box_box/face_face".
  */
 std::string_view GroupOf(std::string_view scenario_id);
 
@@ -104,8 +106,8 @@ std::vector<GroupTally> TallyByGroup(const RunReport& report,
 std::vector<Tally> TallyByOracle(const RunReport& report,
                                  std::span<const Outcome> outcomes);
 
-/** Returns the finding as one line of text, without the scenario: oracle, verdict, measure,
- value, tolerance and its origin, proof, and cause. */
+/** Returns the finding as one line of text, without the scenario: oracle, verdict,
+ measure, value, tolerance and its origin, proof, and cause. */
 std::string Sentence(const Finding& finding);
 
 /** Returns `value` with its unit, to three digits: "1.23e-05 m". */

@@ -62,8 +62,8 @@ class Drawing {
         "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", kLeft,
         kTop, kWidth - 2 * kLeft, kHeight - kTop - kBottom);
     if (set_.truth) svg += Band(*set_.truth);
-    // The subject's line is drawn after the others, so that none hides it. The dashed truth
-    // is on top: lines that follow it show through its gaps.
+    // The subject's line is drawn after the others, so that none hides it. The dashed
+    // truth is on top: lines that follow it show through its gaps.
     for (std::size_t o = set_.of_oracle.size(); o-- > 0;)
       svg += Line(set_.of_oracle[o], LineClass(o));
     if (set_.truth) svg += Line(*set_.truth, "truth");

@@ -8,8 +8,8 @@
 namespace touchstone {
 
 /** Returns the class of reports/writers/page.css for the line of an oracle: line0 for the
- first, the subject, then line1 to line8 in turn. From the second turn on, "again" is added,
- which makes the line dashed. */
+ first, the subject, then line1 to line8 in turn. From the second turn on, "again" is
+ added, which makes the line dashed. */
 std::string LineClass(std::size_t oracle);
 
 /** Draws the curves of `set` over time as an SVG element. Each oracle has a line with its

@@ -73,8 +73,9 @@ Vector3d SupportOf(const Cone& cone, const Vector3d& d_B) {
   return d_B.dot(apex) > d_B.dot(rim) ? apex : rim;
 }
 
-// Angles of samples around the outline: evenly spaced, and in steps that halve towards ±n.
-// A picture magnified 2^k there shows only the outline within about 2^-k of these angles.
+// Angles of samples around the outline: evenly spaced, and in steps that halve towards
+// ±n. A picture magnified 2^k there shows only the outline within about 2^-k of these
+// angles.
 std::vector<double> OutlineAngles(double angle_of_n) {
   constexpr int kEven = 72;
   constexpr int kHalvings = 40;

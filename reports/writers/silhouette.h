@@ -30,8 +30,8 @@ using Polyline = std::vector<Eigen::Vector2d>;
  fills the picture up to its edge. */
 Polyline OutlineOf(const Body& body, const View& view, const Eigen::Vector3d& n_W);
 
-/** Returns the visible lines inside the outline: edges of a box that face the viewer, rims
- of cylinders and cones. Empty for other shapes. */
+/** Returns the visible lines inside the outline: edges of a box that face the viewer,
+ rims of cylinders and cones. Empty for other shapes. */
 std::vector<Polyline> InnerLinesOf(const Body& body, const View& view);
 
 /** Returns the part of the convex polygon `outline` inside the picture plus a small

@@ -83,7 +83,8 @@ Vector3d ViewNormal(const ContactQuery& query, const ContactTruth& truth) {
 View WholeView(const ContactQuery& query, const Vector3d& n_W) {
   Vector3d up_W = Vector3d::UnitZ();
   Vector3d right_W = n_W - n_W.z() * up_W;
-  // Within eight degrees of the vertical, their common plane is ill-defined: up is then n.
+  // Within eight degrees of the vertical, their common plane is ill-defined: up is then
+  // n.
   if (std::abs(n_W.z()) > 0.99) {
     up_W = std::copysign(1.0, n_W.z()) * n_W;
     right_W = Vector3d::UnitX() - up_W.x() * up_W;

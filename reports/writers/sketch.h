@@ -16,9 +16,9 @@ enum class SketchView {
 };
 
 /** Draws `query` as an SVG element. The view is orthographic, onto the plane of the
- certified normal and the vertical (world z; x where the normal is vertical). It shows both
- silhouettes, the normal, and the contact points of `answers`, the first of which is the
- subject's and drawn filled. A close view also shows the two points and planes of the
+ certified normal and the vertical (world z; x where the normal is vertical). It shows
+ both silhouettes, the normal, and the contact points of `answers`, the first of which is
+ the subject's and drawn filled. A close view also shows the two points and planes of the
  certificate. Coordinates are in SVG units; a label states the width of the view. Colours
  are classes of reports/writers/page.css. */
 std::string Sketch(const ContactQuery& query, const ContactTruth& truth,

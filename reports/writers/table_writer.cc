@@ -215,7 +215,8 @@ void WriteCounted(const std::map<std::pair<std::string_view, std::string_view>, 
     out << fmt::format("  {:>5}  {}: {}\n", times, what.first, what.second);
 }
 
-/** Writes the claims that could not be verified although the oracle simulated the world. */
+/** Writes the claims that could not be verified although the oracle simulated the world.
+ */
 void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
                      std::ostream& out) {
   std::map<std::pair<std::string_view, std::string_view>, int> claims;
