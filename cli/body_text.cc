@@ -40,7 +40,8 @@ class BodyReader {
       p_WB = Eigen::Vector3d(xyz[0], xyz[1], xyz[2]);
     }
     body.X_WB = ReadOrientation(p_WB);
-    if (at_ < words_.size()) Fail(fmt::format("does not end at '{}'", words_[at_]));
+    if (at_ < words_.size())
+      Fail(fmt::format("has unexpected text at '{}'", words_[at_]));
     return body;
   }
 
@@ -56,7 +57,7 @@ class BodyReader {
     return true;
   }
 
-  // All numbers up to the next word that is none.
+  // Returns all numbers up to the next word that is not a number.
   std::vector<double> Numbers() {
     std::vector<double> numbers;
     for (; at_ < words_.size(); ++at_) {
@@ -108,7 +109,7 @@ class BodyReader {
   Shape ReadHull() {
     const std::vector<double> numbers = Numbers();
     if (numbers.empty() || numbers.size() % 3 != 0) {
-      Fail(fmt::format("has {} after 'convex_hull', which takes three a vertex",
+      Fail(fmt::format("has {} after 'convex_hull', which takes three per vertex",
                        Counted(numbers.size(), "number")));
     }
     ConvexHull hull;
@@ -123,7 +124,7 @@ class BodyReader {
     for (int i = 0; i < kShapeKinds; ++i) {
       names[static_cast<std::size_t>(i)] = NameOf(static_cast<ShapeKind>(i));
     }
-    Fail(fmt::format("begins with '{}', which is no shape{}", name,
+    Fail(fmt::format("begins with '{}', which is not a shape{}", name,
                      DidYouMean(name, names)));
   }
 
@@ -131,7 +132,7 @@ class BodyReader {
     if (Skip("q")) {
       const std::vector<double> wxyz = Numbers("q", "four numbers", 4);
       Eigen::Quaterniond q_WB(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
-      if (!(q_WB.norm() > 0)) Fail("has the quaternion zero, which is no rotation");
+      if (!(q_WB.norm() > 0)) Fail("has a zero quaternion, which is not a rotation");
       q_WB.normalize();
       return Pose::FromQuaternion(p_WB, q_WB);
     }

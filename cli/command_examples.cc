@@ -8,91 +8,160 @@ namespace {
 
 struct Examples {
   std::string_view command;
+  std::string_view description;
   std::string_view lines;
   std::string_view exit_codes;
 };
 
-constexpr std::string_view kShown = "0 shown, 2 bad input";
+constexpr std::string_view kShown = "0 success, 2 bad input";
 
 constexpr auto kExamples = std::to_array<Examples>({
     {"run", R"(
-  touchstone run                                 the whole catalogue, every engine
-  touchstone run contact/box_box --subject ode   one group, another subject
-  touchstone run 'contact/zoo/fcl_*' --against fcl
-  touchstone run mine.toml --out report          a page in report/index.html
+
+A scenario is a question: two shapes at poses, or a small world to simulate. Every oracle
+answers it, and each answer is judged against the certified truth or the laws of the world.
+The subject is the oracle under examination; the other oracles are its references. A failure
+that the ledger of known discrepancies lists counts as known.
 )",
-     "0 all pass or known; 1 the subject fails, or a reference or a file does "
-     "(references "
-     "do not count with --fail-on subject); 2 bad input, or nothing of the subject was "
-     "verified, whatever the references do"},
+     R"(
+  touchstone run                                 run the whole catalogue on every engine
+  touchstone run contact/box_box --subject ode   run one group with another subject
+  touchstone run 'contact/zoo/fcl_*' --against fcl
+  touchstone run mine.toml --out report          also write report/index.html
+)",
+     "0 all pass or known; 1 failures of the subject, a reference or a file\n"
+     "(references do not count with --fail-on subject); 2 bad input, or nothing of the\n"
+     "subject was verified, even if references fail"},
     {"explain", R"(
-  touchstone explain contact/zoo/fcl_395         every answer, with the proofs
-  touchstone explain contact/zoo/fcl_395 --all   the file, every contact, every number
-  touchstone explain contact/zoo                 a line each
+
+For one scenario, prints the certified truth, the oracles that are right and wrong, all
+answers side by side, and a proof against each wrong one. For several scenarios, prints one
+line each.
+)",
+     R"(
+  touchstone explain contact/zoo/fcl_395         show every answer, with proofs
+  touchstone explain contact/zoo/fcl_395 --all   add the file, every contact and number
+  touchstone explain contact/zoo                 print one line per scenario
   touchstone explain mine.toml --against fcl,ode
 )",
      kShown},
     {"ask", R"(
+
+Does the same as `touchstone explain`, for two shapes given on the command line.
+)",
+     R"(
   touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0'
   touchstone ask --A 'capsule 0.2 1' --B 'half_space @ 0 0 -1.1' --against fcl
   touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0' --toml > ask.toml
 )",
      kShown},
     {"list", R"(
-  touchstone list                                the whole catalogue
-  touchstone list 'contact/**/*parallel*'        ids with this word in them
-  touchstone list my_scenarios/                  your own files
+
+Prints the id and title of each scenario, then the number of scenarios per group.
+)",
+     R"(
+  touchstone list                                list the whole catalogue
+  touchstone list 'contact/**/*parallel*'        list ids that contain this word
+  touchstone list my_scenarios/                  list your own files
 )",
      kShown},
     {"oracles", R"(
-  touchstone oracles                             pairs of shapes, and by which method
-  touchstone oracles --settings                  what each adapter sets and converts
+
+Prints the library, version and precision of each oracle, the shape pairs that it supports
+with algorithm and parts of the answer, and the world features that it simulates. Oracles
+missing from this build come last, with instructions to install them.
+)",
+     R"(
+  touchstone oracles                             list shape pairs and algorithms
+  touchstone oracles --settings                  list the settings of each adapter
 )",
      kShown},
     {"simulate", R"(
+
+Simulates each selected world with each oracle. Writes one row per sample and moving object:
+position, orientation, velocity and angular velocity, in SI units and the world frame.
+)",
+     R"(
   touchstone simulate mine.toml --oracle cookbook,bullet --csv motion.csv
   touchstone simulate mine.toml --oracle ode | head
 )",
-     "0 every motion whole, 1 one crashed, hung or diverged, 2 bad input or nothing "
-     "simulated"},
+     "0 every motion is complete, 1 a motion crashed, hung or diverged, 2 bad\n"
+     "input or nothing simulated"},
     {"sweep", R"(
+
+Generates questions from a seed and judges the answers of the subject, without a ledger.
+Prints one row per family and shape pair: the fraction that touches, the failures, and the
+worst measures relative to their tolerances. Then prints the first failures with proofs.
+Without --pair, sweeps every shape pair that the subject supports.
+)",
+     R"(
   touchstone sweep contact --pair box box --count 100000
   touchstone sweep contact --family edge_edge --subject ode --quiet
   touchstone sweep contact --family deep --seed 7 --out failures
 )",
-     "0 none failed, 1 failures, 2 bad input or nothing verified"},
+     "0 no failures, 1 failures, 2 bad input or nothing verified"},
     {"bench", R"(
+
+`bench contact` measures the time per query and the accuracy of the answers. Without --pair,
+it measures sphere-sphere, sphere-box and box-box.
+
+`bench worlds` measures the time per step and the quality of the final state: "deepest" is
+the deepest penetration, "fastest" the largest speed, "sideways" the largest horizontal
+displacement. Engines take turns. Times are medians over the turns, and "of best" is the
+median of the ratios turn by turn; with --threads both are of the best turn.
+)",
+     R"(
   touchstone bench contact
   touchstone bench contact --pair box box --oracles cookbook,bullet --count 5000
   touchstone bench worlds --scene boxes1000 --oracles cookbook,bullet_float
   touchstone bench worlds --scene boxes1000,boxes10000 --threads 2
-
-Of worlds, engines take turns: shown are medians, "of best" that of the ratios turn by turn,
-with --threads the best turn. At the end, "deepest" is what overlaps most, "fastest" what moves
-most, "sideways" the longest way across y.
 )",
      kShown},
     {"schema", R"(
+
+Editors use the schema to complete and check scenario files.
+)",
+     R"(
   touchstone schema > scenario.schema.json
 )",
      kShown},
     {"ledger", R"(
-  touchstone ledger --propose                    runs the whole catalogue
+
+Runs the whole catalogue and prints a ledger entry for each failure that no entry of the
+built-in ledger accepts. A person completes the reasons.
+)",
+     R"(
+  touchstone ledger --propose
 )",
      kShown},
     {"accuracy", R"(
-  touchstone accuracy > docs/accuracy.md         runs the whole catalogue
+
+Runs the whole catalogue. The tables state the worst error of each oracle on each pair of
+shapes and on each world.
+)",
+     R"(
+  touchstone accuracy > docs/accuracy.md
 )",
      kShown},
 });
 
-}  // namespace
-
-std::string ExamplesOf(std::string_view command) {
+const Examples* Find(std::string_view command) {
   const auto* const found =
       std::find_if(kExamples.begin(), kExamples.end(),
                    [&](const Examples& examples) { return examples.command == command; });
-  if (found == kExamples.end()) return "";
+  return found == kExamples.end() ? nullptr : found;
+}
+
+}  // namespace
+
+std::string DescriptionOf(std::string_view command) {
+  const Examples* const found = Find(command);
+  return found == nullptr ? "" : std::string(found->description);
+}
+
+std::string ExamplesOf(std::string_view command) {
+  const Examples* const found = Find(command);
+  if (found == nullptr) return "";
   return "Examples:" + std::string(found->lines) +
          "\nExit code: " + std::string(found->exit_codes) + ".";
 }

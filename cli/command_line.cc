@@ -31,27 +31,26 @@ namespace touchstone {
 namespace {
 
 constexpr const char* kIntroduction =
-    "Tells collision engines who is right, with a proof.\n\n"
-    "  touchstone run                          the whole catalogue, every engine\n"
-    "  touchstone run contact/box_box          one group; --subject fcl/collide: another "
-    "subject\n"
-    "  touchstone run mine.toml --out report   your own scenario; a page in "
+    "Checks collision and rigid-body engines against each other and proves which is "
+    "right.\n\n"
+    "  touchstone run                          run the whole catalogue on every engine\n"
+    "  touchstone run contact/box_box          run one group of scenarios\n"
+    "  touchstone run mine.toml --out report   run your own scenario, write "
     "report/index.html\n"
-    "  touchstone explain contact/zoo/fcl_395  every answer to one scenario, side by "
-    "side\n"
+    "  touchstone explain contact/zoo/fcl_395  show every answer to one scenario\n"
     "  touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0'\n"
     "  touchstone sweep contact --pair box box --count 100000\n"
     "  touchstone simulate world/free --oracles bullet,ode --csv motion.csv\n"
     "  touchstone bench worlds --scene boxes1000\n"
-    "  touchstone COMMAND --help               what a command takes\n\n"
+    "  touchstone COMMAND --help               show the options of a command\n\n"
     "Exit code: 0 all pass or known, 1 failures, 2 bad input or nothing of the subject "
-    "verified.";
+    "verified.\n";
 
 const std::string kPatterns =
-    "scenario ids, folders of ids, globs (* within a level, ** across), or TOML files "
-    "and folders of your own";
+    "scenario ids, folders of ids, globs (* within a level, ** across levels), or your "
+    "own TOML files and folders";
 
-// The commands, their options, and what they do once the line is parsed.
+// The parser of the command line: all commands, their options and their actions.
 class CommandLine {
  public:
   CommandLine(OracleRegistry registry, const CommandLineDefaults& defaults)
@@ -76,16 +75,21 @@ class CommandLine {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       // --help and --version arrive here too, as successes.
-      if (error.get_exit_code() == 0) return app_.exit(error, std::cout, std::cerr);
+      if (error.get_exit_code() == 0) {
+        // The list of commands shows their summaries only, their own --help all.
+        for (CLI::App* app : app_.get_subcommands())
+          app->description(app->get_description() + DescriptionOf(app->get_name()));
+        return app_.exit(error, std::cout, std::cerr);
+      }
       std::cerr << "touchstone: " << LineError(app_, error) << '\n';
       return 2;
     }
     try {
       const int code = command_();
-      // What nobody can read was not told: a full disk is no success.
+      // Lost output, e.g. on a full disk, is a failure.
       if (std::cout.flush()) return code;
-      std::cerr << "touchstone: the output cannot be written; expected room for it where "
-                   "it goes\n";
+      std::cerr << "touchstone: the output cannot be written; expected free space at its "
+                   "destination\n";
       return 2;
     } catch (const InputError& error) {
       std::cerr << "touchstone: " << error.what() << '\n';
@@ -104,28 +108,29 @@ class CommandLine {
 
   void AddScenarios(CLI::App* app, ScenarioSelection& selection) {
     app->add_option("PATTERN", selection.patterns,
-                    kPatterns + "; all of the catalogue without any")
+                    kPatterns + " (default: the whole catalogue)")
         ->type_name("");
     selection.catalogues = {session_.catalogue()};
-    app->add_option("--catalogue", selection.catalogues, "where ids are looked up")
+    app->add_option("--catalogue", selection.catalogues,
+                    "folder in which scenario ids are looked up")
         ->type_name("DIR")
         ->allow_extra_args(false);
   }
 
   void AddOracleOptions(CLI::App* app, OracleSelection& selection) {
     selection.subject = session_.defaults.subject;
-    app->add_option("--subject", selection.subject, "the oracle under examination")
+    app->add_option("--subject", selection.subject, "oracle under examination")
         ->type_name("ORACLE")
         ->capture_default_str();
     app->add_option("--against", selection.against,
-                    "the references, e.g. bullet,fcl/collide; all others without it")
+                    "references, e.g. bullet,fcl/collide (default: all other oracles)")
         ->type_name("ORACLE")
         ->delimiter(',')
         ->allow_extra_args(false);
   }
 
   static void AddJobs(CLI::App* app, int& jobs) {
-    app->add_option("--jobs", jobs, "threads; one a core without it")
+    app->add_option("--jobs", jobs, "number of threads (default: one per core)")
         ->check(WholeNumber(1, std::numeric_limits<int>::max()))
         ->type_name("N");
   }
@@ -133,7 +138,7 @@ class CommandLine {
   static CLI::Option* AddOracleList(CLI::App* app, std::vector<std::string>& oracles) {
     return app
         ->add_option("--oracles,--oracle", oracles,
-                     "e.g. cookbook,bullet; all without it")
+                     "oracles, e.g. cookbook,bullet (default: all)")
         ->type_name("ORACLE")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -149,150 +154,153 @@ class CommandLine {
   }
 
   void AddRun() {
-    CLI::App* app = AddCommand("run", "put scenarios to oracles and judge the answers",
+    CLI::App* app = AddCommand("run", "Run scenarios on oracles and judge the answers",
                                [this] { return RunCommand(session_, run_); });
     AddScenarios(app, run_.scenarios);
     AddOracleOptions(app, run_.oracles);
-    app->add_option("--out", run_.out,
-                    "write index.html, report.json and junit.xml there")
+    app->add_option("--out", run_.out, "folder for index.html, report.json and junit.xml")
         ->type_name("DIR");
     app->add_option("--ledger", run_.ledger,
-                    "known discrepancies, instead of the built-in")
+                    "ledger of known discrepancies (default: the built-in ledger)")
         ->type_name("FILE");
     app->add_option_function<std::string>(
            "--fail-on",
            [this](const std::string& whose) {
              run_.fail_on = whose == "subject" ? FailOn::kSubject : FailOn::kAnything;
            },
-           "whose failures give exit code 1: anything (default: a reference proved wrong "
-           "outside the ledger counts too), or subject (what your own CI wants)")
+           "failures that give exit code 1: anything (default; includes references "
+           "proved wrong outside the ledger) or subject (for your own CI)")
         ->check(OneOf({"subject", "anything"}))
-        ->type_name("WHOSE");
+        ->type_name("SCOPE");
     AddJobs(app, run_.jobs);
     app->add_flag("--quiet", run_.quiet,
-                  "only the failures that count, and the last line");
+                  "print only the failures that count and the last line");
   }
 
   void AddExplain() {
     CLI::App* app = AddCommand(
-        "explain", "every oracle's answer to a scenario, side by side, with the proofs",
+        "explain", "Show every oracle's answer to a scenario, with proofs",
         [this] { return ExplainCommand(session_, explained_, oracles_, everything_); });
     AddScenarios(app, explained_);
     app->get_option("PATTERN")->required()->description(kPatterns);
     AddOracleOptions(app, oracles_);
-    app->add_flag("--all", everything_,
-                  "the scenario's file, every contact and every number of everybody");
+    app->add_flag(
+        "--all", everything_,
+        "print the scenario file, and every contact and number of every oracle");
   }
 
   void AddAsk() {
-    CLI::App* app = AddCommand("ask", "ask everybody about two shapes given here",
+    CLI::App* app = AddCommand("ask", "Query every oracle about two given shapes",
                                [this] { return AskCommand(session_, ask_); });
-    app->footer("A body is " + std::string(kBodySyntax) + "\n\n" + ExamplesOf("ask"));
-    app->add_option("--A,-A", ask_.A, "the first body")->required()->type_name("BODY");
-    app->add_option("--B,-B", ask_.B, "the second body")->required()->type_name("BODY");
+    app->footer("A BODY is " + std::string(kBodySyntax) + "\n\n" + ExamplesOf("ask"));
+    app->add_option("--A,-A", ask_.A, "first body")->required()->type_name("BODY");
+    app->add_option("--B,-B", ask_.B, "second body")->required()->type_name("BODY");
     AddOracleOptions(app, ask_.oracles);
     app->add_flag("--toml", ask_.toml,
-                  "ask nobody: print the question as a scenario file to keep");
-    app->add_flag("--all", ask_.everything, "every contact and every proof of everybody");
-    app->add_option("--id", ask_.id, "the scenario's id, in a folder its path there")
+                  "print the question as a scenario file and query no oracle");
+    app->add_flag("--all", ask_.everything,
+                  "print every contact, number and proof of every oracle");
+    app->add_option("--id", ask_.id,
+                    "id of the scenario; in a folder of scenarios, the path below it")
         ->capture_default_str();
   }
 
   void AddList() {
-    CLI::App* app = AddCommand("list", "ids and titles of the scenarios",
+    CLI::App* app = AddCommand("list", "List ids and titles of scenarios",
                                [this] { return ListCommand(listed_); });
     AddScenarios(app, listed_);
   }
 
   void AddOracles() {
-    CLI::App* app =
-        AddCommand("oracles", "who can answer what, and what is not installed",
-                   [this] { return OraclesCommand(session_, settings_); });
-    app->add_flag("--settings", settings_, "what each adapter sets and converts");
+    CLI::App* app = AddCommand("oracles", "List the oracles and their capabilities",
+                               [this] { return OraclesCommand(session_, settings_); });
+    app->add_flag("--settings", settings_,
+                  "print the settings and conversions of each adapter instead");
   }
 
-  // Worlds have no sweep yet: the kind of question is an argument.
+  // The kind of question is an argument, although worlds have no sweep yet.
   static void AddContact(CLI::App* app) {
-    app->add_option("QUESTIONS", "the kind of question: contact")
+    app->add_option("QUESTIONS", "kind of question; only contact is available")
         ->required()
         ->check(OneOf({"contact"}))
         ->type_name("");
   }
 
   static void AddPair(CLI::App* app, std::vector<std::string>& pair) {
-    app->add_option("--pair", pair, "two shapes, e.g. --pair box sphere; all without it")
+    app->add_option("--pair", pair, "two shapes, e.g. --pair box sphere")
         ->type_name("SHAPE SHAPE")
         ->expected(2);
   }
 
   void AddSweep() {
     CLI::App* app =
-        AddCommand("sweep", "generated questions by the thousand, with a seed",
+        AddCommand("sweep", "Check the subject on thousands of generated questions",
                    [this] { return SweepCommand(session_, sweep_); });
     AddContact(app);
     AddOracleOptions(app, sweep_.oracles);
-    app->add_option("--family", sweep_.family,
-                    "random, near_parallel, edge_edge, vertex_face, touching, deep, "
-                    "slabs_and_needles, extreme_scales, symmetries or all")
+    app->add_option(
+           "--family", sweep_.family,
+           "family of questions: random, near_parallel, edge_edge, vertex_face, "
+           "touching, deep, slabs_and_needles, extreme_scales, symmetries or all")
         ->type_name("FAMILY")
         ->capture_default_str();
     AddPair(app, sweep_.pair);
-    AddNumber(app, "--count", sweep_.count, 1, "questions per family and pair");
+    AddNumber(app, "--count", sweep_.count, 1, "number of questions per family and pair");
     AddNumber(app, "--first", sweep_.first, 0, "index of the first question");
-    AddNumber(app, "--seed", sweep_.seed, 0, "another seed, other questions");
+    AddNumber(app, "--seed", sweep_.seed, 0, "seed of the questions");
     app->add_option("--out", sweep_.out,
-                    "write the first failed questions there, as TOML")
+                    "folder for the first failed questions, as TOML files")
         ->type_name("DIR");
     AddJobs(app, sweep_.jobs);
-    app->add_flag("--quiet", sweep_.quiet, "only the table");
+    app->add_flag("--quiet", sweep_.quiet, "print only the table");
   }
 
   void AddBench() {
-    CLI::App* app = AddCommand("bench", "time of a query beside its accuracy",
+    CLI::App* app = AddCommand("bench", "Measure the speed and accuracy of oracles",
                                [this] { return Bench(); });
-    app->add_option("QUESTIONS", benched_, "the kind of question: contact or worlds")
+    app->add_option("QUESTIONS", benched_, "kind of question: contact or worlds")
         ->required()
         ->check(OneOf({"contact", "worlds"}))
         ->type_name("");
     AddOracleList(app, bench_.oracles);
     AddPair(app, bench_.pair);
-    AddNumber(app, "--count", bench_.count, 1, "of contact: random poses per pair");
+    AddNumber(app, "--count", bench_.count, 1,
+              "contact: number of random poses per pair");
     AddNumber(app, "--sample", bench_.sample, 0,
-              "of contact: how many of them are held against the truth");
-    AddNumber(app, "--seed", bench_.seed, 0, "another seed, other poses");
+              "contact: number of poses checked against the truth");
+    AddNumber(app, "--seed", bench_.seed, 0, "seed of the poses");
     app->add_option("--scene", bench_worlds_.scenes,
-                    "of worlds: boxes100, boxes1000, boxes10000, boxes30000, stack20, "
-                    "spheres10000; all without it")
+                    "worlds: boxes100, boxes1000, boxes10000, boxes30000, stack20, "
+                    "spheres10000 (default: all)")
         ->check(OneOf(SceneNames()))
         ->type_name("SCENE")
         ->delimiter(',')
         ->allow_extra_args(false);
     app->add_option("--steps", bench_worlds_.steps,
-                    "of worlds: steps that are timed, after as many to settle")
+                    "worlds: number of timed steps, after as many to settle")
         ->check(WholeNumber(1, 1'000'000))
         ->type_name("N")
         ->capture_default_str();
     app->add_option("--seconds", bench_worlds_.seconds,
-                    "of worlds: CPU time after which an engine is stopped in a scene; "
-                    "so much for each of its threads")
+                    "worlds: limit of CPU seconds per engine, scene and thread")
         ->check(WholeNumber(1, 1'000'000))
         ->type_name("N")
         ->capture_default_str();
     app->add_option("--threads", bench_worlds_.threads,
-                    "of worlds: step cookbook also with so many, in a row of its own; "
-                    "then all times are wall times, of a machine that does nothing else")
+                    "worlds: also time cookbook with N threads; all times are then wall "
+                    "times and need an idle machine")
         ->check(NumberOfThreads())
         ->type_name("N")
         ->capture_default_str();
   }
 
-  /** Refuses an option that says nothing about what is asked. */
+  /** Throws if one of the options `names` is given: they belong to the other kind. */
   void RefuseBenchOptions(std::initializer_list<const char*> names) const {
     for (const char* name : names) {
       if (app_.get_subcommand("bench")->get_option(name)->empty()) continue;
-      throw InputError(fmt::format("{} is no option of `bench {}`; expected it with {}",
-                                   name, benched_,
-                                   benched_ == "contact" ? "worlds" : "contact"));
+      throw InputError(
+          fmt::format("{} is not an option of `bench {}`; expected it with {}", name,
+                      benched_, benched_ == "contact" ? "worlds" : "contact"));
     }
   }
 
@@ -308,32 +316,30 @@ class CommandLine {
   }
 
   void AddSimulate() {
-    CLI::App* app = AddCommand("simulate", "the motion of worlds, as a table",
+    CLI::App* app = AddCommand("simulate", "Simulate worlds and write the motion as CSV",
                                [this] { return SimulateCommand(session_, simulate_); });
     AddScenarios(app, simulate_.scenarios);
     app->get_option("PATTERN")->required()->description(kPatterns);
     AddOracleList(app, simulate_.oracles)
-        ->description("e.g. cookbook,bullet; all that simulate without it");
+        ->description(
+            "oracles, e.g. cookbook,bullet (default: all that simulate worlds)");
     app->add_option("--csv", simulate_.csv,
-                    "write the table there; standard output, as -, "
-                    "without it")
+                    "file for the table, - for standard output (default: -)")
         ->type_name("FILE");
   }
 
   void AddLedger() {
     CLI::App* app =
-        AddCommand("ledger", "entries for the failures that the ledger does not know yet",
+        AddCommand("ledger", "Propose ledger entries for failures not yet known",
                    [this] { return LedgerCommand(session_); });
-    app->add_flag("--propose", propose_, "print them, for a person to complete")
+    app->add_flag("--propose", propose_, "print the entries, for a person to complete")
         ->required();
-    AddCommand(
-        "accuracy",
-        "docs/accuracy.md: worst error per oracle, of pairs of shapes and of worlds",
-        [this] { return AccuracyCommand(session_); });
+    AddCommand("accuracy", "Print docs/accuracy.md, the worst error of each oracle",
+               [this] { return AccuracyCommand(session_); });
   }
 
   void AddSchema() {
-    AddCommand("schema", "the JSON Schema of scenario files, for editors", [] {
+    AddCommand("schema", "Print the JSON Schema of scenario files", [] {
       std::cout << ScenarioSchema();
       return 0;
     });

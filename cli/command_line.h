@@ -7,16 +7,16 @@
 
 namespace touchstone {
 
-/** What the command line assumes where its user says nothing. */
+/** The values that the command line uses where no option overrides them. */
 struct CommandLineDefaults {
   std::string subject = "cookbook";  ///< The oracle under examination.
-  /** Holds catalogue/ and known_discrepancies.toml. */
+  /** Folder that holds catalogue/ and known_discrepancies.toml. */
   std::filesystem::path data = TOUCHSTONE_DATA_DIR;
 };
 
-/** The whole `touchstone` program, with the oracles of `registry`: add your own to
- OracleRegistry::BuiltIn() and call this from main(). Returns the exit code: 0 all pass or
- known, 1 failures, 2 bad input or nothing verified. */
+/** The whole `touchstone` program, with the oracles of `registry`. To add your own, add
+ it to OracleRegistry::BuiltIn() and call this from main(). Returns the exit code: 0 all
+ pass or known, 1 failures, 2 bad input or nothing verified. */
 int RunCommandLine(int argc, const char* const* argv, OracleRegistry registry,
                    const CommandLineDefaults& defaults = {});
 

@@ -6,8 +6,8 @@
 
 namespace touchstone {
 
-/** Returns " (did you mean right?)" with the name that `misspelt` most likely means, or
- nothing where none is near (scenarios/schema/nearest_name.h). */
+/** Returns " (did you mean right?)" with the name that `misspelt` most likely stands for;
+ empty if no name is near (scenarios/schema/nearest_name.h). */
 std::string DidYouMean(std::string_view misspelt,
                        std::span<const std::string_view> names);
 

@@ -12,7 +12,8 @@
 namespace touchstone {
 
 ErrorOutput::ErrorOutput() : file_(memfd_create("touchstone-error-output", MFD_CLOEXEC)) {
-  if (file_ < 0) throw InputError("no file for what a child process prints");
+  if (file_ < 0)
+    throw InputError("cannot create a file for the output of a child process");
 }
 
 ErrorOutput::~ErrorOutput() {

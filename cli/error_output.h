@@ -4,23 +4,24 @@
 
 namespace touchstone {
 
-/** What a child process prints to its standard error, kept until somebody asks. */
+/** The standard error output of a child process, kept in a memory file. */
 class ErrorOutput {
  public:
-  /** @throws InputError where the system gives no file. */
+  /** @throws InputError if the system cannot create the file. */
   ErrorOutput();
   ~ErrorOutput();
   ErrorOutput(const ErrorOutput&) = delete;
   ErrorOutput& operator=(const ErrorOutput&) = delete;
 
-  /** In the child: from now on its standard error goes here, up to 64 MiB of it. */
+  /** Redirects the standard error of the calling process to this file, up to 64 MiB. Call
+   it in the child. */
   void Take() const;
 
-  /** Returns the last line that has come so far, see LastLineOf(). */
+  /** Returns the last line printed so far, see LastLineOf(). */
   std::string LastLine() const;
 
  private:
-  int file_ = -1;  ///< Without a name.
+  int file_ = -1;  ///< Descriptor of an anonymous file.
 };
 
 }  // namespace touchstone

@@ -20,7 +20,7 @@ Expected WholeNumber(std::uint64_t least, std::uint64_t most) {
     const bool too_large = error == std::errc::result_out_of_range || number > most;
     if (is_number && too_large) return fmt::format("{}; expected at most {}", text, most);
     if (is_number && number >= least) return "";
-    return fmt::format("'{}'; expected a whole number from {} on", text, least);
+    return fmt::format("'{}'; expected a whole number of at least {}", text, least);
   };
 }
 
@@ -29,8 +29,8 @@ Expected NumberOfThreads() {
     const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
     if (WholeNumber(1, processors)(text).empty()) return "";
     return fmt::format(
-        "'{}'; expected a whole number from 1 to {}, the processors of this machine",
-        text, processors);
+        "'{}'; expected a whole number from 1 to {}, the number of processors", text,
+        processors);
   };
 }
 

@@ -8,18 +8,17 @@
 
 namespace touchstone {
 
-/** Returns what is wrong with the text that follows an option; empty where nothing is. */
+/** A check of an option's value. Returns the error in `text`; empty if it is valid. */
 using Expected = std::function<std::string(const std::string& text)>;
 
-/** Accepts whole numbers in [least, most]; says which are expected for anything else. */
+/** Accepts whole numbers in [least, most]. The error states the accepted range. */
 Expected WholeNumber(std::uint64_t least = 0,
                      std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
-/** Accepts 1 to the number of processors that this machine has. */
+/** Accepts whole numbers from 1 to the number of processors of this machine. */
 Expected NumberOfThreads();
 
-/** Accepts one of `names`; says which are expected, and the nearest, for anything else.
- */
+/** Accepts one of `names`. The error lists them and suggests the nearest. */
 Expected OneOf(const std::vector<std::string>& names);
 
 }  // namespace touchstone

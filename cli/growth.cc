@@ -13,12 +13,13 @@
 namespace touchstone {
 namespace {
 
-/** Below, what a step costs whatever it moves hides how the rest grows. */
+/** Least number of bodies for the overall exponent: below it, the fixed cost of a step
+ hides the growth. */
 constexpr int kMany = 1000;
 
-using Sizes = std::pair<int, int>;  // The less, the greater.
+using Sizes = std::pair<int, int>;  // Smaller, larger.
 
-// fmt asks the locale for its commas.
+// fmt would take its thousands separators from the locale.
 std::string WithCommas(int number) {
   if (number < 1000) return std::to_string(number);
   return WithCommas(number / 1000) + fmt::format(",{:03}", number % 1000);
@@ -51,7 +52,7 @@ std::optional<double> Exponent(std::span<const TimeOfSize> times, std::string_vi
   return GrowthExponent(*less, *greater);
 }
 
-// In the order in which they come first.
+// Names of the oracles, in the order of their first appearance.
 std::vector<std::string_view> Oracles(std::span<const TimeOfSize> times) {
   std::vector<std::string_view> oracles;
   for (const TimeOfSize& time : times) {

@@ -20,15 +20,15 @@ std::string NoSuchCommand(const CLI::App& app, const std::vector<std::string>& w
        app.get_subcommands([](const CLI::App*) { return true; })) {
     commands.push_back(command->get_name());
   }
-  const std::string list = fmt::format("there are: {}", fmt::join(commands, ", "));
+  const std::string list = fmt::format("expected one of: {}", fmt::join(commands, ", "));
   if (words.empty()) {
-    return "a command is missing; " + list + "; `touchstone --help` shows their use";
+    return "a command is missing; " + list + "; `touchstone --help` describes them";
   }
   return fmt::format("there is no command '{}'{}; {}", words.front(),
                      DidYouMean(words.front(), commands), list);
 }
 
-// `word` begins with a dash. "--jobs=4" means "--jobs".
+// `word` begins with a dash. "--jobs=4" is treated as "--jobs".
 std::string NoSuchOption(const std::string& line, const CLI::App& command,
                          std::string_view word) {
   word = word.substr(0, word.find('='));
@@ -40,11 +40,11 @@ std::string NoSuchOption(const std::string& line, const CLI::App& command,
     return fmt::format("{} comes before the command; expected `{} {}`", word, line, word);
   }
   const Names views(names.begin(), names.end());
-  return fmt::format("`{}` has no option {}{}; it has: {}", line, word,
+  return fmt::format("`{}` has no option {}{}; expected one of: {}", line, word,
                      DidYouMean(word, views), fmt::join(views, ", "));
 }
 
-// What is wrong with the options that are there.
+// Returns what is wrong with the options that are given.
 std::string WhatIsMissing(const CLI::App& command, const CLI::ParseError& error) {
   std::string what = error.what();
   for (const CLI::Option* option : command.get_options()) {
@@ -53,7 +53,7 @@ std::string WhatIsMissing(const CLI::App& command, const CLI::ParseError& error)
       return fmt::format("{} is missing: {}", name, option->get_description());
     }
     if (error.get_name() == "ArgumentMismatch" && what.starts_with(name + ":")) {
-      return fmt::format("{} is not complete; expected {} {}", name, name,
+      return fmt::format("{} is incomplete; expected {} {}", name, name,
                          option->get_type_name());
     }
   }
@@ -73,7 +73,7 @@ std::string LineError(const CLI::App& app, const CLI::ParseError& error) {
                    [](const std::string& word) { return word.starts_with('-'); });
   if (option != unknown.end()) return NoSuchOption(line, command, *option);
   if (commands.empty()) return NoSuchCommand(app, unknown);
-  return fmt::format("{}; `{} --help` says what it takes",
+  return fmt::format("{}; `{} --help` shows its usage",
                      unknown.empty()
                          ? WhatIsMissing(command, error)
                          : fmt::format("'{}' is not expected", unknown.front()),

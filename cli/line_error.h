@@ -9,9 +9,9 @@ class ParseError;
 
 namespace touchstone {
 
-/** Returns what is wrong with the line that `app` could not parse, in one sentence: the
- command or the option that is not there with the nearest that is, else what an option
- expected. `error` is what app.parse() threw. */
+/** Returns, in one sentence, the error in the line that `app` could not parse. The
+ sentence names an unknown command or option with the nearest known one, else the value
+ that an option expects. `error` is the exception that app.parse() threw. */
 std::string LineError(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace touchstone

@@ -4,7 +4,7 @@
 
 namespace {
 
-// An installed program finds its data beside itself, wherever the prefix was moved to.
+// Data folder of an installed program, relative to the program: the prefix may be moved.
 std::filesystem::path DataBesideProgram() {
   std::error_code error;
   const std::filesystem::path program =

@@ -6,8 +6,9 @@
 
 namespace touchstone {
 
-/** Returns the middle of `values`, of an even number the upper of the two in the middle.
- @pre There is one. */
+/** Returns the median of `values`; of an even number of values, the upper of the two in
+ the middle.
+ @pre `values` is not empty. */
 inline double MedianOf(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

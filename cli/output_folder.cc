@@ -17,7 +17,7 @@ void Make(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder, error);
   if (error) {
     throw InputError(
-        fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+        fmt::format("cannot create the folder {}: {}", folder.string(), error.message()));
   }
 }
 
@@ -32,7 +32,7 @@ OutputFolder::OutputFolder(std::filesystem::path folder) : folder_(std::move(fol
 
 void OutputFolder::Check(const std::filesystem::path& file) const {
   const std::filesystem::path path = folder_ / file;
-  std::error_code error;  // Of links in a ring.
+  std::error_code error;  // Set for a cycle of links.
   if (!std::filesystem::exists(path, error) && !error) return;
   if (std::filesystem::is_directory(path, error) || access(path.c_str(), W_OK) != 0) {
     throw InputError(fmt::format("cannot write {}", path.string()));

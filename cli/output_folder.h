@@ -6,19 +6,18 @@
 
 namespace touchstone {
 
-/** A folder that results are written to. */
+/** A folder for results. */
 class OutputFolder {
  public:
-  /** Makes the folder if it is not there. Throws InputError where that fails or where it
-   cannot be written to: before the work whose results it is for. */
+  /** Creates the folder if it does not exist. Throws InputError if that fails or if the
+   folder is not writable, so that the error comes before the work. */
   explicit OutputFolder(std::filesystem::path folder);
 
-  /** Throws InputError where `file`, relative to the folder, is there and cannot be
-   written. */
+  /** Throws InputError if `file`, relative to the folder, exists and is not writable. */
   void Check(const std::filesystem::path& file) const;
 
-  /** Writes `file`, relative to the folder, by `write`, making its own folder too. Throws
-   InputError where that fails. */
+  /** Writes `file`, relative to the folder, with `write`. Creates the folder of `file` if
+   needed. Throws InputError on failure. */
   void Write(const std::filesystem::path& file,
              const std::function<void(std::ostream&)>& write) const;
 

@@ -8,13 +8,13 @@
 namespace touchstone {
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(2);
+constexpr auto kDelay = std::chrono::seconds(2);
 constexpr auto kBetweenDrawings = std::chrono::milliseconds(100);
 
 }  // namespace
 
 ProgressBar::ProgressBar(bool enabled)
-    : enabled_(enabled), next_(Clock::now() + kPatience) {}
+    : enabled_(enabled), next_(Clock::now() + kDelay) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_) std::cerr << "\r\x1b[K" << std::flush;

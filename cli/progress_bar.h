@@ -5,8 +5,8 @@
 
 namespace touchstone {
 
-/** A bar on standard error for work that takes longer than two seconds; gone when it is
- * done. */
+/** A progress bar on standard error, for work that takes longer than two seconds. The
+ destructor erases it. */
 class ProgressBar {
  public:
   explicit ProgressBar(bool enabled);
@@ -21,7 +21,7 @@ class ProgressBar {
 
   bool enabled_;
   bool drawn_ = false;
-  Clock::time_point next_;  ///< When to draw next.
+  Clock::time_point next_;  ///< Time of the next drawing.
 };
 
 }  // namespace touchstone

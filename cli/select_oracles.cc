@@ -29,9 +29,9 @@ bool IsSpecimen(std::string_view name) {
     for (const Oracle* oracle : registry.All()) names.push_back(oracle->info().name);
   }
   const std::vector<std::string_view> views(names.begin(), names.end());
-  throw InputError(fmt::format("there is no oracle '{}'{}; there are: {}{}", name,
+  throw InputError(fmt::format("there is no oracle '{}'{}; expected one of: {}{}", name,
                                DidYouMean(name, views), fmt::join(names, ", "),
-                               IsSpecimen(name) ? ", and errata joined by +" : ""));
+                               IsSpecimen(name) ? ", or errata joined by +" : ""));
 }
 
 }  // namespace

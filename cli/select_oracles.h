@@ -7,21 +7,22 @@
 
 namespace touchstone {
 
-/** Which oracles a command asks. */
+/** The oracles that a command uses. */
 struct OracleSelection {
-  std::string subject;  ///< One oracle, by its name.
+  std::string subject;  ///< Name of one oracle.
   std::vector<std::string>
-      against;  ///< Names, or what names begin with; empty: all others.
+      against;  ///< References, names or groups ("fcl"); empty: all others.
 };
 
-/** Returns the subject, then the references in the order of the registry, without the
- subject. Specimens of faults ("printed") are references only where they are named. Throws
- InputError with the nearest name and what is missing in this build where a name is
- unknown. */
+/** Returns the subject, then the references. If `selection` names no references, they are
+ all other oracles in the order of the registry, except specimens of faults ("printed").
+ Throws InputError for an unknown name, with the nearest name, or with instructions to
+ install the oracle if this build lacks it. */
 std::vector<const Oracle*> SelectOracles(const OracleRegistry& registry,
                                          const OracleSelection& selection);
 
-/** Returns the oracles that `pattern` names; throws as SelectOracles(). */
+/** Returns the oracles that `pattern` names. Throws the same errors as SelectOracles().
+ */
 std::vector<const Oracle*> OraclesNamed(const OracleRegistry& registry,
                                         const std::string& pattern);
 

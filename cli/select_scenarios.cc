@@ -32,13 +32,14 @@ bool SelectsAny(std::string_view pattern, const Ids& ids) {
                      [&](std::string_view id) { return SelectsId(pattern, id); });
 }
 
-// A path is what no id can be (ids have no dots), or what is there and is no known id.
+// A pattern is a path if it cannot be an id (ids have no dots), or if the file exists and
+// no known id matches.
 bool IsPath(const std::string& pattern, const Ids& known) {
   if (pattern.ends_with(".toml") || pattern.starts_with(".") ||
       pattern.starts_with("/")) {
     return true;
   }
-  std::error_code error;  // Of a name that is too long, or links in a ring.
+  std::error_code error;  // Set for a name that is too long or a cycle of links.
   return !SelectsAny(pattern, known) && std::filesystem::exists(pattern, error);
 }
 
@@ -59,8 +60,8 @@ Questions WithoutErrors(Catalogue catalogue) {
   throw InputError(text);
 }
 
-// "contact/sphere_box/*" of "contact/box_sphere/*": a folder names a pair of shapes in
-// one order only. Empty where no other order selects anything.
+// Returns e.g. "contact/sphere_box/*" for "contact/box_sphere/*": a folder names a pair
+// of shapes in one order only. Empty if no other order selects anything.
 std::string WithShapesInOrder(const std::string& pattern, const Ids& known) {
   for (std::size_t at = 0; (at = pattern.find('_', at)) != std::string::npos; ++at) {
     const std::size_t begin = pattern.rfind('/', at) + 1;  // npos + 1 is 0.
@@ -73,8 +74,8 @@ std::string WithShapesInOrder(const std::string& pattern, const Ids& known) {
   return "";
 }
 
-// The nearest id or folder of ids, with the part that has wildcards left as it is. Empty
-// where none is near.
+// Returns the nearest id or folder of ids; the part with wildcards stays unchanged. Empty
+// if none is near.
 std::string NearestPattern(const std::string& pattern, const Ids& known) {
   Ids names;
   for (const std::string_view id : known) {
@@ -96,8 +97,8 @@ std::string NearestPattern(const std::string& pattern, const Ids& known) {
   std::string nearest = WithShapesInOrder(pattern, known);
   if (nearest.empty()) nearest = NearestPattern(pattern, known);
   throw InputError(fmt::format(
-      "no scenario matches '{}'{}, and no such file or folder is there; `touchstone "
-      "list` shows all ids",
+      "no scenario matches '{}'{}, and no such file or folder exists; `touchstone list` "
+      "shows all ids",
       pattern, nearest.empty() ? "" : fmt::format(" (did you mean {}?)", nearest)));
 }
 
@@ -109,7 +110,7 @@ void RefuseDuplicates(const Questions& questions) {
     throw InputError(fmt::format("the scenario id '{}' is used twice", *twice));
 }
 
-/** Moves those of `from` that are `wanted` behind those of `to`. */
+/** Moves the scenarios of `from` that match one of `patterns` to the end of `to`. */
 template <typename Kind>
 void MoveSelected(std::vector<Kind>& from, const std::vector<std::string>& patterns,
                   std::vector<Kind>& to) {

@@ -11,7 +11,7 @@
 
 namespace touchstone {
 
-/** What every command works with. */
+/** The state that every command uses. */
 struct Session {
   OracleRegistry registry;
   CommandLineDefaults defaults;
@@ -20,24 +20,25 @@ struct Session {
   std::filesystem::path catalogue() const { return defaults.data / "catalogue"; }
 };
 
-/** Reads a ledger; throws InputError with all its errors. */
+/** Reads a ledger file. Throws InputError with all its errors. */
 Ledger ReadLedgerOf(const std::filesystem::path& file);
 
-/** Returns the built-in ledger, or an empty one where it is not there. It is about the
- scenarios of the built-in catalogue: those of `questions`, as selected by `selection`,
- that are not of it are strangers to it, though their ids look alike. Throws InputError.
- */
+/** Returns the built-in ledger, or an empty one if the file does not exist. It applies to
+ the scenarios of the built-in catalogue only. All other `questions`, as selected by
+ `selection`, become its `strangers`, even where their ids match an entry. Throws
+ InputError. */
 Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
                      const Questions& questions);
 
-/** How a command runs scenarios. */
+/** Options for running scenarios. */
 struct SuiteOptions {
-  int jobs = 0;          ///< As RunOptions::jobs.
-  bool partial = false;  ///< As RunOptions::partial.
+  int jobs = 0;          ///< Same as RunOptions::jobs.
+  bool partial = false;  ///< Same as RunOptions::partial.
   bool quiet = false;    ///< No progress bar.
 };
 
-/** Puts the questions with a progress bar, as of today. */
+/** Runs the questions on the oracles and shows a progress bar. Ledger entries expire
+ against today's date. */
 RunReport RunSuite(const Session& session, const Questions& questions,
                    std::span<const Oracle* const> oracles, const Ledger& ledger,
                    const SuiteOptions& options);

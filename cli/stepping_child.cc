@@ -29,7 +29,8 @@ double TimeBy(clockid_t clock) {
          1e-3 * static_cast<double>(time.tv_nsec);
 }
 
-// Of all threads of this process since they began: the second number of schedstat. [µs]
+// Time that all threads of this process together have waited for a processor since they
+// started: the second number of schedstat. [µs]
 double Waited() {
   double sum = 0;
   std::error_code none;
@@ -42,8 +43,8 @@ double Waited() {
   return sum;
 }
 
-// In one thread, what else the machine does is not the engine's work. Of several the CPU
-// time says nothing: one may work while the others wait.
+// The CPU time of one thread excludes other work of the machine. With several threads it
+// is meaningless, since one may work while the others wait.
 StepTime Take(Simulation& simulation, int steps) {
   const double waited = Waited();
   const double cpu = TimeBy(CLOCK_THREAD_CPUTIME_ID);
@@ -56,7 +57,7 @@ StepTime Take(Simulation& simulation, int steps) {
   return time;
 }
 
-// Written so that a NaN is the largest.
+// Written so that a NaN counts as the largest.
 void TakeLarger(double& largest, double value) {
   if (!(value <= largest) && !std::isnan(largest)) largest = value;
 }
@@ -74,7 +75,8 @@ WorldQuality QualityOf(const World& world, const WorldState& state) {
   return quality;
 }
 
-// A message of plain bytes goes whole or not at all; a pipe that has burst is no signal.
+// Sends and receives a message of plain bytes as a whole. A broken socket returns false
+// and raises no signal.
 template <typename Plain>
 bool Send(int socket, const Plain& message) {
   return send(socket, &message, sizeof message, MSG_NOSIGNAL) == sizeof message;
@@ -90,17 +92,17 @@ SteppingChild::SteppingChild(const Oracle& oracle, const World& world,
                              const Stepping& stepping) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0)
-    throw InputError("no socket to a child process");
+    throw InputError("cannot create a socket to a child process");
   std::cout.flush();
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
-    // Nobody waits for what an orphan finds.
+    // The child must not outlive its parent, the only reader of its results.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
     close(ends[0]);
     error_output_.Take();
-    // The limit counts what all threads of the child spend.
+    // The limit applies to the CPU time of all threads of the child together.
     const rlim_t seconds =
         static_cast<rlim_t>(stepping.seconds) * static_cast<rlim_t>(stepping.threads);
     const rlimit limit{seconds, seconds};
@@ -111,7 +113,7 @@ SteppingChild::SteppingChild(const Oracle& oracle, const World& world,
   orders_ = ends[0];
   if (pid_ < 0) {
     close(orders_);
-    throw InputError("no child process");
+    throw InputError("cannot create a child process");
   }
 }
 

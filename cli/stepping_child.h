@@ -11,37 +11,37 @@
 
 namespace touchstone {
 
-/** What a world of an engine is worth; plain bytes. */
+/** Quality of the state of a simulated world. Sent as plain bytes. */
 struct WorldQuality {
-  double deepest = 0;   ///< Overlap of two bodies. [m]
-  double fastest = 0;   ///< Speed of a body. [m/s]
-  double sideways = 0;  ///< Farthest way of a body across gravity, along y. [m]
+  double deepest = 0;   ///< Deepest penetration of two bodies. [m]
+  double fastest = 0;   ///< Largest speed of a body. [m/s]
+  double sideways = 0;  ///< Largest horizontal displacement of a body; y is up. [m]
 };
 
-/** What a step takes, on the average; plain bytes. [µs] */
+/** Average time of a step. Sent as plain bytes. [µs] */
 struct StepTime {
-  double cpu = 0;   ///< Of the thread that asks for the step; without those that help it.
-  double wall = 0;  ///< From its start to its end, whatever else the machine did.
-  /** In which a thread could have run and found no processor, all threads added; 0 where
-   the system does not tell. */
+  double cpu = 0;   ///< CPU time of the thread that requests the step, without helpers.
+  double wall = 0;  ///< Wall time, including other work of the machine.
+  /** Time for which threads were ready to run but had no processor, summed over threads;
+   0 if the system does not report it. */
   double waited = 0;
 };
 
-/** How an engine is stepped. */
+/** Settings for stepping an engine. */
 struct Stepping {
-  int threads = 1;   ///< That share a step.
-  int seconds = 60;  ///< CPU time a thread; when all is spent, the child is stopped.
+  int threads = 1;   ///< Number of threads that share a step.
+  int seconds = 60;  ///< Limit of CPU time per thread; at their sum the child stops. [s]
 };
 
-/** An engine that steps a world in a process of its own when it is told to, so that
- several take turns, and one that takes hours for a step, or dies of it, loses its own
- answers only.
- */
+/** An engine that steps a world in its own process, on demand. Several engines can thus
+ take turns, and an engine that crashes or takes hours for a step loses only its own
+ results. */
 class SteppingChild {
  public:
-  /** @pre `oracle` simulates `world`, in several threads where it is to; both outlive
-   this.
-   @throws InputError where the system gives no process. */
+  /** Starts the child process.
+   @pre `oracle` can simulate `world` with the requested number of threads; both outlive
+   this object.
+   @throws InputError if the system cannot create the process. */
   SteppingChild(const Oracle& oracle, const World& world, const Stepping& stepping);
 
   /** Ends the child. */
@@ -50,11 +50,11 @@ class SteppingChild {
   SteppingChild(const SteppingChild&) = delete;
   SteppingChild& operator=(const SteppingChild&) = delete;
 
-  /** Takes `steps` > 0 steps. Returns the time of one; nothing once the child has ended.
-   */
+  /** Takes `steps` > 0 steps. Returns the average time of one; empty once the child has
+   ended. */
   std::optional<StepTime> Step(int steps);
 
-  /** Returns what the world is worth now; nothing once the child has ended. */
+  /** Returns the quality of the current state; empty once the child has ended. */
   std::optional<WorldQuality> Quality();
 
   /** Returns the last line that the child has printed to its standard error so far. */
@@ -69,7 +69,7 @@ class SteppingChild {
   ErrorOutput error_output_;
   pid_t pid_ = -1;
   int orders_ =
-      -1;  ///< Our end: the steps to take, or 0 for the quality; then the reply.
+      -1;  ///< The parent's end: sends the number of steps, or 0 for the quality.
 };
 
 }  // namespace touchstone

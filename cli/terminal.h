@@ -2,15 +2,15 @@
 
 namespace touchstone {
 
-/** What the program may do to its outputs. */
+/** The terminal features that the program may use. */
 struct Terminal {
   bool colours;   ///< On standard output.
   bool progress;  ///< A progress bar on standard error.
 };
 
-/** Returns what the outputs of this process are: colours and progress only where they are
- terminals; no colours where NO_COLOR is set and not empty (no-color.org), or TERM is
- "dumb". */
+/** Returns the features of the outputs of this process. Colours and the progress bar need
+ a terminal, and a TERM other than "dumb". Colours also need NO_COLOR to be unset or empty
+ (no-color.org). */
 Terminal DetectTerminal();
 
 }  // namespace touchstone

@@ -1,7 +1,7 @@
-# Each library arrives here and leaves as one target. Nothing else calls
-# find_package, so a version is changed, or an engine dropped, in one place.
-# The installed package includes this file too: what it was built with is what
-# it asks its users for.
+# Finds every third-party library and provides each as one imported target. No other file
+# calls find_package, so a version is changed, or an engine dropped, in one place.
+# The installed package includes this file too: its users need the libraries that it was
+# built with.
 
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
@@ -14,7 +14,7 @@ find_package(tomlplusplus 3.3 REQUIRED)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET GLOBAL libhwy>=1.0)  # SIMD chosen at run time
 pkg_check_modules(mpfr REQUIRED IMPORTED_TARGET GLOBAL mpfr>=4)
 
-# Engines are optional: without one, its oracle says what to install.
+# Engines are optional: without one, its oracle states the package to install.
 pkg_check_modules(ode QUIET IMPORTED_TARGET GLOBAL ode>=0.16)
 pkg_check_modules(bullet_double QUIET IMPORTED_TARGET GLOBAL bullet-float64>=3.24)
 pkg_check_modules(bullet_float QUIET IMPORTED_TARGET GLOBAL bullet>=3.24)
@@ -22,7 +22,7 @@ pkg_check_modules(ccd QUIET IMPORTED_TARGET GLOBAL ccd>=2.0)
 find_package(fcl 0.7 QUIET)
 find_package(DART 6.12 QUIET CONFIG)
 remove_definitions(-DBOOST_TEST_DYN_LINK)  # DART defines it for the whole folder.
-# Debian's own configuration of MuJoCo names a folder that no package has.
+# Debian's CMake configuration of MuJoCo refers to a folder that no package contains.
 find_library(TOUCHSTONE_MUJOCO_LIBRARY mujoco)
 find_path(TOUCHSTONE_MUJOCO_INCLUDE mujoco/mujoco.h)
 mark_as_advanced(TOUCHSTONE_MUJOCO_LIBRARY TOUCHSTONE_MUJOCO_INCLUDE)

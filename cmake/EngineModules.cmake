@@ -1,5 +1,5 @@
-# Engines whose libraries cannot share a program live in modules of their own,
-# opened at run time along the run path of the program (docs/decisions/0005).
+# Modules for engines whose libraries cannot be linked into one program. They are loaded at
+# run time, along the run path of the program (docs/decisions/0005).
 set(TOUCHSTONE_MODULE_DIR lib/touchstone)  # below the build tree, and below the prefix
 list(APPEND CMAKE_BUILD_RPATH ${PROJECT_BINARY_DIR}/${TOUCHSTONE_MODULE_DIR})
 list(APPEND CMAKE_INSTALL_RPATH $ORIGIN/../${TOUCHSTONE_MODULE_DIR})
@@ -13,7 +13,7 @@ function(touchstone_engine_module target)
   set_target_properties(${target} PROPERTIES
     PREFIX ""
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${TOUCHSTONE_MODULE_DIR}
-    # What two modules both define must stay two things.
+    # A symbol that two modules define must stay separate in each.
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   if(TOUCHSTONE_INSTALL)
     install(TARGETS ${target} LIBRARY DESTINATION ${TOUCHSTONE_MODULE_DIR})
@@ -22,7 +22,8 @@ endfunction()
 
 # touchstone_opens_modules(<target> <module>...)
 #
-# The static library <target> opens <module>...; whatever links it gets the run path.
+# The static library <target> loads <module>... at run time. Programs that link it get the run
+# path.
 function(touchstone_opens_modules target)
   if(ARGN)  # none where its engine is not installed
     add_dependencies(${target} ${ARGN})

@@ -1,11 +1,11 @@
-# Flags every target needs to be judged fairly, on one interface target.
+# An interface target with the compiler flags of every target.
 add_library(touchstone_flags INTERFACE)
 target_compile_features(touchstone_flags INTERFACE cxx_std_20)
 target_compile_options(touchstone_flags INTERFACE
-  # Fused multiply-add would make one source give two answers on two machines.
+  # With fused multiply-add, one source could give different results on two machines.
   -ffp-contract=off
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-  # g++ 12 sees overlaps in std::string's own assignment that cannot be (GCC bug 105651).
+  # g++ 12 warns of impossible overlaps in std::string's assignment (GCC bug 105651).
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${TOUCHSTONE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(TOUCHSTONE_SANITIZE)
@@ -16,8 +16,9 @@ endif()
 
 # touchstone_library(<name> HEADERS <h>... SOURCES <cc>... [USES <target>...] [HIDES <target>...])
 #
-# USES appears in the public headers; HIDES only in the .cc files, so consumers
-# inherit neither its include path nor its flags. Every header compiles alone.
+# USES lists the targets that the public headers include. HIDES lists those that only the .cc
+# files include, so that consumers inherit neither include paths nor flags. Every header must
+# compile alone.
 function(touchstone_library name)
   cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "HEADERS;SOURCES;USES;HIDES")
   add_library(touchstone_${name} STATIC ${ARG_SOURCES})

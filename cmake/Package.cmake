@@ -1,5 +1,5 @@
-# The CMake package: find_package(touchstone) gives the targets touchstone::*, and
-# touchstone::touchstone for all of them. The prefix may be moved.
+# The CMake package. find_package(touchstone) provides the targets touchstone::*, and
+# touchstone::touchstone for all of them. The install prefix is relocatable.
 include(CMakePackageConfigHelpers)
 
 set(package_dir lib/cmake/touchstone)

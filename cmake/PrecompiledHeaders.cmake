@@ -1,6 +1,6 @@
-# Most of a translation unit is the same headers, parsed again. They are parsed once for the
-# libraries and once for the tests. No file may lean on that: headers are still compiled alone
-# (all_verify_interface_header_sets), and TOUCHSTONE_PCH=OFF compiles every file without.
+# Precompiled headers. Most translation units parse the same headers, so these are parsed once
+# for the libraries and once for the tests. No file may rely on them: each header is still
+# compiled alone (all_verify_interface_header_sets), and TOUCHSTONE_PCH=OFF disables them.
 set(library_headers
   <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory>
   <optional> <set> <span> <sstream> <stdexcept> <string> <string_view> <utility> <variant>
@@ -9,7 +9,7 @@ set(library_headers
 set(test_headers ${library_headers} <gmock/gmock.h> <gtest/gtest.h>)
 
 target_compile_options(touchstone_flags INTERFACE
-  # ccache must see which headers were precompiled, and not when.
+  # ccache must see which headers were precompiled, but not the time.
   $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
   $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 
@@ -25,9 +25,9 @@ endfunction()
 
 # touchstone_use_precompiled(<target>)
 #
-# Precompiled headers may be shared only by what is compiled alike: g++ would silently take
-# the optimisations of the headers for those of the file. A target with options of its own
-# precompiles for itself.
+# Only targets with the same options may share precompiled headers: otherwise g++ would
+# silently use the optimisation options of the headers for the file. A library with its own
+# options precompiles its own headers.
 function(touchstone_use_precompiled target)
   get_target_property(type ${target} TYPE)
   get_target_property(options ${target} COMPILE_OPTIONS)
@@ -44,14 +44,14 @@ function(touchstone_use_precompiled target)
   else()
     return()
   endif()
-  # The headers were read with these macros, so their users must have them.
+  # The headers were compiled with these macros, so their users must define them too.
   target_compile_definitions(${target} PRIVATE
     $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
 endfunction()
 
 # touchstone_precompiled_headers(<folder>)
 #
-# For every target in <folder> and below.
+# Applies touchstone_use_precompiled() to every target in <folder> and below.
 function(touchstone_precompiled_headers folder)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   get_property(below DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
@@ -65,7 +65,7 @@ endfunction()
 
 touchstone_precompile(touchstone_library_headers HEADERS ${library_headers})
 if(TOUCHSTONE_TESTS)
-  # Programs are compiled with -fPIE where libraries are with -fPIC.
+  # Programs are compiled with -fPIE, libraries with -fPIC.
   touchstone_precompile(touchstone_test_headers -fPIE HEADERS ${test_headers}
     USES GTest::gmock GTest::gtest)
   set_target_properties(touchstone_test_headers PROPERTIES POSITION_INDEPENDENT_CODE OFF)

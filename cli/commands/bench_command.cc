@@ -21,35 +21,34 @@ namespace touchstone {
 namespace {
 
 struct Accuracy {
-  double worst_error = 0;  ///< Of the separation, as far as it is certain. [m]
+  double worst_error = 0;  ///< Largest certain error of the separation. [m]
   int measured = 0;        ///< Answers with a separation.
-  int wrong_verdicts = 0;  ///< Touching where certainly apart, or the reverse.
+  int wrong_verdicts = 0;  ///< Touching reported where certainly apart, or the reverse.
   int without_answer = 0;
 };
 
 struct Row {
   const Oracle* oracle;
-  std::optional<double> nanoseconds;  ///< A query; empty where the oracle is not timed.
+  std::optional<double> nanoseconds;  ///< Per query; empty if the oracle is not timed.
   Accuracy accuracy;
 };
 
-// CPU time of this thread: what else the machine does is not the engine's work. [ns]
+// CPU time of this thread: it excludes other work of the machine. [ns]
 double ThreadNanoseconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
 }
 
-// Of each engine the median of several passes, empty where it is not timed. The
-// engines take turns: what slows the machine for a while slows all alike.
+// Median over several passes for each engine, empty if it is not timed. The engines take
+// turns, so that a temporary slowdown of the machine affects all of them alike.
 std::vector<std::optional<double>> NanosecondsPerQuery(
     std::span<const Oracle* const> oracles, std::span<const ContactQuery> queries) {
   constexpr int kTurns = 5;
-  constexpr int kPasses = 3;  // In a turn.
+  constexpr int kPasses = 3;  // Per turn.
   std::vector<std::unique_ptr<PreparedBatch>> batches;
   for (const Oracle* oracle : oracles) {
-    // Timing happens in this process: an engine that may hang or abort would take it
-    // along.
+    // Timing runs in this process, so an engine that may hang or abort would end it.
     const bool is_safe = !oracle->info().isolated;
     batches.push_back(is_safe ? oracle->Prepare(queries) : nullptr);
   }
@@ -57,8 +56,8 @@ std::vector<std::optional<double>> NanosecondsPerQuery(
   for (int turn = 0; turn < kTurns; ++turn) {
     for (std::size_t i = 0; i < batches.size(); ++i) {
       if (batches[i] == nullptr) continue;
-      // For the caches and the prediction of branches, which hold what the engine before
-      // this one left; engines allocate in their first pass.
+      // Warm-up: caches and branch predictors still hold the state of the previous
+      // engine, and engines allocate in their first pass.
       for (int pass = 0; pass < kPasses; ++pass) batches[i]->Run();
       for (int pass = 0; pass < kPasses; ++pass) {
         const double start = ThreadNanoseconds();
@@ -91,7 +90,7 @@ Accuracy AccuracyOf(const Oracle& oracle, std::span<const ContactQuery> queries,
     if (!answers[i].separation) continue;
     ++accuracy.measured;
     const double error = LeastError(*answers[i].separation, truths[i]);
-    // Written so that a NaN is the worst.
+    // Written so that a NaN counts as the worst.
     if (!(error <= accuracy.worst_error)) accuracy.worst_error = error;
     if (std::isnan(accuracy.worst_error)) accuracy.worst_error = HUGE_VAL;
   }
@@ -141,7 +140,7 @@ void BenchPair(ShapeKind A, ShapeKind B, std::span<const Oracle* const> oracles,
   for (std::size_t i = 0; i < able.size(); ++i)
     rows.push_back({able[i], nanoseconds[i], AccuracyOf(*able[i], sample, truths)});
   std::cout << fmt::format(
-      "{} {}: {}, {} held against the truth, {} of them touching\n"
+      "{} {}: {}, {} checked against the truth, {} of them touching\n"
       "  {:<26}{:>10}{:>8} {:>16}{:>10}{:>15}{:>11}\n",
       NameOf(A), NameOf(B), Counted(queries.size(), "random pose"), sample.size(),
       touching, "oracle", "ns/query", "of best", "worst error [m]", "measured",
@@ -151,8 +150,8 @@ void BenchPair(ShapeKind A, ShapeKind B, std::span<const Oracle* const> oracles,
   });
   Print(std::move(rows));
   if (!all_timed)
-    std::cout << "  not timed: no bare call to time, or one that may hang and runs in a "
-                 "process of its own\n";
+    std::cout << "  not timed: the oracle has no bare call to time, or runs in its own "
+                 "process because it may hang\n";
   std::cout << '\n';
 }
 
@@ -171,7 +170,7 @@ int BenchCommand(const Session& session, const BenchArguments& arguments) {
     BenchPair(A, B, oracles, arguments);
     return 0;
   }
-  // The pairs of the engine under examination.
+  // The shape pairs that the cookbook engine supports.
   BenchPair(ShapeKind::kSphere, ShapeKind::kSphere, oracles, arguments);
   BenchPair(ShapeKind::kSphere, ShapeKind::kBox, oracles, arguments);
   BenchPair(ShapeKind::kBox, ShapeKind::kBox, oracles, arguments);

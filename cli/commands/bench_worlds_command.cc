@@ -29,8 +29,8 @@ namespace {
 struct Scene {
   std::string_view name;
   std::string_view title;
-  std::string_view bodies;  ///< What is in it: of one kind there may be several sizes.
-  int size;                 ///< Their number.
+  std::string_view bodies;  ///< Kind of its bodies, shared by scenes of several sizes.
+  int size;                 ///< Number of bodies.
   World (*make)(std::uint64_t seed);
 };
 
@@ -50,17 +50,18 @@ constexpr std::array kScenes = {
 };
 
 struct Measured {
-  double microseconds;  ///< A step.
-  double waited;  ///< For a processor: the share of wall time, on the average of threads.
+  double microseconds;  ///< Time per step. [µs]
+  double waited;  ///< Fraction of wall time spent waiting for a processor, thread mean.
   WorldQuality quality;
 };
 
 struct Row {
   std::string oracle;
   int threads = 1;
-  std::optional<Measured> measured;  ///< Empty where it was stopped, or crashed.
-  std::vector<double> turns;  ///< µs a step of each; empty where the best one counts.
-  std::string complaint;      ///< The last that it printed to its standard error.
+  std::optional<Measured> measured;  ///< Empty if the oracle was stopped or crashed.
+  std::vector<double>
+      turns;              ///< Indexed by turn; empty if the best one counts. [µs/step]
+  std::string complaint;  ///< Last line printed to standard error.
 
   std::string Name() const {
     return threads == 1 ? oracle : fmt::format("{}, {} threads", oracle, threads);
@@ -73,7 +74,7 @@ struct Runner {
   std::vector<StepTime> turns;
 };
 
-// What knows how to is stepped in several threads right after itself in one.
+// An oracle that steps in several threads has two runners: one thread, then several.
 std::vector<Runner> Start(std::span<const Oracle* const> oracles, const World& world,
                           const BenchWorldsArguments& arguments) {
   std::vector<Runner> runners;
@@ -99,7 +100,7 @@ std::vector<double> CpuOf(const std::vector<StepTime>& turns) {
   return times;
 }
 
-// To wall time whatever else runs only adds: the best turn is the least disturbed.
+// Other processes can only add to wall time, so the best turn is the least disturbed.
 Measured BestByWall(const std::vector<StepTime>& turns, int threads) {
   const StepTime& best = *std::min_element(
       turns.begin(), turns.end(),
@@ -107,8 +108,9 @@ Measured BestByWall(const std::vector<StepTime>& turns, int threads) {
   return {best.wall, best.waited / (threads * best.wall), {}};
 }
 
-// Steps to settle, then as many that are timed: the work of a pile, not of a rain. The
-// engines take turns: what slows the machine for a while slows all alike.
+// Runs `steps` steps to let the bodies settle, then times as many: the benchmark is a
+// pile, not bodies in free fall. The engines take turns, so that a temporary slowdown of
+// the machine affects all of them alike.
 std::vector<Row> Measure(std::vector<Runner> runners,
                          const BenchWorldsArguments& arguments) {
   constexpr int kTurns = 15;
@@ -130,7 +132,7 @@ std::vector<Row> Measure(std::vector<Runner> runners,
       if (arguments.threads > 1) {
         runner.row.measured = BestByWall(runner.turns, runner.row.threads);
       } else {
-        // A turn that was disturbed is not the median.
+        // The median ignores turns that were disturbed.
         runner.row.turns = CpuOf(runner.turns);
         runner.row.measured = Measured{MedianOf(runner.row.turns), 0, {}};
       }
@@ -146,8 +148,8 @@ double TimeOf(const Row& row) {
   return row.measured ? row.measured->microseconds : HUGE_VAL;
 }
 
-// The median of what each turn says, where the engines took turns: a machine that is slow
-// for a while slows both sides of a turn. The ratio of the medians may differ by that.
+// Median of the ratios of each turn: a temporary slowdown of the machine affects both
+// times of a turn, but not their ratio. The ratio of the medians lacks this property.
 double TimesOf(const Row& row, const Row& best) {
   if (row.turns.empty()) return TimeOf(row) / TimeOf(best);
   std::vector<double> times;
@@ -180,7 +182,7 @@ void PrintTable(const Scene& scene, const World& world,
   }
 }
 
-// A row of several threads comes after that of one.
+// The row for several threads follows the row for one thread.
 void PrintSpeedUps(std::span<const Row> rows) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const Row& one = rows[i - 1];
@@ -192,9 +194,9 @@ void PrintSpeedUps(std::span<const Row> rows) {
   }
 }
 
-// Wall time is the engine's own only where nothing else wants the processors.
+// Wall time measures the engine only if no other process needs the processors.
 void PrintDisturbances(std::span<const Row> rows) {
-  constexpr double kSeen = 0.05;  // Ratios are read to a tenth.
+  constexpr double kSeen = 0.05;  // Ratios are printed to one decimal.
   for (const Row& row : rows) {
     if (!row.measured || row.measured->waited < kSeen) continue;
     std::cout << fmt::format(
@@ -203,11 +205,12 @@ void PrintDisturbances(std::span<const Row> rows) {
   }
 }
 
-// What an engine prints is a sign that it failed at something, whatever its time.
+// An engine that prints to standard error probably failed at something, whatever its
+// time.
 void PrintComplaints(std::span<const Row> rows) {
   for (const Row& row : rows) {
     if (row.complaint.empty()) continue;
-    std::cout << fmt::format("  {} printed, last: {}\n", row.Name(), row.complaint);
+    std::cout << fmt::format("  {} printed (last line): {}\n", row.Name(), row.complaint);
   }
 }
 
@@ -236,7 +239,7 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
     throw InputError(
         "none of these oracles steps in several threads; expected one that does, or no "
         "--threads");
-  std::map<std::string_view, std::vector<TimeOfSize>> times;  // By what the bodies are.
+  std::map<std::string_view, std::vector<TimeOfSize>> times;  // Keyed by kind of body.
   for (const Scene& scene : kScenes) {
     const auto& wanted = arguments.scenes;
     if (!wanted.empty() &&

@@ -8,24 +8,25 @@
 
 namespace touchstone {
 
+/** The arguments of `touchstone bench worlds`. */
 struct BenchWorldsArguments {
   std::vector<std::string> oracles;  ///< Names or groups; empty: all that simulate.
-  std::vector<std::string> scenes;   ///< Empty: all of SceneNames().
-  int steps = 240;                   ///< That are timed, after as many to settle.
+  std::vector<std::string> scenes;   ///< Names of scenes; empty: all of SceneNames().
+  int steps = 240;                   ///< Number of timed steps, after as many to settle.
   std::uint64_t seed = 1;
-  int seconds = 60;  ///< CPU time a thread after which an engine is stopped in a scene.
-  int threads = 1;   ///< More: engines that know how are stepped with so many as well.
+  int seconds = 60;  ///< Limit of CPU time per thread, engine and scene. [s]
+  int threads = 1;   ///< Second number of threads to time, for engines that support it.
 };
 
 /** Returns the names of the scenes: "boxes100", …, "stack20", "spheres10000". */
 std::vector<std::string> SceneNames();
 
-/** Times a step of each engine in each scene, in turns, with the settings that its users
- run, and shows beside it what the state is worth, and how the times grow with the size of
- a scene. All run in one thread, and by its CPU time; where some are to have several
- threads too, all are timed by the clock on the wall, which is fair to both on a machine
- that does nothing else, and told where it did something else. Returns 0.
- @throws InputError where an oracle is unknown, or there is nothing to show. */
+/** Prints the time per step of each engine in each scene, the quality of the final state,
+ and the growth of the times with the size of a scene. The engines take turns and run with
+ their shipped settings. With one thread, the time is its CPU time. With several, all
+ engines are timed by wall time: this is fair on an idle machine, and a line is printed
+ for each row that had to wait for a processor. Returns 0.
+ @throws InputError if an oracle is unknown, or nothing was measured. */
 int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& arguments);
 
 }  // namespace touchstone

@@ -35,13 +35,13 @@ int ExplainCommand(const Session& session, const ScenarioSelection& selection,
     }
     WriteExplanation(report, {.everything = everything}, std::cout);
     if (!everything)
-      std::cout << "\n--all shows the file, every contact and every number\n";
+      std::cout << "\n--all also shows the file, every contact and every number\n";
     return 0;
   }
   WriteExplanationTable(report, std::cout);
   std::cout
-      << "\nEvery answer to one of them, with the proofs: touchstone explain ID, or "
-         "the file of your own\n";
+      << "\nFor every answer to one scenario, with proofs: touchstone explain ID (or its "
+         "file)\n";
   return 0;
 }
 
@@ -64,7 +64,7 @@ int AskCommand(const Session& session, const AskArguments& arguments) {
     std::cout << WriteScenario(scenario);
     return 0;
   }
-  // No entry of the ledger is about this question.
+  // No ledger entry applies to this question.
   WriteExplanation(Answers(session, {{scenario}, {}}, arguments.oracles, {}),
                    {.everything = arguments.everything}, std::cout);
   return 0;

@@ -6,9 +6,9 @@
 
 namespace touchstone {
 
-/** Prints, for one selected scenario, the certified truth, who is proved right and wrong,
- and every oracle's answer side by side, with its file and every number where `everything`
- is asked for; for several a line each. */
+/** Prints, for one selected scenario, the certified truth, the oracles that are proved
+ right and wrong, and every oracle's answer side by side; with `everything`, also the
+ scenario file and every number. For several scenarios, prints one line each. */
 int ExplainCommand(const Session& session, const ScenarioSelection& scenarios,
                    const OracleSelection& oracles, bool everything);
 
@@ -17,12 +17,12 @@ struct AskArguments {
   std::string A;  ///< In the syntax of cli/body_text.h.
   std::string B;
   OracleSelection oracles;
-  std::string id = "ask";   ///< Of the scenario.
-  bool toml = false;        ///< Print the question as a scenario file, and ask nobody.
-  bool everything = false;  ///< As of ExplainCommand().
+  std::string id = "ask";   ///< Id of the scenario.
+  bool toml = false;        ///< Print the question as a scenario file, query no oracle.
+  bool everything = false;  ///< Same as for ExplainCommand().
 };
 
-/** As ExplainCommand(), for two shapes given on the command line. */
+/** Same as ExplainCommand(), for two shapes given on the command line. */
 int AskCommand(const Session& session, const AskArguments& arguments);
 
 }  // namespace touchstone

@@ -11,8 +11,9 @@ namespace touchstone {
 namespace {
 
 RunReport RunEverything(const Session& session) {
-  const OracleSelection everybody{.subject = session.defaults.subject, .against = {}};
-  const std::vector<const Oracle*> oracles = SelectOracles(session.registry, everybody);
+  const OracleSelection every_oracle{.subject = session.defaults.subject, .against = {}};
+  const std::vector<const Oracle*> oracles =
+      SelectOracles(session.registry, every_oracle);
   const ScenarioSelection all{.patterns = {}, .catalogues = {session.catalogue()}};
   const Questions questions = SelectQuestions(all);
   return RunSuite(session, questions, oracles, BuiltInLedger(session, all, questions),

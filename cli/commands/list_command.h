@@ -4,7 +4,7 @@
 
 namespace touchstone {
 
-/** Prints the id and the title of the selected scenarios, and their number per group. */
+/** Prints the ids and titles of the selected scenarios, and their number per group. */
 int ListCommand(const ScenarioSelection& selection);
 
 }  // namespace touchstone

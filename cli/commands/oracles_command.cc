@@ -28,7 +28,7 @@ std::string HeadingOf(const Capability& capability) {
   return fmt::format("{}: {}", capability.family, GivesOf(capability));
 }
 
-// The words in lines that a terminal of 80 columns holds.
+// Prints `words` in lines that fit a terminal of 80 columns.
 void PrintWrapped(const std::string& words, std::size_t indent) {
   constexpr std::size_t kColumns = 80;
   std::istringstream in(words);
@@ -43,8 +43,8 @@ void PrintWrapped(const std::string& words, std::size_t indent) {
   std::cout << std::string(indent, ' ') << line << '\n';
 }
 
-// Pairs that are answered alike, under one heading: "sat: depth, normal". A pair that is
-// answered alike in both orders is named once.
+// Prints the shape pairs, those with the same capability under one heading, e.g. "sat:
+// depth, normal". A pair with the same capability in both orders is printed once.
 void PrintCapabilities(const OracleInfo& info) {
   std::map<std::string, std::string> pairs_by_heading;
   for (int a = 0; a < kShapeKinds; ++a) {
@@ -101,7 +101,7 @@ int OraclesCommand(const Session& session, bool settings) {
     std::cout << '\n';
   }
   for (const MissingOracle& missing : session.registry.missing()) {
-    std::cout << fmt::format("{}  missing: {}\n", missing.name, missing.how_to_get);
+    std::cout << fmt::format("{}  not installed: {}\n", missing.name, missing.how_to_get);
   }
   return 0;
 }

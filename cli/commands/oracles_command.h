@@ -4,9 +4,10 @@
 
 namespace touchstone {
 
-/** Prints who can answer what: library, version, precision, algorithm family and what it
- gives per pair of shapes; with `settings`, what each adapter sets and converts; and the
- oracles that this build lacks, with how to get them. */
+/** Prints the oracles with their library, version and precision. Per pair of shapes, it
+ prints the algorithm family and the parts of the answer; with `settings`, it prints the
+ settings and conversions of each adapter instead. Then it prints the oracles missing from
+ this build and how to install them. */
 int OraclesCommand(const Session& session, bool settings);
 
 }  // namespace touchstone

@@ -36,7 +36,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
                             : BuiltInLedger(session, arguments.scenarios, questions);
   const SuiteOptions options{
       .jobs = arguments.jobs,
-      // The ledger speaks of the whole default catalogue and of every reference.
+      // The ledger covers the whole default catalogue and every reference.
       .partial = !arguments.scenarios.patterns.empty() ||
                  !arguments.oracles.against.empty() ||
                  arguments.scenarios.catalogues != std::vector{session.catalogue()},
@@ -57,7 +57,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
     std::vector<std::string_view> names;
     for (const MissingOracle& missing : session.registry.missing())
       names.push_back(missing.name);
-    std::cout << fmt::format("not installed, not asked: {}; see `touchstone oracles`\n",
+    std::cout << fmt::format("not installed: {}; see `touchstone oracles`\n",
                              fmt::join(names, ", "));
   }
   for (const ReportFile& file : kReportFiles) {

@@ -13,15 +13,15 @@ namespace touchstone {
 struct RunArguments {
   ScenarioSelection scenarios;
   OracleSelection oracles;
-  std::optional<std::filesystem::path> ledger;  ///< Instead of the built-in.
+  std::optional<std::filesystem::path> ledger;  ///< Replaces the built-in ledger.
   std::optional<std::filesystem::path>
-      out;  ///< Folder for the page, the JSON and the JUnit.
+      out;  ///< Folder for the page, the JSON and the JUnit file.
   FailOn fail_on = FailOn::kAnything;
   int jobs = 0;
   bool quiet = false;
 };
 
-/** Puts scenarios to oracles, prints what was found and writes the reports. Returns the
+/** Runs scenarios on oracles, prints the findings and writes the reports. Returns the
  exit code of the run. */
 int RunCommand(const Session& session, const RunArguments& arguments);
 

@@ -58,8 +58,8 @@ int SimulateCommand(const Session& session, const SimulateArguments& arguments) 
   const Questions questions = SelectQuestions(arguments.scenarios);
   if (questions.worlds.empty())
     throw InputError(
-        "no world is among the selected scenarios: these are contact "
-        "queries, see `touchstone explain`");
+        "the selected scenarios are contact queries; expected worlds (see `touchstone "
+        "explain` for contact queries)");
   std::ofstream file;
   const bool to_file = arguments.csv && *arguments.csv != "-";
   if (to_file) {
@@ -74,7 +74,7 @@ int SimulateCommand(const Session& session, const SimulateArguments& arguments) 
     for (const Oracle* oracle : oracles) Simulate(scenario, *oracle, out, whole, broken);
   }
   out.flush();
-  if (!out) throw InputError("the table could not be written to its end");
+  if (!out) throw InputError("the table could not be written completely");
   if (broken > 0) return 1;
   return whole > 0 ? 0 : 2;
 }

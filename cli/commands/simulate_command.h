@@ -10,15 +10,16 @@
 
 namespace touchstone {
 
+/** The arguments of `touchstone simulate`. */
 struct SimulateArguments {
   ScenarioSelection scenarios;
   std::vector<std::string> oracles;  ///< Names or groups; empty: all that simulate.
   std::optional<std::filesystem::path> csv;  ///< Empty: standard output.
 };
 
-/** Writes the motion of each selected world by each oracle as CSV, a row for each sample
- and thing. Returns 0; 1 where an oracle that can simulate a world gave no motion to its
- end; 2 where no world was simulated. */
+/** Writes the motion of each selected world by each oracle as CSV, with a row for each
+ sample and moving object. Returns 0; 1 if an oracle that supports a world did not
+ simulate it to the end; 2 if no world was simulated. */
 int SimulateCommand(const Session& session, const SimulateArguments& arguments);
 
 }  // namespace touchstone

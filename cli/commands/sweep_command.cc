@@ -25,7 +25,7 @@ std::vector<Family> FamiliesNamed(const std::string& name) {
   if (const std::optional<Family> family = FamilyNamed(name)) return {*family};
   std::vector<std::string_view> names = {"all"};
   for (const Family family : AllFamilies()) names.push_back(NameOf(family));
-  throw InputError(fmt::format("there is no family '{}'{}; there are: {}", name,
+  throw InputError(fmt::format("there is no family '{}'{}; expected one of: {}", name,
                                DidYouMean(name, names), fmt::join(names, ", ")));
 }
 
@@ -38,7 +38,7 @@ ShapeKind ShapeKindNamed(const std::string& name) {
     if (NameOf(kind) == name) return kind;
     names[static_cast<std::size_t>(i)] = NameOf(kind);
   }
-  throw InputError(fmt::format("there is no shape '{}'{}; there are: {}", name,
+  throw InputError(fmt::format("there is no shape '{}'{}; expected one of: {}", name,
                                DidYouMean(name, names), fmt::join(names, ", ")));
 }
 
@@ -55,8 +55,8 @@ std::vector<KindPair> PairsOf(const SweepArguments& arguments,
   return pairs;
 }
 
-// "separation_error 0.31, excess 0.02": the measures that came nearest to their
-// tolerances, as many as have room in a line.
+// Returns e.g. "separation_error 0.31, excess 0.02": the measures that are largest
+// relative to their tolerances, as many as fit in a line.
 std::string WorstOf(const SweepResult& result) {
   constexpr std::size_t kShown = 2;
   std::vector<std::pair<MeasureKind, WorstMeasure>> measures;
@@ -70,7 +70,7 @@ std::string WorstOf(const SweepResult& result) {
   std::string text;
   for (std::size_t i = 0; i < measures.size() && i < kShown; ++i) {
     const WorstMeasure& worst = measures[i].second;
-    // Of a tolerance of zero there is no multiple.
+    // A value has no multiple of a zero tolerance.
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", NameOf(measures[i].first),
                         std::isfinite(worst.relative)
                             ? fmt::format("{:.2g}", worst.relative)
@@ -91,7 +91,7 @@ void PrintFailures(const QuestionSeries& series, const SweepResult& result) {
   for (const FailedQuestion& failure : result.first_failures) {
     std::cout << '\n' << WriteScenario(failure.report.scenarios[0].scenario) << '\n';
     WriteExplanation(failure.report, {}, std::cout);
-    std::cout << "Again: " << ReplayOf(series, failure.index) << '\n';
+    std::cout << "Repeat with: " << ReplayOf(series, failure.index) << '\n';
   }
 }
 
@@ -100,7 +100,8 @@ void PrintFailures(const QuestionSeries& series, const SweepResult& result) {
 std::pair<ShapeKind, ShapeKind> PairNamed(const std::vector<std::string>& names) {
   const KindPair pair(ShapeKindNamed(names[0]), ShapeKindNamed(names[1]));
   if (pair == KindPair(ShapeKind::kHalfSpace, ShapeKind::kHalfSpace)) {
-    throw InputError("two half-spaces are no question: whether they touch has no answer");
+    throw InputError(
+        "two half-spaces are not a valid pair; expected at least one other shape");
   }
   return pair;
 }
@@ -116,7 +117,8 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) {
   std::uint64_t touching = 0;
   std::uint64_t failed = 0;
   std::cout << fmt::format("{:<19}{:<27}{:>9}{:>10}{:>11}{:>8}  worst, in tolerances\n",
-                           "family", "pair", "asked", "touching", "undecided", "failed");
+                           "family", "pair", "questions", "touching", "undecided",
+                           "failed");
   for (const Family family : families) {
     for (const auto& [A, B] : pairs) {
       const QuestionSeries series{.family = family,
@@ -132,7 +134,7 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) {
                  .on_progress = [&bar](std::size_t done, std::size_t all) {
                    bar.Show(done, all);
                  }});
-      // What the subject does not support verifies nothing, touching or not.
+      // A pair that the subject does not support verifies nothing, touching or not.
       if (result.unsupported < result.asked) touching += result.touching;
       failed += result.failed;
       std::cout << fmt::format("{:<19}{:<27}{:>9}{:>9.1f}%{:>10.1f}%{:>8}  {}\n",
@@ -153,8 +155,8 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) {
   std::cout << fmt::format("\n{}: {} failed\n", oracles.front()->info().name, failed);
   if (failed > 0) return 1;
   if (touching > 0) return 0;
-  std::cerr << "touchstone: nothing was verified: no question that "
-            << oracles.front()->info().name << " supports touched\n";
+  std::cerr << "touchstone: nothing was verified; expected a touching question that "
+            << oracles.front()->info().name << " supports\n";
   return 2;
 }
 

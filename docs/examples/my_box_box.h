@@ -5,36 +5,37 @@
 
 #include <Eigen/Geometry>
 
-/** What a box-box routine finds. */
+/** Result of a box-box routine. */
 struct Hit {
   bool touching;
-  Eigen::Vector3d normal;  ///< Unit, from A to B.
-  double depth;            ///< [m]; only where touching.
+  Eigen::Vector3d normal;  ///< Unit vector from A to B, world frame.
+  double depth;            ///< Penetration depth, valid only if touching. [m]
 };
 
-/** A rectangular solid somewhere. */
+/** A box at a pose. */
 struct PlacedBox {
-  Eigen::Vector3d half_extents;  ///< [m]
-  Eigen::Matrix3d rotation;      ///< Body to world.
-  Eigen::Vector3d centre;        ///< World, [m].
+  Eigen::Vector3d half_extents;  ///< Half lengths of the edges. [m]
+  Eigen::Matrix3d rotation;      ///< Rotation from the body frame to the world frame.
+  Eigen::Vector3d centre;        ///< Centre, world frame. [m]
 };
 
-/** Returns ab − cd to a rounding or two, however much of it cancels (Kahan). */
+/** Returns ab − cd within a rounding or two, even if most digits cancel (Kahan). */
 inline double DifferenceOfProducts(double a, double b, double c, double d) {
   const double cd = c * d;
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
-/** Returns u × v. Of nearly parallel unit vectors, the plain formula keeps as many digits
- of the direction as the sine of their angle has: README.md shows what that does. */
+/** Returns u × v. For nearly parallel unit vectors, the plain formula loses about as many
+ digits of the direction as the sine of their angle has leading zeros. README.md shows the
+ effect. */
 inline Eigen::Vector3d Cross(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
   return {DifferenceOfProducts(u.y(), v.z(), u.z(), v.y()),
           DifferenceOfProducts(u.z(), v.x(), u.x(), v.z()),
           DifferenceOfProducts(u.x(), v.y(), u.y(), v.x())};
 }
 
-/** Separating axes: the depth of two boxes is the least overlap along the three face
- normals of each and the nine cross products of their edges. */
+/** The separating-axis test. The depth of two boxes is the least overlap along the three
+ face normals of each and the nine cross products of their edges. */
 inline Hit CollideBoxes(const PlacedBox& A, const PlacedBox& B) {
   const Eigen::Vector3d p_AB = B.centre - A.centre;
   Hit least{true, Eigen::Vector3d::Zero(), std::numeric_limits<double>::infinity()};

@@ -1,5 +1,5 @@
-// A GoogleTest file of one's own: checks a routine against certified truth, with the
-// answers of FCL, where it is installed, beside it.
+// A GoogleTest file that checks your routine against certified truth. A failure also
+// shows the answers of FCL, if FCL is installed.
 #include <gtest/gtest.h>
 #include <oracles/oracle_registry.h>
 #include <reports/gtest/is_right.h>

@@ -1,4 +1,4 @@
-// The whole `touchstone` command line with a routine of one's own under examination:
+// The whole `touchstone` command line, with your own routine as the subject:
 //   my_engine run contact/box_box --fail-on subject
 //   my_engine sweep contact --pair box box --count 100000
 //   my_engine ask --A 'box 1 2 3' --B 'box 1 1 1 @ 1.8 0 0 q 0.9 0.1 0.3 0.3'

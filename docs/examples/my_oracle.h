@@ -4,7 +4,7 @@
 
 #include "my_box_box.h"
 
-/** Translates Touchstone's question for CollideBoxes(), and its answer back. */
+/** Converts Touchstone's question to the types of CollideBoxes(), and its answer back. */
 inline touchstone::ContactAnswer AskMyBoxBox(const touchstone::Box& A,
                                              const touchstone::Pose& X_WA,
                                              const touchstone::Box& B,
@@ -15,8 +15,8 @@ inline touchstone::ContactAnswer AskMyBoxBox(const touchstone::Box& A,
   answer.status = touchstone::AnswerStatus::kAnswered;
   answer.touching = hit.touching;
   if (hit.touching) {
-    answer.n_AB_W = hit.normal;      // Out of A, into B.
-    answer.separation = -hit.depth;  // Penetrating is negative.
+    answer.n_AB_W = hit.normal;      // From A to B.
+    answer.separation = -hit.depth;  // Negative when penetrating.
   }
   return answer;
 }

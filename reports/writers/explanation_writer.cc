@@ -29,7 +29,7 @@ std::string OneLine(const std::string& text) {
   return line;
 }
 
-/** A number of a table, of a direction or a point: no digits of rounding. */
+/** Returns a number for a table, a direction or a point, without digits of rounding. */
 std::string Short(double value) {
   constexpr double kRounding = 1e-12;
   return fmt::format("{:.6g}", std::abs(value) < kRounding ? 0.0 : value);
@@ -62,13 +62,13 @@ void WritePoints(const ContactAnswer& answer, std::ostream& out) {
   }
 }
 
-/** Oracles of which there is the same to say. */
+/** Oracles that share a text. */
 struct Alike {
   std::string text;
   std::vector<std::size_t> oracles;
 };
 
-/** Puts `oracle` to those with the same text. */
+/** Adds `oracle` to the group with the same text, or to a new one. */
 void Add(std::vector<Alike>& groups, std::string text, std::size_t oracle) {
   auto same = std::find_if(groups.begin(), groups.end(),
                            [&](const Alike& group) { return group.text == text; });
@@ -76,7 +76,7 @@ void Add(std::vector<Alike>& groups, std::string text, std::size_t oracle) {
   same->oracles.push_back(oracle);
 }
 
-/** Returns the names of all but the first. */
+/** Returns the names of all oracles of the group but the first. */
 std::string Others(const RunReport& report, const Alike& group) {
   std::vector<std::string_view> names;
   for (const std::size_t o : group.oracles) names.push_back(report.oracles[o].name);
@@ -87,7 +87,8 @@ void WriteAnswers(const RunReport& report, const ScenarioResult& result,
                   std::span<const Outcome> outcomes, const ExplanationStyle& style,
                   std::ostream& out) {
   out << fmt::format("  {:<26} {:<12} {:<9}{:>20} {:>9} {:>8} {}\n", "oracle", "verdict",
-                     "says", "separation [m]", "error [m]", "contacts", "normal A to B");
+                     "answer", "separation [m]", "error [m]", "contacts",
+                     "normal A to B");
   std::vector<Alike> groups;
   for (std::size_t o = 0; o < outcomes.size(); ++o) {
     std::string row = RowOf(result.answers[o], result.truth, outcomes[o].verdict);
@@ -120,11 +121,11 @@ std::string Names(const RunReport& report, std::span<const Outcome> outcomes,
     if (!selects(outcome)) continue;
     names += (names.empty() ? "" : ", ") + report.oracles[outcome.oracle].name;
   }
-  return names.empty() ? "nobody" : names;
+  return names.empty() ? "none" : names;
 }
 
-/** Returns `text` with "it" for every `name` that stands alone: what is said of two
- oracles is the same where only their names differ. */
+/** Returns `text` with "it" in place of each `name` that is a word of its own. The texts
+ of two oracles are then equal if only their names differ. */
 std::string WithoutName(const std::string& text, std::string_view name) {
   const auto is_part_of_name = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
@@ -146,13 +147,13 @@ bool IsRemarkable(const Finding& finding) {
          (finding.verdict != Verdict::kPass || !RecognisedModelOf(finding).empty());
 }
 
-/** Returns what there is to say against an answer: the simplest proof, and the other
- measures that are wrong; all proofs where `style` says so. */
+/** Returns the findings against an answer: the simplest proof and the names of the other
+ wrong measures, or all proofs if `style` requests everything. */
 std::string Charge(const Outcome& outcome, const ExplanationStyle& style) {
   std::string text;
   std::string also;
   for (const Finding& finding : outcome.findings) {
-    // What is recognised stands beside its number.
+    // A recognised model is printed next to its number.
     if (!IsRemarkable(finding) ||
         (!style.everything && finding.verdict == Verdict::kPass)) {
       continue;
@@ -167,7 +168,7 @@ std::string Charge(const Outcome& outcome, const ExplanationStyle& style) {
   return also.empty() ? text : fmt::format("{}    also: {}\n", text, also);
 }
 
-/** Writes what the ledger says of an oracle, each reason once. */
+/** Writes the reasons of the ledger for an oracle, each once. */
 void WriteLedgerReasons(const RunReport& report, const Outcome& outcome,
                         std::ostream& out) {
   std::vector<std::string_view> reasons;
@@ -177,7 +178,7 @@ void WriteLedgerReasons(const RunReport& report, const Outcome& outcome,
     const std::string_view reason = report.ledger.entries[index].reason;
     if (std::find(reasons.begin(), reasons.end(), reason) != reasons.end()) continue;
     reasons.push_back(reason);
-    out << fmt::format("    Ledger, of {} ({}): {}\n",
+    out << fmt::format("    Ledger entry for {} ({}): {}\n",
                        report.oracles[outcome.oracle].name,
                        NameOf(report.ledger.entries[index].cause), reason);
   }
@@ -210,7 +211,8 @@ void WriteVerdict(const RunReport& report, std::span<const Outcome> outcomes,
     if (!model.empty()) models[model].push_back(report.oracles[outcome.oracle].name);
   }
   for (const auto& [model, names] : models)
-    out << fmt::format("By another legal model, {}: {}\n", model, fmt::join(names, ", "));
+    out << fmt::format("Follows another legal model, {}: {}\n", model,
+                       fmt::join(names, ", "));
 }
 
 void WriteScenario(const RunReport& report, const ScenarioResult& result,
@@ -229,10 +231,11 @@ void WriteScenario(const RunReport& report, const ScenarioResult& result,
   WriteCharges(report, outcomes, style, out);
 }
 
-/** The origins of tolerances, each told once, below the numbers that refer to it. */
+/** The origins of tolerances. Each is printed once, below the table that refers to it by
+ number. */
 class Origins {
  public:
-  /** Returns the number of `because`, from 1. */
+  /** Returns the number of `because`, starting at 1. */
   std::size_t NumberOf(const std::string& because) {
     const auto found = std::find(texts_.begin(), texts_.end(), because);
     if (found != texts_.end())
@@ -251,15 +254,15 @@ class Origins {
   std::vector<std::string> texts_;
 };
 
-/** Returns what a number of a world is held against. */
+/** Returns the law or other reference that a number of a world is compared with. */
 std::string_view HeldAgainst(const Finding& finding) {
   if (!finding.law.empty()) return finding.law;
   if (finding.measure == MeasureKind::kDeterminism) return kDeterministic;
   if (finding.measure == MeasureKind::kStability) return kStable;
-  return finding.reference == "law" ? "smaller steps" : "a changed world";
+  return finding.reference == "law" ? "smaller steps" : "a transformed world";
 }
 
-// The numbers of a motion beside what its laws allow.
+// Writes the numbers of a motion next to their tolerances.
 void WriteMotion(const RunReport& report, const WorldResult& world,
                  const Outcome& outcome, const ExplanationStyle& style, Origins& origins,
                  std::ostream& out) {
@@ -304,13 +307,13 @@ void WriteMotion(const RunReport& report, const WorldResult& world,
   }
 }
 
-/** What is compared of a chaotic motion from engine to engine: means over the members of
- its ensemble. What chance does not explain beside the subject is marked. */
+/** Writes the means over the ensemble of a chaotic motion, which are comparable between
+ engines. A mean that differs significantly from the subject's is marked. */
 void WriteEnsemble(const RunReport& report, const WorldResult& world, std::ostream& out) {
   if (!world.scenario.ensemble) return;
   out << fmt::format(
-      "Ensemble of {}, at the end, as mean ± standard error (≠: beside {} of one chance "
-      "in 1000):\n  {:<26}{:>24}{:>24}{:>24}\n",
+      "Ensemble of {}, at the end, as mean ± standard error (≠: differs from {} at "
+      "significance level 0.001):\n  {:<26}{:>24}{:>24}{:>24}\n",
       world.scenario.ensemble->members, report.subject, "", "kinetic energy [J]",
       "height of centre [m]", "mean width [m]");
   const EnsembleStatistics& subject = world.ensembles.front();

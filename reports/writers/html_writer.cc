@@ -24,7 +24,7 @@
 namespace touchstone {
 namespace {
 
-// A sign beside every colour, for those who do not see it.
+// Every colour has a sign next to it, for readers who cannot see the colour.
 std::string_view SignOf(Verdict verdict) {
   switch (verdict) {
     case Verdict::kPass:
@@ -85,9 +85,9 @@ constexpr auto kOracleColumns = std::to_array<Column>({{"oracle"},
                                                        {"precision"}});
 constexpr auto kAnswerColumns = std::to_array<Column>({{"oracle"},
                                                        {"verdict"},
-                                                       {"says"},
+                                                       {"answer"},
                                                        {"separation [m]", true},
-                                                       {"off the truth by [m]", true},
+                                                       {"error [m]", true},
                                                        {"normal A to B"},
                                                        {"contacts", true},
                                                        {"worst"}});
@@ -97,7 +97,7 @@ constexpr auto kLedgerColumns = std::to_array<Column>({{"oracle"},
                                                        {"scenarios"},
                                                        {"hides", true},
                                                        {"of", true},
-                                                       {"worst of what is accepted"},
+                                                       {"worst accepted"},
                                                        {"cause"},
                                                        {"reason"},
                                                        {"upstream"},
@@ -114,8 +114,8 @@ std::string TableHead(std::string_view css_class, std::span<const Column> column
   return head + "</tr></thead>\n";
 }
 
-/** Returns the rules that put the heading of each column but the first before its cells:
- on a phone, page.css makes a row a card and hides the headings. */
+/** Returns the CSS rules that label the cells of each column but the first with its
+ heading: on a phone, page.css shows each row as a card and hides the headings. */
 std::string CardLabels(std::string_view css_class, std::span<const Column> columns) {
   std::string rules;
   for (std::size_t i = 1; i < columns.size(); ++i) {
@@ -125,17 +125,17 @@ std::string CardLabels(std::string_view css_class, std::span<const Column> colum
   return rules;
 }
 
-/** Returns a cell with the count, in the colour of its verdict unless there is none. */
+/** Returns a cell with the count, in the colour of its verdict unless it is zero. */
 std::string CountCell(int count, std::string_view css_class) {
   return fmt::format("<td class=\"n {}\">{}", count == 0 ? "soft" : css_class, count);
 }
 
-/** A column of a table has no room for all digits. */
+/** Returns the vector to six digits, for a column of a table. */
 std::string Rounded(const Eigen::Vector3d& v) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
-/** Returns an id that may be broken into lines at its levels and words. */
+/** Returns an id with optional line breaks after its levels and words. */
 std::string Breakable(const std::string& id) {
   std::string text;
   for (const char c : id) {
@@ -187,20 +187,20 @@ class Page {
                           XmlText(unexamined));
     } else {
       out_ << fmt::format(
-          "<p><b class=\"pass\">Nothing says otherwise</b>: {} of {} "
+          "<p><b class=\"pass\">No error was found</b>: {} of {} "
           "passed, {} with known discrepancies, {} undecidable, {} unsupported.</p>\n",
           subject[Verdict::kPass], scenarios, subject[Verdict::kKnown],
           subject[Verdict::kUndecidable], subject[Verdict::kUnsupported]);
     }
     if (!report_.faults.empty()) {
-      out_ << "<p><b class=\"fail\">The scenario files or the ledger are at "
-              "fault</b>, see below.</p>\n";
+      out_ << "<p><b class=\"fail\">The scenario files or the ledger have "
+              "faults</b>, listed below.</p>\n";
     }
     const std::string failed = FailedReferences(report_, outcomes_);
     if (!failed.empty()) {
       out_ << fmt::format(
-          "<p><b class=\"fail\">References are wrong</b>: {}. That fails the run too, "
-          "but for <code>--fail-on subject</code>.</p>\n",
+          "<p><b class=\"fail\">References are wrong</b>: {}. This fails the run too, "
+          "except with <code>--fail-on subject</code>.</p>\n",
           XmlText(failed));
     }
     out_ << fmt::format("<p>{}, {}.", scenarios,
@@ -234,7 +234,7 @@ class Page {
 
   void WriteFaults() {
     if (report_.faults.empty()) return;
-    out_ << "<h2>Faults of the scenario files and the ledger, not of an "
+    out_ << "<h2>Faults in the scenario files and the ledger, not in an "
             "engine</h2>\n<ul>\n";
     for (const std::string& fault : report_.faults) {
       out_ << fmt::format("<li class=\"fail\">{}\n", XmlText(fault));
@@ -262,24 +262,22 @@ class Page {
     out_ << "</select>\n<output id=\"count\"></output></form>\n";
   }
 
-  /** Says which sign of a strip is whose. */
+  /** Lists the oracles in the order of the signs of a strip. */
   void WriteLegend() {
-    out_ << "<details><summary>Which sign is whose</summary>\n<ol class=\"legend\">\n";
+    out_ << "<details><summary>Order of the signs</summary>\n<ol class=\"legend\">\n";
     for (const OracleInfo& oracle : report_.oracles)
       out_ << fmt::format("<li>{}\n", XmlText(oracle.name));
     out_ << "</ol></details>\n";
   }
 
   void WriteScenarios() {
-    out_ << "<h2>Scenarios</h2>\n<p class=\"soft\">One sign an oracle, in the order of "
-            "the "
-            "table above: ✓ pass, ✗ proved wrong, ! no answer, ≈ known, ? undecidable, "
-            "· unsupported. Filled dots are the contacts of the subject, rings those of "
-            "the "
-            "others; dashed are the planes of the certificate. Of worlds, dashes without "
-            "a colour are the "
-            "truth, and "
-            "shaded its tolerance.</p>\n";
+    out_
+        << "<h2>Scenarios</h2>\n<p class=\"soft\">Each oracle has one sign, in the order "
+           "of the table above: ✓ pass, ✗ proved wrong, ! no answer, ≈ known, "
+           "? undecidable, · unsupported. Filled dots are the contacts of the subject, "
+           "rings those of the other oracles, and dashed lines the planes of the "
+           "certificate. In world plots the uncoloured dashed line is the truth and the "
+           "shaded band its tolerance.</p>\n";
     WriteLegend();
     WriteFilter();
     for (std::size_t s = 0; s < report_.scenarios.size(); ++s) WriteScenario(s);
@@ -300,7 +298,7 @@ class Page {
       verdicts += (verdicts.empty() ? "" : " ") + css_class;
       chips += fmt::format("<span class=\"{}\" title=\"{}: {}\">{}</span>", css_class,
                            XmlText(report_.oracles[outcome.oracle].name),
-                           outcome.asked ? NameOf(outcome.verdict) : "not asked",
+                           outcome.asked ? NameOf(outcome.verdict) : "not queried",
                            SignOf(outcome.verdict));
     }
     const std::string id = XmlText(IdOf(report_, index));
@@ -369,8 +367,8 @@ class Page {
     out_ << "</div></details>\n";
   }
 
-  /** Returns the tolerance of the subject's finding that speaks of the curves' number, 0
-   where none does. */
+  /** Returns the tolerance of the subject's finding for the measure of the curves; 0 if
+   there is none. */
   static double BandOf(const CurveSet& set, std::span<const Outcome> outcomes) {
     for (const Finding& finding : outcomes.front().findings) {
       if (set.truth && finding.measure == set.measure) return finding.tolerance;
@@ -468,7 +466,7 @@ class Page {
     out_ << "</table></div>\n";
     if (untested > 0) {
       out_ << fmt::format(
-          "<p class=\"soft\">{} not put to the test.</p>\n",
+          "<p class=\"soft\">{} not tested by this run.</p>\n",
           untested == 1 ? "1 entry was" : fmt::format("{} entries were", untested));
     }
   }

@@ -6,10 +6,10 @@
 
 namespace touchstone {
 
-/** Writes `report` as one self-contained page that opens by a double click: nothing is
- loaded, scripts only filter. Per oracle a summary; per scenario a drawing, the certified
- truth, every answer side by side, and every finding with its proof. Same report, same
- bytes. */
+/** Writes `report` as one self-contained page that opens by a double click. It loads
+ nothing, and its script only filters. It has a summary per oracle; per scenario it has a
+ drawing, the certified truth, all answers side by side, and every finding with its proof.
+ The same report gives the same bytes. */
 void WriteHtml(const RunReport& report, std::ostream& out);
 
 }  // namespace touchstone

@@ -225,7 +225,7 @@ Json ToJson(const WorldState& state) {
   return json;
 }
 
-/** How it ended: where every thing was is in the table of `touchstone simulate`. */
+/** Status and final state of a motion. `touchstone simulate` writes all samples. */
 Json MotionToJson(const RunReport& report, const Outcome& outcome,
                   const Trajectory& trajectory) {
   Json json;
@@ -317,14 +317,14 @@ Json ToJson(const VerdictCounts& counts) {
   return json;
 }
 
-// One element a line, so that two reports can be compared line by line.
+// Writes one element per line, so that two reports can be compared line by line.
 template <typename ElementAt>
 void WriteArray(std::string_view name, std::size_t size, ElementAt element_at,
                 std::ostream& out) {
   out << '"' << name << "\": [";
   for (std::size_t i = 0; i < size; ++i) {
     const Json element = element_at(i);
-    // Text of a foreign engine need not be UTF-8.
+    // Text from a third-party engine may not be valid UTF-8.
     out << (i == 0 ? "\n" : ",\n")
         << element.dump(-1, ' ', false, Json::error_handler_t::replace);
   }

@@ -6,9 +6,9 @@
 
 namespace touchstone {
 
-/** Writes everything in `report` as JSON, docs/report.schema.json. Numbers round trip;
- those that JSON lacks are the strings "NaN", "Infinity" and "-Infinity". Same report,
- same bytes. */
+/** Writes all of `report` as JSON that follows docs/report.schema.json. Numbers round
+ trip; non-finite numbers are the strings "NaN", "Infinity" and "-Infinity". The same
+ report gives the same bytes. */
 void WriteJson(const RunReport& report, std::ostream& out);
 
 }  // namespace touchstone

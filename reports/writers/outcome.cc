@@ -13,7 +13,7 @@
 namespace touchstone {
 namespace {
 
-// The order in which one verdict outweighs another in the sum of an oracle's findings.
+// Severity of a verdict: the most severe one decides the sum of an oracle's findings.
 int Gravity(Verdict verdict) {
   switch (verdict) {
     case Verdict::kUnsupported:
@@ -50,9 +50,10 @@ void TakeWorse(const Finding*& worst, const Finding* candidate) {
   }
 }
 
-/** Measures stand in the order in which they are understood: a plane that separates, a
- number that the truth contradicts, before what variants show. Of one measure, what is
- farther beyond its tolerance. */
+/** Returns whether `finding` is a simpler or stronger proof than `than`. Measures are
+ enumerated from simple to complex: a separating plane, a number that the truth
+ contradicts, then metamorphic variants. For the same measure, the finding farther beyond
+ its tolerance is better. */
 bool IsBetterProof(const Finding& finding, const Finding& than) {
   if (finding.measure != than.measure) return finding.measure < than.measure;
   return RelativeToTolerance(finding) > RelativeToTolerance(than);
@@ -68,7 +69,7 @@ Outcome Sum(std::size_t scenario, std::size_t oracle, std::span<const Finding> f
       outcome.verdict = finding.verdict;
       outcome.decisive = &finding;
     }
-    // What a legal model is off the truth says nothing of how well it is computed.
+    // The distance of another legal model from the truth is not a numerical error.
     if (IsMeasured(finding) && RecognisedModelOf(finding).empty())
       TakeWorse(outcome.worst, &finding);
   }
@@ -194,7 +195,7 @@ std::string_view ReasonOf(const RunReport& report, const Outcome& outcome) {
       is_world
           ? report.worlds[outcome.scenario - contacts].trajectories[outcome.oracle].reason
           : report.scenarios[outcome.scenario].answers[outcome.oracle].reason;
-  // A motion that gives a claim nothing to judge has no reason, but the claim has.
+  // If a motion leaves a claim nothing to judge, the reason is in the claim's finding.
   if (!reason.empty() || outcome.decisive == nullptr) return reason;
   return outcome.decisive->proof;
 }
@@ -232,7 +233,7 @@ std::string Sentence(const Finding& finding) {
     const auto [value, tolerance, _] = TellApart(finding.value, finding.tolerance, 3);
     text += fmt::format(" in {}, {}{}{} where {}{}{} is allowed", NameOf(finding.measure),
                         value, space, unit, tolerance, space, unit);
-    if (!model.empty()) text += fmt::format(" by the {} of the truth", finding.law);
+    if (!model.empty()) text += fmt::format(" by the law {}", finding.law);
     if (!finding.tolerance_because.empty()) {
       text += fmt::format(" ({})", finding.tolerance_because);
     }

@@ -12,14 +12,14 @@ namespace touchstone {
 
 inline constexpr int kVerdicts = static_cast<int>(Verdict::kInvalid) + 1;
 
-/** How many findings or outcomes have each verdict. */
+/** Numbers of findings or outcomes per verdict. */
 class VerdictCounts {
  public:
   int& operator[](Verdict verdict) { return counts_[static_cast<std::size_t>(verdict)]; }
   int operator[](Verdict verdict) const {
     return counts_[static_cast<std::size_t>(verdict)];
   }
-  /** Returns the number of those that fail a run: proved wrong outside the ledger,
+  /** Returns the number of verdicts that fail a run: proved wrong outside the ledger,
    disagreeing, without an answer, or invalid. */
   int failed() const;
   int total() const;
@@ -28,59 +28,64 @@ class VerdictCounts {
   std::array<int, kVerdicts> counts_{};
 };
 
-/** What one oracle did with one scenario: the sum of its findings. */
+/** Returns whether `verdict` fails a run. */
+bool IsFailure(Verdict verdict);
+
+/** The result of one oracle in one scenario: the sum of its findings. */
 struct Outcome {
-  std::size_t scenario;               ///< Of the question, see IdOf(report, i).
+  std::size_t scenario;               ///< Index of the question, see IdOf(report, i).
   std::size_t oracle;                 ///< Index into RunReport::oracles.
-  std::span<const Finding> findings;  ///< Its own, by measure.
-  /** The gravest of its findings; kUnsupported where no measure applied, or where all
-   that passed is that there was an answer, in which a law found nothing to judge. */
+  std::span<const Finding> findings;  ///< Findings of this oracle, ordered by measure.
+  /** Most severe verdict of the findings. kUnsupported if no measure applied, or if the
+   only finding that passed is that the oracle answered, and a law had nothing to judge.
+ */
   Verdict verdict = Verdict::kUnsupported;
-  /** The finding that has the verdict; among several the one that is the simplest to
-   check, of the first measure in their enumeration; null without findings. */
+  /** Finding with that verdict. If there are several, the simplest to check: the one
+   whose measure comes first in the enumeration. Null without findings. */
   const Finding* decisive = nullptr;
-  /** The finding largest relative to its tolerance, whatever its verdict; null where
-   nothing was measured against a tolerance. */
+  /** Finding with the largest value relative to its tolerance, whatever its verdict. Null
+   if nothing was measured against a tolerance. */
   const Finding* worst = nullptr;
-  /** False where the oracle answers no question of this kind: not asked, and counted as
-   unsupported. */
+  /** False if the oracle answers no questions of this kind. It is then not queried, and
+   counted as unsupported. */
   bool asked = true;
 };
 
-/** Returns the value of `finding` as a multiple of its tolerance; infinite for NaN, and
- for a value above a tolerance of zero. [-] */
+/** Returns the value of `finding` as a multiple of its tolerance. Infinite for NaN, and
+ for a positive value with a tolerance of zero. [-] */
 double RelativeToTolerance(const Finding& finding);
 
-/** Returns how far `finding` is from its tolerance: "2.1 × tolerance", or, where the
- tolerance is zero, "1 where 0 is allowed". */
+/** Returns the value of `finding` relative to its tolerance: "2.1 × tolerance", or "1
+ where 0 is allowed" if the tolerance is zero. */
 std::string RelativeInWords(const Finding& finding);
 
 /** Returns the outcome of every oracle in every scenario: scenario s and oracle o are at
  s * oracles.size() + o. The outcomes refer to `report`. */
 std::vector<Outcome> OutcomesOf(const RunReport& report);
 
-/** Returns the legal model that a motion is recognised to follow instead of the truth's,
- see RecognisedModelOf(finding); empty: none. */
+/** Returns the legal model, other than that of the truth, that a motion is recognised to
+ follow, see RecognisedModelOf(finding). Empty if none. */
 std::string_view RecognisedModelOf(const Outcome& outcome);
 
-/** Returns why an outcome is `unsupported`; empty where it is another. */
+/** Returns the reason of an `unsupported` outcome; empty for any other verdict. */
 std::string_view ReasonOf(const RunReport& report, const Outcome& outcome);
 
-/** Returns "cookbook was not examined: unsupported: it has no cones"; empty where
- something of the subject was held against anything. */
+/** Returns e.g. "cookbook was not examined: unsupported: it has no cones". Empty if any
+ answer of the subject was verified. */
 std::string WhyNotExamined(const RunReport& report, std::span<const Outcome> outcomes);
 
-/** Returns the names of the references that fail, with commas; empty where none does. */
+/** Returns the names of the references that fail, separated by commas; empty if none. */
 std::string FailedReferences(const RunReport& report, std::span<const Outcome> outcomes);
 
-/** Returns the folder of a scenario id: "contact/box_box" of "contact/box_box/face_face".
+/** Returns the folder of a scenario id: "contact/box_box" for
+ * "contact/box_box/face_face".
  */
 std::string_view GroupOf(std::string_view scenario_id);
 
 /** The outcomes of one oracle in one group of scenarios, or in all of them. */
 struct Tally {
   VerdictCounts outcomes;
-  const Finding* worst = nullptr;  ///< As Outcome::worst.
+  const Finding* worst = nullptr;  ///< Same as Outcome::worst.
 
   void Add(const Outcome& outcome);
   void Add(const Tally& other);
@@ -90,7 +95,7 @@ struct Tally {
 struct GroupTally {
   std::string group;
   int scenarios = 0;
-  std::vector<Tally> oracles;  ///< In the order of RunReport::oracles.
+  std::vector<Tally> oracles;  ///< Indexed as RunReport::oracles.
 };
 
 /** Returns the groups of `report` in the order of its scenarios. */
@@ -101,8 +106,8 @@ std::vector<GroupTally> TallyByGroup(const RunReport& report,
 std::vector<Tally> TallyByOracle(const RunReport& report,
                                  std::span<const Outcome> outcomes);
 
-/** Returns the finding as a sentence: who, which measure, value, tolerance and its
- origin, cause, and the proof. One line, without the scenario. */
+/** Returns the finding as one line of text, without the scenario: oracle, verdict,
+ measure, value, tolerance and its origin, proof, and cause. */
 std::string Sentence(const Finding& finding);
 
 /** Returns `value` with its unit, to three digits: "1.23e-05 m". */

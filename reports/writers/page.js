@@ -6,7 +6,8 @@ const verdict = document.getElementById("verdict");
 const count = document.getElementById("count");
 const scenarios = [...document.querySelectorAll("details.scenario")];
 
-// The filter is as high as its controls need rows: a link stops below it.
+// The height of the filter bar depends on the rows of its controls. A link must scroll its
+// target to below the bar.
 function clearOfBar() {
   const sticky = getComputedStyle(bar).position === "sticky";
   document.documentElement.style.scrollPaddingTop = sticky ? `${bar.offsetHeight + 8}px` : "0";
@@ -33,7 +34,7 @@ function filter() {
   clearOfBar();
 }
 
-// A link to a scenario opens it.
+// Opens the scenario that a link leads to.
 function openTarget() {
   const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
   if (target instanceof HTMLDetailsElement) {

@@ -4,7 +4,7 @@
 
 namespace touchstone {
 
-/** The style sheet and the script of the page: page.css and page.js, built in. */
+/** Contents of page.css and page.js, the style sheet and the script of the page. */
 extern const std::string_view kPageCss;
 extern const std::string_view kPageJs;
 

@@ -10,14 +10,14 @@
 namespace touchstone {
 namespace {
 
-// Of the drawing, in its own units.
+// Size and borders of the drawing. [drawing units]
 constexpr double kWidth = 320;
 constexpr double kHeight = 190;
 constexpr double kLeft = 8;
 constexpr double kTop = 24;
 constexpr double kBottom = 22;
 
-/** As many points as a line of kWidth can show. */
+/** Number of points that a line of kWidth can resolve. */
 constexpr std::size_t kPoints = 160;
 
 struct Range {
@@ -31,8 +31,8 @@ struct Range {
   }
 };
 
-/** Returns the label of the lesser end, which tells it from that of the greater: a line
- that only rounds is not to look like a fall from one to the same. */
+/** Returns the label of the lower end. Where both ends print alike, it is "high - range":
+ otherwise a line that varies by rounding only would seem to fall across the plot. */
 std::string LowLabel(const Range& range) {
   const std::string low = fmt::format("{:.4g}", range.lo);
   const std::string high = fmt::format("{:.4g}", range.hi);
@@ -44,7 +44,7 @@ class Drawing {
   Drawing(const CurveSet& set, double band) : set_(set), band_(band) {
     for (const Curve& curve : set.of_oracle) Fit(curve, 0);
     if (set.truth) Fit(*set.truth, band);
-    // What does not change is drawn in the middle, and its rounding as nothing.
+    // A constant value is drawn in the middle, and variation by rounding is not visible.
     const double least = 1e-9 * std::max(std::abs(y_.lo), std::abs(y_.hi));
     if (y_.hi - y_.lo <= least) {
       const double margin = std::max(least, 1e-300);
@@ -62,8 +62,8 @@ class Drawing {
         "<rect class=\"frame\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", kLeft,
         kTop, kWidth - 2 * kLeft, kHeight - kTop - kBottom);
     if (set_.truth) svg += Band(*set_.truth);
-    // The subject after the others, so that nobody hides it, and the truth on top:
-    // through its gaps one sees who follows it.
+    // The subject's line is drawn after the others, so that none hides it. The dashed
+    // truth is on top: lines that follow it show through its gaps.
     for (std::size_t o = set_.of_oracle.size(); o-- > 0;)
       svg += Line(set_.of_oracle[o], LineClass(o));
     if (set_.truth) svg += Line(*set_.truth, "truth");

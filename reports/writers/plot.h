@@ -7,15 +7,16 @@
 
 namespace touchstone {
 
-/** Returns the class of reports/writers/page.css that the line of an oracle has: line0 of
- the first, the subject, then line1 to line8 over and over. */
+/** Returns the class of reports/writers/page.css for the line of an oracle: line0 for the
+ first, the subject, then line1 to line8 in turn. From the second turn on, "again" is
+ added, which makes the line dashed. */
 std::string LineClass(std::size_t oracle);
 
-/** Draws the curves of `set` over time as an SVG element: one line an oracle with its
- LineClass() in the order of the oracles, the truth
- dashed with a band of ± `band` about it [unit of the set; 0: none], the extremes of both
- axes as labels, the lesser of values that print alike by its difference. Lines are
- thinned to what the eye can tell. */
+/** Draws the curves of `set` over time as an SVG element. Each oracle has a line with its
+ LineClass(), in the order of the oracles. The truth is dashed, with a band of ± `band`
+ around it [unit of the set; 0: none]. The labels are the extremes of both axes; where the
+ extremes of the values print alike, the lower one is stated by its difference. Lines are
+ reduced to as many points as the eye can resolve. */
 std::string Plot(const CurveSet& set, double band);
 
 }  // namespace touchstone

@@ -11,15 +11,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// How far beyond the picture lines are drawn, so that a clipped outline shows no border
-// of its own inside it.
+// Half width of the square to which lines are clipped. It is larger than the picture, so
+// that the clipped sides of an outline lie outside the picture.
 constexpr double kBorder = 1.1;
 
 double Cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Andrew's monotone chain.
+// Convex hull by Andrew's monotone chain.
 Polyline ConvexHullOf(Polyline points) {
   std::sort(points.begin(), points.end(), [](const Vector2d& a, const Vector2d& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
@@ -40,7 +40,7 @@ Polyline ConvexHullOf(Polyline points) {
   return hull;
 }
 
-// The corners of a polytope, body frame.
+// The corners of a box, body frame.
 std::vector<Vector3d> CornersOf(const Box& box) {
   std::vector<Vector3d> corners;
   for (int i = 0; i < 8; ++i) {
@@ -73,8 +73,9 @@ Vector3d SupportOf(const Cone& cone, const Vector3d& d_B) {
   return d_B.dot(apex) > d_B.dot(rim) ? apex : rim;
 }
 
-// Angles around the outline: evenly, and in steps that halve towards ±n, since a picture
-// magnified 2^k there shows only the outline within about 2^-k of those angles.
+// Angles of samples around the outline: evenly spaced, and in steps that halve towards
+// ±n. A picture magnified 2^k there shows only the outline within about 2^-k of these
+// angles.
 std::vector<double> OutlineAngles(double angle_of_n) {
   constexpr int kEven = 72;
   constexpr int kHalvings = 40;
@@ -116,7 +117,8 @@ struct Outline {
     const Vector3d m_W = X_WB.R_WB.col(2);
     const Vector2d m(view.right_W.dot(m_W), view.up_W.dot(m_W));
     constexpr double kFar = 4;  // Covers the picture from any edge through it.
-    // The half-space is seen edge-on only along its own normal; else it is everywhere.
+    // Only an edge-on view (normal in the plane of the picture) shows an edge; any other
+    // view is filled.
     if (m.norm() < 0.5)
       return {{-kFar, -kFar}, {kFar, -kFar}, {kFar, kFar}, {-kFar, kFar}};
     const double height = m_W.dot(view.centre_W - X_WB.p_WB) / view.half_width;
@@ -144,8 +146,8 @@ struct InnerLines {
     return {};
   }
 
-  // An edge inside the outline belongs to two faces that both look at the viewer; those
-  // three edges at most meet in the corner nearest to the viewer.
+  // An edge inside the outline belongs to two faces that both face the viewer. At most
+  // three edges do, and they meet in the corner nearest to the viewer.
   std::vector<Polyline> operator()(const Box& box) const {
     const Vector3d viewer_B = X_WB.R_WB.transpose() * view.right_W.cross(view.up_W);
     Vector3d nearest = box.half_extents;
@@ -180,7 +182,7 @@ struct InnerLines {
   }
 };
 
-// The part of the segment inside the bordered picture (Liang and Barsky), if any.
+// Part of the segment inside the picture with border (Liang and Barsky), if any.
 std::optional<std::pair<Vector2d, Vector2d>> ClipSegment(const Vector2d& a,
                                                          const Vector2d& b) {
   double enter = 0;
@@ -213,7 +215,7 @@ std::vector<Polyline> InnerLinesOf(const Body& body, const View& view) {
   return std::visit(InnerLines{body.X_WB, view}, body.shape);
 }
 
-// Sutherland and Hodgman: cut by one side of the picture after the other.
+// Sutherland-Hodgman clipping: cuts by one side of the picture after the other.
 Polyline ClipToPicture(const Polyline& outline) {
   Polyline polygon = outline;
   for (int axis = 0; axis < 2; ++axis) {

@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kUnits = 100;  // The picture is 2 kUnits wide in SVG units.
+constexpr double kUnits = 100;  // Half width of the picture. [SVG units]
 
-// Points closer than this to the last one drawn do not show. [SVG units]
+// Points closer than this to the last one drawn are not visible. [SVG units]
 constexpr double kIndistinct = 0.2;
 
 std::string Number(double value) {
@@ -72,7 +72,7 @@ std::string Label(const Vector2d& p, std::string_view text) {
                      Number(-kUnits * p.y()), text);
 }
 
-// The certified normal if it is usable, else the direction between the bodies, else z.
+// The certified normal if it is valid, else the direction between the bodies, else z.
 Vector3d ViewNormal(const ContactQuery& query, const ContactTruth& truth) {
   const Vector3d& n = truth.certificate.n_AB_W;
   if (n.allFinite() && n.norm() > 0.5) return n.normalized();
@@ -83,7 +83,8 @@ Vector3d ViewNormal(const ContactQuery& query, const ContactTruth& truth) {
 View WholeView(const ContactQuery& query, const Vector3d& n_W) {
   Vector3d up_W = Vector3d::UnitZ();
   Vector3d right_W = n_W - n_W.z() * up_W;
-  // Within eight degrees of the vertical, the plane of the two says little: up is then n.
+  // Within eight degrees of the vertical, their common plane is ill-defined: up is then
+  // n.
   if (std::abs(n_W.z()) > 0.99) {
     up_W = std::copysign(1.0, n_W.z()) * n_W;
     right_W = Vector3d::UnitX() - up_W.x() * up_W;
@@ -101,7 +102,7 @@ View WholeView(const ContactQuery& query, const Vector3d& n_W) {
   }
   const Vector2d centre = (lo + hi) / 2;
   view.centre_W = centre.x() * right_W + centre.y() * up_W;
-  constexpr double kMargin = 1.15;  // Some air around the shapes.
+  constexpr double kMargin = 1.15;  // Space around the shapes.
   view.half_width = std::max(kMargin * (hi - lo).maxCoeff() / 2, 1e-300);
   return view;
 }
@@ -110,8 +111,8 @@ View CloseView(const ContactTruth& truth, const View& whole) {
   const Vector3d centre = (truth.certificate.p_WCa + truth.certificate.p_WCb) / 2;
   if (!centre.allFinite()) return whole;
   const double separation = std::abs((truth.separation.lo + truth.separation.hi) / 2);
-  // The separation is an eighth of the picture. Where it is zero, or too small to be told
-  // in double, the place of contact is shown a hundred times enlarged.
+  // The separation is an eighth of the picture. Where it is zero, or too small to resolve
+  // in double, the region of contact is magnified a hundred times.
   const double smallest = 1e-9 * whole.half_width;
   const double wanted =
       4 * separation > smallest ? 4 * separation : whole.half_width / 100;
@@ -151,7 +152,7 @@ std::string DrawPlanes(const View& view, const Vector3d& n_W, const Certificate&
 
 std::string DrawContacts(const View& view, std::span<const ContactAnswer> answers) {
   std::string svg;
-  // The subject last, on top of the others.
+  // The subject's points are drawn last, on top of the others.
   for (std::size_t i = answers.size(); i-- > 0;) {
     for (const ContactPoint& point : answers[i].points) {
       const Vector2d p = view * point.p_WC;
@@ -185,8 +186,8 @@ std::string Sketch(const ContactQuery& query, const ContactTruth& truth,
 
   std::string svg = fmt::format(
       R"(<svg class="sketch" viewBox="-100 -100 200 200" role="img"><title>{}</title>)",
-      is_close ? "Where A and B come nearest, seen across the normal"
-               : "A and B seen across the normal");
+      is_close ? "Closest region of A and B, viewed perpendicular to the normal"
+               : "A and B, viewed perpendicular to the normal");
   svg += DrawBody(query.A, view, n_W, "A") + DrawBody(query.B, view, n_W, "B");
   if (is_close) svg += DrawPlanes(view, n_W, proof);
   svg += DrawContacts(view, answers);

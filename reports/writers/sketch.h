@@ -9,18 +9,18 @@
 
 namespace touchstone {
 
-/** What a drawing shows. */
+/** The region that a drawing shows. */
 enum class SketchView {
   kWhole,  ///< Both shapes.
-  kClose,  ///< Where they touch or come nearest, magnified.
+  kClose,  ///< The region where they touch or come nearest, magnified.
 };
 
-/** Draws `query` as an SVG element: an orthographic view on the plane of the certified
- normal and the vertical (world z; x where the normal is vertical), with both silhouettes,
- the normal, the certificate's two points and planes, and the contact points of `answers`
- (the first is the subject's, drawn filled). Coordinates are in the drawing's own units; a
- label tells the width of the view. Colours are the classes of reports/writers/page.css.
- */
+/** Draws `query` as an SVG element. The view is orthographic, onto the plane of the
+ certified normal and the vertical (world z; x where the normal is vertical). It shows
+ both silhouettes, the normal, and the contact points of `answers`, the first of which is
+ the subject's and drawn filled. A close view also shows the two points and planes of the
+ certificate. Coordinates are in SVG units; a label states the width of the view. Colours
+ are classes of reports/writers/page.css. */
 std::string Sketch(const ContactQuery& query, const ContactTruth& truth,
                    std::span<const ContactAnswer> answers, SketchView view);
 

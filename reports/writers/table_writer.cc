@@ -50,7 +50,7 @@ class Painter {
   bool colours_;
 };
 
-// A count in a column: nothing to see where it is zero.
+// Returns a count for a column; zero is a dim dot.
 std::string Count(const Painter& paint, Colour colour, int count, int width) {
   const std::string text = count == 0 ? "." : fmt::format("{}", count);
   return paint(count == 0 ? Colour::kDim : colour, fmt::format("{:>{}}", text, width));
@@ -60,7 +60,7 @@ std::string Worst(const Tally& tally) {
   if (tally.worst == nullptr) return "";
   const Finding& worst = *tally.worst;
   const double relative = RelativeToTolerance(worst);
-  // Of a tolerance of zero there is no multiple.
+  // A value has no multiple of a zero tolerance.
   const std::string text =
       std::isfinite(relative)
           ? fmt::format("{:.2g}", relative)
@@ -82,10 +82,10 @@ std::string Row(const Painter& paint, std::string_view name, const Tally& tally)
 std::string Heading(const Painter& paint, std::string_view title) {
   return paint(Colour::kBold, fmt::format("{:<30}{:>7}{:>7}{:>8}{:>12}{:>13} {:>9}  {}\n",
                                           title, "pass", "known", "failed", "undecidable",
-                                          "unsupported", "worst/tol", "in"));
+                                          "unsupported", "worst/tol", "measure"));
 }
 
-// References of which there is nothing to tell but that they passed are one row.
+// References without failures and known discrepancies share one row.
 bool IsWorthARow(std::size_t oracle, const Tally& tally) {
   return oracle == 0 || tally.outcomes.failed() > 0 ||
          tally.outcomes[Verdict::kKnown] > 0;
@@ -110,7 +110,7 @@ void WriteGroup(const RunReport& report, const GroupTally& group, const Painter&
 void WriteTallies(const RunReport& report, std::span<const Outcome> outcomes,
                   const Painter& paint, std::ostream& out) {
   const std::vector<GroupTally> groups = TallyByGroup(report, outcomes);
-  // The only group is all there is.
+  // The table of a single group is also the table of all scenarios.
   std::string all = fmt::format("all scenarios ({})", QuestionCount(report));
   if (groups.size() == 1) {
     all = fmt::format("{} ({})", groups.front().group, groups.front().scenarios);
@@ -125,8 +125,8 @@ void WriteTallies(const RunReport& report, std::span<const Outcome> outcomes,
   }
 }
 
-// The other measures that fail with the decisive one, so that one wrong answer is told
-// once.
+// Returns the other measures that fail next to the decisive one, so that one wrong answer
+// is one entry.
 std::string AlsoFailing(const Outcome& outcome) {
   std::string names;
   for (const Finding& finding : outcome.findings) {
@@ -159,7 +159,7 @@ void WriteFaults(const RunReport& report, const Painter& paint, std::ostream& ou
   if (report.faults.empty()) return;
   out << '\n'
       << paint(Colour::kBold,
-               "Faults of the scenario files and the ledger, not of an engine")
+               "Faults in the scenario files and the ledger, not in an engine")
       << '\n';
   for (const std::string& fault : report.faults) {
     out << "  " << paint(Colour::kBad, "✗") << ' ' << fault << '\n';
@@ -175,17 +175,17 @@ void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& ou
     if (use.findings() > 0) ++hiding;
     if (use.candidates == 0) ++untested;
   }
-  // Of questions that no entry is about there is nothing to tell.
+  // No entry applies to the questions of this run.
   const std::size_t entries = report.ledger.entries.size();
   if (untested == entries) return;
   out << '\n'
       << paint(Colour::kBold, "Ledger")
-      << fmt::format(": {} of {} hide{} {}; {} put to the test\n", hiding,
+      << fmt::format(": {} of {} hide{} {}; {} tested by this run\n", hiding,
                      Counted(entries, "entry", "entries"), hiding == 1 ? "s" : "",
                      Counted(hidden, "finding"),
                      untested == 1 ? "1 was not" : fmt::format("{} were not", untested));
   if (hidden == 0) return;
-  // One line a reason: an entry is for one pair of shapes, a reason often for many.
+  // One line per reason: an entry covers one pair of shapes, a reason often several.
   struct Hidden {
     const LedgerEntry* entry;
     int findings = 0;
@@ -205,17 +205,18 @@ void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& ou
     out << fmt::format("  {:>5}  {} {}: {} ({})\n", findings, entry->oracle,
                        entry->version, entry->reason, entry->upstream);
   }
-  out << "  Each with its proof: touchstone explain ID, or the page of --out DIR.\n";
+  out << "  For the proof of each: touchstone explain ID, or the page of --out DIR.\n";
 }
 
-/** Writes how often each oracle has each of some words. */
+/** Writes a line for each pair of oracle and text, with its count. */
 void WriteCounted(const std::map<std::pair<std::string_view, std::string_view>, int>& of,
                   std::ostream& out) {
   for (const auto& [what, times] : of)
     out << fmt::format("  {:>5}  {}: {}\n", times, what.first, what.second);
 }
 
-/** The claims of worlds that an oracle moved, and that yet were held against nothing. */
+/** Writes the claims that could not be verified although the oracle simulated the world.
+ */
 void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
                      std::ostream& out) {
   std::map<std::pair<std::string_view, std::string_view>, int> claims;
@@ -240,7 +241,8 @@ void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
   WriteCounted(claims, out);
 }
 
-/** The motions that follow another legal model than the truth's, which fails nobody. */
+/** Writes the motions that follow another legal model than the truth's. This is not a
+ failure. */
 void WriteRecognised(const RunReport& report, std::span<const Outcome> outcomes,
                      const Painter& paint, std::ostream& out) {
   std::map<std::pair<std::string_view, std::string_view>, int> models;
@@ -255,7 +257,7 @@ void WriteRecognised(const RunReport& report, std::span<const Outcome> outcomes,
   WriteCounted(models, out);
 }
 
-/** Why what is unsupported is. */
+/** Writes the reasons of unsupported outcomes. */
 void WriteUnsupported(const RunReport& report, std::span<const Outcome> outcomes,
                       const Painter& paint, std::ostream& out) {
   std::map<std::pair<std::string_view, std::string_view>, int> reasons;
@@ -301,7 +303,7 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   const int code = ExitCode(report, style.fail_on);
   out << paint(
              code == 0 ? Colour::kGood : Colour::kBad,
-             fmt::format("{}: {} failed in {}{}, references in {}{}, {} of the scenario "
+             fmt::format("{}: {} failed in {}{}, references in {}{}, {} in the scenario "
                          "files and the ledger",
                          Headline(code), report.subject,
                          Counted(of_subject.failed(), "scenario"), not_examined,
@@ -312,16 +314,16 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   if (counts[Verdict::kKnown] > 0) {
     out << paint(Colour::kKnown,
                  fmt::format(
-                     "wrong too, as the ledger knows: {} in {}, references in {}",
+                     "also wrong, but known to the ledger: {} in {}, references in {}",
                      report.subject, Counted(of_subject[Verdict::kKnown], "scenario"),
                      Counted(counts[Verdict::kKnown] - of_subject[Verdict::kKnown],
                              "answer")))
         << '\n';
   }
   if (code == 2) {
-    out << WhyNotExamined(report, outcomes) << "; --subject names another\n";
+    out << WhyNotExamined(report, outcomes) << "; --subject selects another oracle\n";
   } else if (code == 1 && ExitCode(report, FailOn::kSubject) == 0) {
-    out << fmt::format("--fail-on subject counts the failures of {} alone\n",
+    out << fmt::format("--fail-on subject counts only the failures of {}\n",
                        report.subject);
   }
 }

@@ -6,17 +6,18 @@
 
 namespace touchstone {
 
-/** How the terminal table looks. */
+/** Options of the terminal table. */
 struct TableStyle {
   bool colours = false;  ///< ANSI colours; only for a terminal.
-  bool quiet = false;    ///< The failures that count and the last line only.
-  /** Which failures count: the last line says what the exit code does. */
+  bool quiet = false;    ///< Only the failures that count and the last line.
+  /** Failures that count. The last line agrees with the exit code. */
   FailOn fail_on = FailOn::kAnything;
 };
 
-/** Writes `report` for a terminal: per group of scenarios and oracle the outcomes and the
- worst measure relative to its tolerance; the sum per oracle; every failure as a sentence
- with its proof; what the ledger hides, and why; the counts of all verdicts. */
+/** Writes `report` for a terminal. Per group of scenarios and oracle, it writes the
+ outcomes and the worst measure relative to its tolerance. Then follow the sum per oracle,
+ every failure as a sentence with its proof, the findings that the ledger hides with their
+ reasons, and the counts of all verdicts. */
 void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& out);
 
 }  // namespace touchstone

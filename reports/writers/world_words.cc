@@ -78,7 +78,7 @@ std::string Parting(const RunReport& report, const WorldResult& world, std::size
   for (std::size_t s = 0; s < samples; ++s) {
     const Farthest farthest = FarthestAt(of, subject.samples[s], other.samples[s]);
     if (farthest.distance <= least) continue;
-    return fmt::format("parts from {} at {:.6g} s: {} is {:.3g} m off", report.subject,
+    return fmt::format("departs from {} at {:.6g} s: {} is {:.3g} m off", report.subject,
                        subject.times[s], farthest.name, farthest.distance);
   }
   return "";

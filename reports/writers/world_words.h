@@ -7,17 +7,17 @@
 
 namespace touchstone {
 
-/** Returns what is in a world: "3 bodies (1 of them static), 2 springs; 480 steps of
- 4.16667 ms". */
+/** Returns the contents and steps of a world: "3 bodies (1 of them static), 2 springs;
+ 480 steps of 4.16667 ms". */
 std::string Describe(const World& world);
 
-/** Returns what is claimed of it: "ballistic of ball; conserves_energy". */
+/** Returns the laws that a world claims: "ballistic of ball; conserves_energy". */
 std::string ClaimsOf(const WorldScenario& scenario);
 
-/** Returns when and where the motion by oracle `o` first parts from the subject's by more
- than a thousandth of the size of the scene: "parts from cookbook at 0.35 s: ball is
- 0.0123 m off". Empty where it does not, or where either has no motion. For the eye: it
- decides nothing. */
+/** Returns when and where the motion of oracle `o` first differs from the subject's by
+ more than a thousandth of the size of the scene: "departs from cookbook at 0.35 s: ball
+ is 0.0123 m off". Empty if it never does, or if either has no motion. The text is for
+ display only and affects no verdict. */
 std::string Parting(const RunReport& report, const WorldResult& world, std::size_t o);
 
 }  // namespace touchstone

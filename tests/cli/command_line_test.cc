@@ -19,7 +19,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Two spheres of radius 0.5 m, 0.9 m apart along (2, -1, 2)/3: 0.1 m deep.
+// Two spheres of radius 0.5 m, centres 0.9 m apart along (2, -1, 2)/3: 0.1 m deep.
 constexpr const char* kDeep = R"(id = "mine/deep"
 title = "Two balls, a tenth of a metre deep"
 source = "Centres 0.9 m apart, radii 0.5 m"
@@ -74,7 +74,7 @@ class CommandLineTest : public testing::Test {
     return InPipe(Command(arguments));
   }
 
-  // The program with every engine.
+  // Runs the program with every engine.
   Ended Itself(const std::string& arguments) const {
     return InPipe(TOUCHSTONE_ITSELF " " + arguments);
   }
@@ -82,43 +82,43 @@ class CommandLineTest : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(CommandLineTest, ExitsWithZeroWhereTheSubjectIsRight) {
+TEST_F(CommandLineTest, ExitsWithZeroIfTheSubjectIsRight) {
   const Ended ended = Touchstone("run --fail-on subject " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("right failed in 0 scenarios, "));
 }
 
-TEST_F(CommandLineTest, ExitsWithTwoWhereItsOutputIsLost) {
+TEST_F(CommandLineTest, ExitsWithTwoIfItsOutputIsLost) {
   const Ended ended =
       InPipe("(" + Command("run " + Path("mine/deep.toml")) + " >/dev/full)");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("the output cannot be written"));
 }
 
-TEST_F(CommandLineTest, ExitsWithOneAndAProofWhereTheSubjectIsWrong) {
+TEST_F(CommandLineTest, ExitsWithOneAndAProofIfTheSubjectIsWrong) {
   const Ended ended = Touchstone("run --subject half_depth " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 1) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth: fail in "),
                                HasSubstr("Proof: half_depth says")));
 }
 
-TEST_F(CommandLineTest, CountsAReferencesFailureUnlessOnlyTheSubjectsAreToCount) {
+TEST_F(CommandLineTest, CountsAReferencesFailureUnlessOnlyTheSubjectsCount) {
   const std::string run = "run --against half_depth " + Path("mine/deep.toml");
   const Ended ended = Touchstone(run);
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out,
-              HasSubstr("--fail-on subject counts the failures of right alone"));
+              HasSubstr("--fail-on subject counts only the failures of right"));
   EXPECT_EQ(Touchstone(run + " --fail-on anything").code, 1);
   EXPECT_EQ(Touchstone(run + " --fail-on subject").code, 0);
 }
 
-TEST_F(CommandLineTest, ReportsWhatAFunctionThrowsAndGoesOn) {
+TEST_F(CommandLineTest, ReportsAnExceptionOfAFunctionAndContinues) {
   const Ended ended = Touchstone("run --subject thrower " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out, HasSubstr("1 crashed"));
 }
 
-TEST_F(CommandLineTest, ExitsWithTwoWhereNothingWasVerified) {
+TEST_F(CommandLineTest, ExitsWithTwoIfNothingWasVerified) {
   Write(
       "mine/boxes.toml",
       Replaced(Replaced(Replaced(kDeep, "mine/deep", "mine/boxes"),
@@ -129,12 +129,12 @@ TEST_F(CommandLineTest, ExitsWithTwoWhereNothingWasVerified) {
   EXPECT_THAT(ended.out, HasSubstr("right was not examined: unsupported: "));
 }
 
-TEST_F(CommandLineTest, ShowsWhereAFileExpectsWhatTheTruthContradicts) {
+TEST_F(CommandLineTest, ShowsTheExpectationThatTheTruthContradicts) {
   Write("mine/deep.toml", std::string(kDeep) + "separation = -0.2\n");
   const Ended ended = Touchstone("run --fail-on subject " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 1);
   EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("\nFaults of the scenario files and the ledger, not of an "
+              AllOf(HasSubstr("\nFaults in the scenario files and the ledger, not in an "
                               "engine\n"),
                     HasSubstr(Path("mine/deep.toml") +
                               ":23:14: expects separation = -0.2 m, but it is")));
@@ -154,7 +154,7 @@ TEST_F(CommandLineTest, NamesTheNearestScenario) {
               HasSubstr("no scenario matches 'mine/dep' (did you mean mine/deep?)"));
 }
 
-TEST_F(CommandLineTest, NamesTheFolderThatHasThePairInItsOtherOrder) {
+TEST_F(CommandLineTest, SuggestsTheFolderWithTheShapesInTheOtherOrder) {
   std::filesystem::create_directories(folder_ / "contact/sphere_box");
   Write("contact/sphere_box/deep.toml",
         Replaced(kDeep, "mine/deep", "contact/sphere_box/deep"));
@@ -169,12 +169,12 @@ TEST_F(CommandLineTest, NamesTheFolderThatHasThePairInItsOtherOrder) {
               HasSubstr("(did you mean contact/sphere_box/*?)"));
 }
 
-TEST_F(CommandLineTest, ListsTheErrataWhereASpecimenIsUnknown) {
+TEST_F(CommandLineTest, ListsTheErrataIfASpecimenIsUnknown) {
   const Ended ended = Itself("run --subject printed:E-99");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err,
               AllOf(HasSubstr("no oracle 'printed:E-99' (did you mean printed:E-09?)"),
-                    HasSubstr("there are: printed, printed:none, printed:E-01, ")));
+                    HasSubstr("expected one of: printed, printed:none, printed:E-01, ")));
 }
 
 TEST_F(CommandLineTest, SelectsByFolderAndGlob) {
@@ -192,15 +192,15 @@ TEST_F(CommandLineTest, RefusesTheRunAndNamesEveryErrorOfABrokenFile) {
                                      "B = \"other\"", "B = \"othr\""));
   const Ended ended = Touchstone("run --out " + Path("report") + " " + Path("mine"));
   EXPECT_EQ(ended.code, 2);
-  // The radius is in line 7, the name in line 19; the id is not the file's.
+  // The radius is in line 7, the name in line 19. The id does not match the path either.
   EXPECT_THAT(ended.err, AllOf(HasSubstr("broken.toml:7:"), HasSubstr("broken.toml:19:"),
                                HasSubstr("nothing was run")));
   EXPECT_EQ(ended.out, "");
   EXPECT_FALSE(std::filesystem::exists(Path("report")));
 }
 
-TEST_F(CommandLineTest, RefusesANameThatLeadsNowhere) {
-  // A link to itself, and a name longer than a file's may be.
+TEST_F(CommandLineTest, RefusesAPathThatCannotBeResolved) {
+  // A link to itself, and a name too long for a file.
   std::filesystem::create_symlink("ring", folder_ / "ring");
   EXPECT_EQ(Touchstone("run " + Path("ring")).code, 2);
   EXPECT_EQ(Touchstone("explain " + std::string(300, 'x')).code, 2);
@@ -243,20 +243,20 @@ expires = 9999-12-31
   EXPECT_EQ(run(""), 0);
   EXPECT_EQ(run("mine/known"), 0);
   EXPECT_EQ(run(Path("data/catalogue/mine/known.toml")), 0);
-  // Ids that the entry matches, in files that it was not written for.
+  // These ids match the entry, but the files are not part of the built-in catalogue.
   EXPECT_EQ(run(Path("mine/deep.toml")), 1);
   EXPECT_EQ(run(Path("mine/deep.toml") + " mine/known"), 1);
   EXPECT_EQ(run("--catalogue " + Path("mine")), 1);
   Write("mine/known.toml",
         Replaced(Replaced(kDeep, "mine/deep", "mine/known"), "0.3, -0.2", "0.3, -0.1"));
   EXPECT_EQ(run(Path("mine/known.toml")), 1);
-  // A ledger of the user's own is about whatever the user says.
+  // The user's own ledger applies to any file.
   EXPECT_EQ(run("--ledger " + Path("data/known_discrepancies.toml") + " " +
                 Path("mine/deep.toml")),
             0);
 }
 
-TEST_F(CommandLineTest, SaysThatAFileIsNotThere) {
+TEST_F(CommandLineTest, ReportsAMissingFile) {
   const Ended ended = Touchstone("run " + Path("nowhere.toml"));
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("nowhere.toml: cannot be read; expected a"));
@@ -278,7 +278,7 @@ TEST_F(CommandLineTest, WritesTheSameReportsWhateverTheNumberOfThreads) {
   }
 }
 
-TEST_F(CommandLineTest, SaysBeforeTheRunThatAReportCannotBeWritten) {
+TEST_F(CommandLineTest, ReportsBeforeTheRunThatAReportCannotBeWritten) {
   Write("file", "in the way");
   const auto error = [this](const std::string& line) {
     const Ended ended = Touchstone(line);
@@ -287,11 +287,11 @@ TEST_F(CommandLineTest, SaysBeforeTheRunThatAReportCannotBeWritten) {
     return ended.err;
   };
   const std::string run = "run " + Path("mine/deep.toml") + " --out ";
-  EXPECT_THAT(error(run + Path("file")), HasSubstr("cannot make the folder"));
+  EXPECT_THAT(error(run + Path("file")), HasSubstr("cannot create the folder"));
   std::filesystem::create_directories(folder_ / "taken/report.json");
   EXPECT_THAT(error(run + Path("taken")), HasSubstr("cannot write"));
   EXPECT_THAT(error("sweep contact --pair sphere sphere --out " + Path("file")),
-              HasSubstr("cannot make the folder"));
+              HasSubstr("cannot create the folder"));
 }
 
 TEST_F(CommandLineTest, UsesColoursOnATerminalOnly) {
@@ -303,7 +303,7 @@ TEST_F(CommandLineTest, UsesColoursOnATerminalOnly) {
   EXPECT_THAT(OnTerminal("NO_COLOR=1 TERM=xterm " + run).out, has_no_colours);
 }
 
-TEST_F(CommandLineTest, ExplainsAScenarioWithWhoIsRightAndItsFileOnRequest) {
+TEST_F(CommandLineTest, ExplainsWhichOraclesAreRightAndShowsTheFileOnRequest) {
   const std::string explain = "explain " + Path("mine/deep.toml");
   const Ended ended = Touchstone(explain);
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -313,15 +313,14 @@ TEST_F(CommandLineTest, ExplainsAScenarioWithWhoIsRightAndItsFileOnRequest) {
   EXPECT_THAT(Touchstone(explain + " --all").out, HasSubstr("[bodies.ball]"));
 }
 
-TEST_F(CommandLineTest, ExplainsSeveralScenariosInALineEach) {
+TEST_F(CommandLineTest, ExplainsSeveralScenariosInOneLineEach) {
   Write("mine/other.toml", Replaced(kDeep, "mine/deep", "mine/other"));
   const Ended ended = Touchstone("explain " + Path("mine"));
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(
-      ended.out,
-      AllOf(HasSubstr("\nmine/deep   touching"), HasSubstr("\nmine/other  touching"),
-            HasSubstr("touchstone explain ID, or the file of your own\n"),
-            Not(HasSubstr("[bodies.ball]"))));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("\nmine/deep   touching"),
+                               HasSubstr("\nmine/other  touching"),
+                               HasSubstr("touchstone explain ID (or its file)\n"),
+                               Not(HasSubstr("[bodies.ball]"))));
 }
 
 TEST_F(CommandLineTest, PrintsAQuestionAsAScenarioThatItReads) {
@@ -351,7 +350,7 @@ TEST_F(CommandLineTest, AnswersTheQuestionsThatItsHelpShows) {
   int asked = 0;
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(start)) continue;
-    // Without the file that it would leave behind.
+    // Without the redirection, which would leave a file behind.
     line = line.substr(start.size(), line.find(" > ") - start.size());
     EXPECT_EQ(InPipe(TOUCHSTONE_ITSELF " ask " + line).code, 0) << line;
     ++asked;
@@ -359,7 +358,7 @@ TEST_F(CommandLineTest, AnswersTheQuestionsThatItsHelpShows) {
   EXPECT_GT(asked, 0);
 }
 
-TEST_F(CommandLineTest, SaysWhatIsWrongWithABody) {
+TEST_F(CommandLineTest, StatesTheErrorInABody) {
   const auto error = [this](const std::string& body) {
     const Ended ended = Touchstone("ask --A 'sphere 1' --B '" + body + "'");
     EXPECT_EQ(ended.code, 2) << body;
@@ -369,10 +368,10 @@ TEST_F(CommandLineTest, SaysWhatIsWrongWithABody) {
   EXPECT_THAT(error("box 1 2"), HasSubstr("2 numbers after 'box', which takes three"));
   EXPECT_THAT(error("sphre 1"), HasSubstr("did you mean sphere?"));
   EXPECT_THAT(error("sphere 1 @ 1 2"), HasSubstr("2 numbers after '@'"));
-  EXPECT_THAT(error("sphere 1 and more"), HasSubstr("does not end at 'and'"));
-  EXPECT_THAT(error("sphere 1 q 0 0 0 0"), HasSubstr("quaternion zero"));
+  EXPECT_THAT(error("sphere 1 and more"), HasSubstr("unexpected text at 'and'"));
+  EXPECT_THAT(error("sphere 1 q 0 0 0 0"), HasSubstr("zero quaternion"));
   EXPECT_THAT(error("sphere -1"), HasSubstr("radius"));
-  EXPECT_THAT(error("convex_hull 1 2"), HasSubstr("three a vertex"));
+  EXPECT_THAT(error("convex_hull 1 2"), HasSubstr("three per vertex"));
 }
 
 TEST_F(CommandLineTest, PrintsOnlyFailuresWhenQuiet) {
@@ -381,7 +380,7 @@ TEST_F(CommandLineTest, PrintsOnlyFailuresWhenQuiet) {
   EXPECT_THAT(ended.out, HasSubstr("half_depth: fail"));
 }
 
-TEST_F(CommandLineTest, ShowsWhoCanAnswerWhat) {
+TEST_F(CommandLineTest, ListsTheCapabilitiesAndSettingsOfOracles) {
   const Ended ended = Touchstone("oracles");
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth"), HasSubstr("user: depth, normal"),
@@ -389,14 +388,14 @@ TEST_F(CommandLineTest, ShowsWhoCanAnswerWhat) {
   EXPECT_THAT(Touchstone("oracles --settings").out, HasSubstr("conventions = "));
 }
 
-TEST_F(CommandLineTest, ShowsWhoSimulatesWhichWorlds) {
+TEST_F(CommandLineTest, ListsTheWorldFeaturesThatOraclesSimulate) {
   EXPECT_THAT(InPipe(TOUCHSTONE_ITSELF " oracles").out,
               HasSubstr("simulates worlds with\n        sphere, box, "));
-  // Those of this program answer contact queries only.
+  // The oracles of this program answer contact queries only.
   EXPECT_THAT(Touchstone("oracles").out, Not(HasSubstr("simulates")));
 }
 
-TEST_F(CommandLineTest, SaysOnceWhatAnOracleDoesNotSupport) {
+TEST_F(CommandLineTest, ListsOncePerOracleWhatItDoesNotSupport) {
   std::istringstream lines(InPipe(TOUCHSTONE_ITSELF " oracles").out);
   int of_the_cookbook = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -405,7 +404,7 @@ TEST_F(CommandLineTest, SaysOnceWhatAnOracleDoesNotSupport) {
     }
     EXPECT_LE(line.size(), 80u) << line;
   }
-  EXPECT_EQ(of_the_cookbook, 2);  // Of "cookbook" and of "printed".
+  EXPECT_EQ(of_the_cookbook, 2);  // One of "cookbook", one of "printed".
 }
 
 TEST_F(CommandLineTest, SweepsWithTheSameQuestionsForTheSameSeed) {
@@ -419,29 +418,30 @@ TEST_F(CommandLineTest, SweepsWithTheSameQuestionsForTheSameSeed) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 150U) << line;
 }
 
-TEST_F(CommandLineTest, WritesTheQuestionsThatFailedSoThatTheyCanBeRunAgain) {
+TEST_F(CommandLineTest, WritesFailedQuestionsAsScenariosThatCanBeRun) {
   const Ended ended = Touchstone(
       "sweep contact --subject half_depth --family deep --pair sphere sphere --count 20 "
       "--out " +
       Path("failed"));
   EXPECT_EQ(ended.code, 1) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("Again: touchstone sweep contact --family deep"));
+  EXPECT_THAT(ended.out,
+              HasSubstr("Repeat with: touchstone sweep contact --family deep"));
   EXPECT_EQ(Touchstone("run --subject half_depth " + Path("failed")).code, 1);
   EXPECT_EQ(Touchstone("run --fail-on subject " + Path("failed")).code, 0);
 }
 
-TEST_F(CommandLineTest, CallsASweepThatTouchedNothingNoSuccess) {
+TEST_F(CommandLineTest, FailsASweepInWhichNothingTouched) {
   EXPECT_EQ(Touchstone("sweep contact --pair box box --count 10").code, 2);
 }
 
-TEST_F(CommandLineTest, ShowsTimeBesideAccuracy) {
+TEST_F(CommandLineTest, ShowsTimeAndAccuracyOfContactQueries) {
   const Ended ended =
       Touchstone("bench contact --pair sphere sphere --count 100 --sample 100");
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("ns/query"), HasSubstr("half_depth")));
 }
 
-TEST_F(CommandLineTest, SaysInOneSentenceWhatIsWrongWithALine) {
+TEST_F(CommandLineTest, StatesTheErrorInACommandLineInOneSentence) {
   const auto error = [this](const std::string& line) {
     const Ended ended = Touchstone(line);
     EXPECT_EQ(ended.code, 2) << line;
@@ -449,21 +449,23 @@ TEST_F(CommandLineTest, SaysInOneSentenceWhatIsWrongWithALine) {
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     return ended.err;
   };
-  EXPECT_THAT(error(""), HasSubstr("a command is missing; there are: run, "));
-  EXPECT_THAT(error("jump"), HasSubstr("there is no command 'jump'; there are: run, "));
+  EXPECT_THAT(error(""), HasSubstr("a command is missing; expected one of: run, "));
+  EXPECT_THAT(error("jump"),
+              HasSubstr("there is no command 'jump'; expected one of: run, "));
   EXPECT_THAT(error("rnu"), HasSubstr("no command 'rnu' (did you mean run?)"));
   EXPECT_THAT(error("--vrsion"), HasSubstr("--vrsion (did you mean --version?)"));
-  EXPECT_THAT(error("run --sujbect right"),
-              HasSubstr("no option --sujbect (did you mean --subject?); it has: "));
+  EXPECT_THAT(
+      error("run --sujbect right"),
+      HasSubstr("no option --sujbect (did you mean --subject?); expected one of: "));
   EXPECT_THAT(error("run --sujbect=right"), HasSubstr("(did you mean --subject?)"));
   EXPECT_THAT(error("--quiet run"), HasSubstr("expected `touchstone run --quiet`"));
   EXPECT_THAT(error("oracles here"), HasSubstr("'here' is not expected"));
-  EXPECT_THAT(error("ask --A 'sphere 1'"), HasSubstr("--B is missing: the second body"));
+  EXPECT_THAT(error("ask --A 'sphere 1'"), HasSubstr("--B is missing: second body"));
   EXPECT_THAT(error("run --out"), HasSubstr("expected --out DIR"));
   EXPECT_THAT(error("sweep contact --pair box"), HasSubstr("--pair SHAPE SHAPE"));
 }
 
-TEST_F(CommandLineTest, TakesAsManyThreadsAsTheMachineHasProcessors) {
+TEST_F(CommandLineTest, AcceptsAtMostAsManyThreadsAsProcessors) {
   const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
   for (const std::string& threads :
        {std::string("0"), std::string("-1"), std::string("1.5"), std::string("two"),
@@ -474,12 +476,12 @@ TEST_F(CommandLineTest, TakesAsManyThreadsAsTheMachineHasProcessors) {
     EXPECT_EQ(ended.err, "touchstone: --threads: '" + threads +
                              "'; expected a whole number from 1 to " +
                              std::to_string(processors) +
-                             ", the processors of this machine; `touchstone bench "
-                             "--help` says what it takes\n");
+                             ", the number of processors; `touchstone bench --help` "
+                             "shows its usage\n");
   }
 }
 
-TEST_F(CommandLineTest, SaysWhatAnOptionExpected) {
+TEST_F(CommandLineTest, StatesTheValueThatAnOptionExpects) {
   const auto error = [this](const std::string& line) {
     const Ended ended = Touchstone(line);
     EXPECT_EQ(ended.code, 2) << line;
@@ -487,8 +489,9 @@ TEST_F(CommandLineTest, SaysWhatAnOptionExpected) {
     return ended.err;
   };
   EXPECT_THAT(error("run --jobs x"),
-              HasSubstr("--jobs: 'x'; expected a whole number from 1 on"));
-  EXPECT_THAT(error("run --jobs 0"), HasSubstr("'0'; expected a whole number from 1 on"));
+              HasSubstr("--jobs: 'x'; expected a whole number of at least 1"));
+  EXPECT_THAT(error("run --jobs 0"),
+              HasSubstr("'0'; expected a whole number of at least 1"));
   EXPECT_THAT(error("run --jobs 3000000000"), HasSubstr("expected at most 2147483647"));
   EXPECT_THAT(error("sweep contact --seed -1"), HasSubstr("--seed: '-1'; expected"));
   EXPECT_THAT(error("sweep contact --seed 99999999999999999999"),
@@ -502,7 +505,7 @@ TEST_F(CommandLineTest, SaysWhatAnOptionExpected) {
               HasSubstr("no shape 'bxo' (did you mean box?)"));
 }
 
-// A ball dropped from 2 m, and one that it misses.
+// A ball dropped from 2 m.
 constexpr const char* kDrop = R"(id = "mine/drop"
 title = "A ball falls"
 source = "Galilei"
@@ -531,7 +534,7 @@ TEST_F(CommandLineTest, RunsAWorldOfTheUsersOwn) {
   EXPECT_THAT(ended.out, HasSubstr("1 scenario × 3 oracles: 2 pass, 0 fail"));
 }
 
-TEST_F(CommandLineTest, RunsNothingWhereALawIsUnknown) {
+TEST_F(CommandLineTest, RunsNothingIfALawIsUnknown) {
   Write("mine/drop.toml", Replaced(kDrop, "ballistic", "balistic"));
   const Ended ended = Itself("run " + Path("mine/drop.toml"));
   EXPECT_EQ(ended.code, 2);
@@ -541,7 +544,7 @@ TEST_F(CommandLineTest, RunsNothingWhereALawIsUnknown) {
                                    "law; expected \"ballistic\"\n"));
 }
 
-TEST_F(CommandLineTest, RunsNothingWhereANumberOfAClaimIsUnknownOrWrong) {
+TEST_F(CommandLineTest, RunsNothingIfANumberOfAClaimIsUnknownOrWrong) {
   const std::string claim = R"([[claims]]
 law = "conserves_energy"
 about = ["ball"]
@@ -569,7 +572,7 @@ std::string TextOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-// What stands between the lines that fence TOML, in the order of the page.
+// Returns the contents of the fenced TOML blocks of a page, in order.
 std::vector<std::string> FencedToml(const std::string& page) {
   const std::string fence = "```toml\n";
   std::vector<std::string> blocks;
@@ -621,10 +624,10 @@ TEST_F(CommandLineTest, SimulatesWorldsIntoATable) {
 TEST_F(CommandLineTest, SimulatesNoContactQueries) {
   const Ended ended = Itself("simulate " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 2);
-  EXPECT_THAT(ended.err, HasSubstr("no world is among the selected scenarios"));
+  EXPECT_THAT(ended.err, HasSubstr("the selected scenarios are contact queries"));
 }
 
-TEST_F(CommandLineTest, TimesWorldsBesideTheirQuality) {
+TEST_F(CommandLineTest, ShowsTimeAndQualityOfWorlds) {
   const Ended ended =
       Itself("bench worlds --scene stack20 --steps 3 --oracle cookbook,bullet");
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -632,7 +635,7 @@ TEST_F(CommandLineTest, TimesWorldsBesideTheirQuality) {
                                HasSubstr("  cookbook"), HasSubstr("  bullet")));
 }
 
-// Of the row of a table that begins so, what the world is worth: its last three numbers.
+// Returns the quality of the world in the row of `oracle`: the last three numbers.
 std::string QualityIn(const std::string& table, const std::string& oracle) {
   const std::size_t row = table.find("\n  " + oracle + "  ");
   if (row == std::string::npos) return "no row of " + oracle + " in " + table;
@@ -641,7 +644,7 @@ std::string QualityIn(const std::string& table, const std::string& oracle) {
 }
 
 // 100 boxes fall on each other in the first 200 steps.
-TEST_F(CommandLineTest, TimesTheCookbookInThreadsThatDoNotChangeTheWorld) {
+TEST_F(CommandLineTest, TimesTheCookbookWithThreadsThatDoNotChangeTheWorld) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one processor";
   const Ended ended = Itself(
       "bench worlds --scene boxes100 --steps 100 --threads 2 --oracle cookbook,bullet");
@@ -655,14 +658,14 @@ TEST_F(CommandLineTest, TimesTheCookbookInThreadsThatDoNotChangeTheWorld) {
   EXPECT_NE(QualityIn(ended.out, "bullet"), quality);
 }
 
-TEST_F(CommandLineTest, TimesNoThreadsThatNobodyAskedFor) {
+TEST_F(CommandLineTest, TimesOneThreadByDefault) {
   const Ended ended = Itself("bench worlds --scene stack20 --steps 3 --oracle cookbook");
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr(", CPU time, medians of the turns\n"),
                                Not(HasSubstr(" threads "))));
 }
 
-TEST_F(CommandLineTest, TellsHowTimesGrowWithTheSizeOfAWorld) {
+TEST_F(CommandLineTest, ShowsTheGrowthOfTimesWithTheSizeOfAWorld) {
   const Ended ended = Itself(
       "bench worlds --scene stack20,boxes100,boxes1000 --steps 3 --oracle cookbook");
   EXPECT_EQ(ended.code, 0) << ended.err;
@@ -672,7 +675,7 @@ TEST_F(CommandLineTest, TellsHowTimesGrowWithTheSizeOfAWorld) {
                     Not(HasSubstr("of stacked boxes"))));
 }
 
-TEST_F(CommandLineTest, TimesThreadsOnlyOfWhatHasThem) {
+TEST_F(CommandLineTest, RefusesThreadsIfNoOracleSupportsThem) {
   if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "one processor";
   const Ended ended =
       Itself("bench worlds --scene stack20 --steps 3 --threads 2 --oracle bullet");
@@ -680,26 +683,26 @@ TEST_F(CommandLineTest, TimesThreadsOnlyOfWhatHasThem) {
   EXPECT_THAT(ended.err, HasSubstr("none of these oracles steps in several threads"));
 }
 
-TEST_F(CommandLineTest, TimesNothingByOptionsOfTheOtherQuestion) {
+TEST_F(CommandLineTest, RefusesBenchOptionsOfTheOtherKindOfQuestion) {
   const Ended worlds = Itself("bench worlds --scene stack20 --pair box box");
   EXPECT_EQ(worlds.code, 2);
   EXPECT_EQ(worlds.out, "");
   EXPECT_EQ(worlds.err,
-            "touchstone: --pair is no option of `bench worlds`; expected it with "
+            "touchstone: --pair is not an option of `bench worlds`; expected it with "
             "contact\n");
   const Ended contact = Itself("bench contact --count 5 --threads 2");
   EXPECT_EQ(contact.code, 2);
-  EXPECT_THAT(contact.err, HasSubstr("--threads is no option of `bench contact`"));
+  EXPECT_THAT(contact.err, HasSubstr("--threads is not an option of `bench contact`"));
 }
 
-TEST_F(CommandLineTest, TimesOfNothingAreAnError) {
+TEST_F(CommandLineTest, FailsIfNoTimeWasMeasured) {
   const Ended ended = Itself(
       "bench worlds --scene stack20 --steps 1000000 --seconds 1 --oracle cookbook");
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err, HasSubstr("nothing was measured"));
 }
 
-TEST_F(CommandLineTest, TeachesByHelp) {
+TEST_F(CommandLineTest, ShowsExamplesAndExitCodesInHelp) {
   const Ended ended = Touchstone("--help");
   EXPECT_EQ(ended.code, 0);
   EXPECT_THAT(ended.out, HasSubstr("touchstone run mine.toml --out report"));

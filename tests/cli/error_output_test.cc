@@ -10,7 +10,7 @@
 namespace touchstone {
 namespace {
 
-/** The last line of a child process that prints `text`. */
+/** Returns the last line kept of a child process that prints `text`. */
 std::string LastLineOfChild(std::string_view text) {
   const ErrorOutput output;
   const pid_t child = fork();
@@ -33,11 +33,11 @@ TEST(ErrorOutput, KeepsTheLastLineThatIsNotEmpty) {
   EXPECT_EQ(LastLineOfChild("one\ntwo\tof two\n\n  \n"), "two of two");
 }
 
-TEST(ErrorOutput, ALineNeedsNoEnd) {
+TEST(ErrorOutput, KeepsALastLineWithoutANewline) {
   EXPECT_EQ(LastLineOfChild("one\ntwo"), "two");
 }
 
-TEST(ErrorOutput, IsEmptyOfAChildThatPrintsNothing) {
+TEST(ErrorOutput, IsEmptyIfTheChildPrintsNothing) {
   EXPECT_EQ(LastLineOfChild(""), "");
 }
 

@@ -14,29 +14,30 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// 0.7 n^k µs.
+// A time of 0.7 n^k µs.
 TimeOfSize OnPowerLaw(const std::string& oracle, int bodies, double k) {
   return {oracle, bodies, 0.7 * std::pow(bodies, k)};
 }
 
-TEST(GrowthExponent, IsThatOfAnExactPowerLawWhicheverSizeComesFirst) {
+TEST(GrowthExponent, IsTheExponentOfAPowerLawInEitherOrderOfSizes) {
   for (const double k : {-0.5, 0.0, 1.0, 1.12, 3.0}) {
     const TimeOfSize less = OnPowerLaw("x", 700, k);
     const TimeOfSize greater = OnPowerLaw("x", 30000, k);
-    // Either time is off by a few roundings, as a share of which the logarithm of their
-    // ratio is; that of the sizes is 3.8.
+    // Each time has a relative error of a few roundings, and so the logarithm of their
+    // ratio an absolute error of that size. The logarithm of the ratio of the sizes
+    // is 3.8.
     EXPECT_NEAR(GrowthExponent(less, greater), k, 1e-14);
     EXPECT_NEAR(GrowthExponent(greater, less), k, 1e-14);
   }
 }
 
-TEST(GrowthExponent, IsThatOfTheTwoTimes) {
-  // Eight times as long for four times as many: 3/2, and exact, as 4^1.5 = 8.
+TEST(GrowthExponent, IsThreeHalvesForEightTimesTheTimeAndFourTimesTheSize) {
+  // 4^1.5 = 8.
   EXPECT_NEAR(GrowthExponent({"x", 100, 3}, {"x", 400, 24}), 1.5, 1e-15);
 }
 
-// Linear to a thousand, quadratic from there on.
-TEST(GrowthTable, HasEachStepOfTheSizesAndTheWholeFromAThousandOn) {
+// "bent" grows linearly to 1,000, quadratically to 10,000, then linearly again.
+TEST(GrowthTable, HasNeighbouringSizesAndTheWholeRangeFromAThousandOn) {
   std::vector<TimeOfSize> times;
   for (const auto& [bodies, time] :
        {std::pair{100, 1.0}, {1000, 10.0}, {10000, 1000.0}, {30000, 3000.0}}) {
@@ -51,7 +52,7 @@ TEST(GrowthTable, HasEachStepOfTheSizesAndTheWholeFromAThousandOn) {
 )");
 }
 
-TEST(GrowthTable, LeavesOutTheWholeWhereItIsAStepAndWhatStoppedEarly) {
+TEST(GrowthTable, OmitsTheWholeRangeOfTwoSizesAndTimesOfStoppedOracles) {
   const std::vector<TimeOfSize> times = {
       OnPowerLaw("whole", 100, 1), OnPowerLaw("stopped", 100, 1),
       OnPowerLaw("whole", 1000, 1), OnPowerLaw("stopped", 1000, 1),
@@ -64,7 +65,7 @@ TEST(GrowthTable, LeavesOutTheWholeWhereItIsAStepAndWhatStoppedEarly) {
           HasSubstr("  stopped                             n^1.00                 -\n")));
 }
 
-TEST(GrowthTable, IsEmptyWhereNoOracleHasTwoSizes) {
+TEST(GrowthTable, IsEmptyIfNoOracleHasTwoSizes) {
   EXPECT_EQ(GrowthTable("boxes", std::vector<TimeOfSize>{}), "");
   const std::vector<TimeOfSize> times = {OnPowerLaw("a", 100, 1),
                                          OnPowerLaw("b", 1000, 1)};

@@ -1,5 +1,5 @@
-// The command line with four oracles of known virtue, so that what it says and how it
-// exits does not depend on which engines are installed.
+// The command line with three oracles of known behaviour, so that its output and exit
+// code do not depend on the installed engines.
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -10,8 +10,8 @@
 namespace touchstone {
 namespace {
 
-// Closed form: the separation is the distance of the centres less the radii. `share` of
-// it is given for the depth.
+// Closed form: the separation is the distance of the centres minus the radii. The answer
+// states it multiplied by `share`.
 ContactAnswer Spheres(const Sphere& A, const Pose& X_WA, const Sphere& B,
                       const Pose& X_WB, double share) {
   const Eigen::Vector3d p_AB = X_WB.p_WB - X_WA.p_WB;

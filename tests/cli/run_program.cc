@@ -52,7 +52,7 @@ Ended OnTerminal(const std::string& command) {
   }
   Ended ended{-1, "", ""};
   std::array<char, 4096> buffer;
-  // Linux ends the read with EIO when the last writer is gone.
+  // On Linux, read() fails with EIO once the last writer has exited.
   for (ssize_t size; (size = read(terminal, buffer.data(), buffer.size())) > 0;) {
     ended.out.append(buffer.data(), static_cast<std::size_t>(size));
   }

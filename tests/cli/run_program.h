@@ -4,20 +4,21 @@
 
 namespace touchstone {
 
-/** What a program left behind. */
+/** The exit code and the output of a program. */
 struct Ended {
-  int code;         ///< Exit code, or -1 where a signal ended it.
+  int code;         ///< Exit code, or -1 if a signal ended the program.
   std::string out;  ///< Standard output; on a terminal both outputs.
-  std::string err;
+  std::string err;  ///< Standard error; empty on a terminal.
 };
 
-/** Runs a shell command as a user in a pipe does. */
+/** Runs a shell command with its output redirected. */
 Ended InPipe(const std::string& command);
 
-/** Whether this system gives pseudo-terminals; a bare root file system has none. */
+/** Returns whether this system provides pseudo-terminals. A bare root file system does
+ not. */
 bool CanOpenTerminals();
 
-/** Runs a shell command as a user at a terminal does.
+/** Runs a shell command on a pseudo-terminal.
  @pre CanOpenTerminals() */
 Ended OnTerminal(const std::string& command);
 

@@ -1,5 +1,5 @@
-# Installs the build, moves the prefix, then builds and tests docs/examples against it as a user
-# would. Finds files missing from the package, and paths that depend on the build folder.
+# Installs the build, moves the prefix, and builds and tests docs/examples against it as a user
+# would. Detects files missing from the package and paths tied to the build folder.
 #   cmake -D SOURCE=<source dir> -D BUILD=<build dir> -D CONFIG=<config> -D CXX=<compiler>
 #         -D WORK=<scratch dir> -P package_test.cmake
 cmake_minimum_required(VERSION 3.24)

@@ -19,32 +19,32 @@ std::string Explained(const RunReport& report, const ExplanationStyle& style = {
   return out.str();
 }
 
-TEST(WriteExplanation, NamesWhoIsRightAndWhoIsWrong) {
+TEST(WriteExplanation, NamesTheOraclesThatAreRightAndWrong) {
   const std::string text = Explained(HandMadeReport());
-  // deep: mine passes, theirs is a known discrepancy, which is wrong all the same.
+  // deep: mine passes; theirs is a known discrepancy, which also counts as wrong.
   EXPECT_THAT(text, HasSubstr("Right: mine\nWrong: theirs/float"));
   // wrong: mine is proved wrong, theirs is NaN.
-  EXPECT_THAT(text, HasSubstr("Right: nobody\nWrong: mine, theirs/float"));
+  EXPECT_THAT(text, HasSubstr("Right: none\nWrong: mine, theirs/float"));
   // grazing: undecidable and unsupported are neither.
-  EXPECT_THAT(text, HasSubstr("Right: nobody\nWrong: nobody"));
+  EXPECT_THAT(text, HasSubstr("Right: none\nWrong: none"));
 }
 
-TEST(WriteExplanation, GivesAReasonOfTheLedgerOnceForAnOracle) {
+TEST(WriteExplanation, WritesEachLedgerReasonOncePerOracle) {
   RunReport report = HandMadeReport();
-  // deep: theirs/float is known in a second measure, excused by the same reason.
+  // deep: theirs/float is known in a second measure, for the same reason.
   Finding second = report.findings[1];
   second.measure = MeasureKind::kExcess;
   report.findings.insert(report.findings.begin() + 2, second);
   const std::string text = Explained(report);
-  const std::string reason = "Ledger, of theirs/float (precision): Float build";
+  const std::string reason = "Ledger entry for theirs/float (precision): Float build";
   const std::size_t first = text.find(reason);
   EXPECT_NE(first, std::string::npos);
   EXPECT_EQ(text.find(reason, first + 1), std::string::npos);
 }
 
-TEST(WriteExplanation, TellsWhatIsTheSameOfTwoOraclesOnce) {
+TEST(WriteExplanation, WritesEqualFindingsOfTwoOraclesOnce) {
   RunReport report = HandMadeReport();
-  // wrong: theirs/float says what mine does.
+  // wrong: theirs/float answers the same as mine.
   report.scenarios[1].answers[1] = report.scenarios[1].answers[0];
   report.findings[2].proof = "mine says 0.04 deep, which is not so";
   Finding same = report.findings[2];
@@ -60,7 +60,7 @@ TEST(WriteExplanation, TellsWhatIsTheSameOfTwoOraclesOnce) {
               HasSubstr("contact                -0.04 at ("));
 }
 
-TEST(WriteExplanation, GivesTheSimplestProofAndNamesTheOtherMeasures) {
+TEST(WriteExplanation, WritesTheSimplestProofAndNamesTheOtherMeasures) {
   const RunReport report = HandMadeReport();
   const std::string also = "    also: consistency_error 1e+12 × tolerance\n";
   EXPECT_THAT(Explained(report), HasSubstr(also));
@@ -69,7 +69,7 @@ TEST(WriteExplanation, GivesTheSimplestProofAndNamesTheOtherMeasures) {
   EXPECT_THAT(everything, HasSubstr("mine: fail in consistency_error"));
 }
 
-TEST(WriteExplanationTable, GivesALineAScenario) {
+TEST(WriteExplanationTable, WritesOneLinePerScenario) {
   std::ostringstream out;
   WriteExplanationTable(HandMadeReport(), out);
   EXPECT_EQ(out.str(),
@@ -80,14 +80,14 @@ TEST(WriteExplanationTable, GivesALineAScenario) {
             "contact/box_sphere/wrong   touching              -0.05  fail            0  "
             "mine, theirs/float\n"
             "contact/cone_cone/grazing  undecided             -0.05  undecidable     0  "
-            "nobody\n");
+            "none\n");
 }
 
-TEST(WriteExplanation, GivesTruthProofAndTheReasonOfTheLedger) {
+TEST(WriteExplanation, WritesTruthProofAndLedgerReason) {
   const std::string text = Explained(HandMadeReport());
   EXPECT_THAT(text, HasSubstr("Touching: the separation is -0.05 m, certified"));
   EXPECT_THAT(text, HasSubstr("moving B by 0.04 along n leaves 0.01 of overlap"));
-  EXPECT_THAT(text, HasSubstr("Ledger, of theirs/float (precision): Float build"));
+  EXPECT_THAT(text, HasSubstr("Ledger entry for theirs/float (precision): Float build"));
 }
 
 }  // namespace

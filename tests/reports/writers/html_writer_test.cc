@@ -36,7 +36,7 @@ TEST(WriteHtml, ShowsTitleSourceTruthAnswersAndProofs) {
   EXPECT_THAT(page, HasSubstr("href=\"#ledger-0\""));
 }
 
-TEST(WriteHtml, GivesTheFilterOneVerdictPerOracle) {
+TEST(WriteHtml, WritesOneVerdictPerOracleForTheFilter) {
   EXPECT_THAT(Html(HandMadeReport()), HasSubstr("data-outcomes=\"fail invalid\""));
 }
 
@@ -50,7 +50,7 @@ TEST(WriteHtml, DrawsEveryScenarioTwice) {
   EXPECT_EQ(drawings, 6u);
 }
 
-TEST(WriteHtml, GivesNoMultipleOfAToleranceOfZero) {
+TEST(WriteHtml, WritesNoMultipleOfAZeroTolerance) {
   RunReport report = HandMadeReport();
   for (Finding& finding : report.findings) {
     if (finding.verdict == Verdict::kFail) finding.tolerance = 0;
@@ -59,14 +59,14 @@ TEST(WriteHtml, GivesNoMultipleOfAToleranceOfZero) {
   EXPECT_THAT(Html(report), Not(HasSubstr("inf ×")));
 }
 
-TEST(WriteHtml, LabelsTheCellsOfACardAsTheColumns) {
+TEST(WriteHtml, LabelsTheCellsOfACardWithTheirColumns) {
   const std::string page = Html(HandMadeReport());
   EXPECT_THAT(page,
               HasSubstr(".oracles td:nth-child(4)::before { content: \"failed \"; }"));
   EXPECT_THAT(page,
               HasSubstr(".answers td:nth-child(8)::before { content: \"worst \"; }"));
   EXPECT_THAT(page, HasSubstr(".ledger td:nth-child(9)::before { content: \"expires \""));
-  // The columns in that order: pass, known, failed; hides, of, worst of what is accepted.
+  // The columns in this order: pass, known, failed; hides, of, worst accepted.
   EXPECT_THAT(page, HasSubstr("<tr><td>mine <b>(subject)</b><td class=\"n pass\">1"
                               "<td class=\"n soft\">0<td class=\"n fail\">1"));
   EXPECT_THAT(page, HasSubstr("<td>theirs/float 1.2<td>contact/box_sphere/*"
@@ -74,37 +74,37 @@ TEST(WriteHtml, LabelsTheCellsOfACardAsTheColumns) {
                               "<td>separation_error 1e-07 of 1e-06"));
 }
 
-TEST(WriteHtml, ListsOnlyTheLedgerEntriesThatWerePutToTheTest) {
+TEST(WriteHtml, ListsOnlyTheLedgerEntriesThatTheRunTested) {
   const std::string page = Html(HandMadeReport());
   EXPECT_THAT(page, HasSubstr("id=\"ledger-0\""));
   EXPECT_THAT(page, Not(HasSubstr("id=\"ledger-1\"")));
-  EXPECT_THAT(page, HasSubstr("1 entry was not put to the test."));
+  EXPECT_THAT(page, HasSubstr("1 entry was not tested by this run."));
 }
 
-TEST(WriteHtml, KeepsWhatALinkLeadsToClearOfTheFilter) {
+TEST(WriteHtml, ScrollsTheTargetOfALinkToBelowTheFilter) {
   EXPECT_THAT(Html(HandMadeReport()), HasSubstr("html { scroll-padding-top: 4.5rem; }"));
 }
 
-TEST(WriteHtml, GivesTheSameBytesForTheSameReport) {
+TEST(WriteHtml, WritesTheSameBytesForTheSameReport) {
   EXPECT_EQ(Html(HandMadeReport()), Html(HandMadeReport()));
 }
 
-TEST(WriteHtml, SaysWhichSignOfAStripIsWhose) {
+TEST(WriteHtml, ListsTheOraclesInTheOrderOfTheSigns) {
   std::ostringstream out;
   WriteHtml(HandMadeReport(), out);
   EXPECT_THAT(out.str(),
               HasSubstr("<ol class=\"legend\">\n<li>mine\n<li>theirs/float\n"));
 }
 
-TEST(WriteHtml, NamesTheReferencesThatFailTheRunBesideARightSubject) {
+TEST(WriteHtml, NamesTheReferencesThatFailTheRunIfTheSubjectIsRight) {
   RunReport report = HandMadeReport();
   for (Finding& finding : report.findings) {
     if (finding.oracle == "mine") finding.verdict = Verdict::kPass;
   }
   std::ostringstream out;
   WriteHtml(report, out);
-  EXPECT_THAT(out.str(), HasSubstr("Nothing says otherwise"));
-  EXPECT_THAT(out.str(), HasSubstr("References are wrong</b>: theirs/float. That fails"));
+  EXPECT_THAT(out.str(), HasSubstr("No error was found"));
+  EXPECT_THAT(out.str(), HasSubstr("References are wrong</b>: theirs/float. This fails"));
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 
 namespace touchstone {
 
-/** Returns where `value` breaks `schema`, as "path: what". Knows the part of JSON Schema
- that docs/report.schema.json uses: type, const, enum, anyOf, $ref to #/$defs, required,
- properties, additionalProperties, items, minItems, maxItems, minimum. A keyword beyond
- these is a fault of the schema and reported too. */
+/** Returns the violations of `schema` by `value`, as "path: fault". Supports the part of
+ JSON Schema that docs/report.schema.json uses: type, const, enum, anyOf, $ref to #/$defs,
+ required, properties, additionalProperties, items, minItems, maxItems, minimum. Any other
+ keyword is reported as a fault of the schema. */
 std::vector<std::string> SchemaFaults(const nlohmann::json& schema,
                                       const nlohmann::json& value);
 

@@ -28,7 +28,7 @@ TEST(WriteJson, FollowsThePublishedSchema) {
             std::vector<std::string>{});
 }
 
-TEST(WriteJson, IsHeldByASchemaThatForbidsWhatItDoesNotName) {
+TEST(WriteJson, FollowsASchemaThatForbidsUnknownProperties) {
   nlohmann::json report = Written(HandMadeReport());
   report["findings"][0]["surprise"] = 1;
   report["scenarios"][0]["truth"].erase("method");

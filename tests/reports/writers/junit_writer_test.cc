@@ -20,23 +20,23 @@ std::string JUnit(const RunReport& report) {
 }
 
 TEST(WriteJUnit, CountsFailuresAndSkipsForADashboard) {
-  // Six test cases and a fault; failed: one proof, one invalid, one fault; skipped: known
-  // and unsupported.
+  // Six test cases and a fault. Failed: one proved, one invalid, one fault. Skipped: one
+  // known, one unsupported.
   EXPECT_THAT(JUnit(HandMadeReport()),
               HasSubstr("<testsuites name=\"touchstone\" tests=\"7\" failures=\"3\" "
                         "errors=\"0\" skipped=\"2\">"));
 }
 
-TEST(WriteJUnit, SkipsTheKnownWithTheLedgersReason) {
+TEST(WriteJUnit, SkipsKnownWithTheReasonOfTheLedger) {
   EXPECT_THAT(JUnit(HandMadeReport()),
               HasSubstr("<skipped type=\"known\" message=\"Float build\"/>"));
 }
 
-TEST(WriteJUnit, SkipsTheUnsupportedWithTheOraclesReason) {
+TEST(WriteJUnit, SkipsUnsupportedWithTheReasonOfTheOracle) {
   EXPECT_THAT(JUnit(HandMadeReport()), HasSubstr("<skipped type=\"unsupported\""));
 }
 
-TEST(WriteJUnit, CallsACrashAnError) {
+TEST(WriteJUnit, WritesACrashAsAnError) {
   RunReport report = HandMadeReport();
   report.findings[4].verdict = Verdict::kCrashed;
   EXPECT_THAT(JUnit(report), HasSubstr("<error type=\"crashed\""));

@@ -10,7 +10,7 @@
 namespace touchstone {
 namespace {
 
-TEST(OutcomesOf, GivesOneOutcomePerScenarioAndOracle) {
+TEST(OutcomesOf, ReturnsOneOutcomePerScenarioAndOracle) {
   const RunReport report = HandMadeReport();
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   ASSERT_EQ(outcomes.size(), 6u);
@@ -22,9 +22,10 @@ TEST(OutcomesOf, GivesOneOutcomePerScenarioAndOracle) {
   EXPECT_EQ(outcomes[5].verdict, Verdict::kUnsupported);
 }
 
-TEST(OutcomesOf, DecidesByTheSimplestProofHoweverLittleItIsBeyondItsTolerance) {
+TEST(OutcomesOf, DecidesByTheSimplestProofNotTheLargestError) {
   RunReport report = HandMadeReport();
-  report.findings[3].value = 1e9;  // The consistency error, after the separation's.
+  report.findings[3].value =
+      1e9;  // Consistency error, enumerated after separation error.
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   const Outcome& outcome = outcomes[2];
   ASSERT_EQ(outcome.findings.size(), 2u);
@@ -32,7 +33,7 @@ TEST(OutcomesOf, DecidesByTheSimplestProofHoweverLittleItIsBeyondItsTolerance) {
   EXPECT_EQ(outcome.worst->measure, MeasureKind::kConsistencyError);
 }
 
-TEST(OutcomesOf, TakesNoOtherLegalModelForAnError) {
+TEST(OutcomesOf, DoesNotCountAnotherLegalModelAsAnError) {
   RunReport report = HandMadeReport();
   Finding& recognised = report.findings[3];
   recognised.value = 1e9;
@@ -43,7 +44,7 @@ TEST(OutcomesOf, TakesNoOtherLegalModelForAnError) {
   EXPECT_EQ(OutcomesOf(report)[2].worst->measure, MeasureKind::kSeparationError);
 }
 
-TEST(OutcomesOf, PutsAFailureBeforeAPass) {
+TEST(OutcomesOf, RanksAFailureAboveAPass) {
   RunReport report = HandMadeReport();
   report.findings[2].verdict = Verdict::kPass;
   EXPECT_EQ(OutcomesOf(report)[2].verdict, Verdict::kFail);
@@ -58,7 +59,7 @@ TEST(OutcomesOf, CountsAScenarioWithoutAnyMeasureAsUnsupported) {
   }
 }
 
-/** An answer, and a claim that nothing was held against. */
+/** Returns the findings of an answer with an unverified claim. */
 std::vector<Finding> AnsweredWithoutProof(const RunReport& report) {
   Finding answered = report.findings.front();
   answered.measure = MeasureKind::kAnswering;
@@ -67,13 +68,13 @@ std::vector<Finding> AnsweredWithoutProof(const RunReport& report) {
   return {answered, unverified};
 }
 
-TEST(OutcomesOf, TakesAnAnswerOfWhichNothingIsVerifiedForNoPass) {
+TEST(OutcomesOf, PassesNoAnswerWithoutAVerifiedClaim) {
   RunReport report = HandMadeReport();
   const Finding proof = report.findings.front();
   report.findings = AnsweredWithoutProof(report);
   EXPECT_EQ(OutcomesOf(report)[0].verdict, Verdict::kUnsupported);
   EXPECT_EQ(OutcomesOf(report)[0].decisive, &report.findings[1]);
-  // What never moves is the same in every frame.
+  // A body that never moves is the same in every frame, so a variant verifies nothing.
   Finding variant = proof;
   variant.measure = MeasureKind::kTranslation;
   variant.reference.clear();
@@ -83,14 +84,14 @@ TEST(OutcomesOf, TakesAnAnswerOfWhichNothingIsVerifiedForNoPass) {
   EXPECT_EQ(OutcomesOf(report)[0].verdict, Verdict::kPass);
 }
 
-TEST(RelativeToTolerance, TakesNanForInfinitelyBad) {
+TEST(RelativeToTolerance, IsInfiniteForNan) {
   Finding finding;
   finding.value = std::nan("");
   finding.tolerance = 1;
   EXPECT_TRUE(std::isinf(RelativeToTolerance(finding)));
 }
 
-TEST(RelativeToTolerance, TakesAnyErrorBeyondAToleranceOfZeroForInfinitelyBad) {
+TEST(RelativeToTolerance, IsInfiniteForAnErrorBeyondAZeroTolerance) {
   Finding finding;
   finding.value = 1;
   EXPECT_TRUE(std::isinf(RelativeToTolerance(finding)));
@@ -98,7 +99,7 @@ TEST(RelativeToTolerance, TakesAnyErrorBeyondAToleranceOfZeroForInfinitelyBad) {
   EXPECT_EQ(RelativeToTolerance(finding), 0);
 }
 
-TEST(RelativeInWords, SaysWhatAToleranceOfZeroMeans) {
+TEST(RelativeInWords, StatesTheValueIfTheToleranceIsZero) {
   Finding finding;
   finding.value = 3;
   finding.tolerance = 2;
@@ -112,7 +113,7 @@ TEST(GroupOf, IsTheFolderOfTheId) {
   EXPECT_EQ(GroupOf("alone"), "alone");
 }
 
-TEST(TallyByGroup, KeepsGroupsApart) {
+TEST(TallyByGroup, CountsEachGroupSeparately) {
   const RunReport report = HandMadeReport();
   const std::vector<GroupTally> groups = TallyByGroup(report, OutcomesOf(report));
   ASSERT_EQ(groups.size(), 2u);
@@ -123,7 +124,7 @@ TEST(TallyByGroup, KeepsGroupsApart) {
   EXPECT_EQ(groups[1].oracles[1].outcomes[Verdict::kUnsupported], 1);
 }
 
-TEST(Sentence, TellsWhoMeasureValueToleranceProofAndCause) {
+TEST(Sentence, StatesOracleMeasureValueToleranceProofAndCause) {
   const RunReport report = HandMadeReport();
   EXPECT_EQ(
       Sentence(report.findings[2]),
@@ -132,7 +133,7 @@ TEST(Sentence, TellsWhoMeasureValueToleranceProofAndCause) {
       "leaves 0.01 of overlap. Cause: defect.");
 }
 
-TEST(Sentence, NamesTheLegalModelThatAMotionIsRecognisedBy) {
+TEST(Sentence, NamesTheLegalModelThatAMotionFollows) {
   Finding finding = HandMadeReport().findings[2];
   finding.verdict = Verdict::kPass;
   finding.reference = "law";
@@ -146,7 +147,7 @@ TEST(Sentence, NamesTheLegalModelThatAMotionIsRecognisedBy) {
   EXPECT_EQ(RecognisedModelOf(finding), "");
 }
 
-TEST(Sentence, WritesEnoughDigitsToTellAValueFromItsTolerance) {
+TEST(Sentence, WritesEnoughDigitsToDistinguishAValueFromItsTolerance) {
   Finding finding = HandMadeReport().findings[2];
   finding.value = 1.23412e-5;
   finding.tolerance = 1.23401e-5;

@@ -8,7 +8,7 @@
 namespace touchstone {
 namespace {
 
-TEST(LineClass, IsTheSubjectsAloneAndOneOfEightForTheOthersPlainOrDashed) {
+TEST(LineClass, IsUniqueForTheSubjectAndOneOfEightForTheOthersPlainOrDashed) {
   EXPECT_EQ(LineClass(0), "line0");
   std::set<std::string> others;
   for (std::size_t oracle = 1; oracle <= 8; ++oracle) others.insert(LineClass(oracle));
@@ -19,7 +19,7 @@ TEST(LineClass, IsTheSubjectsAloneAndOneOfEightForTheOthersPlainOrDashed) {
   }
 }
 
-// Neighbours in a table have colours of their own.
+// Neighbours in a table have different colours.
 TEST(LineClass, DiffersWithinEight) {
   for (std::size_t oracle = 1; oracle < 40; ++oracle) {
     for (std::size_t next = oracle + 1; next < oracle + 8; ++next) {
@@ -42,8 +42,8 @@ TEST(Plot, LabelsTheExtremesOfItsValues) {
   EXPECT_NE(plot.find(">0.25</text>"), std::string::npos) << plot;
 }
 
-// Else rounding would look like a loss of all there is.
-TEST(Plot, TellsExtremesThatPrintAlikeByTheirDifference) {
+// Otherwise variation by rounding would look like a total loss.
+TEST(Plot, LabelsExtremesThatPrintAlikeByTheirDifference) {
   const std::string plot = Plot(CurveOf(0.5, 0.5 - 0x1p-25), 0);
   EXPECT_NE(plot.find(">0.5</text>"), std::string::npos) << plot;
   EXPECT_NE(plot.find(">0.5 − 3e-08</text>"), std::string::npos) << plot;

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A view of which no axis is an axis of the world.
+// A view without an axis along a world axis.
 View AwkwardView(const Vector3d& centre_W, double half_width) {
   const Eigen::Matrix3d R = Eigen::Quaterniond(0.4, -0.2, 0.8, 0.4).toRotationMatrix();
   return {R.col(0), R.col(1), centre_W, half_width};
@@ -29,8 +29,8 @@ double AreaOf(const Polyline& polygon) {
 }
 
 TEST(OutlineOf, HasTheProjectedAreaOfABox) {
-  // Cauchy: the shadow of a box is the sum over its axes of the face's area times |axis ·
-  // view|.
+  // Cauchy: the projected area of a box is the sum over its axes of the face's area times
+  // |axis · view|.
   const Vector3d h(0.3, 0.2, 0.7);
   const Pose X_WB =
       Pose::FromQuaternion({1, 2, 3}, Eigen::Quaterniond(0.1, 0.7, -0.1, 0.7));
@@ -39,7 +39,7 @@ TEST(OutlineOf, HasTheProjectedAreaOfABox) {
   const double shadow =
       4 * (h.y() * h.z() * std::abs(v_B.x()) + h.z() * h.x() * std::abs(v_B.y()) +
            h.x() * h.y() * std::abs(v_B.z()));
-  // Rounding of a dozen products of numbers near one.
+  // Tolerance: rounding of a dozen products of numbers near one.
   EXPECT_NEAR(AreaOf(OutlineOf({Box{h}, X_WB}, view, view.right_W)), shadow / 4, 1e-14);
 }
 
@@ -54,9 +54,9 @@ TEST(OutlineOf, IsACircleForASphere) {
 }
 
 TEST(OutlineOf, IsFineEnoughToBeMagnifiedWhereTheNormalPoints) {
-  // Seen a million times enlarged at the point n of a unit sphere, the outline must still
-  // be the circle: within the picture its sag is (1e-6)²/2 of the radius, nothing to be
-  // seen.
+  // Magnified a million times at the point n of a unit sphere, the outline must still be
+  // the circle: within the picture its sag is (1e-6)²/2 of the radius, which is
+  // invisible.
   const View whole = AwkwardView(Vector3d::Zero(), 1);
   const Vector3d n_W = (3 * whole.right_W + 4 * whole.up_W) / 5;
   View close = whole;
@@ -66,9 +66,8 @@ TEST(OutlineOf, IsFineEnoughToBeMagnifiedWhereTheNormalPoints) {
   const Polyline seen = ClipToPicture(OutlineOf(ball, close, n_W));
   ASSERT_GE(seen.size(), 10u);
   const Vector2d n(0.6, 0.8);
-  // Everything on the near side is within the sag of a chord between two samples, whose
-  // step towards n is at most half their distance from it: far below a hundredth of the
-  // picture.
+  // The near side lies within the sag of a chord between two samples, whose step towards
+  // n is at most half their distance from it: far below a hundredth of the picture.
   double nearest = -1e300;
   for (const Vector2d& p : seen) nearest = std::max(nearest, n.dot(p));
   EXPECT_NEAR(nearest, 0, 1e-2);
@@ -90,7 +89,7 @@ TEST(OutlineOf, EndsAtTheEdgeOfAHalfSpace) {
   EXPECT_NEAR(top, 0.5, 1e-14);
 }
 
-TEST(ClipToPicture, KeepsWhatIsInsideAndCutsTheRest) {
+TEST(ClipToPicture, KeepsTheInsideAndCutsTheOutside) {
   const Polyline huge = {{-50, -50}, {50, -50}, {50, 50}, {-50, 50}};
   EXPECT_NEAR(AreaOf(ClipToPicture(huge)), 2.2 * 2.2, 1e-12);
   const Polyline small = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}};

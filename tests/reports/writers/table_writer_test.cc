@@ -35,14 +35,14 @@ TEST(WriteTable, CountsEveryVerdict) {
                 "1 undecidable, 1 unsupported, 0 crashed, 0 timed out, 1 invalid"));
 }
 
-TEST(WriteTable, ShowsWhatTheLedgerHides) {
+TEST(WriteTable, ShowsTheFindingsThatTheLedgerHides) {
   const std::string table = Table(HandMadeReport());
   EXPECT_THAT(table,
-              HasSubstr("1 of 2 entries hides 1 finding; 1 was not put to the test"));
+              HasSubstr("1 of 2 entries hides 1 finding; 1 was not tested by this run"));
   EXPECT_THAT(table, HasSubstr("    1  theirs/float 1.2: Float build (unreported)"));
 }
 
-TEST(WriteTable, CountsTheClaimsThatNothingWasHeldAgainst) {
+TEST(WriteTable, CountsUnverifiedClaims) {
   RunReport report = HandMadeReport();
   EXPECT_THAT(Table(report), Not(HasSubstr("Unverified")));
   Finding unverified = report.findings.front();
@@ -54,22 +54,22 @@ TEST(WriteTable, CountsTheClaimsThatNothingWasHeldAgainst) {
                                        "      2  mine: coulomb_cone: nothing\n"));
 }
 
-TEST(WriteTable, ShowsFaultsOfTheCatalogue) {
+TEST(WriteTable, ShowsFaultsInTheCatalogue) {
   EXPECT_THAT(Table(HandMadeReport()), HasSubstr("the author expects \"apart\""));
 }
 
-TEST(WriteTable, TellsNothingOfALedgerThatIsAboutOtherQuestions) {
+TEST(WriteTable, OmitsALedgerThatAppliesToOtherQuestions) {
   RunReport report = HandMadeReport();
   report.ledger_use = {{{{0, 0}}, 0}, {{{}}, 0}};
   EXPECT_THAT(Table(report), Not(HasSubstr("Ledger")));
 }
 
-TEST(WriteTable, SaysWhyWhatIsUnsupportedIs) {
+TEST(WriteTable, WritesTheReasonsOfUnsupportedOutcomes) {
   EXPECT_THAT(Table(HandMadeReport()),
               HasSubstr("Unsupported\n      1  theirs/float: no cones \x01 here\n"));
 }
 
-TEST(WriteTable, SaysThatTheSubjectWasNotExaminedWhateverTheReferencesDo) {
+TEST(WriteTable, SaysThatTheSubjectWasNotExaminedEvenIfReferencesFail) {
   RunReport report = HandMadeReport();
   std::erase_if(report.findings, [](const Finding& finding) {
     return finding.oracle == "mine" || finding.scenario != "contact/box_sphere/wrong";
@@ -84,7 +84,7 @@ TEST(WriteTable, SaysThatTheSubjectWasNotExaminedWhateverTheReferencesDo) {
   EXPECT_THAT(table, HasSubstr("mine was not examined: unsupported: no spheres; "));
 }
 
-TEST(WriteTable, CountsTheMotionsThatFollowAnotherLegalModel) {
+TEST(WriteTable, CountsMotionsThatFollowAnotherLegalModel) {
   RunReport report = HandMadeReport();
   EXPECT_THAT(Table(report), Not(HasSubstr("Recognised")));
   report.findings[0].reference = "law";
@@ -115,7 +115,7 @@ TEST(WriteTable, KeepsFailuresWhenQuiet) {
   EXPECT_THAT(table, Not(HasSubstr("unsupported worst/tol")));
 }
 
-TEST(WriteTable, KeepsWhatCountsOnlyWhenQuiet) {
+TEST(WriteTable, KeepsOnlyTheFailuresThatCountWhenQuiet) {
   const std::string proof_of_theirs = "theirs/float: invalid.";
   const auto table = [](bool quiet, FailOn fail_on) {
     return Table(HandMadeReport(), {.quiet = quiet, .fail_on = fail_on});
@@ -131,25 +131,25 @@ TEST(WriteTable, SaysOkOnlyWithoutFailuresAndFaults) {
   RunReport report = HandMadeReport();
   EXPECT_THAT(Table(report),
               HasSubstr("FAILED: mine failed in 1 scenario, references in 1 answer "
-                        "(theirs/float), 1 fault of the scenario files"));
+                        "(theirs/float), 1 fault in the scenario files"));
   for (Finding& finding : report.findings) finding.verdict = Verdict::kPass;
   EXPECT_THAT(Table(report), HasSubstr("FAILED"));
   report.faults.clear();
   EXPECT_THAT(Table(report), HasSubstr("OK: mine failed in 0 scenarios"));
 }
 
-TEST(WriteTable, CountsAtTheEndWhatIsWrongAndKnown) {
+TEST(WriteTable, CountsKnownErrorsAtTheEnd) {
   RunReport report = HandMadeReport();
   EXPECT_THAT(Table(report),
-              HasSubstr("wrong too, as the ledger knows: mine in 0 scenarios, references "
-                        "in 1 answer\n"));
+              HasSubstr("also wrong, but known to the ledger: mine in 0 scenarios, "
+                        "references in 1 answer\n"));
   std::erase_if(report.findings, [](const Finding& finding) {
     return finding.verdict == Verdict::kKnown;
   });
-  EXPECT_THAT(Table(report), Not(HasSubstr("as the ledger knows")));
+  EXPECT_THAT(Table(report), Not(HasSubstr("known to the ledger")));
 }
 
-TEST(WriteTable, GivesNoMultipleOfAToleranceOfZero) {
+TEST(WriteTable, WritesNoMultipleOfAZeroTolerance) {
   RunReport report = HandMadeReport();
   for (Finding& finding : report.findings) {
     if (finding.verdict == Verdict::kFail) finding.tolerance = 0;

@@ -7,7 +7,7 @@
 namespace touchstone {
 namespace {
 
-TEST(TrajectoryCsv, WritesARowForEachThingThatMovesAtEachTime) {
+TEST(TrajectoryCsv, WritesARowForEachMovingObjectAtEachTime) {
   WorldScenario scenario;
   scenario.id = "world/test/all";
   RigidBody floor;

@@ -59,8 +59,8 @@ Finding FindingOf(const std::string& oracle, double value) {
   return finding;
 }
 
-/** A ball that one engine lets fall rightly, one too slowly and one not at all; an oracle
- of contacts beside them. */
+/** Returns a report on a falling ball: one engine is right, one is too slow, and one does
+ not support it. A fourth oracle answers contact queries only. */
 RunReport OneWorld() {
   RunReport report;
   report.subject = "mine";
@@ -103,22 +103,22 @@ std::string Written(Writer write) {
   return out.str();
 }
 
-TEST(WorldReport, ExplanationSetsWhatEnsemblesHaveInCommonBesideEachOther) {
+TEST(WorldReport, ExplanationComparesTheStatisticsOfEnsembles) {
   const std::string text = Written([](const RunReport& report, std::ostream& out) {
     WriteExplanation(report, {}, out);
   });
   EXPECT_THAT(text, HasSubstr("Ensemble of 4, at the end"));
   EXPECT_THAT(text, ContainsRegex("mine +48.2 ± 0.05 +-2.91 ± 0.001 +0.3 ± 0 "));
-  // 154 of its standard errors off in energy, 2 in height.
+  // Energy differs by 154 of its standard errors, height by 2.
   EXPECT_THAT(text, ContainsRegex("light +40.5 ± 0.05 +≠ +-2.912 ± 0.001 +0.3 ± 0 "));
 }
 
-TEST(WorldReport, ExplanationSetsEveryNumberBesideWhatIsAllowed) {
+TEST(WorldReport, ExplanationWritesEveryNumberNextToItsTolerance) {
   const std::string text =
       Written([](const auto& r, auto& out) { WriteExplanation(r, {}, out); });
   EXPECT_THAT(text, HasSubstr("world/test/fall: A ball <falls>\n  source: Galilei\n  1 "
                               "body; 10 steps of 100 ms\n  laws: ballistic of ball\n"));
-  EXPECT_THAT(text, HasSubstr("parts from mine at 0.1 s: ball is 0.0041 m off"));
+  EXPECT_THAT(text, HasSubstr("departs from mine at 0.1 s: ball is 0.0041 m off"));
   EXPECT_THAT(text, HasSubstr("position_error"));
   EXPECT_THAT(text,
               HasSubstr("0.001 m of         0.01 m  ballistic                    [1]\n"));
@@ -129,16 +129,17 @@ TEST(WorldReport, ExplanationSetsEveryNumberBesideWhatIsAllowed) {
   EXPECT_THAT(text, Not(HasSubstr("contacts")));
 }
 
-TEST(WorldReport, NamesTheLegalModelWhereverTheVerdictIs) {
+TEST(WorldReport, NamesTheLegalModelNextToEveryVerdict) {
   RunReport report = OneWorld();
   report.findings[1].verdict = Verdict::kPass;
   report.findings[1].cause = Cause::kModel;
   report.findings[1].cause_because = "moon <gravity>";
   std::ostringstream text;
   WriteExplanation(report, {}, text);
-  EXPECT_THAT(text.str(), HasSubstr("\nBy another legal model, moon <gravity>: light\n"));
   EXPECT_THAT(text.str(),
-              HasSubstr("pass        recognised: moon <gravity>; parts from"));
+              HasSubstr("\nFollows another legal model, moon <gravity>: light\n"));
+  EXPECT_THAT(text.str(),
+              HasSubstr("pass        recognised: moon <gravity>; departs from"));
   std::ostringstream page;
   WriteHtml(report, page);
   EXPECT_THAT(page.str(), HasSubstr("pass, recognised: moon &lt;gravity&gt;<td>"));
@@ -146,14 +147,14 @@ TEST(WorldReport, NamesTheLegalModelWhereverTheVerdictIs) {
               HasSubstr("light: pass, recognised as moon &lt;gravity&gt; in "));
 }
 
-TEST(WorldReport, ExplanationTableHasALineForIt) {
+TEST(WorldReport, ExplanationTableHasALinePerWorld) {
   const std::string text =
       Written([](const auto& r, auto& out) { WriteExplanationTable(r, out); });
   EXPECT_THAT(text, HasSubstr("world/test/fall  1 law"));
   EXPECT_THAT(text, HasSubstr("light\n"));
 }
 
-TEST(WorldReport, PageDrawsPlaceEnergyAndMomentumWithTheTruth) {
+TEST(WorldReport, PageDrawsPositionEnergyAndMomentumWithTheTruth) {
   const std::string page = Written([](const auto& r, auto& out) { WriteHtml(r, out); });
   EXPECT_THAT(page, AllOf(HasSubstr("y of ball [m]"), HasSubstr("energy [J]"),
                           HasSubstr("momentum [N s]")));
@@ -162,7 +163,7 @@ TEST(WorldReport, PageDrawsPlaceEnergyAndMomentumWithTheTruth) {
                           HasSubstr("<polyline class=\"truth\""),
                           HasSubstr("<polygon class=\"band\"")));
   EXPECT_THAT(page, Not(HasSubstr("<polyline class=\"line2\"")));
-  // Drawn later is on top: the subject's line must not hide the truth.
+  // Later elements are drawn on top: the subject's line must not hide the truth.
   EXPECT_LT(page.find("<polyline class=\"line0\""),
             page.find("<polyline class=\"truth\""));
   EXPECT_THAT(page, AllOf(HasSubstr("A ball &lt;falls&gt;"),
@@ -190,7 +191,7 @@ TEST(WorldReport, JUnitHasACaseForEachOracleThatSimulates) {
                          HasSubstr("skipped=\"1\"")));
 }
 
-TEST(WorldReport, TableCountsWhoCannotBeAskedAsUnsupported) {
+TEST(WorldReport, TableCountsOraclesThatDoNotSimulateAsUnsupported) {
   const std::string table =
       Written([](const auto& r, auto& out) { WriteTable(r, TableStyle{}, out); });
   EXPECT_THAT(table, HasSubstr("1 scenario × 4 oracles: 1 pass, 1 fail, 0 disagree, 0 "
