@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/run_report.h"
+#include "reports/run.h"
 
 namespace touchstone {
 

@@ -16,6 +16,7 @@
 #include "reports/referee/referee.h"
 #include "reports/threads/parallel_for.h"
 #include "reports/worlds/study/check_claims.h"
+#include "reports/worlds/study/run_worlds.h"
 
 namespace touchstone {
 namespace {

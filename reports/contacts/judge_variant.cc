@@ -10,14 +10,15 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "reports/contacts/proof.h"
+#include "reports/contacts/tolerances.h"
 #include "reports/measures/answer_change.h"
 #include "reports/measures/invalidity.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"
 #include "reports/measures/stated.h"
-#include "reports/contacts/proof.h"
+#include "reports/text/format_vector.h"
 #include "reports/text/told_apart.h"
-#include "reports/contacts/tolerances.h"
 #include "scenarios/cube_rotations.h"
 #include "scenarios/transformations.h"
 
@@ -82,12 +83,12 @@ std::string ChangeOf(const ContactQuery& query, const Variant& variant) {
           "rigid_motion: both turned by the quaternion ({:.6g}, {:.6g}, {:.6g}, {:.6g}) "
           "about the origin, then moved by {}",
           AwkwardMotion().q_WB->w(), AwkwardMotion().q_WB->x(), AwkwardMotion().q_WB->y(),
-          AwkwardMotion().q_WB->z(), InWords(AwkwardMotion().p_WB));
+          AwkwardMotion().q_WB->z(), FormatVector(AwkwardMotion().p_WB));
     case MeasureKind::kScaling:
       return fmt::format("scaling: all lengths times {:.9g}", variant.factor);
     case MeasureKind::kPerturbation:
       return fmt::format("perturbation: B moved by {}",
-                         InWords(variant.query.B.X_WB.p_WB - query.B.X_WB.p_WB));
+                         FormatVector(variant.query.B.X_WB.p_WB - query.B.X_WB.p_WB));
     default:
       return "relabelling: the axes of its boxes renamed";
   }
@@ -139,7 +140,7 @@ std::string ProveOverlaps(const ContactQuery& query, const ContactAnswer& answer
   return fmt::format(
       "says n = {}, along which max_A n·x − min_B n·x is {} m; for its variant ({}), "
       "mapped back, it says n = {}, along which that is {} m: a difference of {} m",
-      InWords(n_W), first, change, InWords(back_W), second, difference);
+      FormatVector(n_W), first, change, FormatVector(back_W), second, difference);
 }
 
 /** Returns the name of a field that `answer` states and `back` does not; "" if there is

@@ -9,9 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/counted.h"
 #include "reports/measures/overlap_along.h"
 #include "reports/referee/referee.h"
+#include "reports/text/counted.h"
+#include "reports/text/format_vector.h"
 #include "reports/text/told_apart.h"
 
 namespace touchstone {
@@ -60,21 +61,16 @@ std::string SeparatingPlane(const ContactTruth& truth, std::string_view gap) {
   const Certificate& proof = truth.certificate;
   const double c = proof.n_AB_W.dot(proof.p_WCa + proof.p_WCb) / 2;
   return fmt::format("the plane n·x = {} with n = {} separates them by {} m", c,
-                     InWords(proof.n_AB_W), gap);
+                     FormatVector(proof.n_AB_W), gap);
 }
 
 // `depth` is -truth.separation.lo as text. [m]
 std::string LeastTranslation(const ContactTruth& truth, std::string_view depth) {
   return fmt::format("moving B by {} m along {} separates them", depth,
-                     InWords(truth.certificate.n_AB_W));
+                     FormatVector(truth.certificate.n_AB_W));
 }
 
 }  // namespace
-
-std::string InWords(const Eigen::Vector3d& v) {
-  // Adding zero turns -0 into 0.
-  return fmt::format("({}, {}, {})", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
-}
 
 std::string ProveTouching(const Dispute& dispute) {
   if (dispute.answer.touching) {
@@ -85,7 +81,7 @@ std::string ProveTouching(const Dispute& dispute) {
   const InsidePoint inside = PointInsideBoth(dispute.query, dispute.truth);
   if (inside.depth > 0) {
     return fmt::format("{} says apart; the point {} lies {:.9g} m inside both.",
-                       dispute.oracle, InWords(inside.p_W), inside.depth);
+                       dispute.oracle, FormatVector(inside.p_W), inside.depth);
   }
   return fmt::format(
       "{} says apart; no translation shorter than {:.9g} m separates them.",
@@ -108,8 +104,8 @@ std::string ProveSeparation(const Dispute& dispute, double separation) {
     return fmt::format(
         "{} says {} m apart; the point {} of A and the point {} of B are {} m apart, {} "
         "m less.",
-        dispute.oracle, said, InWords(truth.certificate.p_WCa),
-        InWords(truth.certificate.p_WCb), gap, less);
+        dispute.oracle, said, FormatVector(truth.certificate.p_WCa),
+        FormatVector(truth.certificate.p_WCb), gap, less);
   }
   if (separation < truth.separation.lo) {
     const auto [said, depth, less] =
@@ -131,7 +127,7 @@ std::string ProveSeparation(const Dispute& dispute, double separation) {
         OverlapAlong(dispute.query, *dispute.answer.n_AB_W).lo + separation;
     sentence += fmt::format(
         "; moving B by {} m along its own normal {} leaves an overlap of {} m", said,
-        InWords(*dispute.answer.n_AB_W), InMetres(left));
+        FormatVector(*dispute.answer.n_AB_W), InMetres(left));
   }
   return sentence + ".";
 }
@@ -141,7 +137,7 @@ std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_
   const double overlap = Middle(OverlapAlong(dispute.query, n_W));
   const auto [said, along, difference] = TellApart(-separation, overlap, kDigits);
   return fmt::format("{} says {} m along {}; the overlap along it is {} m, {} m {}.",
-                     dispute.oracle, said, InWords(n_W), along, difference,
+                     dispute.oracle, said, FormatVector(n_W), along, difference,
                      overlap > -separation ? "more" : "less");
 }
 
@@ -152,7 +148,7 @@ std::string ProveManifoldInconsistency(const Dispute& dispute, double separation
   return fmt::format(
       "{} says a separation of {} m; that of its deepest contact, at {}, is {} m: a "
       "difference of {} m.",
-      dispute.oracle, said, InWords(deepest.p_WC), found, difference);
+      dispute.oracle, said, FormatVector(deepest.p_WC), found, difference);
 }
 
 std::string ProveExcess(const Dispute& dispute, const Eigen::Vector3d& n_W) {
@@ -161,13 +157,13 @@ std::string ProveExcess(const Dispute& dispute, const Eigen::Vector3d& n_W) {
   if (truth.separation.lo > 0) {
     const auto [along, gap, more] = TellApart(-overlap, truth.separation.lo, kDigits);
     return fmt::format("{} says n = {}, along which the gap is {} m; {}, {} m more.",
-                       dispute.oracle, InWords(n_W), along, SeparatingPlane(truth, gap),
-                       more);
+                       dispute.oracle, FormatVector(n_W), along,
+                       SeparatingPlane(truth, gap), more);
   }
   const auto [along, depth, less] = TellApart(overlap, -truth.separation.lo, kDigits);
   return fmt::format("{} says n = {}, along which B must move {} m; {}, {} m less.",
-                     dispute.oracle, InWords(n_W), along, LeastTranslation(truth, depth),
-                     less);
+                     dispute.oracle, FormatVector(n_W), along,
+                     LeastTranslation(truth, depth), less);
 }
 
 std::string ProveDualityGap(const Dispute& dispute) {
@@ -178,7 +174,7 @@ std::string ProveDualityGap(const Dispute& dispute) {
   return fmt::format(
       "{} says {} of A and {} of B are nearest; they are {} m apart, but the gap along "
       "their direction is {} m, {} m less.",
-      dispute.oracle, InWords(w.p_WCa), InWords(w.p_WCb), said, gap, less);
+      dispute.oracle, FormatVector(w.p_WCa), FormatVector(w.p_WCb), said, gap, less);
 }
 
 std::string ProveSurfaceError(const Dispute& dispute, const Eigen::Vector3d& p_WCa,
@@ -186,7 +182,7 @@ std::string ProveSurfaceError(const Dispute& dispute, const Eigen::Vector3d& p_W
   return fmt::format(
       "{} puts a contact at {} on A and {} on B; these are {:.9g} m and {:.9g} m from "
       "the surfaces.",
-      dispute.oracle, InWords(p_WCa), InWords(p_WCb),
+      dispute.oracle, FormatVector(p_WCa), FormatVector(p_WCb),
       std::abs(Middle(SignedDistance(dispute.query.A, p_WCa))),
       std::abs(Middle(SignedDistance(dispute.query.B, p_WCb))));
 }
@@ -196,7 +192,7 @@ std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,
   return fmt::format(
       "{} puts a contact {:.9g} m deep at {}; the shapes overlap that deep only {:.9g} m "
       "from there, across the normal.",
-      dispute.oracle, -contact.separation, InWords(contact.p_WC), off);
+      dispute.oracle, -contact.separation, FormatVector(contact.p_WC), off);
 }
 
 std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
@@ -205,7 +201,7 @@ std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
       "{} returns {}, which leaves {:.0f} % of the patch's extent unspanned; one of its "
       "{} is {}.",
       dispute.oracle, Counted(dispute.answer.points.size(), "contact"), 100 * unspanned,
-      Counted(patch.vertices_W.size(), "corner"), InWords(patch.vertices_W.front()));
+      Counted(patch.vertices_W.size(), "corner"), FormatVector(patch.vertices_W.front()));
 }
 
 std::string ProveCount(const Dispute& dispute, const ContactPatch& patch) {
@@ -220,7 +216,7 @@ std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact) {
   const auto [said, depth, less] =
       TellApart(-contact.separation, -truth.separation.lo, kDigits);
   const std::string says = fmt::format("{} returns a contact {} m deep at {}",
-                                       dispute.oracle, said, InWords(contact.p_WC));
+                                       dispute.oracle, said, FormatVector(contact.p_WC));
   if (truth.separation.lo > 0) {
     return fmt::format("{}; {}.", says,
                        SeparatingPlane(truth, InMetres(truth.separation.lo)));

@@ -40,8 +40,4 @@ std::string ProveCount(const Dispute& dispute, const ContactPatch& patch);
 std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact);
 std::string ProveMixedNormals(const Dispute& dispute, double angle);
 
-/** Returns a vector as text, e.g. "(0.125, -0.6, 0.7905694150420949)", with the fewest
- digits that read back as `v`. */
-std::string InWords(const Eigen::Vector3d& v);
-
 }  // namespace touchstone

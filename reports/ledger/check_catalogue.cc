@@ -8,13 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/counted.h"
+#include "reports/contacts/proof.h"
+#include "reports/contacts/tolerances.h"
 #include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/overlap_along.h"
-#include "reports/contacts/proof.h"
 #include "reports/referee/referee.h"
-#include "reports/contacts/tolerances.h"
+#include "reports/text/counted.h"
+#include "reports/text/format_vector.h"
 
 namespace touchstone {
 namespace {
@@ -91,10 +92,10 @@ void CheckNormals(const ScenarioResult& result, std::vector<std::string>& faults
     const Eigen::Vector3d& n = normals[i];
     const double excess = Excess(query, result.truth, n);
     if (excess <= slack) continue;
-    faults.push_back(
-        fmt::format("{}: expects the normal {}, but {} is shorter by {:.9g} m.",
-                    PlaceOf(result, fmt::format("expect.normals[{}]", i)), InWords(n),
-                    InWords(result.truth.certificate.n_AB_W), excess));
+    faults.push_back(fmt::format(
+        "{}: expects the normal {}, but {} is shorter by {:.9g} m.",
+        PlaceOf(result, fmt::format("expect.normals[{}]", i)), FormatVector(n),
+        FormatVector(result.truth.certificate.n_AB_W), excess));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/counted.h"
+#include "reports/run.h"
 #include "reports/writers/explanation_writer.h"
 #include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"

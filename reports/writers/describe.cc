@@ -5,8 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/counted.h"
 #include "reports/contacts/proof.h"
+#include "reports/text/counted.h"
+#include "reports/text/format_vector.h"
 
 namespace touchstone {
 namespace {
@@ -16,7 +17,7 @@ struct DescribeShape {
     return fmt::format("sphere, radius {} m", s.radius);
   }
   std::string operator()(const Box& s) const {
-    return fmt::format("box, half extents {} m", InWords(s.half_extents));
+    return fmt::format("box, half extents {} m", FormatVector(s.half_extents));
   }
   std::string operator()(const Capsule& s) const {
     return fmt::format("capsule, radius {} m, half length {} m", s.radius, s.half_length);
@@ -50,7 +51,7 @@ std::string_view NameOf(Touching touching) {
 
 std::string Describe(const Body& body) {
   return fmt::format("{} at {}", std::visit(DescribeShape{}, body.shape),
-                     InWords(body.X_WB.p_WB));
+                     FormatVector(body.X_WB.p_WB));
 }
 
 std::string Describe(const ContactTruth& truth) {
@@ -63,8 +64,9 @@ std::string Describe(const ContactTruth& truth) {
       "{}: the separation {}, certified along n = {} by the points {} of "
       "A and "
       "{} of B ({}).",
-      state, separation, InWords(truth.certificate.n_AB_W),
-      InWords(truth.certificate.p_WCa), InWords(truth.certificate.p_WCb), truth.method);
+      state, separation, FormatVector(truth.certificate.n_AB_W),
+      FormatVector(truth.certificate.p_WCa), FormatVector(truth.certificate.p_WCb),
+      truth.method);
 }
 
 double LeastError(double separation, const ContactTruth& truth) {

@@ -13,8 +13,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/text/counted.h"
 #include "reports/contacts/proof.h"
+#include "reports/text/counted.h"
+#include "reports/text/format_vector.h"
 #include "reports/worlds/study/run_worlds.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
@@ -29,14 +30,14 @@ std::string OneLine(const std::string& text) {
   return line;
 }
 
-/** Returns a number for a table, a direction or a point, without digits of rounding. */
-std::string Short(double value) {
+/** Returns a number of a table, a direction or a point, 0 where it is only rounding. */
+double WithoutRounding(double value) {
   constexpr double kRounding = 1e-12;
-  return fmt::format("{:.6g}", std::abs(value) < kRounding ? 0.0 : value);
+  return std::abs(value) < kRounding ? 0.0 : value;
 }
 
 std::string Short(const Eigen::Vector3d& v) {
-  return fmt::format("({}, {}, {})", Short(v.x()), Short(v.y()), Short(v.z()));
+  return FormatVector(v.unaryExpr(&WithoutRounding), 6);
 }
 
 /** Returns the row of an answer, without the oracle's name. */
@@ -58,7 +59,7 @@ std::string RowOf(const ContactAnswer& answer, const ContactTruth& truth,
 void WritePoints(const ContactAnswer& answer, std::ostream& out) {
   for (const ContactPoint& point : answer.points) {
     out << fmt::format("  {:>39} contact {:>20.12g} at {}\n", "", point.separation,
-                       InWords(point.p_WC));
+                       FormatVector(point.p_WC));
   }
 }
 

@@ -10,8 +10,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/text/counted.h"
 #include "reports/contacts/proof.h"
+#include "reports/text/counted.h"
+#include "reports/text/format_vector.h"
 #include "reports/worlds/study/judge_world.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
@@ -128,11 +129,6 @@ std::string CardLabels(std::string_view css_class, std::span<const Column> colum
 /** Returns a cell with the count, in the colour of its verdict unless it is zero. */
 std::string CountCell(int count, std::string_view css_class) {
   return fmt::format("<td class=\"n {}\">{}", count == 0 ? "soft" : css_class, count);
-}
-
-/** Returns the vector to six digits, for a column of a table. */
-std::string Rounded(const Eigen::Vector3d& v) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
 /** Returns an id with optional line breaks after its levels and words. */
@@ -397,7 +393,7 @@ class Page {
           answer.separation
               ? fmt::format("{:.2g}", LeastError(*answer.separation, result.truth))
               : "",
-          answer.n_AB_W ? Rounded(*answer.n_AB_W) : "", answer.points.size(),
+          answer.n_AB_W ? FormatVector(*answer.n_AB_W, 6) : "", answer.points.size(),
           WorstOf(outcome.worst));
     }
     out_ << "</table></div>\n";

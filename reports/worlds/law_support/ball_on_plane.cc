@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 
@@ -37,21 +37,22 @@ void BallOnPlane::Take(std::size_t s, const BodyState& truth, const Errors& erro
       kSafety * (across + inside * errors.surface + errors.ending) + share * errors.speed;
   velocity_.Take((is.v_WB - truth.v_WB).norm(), allowed, [&] {
     return fmt::format("{} has {} move at {} after {:.6g} s; {} it moves at {}",
-                       motion_.oracle.name, body.name, Words(is.v_WB), t, how_,
-                       Words(truth.v_WB));
+                       motion_.oracle.name, body.name, FormatVector(is.v_WB, 9), t, how_,
+                       FormatVector(truth.v_WB, 9));
   });
   spin_.Take((is.w_WB - truth.w_WB).norm(), allowed / (r * std::min(1.0, k)), [&] {
     return fmt::format("{} has {} spin at {} after {:.6g} s; {} it spins at {}",
-                       motion_.oracle.name, body.name, Words(is.w_WB), t, how_,
-                       Words(truth.w_WB));
+                       motion_.oracle.name, body.name, FormatVector(is.w_WB, 9), t, how_,
+                       FormatVector(truth.w_WB, 9));
   });
   position_.Take((is.p_WB - truth.p_WB).norm(),
                  kSafety * (errors.lag + on_.Settling(h) + inside * errors.speed * t) +
                      share * errors.speed * t + rounding * body.placed.X_WB.p_WB.norm(),
                  [&] {
                    return fmt::format("{} has {} at {} after {:.6g} s; {} it is at {}",
-                                      motion_.oracle.name, body.name, Words(is.p_WB), t,
-                                      how_, Words(truth.p_WB));
+                                      motion_.oracle.name, body.name,
+                                      FormatVector(is.p_WB, 9), t, how_,
+                                      FormatVector(truth.p_WB, 9));
                  });
 }
 

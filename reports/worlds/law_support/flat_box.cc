@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 namespace {
@@ -63,7 +63,7 @@ void FlatBox::Take(std::size_t s, double speed) {
   });
   spin_.Take(is.w_WB.norm(), settling_spin_ + left, [&] {
     return fmt::format("{} has {} spin at {} after {:.6g} s; nothing turns it",
-                       motion_.oracle.name, body.name, Words(is.w_WB), t);
+                       motion_.oracle.name, body.name, FormatVector(is.w_WB, 9), t);
   });
 }
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
@@ -143,15 +143,16 @@ std::vector<LawFinding> JudgeHeld(
                     kSafety * off + rounding * (points[i].p_W.norm() + speed * t), [&] {
                       return fmt::format(
                           "{} has {} at {} after {:.6g} s; its rod swings it to {}",
-                          motion.oracle.name, point.name, Words(is.p_W), t,
-                          Words(points[i].p_W));
+                          motion.oracle.name, point.name, FormatVector(is.p_W, 9), t,
+                          FormatVector(points[i].p_W, 9));
                     });
-      velocity.Take(
-          (is.v_W - points[i].v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
-            return fmt::format(
-                "{} has {} move at {} after {:.6g} s; its rod swings it at {}",
-                motion.oracle.name, point.name, Words(is.v_W), t, Words(points[i].v_W));
-          });
+      velocity.Take((is.v_W - points[i].v_W).norm(),
+                    kSafety * off_speed + rounding * speed, [&] {
+                      return fmt::format(
+                          "{} has {} move at {} after {:.6g} s; its rod swings it at {}",
+                          motion.oracle.name, point.name, FormatVector(is.v_W, 9), t,
+                          FormatVector(points[i].v_W, 9));
+                    });
     }
   }
   return FindingsOf({position, velocity});

@@ -7,11 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/each_body.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 namespace {
@@ -90,7 +90,8 @@ class SideJudge {
                    kSafety * (dv + gravity) + share * speed, [&] {
                      return fmt::format(
                          "{} has {} move at {} after {:.6g} s; the impact leaves it {}",
-                         motion_.oracle.name, name, Words(is.v_WB), t, Words(truth.v_WB));
+                         motion_.oracle.name, name, FormatVector(is.v_WB, 9), t,
+                         FormatVector(truth.v_WB, 9));
                    });
     spin_.Take((is.w_WB - truth.w_WB).norm(),
                kSafety * (dw + gravity * side.size / side.radius) +
@@ -98,7 +99,8 @@ class SideJudge {
                [&] {
                  return fmt::format(
                      "{} has {} spin at {} after {:.6g} s; the impact leaves it {}",
-                     motion_.oracle.name, name, Words(is.w_WB), t, Words(truth.w_WB));
+                     motion_.oracle.name, name, FormatVector(is.w_WB, 9), t,
+                     FormatVector(truth.w_WB, 9));
                });
     position_.Take((is.p_WB - truth.p_WB).norm(),
                    kSafety * (dp + (gravity + side.a_W.norm() * h / 2) * t) +
@@ -106,7 +108,8 @@ class SideJudge {
                    [&] {
                      return fmt::format(
                          "{} has {} at {} after {:.6g} s; the impact leads it to {}",
-                         motion_.oracle.name, name, Words(is.p_WB), t, Words(truth.p_WB));
+                         motion_.oracle.name, name, FormatVector(is.p_WB, 9), t,
+                         FormatVector(truth.p_WB, 9));
                    });
   }
 

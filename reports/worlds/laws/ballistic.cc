@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
@@ -95,13 +95,13 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         (is.p_W - truth.p_W).norm(),
         kSafety * flight.a_W.norm() * world.dt * t / 2 + rounding * flight.Reach(t), [&] {
           return fmt::format("{} has {} at {} after {:.6g} s; x₀ + v₀ t + ½ a t² is {}",
-                             motion.oracle.name, flight.name, Words(is.p_W), t,
-                             Words(truth.p_W));
+                             motion.oracle.name, flight.name, FormatVector(is.p_W, 9), t,
+                             FormatVector(truth.p_W, 9));
         });
     velocity.Take((is.v_W - truth.v_W).norm(), rounding * flight.Speed(t), [&] {
       return fmt::format("{} has {} move at {} after {:.6g} s; v₀ + a t is {}",
-                         motion.oracle.name, flight.name, Words(is.v_W), t,
-                         Words(truth.v_W));
+                         motion.oracle.name, flight.name, FormatVector(is.v_W, 9), t,
+                         FormatVector(truth.v_W, 9));
     });
   };
   const Subjects subjects = SubjectsOf(world, claim);

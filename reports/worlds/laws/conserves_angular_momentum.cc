@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/scheme_drift.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -116,7 +116,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                  return fmt::format(
                      "{} has an angular momentum of {} N m s after {:.6g} s; it started "
                      "with {}",
-                     motion.oracle.name, Words(L), t, Words(L_0));
+                     motion.oracle.name, FormatVector(L, 9), t, FormatVector(L_0, 9));
                });
   }
   return FindingsOf({worst});

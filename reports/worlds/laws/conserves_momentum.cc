@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -66,7 +66,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           return fmt::format(
               "{} has a momentum of {} N s after {:.6g} s; the start and what acts "
               "from outside give {}",
-              motion.oracle.name, Words(P), t, Words(truth));
+              motion.oracle.name, FormatVector(P, 9), t, FormatVector(truth, 9));
         });
   }
   return FindingsOf({drift});

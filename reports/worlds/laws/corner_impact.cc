@@ -8,12 +8,12 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/each_body.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/landing.h"
 #include "reports/worlds/law_support/scheme_drift.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/impact.h"
 #include "reports/worlds/truth/mechanics.h"
@@ -262,20 +262,21 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
                                                    (1 + fall.landing.friction);
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const double share = kSolverResidual + rounding;
-    velocity.Take(
-        (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
-          return fmt::format(
-              "{} has {} move at {} after {:.6g} s; the impact leaves it {}",
-              motion.oracle.name, body.name, Words(is.v_WB), t, Words(truth.v_WB));
-        });
+    velocity.Take((is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed,
+                  [&] {
+                    return fmt::format(
+                        "{} has {} move at {} after {:.6g} s; the impact leaves it {}",
+                        motion.oracle.name, body.name, FormatVector(is.v_WB, 9), t,
+                        FormatVector(truth.v_WB, 9));
+                  });
     position.Take((is.p_WB - truth.p_WB).norm(),
                   kSafety * (dp + (gravity + a * h / 2) * t) + share * speed * t +
                       rounding * truth.p_WB.norm(),
                   [&] {
                     return fmt::format(
                         "{} has {} at {} after {:.6g} s; the impact leads it to {}",
-                        motion.oracle.name, body.name, Words(is.p_WB), t,
-                        Words(truth.p_WB));
+                        motion.oracle.name, body.name, FormatVector(is.p_WB, 9), t,
+                        FormatVector(truth.p_WB, 9));
                   });
     // Before the impact the inverse of the inertia is that of the start; the spin of the
     // truth is that at the impact.
@@ -291,7 +292,8 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
                 return fmt::format(
                     "{} has {} spin at {} after {:.6g} s; as it is turned, the angular "
                     "momentum that the impact leaves is a spin of {}",
-                    motion.oracle.name, body.name, Words(is.w_WB), t, Words(w_W));
+                    motion.oracle.name, body.name, FormatVector(is.w_WB, 9), t,
+                    FormatVector(w_W, 9));
               });
   }
   return {position, velocity, spin};

@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/point_mass.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/catenary.h"
 #include "reports/worlds/truth/net.h"
@@ -254,7 +254,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
             return fmt::format(
                 "{} has {} at {} after {:.6g} s; at rest it hangs "
                 "at {}",
-                motion.oracle.name, points[i].name, Words(is.p_W), t, Words(p_W));
+                motion.oracle.name, points[i].name, FormatVector(is.p_W, 9), t,
+                FormatVector(p_W, 9));
           });
     }
   }

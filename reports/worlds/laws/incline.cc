@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/each_body.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/flat_box.h"
 #include "reports/worlds/law_support/on_plane.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 namespace {
@@ -105,7 +105,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
           return fmt::format(
               "{} has {} move at {} after {:.6g} s; on this slope with μ = {:.6g} it "
               "moves at {}",
-              motion.oracle.name, body.name, Words(is.v_WB), t, mu, Words(v_W));
+              motion.oracle.name, body.name, FormatVector(is.v_WB, 9), t, mu,
+              FormatVector(v_W, 9));
         });
     const Eigen::Vector3d p_W = body.placed.X_WB.p_WB + v_W * (t / 2);
     position.Take(
@@ -115,7 +116,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
         [&] {
           return fmt::format(
               "{} has {} at {} after {:.6g} s; on this slope with μ = {:.6g} it is at {}",
-              motion.oracle.name, body.name, Words(is.p_WB), t, mu, Words(p_W));
+              motion.oracle.name, body.name, FormatVector(is.p_WB, 9), t, mu,
+              FormatVector(p_W, 9));
         });
     if (flat) {
       flat->Take(s, pull * t);
@@ -128,7 +130,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
           return fmt::format(
               "{} has {} spin at {} after {:.6g} s; on this slope with μ = {:.6g} it "
               "spins at {}",
-              motion.oracle.name, body.name, Words(is.w_WB), t, mu, Words(w_W));
+              motion.oracle.name, body.name, FormatVector(is.w_WB, 9), t, mu,
+              FormatVector(w_W, 9));
         });
   }
   if (flat) return {position, velocity, flat->orientation(), flat->spin()};

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
@@ -60,8 +60,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                    return fmt::format(
                        "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, blows "
                        "and the contacts that it reports give {}",
-                       motion.oracle.name, body.name, Words(gained_W), from, to,
-                       Words(given_W));
+                       motion.oracle.name, body.name, FormatVector(gained_W, 9), from, to,
+                       FormatVector(given_W, 9));
                  });
     }
   }

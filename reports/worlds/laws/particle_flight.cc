@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/damped_flight.h"
 
@@ -69,15 +69,15 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
         kSafety * off + rounding * (start.p_W.norm() + speed * t), [&] {
           return fmt::format(
               "{} has {} at {} after {:.6g} s; damped by {:.6g}/s it flies to {}",
-              motion.oracle.name, particle.name, Words(is.p_W), t, particle.damping,
-              Words(truth.p_W));
+              motion.oracle.name, particle.name, FormatVector(is.p_W, 9), t,
+              particle.damping, FormatVector(truth.p_W, 9));
         });
     velocity.Take(
         (is.v_W - truth.v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
           return fmt::format(
               "{} has {} move at {} after {:.6g} s; damped by {:.6g}/s it moves at {}",
-              motion.oracle.name, particle.name, Words(is.v_W), t, particle.damping,
-              Words(truth.v_W));
+              motion.oracle.name, particle.name, FormatVector(is.v_W, 9), t,
+              particle.damping, FormatVector(truth.v_W, 9));
         });
   }
   return FindingsOf({position, velocity});

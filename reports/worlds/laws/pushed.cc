@@ -6,12 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/scheme_drift.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -85,15 +85,17 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const double rounding = RoundingOf(motion.oracle, world.sample_every);
       momentum.Take((body.mass * after.v_WB - P_W).norm(), rounding * size, [&] {
         return fmt::format("{} has {} at {} N s after {:.6g} s; the blow leaves it {}",
-                           motion.oracle.name, body.name, Words(body.mass * after.v_WB),
-                           to, Words(P_W));
+                           motion.oracle.name, body.name,
+                           FormatVector(body.mass * after.v_WB, 9), to,
+                           FormatVector(P_W, 9));
       });
       spin.Take((L_after - L_W).norm(),
                 kSafety * (world.dt * lost + turned) + rounding * L_size, [&] {
                   return fmt::format(
                       "{} has {} at an angular momentum of {} after {:.6g} s; the blow "
                       "leaves it {}",
-                      motion.oracle.name, body.name, Words(L_after), to, Words(L_W));
+                      motion.oracle.name, body.name, FormatVector(L_after, 9), to,
+                      FormatVector(L_W, 9));
                 });
     }
   }

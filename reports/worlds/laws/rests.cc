@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/overlap.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -122,7 +122,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                     rounding * (1 + is.norm()),
                 [&] {
                   return fmt::format("{} has {} at {} after {:.6g} s; it rested at {}",
-                                     motion.oracle.name, name, Words(is), t, Words(was));
+                                     motion.oracle.name, name, FormatVector(is, 9), t,
+                                     FormatVector(was, 9));
                 });
       velocity.Take(
           speed, kSafety * 2 * contacts * g * h + granted / h + rounding * is.norm() / h,

@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/each_body.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/on_plane.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 namespace {
@@ -175,8 +175,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
             return fmt::format(
                 "{} has {} move at {} after {:.6g} s; pulled over friction it moves "
                 "at {}",
-                motion.oracle.name, world.bodies[i].name, Words(state.bodies[i].v_WB), t,
-                Words(v_W));
+                motion.oracle.name, world.bodies[i].name,
+                FormatVector(state.bodies[i].v_WB, 9), t, FormatVector(v_W, 9));
           });
     };
     double deepest = 0;
@@ -197,7 +197,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
           kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r, [&] {
             return fmt::format(
                 "{} has {} spin at {} after {:.6g} s; on the pulled box it rolls at {}",
-                motion.oracle.name, ball.name, Words(is), t, Words(w_W));
+                motion.oracle.name, ball.name, FormatVector(is, 9), t,
+                FormatVector(w_W, 9));
           });
     }
     hold(train.box, 1, deepest);

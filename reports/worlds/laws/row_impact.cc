@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/row_of_balls.h"
 
@@ -219,13 +219,15 @@ std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
                     [&] {
                       return fmt::format(
                           "{} has {} at {} after {:.6g} s; the impacts lead it to {}",
-                          motion.oracle.name, name, Words(is.p_WB), t, Words(p_W));
+                          motion.oracle.name, name, FormatVector(is.p_WB, 9), t,
+                          FormatVector(p_W, 9));
                     });
       if (strikes.May(i, t)) continue;
       const Eigen::Vector3d v_W = balls[i].v * row.d_W;
       velocity.Take((is.v_WB - v_W).norm(), share * row.speed, [&] {
         return fmt::format("{} has {} move at {} after {:.6g} s; the impacts leave it {}",
-                           motion.oracle.name, name, Words(is.v_WB), t, Words(v_W));
+                           motion.oracle.name, name, FormatVector(is.v_WB, 9), t,
+                           FormatVector(v_W, 9));
       });
     }
   }

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/each_body.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/flat_box.h"
 #include "reports/worlds/law_support/on_plane.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 
 namespace touchstone {
 namespace {
@@ -81,8 +81,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
                     return fmt::format(
                         "{} has {} at {} after {:.6g} s; braked by μ g = {:.6g} m/s² it "
                         "slides to {}",
-                        motion.oracle.name, body.name, Words(is.p_WB), t, brake,
-                        Words(p_W));
+                        motion.oracle.name, body.name, FormatVector(is.p_WB, 9), t, brake,
+                        FormatVector(p_W, 9));
                   });
     flat.Take(s, v_0);
     // Between a quarter and three quarters of the way, where v has fallen and still

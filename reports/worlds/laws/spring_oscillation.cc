@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/point_mass.h"
 #include "reports/worlds/law_support/subjects.h"
-#include "reports/worlds/law_support/words.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/oscillator.h"
 
@@ -132,16 +132,16 @@ std::vector<Worst> JudgeBy(const Motion& motion, const OnSpring& on,
                     return fmt::format(
                         "{} has {} at {} after {:.6g} s; with ω = {:.6g} rad/s and c = "
                         "{:.6g}/s it swings to {}",
-                        motion.oracle.name, on.mass.name, Words(is.p_W), t,
-                        on.oscillator.omega, on.oscillator.damping, Words(p_W));
+                        motion.oracle.name, on.mass.name, FormatVector(is.p_W, 9), t,
+                        on.oscillator.omega, on.oscillator.damping, FormatVector(p_W, 9));
                   });
-    velocity.Take((is.v_W - v_W).norm(),
-                  off.v + rounding * on.oscillator.omega * (on.p_W.norm() + on.rest + A),
-                  [&] {
-                    return fmt::format(
-                        "{} has {} move at {} after {:.6g} s; it swings at {}",
-                        motion.oracle.name, on.mass.name, Words(is.v_W), t, Words(v_W));
-                  });
+    velocity.Take(
+        (is.v_W - v_W).norm(),
+        off.v + rounding * on.oscillator.omega * (on.p_W.norm() + on.rest + A), [&] {
+          return fmt::format("{} has {} move at {} after {:.6g} s; it swings at {}",
+                             motion.oracle.name, on.mass.name, FormatVector(is.v_W, 9), t,
+                             FormatVector(v_W, 9));
+        });
   }
   return {position, velocity};
 }

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/words.h"
-#include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/study/world_size.h"
+#include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
@@ -24,7 +24,7 @@ class Comparison {
     // Written so that a NaN differs.
     if (!text_.empty() || (is - said).norm() <= rounding_ * size) return;
     text_ = fmt::format("starts with {} of {} at {}; the world says {}", what, name,
-                        Words(is), Words(said));
+                        FormatVector(is, 9), FormatVector(said, 9));
   }
 
   void HoldTurn(std::string_view name, const Eigen::Quaterniond& is,

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/text/format_vector.h"
 #include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
@@ -61,10 +62,6 @@ Numbers NumbersOf(const WorldState& state) {
     }
   }
   return numbers;
-}
-
-std::string InWords(const Eigen::Vector3d& p) {
-  return fmt::format("({:.9g}, {:.9g}, {:.9g})", p.x() + 0.0, p.y() + 0.0, p.z() + 0.0);
 }
 
 bool AreSame(double a, double b) {
@@ -164,7 +161,8 @@ std::string LargestDifference(const World& world, const Trajectory& a,
     const double distance = (p - q).norm() + radius * angle;
     if (distance <= farthest) return;
     farthest = distance;
-    where = fmt::format("{} is at {} and {}", name, InWords(p), InWords(q));
+    where =
+        fmt::format("{} is at {} and {}", name, FormatVector(p, 9), FormatVector(q, 9));
     if (angle > 0) where += fmt::format(", {:.6g} rad apart", angle);
   };
   for (std::size_t i = 0; i < of_a.bodies.size(); ++i) {
