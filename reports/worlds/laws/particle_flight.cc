@@ -39,8 +39,7 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
   const Particle& particle = world.particles[i];
   const PointState start{particle.p_W, particle.v_W};
   const std::string because =
-      "1.5 × the largest error so far of schemes of first order, stepped beside the "
-      "truth, "
+      "1.5 × the largest error so far of first-order schemes, stepped next to the truth, "
       "and 64 roundings a step";
   Worst position(MeasureKind::kPositionError, because);
   Worst velocity(MeasureKind::kVelocityError, because);
@@ -105,7 +104,7 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_terminal_speed"}
 
 constinit const Law kParticleFlight = {
     "particle_flight",
-    "A damped particle that nothing touches flies along v̇ = g − c v.",
+    "A damped particle in free flight moves by v̇ = g − c v.",
     kNumbers,
     Faults,
     Judge,
