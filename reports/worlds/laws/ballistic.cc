@@ -85,9 +85,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   Worst position(
       MeasureKind::kPositionError,
-      "1.5 × ½ |a| h t, the error of semi-implicit Euler, and 64 roundings a step");
-  Worst velocity(MeasureKind::kVelocityError,
-                 "64 roundings a step: every scheme integrates a constant force exactly");
+      "1.5 × ½ |a| h t, the error of semi-implicit Euler, and 64 roundings per step");
+  Worst velocity(
+      MeasureKind::kVelocityError,
+      "64 roundings per step: every scheme integrates a constant force exactly");
   const auto hold = [&](const Flight& flight, std::size_t s, const PointState& is) {
     const double t = motion.trajectory.times[s];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
@@ -100,7 +101,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                              Words(truth.p_W));
         });
     velocity.Take((is.v_W - truth.v_W).norm(), rounding * flight.Speed(t), [&] {
-      return fmt::format("{} has {} move at {} after {:.6g} s; v₀ + a t is {}",
+      return fmt::format("{} has {} moving at {} after {:.6g} s; v₀ + a t is {}",
                          motion.oracle.name, flight.name, Words(is.v_W), t,
                          Words(truth.v_W));
     });

@@ -89,7 +89,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(
       MeasureKind::kAngularMomentumDrift,
       "1.5 × the loss of first-order schemes: h ∫ |ω × (ω × L)| of the gyroscopic term, "
-      "½ h ∫ m v³/L of rods, V h J of contacts; and 64 roundings a step");
+      "½ h ∫ m v³/L of rods, V h J of contacts; and 64 roundings per step");
   double size = 0;
   double levers = 0;  // Σ V h |J| of the contacts so far.
   double fastest = 0;

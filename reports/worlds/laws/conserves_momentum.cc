@@ -37,7 +37,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   for (const Push& push : world.pushes) kicks += push.J_W.norm();
 
   Worst drift(MeasureKind::kMomentumDrift,
-              "64 roundings a step: impulses are equal and opposite, and every scheme "
+              "64 roundings per step: impulses are equal and opposite, and every scheme "
               "integrates a constant force exactly");
   Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
   const Eigen::Vector3d direction = DirectionOf(claim);

@@ -22,7 +22,7 @@
 namespace touchstone {
 namespace {
 
-/** Relative difference of heights that counts as equal, over the size of the box; poses
+/** Largest difference of heights that count as equal, over the size of the box; poses
  have nine digits. [-] */
 constexpr double kEven = 1e-9;
 
@@ -239,7 +239,7 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
   const std::string because =
       "1.5 × the change by an impact up to a step early or late and inside the box, and "
       "by gravity and rotation in a step; 1e-5 of the velocity for the solver, and 64 "
-      "roundings a step";
+      "roundings per step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   Worst position(MeasureKind::kPositionError, because);
@@ -270,7 +270,7 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
     velocity.Take(
         (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
           return fmt::format(
-              "{} has {} move at {} after {:.6g} s; after the impact it moves at {}",
+              "{} has {} moving at {} after {:.6g} s; after the impact it moves at {}",
               motion.oracle.name, body.name, Words(is.v_WB), t, Words(truth.v_WB));
         });
     position.Take((is.p_WB - truth.p_WB).norm(),
@@ -294,7 +294,7 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
                   share * (speed * lever + w_W.norm()),
               [&] {
                 return fmt::format(
-                    "{} has {} spin at {} after {:.6g} s; in this orientation the "
+                    "{} has {} spinning at {} after {:.6g} s; in this orientation the "
                     "angular momentum after the impact is a spin of {}",
                     motion.oracle.name, body.name, Words(is.w_WB), t, Words(w_W));
               });

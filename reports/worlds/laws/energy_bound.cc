@@ -97,7 +97,7 @@ EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
 
 std::string BecauseOfEnergy() {
   return "1.5 × the error of semi-implicit Euler: ½ h dU/dt at both ends, h² |F|²/m, and "
-         "½ h ∫ of the losses of the gyroscopic term and rods; and 64 roundings a step";
+         "½ h ∫ of the losses of the gyroscopic term and rods; and 64 roundings per step";
 }
 
 }  // namespace touchstone

@@ -226,14 +226,15 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
   Worst position(MeasureKind::kPositionError,
                  "1.5 × the largest error so far of engines that detect contacts once "
                  "per step, stepped next to the truth, with V h for an impact one step "
-                 "late; and 64 roundings a step");
+                 "late; and 64 roundings per step");
   Worst restitution(MeasureKind::kRestitution,
                     "(2 + e) g h/V: gravity in the step of a bounce and in the time by "
                     "which depth correction moves it, or (2 + e) g (Δt + h)/V if the "
-                    "next may follow between samples; 64 roundings a step between");
-  Worst velocity(MeasureKind::kVelocityError,
-                 "64 roundings a step: every scheme integrates a constant force exactly, "
-                 "until a step before the first impact");
+                    "next may follow between samples; 64 roundings per step between");
+  Worst velocity(
+      MeasureKind::kVelocityError,
+      "64 roundings per step: every scheme integrates a constant force exactly, "
+      "until a step before the first impact");
   bool after_gravity = true;
   bool any_bounce = false;
   bool any_telling = false;
@@ -268,7 +269,8 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
               (fall.v_along_W.norm() + std::abs(fall.start.velocity) + fall.gravity * t),
           [&] {
             return fmt::format(
-                "{} has {} move at {} after {:.6g} s, before it first touches; v₀ + g t "
+                "{} has {} moving at {} after {:.6g} s, before it first touches; v₀ + g "
+                "t "
                 "is {}",
                 motion.oracle.name, fall.name, Words(is_v_W), t, Words(v_W));
           });

@@ -37,10 +37,10 @@ struct Fall {
 
  Position: the error of an engine that detects contacts once per step is computed. The
  fall is stepped by the rule that reflects the velocity at the start of the step, with
- contacts detected by touching and ahead. It starts from eight gaps that are a fraction of
- V h apart, since the phase of an impact within its step is random. The tolerance is the
- largest error so far, × 1.5, and 64 roundings per step. An impact is at most one step
- late, which adds V h at the speed V.
+ contacts detected either when touching or one step ahead. It starts from eight gaps that
+ are a fraction of V h apart, since the phase of an impact within its step is random. The
+ tolerance is the largest error so far, × 1.5, and 64 roundings per step. An impact is at
+ most one step late, which adds V h at the speed V.
 
  Velocity: before the first impact the body is in free flight, and every scheme has v₀ + g
  t to rounding. The position is a less sharp test of g and of the time: it is behind by

@@ -36,12 +36,13 @@ FlatBox::FlatBox(const Motion& motion, int body, const OnPlane& on)
       body_(body),
       half_width_(
           SoleOf(motion.world.bodies[static_cast<std::size_t>(body)], on).half_width),
-      orientation_(MeasureKind::kOrientationError,
-                   "1.5 × (1 + μ) of the settling distance, over the half width of the "
-                   "sole; 1e-5 of the distance for the solver, and 64 roundings a step"),
+      orientation_(
+          MeasureKind::kOrientationError,
+          "1.5 × (1 + μ) of the settling distance, over the half width of the "
+          "sole; 1e-5 of the distance for the solver, and 64 roundings per step"),
       spin_(MeasureKind::kSpinError,
             "1.5 × (1 + μ) of the settling speed, over the half width of the sole; 1e-5 "
-            "of the velocity for the solver, and 64 roundings a step") {
+            "of the velocity for the solver, and 64 roundings per step") {
   const double h = motion.world.dt;
   const double settles = kSafety * (1 + on.plane.friction) / half_width_;
   settling_angle_ = settles * on.Settling(h);
@@ -62,7 +63,7 @@ void FlatBox::Take(std::size_t s, double speed) {
                        motion_.oracle.name, body.name, angle, t);
   });
   spin_.Take(is.w_WB.norm(), settling_spin_ + left, [&] {
-    return fmt::format("{} has {} spin at {} after {:.6g} s; nothing turns it",
+    return fmt::format("{} has {} spinning at {} after {:.6g} s; nothing turns it",
                        motion_.oracle.name, body.name, Words(is.w_WB), t);
   });
 }

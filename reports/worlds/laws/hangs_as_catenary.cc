@@ -237,7 +237,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(MeasureKind::kPositionError,
               fmt::format("1.5 √n of the distance from rest at the start, times what "
                           "damping leaves of it, decaying at γ = {:.6g}/s; 1e-5 of the "
-                          "chain's length for rods, and 64 roundings a step",
+                          "chain's length for rods, and 64 roundings per step",
                           decay.Slowest()));
   for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
     const double t = trajectory.times[s];

@@ -115,7 +115,7 @@ std::vector<LawFinding> JudgeHeld(
   const std::string because =
       "1.5 × the largest error so far of first-order engines that constrain rods by "
       "velocity, by Baumgarte's term or by projection, stepped next to the truth; and 64 "
-      "roundings a step";
+      "roundings per step";
   Worst position(MeasureKind::kPositionError, because);
   Worst velocity(MeasureKind::kVelocityError, because);
   std::vector<std::vector<PointState>> stepped(kRodSchemes.size(), held.Start());
@@ -151,7 +151,7 @@ std::vector<LawFinding> JudgeHeld(
       velocity.Take(
           (is.v_W - points[i].v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
             return fmt::format(
-                "{} has {} move at {} after {:.6g} s; the exact swing moves at {}",
+                "{} has {} moving at {} after {:.6g} s; the exact swing moves at {}",
                 motion.oracle.name, point.name, Words(is.v_W), t, Words(points[i].v_W));
           });
     }

@@ -85,12 +85,12 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const std::string because =
       "1.5 × ((1 + μ) |v_n| of the body's own velocity along the normal, and δ/r of the "
       "velocity for a contact at depth δ), 1e-5 of the velocity from gravity and "
-      "friction for the solver, and 64 roundings a step";
+      "friction for the solver, and 64 roundings per step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   Worst position(MeasureKind::kPositionError,
                  "1.5 × (½ a h t and the settling distance), 1e-5 of the distance from "
-                 "gravity and friction for the solver, and 64 roundings a step");
+                 "gravity and friction for the solver, and 64 roundings per step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     const BodyState& is = motion.trajectory.samples[s].bodies[i];
@@ -103,7 +103,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
         (is.v_WB - v_W).norm(),
         kSafety * (across + inside * v_W.norm()) + share * pull * t, [&] {
           return fmt::format(
-              "{} has {} move at {} after {:.6g} s; on this slope with μ = {:.6g} it "
+              "{} has {} moving at {} after {:.6g} s; on this slope with μ = {:.6g} it "
               "moves at {}",
               motion.oracle.name, body.name, Words(is.v_WB), t, mu, Words(v_W));
         });
@@ -126,7 +126,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
         (is.w_WB - w_W).norm(),
         kSafety * (across / r + inside * w_W.norm()) + share * pull * t / r, [&] {
           return fmt::format(
-              "{} has {} spin at {} after {:.6g} s; on this slope with μ = {:.6g} it "
+              "{} has {} spinning at {} after {:.6g} s; on this slope with μ = {:.6g} it "
               "spins at {}",
               motion.oracle.name, body.name, Words(is.w_WB), t, mu, Words(w_W));
         });

@@ -54,7 +54,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Trajectory& trajectory = motion.trajectory;
   Worst worst(MeasureKind::kJointError,
               "1.5 × ½ h ∫ v²/L dt, for steps along the tangent, 1e-5 of the ends' "
-              "motion for the solver, and 64 roundings a step");
+              "motion for the solver, and 64 roundings per step");
   for (const DistanceJoint* rod : RodsOf(world, SubjectsOf(world, claim))) {
     const auto across = [&](const WorldState& state) {
       const PointState A = StateOf(world, state, rod->A);

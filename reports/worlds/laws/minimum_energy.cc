@@ -198,7 +198,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   for (const Eigen::Vector3d& p_W : rest) reach = std::max(reach, p_W.norm());
   const std::string because = fmt::format(
       "1.5 × what damping leaves of the start, at most {:.3g} of its amplitude, decaying "
-      "at γ = {:.6g}/s, and 64 roundings a step",
+      "at γ = {:.6g}/s, and 64 roundings per step",
       left_of_start, decay.Slowest());
 
   const double kinetic = EnergyOf(world, begin, subjects).kinetic;

@@ -30,7 +30,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Trajectory& trajectory = motion.trajectory;
   if (!trajectory.gives_impulses) return {};
   Worst worst(MeasureKind::kMomentumBalance,
-              "64 roundings a step: every scheme sums the impulses that it applies");
+              "64 roundings per step: every scheme sums the impulses that it applies");
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const std::vector<const ContactImpulse*> impulses = ImpulsesBetween(motion, s - 1, s);
     const double from = trajectory.times[s - 1];

@@ -15,8 +15,8 @@ struct OnPlane {
   double v_out = 0;           ///< Initial velocity away from the plane. [m/s]
 
   /** Returns the settling distance: the largest distance of the body from the plane in a
-   correct engine. It is the gap at the start and the fall before the contact is detected
-   and resisted, g h² each. [m] */
+   correct engine. It is the gap at the start plus g h² before the contact is detected and
+   g h² before it is resisted. [m] */
   double Settling(double dt) const;
 
   /** Returns the settling speed: the largest speed along the normal of a body that
@@ -26,8 +26,8 @@ struct OnPlane {
   double SettlingSpeed(double dt) const;
 
   /** Returns the speed along the normal of a body that moves with `v_WB`, at most
-   SettlingSpeed(). Friction acts on whatever presses the contact, so this speed excuses
-   errors; a body that flies off the plane is not excused. [m/s] */
+   SettlingSpeed(). Friction acts on whatever presses the contact, so this speed widens
+   tolerances; the bound keeps a body that flies off the plane from profiting. [m/s] */
   double SpeedAcross(const Eigen::Vector3d& v_WB, double dt) const;
 };
 

@@ -40,7 +40,7 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
   const PointState start{particle.p_W, particle.v_W};
   const std::string because =
       "1.5 × the largest error so far of first-order schemes, stepped next to the truth, "
-      "and 64 roundings a step";
+      "and 64 roundings per step";
   Worst position(MeasureKind::kPositionError, because);
   Worst velocity(MeasureKind::kVelocityError, because);
   const std::array<FlightScheme, 8> schemes = FlightSchemes();
@@ -74,7 +74,7 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
     velocity.Take(
         (is.v_W - truth.v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
           return fmt::format(
-              "{} has {} move at {} after {:.6g} s; damped by {:.6g}/s it moves at {}",
+              "{} has {} moving at {} after {:.6g} s; damped by {:.6g}/s it moves at {}",
               motion.oracle.name, particle.name, Words(is.v_W), t, particle.damping,
               Words(truth.v_W));
         });

@@ -45,10 +45,10 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
-  Worst momentum(MeasureKind::kMomentumDrift, "64 roundings a step");
+  Worst momentum(MeasureKind::kMomentumDrift, "64 roundings per step");
   Worst spin(MeasureKind::kAngularMomentumDrift,
              "1.5 × the loss by the gyroscopic term, h ω × (ω × L) Δt; |ω| Δt |r| |J| if "
-             "the push falls between samples; and 64 roundings a step");
+             "the push falls between samples; and 64 roundings per step");
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const double from = trajectory.times[s - 1];
     const double to = trajectory.times[s];

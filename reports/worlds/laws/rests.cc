@@ -108,10 +108,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst rest(
       MeasureKind::kRestMotion,
       "1.5 × 2 g h² for each contact that may carry it, overlaps at the start until they "
-      "are resolved, 1e-5 of g h a step for the solver, and 64 roundings a step");
+      "are resolved, 1e-5 of g h per step for the solver, and 64 roundings per step");
   Worst velocity(MeasureKind::kVelocityError,
                  "1.5 × 2 g h for each contact that may carry it, overlaps at the start "
-                 "in a step until they are resolved, and 64 roundings a step");
+                 "in a step until they are resolved, and 64 roundings per step");
   for (std::size_t s = first; s < trajectory.samples.size(); ++s) {
     const double t = trajectory.times[s];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
@@ -129,7 +129,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           speed, kSafety * 2 * contacts * g * h + granted / h + rounding * is.norm() / h,
           [&] {
             return fmt::format(
-                "{} has {} move at {:.6g} m/s after {:.6g} s; it should rest",
+                "{} has {} moving at {:.6g} m/s after {:.6g} s; it should rest",
                 motion.oracle.name, name, speed, t);
           });
     };

@@ -150,7 +150,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
   const std::string because =
       "1.5 × ((1 + μ) |v_n| of the bodies' own velocities along the normal, and δ/r of "
       "the velocity for a contact at depth δ in a ball), 1e-5 of the velocity from the "
-      "force and friction for the solver, and 64 roundings a step";
+      "force and friction for the solver, and 64 roundings per step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
@@ -168,14 +168,15 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
     const auto hold = [&](int index, double ratio, double inside) {
       const auto i = static_cast<std::size_t>(index);
       const Eigen::Vector3d v_W = ratio * a_W * t;
-      velocity.Take((state.bodies[i].v_WB - v_W).norm(),
-                    kSafety * (across + inside * a_W.norm() * t) + share * pull * t, [&] {
-                      return fmt::format(
-                          "{} has {} move at {} after {:.6g} s; driven against friction "
-                          "it moves at {}",
-                          motion.oracle.name, world.bodies[i].name,
-                          Words(state.bodies[i].v_WB), t, Words(v_W));
-                    });
+      velocity.Take(
+          (state.bodies[i].v_WB - v_W).norm(),
+          kSafety * (across + inside * a_W.norm() * t) + share * pull * t, [&] {
+            return fmt::format(
+                "{} has {} moving at {} after {:.6g} s; driven against friction "
+                "it moves at {}",
+                motion.oracle.name, world.bodies[i].name, Words(state.bodies[i].v_WB), t,
+                Words(v_W));
+          });
     };
     double deepest = 0;
     for (const int index : train.balls) {
@@ -190,13 +191,14 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
       hold(index, k / (1 + k), inside);
       const Eigen::Vector3d w_W = a_W.cross(n_W) * t / ((1 + k) * r);
       const Eigen::Vector3d& is = state.bodies[i].w_WB;
-      spin.Take(
-          (is - w_W).norm(),
-          kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r, [&] {
-            return fmt::format(
-                "{} has {} spin at {} after {:.6g} s; rolling on the box it spins at {}",
-                motion.oracle.name, ball.name, Words(is), t, Words(w_W));
-          });
+      spin.Take((is - w_W).norm(),
+                kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r,
+                [&] {
+                  return fmt::format(
+                      "{} has {} spinning at {} after {:.6g} s; rolling on the box it "
+                      "spins at {}",
+                      motion.oracle.name, ball.name, Words(is), t, Words(w_W));
+                });
     }
     hold(train.box, 1, deepest);
   }

@@ -60,9 +60,9 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
   BallOnPlane ball(motion, index, on, "rolling",
                    "1.5 × ((1 + μ) |v_n| of the sphere's own velocity along the normal, "
                    "and δ/r of the velocity for a contact at depth δ), 1e-5 of the "
-                   "velocity for the solver, and 64 roundings a step",
+                   "velocity for the solver, and 64 roundings per step",
                    "1.5 × (½ a h t and the settling distance), 1e-5 of the distance for "
-                   "the solver, and 64 roundings a step");
+                   "the solver, and 64 roundings per step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     BodyState truth;

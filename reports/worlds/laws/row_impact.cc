@@ -197,10 +197,10 @@ std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
   const World& world = motion.world;
   const double h = world.dt;
   Worst velocity(MeasureKind::kVelocityError,
-                 "1e-5 of the fastest ball for the solver, and 64 roundings a step");
+                 "1e-5 of the fastest ball for the solver, and 64 roundings per step");
   Worst position(MeasureKind::kPositionError,
                  "1.5 × n h Σ |Δv| for n impacts, each a step late; 1e-5 of the distance "
-                 "for the solver, and 64 roundings a step");
+                 "for the solver, and 64 roundings per step");
   const Strikes strikes(truth, h);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
@@ -226,7 +226,7 @@ std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
       const Eigen::Vector3d v_W = balls[i].v * row.d_W;
       velocity.Take((is.v_WB - v_W).norm(), share * row.speed, [&] {
         return fmt::format(
-            "{} has {} move at {} after {:.6g} s; after its impacts it moves at {}",
+            "{} has {} moving at {} after {:.6g} s; after its impacts it moves at {}",
             motion.oracle.name, name, Words(is.v_WB), t, Words(v_W));
       });
     }

@@ -59,11 +59,11 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const double stop = v_0 / brake;
   Worst position(MeasureKind::kPositionError,
                  "1.5 × (½ h (v₀ − v) and the settling distance), 1e-5 of the distance "
-                 "for the solver, and 64 roundings a step");
+                 "for the solver, and 64 roundings per step");
   Worst friction(
       MeasureKind::kFriction,
       "1.5 × h/t of the step in which friction begins, 1e-5 of the velocity for the "
-      "solver, and 64 roundings a step");
+      "solver, and 64 roundings per step");
   FlatBox flat(motion, index, on);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];

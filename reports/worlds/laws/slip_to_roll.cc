@@ -90,9 +90,9 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
       motion, index, on, "slipping until it rolls",
       "1.5 × ((1 + μ) |v_n| of the sphere's own velocity along the normal, δ/r of the "
       "velocity for a contact at depth δ, and μ g h in the step in which slip ends), "
-      "1e-5 of the velocity for the solver, and 64 roundings a step",
+      "1e-5 of the velocity for the solver, and 64 roundings per step",
       "1.5 × (½ h (v₀ − v) and the settling distance), 1e-5 of the distance for the "
-      "solver, and 64 roundings a step");
+      "solver, and 64 roundings per step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     const BodyState truth = slipping.At(t, cone);

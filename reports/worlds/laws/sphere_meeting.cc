@@ -89,7 +89,7 @@ class SideJudge {
     velocity_.Take(
         (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
           return fmt::format(
-              "{} has {} move at {} after {:.6g} s; after the impact it moves at {}",
+              "{} has {} moving at {} after {:.6g} s; after the impact it moves at {}",
               motion_.oracle.name, name, Words(is.v_WB), t, Words(truth.v_WB));
         });
     spin_.Take(
@@ -98,7 +98,7 @@ class SideJudge {
             share * (speed * side.size / side.radius + truth.w_WB.norm()),
         [&] {
           return fmt::format(
-              "{} has {} spin at {} after {:.6g} s; after the impact it spins at {}",
+              "{} has {} spinning at {} after {:.6g} s; after the impact it spins at {}",
               motion_.oracle.name, name, Words(is.w_WB), t, Words(truth.w_WB));
         });
     position_.Take((is.p_WB - truth.p_WB).norm(),
@@ -124,7 +124,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
   const PlacedCone circle = ConesOn(meeting.NormalAt(meeting.time)).front();
   const std::string because =
       "1.5 × the change by an impact up to a step early or late and inside the spheres, "
-      "and by gravity in a step; 1e-5 of the velocity for the solver, and 64 roundings a "
+      "and by gravity in a step; 1e-5 of the velocity for the solver, and 64 roundings "
+      "per "
       "step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);

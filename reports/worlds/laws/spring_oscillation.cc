@@ -143,7 +143,7 @@ std::vector<Worst> JudgeBy(const Motion& motion, const OnSpring& on,
         (is.v_W - v_W).norm(),
         off.v + rounding * on.oscillator.omega * (on.p_W.norm() + on.rest + A), [&] {
           return fmt::format(
-              "{} has {} move at {} after {:.6g} s; the exact swing moves at {}",
+              "{} has {} moving at {} after {:.6g} s; the exact swing moves at {}",
               motion.oracle.name, on.mass.name, Words(is.v_W), t, Words(v_W));
         });
   }
@@ -184,7 +184,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const std::vector<Worst> found =
       JudgeBy(motion, on,
               "1.5 × the largest error so far of semi-implicit Euler and its adjoint, "
-              "stepped next to the truth, and 64 roundings a step",
+              "stepped next to the truth, and 64 roundings per step",
               truth, [&](std::size_t s) { return allowed[s]; });
   std::string_view recognised;
   if (AnyBeyond(found)) {

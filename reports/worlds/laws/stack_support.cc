@@ -69,7 +69,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Eigen::Vector3d up_W = -world.gravity_W.normalized();
   Worst worst(MeasureKind::kForceError,
               "1.5 × the momentum gained by the levels carried, at most that of 2 g h a "
-              "level, over the time of the mean; and 64 roundings a step");
+              "level, over the time of the mean; and 64 roundings per step");
   for (std::size_t k = 0; k < levels.size(); ++k) {
     double impulse = 0;
     for (const ContactImpulse* contact : ImpulsesBetween(motion, first, last)) {

@@ -109,7 +109,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Trajectory& trajectory = motion.trajectory;
   const std::string because =
       "1.5 × the largest error so far of the first-order schemes for the gyroscopic "
-      "term, stepped next to the truth, and 64 roundings a step as the truth amplifies "
+      "term, stepped next to the truth, and 64 roundings per step as the truth amplifies "
       "them";
   Worst orientation(MeasureKind::kOrientationError, because);
   Worst spin(MeasureKind::kSpinError, because);
@@ -133,7 +133,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           apart.spin,
           kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(), [&] {
             return fmt::format(
-                "{} has {} spin at {} rad/s after {:.6g} s; Euler's equations say {}",
+                "{} has {} spinning at {} rad/s after {:.6g} s; Euler's equations say {}",
                 motion.oracle.name, name, Words(is.w_WB), trajectory.times[s],
                 Words(truth[s].w_WB));
           });

@@ -8,10 +8,11 @@
 namespace touchstone {
 namespace {
 
-/** Approach that is rounding, over the largest speed. [-] */
+/** Closing speed that counts as rounding, over the largest speed. [-] */
 constexpr double kStill = 1e-12;
 
-/** Bounds what never ends: e < 1 makes infinitely many ever weaker impacts. */
+/** Bound for a series that never ends: e < 1 makes infinitely many ever weaker
+ impacts. */
 constexpr int kMostImpacts = 10000;
 
 double Gap(const std::vector<RowBall>& balls, std::size_t i) {
