@@ -76,8 +76,8 @@ std::vector<double> StepErrors(const Motion& motion, const Fall& fall) {
 /** Whether the heights after the first impact are those of falls that reflect the
  velocity after gravity. The tolerance is 1.5 × the largest distance so far between such
  falls from gaps a fraction of V h apart, and V h for an impact one step late. Errors
- before the first impact and across the normal must be within what the truth is `granted`
- at each sample. */
+ before the first impact and across the normal must be within the truth's tolerances,
+ `granted` at each sample. */
 bool FollowsAfterGravity(const Motion& motion, const Fall& fall,
                          const std::vector<double>& granted) {
   const double h = motion.world.dt;

@@ -98,7 +98,7 @@ bool RowOfBalls::ResolveAtOnce(std::vector<RowBall>& balls) const {
   if (!any) return false;
   // Projected Gauss-Seidel to rounding: the chain's matrix is tridiagonal and positive.
   std::vector<double> impulse(balls.size(), 0);
-  for (int sweep = 0; sweep < kMostImpacts; ++sweep) {
+  for (int iteration = 0; iteration < kMostImpacts; ++iteration) {
     double moved = 0;
     for (std::size_t i = 0; i + 1 < balls.size(); ++i) {
       if (!Touches(balls, i)) continue;
