@@ -22,7 +22,7 @@ bool IsFrictionCone(std::string_view model);
 /** Judges bodies with friction on planes by Coulomb's circular cone.
 
  A body beyond the circle's tolerance that follows another cone within tolerance is
- recognised as that cone: solvers with two friction directions are legal, and the closed
+ recognised as that cone. Solvers with two friction directions are legal, and the closed
  forms of their cones are as sharp as the circle's. It is not recognised if a circle with
  kRough times the friction explains the motion too. A body at rest, or a contact that does
  not slip, shows no cone, only that there is enough friction.

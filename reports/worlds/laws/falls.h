@@ -49,8 +49,8 @@ struct Fall {
  Restitution: v'/v along the normal, from the speeds [m/s] before and after an impact.
  These are not sampled. The flights through the samples around the impact are followed,
  under g, to the time at which they intersect. Exact flights yield e to rounding, and so
- does an impact that is late or early. An engine that takes v₀ + g h for the velocity of
- the whole step, and omits g in the step of the impact or adds it before, has either speed
+ does an impact that is late or early. An engine may take v₀ + g h for the velocity of the
+ whole step, and omit g in the step of the impact or add it before. Either speed is then
  off by up to g h: (1 + e) g h/V. Depth correction raises the second flight by up to V h.
  That moves the intersection by h/(1 + e) and either speed by g times that: g h/V more. A
  body at rest at the second sample and at the next has left with speed 0, since no flight
@@ -60,11 +60,11 @@ struct Fall {
  roundings per step between the samples are added, of either speed and, over V/g, of the
  position. Bounces whose tolerance exceeds ¼ are too slow to judge.
 
- A motion is recognised as "reflects the velocity after gravity" if every bounce obeys v'
- = −e (v − g h), to rounding and for a whole number of steps, and the positions are those
- of falls stepped by that rule. The rule adds m g h V per bounce. It is not recognised if
- e g h is within rounding, so that no bounce distinguishes the rules. Errors before the
- first impact or across the normal are not excused. */
+ A motion may be recognised as "reflects the velocity after gravity". Every bounce must
+ obey v' = −e (v − g h), to rounding and for a whole number of steps, and the positions
+ must be those of falls stepped by that rule. The rule adds m g h V per bounce. It is not
+ recognised if e g h is within rounding, so that no bounce distinguishes the rules. Errors
+ before the first impact or across the normal are not excused. */
 std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls);
 
 /** Returns whether `v` is along `n`, to the rounding of quaternions with 16 digits. */

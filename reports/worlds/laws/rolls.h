@@ -4,9 +4,10 @@
 
 namespace touchstone {
 
-/** A sphere that rolls on a static plane keeps rolling: v = v₀ + a t with a = a_t/(1 + k)
- along the plane, where a_t is the part of gravity and force along it and k m r² the
- inertia; ω = n × v/r, and the spin about the normal is constant. [m/s], [rad/s], [m]
+/** A sphere that rolls on a static plane keeps rolling. Its acceleration along the plane
+ is a = a_t/(1 + k), where a_t is the part of gravity and force along the plane and k m r²
+ the inertia. So v = v₀ + a t and ω = n × v/r, and the spin about the normal is constant.
+ [m/s], [rad/s], [m]
 
  Friction supplies k/(1 + k) |a_t|, at most μ a_n. The tolerances are those of a slope
  (laws/incline.h).

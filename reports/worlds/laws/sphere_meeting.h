@@ -56,12 +56,12 @@ std::string WhyNoFreeSphere(const World& world, int index);
 /** Judges both sides by the closed form of their impact until `until` [s]: velocity,
  spin, position, and the restitution of the normal velocity.
 
- The tolerance is 1.5 times the largest deviation of the same closed form with the impact
- up to a step early or late (a little more, for one that falls on a step), and with its
- point up to the whole overlap inside the spheres, where engines put it. Added are
- gravity's effect in a step, the error of semi-implicit Euler, 1e-5 of the velocity for
- the solver, and 64 roundings per step. Other friction cones are recognised if the contact
- slips (laws/cone_models.h). */
+ The tolerance is 1.5 times the largest deviation of the same closed form over two
+ changes. The impact is up to a step early or late, or a little later for one that falls
+ on a step. Its point is up to the whole overlap inside the spheres, where engines put it.
+ Added are gravity's effect in a step, the error of semi-implicit Euler, 1e-5 of the
+ velocity for the solver, and 64 roundings per step. Other friction cones are recognised
+ if the contact slips (laws/cone_models.h). */
 std::vector<LawFinding> JudgeMeeting(const Motion& motion, const SphereMeeting& meeting,
                                      double until);
 

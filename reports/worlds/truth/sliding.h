@@ -26,13 +26,13 @@ struct Slip {
   Eigen::Vector2d velocity;   ///< s. [m/s]
 };
 
-/** Returns the slip after `t` that starts as `velocity` and is braked by friction alone,
- with a deceleration of up to `deceleration` = μ g (a positive number [m/s²]) within the
- cone, always in the direction of maximum dissipation:
+/** Returns the slip after `t` that starts as `velocity` and is braked by friction alone.
+ Friction decelerates by up to `deceleration` = μ g (a positive number [m/s²]) within the
+ cone, always in the direction of maximum dissipation.
 
- circle: s decreases along its own direction at μ g, to rest after |s|/μg;
- box: each component decreases at μ g on its own;
- diamond: the larger component alone decreases at μ g until both are equal, then both at
+ Circle: s decreases along its own direction at μ g, to rest after |s|/μg.
+ Box: each component decreases at μ g on its own.
+ Diamond: the larger component alone decreases at μ g until both are equal, then both at
  half of that. */
 Slip SlipAfter(FrictionCone cone, const Eigen::Vector2d& velocity, double deceleration,
                double t);
