@@ -270,8 +270,7 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
           [&] {
             return fmt::format(
                 "{} has {} moving at {} after {:.6g} s, before it first touches; v₀ + g "
-                "t "
-                "is {}",
+                "t is {}",
                 motion.oracle.name, fall.name, Words(is_v_W), t, Words(v_W));
           });
     }
