@@ -9,29 +9,32 @@
 
 namespace touchstone {
 
-/** Holds a ball on a plane, that rolls or slips, against where and how it should move.
+/** Checks a ball that rolls or slips on a plane against its closed-form motion.
 
- Friction acts on what presses the contact: a velocity may be off by (1 + μ) of the ball's
- own velocity across the plane, and by δ/r of the velocity for a contact δ inside, × 1.5;
- by what the solver leaves and by rounding; and the spin by as much over the radius. */
+ Friction acts on whatever presses the contact. So a velocity may be off by (1 + μ) of the
+ ball's own velocity along the normal, and by δ/r of the velocity for a contact at depth
+ δ, × 1.5. The residual of the solver and rounding come on top. The tolerance of the spin
+ is that of the velocity over the radius, and over k if k < 1 (I = k m r²). */
 class BallOnPlane {
  public:
-  /** What the law says of an engine's errors at one time. */
+  /** The errors of an engine at one time, derived by the law. */
   struct Errors {
-    double speed;    ///< What solver and rounding take their share of. [m/s]
-    double surface;  ///< What a contact inside changes a share of. [m/s]
-    double ending;   ///< What an event a step early or late changes. [m/s]
-    double lag;      ///< How far the scheme is behind, or ahead. [m]
+    double speed;    ///< Scale of the solver's residual and of rounding. [m/s]
+    double surface;  ///< Scale of the error of a contact at depth δ. [m/s]
+    double ending;   ///< Change caused by an event one step early or late. [m/s]
+    double lag;      ///< Distance by which the scheme is behind or ahead. [m]
   };
 
-  /** `how` the ball moves, as in "rolling it moves at". @pre The body is a sphere. */
+  /** `how` says how the ball moves, as in "rolling it moves at". @pre The body is a
+   sphere. */
   BallOnPlane(const Motion& motion, int body, const OnPlane& on, std::string how,
               const std::string& velocity_because, const std::string& position_because);
 
-  /** Takes sample `s`, where `truth` is the motion; its orientation is not read. */
+  /** Checks sample `s` against the motion `truth`; the orientation of `truth` is not
+   read. */
   void Take(std::size_t s, const BodyState& truth, const Errors& errors);
 
-  /** Returns those of position, velocity and spin. */
+  /** Returns the findings of position, velocity and spin. */
   std::vector<Worst> Findings() const { return {position_, velocity_, spin_}; }
 
  private:

@@ -10,7 +10,8 @@
 
 namespace touchstone {
 
-inline constexpr double kRough = 2;  ///< Beyond √2, the box's corner over its side. [-]
+/** Above √2, the ratio of the box's corner to its side. [-] */
+inline constexpr double kRough = 2;
 
 /** Returns the world with kRough times the friction at every contact. */
 World Rougher(World world);
@@ -18,15 +19,16 @@ World Rougher(World world);
 /** Returns whether `model` is the name of a friction cone. */
 bool IsFrictionCone(std::string_view model);
 
-/** Judges bodies that rub on planes by Coulomb's circle. Where something is then beyond
- its tolerance, and the body follows another cone with nothing beyond, it is recognised as
- that: solvers with two friction directions are legal, and the closed forms of their cones
- are as sharp as the circle's. Not where a circle of kRough times the friction leads there
- too: what rests, or a contact that does not slip, shows no cone, only that there is
- enough friction.
+/** Judges bodies with friction on planes by Coulomb's circular cone.
 
- `judge_by` returns the findings of one body by one cone, always in the same order; a cone
- is placed on the plane that LandingOf() the body gives. */
+ A body beyond the circle's tolerance that follows another cone within tolerance is
+ recognised as that cone. Solvers with two friction directions are legal, and the closed
+ forms of their cones are as sharp as the circle's. It is not recognised if a circle with
+ kRough times the friction explains the motion too. A body at rest, or a contact that does
+ not slip, shows no cone, only that there is enough friction.
+
+ `judge_by` returns the findings of one body for one cone, always in the same order. A
+ cone is placed on the plane that LandingOf() returns for the body. */
 std::vector<LawFinding> JudgedByCone(
     const Motion& motion, const std::vector<int>& bodies,
     const std::function<std::vector<Worst>(const PlacedCone&, const Motion&, int body)>&

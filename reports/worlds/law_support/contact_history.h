@@ -6,21 +6,20 @@
 
 namespace touchstone {
 
-/** Returns the time from sample `s` − 1 to sample `s`: whole steps, since the difference
- of two times has lost digits. [s] */
+/** Returns the time from sample `s` − 1 to sample `s` in whole steps, since the
+ difference of two times has lost digits. [s] */
 double TimeBefore(const Motion& motion, std::size_t s);
 
-/** Returns the impulses of the steps after sample `from` up to sample `to`, in their
- order. */
+/** Returns the impulses of the steps after sample `from` up to sample `to`, in order. */
 std::vector<const ContactImpulse*> ImpulsesBetween(const Motion& motion, std::size_t from,
                                                    std::size_t to);
 
-/** Returns the impulse of `contact` on body `index`; zero where it is none of the two.
+/** Returns the impulse of `contact` on body `index`; zero if the body is neither A nor B.
  [N s] */
 Eigen::Vector3d ImpulseOn(const ContactImpulse& contact, int index);
 
-/** Returns the pushes on body `index` that act in the steps between two times: a push
- acts in the step that starts with it. */
+/** Returns the pushes on body `index` that act in the steps between two times. A push
+ acts in the step that starts at its time. */
 std::vector<const Push*> PushesBetween(const World& world, int index, double from,
                                        double to);
 

@@ -9,7 +9,8 @@
 namespace touchstone {
 namespace {
 
-/** Σ m |g + F/m|² [N m/s²]: with h² the scale of the terms of second order. */
+/** Returns Σ m |g + F/m|² [N m/s²], which times h² is the scale of the second-order
+ terms. */
 double SquaredForces(const World& world, const Subjects& subjects) {
   double sum = MassOf(world, subjects) * world.gravity_W.squaredNorm();
   for (const int i : subjects.bodies) {
@@ -20,7 +21,7 @@ double SquaredForces(const World& world, const Subjects& subjects) {
   return sum;
 }
 
-/** What was reflected from a sample to the next, and the uncertainty of that. [J] */
+/** The energy that was reflected from one sample to the next, and its uncertainty. [J] */
 struct Reflected {
   double energy = 0;
   double slack = 0;
@@ -33,8 +34,8 @@ Reflected ReflectedGravity(const World& world, const WorldState& from,
                        const Eigen::Vector3d& after) {
     const double falling = world.gravity_W.dot(before);
     const double rising = -world.gravity_W.dot(after);
-    // A sample after the bounce, gravity has been at work again: the faster one is
-    // nearer.
+    // Gravity has acted again by the sample after the bounce, so the faster speed is
+    // nearer to that of the bounce.
     if (falling <= 0 || rising <= 0) return;
     sum.energy += mass * world.dt * std::max(falling, rising);
     sum.slack +=
@@ -96,7 +97,7 @@ EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
 
 std::string BecauseOfEnergy() {
   return "1.5 × the error of semi-implicit Euler: ½ h dU/dt at both ends, h² |F|²/m, and "
-         "½ h ∫ of what the gyroscopic term and rods lose; and 64 roundings a step";
+         "½ h ∫ of the losses of the gyroscopic term and rods; and 64 roundings per step";
 }
 
 }  // namespace touchstone

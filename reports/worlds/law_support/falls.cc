@@ -13,18 +13,18 @@
 namespace touchstone {
 namespace {
 
-/** How much of a restitution may be unknown before a bounce is too slow to tell. [-] */
+/** Uncertainty of a restitution above which a bounce is too slow to judge. [-] */
 constexpr double kSlowBounce = 0.25;
 
-/** Largest angle between directions that an author means to be one: those of quaternions
- with 16 digits. [rad] */
+/** Largest angle between directions that an author means to be equal; quaternions have 16
+ digits. [rad] */
 constexpr double kParallel = 1e-9;
 
-/** Where in its step an impact falls is chance: gaps at the start that are this many
- fractions of V h apart stand for it. */
+/** Number of phases of an impact within its step, which is random: starting gaps that are
+ this fraction of V h apart represent it. */
 constexpr int kPhases = 8;
 
-/** Returns the fall from a gap that is `phase` fractions of V h larger. */
+/** Returns the fall from a gap that is larger by `phase` fractions of V h. */
 Fall Shifted(const Fall& fall, double dt, int phase) {
   Fall shifted = fall;
   shifted.start.gap += phase * fall.Truth().impact_speed() * dt / kPhases;
@@ -46,13 +46,14 @@ std::vector<Height> SteppedAlong(const Motion& motion, const Fall& fall, BounceR
   return heights;
 }
 
-/** Makes each number the largest so far. */
+/** Replaces each number by the largest so far. */
 void KeepLargest(std::vector<double>& numbers) {
   for (std::size_t i = 1; i < numbers.size(); ++i)
     numbers[i] = std::max(numbers[i], numbers[i - 1]);
 }
 
-/** The largest error so far, at each sample, of engines that follow the rule. [m] */
+/** Returns the largest error so far, at each sample, of engines that follow the rule.
+ [m] */
 std::vector<double> StepErrors(const Motion& motion, const Fall& fall) {
   std::vector<double> errors(motion.trajectory.samples.size(), 0);
   for (const ContactSeen seen : {ContactSeen::kTouching, ContactSeen::kAhead}) {
@@ -73,9 +74,10 @@ std::vector<double> StepErrors(const Motion& motion, const Fall& fall) {
 }
 
 /** Whether the heights after the first impact are those of falls that reflect the
- velocity after gravity: to 1.5 × the largest distance so far between such falls from gaps
- a fraction of V h apart, and V h for an impact a step late. What comes before it, and the
- way across the normal, have what the truth is `granted` at each sample. */
+ velocity after gravity. The tolerance is 1.5 × the largest distance so far between such
+ falls from gaps a fraction of V h apart, and V h for an impact one step late. Errors
+ before the first impact and across the normal must be within the truth's tolerances,
+ `granted` at each sample. */
 bool FollowsAfterGravity(const Motion& motion, const Fall& fall,
                          const std::vector<double>& granted) {
   const double h = motion.world.dt;
@@ -110,19 +112,19 @@ bool FollowsAfterGravity(const Motion& motion, const Fall& fall,
   return true;
 }
 
-/** Two neighbouring samples between which the fall was turned. */
+/** Two neighbouring samples between which a fall was reversed. */
 struct Bounce {
-  double before;  ///< Downward speed at the first. [m/s]
-  double after;   ///< Upward speed at the second. [m/s]
-  double higher;  ///< How much higher the second is. [m]
-  double time;    ///< Of the second. [s]
-  double steps;   ///< Between the two.
-  bool stays;     ///< Whether it lies at the second and at the one after.
+  double before;  ///< Downward speed at the first sample. [m/s]
+  double after;   ///< Upward speed at the second sample. [m/s]
+  double higher;  ///< Height of the second sample above the first. [m]
+  double time;    ///< Time of the second sample. [s]
+  double steps;   ///< Steps between the two.
+  bool stays;     ///< Whether the body rests at the second sample and the next.
 };
 
-/** Whether a fall neither moves at two neighbouring samples nor has gone anywhere between
- them: to a quarter of what gravity does in a step, which a flight would be off by more.
- */
+/** Whether the body rests at sample `s` and the next. Its speed at both, and its motion
+ between them, are at most a quarter of gravity's effect in a step; a flight would exceed
+ that. */
 bool Lies(const Motion& motion, const Fall& fall, std::size_t s) {
   const Trajectory& trajectory = motion.trajectory;
   if (s + 1 >= trajectory.samples.size()) return false;
@@ -144,8 +146,8 @@ std::vector<Bounce> BouncesOf(const Motion& motion, const Fall& fall) {
     const PointState second = fall.is(trajectory.samples[s]);
     const double before = -fall.n_W.dot(first.v_W);
     const double after = fall.n_W.dot(second.v_W);
-    // Gravity alone would have it fall faster by g Δt: what stops half of the fall is a
-    // bounce.
+    // Gravity alone would make it fall faster by g Δt: whatever stops half of the fall is
+    // a bounce.
     if (before > 0 && after + before + fall.gravity * time > before / 2) {
       bounces.push_back({before, after, fall.n_W.dot(second.p_W - first.p_W),
                          trajectory.times[s], std::round(time / motion.world.dt),
@@ -155,27 +157,27 @@ std::vector<Bounce> BouncesOf(const Motion& motion, const Fall& fall) {
   return bounces;
 }
 
-/** A bounce at the moment of its blow, and after. */
+/** The impact of a bounce. */
 struct Blow {
-  double came;     ///< Downward speed before it. [m/s]
-  double left;     ///< Upward speed after it. [m/s]
-  double unknown;  ///< For how long gravity may act on either unseen. [s]
+  double came;     ///< Downward speed before the impact. [m/s]
+  double left;     ///< Upward speed after the impact. [m/s]
+  double unknown;  ///< Time for which gravity may act on either speed unobserved. [s]
 };
 
-/** Returns the blow of a bounce. Its moment τ is where the flights through both samples
- meet: they differ by h₁ − h₀ there, which is linear in τ,
+/** Returns the impact of a bounce. Its time τ is where the flights through both samples
+ intersect: the heights differ by h₁ − h₀ there, which is linear in τ,
 
-   −v₀ τ − ½ g τ² = h₁ − h₀ − v₁ (Δt − τ) − ½ g (Δt − τ)²,
+    −v₀ τ − ½ g τ² = h₁ − h₀ − v₁ (Δt − τ) − ½ g (Δt − τ)²,
 
- with v₀ down and v₁ up. So exact flights give exact speeds, whatever their height. What
- the ground may have caught again by the second sample is not in flight: it has left at
- least with the speed of the sample. */
+ with v₀ down and v₁ up. So exact flights yield exact speeds at any height. A body that
+ may have hit the ground again by the second sample is not in flight there: it has left
+ with at least the speed of the sample. */
 Blow BlowOf(const Bounce& bounce, const Fall& fall, double dt) {
   const double g = fall.gravity;
   const double between = bounce.steps * dt;
   if (2 * fall.restitution * bounce.before < g * (between + dt))
     return {bounce.before, bounce.after, between + dt};
-  // No flight leads to where it lies: it has not left, or the samples would see it fly.
+  // A body at rest has not left the ground: otherwise the samples would show its flight.
   if (bounce.stays) {
     const double fallen = std::max(0.0, -bounce.higher);
     return {std::sqrt(bounce.before * bounce.before + 2 * g * fallen), 0, dt};
@@ -186,8 +188,8 @@ Blow BlowOf(const Bounce& bounce, const Fall& fall, double dt) {
   return {bounce.before + fallen, bounce.after + g * between - fallen, dt};
 }
 
-/** Whether v' = −e (v − g h j) − g h (k − j), a fall of j >= 1 steps reflected and a rise
- of the rest, holds for a whole j, to rounding. */
+/** Whether v' = −e (v − g h j) − g h (k − j) holds for a whole number j, to rounding: a
+ fall of j >= 1 of the k steps is reflected, and the body rises for the others. */
 bool ReflectsAfterGravity(const Bounce& bounce, const Fall& fall, double dt,
                           double rounding) {
   const double gh = fall.gravity * dt;
@@ -198,7 +200,7 @@ bool ReflectsAfterGravity(const Bounce& bounce, const Fall& fall, double dt,
          std::abs(j - std::round(j)) * gh <= rounding;
 }
 
-/** Whether a bounce shows which velocity was reflected: e g h of it differs. */
+/** Whether a bounce shows which velocity was reflected: the rules differ by e g h. */
 bool TellsRulesApart(const Fall& fall, double dt, double rounding) {
   return fall.restitution * fall.gravity * dt > 2 * rounding;
 }
@@ -221,19 +223,18 @@ std::vector<std::pair<std::string_view, double>> NumbersOf(const Fall& fall) {
 std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
-  Worst position(
-      MeasureKind::kPositionError,
-      "1.5 × the largest error so far of engines that see contacts once a step, "
-      "stepped beside the truth, with V h for an impact a step late; and 64 "
-      "roundings a step");
-  Worst restitution(
-      MeasureKind::kRestitution,
-      "(2 + e) g h/V: what gravity does in the step of a bounce and in the time by "
-      "which lifting what sank in moves it, or (2 + e) g (Δt + h)/V where the next may "
-      "follow between samples; 64 roundings a step between");
-  Worst velocity(MeasureKind::kVelocityError,
-                 "64 roundings a step: every scheme integrates a constant force exactly, "
-                 "until a step before the first impact");
+  Worst position(MeasureKind::kPositionError,
+                 "1.5 × the largest error so far of engines that detect contacts once "
+                 "per step, stepped next to the truth, with V h for an impact one step "
+                 "late; and 64 roundings per step");
+  Worst restitution(MeasureKind::kRestitution,
+                    "(2 + e) g h/V: gravity in the step of a bounce and in the time by "
+                    "which depth correction moves it, or (2 + e) g (Δt + h)/V if the "
+                    "next may follow between samples; 64 roundings per step between");
+  Worst velocity(
+      MeasureKind::kVelocityError,
+      "64 roundings per step: every scheme integrates a constant force exactly, "
+      "until a step before the first impact");
   bool after_gravity = true;
   bool any_bounce = false;
   bool any_telling = false;
@@ -253,10 +254,10 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
                             (reach + (V + fall.v_along_W.norm()) * t));
       position.Take((is - p_W).norm(), granted.back(), [&] {
         return fmt::format(
-            "{} has {} at {} after {:.6g} s; falling from {:.6g} m with "
-            "e = {:.6g} puts it at {}",
-            motion.oracle.name, fall.name, FormatVector(is, 9), t, fall.start.gap,
-            fall.restitution, FormatVector(p_W, 9));
+            "{} has {} at {} after {:.6g} s; a fall from {:.6g} m with e = {:.6g} puts "
+            "it at {}",
+            motion.oracle.name, fall.name, Words(is), t, fall.start.gap, fall.restitution,
+            Words(p_W));
       });
       if (late > 0) continue;
       const Eigen::Vector3d v_W =
@@ -268,10 +269,9 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
               (fall.v_along_W.norm() + std::abs(fall.start.velocity) + fall.gravity * t),
           [&] {
             return fmt::format(
-                "{} has {} move at {} after {:.6g} s, before it first touches; v₀ + g t "
-                "is {}",
-                motion.oracle.name, fall.name, FormatVector(is_v_W, 9), t,
-                FormatVector(v_W, 9));
+                "{} has {} moving at {} after {:.6g} s, before it first touches; v₀ + g "
+                "t is {}",
+                motion.oracle.name, fall.name, Words(is_v_W), t, Words(v_W));
           });
     }
     if (position.IsBeyond())
@@ -292,8 +292,8 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       any_telling = any_telling || TellsRulesApart(fall, world.dt, rounding);
       restitution.Take(std::abs(blow.left / blow.came - e), tolerance, [&] {
         return fmt::format(
-            "{} has {} leave with {:.6g} m/s before {:.6g} s, having come with {:.6g} "
-            "m/s: e = {:.6g}; the bodies' is {:.6g}",
+            "{} has {} leave at {:.6g} m/s before {:.6g} s after arriving at {:.6g} m/s: "
+            "e = {:.6g}; the bodies' e is {:.6g}",
             motion.oracle.name, fall.name, blow.left, bounce.time, blow.came,
             blow.left / blow.came, e);
       });

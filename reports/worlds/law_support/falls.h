@@ -12,67 +12,70 @@
 
 namespace touchstone {
 
-/** Something that falls along the normal of a static plane and bounces on it. */
+/** A body or particle that falls along the normal of a static plane and bounces on it. */
 struct Fall {
   std::string name;
-  Eigen::Vector3d n_W;  ///< The plane's outward normal, unit.
+  Eigen::Vector3d n_W;  ///< Outward unit normal of the plane.
   Height start;
-  double gravity;                                   ///< Along the normal, > 0. [m/s²]
-  double restitution;                               ///< e.
-  Eigen::Vector3d p_W;                              ///< Its centre at the start. [m]
-  Eigen::Vector3d v_along_W;                        ///< Along the plane; stays. [m/s]
-  double size;                                      ///< Its bounding radius. [m]
-  std::function<PointState(const WorldState&)> is;  ///< Its centre in a motion.
+  double gravity;             ///< Acceleration towards the plane, > 0. [m/s²]
+  double restitution;         ///< Coefficient e. [-]
+  Eigen::Vector3d p_W;        ///< Centre at the start. [m]
+  Eigen::Vector3d v_along_W;  ///< Velocity along the plane; constant. [m/s]
+  double size;                ///< Bounding radius. [m]
+  /** Returns the centre in a state of a motion. */
+  std::function<PointState(const WorldState&)> is;
 
   VerticalBounces Truth() const { return {start, gravity, restitution}; }
 
-  /** Returns where its centre is after `t` [s]. [m] */
+  /** Returns the position of its centre after `t` [s]. [m] */
   Eigen::Vector3d PlaceAt(double t) const {
     return p_W + t * v_along_W + (Truth().At(t).gap - start.gap) * n_W;
   }
 };
 
-/** Holds falls against the closed form of their bounces.
+/** Judges falls by the closed form of their bounces.
 
- Position: what an engine that sees contacts once a step is off by is computed: the fall
- is stepped by the rule that reflects the velocity at the start of the step, seen touching
- and seen ahead, from eight gaps a fraction of V h apart, since where in its step the
- impact falls is chance; the largest error so far, × 1.5, and 64 roundings a step. An
- impact is at most a step late, which at the speed V is V h more.
+ Position: the error of an engine that detects contacts once per step is computed. The
+ fall is stepped by the rule that reflects the velocity at the start of the step, with
+ contacts detected either when touching or one step ahead. It starts from eight gaps that
+ are a fraction of V h apart, since the phase of an impact within its step is random. The
+ tolerance is the largest error so far, × 1.5, and 64 roundings per step. An impact is at
+ most one step late, which adds V h at the speed V.
 
- Velocity: before the first impact it flies freely, and every scheme has v₀ + g t to
- rounding. A position half a step's fall behind tells neither g nor the time as sharply.
+ Velocity: before the first impact the body is in free flight, and every scheme has v₀ + g
+ t to rounding. The position is a less sharp test of g and of the time: it is behind by
+ half a step's fall.
 
- Restitution: v'/v along the normal, of the speeds [m/s] with which it comes to a blow and
- leaves it. They are not sampled: the flights through the samples around the blow are
- followed, under g, to the moment at which they meet. Flights that are exact give e to
- rounding, and so does a blow that comes late or early. An engine that takes v₀ + g h for
- the velocity of the whole step, and leaves g out of the step of the blow or puts it in
- before, has either speed off by up to g h: (1 + e) g h/V. One that lifts what sank in
- raises the second flight by up to V h, which moves where they meet by h/(1 + e) and
- either speed by as much g: g h/V more. What lies at the second sample and at the next has
- left with 0: no flight leads to where it lies. Where a rebound lasts no longer than
- samples are apart and a step, 2 e V/g < Δt + h, the ground may have caught it again: then
- v' and v are those of the samples, of which gravity may have changed each by g (Δt + h),
- for h above. Plus 64 roundings a step between the samples, of either speed and, over V/g,
- of the place. Bounces for which that exceeds ¼ are too slow to tell.
+ Restitution: v'/v along the normal, from the speeds [m/s] before and after an impact.
+ These are not sampled. The flights through the samples around the impact are followed,
+ under g, to the time at which they intersect. Exact flights yield e to rounding, and so
+ does an impact that is late or early. An engine may take v₀ + g h for the velocity of the
+ whole step, and omit g in the step of the impact or add it before. Either speed is then
+ off by up to g h: (1 + e) g h/V. Depth correction raises the second flight by up to V h.
+ That moves the intersection by h/(1 + e) and either speed by g times that: g h/V more. A
+ body at rest at the second sample and at the next has left with speed 0, since no flight
+ leads to where it lies. If a rebound lasts no longer than the sample spacing and a step,
+ 2 e V/g < Δt + h, the next impact may precede the second sample. Then v' and v are those
+ of the samples; gravity may have changed each by g (Δt + h), which replaces g h above. 64
+ roundings per step between the samples are added, of either speed and, over V/g, of the
+ position. Bounces whose tolerance exceeds ¼ are too slow to judge.
 
- A motion whose every bounce obeys v' = −e (v − g h), to rounding and the step's number
- being whole, and that is where falls stepped by that rule are, is recognised: "reflects
- the velocity after gravity". It adds m g h V a bounce. Not where e g h is rounding, so
- that no bounce tells the rules apart; nor is what comes before the first impact, or
- across the normal, excused. */
+ A motion may be recognised as "reflects the velocity after gravity". Every bounce must
+ obey v' = −e (v − g h), to rounding and for a whole number of steps, and the positions
+ must be those of falls stepped by that rule. The rule adds m g h V per bounce. It is not
+ recognised if e g h is within rounding, so that no bounce distinguishes the rules. Errors
+ before the first impact or across the normal are not excused. */
 std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls);
 
 /** Returns whether `v` is along `n`, to the rounding of quaternions with 16 digits. */
 bool IsAlong(const Eigen::Vector3d& v, const Eigen::Vector3d& n);
 
-/** The numbers that laws of bounces know. */
+/** Names of the numbers that the laws of bounces derive. */
 inline constexpr std::array<std::string_view, 4> kNumbersOfFalls = {
     "expected_first_apex", "expected_first_impact", "expected_impact_speed",
     "expected_total_time"};
 
-/** Returns them of `fall`, as FaultsOfNumbers() takes them. */
+/** Returns these numbers for `fall`, as FaultsOfNumbers() takes them. */
 std::vector<std::pair<std::string_view, double>> NumbersOf(const Fall& fall);
 
 }  // namespace touchstone

@@ -10,10 +10,10 @@
 namespace touchstone {
 namespace {
 
-/** What of a box is seen from the plane that it lies on. [m] */
+/** The face of a box that lies on a plane. [m] */
 struct Sole {
-  double height;      ///< Of the centre above it.
-  double half_width;  ///< The lesser.
+  double height;      ///< Height of the centre above it.
+  double half_width;  ///< Its smaller half width.
 };
 
 Sole SoleOf(const RigidBody& box, const OnPlane& on) {
@@ -36,12 +36,13 @@ FlatBox::FlatBox(const Motion& motion, int body, const OnPlane& on)
       body_(body),
       half_width_(
           SoleOf(motion.world.bodies[static_cast<std::size_t>(body)], on).half_width),
-      orientation_(MeasureKind::kOrientationError,
-                   "1.5 × (1 + μ) of what a box settles by, over the half width of its "
-                   "sole; 1e-5 of the way for the solver, and 64 roundings a step"),
+      orientation_(
+          MeasureKind::kOrientationError,
+          "1.5 × (1 + μ) of the settling distance, over the half width of the "
+          "sole; 1e-5 of the distance for the solver, and 64 roundings per step"),
       spin_(MeasureKind::kSpinError,
-            "1.5 × (1 + μ) of the speed that a box settles at, over the half width of "
-            "its sole; 1e-5 of the velocity for the solver, and 64 roundings a step") {
+            "1.5 × (1 + μ) of the settling speed, over the half width of the sole; 1e-5 "
+            "of the velocity for the solver, and 64 roundings per step") {
   const double h = motion.world.dt;
   const double settles = kSafety * (1 + on.plane.friction) / half_width_;
   settling_angle_ = settles * on.Settling(h);
@@ -62,8 +63,8 @@ void FlatBox::Take(std::size_t s, double speed) {
                        motion_.oracle.name, body.name, angle, t);
   });
   spin_.Take(is.w_WB.norm(), settling_spin_ + left, [&] {
-    return fmt::format("{} has {} spin at {} after {:.6g} s; nothing turns it",
-                       motion_.oracle.name, body.name, FormatVector(is.w_WB, 9), t);
+    return fmt::format("{} has {} spinning at {} after {:.6g} s; nothing turns it",
+                       motion_.oracle.name, body.name, Words(is.w_WB), t);
   });
 }
 

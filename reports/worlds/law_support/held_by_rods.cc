@@ -12,11 +12,12 @@
 namespace touchstone {
 namespace {
 
-/** Difference of a length from what the points start with that is rounding. [-] */
+/** Relative difference between a rod's length and the distance at the start that counts
+ as rounding. [-] */
 constexpr double kSameLength = 1e-9;
 
-/** Returns the rod between `point` and what `is_other_end` says; null where there is none
- or more than one. */
+/** Returns the rod between `point` and an anchor accepted by `is_other_end`; null if
+ there is none or more than one. */
 template <typename IsOtherEnd>
 const DistanceJoint* RodOf(const World& world, const PointMass& point,
                            const IsOtherEnd& is_other_end) {
@@ -43,7 +44,7 @@ Eigen::Vector3d FixedEndOf(const World& world, const DistanceJoint& rod) {
   return A ? *A : *FixedPointOf(world, rod.B);
 }
 
-/** Returns how many ends of springs and joints are at `point`. */
+/** Returns the number of ends of springs and joints at `point`. */
 int HoldsOn(const World& world, const PointMass& point) {
   int holds = 0;
   const auto count = [&](const Anchor& anchor) {
@@ -74,21 +75,23 @@ std::string WhyNoChain(const World& world, const std::vector<PointMass>& points)
     const PointMass& point = points[i];
     const DistanceJoint* rod = RodAbove(world, points, i);
     if (!rod) {
-      return fmt::format("is {}, which one rod does not join at its centre to {}",
+      return fmt::format("is {}, which is not joined at its centre by one rod to {}",
                          point.name,
                          i == 0 ? "something fixed" : points[i - 1].name.c_str());
     }
     const bool last = i + 1 == points.size();
     if (HoldsOn(world, point) != (last ? 1 : 2) || point.damping > 0 ||
         (point.on == AnchorKind::kBody && IsPushed(world, point.index)))
-      return fmt::format("is {}, which is damped, struck or held by more", point.name);
+      return fmt::format("is {}, which is damped, pushed or held by other links",
+                         point.name);
     if (point.a_W != world.gravity_W)
-      return fmt::format("is {}, which a force pulls", point.name);
+      return fmt::format("is {}, on which a force acts", point.name);
     const Eigen::Vector3d above =
         i == 0 ? FixedEndOf(world, *rod) : points[i - 1].start.p_W;
     if (std::abs((point.start.p_W - above).norm() - rod->length) >
         kSameLength * rod->length)
-      return fmt::format("is {}, whose rod does not start with its length", point.name);
+      return fmt::format("is {}, whose rod does not have its length at the start",
+                         point.name);
   }
   return "";
 }
@@ -110,10 +113,9 @@ std::vector<LawFinding> JudgeHeld(
     const Motion& motion, const HeldByRods& held, double until,
     const std::function<std::vector<PointState>(std::size_t)>& truth) {
   const std::string because =
-      "1.5 × the largest error so far of engines of first order that keep rods by their "
-      "velocities, by Baumgarte's term or by projection, stepped beside the truth; and "
-      "64 "
-      "roundings a step";
+      "1.5 × the largest error so far of first-order engines that constrain rods by "
+      "velocity, by Baumgarte's term or by projection, stepped next to the truth; and 64 "
+      "roundings per step";
   Worst position(MeasureKind::kPositionError, because);
   Worst velocity(MeasureKind::kVelocityError, because);
   std::vector<std::vector<PointState>> stepped(kRodSchemes.size(), held.Start());
@@ -142,17 +144,16 @@ std::vector<LawFinding> JudgeHeld(
       position.Take((is.p_W - points[i].p_W).norm(),
                     kSafety * off + rounding * (points[i].p_W.norm() + speed * t), [&] {
                       return fmt::format(
-                          "{} has {} at {} after {:.6g} s; its rod swings it to {}",
-                          motion.oracle.name, point.name, FormatVector(is.p_W, 9), t,
-                          FormatVector(points[i].p_W, 9));
+                          "{} has {} at {} after {:.6g} s; the exact swing is at {}",
+                          motion.oracle.name, point.name, Words(is.p_W), t,
+                          Words(points[i].p_W));
                     });
-      velocity.Take((is.v_W - points[i].v_W).norm(),
-                    kSafety * off_speed + rounding * speed, [&] {
-                      return fmt::format(
-                          "{} has {} move at {} after {:.6g} s; its rod swings it at {}",
-                          motion.oracle.name, point.name, FormatVector(is.v_W, 9), t,
-                          FormatVector(points[i].v_W, 9));
-                    });
+      velocity.Take(
+          (is.v_W - points[i].v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
+            return fmt::format(
+                "{} has {} moving at {} after {:.6g} s; the exact swing moves at {}",
+                motion.oracle.name, point.name, Words(is.v_W), t, Words(points[i].v_W));
+          });
     }
   }
   return FindingsOf({position, velocity});

@@ -10,7 +10,7 @@
 
 namespace touchstone {
 
-/** Points that rods hold: `points[i]` is the i-th of `system`. */
+/** Points held by rods: `points[i]` is the i-th point of `system`. */
 struct HeldByRods {
   std::vector<PointMass> points;
   RodSystem system;
@@ -18,18 +18,19 @@ struct HeldByRods {
   std::vector<PointState> Start() const;
 };
 
-/** Returns why the points are not a chain, the first on a rod to a fixed place and each
- on one to the one before, of the lengths that they start with, under one gravity; empty
- where they are. */
+/** Returns the reason why the points are not a chain; empty if they are. In a chain the
+ first point is on a rod to a fixed point and each other one on a rod to its predecessor.
+ The rods have their lengths at the start, and gravity is the only load. */
 std::string WhyNoChain(const World& world, const std::vector<PointMass>& points);
 
 /** Returns that chain. @pre WhyNoChain() is empty. */
 HeldByRods ChainOf(const World& world, const std::vector<PointMass>& points);
 
-/** Holds the points against `truth`, their exact motion at each sample up to `until` [s]:
- position and velocity. The tolerance is 1.5 times the largest error so far of engines of
- first order that keep rods by their velocities, alone, with Baumgarte's term or with
- projected positions (truth/rods.h), stepped beside the truth; and 64 roundings a step. */
+/** Judges position and velocity of the points by `truth`, their exact motion at each
+ sample up to `until` [s]. The tolerance is 1.5 times the largest error so far of
+ first-order engines, stepped next to the truth, and 64 roundings per step. These engines
+ constrain the velocities of rods, alone, with Baumgarte's term or with projected
+ positions (truth/rods.h). */
 std::vector<LawFinding> JudgeHeld(
     const Motion& motion, const HeldByRods& held, double until,
     const std::function<std::vector<PointState>(std::size_t sample)>& truth);

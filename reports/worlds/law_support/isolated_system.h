@@ -7,10 +7,10 @@
 
 namespace touchstone {
 
-/** Returns what keeps the subjects of `claim` from being a system of their own: names
- that cannot be meant, springs and joints that reach out of it, damped particles and
- cloths, pinned cloths. What may touch it cannot be told from the world: the author
- vouches for that. */
+/** Returns the reasons why the subjects of `claim` are not an isolated system: unusable
+ names, springs and joints to things outside it, damped particles and cloths, pinned
+ cloths. Contacts with things outside cannot be predicted from the world: the author
+ vouches for their absence. */
 std::vector<Fault> FaultsOfIsolation(const World& world, const Claim& claim);
 
 }  // namespace touchstone

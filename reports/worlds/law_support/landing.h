@@ -8,28 +8,27 @@
 
 namespace touchstone {
 
-/** A static plane under a body: a half-space, or the face of a box that is wide enough.
- */
+/** A static plane under a body: a half-space, or a wide enough face of a box. */
 struct Landing {
-  int ground = -1;         ///< Into World::bodies.
-  Eigen::Vector3d n_W;     ///< Its outward normal, unit.
-  double gap = 0;          ///< Of the body's nearest point, < 0 penetrating. [m]
-  Eigen::Vector3d p_WC;    ///< That point, at the start. [m]
+  int ground = -1;       ///< Into World::bodies.
+  Eigen::Vector3d n_W;   ///< Its outward unit normal.
+  double gap = 0;        ///< Distance of the body's nearest point; < 0: penetrating. [m]
+  Eigen::Vector3d p_WC;  ///< That nearest point, at the start. [m]
   double restitution = 0;  ///< min(e_A, e_B).
   double friction = 0;     ///< √(μ_A μ_B).
 };
 
-/** Returns the static plane that the start of `body` faces: the nearest of those whose
- outward side it is on. Empty where there is none that collides with it. Of a box, the
- face whose plane the body's centre is farthest outside, if the centre's foot lies on it.
- */
+/** Returns the static plane that `body` faces at the start: the nearest one on whose
+ outward side it is. Empty if there is none that collides with it. A box counts by the
+ face whose plane the body's centre is farthest outside of, if the centre projects onto
+ that face. */
 std::optional<Landing> LandingOf(const World& world, int body);
 
-/** Returns the same for a point at `p_W`, without its restitution and friction. */
+/** Returns the same for a point at `p_W`, without restitution and friction. */
 std::optional<Landing> LandingOfPoint(const World& world, const Eigen::Vector3d& p_W);
 
-/** Returns the support of `body` along `d_W` at the start: the farthest point of its
- shape. [m] @pre A sphere or a box. */
+/** Returns the support point of `body` along `d_W` at the start, the farthest point of
+ its shape. [m] @pre A sphere or a box. */
 Eigen::Vector3d SupportOf(const RigidBody& body, const Eigen::Vector3d& d_W);
 
 }  // namespace touchstone

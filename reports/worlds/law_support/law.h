@@ -14,51 +14,54 @@
 
 namespace touchstone {
 
-/** A trajectory, and what it takes to hold it against a law. */
+/** A trajectory together with the world and the oracle that a law needs to judge it. */
 struct Motion {
   const World& world;
   const OracleInfo& oracle;
-  const Trajectory& trajectory;  ///< Answered; its samples end early where it diverged.
+  const Trajectory& trajectory;  ///< Answered; its samples end early if it diverged.
 };
 
-/** One number of a motion, held against a law. */
+/** One number of a motion, judged by a law. */
 struct LawFinding {
   MeasureKind measure;
   double value = 0;
-  Tolerance tolerance;  ///< Derived: rounding, or the error law of the step.
-  /** "drop says y = 0.493 of ball at 1.2 s; ½ g t² from 1 m says 0.5": why the value is
-   what it is. Shown where it exceeds the tolerance, and with `recognised`. */
+  Tolerance tolerance;  ///< Derived from rounding or from the error law of the step.
+  /** The reason for the value: "drop says y = 0.493 of ball at 1.2 s; ½ g t² from 1 m
+   says 0.5". Shown if the value exceeds the tolerance, and with `recognised`. */
   std::string proof;
-  /** The legal model that the motion follows to within its own closed form, where that is
-   not the truth's: "L∞ friction cone", "reflects the velocity after gravity". Its finding
-   does not fail: its cause is `model`. Empty: none. */
+  /** The legal model that the motion follows to within that model's own closed form, if
+   it is not the model of the truth: "L∞ friction cone", "reflects the velocity after
+   gravity". The finding then does not fail, and its cause is `model`. Empty: none. */
   std::string recognised;
 };
 
-/** A statement about worlds that can be held against any motion. Laws are pure; what they
- predict comes from the world and the claim, never from an engine. */
+/** A statement about worlds that any motion can be judged by. Laws are pure: their
+ predictions come from the world and the claim, never from an engine. */
 struct Law {
-  std::string_view name;           ///< As in files, e.g. "ballistic".
-  std::string_view documentation;  ///< One line: what it says, what the claim must name.
-  /** The numbers that a claim may state, sorted: "expected_…" is what its author derived,
-   which faults() checks; the others the law reads. */
+  std::string_view name;  ///< The name in scenario files, e.g. "ballistic".
+  /** One line: the statement, and the names the claim must give. */
+  std::string_view documentation;
+  /** The numbers that a claim may state, sorted. A number "expected_…" is derived by the
+   claim's author and checked by faults(); the law reads the others. */
   std::span<const std::string_view> numbers;
-  /** Returns what keeps `claim` from applying to `world`, e.g. a body that is no sphere;
-   `where` starts with "about" or "numbers". Empty where it applies. */
+  /** Returns the reasons why `claim` does not apply to `world`, e.g. a body that is no
+   sphere. `where` of a fault starts with "about" or "numbers". Empty if the claim
+   applies. */
   std::vector<Fault> (*faults)(const World& world, const Claim& claim);
-  /** Returns one finding a measure. @pre faults() is empty. */
+  /** Returns one finding per measure. @pre faults() is empty. */
   std::vector<LawFinding> (*judge)(const Motion& motion, const Claim& claim);
-  /** The motion it speaks of has no events and no thresholds, so that it converges at the
-   order of the engine's scheme as the step goes to 0: the order and the limit are judged
-   too. */
+  /** Whether the motion has no events and no thresholds. Such a motion converges at the
+   order of the engine's scheme as the step goes to 0, so the order and the limit are
+   judged too. */
   bool smooth = false;
-  /** Returns where by the closed form the centre of the first thing that the claim is
-   about is at `t` [s], for the eye; null where the law says no place. World frame. [m] */
+  /** Returns the closed-form position of the centre of the claim's first subject at `t`
+   [s], for display. Null if the law predicts no position. World frame. [m] */
   Eigen::Vector3d (*place)(const World& world, const Claim& claim, double t) = nullptr;
-  /** The motion it speaks of has impacts, which fall anywhere in their steps: by chance
-   half the step moves it less or more, so that three steps show no order. Its tolerance
-   falls with the step all the same: of the order and the limit is judged that the places
-   at a quarter of the step are within that of a quarter of the step. */
+  /** Whether the motion has impacts. They fall anywhere within their steps: halving the
+   step may change the motion more or less by chance, so three steps show no order. The
+   tolerance still falls with the step. So instead of the order and the limit, the
+   positions at a quarter of the step are judged by the tolerance at a quarter of the
+   step. */
   bool has_impacts = false;
 };
 

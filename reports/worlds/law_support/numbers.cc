@@ -29,12 +29,12 @@ std::vector<Fault> FaultsOfNumbers(
       }
       continue;
     }
-    // Which of the others it knows, Law::numbers says.
+    // Law::numbers lists the other numbers that the law knows.
     if (!name.starts_with("expected_")) continue;
     std::vector<std::string_view> derived;
     for (const auto& [derived_name, unused] : truths) derived.push_back(derived_name);
     faults.push_back(
-        {where, fmt::format("is nothing that {} derives of this world", claim.law),
+        {where, fmt::format("is no number that {} derives for this world", claim.law),
          derived.empty() ? std::string("no such number")
                          : fmt::format("one of {}", fmt::join(derived, ", "))});
   }

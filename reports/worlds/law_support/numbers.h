@@ -9,14 +9,14 @@
 
 namespace touchstone {
 
-/** Largest accepted difference of a number that an author derived from the law's own,
- relative to it: numbers are written with at least six significant digits, so half a unit
- of the sixth; doubled. [-] */
+/** Largest accepted relative difference between a number that an author derived and the
+ law's own. Numbers are written with at least six significant digits: half a unit of the
+ sixth, doubled. [-] */
 inline constexpr double kNumberSlack = 1e-6;
 
 /** Returns a fault for every "expected_…" of the claim that contradicts the law's own
- truth, or that the law does not derive of this world. `truths` pairs what it derives with
- its name. Other numbers need but be finite: the law reads them. */
+ value, or that the law does not derive for this world. `truths` pairs the derived values
+ with their names. Other numbers only have to be finite: the law reads them. */
 std::vector<Fault> FaultsOfNumbers(
     const Claim& claim, const std::vector<std::pair<std::string_view, double>>& truths);
 

@@ -8,11 +8,11 @@
 namespace touchstone {
 namespace {
 
-/** How far from its plane a body may start, over its size: scenes give contacts a little
- depth so that they are seen at once. [-] */
+/** Largest initial distance of a body from its plane, over its size: scenes give contacts
+ a small penetration so that they are detected at once. [-] */
 constexpr double kSurfaceSlack = 1e-3;
 
-/** Largest angle of a face to the plane it lies on: quaternions with 16 digits. [rad] */
+/** Largest angle of a face to the plane it lies on; quaternions have 16 digits. [rad] */
 constexpr double kFlat = 1e-9;
 
 }  // namespace
@@ -45,18 +45,17 @@ std::string WhyNotOnPlane(const World& world, int index) {
   const std::optional<Landing> plane = LandingOf(world, index);
   if (!plane) return "is no sphere or box on a static half-space or box";
   const double size = BoundingRadius(body.placed.shape);
-  if (std::abs(plane->gap) > kSurfaceSlack * size)
-    return "does not start on what is below it";
+  if (std::abs(plane->gap) > kSurfaceSlack * size) return "does not start on the ground";
   if (std::holds_alternative<Box>(body.placed.shape)) {
     const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * plane->n_W;
     if (n_B.cwiseAbs().maxCoeff() < 1 - kFlat) return "is a box that does not lie flat";
   }
   const OnPlane on = OnPlaneOf(world, index);
-  if (on.press <= 0) return "is not pressed against what is below it";
+  if (on.press <= 0) return "is not pressed against the ground";
   if (std::abs(on.v_out) > kFlat * body.v_WB.norm())
-    return "does not start along what is below it";
+    return "does not start along the ground";
   if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
-    return "is held or struck";
+    return "is held or pushed";
   return "";
 }
 

@@ -11,7 +11,7 @@ bool IsHalfSpace(const Body& body) {
   return std::holds_alternative<HalfSpace>(body.shape);
 }
 
-/** Whether balls about the two cannot meet. */
+/** Whether the bounding spheres of two bodies are apart. */
 bool AreFarApart(const Body& A, const Body& B) {
   const Eigen::Vector3d p_AB = B.X_WB.p_WB - A.X_WB.p_WB;
   if (IsHalfSpace(A)) return A.X_WB.R_WB.col(2).dot(p_AB) > BoundingRadius(B.shape);
@@ -23,7 +23,7 @@ bool AreFarApart(const Body& A, const Body& B) {
 
 Body PlacedAt(const World& world, const WorldState& state, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
-  // What never moves is where the file put it, to the bit.
+  // A static body is exactly where the file put it, to the bit.
   if (body.mass == 0) return body.placed;
   const BodyState& at = state.bodies[static_cast<std::size_t>(index)];
   return {body.placed.shape, Pose::FromQuaternion(at.p_WB, at.q_WB.normalized())};

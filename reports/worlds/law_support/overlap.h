@@ -5,12 +5,13 @@
 
 namespace touchstone {
 
-/** Returns the certified lower bound of how deep bodies A and B are in each other; 0
- where they are apart, or where neither could be said to be. [m]
+/** Returns a certified lower bound of the penetration depth of bodies A and B; 0 if they
+ are apart, or if neither is certain. [m]
+
  @pre Not both are half-spaces. */
 double OverlapOf(const World& world, const WorldState& state, int A, int B);
 
-/** Returns the shape of body `index` where `state` has it. */
+/** Returns the shape of body `index` at its pose in `state`. */
 Body PlacedAt(const World& world, const WorldState& state, int index);
 
 }  // namespace touchstone

@@ -10,17 +10,17 @@
 
 namespace touchstone {
 
-/** A body or a particle, seen as a point with mass. */
+/** A body or a particle, treated as a point with mass. */
 struct PointMass {
   AnchorKind on = AnchorKind::kParticle;
   int index = -1;
   std::string name;
   double mass = 0;
-  double damping = 0;  ///< Of a particle. [1/s]
+  double damping = 0;  ///< Damping of a particle; 0 for a body. [1/s]
   PointState start;
-  Eigen::Vector3d a_W;  ///< g + F/m. [m/s²]
+  Eigen::Vector3d a_W;  ///< Acceleration g + F/m. [m/s²]
 
-  /** Returns where it is in `state`. */
+  /** Returns its state in `state`. */
   PointState In(const WorldState& state) const;
 
   /** Returns whether `anchor` is its centre. */
@@ -30,10 +30,10 @@ struct PointMass {
 /** Returns the subjects as points, bodies first. */
 std::vector<PointMass> PointMassesOf(const World& world, const Subjects& subjects);
 
-/** Returns the point that `name` bears, in the order that a claim names them. */
+/** Returns the subjects as points, in the order in which the claim names them. */
 std::vector<PointMass> PointMassesInOrder(const World& world, const Claim& claim);
 
-/** Returns where `anchor` is for good; empty where it is on something that moves. */
+/** Returns the constant position of `anchor`; empty if it is on something that moves. */
 std::optional<Eigen::Vector3d> FixedPointOf(const World& world, const Anchor& anchor);
 
 }  // namespace touchstone

@@ -8,7 +8,7 @@
 namespace touchstone {
 namespace {
 
-/** The spin of one body, in its own frame. */
+/** The rotation of one body, in its own frame. */
 struct Spin {
   Eigen::Vector3d inertia;
   Eigen::Vector3d w;
@@ -39,7 +39,7 @@ double InverseMassOf(const World& world, const Anchor& anchor) {
   return mass > 0 ? 1 / mass : 0;
 }
 
-/** A rod that turns: the mass it moves, and how fast its ends pass each other. */
+/** A rotating rod: its reduced mass and the relative speed of its ends. */
 struct TurningRod {
   double mass;
   double speed;

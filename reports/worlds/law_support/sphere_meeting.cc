@@ -16,8 +16,8 @@
 namespace touchstone {
 namespace {
 
-/** How much later than a step an impact may be that falls on a step: rounding decides
- whether it is seen. [steps] */
+/** The latest impact considered. It exceeds 1, since rounding decides whether an impact
+ that falls on a step is detected in it. [steps] */
 constexpr double kLatest = 1.125;
 
 Striker FlownTo(const SphereMeeting::Side& side, double t) {
@@ -32,7 +32,7 @@ void Fly(Striker& striker, const Eigen::Vector3d& a_W, double t) {
   striker.v_WB += a_W * t;
 }
 
-/** The impacts of engines that are early or late. */
+/** Returns the impacts of engines that are early or late. */
 std::vector<Met> Deviations(const SphereMeeting& meeting, double t, double h,
                             const PlacedCone& cone) {
   std::vector<Met> deviations;
@@ -63,7 +63,7 @@ Met Is(const Motion& motion, std::size_t s, const SphereMeeting& meeting) {
   return {at(meeting.A), at(meeting.B)};
 }
 
-/** The numbers of one side, and what they may be off by. */
+/** Checks the state of one side with its tolerances. */
 class SideJudge {
  public:
   SideJudge(const Motion& motion, Worst& velocity, Worst& spin, Worst& position)
@@ -86,30 +86,28 @@ class SideJudge {
     }
     const std::string& name =
         motion_.world.bodies[static_cast<std::size_t>(side.body)].name;
-    velocity_.Take((is.v_WB - truth.v_WB).norm(),
-                   kSafety * (dv + gravity) + share * speed, [&] {
-                     return fmt::format(
-                         "{} has {} move at {} after {:.6g} s; the impact leaves it {}",
-                         motion_.oracle.name, name, FormatVector(is.v_WB, 9), t,
-                         FormatVector(truth.v_WB, 9));
-                   });
-    spin_.Take((is.w_WB - truth.w_WB).norm(),
-               kSafety * (dw + gravity * side.size / side.radius) +
-                   share * (speed * side.size / side.radius + truth.w_WB.norm()),
-               [&] {
-                 return fmt::format(
-                     "{} has {} spin at {} after {:.6g} s; the impact leaves it {}",
-                     motion_.oracle.name, name, FormatVector(is.w_WB, 9), t,
-                     FormatVector(truth.w_WB, 9));
-               });
+    velocity_.Take(
+        (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
+          return fmt::format(
+              "{} has {} moving at {} after {:.6g} s; after the impact it moves at {}",
+              motion_.oracle.name, name, Words(is.v_WB), t, Words(truth.v_WB));
+        });
+    spin_.Take(
+        (is.w_WB - truth.w_WB).norm(),
+        kSafety * (dw + gravity * side.size / side.radius) +
+            share * (speed * side.size / side.radius + truth.w_WB.norm()),
+        [&] {
+          return fmt::format(
+              "{} has {} spinning at {} after {:.6g} s; after the impact it spins at {}",
+              motion_.oracle.name, name, Words(is.w_WB), t, Words(truth.w_WB));
+        });
     position_.Take((is.p_WB - truth.p_WB).norm(),
                    kSafety * (dp + (gravity + side.a_W.norm() * h / 2) * t) +
                        share * speed * t + rounding * truth.p_WB.norm(),
                    [&] {
                      return fmt::format(
-                         "{} has {} at {} after {:.6g} s; the impact leads it to {}",
-                         motion_.oracle.name, name, FormatVector(is.p_WB, 9), t,
-                         FormatVector(truth.p_WB, 9));
+                         "{} has {} at {} after {:.6g} s; after the impact it is at {}",
+                         motion_.oracle.name, name, Words(is.p_WB), t, Words(truth.p_WB));
                    });
   }
 
@@ -125,8 +123,10 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
   const double h = motion.world.dt;
   const PlacedCone circle = ConesOn(meeting.NormalAt(meeting.time)).front();
   const std::string because =
-      "1.5 × what an impact up to a step early or late, inside the spheres, changes, and "
-      "gravity in a step; 1e-5 of the velocity for the solver, and 64 roundings a step";
+      "1.5 × the change by an impact up to a step early or late and inside the spheres, "
+      "and by gravity in a step; 1e-5 of the velocity for the solver, and 64 roundings "
+      "per "
+      "step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   Worst position(MeasureKind::kPositionError, because);
@@ -146,7 +146,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
     const Met is = Is(motion, s, meeting);
     const Met truth = MetAt(meeting, t, meeting.time, 0, cone);
     const Met by_circle = MetAt(meeting, t, meeting.time, 0, circle);
-    // What an engine adds in the step of the impact, resting or turned back.
+    // Velocity that an engine may add in the step of the impact, at rest or reflected.
     const double gravity =
         t < meeting.time - h ? 0
                              : a * h * (1 + meeting.restitution) * (1 + meeting.friction);
@@ -154,7 +154,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
     std::vector<Striker> B;
     double d_approach = 0;
     for (const Met& other : Deviations(meeting, t, h, circle)) {
-      // As far from the truth by its cone as from that by the circle.
+      // Each deviation is as far from the truth by `cone` as from the one by the circle.
       const auto moved = [](Striker by, const Striker& from, const Striker& to) {
         by.p_WB += to.p_WB - from.p_WB;
         by.v_WB += to.v_WB - from.v_WB;
@@ -178,8 +178,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
                 speed / V,
         [&] {
           return fmt::format(
-              "{} has them part at {:.6g} m/s, having met at {:.6g} m/s: e = {:.6g}; the "
-              "bodies' is {:.6g}",
+              "{} has them separate at {:.6g} m/s after they met at {:.6g} m/s: e = "
+              "{:.6g}; the bodies' e is {:.6g}",
               motion.oracle.name, e * V, V, e, meeting.restitution);
         });
   }
@@ -198,7 +198,7 @@ Met MetAt(const SphereMeeting& meeting, double t, double impact, double inset,
   if (t <= impact) return {FlownTo(meeting.A, t), FlownTo(meeting.B, t)};
   Met met{FlownTo(meeting.A, impact), FlownTo(meeting.B, impact)};
   const Eigen::Vector3d n_W = meeting.NormalAt(impact);
-  // Both spheres reach `overlap` too far; the plane of a half-space stands where it is.
+  // Both spheres reach too far by `overlap`; the plane of a half-space does not move.
   const double overlap =
       meeting.n_AB_W
           ? n_W.dot(meeting.B.radius * n_W - met.B.p_WB + met.A.p_WB)
@@ -220,7 +220,7 @@ Met MetAt(const SphereMeeting& meeting, double t, double impact, double inset,
 }
 
 double TouchTime(const SphereMeeting::Side& A, const SphereMeeting::Side& B) {
-  // |p + u t| = r, with equal accelerations.
+  // Solves |p + u t| = r, with equal accelerations.
   const Eigen::Vector3d p_W = B.start.p_WB - A.start.p_WB;
   const Eigen::Vector3d u_W = B.start.v_WB - A.start.v_WB;
   const double r = A.radius + B.radius;
@@ -250,7 +250,7 @@ std::string WhyNoFreeSphere(const World& world, int index) {
     return "is no sphere that collides";
   if (!IsEvenSphere(body)) return "is a sphere with unequal moments of inertia";
   if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
-    return "is held or struck";
+    return "is held or pushed";
   return "";
 }
 

@@ -62,7 +62,7 @@ std::vector<Fault> FaultsOfSubjects(const World& world, const Claim& claim,
     const std::string where = WhereAbout(claim, name);
     if (body < 0 && particle < 0 && cloth < 0) {
       faults.push_back(
-          {where, fmt::format("is {}, which nothing bears", name), expected});
+          {where, fmt::format("is {}, which is no name in this world", name), expected});
     } else if ((body >= 0 && world.bodies[static_cast<std::size_t>(body)].mass == 0) ||
                (particle >= 0 &&
                 world.particles[static_cast<std::size_t>(particle)].mass == 0)) {
@@ -70,7 +70,7 @@ std::vector<Fault> FaultsOfSubjects(const World& world, const Claim& claim,
     } else if ((body >= 0 && !speaks.bodies) || (particle >= 0 && !speaks.particles) ||
                (cloth >= 0 && !speaks.cloths)) {
       faults.push_back({where,
-                        fmt::format("is {}, of which {} does not speak", name, claim.law),
+                        fmt::format("is {}, to which {} does not apply", name, claim.law),
                         expected});
     }
   }
@@ -84,8 +84,8 @@ std::vector<Fault> FaultsOfSubjects(const World& world, const Claim& claim,
                         (!subjects.cloths.empty() && !speaks.cloths);
   if (none || unspoken) {
     faults.push_back({"about",
-                      none ? "is nothing: nothing moves in this world"
-                           : "is everything that moves, of which some is of another kind",
+                      none ? "is empty, and nothing moves in this world"
+                           : "is everything that moves, including things of another kind",
                       expected});
   }
   return faults;

@@ -8,40 +8,40 @@
 
 namespace touchstone {
 
-/** What a claim is about, by index. */
+/** The things that a claim is about, by index. */
 struct Subjects {
-  std::vector<int> bodies;     ///< Into World::bodies; all of them move.
-  std::vector<int> particles;  ///< Into World::particles; all of them move.
-  std::vector<int> cloths;     ///< Into World::cloths.
+  std::vector<int> bodies;     ///< Indices into World::bodies; all of them move.
+  std::vector<int> particles;  ///< Indices into World::particles; all of them move.
+  std::vector<int> cloths;     ///< Indices into World::cloths.
 };
 
-/** Returns what `claim` names, in its order; everything that moves where it names
- nothing. Names that nothing bears, and names of what does not move, are left out. */
+/** Returns the things that `claim` names, in its order; everything that moves if it names
+ nothing. Unknown names and names of static things are left out. */
 Subjects SubjectsOf(const World& world, const Claim& claim);
 
-/** What a law can speak of, besides bodies that move. */
+/** The kinds of moving things that a law applies to. */
 struct SpeaksOf {
   bool bodies = true;
   bool particles = false;
   bool cloths = false;
 };
 
-/** Returns a fault for every name that nothing bears, that does not move, or that is of a
- kind that the law does not speak of; and one where the claim is then about nothing. */
+/** Returns a fault for every name that is unknown, static or of a kind that the law does
+ not apply to; and one if the claim is then about nothing. */
 std::vector<Fault> FaultsOfSubjects(const World& world, const Claim& claim,
                                     const SpeaksOf& speaks);
 
-/** Returns the name of what a fault is about: "about[2]", or "about" where the claim
+/** Returns the place of a fault about a subject: "about[2]", or "about" if the claim
  names nothing. `name` is the subject's. */
 std::string WhereAbout(const Claim& claim, const std::string& name);
 
 /** Returns whether a spring or a joint is fixed to body or particle `index`. */
 bool IsHeld(const World& world, AnchorKind on, int index);
 
-/** Returns whether some push strikes body `index`. */
+/** Returns whether a push acts on body `index`. */
 bool IsPushed(const World& world, int index);
 
-/** Returns where the nodes of cloth `index` begin in WorldState::nodes. */
+/** Returns the index of the first node of cloth `index` in WorldState::nodes. */
 int FirstNodeOf(const World& world, int index);
 
 }  // namespace touchstone

@@ -10,8 +10,8 @@
 
 namespace touchstone {
 
-/** The worst of many numbers of one measure, each with a tolerance of its own: tolerances
- grow with time, so the largest number need not be the one that is most wrong. */
+/** The worst of many numbers of one measure, each with its own tolerance. Tolerances grow
+ with time, so the largest number need not be the worst one. */
 class Worst {
  public:
   Worst(MeasureKind measure, std::string because) {
@@ -19,12 +19,12 @@ class Worst {
     finding_.tolerance.because = std::move(because);
   }
 
-  /** Takes a number; `proof()` is called, for its sentence, only where it is the worst so
-   far. */
+  /** Takes a number; `proof()` is called, for its sentence, only if the number is the
+   worst so far. */
   template <typename Proof>
   void Take(double value, double tolerance, Proof&& proof) {
-    // What is exact is never the worst, even where nothing is allowed. Written so that a
-    // NaN is the worst of all.
+    // A value of zero is never the worst, even with a tolerance of zero. Written so that
+    // a NaN is the worst of all.
     const double share = value == 0 ? 0 : value / tolerance;
     if (share <= share_ || std::isnan(share_)) return;
     share_ = share;
@@ -33,16 +33,16 @@ class Worst {
     finding_.proof = proof();
   }
 
-  /** Whether there was any number to take. */
+  /** Returns whether any number was taken. */
   bool IsTaken() const { return !(share_ < 0); }
 
-  /** Whether the worst is beyond its tolerance. */
+  /** Returns whether the worst number is beyond its tolerance. */
   bool IsBeyond() const { return !(finding_.value <= finding_.tolerance.value); }
 
-  /** The law's finding: its fields hold the worst number. */
+  /** Returns the law's finding; its fields hold the worst number. */
   const LawFinding& finding() const { return finding_; }
 
-  /** Returns the finding, recognised as that of a legal model where it is beyond its
+  /** Returns the finding, recognised as that of a legal model if it is beyond its
    tolerance. */
   LawFinding RecognisedAs(std::string_view model) const {
     LawFinding finding = finding_;
@@ -52,20 +52,20 @@ class Worst {
 
  private:
   LawFinding finding_;
-  double share_ = -1;  ///< Of the worst: its value in tolerances.
+  double share_ = -1;  ///< The worst value over its tolerance.
 };
 
-/** Returns whether the worst of any measure is beyond its tolerance. */
+/** Returns whether the worst number of any measure is beyond its tolerance. */
 bool AnyBeyond(const std::vector<Worst>& findings);
 
-/** Returns the findings of what there was to measure, recognised as `model` where they
+/** Returns the findings of all measures that took a number, recognised as `model` if they
  are beyond their tolerance; empty: no model. */
 std::vector<LawFinding> FindingsOf(const std::vector<Worst>& findings,
                                    std::string_view model = "");
 
-/** Returns one finding for each measure: of several, one that is beyond its tolerance and
- not recognised before one that is recognised, and that before one within; among equals
- the one that is most tolerances large. */
+/** Returns one finding per measure. A finding beyond its tolerance and not recognised
+ precedes a recognised one, and that precedes one within its tolerance; among equals the
+ one with the largest value over tolerance is taken. */
 std::vector<LawFinding> WorstOfEach(const std::vector<LawFinding>& findings);
 
 }  // namespace touchstone

@@ -11,7 +11,7 @@
 namespace touchstone {
 namespace {
 
-/** One thing in flight. */
+/** One body or particle in free flight. */
 struct Flight {
   std::string name;
   PointState start;
@@ -21,7 +21,7 @@ struct Flight {
   PointState At(double t, double dt) const {
     PointState at{start.p_W + start.v_W * t + a_W * (t * t / 2), start.v_W + a_W * t};
     for (const auto& [time, dv_W] : kicks) {
-      // Half a step's grace: times are multiples of the step.
+      // Half a step of tolerance: times are multiples of the step.
       if (t < time + dt / 2) continue;
       at.p_W += dv_W * (t - time);
       at.v_W += dv_W;
@@ -29,7 +29,8 @@ struct Flight {
     return at;
   }
 
-  /** The largest |x| + |v| t of the terms that make up a position, and |v| + |a| t. */
+  /** Upper bound of the terms |x| + |v| t that a position is the sum of; Speed() is the
+   same bound |v| + |a| t of the velocity. */
   double Reach(double t) const { return start.p_W.norm() + Speed(t) * t; }
   double Speed(double t) const {
     double speed = start.v_W.norm() + a_W.norm() * t;
@@ -84,9 +85,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   Worst position(
       MeasureKind::kPositionError,
-      "1.5 × ½ |a| h t, the error of semi-implicit Euler, and 64 roundings a step");
-  Worst velocity(MeasureKind::kVelocityError,
-                 "64 roundings a step: every scheme integrates a constant force exactly");
+      "1.5 × ½ |a| h t, the error of semi-implicit Euler, and 64 roundings per step");
+  Worst velocity(
+      MeasureKind::kVelocityError,
+      "64 roundings per step: every scheme integrates a constant force exactly");
   const auto hold = [&](const Flight& flight, std::size_t s, const PointState& is) {
     const double t = motion.trajectory.times[s];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
@@ -99,9 +101,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                              FormatVector(truth.p_W, 9));
         });
     velocity.Take((is.v_W - truth.v_W).norm(), rounding * flight.Speed(t), [&] {
-      return fmt::format("{} has {} move at {} after {:.6g} s; v₀ + a t is {}",
-                         motion.oracle.name, flight.name, FormatVector(is.v_W, 9), t,
-                         FormatVector(truth.v_W, 9));
+      return fmt::format("{} has {} moving at {} after {:.6g} s; v₀ + a t is {}",
+                         motion.oracle.name, flight.name, Words(is.v_W), t,
+                         Words(truth.v_W));
     });
   };
   const Subjects subjects = SubjectsOf(world, claim);
@@ -128,7 +130,7 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 }  // namespace
 
 constinit const Law kBallistic = {
-    "ballistic", "What nothing touches flies along x₀ + v₀ t + ½ (g + F/m) t².",
+    "ballistic", "A body in free flight moves along x₀ + v₀ t + ½ (g + F/m) t².",
     {},          Faults,
     Judge,       true,
     Place};

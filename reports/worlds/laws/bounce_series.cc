@@ -10,7 +10,7 @@
 namespace touchstone {
 namespace {
 
-/** Largest angle of a face to the plane it lands on: quaternions with 16 digits. [rad] */
+/** Largest angle of a face to the plane it lands on; quaternions have 16 digits. [rad] */
 constexpr double kFlat = 1e-9;
 
 Fall FallOf(const World& world, int index) {
@@ -34,20 +34,20 @@ Fall FallOf(const World& world, int index) {
 std::string WhyNot(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const std::optional<Landing> landing = LandingOf(world, index);
-  if (!landing) return "is above no static half-space or box, or no sphere or box itself";
+  if (!landing) return "is no sphere or box above a static half-space or box";
   const Fall fall = FallOf(world, index);
   const Eigen::Vector3d a_W = world.gravity_W + body.force_W / body.mass;
   if (fall.gravity <= 0 || !IsAlong(a_W, landing->n_W))
-    return "does not fall along the normal of what is below it";
+    return "does not fall along the normal of the ground";
   if (!IsAlong(body.v_WB, landing->n_W) || !body.w_WB.isZero(0))
     return "does not start straight down";
-  if (landing->gap < 0) return "starts inside what is below it";
+  if (landing->gap < 0) return "starts inside the ground";
   if (std::holds_alternative<Box>(body.placed.shape)) {
     const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * landing->n_W;
     if (n_B.cwiseAbs().maxCoeff() < 1 - kFlat) return "is a box that does not lie flat";
   }
   if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
-    return "is held or struck";
+    return "is held or pushed";
   return "";
 }
 
@@ -56,10 +56,10 @@ ExpectedNumbers NumbersOfBody(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfEachBody(
-      world, claim, WhyNot,
-      "a sphere, or a box that lies flat, falling straight on a static half-space or box",
-      NumbersOfBody);
+  return FaultsOfEachBody(world, claim, WhyNot,
+                          "a sphere, or a box that lies flat, falling straight onto a "
+                          "static half-space or box",
+                          NumbersOfBody);
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -78,8 +78,8 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 
 constinit const Law kBounceSeries = {
     "bounce_series",
-    "A sphere or a flat box falls straight on a static plane and leaves with e times its "
-    "speed, again and again.",
+    "A sphere or a flat box falls straight onto a static plane and leaves each bounce "
+    "with e times its speed.",
     kNumbersOfFalls,
     Faults,
     Judge,

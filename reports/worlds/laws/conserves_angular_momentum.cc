@@ -32,8 +32,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
     }
     if (IsPushed(world, i)) {
       faults.push_back({WhereAbout(claim, body.name),
-                        fmt::format("is {}, which is struck", body.name),
-                        "a body that no push strikes"});
+                        fmt::format("is {}, which is pushed", body.name),
+                        "a body without pushes"});
     }
   }
   const WorldState start = StateAtStart(world);
@@ -43,15 +43,15 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
                 FaultsOfNumbers(claim, {{"expected_angular_momentum", L_0}}));
 }
 
-/** The sum of the impulses that colliding bodies receive from a sample to the next,
- beyond gravity and forces: twice that of their contacts. [N s] */
+/** Returns the sum of the impulses that colliding bodies receive from one sample to the
+ next, beyond gravity and forces: twice the sum over their contacts. [N s] */
 double ImpulsesBetween(const World& world, const WorldState& from, const WorldState& to,
                        double dt, const Subjects& subjects) {
   double sum = 0;
   for (const int i : subjects.bodies) {
     const auto index = static_cast<std::size_t>(i);
     const RigidBody& body = world.bodies[index];
-    // What springs and joints do lies along the line of their ends, and keeps L.
+    // The forces of springs and joints lie along the line of their ends and conserve L.
     if (!body.collides || IsHeld(world, AnchorKind::kBody, i)) continue;
     const Eigen::Vector3d J_W =
         body.mass * (to.bodies[index].v_WB - from.bodies[index].v_WB) -
@@ -88,8 +88,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       });
   Worst worst(
       MeasureKind::kAngularMomentumDrift,
-      "1.5 × what first-order schemes lose: h ∫ |ω × (ω × L)| of the gyroscopic term, "
-      "½ h ∫ m v³/L of rods, V h J of contacts; and 64 roundings a step");
+      "1.5 × the loss of first-order schemes: h ∫ |ω × (ω × L)| of the gyroscopic term, "
+      "½ h ∫ m v³/L of rods, V h J of contacts; and 64 roundings per step");
   double size = 0;
   double levers = 0;  // Σ V h |J| of the contacts so far.
   double fastest = 0;
@@ -98,7 +98,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     const WorldState& state = trajectory.samples[s];
     const Eigen::Vector3d c_W = CentreOf(world, state, subjects);
     fastest = std::max(fastest, 2 * FastestOf(state, subjects));
-    // The positions themselves are rounded on the scale of where they are.
+    // Positions are rounded relative to their distance from the origin.
     size = std::max(size, AngularMomentumSize(world, state, subjects, c_W) +
                               c_W.norm() * MomentumSize(world, state, subjects));
     if (s > 0) {
@@ -108,7 +108,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                 2;
     }
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s)) * size;
-    // What rounding leaves of gravity is no impulse.
+    // The rounding error of gravity is no impulse.
     const double contacts = levers > rounding ? levers : 0;
     const Eigen::Vector3d L = AngularMomentumOf(world, state, subjects, c_W);
     worst.Take((kept * (L - L_0)).norm(),
@@ -129,7 +129,7 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_momentum
 
 constinit const Law kConservesAngularMomentum = {
     "conserves_angular_momentum",
-    "Angular momentum about the common centre of mass stays; x, y, z: only along that "
+    "Angular momentum about the centre of mass is conserved; x, y, z: only along that "
     "direction.",
     kNumbers, Faults, Judge};
 

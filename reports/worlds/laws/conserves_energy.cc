@@ -16,7 +16,7 @@
 namespace touchstone {
 namespace {
 
-/** Whether an end of a spring can do work on the subjects without being one of them. */
+/** Whether `anchor` is on something that moves and is not a subject. */
 bool IsForeign(const World& world, const Subjects& subjects, const Anchor& anchor) {
   const auto missing = [&](const std::vector<int>& indices) {
     return std::find(indices.begin(), indices.end(), anchor.index) == indices.end();
@@ -80,8 +80,8 @@ std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim, bool d
     if (!IsPushed(world, i)) continue;
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
     faults.push_back({WhereAbout(claim, name),
-                      fmt::format("is {}, which is struck", name),
-                      "a body that no push strikes"});
+                      fmt::format("is {}, which is pushed", name),
+                      "a body without pushes"});
   }
   if (damped) return faults;
   bool any = std::any_of(world.springs.begin(), world.springs.end(),
@@ -95,14 +95,14 @@ std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim, bool d
   }
   if (any) {
     faults.push_back({"about", "is damped, or held by a damped spring",
-                      "no damping (energy_never_rises knows damped motion)"});
+                      "no damping (energy_never_rises covers damped motion)"});
   }
   return faults;
 }
 
-constinit const Law kConservesEnergy = {
-    "conserves_energy",
-    "Kinetic, gravity's, constant forces' and springs' energy stay one sum.", kNumbers,
-    Faults, Judge};
+constinit const Law kConservesEnergy = {"conserves_energy",
+                                        "The sum of the energies of motion, gravity, "
+                                        "constant forces and springs is constant.",
+                                        kNumbers, Faults, Judge};
 
 }  // namespace touchstone

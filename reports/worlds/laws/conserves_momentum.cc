@@ -37,7 +37,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   for (const Push& push : world.pushes) kicks += push.J_W.norm();
 
   Worst drift(MeasureKind::kMomentumDrift,
-              "64 roundings a step: impulses are equal and opposite, and every scheme "
+              "64 roundings per step: impulses are equal and opposite, and every scheme "
               "integrates a constant force exactly");
   Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
   const Eigen::Vector3d direction = DirectionOf(claim);
@@ -58,16 +58,15 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     }
     size = std::max(size, MomentumSize(world, state, subjects));
     const Eigen::Vector3d P = MomentumOf(world, state, subjects);
-    drift.Take(
-        (kept * (P - truth)).norm(),
-        RoundingOf(motion.oracle, StepsBefore(motion, s)) *
-            (size + force_W.norm() * t + kicks),
-        [&] {
-          return fmt::format(
-              "{} has a momentum of {} N s after {:.6g} s; the start and what acts "
-              "from outside give {}",
-              motion.oracle.name, FormatVector(P, 9), t, FormatVector(truth, 9));
-        });
+    drift.Take((kept * (P - truth)).norm(),
+               RoundingOf(motion.oracle, StepsBefore(motion, s)) *
+                   (size + force_W.norm() * t + kicks),
+               [&] {
+                 return fmt::format(
+                     "{} has a momentum of {} N s after {:.6g} s; the start and the "
+                     "external impulses give {}",
+                     motion.oracle.name, Words(P), t, Words(truth));
+               });
   }
   return FindingsOf({drift});
 }
@@ -76,10 +75,10 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_momentum", "x", 
 
 }  // namespace
 
-constinit const Law kConservesMomentum = {"conserves_momentum",
-                                          "Linear momentum changes by gravity, forces "
-                                          "and blows alone; x, y, z: only along that "
-                                          "direction.",
-                                          kNumbers, Faults, Judge};
+constinit const Law kConservesMomentum = {
+    "conserves_momentum",
+    "Linear momentum is changed by gravity, forces and pushes alone; x, y, z: only along "
+    "that direction.",
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

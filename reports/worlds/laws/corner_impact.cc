@@ -22,13 +22,16 @@
 namespace touchstone {
 namespace {
 
-/** Heights that are one, over the size of the box: poses with nine digits. [-] */
+/** Largest difference of heights that count as equal, over the size of the box; poses
+ have nine digits. [-] */
 constexpr double kEven = 1e-9;
 
-/** Steps of way by which other corners have to be higher. */
+/** Least height of the other corners, in distances covered per step at the impact speed.
+ [-] */
 constexpr double kClear = 3;
 
-/** How much later than a step an impact may be that falls on a step. [steps] */
+/** The latest impact considered. It exceeds 1, since an impact may fall on a step.
+ [steps] */
 constexpr double kLatest = 1.125;
 
 using Corners = Eigen::Matrix<double, 3, 8>;
@@ -44,19 +47,20 @@ Corners CornersOf(const RigidBody& body, const Eigen::Matrix3d& R_WB) {
   return r_W;
 }
 
-/** A box that comes down on a corner or an edge. */
+/** A box that lands on a corner or an edge. */
 struct Fall {
   Landing landing;
   Striker start;
   Eigen::Vector3d a_W;
-  Eigen::Vector3d r_W;  ///< From the centre to the corner, or to the edge's middle.
-  double time;          ///< Of the impact. [s]
-  double speed;         ///< |u_n| of the impact. [m/s]
-  int lowest;           ///< How many corners are lowest.
-  double clearance;     ///< How much higher the next one is. [m]
+  Eigen::Vector3d r_W;  ///< From the centre to the corner, or to the edge's midpoint.
+  double time;          ///< Time of impact. [s]
+  double speed;         ///< |u_n| at the impact. [m/s]
+  int lowest;           ///< Number of lowest corners.
+  double clearance;     ///< Height of the next corner above the lowest. [m]
   Eigen::Vector3d t_W;  ///< The tangent of the plane of motion, for friction.
 
-  /** Returns the impulse of the impact by `rule`, at a point `inside` [m] the box. */
+  /** Returns the impulse of the impact at `p_W` by `rule`; zero if the point is
+   separating. */
   Eigen::Vector3d Impulse(ImpactRule rule, const Striker& at,
                           const Eigen::Vector3d& p_W) const {
     const Eigen::Matrix3d K = ImpulseResponse(at, p_W);
@@ -73,8 +77,8 @@ struct Fall {
                                  landing.friction);
   }
 
-  /** Returns the box after `t`, but for its turning, with the impact at `impact` [s] at a
-   point `inset` [-] of its depth inside the box. */
+  /** Returns the box after `t`, with its orientation kept, for an impact at time `impact`
+   [s] at a point that lies `inset` [-] of the penetration depth inside the box. */
   Striker At(double t, double impact, double inset, ImpactRule rule) const {
     Striker at = start;
     const double until = std::min(t, impact);
@@ -122,8 +126,9 @@ Fall FallOf(const World& world, int index) {
     fall.r_W += r_W.col(corner);
   }
   fall.r_W /= fall.lowest;
-  // Across the edge: the part of the arm along the plane is nothing where the centre is
-  // right above it. Of a corner it is that part.
+  // Tangent across the edge. It is not taken from the arm, since the arm has no part
+  // along the plane if the centre is right above the edge. For a corner it is that part
+  // of the arm.
   int along = 0;
   (R.transpose() * fall.r_W).cwiseAbs().minCoeff(&along);
   fall.t_W = fall.lowest == 1 ? (fall.r_W - n_W.dot(fall.r_W) * n_W).normalized()
@@ -136,8 +141,8 @@ Fall FallOf(const World& world, int index) {
   return fall;
 }
 
-/** Returns when another corner, or the same, comes down next, less what an engine may be
- early; looked for at every step. [s] */
+/** Returns the time at which the same or another corner comes down next, less the steps
+ by which an engine may be early. Searched step by step. [s] */
 double NextImpact(const World& world, int index, const Fall& fall, ImpactRule rule) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const Striker after = fall.After(rule);
@@ -162,7 +167,8 @@ double NextImpact(const World& world, int index, const Fall& fall, ImpactRule ru
   return std::numeric_limits<double>::infinity();
 }
 
-/** Whether a blow in the plane of the normal and the arm moves the box in that plane. */
+/** Whether an impulse in the plane of the normal and the arm keeps the box moving in that
+ plane. */
 bool HalvesTheBox(const Fall& fall) {
   const Eigen::Vector3d across_W = fall.t_W.cross(fall.landing.n_W);
   const Eigen::Vector3d turn_W = fall.start.inverse_inertia_W * across_W;
@@ -176,26 +182,26 @@ std::string WhyNot(const World& world, int index) {
   if (!landing) return "faces no static half-space or box";
   if (!body.w_WB.isZero(0)) return "spins at the start";
   if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
-    return "is held or struck";
+    return "is held or pushed";
   if (landing->gap < -kEven * BoundingRadius(body.placed.shape))
-    return "starts inside what it faces";
+    return "starts inside the ground";
   const Fall fall = FallOf(world, index);
   // Written so that a box that never arrives is refused.
   if (!(fall.time >= 0 && fall.time <= world.steps * world.dt && fall.speed > 0))
-    return "does not reach what it faces";
+    return "does not reach the ground";
   if (fall.lowest > 2) return "lands flat";
   if (fall.clearance <= kClear * fall.speed * world.dt)
-    return "lands with other corners within three steps of its way";
+    return "lands with another corner less than three steps of motion higher";
   if (landing->friction > 0) {
     if (fall.lowest == 1 && !HalvesTheBox(fall))
-      return "lands on one corner with friction, and turns out of its plane";
+      return "lands on one corner with friction and turns out of its plane";
     const Eigen::Vector3d edge_W = fall.t_W.cross(landing->n_W);
     const double v = body.v_WB.norm() + fall.a_W.norm() * fall.time;
     if (std::abs(edge_W.dot(body.v_WB + fall.a_W * fall.time)) > kEven * v)
       return "moves out of the plane in which it turns";
   }
   if (NextImpact(world, index, fall, ImpactRule::kNewton) <= fall.time)
-    return "comes down again within three steps";
+    return "hits the ground again within three steps";
   return "";
 }
 
@@ -210,11 +216,10 @@ ExpectedNumbers NumbersOfBody(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfOneBody(
-      world, claim, "one box", WhyNot,
-      "a box that flies without spin, an edge or a corner first (with friction: "
-      "in a plane), against a static half-space or box",
-      NumbersOfBody);
+  return FaultsOfOneBody(world, claim, "one box", WhyNot,
+                         "a box that flies without spin and hits a static half-space or "
+                         "box with an edge or a corner (with friction: in a plane)",
+                         NumbersOfBody);
 }
 
 std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
@@ -232,9 +237,9 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
   const double least_inertia = InertiaOf(body).minCoeff();
   const double lever = body.mass * fall.r_W.norm() / least_inertia;  // [1/m]
   const std::string because =
-      "1.5 × what an impact up to a step early or late, inside the box, changes, gravity "
-      "and turning in a step; 1e-5 of the velocity for the solver, and 64 roundings a "
-      "step";
+      "1.5 × the change by an impact up to a step early or late and inside the box, and "
+      "by gravity and rotation in a step; 1e-5 of the velocity for the solver, and 64 "
+      "roundings per step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   Worst position(MeasureKind::kPositionError, because);
@@ -262,38 +267,36 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
                                                    (1 + fall.landing.friction);
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const double share = kSolverResidual + rounding;
-    velocity.Take((is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed,
-                  [&] {
-                    return fmt::format(
-                        "{} has {} move at {} after {:.6g} s; the impact leaves it {}",
-                        motion.oracle.name, body.name, FormatVector(is.v_WB, 9), t,
-                        FormatVector(truth.v_WB, 9));
-                  });
+    velocity.Take(
+        (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
+          return fmt::format(
+              "{} has {} moving at {} after {:.6g} s; after the impact it moves at {}",
+              motion.oracle.name, body.name, Words(is.v_WB), t, Words(truth.v_WB));
+        });
     position.Take((is.p_WB - truth.p_WB).norm(),
                   kSafety * (dp + (gravity + a * h / 2) * t) + share * speed * t +
                       rounding * truth.p_WB.norm(),
                   [&] {
                     return fmt::format(
-                        "{} has {} at {} after {:.6g} s; the impact leads it to {}",
-                        motion.oracle.name, body.name, FormatVector(is.p_WB, 9), t,
-                        FormatVector(truth.p_WB, 9));
+                        "{} has {} at {} after {:.6g} s; after the impact it is at {}",
+                        motion.oracle.name, body.name, Words(is.p_WB), t,
+                        Words(truth.p_WB));
                   });
-    // Before the impact the inverse of the inertia is that of the start; the spin of the
-    // truth is that at the impact.
+    // Before the impact the inverse inertia is that of the start; the spin of the truth
+    // is that at the impact.
     const Eigen::Vector3d L_W = fall.start.inverse_inertia_W.inverse() * truth.w_WB;
     const Eigen::Matrix3d inverse_inertia_W = InertiaInWorld(body, is.q_WB).inverse();
     const Eigen::Vector3d w_W = inverse_inertia_W * L_W;
-    // Semi-implicit Euler turns the box by the spin that it had before it was turned.
+    // Semi-implicit Euler rotates the box with the spin of its previous orientation.
     const double behind = h * (inverse_inertia_W * L_W.cross(w_W)).norm();
     spin.Take((is.w_WB - w_W).norm(),
               kSafety * (dw + gravity * lever + h * lost[s] / least_inertia + behind) +
                   share * (speed * lever + w_W.norm()),
               [&] {
                 return fmt::format(
-                    "{} has {} spin at {} after {:.6g} s; as it is turned, the angular "
-                    "momentum that the impact leaves is a spin of {}",
-                    motion.oracle.name, body.name, FormatVector(is.w_WB, 9), t,
-                    FormatVector(w_W, 9));
+                    "{} has {} spinning at {} after {:.6g} s; in this orientation the "
+                    "angular momentum after the impact is a spin of {}",
+                    motion.oracle.name, body.name, Words(is.w_WB), t, Words(w_W));
               });
   }
   return {position, velocity, spin};
@@ -314,7 +317,7 @@ constexpr std::array<std::string_view, 3> kNumbers = {"expected_impulse",
 
 constinit const Law kCornerImpact = {
     "corner_impact",
-    "A box without spin hits a static plane with an edge, or a corner in a plane or "
+    "A box without spin hits a static plane with an edge, or with a corner in a plane or "
     "without friction.",
     kNumbers, Faults, Judge};
 

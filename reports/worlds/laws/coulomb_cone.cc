@@ -22,20 +22,21 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
                 FaultsOfNumbers(claim, {}));
 }
 
-/** How far an impulse is outside of what a contact can give; NaN where it is one.
- [N s] */
+/** Returns how far an impulse is outside the set that a contact can apply; NaN if its
+ normal part is not finite. [N s] */
 double Violation(const ContactImpulse& contact, double friction, double tangential) {
   const double J_n = contact.J_B_W.dot(contact.n_AB_W);
   if (!std::isfinite(J_n)) return std::numeric_limits<double>::quiet_NaN();
   return std::max({0.0, -J_n, tangential - friction * std::max(0.0, J_n)});
 }
 
-/** Whether impulses follow the box cone: its larger component in place of its size.
+/** Tests whether impulses follow the box cone, which bounds the larger tangential
+ component instead of the tangential magnitude.
 
- The friction directions follow from the normal, by one rule for a whole motion: the
- projection of one axis of the world, chosen by which component of the normal is larger
- than √½, if any. Somewhere friction must be beyond the circle and as large as the box
- allows: what is inside the box shows only too much friction. */
+ The friction directions follow from the normal by one rule for a whole motion: the
+ projection of one world axis. Which axis that is depends on which component of the normal
+ exceeds √½, if any. At least one impulse must be beyond the circle and as large as the
+ box allows. Impulses inside the box alone only show too much friction. */
 class BoxCone {
  public:
   void Take(const ContactImpulse& contact, double friction, bool beyond_circle,
@@ -70,12 +71,13 @@ class BoxCone {
   }
 
  private:
-  /** An axis of the world from which the directions may follow. */
+  /** A world axis from which the friction directions may be derived. */
   struct Axis {
     bool fits = true;    ///< Every impulse is inside the box.
-    bool shows = false;  ///< One beyond the circle is at the box's side.
+    bool shows = false;  ///< An impulse beyond the circle is on the box's boundary.
   };
-  std::array<std::array<Axis, 3>, 4> axes_;  ///< By the normal's largest component.
+  /** Indexed by the normal's component above √½, or 3 if there is none. */
+  std::array<std::array<Axis, 3>, 4> axes_;
 };
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -86,7 +88,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     return std::find(subjects.begin(), subjects.end(), index) != subjects.end();
   };
   Worst worst(MeasureKind::kConeViolation,
-              "1e-5 of the impulse and of what gravity gives the pair in a step, for the "
+              "1e-5 of the impulse and of the pair's gravity impulse in a step, for the "
               "solver, and 64 roundings");
   BoxCone box;
   for (const ContactImpulse& contact : motion.trajectory.impulses) {

@@ -17,12 +17,12 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
   if (!faults.empty()) return faults;
   const std::vector<PointMass> points = PointMassesInOrder(world, claim);
-  std::string why = points.size() == 2 ? WhyNoChain(world, points)
-                                       : fmt::format("are {} things", points.size());
+  std::string why = points.size() == 2
+                        ? WhyNoChain(world, points)
+                        : fmt::format("are {} bodies or particles", points.size());
   if (!why.empty())
     return {{"about", why,
-             "first a mass on a rod to a fixed place, then one on a rod to "
-             "the first"}};
+             "first a mass on a rod to a fixed point, then one on a rod to the first"}};
   if (NumberOr(claim, "until", 1) <= 0)
     faults.push_back({"numbers.until", "is not positive", "a time > 0"});
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));

@@ -14,7 +14,7 @@ namespace touchstone {
 namespace {
 
 /** The least restitution at which an eccentric impact with friction was seen to gain
- energy. */
+ energy. [-] */
 constexpr double kGainingRestitution = 0.5;
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
@@ -30,7 +30,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
     if (std::any_of(world.bodies.begin(), world.bodies.end(), gains)) {
       faults.push_back(
           {WhereAbout(claim, body.name),
-           fmt::format("is {}, which may meet another with e >= {} and friction",
+           fmt::format("is {}, which may hit another with e >= {} and friction",
                        body.name, kGainingRestitution),
            "a sphere, less restitution, or no friction: Newton's rule may gain "
            "energy in eccentric impacts"});
@@ -68,7 +68,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 constinit const Law kEnergyNeverRises = {
     "energy_never_rises",
-    "Contact, friction and damping only take energy.",
+    "Contacts, friction and damping only take energy.",
     {},
     Faults,
     Judge};

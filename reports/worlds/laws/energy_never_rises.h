@@ -4,14 +4,15 @@
 
 namespace touchstone {
 
-/** Without pushes, energy is at no time above what it was at any time before. [J]
+/** Without pushes, the energy of a system never rises above any earlier value. [J]
 
- Contact, friction and damping only take energy. The tolerance is that of conserves_energy
- (laws/energy_bound.h): what semi-implicit Euler moves to and fro, above the least energy
- so far. Newton's restitution with Coulomb friction may gain energy where the impact is
- eccentric (up to 18 % at e = 1, μ = ½; none was found for e <= 0.8 where friction opposes
- the slip after the impact, 5 % at e = ½ where it opposes the slip before it): worlds
- where bodies other than spheres meet with e >= ½ and μ > 0 are refused.
+ Contacts, friction and damping only take energy. The tolerance is that of
+ conserves_energy (laws/energy_bound.h), above the least energy so far: semi-implicit
+ Euler lets the energy oscillate by that. Newton's restitution with Coulomb friction may
+ gain energy in an eccentric impact: up to 18 % at e = 1, μ = ½. None was found for e <=
+ 0.8 if friction opposes the slip after the impact, but 5 % at e = ½ if it opposes the
+ slip before it. So worlds in which bodies other than spheres may collide with e >= ½ and
+ μ > 0 are refused.
 
  About: bodies, particles and cloths. */
 extern const Law kEnergyNeverRises;

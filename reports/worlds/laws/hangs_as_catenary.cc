@@ -20,14 +20,16 @@
 namespace touchstone {
 namespace {
 
-/** Distance from rest at the start that is rounding, over the chain's length. [-] */
+/** Distance from rest at the start that counts as rounding, over the chain's length.
+ [-] */
 constexpr double kAtRest = 1e-6;
 
-/** How much stiffer a rod is than gravity makes it across itself, where it stands for one
- in the slowest decay: its own give changes that by the inverse. [-] */
+/** Stiffness of a spring that replaces a rod in the computation of the slowest decay,
+ over the rod's transverse stiffness from its tension. The spring's own stretch changes
+ the decay by the inverse. [-] */
 constexpr double kRodStiffness = 1e6;
 
-/** A rod, or a spring, between two ends. */
+/** A rod or a spring between two ends. */
 struct Link {
   double rest_length;
   double stiffness;
@@ -73,7 +75,7 @@ int LinksAt(const World& world, const PointMass& point) {
                           std::count_if(world.springs.begin(), world.springs.end(), at));
 }
 
-/** The chain that a claim names, or why there is none. */
+/** The chain that a claim names, or the reason why there is none. */
 struct Found {
   std::string why;
   HangingChain chain;
@@ -99,7 +101,7 @@ Found ChainOf(const World& world, const std::vector<PointMass>& points) {
   };
   const std::vector<Eigen::Vector3d> first = FixedEndsAt(world, points.front());
   const std::vector<Eigen::Vector3d> last = FixedEndsAt(world, points.back());
-  if (points.size() < 2) found.why = "is one thing";
+  if (points.size() < 2) found.why = "is a single point";
   if (found.why.empty())
     add(LinksBetween(world, is(points.front()), is_fixed),
         "from its first point to something fixed");
@@ -131,7 +133,7 @@ Found ChainOf(const World& world, const std::vector<PointMass>& points) {
   }
   if (!gives && span_W.norm() >= length) found.why = "is too short for its ends";
   if (span_W.cross(world.gravity_W).norm() <= kAtRest * length * world.gravity_W.norm())
-    found.why = "has its ends above each other";
+    found.why = "has one end right above the other";
   return found;
 }
 
@@ -155,7 +157,7 @@ double LeastDamping(const std::vector<PointMass>& points) {
   return least;
 }
 
-/** Returns how it comes to rest. */
+/** Returns how the motion about rest decays. */
 Decay DecayOf(const std::vector<PointMass>& points, const HangingChain& chain,
               const Catenary& rest) {
   Net net;
@@ -186,7 +188,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (!faults.empty()) return faults;
   const std::vector<PointMass> points = PointMassesInOrder(world, claim);
   const std::string expected =
-      "the points of a chain in order, from a fixed place to a fixed place or to its end";
+      "the points of a chain in order, from a fixed point to a fixed point or to its end";
   if (world.gravity_W.isZero(0))
     return {{"about", "is in a world without gravity", "gravity"}};
   const Found found = ChainOf(world, points);
@@ -195,13 +197,13 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   const double from = NumberOr(claim, "from", 0);
   if (from < 0 || from > world.steps * world.dt)
     faults.push_back(
-        {"numbers.from", fmt::format("is {:.6g} s", from), "a time of the motion"});
+        {"numbers.from", fmt::format("is {:.6g} s", from), "a time within the motion"});
   if (LeastDamping(points) == 0 &&
       FarthestFromRest(points, rest) > kAtRest * LengthOf(found.chain, rest)) {
     faults.push_back({"about",
-                      fmt::format("starts {:.6g} m from its rest, and nothing damps it",
+                      fmt::format("starts {:.6g} m from rest and has no damping",
                                   FarthestFromRest(points, rest)),
-                      "damped particles, or the shape of rest"});
+                      "damped particles, or a start at rest"});
   }
   const Eigen::Vector3d down_W = world.gravity_W.normalized();
   double lowest = -std::numeric_limits<double>::infinity();
@@ -232,13 +234,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       FarthestFromRest(points, rest) * std::sqrt(static_cast<double>(points.size()));
   const Decay decay = DecayOf(points, found.chain, rest);
   const double from = NumberOr(claim, "from", trajectory.times.back());
-  Worst worst(
-      MeasureKind::kPositionError,
-      fmt::format(
-          "1.5 √n of the distance from rest at the start, and of that what "
-          "damping leaves, dying at γ = {:.6g}/s; 1e-5 of the chain for rods, and 64 "
-          "roundings a step",
-          decay.Slowest()));
+  Worst worst(MeasureKind::kPositionError,
+              fmt::format("1.5 √n of the distance from rest at the start, times what "
+                          "damping leaves of it, decaying at γ = {:.6g}/s; 1e-5 of the "
+                          "chain's length for rods, and 64 roundings per step",
+                          decay.Slowest()));
   for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
     const double t = trajectory.times[s];
     if (t < from - world.dt / 2) continue;

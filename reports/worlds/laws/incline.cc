@@ -19,7 +19,7 @@
 namespace touchstone {
 namespace {
 
-/** How a body leaves its rest. */
+/** Initial acceleration of a body from rest. */
 struct Start {
   Eigen::Vector3d a_W;      ///< [m/s²]
   Eigen::Vector3d alpha_W;  ///< [rad/s²]
@@ -33,7 +33,7 @@ Start StartOf(const RigidBody& body, const OnPlane& on, const PlacedCone& cone) 
                 DrivenFromRest(cone.cone, cone.frame.transpose() * on.along_W, brake),
             Eigen::Vector3d::Zero()};
   }
-  // Friction f on the contact: a = a_t + f, α = (−r n) × f m/I; rolling leaves no slip.
+  // Friction f at the contact: a = a_t + f, α = (−r n) × f m/I; rolling leaves no slip.
   const double r = sphere->radius;
   const double k = InertiaOf(body).x() / (body.mass * r * r);
   const Eigen::Vector3d holding_W = -on.along_W * k / (1 + k);
@@ -52,7 +52,7 @@ std::string WhyNot(const World& world, int index) {
   if (!std::holds_alternative<Box>(body.placed.shape)) return "";
   const OnPlane on = OnPlaneOf(world, index);
   if (Tips(body, on, std::min(on.plane.friction * on.press, on.along_W.norm())))
-    return "is so high that friction tips it";
+    return "is so tall that friction tips it";
   return "";
 }
 
@@ -83,14 +83,14 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   std::optional<FlatBox> flat;
   if (!sphere) flat.emplace(motion, index, on);
   const std::string because =
-      "1.5 × ((1 + μ) |v_n| of the body's own velocity across the slope, and δ/r of the "
-      "velocity for a contact δ inside), 1e-5 of what gravity and friction give for the "
-      "solver, and 64 roundings a step";
+      "1.5 × ((1 + μ) |v_n| of the body's own velocity along the normal, and δ/r of the "
+      "velocity for a contact at depth δ), 1e-5 of the velocity from gravity and "
+      "friction for the solver, and 64 roundings per step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   Worst position(MeasureKind::kPositionError,
-                 "1.5 × (½ a h t and what the body settles by), 1e-5 of what gravity and "
-                 "friction give for the solver, and 64 roundings a step");
+                 "1.5 × (½ a h t and the settling distance), 1e-5 of the distance from "
+                 "gravity and friction for the solver, and 64 roundings per step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     const BodyState& is = motion.trajectory.samples[s].bodies[i];
@@ -103,7 +103,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
         (is.v_WB - v_W).norm(),
         kSafety * (across + inside * v_W.norm()) + share * pull * t, [&] {
           return fmt::format(
-              "{} has {} move at {} after {:.6g} s; on this slope with μ = {:.6g} it "
+              "{} has {} moving at {} after {:.6g} s; on this slope with μ = {:.6g} it "
               "moves at {}",
               motion.oracle.name, body.name, FormatVector(is.v_WB, 9), t, mu,
               FormatVector(v_W, 9));
@@ -128,7 +128,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
         (is.w_WB - w_W).norm(),
         kSafety * (across / r + inside * w_W.norm()) + share * pull * t / r, [&] {
           return fmt::format(
-              "{} has {} spin at {} after {:.6g} s; on this slope with μ = {:.6g} it "
+              "{} has {} spinning at {} after {:.6g} s; on this slope with μ = {:.6g} it "
               "spins at {}",
               motion.oracle.name, body.name, FormatVector(is.w_WB, 9), t, mu,
               FormatVector(w_W, 9));
@@ -147,9 +147,8 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 }  // namespace
 
 constinit const Law kIncline = {"incline",
-                                "At rest on a slope, a box stays where μ >= tan θ and "
-                                "else slides, and does not turn; a "
-                                "sphere rolls or slips.",
+                                "From rest on a slope, a box stays if μ >= tan θ, else "
+                                "slides, and never rotates; a sphere rolls or slips.",
                                 kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -52,10 +52,9 @@ std::string EndOf(const World& world, const Anchor& anchor) {
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
-  Worst worst(
-      MeasureKind::kJointError,
-      "1.5 × ½ h ∫ v²/L dt, the steps along the tangent, 1e-5 of the ends' way for "
-      "the solver, and 64 roundings a step");
+  Worst worst(MeasureKind::kJointError,
+              "1.5 × ½ h ∫ v²/L dt, for steps along the tangent, 1e-5 of the ends' "
+              "motion for the solver, and 64 roundings per step");
   for (const DistanceJoint* rod : RodsOf(world, SubjectsOf(world, claim))) {
     const auto across = [&](const WorldState& state) {
       const PointState A = StateOf(world, state, rod->A);
@@ -64,11 +63,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     };
     const std::vector<double> stretched =
         IntegralAlong(trajectory, [&](const WorldState& state) {
-          // Gravity is not yet turned along the tangent where a sample is taken.
+          // At a sample, the velocity that gravity adds in a step may not be turned along
+          // the tangent yet.
           const double v = across(state) + world.gravity_W.norm() * world.dt;
           return v * v / (2 * rod->length);
         });
-    const std::vector<double> way = IntegralAlong(trajectory, across);
+    const std::vector<double> relative_motion = IntegralAlong(trajectory, across);
     double start = 0;
     for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
       const Eigen::Vector3d A = StateOf(world, trajectory.samples[s], rod->A).p_W;
@@ -78,7 +78,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
       worst.Take(
           std::abs(length - rod->length),
-          start + kSafety * world.dt * stretched[s] + kSolverResidual * way[s] +
+          start + kSafety * world.dt * stretched[s] +
+              kSolverResidual * relative_motion[s] +
               rounding * (A.norm() + B.norm() + rod->length),
           [&] {
             return fmt::format(

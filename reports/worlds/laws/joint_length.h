@@ -4,14 +4,15 @@
 
 namespace touchstone {
 
-/** A rod keeps its length: | |p_AB| − L |. [m]
+/** A rod keeps its length: | |p_AB| − L | = 0. [m]
 
- A step along the tangent leaves a rod longer by ½ v² h²/L, v being the velocity of its
- ends across it: an engine that corrects only velocities is off by ½ h ∫ v²/L dt, × 1.5.
- 1e-5 of what the rod's ends move for the solver, what the world starts with, and 64
- roundings a step. An engine whose joints give is wrong.
+ A step along the tangent lengthens a rod by ½ v² h²/L, where v is the relative velocity
+ of its ends across it. So an engine that corrects only velocities is off by ½ h ∫ v²/L
+ dt, × 1.5. Added are 1e-5 of the relative motion of the ends for the solver, the error of
+ the world at the start, and 64 roundings per step. An engine whose joints are elastic
+ fails.
 
- About: bodies and particles; the rods at them. Numbers: none. */
+ About: bodies and particles, with all rods attached to them. Numbers: none. */
 extern const Law kJointLength;
 
 }  // namespace touchstone

@@ -34,36 +34,36 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   };
   for (const int i : subjects.cloths) {
     const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];
-    if (cloth.damping == 0) refuse(cloth.name, "nothing damps");
+    if (cloth.damping == 0) refuse(cloth.name, "has no damping");
     if (cloth.pinned.empty() && !world.gravity_W.isZero(0))
-      refuse(cloth.name, "nothing holds");
+      refuse(cloth.name, "is pinned nowhere");
   }
   for (const int i : subjects.particles) {
     const Particle& particle = world.particles[static_cast<std::size_t>(i)];
-    if (particle.damping == 0) refuse(particle.name, "nothing damps");
+    if (particle.damping == 0) refuse(particle.name, "has no damping");
     const auto jointed = [&](const DistanceJoint& joint) {
       return Holds({i}, joint.A) || Holds({i}, joint.B);
     };
     if (std::any_of(world.joints.begin(), world.joints.end(), jointed))
-      refuse(particle.name, "a rod holds");
+      refuse(particle.name, "is held by a rod");
     for (const Spring& spring : world.springs) {
       if (!Holds({i}, spring.A) && !Holds({i}, spring.B)) continue;
       for (const Anchor& end : {spring.A, spring.B}) {
         if (!FixedPointOf(world, end) && !Holds(subjects.particles, end))
-          refuse(particle.name, "a spring joins to what else moves");
+          refuse(particle.name, "is joined by a spring to another moving thing");
       }
     }
   }
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
-/** The subjects as a net: the nodes of cloths, then particles, then what is fixed. */
+/** The subjects as a net: the nodes of cloths, then particles, then fixed points. */
 struct Hung {
   Net net;
-  std::vector<double> drag;  ///< Of each point of the net. [1/s]
+  std::vector<double> drag;  ///< Indexed by point of the net. [1/s]
   Net::Points fixed_W;
 
-  /** The least that slows a point which moves. [1/s] */
+  /** Returns the least damping of a point that moves. [1/s] */
   double LeastDrag() const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < drag.size(); ++i) {
@@ -72,7 +72,7 @@ struct Hung {
     return least;
   }
 
-  /** Where the points of the net are, and how fast. */
+  /** Positions and velocities of the points of the net. */
   struct Points {
     Net::Points p_W;
     Net::Points v_W;
@@ -147,9 +147,10 @@ double Farthest(const Net::Points& a, const Net::Points& b) {
   return farthest;
 }
 
-/** How far a net may swing about `rest_W`, in (x, ẋ/ω) of its modes: what it is out of
- place, and its speed by the slowest mode; or all its energy in the softest. What slows
- motion by γ stops ẋ within ẋ/2γ, however soft a mode. [m] */
+/** Returns the largest amplitude of a net about `rest_W`, in (x, ẋ/ω) of its modes. It is
+ the larger of two bounds: the displacement at the start plus the speed at the start over
+ the rate of the slowest mode, or all its energy in the softest mode. Damping by γ stops ẋ
+ within ẋ/2γ, however soft a mode is. [m] */
 double AmplitudeOf(const Net& net, const Decay& decay, const Net::Points& begin_W,
                    const Net::Points& rest_W, double kinetic, double energy) {
   const double rate =
@@ -178,10 +179,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const double rounding = RoundingOf(
       motion.oracle, StepsBefore(motion, motion.trajectory.samples.size() - 1));
 
-  // The minimum nearest the answer, if none is lower downhill from the start, so that
-  // mirror images are each other's equals. A higher one may be where the motion ends that
-  // swings over a hump; but an engine in a hollow of its own does not say where the truth
-  // is.
+  // The truth is the minimum nearest to the answer if the one downhill from the start is
+  // not lower: mirror images are equivalent. A higher one may be right for a motion that
+  // swings over a hump. But an engine in a hollow of its own must not decide that, so an
+  // independent integration does.
   Net::Points rest = hung.net.Minimum(is);
   const double least_downhill = hung.net.EnergyAt(hung.net.Minimum(start_W));
   if (hung.net.EnergyAt(rest) > least_downhill + rounding * last.size) {
@@ -196,8 +197,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   double reach = 0;
   for (const Eigen::Vector3d& p_W : rest) reach = std::max(reach, p_W.norm());
   const std::string because = fmt::format(
-      "1.5 × what damping leaves of the start, at most {:.3g} of its amplitude, dying at "
-      "γ = {:.6g}/s, and 64 roundings a step",
+      "1.5 × what damping leaves of the start, at most {:.3g} of its amplitude, decaying "
+      "at γ = {:.6g}/s, and 64 roundings per step",
       left_of_start, decay.Slowest());
 
   const double kinetic = EnergyOf(world, begin, subjects).kinetic;
@@ -209,7 +210,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const double off = Farthest(is, rest);
   position.Take(off, kSafety * amplitude * left_of_start + rounding * reach, [&] {
     return fmt::format(
-        "{} has a point {:.6g} m from where the energy is least after {:.6g} s",
+        "{} has a point {:.6g} m from its place of least energy after {:.6g} s",
         motion.oracle.name, off, t);
   });
 
@@ -220,7 +221,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       kSafety * std::abs(given) * left_of_start * left_of_start + rounding * last.size,
       [&] {
         return fmt::format(
-            "{} has {:.9g} J more than the least of {:.9g} J after {:.6g} s",
+            "{} has {:.9g} J more than the minimum of {:.9g} J after {:.6g} s",
             motion.oracle.name, left, least, t);
       });
   return FindingsOf({position, energy});
@@ -230,7 +231,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 constinit const Law kMinimumEnergy = {
     "minimum_energy",
-    "Damped cloths and particles on springs come to rest where their energy is least.",
+    "Damped cloths and particles on springs come to rest at a minimum of their energy.",
     {},
     Faults,
     Judge};

@@ -20,7 +20,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
     faults.push_back({WhereAbout(claim, name),
                       fmt::format("is {}, which a spring or a joint holds", name),
-                      "a body that only contacts hold"});
+                      "a body that is held only by contacts"});
   }
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
@@ -30,7 +30,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Trajectory& trajectory = motion.trajectory;
   if (!trajectory.gives_impulses) return {};
   Worst worst(MeasureKind::kMomentumBalance,
-              "64 roundings a step: every scheme adds up the impulses that it applies");
+              "64 roundings per step: every scheme sums the impulses that it applies");
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const std::vector<const ContactImpulse*> impulses = ImpulsesBetween(motion, s - 1, s);
     const double from = trajectory.times[s - 1];
@@ -58,10 +58,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       worst.Take((gained_W - given_W).norm(),
                  RoundingOf(motion.oracle, world.sample_every) * size, [&] {
                    return fmt::format(
-                       "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, blows "
-                       "and the contacts that it reports give {}",
-                       motion.oracle.name, body.name, FormatVector(gained_W, 9), from, to,
-                       FormatVector(given_W, 9));
+                       "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, "
+                       "pushes and the reported contacts give {}",
+                       motion.oracle.name, body.name, Words(gained_W), from, to,
+                       Words(given_W));
                  });
     }
   }
@@ -72,7 +72,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
 constinit const Law kMomentumBalance = {
     "momentum_balance",
-    "A body's momentum gains what gravity, force, blows and the reported contacts give.",
+    "A body's momentum changes by gravity, force, pushes and the reported contacts.",
     {},
     Faults,
     Judge};

@@ -37,16 +37,16 @@ bool Collides(const World& world, int A, int B) {
            std::holds_alternative<HalfSpace>(body_B.placed.shape));
 }
 
-/** How fast the surface of a body may turn towards another. [m/s] */
+/** Returns how fast the surface of a body may move by its rotation. [m/s] */
 double SurfaceSpeed(const RigidBody& body, const BodyState& at) {
   if (std::holds_alternative<Sphere>(body.placed.shape)) return 0;
   return at.w_WB.norm() * BoundingRadius(body.placed.shape);
 }
 
-/** How fast two bodies may come to approach each other before the next sample: a blow may
- stop either of two that fly together. Along the normal, where every step is seen and the
- shapes alone say it, as two spheres and half-spaces do; else how fast they move at all.
- [m/s] */
+/** Returns how fast two bodies may come to approach each other before the next sample;
+ not their relative speed, since an impact may stop one of two bodies that fly together.
+ The speeds count along the normal if every step is sampled and the shapes alone determine
+ it, as for spheres and half-spaces; otherwise in full. [m/s] */
 double CentreSpeeds(const World& world, const WorldState& state, std::size_t a,
                     std::size_t b) {
   const Eigen::Vector3d& v_A_W = state.bodies[a].v_WB;
@@ -79,15 +79,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Trajectory& trajectory = motion.trajectory;
   const Subjects subjects = SubjectsOf(world, claim);
   const double slack = NumberOr(claim, "slack", 0);
-  // Nothing says how soon an engine parts what overlaps at the start, or whether.
+  // It is unknown how soon, if ever, an engine separates what overlaps at the start.
   const double parted_by =
       NumberOr(claim, "parted_by", std::numeric_limits<double>::infinity());
   const double g = world.gravity_W.norm();
-  Worst worst(
-      MeasureKind::kPenetration,
-      fmt::format("1.5 × (V h + g h²), V the largest sum of both speeds since they "
-                  "were apart, or so far where not every step is seen{}",
-                  slack > 0 ? ", and the slack that the claim grants" : ""));
+  Worst worst(MeasureKind::kPenetration,
+              fmt::format("1.5 × (V h + g h²), V the largest sum of both speeds since "
+                          "they were apart, or so far if not every step is sampled{}",
+                          slack > 0 ? ", and the slack that the claim grants" : ""));
   const WorldState start = StateAtStart(world);
   const auto hold = [&](int A, int B) {
     const double at_start = OverlapOf(world, start, A, B);
@@ -123,7 +122,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const int bodies = static_cast<int>(world.bodies.size());
   for (const int A : subjects.bodies) {
     for (int B = 0; B < bodies; ++B) {
-      // A pair of two subjects is held once.
+      // A pair of two subjects is judged once.
       if (Collides(world, A, B) && !(is_subject(B) && B < A)) hold(A, B);
     }
   }
@@ -134,10 +133,10 @@ constexpr std::array<std::string_view, 2> kNumbers = {"parted_by", "slack"};
 
 }  // namespace
 
-constinit const Law kNeverPenetrates = {"never_penetrates",
-                                        "Colliding bodies are at most V h + g h² deep in "
-                                        "each other; slack [m] is granted on top, and "
-                                        "until parted_by [s] what overlaps at the start.",
-                                        kNumbers, Faults, Judge};
+constinit const Law kNeverPenetrates = {
+    "never_penetrates",
+    "Colliding bodies penetrate by at most V h + g h²; slack [m] is granted on top, and "
+    "until parted_by [s] also the overlap at the start.",
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

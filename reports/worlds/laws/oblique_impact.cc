@@ -14,7 +14,7 @@
 namespace touchstone {
 namespace {
 
-/** Overlap at the start that is rounding, over the radius. [-] */
+/** Overlap at the start that counts as rounding, over the radius. [-] */
 constexpr double kApart = 1e-9;
 
 SphereMeeting MeetingOf(const World& world, int index) {
@@ -26,7 +26,7 @@ SphereMeeting MeetingOf(const World& world, int index) {
   meeting.n_AB_W = landing.n_W;
   meeting.restitution = landing.restitution;
   meeting.friction = landing.friction;
-  // gap + v t + ½ a t² = 0, the first root, written so that nothing cancels.
+  // The first root of gap + v t + ½ a t² = 0, written so that nothing cancels.
   const double gap = std::max(0.0, landing.gap);
   const double v = landing.n_W.dot(meeting.B.start.v_WB);
   const double a = landing.n_W.dot(meeting.B.a_W);
@@ -36,7 +36,8 @@ SphereMeeting MeetingOf(const World& world, int index) {
   return meeting;
 }
 
-/** Returns when the sphere comes down again, less what an engine may be early. [s] */
+/** Returns the time at which the sphere comes down again, less three steps by which an
+ engine may be early. [s] */
 double SecondImpact(const World& world, const SphereMeeting& meeting) {
   const double a = meeting.n_AB_W->dot(meeting.B.a_W);
   if (a >= 0) return std::numeric_limits<double>::infinity();
@@ -51,12 +52,12 @@ std::string WhyNot(const World& world, int index) {
   const std::optional<Landing> landing = LandingOf(world, index);
   if (!landing) return "faces no static half-space or box";
   if (landing->gap < -kApart * SideOf(world, index).radius)
-    return "starts inside what it faces";
+    return "starts inside the ground";
   const SphereMeeting meeting = MeetingOf(world, index);
   // Written so that a sphere that never arrives is refused.
-  if (!(meeting.time <= world.steps * world.dt)) return "does not reach what it faces";
+  if (!(meeting.time <= world.steps * world.dt)) return "does not reach the ground";
   if (SecondImpact(world, meeting) <= meeting.time)
-    return "is down again within three steps";
+    return "hits the ground again within three steps";
   return "";
 }
 

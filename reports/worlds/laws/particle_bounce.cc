@@ -32,13 +32,14 @@ std::string WhyNot(const World& world, int index) {
   if (particle.damping > 0) return "is damped";
   if (IsHeld(world, AnchorKind::kParticle, index)) return "is held";
   const std::optional<Landing> landing = LandingOfPoint(world, particle.p_W);
-  if (!landing) return "is above no static half-space or box";
+  if (!landing) return "is not above a static half-space or box";
   const Fall fall = FallOf(world, index);
   if (fall.gravity <= 0 || !IsAlong(world.gravity_W, landing->n_W))
-    return "does not fall along the normal of what is below it";
+    return "does not fall along the normal of the ground";
   const std::optional<Landing> last =
       LandingOfPoint(world, particle.p_W + world.steps * world.dt * fall.v_along_W);
-  if (!last || last->ground != landing->ground) return "leaves what it bounces on";
+  if (!last || last->ground != landing->ground)
+    return "leaves the ground that it bounces on";
   return "";
 }
 
@@ -74,15 +75,14 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 
 }  // namespace
 
-constinit const Law kParticleBounce = {
-    "particle_bounce",
-    "A particle that falls on a static plane keeps the share `bounce` of its normal "
-    "speed.",
-    kNumbersOfFalls,
-    Faults,
-    Judge,
-    false,
-    Place,
-    true};
+constinit const Law kParticleBounce = {"particle_bounce",
+                                       "A particle that falls onto a static plane leaves "
+                                       "with `bounce` times its normal speed.",
+                                       kNumbersOfFalls,
+                                       Faults,
+                                       Judge,
+                                       false,
+                                       Place,
+                                       true};
 
 }  // namespace touchstone

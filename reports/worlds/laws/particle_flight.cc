@@ -39,9 +39,8 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
   const Particle& particle = world.particles[i];
   const PointState start{particle.p_W, particle.v_W};
   const std::string because =
-      "1.5 × the largest error so far of schemes of first order, stepped beside the "
-      "truth, "
-      "and 64 roundings a step";
+      "1.5 × the largest error so far of first-order schemes, stepped next to the truth, "
+      "and 64 roundings per step";
   Worst position(MeasureKind::kPositionError, because);
   Worst velocity(MeasureKind::kVelocityError, because);
   const std::array<FlightScheme, 8> schemes = FlightSchemes();
@@ -75,9 +74,9 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
     velocity.Take(
         (is.v_W - truth.v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
           return fmt::format(
-              "{} has {} move at {} after {:.6g} s; damped by {:.6g}/s it moves at {}",
-              motion.oracle.name, particle.name, FormatVector(is.v_W, 9), t,
-              particle.damping, FormatVector(truth.v_W, 9));
+              "{} has {} moving at {} after {:.6g} s; damped by {:.6g}/s it moves at {}",
+              motion.oracle.name, particle.name, Words(is.v_W), t, particle.damping,
+              Words(truth.v_W));
         });
   }
   return FindingsOf({position, velocity});
@@ -105,7 +104,7 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_terminal_speed"}
 
 constinit const Law kParticleFlight = {
     "particle_flight",
-    "A damped particle that nothing touches flies along v̇ = g − c v.",
+    "A damped particle in free flight moves by v̇ = g − c v.",
     kNumbers,
     Faults,
     Judge,

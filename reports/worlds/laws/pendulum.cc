@@ -15,10 +15,11 @@
 namespace touchstone {
 namespace {
 
-/** Share of a speed that may be across the plane of the swing, or along the rod. [-] */
+/** Part of a speed that may be across the plane of the swing or along the rod. [-] */
 constexpr double kInPlane = 1e-9;
 
-/** Returns the smallest 1 + cos θ of a rest that is no standing on its head. [-] */
+/** Smallest 1 + cos θ at which a mass at rest does not count as balanced above its pivot.
+ [-] */
 constexpr double kOnHead = 1e-6;
 
 /** A pendulum at p + L (sin θ x̂ + cos θ ĝ). */
@@ -45,7 +46,7 @@ Swinging SwingingOf(const World& world, const std::vector<PointMass>& points) {
   const auto across = [&](const Eigen::Vector3d& v) {
     return Eigen::Vector3d(v - v.dot(swinging.down_W) * swinging.down_W);
   };
-  // Where it hangs straight down its velocity shows the plane.
+  // If it hangs straight down, its velocity determines the plane.
   const Eigen::Vector3d side_W = across(arm_W);
   swinging.x_W = side_W.norm() > kInPlane * swinging.length
                      ? side_W.normalized()
@@ -59,7 +60,7 @@ Swinging SwingingOf(const World& world, const std::vector<PointMass>& points) {
 }
 
 std::string WhyNot(const World& world, const std::vector<PointMass>& points) {
-  if (points.size() != 1) return fmt::format("are {} things", points.size());
+  if (points.size() != 1) return fmt::format("are {} bodies or particles", points.size());
   if (world.gravity_W.isZero(0)) return "is in a world without gravity";
   std::string why = WhyNoChain(world, points);
   if (!why.empty()) return why;
@@ -69,9 +70,9 @@ std::string WhyNot(const World& world, const std::vector<PointMass>& points) {
   const Eigen::Vector3d across_W = swinging.x_W.cross(swinging.down_W);
   if (std::abs(v_W.dot(across_W)) > kInPlane * v_W.norm() ||
       std::abs(v_W.dot(arm_W)) > kInPlane * v_W.norm() * swinging.length)
-    return "does not start along a circle in an upright plane";
+    return "does not start along a circle in a vertical plane";
   if (1 + std::cos(swinging.start.theta) < kOnHead && v_W.isZero(0))
-    return "stands on its head";
+    return "is balanced above its pivot";
   return "";
 }
 
@@ -81,13 +82,13 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   const std::vector<PointMass> points = PointMassesInOrder(world, claim);
   const std::string why = WhyNot(world, points);
   if (!why.empty())
-    return {{"about", why, "a mass on one rod to a fixed place, swinging in a plane"}};
+    return {{"about", why, "a mass on one rod to a fixed point, swinging in a plane"}};
   const Swinging swinging = SwingingOf(world, points);
   return FaultsOfNumbers(
       claim, {{"expected_period", Pendulum(swinging.omega, swinging.start).period()}});
 }
 
-/** Returns the mass at an angle of its swing. */
+/** Returns the state of the mass at an angle of its swing. */
 PointState At(const Swinging& swinging, const PendulumAngle& angle) {
   const double sine = std::sin(angle.theta);
   const double cosine = std::cos(angle.theta);
@@ -118,7 +119,7 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_period"};
 }  // namespace
 
 constinit const Law kPendulum = {
-    "pendulum", "A mass on one rod to a fixed place swings in a plane.",
+    "pendulum", "A mass on one rod to a fixed point swings in a plane.",
     kNumbers,   Faults,
     Judge,      true,
     Place};

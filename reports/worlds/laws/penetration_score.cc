@@ -25,7 +25,7 @@ bool IsGround(const RigidBody& body) {
           std::holds_alternative<Box>(body.placed.shape));
 }
 
-/** Returns how far the centre of a sphere is from what never moves, < 0 inside. [m] */
+/** Returns the distance of a sphere's centre from a static body, < 0 inside. [m] */
 double DistanceTo(const Body& ground, const Eigen::Vector3d& p_W) {
   const Eigen::Vector3d p_B = ground.X_WB.R_WB.transpose() * (p_W - ground.X_WB.p_WB);
   if (std::holds_alternative<HalfSpace>(ground.shape)) return p_B.z();
@@ -49,17 +49,18 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
-/** Two things that may be inside each other. */
+/** Two bodies that may penetrate each other. */
 struct Pair {
   std::size_t A;
   std::size_t B;
   double V = 0;  ///< The largest speed of approach so far. [m/s]
 };
 
-/** Where a pair is at one sample. */
+/** The distance and speed of a pair at one sample. */
 struct Nearness {
-  double gap;       ///< [m]
-  double approach;  ///< Its size, and what gravity may add by the next sample. [m/s]
+  double gap;  ///< [m]
+  /** Relative speed, plus what gravity may add by the next sample. [m/s] */
+  double approach;
 };
 
 Nearness NearnessOf(const World& world, const WorldState& state, const Pair& pair) {
@@ -94,7 +95,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   for (const WorldState& state : trajectory.samples) {
     for (Pair& pair : pairs) {
       const Nearness near = NearnessOf(world, state, pair);
-      // It may meet before the next sample, or has met since the last.
+      // The pair may touch before the next sample, or has touched since the last.
       if (near.gap <= near.approach * SampleSpacing(world))
         pair.V = std::max(pair.V, near.approach);
       if (near.gap >= 0) continue;
@@ -131,7 +132,7 @@ constexpr std::array<std::string_view, 1> kNumbers = {"slope"};
 
 constinit const Law kPenetrationScore = {
     "penetration_score",
-    "Spheres are on average as deep in each other as a step at their speed allows.",
-    kNumbers, Faults, Judge};
+    "Spheres penetrate on average no deeper than a step at their speed allows.", kNumbers,
+    Faults, Judge};
 
 }  // namespace touchstone

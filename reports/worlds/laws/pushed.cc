@@ -26,29 +26,29 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
     if (IsPushed(world, i) && !IsHeld(world, AnchorKind::kBody, i)) continue;
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
     faults.push_back({WhereAbout(claim, name),
-                      fmt::format("is {}, which no blow strikes, or which is held", name),
-                      "a free body that a blow strikes"});
+                      fmt::format("is {}, which has no push or is held", name),
+                      "a free body with a push"});
   }
   if (!faults.empty()) return faults;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(bodies.front())];
   const Push& push =
       *PushesBetween(world, bodies.front(), 0, world.steps * world.dt).front();
   const Eigen::Vector3d J_B = body.placed.X_WB.R_WB.transpose() * push.J_W;
-  return FaultsOfNumbers(
-      claim, {{"expected_speed_gain", push.J_W.norm() / body.mass},
-              // The body's own frame at the start: what turns before the blow has none.
-              {"expected_spin_gain",
-               push.p_BoP.cross(J_B).cwiseQuotient(InertiaOf(body)).norm()}});
+  return FaultsOfNumbers(claim,
+                         {{"expected_speed_gain", push.J_W.norm() / body.mass},
+                          // In the body's frame at the start, so valid only if it does
+                          // not turn before the push.
+                          {"expected_spin_gain",
+                           push.p_BoP.cross(J_B).cwiseQuotient(InertiaOf(body)).norm()}});
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
-  Worst momentum(MeasureKind::kMomentumDrift, "64 roundings a step");
-  Worst spin(
-      MeasureKind::kAngularMomentumDrift,
-      "1.5 × what the gyroscopic term loses, h ω × (ω × L) Δt; |ω| Δt |r| |J| where "
-      "the blow falls between samples; and 64 roundings a step");
+  Worst momentum(MeasureKind::kMomentumDrift, "64 roundings per step");
+  Worst spin(MeasureKind::kAngularMomentumDrift,
+             "1.5 × the loss by the gyroscopic term, h ω × (ω × L) Δt; |ω| Δt |r| |J| if "
+             "the push falls between samples; and 64 roundings per step");
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const double from = trajectory.times[s - 1];
     const double to = trajectory.times[s];
@@ -72,7 +72,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         P_W += push->J_W;
         L_W += (before.q_WB * push->p_BoP).cross(push->J_W);
         size += push->J_W.norm();
-        // An engine that is given a place in the world takes the centre's from it.
+        // An engine that takes a point in the world subtracts the centre from it.
         L_size += (push->p_BoP.norm() + before.p_WB.norm()) * push->J_W.norm();
         turned += before.w_WB.norm() * std::max(0.0, push->time - from) *
                   push->p_BoP.norm() * push->J_W.norm();
@@ -84,15 +84,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                    GyroscopicMomentumRate(world, trajectory.samples[s], subject));
       const double rounding = RoundingOf(motion.oracle, world.sample_every);
       momentum.Take((body.mass * after.v_WB - P_W).norm(), rounding * size, [&] {
-        return fmt::format("{} has {} at {} N s after {:.6g} s; the blow leaves it {}",
-                           motion.oracle.name, body.name,
-                           FormatVector(body.mass * after.v_WB, 9), to,
-                           FormatVector(P_W, 9));
+        return fmt::format("{} has {} at {} N s after {:.6g} s; the push leaves it {}",
+                           motion.oracle.name, body.name, Words(body.mass * after.v_WB),
+                           to, Words(P_W));
       });
       spin.Take((L_after - L_W).norm(),
                 kSafety * (world.dt * lost + turned) + rounding * L_size, [&] {
                   return fmt::format(
-                      "{} has {} at an angular momentum of {} after {:.6g} s; the blow "
+                      "{} has {} at an angular momentum of {} after {:.6g} s; the push "
                       "leaves it {}",
                       motion.oracle.name, body.name, FormatVector(L_after, 9), to,
                       FormatVector(L_W, 9));
@@ -108,7 +107,8 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_speed_gain",
 }  // namespace
 
 constinit const Law kPushed = {
-    "pushed", "A blow J at the point r gives a body the momentum J and r × J.", kNumbers,
-    Faults, Judge};
+    "pushed",
+    "A push J at the point r gives a body the momentum J and the angular momentum r × J.",
+    kNumbers, Faults, Judge};
 
 }  // namespace touchstone

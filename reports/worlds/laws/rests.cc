@@ -35,13 +35,13 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 
 /** Bodies that overlap at the start, directly or through others that move. */
 struct Heap {
-  std::vector<std::pair<int, int>> pairs;  ///< Into World::bodies.
-  double overlap = 0;  ///< The sum of what they overlap by at the start. [m]
-  /** The first sample at which they no longer do. */
+  std::vector<std::pair<int, int>> pairs;  ///< Indices into World::bodies.
+  double overlap = 0;                      ///< Sum of their overlaps at the start. [m]
+  /** The first sample at which they no longer overlap. */
   std::size_t parted = std::numeric_limits<std::size_t>::max();
 };
 
-/** Returns the heap of each body, without pairs where it overlaps nothing. */
+/** Returns the pile of each body; a body that overlaps nothing has one without pairs. */
 std::vector<std::shared_ptr<Heap>> HeapsOf(const World& world) {
   const WorldState start = StateAtStart(world);
   std::vector<std::shared_ptr<Heap>> heaps(world.bodies.size());
@@ -54,7 +54,7 @@ std::vector<std::shared_ptr<Heap>> HeapsOf(const World& world) {
       const double overlap =
           OverlapOf(world, start, static_cast<int>(A), static_cast<int>(B));
       if (overlap == 0) continue;
-      // What never moves joins nothing.
+      // A static body does not connect those that touch it.
       const std::shared_ptr<Heap> heap = heaps[a.mass > 0 ? A : B];
       if (a.mass > 0 && b.mass > 0 && heaps[B] != heap) {
         const std::shared_ptr<Heap> other = heaps[B];
@@ -69,7 +69,8 @@ std::vector<std::shared_ptr<Heap>> HeapsOf(const World& world) {
   return heaps;
 }
 
-/** Finds when, from sample `first` on, each heap has parted to within `slack` [m]. */
+/** Finds the sample, from `first` on, at which each pile has separated to within `slack`
+ [m]. */
 void FindParting(const World& world, const Trajectory& trajectory, std::size_t first,
                  double slack, const std::vector<std::shared_ptr<Heap>>& heaps) {
   for (const std::shared_ptr<Heap>& heap : heaps) {
@@ -104,13 +105,13 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       trajectory.times.begin());
   const std::vector<std::shared_ptr<Heap>> heaps = HeapsOf(world);
   FindParting(world, trajectory, first, settling, heaps);
-  Worst rest(MeasureKind::kRestMotion,
-             "1.5 × 2 g h² for each contact that may carry it, what overlaps at "
-             "the start until it has parted, 1e-5 of g h a step for the solver, and 64 "
-             "roundings a step");
+  Worst rest(
+      MeasureKind::kRestMotion,
+      "1.5 × 2 g h² for each contact that may carry it, overlaps at the start until they "
+      "are resolved, 1e-5 of g h per step for the solver, and 64 roundings per step");
   Worst velocity(MeasureKind::kVelocityError,
-                 "1.5 × 2 g h for each contact that may carry it, what overlaps at "
-                 "the start in a step until it has parted, and 64 roundings a step");
+                 "1.5 × 2 g h for each contact that may carry it, overlaps at the start "
+                 "in a step until they are resolved, and 64 roundings per step");
   for (std::size_t s = first; s < trajectory.samples.size(); ++s) {
     const double t = trajectory.times[s];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
@@ -128,8 +129,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       velocity.Take(
           speed, kSafety * 2 * contacts * g * h + granted / h + rounding * is.norm() / h,
           [&] {
-            return fmt::format("{} has {} move at {:.6g} m/s after {:.6g} s; it rests",
-                               motion.oracle.name, name, speed, t);
+            return fmt::format(
+                "{} has {} moving at {:.6g} m/s after {:.6g} s; it should rest",
+                motion.oracle.name, name, speed, t);
           });
     };
     const WorldState& now = trajectory.samples[s];
@@ -138,7 +140,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const RigidBody& body = world.bodies[i];
       const double radius = BoundingRadius(body.placed.shape);
       const Heap& heap = *heaps[i];
-      // What has parted rests from then on.
+      // After the separation a body rests.
       const bool parted = s > heap.parted;
       const WorldState& then = trajectory.samples[parted ? heap.parted : first];
       hold(body.name, then.bodies[i].p_WB, now.bodies[i].p_WB,
@@ -170,7 +172,7 @@ constexpr std::array<std::string_view, 2> kNumbers = {"from", "slack"};
 }  // namespace
 
 constinit const Law kRests = {
-    "rests", "What rests stays where it is; from [s] and slack [m] may be named.",
+    "rests", "A body at rest stays where it is; from [s] and slack [m] may be given.",
     kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -23,22 +23,23 @@ double RadiusOf(const RigidBody& ball) {
   return std::get<Sphere>(ball.placed.shape).radius;
 }
 
-/** I/(m r²). [-] */
+/** Returns I/(m r²). [-] */
 double ShareOf(const RigidBody& ball) {
   return InertiaOf(ball).x() / (ball.mass * RadiusOf(ball) * RadiusOf(ball));
 }
 
-/** The box, its plane, and what is on it. */
+/** The box, its plane and the balls on it. */
 struct Train {
   int box;
   std::vector<int> balls;
   OnPlane on;
-  double mass = 0;   ///< Of all that presses on the ground. [kg]
-  double moved = 0;  ///< M + Σ m k/(1 + k). [kg]
+  double mass = 0;   ///< Total mass that presses on the ground. [kg]
+  double moved = 0;  ///< Effective mass M + Σ m k/(1 + k). [kg]
   double
-      least_grip;  ///< The least μ_ball g (1 + k)/k: where a ball begins to slip. [m/s²]
+      /** Least acceleration at which a ball begins to slip: μ_ball g (1 + k)/k. [m/s²] */
+      least_grip;
 
-  /** The box's acceleration, with friction held by `cone`. [m/s²] */
+  /** Returns the box's acceleration with friction bounded by `cone`. [m/s²] */
   Eigen::Vector3d Acceleration(const World& world, const PlacedCone& cone) const {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(box)];
     const double g = -world.gravity_W.dot(on.plane.n_W);
@@ -70,8 +71,8 @@ Train TrainOf(const World& world, const Claim& claim) {
   return train;
 }
 
-/** How far above the box's upper face the lowest point of a ball starts, over its radius;
- NaN where it is not above the face. */
+/** Returns the height of the lowest point of a ball above the box's upper face at the
+ start, over the ball's radius; NaN if it is not above the face. */
 double HeightOn(const RigidBody& box, const RigidBody& ball, const Eigen::Vector3d& n_W) {
   const Eigen::Vector3d half = std::get<Box>(box.placed.shape).half_extents;
   const Eigen::Vector3d n_B = box.placed.X_WB.R_WB.transpose() * n_W;
@@ -92,8 +93,8 @@ std::string WhyNoBall(const World& world, const RigidBody& box, const OnPlane& o
   if (!std::holds_alternative<Sphere>(ball.placed.shape)) return "is no sphere";
   if (!IsEvenSphere(ball)) return "has unequal moments of inertia";
   if (!ball.v_WB.isZero(0) || !ball.w_WB.isZero(0) || !ball.force_W.isZero(0))
-    return "does not start at rest, or is pulled itself";
-  // Written so that a ball beside the face is refused.
+    return "does not start at rest, or has a force of its own";
+  // Written so that a ball next to the face is refused.
   if (!(std::abs(HeightOn(box, ball, on.plane.n_W)) <= 1e-3))
     return "does not start on the box";
   return "";
@@ -147,11 +148,9 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
   const double mu = train.on.plane.friction;
   const double pull = (box.force_W.norm() + mu * train.mass * g) / train.moved;
   const std::string because =
-      "1.5 × ((1 + μ) |v_n| of the bodies' own velocities across the plane, and δ/r of "
-      "the "
-      "velocity for a contact δ inside a ball), 1e-5 of what the pull and friction give "
-      "for "
-      "the solver, and 64 roundings a step";
+      "1.5 × ((1 + μ) |v_n| of the bodies' own velocities along the normal, and δ/r of "
+      "the velocity for a contact at depth δ in a ball), 1e-5 of the velocity from the "
+      "force and friction for the solver, and 64 roundings per step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
@@ -159,7 +158,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
     const WorldState& state = motion.trajectory.samples[s];
     const double share =
         kSolverResidual + RoundingOf(motion.oracle, StepsBefore(motion, s));
-    // The momentum across the plane, as a velocity of what is moved along it.
+    // The momentum along the normal, as a velocity of the effective mass.
     double across = 0;
     for (const int i : SubjectsOf(world, {"", {}, {}, ""}).bodies) {
       across += world.bodies[static_cast<std::size_t>(i)].mass *
@@ -173,10 +172,10 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
           (state.bodies[i].v_WB - v_W).norm(),
           kSafety * (across + inside * a_W.norm() * t) + share * pull * t, [&] {
             return fmt::format(
-                "{} has {} move at {} after {:.6g} s; pulled over friction it moves "
-                "at {}",
-                motion.oracle.name, world.bodies[i].name,
-                FormatVector(state.bodies[i].v_WB, 9), t, FormatVector(v_W, 9));
+                "{} has {} moving at {} after {:.6g} s; driven against friction "
+                "it moves at {}",
+                motion.oracle.name, world.bodies[i].name, Words(state.bodies[i].v_WB), t,
+                Words(v_W));
           });
     };
     double deepest = 0;
@@ -192,14 +191,14 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
       hold(index, k / (1 + k), inside);
       const Eigen::Vector3d w_W = a_W.cross(n_W) * t / ((1 + k) * r);
       const Eigen::Vector3d& is = state.bodies[i].w_WB;
-      spin.Take(
-          (is - w_W).norm(),
-          kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r, [&] {
-            return fmt::format(
-                "{} has {} spin at {} after {:.6g} s; on the pulled box it rolls at {}",
-                motion.oracle.name, ball.name, FormatVector(is, 9), t,
-                FormatVector(w_W, 9));
-          });
+      spin.Take((is - w_W).norm(),
+                kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r,
+                [&] {
+                  return fmt::format(
+                      "{} has {} spinning at {} after {:.6g} s; rolling on the box it "
+                      "spins at {}",
+                      motion.oracle.name, ball.name, Words(is), t, Words(w_W));
+                });
     }
     hold(train.box, 1, deepest);
   }
@@ -220,7 +219,7 @@ constexpr std::array<std::string_view, 3> kNumbers = {
 
 constinit const Law kRollingBox = {
     "rolling_box",
-    "A box pulled over a level plane carries balls that roll; about names the box first.",
+    "A box driven over a level plane carries balls that roll; about names the box first.",
     kNumbers, Faults, Judge};
 
 }  // namespace touchstone

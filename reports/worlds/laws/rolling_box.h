@@ -4,17 +4,17 @@
 
 namespace touchstone {
 
-/** A box pulled over a level plane, with balls that roll on it (SimBenchmark "rolling").
- [m/s], [rad/s]
+/** A box is driven by a force over a level plane, with balls that roll on it
+ (SimBenchmark "rolling"). [m/s], [rad/s]
 
- Balls of mass m and inertia k m r² roll without slip: each holds the box back by
- m a k/(1 + k) and moves at a k/(1 + k), so that
+ Balls of mass m and inertia k m r² roll without slip: each resists the box by m a k/(1 +
+ k) and moves at a k/(1 + k), so that
    a = (F − μ g (M + Σ m))/(M + Σ m k/(1 + k)),  α = a/((1 + k) r)
- along the pull, zero where friction holds it. Velocities are exact for every step, as on
- a slope (laws/incline.h), but for δ/r of them where a contact is δ inside a ball.
+ along the force F, zero if friction holds it. Velocities are exact for any step, as on a
+ slope (laws/incline.h), except for δ/r of them for a contact at depth δ in a ball.
 
- A solver whose friction with the ground is a box or a diamond moves each component on its
- own, or the larger one first; it is recognised by that.
+ A solver whose ground friction is a box or a diamond brakes each component on its own, or
+ the larger one first; such a motion is recognised.
 
  About: the box first, then its balls. Numbers: expected_box_acceleration,
  expected_ball_acceleration, expected_ball_spin_rate. */

@@ -12,7 +12,7 @@
 namespace touchstone {
 namespace {
 
-/** The share of its speed by which a sphere that rolls may slip at the start. [-] */
+/** Largest initial slip of a rolling sphere, over its speed. [-] */
 constexpr double kRolling = 1e-9;
 
 double ShareOf(const RigidBody& body) {
@@ -32,7 +32,7 @@ std::string WhyNot(const World& world, int index) {
     return "slips at the start";
   const double k = ShareOf(body);
   if (on.along_W.norm() * k / (1 + k) > on.plane.friction * on.press)
-    return "has too little friction to go on rolling";
+    return "has too little friction to keep rolling";
   return "";
 }
 
@@ -57,13 +57,12 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
   const double k = ShareOf(body);
   const Eigen::Vector3d a_W = on.along_W / (1 + k);
   const double pull = on.along_W.norm() + on.plane.friction * on.press;
-  BallOnPlane ball(
-      motion, index, on, "rolling",
-      "1.5 × ((1 + μ) |v_n| of the sphere's own velocity across the plane, and δ/r of "
-      "the velocity for a contact δ inside), 1e-5 of the velocity for the solver, and 64 "
-      "roundings a step",
-      "1.5 × (½ a h t and what the sphere settles by), 1e-5 of the way for the "
-      "solver, and 64 roundings a step");
+  BallOnPlane ball(motion, index, on, "rolling",
+                   "1.5 × ((1 + μ) |v_n| of the sphere's own velocity along the normal, "
+                   "and δ/r of the velocity for a contact at depth δ), 1e-5 of the "
+                   "velocity for the solver, and 64 roundings per step",
+                   "1.5 × (½ a h t and the settling distance), 1e-5 of the distance for "
+                   "the solver, and 64 roundings per step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     BodyState truth;
@@ -92,7 +91,8 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 }  // namespace
 
 constinit const Law kRolls = {
-    "rolls", "A sphere that rolls on a static plane goes on rolling, on slopes faster.",
+    "rolls",
+    "A sphere that rolls on a static plane keeps rolling; a slope accelerates it.",
     kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -4,11 +4,12 @@
 
 namespace touchstone {
 
-/** A sphere that rolls on a static plane goes on rolling: v = v₀ + a t, a = a_t/(1 + k)
- along the plane with a_t of gravity and force, inertia k m r²; ω = n × v/r, and what it
- spins about the normal stays. [m/s], [rad/s], [m]
+/** A sphere that rolls on a static plane keeps rolling. Its acceleration along the plane
+ is a = a_t/(1 + k), where a_t is the part of gravity and force along the plane and k m r²
+ the inertia. So v = v₀ + a t and ω = n × v/r, and the spin about the normal is constant.
+ [m/s], [rad/s], [m]
 
- Friction k/(1 + k) |a_t| holds it, less than μ a_n. Tolerances are those of a slope
+ Friction supplies k/(1 + k) |a_t|, at most μ a_n. The tolerances are those of a slope
  (laws/incline.h).
 
  About: spheres that start rolling, to 1e-9 of their speed. Numbers:

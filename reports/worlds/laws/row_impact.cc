@@ -17,8 +17,8 @@
 namespace touchstone {
 namespace {
 
-/** Gap of balls that an author means to touch, and distance from the line of those that
- he means to be on it, over a radius: coordinates with nine digits. [-] */
+/** Largest gap of balls that an author means to touch, and largest distance from the line
+ of balls that are meant to be on it, over a radius; coordinates have nine digits. [-] */
 constexpr double kOnLine = 1e-9;
 
 /** Balls on the line x = p + s d. */
@@ -28,8 +28,8 @@ struct Row {
   Eigen::Vector3d d_W;
   std::vector<RowBall> balls;
   std::vector<double> restitution;
-  double radius = 0;  ///< The largest.
-  double speed = 0;   ///< The largest at the start.
+  double radius = 0;  ///< Largest radius. [m]
+  double speed = 0;   ///< Largest speed at the start. [m/s]
 
   RowOfBalls By(RowRule rule, double touching) const {
     return {balls, restitution, touching, rule};
@@ -62,9 +62,9 @@ std::string WhyNoBall(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   if (!std::holds_alternative<Sphere>(body.placed.shape) || !body.collides)
     return "is no sphere that collides";
-  if (!body.w_WB.isZero(0) || !body.force_W.isZero(0)) return "spins or is pulled";
+  if (!body.w_WB.isZero(0) || !body.force_W.isZero(0)) return "spins or has a force";
   if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
-    return "is held or struck";
+    return "is held or pushed";
   return "";
 }
 
@@ -81,7 +81,7 @@ std::vector<Fault> FaultsOfLine(const World& world, const Claim& claim, const Ro
     else if (i > 0 && row.balls[i].x - row.balls[i - 1].x - row.balls[i].radius -
                               row.balls[i - 1].radius <
                           -kOnLine * row.radius)
-      why = "is out of order, or inside the one before";
+      why = "is out of order, or inside its predecessor";
     if (why.empty()) continue;
     faults.push_back({WhereAbout(claim, body.name),
                       fmt::format("is {}, which {}", body.name, why),
@@ -90,13 +90,13 @@ std::vector<Fault> FaultsOfLine(const World& world, const Claim& claim, const Ro
   return faults;
 }
 
-/** When an engine that sees contacts once a step may have a ball strike, so that its
- velocity is not known.
+/** The time intervals in which an engine that detects contacts once per step may apply an
+ impact to a ball, so that the ball's velocity is uncertain.
 
- An impact is up to a step h late or early; and later by what the balls are behind: a ball
- is δ |Δv| behind after an impact that was δ late, and a pair that closes with u meets the
- sum of theirs over u later. Of equal elastic balls, which pass u on, the n-th impact is
- up to n h late. */
+ An impact is up to a step h late or early, and later still if the balls are behind. A
+ ball is δ |Δv| behind after an impact that was δ late. A pair that closes at u is later
+ by the sum of their lags over u. For equal elastic balls, which pass u on, the n-th
+ impact is up to n h late. */
 class Strikes {
  public:
   Strikes(const RowOfBalls& truth, double h) {
@@ -118,19 +118,20 @@ class Strikes {
       for (std::size_t i = 0; i < before.size(); ++i) {
         if (change(i) == 0) continue;
         behind[i] += late * change(i);
-        // And a step more: an engine applies at its end what strikes within it.
+        // One step more: an engine applies an impact at the end of the step that contains
+        // it.
         of_ball_[i].push_back({moments[m].time - late - h, moments[m].time + late + h});
       }
     }
   }
 
-  /** Whether `ball` may strike at `t`. */
+  /** Whether `ball` may have an impact at `t`. */
   bool May(std::size_t ball, double t) const {
     return std::any_of(of_ball_[ball].begin(), of_ball_[ball].end(),
                        [&](const Span& span) { return span.from < t && t < span.to; });
   }
 
-  /** Whether `ball` has struck before `t` for sure, and not yet again. */
+  /** Whether `ball` has certainly had an impact before `t` and is in no other. */
   bool HasStruck(std::size_t ball, double t) const {
     return !of_ball_[ball].empty() && of_ball_[ball].front().to <= t && !May(ball, t);
   }
@@ -143,7 +144,7 @@ class Strikes {
   std::vector<std::vector<Span>> of_ball_;
 };
 
-/** Whether some sample shows what an impact left of a ball. */
+/** Whether any sample shows a ball after an impact. */
 bool ShowsAnImpact(const World& world, const RowOfBalls& truth) {
   const Strikes strikes(truth, world.dt);
   for (int step = 0; step <= world.steps; step += world.sample_every) {
@@ -174,13 +175,13 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   const double touching = kOnLine * row.radius;
   const RowOfBalls in_order = row.By(RowRule::kFromFirst, touching);
   if (in_order.PastAt(in_order.end()).moments == 0)
-    return {{"about", "are spheres that never meet", "an impact"}};
+    return {{"about", "are spheres that never hit each other", "an impact"}};
   if (!ShowsAnImpact(world, in_order)) {
-    return {{"about", "are spheres whose impact no sample shows the end of",
+    return {{"about", "are spheres without a sample after an impact",
              "more steps, or more samples"}};
   }
   const RowOfBalls at_once = row.By(RowRule::kSimultaneous, touching);
-  // What is left of a ball that stops is rounding; its author says 0.
+  // The remaining velocity of a ball that stops is rounding; its author says 0.
   const auto velocity = [&](const RowBall& ball) {
     return std::abs(ball.v) <= kOnLine * row.speed ? 0 : ball.v;
   };
@@ -196,10 +197,10 @@ std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
   const World& world = motion.world;
   const double h = world.dt;
   Worst velocity(MeasureKind::kVelocityError,
-                 "1e-5 of the fastest ball for the solver, and 64 roundings a step");
+                 "1e-5 of the fastest ball for the solver, and 64 roundings per step");
   Worst position(MeasureKind::kPositionError,
-                 "1.5 × n h Σ |Δv| for n impacts, each a step late; 1e-5 of the way for "
-                 "the solver, and 64 roundings a step");
+                 "1.5 × n h Σ |Δv| for n impacts, each a step late; 1e-5 of the distance "
+                 "for the solver, and 64 roundings per step");
   const Strikes strikes(truth, h);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
@@ -218,16 +219,15 @@ std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
                             (row.p_W.norm() + std::abs(balls[i].x)),
                     [&] {
                       return fmt::format(
-                          "{} has {} at {} after {:.6g} s; the impacts lead it to {}",
-                          motion.oracle.name, name, FormatVector(is.p_WB, 9), t,
-                          FormatVector(p_W, 9));
+                          "{} has {} at {} after {:.6g} s; after its impacts it is at {}",
+                          motion.oracle.name, name, Words(is.p_WB), t, Words(p_W));
                     });
       if (strikes.May(i, t)) continue;
       const Eigen::Vector3d v_W = balls[i].v * row.d_W;
       velocity.Take((is.v_WB - v_W).norm(), share * row.speed, [&] {
-        return fmt::format("{} has {} move at {} after {:.6g} s; the impacts leave it {}",
-                           motion.oracle.name, name, FormatVector(is.v_WB, 9), t,
-                           FormatVector(v_W, 9));
+        return fmt::format(
+            "{} has {} moving at {} after {:.6g} s; after its impacts it moves at {}",
+            motion.oracle.name, name, Words(is.v_WB), t, Words(v_W));
       });
     }
   }
@@ -244,7 +244,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       JudgeBy(row.By(RowRule::kFromFirst, touching), motion, row);
   std::string_view recognised;
   if (AnyBeyond(by_pairs)) {
-    // What an engine takes to touch may still be as far apart as a step leads.
+    // Balls that touch for an engine may still be apart by the distance covered in a
+    // step.
     for (const double gap : {touching, kSafety * row.speed * motion.world.dt}) {
       if (holds(RowRule::kSimultaneous, gap)) recognised = "simultaneous impacts";
       if (holds(RowRule::kFromLast, gap) || holds(RowRule::kFromFirst, gap))
@@ -261,10 +262,9 @@ constexpr std::array<std::string_view, 4> kNumbers = {
 
 }  // namespace
 
-constinit const Law kRowImpact = {
-    "row_impact",
-    "Spheres on a line hit each other, one pair after another or all at once; about "
-    "names them in order.",
-    kNumbers, Faults, Judge};
+constinit const Law kRowImpact = {"row_impact",
+                                  "Spheres on a line hit each other, in sequential or "
+                                  "simultaneous impacts; about names them in order.",
+                                  kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -4,23 +4,23 @@
 
 namespace touchstone {
 
-/** Spheres on a line hit each other along it; each pair leaves with e times the speed it
- came with (truth/row_of_balls.h). [m/s], [m]
+/** Spheres on a line hit each other along it; each pair leaves an impact with e times its
+ closing speed (truth/row_of_balls.h). [m/s], [m]
 
- Where balls touch, impacts one after another and all at once are both legal; the first is
- the law's own truth, the other is recognised: "simultaneous impacts". So is either where
- gaps are shorter than the way of a step, V h. Of impacts one after another the order may
- be any: they are tried from the first ball and from the last.
+ If several balls touch, sequential and simultaneous impacts are both legal. The first is
+ the law's own truth; the other is recognised as "simultaneous impacts". Either is
+ recognised too if gaps are shorter than the distance covered in a step, V h. Sequential
+ impacts may have any order: they are tried from the first ball and from the last.
 
- Velocities are right to the solver's residual, 1e-5 of the fastest, but for each ball
- around its impacts: the n-th of a row is up to n h late, or more where slower balls have
- to make up for that. Positions are off by n h times what the impacts changed, Σ |Δv|,
- × 1.5. Plus 64 roundings a step.
+ Velocities are exact to the solver's residual, 1e-5 of the fastest, except around each
+ ball's impacts: the n-th of a row is up to n h late, or more if slower balls have to make
+ up for that. Positions are off by n h times the total velocity change by impacts, Σ |Δv|,
+ × 1.5. 64 roundings per step are added.
 
- About: spheres in the order of the line, no gravity, force or spin. Numbers:
+ About: spheres in the order of the line, without gravity, force or spin. Numbers:
  expected_first_velocity and expected_last_velocity, along the line from the first to the
- last, after the last impact, one after another; expected_simultaneous_first_velocity and
- expected_simultaneous_last_velocity. */
+ last, after the last impact, for sequential impacts; expected_simultaneous_first_velocity
+ and expected_simultaneous_last_velocity. */
 extern const Law kRowImpact;
 
 }  // namespace touchstone

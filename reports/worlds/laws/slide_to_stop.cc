@@ -18,7 +18,7 @@
 namespace touchstone {
 namespace {
 
-/** The share of a slope that still is level: that of a quaternion with 16 digits. [-] */
+/** Slope that still counts as level; quaternions have 16 digits. [-] */
 constexpr double kLevel = 1e-9;
 
 std::string WhyNot(const World& world, int index) {
@@ -31,7 +31,7 @@ std::string WhyNot(const World& world, int index) {
   if (on.v_along_W.isZero(0) || !body.w_WB.isZero(0)) return "does not start sliding";
   if (on.plane.friction == 0) return "has no friction to stop it";
   if (Tips(body, on, on.plane.friction * on.press))
-    return "is so high that friction tips it";
+    return "is so tall that friction tips it";
   return "";
 }
 
@@ -58,12 +58,12 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const double v_0 = on.v_along_W.norm();
   const double stop = v_0 / brake;
   Worst position(MeasureKind::kPositionError,
-                 "1.5 × (½ h (v₀ − v) and what the body settles by), 1e-5 of the "
-                 "way for the solver, and 64 roundings a step");
+                 "1.5 × (½ h (v₀ − v) and the settling distance), 1e-5 of the distance "
+                 "for the solver, and 64 roundings per step");
   Worst friction(
       MeasureKind::kFriction,
       "1.5 × h/t of the step in which friction begins, 1e-5 of the velocity for the "
-      "solver, and 64 roundings a step");
+      "solver, and 64 roundings per step");
   FlatBox flat(motion, index, on);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
@@ -85,8 +85,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
                         FormatVector(p_W, 9));
                   });
     flat.Take(s, v_0);
-    // Between a quarter and three quarters of the way, where v has fallen and still
-    // slides.
+    // Between a quarter and three quarters of the time to stop: v has dropped, and the
+    // box still slides.
     if (t < stop / 4 || t > stop * 3 / 4) continue;
     const Eigen::Vector3d heading = on.v_along_W / v_0;
     const double lost = v_0 - (cone.frame * slip.velocity).dot(heading);
@@ -116,7 +116,7 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_distance",
 
 constinit const Law kSlideToStop = {"slide_to_stop",
                                     "A box that slides on a level plane stops after "
-                                    "v²/(2 μ g), along its heading, and does not turn.",
+                                    "v²/(2 μ g), along its heading, and does not rotate.",
                                     kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -13,7 +13,7 @@
 namespace touchstone {
 namespace {
 
-/** The share of a slope that still is level. [-] */
+/** Slope that still counts as level. [-] */
 constexpr double kLevel = 1e-9;
 
 /** A sphere that slips on a plane. */
@@ -21,14 +21,14 @@ struct Slipping {
   OnPlane on;
   double radius;
   double k;             ///< I/(m r²). [-]
-  Eigen::Vector3d s_W;  ///< The slip at the start. [m/s]
-  Eigen::Vector3d w_W;  ///< The spin at the start. [rad/s]
-  Eigen::Vector3d p_W;  ///< The position at the start. [m]
+  Eigen::Vector3d s_W;  ///< Slip at the start. [m/s]
+  Eigen::Vector3d w_W;  ///< Spin at the start. [rad/s]
+  Eigen::Vector3d p_W;  ///< Position at the start. [m]
 
-  /** How fast friction takes the slip. [m/s²] */
+  /** Returns the rate at which friction reduces the slip. [m/s²] */
   double Brake() const { return on.plane.friction * on.press * (1 + 1 / k); }
 
-  /** The motion after `t`, where friction is held by `cone`. */
+  /** Returns the motion after `t`, with friction bounded by `cone`. */
   BodyState At(double t, const PlacedCone& cone) const {
     const Slip slip = SlipAfter(cone.cone, cone.frame.transpose() * s_W, Brake(), t);
     const Eigen::Vector3d left_W = cone.frame * slip.velocity;
@@ -37,7 +37,7 @@ struct Slipping {
     state.v_WB = on.v_along_W + (left_W - s_W) / (1 + 1 / k);
     state.p_WB =
         p_W + on.v_along_W * t + (cone.frame * slip.travelled - s_W * t) / (1 + 1 / k);
-    // ω × (−r n) = s − v; about the normal nothing turns it.
+    // ω × (−r n) = s − v; the spin about the normal is constant.
     state.w_WB = w_W.dot(n_W) * n_W - n_W.cross(left_W - state.v_WB) / radius;
     state.q_WB.setIdentity();
     return state;
@@ -84,21 +84,22 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const double h = motion.world.dt;
   const Slipping slipping = SlippingOf(motion.world, index);
   const OnPlane& on = slipping.on;
-  // What is largest in a velocity: the start's own, and that of its surface.
+  // The largest terms of a velocity: the initial speed and that of the sphere's surface.
   const double speed = on.v_along_W.norm() + slipping.w_W.norm() * slipping.radius;
   BallOnPlane ball(
       motion, index, on, "slipping until it rolls",
-      "1.5 × ((1 + μ) |v_n| of the sphere's own velocity across the plane, δ/r of the "
-      "velocity for a contact δ inside, and μ g h in the step in which slip ends), 1e-5 "
-      "of the velocity for the solver, and 64 roundings a step",
-      "1.5 × (½ h (v₀ − v) and what the sphere settles by), 1e-5 of the way for the "
-      "solver, and 64 roundings a step");
+      "1.5 × ((1 + μ) |v_n| of the sphere's own velocity along the normal, δ/r of the "
+      "velocity for a contact at depth δ, and μ g h in the step in which slip ends), "
+      "1e-5 of the velocity for the solver, and 64 roundings per step",
+      "1.5 × (½ h (v₀ − v) and the settling distance), 1e-5 of the distance for the "
+      "solver, and 64 roundings per step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     const BodyState truth = slipping.At(t, cone);
     const BodyState earlier = slipping.At(std::max(0.0, t - h), cone);
     const BodyState later = slipping.At(t + h, cone);
-    // A step earlier and a step later friction is the same, but where slip ends.
+    // The change of velocity in the step before equals that in the step after, except
+    // where slip ends.
     const double ending =
         (later.v_WB - 2 * truth.v_WB + earlier.v_WB).norm() * (t < h ? 0 : 1);
     const double slowed = (on.v_along_W - truth.v_WB).norm();
@@ -120,7 +121,7 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_rolling_speed",
 
 constinit const Law kSlipToRoll = {
     "slip_to_roll",
-    "A sphere that slips on a level plane is turned by friction until it rolls.",
-    kNumbers, Faults, Judge};
+    "A sphere that slips on a level plane is spun by friction until it rolls.", kNumbers,
+    Faults, Judge};
 
 }  // namespace touchstone

@@ -15,7 +15,7 @@
 namespace touchstone {
 namespace {
 
-/** Overlap at the start that is rounding, over the sum of the radii. [-] */
+/** Overlap at the start that counts as rounding, over the sum of the radii. [-] */
 constexpr double kApart = 1e-9;
 
 SphereMeeting MeetingOf(const World& world, const std::vector<int>& bodies) {
@@ -46,13 +46,14 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (!faults.empty()) return faults;
   const SphereMeeting meeting = MeetingOf(world, bodies);
   if (!meeting.A.a_W.isApprox(meeting.B.a_W) && meeting.A.a_W != meeting.B.a_W)
-    return {{"about", "are pulled apart or together", "the same g + F/m for both"}};
+    return {{"about", "have different accelerations", "the same g + F/m for both"}};
   const double r = meeting.A.radius + meeting.B.radius;
   // Written so that spheres that never meet are refused.
   if (!(meeting.time >= -kApart) ||
       (meeting.B.start.p_WB - meeting.A.start.p_WB).norm() < (1 - kApart) * r ||
       meeting.time > world.steps * world.dt)
-    return {{"about", "are spheres that do not meet, or start inside each other",
+    return {{"about",
+             "are spheres that do not hit each other, or start inside each other",
              "an impact"}};
   const Met met = MetAt(meeting, std::nextafter(meeting.time, 1e300), meeting.time, 0,
                         ConesOn(meeting.NormalAt(meeting.time)).front());

@@ -20,20 +20,20 @@ namespace touchstone {
 namespace {
 
 /** Largest part of a velocity or a force across the spring that an author means to be
- none: quaternions and coordinates with nine digits. [-] */
+ zero; quaternions and coordinates have nine digits. [-] */
 constexpr double kAcross = 1e-9;
 
-/** A mass that swings on a spring, `rest` + x from the fixed end along d. */
+/** A mass that oscillates on a spring, at `rest` + x from the fixed end along d. */
 struct OnSpring {
   PointMass mass;
   Eigen::Vector3d p_W;  ///< The fixed end.
   Eigen::Vector3d d_W;
-  double sag;   ///< What gravity and force stretch the spring by. [m]
+  double sag;   ///< Stretch of the spring by gravity and force. [m]
   double rest;  ///< Length at rest. [m]
   Oscillator oscillator;
   Swing start;
 
-  /** The largest displacement there can be, from its energy. [m] */
+  /** Returns an upper bound of the displacement, from the energy. [m] */
   double Amplitude() const { return std::hypot(start.x, start.v / oscillator.omega); }
 };
 
@@ -74,9 +74,10 @@ std::string WhyNot(const World& world, const PointMass& mass) {
   };
   if (std::any_of(world.joints.begin(), world.joints.end(), jointed) ||
       (mass.on == AnchorKind::kBody && IsPushed(world, mass.index)))
-    return "is held by a rod, or struck";
+    return "is held by a rod or pushed";
   if (spring->stiffness <= 0) return "is on a spring without stiffness";
-  if (!FixedPointOf(world, FarEnd(*spring, mass))) return "is on a spring to what moves";
+  if (!FixedPointOf(world, FarEnd(*spring, mass)))
+    return "is on a spring to something that moves";
   const OnSpring on = OnSpringOf(world, mass);
   const auto across = [&](const Eigen::Vector3d& v_W) {
     return v_W.cross(on.d_W).norm() > kAcross * v_W.norm();
@@ -84,8 +85,10 @@ std::string WhyNot(const World& world, const PointMass& mass) {
   // Written so that a mass at the fixed end, where the spring has no direction, is
   // refused.
   if (!(on.Amplitude() < on.rest)) return "reaches the other end of its spring";
-  if (across(mass.start.v_W) || across(mass.a_W)) return "is pulled or moves across it";
-  if (on.oscillator.omega * world.dt >= 2) return "is too stiffly held for this step";
+  if (across(mass.start.v_W) || across(mass.a_W))
+    return "moves or is accelerated across its spring";
+  if (on.oscillator.omega * world.dt >= 2)
+    return "is on a spring too stiff for this step";
   return "";
 }
 
@@ -94,7 +97,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (!faults.empty()) return faults;
   const std::vector<PointMass> masses = PointMassesOf(world, SubjectsOf(world, claim));
   if (masses.size() != 1)
-    return {{"about", fmt::format("are {} things", masses.size()), "one mass"}};
+    return {
+        {"about", fmt::format("are {} bodies or particles", masses.size()), "one mass"}};
   const std::string why = WhyNot(world, masses.front());
   if (!why.empty()) {
     return {{WhereAbout(claim, masses.front().name),
@@ -111,7 +115,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
                                  {"expected_sag", on.sag}});
 }
 
-/** Holds the motion against `truth(s)`, a swing at each sample, within `allowed(s)`. */
+/** Judges the motion by `truth(s)`, a swing at each sample, within `allowed(s)`. */
 template <typename Truth, typename Allowed>
 std::vector<Worst> JudgeBy(const Motion& motion, const OnSpring& on,
                            const std::string& because, const Truth& truth,
@@ -131,16 +135,16 @@ std::vector<Worst> JudgeBy(const Motion& motion, const OnSpring& on,
                   [&] {
                     return fmt::format(
                         "{} has {} at {} after {:.6g} s; with ω = {:.6g} rad/s and c = "
-                        "{:.6g}/s it swings to {}",
-                        motion.oracle.name, on.mass.name, FormatVector(is.p_W, 9), t,
-                        on.oscillator.omega, on.oscillator.damping, FormatVector(p_W, 9));
+                        "{:.6g}/s it is at {}",
+                        motion.oracle.name, on.mass.name, Words(is.p_W), t,
+                        on.oscillator.omega, on.oscillator.damping, Words(p_W));
                   });
     velocity.Take(
         (is.v_W - v_W).norm(),
         off.v + rounding * on.oscillator.omega * (on.p_W.norm() + on.rest + A), [&] {
-          return fmt::format("{} has {} move at {} after {:.6g} s; it swings at {}",
-                             motion.oracle.name, on.mass.name, FormatVector(is.v_W, 9), t,
-                             FormatVector(v_W, 9));
+          return fmt::format(
+              "{} has {} moving at {} after {:.6g} s; the exact swing moves at {}",
+              motion.oracle.name, on.mass.name, Words(is.v_W), t, Words(v_W));
         });
   }
   return {position, velocity};
@@ -177,11 +181,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           std::max({allowed[s].v, before.v, kSafety * std::abs(along[s].v - truth(s).v)});
     }
   }
-  const std::vector<Worst> found = JudgeBy(
-      motion, on,
-      "1.5 × the largest error so far of semi-implicit Euler and its adjoint, stepped "
-      "beside the truth, and 64 roundings a step",
-      truth, [&](std::size_t s) { return allowed[s]; });
+  const std::vector<Worst> found =
+      JudgeBy(motion, on,
+              "1.5 × the largest error so far of semi-implicit Euler and its adjoint, "
+              "stepped next to the truth, and 64 roundings per step",
+              truth, [&](std::size_t s) { return allowed[s]; });
   std::string_view recognised;
   if (AnyBeyond(found)) {
     for (const auto& [scheme, name] :
@@ -211,7 +215,7 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_frequenc
 
 constinit const Law kSpringOscillation = {
     "spring_oscillation",
-    "A mass on one spring to something fixed oscillates along it, damped or not.",
+    "A mass on one spring to a fixed point oscillates along it, damped or not.",
     kNumbers,
     Faults,
     Judge,

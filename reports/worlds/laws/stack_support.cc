@@ -17,7 +17,7 @@
 namespace touchstone {
 namespace {
 
-/** The levels from one on upwards. */
+/** Returns the levels from `level` upwards. */
 Subjects From(const std::vector<int>& levels, std::size_t level) {
   return {{levels.begin() + static_cast<std::ptrdiff_t>(level), levels.end()}, {}, {}};
 }
@@ -38,13 +38,13 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
     std::string why;
     if (!body.force_W.isZero(0) || IsPushed(world, levels[k]) ||
         IsHeld(world, AnchorKind::kBody, levels[k]))
-      why = "is pulled, struck or held";
+      why = "has a force, or is pushed or held";
     else if (!body.v_WB.isZero(0) || !body.w_WB.isZero(0))
       why = "moves at the start";
     else if (k > 0 && up_W.dot(body.placed.X_WB.p_WB -
                                world.bodies[static_cast<std::size_t>(levels[k - 1])]
                                    .placed.X_WB.p_WB) <= 0)
-      why = "is not above the one before";
+      why = "is not above its predecessor";
     if (why.empty()) continue;
     faults.push_back({WhereAbout(claim, body.name),
                       fmt::format("is {}, which {}", body.name, why),
@@ -67,10 +67,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const std::size_t last = trajectory.samples.size() - 1;
   const double T = trajectory.times[last] - trajectory.times[first];
   const Eigen::Vector3d up_W = -world.gravity_W.normalized();
-  Worst worst(
-      MeasureKind::kForceError,
-      "1.5 × the momentum that what is above gains, at most that of 2 g h a level, "
-      "over the time of the mean; and 64 roundings a step");
+  Worst worst(MeasureKind::kForceError,
+              "1.5 × the momentum gained by the levels carried, at most that of 2 g h a "
+              "level, over the time of the mean; and 64 roundings per step");
   for (std::size_t k = 0; k < levels.size(); ++k) {
     double impulse = 0;
     for (const ContactImpulse* contact : ImpulsesBetween(motion, first, last)) {
@@ -90,7 +89,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                [&] {
                  return fmt::format(
                      "{} holds {} from below with {:.9g} N on average from {:.6g} to "
-                     "{:.6g} s; what it carries weighs {:.9g} N",
+                     "{:.6g} s; it and the levels above weigh {:.9g} N",
                      motion.oracle.name,
                      world.bodies[static_cast<std::size_t>(levels[k])].name, impulse / T,
                      trajectory.times[first], trajectory.times[last], weight);
@@ -103,9 +102,9 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_weight"};
 
 }  // namespace
 
-constinit const Law kStackSupport = {
-    "stack_support",
-    "In a stack at rest each level carries what is above it; about names it from below.",
-    kNumbers, Faults, Judge};
+constinit const Law kStackSupport = {"stack_support",
+                                     "In a stack at rest each level carries everything "
+                                     "above it; about names the levels from below.",
+                                     kNumbers, Faults, Judge};
 
 }  // namespace touchstone

@@ -19,7 +19,7 @@
 namespace touchstone {
 namespace {
 
-/** How far one rotation is from another. */
+/** The difference between two rotations. */
 struct Apart {
   double angle = 0;  ///< [rad]
   double spin = 0;   ///< [rad/s]
@@ -44,7 +44,7 @@ TorqueFreeRotation TruthOf(const World& world, int index) {
           StartOf(world, index)};
 }
 
-/** The largest error of any first-order scheme up to each sample. */
+/** Returns the largest error of any first-order scheme up to each sample. */
 std::vector<Apart> SchemeErrors(const Motion& motion, int index,
                                 const std::vector<Rotation>& truth) {
   const World& world = motion.world;
@@ -63,7 +63,7 @@ std::vector<Apart> SchemeErrors(const Motion& motion, int index,
   return errors;
 }
 
-/** How far the truth moves where its spin is rounded as often as the motion is. */
+/** Returns how far the truth moves if its spin is rounded as often as the motion is. */
 std::vector<Apart> RoundingErrors(const Motion& motion, int index,
                                   const std::vector<Rotation>& truth) {
   const World& world = motion.world;
@@ -89,14 +89,14 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   for (const int i : subjects.bodies) {
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
     if (!IsHeld(world, AnchorKind::kBody, i) && !IsPushed(world, i)) continue;
-    faults.push_back({WhereAbout(claim, name),
-                      fmt::format("is {}, which a spring, a joint or a push turns", name),
-                      "a body without torque"});
+    faults.push_back(
+        {WhereAbout(claim, name),
+         fmt::format("is {}, which a spring, a joint or a push may rotate", name),
+         "a body without torque"});
   }
   if (!faults.empty() || claim.numbers.empty()) return faults;
   if (subjects.bodies.size() > 1) {
-    return {
-        {"numbers", "are given of several bodies", "one body, where numbers are given"}};
+    return {{"numbers", "are given for several bodies", "one body if numbers are given"}};
   }
   const TorqueFreeRotation truth = TruthOf(world, subjects.bodies.front());
   return FaultsOfNumbers(claim, {{"expected_rotational_energy", truth.energy()},
@@ -109,8 +109,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Trajectory& trajectory = motion.trajectory;
   const std::string because =
       "1.5 × the largest error so far of the first-order schemes for the gyroscopic "
-      "term, "
-      "stepped beside the truth, and 64 roundings a step as the truth magnifies them";
+      "term, stepped next to the truth, and 64 roundings per step as the truth amplifies "
+      "them";
   Worst orientation(MeasureKind::kOrientationError, because);
   Worst spin(MeasureKind::kSpinError, because);
   for (const int i : SubjectsOf(world, claim).bodies) {
@@ -122,20 +122,20 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const BodyState& is = trajectory.samples[s].bodies[static_cast<std::size_t>(i)];
       const Apart apart = Between({is.q_WB, is.w_WB}, truth[s]);
       const double own = RoundingOf(motion.oracle, StepsBefore(motion, s));
-      orientation.Take(
-          apart.angle, kSafety * schemes[s].angle + rounding[s].angle + own, [&] {
-            return fmt::format(
-                "{} has {} turned {:.9g} rad from where Euler's equations put it after "
-                "{:.6g} s",
-                motion.oracle.name, name, apart.angle, trajectory.times[s]);
-          });
+      orientation.Take(apart.angle, kSafety * schemes[s].angle + rounding[s].angle + own,
+                       [&] {
+                         return fmt::format(
+                             "{} has {} rotated {:.9g} rad from the orientation by "
+                             "Euler's equations after {:.6g} s",
+                             motion.oracle.name, name, apart.angle, trajectory.times[s]);
+                       });
       spin.Take(
           apart.spin,
           kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(), [&] {
             return fmt::format(
-                "{} has {} spin at {} rad/s after {:.6g} s; Euler's equations say {}",
-                motion.oracle.name, name, FormatVector(is.w_WB, 9), trajectory.times[s],
-                FormatVector(truth[s].w_WB, 9));
+                "{} has {} spinning at {} rad/s after {:.6g} s; Euler's equations say {}",
+                motion.oracle.name, name, Words(is.w_WB), trajectory.times[s],
+                Words(truth[s].w_WB));
           });
     }
   }
@@ -149,7 +149,7 @@ constexpr std::array<std::string_view, 3> kNumbers = {
 
 constinit const Law kTorqueFree = {
     "torque_free",
-    "A body without torque turns as Euler's equations say (Jacobi's elliptic functions).",
+    "A body without torque rotates by Euler's equations (Jacobi's elliptic functions).",
     kNumbers,
     Faults,
     Judge,

@@ -9,11 +9,11 @@ namespace {
 
 constexpr int kMostPasses = 200;
 
-/** Share of the tension within which a step of Newton's is taken as it is: where second
- differences of a double are lost, √2⁻⁵³, and a margin. [-] */
+/** A Newton step below this fraction of the tension is taken unchecked: second
+ differences of a double are lost there, √2⁻⁵³, with a safety factor. [-] */
 constexpr double kNear = 1e-6;
 
-/** Share of the tension that is rounding. [-] */
+/** Fraction of the tension that is rounding. [-] */
 constexpr double kRounding = 1e-15;
 
 std::vector<Eigen::Vector3d> TensionsFrom(const HangingChain& chain,
@@ -25,7 +25,7 @@ std::vector<Eigen::Vector3d> TensionsFrom(const HangingChain& chain,
   return tension_W;
 }
 
-/** The convex function whose minimum is the equilibrium. [J] */
+/** Returns the convex function whose minimum is the equilibrium. [J] */
 double Complementary(const HangingChain& chain, const Eigen::Vector3d& first_W) {
   const std::vector<Eigen::Vector3d> tension_W = TensionsFrom(chain, first_W);
   double sum = 0;
@@ -63,7 +63,8 @@ Eigen::Vector3d FirstTension(const HangingChain& chain) {
     const Eigen::Vector3d step_W = -slope.inverse() * off_W;
     double share = 1;
     double next = Complementary(chain, first_W + step_W);
-    // Near the minimum the function moves by less than its rounding, and Newton is right.
+    // Near the minimum the function changes by less than its rounding; Newton's step is
+    // right.
     while (!(next <= value) && share * step_W.norm() > kNear * first_W.norm()) {
       share /= 2;
       next = Complementary(chain, first_W + share * step_W);

@@ -7,8 +7,8 @@ namespace touchstone {
 PointState DampedFlight(const PointState& start, const Eigen::Vector3d& g_W, double c,
                         double t) {
   const double x = c * t;
-  // s/t and (t − s)/(c t²): by their series where the closed forms cancel; what is left
-  // out is x⁵/5040 of them.
+  // s/t and (t − s)/(c t²) by their series where the closed forms cancel; the truncation
+  // error is x⁵/5040 of them.
   const double s = x > 1e-2 ? -std::expm1(-x) / x
                             : 1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5)));
   const double r =

@@ -6,18 +6,17 @@
 
 namespace touchstone {
 
-/** Returns the flight after `t` [s] under gravity `g_W`, where velocity decays as exp(−c
- t): v̇ = g − c v, so that with s = (1 − exp(−c t))/c v = v₀ + s (g − c v₀),  x = x₀ + v₀ t
- + (g − c v₀) (t − s)/c. [m], [m/s] */
+/** Returns the state after `t` [s] of a flight under gravity `g_W` whose velocity decays
+ as exp(−c t): v̇ = g − c v. With s = (1 − exp(−c t))/c, v = v₀ + s (g − c v₀) and x = x₀ +
+ v₀ t + (g − c v₀) (t − s)/c. [m], [m/s] */
 PointState DampedFlight(const PointState& start, const Eigen::Vector3d& g_W, double c,
                         double t);
 
-/** How an engine of first order steps a damped flight. All are the same in the limit of
- short steps. */
+/** A first-order scheme for a damped flight. All agree in the limit of short steps. */
 struct FlightScheme {
-  bool damps_first;  ///< Velocity is damped before gravity adds to it.
-  bool moves_first;  ///< Position moves by the velocity that the step starts with.
-  bool linear;       ///< Velocity times 1 − c h, else times exp(−c h).
+  bool damps_first;  ///< Velocity is damped before gravity is added to it.
+  bool moves_first;  ///< Position moves by the velocity at the start of the step.
+  bool linear;       ///< Velocity is multiplied by 1 − c h, else by exp(−c h).
 };
 
 /** Returns every such scheme. */

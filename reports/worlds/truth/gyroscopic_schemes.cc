@@ -34,7 +34,7 @@ SteppedRotation::SteppedRotation(GyroscopicScheme scheme, const Eigen::Vector3d&
 }
 
 Eigen::Vector3d SteppedRotation::NextSpin() const {
-  // In the body frame of the start of the step, where I is diagonal.
+  // In the body frame at the start of the step, where I is diagonal.
   const Eigen::Vector3d w = state_.q_WB.conjugate() * state_.w_WB;
   const Eigen::Vector3d L = inertia_.cwiseProduct(w);
   const Eigen::Matrix3d I = inertia_.asDiagonal();
@@ -42,8 +42,9 @@ Eigen::Vector3d SteppedRotation::NextSpin() const {
     case GyroscopicScheme::kExplicit:
       return w - dt_ * w.cross(L).cwiseQuotient(inertia_);
     case GyroscopicScheme::kImplicit: {
-      // Newton's method on f(ω') = I (ω' − ω) + h ω' × I ω', from ω: three steps square
-      // the first error, of order h², to below rounding wherever the scheme is of use.
+      // Newton's method on f(ω') = I (ω' − ω) + h ω' × I ω', from ω. Each iteration
+      // squares the first error, of order h²: it is below rounding after three wherever
+      // the scheme is useful.
       Eigen::Vector3d next = w;
       for (int i = 0; i < 4; ++i) {
         const Eigen::Vector3d f =

@@ -7,13 +7,13 @@
 
 namespace touchstone {
 
-/** The ways in which engines of first order step Euler's equations. L = R I Rᵀ ω with the
- orientation at the start of the step. */
+/** The first-order schemes by which engines integrate Euler's equations. L = R I Rᵀ ω
+ with the orientation at the start of the step. */
 enum class GyroscopicScheme {
   kExplicit,          ///< I (ω' − ω) = −h ω × L.
   kImplicit,          ///< I (ω' − ω) = −h ω' × I ω', solved to rounding.
   kLinearlyImplicit,  ///< I ω' = L − h ω' × L.
-  kMomentum,  ///< The turn with ω, then ω' = R I⁻¹ Rᵀ L with the L of the start.
+  kMomentum,  ///< Rotates by ω, then ω' = R I⁻¹ Rᵀ L with the L of the start.
 };
 
 inline constexpr std::array<GyroscopicScheme, 4> kGyroscopicSchemes = {
@@ -23,9 +23,9 @@ inline constexpr std::array<GyroscopicScheme, 4> kGyroscopicSchemes = {
 /** Returns "explicit gyroscopic term", … */
 std::string_view NameOf(GyroscopicScheme scheme);
 
-/** A free body stepped by one of the schemes. The orientation then gains h ω' as q' ∝ q +
- ½ h ω' q, normalised: what it is off by beyond the exact turn, ω³h²t/12, belongs to the
- error of the order of the step too. */
+/** A free body stepped by one of the schemes. The orientation is then advanced by h ω' as
+ q' ∝ q + ½ h ω' q, normalised. The difference from the exact rotation, ω³h²t/12, also
+ belongs to the error of the order of the step. */
 class SteppedRotation {
  public:
   SteppedRotation(GyroscopicScheme scheme, const Eigen::Vector3d& inertia,

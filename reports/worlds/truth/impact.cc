@@ -15,8 +15,8 @@ Eigen::Matrix3d CrossMatrix(const Eigen::Vector3d& r) {
   return cross;
 }
 
-/** The direction of the impulse of friction and normal while the contact slips along
- `sign`. */
+/** Returns the impulse of normal and friction per unit of normal impulse while the
+ contact slips in the direction of `sign`. */
 InPlane Slipping(double sign, double friction) {
   return {1, -sign * friction};
 }
@@ -25,7 +25,7 @@ InPlane NewtonImpulse(const Eigen::Matrix2d& K, const InPlane& u, double restitu
                       double friction) {
   const InPlane sticking = -K.inverse() * InPlane((1 + restitution) * u.x(), u.y());
   if (std::abs(sticking.y()) <= friction * sticking.x()) return sticking;
-  // Of both directions of slip the one that the slip left over agrees with.
+  // Takes the direction of slip that agrees better with the remaining slip.
   InPlane best = sticking;
   double best_slip = -std::numeric_limits<double>::infinity();
   for (const double sign : {-1.0, 1.0}) {
@@ -46,9 +46,10 @@ InPlane PoissonImpulse(const Eigen::Matrix2d& K, const InPlane& start, double re
                        double friction) {
   InPlane u = start;
   InPlane J = InPlane::Zero();
-  double end = std::numeric_limits<double>::infinity();  // Of J_n, once compression ends.
+  // J_n at the end of restitution; known once compression ends.
+  double end = std::numeric_limits<double>::infinity();
   double sign = u.y() > 0 ? 1 : -1;
-  // What J_n does to the tangent and back at rest: sticks where friction can hold it.
+  // Ratio J_t/J_n that keeps a tangent at rest; it sticks if friction can supply that.
   const double hold = -K(0, 1) / K(1, 1);
   bool slips = u.y() != 0;
   InPlane along(1, hold);
@@ -62,7 +63,7 @@ InPlane PoissonImpulse(const Eigen::Matrix2d& K, const InPlane& start, double re
   } else {
     start_from_rest();
   }
-  // At most: slip stops, compression ends, restitution ends.
+  // At most three events: slip stops, compression ends, restitution ends.
   for (int piece = 0; piece < 4; ++piece) {
     const InPlane rate = K * along;
     double until = end - J.x();

@@ -14,7 +14,7 @@ JacobiElliptic Jacobi(double u, double m, double m1) {
     const double sech = 1 / std::cosh(u);
     return {std::tanh(u), sech, sech};
   }
-  // The mean doubles its digits: 16 halvings reach 1 from the smallest double.
+  // The mean doubles its digits: 16 iterations reach 1 from the smallest double.
   constexpr std::size_t kMost = 16;
   std::array<double, kMost> a{};
   std::array<double, kMost> c{};
@@ -28,7 +28,7 @@ JacobiElliptic Jacobi(double u, double m, double m1) {
     ++n;
     if (c[n] <= std::numeric_limits<double>::epsilon() * a[n]) break;
   }
-  // Whole periods 4K first: 2ⁿ aₙ u would lose their digits.
+  // Reduces whole periods 4K first: 2ⁿ aₙ u would lose their digits.
   const double reduced = std::remainder(u, 2 * std::numbers::pi / a[n]);
   double phi = std::ldexp(a[n] * reduced, static_cast<int>(n));
   for (; n > 0; --n) phi = (phi + std::asin(c[n] / a[n] * std::sin(phi))) / 2;
@@ -50,8 +50,7 @@ double CompleteEllipticK(double m1) {
 
 double CarlsonRF(double x, double y, double z) {
   double mean = (x + y + z) / 3;
-  // The series below leaves out terms of sixth order: 3e-3 to the sixth is below
-  // rounding.
+  // The series below omits terms of sixth order: 3e-3 to the sixth is below rounding.
   constexpr double kNear = 2e-3;
   while (std::max({std::abs(x - mean), std::abs(y - mean), std::abs(z - mean)}) >
          kNear * mean) {

@@ -6,7 +6,7 @@
 namespace touchstone {
 namespace {
 
-/** One thing with mass, wherever it comes from. */
+/** One body, particle or node as a mass. */
 struct Mass {
   double mass;
   PointState at;

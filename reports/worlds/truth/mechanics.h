@@ -12,7 +12,8 @@ namespace touchstone {
  [kg m²] */
 Eigen::Matrix3d InertiaInWorld(const RigidBody& body, const Eigen::Quaterniond& q_WB);
 
-/** The state that the world file itself gives: what every trajectory starts from. */
+/** Returns the state that the world file specifies, from which every trajectory
+ starts. */
 WorldState StateAtStart(const World& world);
 
 /** Returns the total mass of the subjects. [kg] */
@@ -22,11 +23,11 @@ double MassOf(const World& world, const Subjects& subjects);
 Eigen::Vector3d MomentumOf(const World& world, const WorldState& state,
                            const Subjects& subjects);
 
-/** Returns Σ m |v| of the subjects: the size of what MomentumOf() adds up. [N s] */
+/** Returns Σ m |v| of the subjects: the magnitude of the terms of MomentumOf(). [N s] */
 double MomentumSize(const World& world, const WorldState& state,
                     const Subjects& subjects);
 
-/** Returns the common centre of mass of the subjects. [m] */
+/** Returns the centre of mass of the subjects. [m] */
 Eigen::Vector3d CentreOf(const World& world, const WorldState& state,
                          const Subjects& subjects);
 
@@ -35,26 +36,26 @@ Eigen::Vector3d CentreOf(const World& world, const WorldState& state,
 Eigen::Vector3d AngularMomentumOf(const World& world, const WorldState& state,
                                   const Subjects& subjects, const Eigen::Vector3d& c_W);
 
-/** Returns Σ |x − c| m |v| + |R I Rᵀ ω|: the size of what AngularMomentumOf() adds up.
- [N m s] */
+/** Returns Σ |x − c| m |v| + |R I Rᵀ ω|: the magnitude of the terms of
+ AngularMomentumOf(). [N m s] */
 double AngularMomentumSize(const World& world, const WorldState& state,
                            const Subjects& subjects, const Eigen::Vector3d& c_W);
 
-/** The energy of some things, and how fast it changes its form. */
+/** The energy of some things, and its rate of conversion. */
 struct Energy {
   double kinetic = 0;    ///< Σ ½ m v² + ½ ω·L. [J]
   double potential = 0;  ///< −Σ (m g + F)·x + Σ ½ k (|p_AB| − L)². [J]
-  double power = 0;      ///< dU/dt: how fast kinetic becomes potential energy. [W]
-  double size = 0;       ///< Sum of the absolute terms. [J]
+  double power = 0;  ///< dU/dt, the rate at which kinetic becomes potential energy. [W]
+  double size = 0;   ///< Sum of the absolute terms. [J]
 
   double total() const { return kinetic + potential; }
 };
 
-/** Returns the energy of the subjects with that of the springs and cloths among them and
- between them and what never moves. */
+/** Returns the energy of the subjects, with the energies of the springs and cloths among
+ them and of the springs that join them to anything else. */
 Energy EnergyOf(const World& world, const WorldState& state, const Subjects& subjects);
 
-/** Where an anchor is and how it moves. */
+/** Returns the position and velocity of an anchor. */
 PointState StateOf(const World& world, const WorldState& state, const Anchor& anchor);
 
 /** A spring between two nodes of one cloth. */
@@ -66,13 +67,13 @@ struct ClothSpring {
   double rest_length = 0;  ///< [m]
 };
 
-/** Returns the springs of `cloth`, whose rest lengths are the distances at the start. */
+/** Returns the springs of `cloth`; their rest lengths are the distances at the start. */
 std::vector<ClothSpring> SpringsOf(const Cloth& cloth);
 
-/** Returns where node (row, column) of `cloth` starts. [m] */
+/** Returns the position of node (row, column) of `cloth` at the start. [m] */
 Eigen::Vector3d NodeAtStart(const Cloth& cloth, int row, int column);
 
-/** Returns whether node `node` of `cloth` never moves. */
+/** Returns whether node `node` of `cloth` is pinned. */
 bool IsPinned(const Cloth& cloth, int node);
 
 }  // namespace touchstone

@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kMostPasses = 500;
 
-/** Share of the size within which a step of Newton's is taken as it is: where second
- differences of a double are lost, √2⁻⁵³, and a margin. [-] */
+/** A Newton step below this fraction of the size is taken unchecked: second differences
+ of a double are lost there, √2⁻⁵³, with a safety factor. [-] */
 constexpr double kNear = 1e-6;
 
-/** Row of each point's x in the vectors; −1 where it is fixed. */
+/** Returns the row of each point's x in the vectors; −1 if the point is fixed. */
 std::vector<int> RowsOf(const Net& net) {
   std::vector<int> rows;
   int next = 0;
@@ -117,7 +117,7 @@ Net::Points Net::Minimum(Points points_W) const {
           if (rows[i] >= 0) next[i] += step.segment<3>(rows[i]);
         }
         const double lower = EnergyAt(next);
-        // Near the minimum U moves by less than its rounding, and Newton is right.
+        // Near the minimum U changes by less than its rounding; Newton's step is right.
         falls = lower <= energy || moved <= kNear * size;
         if (falls) {
           energy = lower;
@@ -146,7 +146,7 @@ double Decay::LeftAfter(double t) const {
   for (const double w2 : frequencies2) {
     const double m2 = g * g - w2;
     const double m = std::sqrt(std::abs(m2));
-    if (m2 > 0 && m * t > 20) {  // sinh is half of exp, asinh the logarithm of twice.
+    if (m2 > 0 && m * t > 20) {  // sinh ≈ ½ exp, and asinh(x) ≈ log(2 x).
       most = std::max(most, std::log(g / m) + m * t);
     } else if (m * t < 1e-4) {
       most = std::max(most, std::asinh(g * t));
@@ -171,7 +171,7 @@ Decay Net::DecayAbout(const Points& points_W, double damping) const {
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
           .eigenvalues();
   Decay decay{damping / 2, {}};
-  // Ascending. At a minimum none is negative but by rounding.
+  // Ascending. At a minimum only rounding makes one negative.
   for (const double w2 : frequencies2) decay.frequencies2.push_back(std::max(0.0, w2));
   return decay;
 }

@@ -6,10 +6,10 @@
 namespace touchstone {
 namespace {
 
-/** Times that links are looked at: a second or so. */
+/** Most evaluations of a link: about a second of work. */
 constexpr double kMostLooks = 1e8;
 
-/** Minima nearer than this share of the size are one. */
+/** Distance of minima that count as equal, over their size. [-] */
 constexpr double kSamePlace = 1e-6;
 
 /** Positions and velocities of a net's points, or their rates. */
@@ -49,8 +49,8 @@ Phase RateOf(const Net& net, std::span<const double> drag, const Phase& at) {
   return rate;
 }
 
-/** A bound of how fast anything swings or dies: by Gershgorin's circles, links pull with
- twice their stiffness at either end. [1/s] */
+/** Returns an upper bound of the rate at which anything oscillates or decays: by
+ Gershgorin's circles, a link counts twice its stiffness at either end. [1/s] */
 double FastestRate(const Net& net, std::span<const double> drag) {
   std::vector<double> stiffness(net.mass.size());
   std::vector<double> damping(net.mass.size());
@@ -95,7 +95,7 @@ std::optional<Net::Points> RestAfter(const Net& net, std::span<const double> dra
   const Net::Points rest_W = rest(static_cast<int>(steps));
   const Net::Points finer_W = rest(2 * static_cast<int>(steps));
   for (std::size_t i = 0; i < rest_W.size(); ++i) {
-    // Written so that a NaN is nowhere.
+    // Written so that a NaN yields no minimum.
     if (!((finer_W[i] - rest_W[i]).norm() <= kSamePlace * (1 + rest_W[i].norm())))
       return {};
   }

@@ -7,13 +7,13 @@
 
 namespace touchstone {
 
-/** Returns the minimum of the energy in whose hollow the points of `net` are after
- `duration` [s], from `points_W` and `velocities_W`, with drag[i] [1/s] the rate at which
- point i slows.
+/** Returns the energy minimum whose basin contains the points of `net` after `duration`
+ [s], from `points_W` and `velocities_W`; drag[i] [1/s] is the rate at which the velocity
+ of point i decays.
 
- By the classical scheme of Runge and Kutta, a quarter of the shortest swing's radian a
- step. Nothing where half that step leads to another hollow, so that which one is not
- known, or where there are more steps than can be waited for. */
+ Integrated by the classical Runge-Kutta scheme in steps of a quarter radian of the
+ fastest oscillation. Empty if half that step leads to another basin, so that the basin is
+ uncertain, or if the number of steps is too large. */
 std::optional<Net::Points> RestAfter(const Net& net, std::span<const double> drag,
                                      const Net::Points& points_W,
                                      const Net::Points& velocities_W, double duration);

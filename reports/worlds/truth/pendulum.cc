@@ -8,7 +8,7 @@
 namespace touchstone {
 namespace {
 
-/** F(φ | m) for sin φ = s, cos φ >= 0. */
+/** Returns F(φ | m) for sin φ = s, cos φ >= 0. */
 double EllipticF(double s, double m) {
   return s * CarlsonRF(1 - s * s, 1 - m * s * s, 1);
 }
@@ -27,7 +27,8 @@ Pendulum::Pendulum(double omega, const PendulumAngle& start) : omega_(omega) {
   if (swings_) {
     const double root = std::sqrt(m_);
     const double F = EllipticF(s / root, m_);
-    // cn has the sign of the rate: the other half of the swing where it is negative.
+    // cn has the sign of the rate: it is the other half of the swing if the rate is
+    // negative.
     u0_ = start.rate < 0 ? 2 * CompleteEllipticK(m1_) - F : F;
   } else {
     // ½θ is the amplitude itself, within (−π/2, π/2].

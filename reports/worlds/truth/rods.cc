@@ -8,14 +8,14 @@
 namespace touchstone {
 namespace {
 
-/** The share of a rod's error that Baumgarte's term takes away in a step: the default of
+/** Fraction of a rod's error that Baumgarte's term removes in a step: the default of
  engines. [-] */
 constexpr double kBaumgarteShare = 0.2;
 
-/** Columns of the extrapolation: twice as many orders. */
+/** Columns of the extrapolation; the order is twice that. */
 constexpr int kColumns = 8;
 
-/** One rod as it lies: from its end a to its end b. */
+/** The vector from a rod's end a to its end b, and its rate. */
 struct Lying {
   Eigen::Vector3d d_W;
   Eigen::Vector3d v_W;
@@ -28,7 +28,7 @@ Lying LyingOf(const Rod& rod, const std::vector<PointState>& state) {
   return {b.p_W - a.p_W, b.v_W - a.v_W};
 }
 
-/** d_i J M⁻¹ Jᵀ of unit impulses along the rods `d`. */
+/** Returns J M⁻¹ Jᵀ for rods with the vectors `d`. */
 Eigen::MatrixXd Responses(const RodSystem& system,
                           const std::vector<Eigen::Vector3d>& d) {
   const std::size_t n = system.rods.size();
@@ -49,7 +49,8 @@ Eigen::MatrixXd Responses(const RodSystem& system,
   return K;
 }
 
-/** Returns what the impulses `lambda` along the rods `d` add to each point's velocity. */
+/** Returns the velocity change of each point by the impulses `lambda` along the rods
+ `d`. */
 std::vector<Eigen::Vector3d> Kicks(const RodSystem& system,
                                    const std::vector<Eigen::Vector3d>& d,
                                    const Eigen::VectorXd& lambda) {
@@ -83,7 +84,7 @@ void Add(double factor, const Rates& rates, std::vector<PointState>& state) {
   }
 }
 
-/** Gragg's modified midpoint over `H` in `n` (even) parts. */
+/** Gragg's modified midpoint method over `H` in `n` (even) parts. */
 std::vector<PointState> Midpoint(const RodSystem& system,
                                  const std::vector<PointState>& start, double H, int n) {
   const double h = H / n;
@@ -108,7 +109,7 @@ std::vector<PointState> Midpoint(const RodSystem& system,
 
 std::vector<PointState> Extrapolated(const RodSystem& system,
                                      const std::vector<PointState>& start, double H) {
-  // Aitken and Neville in h², for 2, 4, 6, … parts.
+  // Aitken-Neville extrapolation in h², for 2, 4, 6, … parts.
   std::vector<std::vector<PointState>> row;
   for (int k = 0; k < kColumns; ++k) {
     std::vector<PointState> next = Midpoint(system, start, H, 2 * (k + 1));
@@ -138,7 +139,7 @@ std::vector<Eigen::Vector3d> RodSystem::Accelerations(
   for (std::size_t i = 0; i < rods.size(); ++i) {
     const Lying lying = LyingOf(rods[i], state);
     d.push_back(lying.d_W);
-    // Gravity moves both ends alike, but for a fixed one.
+    // Gravity accelerates both ends alike, except a fixed end.
     const double falling = rods[i].b < 0 ? lying.d_W.dot(-g_W) : 0;
     b[static_cast<int>(i)] = -lying.v_W.squaredNorm() - falling;
   }
@@ -180,7 +181,7 @@ void StepRods(RodScheme scheme, const RodSystem& system, double h,
     state[i].p_W += h * state[i].v_W;
   }
   if (scheme != RodScheme::kProjected) return;
-  // Newton's method along where the rods lay; each pass squares the error.
+  // Newton's method along the current rods; each pass squares the error.
   for (int pass = 0; pass < 8; ++pass) {
     for (std::size_t i = 0; i < system.rods.size(); ++i) {
       const double length = system.rods[i].length;

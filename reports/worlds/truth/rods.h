@@ -8,7 +8,7 @@
 
 namespace touchstone {
 
-/** A massless rod between two points of a RodSystem, or from one to a fixed place. */
+/** A massless rod between two points of a RodSystem, or from one to a fixed point. */
 struct Rod {
   int a = 0;
   int b = -1;  ///< −1: fixed, at `p_W`.
@@ -16,28 +16,29 @@ struct Rod {
   double length = 0;  ///< [m], > 0
 };
 
-/** Points with mass that rods hold, under gravity. */
+/** Points with mass that are held by rods, under gravity. */
 struct RodSystem {
   std::vector<double> mass;  ///< [kg], > 0
   std::vector<Rod> rods;
   Eigen::Vector3d g_W;  ///< [m/s²]
 
-  /** Returns the accelerations: g + M⁻¹ Jᵀ λ, where λ keeps d·(a_b − a_a) = −|v_b − v_a|²
-   of every rod d = p_b − p_a. [m/s²] */
+  /** Returns the accelerations g + M⁻¹ Jᵀ λ, where λ ensures d·(a_b − a_a) = −|v_b −
+   v_a|² for every rod d = p_b − p_a. [m/s²] */
   std::vector<Eigen::Vector3d> Accelerations(const std::vector<PointState>& state) const;
 
-  /** Returns the motion after `t` [s], to some 1e-13 of its size: Gragg's method, its
-   midpoint sums extrapolated to order 16 (Hairer, Nørsett, Wanner, Solving Ordinary
-   Differential Equations I, 2nd ed., II.9), in steps of a fiftieth of √(L/g). */
+  /** Returns the motion after `t` [s], to about 1e-13 of its size. Gragg's method with
+   its midpoint sums extrapolated to order 16 (Hairer, Nørsett, Wanner, Solving Ordinary
+   Differential Equations I, 2nd ed., II.9), in steps of L/(50 max(√(g L), |v|)) for the
+   shortest rod and the largest initial speed. */
   std::vector<PointState> After(const std::vector<PointState>& start, double t) const;
 };
 
-/** How an engine of first order keeps rods: v += h g, then velocities along rods are
- ended, and x += h v. */
+/** A first-order scheme for rods: v += h g, then velocities along rods are removed, and x
+ += h v. */
 enum class RodScheme {
-  kVelocity,   ///< No more than that: rods grow by ½ v² h²/L a step.
-  kBaumgarte,  ///< A fifth of the error a step is added to the velocity.
-  kProjected,  ///< Positions are put back onto the lengths.
+  kVelocity,   ///< Nothing else: rods grow by ½ v² h²/L per step.
+  kBaumgarte,  ///< A fifth of the error per step is added to the velocity.
+  kProjected,  ///< Positions are projected back onto the lengths.
 };
 
 inline constexpr std::array kRodSchemes = {RodScheme::kVelocity, RodScheme::kBaumgarte,

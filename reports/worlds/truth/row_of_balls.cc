@@ -8,10 +8,11 @@
 namespace touchstone {
 namespace {
 
-/** Approach that is rounding, over the largest speed. [-] */
+/** Closing speed that counts as rounding, over the largest speed. [-] */
 constexpr double kStill = 1e-12;
 
-/** Bounds what never ends: e < 1 makes infinitely many ever weaker impacts. */
+/** Bound for a series that never ends: e < 1 makes infinitely many ever weaker
+ impacts. */
 constexpr int kMostImpacts = 10000;
 
 double Gap(const std::vector<RowBall>& balls, std::size_t i) {
@@ -97,7 +98,7 @@ bool RowOfBalls::ResolveAtOnce(std::vector<RowBall>& balls) const {
   if (!any) return false;
   // Projected Gauss-Seidel to rounding: the chain's matrix is tridiagonal and positive.
   std::vector<double> impulse(balls.size(), 0);
-  for (int sweep = 0; sweep < kMostImpacts; ++sweep) {
+  for (int iteration = 0; iteration < kMostImpacts; ++iteration) {
     double moved = 0;
     for (std::size_t i = 0; i + 1 < balls.size(); ++i) {
       if (!Touches(balls, i)) continue;

@@ -12,43 +12,44 @@ struct RowBall {
   double v;       ///< [m/s]
 };
 
-/** How impacts in which several pairs touch at once are resolved. All keep momentum, all
- are used; only experiments tell them apart. */
+/** The rules for impacts in which several pairs touch at once. All conserve momentum and
+ all are in use; only experiments can decide between them. */
 enum class RowRule {
   kFromFirst,     ///< One pair after another, always the first that approaches.
   kFromLast,      ///< The same, always the last.
   kSimultaneous,  ///< All at once: 0 <= λ ⊥ u' + e u >= 0, Newton's rule as one equation.
 };
 
-/** Balls on one line that hit each other, from event to event.
+/** The motion of balls on one line that hit each other, computed from event to event.
 
- A pair leaves with e times the speed it came with. N equal balls that touch, the first of
- which comes with v, e = 1: one after another (0, …, 0, v); at once (2−N, 2, …, 2) v/N.
- Both keep momentum and energy. */
+ A pair leaves an impact with e times its closing speed. Let N equal balls touch, the
+ first of which arrives at v, with e = 1. Sequential impacts yield (0, …, 0, v),
+ simultaneous ones (2−N, 2, …, 2) v/N. Both conserve momentum and energy. */
 class RowOfBalls {
  public:
-  /** `restitution[i]` is that of balls i and i + 1; `touching` [m] is the gap up to which
-   they touch.
-   @pre The balls are in the order of x, and do not overlap by more than `touching`. */
+  /** `restitution[i]` is that of balls i and i + 1; `touching` [m] is the largest gap of
+   balls that touch.
+
+   @pre The balls are in the order of x and overlap by at most `touching`. */
   RowOfBalls(std::vector<RowBall> balls, std::vector<double> restitution, double touching,
              RowRule rule);
 
   /** Returns the balls after `t` >= 0 [s]. */
   std::vector<RowBall> At(double t) const;
 
-  /** Returns the balls after their last impact, where they were then. */
+  /** Returns the balls just after their last impact. */
   const std::vector<RowBall>& last() const { return moments_.back().balls; }
 
-  /** Returns when the last impact is; 0 where there is none. [s] */
+  /** Returns the time of the last impact; 0 if there is none. [s] */
   double end() const { return moments_.back().time; }
 
-  /** What impacts have done. */
+  /** The accumulated effect of impacts. */
   struct Past {
-    int moments;    ///< At how many times balls met.
+    int moments;    ///< Number of times at which balls hit each other.
     double change;  ///< Σ |Δv| of all balls. [m/s]
   };
 
-  /** Returns what happened up to `t`. */
+  /** Returns the effect of the impacts up to `t`. */
   Past PastAt(double t) const;
 
   /** The row just after an impact. */

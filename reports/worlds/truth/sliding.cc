@@ -8,7 +8,8 @@
 namespace touchstone {
 namespace {
 
-/** What brakes evenly from `speed` >= 0: its speed and its way after `t`. */
+/** Distance and speed after `t` of a body that decelerates uniformly from `speed` >=
+ 0. */
 struct Braked {
   double travelled;
   double speed;

@@ -20,15 +20,15 @@ constexpr std::array<std::array<double, 2>, 5> kGauss = {{
     {0.973906528517171720, 0.066671344308688138},
 }};
 
-/** Turns by the rotation vector `angle` [rad]. */
+/** Returns the rotation by the rotation vector `angle` [rad]. */
 Eigen::Quaterniond Turn(const Eigen::Vector3d& angle) {
   const double size = angle.norm();
   if (size == 0) return Eigen::Quaterniond::Identity();
   return Eigen::Quaterniond(Eigen::AngleAxisd(size, angle / size));
 }
 
-/** A body frame whose last column is the direction of L and whose first leans to axis a:
- it follows L as that moves through the body. */
+/** Returns a body frame whose last column is the direction of L and whose first column
+ leans towards axis a: it follows L as L moves through the body. */
 Eigen::Matrix3d FrameOf(const Eigen::Vector3d& L_B, int a) {
   Eigen::Matrix3d frame;
   frame.col(2) = L_B.normalized();
@@ -47,7 +47,7 @@ TorqueFreeRotation::TorqueFreeRotation(const Eigen::Vector3d& inertia,
   const Eigen::Vector3d L = inertia.cwiseProduct(w);
   L_W_ = start.q_WB * L;
   energy_ = w.dot(L) / 2;
-  // Below a rounding of its terms, the torque w × L is that of the file's own digits.
+  // A torque w × L below a rounding of its terms comes from the digits of the file.
   steady_ = w.cross(L).norm() <=
             4 * std::numeric_limits<double>::epsilon() * w.norm() * L.norm();
   if (steady_) return;
@@ -109,10 +109,10 @@ double TorqueFreeRotation::PrecessionRate(double t) const {
 }
 
 double TorqueFreeRotation::Precession(double from, double to) const {
-  // The integrand's nearest poles in u are those of the elliptic functions, K' >= π/2
-  // away from the real axis, and those where L_b² + L_c² = 0, at dn u = |L|/(I_a A):
-  // about √(I_c (I_a−I_b)/(I_a (I_b−I_c))). On panels half as wide, ten points leave
-  // 1e-17.
+  // The integrand has two kinds of nearest poles in u. Those of the elliptic functions
+  // are K' >= π/2 away from the real axis. Those where L_b² + L_c² = 0, at dn u =
+  // |L|/(I_a A), are about √(I_c (I_a−I_b)/(I_a (I_b−I_c))) away. On panels half as wide,
+  // ten points leave 1e-17.
   const double pole = std::sqrt(std::abs(inertia_[c_] * (inertia_[a_] - inertia_[b_]) /
                                          (inertia_[a_] * (inertia_[b_] - inertia_[c_]))));
   const double width = std::min(1.0, pole) / 2;

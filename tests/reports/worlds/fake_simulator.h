@@ -7,7 +7,7 @@
 
 namespace touchstone {
 
-/** An oracle of worlds made of a function, so that an error can be planted. */
+/** An oracle for worlds that is made of a function, so that an error can be planted. */
 class FakeSimulator : public Oracle {
  public:
   using Function = std::function<Trajectory(const World&)>;
@@ -26,8 +26,8 @@ class FakeSimulator : public Oracle {
   Function function_;
 };
 
-/** Returns the closed form of the free flight of bodies that turn at a constant spin, as
- spheres do, with `off(t)` [m] added to every position at t [s]. */
+/** Returns the closed form of the free flight of bodies that rotate at a constant spin,
+ as spheres do, with `off(t)` [m] added to every position at t [s]. */
 Trajectory FreeFlight(const World& world,
                       const std::function<Eigen::Vector3d(double)>& off = {});
 

@@ -4,9 +4,9 @@
 
 namespace touchstone {
 
-/** Integrates ẏ = f(y) over `t` [s] by the classical method of fourth order with `steps`
- and with twice as many steps, extrapolated: of fifth order, independent of every truth it
- is held against. */
+/** Integrates ẏ = f(y) over `t` [s] by the classical fourth-order Runge-Kutta method,
+ with `steps` and with twice as many steps, extrapolated to fifth order. It is independent
+ of every truth that is compared with it. */
 template <typename Vector, typename Field>
 Vector Integrated(const Field& f, const Vector& start, double t, int steps) {
   const auto run = [&](int n) {

@@ -16,8 +16,8 @@ World FlyingBox() {
   return world;
 }
 
-/** Free flight by the scheme that moves with the share `early` of the new velocity: 1 is
- semi-implicit Euler, 0 explicit. */
+/** Free flight by a scheme that moves by a fraction `early` of the new velocity and the
+ rest of the old: 1 is semi-implicit Euler, 0 explicit Euler. */
 Trajectory Flown(const World& world, double early, double g_scale = 1) {
   return Stepped(world, [&, early, g_scale](WorldState& state) {
     const auto fly = [&](Eigen::Vector3d& p, Eigen::Vector3d& v,
@@ -35,7 +35,7 @@ Trajectory Flown(const World& world, double early, double g_scale = 1) {
 
 const Claim kClaim = ClaimOf("ballistic");
 
-TEST(Ballistic, AllSchemesOfFirstOrderAndBetterPass) {
+TEST(Ballistic, AllFirstOrderSchemesAndTheMidpointPass) {
   const World world = FlyingBox();
   for (const double early : {0.0, 0.5, 1.0})
     EXPECT_TRUE(Passes(Judge(world, Flown(world, early), kClaim)));
@@ -75,7 +75,7 @@ TEST(Ballistic, FindsVelocityDampedEachStep) {
   EXPECT_TRUE(Finds(findings, MeasureKind::kPositionError));
 }
 
-TEST(Ballistic, ABlowAddsItsShareOfVelocity) {
+TEST(Ballistic, APushAddsItsImpulseOverTheMass) {
   World world = FlyingBox();
   world.pushes = {{0, 0.5, Eigen::Vector3d::Zero(), {1.5, -0.5, 2}}};
   int step = 0;
@@ -90,7 +90,7 @@ TEST(Ballistic, ABlowAddsItsShareOfVelocity) {
   };
   const Claim claim = ClaimOf("ballistic", {"box"});
   EXPECT_TRUE(Passes(Judge(world, pushed(1 / 2.5), claim)));
-  // Not divided by the mass.
+  // Wrong: the impulse is not divided by the mass.
   EXPECT_TRUE(Finds(Judge(world, pushed(1), claim), MeasureKind::kVelocityError));
 }
 
@@ -107,7 +107,7 @@ TEST(Ballistic, RoundingIsThatOfTheEngine) {
   EXPECT_TRUE(Finds(Judge(world, rounded, claim), MeasureKind::kVelocityError));
 }
 
-TEST(Ballistic, RefusesWhatIsHeldDampedUnknownOrStatic) {
+TEST(Ballistic, RefusesHeldDampedUnknownAndStaticSubjects) {
   World world = FlyingBox();
   world.bodies.push_back(GroundOf());
   EXPECT_EQ(FaultsOf(world, ClaimOf("ballistic", {"ground"})).size(), 1U);

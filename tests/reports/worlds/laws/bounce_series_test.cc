@@ -20,7 +20,7 @@ World DroppedBall(double e, double dt = 1.0 / 240, int seconds = 6) {
   return world;
 }
 
-/** `leave` returns the velocity after a step in contact, of that before and of gh. */
+/** `leave` returns the velocity after a step in contact, from the one before and g h. */
 template <typename Leave>
 Trajectory Bounced(const World& world, const Leave& leave) {
   return Stepped(world, [&world, leave](WorldState& state) {
@@ -62,7 +62,7 @@ TEST(VerticalBounces, HasTheClosedFormsOfTheSeries) {
   EXPECT_NEAR(truth.impact_speed(), 4.429446918, 1e-9);
   EXPECT_NEAR(truth.total_time(), 4.063712769, 1e-9);
   EXPECT_EQ(truth.At(5).gap, 0);
-  // The apex of the n-th flight is e²ⁿ, half its time after its start.
+  // The apex of the n-th flight is e²ⁿ, half a flight after its start.
   double start = truth.first_impact();
   for (int n = 1; n < 8; ++n) {
     const double flight = 2 * truth.impact_speed() * std::pow(0.8, n) / g;
@@ -97,8 +97,8 @@ TEST(VerticalBounces, AgreesWithAnEventLoop) {
 }
 
 TEST(BounceSeries, FindsAWrongFallInTheFewStepsBeforeTheFirstImpact) {
-  // 0.45 s are 27 steps of 1/60 s, of which half a step's fall is 4 %: more than is
-  // planted.
+  // 0.45 s are 27 steps of 1/60 s. Half a step's fall is 4 % of that, more than the
+  // planted error.
   const World world = DroppedBall(0.8, 1.0 / 60);
   const auto after = [&](double slower, double later) {
     return Sampled(world, [&, slower, later](double t) {
@@ -144,7 +144,7 @@ TEST(BounceSeries, RecognisesTheRuleThatReflectsAfterGravity) {
 }
 
 TEST(BounceSeries, DoesNotRecogniseARuleThatNoBounceShows) {
-  // With e = 0 both rules leave nothing.
+  // With e = 0 both rules leave no speed.
   const World world = DroppedBall(0);
   Trajectory lifted = ReflectingAfterGravity(world, 0);
   for (std::size_t s = 1; s < lifted.samples.size(); ++s)
@@ -153,7 +153,7 @@ TEST(BounceSeries, DoesNotRecogniseARuleThatNoBounceShows) {
       Finds(Judge(world, lifted, ClaimOf("bounce_series")), MeasureKind::kPositionError));
 }
 
-TEST(BounceSeries, ExcusesOnlyThePlaceThatTheRuleLeadsTo) {
+TEST(BounceSeries, RecognisesOnlyThePositionsOfTheRule) {
   const World world = DroppedBall(1, 1.0 / 240, 20);
   const Trajectory right = ReflectingAfterGravity(world, 1);
   for (const Eigen::Vector3d& off :
@@ -188,7 +188,7 @@ TEST(BounceSeries, FindsRestitutionOffByATenth) {
 }
 
 TEST(BounceSeries, MeasuresTheRestitutionOfExactFlightsToRounding) {
-  // Gravity alone changes the speeds around a blow by up to g Δt/V, 4 % at 1/60 s.
+  // Gravity alone changes the speeds around an impact by up to g Δt/V, 4 % at 1/60 s.
   for (const double e : {0.0, 0.5, 0.8, 1.0}) {
     for (const double dt : {1.0 / 60, 0.01, 1.0 / 240, 1e-3}) {
       const World world = DroppedBall(e, dt, 2);
@@ -199,9 +199,9 @@ TEST(BounceSeries, MeasuresTheRestitutionOfExactFlightsToRounding) {
   }
 }
 
-TEST(BounceSeries, MeasuresTheRestitutionOfALateBlowButFindsItsPlace) {
-  // It falls 0.2 m into the ground: later by more than the tolerance of the place allows,
-  // V h = 2 cm.
+TEST(BounceSeries, MeasuresTheRestitutionOfALateImpactButFindsItsPosition) {
+  // It falls 0.2 m into the ground: later than the tolerance of the position allows, V h
+  // = 2 cm.
   World world = DroppedBall(0.8, 1.0 / 240, 1);
   const VerticalBounces late({1.2, 0}, 9.82, 0.8);
   const Trajectory sunk = Sampled(world, [&](double t) {
@@ -215,8 +215,8 @@ TEST(BounceSeries, MeasuresTheRestitutionOfALateBlowButFindsItsPlace) {
   EXPECT_TRUE(Finds(findings, MeasureKind::kPositionError));
 }
 
-TEST(BounceSeries, FindsRestitutionOffByLessThanGravityDoesToTheSamples) {
-  // Off by 0.03. Gravity takes g Δt/V = 0.037 from either sample, four steps apart.
+TEST(BounceSeries, FindsARestitutionErrorBelowGravitysEffectOnTheSamples) {
+  // Off by 0.03. Gravity changes either sample by g Δt/V = 0.037, four steps apart.
   World world = DroppedBall(0.5, 1.0 / 240, 1);
   world.sample_every = 4;
   EXPECT_TRUE(Finds(Judge(world, Exactly(world, 0.53), ClaimOf("bounce_series")),
@@ -229,9 +229,9 @@ TEST(BounceSeries, FindsABodyThatDoesNotBounce) {
                     MeasureKind::kRestitution));
 }
 
-TEST(BounceSeries, LetsAnEngineLiftWhatSankIn) {
-  // That raises the flight after the blow, by V h at most, and so moves where it meets
-  // the one before by h/(1 + e).
+TEST(BounceSeries, AllowsDepthCorrection) {
+  // That raises the flight after the impact by V h at most, and so moves its intersection
+  // with the one before by h/(1 + e).
   for (const double e : {0.05, 0.1, 0.2, 0.5, 0.8}) {
     for (int k = 0; k < 40; ++k) {
       World world = DroppedBall(e, 1.0 / 240, 2);
@@ -253,9 +253,9 @@ TEST(BounceSeries, LetsAnEngineLiftWhatSankIn) {
   }
 }
 
-TEST(BounceSeries, FindsABodyThatDoesNotBounceWhereverItsBlowIsBetweenSamples) {
-  // The flight that would lead to where it lies leaves with g (Δt − τ): 0.1 of V if it is
-  // at its top there. world/bounce/restitution_sweep has these numbers.
+TEST(BounceSeries, FindsABodyThatDoesNotBounceAtAnyPhaseOfItsImpact) {
+  // A flight that leads to where it lies would leave with g (Δt − τ): 0.1 of V if its
+  // apex is there. world/bounce/restitution_sweep has these numbers.
   for (const double height : {0.8, 0.9, 1.0, 1.1, 1.2}) {
     World world = DroppedBall(0.1, 0.002, 2);
     world.sample_every = 25;
@@ -304,7 +304,7 @@ TEST(BounceSeries, KnowsItsNumbers) {
           .empty());
 }
 
-TEST(BounceSeries, RefusesWhatDoesNotFallStraight) {
+TEST(BounceSeries, RefusesBodiesThatDoNotFallStraight) {
   World world = DroppedBall(0.8);
   world.bodies[0].v_WB = {0.1, 0, 0};
   EXPECT_FALSE(FaultsOf(world, ClaimOf("bounce_series")).empty());
@@ -313,7 +313,7 @@ TEST(BounceSeries, RefusesWhatDoesNotFallStraight) {
   EXPECT_FALSE(FaultsOf(world, ClaimOf("bounce_series")).empty());
 }
 
-TEST(ConservesEnergy, OfElasticBouncesPassesOrRecognisesTheRule) {
+TEST(ConservesEnergy, ElasticBouncesPassOrTheRuleIsRecognised) {
   const World world = DroppedBall(1, 1.0 / 240, 20);
   const Claim claim = ClaimOf("conserves_energy");
   EXPECT_TRUE(Passes(Judge(world, Exactly(world, 1), claim)));
@@ -327,7 +327,7 @@ TEST(ConservesEnergy, OfElasticBouncesPassesOrRecognisesTheRule) {
   EXPECT_TRUE(Finds(Judge(world, gaining, claim), MeasureKind::kEnergyDrift));
 }
 
-TEST(EnergyNeverRises, OfBouncesPassesOrRecognisesTheRule) {
+TEST(EnergyNeverRises, BouncesPassOrTheRuleIsRecognised) {
   const Claim claim = ClaimOf("energy_never_rises");
   for (const double e : {0.3, 0.9, 1.0}) {
     const World world = DroppedBall(e, 1.0 / 240, 20);

@@ -9,7 +9,7 @@
 namespace touchstone {
 namespace {
 
-/** Two particles and a spring between them, spinning and swinging, in gravity. */
+/** Two particles with a spring between them, rotating and oscillating, in gravity. */
 World SpringPair(double damping = 0) {
   World world;
   world.particles = {{"a", {0, 0, 0}, {0.3, 2, 0.1}, 0.5},
@@ -24,7 +24,7 @@ World SpringPair(double damping = 0) {
   return world;
 }
 
-/** Semi-implicit Euler; what acts on b is `back` times what acts on a, reversed. */
+/** Semi-implicit Euler; the force on b is −`back` times the force on a. */
 Trajectory Swung(const World& world, double back = 1, bool signless = false) {
   return Stepped(world, [&world, back, signless](WorldState& state) {
     const Spring& spring = world.springs[0];
@@ -43,7 +43,7 @@ Trajectory Swung(const World& world, double back = 1, bool signless = false) {
   });
 }
 
-TEST(ConservesMomentum, OfASpringInGravityToRounding) {
+TEST(ConservesMomentum, ASpringInGravityPassesToRounding) {
   const World world = SpringPair();
   const std::vector<LawFinding> findings =
       Judge(world, Swung(world), ClaimOf("conserves_momentum"));
@@ -51,15 +51,14 @@ TEST(ConservesMomentum, OfASpringInGravityToRounding) {
   EXPECT_LE(findings[0].tolerance.value, 1e-9);
 }
 
-TEST(ConservesMomentum, FindsAForceWithoutItsEqual) {
+TEST(ConservesMomentum, FindsAForceWithoutAnEqualReaction) {
   const World world = SpringPair();
   EXPECT_TRUE(Finds(Judge(world, Swung(world, 1.0001), ClaimOf("conserves_momentum")),
                     MeasureKind::kMomentumDrift));
 }
 
-TEST(ConservesMomentum, AlongADirectionSeesOnlyThat) {
-  // The spring's unequal force is across y only now and then; a false gravity always is
-  // not.
+TEST(ConservesMomentum, JudgesOnlyTheGivenDirection) {
+  // The false gravity has no component along x, but one along y.
   World world = SpringPair();
   World heavy = world;
   heavy.gravity_W *= 1.1;
@@ -69,7 +68,7 @@ TEST(ConservesMomentum, AlongADirectionSeesOnlyThat) {
                     MeasureKind::kMomentumDrift));
 }
 
-TEST(ConservesMomentum, RefusesHalfOfASpring) {
+TEST(ConservesMomentum, RefusesOneEndOfASpring) {
   EXPECT_EQ(FaultsOf(SpringPair(), ClaimOf("conserves_momentum", {"a"})).size(), 1U);
 }
 
@@ -84,7 +83,7 @@ TEST(ConservesMomentum, KnowsTheMomentumAtTheStart) {
                    .empty());
 }
 
-TEST(ConservesAngularMomentum, OfASpringToRounding) {
+TEST(ConservesAngularMomentum, ASpringPassesToRounding) {
   const World world = SpringPair(0.7);
   const std::vector<LawFinding> findings =
       Judge(world, Swung(world), ClaimOf("conserves_angular_momentum"));
@@ -96,7 +95,7 @@ TEST(ConservesAngularMomentum, FindsAForceThatIsNotAlongTheSpring) {
   const World world = SpringPair();
   Trajectory tilted = Swung(world);
   for (std::size_t s = 0; s < tilted.samples.size(); ++s) {
-    // A torque about x that keeps the momentum.
+    // A torque about x that conserves the momentum.
     const double kick = 1e-6 * static_cast<double>(s);
     tilted.samples[s].particles[0].v_W.y() += kick / 0.5;
     tilted.samples[s].particles[1].v_W.y() -= kick / 1.5;
@@ -106,7 +105,7 @@ TEST(ConservesAngularMomentum, FindsAForceThatIsNotAlongTheSpring) {
   EXPECT_TRUE(Passes(Judge(world, tilted, ClaimOf("conserves_momentum"))));
 }
 
-TEST(ConservesEnergy, OfASpringPassesAtEveryStep) {
+TEST(ConservesEnergy, ASpringPassesAtEveryStepSize) {
   for (const double dt : {1e-2, 1e-3, 1e-4}) {
     World world = SpringPair();
     world.dt = dt;
@@ -131,7 +130,7 @@ TEST(ConservesEnergy, InFreeFallIsOffByHalfMGHV) {
 }
 
 TEST(ConservesEnergy, FindsAPeriodThatDependsOnTheStep) {
-  // The spring's force as an impulse, without dt.
+  // Applies the spring's force as an impulse, without dt.
   World world = SpringPair();
   const Trajectory wrong = Stepped(world, [&](WorldState& state) {
     PointState& a = state.particles[0];
@@ -147,7 +146,7 @@ TEST(ConservesEnergy, FindsAPeriodThatDependsOnTheStep) {
       Finds(Judge(world, wrong, ClaimOf("conserves_energy")), MeasureKind::kEnergyDrift));
 }
 
-TEST(ConservesEnergy, DoesNotTakeAnotherStartForARuleOfBouncing) {
+TEST(ConservesEnergy, DoesNotMistakeAWrongStartForABounceRule) {
   World world;
   world.particles = {{"drop", {0, 3, 0}, {2, 0, 0}, 2}};
   for (const double g : {0.0, 9.82}) {
@@ -168,7 +167,7 @@ TEST(ConservesEnergy, DoesNotTakeAnotherStartForARuleOfBouncing) {
   }
 }
 
-TEST(ConservesEnergy, TellsEnergiesApartThatDifferByLittle) {
+TEST(ConservesEnergy, DistinguishesNearlyEqualEnergiesInItsProof) {
   World world;
   world.particles = {{"arrow", {0, 0, 0}, {100, 0, 0}, 1}};
   world.gravity_W.setZero();
@@ -187,7 +186,7 @@ TEST(ConservesEnergy, TellsEnergiesApartThatDifferByLittle) {
   }
 }
 
-TEST(ConservesEnergy, RefusesDampingAndTakesItsNumber) {
+TEST(ConservesEnergy, RefusesDampingAndAcceptsItsNumber) {
   EXPECT_FALSE(FaultsOf(SpringPair(0.1), ClaimOf("conserves_energy")).empty());
   World world;
   world.particles = {{"drop", {0, 3, 0}, {2, 0, 0}, 2}};
@@ -196,7 +195,7 @@ TEST(ConservesEnergy, RefusesDampingAndTakesItsNumber) {
                   .empty());
 }
 
-TEST(EnergyNeverRises, OfADampedSpringPasses) {
+TEST(EnergyNeverRises, ADampedSpringPasses) {
   const World world = SpringPair(0.7);
   EXPECT_TRUE(Passes(Judge(world, Swung(world), ClaimOf("energy_never_rises"))));
 }
@@ -215,7 +214,7 @@ TEST(EnergyNeverRises, RefusesBoxesThatBounceWithFriction) {
   EXPECT_TRUE(FaultsOf(world, ClaimOf("energy_never_rises")).empty());
 }
 
-TEST(Energy, OfAClothIsThatOfItsSprings) {
+TEST(Energy, AClothHasTheEnergyOfItsSprings) {
   World world;
   Cloth cloth;
   cloth.name = "cloth";

@@ -15,7 +15,8 @@ Eigen::Vector2d Heading(double degrees) {
   return {std::cos(degrees * kDegree), std::sin(degrees * kDegree)};
 }
 
-/** What an engine does with the friction impulse that would stop the slip. */
+/** Returns the friction impulse that an engine applies in place of `J`, which would stop
+ the slip. */
 Eigen::Vector2d Held(FrictionCone cone, Eigen::Vector2d J, double limit) {
   switch (cone) {
     case FrictionCone::kCircle:
@@ -25,7 +26,7 @@ Eigen::Vector2d Held(FrictionCone cone, Eigen::Vector2d J, double limit) {
     case FrictionCone::kDiamond:
       break;
   }
-  // Along the edge |x| + |y| = limit by bisection of how much both shrink.
+  // Along the edge |x| + |y| = limit, by bisection of how much both components shrink.
   double low = 0;
   double high = J.cwiseAbs().maxCoeff();
   const auto shrunk = [&](double by) {
@@ -41,7 +42,7 @@ Eigen::Vector2d Held(FrictionCone cone, Eigen::Vector2d J, double limit) {
 }
 
 /** Moreau's scheme for the one body of `world` on the plane y = 0: a box that only
- slides, or a sphere. `lever` is where on its radius the contact is. */
+ slides, or a sphere whose contact is at `lever` times its radius. */
 Trajectory Rubbed(const World& world, FrictionCone cone, double mu, double lever = 1) {
   const RigidBody& body = world.bodies[0];
   const auto* sphere = std::get_if<Sphere>(&body.placed.shape);
@@ -84,7 +85,7 @@ World SlidingBlock(double heading, double dt = 1e-3) {
   return world;
 }
 
-TEST(Sliding, StopsWhereThePublishedFormsSay) {
+TEST(Sliding, StopsAtThePublishedPositions) {
   // Distance and heading of a block at 5 m/s with μ = ½ (headings of 15, 30, 45 degrees).
   struct Row {
     double heading, box, box_at, diamond, diamond_at;
@@ -124,7 +125,7 @@ TEST(Sliding, IsTheLimitOfSmallStepsForEveryCone) {
   }
 }
 
-TEST(Sliding, OfADrivenBodyIsTheLimitOfSmallStepsForEveryCone) {
+TEST(Sliding, ADrivenBodyIsTheLimitOfSmallStepsForEveryCone) {
   for (const FrictionCone cone :
        {FrictionCone::kCircle, FrictionCone::kBox, FrictionCone::kDiamond}) {
     for (const Eigen::Vector2d& drive :
@@ -167,7 +168,7 @@ TEST(SlideToStop, FindsAWrongCoefficient) {
       Judge(world, Rubbed(world, FrictionCone::kCircle, 0.49), ClaimOf("slide_to_stop"));
   EXPECT_TRUE(Finds(findings, MeasureKind::kPositionError));
   EXPECT_TRUE(Finds(findings, MeasureKind::kFriction));
-  // The coefficient of a cone is held as sharply.
+  // The coefficient of a cone is judged as sharply.
   EXPECT_TRUE(Finds(
       Judge(world, Rubbed(world, FrictionCone::kBox, 0.49), ClaimOf("slide_to_stop")),
       MeasureKind::kPositionError));
@@ -180,8 +181,8 @@ TEST(SlideToStop, FindsALightBodyThatSlidesForEver) {
       MeasureKind::kPositionError));
 }
 
-/** The motion of its first body, which turns about `axis_W` by `spin` [rad/s], and says
- so where `admits` it. */
+/** The motion with its first body rotating about `axis_W` at `spin` [rad/s]; the body's
+ spin states it if `admits`. */
 Trajectory Turning(Trajectory motion, const Eigen::Vector3d& axis_W, double spin,
                    bool admits) {
   for (std::size_t s = 1; s < motion.samples.size(); ++s) {
@@ -192,11 +193,11 @@ Trajectory Turning(Trajectory motion, const Eigen::Vector3d& axis_W, double spin
   return motion;
 }
 
-TEST(SlideToStop, FindsABlockThatTurnsWhereNothingTurnsIt) {
+TEST(SlideToStop, FindsARotationWithoutACause) {
   const World world = SlidingBlock(30);
   const Trajectory right = Rubbed(world, FrictionCone::kCircle, 0.5);
   // 2 g h² (1 + μ) × 1.5 over 0.25 m are 1.8e-4 rad; the solver's 1e-5 of 5 m/s in 1.6 s
-  // 3.2e-4 more.
+  // adds 3.2e-4.
   for (const Eigen::Vector3d& axis_W :
        {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0.6, 0, -0.8)}) {
     EXPECT_TRUE(
@@ -210,7 +211,7 @@ TEST(SlideToStop, FindsABlockThatTurnsWhereNothingTurnsIt) {
   }
 }
 
-TEST(SlideToStop, OfSeveralBodiesTellsTheOneThatIsWrong) {
+TEST(SlideToStop, NamesTheWrongOneOfSeveralBodies) {
   World world = SlidingBlock(30);
   const Trajectory right = Rubbed(world, FrictionCone::kCircle, 0.5);
   const Trajectory wrong = Rubbed(world, FrictionCone::kCircle, 0.4);
@@ -238,7 +239,7 @@ TEST(SlideToStop, RefusesSlopesSpheresAndTowers) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("slide_to_stop")).size(), 1U);
 }
 
-/** Gazebo's friction demo: the slope is in gravity. */
+/** Gazebo's friction demo; gravity is tilted in place of the slope. */
 World Slope(const Shape& shape, double height, double degrees, double mu,
             double towards = 0) {
   World world;
@@ -279,7 +280,7 @@ TEST(Incline, FindsFrictionOffByAThousandth) {
   }
 }
 
-TEST(Incline, FindsABlockThatTurnsWhereNothingTurnsIt) {
+TEST(Incline, FindsARotationWithoutACause) {
   for (const double mu : {0.9, 1.01}) {  // It slides, and it stays.
     const World world = Slope(kBlock, 0.05, 45, mu);
     const Trajectory right = Rubbed(world, FrictionCone::kCircle, mu);
@@ -290,7 +291,7 @@ TEST(Incline, FindsABlockThatTurnsWhereNothingTurnsIt) {
 }
 
 TEST(Incline, RefusesABlockThatTips) {
-  // It would, on its edge 0.5 m ahead, were its centre more than 0.5 m up.
+  // It would tip about its edge 0.5 m ahead if its centre were more than 0.5 m up.
   EXPECT_TRUE(
       FaultsOf(Slope(Box{{0.5, 0.49, 0.5}}, 0.49, 45, 1.01), ClaimOf("incline")).empty());
   EXPECT_EQ(
@@ -321,7 +322,7 @@ TEST(Incline, FindsASphereWithTheInertiaOfAShell) {
   EXPECT_TRUE(Finds(findings, MeasureKind::kSpinError));
 }
 
-TEST(Incline, RecognisesTheOtherConesAcrossTheirAxes) {
+TEST(Incline, RecognisesTheOtherConesBetweenTheirAxes) {
   for (const FrictionCone cone : {FrictionCone::kBox, FrictionCone::kDiamond}) {
     const World world = Slope(kBlock, 0.05, 45, 0.9, 25);
     EXPECT_EQ(Of(Judge(world, Rubbed(world, cone, 0.9), ClaimOf("incline")),
@@ -331,8 +332,8 @@ TEST(Incline, RecognisesTheOtherConesAcrossTheirAxes) {
   }
 }
 
-TEST(Incline, FindsFrictionThatHoldsTooMuchWhereTheBoxConeHoldsItToo) {
-  // tan 45° = 1 along 40°: the box of 0.9 holds both components.
+TEST(Incline, FindsTooMuchFrictionEvenIfTheBoxConeHoldsToo) {
+  // tan 45° = 1 along 40°: the box cone of 0.9 holds both components.
   const World world = Slope(kBlock, 0.05, 45, 0.9, 40);
   for (const double mu : {1.1, 1.3}) {
     EXPECT_TRUE(
@@ -384,7 +385,7 @@ TEST(SlipToRoll, KnowsTheBowlingBall) {
 }
 
 TEST(SlipToRoll, FindsFrictionThatUsesTheSlipOfTheCentreAlone) {
-  // ω × r left out: the ball never begins to roll.
+  // ω × r is omitted: the ball never begins to roll.
   const World world = BowlingBall();
   const std::vector<LawFinding> findings = Judge(
       world, Rubbed(world, FrictionCone::kCircle, 0.12, 0), ClaimOf("slip_to_roll"));
@@ -399,7 +400,7 @@ TEST(SlipToRoll, FindsALeverThatIsTooShort) {
                     MeasureKind::kVelocityError));
 }
 
-TEST(OnPlanes, ABodyThatFliesOffIsNotExcusedByItsSpeedAcross) {
+TEST(OnPlanes, ABodyThatFliesOffIsNotExcusedByItsNormalSpeed) {
   const auto thrown = [](const World& world, FrictionCone cone, double mu) {
     Trajectory trajectory = Rubbed(world, cone, mu);
     for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
@@ -429,7 +430,8 @@ TEST(SlipToRoll, RecognisesTheOtherCones) {
   }
 }
 
-/** A ball that rolls up and across the slope of `degrees` at the start, and spins. */
+/** A ball that starts rolling up and across the slope of `degrees`, with a spin about the
+ normal. */
 World RollingUp(double degrees) {
   World world = Slope(kBall, 0.5, degrees, 0.6, 20);
   RigidBody& ball = world.bodies[0];
@@ -470,7 +472,7 @@ TEST(Rolls, RefusesSlipAndTooLittleFriction) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("rolls")).size(), 1U);
 }
 
-/** SimBenchmark's rolling scene, pulled at 60° to the x axis. */
+/** SimBenchmark's rolling scene, with a force at 60° to the x axis. */
 World PulledBox(double degrees) {
   World world;
   RigidBody box = BodyOf("box", Box{{10, 0.5, 10}}, 10, {0, 0.5 - 2e-5, 0});
@@ -494,8 +496,8 @@ World PulledBox(double degrees) {
 const Claim kPulled =
     ClaimOf("rolling_box", {}, {{"expected_box_acceleration", 12.66 / (10 + 50.0 / 7)}});
 
-/** The friction impulses of all contacts by Gauss-Seidel sweeps; `mu` of the ground. */
-Trajectory Pulled(const World& world, FrictionCone cone, double mu, int sweeps) {
+/** Solves the friction impulses of all contacts by Gauss-Seidel; `mu` is the ground's. */
+Trajectory Pulled(const World& world, FrictionCone cone, double mu, int iterations) {
   return Stepped(world, [=, &world](WorldState& state) {
     const double h = world.dt;
     Eigen::Vector2d ground = Eigen::Vector2d::Zero();
@@ -508,7 +510,7 @@ Trajectory Pulled(const World& world, FrictionCone cone, double mu, int sweeps) 
     const auto lift = [](const Eigen::Vector2d& v) {
       return Eigen::Vector3d(v.x(), 0, v.y());
     };
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
       for (std::size_t i = 0; i < 25; ++i) {
         BodyState& ball = state.bodies[i + 2];
         const Eigen::Vector3d arm(0, -0.5, 0);

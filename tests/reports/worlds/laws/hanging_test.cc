@@ -52,7 +52,7 @@ TEST(Catenary, HasThePublishedTensionsAndSags) {
   EXPECT_NEAR(SagOf(CatenaryOf(string)), 1.053955, 1e-7);
 }
 
-TEST(Catenary, OfRodsIsTheDiscreteOne) {
+TEST(Catenary, OfRodsIsTheDiscreteCatenary) {
   const int n = 10;
   const Catenary catenary = CatenaryOf(EqualChain(n, 0.1, 0.6, 0.05, kInfinite));
   const double H = catenary.tension_W.front().x();
@@ -78,7 +78,7 @@ TEST(Net, HangsAsTheCatenaryOfItsSprings) {
   points = net.Minimum(points);
   for (std::size_t i = 0; i < catenary.points_W.size(); ++i)
     EXPECT_LE((points[i + 1] - catenary.points_W[i]).norm(), 1e-11);
-  // The Hessian is the derivative of the gradient, and that of the energy.
+  // The Hessian is the derivative of the gradient, and the gradient that of the energy.
   Net::Points moved = points;
   moved[3] += Eigen::Vector3d(1e-6, -2e-6, 3e-6);
   const Eigen::VectorXd slope = net.GradientAt(moved) - net.GradientAt(points);
@@ -87,21 +87,21 @@ TEST(Net, HangsAsTheCatenaryOfItsSprings) {
   EXPECT_LE((net.HessianAt(points) * step - slope).norm(), 1e-4 * slope.norm());
 }
 
-TEST(Net, OfOneMassDecaysAsItsOscillator) {
+TEST(Net, OneMassDecaysAsItsOscillator) {
   Net net;
   net.g_W = {0, -9.81, 0};
   net.mass = {0, 2};
   net.links.push_back({0, 1, 200, 1});
   const Net::Points rest = net.Minimum({{0, 0, 0}, {0.3, -1, 0.1}});
   EXPECT_NEAR(rest[1].y(), -1 - 2 * 9.81 / 200, 1e-12);
-  // The pendulum across the spring is the slowest: ω² = g/L.
+  // The pendulum motion across the spring is the slowest: ω² = g/L.
   const double w2 = 9.81 / 1.0981;
   EXPECT_NEAR(net.DecayAbout(rest, 1).Slowest(), 0.5, 1e-12);
   EXPECT_NEAR(net.DecayAbout(rest, 10).Slowest(), 5 - std::sqrt(25 - w2), 1e-9);
 }
 
 // ẍ = −ω² x − 2 γ ẋ from any start of size 1 in (x, ẋ/ω), by its closed form.
-TEST(Decay, LeavesNoMoreThanAnyStartHasLeft) {
+TEST(Decay, BoundsWhatRemainsOfEveryStart) {
   const double w = 3;
   for (const double g : {0.02, 1.0, 2.9, 2.9999999, 3.1, 8.0}) {
     const Decay decay{g, {w * w}};
@@ -125,7 +125,7 @@ TEST(Decay, LeavesNoMoreThanAnyStartHasLeft) {
   }
 }
 
-TEST(Decay, OfManySecondsIsStillANumber) {
+TEST(Decay, IsFiniteForLongTimes) {
   EXPECT_NEAR((Decay{4, {1}}.LeftAfter(200)),
               4 / std::sqrt(15.) * std::exp((std::sqrt(15.) - 4) * 200), 1e-18);
 }
@@ -158,7 +158,7 @@ World Chain(double damping) {
   return world;
 }
 
-/** Semi-implicit Euler of the springs, with their stiffness times `stiffer`. */
+/** Semi-implicit Euler of the springs, with `stiffer` times their stiffness. */
 Trajectory Settled(const World& world, double stiffer = 1) {
   return Stepped(world, [&world, stiffer](WorldState& state) {
     std::vector<Eigen::Vector3d> force(world.particles.size(), Eigen::Vector3d::Zero());
@@ -200,14 +200,14 @@ TEST(HangsAsCatenary, ASettledChainPassesAndAStifferOneDoesNot) {
       Finds(Judge(world, Settled(world, 1.01), claim), MeasureKind::kPositionError));
 }
 
-TEST(HangsAsCatenary, RefusesWhatWillNotSettleAndWhatIsNoChain) {
+TEST(HangsAsCatenary, RefusesUndampedMotionAndSubjectsThatAreNoChain) {
   EXPECT_EQ(FaultsOf(Chain(0), ClaimOf("hangs_as_catenary", Beads())).size(), 1U);
   std::vector<std::string> shuffled = Beads();
   std::swap(shuffled[2], shuffled[5]);
   EXPECT_EQ(FaultsOf(Chain(6), ClaimOf("hangs_as_catenary", shuffled)).size(), 1U);
 }
 
-TEST(HangsAsCatenary, OfRodsHoldsAShapeThatStartsAtRest) {
+TEST(HangsAsCatenary, ARodChainAtRestPassesAndASinkingOneDoesNot) {
   World world;
   world.gravity_W = {0, -9.81, 0};
   const Catenary rest = CatenaryOf(EqualChain(10, 0.1, 0.6, 0.05, kInfinite));
@@ -247,8 +247,8 @@ TEST(MinimumEnergy, ASettledChainPassesAndOneThatStillMovesDoesNot) {
   EXPECT_TRUE(Finds(Judge(world, moving, claim), MeasureKind::kEnergyDrift));
 }
 
-/** A bead between two walls 2 m apart, on springs too long for the way: it can hang, or
- be propped up. */
+/** A bead between two walls 2 m apart, on springs too long for the distance: it can hang,
+ or be propped up. */
 World ProppedBead(double height) {
   World world;
   world.gravity_W = {0, -9.81, 0};
@@ -265,10 +265,10 @@ World ProppedBead(double height) {
   return world;
 }
 
-TEST(MinimumEnergy, FindsABeadThatRestsInAHollowOfItsOwn) {
+TEST(MinimumEnergy, FindsABeadThatRestsInAHigherMinimum) {
   const World hanging = ProppedBead(-0.3);
   EXPECT_TRUE(Passes(Judge(hanging, Settled(hanging), ClaimOf("minimum_energy"))));
-  // It comes to rest as well, 1.3 m higher: the energy of that hollow is not the least.
+  // It comes to rest too, 1.3 m higher: that minimum is not the lowest.
   Trajectory propped = Settled(ProppedBead(0.3));
   ASSERT_GT(propped.samples.back().particles[0].p_W.y(), 0.6);
   const std::vector<LawFinding> findings =
@@ -277,7 +277,8 @@ TEST(MinimumEnergy, FindsABeadThatRestsInAHollowOfItsOwn) {
   EXPECT_TRUE(Finds(findings, MeasureKind::kEnergyDrift));
 }
 
-/** A bead let go at `height` [m] under a propping hollow that is the higher one. */
+/** A bead released at `height` [m] below a minimum that props it up and is the higher
+ one. */
 World BistableBead(double height, double speed) {
   World world;
   world.gravity_W = {0, -1, 0};
@@ -294,13 +295,13 @@ World BistableBead(double height, double speed) {
   return world;
 }
 
-TEST(MinimumEnergy, OfABeadThatSwingsOverAHumpIsInTheHollowBeyond) {
+TEST(MinimumEnergy, ABeadThatSwingsOverAHumpRestsBeyondIt) {
   const Claim claim = ClaimOf("minimum_energy");
   const World over = BistableBead(-0.55, 0);
   const Trajectory swung = Settled(over);
   ASSERT_GT(swung.samples.back().particles[0].p_W.y(), 0.28);
   EXPECT_TRUE(Passes(Judge(over, swung, claim)));
-  // From not so far below it stays in the lower hollow, and the upper one is wrong.
+  // From a smaller depth it stays in the lower minimum, and the upper one is wrong.
   const World under = BistableBead(-0.45, 0);
   const Trajectory stayed = Settled(under);
   ASSERT_LT(stayed.samples.back().particles[0].p_W.y(), -0.28);
@@ -308,12 +309,12 @@ TEST(MinimumEnergy, OfABeadThatSwingsOverAHumpIsInTheHollowBeyond) {
   EXPECT_TRUE(Finds(Judge(under, swung, claim), MeasureKind::kPositionError));
 }
 
-TEST(MinimumEnergy, AllowsWhatIsLeftOfAThrowAsOfADisplacement) {
+TEST(MinimumEnergy, AllowsTheRemainderOfAnInitialVelocity) {
   const World thrown = BistableBead(-0.3, 1.8);
   EXPECT_TRUE(Passes(Judge(thrown, Settled(thrown), ClaimOf("minimum_energy"))));
 }
 
-TEST(RestAfter, IsWhereTheClosedFormOfADampedSpringLeadsAndUnknownOfTooLongAMotion) {
+TEST(RestAfter, IsTheRestOfADampedSpringAndUnknownForATooLongMotion) {
   Net net;
   net.g_W = {0, -9.81, 0};
   net.mass = {0, 2};
@@ -327,8 +328,8 @@ TEST(RestAfter, IsWhereTheClosedFormOfADampedSpringLeadsAndUnknownOfTooLongAMoti
   EXPECT_FALSE(RestAfter(net, drag, start, still, 1e9));
 }
 
-TEST(MinimumEnergy, OfMirrorImagesIsWhereEitherIs) {
-  // Without gravity both hollows are as deep.
+TEST(MinimumEnergy, AcceptsEitherMirrorImage) {
+  // Without gravity both minima are equally deep.
   World world = ProppedBead(-0.3);
   world.gravity_W.setZero();
   World image = ProppedBead(0.3);
@@ -336,7 +337,7 @@ TEST(MinimumEnergy, OfMirrorImagesIsWhereEitherIs) {
   EXPECT_TRUE(Passes(Judge(world, Settled(image), ClaimOf("minimum_energy"))));
 }
 
-TEST(MinimumEnergy, OfAClothIsWhereItsMinimiserPutsIt) {
+TEST(MinimumEnergy, AClothRestsWhereTheMinimiserPutsIt) {
   World world;
   world.gravity_W = {0, -9.81, 0};
   Cloth cloth;

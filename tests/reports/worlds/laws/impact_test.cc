@@ -19,8 +19,8 @@ double Uniform(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 1000001) / 1e6;
 }
 
-/** Routh's impact, dJ_n by dJ_n: friction opposes the slip there is, restitution returns
- e times the impulse of compression. */
+/** Routh's impact in increments dJ_n: friction opposes the current slip, and restitution
+ returns e times the impulse of compression. */
 Eigen::Vector3d Incremental(const Eigen::Matrix3d& K, Eigen::Vector3d u, double e,
                             double mu, int steps) {
   // The normal is z.
@@ -28,7 +28,7 @@ Eigen::Vector3d Incremental(const Eigen::Matrix3d& K, Eigen::Vector3d u, double 
   const double dJ = -u.z() / K(2, 2) / steps;
   double end = -1;
   while (end < 0 || J.z() < end) {
-    // Slip that friction would reverse within the step is held instead.
+    // Slip that friction would reverse within the increment is stopped instead.
     Eigen::Vector2d hold = -K.topLeftCorner<2, 2>().inverse() *
                            (u.head<2>() + K.topRightCorner<2, 1>() * dJ);
     if (hold.norm() > mu * dJ) hold *= mu * dJ / hold.norm();
@@ -58,7 +58,7 @@ Eigen::Matrix2d RandomResponse() {
   return half * half.transpose() + 0.05 * Eigen::Matrix2d::Identity();
 }
 
-RC_GTEST_PROP(PlanarImpulse, OfPoissonIsRouthsImpact, ()) {
+RC_GTEST_PROP(PlanarImpulse, ByPoissonIsRouthsImpact, ()) {
   const Eigen::Matrix2d K = RandomResponse();
   const InPlane u(-Uniform(0.1, 2), Uniform(-2, 2));
   const double e = Uniform(0, 1);
@@ -78,11 +78,11 @@ RC_GTEST_PROP(PlanarImpulse, OfPoissonIsRouthsImpact, ()) {
             2e-3 * J.norm());
 }
 
-RC_GTEST_PROP(PlanarImpulse, OfNewtonReflectsAndOpposesTheSlipThatIsLeft, ()) {
+RC_GTEST_PROP(PlanarImpulse, ByNewtonReflectsAndOpposesTheRemainingSlip, ()) {
   const Eigen::Matrix2d K = RandomResponse();
   const InPlane u(-Uniform(0.1, 2), Uniform(-2, 2));
   const double e = Uniform(0, 1);
-  // Beyond, both directions of slip may be right, or none (Painlevé).
+  // Above that bound both directions of slip may be right, or none (Painlevé).
   const double mu = Uniform(0, 0.9) * K(1, 1) / std::max(1e-9, std::abs(K(0, 1))) *
                     std::min(1.0, K(0, 0) / K(1, 1));
   const InPlane J = PlanarImpulse(ImpactRule::kNewton, K, u, e, mu);
@@ -95,7 +95,7 @@ RC_GTEST_PROP(PlanarImpulse, OfNewtonReflectsAndOpposesTheSlipThatIsLeft, ()) {
   }
 }
 
-TEST(PlanarImpulse, OfBothRulesIsOneWhereNothingIsCoupled) {
+TEST(PlanarImpulse, BothRulesAgreeWithoutCoupling) {
   Eigen::Matrix2d K;
   K << 1.3, 0, 0, 2.1;
   for (const double mu : {0.0, 0.2, 0.9}) {
@@ -114,7 +114,7 @@ std::vector<RowBall> TouchingRow(int n, double gap = 0) {
   return balls;
 }
 
-TEST(RowOfBalls, IsTheCradleOneAfterAnotherAndAllAtOnce) {
+TEST(RowOfBalls, MatchesTheCradleForSequentialAndSimultaneousImpacts) {
   for (const double gap : {0.0, 1e-3}) {
     const RowOfBalls in_order(TouchingRow(5, gap), {1, 1, 1, 1}, 1e-9,
                               RowRule::kFromFirst);
@@ -131,13 +131,13 @@ TEST(RowOfBalls, IsTheCradleOneAfterAnotherAndAllAtOnce) {
   }
 }
 
-TEST(RowOfBalls, PassesOnAShareOfTheSpeedFromGapToGap) {
+TEST(RowOfBalls, PassesOnAFractionOfTheSpeedAtEachGap) {
   const double e = 0.8;
   const RowOfBalls row(TouchingRow(4, 0.5), {e, e, e}, 1e-9, RowRule::kFromFirst);
   EXPECT_NEAR(row.last()[3].v, std::pow((1 + e) / 2, 3), 1e-14);
 }
 
-TEST(RowOfBalls, KeepsMomentumAndLosesTheEnergyOfRestitution) {
+TEST(RowOfBalls, ConservesMomentumAndLosesTheEnergyOfRestitution) {
   const std::vector<RowBall> balls = {
       {1, 0.1, 0, 2}, {3, 0.2, 0.5, 0.3}, {0.5, 0.1, 1, -1}, {2, 0.1, 1.5, -1.4}};
   const auto sums = [](const std::vector<RowBall>& row) {
@@ -165,13 +165,13 @@ TEST(RowOfBalls, KeepsMomentumAndLosesTheEnergyOfRestitution) {
   }
 }
 
-/** How the engine of these tests resolves impacts. */
+/** The rules by which the engine of these tests resolves impacts. */
 struct Impacts {
   FrictionCone cone = FrictionCone::kCircle;
   bool at_once = false;    ///< All contacts as one equation.
-  double restitution = 1;  ///< Times that of the bodies.
-  double friction = 1;     ///< Times that of the bodies.
-  double inset = 0;        ///< Share of the overlap by which contacts are inside.
+  double restitution = 1;  ///< Multiplies the restitution of the bodies.
+  double friction = 1;     ///< Multiplies the friction of the bodies.
+  double inset = 0;        ///< Depth of the contact points, over the overlap.
 };
 
 struct Touch {
@@ -183,8 +183,9 @@ struct Touch {
   double J_n = 0;
 };
 
-/** Moreau's scheme for spheres, and one static half-space y = 0 where the last body is
- one: contacts that overlap at the start of the step are resolved, then things move. */
+/** Moreau's scheme for spheres, and for one static half-space y = 0 if the last body is
+ one. Contacts that overlap at the start of the step are resolved, then the bodies
+ move. */
 Trajectory Struck(const World& world, const Impacts& impacts) {
   return Stepped(world, [&world, impacts](WorldState& state) {
     const std::size_t n = world.bodies.size();
@@ -238,7 +239,7 @@ Trajectory Struck(const World& world, const Impacts& impacts) {
       if (world.bodies[i].mass > 0) body.v_WB += world.dt * world.gravity_W;
     }
     if (impacts.at_once) {
-      for (int sweep = 0; sweep < 2000; ++sweep) {
+      for (int iteration = 0; iteration < 2000; ++iteration) {
         for (Touch& touch : touches) {
           const Eigen::Matrix3d K = ImpulseResponse(striker(touch.A), touch.p_W) +
                                     ImpulseResponse(striker(touch.B), touch.p_W);
@@ -250,7 +251,7 @@ Trajectory Struck(const World& world, const Impacts& impacts) {
         }
       }
     } else {
-      for (int sweep = 0; sweep < 200; ++sweep) {
+      for (int iteration = 0; iteration < 200; ++iteration) {
         for (const Touch& touch : touches) {
           const Eigen::Vector3d u = slip(touch);
           const double e =
@@ -289,7 +290,7 @@ World Cradle(double gap, double e = 1, double dt = 1e-3) {
   return world;
 }
 
-TEST(RowImpact, PassesOneAfterAnother) {
+TEST(RowImpact, SequentialImpactsPass) {
   for (const double dt : {1.0 / 240, 1e-3}) {
     for (const double gap : {0.0, 0.02}) {
       const World world = Cradle(gap, 1, dt);
@@ -304,7 +305,7 @@ TEST(RowImpact, PassesOneAfterAnother) {
   }
 }
 
-TEST(RowImpact, RecognisesImpactsAllAtOnce) {
+TEST(RowImpact, RecognisesSimultaneousImpacts) {
   for (const double e : {0.5, 1.0}) {
     const World world = Cradle(0, e);
     Impacts impacts;
@@ -317,7 +318,7 @@ TEST(RowImpact, RecognisesImpactsAllAtOnce) {
   }
 }
 
-TEST(RowImpact, FindsRestitutionThatIsLost) {
+TEST(RowImpact, FindsTooLittleRestitution) {
   const World world = Cradle(0.02, 1);
   Impacts impacts;
   impacts.restitution = 0.99;
@@ -326,7 +327,7 @@ TEST(RowImpact, FindsRestitutionThatIsLost) {
 }
 
 TEST(RowImpact, JudgesABallBetweenTwoImpactsOfTheRow) {
-  // The second ball stands still again while the wave goes on to the fifth.
+  // The second ball is at rest again while the wave moves on to the fifth.
   const World world = Cradle(0.1);
   Trajectory creeping = Struck(world, {});
   EXPECT_TRUE(Passes(Judge(world, creeping, ClaimOf("row_impact"))));
@@ -346,7 +347,7 @@ TEST(RowImpact, RefusesAnImpactThatNoSampleShows) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("row_impact")).size(), 1U);
 }
 
-TEST(RowImpact, RefusesWhatIsNoRow) {
+TEST(RowImpact, RefusesSubjectsThatAreNoRow) {
   World world = Cradle(0.02);
   EXPECT_EQ(FaultsOf(world, ClaimOf("row_impact", {"ball0", "ball2", "ball1"})).size(),
             1U);
@@ -362,7 +363,7 @@ World Oblique(double e, double mu, double incidence, double dt = 1e-3,
               double gravity = 0) {
   World world;
   const double at = incidence * kPi / 180;
-  // Turned about the normal, so that no axis of the world is that of the motion.
+  // Rotated about the normal, so that the motion is along no world axis.
   const Eigen::AngleAxisd turn(0.4, Eigen::Vector3d::UnitY());
   RigidBody ball = BodyOf("ball", Sphere{0.5}, 1, {0, 1.2, 0});
   ball.v_WB = turn * Eigen::Vector3d(5 * std::sin(at), -5 * std::cos(at), 0);
@@ -437,7 +438,7 @@ TEST(ObliqueImpact, FindsWrongFrictionAndRestitution) {
                     MeasureKind::kRestitution));
 }
 
-TEST(ObliqueImpact, RefusesWhatNeverArrives) {
+TEST(ObliqueImpact, RefusesASphereThatNeverArrives) {
   World world = Oblique(0.8, 0.2, 60);
   world.bodies[0].v_WB *= -1;
   EXPECT_EQ(FaultsOf(world, ClaimOf("oblique_impact")).size(), 1U);
@@ -494,7 +495,7 @@ TEST(SphereImpact, FindsWrongFrictionRestitutionAndInertia) {
                     MeasureKind::kSpinError));
 }
 
-TEST(SphereImpact, OfHeadOnSpheresHasTheTextbookSpeeds) {
+TEST(SphereImpact, HeadOnSpheresHaveTheTextbookSpeeds) {
   // Jolt's MassOverride with equal scales: v₁' = (2 w₁ v₂ + (w₂ − w₁) v₁)/(w₁ + w₂).
   World world = TwoSpheres();
   for (RigidBody& body : world.bodies) {
@@ -537,8 +538,8 @@ World Tumbling(const Eigen::Quaterniond& q_WB, double mu, double dt = 1e-3) {
 const Eigen::Quaterniond kOnCorner = Eigen::Quaterniond(0.8, 0.3, 0.2, 0.4).normalized();
 const Eigen::Quaterniond kOnEdge(Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()));
 
-/** A box whose lowest corners are sent back by `rule` once, in the plane z = 0 where
- there is friction; it turns by the explicit step of Euler's equations. */
+/** A box whose lowest corners are reflected by `rule` once, in the plane z = 0 if there
+ is friction; it rotates by the explicit step of Euler's equations. */
 Trajectory Tumbled(const World& world, ImpactRule rule, double restitution = 0.6) {
   return Stepped(world, [&world, rule, restitution](WorldState& state) {
     BodyState& is = state.bodies[0];
@@ -595,7 +596,7 @@ TEST(CornerImpact, AMotionByTheRulePasses) {
   }
 }
 
-TEST(CornerImpact, KnowsTheCornerBelowTheMiddleOfASquareRodWithFriction) {
+TEST(CornerImpact, AcceptsACornerOfASquareRodWithFriction) {
   const Eigen::Quaterniond on_its_edge(
       Eigen::AngleAxisd(std::numbers::pi / 4, Eigen::Vector3d::UnitX()));
   World world = Tumbling(kOnEdge * on_its_edge, 0.3, 1e-4);
@@ -619,7 +620,7 @@ TEST(CornerImpact, RecognisesPoissonsRestitution) {
   EXPECT_EQ(finding.recognised, "Poisson's restitution");
 }
 
-TEST(CornerImpact, FindsRestitutionThatIsLost) {
+TEST(CornerImpact, FindsTooLittleRestitution) {
   const World world = Tumbling(kOnCorner, 0);
   EXPECT_TRUE(Finds(
       Judge(world, Tumbled(world, ImpactRule::kNewton, 0.55), ClaimOf("corner_impact")),

@@ -27,7 +27,7 @@ Trajectory StoppingAt(const World& world, double late, double sinking = 0) {
   });
 }
 
-TEST(NeverPenetrates, ABodyStoppedWhenSeenPasses) {
+TEST(NeverPenetrates, ABodyStoppedOnDetectionPasses) {
   const World world = FallingBall();
   const std::vector<LawFinding> findings =
       Judge(world, StoppingAt(world, 0), ClaimOf("never_penetrates"));
@@ -65,8 +65,9 @@ TEST(NeverPenetrates, GrantsASlidingBodyNoDepthForItsSpeedAlongThePlane) {
       Finds(Judge(world, sunk, ClaimOf("never_penetrates")), MeasureKind::kPenetration));
 }
 
-TEST(NeverPenetrates, ForgetsHowFastBodiesMetThatHaveParted) {
-  // Two metres of fall at 6 m/s; half a second after it has left, it sinks in.
+TEST(NeverPenetrates, ForgetsTheImpactSpeedAfterSeparation) {
+  // It falls at 6 m/s to 1 cm above the ground and rests there; 0.44 s later it is 1 cm
+  // deep.
   World world = FallingBall();
   world.bodies[0].v_WB = {0, -6, 0};
   const Trajectory sunk = Sampled(world, [&](double t) {
@@ -81,14 +82,14 @@ TEST(NeverPenetrates, ForgetsHowFastBodiesMetThatHaveParted) {
       Finds(Judge(world, sunk, ClaimOf("never_penetrates")), MeasureKind::kPenetration));
 }
 
-TEST(NeverPenetrates, GrantsTheDepthOfTheStart) {
+TEST(NeverPenetrates, GrantsTheInitialPenetration) {
   World world = FallingBall();
   world.bodies[0].placed.X_WB.p_WB.y() = 0.4;
   const Trajectory still = Stepped(world, [](WorldState&) {});
   EXPECT_TRUE(Passes(Judge(world, still, ClaimOf("never_penetrates"))));
 }
 
-TEST(NeverPenetrates, GrantsTheDepthOfTheStartForAsLongAsTheClaimSays) {
+TEST(NeverPenetrates, GrantsTheInitialPenetrationForAsLongAsTheClaimSays) {
   World world = FallingBall();
   world.gravity_W.setZero();
   world.bodies[0].placed.X_WB.p_WB.y() = 0.4;
@@ -106,13 +107,13 @@ TEST(NeverPenetrates, GrantsTheDepthOfTheStartForAsLongAsTheClaimSays) {
   EXPECT_FALSE(FindLaw("never_penetrates")->faults(world, at_the_end).empty());
 }
 
-TEST(NeverPenetrates, HoldsNothingAgainstWhatDoesNotCollide) {
+TEST(NeverPenetrates, IgnoresBodiesThatDoNotCollide) {
   World world = FallingBall();
   world.bodies[0].collides = false;
   EXPECT_TRUE(Judge(world, StoppingAt(world, 100), ClaimOf("never_penetrates")).empty());
 }
 
-TEST(NeverPenetrates, MeasuresBoxesAndSpheresAmongEachOther) {
+TEST(NeverPenetrates, MeasuresPairsOfBoxesAndOfSpheres) {
   World world;
   world.gravity_W.setZero();
   world.bodies = {BodyOf("a", Box{{0.5, 0.5, 0.5}}, 1, {0, 0, 0}),
@@ -120,7 +121,7 @@ TEST(NeverPenetrates, MeasuresBoxesAndSpheresAmongEachOther) {
                   BodyOf("c", Sphere{0.5}, 1, {5, 0, 0}),
                   BodyOf("d", Sphere{0.5}, 1, {5.7, 0, 0})};
   world.steps = 1;
-  // Apart at the start, inside each other after one step.
+  // Apart at the start, overlapping after one step.
   const Trajectory overlapping = Sampled(world, [&](double) {
     WorldState state;
     for (const RigidBody& body : world.bodies) {

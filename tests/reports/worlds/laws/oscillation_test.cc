@@ -40,8 +40,7 @@ TEST(Oscillator, SteppedVelocityFirstHasItsDiscreteClosedForm) {
   }
 }
 
-/** A 2 kg ball on a spring below a fixed point, along gravity that is not along an axis.
- */
+/** A 2 kg ball on a spring below a fixed point, along a gravity that is along no axis. */
 World Sprung(double damping, double dt = 1e-3) {
   World world;
   const Eigen::Vector3d down = Eigen::Vector3d(1, -3, 0.5).normalized();
@@ -72,7 +71,7 @@ Trajectory Sprung(const World& world, SwingScheme scheme, double omega, double c
                  });
 }
 
-TEST(SpringOscillation, SchemesOfFirstOrderPass) {
+TEST(SpringOscillation, FirstOrderSchemesPass) {
   for (const double dt : {1.0 / 240, 1e-3}) {
     for (const double b : {0.0, 3.0}) {
       const World world = Sprung(b, dt);
@@ -108,7 +107,7 @@ TEST(SpringOscillation, FindsAnotherStiffnessAndDamping) {
                     MeasureKind::kPositionError));
 }
 
-TEST(SpringOscillation, KnowsItsNumbersAndRefusesWhatSwingsAside) {
+TEST(SpringOscillation, KnowsItsNumbersAndRefusesSidewaysMotionAndStiffSprings) {
   World world = Sprung(0);
   EXPECT_TRUE(
       FaultsOf(world, ClaimOf("spring_oscillation", {},
@@ -121,7 +120,7 @@ TEST(SpringOscillation, KnowsItsNumbersAndRefusesWhatSwingsAside) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("spring_oscillation")).size(), 1U);
 }
 
-TEST(Pendulum, HasThePublishedPeriodAndPlaces) {
+TEST(Pendulum, HasThePublishedPeriodAndPositions) {
   // IFToMM A01: 1 m, g = 9.81, from rest at 90°.
   const Pendulum pendulum(std::sqrt(9.81), {kPi / 2, 0});
   EXPECT_NEAR(pendulum.period(), 2.367841947576, 1e-11);
@@ -161,8 +160,8 @@ RodSystem TwoRods() {
   return {{1, 1}, {{0, -1, {0, 0, 0}, 1}, {1, 0, {0, 0, 0}, 1}}, {0, -9.81, 0}};
 }
 
-TEST(RodSystem, HasThePublishedPlacesOfTheDoublePendulum) {
-  // Both rods level at the start, from rest.
+TEST(RodSystem, HasThePublishedPositionsOfTheDoublePendulum) {
+  // Both rods are level at the start, at rest.
   const std::vector<PointState> start = {{{1, 0, 0}, {0, 0, 0}}, {{2, 0, 0}, {0, 0, 0}}};
   struct Row {
     double t, x1, y1, x2, y2;
@@ -177,7 +176,7 @@ TEST(RodSystem, HasThePublishedPlacesOfTheDoublePendulum) {
   }
 }
 
-TEST(RodSystem, OfOneRodIsThePendulum) {
+TEST(RodSystem, OneRodIsThePendulum) {
   const RodSystem system{{3}, {{0, -1, {0.1, 0.2, 0}, 0.7}}, {0, -9.81, 0}};
   const Pendulum pendulum(std::sqrt(9.81 / 0.7), {1.9, 0});
   const std::vector<PointState> start = {
@@ -202,7 +201,7 @@ TEST(RodSystem, SteppedConvergesToItsMotionAtFirstOrder) {
   }
 }
 
-/** A pendulum in a plane that is not the world's, or two. */
+/** A single or a double pendulum, in a plane that contains only one world axis. */
 World Hung(int points, double dt = 1e-3) {
   World world;
   world.gravity_W = {0, -9.81, 0};
@@ -251,7 +250,7 @@ Trajectory Exactly(const World& world) {
   });
 }
 
-TEST(Pendulum, AsALawPassesTheTruthAndSchemesOfFirstOrder) {
+TEST(Pendulum, TheLawPassesTheTruthAndFirstOrderSchemes) {
   const World world = Hung(1);
   const Claim claim = ClaimOf("pendulum", {}, {{"expected_period", 2.367841947576}});
   EXPECT_TRUE(Passes(Judge(world, Exactly(world), claim)));
@@ -259,14 +258,14 @@ TEST(Pendulum, AsALawPassesTheTruthAndSchemesOfFirstOrder) {
     EXPECT_TRUE(Passes(Judge(world, Swung(world, scheme), claim)));
 }
 
-TEST(Pendulum, AsALawFindsAnotherGravity) {
+TEST(Pendulum, TheLawFindsAnotherGravity) {
   const World world = Hung(1);
   EXPECT_TRUE(
       Finds(Judge(world, Swung(world, RodScheme::kBaumgarte, 9.0), ClaimOf("pendulum")),
             MeasureKind::kPositionError));
 }
 
-TEST(Pendulum, AsALawRefusesWhatIsNoPendulum) {
+TEST(Pendulum, TheLawRefusesOtherMotions) {
   World world = Hung(1);
   world.particles[0].v_W = {1, 0, 0};
   EXPECT_EQ(FaultsOf(world, ClaimOf("pendulum")).size(), 1U);
@@ -276,7 +275,7 @@ TEST(Pendulum, AsALawRefusesWhatIsNoPendulum) {
   EXPECT_EQ(FaultsOf(Hung(2), ClaimOf("pendulum")).size(), 1U);
 }
 
-TEST(DoublePendulum, TheTruthAndSchemesOfFirstOrderPass) {
+TEST(DoublePendulum, TheTruthAndFirstOrderSchemesPass) {
   const World world = Hung(2);
   const Claim claim = ClaimOf("double_pendulum", {"mass0", "mass1"});
   EXPECT_TRUE(Passes(Judge(world, Exactly(world), claim)));
@@ -296,7 +295,7 @@ TEST(DoublePendulum, FindsAnotherMassAndTakesPointsInOrder) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("double_pendulum", {"mass1", "mass0"})).size(), 1U);
 }
 
-TEST(JointLength, SchemesOfFirstOrderPass) {
+TEST(JointLength, FirstOrderSchemesPass) {
   for (const int points : {1, 2}) {
     const World world = Hung(points);
     for (const RodScheme scheme : kRodSchemes) {
@@ -305,8 +304,8 @@ TEST(JointLength, SchemesOfFirstOrderPass) {
   }
 }
 
-TEST(JointLength, FindsARodThatGives) {
-  // A stiff spring in its place: gravity stretches it by m g/k.
+TEST(JointLength, FindsAnElasticRod) {
+  // A stiff spring in place of the rod: gravity stretches it by m g/k.
   const World world = Hung(1);
   const Trajectory moved = Stepped(world, [&world](WorldState& state) {
     PointState& mass = state.particles[0];

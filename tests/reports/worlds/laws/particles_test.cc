@@ -63,7 +63,7 @@ TEST(ParticleFlight, TheTruthAndEverySchemePass) {
   }
 }
 
-TEST(ParticleFlight, FindsDampingPerStepInPlaceOfPerSecond) {
+TEST(ParticleFlight, FindsDampingPerStepInsteadOfPerSecond) {
   // Millington's printed form keeps `damping` of the velocity: here e^{-0.8} read as 0.8.
   const World world = Thrown(0.8);
   EXPECT_TRUE(
@@ -96,7 +96,7 @@ World Dropped(double bounce) {
   return world;
 }
 
-/** `along` is what the tangential velocity keeps. */
+/** `along` is the fraction of the tangential velocity that remains. */
 Trajectory Bounced(const World& world, double bounce, double along = 1) {
   return Stepped(world, [&world, bounce, along](WorldState& state) {
     PointState& grain = state.particles[0];
@@ -121,7 +121,7 @@ TEST(ParticleBounce, ASteppedMotionPasses) {
   }
 }
 
-TEST(ParticleBounce, FindsAnotherShareAndFriction) {
+TEST(ParticleBounce, FindsAnotherRestitutionAndFriction) {
   const World world = Dropped(0.7);
   EXPECT_TRUE(Finds(Judge(world, Bounced(world, 0.8), ClaimOf("particle_bounce")),
                     MeasureKind::kRestitution));

@@ -21,7 +21,7 @@ World Struck(double dt = 1e-3) {
   return world;
 }
 
-/** The blow at the point `at` of the body, and Euler's explicit steps. */
+/** The push at the point `at` of the body, and explicit Euler steps. */
 Trajectory Moved(const World& world, const Eigen::Vector3d& at, double size = 1) {
   int step = 0;
   return Stepped(world, [&world, at, size, step](WorldState& state) mutable {
@@ -39,7 +39,7 @@ Trajectory Moved(const World& world, const Eigen::Vector3d& at, double size = 1)
   });
 }
 
-TEST(Pushed, ABlowAtItsPointPasses) {
+TEST(Pushed, APushAtItsPointPasses) {
   for (const int sample_every : {1, 4}) {
     World world = Struck();
     world.sample_every = sample_every;
@@ -49,7 +49,7 @@ TEST(Pushed, ABlowAtItsPointPasses) {
   }
 }
 
-TEST(Pushed, FindsABlowThatIsWeakerOrElsewhere) {
+TEST(Pushed, FindsAPushThatIsWeakerOrElsewhere) {
   const World world = Struck();
   EXPECT_TRUE(Finds(Judge(world, Moved(world, {0.3, 0.1, 0.2}), ClaimOf("pushed")),
                     MeasureKind::kAngularMomentumDrift));
@@ -58,8 +58,8 @@ TEST(Pushed, FindsABlowThatIsWeakerOrElsewhere) {
             MeasureKind::kMomentumDrift));
 }
 
-TEST(Pushed, FindsTheInertiaThatDidNotTurn) {
-  // The world's blow, divided by the inertia along the body's own axes.
+TEST(Pushed, FindsInertiaThatDoesNotRotateWithTheBody) {
+  // The push in the world frame, divided by the inertia along the body's own axes.
   const World world = Struck();
   int step = 0;
   const Trajectory moved = Stepped(world, [&world, &step](WorldState& state) {
@@ -76,7 +76,7 @@ TEST(Pushed, FindsTheInertiaThatDidNotTurn) {
       Finds(Judge(world, moved, ClaimOf("pushed")), MeasureKind::kAngularMomentumDrift));
 }
 
-TEST(Pushed, KnowsItsNumbersAndRefusesWhatNothingStrikes) {
+TEST(Pushed, KnowsItsNumbersAndRefusesBodiesWithoutAPush) {
   World world = Struck();
   EXPECT_TRUE(FaultsOf(world, ClaimOf("pushed", {},
                                       {{"expected_speed_gain",

@@ -28,8 +28,8 @@ World Stack() {
   return world;
 }
 
-/** What stays where it is, each contact giving the weight above it but for the share
- `slack` of it; `creep` is the speed at which the top goes aside. */
+/** A stack at rest whose contacts carry the weight above them. The middle contact lacks
+ the fraction `slack` of it, and the top moves sideways at the speed `creep`. */
 Trajectory Standing(const World& world, double slack = 0, double creep = 0) {
   Trajectory trajectory = Stepped(world, [&](WorldState& state) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -44,7 +44,7 @@ Trajectory Standing(const World& world, double slack = 0, double creep = 0) {
       above += world.bodies[static_cast<std::size_t>(level)].mass;
       const double J = above * kG * world.dt * (level == 1 ? 1 - slack : 1);
       const int below = level == 0 ? 3 : level - 1;
-      // The lower body is A in one half of the contacts and B in the other.
+      // The lower body is B in the middle contact and A in the others.
       trajectory.impulses.push_back(
           level == 1
               ? ContactImpulse{step, level, below, {0, 0, 0}, {0, -1, 0}, {0, -J, 0}, 0}
@@ -54,14 +54,14 @@ Trajectory Standing(const World& world, double slack = 0, double creep = 0) {
   return trajectory;
 }
 
-TEST(Rests, WhatStaysPassesAndWhatCreepsDoesNot) {
+TEST(Rests, AStackAtRestPassesAndACreepingOneDoesNot) {
   const World world = Stack();
   EXPECT_TRUE(Passes(Judge(world, Standing(world), ClaimOf("rests"))));
   EXPECT_TRUE(Finds(Judge(world, Standing(world, 0, 2e-3), ClaimOf("rests")),
                     MeasureKind::kRestMotion));
 }
 
-TEST(Rests, AllowsWhatAContactSeenLateLetsFall) {
+TEST(Rests, AllowsTheFallBeforeALateContact) {
   const World world = Stack();
   const Trajectory settled = Sampled(world, [&](double t) {
     WorldState state;
@@ -78,7 +78,7 @@ TEST(Rests, AllowsWhatAContactSeenLateLetsFall) {
   EXPECT_TRUE(Passes(Judge(world, settled, ClaimOf("rests"))));
 }
 
-TEST(Rests, MayBeginLaterAndFindsTurning) {
+TEST(Rests, MayBeginLaterAndFindsRotation) {
   const World world = Stack();
   Trajectory falls_then_stands = Standing(world);
   for (std::size_t s = 0; s < 200; ++s)
@@ -93,8 +93,7 @@ TEST(Rests, MayBeginLaterAndFindsTurning) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("rests", {}, {{"from", 2}})).size(), 1U);
 }
 
-/** A ball that rests on the ground; two more far away start `overlap` inside each other.
- */
+/** A ball that rests on the ground; two more, far away, start with an `overlap`. */
 World RestsBesideAHeap(double overlap) {
   World world;
   world.bodies = {BodyOf("still", Sphere{0.2}, 1, {0, 0.2, 0}),
@@ -105,7 +104,7 @@ World RestsBesideAHeap(double overlap) {
   return world;
 }
 
-/** `body` goes on by 0.01 m from `from` [s] to `to` [s] along x. */
+/** Moves `body` by 0.01 m along x from `from` [s] to `to` [s]. */
 Trajectory Creeping(const World& world, std::size_t body, double from, double to) {
   return Sampled(world, [&world, body, from, to](double t) {
     WorldState state = StateAtStart(world);
@@ -122,18 +121,18 @@ TEST(Rests, IsNotExcusedByAnOverlapElsewhere) {
             MeasureKind::kRestMotion));
 }
 
-TEST(Rests, GrantsWhatOverlapsUntilItHasParted) {
+TEST(Rests, GrantsOverlapsUntilTheyAreResolved) {
   const World world = RestsBesideAHeap(0.01);
   EXPECT_TRUE(Passes(
       Judge(world, Creeping(world, 2, 0, 0.05), ClaimOf("rests", {"left", "right"}))));
   const World touching = RestsBesideAHeap(0.001);
-  // Parted after a tenth of its way.
+  // The overlap is resolved after a tenth of the motion.
   EXPECT_TRUE(Finds(Judge(touching, Creeping(touching, 2, 0, 0.05),
                           ClaimOf("rests", {"left", "right"})),
                     MeasureKind::kRestMotion));
 }
 
-TEST(StackSupport, WeightPassesAndAMissingShareOfItDoesNot) {
+TEST(StackSupport, TheFullWeightPassesAndAPartOfItDoesNot) {
   const World world = Stack();
   const Claim claim = ClaimOf("stack_support", {}, {{"expected_weight", 8 * kG}});
   EXPECT_TRUE(Passes(Judge(world, Standing(world), claim)));
@@ -143,7 +142,7 @@ TEST(StackSupport, WeightPassesAndAMissingShareOfItDoesNot) {
   EXPECT_NEAR(finding.value, 0.1 * 3 * kG, 1e-9);
 }
 
-TEST(StackSupport, RefusesAnotherOrderAndASilentEngineIsNotHeld) {
+TEST(StackSupport, RefusesAnotherOrderAndJudgesNoEngineWithoutImpulses) {
   const World world = Stack();
   EXPECT_EQ(FaultsOf(world, ClaimOf("stack_support", {"level1", "level0"})).size(), 1U);
   Trajectory silent = Standing(world);
@@ -151,14 +150,14 @@ TEST(StackSupport, RefusesAnotherOrderAndASilentEngineIsNotHeld) {
   EXPECT_TRUE(Judge(world, silent, ClaimOf("stack_support")).empty());
 }
 
-TEST(MomentumBalance, OfWhatRestsPassesAndFindsAnImpulseThatIsNotThere) {
+TEST(MomentumBalance, AStackAtRestPassesAndAWrongImpulseIsFound) {
   const World world = Stack();
   EXPECT_TRUE(Passes(Judge(world, Standing(world), ClaimOf("momentum_balance"))));
   EXPECT_TRUE(Finds(Judge(world, Standing(world, 1e-6), ClaimOf("momentum_balance")),
                     MeasureKind::kMomentumBalance));
 }
 
-TEST(MomentumBalance, CountsForcesBlowsAndSamplesFarApart) {
+TEST(MomentumBalance, CountsForcesPushesAndStepsBetweenSamples) {
   World world;
   world.bodies = {BodyOf("ball", Sphere{0.2}, 2, {0, 1, 0})};
   world.bodies[0].force_W = {1, 0, 3};
@@ -219,14 +218,14 @@ TEST(CoulombCone, TheCirclePassesAndTheBoxIsRecognised) {
                     MeasureKind::kConeViolation));
 }
 
-TEST(CoulombCone, FindsFrictionThatIsTooLargeWhereTheBoxHasRoomForIt) {
-  // μ J_n = 1 N s; the size is 1.27, the larger component 0.9.
+TEST(CoulombCone, FindsTooLargeFrictionInsideTheBoxCone) {
+  // μ J_n = 1 N s; the magnitude is 1.27, the larger component 0.9.
   const World world = Rubbed();
   EXPECT_TRUE(Finds(Judge(world, Rubbing(world, {0.9, 0.9}), ClaimOf("coulomb_cone")),
                     MeasureKind::kConeViolation));
 }
 
-TEST(CoulombCone, FindsAnImpulseThatIsNoNumberWhereverItComes) {
+TEST(CoulombCone, FindsANaNImpulseAtAnyStep) {
   const World world = Rubbed();
   for (const std::size_t at : {0U, 4U, 9U}) {
     Trajectory trajectory = Rubbing(world, {0.5, 0});
@@ -237,9 +236,9 @@ TEST(CoulombCone, FindsAnImpulseThatIsNoNumberWhereverItComes) {
   }
 }
 
-TEST(CoulombCone, HasOneFrameForAMotion) {
-  // On a slope the directions of the axes x and y differ: at the corner of one box, then
-  // of the other.
+TEST(CoulombCone, UsesOneFrameForAMotion) {
+  // On a slope the directions from the x axis and from the y axis differ: the impulse is
+  // at the corner of one box, then of the other.
   const World world = Rubbed();
   const Eigen::Vector3d n_W = Eigen::Vector3d(0.5, 0.6, 0.4).normalized();
   const auto rubbing = [&](int first_axis, int second_axis) {
@@ -302,7 +301,7 @@ TEST(PenetrationScore, IsTheRootOfTheMeanSumOfSquares) {
       Of(Judge(world, Sunk(world, 1e-3), ClaimOf("penetration_score")),
          MeasureKind::kPenetration);
   EXPECT_NEAR(finding.value, std::sqrt(2) * 1e-3, 1e-12);
-  // At rest only g (Δt + h) h may be left of a contact seen late: 2 · 9.82e-6 m, × 1.5.
+  // At rest a late contact may only leave g (Δt + h) h: 2 · 9.82e-6 m, × 1.5.
   EXPECT_NEAR(finding.tolerance.value, 1.5 * std::sqrt(2) * 2 * 9.82e-6, 1e-11);
   EXPECT_TRUE(Finds(Judge(world, Sunk(world, 1e-3), ClaimOf("penetration_score")),
                     MeasureKind::kPenetration));

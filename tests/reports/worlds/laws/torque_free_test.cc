@@ -15,8 +15,8 @@ namespace {
 
 using Spin = Eigen::Matrix<double, 7, 1>;  // q (x, y, z, w), then ω in the body
 
-/** Euler's equations and q̇ = ½ q ω by Runge-Kutta: knows nothing of elliptic functions.
- */
+/** Integrates Euler's equations and q̇ = ½ q ω by Runge-Kutta, without elliptic
+ functions. */
 Rotation IntegratedRotation(const Eigen::Vector3d& inertia, const Rotation& start,
                             double t, int steps) {
   Spin y;
@@ -35,20 +35,20 @@ Rotation IntegratedRotation(const Eigen::Vector3d& inertia, const Rotation& star
   return {q, q * Eigen::Vector3d(y.tail<3>())};
 }
 
-/** scpeters/benchmark, boxes "complex": inertia and spin of the box, near the separatrix.
- */
+/** scpeters/benchmark, boxes "complex": inertia and spin of the box, near the
+ separatrix. */
 const Eigen::Vector3d kBoxInertia{0.80833333333333333, 0.68333333333333333,
                                   0.14166666666666667};
 const Rotation kBoxStart{Eigen::Quaterniond::Identity(), {0.1, 5, 0.1}};
 
-TEST(JacobiElliptic, HaveTheKnownValues) {
+TEST(JacobiElliptic, HasTheKnownValues) {
   // Abramowitz & Stegun, example 16.7-1 and table 17.1.
   EXPECT_NEAR(Jacobi(0.20, 0.81, 0.19).sn, 0.19762, 5e-6);
   EXPECT_NEAR(CompleteEllipticK(0.5), 1.854074677301372, 1e-15);
   EXPECT_NEAR(CarlsonRF(1, 2, 0), 1.3110287771461, 1e-13);
 }
 
-TEST(JacobiElliptic, AreCircularAndHyperbolicAtTheEnds) {
+TEST(JacobiElliptic, IsCircularAndHyperbolicAtTheEnds) {
   EXPECT_NEAR(Jacobi(0.7, 0, 1).sn, std::sin(0.7), 1e-15);
   EXPECT_NEAR(Jacobi(0.7, 1, 0).sn, std::tanh(0.7), 1e-15);
   EXPECT_NEAR(Jacobi(0.7, 1 - 1e-12, 1e-12).cn, 1 / std::cosh(0.7), 1e-11);
@@ -90,7 +90,7 @@ RC_GTEST_PROP(TorqueFreeRotation, AgreesWithIntegrationForAnyInertia, ()) {
   const auto from = [](int low, int high) {
     return *rc::gen::inRange(low, high) / 100.0;
   };
-  // Two axes alike now and then: the symmetric top. Any two moments exceed the third.
+  // Sometimes two axes are alike: the symmetric top. Any two moments exceed the third.
   Eigen::Vector3d inertia(from(100, 200), from(100, 200), from(100, 200));
   if (*rc::gen::inRange(0, 3) == 0) inertia.y() = inertia.x();
   if (*rc::gen::inRange(0, 3) == 0) inertia.z() = inertia.y();
@@ -134,7 +134,7 @@ Trajectory TrueTurning(const World& world) {
   });
 }
 
-/** Turns at the spin of the start: the gyroscopic term is missing. */
+/** Rotates at the initial spin: the gyroscopic term is missing. */
 Trajectory TurningSteadily(const World& world) {
   return Stepped(world, [&](WorldState& state) {
     state.bodies[0].q_WB = Turned(state.bodies[0].q_WB, world.dt * state.bodies[0].w_WB);
@@ -156,7 +156,7 @@ TEST(TorqueFree, FindsAMissingGyroscopicTerm) {
                     MeasureKind::kOrientationError));
 }
 
-TEST(TorqueFree, FindsInertiaThatDoesNotTurnWithTheBody) {
+TEST(TorqueFree, FindsInertiaThatDoesNotRotateWithTheBody) {
   const World world = TumblingBox(1e-3);
   const Eigen::Vector3d inertia = InertiaOf(world.bodies[0]);
   const Trajectory wrong = Stepped(world, [&](WorldState& state) {
@@ -169,8 +169,8 @@ TEST(TorqueFree, FindsInertiaThatDoesNotTurnWithTheBody) {
       Finds(Judge(world, wrong, ClaimOf("torque_free")), MeasureKind::kOrientationError));
 }
 
-TEST(TorqueFree, ASteadySpinIsHeldToTheErrorOfItsQuaternion) {
-  // About a principal axis nothing but ω³ h² t/12 may be off.
+TEST(TorqueFree, ASteadySpinMayOnlyHaveTheErrorOfItsQuaternion) {
+  // About a principal axis the only error is ω³ h² t/12.
   World world = TumblingBox(1e-3);
   world.bodies[0].w_WB = {0.5, 0, 0};
   const auto slowed = [&](double share) {
@@ -186,11 +186,11 @@ TEST(TorqueFree, ASteadySpinIsHeldToTheErrorOfItsQuaternion) {
   const LawFinding euler =
       Of(Judge(world, Turning(world, GyroscopicScheme::kExplicit), claim),
          MeasureKind::kOrientationError);
-  // The worst sample is not the last one, where rounding takes more of the tolerance.
+  // The worst sample is not the last one: rounding takes more of the tolerance there.
   EXPECT_NEAR(euler.value, 0.125 * 1e-6 * 3 / 12, 0.1 * 0.125e-6 / 4);
 }
 
-TEST(TorqueFree, HoldsTheNumbersOfTheClaimAgainstItsOwn) {
+TEST(TorqueFree, ComparesTheNumbersOfTheClaimWithItsOwn) {
   const World world = TumblingBox(1e-3);
   EXPECT_TRUE(FaultsOf(world, ClaimOf("torque_free", {},
                                       {{"expected_period", 6.056844158},
@@ -212,7 +212,7 @@ TEST(ConservesAngularMomentum, TheTruthAndEverySchemePass) {
 }
 
 TEST(ConservesAngularMomentum, ItsRatesAreThoseOfTheSchemes) {
-  // One step, so small that only the leading order is left.
+  // One step, so small that only the leading order remains.
   World world = TumblingBox(1e-5);
   world.bodies[0].w_WB = {3.4, 2.8, 3.9};
   world.steps = 1;
@@ -235,7 +235,7 @@ TEST(ConservesAngularMomentum, FindsAMissingGyroscopicTerm) {
             MeasureKind::kAngularMomentumDrift));
 }
 
-TEST(ConservesEnergy, OfATumblingBoxTheTruthAndEverySchemePass) {
+TEST(ConservesEnergy, ATumblingBoxPassesByTheTruthAndEveryScheme) {
   for (const double dt : {1e-2, 1e-3}) {
     const World world = TumblingBox(dt);
     EXPECT_TRUE(Passes(Judge(world, TrueTurning(world), ClaimOf("conserves_energy"))));
