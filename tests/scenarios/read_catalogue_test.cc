@@ -88,8 +88,8 @@ TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceAndNamesTheOtherFile) {
                                        root_ / "a.toml"};
   const Catalogue catalogue = touchstone::ReadCatalogue(files);
   EXPECT_THAT(Errors(catalogue),
-              ElementsAre("a.toml:1:6: id \"a\" is used by c.toml:1:6 already; "
-                          "expected an id of its own"));
+              ElementsAre("a.toml:1:6: id \"a\" is already used by c.toml:1:6; "
+                          "expected a unique id"));
   EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("a", "b"));
 }
 
@@ -102,8 +102,8 @@ TEST_F(ReadCatalogue, KeepsWorldsApartFromContactQueriesButForTheirIds) {
                                        root_ / "y.toml", root_ / "w.toml"};
   const Catalogue catalogue = touchstone::ReadCatalogue(files);
   EXPECT_THAT(Errors(catalogue),
-              ElementsAre("w.toml:1:6: id \"x\" is used by x.toml:1:6 already; "
-                          "expected an id of its own"));
+              ElementsAre("w.toml:1:6: id \"x\" is already used by x.toml:1:6; "
+                          "expected a unique id"));
   EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("x"));
   EXPECT_THAT(Ids(catalogue.worlds), ElementsAre("y", "z"));
 }
@@ -115,8 +115,8 @@ TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceEvenWhereTheRestIsWrong) {
   EXPECT_THAT(
       Errors(touchstone::ReadCatalogue(files)),
       ElementsAre("a.toml:4:40: bodies.a.radius is -1; expected a finite length > 0",
-                  "b.toml:1:6: id \"a\" is used by a.toml:1:6 already; "
-                  "expected an id of its own"));
+                  "b.toml:1:6: id \"a\" is already used by a.toml:1:6; "
+                  "expected a unique id"));
 }
 
 TEST_F(ReadCatalogue, ReportsAnIdThatIsNotTheFilesPath) {
@@ -171,8 +171,9 @@ TEST_F(ReadCatalogue, ReportsTheErrorsOfEveryFile) {
 
 TEST_F(ReadCatalogue, ReportsAFolderWithoutAScenario) {
   fs::create_directory(root_ / "empty");
-  EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_ / "empty")),
-              ElementsAre("empty: holds no scenario; expected at least one .toml file"));
+  EXPECT_THAT(
+      Errors(touchstone::ReadCatalogue(root_ / "empty")),
+      ElementsAre("empty: contains no scenario; expected at least one .toml file"));
 }
 
 TEST_F(ReadCatalogue, ReportsAPathThatIsNotThere) {

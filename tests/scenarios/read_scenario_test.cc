@@ -173,10 +173,12 @@ TEST(ReadScenario, RefusesARotationThatMirrors) {
 
 TEST(ReadScenario, RefusesAMatrixThatIsNoRotation) {
   // The first row is (1, 0.5, 0): RᵀR has 0.5 off its diagonal, and 1 + 0.25 on it.
-  EXPECT_THAT(ErrorsOf(With("quaternion = [0.6, 0.0, 0.8, 0]",
-                            "rotation = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]")),
-              ElementsAre("f.toml:9:12: bodies.post.rotation is off orthonormal by 0.5; "
-                          "expected three orthonormal rows of determinant +1, to 1e-06"));
+  EXPECT_THAT(
+      ErrorsOf(With("quaternion = [0.6, 0.0, 0.8, 0]",
+                    "rotation = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]")),
+      ElementsAre("f.toml:9:12: bodies.post.rotation deviates from orthonormal by "
+                  "0.5; expected three orthonormal rows of determinant +1, to "
+                  "1e-06"));
 }
 
 TEST(ReadScenario, RefusesAQuaternionBesideARotation) {
@@ -189,7 +191,7 @@ TEST(ReadScenario, RefusesAQuaternionBesideARotation) {
 
 TEST(ReadScenario, RefusesTheNameOfNoBody) {
   EXPECT_THAT(ErrorsOf(With("B = \"ball\"", "B = \"bal\"")),
-              ElementsAre("f.toml:17:5: contact.B is \"bal\", which is no body; "
+              ElementsAre("f.toml:17:5: contact.B is \"bal\", which is not a body; "
                           "expected \"ball\""));
 }
 
@@ -197,7 +199,7 @@ TEST(ReadScenario, RefusesABodyThatTouchesItself) {
   EXPECT_THAT(ErrorsOf(With("B = \"ball\"", "B = \"post\"")),
               ElementsAre("f.toml:11:1: bodies.ball is not in the question; "
                           "expected two bodies, contact.A and contact.B",
-                          "f.toml:17:5: contact.B is \"post\" like contact.A; "
+                          "f.toml:17:5: contact.B is \"post\", the same as contact.A; "
                           "expected another body"));
 }
 
@@ -259,18 +261,19 @@ TEST(ReadScenario, RefusesAHullWithoutVertices) {
 }
 
 TEST(ReadScenario, RefusesTwoHalfSpaces) {
-  EXPECT_THAT(ErrorsOf(With("shape = \"sphere\"\nradius = 0.3333333333333333",
-                            "shape = \"half_space\"",
-                            With("shape = \"box\"\nhalf_extents = [1, 2.5, 3.0]",
-                                 "shape = \"half_space\""))),
-              ElementsAre("f.toml:11:9: bodies.ball.shape is \"half_space\" like that of "
-                          "bodies.post; expected at most one half_space"));
+  EXPECT_THAT(
+      ErrorsOf(With("shape = \"sphere\"\nradius = 0.3333333333333333",
+                    "shape = \"half_space\"",
+                    With("shape = \"box\"\nhalf_extents = [1, 2.5, 3.0]",
+                         "shape = \"half_space\""))),
+      ElementsAre("f.toml:11:9: bodies.ball.shape is \"half_space\", like that of "
+                  "bodies.post; expected at most one half_space"));
 }
 
 TEST(ReadScenario, RefusesAFileWithoutARequiredKey) {
   EXPECT_THAT(ErrorsOf(With("[contact]\nA = \"post\"\nB = \"ball\"\n", "")),
-              ElementsAre("f.toml:1:1: neither [contact] nor [world] is there; "
-                          "expected the one or the other: what is asked"));
+              ElementsAre("f.toml:1:1: neither [contact] nor [world] is present; "
+                          "expected one of the two"));
   EXPECT_THAT(ErrorsOf(With("reproduces = true\n", "")),
               ElementsAre("f.toml:29:1: indicts[0].reproduces is missing; "
                           "expected true or false"));
@@ -291,7 +294,7 @@ TEST(ReadScenario, RefusesAnIndictmentWithoutAMeasureThatIsOne) {
               ElementsAre("f.toml:31:33: indicts[0].measures[1] is \"exces\"; expected "
                           "\"excess\"",
                           "f.toml:31:42: indicts[0].measures[2] is an integer; expected "
-                          "a string that says something"));
+                          "a non-empty string"));
   EXPECT_THAT(ErrorsOf(With("\"excess\"]", "\"it is wrong\"]")),
               ElementsAre(testing::StartsWith(
                   "f.toml:31:33: indicts[0].measures[1] is \"it is wrong\"; expected one "
@@ -309,8 +312,7 @@ TEST(ReadScenario, RefusesAnIdThatIsNoPath) {
 
 TEST(ReadScenario, RefusesAnEmptyText) {
   EXPECT_THAT(ErrorsOf(With("A ball on a post", "")),
-              ElementsAre("f.toml:2:9: title is empty; expected a string that says "
-                          "something"));
+              ElementsAre("f.toml:2:9: title is empty; expected a non-empty string"));
 }
 
 TEST(ReadScenario, RefusesAnExpectedNormalThatIsNotUnit) {
@@ -362,7 +364,7 @@ TEST(ReadScenario, ReportsEveryErrorInTheOrderOfLines) {
           "f.toml:14:18: bodies.ball.position[1] is a string; expected a finite number",
           "f.toml:15:10: bodies.ball.radius is -0.3333333333333333; "
           "expected a finite length > 0",
-          "f.toml:18:5: contact.A is \"past\", which is no body; expected \"post\""));
+          "f.toml:18:5: contact.A is \"past\", which is not a body; expected \"post\""));
 }
 
 }  // namespace

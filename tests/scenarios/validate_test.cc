@@ -84,12 +84,12 @@ TEST(FaultsOfBody, NameLengthsWhoseSquaresDoublesDoNotHold) {
                           "expected a length from 1e-100 to 1e+100 m"));
   EXPECT_THAT(FaultsOfShape(ConvexHull{{{0, 1, -1e-200}}}),
               ElementsAre("vertices[0][2] is -1e-200; "
-                          "expected 0 m, or from 1e-100 to 1e+100 m to either side"));
+                          "expected 0 m, or a magnitude from 1e-100 to 1e+100 m"));
   Body body{Sphere{0.3}, AwkwardPose()};
   body.X_WB.p_WB = {-1e100, 1e-100, 1e101};
   EXPECT_THAT(Sentences(FaultsOf(body)),
               ElementsAre("position[2] is 1e+101; "
-                          "expected 0 m, or from 1e-100 to 1e+100 m to either side"));
+                          "expected 0 m, or a magnitude from 1e-100 to 1e+100 m"));
 }
 
 TEST(FaultsOfBody, GrantAQuaternionItsSlackAndNoMore) {
@@ -109,7 +109,7 @@ TEST(FaultsOfBody, NameAQuaternionThatIsNotTheMatrixBesideIt) {
   Body body{Sphere{0.3}, AwkwardPose()};
   body.X_WB.R_WB(0, 1) = std::nextafter(body.X_WB.R_WB(0, 1), 1);
   EXPECT_THAT(Sentences(FaultsOf(body)),
-              ElementsAre("quaternion does not give the rotation matrix beside it; "
+              ElementsAre("quaternion does not match the pose's rotation matrix; "
                           "expected a pose made by Pose::FromQuaternion"));
 }
 
@@ -159,14 +159,14 @@ TEST(FaultsOfScenario, NameASeparationThatContradictsTheTouching) {
   scenario.expect.touching = true;
   scenario.expect.separation = 0.05;
   EXPECT_THAT(Sentences(FaultsOf(scenario)),
-              ElementsAre("expect.separation is 0.05 beside touching = true; expected 0 "
-                          "or less: what touches is not apart"));
+              ElementsAre("expect.separation is 0.05 with touching = true; expected 0 "
+                          "or less, since the bodies touch"));
   scenario.expect.separation = 0;
   EXPECT_THAT(FaultsOf(scenario), IsEmpty());
   scenario.expect.touching = false;
   EXPECT_THAT(Sentences(FaultsOf(scenario)),
-              ElementsAre("expect.separation is 0 beside touching = false; expected more "
-                          "than 0: what does not touch is apart"));
+              ElementsAre("expect.separation is 0 with touching = false; expected more "
+                          "than 0, since the bodies do not touch"));
 }
 
 TEST(FaultsOfScenario, NameEveryPartThatAFileCouldNotHold) {

@@ -229,9 +229,10 @@ TEST(ReadWorld, TakesTheDistanceAtTheStartForALengthThatIsNotGiven) {
 }
 
 TEST(ReadWorld, RefusesAKeyOfTheOtherQuestion) {
-  EXPECT_THAT(ErrorsOf(With("horizon = 0.5", "contact = {A = \"ball\", B = \"floor\"}")),
-              ElementsAre("f.toml:4:1: \"contact\" has no place in a file with [world]; "
-                          "expected one question a file"));
+  EXPECT_THAT(
+      ErrorsOf(With("horizon = 0.5", "contact = {A = \"ball\", B = \"floor\"}")),
+      ElementsAre("f.toml:4:1: \"contact\" is not allowed in a file with [world]; "
+                  "expected one question per file"));
 }
 
 TEST(ReadWorld, SuggestsTheNearestKeyOfAMovingBody) {
@@ -279,7 +280,7 @@ TEST(ReadWorld, RefusesAMovingHalfSpace) {
 TEST(ReadWorld, RefusesMotionOfWhatNeverMoves) {
   EXPECT_THAT(ErrorsOf(With("mass = 0\n", "mass = 0\nspin = [0, 0, 1]\n")),
               ElementsAre("f.toml:15:8: bodies.floor.spin is not 0, but the mass is; "
-                          "expected none: what has mass 0 never moves"));
+                          "expected zero, since mass 0 means that it never moves"));
 }
 
 TEST(ReadWorld, RefusesAClockThatDoesNotAddUp) {
@@ -300,35 +301,38 @@ TEST(ReadWorld, RefusesAClockThatDoesNotAddUp) {
 
 TEST(ReadWorld, RefusesAnchorsOnNothing) {
   EXPECT_THAT(ErrorsOf(With("A = \"bob\"", "A = \"bobb\"")),
-              ElementsAre("f.toml:37:5: springs[0].A is \"bobb\", which is no body or "
+              ElementsAre("f.toml:37:5: springs[0].A is \"bobb\", which is not a body or "
                           "particle; expected \"bob\""));
-  EXPECT_THAT(ErrorsOf(With("on = \"ball\"", "on = \"net\"")),
-              ElementsAre("f.toml:38:11: springs[0].B.on is \"net\", which is no body or "
-                          "particle; expected one of ball, bob, floor"));
+  EXPECT_THAT(
+      ErrorsOf(With("on = \"ball\"", "on = \"net\"")),
+      ElementsAre("f.toml:38:11: springs[0].B.on is \"net\", which is not a body or "
+                  "particle; expected one of ball, bob, floor"));
 }
 
 TEST(ReadWorld, RefusesATieToItself) {
-  EXPECT_THAT(ErrorsOf(With("A = [0, 5, 0]", "A = {on = \"ball\", point = [0, 1, 0]}")),
-              ElementsAre("f.toml:45:5: joints[0].B is on what A is on; "
-                          "expected another body or particle, or the world"));
+  EXPECT_THAT(
+      ErrorsOf(With("A = [0, 5, 0]", "A = {on = \"ball\", point = [0, 1, 0]}")),
+      ElementsAre("f.toml:45:5: joints[0].B is on the same body or particle as A; "
+                  "expected another body or particle, or the world"));
 }
 
 TEST(ReadWorld, RefusesATieBetweenThingsThatNeverMove) {
-  EXPECT_THAT(ErrorsOf(With("B = \"ball\"", "B = \"floor\"")),
-              ElementsAre("f.toml:45:5: joints[0].B is on what never moves, and so is A; "
-                          "expected one end that can move"));
+  EXPECT_THAT(
+      ErrorsOf(With("B = \"ball\"", "B = \"floor\"")),
+      ElementsAre("f.toml:45:5: joints[0].B is on something that never moves, and so "
+                  "is A; expected one end that can move"));
 }
 
 TEST(ReadWorld, RefusesATieWhoseEndsAreAtOnePoint) {
   EXPECT_THAT(ErrorsOf(With("A = [0, 5, 0]", "A = [0, 2, 0]")),
-              ElementsAre("f.toml:45:5: joints[0].B is where A is; expected two ends "
-                          "apart, between which there is a direction"));
+              ElementsAre("f.toml:45:5: joints[0].B is at the same point as A; "
+                          "expected two ends at different points"));
 }
 
 TEST(ReadWorld, RefusesAPointOfAParticle) {
   EXPECT_THAT(ErrorsOf(With("A = \"bob\"", "A = {on = \"bob\", point = [1, 0, 0]}")),
               ElementsAre("f.toml:37:26: springs[0].A.point is not 0; "
-                          "expected none: a particle has no size"));
+                          "expected zero, since a particle has no size"));
 }
 
 TEST(ReadWorld, RefusesAClothThatIsNone) {
@@ -356,7 +360,7 @@ TEST(ReadWorld, RefusesAPushOfWhatNeverMoves) {
               ElementsAre("f.toml:60:8: pushes[0].body has mass 0; "
                           "expected a body that can move"));
   EXPECT_THAT(ErrorsOf(With("body = \"ball\"", "body = \"bob\"")),
-              ElementsAre("f.toml:60:8: pushes[0].body is \"bob\", which is no body; "
+              ElementsAre("f.toml:60:8: pushes[0].body is \"bob\", which is not a body; "
                           "expected one of ball, floor"));
 }
 
@@ -364,12 +368,12 @@ TEST(ReadWorld, RefusesANameThatIsTaken) {
   EXPECT_THAT(ErrorsOf(With("[cloths.net]", "[cloths.bob]",
                             With("\"ball\", \"net\"", "\"ball\""))),
               ElementsAre("f.toml:47:9: cloths.bob has the name of particles.bob; "
-                          "expected a name of its own"));
+                          "expected a unique name"));
 }
 
 TEST(ReadWorld, RefusesAClaimAboutNothing) {
   EXPECT_THAT(ErrorsOf(With("\"net\"]", "\"nett\"]")),
-              ElementsAre("f.toml:67:18: claims[0].about[1] is \"nett\", which is no "
+              ElementsAre("f.toml:67:18: claims[0].about[1] is \"nett\", which is not a "
                           "body, particle or cloth; expected \"net\""));
   EXPECT_THAT(ErrorsOf(With("speed = 1.5", "speed = nan")),
               ElementsAre("f.toml:68:20: claims[0].numbers.speed is nan; "
@@ -380,7 +384,7 @@ TEST(ReadWorld, RefusesAWorldWhereNothingMoves) {
   EXPECT_THAT(ErrorsOf("id = \"a\"\ntitle = \"b\"\nsource = \"c\"\n"
                        "world = {dt = 1, steps = 2}\n"),
               ElementsAre("f.toml:4:9: world has nothing that moves; "
-                          "expected a body, a particle or a cloth that can"));
+                          "expected a body, a particle or a cloth that can move"));
 }
 
 TEST(ReadWorld, TakesAFileWithoutAQuestionForAWorldIfItHasItsTables) {
@@ -395,7 +399,7 @@ TEST(ReadWorld, DoesNotBlameWhatHangsOnAnotherError) {
                             With("particles.bob", "particles.blob"))),
               ElementsAre("f.toml:8:6: world.dt is a string; "
                           "expected a finite number > 0",
-                          "f.toml:37:5: springs[0].A is \"bob\", which is no body or "
+                          "f.toml:37:5: springs[0].A is \"bob\", which is not a body or "
                           "particle; expected \"blob\""));
 }
 

@@ -60,9 +60,9 @@ TEST(FaultsOfWorld, HoldTheNameOfAnother) {
   world.particles.push_back({"ball"});
   EXPECT_THAT(Texts(FaultsOf(world)),
               ElementsAre("bodies.ball has the name of bodies.ball; "
-                          "expected a name of its own",
+                          "expected a unique name",
                           "particles.ball has the name of bodies.ball; "
-                          "expected a name of its own"));
+                          "expected a unique name"));
 }
 
 TEST(FaultsOfWorld, HoldAnchorsWithoutAnything) {
@@ -85,8 +85,8 @@ TEST(FaultsOfWorld, HoldARodBetweenTwoPointsThatAreOneToRounding) {
                           {AnchorKind::kBody, 0, {0.3, 0, 0}},
                           1});
   EXPECT_THAT(Texts(FaultsOf(world)),
-              ElementsAre("joints[0].B is where A is; expected two ends apart, between "
-                          "which there is a direction"));
+              ElementsAre("joints[0].B is at the same point as A; expected two ends at "
+                          "different points"));
 }
 
 TEST(FaultsOfWorld, HoldPushesOfNoBodyAndOffTheSteps) {
@@ -116,7 +116,7 @@ TEST(FaultsOfWorld, HoldAWorldAtRestForEver) {
   world.bodies[1].mass = 0;
   EXPECT_THAT(Texts(FaultsOf(world)),
               ElementsAre("world has nothing that moves; "
-                          "expected a body, a particle or a cloth that can"));
+                          "expected a body, a particle or a cloth that can move"));
 }
 
 TEST(FaultsOfWorld, AllowTheMomentsOfAFlatBodyAsTheyAreRounded) {
