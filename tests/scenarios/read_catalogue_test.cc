@@ -26,7 +26,7 @@ class ReadCatalogue : public ::testing::Test {
   }
   ~ReadCatalogue() override { fs::remove_all(root_); }
 
-  /** Writes a valid scenario of that id to `file`, a path below the root. */
+  /** Writes a valid scenario with that id to `file`, a path below the root. */
   void Write(const std::string& file, const std::string& id, double radius = 0.7) {
     fs::create_directories((root_ / file).parent_path());
     std::ofstream(root_ / file) << fmt::format(
@@ -36,7 +36,7 @@ class ReadCatalogue : public ::testing::Test {
         id, radius);
   }
 
-  /** Writes a valid world of that id to `file`, a path below the root. */
+  /** Writes a valid world with that id to `file`, a path below the root. */
   void WriteWorld(const std::string& file, const std::string& id) {
     std::ofstream(root_ / file) << fmt::format(
         "id = \"{}\"\ntitle = \"t\"\nsource = \"s\"\n"
@@ -44,7 +44,7 @@ class ReadCatalogue : public ::testing::Test {
         id);
   }
 
-  /** Returns the messages of a catalogue, the test's folder left out. */
+  /** Returns the messages of a catalogue without the path of the test's folder. */
   std::vector<std::string> Errors(const Catalogue& catalogue) const {
     std::vector<std::string> errors;
     for (const Diagnostic& diagnostic : catalogue.diagnostics) {
@@ -93,7 +93,7 @@ TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceAndNamesTheOtherFile) {
   EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("a", "b"));
 }
 
-TEST_F(ReadCatalogue, KeepsWorldsApartFromContactQueriesButForTheirIds) {
+TEST_F(ReadCatalogue, SeparatesWorldsFromContactQueriesButRequiresUniqueIds) {
   WriteWorld("z.toml", "z");
   WriteWorld("y.toml", "y");
   Write("x.toml", "x");
@@ -108,7 +108,7 @@ TEST_F(ReadCatalogue, KeepsWorldsApartFromContactQueriesButForTheirIds) {
   EXPECT_THAT(Ids(catalogue.worlds), ElementsAre("y", "z"));
 }
 
-TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceEvenWhereTheRestIsWrong) {
+TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceEvenIfTheRestIsWrong) {
   Write("a.toml", "a", -1);
   Write("b.toml", "a");
   const std::vector<fs::path> files = {root_ / "a.toml", root_ / "b.toml"};
@@ -129,7 +129,7 @@ TEST_F(ReadCatalogue, ReportsAnIdThatIsNotTheFilesPath) {
                           "box/face.toml; expected \"box/face\""));
 }
 
-TEST_F(ReadCatalogue, TellsACopiedFolderOfItsPathsAlone) {
+TEST_F(ReadCatalogue, ReportsOnlyThePathsOfACopiedFolder) {
   Write("box/edge.toml", "box/edge");
   Write("a_copy/edge.toml", "box/edge");
   EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_)),
@@ -145,7 +145,7 @@ TEST_F(ReadCatalogue, ReadsAPartOfACatalogueAlone) {
                           "box/odd.toml; expected \"odd\""));
 }
 
-TEST_F(ReadCatalogue, GivesAFileAloneAnyId) {
+TEST_F(ReadCatalogue, AllowsAnyIdInASingleFile) {
   Write("from_upstream.toml", "box/edge");
   const Catalogue catalogue = touchstone::ReadCatalogue(root_ / "from_upstream.toml");
   EXPECT_THAT(Errors(catalogue), IsEmpty());
@@ -176,7 +176,7 @@ TEST_F(ReadCatalogue, ReportsAFolderWithoutAScenario) {
       ElementsAre("empty: contains no scenario; expected at least one .toml file"));
 }
 
-TEST_F(ReadCatalogue, ReportsAPathThatIsNotThere) {
+TEST_F(ReadCatalogue, ReportsAPathThatDoesNotExist) {
   EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_ / "none.toml")),
               ElementsAre("none.toml: cannot be read; expected a readable file"));
 }
