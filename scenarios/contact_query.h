@@ -11,19 +11,19 @@ struct Body {
   Pose X_WB;
 };
 
-/** The question: do A and B touch, how deep or how far apart, where, and along what
- normal?
+/** A contact query: do A and B touch, how deep or how far apart are they, where, and
+ along which normal?
 
- Any oracle may be asked any valid query (scenarios/validate.h); what it cannot answer is
- `unsupported`. */
+ Any valid query (scenarios/validate.h) may be put to any oracle; an oracle that cannot
+ answer it returns `unsupported`. */
 struct ContactQuery {
   Body A;
   Body B;
 };
 
-/** Returns the size of the scene: the largest |coordinate| a computation on the query has
- to carry, max over both bodies of |p_WB|_inf + bounding radius. Rounding errors are
- multiples of this times the unit roundoff. [m] */
+/** Returns the size of the scene: the maximum over both bodies of |p_WB|_inf + bounding
+ radius. It bounds every |coordinate| in a computation on the query; rounding errors are
+ multiples of it times the unit roundoff. [m] */
 double SceneSize(const ContactQuery& query);
 
 }  // namespace touchstone

@@ -3,12 +3,12 @@
 namespace touchstone {
 
 Eigen::Matrix3d CubeRotation(int index) {
-  // Six permutations of the axes: three turns of x, y, z, then three with two axes
-  // swapped.
+  // Six permutations of the axes: the three cyclic ones, then the three that also swap
+  // two axes.
   const int permutation = index / 4;
   const int signs = index % 4;
   const bool swapped = permutation >= 3;
-  // Two columns take any signs; the third is what makes the determinant +1.
+  // Two columns take any signs; the sign of the third makes the determinant +1.
   const double x = signs & 1 ? -1 : 1;
   const double y = signs & 2 ? -1 : 1;
   const double z = x * y * (swapped ? -1 : 1);

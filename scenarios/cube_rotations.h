@@ -6,8 +6,8 @@ namespace touchstone {
 
 inline constexpr int kCubeRotations = 24;
 
-/** Returns the `index`-th of the 24 rotations that carry a cube to itself: signed
- permutation matrices of determinant +1, exact in any arithmetic. The 0th is the identity.
+/** Returns the `index`-th of the 24 rotations that map a cube to itself: signed
+ permutation matrices of determinant +1, exact in any arithmetic. Index 0 is the identity.
  @pre 0 <= index < kCubeRotations. */
 Eigen::Matrix3d CubeRotation(int index);
 

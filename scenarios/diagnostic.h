@@ -4,11 +4,11 @@
 
 namespace touchstone {
 
-/** One error of a file: where, what, and what was expected instead. */
+/** An error in a file: its position, what is wrong, and what was expected instead. */
 struct Diagnostic {
   std::string file;
-  int line = 0;    ///< From 1; 0: the error is of the file as a whole.
-  int column = 0;  ///< From 1, in code points.
+  int line = 0;    ///< Counted from 1; 0: the error concerns the whole file.
+  int column = 0;  ///< Counted from 1, in code points.
   std::string what;
   std::string expected;
 };

@@ -5,7 +5,8 @@
 namespace touchstone {
 namespace {
 
-/** "claims[0].numbers" of "claims[0].numbers.slack"; "claims" of "claims[0]". */
+/** Returns the path of the parent: "claims[0].numbers" for "claims[0].numbers.slack",
+ "claims" for "claims[0]". */
 std::string_view Around(std::string_view path) {
   const std::size_t end = path.find_last_of(".[");
   return path.substr(0, end == std::string_view::npos ? 0 : end);

@@ -24,13 +24,13 @@ std::optional<std::string> TextOf(const fs::path& path) {
   while (file.read(chunk.data(), chunk.size()), file.gcount() > 0) {
     text.append(chunk.data(), static_cast<std::size_t>(file.gcount()));
   }
-  // A folder opens, and fails only now.
+  // Opening a folder succeeds; reading it fails only here.
   if (file.bad()) return std::nullopt;
   return text;
 }
 
-/** Returns the path of `file` below `folder` as an id: without extension, with slashes.
- */
+/** Returns the path of `file` relative to `folder` as an id: no extension, forward
+ slashes. */
 std::string IdOf(const fs::path& file, const fs::path& folder) {
   return file.lexically_relative(folder).replace_extension().generic_string();
 }
@@ -40,7 +40,7 @@ bool EndsWithLevels(std::string_view path, std::string_view levels) {
          (path.ends_with(levels) && path[path.size() - levels.size() - 1] == '/');
 }
 
-/** Reads files one by one and keeps what they have in common. */
+/** Collects the scenarios of files read one by one, and checks ids across files. */
 class CatalogueReader {
  public:
   void Add(const fs::path& path) {
@@ -66,7 +66,7 @@ class CatalogueReader {
 
  private:
   void AddFolder(const fs::path& folder) {
-    std::set<fs::path> files;  // sorted, since the order of a directory is the machine's
+    std::set<fs::path> files;  // Sorted: directory order depends on the system.
     std::error_code error;
     for (fs::recursive_directory_iterator entry(folder, error), end;
          !error && entry != end; entry.increment(error)) {
@@ -78,14 +78,14 @@ class CatalogueReader {
     if (error) {
       Report(folder, fmt::format("cannot be read: {}", error.message()), "a folder");
     } else if (files.empty()) {
-      Report(folder, "holds no scenario", "at least one .toml file");
+      Report(folder, "contains no scenario", "at least one .toml file");
     }
     for (const fs::path& file : files) AddFile(file, &folder);
   }
 
-  /** `folder`: that holds the file, or null where the file itself is named. */
+  /** `folder`: the folder being read, or null if the file itself was named. */
   void AddFile(const fs::path& file, const fs::path* folder = nullptr) {
-    // The same file given twice, or inside a folder given too, is no duplicate of itself.
+    // A file given twice, or also contained in a given folder, is not its own duplicate.
     std::error_code error;
     const fs::path real = fs::weakly_canonical(file, error);
     if (!seen_.insert(error ? file : real).second) return;
@@ -95,7 +95,7 @@ class CatalogueReader {
       catalogue_.diagnostics.push_back(std::move(diagnostic));
     }
     if (read.stated_id) {
-      // A copy that keeps its id is told of its path alone.
+      // A copied file that kept its id is reported for its path only.
       const bool is_in_place =
           folder == nullptr || CheckPath(*read.stated_id, file, *folder);
       if (!is_in_place || !CheckUnique(*read.stated_id, file)) return;
@@ -111,14 +111,14 @@ class CatalogueReader {
     if (!is_new) {
       catalogue_.diagnostics.push_back(
           {file.generic_string(), stated.line, stated.column,
-           fmt::format("id \"{}\" is used by {} already", stated.id, first->second),
-           "an id of its own"});
+           fmt::format("id \"{}\" is already used by {}", stated.id, first->second),
+           "a unique id"});
     }
     return is_new;
   }
 
-  /** Checks that the file's path ends in its id, and its id in the path below `folder`.
-   */
+  /** Checks that the file's path ends in its id, and that its id ends in the path below
+   `folder`. */
   bool CheckPath(const StatedId& stated, const fs::path& file, const fs::path& folder) {
     std::error_code error;
     const fs::path whole = fs::absolute(file, error).lexically_normal();
@@ -142,7 +142,7 @@ class CatalogueReader {
   Catalogue catalogue_;
   std::set<fs::path> seen_;
   std::map<std::string, std::string>
-      place_of_id_;  ///< "file:line:column" of its first use.
+      place_of_id_;  ///< "file:line:column" of the first use, indexed by id.
 };
 
 }  // namespace

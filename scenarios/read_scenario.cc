@@ -13,8 +13,8 @@
 namespace touchstone {
 namespace {
 
-/** Returns what `file` means to be: the one whose question it has, else the one whose
- tables it has. */
+/** Returns the kind of `file`: a world if it has [world], or if it has no [contact] but a
+ table that only worlds have; else a contact query. */
 TableKind KindOf(const toml::table& file) {
   constexpr std::array kOfWorlds = {"particles", "springs", "joints",   "cloths",
                                     "pushes",    "claims",  "ensemble", "horizon"};

@@ -12,46 +12,45 @@
 
 namespace touchstone {
 
-/** What the author of a scenario derived by hand. Every field is optional; what is given
- is checked against the referee before any engine is judged, so a wrong derivation is
- found. */
+/** The answer that the author of a scenario derived by hand. Every field is optional. The
+ given ones are checked against the referee before any engine is judged, so that a wrong
+ derivation is found. */
 struct ContactExpectation {
   std::optional<bool> touching;
   std::optional<double> separation;  ///< < 0 penetrating, 0 touching, > 0 apart. [m]
-  /** Unit normals from A to B, each as good as the others (a tie has several); in the
-   world frame. */
+  /** Unit normals from A to B in the world frame; a tie has several, equally right. */
   std::vector<Eigen::Vector3d> normals;
-  std::optional<int> contacts;  ///< The fewest points that span the contact patch.
+  std::optional<int> contacts;  ///< Smallest number of points that span the patch.
 };
 
-/** How much error the author grants beyond rounding, and why. */
+/** An additional tolerance beyond rounding, with its reason. */
 struct ToleranceOverride {
   double separation;    ///< Added to the derived tolerance. [m], > 0
-  std::string because;  ///< One sentence, quoted in the report.
+  std::string because;  ///< The reason in one sentence, quoted in the report.
 };
 
-/** A claim that a fault of an engine shows in this scenario, to be found again. */
+/** A report that an engine's fault shows in this scenario; the suite checks it. */
 struct Indictment {
   std::string oracle;  ///< Oracle name, e.g. "fcl/signed_distance".
-  /** The measures that find it: the suite must find every one of them again. */
+  /** The measures that detect the fault; the suite must confirm each of them. */
   std::vector<MeasureKind> measures;
-  std::string anomaly;  ///< What the source says goes wrong, in its words.
-  /** False: fixed since, or a control; the suite must find none of the measures. */
+  std::string anomaly;  ///< The failure in the words of the source.
+  /** False: fixed since, or a control; then the suite must confirm none of them. */
   bool reproduces;
 };
 
-/** A question with its provenance and what is known of its answer. */
+/** A contact query with its provenance and what is known about its answer. */
 struct Scenario {
   std::string id;      ///< A path, e.g. "contact/box_box/face_face_shallow".
-  std::string title;   ///< What is there, in one line.
+  std::string title;   ///< One line that describes the scene.
   std::string source;  ///< A citation or a derivation.
-  std::string name_A;  ///< The body names that the file uses.
-  std::string name_B;
+  std::string name_A;  ///< Name of body A in the file.
+  std::string name_B;  ///< Name of body B in the file.
   ContactQuery contact;
   ContactExpectation expect;
   std::optional<ToleranceOverride> tolerance;
   std::vector<Indictment> indicts;
-  FilePlaces places;  ///< Where it says so.
+  FilePlaces places;  ///< Positions in the file, for diagnostics.
 };
 
 }  // namespace touchstone

@@ -13,47 +13,48 @@
 
 namespace touchstone {
 
-/** The id that a file states, and where. */
+/** The id that a file states, and its position. */
 struct StatedId {
   std::string id;
   int line;
   int column;
 };
 
-/** A scenario, or everything that is wrong with its file. Without diagnostics there is
- one of the two, with any there is none. */
+/** The result of reading a file: a scenario or a list of errors. Without diagnostics,
+ exactly one of `scenario` and `world` is set; with any, neither is. */
 struct ReadResult {
-  std::optional<Scenario> scenario;    ///< Where the file has [contact].
-  std::optional<WorldScenario> world;  ///< Where the file has [world].
-  std::vector<Diagnostic>
-      diagnostics;                    ///< Every error of the file, in the order of lines.
-  std::optional<StatedId> stated_id;  ///< Present even where the rest is wrong.
+  std::optional<Scenario> scenario;     ///< Set if the file has [contact].
+  std::optional<WorldScenario> world;   ///< Set if the file has [world].
+  std::vector<Diagnostic> diagnostics;  ///< Every error in the file, sorted by line.
+  std::optional<StatedId> stated_id;    ///< Set even if the rest of the file is wrong.
 };
 
-/** Reads a scenario from TOML; `file_name` is what diagnostics call it. */
+/** Reads a scenario from TOML; `file_name` is the name used in diagnostics. */
 ReadResult ReadScenario(std::string_view text, std::string_view file_name);
 
-/** Reads one scenario file, wherever it lies and whatever its id. */
+/** Reads one scenario file; its id need not match its path. */
 ReadResult ReadScenarioFile(const std::filesystem::path& file);
 
-/** The scenarios of some files and folders, with everything that is wrong with them. */
+/** The scenarios of a set of files and folders, with all errors found in them. */
 struct Catalogue {
-  std::vector<Scenario> scenarios;      ///< Those without errors, sorted by id.
-  std::vector<WorldScenario> worlds;    ///< Likewise.
-  std::vector<Diagnostic> diagnostics;  ///< Of every file, sorted by file and line.
+  std::vector<Scenario> scenarios;      ///< Scenarios without errors, sorted by id.
+  std::vector<WorldScenario> worlds;    ///< Worlds without errors, sorted by id.
+  std::vector<Diagnostic> diagnostics;  ///< All errors, sorted by file and line.
 };
 
 /** Reads files, and folders with all `.toml` files below them.
 
- Beyond the errors of each file: an id used twice, in whichever files and for
- whichever question; in a folder, an id that is not the file's path below the catalogue's
- root (the folder given, or one above it, so that a part of a catalogue can be read
- alone); a path that cannot be read; a folder without a scenario. */
+ In addition to the errors of each file, it reports:
+ - an id used twice, across all files and both kinds of question;
+ - in a folder, an id that is not the file's path below the catalogue's root (the given
+   folder or one of its parents, so that part of a catalogue can be read alone);
+ - a path that cannot be read;
+ - a folder without a scenario. */
 Catalogue ReadCatalogue(std::span<const std::filesystem::path> files_and_folders);
 Catalogue ReadCatalogue(const std::filesystem::path& file_or_folder);
 
-/** Returns the file that reads back as `scenario`, bit for bit: numbers are the shortest
- decimals that do.
+/** Returns the text of a file that reads back as `scenario` bit for bit. Each number is
+ the shortest decimal with that property.
  @pre FaultsOf(scenario) is empty (scenarios/validate_scenario.h), and its strings are
  UTF-8. */
 std::string WriteScenario(const Scenario& scenario);

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kUnitRoundoff = 0x1p-53;
 
-/** How far from the world's origin the question reaches: max |p_WB| + bounding radius.
- * [m] */
+/** Returns the distance from the world's origin that the query reaches: the maximum of
+ |p_WB| + bounding radius. [m] */
 double Reach(const ContactQuery& query) {
   return std::max(query.A.X_WB.p_WB.norm() + BoundingRadius(query.A.shape),
                   query.B.X_WB.p_WB.norm() + BoundingRadius(query.B.shape));
@@ -37,17 +37,16 @@ TransformedQuery Swapped(const ContactQuery& query) {
 TransformedQuery MovedRigidly(const ContactQuery& query, const Pose& X_MW) {
   // With u the unit roundoff, L the reach and t = p_MW:
   // - An entry of a product of rotations is a sum of three products whose absolute values
-  // sum to
-  //   at most 1 (Cauchy-Schwarz): off by 3 u. All nine turn a point at a distance r by at
-  //   most 9 u r. For a half-space, r is that of the other shape: at most 2 L.
-  // - A coordinate of R p + t is a sum of four terms: off by 4 u (|p| + |t|), the place
-  // by √3
-  //   times that, at most 7 u (L + |t|).
-  //   Both bodies together: 2 (18 u L + 7 u (L + |t|)) <= 50 u (L + |t|); 64 covers the
-  //   terms of second order and the slack of R_WB.
+  //   sum to at most 1 (Cauchy-Schwarz), so its error is at most 3 u. Together the nine
+  //   entries displace a point at distance r by at most 9 u r. For a half-space, r is the
+  //   distance of the other shape, at most 2 L.
+  // - A coordinate of R p + t is a sum of four terms with an error of 4 u (|p| + |t|).
+  // The
+  //   error of the position is √3 times that, at most 7 u (L + |t|).
+  // - Both bodies together: 2 (18 u L + 7 u (L + |t|)) <= 50 u (L + |t|). The factor 64
+  //   covers the second-order terms and the tolerance on R_WB.
   // - R_MW stretches lengths by at most half of |RᵀR − 1| in the 2-norm, which is at most
-  // 3
-  //   times its largest entry; the longest length in question is 2 L.
+  //   3 times its largest entry; the longest relevant length is 2 L.
   const double L = Reach(query);
   const double stretch = 3 * OrthonormalityDefect(X_MW.R_WB) * L;
   return {{Moved(query.A, X_MW), Moved(query.B, X_MW)},
@@ -55,8 +54,8 @@ TransformedQuery MovedRigidly(const ContactQuery& query, const Pose& X_MW) {
 }
 
 TransformedQuery Scaled(const ContactQuery& query, double factor) {
-  // Every size and coordinate is rounded once, by at most u of itself: a body of reach L
-  // moves and swells by at most u L, and there are two.
+  // Every size and coordinate is rounded once, with a relative error of at most u. So
+  // each of the two bodies, with reach L, moves and grows by at most u L.
   int exponent;
   const bool is_power_of_two = std::frexp(factor, &exponent) == 0.5;
   const ContactQuery scaled{ScaledBody(query.A, factor), ScaledBody(query.B, factor)};
@@ -66,8 +65,8 @@ TransformedQuery Scaled(const ContactQuery& query, double factor) {
 Body Relabelled(const Body& body, int symmetry) {
   const Box* box = std::get_if<Box>(&body.shape);
   if (!box) return body;
-  // x_B = S x_B', so that x_W = R S x_B' and h = |S| h'. Entries of S are 0 and ±1: sums
-  // with zeros and products with ±1 do not round.
+  // x_B = S x_B', so x_W = R S x_B' and h = |S| h'. Entries of S are 0 and ±1: sums with
+  // zeros and products with ±1 are exact.
   const Eigen::Matrix3d S = CubeRotation(symmetry);
   return {Box{S.transpose().cwiseAbs() * box->half_extents},
           Pose::FromMatrix(body.X_WB.p_WB, body.X_WB.R_WB * S)};

@@ -35,7 +35,7 @@ void CheckPoint(std::string_view where, const Eigen::Vector3d& point,
   }
 }
 
-/** As CheckPoint(), of lengths. */
+/** Like CheckPoint(), but each coordinate must also be 0 or a length in range. */
 void CheckPlace(std::string_view where, const Eigen::Vector3d& place,
                 std::vector<Fault>& faults) {
   CheckPoint(where, place, faults);
@@ -44,7 +44,7 @@ void CheckPlace(std::string_view where, const Eigen::Vector3d& place,
     if (!std::isfinite(x) || x == 0 || IsInRange(std::abs(x))) continue;
     faults.push_back(
         {fmt::format("{}[{}]", where, i), fmt::format("is {}", x),
-         fmt::format("0 m, or from {} to {} m to either side", kShortest, kLongest)});
+         fmt::format("0 m, or a magnitude from {} to {} m", kShortest, kLongest)});
   }
 }
 
@@ -91,14 +91,14 @@ void CheckQuaternion(const Pose& pose, std::vector<Fault>& faults) {
     }
     return;
   }
-  // stableNorm: components near the largest double must not pass as inf or NaN.
+  // stableNorm: the norm of components near the largest double must not overflow.
   const double norm = wxyz.stableNorm();
   if (!(std::abs(norm - 1) <= kQuaternionSlack)) {
     faults.push_back(
         {"quaternion", fmt::format("has norm {}", norm),
          fmt::format("a unit quaternion w, x, y, z, to {}", kQuaternionSlack)});
   } else if (pose.R_WB != pose.q_WB->toRotationMatrix()) {
-    faults.push_back({"quaternion", "does not give the rotation matrix beside it",
+    faults.push_back({"quaternion", "does not match the pose's rotation matrix",
                       "a pose made by Pose::FromQuaternion"});
   }
 }
@@ -113,7 +113,7 @@ void CheckRotation(const Eigen::Matrix3d& R, std::vector<Fault>& faults) {
   const double defect = OrthonormalityDefect(R);
   if (!(defect <= kRotationSlack)) {
     faults.push_back(
-        {"rotation", fmt::format("is off orthonormal by {:.3g}", defect),
+        {"rotation", fmt::format("deviates from orthonormal by {:.3g}", defect),
          fmt::format("three orthonormal rows of determinant +1, to {}", kRotationSlack)});
   } else if (R.determinant() < 0) {
     faults.push_back({"rotation", "mirrors: its determinant is -1",

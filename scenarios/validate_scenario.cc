@@ -41,7 +41,7 @@ void AppendPrefixed(std::string_view prefix, const Part& part,
 }  // namespace
 
 bool IsScenarioId(std::string_view id) {
-  // An empty level would be a leading, trailing or doubled slash.
+  // An empty level means a leading, trailing or double slash.
   bool level_is_empty = true;
   for (const char c : id) {
     if (c == '/') {
@@ -74,9 +74,9 @@ std::vector<Fault> FaultsOf(const ContactExpectation& expect) {
              *expect.touching != (*expect.separation <= 0)) {
     faults.push_back(
         {"separation",
-         fmt::format("is {} beside touching = {}", *expect.separation, *expect.touching),
-         *expect.touching ? "0 or less: what touches is not apart"
-                          : "more than 0: what does not touch is apart"});
+         fmt::format("is {} with touching = {}", *expect.separation, *expect.touching),
+         *expect.touching ? "0 or less, since the bodies touch"
+                          : "more than 0, since the bodies do not touch"});
   }
   for (std::size_t i = 0; i < expect.normals.size(); ++i) {
     // Written so that a NaN is a fault.
@@ -134,7 +134,7 @@ std::vector<Fault> FaultsOf(const Scenario& scenario) {
   CheckBodyName("contact.B", scenario.name_B, faults);
   if (scenario.name_A == scenario.name_B) {
     faults.push_back({"contact.B",
-                      fmt::format("is \"{}\" like contact.A", scenario.name_B),
+                      fmt::format("is \"{}\", the same as contact.A", scenario.name_B),
                       "another body"});
   }
   AppendPrefixed("", scenario.contact, faults);

@@ -15,7 +15,7 @@ using toml_text::Text;
 using toml_text::Truth;
 using toml_text::Vector;
 
-/** Returns whether `v` is what a reader takes where a key is absent: zeros that have no
+/** Returns whether `v` is the reader's default for an absent key: three zeros without a
  sign. */
 bool IsPlainZero(const Eigen::Vector3d& v) {
   return v.isZero(0) && !std::signbit(v[0]) && !std::signbit(v[1]) && !std::signbit(v[2]);

@@ -8,14 +8,15 @@
 namespace touchstone {
 namespace {
 
-constexpr double kHalf = 0.5;    // Of a box; the radius of a sphere. [m]
-constexpr double kShift = 0.05;  // How far each is moved at random. [m]
-// A box turned by 0.1 rad about each axis reaches 0.5 (1 + 2 · 0.1) m along an axis: two
-// of them, moved towards each other, stay apart.
-constexpr double kPitch =
-    1.31;  // From thing to thing of a layer, and between layers. [m]
+constexpr double kHalf = 0.5;    // Half extent of a box; radius of a sphere. [m]
+constexpr double kShift = 0.05;  // Largest random displacement. [m]
+// Distance between neighbours in a layer, and between layers. A box turned by 0.1 rad
+// about each axis reaches 0.5 (1 + 2 · 0.1) m along an axis, so two boxes that are moved
+// towards each other stay apart. [m]
+constexpr double kPitch = 1.31;
 
-/** The floor, wide enough for whatever rolls off a pile of `count` in some seconds. */
+/** Returns a floor wide enough for bodies that roll off a pile of `count` for a few
+ seconds. */
 RigidBody Floor(int count) {
   RigidBody floor;
   floor.name = "floor";
@@ -39,7 +40,7 @@ World OnFloor(int count) {
 World Pile(const Shape& shape, int count, std::uint64_t seed) {
   World world = OnFloor(count);
   Random random({seed, static_cast<std::uint64_t>(count)});
-  // As many in a row as there are layers.
+  // A row has as many bodies as the pile has layers.
   const int row = static_cast<int>(std::ceil(std::cbrt(static_cast<double>(count))));
   for (int i = 0; i < count; ++i) {
     const int layer = i / (row * row);
@@ -51,7 +52,7 @@ World Pile(const Shape& shape, int count, std::uint64_t seed) {
     body.name = "body_" + std::to_string(i);
     body.placed.shape = shape;
     const Eigen::Vector3d p_WB = kPitch * cell + shift + Eigen::Vector3d(0, 0.6, 0);
-    // A small turn, (1, ε) normalised: without libm, the same everywhere.
+    // A small rotation, (1, ε) normalised: without libm, so the same on every machine.
     Eigen::Quaterniond q_WB(1, 0.05 * random.Uniform(-1, 1), 0.05 * random.Uniform(-1, 1),
                             0.05 * random.Uniform(-1, 1));
     body.placed.X_WB = Pose::FromQuaternion(p_WB, q_WB.normalized());

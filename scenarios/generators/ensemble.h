@@ -4,9 +4,9 @@
 
 namespace touchstone {
 
-/** Returns member `index` of the ensemble of `scenario`: its world with every coordinate
- of the starting positions of what moves moved by up to the jitter, the same on every
- machine. Member 0 is the world itself.
+/** Returns member `index` of the ensemble of `scenario`: its world with each coordinate
+ of the initial position of each moving part displaced by up to the jitter. The result is
+ the same on every machine. Member 0 is the world itself.
  @pre The scenario has an ensemble, and 0 <= index < members. */
 World MemberOf(const WorldScenario& scenario, int index);
 

@@ -11,12 +11,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** A weight of a normal in a cone: none is so small that the cone's border is near. */
+/** Returns a weight of a normal in a normal cone. It is never small, so that the sum
+ stays away from the cone's border. */
 double Weight(Random& random) {
   return random.Uniform(0.2, 1);
 }
 
-/** A place along an edge of half length 1, away from its ends. */
+/** Returns a position along an edge of half length 1, away from its ends. */
 double Along(Random& random) {
   return random.Uniform(-0.8, 0.8);
 }
@@ -36,7 +37,7 @@ struct FeatureOf {
   }
 
   Feature operator()(const Box& box) const {
-    // Of the three axes, 3, 2 or 1 are held at a face.
+    // A vertex fixes all three coordinates at a face, an edge two, a face one.
     const int first = random.Below(3);
     const int held = kind == FeatureKind::kVertex ? 3
                      : kind == FeatureKind::kEdge ? 2
@@ -103,7 +104,7 @@ struct FeatureOf {
     const std::vector<Facet> facets = FacetsOf(hull);
     const Facet& facet =
         facets[static_cast<std::size_t>(random.Below(static_cast<int>(facets.size())))];
-    // The corners of the feature: the facet's first 3, 2 or 1 in a random turn.
+    // The corners of the feature: 3, 2 or 1 corners of the facet from a random start.
     const auto turn = static_cast<std::size_t>(random.Below(3));
     const std::size_t corners = kind == FeatureKind::kVertex ? 1
                                 : kind == FeatureKind::kEdge ? 2
@@ -117,7 +118,7 @@ struct FeatureOf {
       p += weight * hull.vertices[indices[i]];
       sum += weight;
     }
-    // Its normal cone is spanned by the facets that have all of these corners.
+    // The normals of the facets that have all of these corners span its normal cone.
     Vector3d n = Vector3d::Zero();
     for (const Facet& other : facets) {
       const bool has_all = std::all_of(

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 9> kNames = {
     "random", "near_parallel",     "edge_edge",      "vertex_face", "touching",
     "deep",   "slabs_and_needles", "extreme_scales", "symmetries"};
 
-/** The kinds of A and B, and the numbers that a question is drawn from. */
+/** The kinds of A and B, and the source of random numbers for a query. */
 struct Draw {
   ShapeKind a;
   ShapeKind b;
@@ -33,7 +33,8 @@ double LesserThickness(const Shape& a, const Shape& b) {
   return std::min(Thickness(a), Thickness(b));
 }
 
-/** A gap of `lo` to `hi` times the lesser thickness; negative in two cases of three. */
+/** Returns a gap of `lo` to `hi` times the lesser thickness, negative in two cases out of
+ three. */
 double RelativeGap(const Shape& a, const Shape& b, double lo, double hi, Random& random) {
   const double size = random.Uniform(lo, hi) * LesserThickness(a, b);
   return random.Below(3) < 2 ? -size : size;
@@ -61,9 +62,9 @@ ContactQuery RandomQuestion(const Draw& draw) {
   const Shape b = RandomShape(draw.b, random);
   const Pose X_WB = RandomPose(random);
   const Vector3d n_W = DirectionOr(random.Direction(), A, b, X_WB);
-  // Distance of the origins along n, as a share of where a plane across n parts the two.
-  // Against a half-space only what is inside the solid is bounded below, so that shares
-  // below 0 count.
+  // Distance of the origins along n, as a fraction of the distance at which a plane
+  // normal to n separates the two. A shape may lie deep inside a half-space, so fractions
+  // below 0 are included there.
   const double share =
       draw.HasHalfSpace() ? random.Uniform(-0.5, 2) : random.Uniform(0, 5.0 / 3);
   const double height = DistanceAcrossPlane(A, b, X_WB, n_W);
@@ -101,7 +102,7 @@ ContactQuery VertexFace(const Draw& draw) {
   const Shape b = RandomShape(draw.b, draw.random);
   const double gap = RelativeGap(A.shape, b, 0.001, 0.2, draw.random);
   const bool coin = draw.random.Coin();
-  // A half-space has a face only, so that the vertex is the other's.
+  // A half-space has only a face, so the vertex is that of the other shape.
   const bool vertex_is_A = draw.HasHalfSpace() ? draw.b == ShapeKind::kHalfSpace : coin;
   return vertex_is_A
              ? Against(A, FeatureKind::kVertex, b, FeatureKind::kFace, gap, draw.random)
@@ -129,7 +130,7 @@ ContactQuery Deep(const Draw& draw) {
   const Vector3d n_W = DirectionOr(random.Direction(), A, b, B.X_WB);
   const double share = random.Below(6) == 0 ? 0 : random.Uniform(0, 0.9);
   if (draw.HasHalfSpace()) {
-    // Sunk by up to four of its radii beyond where the last of it goes under.
+    // The shape is immersed by up to four of its radii beyond full immersion.
     const double radius = BoundingRadius(A.shape) + BoundingRadius(b);
     B.X_WB.p_WB = A.X_WB.p_WB - (1 + 4 * share) * radius * n_W;
   } else {
@@ -167,8 +168,8 @@ ContactQuery ExtremeScales(const Draw& draw) {
   return Against(A, of_A, b, of_B, gap, random);
 }
 
-/** Returns the tangent of half the angle of a rung: 10^-15, 10^-14, …, 10^-1 rad (to a
- third of the angle's cube), and π/4, since tan π/8 = √2 − 1. */
+/** Returns the tangent of half the angle of a rung. The angles are 10^-15, 10^-14, …,
+ 10^-1 rad (up to a twelfth of the angle's cube), and π/4, since tan π/8 = √2 − 1. */
 double HalfTangentOfRung(int rung) {
   constexpr std::array<double, 15> kAngles = {1e-15, 1e-14, 1e-13, 1e-12, 1e-11,
                                               1e-10, 1e-9,  1e-8,  1e-7,  1e-6,

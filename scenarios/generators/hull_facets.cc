@@ -5,8 +5,8 @@
 namespace touchstone {
 namespace {
 
-/** Returns +1 where all other vertices are below the plane of i, j, k, −1 where all are
- above, 0 where the plane cuts the hull. */
+/** Returns +1 if all other vertices are below the plane of i, j, k, −1 if all are above,
+ 0 if the plane cuts the hull. */
 int SideOfOthers(const std::vector<Eigen::Vector3d>& v, std::size_t i, std::size_t j,
                  std::size_t k, const Eigen::Vector3d& n) {
   bool above = false, below = false;

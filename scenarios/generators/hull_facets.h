@@ -13,8 +13,8 @@ struct Facet {
   Eigen::Vector3d n_B;                  ///< Unit, outward.
 };
 
-/** Returns the facets of a hull in general position (no four vertices in a plane), by
- trying all triples: for the dozen vertices of a generated hull.
+/** Returns the facets of a hull in general position (no four vertices in a plane). It
+ tries all triples, which is fast enough for the dozen vertices of a generated hull.
  @pre At least four vertices. */
 std::vector<Facet> FacetsOf(const ConvexHull& hull);
 

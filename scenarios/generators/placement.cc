@@ -15,9 +15,9 @@ Pose RandomPose(Random& random) {
 Body PlacedAgainst(const Body& A, const Feature& on_A, const Shape& shape,
                    const Feature& on_B, double gap, Random& random) {
   const Eigen::Vector3d n_W = Apply(A.X_WB.R_WB, on_A.n_B);
-  // Any rotation, then the least one that turns the feature towards A: the spin is the
-  // first's. Not one that turns it right away from A, where the least rotation is
-  // ill-conditioned.
+  // A random rotation, then the least rotation that turns the feature towards A; the
+  // first determines the spin. Random rotations that leave the feature pointing away from
+  // A are rejected, because the least rotation is ill-conditioned there.
   Eigen::Quaterniond q_any;
   Eigen::Vector3d n_any;
   do {

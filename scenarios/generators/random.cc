@@ -15,7 +15,8 @@ std::uint64_t Mix(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-// Powers of ten as the compiler rounds them, since pow() may round otherwise elsewhere.
+// Powers of ten rounded by the compiler, since pow() may round differently on another
+// machine.
 constexpr double kPowersOfTen[] = {1e-16, 1e-15, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9,
                                    1e-8,  1e-7,  1e-6,  1e-5,  1e-4,  1e-3,  1e-2,  1e-1,
                                    1e0,   1e1,   1e2,   1e3,   1e4,   1e5,   1e6,   1e7,
@@ -40,7 +41,7 @@ double Random::Uniform(double lo, double hi) {
 }
 
 int Random::Below(int n) {
-  // The high half of a product: unbiased to n / 2^32.
+  // The high half of a product; its bias is below n / 2^32.
   return static_cast<int>(((Bits() >> 32) * static_cast<std::uint64_t>(n)) >> 32);
 }
 
@@ -50,8 +51,8 @@ double Random::Decades(int lo, int hi) {
 }
 
 Eigen::Vector3d Random::Direction() {
-  // A point of the unit ball, projected; not from so near its centre that rounding is
-  // felt.
+  // A point of the unit ball, projected. Points near the centre are rejected, since
+  // rounding affects their direction.
   for (;;) {
     const double x = Uniform(-1, 1), y = Uniform(-1, 1), z = Uniform(-1, 1);
     const Eigen::Vector3d v(x, y, z);

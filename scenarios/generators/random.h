@@ -7,12 +7,13 @@
 
 namespace touchstone {
 
-/** Random numbers that are the same on every machine: the n-th is a pure function of the
- key and n, made of integer arithmetic, exact conversions, + − × ÷ and √ alone.
+/** A random number generator that is the same on every machine. The n-th number is a pure
+ function of the key and n, computed only with integer arithmetic, exact conversions,
+ + − × ÷ and √.
 
  SplitMix64: Steele, Lea & Flood, "Fast splittable pseudorandom number generators", OOPSLA
- 2014, figures 16 and 17. Nothing of <random>'s distributions, which differ between
- standard libraries, nor of libm's functions other than sqrt, which differ in the last
+ 2014, figures 16 and 17. It does not use the distributions of <random>, which differ
+ between standard libraries, nor libm functions other than sqrt, which differ in the last
  bit. */
 class Random {
  public:
@@ -30,23 +31,23 @@ class Random {
   /** Returns an integer in [0, n). @pre 0 < n < 2^31. */
   int Below(int n);
 
-  /** Returns true in one case of two. */
+  /** Returns true with probability 1/2. */
   bool Coin() { return Below(2) == 0; }
 
   /** Returns −1 or +1. */
   double Sign() { return Coin() ? -1 : 1; }
 
-  /** Returns a magnitude in [10^lo, 10^hi): every decade is as likely, uniform within it.
-   @pre −16 <= lo < hi <= 16. */
+  /** Returns a magnitude in [10^lo, 10^hi): all decades are equally likely, and it is
+   uniform within a decade. @pre −16 <= lo < hi <= 16. */
   double Decades(int lo, int hi);
 
-  /** Returns a unit vector, every direction as likely. */
+  /** Returns a unit vector; all directions are equally likely. */
   Eigen::Vector3d Direction();
 
-  /** Returns a unit vector (cos φ, sin φ), every φ as likely. */
+  /** Returns a unit vector (cos φ, sin φ); all φ are equally likely. */
   Eigen::Vector2d PlaneDirection();
 
-  /** Returns a unit quaternion, every rotation as likely. */
+  /** Returns a unit quaternion; all rotations are equally likely. */
   Eigen::Quaterniond Rotation();
 
  private:

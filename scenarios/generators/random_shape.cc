@@ -11,7 +11,8 @@
 namespace touchstone {
 namespace {
 
-/** Three lengths drawn in order; arguments of a call would be drawn in any. */
+/** Returns three random lengths, drawn in order (the evaluation order of call arguments
+ is unspecified). */
 Eigen::Vector3d Lengths(Random& random) {
   const double x = random.Uniform(0.2, 1.2);
   const double y = random.Uniform(0.2, 1.2);
@@ -20,11 +21,12 @@ Eigen::Vector3d Lengths(Random& random) {
 }
 
 ConvexHull RandomHull(const Eigen::Vector3d& axes, Random& random) {
-  // Points of the unit sphere, so that all are corners: one near each half axis, so that
-  // the hull holds the origin, the rest anywhere. Then stretched to an ellipsoid.
-  // Along a unit n with S = Σ|n_i| the three points near n's own half axes reach, in
-  // their mean weighted by |n_i|, (1 − 0.3 (S² − 1)) / (√1.18 S): at least 0.21, where
-  // S = √3. So the hull holds 0.21 of its ellipsoid: a ball of 0.04 m at least.
+  // Points on the unit sphere, so that all are corners: one near each half axis, so that
+  // the hull contains the origin, the rest anywhere. They are then scaled to an
+  // ellipsoid. Take a unit n with S = Σ|n_i|. The mean of the three points near n's own
+  // half axes, weighted by |n_i|, reaches (1 − 0.3 (S² − 1)) / (√1.18 S) along n: at
+  // least 0.21, at S = √3. So the hull contains its ellipsoid scaled by 0.21, and thus a
+  // ball of 0.04 m.
   std::vector<Eigen::Vector3d> points;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
@@ -63,8 +65,8 @@ Shape ShapeOfSizes(ShapeKind kind, const Eigen::Vector3d& sizes, Random& random)
   return HalfSpace{};
 }
 
-/** The distance of the lateral surface of a cone from its origin, at mid-height: the line
- from the apex (0, h) to the rim (r, −h) has the normal (2h, r). */
+/** Returns the distance of a cone's lateral surface from its origin, which is at
+ mid-height. The line from the apex (0, h) to the rim (r, −h) has the normal (2h, r). */
 double DistanceToLateralSurface(const Cone& cone) {
   const double r = cone.radius, h = cone.half_height;
   return r * h / std::sqrt(4 * h * h + r * r);
@@ -155,8 +157,8 @@ Shape RandomShape(ShapeKind kind, Random& random) {
 Shape RandomThinShape(ShapeKind kind, Random& random) {
   Eigen::Vector3d sizes = Lengths(random);
   const double thinner = random.Decades(-4, -1);
-  // Which sizes are thin: one or two of three, but exactly one of the two that round
-  // shapes use.
+  // The indices of the thin sizes: one or two out of three, but exactly one of the two
+  // that round shapes use.
   constexpr std::array<std::array<int, 2>, 6> kThin = {
       {{0, 0}, {1, 1}, {0, 2}, {1, 2}, {0, 2}, {1, 1}}};
   const std::array<int, 2> thin = kind == ShapeKind::kSphere

@@ -10,9 +10,9 @@
 namespace touchstone {
 namespace {
 
-// Damerau, "A technique for computer detection and correction of spelling errors", CACM 7
-// (1964), p. 171: the four slips of a typist. One row of the table at a time, two rows
-// kept.
+// Edit distance with the four typing errors of Damerau, "A technique for computer
+// detection and correction of spelling errors", CACM 7 (1964), p. 171. One row of the
+// table is computed at a time; two earlier rows are kept.
 std::size_t EditDistance(std::string_view from, std::string_view to) {
   std::vector<std::size_t> before, last, row(to.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -38,7 +38,8 @@ std::string_view NearestName(std::string_view misspelt,
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string_view name : names) {
     const std::size_t longer = std::max(name.size(), misspelt.size());
-    // At least as far apart as they differ in length: a long key costs nothing.
+    // The distance is at least the difference in length, so a long key is skipped
+    // cheaply.
     if (3 * (longer - std::min(name.size(), misspelt.size())) > longer) continue;
     const std::size_t distance = EditDistance(misspelt, name);
     if (3 * distance > longer || distance >= least) continue;

@@ -8,84 +8,87 @@ namespace {
 constexpr Key kContactFileKeys[] = {
     {"id", ValueType::kId, true,
      "The scenario's name: its path in the catalogue, without .toml."},
-    {"title", ValueType::kText, true, "What is there, in one line."},
+    {"title", ValueType::kText, true, "One line that describes the scene."},
     {"source", ValueType::kText, true, "A citation or a derivation."},
-    {"bodies", ValueType::kBodies, true, "The two bodies, each under a name of its own."},
-    {"contact", ValueType::kTable, true, "The question: do A and B touch, and how?",
+    {"bodies", ValueType::kBodies, true, "The two bodies, each under a unique name."},
+    {"contact", ValueType::kTable, true, "The contact query: do A and B touch, and how?",
      TableKind::kContact},
     {"expect", ValueType::kTable, false,
-     "What the author derived by hand; checked against the certified truth.",
+     "Values that the author derived by hand; checked against the certified truth.",
      TableKind::kExpect},
     {"tolerance", ValueType::kTable, false,
-     "How much error is granted beyond rounding, and why.", TableKind::kTolerance},
+     "An additional tolerance beyond rounding, with its reason.", TableKind::kTolerance},
     {"indicts", ValueType::kTables, false,
-     "Faults of engines that show here, to be found again by the suite.",
+     "Engine faults reported for this scenario; the suite checks each of them.",
      TableKind::kIndictment},
 };
 
 constexpr Key kContactKeys[] = {
-    {"A", ValueType::kBodyName, true, "The body that normals point out of."},
-    {"B", ValueType::kBodyName, true, "The body that normals point into."},
+    {"A", ValueType::kBodyName, true, "The body from which normals point."},
+    {"B", ValueType::kBodyName, true, "The body to which normals point."},
 };
 
 constexpr Key kExpectKeys[] = {
     {"touching", ValueType::kBool, false,
      "Whether A and B share a point; zero separation counts."},
     {"separation", ValueType::kNumber, false,
-     "Distance where apart, minus the depth where penetrating. [m]"},
+     "The distance if separated, minus the depth if penetrating. [m]"},
     {"normals", ValueType::kUnitVectors, false,
-     "Unit normals from A to B in the world frame, each as good as the others."},
+     "Unit normals from A to B in the world frame; several if there is a tie."},
     {"contacts", ValueType::kCount, false,
-     "The fewest contact points that span the contact patch."},
+     "The smallest number of contact points that span the contact patch."},
 };
 
 constexpr Key kToleranceKeys[] = {
     {"separation", ValueType::kLength, true, "Added to the derived tolerance. [m]"},
     {"because", ValueType::kText, true,
-     "The reason, one sentence, quoted in the report."},
+     "The reason in one sentence, quoted in the report."},
 };
 
 constexpr Key kIndictmentKeys[] = {
     {"oracle", ValueType::kText, true,
      "The oracle's name, e.g. \"fcl/signed_distance\"."},
     {"measures", ValueType::kMeasures, true,
-     "The measures that find it, each of which the suite must find again."},
-    {"anomaly", ValueType::kText, true, "What the source says goes wrong, in its words."},
+     "The measures that detect the fault; the suite must confirm each of them."},
+    {"anomaly", ValueType::kText, true, "The failure in the words of the source."},
     {"reproduces", ValueType::kBool, true,
-     "False: fixed since, or a control; the suite must find none of the measures."},
+     "False: fixed since, or a control; then the suite must confirm none of the "
+     "measures."},
 };
 
 constexpr Key kBodyKeys[] = {
     {"shape", ValueType::kShape, true,
      "The kind of shape, centred on the body's origin."},
     {"position", ValueType::kPoint, false,
-     "The body's origin in the world frame; the world's where absent. [m]"},
+     "The body's origin in the world frame; the world's origin by default. [m]"},
     {"quaternion", ValueType::kQuaternion, false,
-     "The body's orientation, w x y z; the world's where absent."},
+     "The body's orientation as a unit quaternion w x y z; the world's axes by default."},
     {"rotation", ValueType::kRotation, false,
-     "The body's orientation as a matrix, three rows; instead of a quaternion."},
+     "The body's orientation as a matrix of three rows; instead of a quaternion."},
 };
 
 constexpr Key kSphereKeys[] = {
-    {"radius", ValueType::kLength, true, "Of the ball. [m]"},
+    {"radius", ValueType::kLength, true, "Radius of the ball. [m]"},
 };
 constexpr Key kBoxKeys[] = {
     {"half_extents", ValueType::kLengths, true,
-     "Half the lengths of the edges along the body's x, y and z axes. [m]"},
+     "Half the edge lengths along the body's x, y and z axes. [m]"},
 };
 constexpr Key kCapsuleKeys[] = {
-    {"radius", ValueType::kLength, true, "Of the caps and the tube. [m]"},
+    {"radius", ValueType::kLength, true, "Radius of the caps and the tube. [m]"},
     {"half_length", ValueType::kLength, true,
-     "Half the segment on the body's z axis, without the caps. [m]"},
+     "Half the length of the segment on the body's z axis, without the caps. [m]"},
 };
 constexpr Key kCylinderKeys[] = {
-    {"radius", ValueType::kLength, true, "Of the discs. [m]"},
+    {"radius", ValueType::kLength, true, "Radius of the discs. [m]"},
     {"half_length", ValueType::kLength, true,
      "Half the length along the body's z axis. [m]"},
 };
 constexpr Key kConeKeys[] = {
-    {"radius", ValueType::kLength, true, "Of the base disc, at z = -half_height. [m]"},
-    {"half_height", ValueType::kLength, true, "The apex is at z = +half_height. [m]"},
+    {"radius", ValueType::kLength, true,
+     "Radius of the base disc, at z = -half_height. [m]"},
+    {"half_height", ValueType::kLength, true,
+     "Half the height; the apex is at z = +half_height. [m]"},
 };
 constexpr Key kConvexHullKeys[] = {
     {"vertices", ValueType::kPoints, true,
@@ -138,7 +141,7 @@ std::span<const Key> ShapeKeys(ShapeKind kind) {
 std::string_view ExpectationOf(ValueType type) {
   switch (type) {
     case ValueType::kText:
-      return "a string that says something";
+      return "a non-empty string";
     case ValueType::kMeasures:
       return "a list of measures, e.g. [\"separation_error\"]";
     case ValueType::kId:
@@ -186,7 +189,7 @@ std::string_view ExpectationOf(ValueType type) {
     case ValueType::kRotation:
       return "three rows of three numbers";
     case ValueType::kAnchor:
-      return "the name of a body or a particle, a point of the world, or a table of on "
+      return "the name of a body or a particle, a point of the world, or a table with on "
              "and point";
     case ValueType::kNumbers:
       return "a table of numbers";

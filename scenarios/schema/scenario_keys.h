@@ -7,10 +7,10 @@
 
 namespace touchstone {
 
-/** What a value of a scenario file is. Drives the reader and the schema alike. */
+/** The type of a value in a scenario file. The reader and the schema both use it. */
 enum class ValueType {
-  kText,           ///< A string that is not empty.
-  kMeasures,       ///< A list of at least one string: the name of a MeasureKind.
+  kText,           ///< A non-empty string.
+  kMeasures,       ///< A non-empty list of names of MeasureKinds.
   kId,             ///< A string: levels of a-z, 0-9 and _ joined by slashes.
   kWord,           ///< A string of a-z, 0-9 and _.
   kBodyName,       ///< A string that names a table of [bodies].
@@ -19,8 +19,8 @@ enum class ValueType {
   kBool,           ///< true or false.
   kCount,          ///< An integer >= 0 that fits an int.
   kPositiveCount,  ///< An integer > 0 that fits an int.
-  kSeed,           ///< An integer >= 0 of 32 bits.
-  kNumber,         ///< A finite number; an integer will do, here and below.
+  kSeed,           ///< An integer >= 0 that fits 32 bits.
+  kNumber,         ///< A finite number; integers are accepted, here and below.
   kNotNegative,    ///< A finite number >= 0.
   kPositive,       ///< A finite number > 0.
   kLength,         ///< A finite number > 0. [m]
@@ -42,16 +42,18 @@ enum class ValueType {
   kTables,         ///< A list of tables whose keys are those of Key::table.
 };
 
-/** The tables of a scenario file, except bodies, whose keys depend on their shape. */
+/** The tables of a scenario file. Bodies are not included: their keys depend on the
+ * shape.
+ */
 enum class TableKind {
   kContactFile,
   kWorldFile,
   kIndictment,
-  // Of contact queries:
+  // Tables of contact queries:
   kContact,
   kExpect,
   kTolerance,
-  // Of worlds:
+  // Tables of worlds:
   kWorld,
   kParticle,
   kSpring,
@@ -69,8 +71,8 @@ struct Key {
   std::string_view name;
   ValueType type;
   bool required;
-  std::string_view documentation;  ///< One line, as editors show it.
-  /** Of kTable, kNamedTables and kTables: what is in it. */
+  std::string_view documentation;  ///< One line, shown by editors.
+  /** The kind of table for kTable, kNamedTables and kTables; unused otherwise. */
   TableKind table = TableKind::kContactFile;
 };
 
@@ -80,14 +82,14 @@ std::span<const Key> KeysOf(TableKind table);
 /** Returns the keys that every body has, in the order in which they are written. */
 std::span<const Key> BodyKeys();
 
-/** Returns the keys that a body of a world has besides, in the order in which they are
+/** Returns the additional keys of a body in a world, in the order in which they are
  written. */
 std::span<const Key> MotionKeys();
 
 /** Returns the keys of a body's shape, in the order in which they are written. */
 std::span<const Key> ShapeKeys(ShapeKind kind);
 
-/** Returns what a reader expects of a value of that type, e.g. "three numbers". */
+/** Returns a description of valid values of `type`, e.g. "three finite numbers". */
 std::string_view ExpectationOf(ValueType type);
 
 }  // namespace touchstone

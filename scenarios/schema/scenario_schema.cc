@@ -13,7 +13,7 @@
 namespace touchstone {
 namespace {
 
-// Ordered, so that the committed copy reads like the table of keys and diffs are small.
+// Ordered, so that the committed copy follows the table of keys and diffs stay small.
 using Json = nlohmann::ordered_json;
 
 Json Number() {
@@ -57,7 +57,7 @@ Json BodyOf(ShapeKind kind, bool may_move) {
   return body;
 }
 
-/** Returns a table of tables under names, each as `value` says. */
+/** Returns the schema of a table of named tables, each with the schema `value`. */
 Json NamedTables(const Json& value) {
   return {{"type", "object"},
           {"propertyNames", {{"pattern", "^[A-Za-z0-9_-]+$"}}},

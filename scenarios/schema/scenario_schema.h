@@ -4,9 +4,10 @@
 
 namespace touchstone {
 
-/** Returns the JSON Schema (draft 7) of scenario files, for editors to complete and check
- them with. Made from the keys the reader reads by (scenarios/schema/scenario_keys.h); it
- cannot say all that the reader checks, such as units of vectors and dangling names. */
+/** Returns the JSON Schema (draft 7) of scenario files, for completion and checking in
+ editors. It is generated from the same keys as the reader
+ (scenarios/schema/scenario_keys.h). It cannot express every check of the reader, e.g.
+ unit vectors and dangling names. */
 std::string ScenarioSchema();
 
 }  // namespace touchstone

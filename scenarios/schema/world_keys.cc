@@ -6,104 +6,111 @@ namespace {
 constexpr Key kFileKeys[] = {
     {"id", ValueType::kId, true,
      "The scenario's name: its path in the catalogue, without .toml."},
-    {"title", ValueType::kText, true, "What is there, in one line."},
+    {"title", ValueType::kText, true, "One line that describes the scene."},
     {"source", ValueType::kText, true, "A citation or a derivation."},
     {"horizon", ValueType::kNotNegative, false,
-     "From here on the motion is chaotic: trajectories are not compared. [s]"},
-    {"world", ValueType::kTable, true, "The question: how does this move?",
+     "Time from which the motion is chaotic and trajectories are not compared. [s]"},
+    {"world", ValueType::kTable, true, "The simulation: gravity, time step and duration.",
      TableKind::kWorld},
     {"bodies", ValueType::kMovingBodies, false,
-     "The rigid bodies, each under a name of its own."},
+     "The rigid bodies, each under a unique name."},
     {"particles", ValueType::kNamedTables, false,
-     "Point masses without size, each under a name of its own.", TableKind::kParticle},
+     "Point masses, each under a unique name.", TableKind::kParticle},
     {"springs", ValueType::kTables, false, "Springs with dampers.", TableKind::kSpring},
     {"joints", ValueType::kTables, false,
-     "Massless rods, which keep their ends at one distance.", TableKind::kJoint},
+     "Massless rods that keep their ends at a fixed distance.", TableKind::kJoint},
     {"cloths", ValueType::kNamedTables, false,
-     "Square nets of particles, each under a name of its own.", TableKind::kCloth},
-    {"pushes", ValueType::kTables, false, "Blows given between two steps.",
+     "Square nets of particles, each under a unique name.", TableKind::kCloth},
+    {"pushes", ValueType::kTables, false, "Impulses applied between two steps.",
      TableKind::kPush},
     {"claims", ValueType::kTables, false,
-     "What is true of the motion; held against every engine.", TableKind::kClaim},
+     "Statements that are true of the motion; every engine is checked against them.",
+     TableKind::kClaim},
     {"ensemble", ValueType::kTable, false,
-     "The same world many times, each a little different.", TableKind::kEnsemble},
+     "Many copies of the world, each perturbed a little.", TableKind::kEnsemble},
     {"indicts", ValueType::kTables, false,
-     "Faults of engines that show here, to be found again by the suite.",
+     "Engine faults reported for this scenario; the suite checks each of them.",
      TableKind::kIndictment},
 };
 
 constexpr Key kWorldKeys[] = {
     {"gravity", ValueType::kPoint, false,
-     "In the world frame; (0, -9.82, 0) where absent. [m/s²]"},
-    {"dt", ValueType::kPositive, true, "The step. [s]"},
-    {"steps", ValueType::kPositiveCount, false, "How many of them."},
-    {"duration", ValueType::kPositive, false, "A multiple of dt; instead of steps. [s]"},
+     "Gravity in the world frame; (0, -9.82, 0) by default. [m/s²]"},
+    {"dt", ValueType::kPositive, true, "The time step. [s]"},
+    {"steps", ValueType::kPositiveCount, false, "The number of steps."},
+    {"duration", ValueType::kPositive, false,
+     "The simulated time, a multiple of dt; instead of steps. [s]"},
     {"sample_every", ValueType::kPositiveCount, false,
-     "Steps from sample to sample, a divisor of steps; 1 where absent."},
+     "Number of steps between samples, a divisor of steps; 1 by default."},
 };
 
 constexpr Key kMotionKeys[] = {
-    {"mass", ValueType::kNotNegative, false, "0: never moves; 1 where absent. [kg]"},
+    {"mass", ValueType::kNotNegative, false, "Mass; 0: never moves; 1 by default. [kg]"},
     {"inertia", ValueType::kMoments, false,
-     "Principal moments about the centre, along the body's axes; those of the solid of "
-     "even density where absent. [kg m²]"},
+     "Principal moments of inertia about the centre, along the body's axes; those of a "
+     "solid of uniform density by default. [kg m²]"},
     {"velocity", ValueType::kPoint, false,
-     "Of the centre, in the world frame; 0 where absent. [m/s]"},
+     "Velocity of the centre, in the world frame; 0 by default. [m/s]"},
     {"spin", ValueType::kPoint, false,
-     "Angular velocity in the world frame; 0 where absent. [rad/s]"},
+     "Angular velocity in the world frame; 0 by default. [rad/s]"},
     {"restitution", ValueType::kShare, false,
-     "Of two that meet, the smaller counts; 0.5 where absent."},
+     "Coefficient of restitution; a contact uses the smaller of the two; 0.5 by "
+     "default."},
     {"friction", ValueType::kNotNegative, false,
-     "Of two that meet, the root of the product counts; 0.6 where absent."},
+     "Coefficient of friction; a contact uses the geometric mean of the two; 0.6 by "
+     "default."},
     {"force", ValueType::kPoint, false,
-     "Constant, through the centre, beside gravity; 0 where absent. [N]"},
+     "Constant force through the centre, in addition to gravity; 0 by default. [N]"},
     {"collides", ValueType::kBool, false,
-     "False: passes through everything; true where absent."},
+     "False: passes through everything; true by default."},
 };
 
 constexpr Key kParticleKeys[] = {
-    {"position", ValueType::kPoint, true, "In the world frame. [m]"},
-    {"velocity", ValueType::kPoint, false, "In the world frame; 0 where absent. [m/s]"},
-    {"mass", ValueType::kNotNegative, false, "0: does not move; 1 where absent. [kg]"},
+    {"position", ValueType::kPoint, true, "Position in the world frame. [m]"},
+    {"velocity", ValueType::kPoint, false,
+     "Velocity in the world frame; 0 by default. [m/s]"},
+    {"mass", ValueType::kNotNegative, false,
+     "Mass; 0: does not move; 1 by default. [kg]"},
     {"damping", ValueType::kNotNegative, false,
-     "Velocities decay as exp(-damping t); 0 where absent. [1/s]"},
+     "Velocities decay as exp(-damping t); 0 by default. [1/s]"},
     {"bounce", ValueType::kShare, false,
-     "Share of the normal velocity kept where it hits; 0.7 where absent."},
+     "Fraction of the normal velocity kept at an impact; 0.7 by default."},
 };
 
 constexpr Key kSpringKeys[] = {
-    {"A", ValueType::kAnchor, true, "What one end is fixed to."},
-    {"B", ValueType::kAnchor, true, "What the other end is fixed to."},
-    {"stiffness", ValueType::kNotNegative, true, "[N/m]"},
-    {"damping", ValueType::kNotNegative, false, "0 where absent. [N s/m]"},
+    {"A", ValueType::kAnchor, true, "The anchor of one end."},
+    {"B", ValueType::kAnchor, true, "The anchor of the other end."},
+    {"stiffness", ValueType::kNotNegative, true, "Stiffness. [N/m]"},
+    {"damping", ValueType::kNotNegative, false,
+     "Damping constant; 0 by default. [N s/m]"},
     {"rest_length", ValueType::kNotNegative, false,
-     "Where it pulls nothing; the distance at the start where absent. [m]"},
+     "Length at which the spring force is zero; the initial distance by default. [m]"},
 };
 
 constexpr Key kJointKeys[] = {
-    {"A", ValueType::kAnchor, true, "What one end is fixed to."},
-    {"B", ValueType::kAnchor, true, "What the other end is fixed to."},
+    {"A", ValueType::kAnchor, true, "The anchor of one end."},
+    {"B", ValueType::kAnchor, true, "The anchor of the other end."},
     {"length", ValueType::kLength, false,
-     "Of the rod; the distance at the start where absent. [m]"},
+     "Length of the rod; the initial distance by default. [m]"},
 };
 
 constexpr Key kAnchorKeys[] = {
     {"on", ValueType::kBodyName, true, "The body or the particle."},
     {"point", ValueType::kPoint, false,
-     "In the frame of the body; its origin where absent. [m]"},
+     "Point in the frame of the body; its origin by default. [m]"},
 };
 
 constexpr Key kClothKeys[] = {
-    {"n", ValueType::kPositiveCount, true, "Nodes along a side, 3 or more."},
-    {"spacing", ValueType::kLength, true, "From node to node. [m]"},
+    {"n", ValueType::kPositiveCount, true, "Number of nodes along a side, 3 or more."},
+    {"spacing", ValueType::kLength, true, "Distance between neighbouring nodes. [m]"},
     {"centre", ValueType::kPoint, false,
-     "In the world frame, whose x and z axes the net spans; its origin where absent. "
-     "[m]"},
-    {"node_mass", ValueType::kPositive, false, "Of each node; 1 where absent. [kg]"},
+     "Centre in the world frame; the net is parallel to the x and z axes; the origin by "
+     "default. [m]"},
+    {"node_mass", ValueType::kPositive, false, "Mass of each node; 1 by default. [kg]"},
     {"damping", ValueType::kNotNegative, false,
-     "Velocities decay as exp(-damping t); 0 where absent. [1/s]"},
+     "Velocities decay as exp(-damping t); 0 by default. [1/s]"},
     {"bounce", ValueType::kShare, false,
-     "Share of the normal velocity kept where a node hits; 0 where absent."},
+     "Fraction of the normal velocity kept when a node hits; 0 by default."},
     {"structural", ValueType::kTable, false,
      "Springs between neighbours in a row or column.", TableKind::kClothSprings},
     {"shear", ValueType::kTable, false, "Springs between diagonal neighbours.",
@@ -114,34 +121,36 @@ constexpr Key kClothKeys[] = {
 };
 
 constexpr Key kClothSpringKeys[] = {
-    {"stiffness", ValueType::kNotNegative, true, "[N/m]"},
-    {"damping", ValueType::kNotNegative, false, "0 where absent. [N s/m]"},
+    {"stiffness", ValueType::kNotNegative, true, "Stiffness. [N/m]"},
+    {"damping", ValueType::kNotNegative, false,
+     "Damping constant; 0 by default. [N s/m]"},
 };
 
 constexpr Key kPushKeys[] = {
-    {"body", ValueType::kBodyName, true, "The body that is struck."},
+    {"body", ValueType::kBodyName, true, "The body that receives the impulse."},
     {"time", ValueType::kNotNegative, false,
-     "A multiple of dt, before the end; 0 where absent. [s]"},
+     "Time of the impulse, a multiple of dt before the end; 0 by default. [s]"},
     {"point", ValueType::kPoint, false,
-     "In the frame of the body; its origin where absent. [m]"},
-    {"impulse", ValueType::kPoint, true, "In the world frame. [N s]"},
+     "Point in the frame of the body; its origin by default. [m]"},
+    {"impulse", ValueType::kPoint, true, "Impulse in the world frame. [N s]"},
 };
 
 constexpr Key kClaimKeys[] = {
     {"law", ValueType::kWord, true, "The name of the law that holds."},
     {"about", ValueType::kNames, false,
-     "The bodies, particles and cloths it is about; everything that moves where absent."},
+     "Names of the bodies, particles and cloths concerned; everything that moves by "
+     "default."},
     {"numbers", ValueType::kNumbers, false,
-     "Numbers that the law reads; those that start with expected_ its author derived, "
-     "and are checked."},
+     "Numbers that the law reads; those that start with expected_ were derived by the "
+     "author and are checked."},
     {"because", ValueType::kText, false, "The derivation or the citation."},
 };
 
 constexpr Key kEnsembleKeys[] = {
-    {"members", ValueType::kPositiveCount, true, "How many worlds, 2 or more."},
+    {"members", ValueType::kPositiveCount, true, "Number of worlds, 2 or more."},
     {"jitter", ValueType::kLength, true,
-     "Every coordinate of a starting position is moved by up to this. [m]"},
-    {"seed", ValueType::kSeed, false, "Of the random numbers; 1 where absent."},
+     "Largest displacement of each coordinate of an initial position. [m]"},
+    {"seed", ValueType::kSeed, false, "Seed of the random numbers; 1 by default."},
 };
 
 }  // namespace

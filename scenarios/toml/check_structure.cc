@@ -50,8 +50,8 @@ std::optional<ShapeKind> ShapeNamed(std::string_view name) {
   return std::nullopt;
 }
 
-/** Returns the keys that `body` may have: those of its shape, those of all shapes where
- that is misspelt. */
+/** Returns the keys that `body` may have: those of its shape, or those of all shapes if
+ the shape's name is misspelt. */
 std::vector<Key> KeysOfBody(const toml::table& body, bool may_move) {
   std::vector<Key> keys(BodyKeys().begin(), BodyKeys().end());
   const std::optional<ShapeKind> kind =
@@ -59,8 +59,8 @@ std::vector<Key> KeysOfBody(const toml::table& body, bool may_move) {
   for (int i = 0; i < kShapeKinds; ++i) {
     if (kind && static_cast<ShapeKind>(i) != *kind) continue;
     for (Key key : ShapeKeys(static_cast<ShapeKind>(i))) {
-      // A shape misspelt is one error: its keys are not called unknown or missing as
-      // well.
+      // A misspelt shape is one error: its keys are not also reported as unknown or
+      // missing.
       key.required = kind.has_value();
       keys.push_back(key);
     }
@@ -76,7 +76,7 @@ class StructureCheck {
   void File(const toml::table& file) { Table(file, "", KeysOf(kind_)); }
 
  private:
-  /** Checks `table`, whose path is `where`, e.g. "bodies.ball"; empty for the file. */
+  /** Checks `table`. `where` is its path, e.g. "bodies.ball"; empty for the file. */
   void Table(const toml::table& table, std::string_view where,
              std::span<const Key> keys) {
     std::vector<std::string_view> meant;
@@ -91,14 +91,14 @@ class StructureCheck {
       }
     }
     for (const Key& key : keys) {
-      // A key misspelt is one error: it is not called missing as well.
+      // A misspelt key is one error: it is not also reported as missing.
       if (!key.required || table.contains(key.name) ||
           std::find(meant.begin(), meant.end(), key.name) != meant.end()) {
         continue;
       }
       if (key.table == TableKind::kContact) {
-        log_.Add(table.source(), "neither [contact] nor [world] is there",
-                 "the one or the other: what is asked");
+        log_.Add(table.source(), "neither [contact] nor [world] is present",
+                 "one of the two");
         continue;
       }
       log_.Add(table.source(), fmt::format("{} is missing", Join(where, key.name)),
@@ -110,14 +110,15 @@ class StructureCheck {
     return where.empty() ? std::string(key) : fmt::format("{}.{}", where, key);
   }
 
-  /** Returns the key that it most likely means; empty where there is none. */
+  /** Reports the unknown key `name` and returns the key that it most likely means; empty
+   if there is none. */
   std::string_view UnknownKey(const toml::key& name, std::string_view where,
                               std::span<const Key> keys) {
     if (where.empty() && IsKeyOfAnotherFile(name.str())) {
       log_.Add(name.source(),
-               fmt::format("\"{}\" has no place in a file with [{}]", name.str(),
+               fmt::format("\"{}\" is not allowed in a file with [{}]", name.str(),
                            kind_ == TableKind::kWorldFile ? "world" : "contact"),
-               "one question a file");
+               "one question per file");
       return {};
     }
     std::vector<std::string_view> known;
@@ -130,7 +131,7 @@ class StructureCheck {
     return nearest;
   }
 
-  /** Returns what is expected: the name `nearest` to what stands there, if any is near.
+  /** Returns the text of what is expected: `nearest`, or all known names if it is empty.
    */
   static std::string Meant(std::string_view nearest,
                            std::span<const std::string_view> known) {
@@ -295,7 +296,7 @@ class StructureCheck {
       const std::string pair = fmt::format("{}[{}]", where, i);
       const toml::array* row_and_column = array->get(i)->as_array();
       if (!row_and_column || row_and_column->size() != 2) {
-        log_.Add(array->get(i)->source(), fmt::format("{} is no node", pair),
+        log_.Add(array->get(i)->source(), fmt::format("{} is not a node", pair),
                  "[row, column]");
         continue;
       }
@@ -377,7 +378,7 @@ class StructureCheck {
              fmt::format("a name of {}", letters));
   }
 
-  const TableKind kind_;  ///< Of the file.
+  const TableKind kind_;  ///< Kind of the file.
   FileLog& log_;
 };
 

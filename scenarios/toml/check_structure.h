@@ -5,9 +5,8 @@
 
 namespace touchstone {
 
-/** Logs where `file` lacks keys that a file of its kind must have, has any that it may
- not, or values of another type. Whether a number of the right type is a good one is for
- FaultsOf() to say. */
+/** Logs missing keys, unknown keys and values of the wrong type in `file`. FaultsOf()
+ checks whether a number of the right type is valid. */
 void CheckStructure(const toml::table& file, TableKind kind, FileLog& log);
 
 }  // namespace touchstone

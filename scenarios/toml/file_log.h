@@ -18,12 +18,12 @@ class FileLog {
 
   void Add(const toml::source_region& at, std::string what, std::string_view expected);
 
-  /** Adds the faults of what `table` says, each where its value stands; `prefix` is the
-   path of the table, e.g. "bodies.ball.". */
+  /** Adds the faults of the contents of `table`, each at the position of its value.
+   `prefix` is the path of the table, e.g. "bodies.ball.". */
   void Add(const std::vector<Fault>& faults, const toml::table& table,
            std::string_view prefix);
 
-  /** Returns how many there are. */
+  /** Returns the number of diagnostics. */
   std::size_t size() const { return diagnostics_.size(); }
 
   std::vector<Diagnostic> InOrderOfLines() &&;

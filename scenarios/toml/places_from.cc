@@ -13,7 +13,7 @@ FilePlaces::Place PlaceOf(const toml::source_region& at) {
   return {static_cast<int>(at.begin.line), static_cast<int>(at.begin.column)};
 }
 
-/** Adds what is below `node`, whose path is `path`. */
+/** Adds the positions of everything below `node`, whose path is `path`. */
 void AddBelow(const toml::node& node, const std::string& path, FilePlaces& places) {
   const auto add = [&](const std::string& child, const toml::source_region& key,
                        const toml::node& value) {

@@ -7,7 +7,7 @@
 
 namespace touchstone {
 
-/** Returns where the expectations, the claims and the indictments of `file` stand. */
+/** Returns the positions of the expectations, claims and indictments of `file`. */
 FilePlaces PlacesFrom(const toml::table& file, std::string_view file_name);
 
 }  // namespace touchstone

@@ -5,8 +5,8 @@
 
 namespace touchstone {
 
-/** Returns the shape and the pose that the table of a body gives, harmless ones where
- CheckStructure() has something to say. */
+/** Returns the shape and the pose in the table of a body. Where CheckStructure() reports
+ an error, a harmless default is used. */
 Body BodyFrom(const toml::table& body);
 
 }  // namespace touchstone

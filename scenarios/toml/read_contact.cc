@@ -32,7 +32,7 @@ ContactExpectation ExpectationFrom(const toml::table& expect) {
   return expectation;
 }
 
-/** Builds the scenario, and reports values of the right type that cannot be. */
+/** Builds the scenario, and reports invalid values that have the right type. */
 class Build {
  public:
   Build(const toml::table& file, FileLog& log) : file_(file), log_(log) {}
@@ -50,7 +50,7 @@ class Build {
     if (const toml::table* tolerance = file_["tolerance"].as_table()) {
       scenario.tolerance = {NumberFrom(tolerance->get("separation"), 1),
                             TextFrom(*tolerance, "because")};
-      // An empty reason was a fault of structure.
+      // CheckStructure() has already reported an empty reason.
       std::vector<Fault> faults = FaultsOf(*scenario.tolerance);
       std::erase_if(faults, [](const Fault& fault) { return fault.where == "because"; });
       log_.Add(faults, *tolerance, "tolerance.");
@@ -80,19 +80,19 @@ class Build {
     }
     if (A && A == B) {
       log_.Add(file_["contact"]["B"].node()->source(),
-               fmt::format("contact.B is \"{}\" like contact.A", scenario.name_B),
+               fmt::format("contact.B is \"{}\", the same as contact.A", scenario.name_B),
                "another body");
     } else if (A && B && KindOf(scenario.contact.A.shape) == ShapeKind::kHalfSpace &&
                KindOf(scenario.contact.B.shape) == ShapeKind::kHalfSpace) {
       log_.Add(B->get("shape")->source(),
-               fmt::format("bodies.{}.shape is \"half_space\" like that of bodies.{}",
+               fmt::format("bodies.{}.shape is \"half_space\", like that of bodies.{}",
                            scenario.name_B, scenario.name_A),
                "at most one half_space");
     }
   }
 
-  /** Returns the body that contact.`role` names, and its name; null where there is none.
-   */
+  /** Returns the table of the body that contact.`role` names, and sets `name` to its
+   name; null if there is no such body. */
   const toml::table* BodyNamed(const toml::table& bodies, std::string_view role,
                                std::string& name) {
     const toml::node_view<const toml::node> node = file_["contact"][role];
@@ -103,7 +103,7 @@ class Build {
     for (const auto& [body_name, body] : bodies) names.push_back(body_name.str());
     const std::string_view nearest = NearestName(name, names);
     log_.Add(node.node()->source(),
-             fmt::format("contact.{} is \"{}\", which is no body", role, name),
+             fmt::format("contact.{} is \"{}\", which is not a body", role, name),
              !nearest.empty() ? fmt::format("\"{}\"", nearest)
              : names.empty()  ? "a table of [bodies]"
                               : fmt::format("one of {}", fmt::join(names, ", ")));

@@ -5,7 +5,7 @@
 
 namespace touchstone {
 
-/** Returns the contact query of a file, and logs values of the right type that cannot be.
+/** Returns the contact query of a file, and logs invalid values that have the right type.
  */
 Scenario ContactFrom(const toml::table& file, FileLog& log);
 

@@ -16,7 +16,7 @@
 namespace touchstone {
 namespace {
 
-/** Builds the world, and reports values of the right type that cannot be. */
+/** Builds the world, and reports invalid values that have the right type. */
 class Build {
  public:
   Build(const toml::table& file, FileLog& log)
@@ -42,7 +42,7 @@ class Build {
     AddPushes();
     if (file_["world"].is_table() && !Moves(world_)) {
       log_.Add(file_["world"].node()->source(), "world has nothing that moves",
-               "a body, a particle or a cloth that can");
+               "a body, a particle or a cloth that can move");
     }
     return std::move(world_);
   }
@@ -80,7 +80,7 @@ class Build {
     const bool has_steps = SetSteps(*table);
     std::vector<Fault> faults = FaultsOfClock(world_);
     if (!has_steps) {
-      // What does not divide a number that is not there is not wrong.
+      // Without a number of steps, sample_every cannot be checked as its divisor.
       std::erase_if(faults, [](const Fault& fault) {
         return fault.where == "steps" || fault.where == "sample_every";
       });
@@ -89,7 +89,7 @@ class Build {
     clock_is_good_ = has_steps && (*table)["dt"].is_number() && faults.empty();
   }
 
-  /** Sets the number of steps, and returns whether the file gives it. */
+  /** Sets the number of steps, and returns whether the file determines it. */
   bool SetSteps(const toml::table& table) {
     const toml::node* duration = table.get("duration");
     const toml::node* steps = table.get("steps");
@@ -124,8 +124,8 @@ class Build {
     return false;
   }
 
-  /** Adds springs or joints. `from` returns what a table says of itself; its second
-   argument is the distance of the ends. */
+  /** Adds springs or joints. `from` builds one from its table and the distance between
+   its ends, which is the default length. */
   template <class Part, class From>
   void AddTied(std::string_view key, std::vector<Part>& parts, const From& from) {
     for (const toml::table* table : TablesFrom(file_, key)) {
@@ -179,7 +179,7 @@ class Build {
       }
     }
     std::vector<Fault> faults = FaultsOf(claim);
-    // Names were a matter of structure.
+    // CheckStructure() has already reported invalid names.
     std::erase_if(faults, [](const Fault& fault) {
       return fault.where == "law" || fault.where == "numbers";
     });

@@ -5,8 +5,9 @@
 
 namespace touchstone {
 
-/** Returns the world of a file with all that is said of it, and logs values of the right
- type that cannot be. */
+/** Returns the world scenario of a file, and logs invalid values that have the right
+ * type.
+ */
 WorldScenario WorldFrom(const toml::table& file, FileLog& log);
 
 }  // namespace touchstone

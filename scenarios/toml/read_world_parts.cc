@@ -18,7 +18,7 @@ std::vector<std::pair<int, int>> NodesFrom(const toml::node* node) {
   if (!array) return nodes;
   for (const toml::node& element : *array) {
     const toml::array* pair = element.as_array();
-    // All or none: their indices are their places in the file.
+    // All or none: faults refer to nodes by their index in the file.
     if (!pair || pair->size() != 2) return {};
     nodes.emplace_back(IntegerFrom(pair->get(0), 0), IntegerFrom(pair->get(1), 0));
   }

@@ -5,8 +5,8 @@
 
 namespace touchstone {
 
-// Each returns what a table says, harmless values where CheckStructure() has something to
-// say. Names are left for the caller.
+// Each function returns the contents of a table. Where CheckStructure() reports an error,
+// a harmless default is used. The caller sets the names.
 
 RigidBody RigidBodyFrom(const toml::table& table);
 Particle ParticleFrom(const toml::table& table);

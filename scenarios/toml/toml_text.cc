@@ -6,7 +6,7 @@ namespace touchstone::toml_text {
 
 std::string Number(double value) {
   std::string text = fmt::format("{}", value);
-  // TOML would read an integer, whose -0 has no sign.
+  // Without a point, TOML would read an integer, which loses the sign of -0.
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text;
 }

@@ -8,20 +8,20 @@
 
 namespace touchstone::toml_text {
 
-/** Returns the shortest decimal that reads back as the same double, sign of zero
- included. */
+/** Returns the shortest decimal that reads back as the same double, including the sign of
+ zero. */
 std::string Number(double value);
 
 /** Returns "[x, y, z]". */
 std::string Vector(const Eigen::Vector3d& v);
 
-/** Returns `text` in quotes, with escapes for what TOML does not take as it is. */
+/** Returns `text` in quotes, with the escapes that TOML requires. */
 std::string Text(std::string_view text);
 
 /** Returns "true" or "false". */
 std::string Truth(bool value);
 
-/** Returns the vectors in brackets, each in a line of its own. */
+/** Returns the vectors in brackets, each on its own line. */
 std::string List(const std::vector<Eigen::Vector3d>& vectors);
 
 /** Returns "key = value" and a line break. */

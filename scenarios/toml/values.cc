@@ -7,8 +7,8 @@ namespace touchstone {
 double NumberFrom(const toml::node* node, double otherwise) {
   if (const auto* number = node ? node->as_floating_point() : nullptr)
     return number->get();
-  // node::value<double>() would refuse an integer beyond 2^53, which is as good a decimal
-  // as any other.
+  // node::value<double>() would refuse an integer beyond 2^53, although any decimal is
+  // rounded to a double.
   if (const auto* integer = node ? node->as_integer() : nullptr) {
     return static_cast<double>(integer->get());
   }

@@ -12,13 +12,14 @@
 
 namespace touchstone {
 
-// Each of these takes what has the right type and a harmless value for all else, which
-// CheckStructure() has reported already: so one error does not hide another.
+// These functions return the value if it has the right type, and a harmless default
+// otherwise. CheckStructure() has already reported the wrong type, so that one error does
+// not hide another.
 
-/** Returns the number that `node` is; an integer will do. */
+/** Returns the number in `node`; integers are accepted. */
 double NumberFrom(const toml::node* node, double otherwise);
 
-/** Returns the integer that `node` is, where Type holds it. */
+/** Returns the integer in `node` if it fits Type. */
 template <class Type>
 Type IntegerFrom(const toml::node* node, Type otherwise) {
   const auto* integer = node ? node->as_integer() : nullptr;
@@ -27,19 +28,20 @@ Type IntegerFrom(const toml::node* node, Type otherwise) {
              : otherwise;
 }
 
-/** Returns the string that `table` has under `key`; empty where none. */
+/** Returns the string under `key` in `table`; empty if there is none. */
 std::string TextFrom(const toml::table& table, std::string_view key);
 
 /** Returns whether `node` is a list of `size` numbers. */
 bool AreNumbers(const toml::node* node, std::size_t size);
 
-/** Returns the three numbers that `node` is. */
+/** Returns the list of three numbers in `node`. */
 Eigen::Vector3d VectorFrom(const toml::node* node, const Eigen::Vector3d& otherwise);
 
-/** Returns the elements of `array`, each a vector. */
+/** Returns the elements of `array` as vectors. */
 std::vector<Eigen::Vector3d> PointsFrom(const toml::array& array);
 
-/** Returns the tables of the list that `table` has under `key`, null for what is none. */
+/** Returns the elements of the list under `key` in `table`; null for each that is not a
+ table. */
 std::vector<const toml::table*> TablesFrom(const toml::table& table,
                                            std::string_view key);
 

@@ -41,7 +41,7 @@ WorldNames::WorldNames(const toml::table& file, FileLog& log) : log_(log) {
       log_.Add(named.key->source(),
                fmt::format("{}.{} has the name of {}.{}", kTables[kind], name,
                            kTables[static_cast<std::size_t>(first->second.kind)], name),
-               "a name of its own");
+               "a unique name");
     }
   }
 }
@@ -59,7 +59,7 @@ std::optional<WorldNames::Named> WorldNames::Find(const toml::node* node,
   }
   const std::string_view nearest = NearestName(name->get(), names);
   log_.Add(node->source(),
-           fmt::format("{} is \"{}\", which is no {}", where, name->get(), wanted),
+           fmt::format("{} is \"{}\", which is not a {}", where, name->get(), wanted),
            !nearest.empty() ? fmt::format("\"{}\"", nearest)
            : names.empty()  ? fmt::format("a {} of the world", wanted)
                             : fmt::format("one of {}", fmt::join(names, ", ")));

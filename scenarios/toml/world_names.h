@@ -12,32 +12,31 @@
 
 namespace touchstone {
 
-/** A table under a name of its own. */
+/** A table with its name. */
 struct NamedTable {
   const toml::key* key;
-  const toml::table* table;  ///< Null where the value is none.
+  const toml::table* table;  ///< Null if the value is not a table.
 };
 
-/** Returns what `file` has under `key` in the order of the file, which is that of
- World::bodies and so on: toml++ sorts by name. */
+/** Returns the named tables under `key` in the order of the file, which is the order of
+ World::bodies etc. (toml++ sorts by name). */
 std::vector<NamedTable> InFileOrder(const toml::table& file, std::string_view key);
 
-/** The names of a world's file. Finds what a value names, and logs where it names
- * nothing.
- */
+/** The names in a world's file. Looks up the part that a value names, and logs an unknown
+ name. */
 class WorldNames {
  public:
-  /** Takes the names of bodies, particles and cloths, and logs those used twice. */
+  /** Collects the names of bodies, particles and cloths, and logs those used twice. */
   WorldNames(const toml::table& file, FileLog& log);
 
-  /** Returns the anchor that `node` says; nothing where it is none. `where` is its path.
-   */
+  /** Returns the anchor in `node`; empty if it is invalid. `where` is its path. */
   std::optional<Anchor> AnchorFrom(const toml::node* node, std::string_view where);
 
-  /** Returns the index of the body that `node` names. */
+  /** Returns the index of the body that `node` names; empty if there is none. */
   std::optional<int> BodyFrom(const toml::node* node, std::string_view where);
 
-  /** Returns the string that `node` is, and logs where it names nothing of the world. */
+  /** Returns the string in `node` if it names a part of the world; logs an error if not.
+   */
   std::optional<std::string> AnyFrom(const toml::node* node, std::string_view where);
 
  private:
@@ -47,7 +46,8 @@ class WorldNames {
     int index;
   };
 
-  /** Returns what `node` names, of a kind up to `last`; `wanted` describes those. */
+  /** Returns the part that `node` names, of a kind up to `last`; `wanted` describes these
+   kinds in messages. */
   std::optional<Named> Find(const toml::node* node, std::string_view where, Kind last,
                             std::string_view wanted);
 

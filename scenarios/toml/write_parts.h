@@ -9,7 +9,7 @@
 
 namespace touchstone {
 
-/** Returns the first lines of every scenario file. */
+/** Returns the first lines of a scenario file: id, title and source. */
 std::string HeadingLines(std::string_view id, std::string_view title,
                          std::string_view source);
 

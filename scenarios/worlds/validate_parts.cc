@@ -36,7 +36,8 @@ class Check {
   }
   void AtRest(std::string_view where, const Eigen::Vector3d& v) {
     if (v.allFinite() && !v.isZero(0)) {
-      Add(where, "is not 0, but the mass is", "none: what has mass 0 never moves");
+      Add(where, "is not 0, but the mass is",
+          "zero, since mass 0 means that it never moves");
     }
   }
   void Springs(std::string_view family, const ClothSprings& springs) {
@@ -71,8 +72,8 @@ void CheckInertia(const RigidBody& body, Check& check) {
     }
   }
   if (check.faults.size() != before) return;
-  // I_x + I_y − I_z = 2 ∫ z² dm >= 0, and so on; equal for a flat body, whose moments
-  // come rounded.
+  // I_x + I_y − I_z = 2 ∫ z² dm >= 0, and likewise for the other axes. It is 0 for a flat
+  // body, so the rounding of given moments is allowed for.
   const double largest = moments.maxCoeff();
   const double others = moments.sum() - largest;
   if (largest > others * (1 + 8 * std::numeric_limits<double>::epsilon())) {
@@ -197,7 +198,7 @@ std::vector<Fault> FaultsOfClock(const World& world) {
     check.Add("sample_every", fmt::format("is {}", world.sample_every),
               fmt::format("a divisor of the {} steps", world.steps));
   } else if (!std::isfinite(world.steps * world.dt) && std::isfinite(world.dt)) {
-    check.Add("dt", fmt::format("is {}", world.dt), "an end that is a finite time");
+    check.Add("dt", fmt::format("is {}", world.dt), "a dt with a finite end time");
   }
   return check.faults;
 }
@@ -214,25 +215,26 @@ std::vector<Fault> FaultsOfEnds(const World& world, const Anchor& A, const Ancho
   const auto check_particle = [&check](const char* where, const Anchor& end) {
     if (end.on == AnchorKind::kParticle && end.point.allFinite() &&
         !end.point.isZero(0)) {
-      check.Add(where, "is not 0", "none: a particle has no size");
+      check.Add(where, "is not 0", "zero, since a particle has no size");
     }
   };
   check_particle("A.point", A);
   check_particle("B.point", B);
   if (!check.faults.empty()) return check.faults;
   if (A.on == B.on && A.index == B.index && A.on != AnchorKind::kWorld) {
-    check.Add("B", "is on what A is on", "another body or particle, or the world");
+    check.Add("B", "is on the same body or particle as A",
+              "another body or particle, or the world");
   } else if (!moves(A) && !moves(B)) {
-    check.Add("B", "is on what never moves, and so is A", "one end that can move");
+    check.Add("B", "is on something that never moves, and so is A",
+              "one end that can move");
   } else {
     const Eigen::Vector3d p_WA = StartOf(world, A);
     const Eigen::Vector3d p_WB = StartOf(world, B);
-    // A few roundings of the coordinates: R p + p_WB is a sum of four.
+    // A few roundings of the coordinates: each coordinate of R p + p_WB sums four terms.
     const double rounding = 8 * std::numeric_limits<double>::epsilon() *
                             std::max(p_WA.stableNorm(), p_WB.stableNorm());
     if (!((p_WA - p_WB).stableNorm() > rounding)) {
-      check.Add("B", "is where A is",
-                "two ends apart, between which there is a direction");
+      check.Add("B", "is at the same point as A", "two ends at different points");
     }
   }
   return check.faults;

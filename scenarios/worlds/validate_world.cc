@@ -20,7 +20,7 @@ void Append(std::string_view prefix, const std::vector<Fault>& from,
   }
 }
 
-/** Goes through a world and collects its faults. */
+/** Collects the faults of a world. */
 class WorldCheck {
  public:
   WorldCheck(const World& world, std::vector<Fault>& faults)
@@ -38,8 +38,8 @@ class WorldCheck {
       Add(fmt::format("pushes[{}]", i), world_.pushes[i], clock.empty());
     }
     if (!Moves(world_)) {
-      faults_.push_back(
-          {"world", "has nothing that moves", "a body, a particle or a cloth that can"});
+      faults_.push_back({"world", "has nothing that moves",
+                         "a body, a particle or a cloth that can move"});
     }
   }
 
@@ -54,8 +54,8 @@ class WorldCheck {
         faults_.push_back({path, fmt::format("is named \"{}\"", name),
                            "a name of A-Z, a-z, 0-9, _ and -"});
       } else if (const auto [first, is_new] = path_of_.emplace(name, path); !is_new) {
-        faults_.push_back({path, fmt::format("has the name of {}", first->second),
-                           "a name of its own"});
+        faults_.push_back(
+            {path, fmt::format("has the name of {}", first->second), "a unique name"});
       }
       Append(path + '.', FaultsOf(parts[i]), faults_);
     }
@@ -73,7 +73,7 @@ class WorldCheck {
     }
   }
 
-  /** Returns whether the world has what `anchor` is on, and says so where not. */
+  /** Returns whether the body or particle of `anchor` exists; adds a fault if not. */
   bool Exists(const std::string& where, const Anchor& anchor) {
     const bool exists = anchor.on == AnchorKind::kWorld ? anchor.index == -1
                         : anchor.on == AnchorKind::kBody
@@ -105,7 +105,7 @@ class WorldCheck {
 
   const World& world_;
   std::vector<Fault>& faults_;
-  std::map<std::string, std::string> path_of_;  ///< Of the first with that name.
+  std::map<std::string, std::string> path_of_;  ///< Path of the first part with a name.
 };
 
 bool HasName(const World& world, const std::string& name) {

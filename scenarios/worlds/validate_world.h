@@ -7,19 +7,19 @@
 
 namespace touchstone {
 
-/** How far a time may be off a multiple of the step, as a share of a step: above the
- rounding of times / dt for all steps there can be, far below anything that means another
- step. */
+/** Largest accepted deviation of a time from a multiple of the step, as a fraction of a
+ step. It is above the rounding of time / dt for every allowed number of steps, and far
+ below any intended difference. */
 inline constexpr double kStepSlack = 1e-6;
 
-/** The most steps of a world, so that one refined a few times still counts in an int. */
+/** Largest number of steps of a world, such that a few refinements still fit an int. */
 inline constexpr int kMostSteps = 100'000'000;
 
-// Each part on its own: finite numbers in their ranges. `where` is the key that a file
-// uses, e.g. "inertia[1]"; empty for a valid part.
+// These functions check each part on its own: finite numbers in their ranges. They return
+// no faults for a valid part. `where` is the key that a file uses, e.g. "inertia[1]".
 
-/** Also: an inertia that a solid can have, or a shape that implies one; nothing moves
- whose mass is 0. */
+/** Also checks that a solid can have the inertia, or that the shape implies one, and that
+ a body of mass 0 does not move. */
 std::vector<Fault> FaultsOf(const RigidBody& body);
 std::vector<Fault> FaultsOf(const Particle& particle);
 std::vector<Fault> FaultsOf(const Spring& spring);
@@ -32,13 +32,13 @@ std::vector<Fault> FaultsOf(const Ensemble& ensemble);
 /** Returns the faults of gravity, step and duration. `where` is e.g. "dt". */
 std::vector<Fault> FaultsOfClock(const World& world);
 
-/** Returns the faults of a spring's or a joint's ends: both on one thing, both immovable,
- or both at one point, where a rod has no direction. `where` starts with "A" or "B".
- @pre They are on things that `world` has. */
+/** Returns the faults of the ends of a spring or a joint: both on the same body or
+ particle, both immovable, or both at one point, where a rod has no direction. `where`
+ starts with "A" or "B". @pre The anchors' bodies and particles exist in `world`. */
 std::vector<Fault> FaultsOfEnds(const World& world, const Anchor& A, const Anchor& B);
 
-/** Returns the faults of a push in its world: a body that never moves, a time that is not
- between two steps. @pre Its body is one of `world`, whose clock has no faults. */
+/** Returns the faults of a push in its world: a body that never moves, or a time that is
+ not between two steps. @pre Its body exists in `world`, whose clock has no faults. */
 std::vector<Fault> FaultsIn(const World& world, const Push& push);
 
 /** Returns the faults of WorldScenario::horizon. */
@@ -47,12 +47,14 @@ std::vector<Fault> FaultsOfHorizon(double horizon);
 /** Returns whether anything in `world` can move. */
 bool Moves(const World& world);
 
-/** Returns every fault of `world`; empty for one that may be simulated. `where` is e.g.
- "bodies.ball.mass", "springs[1].A"; by index where a body has no good name. */
+/** Returns every fault of `world`; empty for a world that can be simulated. `where` is
+ e.g. "bodies.ball.mass" or "springs[1].A"; a body without a valid name is given by its
+ index.
+ */
 std::vector<Fault> FaultsOf(const World& world);
 
-/** Returns every fault of `scenario`, those of its world included; empty for one that
- WriteScenario() can write and ReadScenario() will accept. */
+/** Returns every fault of `scenario`, including those of its world. It is empty for a
+ scenario that WriteScenario() can write and ReadScenario() accepts. */
 std::vector<Fault> FaultsOf(const WorldScenario& scenario);
 
 }  // namespace touchstone

@@ -10,41 +10,40 @@
 
 namespace touchstone {
 
-/** Something that is true of the world, to be held against every engine: a closed form,
- an invariant, a state of rest. `law` names a function of reports/worlds/laws, which
- documents what it needs, derives what it predicts from the world itself, and derives its
- own tolerance. */
+/** A statement that is true of the world and checked for every engine: a closed form, an
+ invariant or a state of rest. `law` names a function in reports/worlds/laws. The function
+ documents its inputs, and derives its prediction and its tolerance from the world. */
 struct Claim {
   std::string law;  ///< E.g. "ballistic", "torque_free", "conserves_momentum".
-  /** What it is about: names of bodies, particles or cloths; empty: everything that
+  /** The claim's subjects: names of bodies, particles or cloths; empty: everything that
    moves. */
   std::vector<std::string> about;
-  /** What the author derived by hand and the law does not know, e.g. {"length", 1.0}. */
+  /** Numbers that the author supplies to the law by name, e.g. {"length", 1.0}. */
   std::map<std::string, double> numbers;
   std::string because;  ///< The derivation or the citation; may be empty.
 };
 
-/** The same world many times, each a little different: for motion that is chaotic. Every
- coordinate of the starting positions of what moves is moved by up to `jitter`. */
+/** Many slightly different copies of a world, for chaotic motion. Each coordinate of the
+ initial position of each moving part is displaced by up to `jitter`. */
 struct Ensemble {
   int members = 0;    ///< > 1
   double jitter = 0;  ///< [m], > 0
   unsigned seed = 1;
 };
 
-/** A world with its provenance and what is known of its motion. */
+/** A world with its provenance and what is known about its motion. */
 struct WorldScenario {
   std::string id;      ///< A path, e.g. "world/free/boxes_complex".
-  std::string title;   ///< What is there, in one line.
+  std::string title;   ///< One line that describes the scene.
   std::string source;  ///< A citation or a derivation.
   World world;
   std::vector<Claim> claims;
-  /** From here on trajectories are not compared from engine to engine: the motion is
+  /** The time from which trajectories of engines are not compared, because the motion is
    chaotic. [s] */
   std::optional<double> horizon;
   std::optional<Ensemble> ensemble;
   std::vector<Indictment> indicts;
-  FilePlaces places;  ///< Where it says so.
+  FilePlaces places;  ///< Positions in the file, for diagnostics.
 };
 
 }  // namespace touchstone

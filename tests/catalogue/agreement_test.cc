@@ -8,26 +8,26 @@
 #include "reports/referee/referee.h"
 #include "tests/catalogue/the_catalogue.h"
 
-// What the author of a scenario derived is what the referee certifies.
+// The values that the author of a scenario derived agree with the certified truth.
 
 namespace touchstone {
 namespace {
 
-/* How far the doubles of a file may be from the configuration that was meant, as a
+/* Largest deviation of the doubles in a file from the intended configuration, as a
  multiple of unit roundoff times scene size.
 
- Each quaternion component is rounded (u/2 relative) and the matrix computed from it in
- double: an entry is off by at most 4u + 4u. A point of a body at radius r thus moves by
- at most 8u · 3r, its position rounds by √3 u |p|_inf: below 24u · SceneSize a body, 48u
- for both. An expected normal rounds by √3 u / 2 over a lever of at most 2√3 SceneSize: 3u
- more. */
+ Each quaternion component is rounded (u/2 relative), and the matrix is computed from it
+ in double: the error of an entry is at most 4u + 4u. A point of a body at radius r thus
+ moves by at most 8u · 3r, and the rounding of the position is √3 u |p|_inf. That is below
+ 24u · SceneSize for one body and 48u · SceneSize for both. The rounding of an expected
+ normal is √3 u / 2 over a lever of at most 2√3 SceneSize, which adds 3u. */
 constexpr double kRounding = 64 * 0x1p-53;
 
-/** A scenario and what is certain of it. */
+/** A scenario and its certified truth. */
 struct Judged {
   const Scenario* scenario;
   ContactTruth truth;
-  /** How far the written separation may be from that of the written poses. [m] */
+  /** Largest deviation of the expected separation from that of the poses. [m] */
   double slack;
 };
 
@@ -49,7 +49,7 @@ const std::vector<Judged>& JudgedCatalogue() {
   return judged;
 }
 
-TEST(ExpectedSeparation, IsWhatTheRefereeCertifies) {
+TEST(ExpectedSeparation, AgreesWithTheCertifiedTruth) {
   for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
     const double expected = *scenario->expect.separation;
     EXPECT_LE(truth.separation.lo, expected + slack) << scenario->id;
@@ -57,9 +57,9 @@ TEST(ExpectedSeparation, IsWhatTheRefereeCertifies) {
   }
 }
 
-// An agreement says as much as the enclosure is narrow. Curved surfaces are enclosed by
-// iteration: to a millionth of the expected value at worst.
-TEST(ExpectedSeparation, IsCertifiedToRoundingOrToAMillionthOfItselfOnCurvedSurfaces) {
+// The narrower the enclosure, the more an agreement proves. Curved surfaces are enclosed
+// by iteration, to at worst a millionth of the expected value.
+TEST(ExpectedSeparation, IsCertifiedToRoundingOrToOneMillionthOnCurvedSurfaces) {
   constexpr double kCurved = 1e-6;
   for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
     const bool curved = truth.method == "bounds";
@@ -69,7 +69,7 @@ TEST(ExpectedSeparation, IsCertifiedToRoundingOrToAMillionthOfItselfOnCurvedSurf
   }
 }
 
-TEST(ExpectedVerdict, IsCertainWhereItIsGiven) {
+TEST(ExpectedVerdict, IsCertainIfGiven) {
   for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
     if (!scenario->expect.touching) continue;
     EXPECT_EQ(truth.touching,
@@ -78,14 +78,14 @@ TEST(ExpectedVerdict, IsCertainWhereItIsGiven) {
   }
 }
 
-TEST(ExpectedVerdict, IsLeftOutOnlyWhereTheGapIsRounding) {
+TEST(ExpectedVerdict, IsOmittedOnlyIfTheGapIsWithinRounding) {
   for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
     if (scenario->expect.touching) continue;
     EXPECT_LE(std::abs(*scenario->expect.separation), slack) << scenario->id;
   }
 }
 
-TEST(ExpectedNormals, EachSeparateByTheExpectedDepthOrGap) {
+TEST(ExpectedNormals, SeparateTheBodiesByTheExpectedDepthOrGap) {
   for (const auto& [scenario, truth, slack] : JudgedCatalogue()) {
     const double expected = -*scenario->expect.separation;
     for (const Eigen::Vector3d& n_AB_W : scenario->expect.normals) {

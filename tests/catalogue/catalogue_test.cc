@@ -20,8 +20,8 @@ TEST(Catalogue, LoadsWithoutADiagnostic) {
   EXPECT_FALSE(TheCatalogue().scenarios.empty());
 }
 
-TEST(Catalogue, StatesAClaimAndWhereItsNumbersComeFrom) {
-  // Shorter than this, neither a derivation nor a citation says anything.
+TEST(Catalogue, StatesASeparationAndTheSourceOfItsNumbers) {
+  // A derivation or a citation cannot be shorter than this.
   constexpr std::size_t kShortestSource = 40;
   for (const Scenario& scenario : TheCatalogue().scenarios) {
     EXPECT_GE(scenario.source.size(), kShortestSource) << scenario.id;
@@ -31,7 +31,7 @@ TEST(Catalogue, StatesAClaimAndWhereItsNumbersComeFrom) {
   }
 }
 
-TEST(Catalogue, PutsEachPairIntoTheFolderOfItsKinds) {
+TEST(Catalogue, KeepsEachPairInTheFolderOfItsKinds) {
   for (const auto& [pair, scenarios] : ByPairFolder()) {
     for (const Scenario* scenario : scenarios) {
       const ContactQuery& query = scenario->contact;
@@ -42,10 +42,9 @@ TEST(Catalogue, PutsEachPairIntoTheFolderOfItsKinds) {
 }
 
 // Zeros and ones in a rotation hide errors of transposition, sign and rounding. Reports
-// from users are exempt: their poses are what they are.
+// from users are exempt: their poses are given.
 TEST(Catalogue, HasNoAxisAlignedPoseOutsideTheZoo) {
-  constexpr double kAligned =
-      1e-9;  // Far below the smallest tilt that any scenario is about.
+  constexpr double kAligned = 1e-9;  // Far below the smallest tilt of any scenario.
   for (const Scenario& scenario : TheCatalogue().scenarios) {
     if (scenario.id.starts_with("contact/zoo/")) continue;
     if (scenario.title.find("axis-aligned") != std::string::npos) continue;
@@ -58,7 +57,7 @@ TEST(Catalogue, HasNoAxisAlignedPoseOutsideTheZoo) {
   }
 }
 
-TEST(Catalogue, HoldsTheOriginalOfEverySwappedScenarioBitForBit) {
+TEST(Catalogue, ContainsTheOriginalOfEverySwappedScenarioBitForBit) {
   int swapped = 0;
   for (const Scenario& scenario : TheCatalogue().scenarios) {
     if (!scenario.id.ends_with(kSwapped)) continue;

@@ -8,8 +8,7 @@
 namespace touchstone {
 namespace {
 
-/** Returns the radius of the smaller of the two bodies: what a depth is deep against. [m]
- */
+/** Returns the bounding radius of the smaller body, the unit for depths. [m] */
 double SmallerRadius(const ContactQuery& query) {
   const double a = BoundingRadius(query.A.shape);
   const double b = BoundingRadius(query.B.shape);
@@ -27,27 +26,27 @@ int CountIn(const std::vector<const Scenario*>& scenarios, double lo, double hi)
       }));
 }
 
-TEST(CatalogueCoverage, IsAtLeastThreeHundredContactScenarios) {
+TEST(CatalogueCoverage, HasAtLeastThreeHundredContactScenarios) {
   EXPECT_GE(Below("contact/").size(), 300u);
 }
 
-TEST(CatalogueCoverage, KnowsTheTwentySevenPairs) {
+TEST(CatalogueCoverage, HasTheTwentySevenPairs) {
   EXPECT_EQ(ByPairFolder().size(), 27u);
 }
 
-TEST(CatalogueCoverage, AsksEveryPairAtLeastSixTimes) {
+TEST(CatalogueCoverage, HasEveryPairAtLeastSixTimes) {
   for (const auto& [pair, scenarios] : ByPairFolder()) {
     EXPECT_GE(scenarios.size(), 6u) << pair;
   }
 }
 
-TEST(CatalogueCoverage, AsksThePrimitivesOfTheCookbookMostOften) {
+TEST(CatalogueCoverage, HasThePairsOfTheCookbookMostOften) {
   EXPECT_GE(ByPairFolder().at("sphere_sphere").size(), 14u);
   EXPECT_GE(ByPairFolder().at("sphere_box").size(), 20u);
   EXPECT_GE(ByPairFolder().at("box_box").size(), 40u);
 }
 
-// Separations as shares of the smaller body's radius.
+// Separations are fractions of the smaller body's radius.
 TEST(CatalogueCoverage, HasEveryPairSeparatedTouchingShallowAndDeep) {
   constexpr double kShallow = 0.05;
   constexpr double kDeep = 0.5;
@@ -60,7 +59,7 @@ TEST(CatalogueCoverage, HasEveryPairSeparatedTouchingShallowAndDeep) {
   }
 }
 
-TEST(CatalogueCoverage, AsksEveryPairInBothOrders) {
+TEST(CatalogueCoverage, HasEveryPairInBothOrders) {
   for (const auto& [pair, scenarios] : ByPairFolder()) {
     EXPECT_TRUE(std::any_of(
         scenarios.begin(), scenarios.end(),
@@ -69,7 +68,7 @@ TEST(CatalogueCoverage, AsksEveryPairInBothOrders) {
   }
 }
 
-TEST(CatalogueCoverage, HasTwoScenariosForEveryErratumOfContacts) {
+TEST(CatalogueCoverage, HasTwoScenariosForEveryContactErratum) {
   for (const char* erratum :
        {"e01", "e02", "e03", "e04", "e05", "e06", "e07", "e08", "e09", "e26"}) {
     EXPECT_GE(Below("contact/errata/" + std::string(erratum) + "_").size(), 2u)

@@ -30,7 +30,7 @@ bool IsWrong(const Oracle& oracle, const Scenario& scenario) {
   });
 }
 
-TEST(ErrataScenarios, ProveTheRecipeWithThatErratumAloneWrong) {
+TEST(ErrataScenarios, ProveTheSpecimenWithOnlyThatErratumWrong) {
   for (const auto& [id, scenario] : Below(kErrata)) {
     const auto specimen = MakePrintedOracle("printed:" + ErratumOf(*scenario));
     ASSERT_NE(specimen, nullptr) << id;

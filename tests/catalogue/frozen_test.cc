@@ -12,7 +12,8 @@
 namespace touchstone {
 namespace {
 
-/** An engine that answers every world and moves nothing, in double precision. */
+/** Returns the info of a double-precision engine that answers every world but moves
+ nothing. */
 OracleInfo Frozen() {
   OracleInfo info;
   info.name = "frozen";
@@ -20,8 +21,8 @@ OracleInfo Frozen() {
   return info;
 }
 
-/** Nothing leaves its place: every later sample is the start, its velocities times
- `left`. */
+/** Returns a trajectory without motion: each later sample is the initial state with its
+ velocities multiplied by `left`. */
 Trajectory FrozenMotion(const World& world, double left) {
   Trajectory trajectory;
   trajectory.status = AnswerStatus::kAnswered;
@@ -57,7 +58,7 @@ Ids MissedWith(double left) {
   return missed;
 }
 
-/** Worlds of which standing still is the truth, or a legal answer to an overlap. */
+/** Worlds in which standing still is the truth, or a legal answer to an overlap. */
 const Ids kRest = {"world/cloth/strip",
                    "world/rest/box_on_a_slope",
                    "world/rest/card_leans_on_a_wall",
@@ -67,10 +68,9 @@ const Ids kRest = {"world/cloth/strip",
                    "world/rest/stack_of_five_boxes",
                    "world/rest/stack_of_spheres"};
 
-/** Worlds that move, but of whose motion no closed form is known: what stands still in
- the air obeys their claims too, since it neither gains energy nor sinks nor stretches a
- rod.
- */
+/** Worlds that move, but whose motion has no known closed form. A body that hangs still
+ in the air obeys their claims too: it gains no energy, does not sink and stretches no
+ rod. */
 const Ids kMove = {"world/cloth/swings_by_one_corner",
                    "world/friction/spinning_block",
                    "world/friction/twist_lets_slide",
@@ -83,14 +83,14 @@ const Ids kMove = {"world/cloth/swings_by_one_corner",
                    "world/rest/row_of_dominoes",
                    "world/zoo/mj_420"};
 
-TEST(Worlds, FindOutAnEngineThatStopsEverything) {
+TEST(Worlds, DetectAnEngineThatStopsEverything) {
   Ids known = kRest;
   known.insert(kMove.begin(), kMove.end());
   EXPECT_EQ(MissedWith(0), known);
 }
 
-/** Worlds of which besides that only momentum and energy are known, which are those of
- the velocities: what keeps these and goes nowhere obeys them. */
+/** Further worlds with known momentum and energy only. Both depend only on the
+ velocities, so an engine that keeps these but moves nothing obeys the claims. */
 const Ids kKeepVelocities = {"world/errata/e17_damped_pair_spins",
                              "world/errata/e22_unequal_dumbbell",
                              "world/impact/fast_cubes",
@@ -101,7 +101,7 @@ const Ids kKeepVelocities = {"world/errata/e17_damped_pair_spins",
                              "world/spring/ring_of_six",
                              "world/spring/two_bodies"};
 
-TEST(Worlds, FindOutAnEngineThatKeepsVelocitiesAndMovesNothing) {
+TEST(Worlds, DetectAnEngineThatKeepsVelocitiesButMovesNothing) {
   Ids known = kRest;
   known.insert(kMove.begin(), kMove.end());
   known.insert(kKeepVelocities.begin(), kKeepVelocities.end());

@@ -23,7 +23,8 @@ std::map<std::string, std::vector<const Scenario*>> ByPairFolder() {
     for (int b = a; b < kShapeKinds; ++b) {
       const auto kind_a = static_cast<ShapeKind>(a);
       const auto kind_b = static_cast<ShapeKind>(b);
-      if (kind_a == ShapeKind::kHalfSpace) continue;  // Two half-spaces are no question.
+      if (kind_a == ShapeKind::kHalfSpace)
+        continue;  // Two half-spaces are not a valid query.
       const std::string pair = PairFolder(kind_a, kind_b);
       for (const auto& [id, scenario] : Below("contact/" + pair + "/")) {
         pairs[pair].push_back(scenario);

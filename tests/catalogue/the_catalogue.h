@@ -12,14 +12,14 @@ namespace touchstone {
 /** Returns the catalogue of the source tree, read once. */
 const Catalogue& TheCatalogue();
 
-/** Returns the scenarios below `folder`, e.g. "contact/zoo/", by id. */
+/** Returns the scenarios below `folder`, e.g. "contact/zoo/", indexed by id. */
 std::map<std::string, const Scenario*> Below(std::string_view folder);
 
-/** Returns the contact scenarios that lie in a folder of a pair of shapes, by pair. */
+/** Returns the contact scenarios in the folders of shape pairs, indexed by pair. */
 std::map<std::string, std::vector<const Scenario*>> ByPairFolder();
 
-/** Returns the folder that a scenario about these two kinds belongs to, whichever of them
- is A: their names in the order of ShapeKind, e.g. "sphere_box". */
+/** Returns the folder of scenarios with these two kinds, in either order: their names in
+ the order of ShapeKind, e.g. "sphere_box". */
 std::string PairFolder(ShapeKind a, ShapeKind b);
 
 }  // namespace touchstone

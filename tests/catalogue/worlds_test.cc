@@ -18,8 +18,8 @@ TEST(Worlds, AreIdentifiedAsWorlds) {
     EXPECT_THAT(world.id, StartsWith("world/"));
 }
 
-TEST(Worlds, SayWhereTheirNumbersComeFrom) {
-  // Shorter than this, neither a derivation nor a citation says anything.
+TEST(Worlds, StateTheSourceOfTheirNumbers) {
+  // A derivation or a citation cannot be shorter than this.
   constexpr std::size_t kShortestSource = 40;
   for (const WorldScenario& world : TheCatalogue().worlds) {
     EXPECT_GE(world.source.size(), kShortestSource) << world.id;
@@ -28,7 +28,7 @@ TEST(Worlds, SayWhereTheirNumbersComeFrom) {
   }
 }
 
-TEST(Worlds, ClaimWhatALawCanHold) {
+TEST(Worlds, HaveOnlyValidClaims) {
   for (const WorldScenario& scenario : TheCatalogue().worlds) {
     EXPECT_FALSE(scenario.claims.empty()) << scenario.id;
     for (const Diagnostic& error : ErrorsOfClaims(scenario))

@@ -17,14 +17,14 @@ using ::testing::IsSupersetOf;
 
 constexpr std::string_view kZoo = "contact/zoo/";
 
-/** Reported cases that are no scenario; docs/catalogue.md says why. */
+/** Reported cases that are not scenarios; docs/catalogue.md states the reason. */
 const std::set<std::string> kNotAsked = {"bullet-2646", "fcl-503", "mj-1857",
                                          "mj-8655446f", "ncollide-157-mj"};
 
-/** Reported cases that are worlds. */
+/** Reported cases that are world scenarios. */
 const std::set<std::string> kAskedOfMotion = {"dart_1193", "mj_3553", "mj_420"};
 
-/** Reported cases that are scenarios. */
+/** Reported cases that are contact scenarios. */
 const std::set<std::string> kAsked = {
     "boxbox_fudge_395",
     "bullet_1703",
@@ -86,13 +86,13 @@ const std::set<std::string> kAsked = {
     "pyfcl_68",
 };
 
-TEST(Zoo, HoldsEveryReportedCaseThatCanBeAsked) {
+TEST(Zoo, ContainsEveryReportedContactCase) {
   std::set<std::string> names;
   for (const auto& [id, scenario] : Below(kZoo)) names.insert(id.substr(kZoo.size()));
   EXPECT_EQ(names, kAsked);
 }
 
-TEST(Zoo, HoldsEveryReportedCaseOfMotionThatCanBeAsked) {
+TEST(Zoo, ContainsEveryReportedCaseOfMotion) {
   constexpr std::string_view kWorldZoo = "world/zoo/";
   std::set<std::string> names;
   for (const WorldScenario& world : TheCatalogue().worlds) {
@@ -101,14 +101,14 @@ TEST(Zoo, HoldsEveryReportedCaseOfMotionThatCanBeAsked) {
   EXPECT_EQ(names, kAskedOfMotion);
 }
 
-TEST(Zoo, SaysInTheDocumentWhyTheOtherCasesAreNotAsked) {
+TEST(Zoo, ListsTheOmittedCasesInTheDocument) {
   std::ifstream file(CATALOGUE_DOC);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   for (const std::string& name : kNotAsked)
     EXPECT_THAT(text, HasSubstr("`" + name + "`"));
 }
 
-TEST(Zoo, LinksEveryCaseToTheThreadOrFileItComesFrom) {
+TEST(Zoo, LinksEveryCaseToItsThreadOrFile) {
   for (const auto& [id, scenario] : Below(kZoo)) {
     EXPECT_THAT(scenario->source,
                 ContainsRegex("[A-Za-z-]+/[A-Za-z0-9_-]+[#:@][A-Za-z0-9]+"))
@@ -123,7 +123,7 @@ TEST(Zoo, KeepsEveryPoseAsAMatrix) {
   }
 }
 
-TEST(Zoo, IndictsOnlyOraclesOfThisProject) {
+TEST(Zoo, IndictsOnlyKnownOracles) {
   const std::set<std::string> oracles = {"fcl/collide",
                                          "fcl/collide_indep",
                                          "fcl/distance",
@@ -150,7 +150,7 @@ TEST(Zoo, IndictsOnlyOraclesOfThisProject) {
   EXPECT_FALSE(indicted.empty());
 }
 
-TEST(Zoo, IndictsSomebodyInEveryCaseButTheOneReportedAgainstAnEngineThatIsNotHere) {
+TEST(Zoo, IndictsAnOracleInEveryCaseExceptTheOneAboutAnEngineThatIsNotTested) {
   for (const auto& [id, scenario] : Below(kZoo)) {
     EXPECT_EQ(scenario->indicts.empty(), id == "contact/zoo/parry_253") << id;
   }

@@ -7,7 +7,7 @@
 
 #include "tests/fuzz/scenario_file_property.h"
 
-// The name is libFuzzer's.
+// libFuzzer prescribes the name.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   const std::string fault = touchstone::FaultOfReading(text);

@@ -17,7 +17,8 @@ const auto& In(const ReadResult& read, const WorldScenario&) {
   return read.world;
 }
 
-/** Returns what is wrong with a scenario that was read, of either kind. */
+/** Returns a fault of a scenario that the reader accepted, of either kind; empty if there
+ is none. */
 template <class AnyScenario>
 std::string FaultOfAccepting(const AnyScenario& scenario) {
   for (const Fault& fault : FaultsOf(scenario)) {
@@ -26,8 +27,8 @@ std::string FaultOfAccepting(const AnyScenario& scenario) {
   const std::string written = WriteScenario(scenario);
   const ReadResult read = ReadScenario(written, "written.toml");
   const std::optional<AnyScenario>& again = In(read, scenario);
-  if (!again) return "refused what was written:\n" + written;
-  if (!SameBits(*again, scenario)) return "read back otherwise:\n" + written;
+  if (!again) return "refused the written file:\n" + written;
+  if (!SameBits(*again, scenario)) return "read back differently:\n" + written;
   if (WriteScenario(*again) != written) return "not stable:\n" + written;
   return "";
 }

@@ -5,9 +5,10 @@
 
 namespace touchstone {
 
-/** Reads `text` as a scenario file and returns what is wrong with the reader; empty where
- nothing is. Any text is either refused with a place in it, or read as a valid scenario
- that is written and read back bit for bit, to the same text. */
+/** Reads `text` as a scenario file and returns a fault of the reader; empty if there is
+ none. The reader must either refuse the text with a position in it, or return a valid
+ scenario. A scenario must read back bit for bit after writing, and then be written as the
+ same text. */
 std::string FaultOfReading(std::string_view text);
 
 }  // namespace touchstone

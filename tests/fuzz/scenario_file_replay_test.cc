@@ -12,7 +12,7 @@
 namespace touchstone {
 namespace {
 
-// What the fuzzer starts from, and every input it has ever found a fault with.
+// The corpus consists of the fuzzer's seeds and every input that has revealed a fault.
 TEST(ScenarioFileCorpus, IsReadWithoutFault) {
   int files = 0;
   int accepted = 0;
@@ -21,7 +21,7 @@ TEST(ScenarioFileCorpus, IsReadWithoutFault) {
     std::ostringstream text;
     text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
     EXPECT_EQ(FaultOfReading(text.str()), "") << entry.path();
-    // Named for what they are: good_*.toml reads, bad_*.toml does not.
+    // The name states the result: good_*.toml is accepted, bad_*.toml refused.
     const std::string name = entry.path().filename().string();
     const bool reads = ReadScenario(text.str(), name).diagnostics.empty();
     EXPECT_EQ(reads, name.starts_with("good_")) << name;

@@ -12,8 +12,8 @@ namespace touchstone {
 
 double AnyNumber() {
   const auto bits = *rc::gen::arbitrary<std::uint64_t>();
-  // rc's integers grow with the size of the test, so that they are mixed to fill the
-  // exponent.
+  // RapidCheck's integers grow with the size of the test, so their bits are mixed to
+  // reach every exponent.
   const auto value = std::bit_cast<double>(bits * 0x9e3779b97f4a7c15U);
   const double special =
       *rc::gen::element(-0.0, 0.1, 5e-324, 1e16, 0x1.fffffffffffffp1023);
@@ -69,7 +69,7 @@ Pose AnyPose() {
 }
 
 Shape AnyShape(bool bounded) {
-  // At full size, since rc's small tests would hardly leave the first kinds.
+  // At full size, since RapidCheck's small tests would rarely go beyond the first kinds.
   switch (static_cast<ShapeKind>(*rc::gen::resize(
       rc::kNominalSize, rc::gen::inRange(0, kShapeKinds - (bounded ? 1 : 0))))) {
     case ShapeKind::kSphere:

@@ -8,23 +8,23 @@
 
 namespace touchstone {
 
-// Arbitrary parts of scenarios, of RapidCheck's current case.
+// Arbitrary parts of scenarios, drawn from RapidCheck's current case.
 
-/** Any finite double: every exponent is as likely, denormals and -0 among them. */
+/** Any finite double, including denormals and -0; all exponents are equally likely. */
 double AnyNumber();
 
-/** Any length that a question may have. */
+/** Any length that a query may have. */
 double AnyLength();
 
 Eigen::Vector3d AnyPoint();
 
-/** Any point that a question may have. */
+/** Any point that a query may have. */
 Eigen::Vector3d AnyPlace();
 
-/** A component of a direction, dense enough to need 17 digits. */
+/** A component of a direction that needs 17 digits. */
 double AnyComponent();
 
-/** Any letters of ASCII, none of them left out, and some of Unicode. */
+/** Any ASCII characters, including control characters, and some of Unicode. */
 std::string AnyText();
 
 /** One measure or more. */
@@ -32,7 +32,7 @@ std::vector<MeasureKind> AnyMeasures();
 
 Pose AnyPose();
 
-/** `bounded`: no half-space. */
+/** Any shape; not a half-space if `bounded`. */
 Shape AnyShape(bool bounded);
 
 }  // namespace touchstone

@@ -6,7 +6,7 @@
 namespace touchstone {
 namespace {
 
-TEST(CubeRotation, AreTwentyFourDistinctSignedPermutationsThatDoNotMirror) {
+TEST(CubeRotation, IsOneOfTwentyFourDistinctSignedPermutationsWithoutMirroring) {
   EXPECT_EQ(CubeRotation(0), Eigen::Matrix3d::Identity());
   for (int i = 0; i < kCubeRotations; ++i) {
     const Eigen::Matrix3d R = CubeRotation(i);

@@ -40,19 +40,19 @@ std::string PlaceOf(const std::string& path, bool of_key = false) {
   return ToString((of_key ? ErrorAtKey : ErrorAtValue)(places, path, "w", "e"));
 }
 
-TEST(FilePlaces, TellKeysFromTheirValues) {
+TEST(FilePlaces, DistinguishKeysFromTheirValues) {
   EXPECT_EQ(PlaceOf("expect.separation"), "f.toml:19:14: w; expected e");
   EXPECT_EQ(PlaceOf("expect.separation", true), "f.toml:19:1: w; expected e");
   EXPECT_EQ(PlaceOf("expect.normals[0]"), "f.toml:20:12: w; expected e");
   EXPECT_EQ(PlaceOf("indicts[0].measures[0]"), "f.toml:24:13: w; expected e");
 }
 
-TEST(FilePlaces, TakeWhatIsNotThereForWhatItIsIn) {
+TEST(FilePlaces, UseTheParentForAMissingPath) {
   EXPECT_EQ(PlaceOf("indicts[0].because"), PlaceOf("indicts[0]"));
   EXPECT_EQ(PlaceOf("expect.normals[7]"), PlaceOf("expect.normals"));
 }
 
-TEST(FilePlaces, HaveNoLineOfWhatIsNowhere) {
+TEST(FilePlaces, GiveNoLineForAnUnrecordedPath) {
   EXPECT_EQ(PlaceOf("bodies"), "f.toml: w; expected e");
 }
 

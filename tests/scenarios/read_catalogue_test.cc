@@ -26,7 +26,7 @@ class ReadCatalogue : public ::testing::Test {
   }
   ~ReadCatalogue() override { fs::remove_all(root_); }
 
-  /** Writes a valid scenario of that id to `file`, a path below the root. */
+  /** Writes a valid scenario with that id to `file`, a path below the root. */
   void Write(const std::string& file, const std::string& id, double radius = 0.7) {
     fs::create_directories((root_ / file).parent_path());
     std::ofstream(root_ / file) << fmt::format(
@@ -36,7 +36,7 @@ class ReadCatalogue : public ::testing::Test {
         id, radius);
   }
 
-  /** Writes a valid world of that id to `file`, a path below the root. */
+  /** Writes a valid world with that id to `file`, a path below the root. */
   void WriteWorld(const std::string& file, const std::string& id) {
     std::ofstream(root_ / file) << fmt::format(
         "id = \"{}\"\ntitle = \"t\"\nsource = \"s\"\n"
@@ -44,7 +44,7 @@ class ReadCatalogue : public ::testing::Test {
         id);
   }
 
-  /** Returns the messages of a catalogue, the test's folder left out. */
+  /** Returns the messages of a catalogue without the path of the test's folder. */
   std::vector<std::string> Errors(const Catalogue& catalogue) const {
     std::vector<std::string> errors;
     for (const Diagnostic& diagnostic : catalogue.diagnostics) {
@@ -88,12 +88,12 @@ TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceAndNamesTheOtherFile) {
                                        root_ / "a.toml"};
   const Catalogue catalogue = touchstone::ReadCatalogue(files);
   EXPECT_THAT(Errors(catalogue),
-              ElementsAre("a.toml:1:6: id \"a\" is used by c.toml:1:6 already; "
-                          "expected an id of its own"));
+              ElementsAre("a.toml:1:6: id \"a\" is already used by c.toml:1:6; "
+                          "expected a unique id"));
   EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("a", "b"));
 }
 
-TEST_F(ReadCatalogue, KeepsWorldsApartFromContactQueriesButForTheirIds) {
+TEST_F(ReadCatalogue, SeparatesWorldsFromContactQueriesButRequiresUniqueIds) {
   WriteWorld("z.toml", "z");
   WriteWorld("y.toml", "y");
   Write("x.toml", "x");
@@ -102,21 +102,21 @@ TEST_F(ReadCatalogue, KeepsWorldsApartFromContactQueriesButForTheirIds) {
                                        root_ / "y.toml", root_ / "w.toml"};
   const Catalogue catalogue = touchstone::ReadCatalogue(files);
   EXPECT_THAT(Errors(catalogue),
-              ElementsAre("w.toml:1:6: id \"x\" is used by x.toml:1:6 already; "
-                          "expected an id of its own"));
+              ElementsAre("w.toml:1:6: id \"x\" is already used by x.toml:1:6; "
+                          "expected a unique id"));
   EXPECT_THAT(Ids(catalogue.scenarios), ElementsAre("x"));
   EXPECT_THAT(Ids(catalogue.worlds), ElementsAre("y", "z"));
 }
 
-TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceEvenWhereTheRestIsWrong) {
+TEST_F(ReadCatalogue, ReportsAnIdUsedTwiceEvenIfTheRestIsWrong) {
   Write("a.toml", "a", -1);
   Write("b.toml", "a");
   const std::vector<fs::path> files = {root_ / "a.toml", root_ / "b.toml"};
   EXPECT_THAT(
       Errors(touchstone::ReadCatalogue(files)),
       ElementsAre("a.toml:4:40: bodies.a.radius is -1; expected a finite length > 0",
-                  "b.toml:1:6: id \"a\" is used by a.toml:1:6 already; "
-                  "expected an id of its own"));
+                  "b.toml:1:6: id \"a\" is already used by a.toml:1:6; "
+                  "expected a unique id"));
 }
 
 TEST_F(ReadCatalogue, ReportsAnIdThatIsNotTheFilesPath) {
@@ -129,7 +129,7 @@ TEST_F(ReadCatalogue, ReportsAnIdThatIsNotTheFilesPath) {
                           "box/face.toml; expected \"box/face\""));
 }
 
-TEST_F(ReadCatalogue, TellsACopiedFolderOfItsPathsAlone) {
+TEST_F(ReadCatalogue, ReportsOnlyThePathsOfACopiedFolder) {
   Write("box/edge.toml", "box/edge");
   Write("a_copy/edge.toml", "box/edge");
   EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_)),
@@ -145,7 +145,7 @@ TEST_F(ReadCatalogue, ReadsAPartOfACatalogueAlone) {
                           "box/odd.toml; expected \"odd\""));
 }
 
-TEST_F(ReadCatalogue, GivesAFileAloneAnyId) {
+TEST_F(ReadCatalogue, AllowsAnyIdInASingleFile) {
   Write("from_upstream.toml", "box/edge");
   const Catalogue catalogue = touchstone::ReadCatalogue(root_ / "from_upstream.toml");
   EXPECT_THAT(Errors(catalogue), IsEmpty());
@@ -171,11 +171,12 @@ TEST_F(ReadCatalogue, ReportsTheErrorsOfEveryFile) {
 
 TEST_F(ReadCatalogue, ReportsAFolderWithoutAScenario) {
   fs::create_directory(root_ / "empty");
-  EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_ / "empty")),
-              ElementsAre("empty: holds no scenario; expected at least one .toml file"));
+  EXPECT_THAT(
+      Errors(touchstone::ReadCatalogue(root_ / "empty")),
+      ElementsAre("empty: contains no scenario; expected at least one .toml file"));
 }
 
-TEST_F(ReadCatalogue, ReportsAPathThatIsNotThere) {
+TEST_F(ReadCatalogue, ReportsAPathThatDoesNotExist) {
   EXPECT_THAT(Errors(touchstone::ReadCatalogue(root_ / "none.toml")),
               ElementsAre("none.toml: cannot be read; expected a readable file"));
 }

@@ -47,7 +47,7 @@ anomaly = "The distance is positive."
 reproduces = true
 )";
 
-/** Returns `text` with `old_part`, which must be there once, replaced by `new_part`. */
+/** Returns `text` with `old_part`, which must occur once, replaced by `new_part`. */
 std::string With(std::string_view old_part, std::string_view new_part,
                  std::string_view text = kGood) {
   std::string changed(text);
@@ -67,7 +67,7 @@ std::vector<std::string> ErrorsOf(std::string_view text) {
   return errors;
 }
 
-TEST(ReadScenario, GivesWhatTheFileSays) {
+TEST(ReadScenario, ReturnsTheContentsOfTheFile) {
   const ReadResult result = ReadScenario(kGood, "f.toml");
   ASSERT_TRUE(result.scenario) << ToString(result.diagnostics.at(0));
   const Scenario& s = *result.scenario;
@@ -105,7 +105,7 @@ TEST(ReadScenario, PlacesABodyWithoutAPoseAtTheOrigin) {
 }
 
 TEST(ReadScenario, KeepsARotationMatrixAsItIs) {
-  // A third of a turn about (1, 1, 1) carries x to y, y to z and z to x.
+  // A third of a turn about (1, 1, 1) maps x to y, y to z and z to x.
   const ReadResult result =
       ReadScenario(With("quaternion = [0.6, 0.0, 0.8, 0]",
                         "rotation = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]"),
@@ -122,7 +122,7 @@ TEST(ReadScenario, SuggestsTheNearestKeyForAnUnknownOne) {
                           "expected \"radius\""));
 }
 
-TEST(ReadScenario, ListsTheKnownKeysWhereNoneIsNear) {
+TEST(ReadScenario, ListsTheKnownKeysIfNoneIsNear) {
   EXPECT_THAT(
       ErrorsOf(With("radius = ", "radius = 1\nmass = ")),
       ElementsAre("f.toml:14:1: unknown key \"mass\" in bodies.ball; expected one of "
@@ -171,15 +171,17 @@ TEST(ReadScenario, RefusesARotationThatMirrors) {
                   "expected three orthonormal rows of determinant +1"));
 }
 
-TEST(ReadScenario, RefusesAMatrixThatIsNoRotation) {
+TEST(ReadScenario, RefusesAMatrixThatIsNotARotation) {
   // The first row is (1, 0.5, 0): RᵀR has 0.5 off its diagonal, and 1 + 0.25 on it.
-  EXPECT_THAT(ErrorsOf(With("quaternion = [0.6, 0.0, 0.8, 0]",
-                            "rotation = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]")),
-              ElementsAre("f.toml:9:12: bodies.post.rotation is off orthonormal by 0.5; "
-                          "expected three orthonormal rows of determinant +1, to 1e-06"));
+  EXPECT_THAT(
+      ErrorsOf(With("quaternion = [0.6, 0.0, 0.8, 0]",
+                    "rotation = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]")),
+      ElementsAre("f.toml:9:12: bodies.post.rotation deviates from orthonormal by "
+                  "0.5; expected three orthonormal rows of determinant +1, to "
+                  "1e-06"));
 }
 
-TEST(ReadScenario, RefusesAQuaternionBesideARotation) {
+TEST(ReadScenario, RefusesAQuaternionTogetherWithARotation) {
   EXPECT_THAT(ErrorsOf(With("radius = ",
                             "quaternion = [1, 0, 0, 0]\n"
                             "rotation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\nradius = ")),
@@ -187,9 +189,9 @@ TEST(ReadScenario, RefusesAQuaternionBesideARotation) {
                           "expected one of the two"));
 }
 
-TEST(ReadScenario, RefusesTheNameOfNoBody) {
+TEST(ReadScenario, RefusesAnUnknownBodyName) {
   EXPECT_THAT(ErrorsOf(With("B = \"ball\"", "B = \"bal\"")),
-              ElementsAre("f.toml:17:5: contact.B is \"bal\", which is no body; "
+              ElementsAre("f.toml:17:5: contact.B is \"bal\", which is not a body; "
                           "expected \"ball\""));
 }
 
@@ -197,7 +199,7 @@ TEST(ReadScenario, RefusesABodyThatTouchesItself) {
   EXPECT_THAT(ErrorsOf(With("B = \"ball\"", "B = \"post\"")),
               ElementsAre("f.toml:11:1: bodies.ball is not in the question; "
                           "expected two bodies, contact.A and contact.B",
-                          "f.toml:17:5: contact.B is \"post\" like contact.A; "
+                          "f.toml:17:5: contact.B is \"post\", the same as contact.A; "
                           "expected another body"));
 }
 
@@ -244,7 +246,7 @@ TEST(ReadScenario, RefusesAListOfTheWrongLength) {
                           "expected four numbers w, x, y, z"));
 }
 
-TEST(ReadScenario, RefusesAShapeItDoesNotKnowWithoutFurtherComplaint) {
+TEST(ReadScenario, ReportsOneErrorForAnUnknownShape) {
   EXPECT_THAT(
       ErrorsOf(With("\"sphere\"", "\"ball\"")),
       ElementsAre("f.toml:12:9: bodies.ball.shape is \"ball\"; expected one of "
@@ -259,24 +261,25 @@ TEST(ReadScenario, RefusesAHullWithoutVertices) {
 }
 
 TEST(ReadScenario, RefusesTwoHalfSpaces) {
-  EXPECT_THAT(ErrorsOf(With("shape = \"sphere\"\nradius = 0.3333333333333333",
-                            "shape = \"half_space\"",
-                            With("shape = \"box\"\nhalf_extents = [1, 2.5, 3.0]",
-                                 "shape = \"half_space\""))),
-              ElementsAre("f.toml:11:9: bodies.ball.shape is \"half_space\" like that of "
-                          "bodies.post; expected at most one half_space"));
+  EXPECT_THAT(
+      ErrorsOf(With("shape = \"sphere\"\nradius = 0.3333333333333333",
+                    "shape = \"half_space\"",
+                    With("shape = \"box\"\nhalf_extents = [1, 2.5, 3.0]",
+                         "shape = \"half_space\""))),
+      ElementsAre("f.toml:11:9: bodies.ball.shape is \"half_space\", like that of "
+                  "bodies.post; expected at most one half_space"));
 }
 
 TEST(ReadScenario, RefusesAFileWithoutARequiredKey) {
   EXPECT_THAT(ErrorsOf(With("[contact]\nA = \"post\"\nB = \"ball\"\n", "")),
-              ElementsAre("f.toml:1:1: neither [contact] nor [world] is there; "
-                          "expected the one or the other: what is asked"));
+              ElementsAre("f.toml:1:1: neither [contact] nor [world] is present; "
+                          "expected one of the two"));
   EXPECT_THAT(ErrorsOf(With("reproduces = true\n", "")),
               ElementsAre("f.toml:29:1: indicts[0].reproduces is missing; "
                           "expected true or false"));
 }
 
-TEST(ReadScenario, RefusesAnIndictmentWithoutAMeasureThatIsOne) {
+TEST(ReadScenario, RefusesAnIndictmentWithoutAKnownMeasure) {
   const std::string measures = "measures = [\"separation_error\", \"excess\"]";
   EXPECT_THAT(ErrorsOf(With(measures + "\n", "")),
               ElementsAre("f.toml:29:1: indicts[0].measures is missing; expected a list "
@@ -291,14 +294,14 @@ TEST(ReadScenario, RefusesAnIndictmentWithoutAMeasureThatIsOne) {
               ElementsAre("f.toml:31:33: indicts[0].measures[1] is \"exces\"; expected "
                           "\"excess\"",
                           "f.toml:31:42: indicts[0].measures[2] is an integer; expected "
-                          "a string that says something"));
+                          "a non-empty string"));
   EXPECT_THAT(ErrorsOf(With("\"excess\"]", "\"it is wrong\"]")),
               ElementsAre(testing::StartsWith(
                   "f.toml:31:33: indicts[0].measures[1] is \"it is wrong\"; expected one "
                   "of touching, separation_error, ")));
 }
 
-TEST(ReadScenario, RefusesAnIdThatIsNoPath) {
+TEST(ReadScenario, RefusesAnIdThatIsNotAPath) {
   for (const char* id : {"", "/a", "a/", "a//b", "A", "a b", "a.b", "a-b"}) {
     EXPECT_THAT(ErrorsOf(With("contact/sphere_box/face", id)),
                 ElementsAre("f.toml:1:6: id is \"" + std::string(id) +
@@ -309,8 +312,7 @@ TEST(ReadScenario, RefusesAnIdThatIsNoPath) {
 
 TEST(ReadScenario, RefusesAnEmptyText) {
   EXPECT_THAT(ErrorsOf(With("A ball on a post", "")),
-              ElementsAre("f.toml:2:9: title is empty; expected a string that says "
-                          "something"));
+              ElementsAre("f.toml:2:9: title is empty; expected a non-empty string"));
 }
 
 TEST(ReadScenario, RefusesAnExpectedNormalThatIsNotUnit) {
@@ -331,13 +333,13 @@ TEST(ReadScenario, RefusesACountBeyondAnInt) {
                           "expected a count, 0 or more"));
 }
 
-TEST(ReadScenario, RefusesAToleranceThatGrantsNothing) {
+TEST(ReadScenario, RefusesAToleranceOfZero) {
   EXPECT_THAT(ErrorsOf(With("separation = 1e-9", "separation = 0")),
               ElementsAre("f.toml:26:14: tolerance.separation is 0; "
                           "expected a finite length > 0"));
 }
 
-TEST(ReadScenario, NamesThePlaceOfASyntaxError) {
+TEST(ReadScenario, GivesThePositionOfASyntaxError) {
   EXPECT_THAT(
       ErrorsOf("id = \"a\"\ntitle = [1, \n"),
       ElementsAre("f.toml:2:14: Error while parsing array: encountered end-of-file; "
@@ -362,7 +364,7 @@ TEST(ReadScenario, ReportsEveryErrorInTheOrderOfLines) {
           "f.toml:14:18: bodies.ball.position[1] is a string; expected a finite number",
           "f.toml:15:10: bodies.ball.radius is -0.3333333333333333; "
           "expected a finite length > 0",
-          "f.toml:18:5: contact.A is \"past\", which is no body; expected \"post\""));
+          "f.toml:18:5: contact.A is \"past\", which is not a body; expected \"post\""));
 }
 
 }  // namespace

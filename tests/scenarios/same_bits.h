@@ -5,13 +5,13 @@
 
 namespace touchstone {
 
-/** Returns whether two scenarios are the same bit for bit: a -0 is not a 0. */
+/** Returns whether two scenarios are equal bit for bit: -0 differs from 0. */
 bool SameBits(const Scenario& a, const Scenario& b);
 
-/** Returns whether two worlds, and what is said of them, are the same bit for bit. */
+/** Returns whether two world scenarios are equal bit for bit. */
 bool SameBits(const WorldScenario& a, const WorldScenario& b);
 
-/** Returns whether two questions are the same bit for bit. */
+/** Returns whether two queries are equal bit for bit. */
 bool SameBits(const ContactQuery& a, const ContactQuery& b);
 
 }  // namespace touchstone

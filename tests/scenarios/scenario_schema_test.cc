@@ -18,11 +18,11 @@ std::string ContentsOf(const std::string& path) {
   return contents.str();
 }
 
-TEST(ScenarioSchema, IsTheCommittedOne) {
+TEST(ScenarioSchema, EqualsTheCommittedFile) {
   const std::string committed = TOUCHSTONE_SOURCE_DIR "/docs/scenario.schema.json";
   const std::string generated = TOUCHSTONE_BINARY_DIR "/scenario.schema.json";
   std::ofstream(generated, std::ios::binary) << ScenarioSchema();
-  // Compared as a bool: a page of JSON twice over would bury what to do.
+  // Compared as a bool, since two pages of JSON would bury the instruction.
   EXPECT_TRUE(ContentsOf(committed) == ScenarioSchema())
       << "The keys of scenario files changed. Run: cp " << generated << " " << committed;
 }
@@ -62,14 +62,14 @@ TEST(ScenarioSchema, GivesEveryShapeItsOwnKeys) {
   }
 }
 
-TEST(ScenarioSchema, AsksForEveryRequiredKey) {
+TEST(ScenarioSchema, RequiresEveryRequiredKey) {
   EXPECT_EQ(SchemaOf(TableKind::kContactFile).at("required"),
             nlohmann::json({"id", "title", "source", "bodies", "contact"}));
   EXPECT_EQ(SchemaOf(TableKind::kWorldFile).at("required"),
             nlohmann::json({"id", "title", "source", "world"}));
 }
 
-TEST(ScenarioKeys, ExpectAnyOfTheShapesThereAre) {
+TEST(ScenarioKeys, ListEveryShape) {
   for (int i = 0; i < kShapeKinds; ++i) {
     EXPECT_NE(ExpectationOf(ValueType::kShape).find(NameOf(static_cast<ShapeKind>(i))),
               std::string_view::npos);

@@ -16,13 +16,13 @@
 namespace touchstone {
 namespace {
 
-// Turned about no axis of its own, and not small beside the scenes.
+// A rotation about no coordinate axis, and a translation comparable to the scenes.
 Pose AwkwardMotion() {
   return Pose::FromQuaternion({3.1, -0.7, 1.3},
                               Eigen::Quaterniond(0.3, -0.52, 0.71, 0.29).normalized());
 }
 
-/** Calls `check` with 20 questions of each family on the pairs whose truth has a tight
+/** Calls `check` with 20 queries of each family for the pairs whose truth has a tight
  enclosure at every pose. */
 void ForManyQuestions(const std::function<void(const ContactQuery&)>& check) {
   constexpr ShapeKind kKinds[] = {ShapeKind::kSphere, ShapeKind::kBox,
@@ -37,8 +37,8 @@ void ForManyQuestions(const std::function<void(const ContactQuery&)>& check) {
   }
 }
 
-/** Checks that some value of `after`, off by at most `slack`, is `factor` times some of
- * `before`. */
+/** Checks that some value in `after`, with an error of at most `slack`, is `factor` times
+ some value in `before`. */
 void ExpectSame(const Enclosure& before, double factor, const Enclosure& after,
                 double slack) {
   EXPECT_LE(after.lo - slack, factor * before.hi);
@@ -65,7 +65,7 @@ TEST(MovedRigidly, KeepsTheSeparationToItsRounding) {
   });
 }
 
-TEST(MovedRigidly, PromisesARoundingOfAHundredUnitsInTheLastPlaceOfTheScene) {
+TEST(MovedRigidly, StatesARoundingOfAtMostAHundredUnitRoundoffsOfTheScene) {
   // 64 u (L + |t|) + 3 δ L, with δ at most 8 u for a matrix from a normalised quaternion.
   ForManyQuestions([](const ContactQuery& query) {
     const double size = std::sqrt(3.0) * SceneSize(query) + AwkwardMotion().p_WB.norm();
@@ -73,8 +73,8 @@ TEST(MovedRigidly, PromisesARoundingOfAHundredUnitsInTheLastPlaceOfTheScene) {
   });
 }
 
-TEST(MovedRigidly, IsSeenByTheLawWhereItIsWrong) {
-  // The ruler: a motion that forgets B's rotation breaks the law by more than its
+TEST(MovedRigidly, BreaksTheLawIfItIsWrong) {
+  // This tests the test: a motion that omits B's rotation breaks the law by more than the
   // rounding.
   int broken = 0;
   ForManyQuestions([&](const ContactQuery& query) {
@@ -86,8 +86,9 @@ TEST(MovedRigidly, IsSeenByTheLawWhereItIsWrong) {
       ++broken;
     }
   });
-  // Turning a sphere changes nothing, nor does turning B about the centre of a sphere A:
-  // that leaves the 11 pairs of 15 where B is no sphere, less a few concentric questions.
+  // Rotating a sphere changes nothing, nor does rotating B about the centre of a sphere
+  // A. That leaves the 11 of 15 pairs in which B is not a sphere, minus a few concentric
+  // queries.
   EXPECT_GT(broken, 0.95 * 9 * 11 * 20);
 }
 
@@ -115,7 +116,7 @@ TEST(Relabelled, IsTheSameSolidForEverySymmetryOfABox) {
   const Body box{Box{{0.3, 0.7, 1.1}}, AwkwardMotion()};
   for (int symmetry = 0; symmetry < kCubeRotations; ++symmetry) {
     const Body relabelled = Relabelled(box, symmetry);
-    // The half axes in the world, unordered, are the same six vectors bit for bit.
+    // The unordered half axes in the world frame are the same six vectors bit for bit.
     const Eigen::Matrix3d axes =
         box.X_WB.R_WB * std::get<Box>(box.shape).half_extents.asDiagonal();
     const Eigen::Matrix3d relabelled_axes =

@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Turned about no axis of its own, at no round place.
+// A rotation about no coordinate axis, at a position that is not round.
 Pose AwkwardPose() {
   return Pose::FromQuaternion({0.31, -0.72, 0.55},
                               Eigen::Quaterniond(0.7, -0.31, 0.22, 0.61).normalized());
@@ -38,7 +38,7 @@ std::vector<std::string> FaultsOfShape(const Shape& shape) {
   return Sentences(FaultsOf(Body{shape, AwkwardPose()}));
 }
 
-TEST(FaultsOfBody, AreNoneForEveryShapeOfPositiveSize) {
+TEST(FaultsOfBody, AreEmptyForEveryShapeOfPositiveSize) {
   EXPECT_THAT(FaultsOfShape(Sphere{0.3}), IsEmpty());
   EXPECT_THAT(FaultsOfShape(Box{{0.3, kShortest, kLongest}}), IsEmpty());
   EXPECT_THAT(FaultsOfShape(Capsule{0.3, 0.2}), IsEmpty());
@@ -48,7 +48,7 @@ TEST(FaultsOfBody, AreNoneForEveryShapeOfPositiveSize) {
   EXPECT_THAT(FaultsOfShape(HalfSpace{}), IsEmpty());
 }
 
-TEST(FaultsOfBody, NameEverySizeThatIsNoPositiveLength) {
+TEST(FaultsOfBody, NameEverySizeThatIsNotAPositiveLength) {
   EXPECT_THAT(FaultsOfShape(Sphere{-0.0}),
               ElementsAre("radius is -0; expected a finite length > 0"));
   EXPECT_THAT(FaultsOfShape(Box{{kNaN, 0.3, kInfinity}}),
@@ -77,23 +77,23 @@ TEST(FaultsOfBody, NameAPositionThatIsNotFinite) {
               ElementsAre("position[2] is nan; expected a finite number"));
 }
 
-TEST(FaultsOfBody, NameLengthsWhoseSquaresDoublesDoNotHold) {
+TEST(FaultsOfBody, NameLengthsWhoseSquaresAreOutOfRange) {
   EXPECT_THAT(FaultsOfShape(Cylinder{1e160, 5e-324}),
               ElementsAre("radius is 1e+160; expected a length from 1e-100 to 1e+100 m",
                           "half_length is 5e-324; "
                           "expected a length from 1e-100 to 1e+100 m"));
   EXPECT_THAT(FaultsOfShape(ConvexHull{{{0, 1, -1e-200}}}),
               ElementsAre("vertices[0][2] is -1e-200; "
-                          "expected 0 m, or from 1e-100 to 1e+100 m to either side"));
+                          "expected 0 m, or a magnitude from 1e-100 to 1e+100 m"));
   Body body{Sphere{0.3}, AwkwardPose()};
   body.X_WB.p_WB = {-1e100, 1e-100, 1e101};
   EXPECT_THAT(Sentences(FaultsOf(body)),
               ElementsAre("position[2] is 1e+101; "
-                          "expected 0 m, or from 1e-100 to 1e+100 m to either side"));
+                          "expected 0 m, or a magnitude from 1e-100 to 1e+100 m"));
 }
 
-TEST(FaultsOfBody, GrantAQuaternionItsSlackAndNoMore) {
-  // Scaling a unit quaternion by 1 + s makes its norm 1 + s, up to rounding of 1e-16.
+TEST(FaultsOfBody, AllowAQuaternionOnlyItsTolerance) {
+  // Scaling a unit quaternion by 1 + s makes its norm 1 + s, up to a rounding of 1e-16.
   const Eigen::Quaterniond unit = *AwkwardPose().q_WB;
   const auto scaled = [&](double s) {
     return Body{Sphere{0.3}, Pose::FromQuaternion(
@@ -105,16 +105,16 @@ TEST(FaultsOfBody, GrantAQuaternionItsSlackAndNoMore) {
   EXPECT_EQ(FaultsOf(scaled(kInfinity)).size(), 4U);
 }
 
-TEST(FaultsOfBody, NameAQuaternionThatIsNotTheMatrixBesideIt) {
+TEST(FaultsOfBody, NameAQuaternionThatDoesNotMatchTheMatrix) {
   Body body{Sphere{0.3}, AwkwardPose()};
   body.X_WB.R_WB(0, 1) = std::nextafter(body.X_WB.R_WB(0, 1), 1);
   EXPECT_THAT(Sentences(FaultsOf(body)),
-              ElementsAre("quaternion does not give the rotation matrix beside it; "
+              ElementsAre("quaternion does not match the pose's rotation matrix; "
                           "expected a pose made by Pose::FromQuaternion"));
 }
 
-TEST(FaultsOfBody, GrantAMatrixItsSlackAndNoMore) {
-  // Scaling a rotation by 1 + s makes RᵀR = (1 + s)² 1, off by 2 s.
+TEST(FaultsOfBody, AllowAMatrixOnlyItsTolerance) {
+  // Scaling a rotation by 1 + s makes RᵀR = (1 + s)² 1, which deviates by 2 s.
   const Eigen::Matrix3d R = AwkwardPose().R_WB;
   const auto scaled = [&](double s) {
     return Body{Sphere{0.3}, Pose::FromMatrix({1, 2, 3}, (1 + s) * R)};
@@ -148,7 +148,7 @@ TEST(FaultsOfQuery, NameTheBodyAndTwoHalfSpaces) {
                           "B.radius is -2; expected a finite length > 0"));
 }
 
-TEST(FaultsOfScenario, NameASeparationThatContradictsTheTouching) {
+TEST(FaultsOfScenario, NameASeparationThatContradictsTouching) {
   Scenario scenario;
   scenario.id = "mine/pair";
   scenario.title = "t";
@@ -159,17 +159,17 @@ TEST(FaultsOfScenario, NameASeparationThatContradictsTheTouching) {
   scenario.expect.touching = true;
   scenario.expect.separation = 0.05;
   EXPECT_THAT(Sentences(FaultsOf(scenario)),
-              ElementsAre("expect.separation is 0.05 beside touching = true; expected 0 "
-                          "or less: what touches is not apart"));
+              ElementsAre("expect.separation is 0.05 with touching = true; expected 0 "
+                          "or less, since the bodies touch"));
   scenario.expect.separation = 0;
   EXPECT_THAT(FaultsOf(scenario), IsEmpty());
   scenario.expect.touching = false;
   EXPECT_THAT(Sentences(FaultsOf(scenario)),
-              ElementsAre("expect.separation is 0 beside touching = false; expected more "
-                          "than 0: what does not touch is apart"));
+              ElementsAre("expect.separation is 0 with touching = false; expected more "
+                          "than 0, since the bodies do not touch"));
 }
 
-TEST(FaultsOfScenario, NameEveryPartThatAFileCouldNotHold) {
+TEST(FaultsOfScenario, NameEveryPartThatAFileCannotContain) {
   Scenario scenario;
   scenario.id = "No Path";
   scenario.title = "";

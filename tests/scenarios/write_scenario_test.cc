@@ -110,8 +110,8 @@ vertices = [[0, 0, 9007199254740993], [0.10000000000000000555, 1e-400, -0]]
   EXPECT_EQ(by_hand.scenario->source, "Two lines,\none \"quoted\".");
   EXPECT_EQ(by_hand.scenario->title, "a literal \\n");
   const auto& hull = std::get<ConvexHull>(by_hand.scenario->contact.A.shape);
-  // Halfway between two doubles, to even; the shortest form of 0.1; less than the least
-  // double.
+  // Halfway between two doubles, rounded to even; a long form of 0.1; a number below the
+  // smallest double.
   EXPECT_EQ(hull.vertices.at(0), Eigen::Vector3d(0, 0, 9007199254740992));
   EXPECT_EQ(hull.vertices.at(1), Eigen::Vector3d(0.1, 0, 0));
   const std::string written = WriteScenario(*by_hand.scenario);

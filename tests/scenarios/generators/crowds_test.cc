@@ -17,14 +17,14 @@ int MovingBodies(const World& world) {
   return moving;
 }
 
-TEST(Crowds, HaveAsManyBodiesAsAskedAndCanBeSimulated) {
+TEST(Crowds, HaveTheRequestedNumberOfBodiesAndCanBeSimulated) {
   for (const World& world : {BoxPile(150, 1), SpherePile(150, 1), BoxStack(150)}) {
     EXPECT_EQ(MovingBodies(world), 150);
     EXPECT_THAT(FaultsOf(world), IsEmpty());
   }
 }
 
-TEST(Crowds, OfPilesStartApart) {
+TEST(Crowds, StartWithoutContactInPiles) {
   for (const World& world : {BoxPile(100, 3), SpherePile(100, 3)}) {
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
       for (std::size_t j = i + 1; j < world.bodies.size(); ++j) {
@@ -39,7 +39,7 @@ TEST(Crowds, OfPilesStartApart) {
   }
 }
 
-TEST(Crowds, FollowFromTheirSeed) {
+TEST(Crowds, DependOnlyOnTheirSeed) {
   const World one = BoxPile(20, 1);
   const World again = BoxPile(20, 1);
   const World other = BoxPile(20, 2);
@@ -47,7 +47,7 @@ TEST(Crowds, FollowFromTheirSeed) {
   EXPECT_NE(one.bodies[7].placed.X_WB.p_WB, other.bodies[7].placed.X_WB.p_WB);
 }
 
-TEST(Crowds, OfAStackStandOneUponTheOther) {
+TEST(Crowds, StandOnOneAnotherInAStack) {
   const World world = BoxStack(20);
   double top = 0;
   for (const RigidBody& body : world.bodies) {

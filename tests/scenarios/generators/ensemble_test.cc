@@ -23,13 +23,13 @@ Eigen::Vector3d ShiftOf(const WorldScenario& scenario, int member, std::size_t b
          scenario.world.bodies[body].placed.X_WB.p_WB;
 }
 
-TEST(MemberOfEnsemble, IsTheWorldItselfFirst) {
+TEST(MemberOfEnsemble, IsTheWorldItselfAtIndexZero) {
   EXPECT_TRUE(ShiftOf(BallOnFloor(), 0, 1).isZero(0));
 }
 
-TEST(MemberOfEnsemble, MovesWhatMovesByNoMoreThanTheJitter) {
+TEST(MemberOfEnsemble, DisplacesMovingBodiesByAtMostTheJitter) {
   const WorldScenario scenario = BallOnFloor();
-  constexpr double kRounding = 1e-15;  // Of coordinates up to 2. [m]
+  constexpr double kRounding = 1e-15;  // Rounding of coordinates up to 2. [m]
   for (int member = 1; member < scenario.ensemble->members; ++member) {
     EXPECT_TRUE(ShiftOf(scenario, member, 0).isZero(0));
     const Eigen::Vector3d shift = ShiftOf(scenario, member, 1);
@@ -38,7 +38,7 @@ TEST(MemberOfEnsemble, MovesWhatMovesByNoMoreThanTheJitter) {
   }
 }
 
-TEST(MemberOfEnsemble, IsAnotherForEveryIndexAndSeed) {
+TEST(MemberOfEnsemble, DiffersForEveryIndexAndSeed) {
   WorldScenario scenario = BallOnFloor();
   const Eigen::Vector3d first = ShiftOf(scenario, 1, 1);
   EXPECT_EQ(ShiftOf(scenario, 1, 1), first);

@@ -16,14 +16,14 @@ class OfEveryKind : public ::testing::TestWithParam<int> {
 };
 
 TEST_P(OfEveryKind, NoPointOfTheShapeIsBeyondAFeature) {
-  // Two computations of the support height: the feature's own, and SupportPoint().
+  // The support height is computed in two ways: from the feature, and by SupportPoint().
   Random random({3, static_cast<std::uint64_t>(GetParam())});
   for (int i = 0; i < 1000; ++i) {
     const Shape shape = RandomShape(kind(), random);
     const auto feature_kind = static_cast<FeatureKind>(i % 3);
     const Feature feature = RandomFeature(shape, feature_kind, random);
     EXPECT_NEAR(feature.n_B.norm(), 1, 1e-15);
-    // Points are within 3 m of the origin: a few roundings of 3 * 2^-53.
+    // Points are within 3 m of the origin, so the error is a few roundings of 3 * 2^-53.
     EXPECT_NEAR(feature.n_B.dot(SupportPoint(shape, feature.n_B)),
                 feature.n_B.dot(feature.p_B), 2e-15);
   }
@@ -39,7 +39,8 @@ TEST_P(OfEveryKind, ThinShapesAreThinByUpToFourDecades) {
     thinnest = std::min(thinnest, thickness);
   }
   EXPECT_LT(thinnest, 1e-3);
-  EXPECT_GE(thinnest, 2e-5 * 0.21);  // a hull holds that share of its ellipsoid
+  EXPECT_GE(thinnest,
+            2e-5 * 0.21);  // see RandomHull(): a hull contains 0.21 of its ellipsoid
 }
 
 TEST_P(OfEveryKind, ResizingScalesEverySize) {
@@ -56,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, OfEveryKind, ::testing::Range(0, kShapeKinds),
                            return std::string(NameOf(static_cast<ShapeKind>(kind.param)));
                          });
 
-TEST(RandomHull, HasOnlyCornersAndHoldsABallAboutItsOrigin) {
+TEST(RandomHull, HasOnlyCornersAndContainsABallAboutItsOrigin) {
   Random random({6});
   for (int i = 0; i < 1000; ++i) {
     const auto hull = std::get<ConvexHull>(RandomShape(ShapeKind::kConvexHull, random));

@@ -35,7 +35,7 @@ std::vector<std::pair<ShapeKind, ShapeKind>> AllPairs() {
   return pairs;
 }
 
-/** The question as a file: says every bit of it. */
+/** Returns the query as a file, which preserves every bit of it. */
 std::string Written(const ContactQuery& query) {
   Scenario scenario;
   scenario.id = "generated";
@@ -48,7 +48,7 @@ std::string Written(const ContactQuery& query) {
 
 class GenerateFamily : public ::testing::TestWithParam<Family> {};
 
-TEST_P(GenerateFamily, AsksValidQuestionsOfEveryPair) {
+TEST_P(GenerateFamily, ReturnsValidQueriesForEveryPair) {
   for (const auto& [a, b] : AllPairs()) {
     for (std::uint64_t i = 0; i < 100; ++i) {
       const ContactQuery query = Generate(GetParam(), a, b, kSeed, i);
@@ -61,7 +61,7 @@ TEST_P(GenerateFamily, AsksValidQuestionsOfEveryPair) {
   }
 }
 
-TEST_P(GenerateFamily, AsksTheSameQuestionWheneverAsked) {
+TEST_P(GenerateFamily, ReturnsTheSameQueryAtEveryCall) {
   for (const auto& [a, b] : AllPairs()) {
     const ContactQuery later = Generate(GetParam(), a, b, kSeed, 9);
     const ContactQuery first = Generate(GetParam(), a, b, kSeed, 2);
@@ -70,7 +70,7 @@ TEST_P(GenerateFamily, AsksTheSameQuestionWheneverAsked) {
   }
 }
 
-TEST_P(GenerateFamily, AsksAnotherQuestionForEverySeedAndIndex) {
+TEST_P(GenerateFamily, ReturnsADifferentQueryForEverySeedAndIndex) {
   std::set<std::string> questions;
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     for (std::uint64_t i = 0; i < 30; ++i) {
@@ -81,7 +81,9 @@ TEST_P(GenerateFamily, AsksAnotherQuestionForEverySeedAndIndex) {
   EXPECT_EQ(questions.size(), 900U);
 }
 
-/** FNV-1a (Fowler, Noll & Vo), 64 bits, over the text of questions of all pairs. */
+/** Returns the 64-bit FNV-1a hash (Fowler, Noll & Vo) of the text of queries of all
+ * pairs.
+ */
 std::uint64_t Fingerprint(Family family) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const auto& [a, b] : AllPairs()) {
@@ -94,9 +96,10 @@ std::uint64_t Fingerprint(Family family) {
   return hash;
 }
 
-TEST_P(GenerateFamily, AsksTheSameQuestionsOnEveryMachine) {
-  // Golden: equal on g++ 12 and clang 14, at -O1 and -O3 -march=native, x86-64. A change
-  // of a generator changes its line here, and with it what every published sweep asked.
+TEST_P(GenerateFamily, ReturnsTheSameQueriesOnEveryMachine) {
+  // Golden values: equal on g++ 12 and clang 14, at -O1 and -O3 -march=native, x86-64. A
+  // change of a generator changes its value here, and the queries of every published
+  // sweep.
   const std::uint64_t expected[] = {
       0x51ab84581f5ec1fb, 0xce72a90dfc59f5ae, 0x3cd8373c6ca392e6,
       0xd91a206f238ba78e, 0x5e7f207b57ea519,  0x4634ffcd9874dc3f,
@@ -110,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(, GenerateFamily, ::testing::ValuesIn(AllFamilies()),
                            return std::string(NameOf(family.param));
                          });
 
-/** The kinds whose touching the referee decides whatever the pair and the pose. */
+/** The kinds for which the referee decides touching at any pair and pose. */
 constexpr ShapeKind kDecided[] = {ShapeKind::kSphere, ShapeKind::kBox,
                                   ShapeKind::kCapsule, ShapeKind::kHalfSpace};
 
@@ -138,11 +141,11 @@ Tally TallyOf(Family family, ShapeKind a, ShapeKind b) {
   return tally;
 }
 
-TEST_P(GenerateFamily, TouchesInASaneShareOfItsQuestions) {
-  // What each family draws: 60 % at random, a fair coin at touching, two of three
-  // elsewhere; a deep question touches always. Of 200 draws a share strays by 0.035 (one
-  // sigma); shapes apart by another direction than the one drawn take a further tenth at
-  // random.
+TEST_P(GenerateFamily, TouchesInTheExpectedFractionOfItsQueries) {
+  // Expected fraction: 0.6 in the family random, 1/2 in touching, 2/3 in the others; a
+  // deep query always touches. With 200 draws the fraction has a standard deviation of
+  // 0.035. In random, shapes that are separated along another direction than the drawn
+  // one reduce it by a further tenth.
   double share = 2.0 / 3;
   if (GetParam() == Family::kRandom) share = 0.6;
   if (GetParam() == Family::kTouching) share = 0.5;
@@ -161,9 +164,9 @@ TEST_P(GenerateFamily, TouchesInASaneShareOfItsQuestions) {
   }
 }
 
-TEST(GenerateTouching, ReachesTheSeparationItWasBuiltWith) {
-  // Spheres have one normal, so that the overlap built is the depth: of 1000 questions,
-  // each of the 13 decades of gaps has 77 on average, half of either sign.
+TEST(GenerateTouching, HasTheDrawnSeparation) {
+  // Spheres have one normal, so the drawn overlap is the depth. With 1000 queries, each
+  // of the 13 decades of gaps has 77 on average, half of each sign.
   std::map<std::pair<int, bool>, int> per_decade;
   for (std::uint64_t i = 0; i < 1000; ++i) {
     const ContactTruth truth = JudgeContact(
@@ -179,8 +182,8 @@ TEST(GenerateTouching, ReachesTheSeparationItWasBuiltWith) {
   }
 }
 
-TEST(GenerateNearParallel, TurnsBByEveryDecadeOfAngles) {
-  // |R_AB − 1| in the Frobenius norm is √8 sin(θ/2), which is √2 θ where θ is small.
+TEST(GenerateNearParallel, RotatesBByEveryDecadeOfAngles) {
+  // |R_AB − 1| in the Frobenius norm is √8 sin(θ/2), which is √2 θ for small θ.
   std::map<int, int> per_decade;
   for (std::uint64_t i = 0; i < 1600; ++i) {
     const ContactQuery query =
@@ -190,14 +193,14 @@ TEST(GenerateNearParallel, TurnsBByEveryDecadeOfAngles) {
     EXPECT_LT(angle, 1);
     ++per_decade[static_cast<int>(std::floor(std::log10(std::max(angle, 1e-17))))];
   }
-  // A hundred a decade on average. Angles below 1e-14 drown in the rounding of the
+  // The average is 100 per decade. Angles below 1e-14 are lost in the rounding of the
   // product.
   for (int decade = -14; decade < 0; ++decade)
     EXPECT_GT(per_decade[decade], 60) << decade;
 }
 
-TEST(GenerateSymmetries, AsksEveryRotationAtEveryPerturbation) {
-  // Where A is unturned, R_WB is the rotation times the perturbation, and rounds to it.
+TEST(GenerateSymmetries, CombinesEveryRotationWithEveryPerturbation) {
+  // If A is not rotated, R_WB is the rotation times the perturbation, up to rounding.
   int unturned = 0;
   for (std::uint64_t i = 0; i < 24 * 15; ++i) {
     const ContactQuery query =
@@ -206,7 +209,7 @@ TEST(GenerateSymmetries, AsksEveryRotationAtEveryPerturbation) {
     ++unturned;
     const Eigen::Matrix3d symmetry = CubeRotation(static_cast<int>(i % 24));
     const double angle = std::pow(10.0, static_cast<double>(i / 24) - 15);
-    // |P − 1| is at most the angle; entries beside a 1 are rounded to 2^-53 of it.
+    // |P − 1| is at most the angle; entries in a sum with 1 are rounded to 2^-53.
     EXPECT_LE((query.B.X_WB.R_WB - symmetry).cwiseAbs().maxCoeff(), 1.001 * angle) << i;
     EXPECT_GT((query.B.X_WB.R_WB - symmetry).cwiseAbs().maxCoeff(), 0.2 * angle) << i;
   }

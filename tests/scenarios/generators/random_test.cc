@@ -19,7 +19,8 @@ TEST(Random, IsAFunctionOfItsKey) {
 }
 
 TEST(Random, IsUniform) {
-  // The mean of n uniform numbers strays by 1 / √(12 n): 0.003 at n = 10⁴; four of these.
+  // The mean of n uniform numbers has the standard deviation 1 / √(12 n): 0.003 at n =
+  // 10⁴. The bound is four of these.
   Random random({7});
   double sum = 0;
   std::array<int, 10> tenths{};
@@ -31,7 +32,7 @@ TEST(Random, IsUniform) {
     ++tenths[static_cast<std::size_t>(10 * u)];
   }
   EXPECT_NEAR(sum / 10000, 0.5, 0.012);
-  // A count of mean 1000 strays by 30.
+  // A count with mean 1000 has a standard deviation of 30.
   for (const int count : tenths) EXPECT_NEAR(count, 1000, 120);
 }
 
@@ -42,7 +43,7 @@ TEST(Random, DrawsEveryIntegerBelowABound) {
   for (const int count : counts) EXPECT_NEAR(count, 1000, 110);
 }
 
-TEST(Random, DrawsEveryDecadeAsOften) {
+TEST(Random, DrawsAllDecadesEquallyOften) {
   Random random({9});
   std::array<int, 16> counts{};
   for (int i = 0; i < 16000; ++i) {
@@ -54,7 +55,7 @@ TEST(Random, DrawsEveryDecadeAsOften) {
   for (const int count : counts) EXPECT_NEAR(count, 1000, 130);
 }
 
-TEST(Random, DrawsUnitDirectionsAndRotationsWithoutPreference) {
+TEST(Random, DrawsUniformUnitDirectionsAndRotations) {
   Random random({10});
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Vector4d squares = Eigen::Vector4d::Zero();
@@ -67,7 +68,8 @@ TEST(Random, DrawsUnitDirectionsAndRotationsWithoutPreference) {
     mean += n / 10000;
     squares += q.coeffs().cwiseAbs2() / 10000;
   }
-  // A component of a direction has variance 1/3: its mean strays by 0.006.
+  // A component of a direction has variance 1/3, so its mean has a standard deviation of
+  // 0.006.
   EXPECT_LT(mean.cwiseAbs().maxCoeff(), 0.025);
   // The square of a component of a unit quaternion has mean 1/4 and variance 1/16.
   EXPECT_LT((squares.array() - 0.25).abs().maxCoeff(), 0.01);
@@ -91,14 +93,14 @@ TEST(PortableMath, AgreesWithEigen) {
   }
 }
 
-TEST(PortableMath, TurnsByTwiceTheArcTangentOfHalf) {
+TEST(PortableMath, RotatesByTwiceTheArcTangent) {
   const Eigen::Vector3d axis = Eigen::Vector3d(0.2, -0.7, 0.4).normalized();
   const Eigen::AngleAxisd turn(RotationByHalfTangent(axis, 0.3));
   EXPECT_NEAR(turn.angle(), 2 * std::atan(0.3), 1e-15);
   EXPECT_TRUE(turn.axis().isApprox(axis, 1e-14));
 }
 
-TEST(PortableMath, TurnsOneDirectionToAnotherByTheLeastAngle) {
+TEST(PortableMath, RotatesOneDirectionToAnotherByTheSmallestAngle) {
   const Eigen::Vector3d from = Eigen::Vector3d(0.2, -0.7, 0.4).normalized();
   const Eigen::Vector3d to = Eigen::Vector3d(-0.1, 0.3, 0.9).normalized();
   const Eigen::Quaterniond q = LeastRotation(from, to);

@@ -96,7 +96,7 @@ anomaly = "It sinks."
 reproduces = false
 )";
 
-/** Returns `text` with `old_part`, which must be there once, replaced by `new_part`. */
+/** Returns `text` with `old_part`, which must occur once, replaced by `new_part`. */
 std::string With(std::string_view old_part, std::string_view new_part,
                  std::string_view text = kGood) {
   std::string changed(text);
@@ -117,7 +117,7 @@ std::vector<std::string> ErrorsOf(std::string_view text) {
   return errors;
 }
 
-TEST(ReadWorld, GivesWhatTheFileSays) {
+TEST(ReadWorld, ReturnsTheContentsOfTheFile) {
   const ReadResult result = ReadScenario(kGood, "f.toml");
   ASSERT_TRUE(result.world) << ToString(result.diagnostics.at(0));
   const WorldScenario& s = *result.world;
@@ -142,7 +142,7 @@ TEST(ReadWorld, GivesWhatTheFileSays) {
   EXPECT_EQ(s.indicts[0].oracle, "ode");
 }
 
-TEST(ReadWorld, GivesTheBodies) {
+TEST(ReadWorld, ReturnsTheBodies) {
   const ReadResult result = ReadScenario(kGood, "f.toml");
   ASSERT_TRUE(result.world) << ToString(result.diagnostics.at(0));
   const std::vector<RigidBody>& bodies = result.world->world.bodies;
@@ -165,7 +165,7 @@ TEST(ReadWorld, GivesTheBodies) {
   EXPECT_FALSE(ball.collides);
 }
 
-TEST(ReadWorld, GivesWhatIsNotRigid) {
+TEST(ReadWorld, ReturnsParticlesSpringsJointsClothsAndPushes) {
   const ReadResult result = ReadScenario(kGood, "f.toml");
   ASSERT_TRUE(result.world) << ToString(result.diagnostics.at(0));
   const World& world = result.world->world;
@@ -220,18 +220,20 @@ TEST(ReadWorld, KeepsTheOrderOfTheFile) {
   EXPECT_EQ(result.world->world.particles.at(1).name, "a");
 }
 
-TEST(ReadWorld, TakesTheDistanceAtTheStartForALengthThatIsNotGiven) {
-  // The ball is at (0, 2, 0), the hook at (0, 5, 0); the bob is 0.5 from the ball's side.
+TEST(ReadWorld, UsesTheInitialDistanceForAMissingLength) {
+  // The ball is at (0, 2, 0), the joint's world anchor at (0, 5, 0). The bob is 0.5 from
+  // the side of the ball.
   const ReadResult result = ReadScenario(With("rest_length = 0.75\n", ""), "f.toml");
   ASSERT_TRUE(result.world) << ToString(result.diagnostics.at(0));
   EXPECT_EQ(result.world->world.joints[0].length, 3);
   EXPECT_EQ(result.world->world.springs[0].rest_length, 0.5);
 }
 
-TEST(ReadWorld, RefusesAKeyOfTheOtherQuestion) {
-  EXPECT_THAT(ErrorsOf(With("horizon = 0.5", "contact = {A = \"ball\", B = \"floor\"}")),
-              ElementsAre("f.toml:4:1: \"contact\" has no place in a file with [world]; "
-                          "expected one question a file"));
+TEST(ReadWorld, RefusesAKeyOfTheOtherKindOfFile) {
+  EXPECT_THAT(
+      ErrorsOf(With("horizon = 0.5", "contact = {A = \"ball\", B = \"floor\"}")),
+      ElementsAre("f.toml:4:1: \"contact\" is not allowed in a file with [world]; "
+                  "expected one question per file"));
 }
 
 TEST(ReadWorld, SuggestsTheNearestKeyOfAMovingBody) {
@@ -240,7 +242,7 @@ TEST(ReadWorld, SuggestsTheNearestKeyOfAMovingBody) {
                           "expected \"spin\""));
 }
 
-TEST(ReadWorld, RefusesNumbersThatCannotBe) {
+TEST(ReadWorld, RefusesInvalidNumbers) {
   EXPECT_THAT(ErrorsOf(With("mass = 3", "mass = -3")),
               ElementsAre("f.toml:20:8: bodies.ball.mass is -3; "
                           "expected a finite number >= 0"));
@@ -263,7 +265,7 @@ TEST(ReadWorld, RefusesNumbersThatCannotBe) {
               ElementsAre("f.toml:4:11: horizon is -0.5; expected a finite number >= 0"));
 }
 
-TEST(ReadWorld, RefusesAnInertiaThatNoSolidHas) {
+TEST(ReadWorld, RefusesAnInertiaThatNoSolidCanHave) {
   EXPECT_THAT(ErrorsOf(With("[0.1, 0.2, 0.3]", "[0.1, 0.2, 0.4]")),
               ElementsAre("f.toml:21:11: bodies.ball.inertia has a moment that exceeds "
                           "the sum of the others; expected moments that a solid can "
@@ -276,13 +278,13 @@ TEST(ReadWorld, RefusesAMovingHalfSpace) {
                           "moves; expected mass = 0"));
 }
 
-TEST(ReadWorld, RefusesMotionOfWhatNeverMoves) {
+TEST(ReadWorld, RefusesMotionOfAStaticBody) {
   EXPECT_THAT(ErrorsOf(With("mass = 0\n", "mass = 0\nspin = [0, 0, 1]\n")),
               ElementsAre("f.toml:15:8: bodies.floor.spin is not 0, but the mass is; "
-                          "expected none: what has mass 0 never moves"));
+                          "expected zero, since mass 0 means that it never moves"));
 }
 
-TEST(ReadWorld, RefusesAClockThatDoesNotAddUp) {
+TEST(ReadWorld, RefusesAnInconsistentClock) {
   EXPECT_THAT(
       ErrorsOf(With("duration = 0.5", "duration = 0.5005", With("time = 0.25\n", ""))),
       ElementsAre("f.toml:9:12: world.duration is 0.5005; "
@@ -298,40 +300,43 @@ TEST(ReadWorld, RefusesAClockThatDoesNotAddUp) {
                           "expected a count, 1 or more, or a duration"));
 }
 
-TEST(ReadWorld, RefusesAnchorsOnNothing) {
+TEST(ReadWorld, RefusesAnchorsOnUnknownNames) {
   EXPECT_THAT(ErrorsOf(With("A = \"bob\"", "A = \"bobb\"")),
-              ElementsAre("f.toml:37:5: springs[0].A is \"bobb\", which is no body or "
+              ElementsAre("f.toml:37:5: springs[0].A is \"bobb\", which is not a body or "
                           "particle; expected \"bob\""));
-  EXPECT_THAT(ErrorsOf(With("on = \"ball\"", "on = \"net\"")),
-              ElementsAre("f.toml:38:11: springs[0].B.on is \"net\", which is no body or "
-                          "particle; expected one of ball, bob, floor"));
+  EXPECT_THAT(
+      ErrorsOf(With("on = \"ball\"", "on = \"net\"")),
+      ElementsAre("f.toml:38:11: springs[0].B.on is \"net\", which is not a body or "
+                  "particle; expected one of ball, bob, floor"));
 }
 
-TEST(ReadWorld, RefusesATieToItself) {
-  EXPECT_THAT(ErrorsOf(With("A = [0, 5, 0]", "A = {on = \"ball\", point = [0, 1, 0]}")),
-              ElementsAre("f.toml:45:5: joints[0].B is on what A is on; "
-                          "expected another body or particle, or the world"));
+TEST(ReadWorld, RefusesATieOfABodyToItself) {
+  EXPECT_THAT(
+      ErrorsOf(With("A = [0, 5, 0]", "A = {on = \"ball\", point = [0, 1, 0]}")),
+      ElementsAre("f.toml:45:5: joints[0].B is on the same body or particle as A; "
+                  "expected another body or particle, or the world"));
 }
 
-TEST(ReadWorld, RefusesATieBetweenThingsThatNeverMove) {
-  EXPECT_THAT(ErrorsOf(With("B = \"ball\"", "B = \"floor\"")),
-              ElementsAre("f.toml:45:5: joints[0].B is on what never moves, and so is A; "
-                          "expected one end that can move"));
+TEST(ReadWorld, RefusesATieBetweenStaticThings) {
+  EXPECT_THAT(
+      ErrorsOf(With("B = \"ball\"", "B = \"floor\"")),
+      ElementsAre("f.toml:45:5: joints[0].B is on something that never moves, and so "
+                  "is A; expected one end that can move"));
 }
 
 TEST(ReadWorld, RefusesATieWhoseEndsAreAtOnePoint) {
   EXPECT_THAT(ErrorsOf(With("A = [0, 5, 0]", "A = [0, 2, 0]")),
-              ElementsAre("f.toml:45:5: joints[0].B is where A is; expected two ends "
-                          "apart, between which there is a direction"));
+              ElementsAre("f.toml:45:5: joints[0].B is at the same point as A; "
+                          "expected two ends at different points"));
 }
 
-TEST(ReadWorld, RefusesAPointOfAParticle) {
+TEST(ReadWorld, RefusesAnAnchorPointOnAParticle) {
   EXPECT_THAT(ErrorsOf(With("A = \"bob\"", "A = {on = \"bob\", point = [1, 0, 0]}")),
               ElementsAre("f.toml:37:26: springs[0].A.point is not 0; "
-                          "expected none: a particle has no size"));
+                          "expected zero, since a particle has no size"));
 }
 
-TEST(ReadWorld, RefusesAClothThatIsNone) {
+TEST(ReadWorld, RefusesAnInvalidCloth) {
   EXPECT_THAT(ErrorsOf(With("n = 5", "n = 2")),
               ElementsAre("f.toml:48:5: cloths.net.n is 2; expected 3 nodes or more"));
   EXPECT_THAT(ErrorsOf(With("[0, 4]]", "[0, 5]]")),
@@ -342,7 +347,7 @@ TEST(ReadWorld, RefusesAClothThatIsNone) {
                           "expected each node once"));
 }
 
-TEST(ReadWorld, RefusesAPushOffTheSteps) {
+TEST(ReadWorld, RefusesAPushThatIsNotBetweenTwoSteps) {
   EXPECT_THAT(ErrorsOf(With("time = 0.25", "time = 0.2503")),
               ElementsAre("f.toml:61:8: pushes[0].time is 0.2503; "
                           "expected a multiple of dt = 0.001"));
@@ -351,12 +356,12 @@ TEST(ReadWorld, RefusesAPushOffTheSteps) {
                           "expected a time before the end at 0.5 s"));
 }
 
-TEST(ReadWorld, RefusesAPushOfWhatNeverMoves) {
+TEST(ReadWorld, RefusesAPushOfAStaticBody) {
   EXPECT_THAT(ErrorsOf(With("body = \"ball\"", "body = \"floor\"")),
               ElementsAre("f.toml:60:8: pushes[0].body has mass 0; "
                           "expected a body that can move"));
   EXPECT_THAT(ErrorsOf(With("body = \"ball\"", "body = \"bob\"")),
-              ElementsAre("f.toml:60:8: pushes[0].body is \"bob\", which is no body; "
+              ElementsAre("f.toml:60:8: pushes[0].body is \"bob\", which is not a body; "
                           "expected one of ball, floor"));
 }
 
@@ -364,12 +369,12 @@ TEST(ReadWorld, RefusesANameThatIsTaken) {
   EXPECT_THAT(ErrorsOf(With("[cloths.net]", "[cloths.bob]",
                             With("\"ball\", \"net\"", "\"ball\""))),
               ElementsAre("f.toml:47:9: cloths.bob has the name of particles.bob; "
-                          "expected a name of its own"));
+                          "expected a unique name"));
 }
 
-TEST(ReadWorld, RefusesAClaimAboutNothing) {
+TEST(ReadWorld, RefusesAClaimAboutAnUnknownName) {
   EXPECT_THAT(ErrorsOf(With("\"net\"]", "\"nett\"]")),
-              ElementsAre("f.toml:67:18: claims[0].about[1] is \"nett\", which is no "
+              ElementsAre("f.toml:67:18: claims[0].about[1] is \"nett\", which is not a "
                           "body, particle or cloth; expected \"net\""));
   EXPECT_THAT(ErrorsOf(With("speed = 1.5", "speed = nan")),
               ElementsAre("f.toml:68:20: claims[0].numbers.speed is nan; "
@@ -380,22 +385,23 @@ TEST(ReadWorld, RefusesAWorldWhereNothingMoves) {
   EXPECT_THAT(ErrorsOf("id = \"a\"\ntitle = \"b\"\nsource = \"c\"\n"
                        "world = {dt = 1, steps = 2}\n"),
               ElementsAre("f.toml:4:9: world has nothing that moves; "
-                          "expected a body, a particle or a cloth that can"));
+                          "expected a body, a particle or a cloth that can move"));
 }
 
-TEST(ReadWorld, TakesAFileWithoutAQuestionForAWorldIfItHasItsTables) {
+TEST(ReadWorld, TreatsAFileWithTablesOfAWorldAsAWorld) {
   EXPECT_THAT(ErrorsOf("id = \"a\"\ntitle = \"b\"\nsource = \"c\"\n"
                        "particles.a = {position = [0, 0, 0]}\n"),
               ElementsAre("f.toml:1:1: world is missing; expected a table"));
 }
 
-TEST(ReadWorld, DoesNotBlameWhatHangsOnAnotherError) {
-  // Without dt no time is off a step; without the bob no spring has a length.
+TEST(ReadWorld, ReportsNoConsequencesOfAnotherError) {
+  // Without dt no time can be checked against the step; without the bob the spring has no
+  // length.
   EXPECT_THAT(ErrorsOf(With("dt = 0.001", "dt = \"fast\"",
                             With("particles.bob", "particles.blob"))),
               ElementsAre("f.toml:8:6: world.dt is a string; "
                           "expected a finite number > 0",
-                          "f.toml:37:5: springs[0].A is \"bob\", which is no body or "
+                          "f.toml:37:5: springs[0].A is \"bob\", which is not a body or "
                           "particle; expected \"blob\""));
 }
 

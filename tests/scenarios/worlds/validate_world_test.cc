@@ -13,7 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/** A world made in C++, without a file to point into. */
+/** Returns a world made in C++, which has no file for diagnostics to refer to. */
 World TwoBalls() {
   World world;
   world.bodies.resize(2);
@@ -33,7 +33,7 @@ std::vector<std::string> Texts(const std::vector<Fault>& faults) {
   return texts;
 }
 
-TEST(FaultsOfWorld, AreNoneOfAGoodOne) {
+TEST(FaultsOfWorld, AreEmptyForAValidWorld) {
   EXPECT_THAT(Texts(FaultsOf(TwoBalls())), IsEmpty());
 }
 
@@ -54,18 +54,18 @@ TEST(FaultsOfWorld, NameABodyWithoutANameByItsIndex) {
                           "expected a name of A-Z, a-z, 0-9, _ and -"));
 }
 
-TEST(FaultsOfWorld, HoldTheNameOfAnother) {
+TEST(FaultsOfWorld, IncludeADuplicateName) {
   World world = TwoBalls();
   world.bodies[1].name = "ball";
   world.particles.push_back({"ball"});
   EXPECT_THAT(Texts(FaultsOf(world)),
               ElementsAre("bodies.ball has the name of bodies.ball; "
-                          "expected a name of its own",
+                          "expected a unique name",
                           "particles.ball has the name of bodies.ball; "
-                          "expected a name of its own"));
+                          "expected a unique name"));
 }
 
-TEST(FaultsOfWorld, HoldAnchorsWithoutAnything) {
+TEST(FaultsOfWorld, IncludeAnchorsThatDoNotExist) {
   World world = TwoBalls();
   world.springs.push_back({{AnchorKind::kBody, 2}, {AnchorKind::kParticle, 0}});
   world.joints.push_back({{AnchorKind::kWorld, 0}, {AnchorKind::kBody, -1}, 1});
@@ -78,18 +78,18 @@ TEST(FaultsOfWorld, HoldAnchorsWithoutAnything) {
                           "expected an index into the bodies"));
 }
 
-TEST(FaultsOfWorld, HoldARodBetweenTwoPointsThatAreOneToRounding) {
+TEST(FaultsOfWorld, IncludeARodBetweenPointsThatAreEqualUpToRounding) {
   World world = TwoBalls();
   // 0.1 + 0.2 is one rounding away from 0.3.
   world.joints.push_back({{AnchorKind::kWorld, -1, {0.1 + 0.2, 0, 0}},
                           {AnchorKind::kBody, 0, {0.3, 0, 0}},
                           1});
   EXPECT_THAT(Texts(FaultsOf(world)),
-              ElementsAre("joints[0].B is where A is; expected two ends apart, between "
-                          "which there is a direction"));
+              ElementsAre("joints[0].B is at the same point as A; expected two ends at "
+                          "different points"));
 }
 
-TEST(FaultsOfWorld, HoldPushesOfNoBodyAndOffTheSteps) {
+TEST(FaultsOfWorld, IncludePushesOfNoBodyAndBetweenNoSteps) {
   World world = TwoBalls();
   world.pushes = {{2, 0}, {0, 0.5 / 240}, {0, 1}, {0, 239.0 / 240}};
   EXPECT_THAT(Texts(FaultsOf(world)),
@@ -99,27 +99,27 @@ TEST(FaultsOfWorld, HoldPushesOfNoBodyAndOffTheSteps) {
                           "pushes[2].time is 1; expected a time before the end at 1 s"));
 }
 
-TEST(FaultsOfWorld, HoldAStepThatIsNone) {
+TEST(FaultsOfWorld, IncludeAStepOfZero) {
   World world = TwoBalls();
   world.dt = 0;
   world.steps = 0;
-  // A push cannot be off a step that is none.
+  // The time of a push is not checked against an invalid step.
   world.pushes = {{0, 0.3}};
   EXPECT_THAT(Texts(FaultsOf(world)),
               ElementsAre("world.dt is 0; expected a finite number > 0",
                           "world.steps is 0; expected a count from 1 to 100000000"));
 }
 
-TEST(FaultsOfWorld, HoldAWorldAtRestForEver) {
+TEST(FaultsOfWorld, IncludeAWorldWithoutMovingParts) {
   World world = TwoBalls();
   world.bodies[0].mass = 0;
   world.bodies[1].mass = 0;
   EXPECT_THAT(Texts(FaultsOf(world)),
               ElementsAre("world has nothing that moves; "
-                          "expected a body, a particle or a cloth that can"));
+                          "expected a body, a particle or a cloth that can move"));
 }
 
-TEST(FaultsOfWorld, AllowTheMomentsOfAFlatBodyAsTheyAreRounded) {
+TEST(FaultsOfWorld, AllowTheRoundedMomentsOfAFlatBody) {
   World world = TwoBalls();
   world.bodies[0].inertia = Eigen::Vector3d(0.1, 0.2, 0.1 + 0.2);
   EXPECT_THAT(Texts(FaultsOf(world)), IsEmpty());
@@ -127,7 +127,7 @@ TEST(FaultsOfWorld, AllowTheMomentsOfAFlatBodyAsTheyAreRounded) {
   EXPECT_EQ(FaultsOf(world).size(), 1U);
 }
 
-TEST(FaultsOfWorldScenario, HoldClaimsAboutNothing) {
+TEST(FaultsOfWorldScenario, IncludeClaimsAboutUnknownNames) {
   WorldScenario scenario;
   scenario.id = "world/a";
   scenario.title = "b";

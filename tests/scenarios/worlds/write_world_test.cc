@@ -109,7 +109,7 @@ WorldScenario AnyWorldScenario() {
   scenario.title = AnyText();
   scenario.source = AnyText();
   World& world = scenario.world;
-  // Not in the order of the alphabet.
+  // Not in alphabetical order.
   world.bodies = {AnyBody("Z-9"), AnyBody("a"), AnyBody("M")};
   world.particles = {AnyParticle("y"), AnyParticle("0x1")};
   world.cloths = {AnyCloth("net")};
@@ -159,7 +159,7 @@ RC_GTEST_PROP(WriteWorldScenario, IsReadBackBitForBit, ()) {
   RC_ASSERT(WriteScenario(*read.world) == text);
 }
 
-TEST(WriteWorldScenario, LeavesOutWhatIsNotThere) {
+TEST(WriteWorldScenario, OmitsAbsentValues) {
   WorldScenario scenario;
   scenario.id = "a";
   scenario.title = "b";
