@@ -59,7 +59,7 @@ TEST(BulletWorld, SaysWhyItHasNoSprings) {
     const Trajectory trajectory = oracle->Simulate(world);
     EXPECT_EQ(trajectory.status, AnswerStatus::kUnsupported);
     EXPECT_EQ(trajectory.reason,
-              "Bullet has springs along the axes of a body, and none between two points");
+              "Bullet has springs along the axes of a body but none between two points");
   }
 }
 
