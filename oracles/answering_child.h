@@ -20,7 +20,7 @@ class AnsweringChild {
   /** Returns the bytes of the answer to a question. Called in the child. */
   using Answerer = std::function<std::string(std::size_t question)>;
 
-  /** What the child may use for each question. */
+  /** The resources that the child may use for each question. */
   struct Limits {
     std::chrono::milliseconds cpu;
     std::chrono::milliseconds wall;

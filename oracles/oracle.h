@@ -15,7 +15,7 @@
 
 namespace touchstone {
 
-/** What an oracle provides for one ordered pair of shape kinds. */
+/** The capability of an oracle for one ordered pair of shape kinds. */
 struct Capability {
   bool supported = false;
   std::string family;  ///< Algorithm, the unit of consensus: "sat", "gjk_epa", "mpr", …

@@ -9,7 +9,7 @@ namespace touchstone {
 
 /** The stabilisation of contacts. */
 enum class DartContacts {
-  kRigid,      ///< As rigid as DART can make them; overlap is not pushed out.
+  kRigid,      ///< The most rigid that DART allows; overlap is not pushed out.
   kAsShipped,  ///< DART's defaults.
 };
 

@@ -15,7 +15,7 @@ enum class MujocoIntegrator {
 
 /** The stiffness of contacts and rods, and the way they are solved. */
 enum class MujocoContacts {
-  kRigid,      ///< As rigid as MuJoCo can make them, with Coulomb's circular cone.
+  kRigid,      ///< The most rigid that MuJoCo allows, with Coulomb's circular cone.
   kAsShipped,  ///< MuJoCo's defaults: soft over 20 ms, with a friction pyramid.
 };
 

@@ -16,7 +16,7 @@ enum class OdeStepper {
 
 /** The stabilisation of constraints, and the number of iterations of QuickStep. */
 enum class OdeConstraints {
-  kRigid,      ///< As rigid as ODE can make them; overlap is not pushed out.
+  kRigid,      ///< The most rigid that ODE allows; overlap is not pushed out.
   kAsShipped,  ///< ODE's defaults.
 };
 
