@@ -8,12 +8,12 @@
 
 namespace touchstone {
 
-/** How a question ended. */
+/** The status of an answer. */
 enum class AnswerStatus {
   kAnswered,     ///< The other fields hold the oracle's answer.
   kUnsupported,  ///< The oracle does not support the query. Expected, counted and shown.
   kCrashed,      ///< The engine threw, aborted or was killed by a signal. A finding.
-  kTimedOut,     ///< The engine had not answered when its deadline passed. A finding.
+  kTimedOut,     ///< The engine did not answer before its deadline. A finding.
 };
 
 /** One contact. */
@@ -30,8 +30,8 @@ struct ContactPoint {
 
 /** A pair of nearest (or, when penetrating, deepest) points. */
 struct WitnessPoints {
-  Eigen::Vector3d p_WCa;  ///< On the surface of A. World frame, [m].
-  Eigen::Vector3d p_WCb;  ///< On the surface of B. World frame, [m].
+  Eigen::Vector3d p_WCa;  ///< Point on the surface of A. World frame, [m].
+  Eigen::Vector3d p_WCb;  ///< Point on the surface of B. World frame, [m].
 };
 
 /** An oracle's answer to a ContactQuery, in the project's conventions.

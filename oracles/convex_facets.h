@@ -27,10 +27,10 @@ struct ConvexFacets {
   Eigen::Vector3d centre;  ///< Mean of the corners, a point inside. [m]
 };
 
-/** Largest distance of a vertex from a plane that it counts as being on, as a fraction of
- the largest |coordinate|. The corners of a flat face that was rotated and stored in
- doubles are each off by a few units of 2^-53. The plane through three of them is off by a
- few times that at the fourth. */
+/** Distance up to which a vertex counts as lying on a plane, as a fraction of the largest
+ |coordinate|. The corners of a flat face that was rotated and stored in doubles are each
+ off by a few units of 2^-53. The plane through three of them misses the fourth by a few
+ times that. */
 inline constexpr double kFlatness = 32 * 0x1p-53;
 
 /** Returns the boundary of `hull`, or nothing if it is flat, i.e. thinner than kFlatness.

@@ -53,7 +53,7 @@ struct Setting {
 /** The description of an oracle: name, version, settings and capabilities. */
 struct OracleInfo {
   std::string name;  ///< Path-like: "cookbook", "bullet", "bullet/gjk", "fcl/collide", …
-  std::string library;  ///< "Bullet", "ODE", …; "Touchstone" for our own.
+  std::string library;  ///< "Bullet", "ODE", …; "Touchstone" for our own engines.
   std::string version;  ///< Version that the library itself reports.
   /** Unit roundoff of the arithmetic: 2^-53 for double, 2^-24 for float. */
   double unit_roundoff = 0x1p-53;

@@ -15,7 +15,7 @@ namespace touchstone {
 /** The collision algorithm of Bullet that answers. */
 enum class BulletPath { kWorldDispatch, kClosestPoints };
 
-/** How contacts of worlds are solved and stabilised. */
+/** The solution and stabilisation of contacts in worlds. */
 enum class BulletConstraints {
   kRigid,      ///< Solved until nothing changes; overlap is not pushed out.
   kAsShipped,  ///< Bullet's defaults.

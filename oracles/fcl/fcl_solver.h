@@ -6,8 +6,7 @@
 
 namespace touchstone {
 
-/** FCL's two general convex solvers, one of which is used where FCL has no closed form.
- */
+/** The general convex solver that FCL uses where it has no closed form. */
 enum class FclSolver {
   kLibccd,  ///< GST_LIBCCD, the default: libccd's MPR for contacts, FCL's own GJK and EPA
             ///< on libccd's types for distances.

@@ -97,7 +97,7 @@ class Report {
                 std::string(NameOf(KindOf(query.B.shape))) + ", " + std::move(about) +
                 ": ") {}
 
-  // `held` must be written so that a NaN fails.
+  // The caller must write `held` so that a NaN makes it false.
   bool Expect(bool held, const std::string& otherwise) {
     if (!held) breaches_.push_back(prefix_ + otherwise);
     return held;

@@ -88,9 +88,8 @@ TEST_P(PrintedErratum, AloneIsFoundByTheMeasureOfItsKind) {
 INSTANTIATE_TEST_SUITE_P(
     OfContact, PrintedErratum,
     testing::Values(
-        Specimen{"E-01",
-                 "touching"},        // The shapes are apart on an axis it does not test.
-        Specimen{"E-02", "excess"},  // The normal loses its negative components.
+        Specimen{"E-01", "touching"},  // Apart on an untested axis.
+        Specimen{"E-02", "excess"},    // The normal loses its negative components.
         Specimen{"E-03", "separation_error"}, Specimen{"E-04", "consistency_error"},
         Specimen{"E-05", "excess"},    // A centre inside is pushed out of the wrong face.
         Specimen{"E-06", "touching"},  // Concentric shapes are reported as apart.

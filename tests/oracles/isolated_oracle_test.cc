@@ -196,7 +196,7 @@ class PlantedOracle final : public Oracle {
 
 IsolationLimits Limits() {
   IsolationLimits limits;
-  // Long enough for megabytes of output on a slow machine, under sanitizers.
+  // Long enough for megabytes of output on a slow machine with sanitizers.
   limits.cpu = std::chrono::seconds(1);
   limits.world_cpu = std::chrono::seconds(1);
   limits.memory = std::size_t{1} << 30;

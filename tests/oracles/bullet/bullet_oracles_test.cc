@@ -167,8 +167,8 @@ TEST(BulletOracles,
 }
 
 TEST(BulletOracles, MarginsNeitherRoundNorEnlargeAShape) {
-  // Cube corner to cube corner, sqrt(3)/2 apart: Bullet's own margins make it 0.92
-  // (bulletphysics/bullet3#889) and would enlarge the hull by 0.04.
+  // The nearest corners of two cubes are sqrt(3)/2 apart. Bullet's own margins would make
+  // this 0.92 (bulletphysics/bullet3#889) and enlarge the hull by 0.04.
   const Box box{{0.5, 0.5, 0.5}};
   ConvexHull hull;
   for (const double x : {-0.5, 0.5}) {
