@@ -8,9 +8,9 @@
 
 namespace touchstone {
 
-/** Answers each query by itself: where `info` does not support the pair with the reason,
- else with `answer_one(query)`. What that throws is kCrashed, and the next query is asked.
- @pre The sizes are equal. */
+/** Answers each query independently. A pair that `info` does not support is answered with
+ the reason, any other with `answer_one(query)`. An exception becomes kCrashed, and the
+ next query is answered. @pre The sizes are equal. */
 template <class AnswerOne>
 void AnswerEach(const OracleInfo& info, std::span<const ContactQuery> queries,
                 std::span<ContactAnswer> answers, AnswerOne answer_one) {

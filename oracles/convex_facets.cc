@@ -20,9 +20,8 @@ using Vertices = std::vector<Vector3d>;
 using Triangle = std::array<int, 3>;  // Counterclockwise seen from outside.
 using Edge = std::pair<int, int>;
 
-// The exact sum of what was added, as numbers that do not overlap, smallest first:
-// Shewchuk, "Adaptive Precision Floating-Point Arithmetic" (1997), GROW-EXPANSION,
-// theorem 10.
+// An exact sum of doubles, stored as non-overlapping numbers, smallest first: Shewchuk,
+// "Adaptive Precision Floating-Point Arithmetic" (1997), GROW-EXPANSION, theorem 10.
 class ExactSum {
  public:
   void Add(double x) {
@@ -55,8 +54,9 @@ class ExactSum {
   std::vector<double> parts_;
 };
 
-// The sign of (b − a) × (c − a) · (d − a): positive where d is above the triangle abc.
-// Written as the difference of four triple products, in which nothing is rounded.
+// The exact sign of (b − a) × (c − a) · (d − a): positive if d is above the triangle abc.
+// It is written as a sum of four triple products of the coordinates themselves, since
+// differences such as b − a would be rounded.
 int ExactSide(const Vector3d& a, const Vector3d& b, const Vector3d& c,
               const Vector3d& d) {
   ExactSum sum;
@@ -86,7 +86,7 @@ int Side(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d
       (std::abs(u.z() * v.x()) + std::abs(u.x() * v.z())) * std::abs(w.y()) +
       (std::abs(u.x() * v.y()) + std::abs(u.y() * v.x())) * std::abs(w.z());
   // Shewchuk, "Adaptive Precision Floating-Point Arithmetic" (1997), section 4.3:
-  // (7 + 56 eps) eps permanent, eps = 2^-53; the second condition keeps underflow out.
+  // (7 + 56 eps) eps permanent, eps = 2^-53. The second condition excludes underflow.
   constexpr double kErrorBound = 8 * 0x1p-53;
   constexpr double kNoUnderflow = 1e-280;
   if (std::abs(det) > kErrorBound * permanent && permanent > kNoUnderflow) {
@@ -104,7 +104,7 @@ Vector3d AreaNormal(const Vertices& vertices, const Triangle& t) {
       .cross(At(vertices, t[2]) - At(vertices, t[0]));
 }
 
-// Returns the index whose `measure` is largest.
+// Returns the index of the vertex whose `measure` is largest.
 template <typename Measure>
 int Farthest(const Vertices& vertices, const Measure& measure) {
   int best = 0;
@@ -114,7 +114,8 @@ int Farthest(const Vertices& vertices, const Measure& measure) {
   return best;
 }
 
-// A tetrahedron of vertices, or nothing if all are within `flatness` of a plane.
+// A tetrahedron of vertices as triangles; empty if all vertices are within `flatness` of
+// a plane.
 std::vector<Triangle> FirstTetrahedron(const Vertices& vertices, double flatness) {
   const Vector3d& p0 = vertices[0];
   const int i1 = Farthest(vertices, [&](const Vector3d& x) { return (x - p0).norm(); });
@@ -135,7 +136,7 @@ std::vector<Triangle> FirstTetrahedron(const Vertices& vertices, double flatness
   return {{0, b, c}, {0, c, i3}, {c, b, i3}, {b, 0, i3}};
 }
 
-// The hull as triangles. Signs are exact, hence the boundary stays closed and convex.
+// The boundary of the hull as triangles. Signs are exact, so it stays closed and convex.
 std::vector<Triangle> Triangulate(const Vertices& vertices, double flatness) {
   std::vector<Triangle> triangles = FirstTetrahedron(vertices, flatness);
   if (triangles.empty()) return {};
@@ -159,8 +160,7 @@ std::vector<Triangle> Triangulate(const Vertices& vertices, double flatness) {
   return triangles;
 }
 
-// The one boundary of a connected set of triangles, or nothing if it is not a simple
-// polygon.
+// The boundary of a connected set of triangles; empty if it is not one simple polygon.
 std::vector<int> BoundaryOf(const std::vector<Triangle>& patch) {
   std::set<Edge> edges;
   for (const Triangle& t : patch) {
@@ -181,8 +181,8 @@ std::vector<int> BoundaryOf(const std::vector<Triangle>& patch) {
   return loop;
 }
 
-// Merges triangles into polygons. Each polygon grows from the largest triangle left,
-// whose plane is the best known, so that slivers at an edge cannot bridge two real faces.
+// Merges triangles into polygons. Each polygon grows from the largest remaining triangle,
+// whose plane is the most accurate: so a sliver at an edge cannot bridge two real faces.
 std::vector<std::vector<int>> MergeCoplanar(const Vertices& vertices,
                                             std::vector<Triangle> triangles,
                                             double flatness) {
@@ -227,7 +227,8 @@ std::vector<std::vector<int>> MergeCoplanar(const Vertices& vertices,
   return polygons;
 }
 
-// Removes vertices that only two polygons share: they lie on an edge, not at a corner.
+// Removes vertices that belong to only two polygons: they lie on an edge and are no
+// corners.
 void DropEdgePoints(std::vector<std::vector<int>>& polygons) {
   std::map<int, int> polygons_at;
   for (const auto& polygon : polygons) {
@@ -239,7 +240,7 @@ void DropEdgePoints(std::vector<std::vector<int>>& polygons) {
   std::erase_if(polygons, [](const auto& polygon) { return polygon.size() < 3; });
 }
 
-// Newell's normal: a least-squares fit for polygons that are flat only to rounding.
+// Newell's normal, a least-squares fit for polygons that are flat only to rounding.
 Vector3d PolygonNormal(const Vertices& vertices, const std::vector<int>& polygon) {
   Vector3d sum = Vector3d::Zero();
   const Vector3d& origin = At(vertices, polygon[0]);
@@ -264,7 +265,7 @@ std::optional<ConvexFacets> BoundaryOf(const ConvexHull& hull) {
       MergeCoplanar(hull.vertices, std::move(triangles), flatness);
   DropEdgePoints(polygons);
 
-  // Corners keep the order of the vertices: it decides ties in the engines' support
+  // Corners keep the order of the vertices, which decides ties in the engines' support
   // functions.
   ConvexFacets result;
   std::map<int, int> corner_of;

@@ -12,12 +12,12 @@ OracleInfo InfoOf(std::string name, const std::vector<ShapePair>& pairs,
   OracleInfo info;
   info.name = std::move(name);
   info.library = "user";
-  info.version = "unversioned";  // A ledger wants to know it.
+  info.version = "unversioned";  // Not empty, because ledger entries name a version.
   info.settings.push_back(
-      {"conventions", "as the function gives them", "a function adapts itself"});
+      {"conventions", "as the function returns them", "the function converts by itself"});
   for (auto& row : info.capabilities) {
     for (Capability& capability : row) {
-      capability.reason = "the function of " + info.name + " is not for this pair";
+      capability.reason = "the function of " + info.name + " does not handle this pair";
     }
   }
   for (const ShapePair& pair : pairs) {
@@ -48,7 +48,7 @@ class FunctionOracle final : public Oracle {
   ContactFunction function_;
 };
 
-// A function has no objects to build beforehand: its questions are its batch.
+// The prepared batch of a function, which has no objects to build: it keeps the queries.
 class FunctionBatch final : public PreparedBatch {
  public:
   FunctionBatch(const Oracle& oracle, std::span<const ContactQuery> queries)

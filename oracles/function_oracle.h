@@ -11,8 +11,8 @@
 
 namespace touchstone {
 
-/** A user's collision routine: answers one query in the project's conventions
- (contact_answer.h); may be called from several threads at once. What it throws becomes
+/** A user's collision routine. It answers one query in the project's conventions
+ (contact_answer.h) and may be called from several threads at once. An exception becomes
  AnswerStatus::kCrashed. */
 using ContactFunction = std::function<ContactAnswer(const ContactQuery&)>;
 
@@ -22,14 +22,14 @@ struct ShapePair {
   ShapeKind B;
 };
 
-/** Returns the capability of a routine that gives touching, the normal and the depth of
- penetrating pairs: the least that can be judged beyond touching. Whatever else an answer
- holds is judged too; a promise makes its absence a fault. */
+/** Returns the capability of a routine that returns touching, and the normal and depth of
+ penetrating pairs: the least that can be judged beyond touching. Other fields of an
+ answer are judged too if present; a promised field that is absent is a fault. */
 Capability DepthAndNormal();
 
-/** Returns an oracle that answers `pairs` by calling `function`, computing in double;
- every other pair is unsupported. `gives` is what it promises of each pair; name a
- `gives.family` to take part in the consensus. */
+/** Returns an oracle that answers `pairs` by calling `function`, which computes in
+ double. Every other pair is unsupported. `gives` is what the function promises for each
+ pair; set `gives.family` to take part in the consensus. */
 std::unique_ptr<Oracle> MakeOracle(std::string name, const std::vector<ShapePair>& pairs,
                                    ContactFunction function,
                                    const Capability& gives = DepthAndNormal());

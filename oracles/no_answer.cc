@@ -26,7 +26,7 @@ std::string ReadableName(const std::type_info& type) {
   return name ? name.get() : type.name();
 }
 
-// The first of it, on one line: FCL's exceptions describe the whole question.
+// The start of `text` on one line: FCL's exceptions describe the whole question.
 std::string OneLine(const char* text) {
   constexpr std::size_t kLongest = 300;
   std::string line;

@@ -6,14 +6,14 @@
 
 namespace touchstone {
 
-/** Returns the answer of an oracle that has no such query, and why. */
+/** Returns the answer of an oracle that does not support the query, with the reason. */
 ContactAnswer UnsupportedAnswer(std::string reason);
 
-/** Returns the answer of an oracle whose engine broke down over the question, and how. */
+/** Returns the answer of an oracle whose engine failed on the query, with the reason. */
 ContactAnswer CrashedAnswer(std::string reason);
 
-/** Returns the answer of an oracle whose engine worked on the question up to a limit, and
- * which. */
+/** Returns the answer of an oracle whose engine reached a limit, named by `reason`, while
+ working on the query. */
 ContactAnswer TimedOutAnswer(std::string reason);
 
 /** Returns kCrashed with "threw std::logic_error: <what>". To be called in a catch block

@@ -15,55 +15,56 @@
 
 namespace touchstone {
 
-/** What an oracle can say about one ordered pair of shape kinds. */
+/** The capability of an oracle for one ordered pair of shape kinds. */
 struct Capability {
   bool supported = false;
   std::string family;  ///< Algorithm, the unit of consensus: "sat", "gjk_epa", "mpr", …
-  bool depth = false;  ///< Gives the separation of penetrating pairs.
-  bool distance = false;  ///< Gives the separation of pairs apart.
-  bool normal = false;    ///< Gives the normal of penetrating pairs.
-  /** Gives contact points that are meant to span the contact patch. False for algorithms
-   that give one point a call: their point is judged, and not held to span a face. */
+  bool depth = false;  ///< Returns the separation of penetrating pairs.
+  bool distance = false;  ///< Returns the separation of pairs that are apart.
+  bool normal = false;    ///< Returns the normal of penetrating pairs.
+  /** Returns contact points that are meant to span the contact patch. False for
+   algorithms that return one point per call: their point is judged but need not span a
+   face. */
   bool manifold = false;
-  bool witnesses = false;  ///< Gives witness points.
+  bool witnesses = false;  ///< Returns witness points.
   /** The engine's own documented convergence tolerance or margin, added to the rounding
    tolerance when its separation is judged. [m]; 0 for closed forms. */
   double documented_error = 0;
-  /** As documented_error, but as a share of the true |separation|. */
+  /** Like documented_error, but as a fraction of the true |separation|. */
   double documented_relative_error = 0;
-  std::string documented_by;  ///< Where that figure is documented; empty when both are 0.
+  std::string documented_by;  ///< Source of these errors; empty when both are 0.
   std::string reason;         ///< Why the pair is unsupported; empty when supported.
 };
 
-/** What an oracle can do of one feature of a world. */
+/** Whether an oracle supports one feature of a world. */
 struct WorldCapability {
   bool supported = false;
-  std::string reason;  ///< Why not; empty when supported.
+  std::string reason;  ///< Why it is unsupported; empty when supported.
 };
 
-/** One thing an adapter sets or converts, as `touchstone oracles --settings` prints it.
- */
+/** One value that an adapter sets or converts, as `touchstone oracles --settings` prints
+ it. */
 struct Setting {
   std::string name;   ///< E.g. "normal", "depth sign", "box margin".
-  std::string value;  ///< What is in force, e.g. "B->A, negated".
-  std::string why;    ///< One sentence.
+  std::string value;  ///< The value in force, e.g. "B->A, negated".
+  std::string why;    ///< The reason, one sentence.
 };
 
-/** Who an oracle is. */
+/** The description of an oracle: name, version, settings and capabilities. */
 struct OracleInfo {
   std::string name;  ///< Path-like: "cookbook", "bullet", "bullet/gjk", "fcl/collide", …
-  std::string library;  ///< "Bullet", "ODE", …; "Touchstone" for our own.
-  std::string version;  ///< Of the library, as the library itself says.
+  std::string library;  ///< "Bullet", "ODE", …; "Touchstone" for our own engines.
+  std::string version;  ///< Version that the library itself reports.
   /** Unit roundoff of the arithmetic: 2^-53 for double, 2^-24 for float. */
   double unit_roundoff = 0x1p-53;
-  /** Answers contact queries in a forked child with a deadline, because it can abort,
-   crash or hang. */
+  /** Whether contact queries are answered in a forked child with a deadline, because the
+   engine can abort, crash or hang. */
   bool isolated = false;
   std::vector<Setting> settings;
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
-  /** It simulates worlds at all; see also AnswersContacts(). */
+  /** Whether it simulates worlds at all; see also AnswersContacts(). */
   bool simulates = false;
-  bool steps_in_threads = false;  ///< It has BeginInThreads().
+  bool steps_in_threads = false;  ///< Whether it has BeginInThreads().
   std::array<WorldCapability, kWorldFeatures> world_capabilities;
 
   /** Returns the capability for A of kind `a` and B of kind `b`. */
@@ -71,7 +72,7 @@ struct OracleInfo {
     return capabilities[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)];
   }
 
-  /** Returns whether it answers contact queries at all: of some pair of shapes. */
+  /** Returns whether it answers contact queries for at least one pair of shapes. */
   bool AnswersContacts() const;
 
   /** Returns the capability for a feature of a world. */
@@ -79,7 +80,7 @@ struct OracleInfo {
     return world_capabilities[static_cast<std::size_t>(feature)];
   }
 
-  /** Returns why this oracle cannot simulate `world`; empty where it can. */
+  /** Returns why this oracle cannot simulate `world`; empty if it can. */
   std::string CannotSimulate(const World& world) const;
 };
 
@@ -95,26 +96,27 @@ decltype(OracleInfo::capabilities) CapabilityTable(CapabilityOf capability_of) {
   return table;
 }
 
-/** A batch whose engine objects exist already, so that only the engine's work is timed.
- */
+/** A batch whose engine objects are built in advance, so that only the engine's work is
+ timed. */
 class PreparedBatch {
  public:
   virtual ~PreparedBatch() = default;
 
-  /** Asks the engine every question of the batch once, without translating the answers.
+  /** Runs the engine once on every query of the batch, without translating the answers.
    */
   virtual void Run() = 0;
 
-  /** Returns, after Run(), the separation per question as the engine gave it, in the
-   project's sign; NaN where it gave none. [m] */
+  /** Returns the separation that the engine computed in Run() for each query, with the
+   project's sign; NaN where it returned none. [m] */
   virtual std::span<const double> separations() const = 0;
 };
 
-/** Who answers: a library behind an adapter, the cookbook engine, or a user's function.
+/** An engine that answers questions: a library behind an adapter, the cookbook engine, or
+ a user's function.
 
  An oracle is library + entry point + precision. It is a pure function with a name: it
- keeps nothing between calls, so questions may be asked in any order and from any thread.
- Nothing throws across this interface: what went wrong is part of the answer.
+ keeps no state between calls, so it may be called in any order and from any thread. No
+ exception crosses this interface: a failure is part of the answer.
 
  Every oracle passes tests/conformance, which states this contract in full. */
 class Oracle {
@@ -128,28 +130,28 @@ class Oracle {
   virtual void Answer(std::span<const ContactQuery> queries,
                       std::span<ContactAnswer> answers) const = 0;
 
-  /** Returns `queries` ready for timing, or null where the oracle is not timed.
+  /** Returns `queries` ready for timing, or null if the oracle is not timed.
    @pre Every query is supported by this oracle. */
   virtual std::unique_ptr<PreparedBatch> Prepare(
       std::span<const ContactQuery> queries) const;
 
-  /** Returns `world` at its start, ready to be stepped, or null where the oracle does not
+  /** Returns `world` at its start, ready to be stepped, or null if the oracle does not
    simulate.
    @pre The world is valid and info().CannotSimulate(world) is empty. */
   virtual std::unique_ptr<Simulation> Begin(const World& world) const;
 
-  /** As Begin(), but with the iterations and the stabilisation that the engine's users
-   run by default, for timing: Begin() spares no time. The same where there is no
+  /** Like Begin(), but with the engine's default iterations and stabilisation, for
+   timing: Begin() is configured for accuracy at any cost. Equal to Begin() if there is no
    difference. */
   virtual std::unique_ptr<Simulation> BeginAsShipped(const World& world) const;
 
-  /** As BeginAsShipped(), to the same bits, but `threads` >= 1 threads share each step,
-   the caller's included. Null unless info().steps_in_threads. */
+  /** Like BeginAsShipped() and bitwise identical to it, but `threads` >= 1 threads share
+   each step, including the caller's. Null unless info().steps_in_threads. */
   virtual std::unique_ptr<Simulation> BeginInThreads(const World& world,
                                                      int threads) const;
 
-  /** Returns how `world` moves. kUnsupported, with the reason, where the oracle cannot
-   say.
+  /** Returns how `world` moves; kUnsupported, with the reason, if the oracle cannot
+   simulate it.
    @pre The world is valid (scenarios/worlds/validate_world.h). */
   virtual Trajectory Simulate(const World& world) const;
 

@@ -27,7 +27,7 @@ Oracles Cookbook() {
   return oracles;
 }
 
-// Of an adapter that is not built there is a header and no library; what `if constexpr`
+// An adapter that is not built has a header but no library. A call that `if constexpr`
 // discards needs no definition.
 
 Oracles BulletDouble() {
@@ -69,13 +69,13 @@ Oracles Mujoco() {
   return {};
 }
 
-/** One adapter, in this build or not. */
+/** One adapter, whether it is in this build or not. */
 struct Adapter {
   std::string name;  ///< The common start of its oracles' names.
   bool built;
-  std::string library;  ///< Its engine, to a person.
-  std::string package;  ///< The Debian package to build with.
-  Oracles (*make)();    ///< Throws std::runtime_error where its module does not load.
+  std::string library;  ///< The engine's name for messages.
+  std::string package;  ///< The Debian package that a build needs.
+  Oracles (*make)();    ///< Throws std::runtime_error if its module does not load.
 };
 
 std::vector<Adapter> Adapters() {
@@ -116,14 +116,15 @@ OracleRegistry OracleRegistry::BuiltIn() {
       registry.missing_.push_back({adapter.name, error.what()});
     }
   }
-  registry.specimens_ = std::make_unique<Specimens>();  // Last: Add() asks Find().
+  registry.specimens_ =
+      std::make_unique<Specimens>();  // Last, because Add() uses Find().
   return registry;
 }
 
 void OracleRegistry::Add(std::unique_ptr<Oracle> oracle) {
   const std::string& name = oracle->info().name;
   if (Find(name) != nullptr) {
-    throw std::invalid_argument("there already is an oracle named \"" + name + "\"");
+    throw std::invalid_argument("an oracle named \"" + name + "\" already exists");
   }
   oracles_.push_back(std::move(oracle));
 }

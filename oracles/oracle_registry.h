@@ -14,44 +14,43 @@ namespace touchstone {
 /** An oracle that this build cannot offer. */
 struct MissingOracle {
   std::string name;
-  std::string
-      how_to_get;  ///< E.g. "ODE was not found: apt-get install libode-dev, rebuild".
+  /** E.g. "ODE was not found: apt-get install libode-dev, rebuild". */
+  std::string how_to_get;
 };
 
-/** The oracles that can be asked, by name, in the order they were added. */
+/** The available oracles, by name, in the order in which they were added. */
 class OracleRegistry {
  public:
-  /** Returns every oracle that this build has, and records those that it lacks. Of the
-   specimens of the printed engine only "printed" is listed; "printed:E-04",
-   "printed:none" and the like are made when first asked for. */
+  /** Returns every oracle that this build has, and records those that it lacks. Among the
+   specimens of the printed engine only "printed" is listed; others, for example
+   "printed:E-04" and "printed:none", are created on the first Find(). */
   static OracleRegistry BuiltIn();
 
-  /** Adds a user's oracle. Replaces nothing: throws std::invalid_argument if the name
-   * exists. */
+  /** Adds a user's oracle.
+   @throws std::invalid_argument if the name exists already. */
   void Add(std::unique_ptr<Oracle> oracle);
 
   /** Returns the oracle of that exact name, or null. It lives as long as the registry.
-   Thread safe, as all const functions here. */
+   Thread safe, like all const functions here. */
   const Oracle* Find(std::string_view name) const;
 
-  /** Returns the oracles named `pattern` or below it: "fcl" gives all "fcl/…". Empty if
-   none. */
+  /** Returns the oracles named `pattern` or below it: "fcl" returns all "fcl/…". */
   std::vector<const Oracle*> Matching(std::string_view pattern) const;
 
-  /** Returns whether there is an oracle of that name, here or in a build that has what
-   this one is missing. */
+  /** Returns whether an oracle of that name exists, here or in a build that includes the
+   engines missing from this one. */
   bool MayExist(std::string_view name) const;
 
   std::vector<const Oracle*> All() const;
 
-  /** Returns the names of specimens that Find() makes; those of several errata are left
-   out. */
+  /** Returns the names of the specimens that Find() creates, without combinations of
+   several errata. */
   std::vector<std::string> SpecimenNames() const;
 
   const std::vector<MissingOracle>& missing() const { return missing_; }
 
  private:
-  /** What Find() made. */
+  /** The specimens that Find() has created. */
   struct Specimens {
     std::mutex mutex;
     std::map<std::string, std::unique_ptr<Oracle>, std::less<>> by_name;
@@ -60,7 +59,7 @@ class OracleRegistry {
   const Oracle* FindSpecimen(std::string_view name) const;
 
   std::vector<std::unique_ptr<Oracle>> oracles_;
-  std::unique_ptr<Specimens> specimens_;  // Null but in BuiltIn().
+  std::unique_ptr<Specimens> specimens_;  // Null unless created by BuiltIn().
   std::vector<MissingOracle> missing_;
 };
 

@@ -5,7 +5,8 @@
 namespace touchstone {
 namespace {
 
-/** Beyond any world that means something: a kilometre in a nanosecond. */
+/** Larger than any value of a meaningful world, in SI units: a speed of a kilometre per
+ nanosecond. */
 constexpr double kLargest = 1e12;
 
 bool IsSane(const Eigen::Vector3d& v) {
@@ -28,7 +29,7 @@ bool IsSane(const WorldState& state) {
 }
 
 bool IsSane(const ContactImpulse& contact) {
-  // However heavy what it stops.
+  // An impulse has no upper limit, because the mass has none.
   return IsSane(contact.p_WC) && IsSane(contact.n_AB_W) && contact.J_B_W.allFinite();
 }
 
@@ -46,7 +47,7 @@ Trajectory RunToEnd(Simulation& simulation, const World& world) {
   trajectory.samples.push_back(state);
   for (int step = 1; step <= world.steps; ++step) {
     for (const touchstone::Push& push : world.pushes) {
-      // Times are multiples of dt: the nearest step is the one that is meant.
+      // Times are multiples of dt up to rounding, so the nearest step is the right one.
       if (std::lround(push.time / world.dt) != step - 1) continue;
       const BodyState& body = state.bodies[static_cast<std::size_t>(push.body)];
       simulation.Push(push.body, body.p_WB + body.q_WB * push.p_BoP, push.J_W);

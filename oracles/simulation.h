@@ -7,29 +7,30 @@
 
 namespace touchstone {
 
-/** A world that an engine has begun to simulate. Not thread safe. */
+/** A running simulation of a world in an engine. Not thread safe. */
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /** Applies the impulse `J_W` [N s] at the world point `p_W` [m] of a body now. */
+  /** Applies the impulse `J_W` [N s] to a body at the world point `p_W` [m], at once. */
   virtual void Push(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W) = 0;
 
   /** Advances by one step of World::dt. */
   virtual void Step() = 0;
 
-  /** Overwrites `state` with the world as it is now. */
+  /** Overwrites `state` with the current state of the world. */
   virtual void Read(WorldState& state) const = 0;
 
-  /** Appends what each contact did in the last step, with `step` left for the caller. */
+  /** Appends the impulse of each contact of the last step. The caller sets their `step`.
+   */
   virtual void ReadImpulses(std::vector<ContactImpulse>& impulses) const;
 
-  /** Whether ReadImpulses() gives what the engine applied. */
+  /** Whether ReadImpulses() returns the impulses that the engine applied. */
   virtual bool GivesImpulses() const { return false; }
 };
 
-/** Runs `simulation` of `world` from its start to its end: pushes at their times, a
- sample every World::sample_every steps, and an end where a state diverges. */
+/** Runs `simulation` of `world` from start to end. Applies the pushes at their times,
+ takes a sample every World::sample_every steps, and stops when a state diverges. */
 Trajectory RunToEnd(Simulation& simulation, const World& world);
 
 }  // namespace touchstone

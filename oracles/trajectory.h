@@ -9,56 +9,56 @@
 
 namespace touchstone {
 
-/** Where a rigid body is and how it moves. World frame. */
+/** The pose and velocity of a rigid body. World frame. */
 struct BodyState {
-  Eigen::Vector3d p_WB;     ///< Of the centre of mass. [m]
-  Eigen::Quaterniond q_WB;  ///< As the engine has it, unit to its rounding.
-  Eigen::Vector3d v_WB;     ///< Of the centre of mass. [m/s]
-  Eigen::Vector3d w_WB;     ///< [rad/s]
+  Eigen::Vector3d p_WB;     ///< Position of the centre of mass. [m]
+  Eigen::Quaterniond q_WB;  ///< The engine's orientation, unit to its rounding.
+  Eigen::Vector3d v_WB;     ///< Velocity of the centre of mass. [m/s]
+  Eigen::Vector3d w_WB;     ///< Angular velocity. [rad/s]
 };
 
-/** Where a particle, or a node of a cloth, is and how it moves. World frame. */
+/** The position and velocity of a particle or of a node of a cloth. World frame. */
 struct PointState {
   Eigen::Vector3d p_W;  ///< [m]
   Eigen::Vector3d v_W;  ///< [m/s]
 };
 
-/** A world at one moment. */
+/** The state of a world at one moment. */
 struct WorldState {
-  std::vector<BodyState> bodies;      ///< As World::bodies, the static ones included.
-  std::vector<PointState> particles;  ///< As World::particles.
+  std::vector<BodyState> bodies;  ///< Indexed like World::bodies, static ones included.
+  std::vector<PointState> particles;  ///< Indexed like World::particles.
   /** The nodes of all cloths, cloth by cloth, row by row. */
   std::vector<PointState> nodes;
 };
 
-/** What one contact did in one step. */
+/** The impulse of one contact in one step. */
 struct ContactImpulse {
-  int step = 0;  ///< From 1: the step that ended at step · dt.
-  int A = 0;     ///< Into World::bodies.
-  int B = 0;
-  Eigen::Vector3d p_WC;    ///< Where it acts. [m]
-  Eigen::Vector3d n_AB_W;  ///< Unit, out of A into B.
-  Eigen::Vector3d J_B_W;   ///< Impulse on B; A receives its opposite. [N s]
-  /** As the engine saw it when it solved the step: < 0 penetrating. [m] */
+  int step = 0;            ///< Number of the step, from 1; it ends at step · dt.
+  int A = 0;               ///< Index into World::bodies.
+  int B = 0;               ///< Index into World::bodies.
+  Eigen::Vector3d p_WC;    ///< Point of application. [m]
+  Eigen::Vector3d n_AB_W;  ///< Normal, unit, out of A into B.
+  Eigen::Vector3d J_B_W;   ///< Impulse on B; A receives the opposite. [N s]
+  /** Separation that the engine used when it solved the step: < 0 penetrating. [m] */
   double separation = 0;
 };
 
-/** How a world moved, as an oracle says. */
+/** The motion of a world as an oracle computed it. */
 struct Trajectory {
   AnswerStatus status = AnswerStatus::kUnsupported;
-  std::string reason;               ///< Why there is none; empty when answered.
-  std::vector<double> times;        ///< Of the samples, from 0. [s]
-  std::vector<WorldState> samples;  ///< One for each time.
-  /** All contact impulses of all steps, in the order of steps; empty where the engine
-   does not give them (`gives_impulses`). */
+  std::string reason;               ///< Why there is no trajectory; empty when answered.
+  std::vector<double> times;        ///< Times of the samples, from 0. [s]
+  std::vector<WorldState> samples;  ///< One state for each time.
+  /** All contact impulses of all steps, in the order of steps. Empty if the engine does
+   not return them (`gives_impulses`). */
   std::vector<ContactImpulse> impulses;
   bool gives_impulses = false;
-  /** The first step after which a number was not finite, or a place or a speed beyond
-   1e12 in SI units; 0: none. The samples end before it. */
+  /** The first step after which a number was not finite, or a position or speed was
+   beyond 1e12 in SI units; 0 if there is none. The samples end before it. */
   int diverged_at_step = 0;
-  /** The last line that an isolated engine printed to its standard error as it ran, e.g.
-   "LCP internal error": a sign that it failed at something, whatever it then answered.
-   Empty: nothing. */
+  /** The last line that an isolated engine printed to its standard error during the
+   simulation, e.g. "LCP internal error": a sign of an internal failure, whatever the
+   answer. Empty if it printed nothing. */
   std::string complaint;
 };
 

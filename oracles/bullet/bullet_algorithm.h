@@ -5,16 +5,16 @@
 
 namespace touchstone {
 
-/** One of Bullet's ways to answer. Not for use by two threads at once. */
+/** One of Bullet's collision algorithms. Not thread safe. */
 class BulletAlgorithm {
  public:
   virtual ~BulletAlgorithm() = default;
 
-  /** Returns what Bullet says of `pair`, in the project's conventions. */
+  /** Returns Bullet's answer for `pair`, in the project's conventions. */
   virtual ContactAnswer Answer(const BulletPair& pair) = 0;
 
-  /** Returns the least separation that Bullet reports for `pair`, NaN where it reports
-   none. The work of Answer() without the translation, for timing. [m] */
+  /** Returns the least separation that Bullet reports for `pair`, NaN if it reports none.
+   For timing: the same work as Answer(), without the translation. [m] */
   virtual double Separation(const BulletPair& pair) = 0;
 };
 

@@ -1,4 +1,4 @@
-// Compiled once against each build of Bullet, into a module of its own.
+// Compiled once against each build of Bullet, into a separate module.
 #include "oracles/bullet/bullet_module.h"
 
 #include <limits>
@@ -12,7 +12,8 @@
 namespace touchstone {
 namespace {
 
-/* Made anew for every batch: shared by two threads, a dispatcher crashes. */
+/* Creates the algorithm. Called for every batch, because a dispatcher that two threads
+ share crashes. */
 std::unique_ptr<BulletAlgorithm> AlgorithmOf(BulletPath path) {
   if (path == BulletPath::kWorldDispatch) return std::make_unique<WorldDispatch>();
   return std::make_unique<ClosestPoints>();

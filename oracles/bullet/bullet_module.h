@@ -12,46 +12,49 @@
 
 namespace touchstone {
 
-/** Which of Bullet's algorithms answers. */
+/** The collision algorithm of Bullet that answers. */
 enum class BulletPath { kWorldDispatch, kClosestPoints };
 
-/** How contacts of worlds are solved and stabilised. */
+/** The solution and stabilisation of contacts in worlds. */
 enum class BulletConstraints {
-  kRigid,      ///< Until nothing changes; overlap is not pushed out.
+  kRigid,      ///< Solved until nothing changes; overlap is not pushed out.
   kAsShipped,  ///< Bullet's defaults.
 };
 
-class BulletWorld;  // Known to the module alone.
+class BulletWorld;  // Complete only inside the module.
 
-/** What a Bullet module offers.
+/** The interface of a Bullet module.
 
- Plain functions and no classes with virtual functions: program and module each have their
- own type information, which would make them two types to a checker. Questions and answers
- cross as they are, so both sides must come from the same headers and compiler flags. */
+ It has plain functions instead of a class with virtual functions: program and module each
+ have their own type information, so a sanitizer would see two different types. Questions
+ and answers are passed unchanged, so both sides must be built from the same headers with
+ the same compiler flags. */
 struct BulletModule {
   std::size_t query_size;  ///< sizeof(ContactQuery), to refuse a module of another build.
   std::size_t answer_size;   ///< sizeof(ContactAnswer), likewise.
   std::size_t world_size;    ///< sizeof(World), likewise.
   std::size_t state_size;    ///< sizeof(BodyState), likewise.
   std::size_t impulse_size;  ///< sizeof(ContactImpulse), likewise.
-  int version;               ///< What the library says: 324 is 3.24.
-  double unit_roundoff;      ///< Of btScalar.
+  int version;               ///< Version that the library reports: 324 is 3.24.
+  double unit_roundoff;      ///< Unit roundoff of btScalar.
 
-  /** Writes the answer to *queries[i] into *answers[i], for `count` supported queries. */
+  /** Writes the answers to `count` supported queries, that to *queries[i] into
+   *answers[i]. */
   void (*answer)(BulletPath path, const ContactQuery* const* queries,
                  ContactAnswer* const* answers, std::size_t count);
 
-  /** Returns shapes and poses of `count` supported queries in Bullet's form, for run().
-   */
+  /** Returns the shapes and poses of `count` supported queries in Bullet's types, for
+   run(). */
   void* (*prepare)(BulletPath path, const ContactQuery* queries, std::size_t count);
 
-  /** Asks every question of `batch` once; NaN where Bullet reports nothing. [m] */
+  /** Runs every query of `batch` once; a separation is NaN if Bullet reports none. [m] */
   void (*run)(void* batch, double* separations);
 
-  /** Frees what prepare() returned. */
+  /** Frees the result of prepare(). */
   void (*discard)(void* batch);
 
-  /** Returns `world` at its start; the others are the functions of Simulation. */
+  /** Returns `world` at its start. The next four correspond to the functions of
+   Simulation. */
   BulletWorld* (*begin)(const World& world, const std::vector<Eigen::Vector3d>& inertias,
                         BulletConstraints constraints);
   void (*push)(BulletWorld* world, int body, const Eigen::Vector3d& p_W,
@@ -60,11 +63,11 @@ struct BulletModule {
   void (*read)(const BulletWorld* world, WorldState& state);
   void (*read_impulses)(const BulletWorld* world, std::vector<ContactImpulse>& impulses);
 
-  /** Frees what begin() returned. */
+  /** Frees the result of begin(). */
   void (*end)(BulletWorld* world);
 };
 
-/** The one symbol a module exports, of type `const BulletModule* ()`. */
+/** The only symbol that a module exports, of type `const BulletModule* ()`. */
 inline constexpr char kBulletModuleSymbol[] = "TouchstoneBulletModule";
 
 }  // namespace touchstone

@@ -5,10 +5,10 @@
 namespace touchstone {
 namespace {
 
-/** How closely Bullet's iterations converge, by its own constants. */
+/** The convergence tolerances of Bullet's iterations, from its own constants. */
 struct Convergence {
   double epa;  ///< EPA_ACCURACY in btGjkEpa2.cpp. [m]
-  double gjk;  ///< REL_ERROR2 in btGjkPairDetector.cpp: a share of the distance.
+  double gjk;  ///< REL_ERROR2 in btGjkPairDetector.cpp: a fraction of the distance.
 };
 
 Convergence ConvergenceOf(BulletPrecision precision) {
@@ -37,8 +37,9 @@ bool IsRound(ShapeKind kind) {
   return kind == ShapeKind::kSphere || kind == ShapeKind::kCapsule;
 }
 
-/* What btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc() chooses, and
- the special cases within btConvexConvexAlgorithm::processCollision(). */
+/* The capability of the algorithm that
+ btDefaultCollisionConfiguration::getCollisionAlgorithmCreateFunc() chooses, with the
+ special cases inside btConvexConvexAlgorithm::processCollision(). */
 Capability WorldDispatchCapability(ShapeKind a, ShapeKind b, BulletPrecision precision) {
   const bool a_plane = a == ShapeKind::kHalfSpace;
   const bool b_plane = b == ShapeKind::kHalfSpace;
@@ -46,8 +47,8 @@ Capability WorldDispatchCapability(ShapeKind a, ShapeKind b, BulletPrecision pre
   Capability capability = GjkEpa(ConvergenceOf(precision));
   const bool plane = a_plane || b_plane;  // btConvexPlaneCollisionAlgorithm
   const bool boxes = a == ShapeKind::kBox && b == ShapeKind::kBox;
-  // All others find one point a call, which a stepped world gathers to a manifold over
-  // several steps.
+  // All others find one point per call. A stepped world collects these points into a
+  // manifold over several steps.
   capability.manifold = boxes;
   if (!plane && !boxes && !(IsRound(a) && IsRound(b))) return capability;
   // btBoxBoxDetector is adapted from ODE.
@@ -73,19 +74,19 @@ Capability ClosestPointsCapability(ShapeKind a, ShapeKind b, BulletPrecision pre
 std::vector<Setting> CommonSettings(BulletPrecision precision) {
   std::vector<Setting> settings = {
       {"scalar", precision == BulletPrecision::kDouble ? "double" : "float",
-       "Debian ships both builds; sizes and poses are rounded to it."},
+       "Debian ships both builds. Sizes and poses are rounded to this type."},
       {"normal", "B->A, negated", "The project's normals point from A to B."},
       {"separation", "Bullet's signed distance",
        "Negative penetrating, as in the project."},
       {"pose", "the rotation matrix itself", "A quaternion would round it once more."},
       {"box", "half extents, margin 0",
-       "A margin rounds edges and corners in GJK; without it the size is kept."},
-      {"cylinder", "btCylinderShapeZ, half extents, margin 0", "As for the box."},
+       "A margin rounds edges and corners in GJK; margin 0 keeps the size."},
+      {"cylinder", "btCylinderShapeZ, half extents, margin 0", "Same as for the box."},
       {"cone", "btConeShapeZ, full height, margin 0",
-       "Bullet's cone is centred at half its height, too; a margin would enlarge it."},
-      {"convex hull", "margin 0", "A margin would enlarge it by as much."},
+       "Bullet's cone is also centred at half its height; a margin would enlarge it."},
+      {"convex hull", "margin 0", "A margin would enlarge it by that amount."},
       {"sphere, capsule", "margin = radius",
-       "In Bullet the margin is what is round in them."},
+       "Bullet represents their radius as the margin."},
   };
   return settings;
 }
@@ -93,16 +94,17 @@ std::vector<Setting> CommonSettings(BulletPrecision precision) {
 std::vector<Setting> WorldDispatchSettings() {
   return {
       {"algorithm", "BT_CONTACT_POINT_ALGORITHMS, run once on an empty manifold",
-       "The path of a stepped world; box-box is btBoxBoxDetector."},
+       "The algorithm of a stepped world; for box-box it is btBoxBoxDetector."},
       {"contact position", "midway between the positions on A and on B",
-       "The project's convention; Bullet gives both."},
+       "The project's convention; Bullet returns both positions."},
       {"contacts apart", "not touching; the least distance is passed on",
-       "A manifold also holds points up to the contact breaking threshold away."},
+       "A manifold also holds points that are apart, up to "
+       "the contact breaking threshold."},
       {"contact breaking threshold", "0.02 times the shape's size, Bullet's default",
-       "Points nearer to each other than this are one contact."},
+       "Points closer to each other than this are merged into one contact."},
       {"half-space", "btStaticPlaneShape, normal z", "One contact: the deepest vertex."},
       {"contacts per pair", "box-box up to 4, others 1",
-       "Bullet adds further ones over the steps of a world; an oracle has no past."},
+       "Bullet adds more over the steps of a world; an oracle keeps no state."},
   };
 }
 
@@ -111,51 +113,52 @@ std::vector<Setting> ClosestPointsSettings() {
       {"algorithm", "btGjkPairDetector with btGjkEpaPenetrationDepthSolver",
        "Bullet's closest points, without its contact manifold."},
       {"witnesses", "point on B as given, point on A = point on B + distance * normal",
-       "As btManifoldResult does."},
+       "The same formula as in btManifoldResult."},
   };
 }
 
 std::vector<Setting> WorldSettings() {
   return {
       {"world: step", "btDiscreteDynamicsWorld::stepSimulation(dt, 0)",
-       "One step of that length; Bullet would cut it to steps of 1/60 s."},
+       "One step of that length; by default Bullet divides it into steps of 1/60 s."},
       {"world: integrator", "semi-implicit Euler, rotation by the exponential map",
        "Bullet has no other."},
       {"world: solver", "btSequentialImpulseConstraintSolver, up to 1000 iterations",
-       "Bullet's 10 leave a residual that would be measured in place of its contact "
-       "law. It stops where no velocity changes by 4 roundings of 1 m/s."},
+       "Bullet's default of 10 leaves a residual that would hide its contact law. The "
+       "solver stops when no velocity changes by 4 roundings of 1 m/s."},
       {"world: restitution", "min(e_A, e_B)",
-       "gCalculateCombinedRestitutionCallback; Bullet's own is the product."},
+       "gCalculateCombinedRestitutionCallback; Bullet's default is the product."},
       {"world: restitution velocity threshold", "0",
-       "Bullet's 0.2 m/s ends a bounce early."},
+       "Bullet's default of 0.2 m/s ends a bounce early."},
       {"world: friction", "sqrt(mu_A mu_B)",
-       "gCalculateCombinedFrictionCallback; Bullet's own is the product."},
+       "gCalculateCombinedFrictionCallback; Bullet's default is the product."},
       {"world: friction directions", "2, the first along the slip",
-       "SOLVER_USE_2_FRICTION_DIRECTIONS: Coulomb's cone. Bullet's 1 leaves the other "
-       "direction free."},
+       "SOLVER_USE_2_FRICTION_DIRECTIONS: Coulomb's cone. Bullet's default of 1 leaves "
+       "the other direction without friction."},
       {"world: contact processing threshold", "0",
-       "Contacts still apart are not solved ahead, which would lose their restitution."},
+       "Contacts that are still apart are not solved early: "
+       "they would lose their restitution."},
       {"world: error reduction", "erp = erp2 = 0, split impulse off",
-       "Overlap is not pushed out, which would add energy: bodies rest as deep as they "
-       "were found."},
+       "Overlap is not pushed out, which would add energy: bodies rest at the depth at "
+       "which they were found."},
       {"world: gyroscopic term", "implicit, body frame", "Bullet's default."},
       {"world: damping", "0", "Bullet's default."},
       {"world: sleeping", "off", "DISABLE_DEACTIVATION."},
-      {"world: inertia", "as stated, else that of the solid",
-       "Set by setMassProps(), not computed by Bullet."},
-      {"world: impulses", "of the manifold points, normal and both lateral",
-       "Placed midway between the positions on A and on B."},
+      {"world: inertia", "as stated, else that of the uniform solid",
+       "Passed to Bullet, which does not compute it."},
+      {"world: impulses", "those of the manifold points, normal and both lateral",
+       "Applied midway between the positions on A and on B."},
   };
 }
 
-/* Empty for what Bullet does simulate. */
+/* Returns why Bullet does not simulate `feature`; empty if it does. */
 std::string WhyNot(WorldFeature feature) {
   switch (feature) {
     case WorldFeature::kParticle:
     case WorldFeature::kCloth:
-      return "Bullet's rigid bodies have a size; its soft bodies are another engine";
+      return "Bullet has no point masses; its soft bodies are another engine";
     case WorldFeature::kSpring:
-      return "Bullet has springs along the axes of a body, and none between two points";
+      return "Bullet has springs along the axes of a body but none between two points";
     case WorldFeature::kDistanceJoint:
       return "Bullet has no joint that keeps two points at a distance";
     default:

@@ -5,8 +5,9 @@
 
 namespace touchstone {
 
-/** Returns who the oracle of this precision and path is, what it can do and what its
- adapter sets and converts. Version and unit roundoff are those that `module` reports. */
+/** Returns the description of the oracle of this precision and path: its name, its
+ capabilities, and the values that its adapter sets and converts. Version and unit
+ roundoff are those that `module` reports. */
 OracleInfo BulletOracleInfo(BulletPrecision precision, BulletPath path,
                             const BulletModule& module);
 

@@ -14,7 +14,7 @@
 namespace touchstone {
 namespace {
 
-/** Shapes and poses that live in the module. */
+/** A prepared batch whose shapes and poses are owned by the module. */
 class BulletBatch : public PreparedBatch {
  public:
   BulletBatch(const BulletModule& module, BulletPath path,
@@ -84,7 +84,7 @@ class BulletOracle : public Oracle {
   const BulletModule& module_;
 };
 
-/* Whether both sides of the module agree on what they exchange. */
+/* Whether program and module agree on the sizes of the types they exchange. */
 bool Fits(const BulletModule& module) {
   return module.query_size == sizeof(ContactQuery) &&
          module.answer_size == sizeof(ContactAnswer) &&

@@ -13,8 +13,8 @@
 namespace touchstone {
 namespace {
 
-/* Bullet keeps half extents less the margin, and adds the margin back when it changes:
- the round trip loses digits of a small shape, so they are set once more. */
+/* Bullet stores half extents minus the margin, and adds the margin back when it changes.
+ This round trip loses digits of a small shape, so the half extents are set once more. */
 template <typename BulletShape>
 std::unique_ptr<btCollisionShape> WithoutMargin(const btVector3& half_extents) {
   auto shape = std::make_unique<BulletShape>(half_extents);

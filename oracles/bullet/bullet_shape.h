@@ -15,19 +15,19 @@ inline btScalar ToBullet(double x) {
   return static_cast<btScalar>(x);
 }
 
-/** Returns `v` in Bullet's type. */
+/** Returns `v` in Bullet's type, rounded. */
 inline btVector3 ToBullet(const Eigen::Vector3d& v) {
   return {ToBullet(v.x()), ToBullet(v.y()), ToBullet(v.z())};
 }
 
-/** Returns the pose in Bullet's type. */
+/** Returns the pose in Bullet's type, rounded. */
 btTransform ToBullet(const Pose& X_WB);
 
-/** Returns `shape` in Bullet's form, without margins that round or enlarge it. */
+/** Returns `shape` in Bullet's type, without margins that round or enlarge it. */
 std::unique_ptr<btCollisionShape> ToBullet(const Shape& shape);
 
-/** A body in Bullet's form. Rounded to btScalar, and otherwise the very shape asked for:
- every margin that rounds or enlarges a shape is 0. */
+/** A body in Bullet's types. Its shape is exact up to rounding to btScalar: every margin
+ that would round or enlarge it is 0. */
 class BulletBody {
  public:
   explicit BulletBody(const Body& body);
@@ -41,7 +41,7 @@ class BulletBody {
   btCollisionObject object_;
 };
 
-/** The two bodies of a question. */
+/** The two bodies of a query in Bullet's types. */
 struct BulletPair {
   explicit BulletPair(const ContactQuery& query) : A(query.A), B(query.B) {}
 

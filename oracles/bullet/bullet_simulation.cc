@@ -9,7 +9,7 @@ std::vector<Eigen::Vector3d> InertiasOf(const World& world) {
   return inertias;
 }
 
-/** A world that lives in the module. */
+/** A simulation whose world is owned by the module. */
 class ModuleSimulation final : public Simulation {
  public:
   ModuleSimulation(const BulletModule& module, const World& world,

@@ -7,7 +7,7 @@
 
 namespace touchstone {
 
-/** Returns `world` in the hands of the Bullet of `module`.
+/** Returns a simulation of `world` by the build of Bullet in `module`.
  @pre Bullet can simulate it (BulletOracleInfo). */
 std::unique_ptr<Simulation> BulletSimulation(const BulletModule& module,
                                              const World& world,

@@ -9,14 +9,14 @@
 namespace touchstone {
 namespace {
 
-// At most; the solver stops where an iteration changes no velocity by more than
-// kConverged.
+// The maximum number of iterations. The solver stops earlier if an iteration changes no
+// velocity by more than kConverged.
 constexpr int kIterations = 1000;
 
-// [m/s] A few roundings of 1 m/s: more iterations would stir rounding errors only.
+// [m/s] A few roundings of 1 m/s: more iterations would only change rounding errors.
 constexpr btScalar kConverged = 4 * SIMD_EPSILON;
 
-// Who meets whom: what is static does not meet what is static.
+// Collision filter groups: static bodies do not collide with static bodies.
 enum Group { kNobody = 0, kMoving = 1, kStatic = 2 };
 
 btScalar Restitution(const btCollisionObject* A, const btCollisionObject* B) {
@@ -34,7 +34,7 @@ BulletWorld::BulletWorld(const World& world, const std::vector<Eigen::Vector3d>&
     : dt_(ToBullet(world.dt)),
       dispatcher_(&configuration_),
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
-  // One for all worlds of the process, and the same for all.
+  // Global variables of Bullet, set to the same values by all worlds of the process.
   gCalculateCombinedRestitutionCallback = &Restitution;
   gCalculateCombinedFrictionCallback = &Friction;
 
@@ -85,9 +85,9 @@ void BulletWorld::Push(int body, const Eigen::Vector3d& p_W, const Eigen::Vector
 
 void BulletWorld::Step() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    bodies_[i]->applyCentralForce(forces_[i]);  // Bullet forgets it after the step.
+    bodies_[i]->applyCentralForce(forces_[i]);  // Bullet clears it after the step.
   }
-  world_.stepSimulation(dt_, 0);  // 0: one step of that length, and no other.
+  world_.stepSimulation(dt_, 0);  // 0: exactly one step of that length.
 }
 
 void BulletWorld::Read(WorldState& state) const {
@@ -107,9 +107,9 @@ void BulletWorld::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
     const btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
     for (int j = 0; j < manifold.getNumContacts(); ++j) {
       const btManifoldPoint& point = manifold.getContactPoint(j);
-      // Not solved: what it holds is of an earlier step.
+      // This contact was not solved: its impulses are those of an earlier step.
       if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
-      // On body 0, along the normal that points into it.
+      // The impulse on body 0; the normal points into it.
       const btVector3 J_0 = point.m_appliedImpulse * point.m_normalWorldOnB +
                             point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
                             point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2;

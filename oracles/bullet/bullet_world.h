@@ -17,16 +17,16 @@
 
 namespace touchstone {
 
-/** A world that Bullet steps. What is set in it, and why, is listed by
- BulletWorldSettings() (bullet_oracle_info.h). */
+/** A world that Bullet steps. Its settings and their reasons are in OracleInfo::settings
+ of BulletOracleInfo(). */
 class BulletWorld {
  public:
   /** `inertias` are the principal moments of each body (InertiaOf). [kg m²]
-   @pre No particles, springs, joints, cloths; no half-space moves. */
+   @pre There are no particles, springs, joints, cloths or moving half-spaces. */
   BulletWorld(const World& world, const std::vector<Eigen::Vector3d>& inertias,
               BulletConstraints constraints);
 
-  // The functions of Simulation, of the same meaning.
+  // These have the same meaning as in Simulation.
   void Push(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W);
   void Step();
   void Read(WorldState& state) const;
@@ -37,14 +37,14 @@ class BulletWorld {
   void Add(const RigidBody& body, const Eigen::Vector3d& inertia);
 
   btScalar dt_;
-  std::vector<btVector3> forces_;  // On each body, beside gravity.
+  std::vector<btVector3> forces_;  // External forces without gravity, one per body.
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_;
   btDbvtBroadphase broadphase_;
   btSequentialImpulseConstraintSolver solver_;
-  btDiscreteDynamicsWorld world_;  // Last: it lets go of the bodies when it goes.
+  btDiscreteDynamicsWorld world_;  // Last, because its destructor uses the bodies.
 };
 
 }  // namespace touchstone

@@ -10,7 +10,7 @@
 namespace touchstone {
 namespace {
 
-/** Keeps the one point that the detector reports, if it reports one. */
+/** Stores the point that the detector reports, if it reports one. */
 struct ReportedPoint : btDiscreteCollisionDetectorInterface::Result {
   void setShapeIdentifiersA(int, int) override {}
   void setShapeIdentifiersB(int, int) override {}
@@ -48,7 +48,7 @@ ContactAnswer ClosestPoints::Answer(const BulletPair& pair) {
   ContactAnswer answer;
   answer.status = AnswerStatus::kAnswered;
   const ReportedPoint point = Detect(pair);
-  if (!point.reported) return answer;  // To its callers no point means no contact.
+  if (!point.reported) return answer;  // Bullet itself takes no point as no contact.
   const double separation = point.distance;
   const Eigen::Vector3d n_BA_W = FromBullet(point.n_BA_W);
   const Eigen::Vector3d p_WCb = FromBullet(point.p_WCb);

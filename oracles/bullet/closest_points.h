@@ -4,13 +4,13 @@
 
 namespace touchstone {
 
-/** Bullet's closest points of two convex shapes: btGjkPairDetector, which hands
- penetrating pairs to btGjkEpaPenetrationDepthSolver. Gives witness points and no
+/** Bullet's closest points of two convex shapes: btGjkPairDetector, which passes
+ penetrating pairs on to btGjkEpaPenetrationDepthSolver. Returns witness points but no
  manifold.
 
- Reported by Bullet are the point on B, the unit normal on B (B to A) and the distance;
- the point on A is the former shifted by distance times normal (Bullet itself does this in
- btManifoldResult::addContactPoint). */
+ Bullet reports the point on B, the unit normal on B (from B to A) and the distance. The
+ point on A is the point on B shifted by distance times normal, as in Bullet's own
+ btManifoldResult::addContactPoint. */
 class ClosestPoints : public BulletAlgorithm {
  public:
   ContactAnswer Answer(const BulletPair& pair) override;

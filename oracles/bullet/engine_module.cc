@@ -24,8 +24,9 @@ std::vector<std::string> PluginPath() {
   return folders;
 }
 
-/* Asked of the linker instead of left to dlopen(): the address sanitizer intercepts
- dlopen(), which then searches the run path of the sanitizer's library, not ours. */
+/* Returns the folders that the dynamic linker searches. The search is not left to
+ dlopen(): the address sanitizer intercepts dlopen(), which then searches the run path of
+ the sanitizer's library instead of ours. */
 std::vector<std::string> RunPath() {
   Dl_info where;
   void* self = nullptr;

@@ -9,7 +9,7 @@
 namespace touchstone {
 namespace {
 
-/* One pair at a time; Bullet's default reserves room for 4096. */
+/* Reserves memory for one pair at a time; Bullet's default reserves it for 4096. */
 btDefaultCollisionConstructionInfo OnePair() {
   btDefaultCollisionConstructionInfo info;
   info.m_defaultMaxPersistentManifoldPoolSize = 1;
@@ -35,7 +35,8 @@ void WorldDispatch::Collide(const BulletPair& pair, Read read) {
   for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
     read(*dispatcher_.getManifoldByIndexInternal(i));
   }
-  // As btCollisionDispatcher does itself: its pool hands out raw memory.
+  // btCollisionDispatcher calls the destructor itself, too: its pool hands out raw
+  // memory.
   algorithm->~btCollisionAlgorithm();
   dispatcher_.freeCollisionAlgorithm(algorithm);
 }

@@ -8,11 +8,11 @@
 
 namespace touchstone {
 
-/** The contacts a stepped world would find in its first step: the algorithm that the
+/** The contacts that a stepped world would find in its first step: the algorithm that the
  dispatcher chooses for the pair, run once on an empty manifold.
 
- Per manifold, Bullet's normal points from its body 1 to its body 0, which are B and A or,
- in a swapped algorithm, A and B; each point has a position on either surface and a signed
+ Bullet's normal points from body 1 to body 0 of the manifold. These are B and A or, in a
+ swapped algorithm, A and B. Each point has a position on both surfaces and a signed
  distance. Points at a positive distance (up to the contact breaking threshold) belong to
  the manifold but do not touch. */
 class WorldDispatch : public BulletAlgorithm {
@@ -23,7 +23,7 @@ class WorldDispatch : public BulletAlgorithm {
   double Separation(const BulletPair& pair) override;
 
  private:
-  /* Runs the algorithm for `pair` and calls `read` on each of its manifolds. */
+  /* Runs the algorithm for `pair` and calls `read` on each resulting manifold. */
   template <typename Read>
   void Collide(const BulletPair& pair, Read read);
 

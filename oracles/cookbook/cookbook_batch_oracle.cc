@@ -18,7 +18,7 @@ bool AreBoth(ShapeKind kind, const ContactQuery& query) {
   return KindOf(query.A.shape) == kind && KindOf(query.B.shape) == kind;
 }
 
-/** The pairs of one kind of shape among many queries, as a batch of the engine. */
+/** The queries whose two shapes are of one kind, as a batch of the engine. */
 template <class Shape, class Batch>
 class SortedOut {
  public:
@@ -34,7 +34,7 @@ class SortedOut {
   const std::vector<std::size_t>& indices() const { return indices_; }
   const Batch& batch() const { return batch_; }
 
-  /** Finds all gaps and puts the separations where the queries were. */
+  /** Finds all gaps and stores each separation at the index of its query. */
   void FindGaps(std::span<double> separations) {
     batch_.FindGaps();
     for (std::size_t k = 0; k < indices_.size(); ++k) {
@@ -101,7 +101,7 @@ CookbookBatchOracle::CookbookBatchOracle() {
   info_.capabilities[kSphere][kSphere] = Supported("closed_form");
   info_.capabilities[kSphere][kSphere].distance = true;
   info_.settings = {{"separation of boxes apart", "left out",
-                     "the axis test gives only a lower bound"}};
+                     "the separating-axis test yields only a lower bound"}};
 }
 
 void CookbookBatchOracle::Answer(std::span<const ContactQuery> queries,

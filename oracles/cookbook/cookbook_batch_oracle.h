@@ -4,10 +4,11 @@
 
 namespace touchstone {
 
-/** Box against box and sphere against sphere as the cookbook engine's batches see them:
- many pairs in one call, with the widest vectors of the processor. The verdict, the depth
- and the normal, no contacts; everything else is unsupported. Of spheres apart it gives
- the distance, of boxes apart only the normal of the plane between them. */
+/** The batch calls of the cookbook engine, for box against box and sphere against sphere:
+ many pairs in one call, with the widest SIMD vectors of the processor. It returns
+ touching, the depth and the normal, but no contacts; every other pair of shapes is
+ unsupported. For spheres apart it returns the distance, for boxes apart only the normal
+ of a separating plane. */
 class CookbookBatchOracle final : public Oracle {
  public:
   CookbookBatchOracle();

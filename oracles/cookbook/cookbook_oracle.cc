@@ -10,7 +10,7 @@
 namespace touchstone {
 namespace {
 
-/** Two shapes in place, in the engine's types, and where their answer goes. */
+/** Two shapes with poses in the engine's types, and the index of their query. */
 template <class A, class B>
 struct PlacedPair {
   A a;
@@ -20,7 +20,7 @@ struct PlacedPair {
   std::size_t index;
 };
 
-/** Queries sorted by shape pair, so that a run is nothing but calls of the engine. */
+/** Queries sorted by shape pair, so that Run() contains only calls of the engine. */
 class PreparedManifolds final : public PreparedBatch {
  public:
   explicit PreparedManifolds(std::span<const ContactQuery> queries)
@@ -84,7 +84,7 @@ CookbookOracle::CookbookOracle() {
   info_.version = "0.1.0";
   info_.capabilities = SphereAndBoxCapabilities();
   info_.settings = {{"separation of boxes apart", "left out",
-                     "the axis test gives only a lower bound"}};
+                     "the separating-axis test yields only a lower bound"}};
   for (const Setting& setting : CookbookWorldSettings()) {
     info_.settings.push_back(setting);
   }

@@ -4,12 +4,12 @@
 
 namespace touchstone {
 
-/** The corrected cookbook engine: spheres and boxes, one query after the other, and
- worlds of them.
+/** The corrected cookbook engine: contact queries on spheres and boxes, one after the
+ other, and worlds of them.
 
- The engine speaks the project's conventions, so that nothing is converted. Of boxes apart
- it knows an axis that separates them, not their distance: the answer has the normal and
- no separation. */
+ The engine uses the project's conventions, so nothing is converted. For boxes apart it
+ finds a separating axis but not the distance: the answer has the normal and no
+ separation. */
 class CookbookOracle final : public Oracle {
  public:
   CookbookOracle();

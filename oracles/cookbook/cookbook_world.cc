@@ -17,7 +17,7 @@ cookbook::BodyShape ToBodyShape(const Shape& shape) {
         } else if constexpr (std::is_same_v<T, HalfSpace>) {
           return cookbook::HalfSpace{};
         } else {
-          return cookbook::Sphere{1};  // Passes through everything: its shape is unseen.
+          return cookbook::Sphere{1};  // Any shape: the body does not collide.
         }
       },
       shape);
@@ -65,8 +65,9 @@ cookbook::Cloth ToCookbook(const Cloth& cloth) {
   return net;
 }
 
-/** Sweeps × rows that a question is worth: 20 ms a step at most. */
-constexpr int kIterationBudget = 40000;
+/** The iteration budget of a question, in iterations × constraints: at most 20 ms per
+ step. */
+constexpr int kPatience = 40000;
 
 class CookbookSimulation final : public Simulation {
  public:
@@ -143,8 +144,7 @@ class CookbookSimulation final : public Simulation {
     return {-1, anchor.point};
   }
 
-  cookbook::World
-      world_;  // The bodies, after them the particles and the nodes of cloths.
+  cookbook::World world_;  // Bodies first, then particles, then nodes of cloths.
   double dt_;
   int bodies_;
   int particles_;
@@ -165,22 +165,23 @@ decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities() {
 }
 
 std::vector<Setting> CookbookWorldSettings() {
-  return {{"integrator", "mean velocity; RKMK4 at constant angular momentum",
-           "flight under a constant force and tumbling without one are exact"},
-          {"rods and springs", "discrete gradients, five steps of Suzuki's in one",
-           "energy and momenta are kept to rounding, time is of fourth order; of second "
-           "where anything touches"},
-          {"particles", "sent back at the moment they meet a static box or half-space",
-           "no depth, and no loss at bounce 1"},
-          {"restitution", "min(e_A, e_B), of the velocity before the impact",
-           "a bounce at e = 1 keeps the energy at any step"},
-          {"impacts", "at the moment what flies meets something, to 1e-10 of its size",
-           "a bounce is not a step late; a island of more than 32 is struck by the next "
-           "step, "
-           "in a large world one of more than 4 by what does not go through it before"},
-          {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
-          {"damping", "none", "nothing damps what is not said to be damped"},
-          {"sleeping", "none", "nothing sleeps"}};
+  return {
+      {"integrator", "mean velocity; RKMK4 at constant angular momentum",
+       "flight under a constant force is exact; angular momentum is kept to rounding"},
+      {"rods and springs", "discrete gradients in Suzuki's five sub-steps",
+       "energy and momenta are kept to rounding; fourth order in time, second order "
+       "while anything touches or may collide"},
+      {"particles", "reflected at the time of impact with a static box or half-space",
+       "no penetration, and no energy loss at bounce 1"},
+      {"restitution", "min(e_A, e_B), applied to the velocity before the impact",
+       "a bounce at e = 1 conserves energy at any step size"},
+      {"blows",
+       "impact of a body in free flight at its time of impact, to 1e-10 of its size",
+       "a bounce is not a step late; an impact on an island of more than 32 bodies is "
+       "left to the next step (of more than 4 in a large world, unless it may tunnel)"},
+      {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
+      {"damping", "none", "only damping that the world states is applied"},
+      {"sleeping", "none", "bodies never sleep"}};
 }
 
 std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care,

@@ -7,20 +7,20 @@
 
 namespace touchstone {
 
-/** Returns what the corrected engine can do of each feature of a world. */
+/** Returns whether the corrected engine supports each feature of a world. */
 decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities();
 
-/** Returns what is in force where the corrected engine simulates worlds. */
+/** Returns the settings in force when the corrected engine simulates worlds. */
 std::vector<Setting> CookbookWorldSettings();
 
-/** How long the corrected engine may take to solve a step. */
+/** How accurately the corrected engine solves a step. */
 enum class Care {
-  kAll,        ///< Until it is solved to rounding, where that can be waited for.
-  kAsShipped,  ///< As the engine's defaults say.
+  kAll,        ///< To rounding, if a large iteration budget suffices.
+  kAsShipped,  ///< With the engine's default settings.
 };
 
-/** Returns `world` at its start, in the corrected engine, in `threads` threads: the bits
- do not depend on them.
+/** Returns `world` at its start, in the corrected engine. Its steps use `threads`
+ threads; the results are bitwise identical for any number.
  @pre The world is valid and within CookbookWorldCapabilities(). */
 std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care,
                                                int threads = 1);

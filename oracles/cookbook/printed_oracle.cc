@@ -41,15 +41,15 @@ class PrintedOracle final : public Oracle {
       for (const printed::Erratum erratum : list) {
         if (!errata.Has(erratum)) continue;
         info_.settings.push_back({NameOf(erratum), std::string(FaultOf(erratum)),
-                                  "a fault of the published recipes"});
+                                  "an erratum of the published recipes"});
       }
     }
     if (info_.settings.empty()) {
       info_.settings.push_back(
-          {"errata", "none", "the published recipes, put right one by one"});
+          {"errata", "none", "the published recipes with every erratum corrected"});
     }
     info_.settings.push_back({"separation of a contact", "minus the depth",
-                              "the recipes have one depth for all"});
+                              "the recipes compute one depth for all contacts"});
   }
 
   const OracleInfo& info() const override { return info_; }
@@ -79,8 +79,8 @@ class PrintedOracle final : public Oracle {
   printed::Errata errata_;
 };
 
-/** Returns the errata that `list` names, "none" or joined by "+"; nothing for an unknown
- * one. */
+/** Returns the errata named by `list`, which is "none" or names joined by "+"; nothing if
+ a name is unknown. */
 std::optional<printed::Errata> ErrataNamed(std::string_view list) {
   if (list == "none") return printed::Errata::None();
   printed::Errata errata;

@@ -9,18 +9,18 @@
 
 namespace touchstone {
 
-/** Returns the recipes as published, by the name of a specimen, or null for any other
+/** Returns the specimen of the published recipes with this name, or null for any other
  name:
 
- - "printed": all errata, as they stand in print;
- - "printed:none": none, the recipes put right;
- - "printed:E-04": that erratum alone; "printed:E-01+E-02": those alone.
+ - "printed": all errata, exactly as printed;
+ - "printed:none": no errata, i.e. the corrected recipes;
+ - "printed:E-04": only that erratum; "printed:E-01+E-02": only those.
 
- A specimen says what its recipe computes and no more: nothing but the verdict of shapes
- apart, and one depth, the manifold's, for every contact. */
+ A specimen returns exactly what its recipe computes. For shapes apart this is only the
+ verdict; for contacts it is one depth, that of the manifold. */
 std::unique_ptr<Oracle> MakePrintedOracle(std::string_view name);
 
-/** Returns the names of the specimens with all errata, none, and each one alone. */
+/** Returns the names of the specimens with all errata, with none, and with each alone. */
 std::vector<std::string> PrintedOracleNames();
 
 }  // namespace touchstone

@@ -17,8 +17,8 @@ printed::Anchor ToPrinted(const Anchor& anchor) {
 
 printed::Body ToPrinted(const RigidBody& body) {
   printed::Body printed;
-  // A body that collides is a sphere or a box; of one that does not the shape says
-  // nothing but the inertia.
+  // A body that collides is a sphere or a box. For other bodies the shape only determines
+  // the inertia, which is set below.
   if (const auto* box = std::get_if<Box>(&body.placed.shape)) {
     printed.shape = cookbook::Box{box->half_extents};
   } else if (const auto* sphere = std::get_if<Sphere>(&body.placed.shape)) {
@@ -105,7 +105,7 @@ class PrintedSimulation final : public Simulation {
  private:
   double dt_;
   printed::World world_;
-  std::size_t particles_;  // Those of the world; the nodes of cloths follow them.
+  std::size_t particles_;  // Number of World::particles; the nodes of cloths follow them.
 };
 
 }  // namespace
@@ -122,7 +122,7 @@ void SetPrintedWorldCapabilities(OracleInfo& info) {
        {WorldFeature::kOtherShape, WorldFeature::kStaticHalfSpace,
         WorldFeature::kStaticOtherShape}) {
     info.world_capabilities[static_cast<std::size_t>(feature)] = {
-        false, "the recipes know spheres and boxes"};
+        false, "the recipes handle spheres and boxes only"};
   }
 }
 

@@ -8,13 +8,14 @@
 
 namespace touchstone {
 
-/** Returns `world` as the published recipes simulate it, with the given errata. Throws
- std::exception where the recipes refuse it. @pre Its features are among
- those of SetPrintedWorldCapabilities(). */
+/** Returns `world` at its start, simulated by the published recipes with the given
+ errata.
+ @throws std::exception if the recipes refuse the world.
+ @pre Its features are among those of SetPrintedWorldCapabilities(). */
 std::unique_ptr<Simulation> BeginPrinted(const World& world,
                                          const cookbook::printed::Errata& errata);
 
-/** Sets what the published recipes can simulate. */
+/** Sets the features of a world that the published recipes can simulate. */
 void SetPrintedWorldCapabilities(OracleInfo& info);
 
 }  // namespace touchstone

@@ -11,7 +11,7 @@
 
 namespace touchstone {
 
-/** Returns `pose` in the engine's type. The matrix is passed on bit for bit. */
+/** Returns `pose` in the engine's type. The matrix is copied bit for bit. */
 inline cookbook::Pose ToCookbook(const Pose& pose) {
   return {pose.R_WB, pose.p_WB};
 }
@@ -22,11 +22,12 @@ inline cookbook::Box ToCookbook(const Box& box) {
   return {box.half_extents};
 }
 
-/** Whether the engines know shapes of type T. */
+/** Whether the engines have a recipe for shapes of type T. */
 template <class T>
 inline constexpr bool kHasRecipe = std::is_same_v<T, Sphere> || std::is_same_v<T, Box>;
 
-/** Calls `visit` with the two shapes where the engines know both, else `otherwise()`. */
+/** Returns `visit(a, b)` for two shapes that the engines have recipes for, otherwise
+ `otherwise()`. */
 template <class Visit, class Otherwise>
 auto VisitKnown(const ContactQuery& query, const Visit& visit,
                 const Otherwise& otherwise) {
@@ -41,14 +42,14 @@ auto VisitKnown(const ContactQuery& query, const Visit& visit,
       query.A.shape, query.B.shape);
 }
 
-/** Returns the answer that says that the engine has no recipe for the pair. */
+/** Returns the answer for a pair that the engine has no recipe for. */
 ContactAnswer NoRecipe();
 
-/** Returns the table of an engine that knows spheres and boxes. */
+/** Returns the capabilities of an engine that handles spheres and boxes. */
 decltype(OracleInfo::capabilities) SphereAndBoxCapabilities();
 
-/** Returns what `manifold` says, as an answer. The separation is left out where it is
- only a bound: `exact_when_apart` tells whether it is the distance of shapes apart. */
+/** Returns `manifold` as an answer. For shapes apart the separation is left out unless
+ `exact_when_apart`: it may be only a lower bound of the distance. */
 ContactAnswer ToAnswer(const cookbook::Manifold& manifold, bool exact_when_apart);
 
 }  // namespace touchstone

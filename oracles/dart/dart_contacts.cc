@@ -25,22 +25,23 @@ std::shared_ptr<dart::dynamics::SimpleFrame> FrameOf(const Body& body) {
   return frame;
 }
 
-// How far a point is outside a box; negative inside.
+// The height of a point above the surface of a box; negative inside. [m]
 double Height(const Body& box, const Vector3d& p_W) {
   const Vector3d p_B = box.X_WB.R_WB.transpose() * (p_W - box.X_WB.p_WB);
   return (p_B.cwiseAbs() - std::get<Box>(box.shape).half_extents).maxCoeff();
 }
 
-// Of a sphere that is the first: on the box, half the depth before the place midway, or
-// at the sphere's centre, if that is inside.
+// The shift to midway for a sphere (the first body) and a box. DART's point is on the
+// box, half the depth before midway, or at the sphere's centre if that is inside the box.
+// [m]
 double ShiftOfSphereAtBox(const Body& ball, const Body& box, double half) {
   const double radius = std::get<Sphere>(ball.shape).radius;
   return Height(box, ball.X_WB.p_WB) > 0 ? half : radius - half;
 }
 
-// How far along the normal a contact is to be moved to lie midway through its overlap:
-// from the place where DARTCollide.cpp puts it, so that one which is off stays off by as
-// much.
+// The distance along the normal by which a contact must be moved to lie midway through
+// its overlap. It is derived from the place where DARTCollide.cpp puts contacts, so that
+// a contact that is off stays off by the same amount. [m]
 double ShiftToMidway(const ContactQuery& query, const Vector3d& p, const Vector3d& n,
                      double depth) {
   const double half = depth / 2;
@@ -50,8 +51,10 @@ double ShiftToMidway(const ContactQuery& query, const Vector3d& p, const Vector3
     return depth * a->radius / (a->radius + b->radius) - half;
   if (a != nullptr) return ShiftOfSphereAtBox(query.A, query.B, half);
   if (b != nullptr) return -ShiftOfSphereAtBox(query.B, query.A, half);
-  // Midway, edge on edge, else on the incident box: the one of {midway, on A, on B} that
-  // fits both surfaces best. A's is half the depth further along n, B's half before.
+  // For two boxes DART's point is midway if an edge meets an edge, otherwise on the
+  // incident box. Take the place of {midway, on A, on B} that fits both surfaces best.
+  // A's surface is half the depth further along n than midway, B's half the depth before
+  // it.
   const std::array<double, 3> shifts = {0, -half, half};
   const auto misfit = [&](double shift) {
     const Vector3d midway = p + shift * n;
@@ -68,7 +71,8 @@ Capability CapabilityOf(ShapeKind a, ShapeKind b) {
   Capability capability;
   if (!is_known(a) || !is_known(b)) {
     capability.reason =
-        "DART's own detector has spheres and boxes; its other makes polyhedra of spheres";
+        "DART's own detector handles spheres and boxes only; "
+        "fcl makes polyhedra of spheres";
     return capability;
   }
   capability.supported = true;
@@ -117,14 +121,14 @@ void DescribeDartContacts(OracleInfo& info) {
   const std::vector<Setting> settings = {
       {"entry point", "DARTCollisionDetector, two groups",
        "The default, fcl on meshes, makes polyhedra of spheres."},
-      {"contacts", "any number", "All that it finds."},
+      {"contacts", "any number", "All contacts that it finds."},
       {"normal", "B->A, negated", "Contact::normal points to the first object."},
       {"depth sign", "positive penetrating, negated", "Contact::penetrationDepth."},
       {"contact position", "moved along the normal to midway",
-       "Shared out by radii between spheres, else on a surface."},
+       "DART weights it by the radii between spheres, else puts it on a surface."},
       {"answer's normal and separation", "of the deepest contact",
        "Contacts of one pair may differ in both."},
-      {"sizes", "doubled", "BoxShape has full ones."},
+      {"sizes", "doubled", "BoxShape takes full sizes."},
   };
   info.settings.insert(info.settings.end(), settings.begin(), settings.end());
 }

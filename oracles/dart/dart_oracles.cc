@@ -53,7 +53,7 @@ class DartOracle final : public Oracle {
 
 std::vector<std::unique_ptr<Oracle>> DartOracles() {
   std::vector<std::unique_ptr<Oracle>> oracles;
-  // Its assertions are live: what they find ends the process.
+  // DART's assertions are enabled, and a failed one ends the process.
   oracles.push_back(Isolate(std::make_unique<DartOracle>(), {}, IsolationScope::kWorlds));
   return oracles;
 }

@@ -7,8 +7,8 @@
 
 namespace touchstone {
 
-/** Returns "dart", which answers by DART's own collision detector (dart_contacts.h) and
- simulates worlds (dart_world.h). */
+/** Returns the oracle "dart". It answers contact queries with DART's own collision
+ detector (dart_contacts.h) and simulates worlds (dart_world.h). */
 std::vector<std::unique_ptr<Oracle>> DartOracles();
 
 }  // namespace touchstone

@@ -7,10 +7,10 @@
 
 namespace touchstone {
 
-/** Returns a sphere or a box as DART has it. @pre It is one of them. */
+/** Returns a sphere or a box in DART's type. @pre `shape` is one of these. */
 dart::dynamics::ShapePtr ToDart(const Shape& shape);
 
-/** Returns the pose with the very matrix that was asked about. */
+/** Returns the pose in DART's type, with the same rotation matrix bit for bit. */
 Eigen::Isometry3d ToDart(const Pose& X_WB);
 
 }  // namespace touchstone

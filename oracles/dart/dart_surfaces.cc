@@ -15,18 +15,20 @@ DartSurfaces::DartSurfaces(const World& world) {
     }
     if (body.restitution != restitution_) {
       why_not_ =
-          "DART multiplies the restitution of two bodies: what moves must have the same";
+          "DART multiplies the restitutions of two bodies: all "
+          "moving bodies must have the same";
     }
     if (body.friction != friction_) {
       why_not_ =
-          "DART takes the smaller friction of two bodies: what moves must have the same";
+          "DART takes the smaller friction of two bodies: all "
+          "moving bodies must have the same";
     }
   }
   for (const RigidBody& body : world.bodies) {
     if (body.collides && body.mass == 0 && moving_ > 1 && body.friction > friction_) {
       why_not_ =
-          "DART takes the smaller friction of two bodies: what stands still must have no "
-          "more than what moves";
+          "DART takes the smaller friction of two bodies: static bodies must have no "
+          "more than moving ones";
     }
   }
 }

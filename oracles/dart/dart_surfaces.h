@@ -6,31 +6,33 @@
 
 namespace touchstone {
 
-/** The friction and restitution that make DART's rules give Touchstone's.
+/** The coefficients of friction and restitution with which DART's combination rules yield
+ the same results as Touchstone's.
 
  DART takes the smaller friction of two bodies and the product of their restitutions, and
- cannot be told another rule. Where all that moves has one e and one μ, this gives
- min(e, e_S) and √(μ μ_S) against whatever stands still, and e and μ among themselves:
+ has no option for another rule. Suppose that all moving bodies have one e and one μ. Then
+ the coefficients below yield min(e, e_S) and √(μ μ_S) against a static body S, and e and
+ μ between moving bodies:
 
- |        | restitution        | friction                                     |
+ | body   | restitution        | friction                                     |
  |--------|--------------------|----------------------------------------------|
- | moves  | √e                 | μ; without bound, if it is the only one      |
- | stands | min(e, e_S) / √e   | √(μ μ_S), which must then be at most μ       |
+ | moving | √e                 | μ; unbounded if it is the only moving body   |
+ | static | min(e, e_S) / √e   | √(μ μ_S), at most μ unless only one moves    |
 
- Bodies that do not collide do not count. */
+ Bodies that do not collide are ignored. */
 class DartSurfaces {
  public:
   explicit DartSurfaces(const World& world);
 
-  /** Why this world has no such surfaces; empty: it has. */
+  /** The reason why this world has no such coefficients; empty if it has. */
   const std::string& why_not() const { return why_not_; }
 
   double RestitutionOf(const RigidBody& body) const;
   double FrictionOf(const RigidBody& body) const;
 
  private:
-  double restitution_ = 0;  ///< e, of all that moves.
-  double friction_ = 0;     ///< μ, of all that moves.
+  double restitution_ = 0;  ///< e of all moving bodies.
+  double friction_ = 0;     ///< μ of all moving bodies.
   int moving_ = 0;
   std::string why_not_;
 };

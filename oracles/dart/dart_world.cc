@@ -27,7 +27,8 @@ using dart::dynamics::FreeJoint;
 using dart::dynamics::Skeleton;
 using Eigen::Vector3d;
 
-// The least that DART allows. Relative to the diagonal of its matrix, unlike ODE's.
+// The smallest value that DART allows. It is relative to the diagonal of its matrix,
+// unlike ODE's.
 constexpr double kConstraintForceMixing = 1e-9;
 
 class DartSimulation final : public Simulation {
@@ -45,8 +46,8 @@ class DartSimulation final : public Simulation {
   void Push(int body, const Vector3d& p_W, const Vector3d& J_W) override {
     FreeJoint* const joint = joints_[static_cast<std::size_t>(body)];
     if (joint == nullptr) return;
-    // DART has forces only, and one that lasts a step is not felt by a bounce in that
-    // step.
+    // DART has no impulses, only forces, and a bounce ignores a force that acts during
+    // the same step. So the velocities are set.
     const RigidBody& asked = question_.bodies[static_cast<std::size_t>(body)];
     const BodyNode& node = *joint->getChildBodyNode();
     const Eigen::Isometry3d& X_WB = node.getWorldTransform();
@@ -60,7 +61,7 @@ class DartSimulation final : public Simulation {
 
   void Step() override {
     const bool is_rigid = contacts_ == DartContacts::kRigid;
-    // Of the process: another simulation may have set them since.
+    // These are global variables: another simulation may have changed them.
     ContactConstraint::setErrorReductionParameter(is_rigid ? 0 : 0.01);
     ContactConstraint::setMaxErrorReductionVelocity(1e-3);
     ContactConstraint::setConstraintForceMixing(is_rigid ? kConstraintForceMixing : 1e-5);
@@ -131,7 +132,7 @@ class DartSimulation final : public Simulation {
       const auto pair = skeleton->createJointAndBodyNodePair<FreeJoint>();
       node = pair.second;
       joints_.push_back(pair.first);
-      // The joint's own coordinates start at zero: no angle is lost in a logarithm.
+      // The joint's own coordinates start at zero, so no angle is rounded by a logarithm.
       pair.first->setTransformFromParentBodyNode(X_WB);
       const Eigen::Matrix3d moments = InertiaOf(asked).asDiagonal();
       node->setInertia(dart::dynamics::Inertia(asked.mass, Vector3d::Zero(), moments));
@@ -157,25 +158,25 @@ class DartSimulation final : public Simulation {
   DartContacts contacts_;
   DartSurfaces surfaces_;
   dart::simulation::WorldPtr world_ = dart::simulation::World::create();
-  std::vector<FreeJoint*> joints_;  // Null for what does not move.
+  std::vector<FreeJoint*> joints_;  // Indexed by body; null for static bodies.
   std::unordered_map<const BodyNode*, int> indices_;
 };
 
-// Empty for what DART does simulate.
+// Returns why DART does not simulate `feature`; empty if it does.
 std::string WhyNot(WorldFeature feature) {
   switch (feature) {
     case WorldFeature::kOtherShape:
     case WorldFeature::kStaticOtherShape:
     case WorldFeature::kStaticHalfSpace:
-      return "DART's own collision detector has spheres and boxes; its others turn "
-             "spheres into polyhedra";
+      return "DART's own collision detector handles spheres and boxes only; its others "
+             "turn spheres into polyhedra";
     case WorldFeature::kParticle:
     case WorldFeature::kCloth:
       return "DART has no point masses that bounce";
     case WorldFeature::kSpring:
-      return "DART has springs along its joints, and none between two points";
+      return "DART has springs along its joints but none between two points";
     case WorldFeature::kDistanceJoint:
-      return "DART has no rod between two points";
+      return "DART has no distance joint between two points";
     default:
       return "";
   }
@@ -194,32 +195,36 @@ void DescribeDartWorlds(OracleInfo& info) {
     info.world_capabilities[static_cast<std::size_t>(i)] = {reason.empty(), reason};
   }
   const std::vector<Setting> settings = {
-      {"world: solver", "BoxedLcpConstraintSolver: Dantzig, PGS where that fails",
+      {"world: solver", "BoxedLcpConstraintSolver: Dantzig, PGS if that fails",
        "DART's default."},
       {"world: integrator", "semi-implicit Euler, rotation by the exponential map",
        "There is no other."},
       {"world: collision detector", "DARTCollisionDetector",
        "The default, fcl on meshes, turns spheres into polyhedra."},
-      {"world: contacts", "any number", "DART's 1000 would drop some of a pile's."},
+      {"world: contacts", "any number",
+       "DART's default of 1000 would drop contacts of a pile."},
       {"world: bounce rule", "the velocity after gravity is reflected",
        "DART integrates velocities before it solves contacts."},
-      {"world: restitution", "product of shares that give min(e_A, e_B)",
-       "Where all that moves has one e; other worlds are refused."},
+      {"world: restitution", "product of coefficients that yield min(e_A, e_B)",
+       "Possible if all moving bodies have one e; other worlds are unsupported."},
       {"world: restitution velocity threshold", "0.1 m/s after the bounce; e > 0.001",
        "Fixed in ContactConstraint.cpp."},
-      {"world: friction", "smaller of two that give sqrt(mu_A mu_B)",
-       "Where all that moves has one mu and nothing else has more, or one body moves; "
-       "other worlds are refused. Up to 0.001 it is none."},
+      {"world: friction", "smaller of coefficients that yield sqrt(mu_A mu_B)",
+       "Possible if all moving bodies have one mu and no static body has more, or if one "
+       "body moves; other worlds are unsupported. DART treats "
+       "friction up to 0.001 as 0."},
       {"world: friction cone", "box",
        "Coulomb's law along each of two fixed directions: a square, not a circle."},
       {"world: error reduction of contacts", "0",
-       "Overlap is not pushed out, which would add energy: bodies rest as deep as they "
-       "were found."},
-      {"world: constraint force mixing", "1e-9 of the diagonal", "DART's least."},
+       "Overlap is not pushed out, which would add energy: bodies rest at the depth at "
+       "which they were found."},
+      {"world: constraint force mixing", "1e-9 of the diagonal",
+       "The smallest value that DART allows."},
       {"world: push", "velocities set", "DART has no impulses."},
       {"world: gyroscopic term", "on, explicit", "BodyNode's default."},
       {"world: damping, sleeping", "0, none", "DART's default."},
-      {"world: impulses", "Contact::force times the step", "On the first body: negated."},
+      {"world: impulses", "Contact::force times the step",
+       "It acts on the first body: negated."},
   };
   info.settings.insert(info.settings.end(), settings.begin(), settings.end());
 }

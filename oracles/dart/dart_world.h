@@ -7,18 +7,18 @@
 
 namespace touchstone {
 
-/** How contacts are stabilised. */
+/** The stabilisation of contacts. */
 enum class DartContacts {
-  kRigid,      ///< As rigid as DART can make them; overlap is not pushed out.
+  kRigid,      ///< The most rigid that DART allows; overlap is not pushed out.
   kAsShipped,  ///< DART's defaults.
 };
 
-/** Returns `world` in the hands of DART.
+/** Returns a simulation of `world` by DART.
  @pre DART can simulate it (DescribeDartWorlds) and has surfaces for it
  (dart_surfaces.h). */
 std::unique_ptr<Simulation> DartWorld(const World& world, DartContacts contacts);
 
-/** Adds to `info` what DART can do of worlds, and what is set in them. */
+/** Adds DART's capabilities for worlds, and the settings used in them, to `info`. */
 void DescribeDartWorlds(OracleInfo& info);
 
 }  // namespace touchstone

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Two boxes give four at most, a hull on a half-space one; room to spare.
+// More than needed: two boxes yield at most four, a hull on a half-space one.
 constexpr std::size_t kMaxContacts = 8;
 
 // FCL's own default for CollisionRequest::gjk_tolerance.
@@ -54,14 +54,14 @@ std::string FamilyOf(FclSolver solver, ShapeKind a, ShapeKind b) {
 Capability CapabilityOf(FclSolver solver, ShapeKind a, ShapeKind b) {
   Capability capability;
   if (a == ShapeKind::kHalfSpace && b == ShapeKind::kHalfSpace) {
-    capability.reason = "not a valid question";
+    capability.reason = "two half-spaces are not a valid question";
     return capability;
   }
   capability.supported = true;
   capability.family = FamilyOf(solver, a, b);
   capability.depth = true;
   capability.normal = true;
-  // All others give one point: the deepest, or that of MPR or EPA.
+  // All other algorithms return one point: the deepest, or that of MPR or EPA.
   capability.manifold = capability.family == "box_box_sat";
   if (capability.family == "mpr") {
     capability.documented_error = kTolerance;
@@ -82,24 +82,23 @@ OracleInfo MakeInfo(FclSolver solver) {
   info.version = FCL_VERSION;
   info.settings = {
       {"entry point", "fcl::collide on geometries and transforms",
-       "Collision objects would add boxes for culling only."},
+       "Collision objects would only add bounding boxes for culling."},
       {"gjk_solver_type", libccd ? "GST_LIBCCD" : "GST_INDEP",
-       "Answers where FCL has no closed form."},
+       "Used where FCL has no closed form."},
       {"gjk_tolerance", "1e-6", "FCL's default."},
       {"contacts", std::to_string(kMaxContacts),
-       "FCL's default is one, without its place."},
-      {"normal", "A->B, as it comes",
-       "Contact::normal, measured; FCL does not state it."},
+       "FCL's default is one, without its position."},
+      {"normal", "A->B, unchanged",
+       "Contact::normal; the direction is measured, FCL does not document it."},
       {"depth sign", "positive penetrating, negated", "Contact::penetration_depth."},
-      {"contact position", "moved midway for two spheres, else as it comes",
-       "Two spheres are weighted by their radii; closed forms give the middle; MPR, EPA "
-       "and "
-       "sphere-capsule give points on no surface."},
+      {"contact position", "moved midway for two spheres, else unchanged",
+       "FCL weights it by the radii of two spheres. Other closed forms return the "
+       "middle; MPR, EPA and sphere-capsule return points on no surface."},
       {"answer's normal and separation", "of the deepest contact",
        "Contacts of one pair may differ in both."},
       {"sizes", "doubled", "Box, Capsule, Cylinder and Cone take full lengths."},
       {"convex hull", "faces computed here",
-       "Convex takes polygons; its GJK and MPR use vertices and edges."},
+       "Convex requires polygons; its GJK and MPR use vertices and edges."},
   };
   info.capabilities = CapabilityTable(
       [=](ShapeKind a, ShapeKind b) { return CapabilityOf(solver, a, b); });
@@ -178,7 +177,7 @@ class FclCollide final : public Oracle {
  private:
   ContactAnswer AnswerOne(const ContactQuery& query) const {
     const FclPair pair = ToFcl(query);
-    if (!pair) return UnsupportedAnswer("FCL wants convex hulls to have volume");
+    if (!pair) return UnsupportedAnswer("FCL requires convex hulls with volume");
     fcl::CollisionResultd result;
     Collide(request_, pair, result);
     return Translate(query, result);

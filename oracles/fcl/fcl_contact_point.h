@@ -6,20 +6,20 @@
 
 namespace touchstone {
 
-/** A contact as FCL gives it. */
+/** A contact as FCL returns it. */
 struct FclContact {
   Eigen::Vector3d p_W;     ///< Contact::pos. [m]
   Eigen::Vector3d n_AB_W;  ///< Contact::normal.
   double depth;            ///< Contact::penetration_depth. [m]
 };
 
-/** Returns the contact's point moved along its normal to midway through its overlap.
+/** Returns the point of `contact`, moved along its normal to midway through its overlap.
 
- Two spheres meet at cA + (cB − cA) rA / (rA + rB), which is behind the surface of A by
- the share rA / (rA + rB) of the depth, and not by half of it (FCL 0.7.0,
- sphere_sphere-inl.h). The point is moved by what is between the two: one that is off
- stays off by as much, and is found. The points of all other pairs are left as they are.
- */
+ For two spheres FCL returns cA + (cB − cA) rA / (rA + rB). This is inside the surface of
+ A by the fraction rA / (rA + rB) of the depth instead of half of it (FCL 0.7.0,
+ sphere_sphere-inl.h). The point is moved by the difference of the two: a point that is
+ off stays off by the same amount and is found. The points of all other pairs are returned
+ unchanged. */
 Eigen::Vector3d MidwayPoint(const ContactQuery& query, const FclContact& contact);
 
 }  // namespace touchstone

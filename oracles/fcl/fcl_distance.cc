@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Unsigned GJK converges to 1e-12 without an abort in 136666 pairs of boxes; with EPA
-// behind it, and for GST_INDEP, that tolerance makes FCL abort, so those keep FCL's
+// Unsigned GJK converged to 1e-12 without an abort for 136666 pairs of boxes. When EPA
+// follows GJK, and for GST_INDEP, that tolerance makes FCL abort: these keep FCL's
 // default.
 double ToleranceOf(FclSolver solver, FclDistanceKind kind) {
   return solver == FclSolver::kLibccd && kind == FclDistanceKind::kUnsigned ? 1e-12
@@ -36,12 +36,12 @@ fcl::DistanceRequestd MakeRequest(FclSolver solver, FclDistanceKind kind) {
 
 void Distance(const fcl::DistanceRequestd& request, const FclPair& pair,
               fcl::DistanceResultd& result) {
-  // The value is in the result: with GST_INDEP the function itself returns -1 on overlap.
+  // The return value is not used: with GST_INDEP it is -1 on overlap.
   fcl::distance(pair.A.geometry.get(), pair.A.X_WB, pair.B.geometry.get(), pair.B.X_WB,
                 request, result);
 }
 
-// The pairs whose distance, though not whose depth, FCL has in closed form.
+// Whether FCL computes the distance of the pair, but not its depth, in closed form.
 bool HasClosedDistance(ShapeKind a, ShapeKind b) {
   const auto closed_with_sphere = [](ShapeKind kind) {
     return kind == ShapeKind::kSphere || kind == ShapeKind::kBox ||
@@ -56,7 +56,7 @@ Capability CapabilityOf(FclSolver solver, FclDistanceKind kind, ShapeKind a,
                         ShapeKind b) {
   Capability capability;
   if (a == ShapeKind::kHalfSpace && b == ShapeKind::kHalfSpace) {
-    capability.reason = "not a valid question";
+    capability.reason = "two half-spaces are not a valid question";
     return capability;
   }
   const bool is_signed = kind == FclDistanceKind::kSigned;
@@ -66,7 +66,7 @@ Capability CapabilityOf(FclSolver solver, FclDistanceKind kind, ShapeKind a,
   capability.distance = true;
   capability.normal = is_signed && libccd;
   capability.witnesses = true;
-  // GST_LIBCCD has no closed forms where a sign is asked for.
+  // GST_LIBCCD uses no closed forms for the signed distance.
   if (HasClosedDistance(a, b) && !(is_signed && libccd)) {
     capability.family = "closed_form";
     return capability;
@@ -101,34 +101,35 @@ OracleInfo MakeInfo(FclSolver solver, FclDistanceKind kind) {
   info.version = FCL_VERSION;
   info.settings = {
       {"entry point", "fcl::distance on geometries and transforms",
-       "Collision objects would add boxes for culling only."},
+       "Collision objects would only add bounding boxes for culling."},
       {"gjk_solver_type", libccd ? "GST_LIBCCD" : "GST_INDEP",
-       "Answers where FCL has no closed form."},
+       "Used where FCL has no closed form."},
       {"enable_signed_distance", is_signed ? "true" : "false",
-       is_signed ? "Overlapping shapes are minus their depth apart."
-                 : "Overlapping shapes are -1 apart, which is passed on as touching."},
+       is_signed ? "The distance of overlapping shapes is minus their depth."
+                 : "The distance of overlapping shapes is -1, reported as touching."},
       {"distance_tolerance", ToleranceOf(solver, kind) < 1e-6 ? "1e-12" : "1e-6",
-       ToleranceOf(solver, kind) < 1e-6 ? "As fine as it goes." : "FCL's default."},
+       ToleranceOf(solver, kind) < 1e-6 ? "Fine, and FCL still converges without aborts."
+                                        : "FCL's default."},
       {"distance", "DistanceResult::min_distance",
-       "The function's own value is -1 on overlap with GST_INDEP."},
-      {"normal", libccd && is_signed ? "from the nearest points" : "not given",
-       "FCL returns none; points closer than 2^-33 of the scene give none either."},
+       "The return value of fcl::distance is -1 on overlap with GST_INDEP."},
+      {"normal", libccd && is_signed ? "from the nearest points" : "left out",
+       "FCL returns none; points closer than 2^-33 of the scene define none either."},
       {"witness points",
-       libccd && is_signed ? "nearest points, as they come"
-                           : "nearest points, as they come, where apart",
-       "Unsigned they are not set on overlap; GST_INDEP then gives a contact position "
-       "twice."},
+       libccd && is_signed ? "nearest points, unchanged"
+                           : "nearest points, unchanged, if apart",
+       "Unsigned distance does not set them on overlap; GST_INDEP then returns a contact "
+       "position twice."},
       {"sizes", "doubled", "Box, Capsule, Cylinder and Cone take full lengths."},
       {"convex hull", "faces computed here",
-       "Convex takes polygons; its GJK uses vertices and edges."},
+       "Convex requires polygons; its GJK uses vertices and edges."},
   };
   info.capabilities = CapabilityTable(
       [=](ShapeKind a, ShapeKind b) { return CapabilityOf(solver, kind, a, b); });
   return info;
 }
 
-// A direction between two points is known to 1e-6 rad or so when they are this much of
-// the scene apart, each being off by a few roundings of its coordinates.
+// The shortest distance of two points, as a fraction of the scene, that defines a
+// direction to about 1e-6 rad: each point is off by a few roundings of its coordinates.
 constexpr double kShortestDirection = 0x1p-33;
 
 class FclDistanceBatch final : public PreparedBatch {
@@ -163,8 +164,8 @@ class FclDistance final : public Oracle {
  public:
   FclDistance(FclSolver solver, FclDistanceKind kind)
       : request_(MakeRequest(solver, kind)), info_(MakeInfo(solver, kind)) {
-    // FCL makes its tables of functions when first asked. A child forked while another
-    // thread makes them would wait for that thread for ever (isolated_oracle.h).
+    // FCL builds its tables of functions in the first call. A child forked while another
+    // thread builds them would wait for that thread for ever (isolated_oracle.h).
     const Body sphere{Sphere{1}, {}};
     const Body other{Sphere{1}, Pose::FromQuaternion({3, 0.1, 0.2}, {1, 0, 0, 0})};
     const FclPair pair = ToFcl(ContactQuery{sphere, other});
@@ -194,7 +195,7 @@ class FclDistance final : public Oracle {
  private:
   ContactAnswer AnswerOne(const ContactQuery& query) const {
     const FclPair pair = ToFcl(query);
-    if (!pair) return UnsupportedAnswer("FCL wants convex hulls to have volume");
+    if (!pair) return UnsupportedAnswer("FCL requires convex hulls with volume");
     fcl::DistanceResultd result;
     Distance(request_, pair, result);
     return Translate(query, info_.For(KindOf(query.A.shape), KindOf(query.B.shape)),
@@ -209,8 +210,8 @@ class FclDistance final : public Oracle {
     answer.touching = separation <= 0;
     if (separation < 0 && !capability.depth) return answer;
     answer.separation = separation;
-    // Only GST_LIBCCD gives points on the surfaces of overlapping shapes; it alone gives
-    // normals.
+    // Only signed GST_LIBCCD returns points on the surfaces of overlapping shapes. It is
+    // also the only one with normals.
     if (separation <= 0 && !capability.normal) return answer;
     const Vector3d& p_WCa = result.nearest_points[0];
     const Vector3d& p_WCb = result.nearest_points[1];

@@ -13,23 +13,23 @@ class CollisionGeometry;
 
 namespace touchstone {
 
-/** A body as FCL takes it. */
+/** A body in FCL's types. */
 struct FclBody {
-  /** Null for a convex hull without volume, for which FCL's Convex has no faces. */
+  /** Null for a convex hull without volume: it has no faces for FCL's Convex. */
   std::shared_ptr<const fcl::CollisionGeometry<double>> geometry;
   Eigen::Isometry3d X_WB;
 };
 
-/** Two bodies as FCL takes them. */
+/** Two bodies in FCL's types. */
 struct FclPair {
   FclBody A;
   FclBody B;
 
-  /** Whether FCL can be asked: both have a geometry. */
+  /** Whether FCL can be called: both bodies have a geometry. */
   explicit operator bool() const { return A.geometry && B.geometry; }
 };
 
-/** Translates both bodies: full sizes, the same axes, a hull with its faces. */
+/** Returns both bodies in FCL's types: full sizes, the same axes, hulls with faces. */
 FclPair ToFcl(const ContactQuery& query);
 
 }  // namespace touchstone

@@ -6,25 +6,25 @@
 
 namespace touchstone {
 
-/** Which of FCL's two general convex solvers answers where it has no closed form. */
+/** The general convex solver that FCL uses where it has no closed form. */
 enum class FclSolver {
   kLibccd,  ///< GST_LIBCCD, the default: libccd's MPR for contacts, FCL's own GJK and EPA
             ///< on libccd's types for distances.
   kIndep,   ///< GST_INDEP: FCL's GJK and EPA on its own types.
 };
 
-/** What fcl::distance is asked for. */
+/** The kind of distance that fcl::distance computes. */
 enum class FclDistanceKind {
-  kUnsigned,  ///< The distance of shapes apart; overlapping ones are −1 apart.
-  kSigned,    ///< Overlapping shapes too: minus their depth.
+  kUnsigned,  ///< Distance of shapes that are apart; −1 for overlapping shapes.
+  kSigned,    ///< Also the depth of overlapping shapes, negated.
 };
 
 /** Returns "fcl/collide" or "fcl/collide_indep", in process. */
 std::unique_ptr<Oracle> MakeFclCollide(FclSolver solver);
 
 /** Returns "fcl/distance", "fcl/distance_indep", "fcl/signed_distance" or
- "fcl/signed_distance_indep", in process: for many valid questions they abort, crash or
- hang. */
+ "fcl/signed_distance_indep", in process. They abort, crash or hang on many valid
+ questions, so they need Isolate(). */
 std::unique_ptr<Oracle> MakeFclDistance(FclSolver solver, FclDistanceKind kind);
 
 }  // namespace touchstone

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 constexpr std::uint8_t kVersion = 1;
 
-// Of a trajectory.
+// The one flag of a trajectory.
 constexpr std::uint8_t kImpulsesFlag = 1;
 
 enum Flags : std::uint8_t {
@@ -23,10 +23,10 @@ enum Flags : std::uint8_t {
   kAllFlags = 15,
 };
 
-// The least a point takes: four doubles and a flag.
+// The smallest encoding of a point: four doubles and a flag. [bytes]
 constexpr std::size_t kSmallestPoint = 4 * sizeof(double) + 1;
 
-// What states take.
+// Sizes of the encoded states and impulses. [bytes]
 constexpr std::size_t kBodyState = 13 * sizeof(double);
 constexpr std::size_t kPointState = 6 * sizeof(double);
 constexpr std::size_t kImpulse = 3 * sizeof(std::int32_t) + 10 * sizeof(double);
@@ -50,7 +50,7 @@ class Writer {
   std::string bytes_;
 };
 
-// Reads from the front; after a failure all it gives is zeros.
+// Reads values from the front of some bytes. After a failure it returns zeros only.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : rest_(bytes) {}
@@ -82,7 +82,8 @@ class Reader {
     rest_.remove_prefix(length);
     return text;
   }
-  // A count of things that each take at least `smallest` bytes of what is left.
+  // Reads a count of items. Fails if the remaining bytes cannot hold that many, each of
+  // at least `smallest` bytes.
   template <typename Count = std::uint32_t>
   Count GetCount(std::size_t smallest) {
     const auto count = Get<Count>();

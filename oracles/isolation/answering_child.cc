@@ -30,9 +30,9 @@
 namespace touchstone {
 namespace {
 
-// Where the child finds its end of the pipe, whatever it was before.
+// The descriptor of the child's end of the pipe, whatever it was in the parent.
 constexpr int kAnswersFd = 3;
-// A child may print this much to stderr on one question; more is lost. [bytes]
+// The most that a child may print to stderr on one question; more is lost. [bytes]
 constexpr rlim_t kMostOutput = rlim_t{64} << 20;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -47,8 +47,8 @@ constexpr bool kLimitsMemory = true;
 constexpr bool kLimitsMemory = true;
 #endif
 
-// Held from the making of a pipe to the closing of its other end, lest a child of another
-// thread hold that end open.
+// Held from the creation of a pipe until the parent has closed the child's end. Otherwise
+// a child forked by another thread in between would keep that end open.
 std::mutex fork_mutex;
 
 [[noreturn]] void ThrowErrno(const char* what) {
@@ -60,7 +60,7 @@ void CloseFd(int& fd) {
   fd = -1;
 }
 
-// Address space in use. [bytes]
+// The address space in use. [bytes]
 rlim_t AddressSpace() {
   rlim_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
@@ -74,8 +74,9 @@ void LowerLimit(__rlimit_resource resource, rlim_t most) {
   setrlimit(resource, &limit);
 }
 
-// Signals do what they do by default, whatever the program has made of them; those of the
-// terminal are for the program, and the child ends with it.
+// Resets signals to their default actions, whatever the program has installed. Two kinds
+// are ignored: the terminal's signals, which are for the program (the child ends with
+// it), and SIGXFSZ, so that output beyond kMostOutput is only lost.
 void ResetSignals() {
   for (const int signal : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP,
                            SIGPROF, SIGALRM, SIGTERM, SIGPIPE}) {
@@ -88,7 +89,7 @@ void ResetSignals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-// SIGPROF comes when this process has worked that long from now.
+// Requests a SIGPROF once this process has used `cpu` more CPU time.
 void SetCpuDeadline(std::chrono::microseconds cpu) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(cpu);
   itimerval timer{};
@@ -138,14 +139,14 @@ AnsweringChild::AnsweringChild(std::size_t count, const Answerer& answerer,
   }
   if (pid_ == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(0);  // It died before the line above.
+    if (getppid() != parent) _exit(0);  // The parent died before the call of prctl.
     ResetSignals();
-    __fpurge(stdout);  // What the parent has not written yet is for the parent to write.
+    __fpurge(stdout);  // The parent writes its own unwritten output.
     fcntl(output_fd_, F_SETFL, O_APPEND);
-    // Copies first, so that no dup2 below closes what is still wanted.
+    // Copies first, so that no dup2 below closes a descriptor that is still needed.
     const int answers_fd = fcntl(ends[1], F_DUPFD, 64);
     const int output_fd = fcntl(output_fd_, F_DUPFD, 64);
-    // Not into the same file: a buffer of half a line would run into an assertion.
+    // Not into the file of stderr: half a buffered line would merge with an assertion.
     dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
     dup2(output_fd, STDERR_FILENO);
     dup2(answers_fd, kAnswersFd);
@@ -165,7 +166,8 @@ AnsweringChild::~AnsweringChild() {
   CloseFd(output_fd_);
 }
 
-// In the child. Never returns, so that nothing of the parent's is destroyed twice.
+// The main loop of the child. Never returns, so that no object of the parent is destroyed
+// twice.
 void AnsweringChild::Run(std::size_t count, const Answerer& answerer) {
   for (std::size_t question = 0; question < count; ++question) {
     if (lseek(STDERR_FILENO, 0, SEEK_END) > 0 && ftruncate(STDERR_FILENO, 0) != 0)
@@ -180,7 +182,7 @@ void AnsweringChild::Run(std::size_t count, const Answerer& answerer) {
   _exit(0);
 }
 
-// Waits for bytes; false where there will be none.
+// Waits for bytes; returns false if there will be none.
 bool AnsweringChild::ReadMore() {
   const auto give_up = std::chrono::steady_clock::now() + limits_.wall;
   for (;;) {
@@ -222,7 +224,7 @@ std::optional<std::string_view> AnsweringChild::NextBytes() {
   }
 }
 
-// Returns the wait status. Killing the dead changes nothing of it.
+// Kills the child and returns its wait status. Killing a dead child does not change it.
 int AnsweringChild::Kill() {
   kill(pid_, SIGKILL);
   int status = 0;
@@ -232,8 +234,7 @@ int AnsweringChild::Kill() {
   return status;
 }
 
-// Waits until the child, which has closed its pipe, is dead as well; false where it is
-// not.
+// Waits for the death of a child that has closed its pipe; returns false if it lives on.
 bool AnsweringChild::IsDead() const {
   int process = static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));
   pollfd waiting{process, POLLIN, 0};
@@ -256,7 +257,7 @@ AnsweringChild::Ending AnsweringChild::LastWords() {
   const std::string said = line.empty() ? "" : ": " + line;
   switch (silence_) {
     case Silence::kNonsense:
-      return {AnswerStatus::kCrashed, "sent bytes that are no answer" + said};
+      return {AnswerStatus::kCrashed, "sent bytes that are not an answer" + said};
     case Silence::kBlocked:
       return {AnswerStatus::kTimedOut,
               "no answer after " + Seconds(limits_.wall) + ", blocked"};
@@ -275,7 +276,7 @@ AnsweringChild::Ending AnsweringChild::LastWords() {
   if (signal == SIGABRT) return {AnswerStatus::kCrashed, "aborted" + said};
   const char* name = sigabbrev_np(signal);
   return {AnswerStatus::kCrashed,
-          std::string("died of SIG") + (name != nullptr ? name : "?") + said};
+          std::string("killed by SIG") + (name != nullptr ? name : "?") + said};
 }
 
 }  // namespace touchstone

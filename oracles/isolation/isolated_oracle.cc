@@ -12,7 +12,7 @@
 namespace touchstone {
 namespace {
 
-// A contact answer longer than this is none: a thousand times the longest of any engine.
+// The longest valid contact answer: a thousand times the longest of any engine.
 constexpr std::size_t kLongestAnswer = std::size_t{1} << 20;  // [bytes]
 
 ContactAnswer AnswerOrCrash(const Oracle& oracle, const ContactQuery& query) {
@@ -51,21 +51,21 @@ class IsolatedOracle final : public Oracle {
     if (scope == IsolationScope::kEverything) {
       info_.isolated = true;
       info_.settings.push_back(
-          {"process", "a child of its own, one for each batch",
+          {"process", "a separate child process for each batch",
            "The engine can abort, crash or hang on a valid question."});
       info_.settings.push_back(
           {"deadline", std::to_string(limits_.cpu.count()) + " ms of CPU time",
-           "Counted in the child, so that a busy machine changes nothing."});
+           "Measured in the child, so that a busy machine changes nothing."});
     }
     if (info_.simulates) {
       info_.settings.push_back(
-          {"world: process", "a child of its own, one for each batch of worlds",
-           "The engine can abort, crash or hang on a valid world; what it prints to its "
+          {"world: process", "a separate child process for each batch of worlds",
+           "The engine can abort, crash or hang on a valid world. The last line of its "
            "standard error is shown with the answer."});
       info_.settings.push_back(
           {"world: deadline",
            std::to_string(limits_.world_cpu.count()) + " ms of CPU time",
-           "Counted in the child."});
+           "Measured in the child."});
     }
   }
 
@@ -80,7 +80,7 @@ class IsolatedOracle final : public Oracle {
       try {
         AnswerUntilDeath(queries, answers, next);
       } catch (const std::exception& exception) {
-        // The system's fault, not the engine's.
+        // A failure of the system, not of the engine.
         answers[next++] = UnsupportedAnswer(CouldNotIsolate(exception));
       }
     }
@@ -121,7 +121,7 @@ class IsolatedOracle final : public Oracle {
       try {
         SimulateUntilDeath(worlds, trajectories, left);
       } catch (const std::exception& exception) {
-        // The system's fault, not the engine's.
+        // A failure of the system, not of the engine.
         trajectories[left.front()] =
             NoTrajectory(AnswerStatus::kUnsupported, CouldNotIsolate(exception));
         left = left.subspan(1);
@@ -131,7 +131,8 @@ class IsolatedOracle final : public Oracle {
   }
 
  private:
-  // Answers from `next` on, by one child, up to the question it dies of or the last.
+  // Answers the queries from `next` on in one child, up to the query that kills it or to
+  // the last one.
   void AnswerUntilDeath(std::span<const ContactQuery> queries,
                         std::span<ContactAnswer> answers, std::size_t& next) const {
     const std::span<const ContactQuery> left = queries.subspan(next);
@@ -152,8 +153,8 @@ class IsolatedOracle final : public Oracle {
     }
   }
 
-  // Simulates those of `worlds` that are left, by one child, up to the one it dies of or
-  // the last, and takes them from what is left.
+  // Simulates the remaining worlds, whose indices are in `left`, in one child, up to the
+  // world that kills it or to the last one. Removes them from `left`.
   void SimulateUntilDeath(std::span<const World> worlds,
                           std::span<Trajectory> trajectories,
                           std::span<const std::size_t>& left) const {

@@ -10,11 +10,11 @@
 namespace touchstone {
 namespace {
 
-// So much is searched for the line. [bytes]
+// The part of the file that is searched for the line. [bytes]
 constexpr off_t kTail = 4096;
 
-// assert() says "program: file:line: the function's whole signature: Assertion `…'
-// failed.": what counts is where and which.
+// Removes the program and the function from the message of assert(), which is "program:
+// file:line: the function's whole signature: Assertion `…' failed.".
 std::string ShortAssertion(std::string line) {
   const std::string program = std::string(program_invocation_short_name) + ": ";
   if (line.starts_with(program)) line.erase(0, program.size());

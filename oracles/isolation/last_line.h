@@ -4,9 +4,9 @@
 
 namespace touchstone {
 
-/** Returns the last line that is not empty of what was printed to the file `fd`, without
- control characters, and of a failed assertion only where and which; of a longer line its
- last 4096 bytes. Empty where nothing was printed, or the file cannot be read. */
+/** Returns the last line of the file `fd` that is not empty, without control characters.
+ A failed assertion is shortened to its place and its condition, a long line to its last
+ 4096 bytes. Empty if the file is empty or cannot be read. */
 std::string LastLineOf(int fd);
 
 }  // namespace touchstone

@@ -10,8 +10,8 @@
 
 #include <pthread.h>
 
-// The locks of the runtime that clang links in. Null where it is a shared library, which
-// keeps them to itself.
+// The locks of the runtime that clang links statically. Null if the runtime is a shared
+// library, which does not export them.
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 namespace __lsan {
 [[gnu::weak]] void LockThreadRegistry();
@@ -28,8 +28,8 @@ void Call(void (*function)()) {
   if (function != nullptr) function();
 }
 
-// In the order in which the runtime takes them. Not those of its store of stacks: a
-// million, of which a child wants one, held for a few instructions.
+// Takes the locks in the same order as the runtime. Leaves out the locks of its stack
+// depot: there are a million, a child needs one, and each is held for a few instructions.
 void Lock() {
   Call(&__lsan::LockThreadRegistry);
   Call(&__lsan::LockAllocator);

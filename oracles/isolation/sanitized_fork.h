@@ -2,10 +2,10 @@
 
 namespace touchstone {
 
-/** Makes fork() safe in a process with several threads under the address sanitizer, whose
- allocator another thread may hold at that moment: the child would wait for it for ever.
- Later calls, and those without the sanitizer, do nothing. Its runtime does so itself from
- LLVM 17 on (asan_posix.cpp, InstallAtForkHandler). */
+/** Makes fork() safe under the address sanitizer in a process with several threads. If
+ another thread held the sanitizer's allocator during the fork, the child would wait for
+ it for ever. Later calls, and calls without the sanitizer, do nothing. From LLVM 17 on,
+ the sanitizer's runtime does the same itself (asan_posix.cpp, InstallAtForkHandler). */
 void AllowForkUnderSanitizer();
 
 }  // namespace touchstone

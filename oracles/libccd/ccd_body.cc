@@ -18,7 +18,7 @@ double Sign(double x) {
 struct Support {
   Vector3d d;  // Body frame.
 
-  // The point of a disc of that radius in the xy plane.
+  // The support point of a disc of `radius` in the xy plane.
   Vector3d OnDisc(double radius) const {
     const double length = std::hypot(d.x(), d.y());
     if (ccdIsZero(length)) return Vector3d::Zero();

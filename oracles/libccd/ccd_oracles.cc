@@ -23,25 +23,26 @@ enum class Algorithm { kEpa, kMpr };
 
 constexpr double kTolerance = 1e-6;
 constexpr unsigned long kMaxIterations = 500;
-// EPA searches all faces for each new one, so that its time grows with the square of
-// this: some 2 s. What ends by itself asks for 6,000 at most in the catalogue. Counted
-// and not timed, so that a slow machine draws the same line.
+// The limit of support points per query. EPA searches all faces for each new one, so its
+// time grows with the square of this: about 2 s. Queries of the catalogue that end by
+// themselves need at most 6,000. A count instead of a time lets a slow machine draw the
+// same line.
 constexpr unsigned long kMostSupportPoints = 20'000;
 
 Vector3d FromCcd(const ccd_vec3_t& v) {
   return {ccdVec3X(&v), ccdVec3Y(&v), ccdVec3Z(&v)};
 }
 
-// What libccd is given for a body.
+// The object that libccd passes to the callbacks of a body.
 struct Asked {
   const Body& body;
-  unsigned long& support_points;  // Asked for, of either body.
+  unsigned long& support_points;  // Number of support points computed, for both bodies.
 };
 
 void Support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* point) {
   const Asked& asked = *static_cast<const Asked*>(object);
-  // Beyond the limit both bodies give one point. Their difference, the origin, is beyond
-  // no face, which is what ends EPA.
+  // Beyond the limit both bodies return the same point. The difference is the origin,
+  // which is not outside any face: this ends EPA.
   if (++asked.support_points > kMostSupportPoints) return ccdVec3Set(point, 0, 0, 0);
   const Vector3d p = CcdSupport(asked.body, FromCcd(*direction));
   ccdVec3Set(point, p.x(), p.y(), p.z());
@@ -66,7 +67,7 @@ ccd_t MakeCcd() {
 }
 
 struct Penetration {
-  int status;  // 0 touching, −1 apart, −2 out of memory.
+  int status;  // 0: touching, −1: apart, −2: out of memory.
   unsigned long support_points;
   double depth;
   Vector3d n_AB_W;
@@ -113,22 +114,22 @@ OracleInfo MakeInfo(Algorithm algorithm) {
   info.version = TOUCHSTONE_CCD_VERSION;
   info.settings = {
       {"entry point", epa ? "ccdGJKPenetration" : "ccdMPRPenetration",
-       "The calls that give a depth."},
+       "The calls that return a depth."},
       {epa ? "epa_tolerance" : "mpr_tolerance", "1e-6",
-       "What ODE and FCL set; libccd's default is 1e-4."},
+       "The value that ODE and FCL set; libccd's default is 1e-4."},
       {"max_iterations", std::to_string(kMaxIterations),
-       "The default is 2^64 - 1. EPA does not heed it."},
+       "The default is 2^64 - 1. EPA ignores it."},
       {"most support points", std::to_string(kMostSupportPoints),
-       "Some 2 s of EPA; a count draws the same line on every machine."},
-      {"support functions", "ours, after libccd's README",
-       "libccd has none; a zero component of the direction gives the middle."},
-      {"centres", "body origins; of a hull the mean of its vertices",
-       "MPR starts from a point inside each."},
-      {"normal", "A->B, as it comes",
-       "The direction in which B is to be moved; may be NaN."},
+       "About 2 s of EPA; a count draws the same line on every machine."},
+      {"support functions", "our own, after libccd's README",
+       "libccd has none; a zero component of the direction selects the middle."},
+      {"centres", "body origins; for a hull the mean of its vertices",
+       "MPR starts from a point inside each body."},
+      {"normal", "A->B, unchanged",
+       "The direction in which B must be moved; may be NaN."},
       {"depth sign", "positive penetrating, negated", "ccd/ccd.h."},
-      {"contact position", "as it comes", "Somewhere in the overlap, on no surface."},
-      {"version", "of its pkg-config file",
+      {"contact position", "unchanged", "Somewhere in the overlap, on no surface."},
+      {"version", "from its pkg-config file",
        "The library states none; Debian calls it 2.1."},
   };
   info.capabilities = CapabilityTable(
@@ -139,8 +140,8 @@ OracleInfo MakeInfo(Algorithm algorithm) {
 ContactAnswer Translate(const Penetration& penetration) {
   if (penetration.status == -2) return CrashedAnswer("libccd ran out of memory");
   if (penetration.gave_up()) {
-    return TimedOutAnswer("no answer by support point " +
-                          std::to_string(kMostSupportPoints));
+    return TimedOutAnswer("no answer after " + std::to_string(kMostSupportPoints) +
+                          " support points");
   }
   ContactAnswer answer;
   answer.status = AnswerStatus::kAnswered;
@@ -208,7 +209,7 @@ class CcdOracle final : public Oracle {
 std::vector<std::unique_ptr<Oracle>> CcdOracles() {
   std::vector<std::unique_ptr<Oracle>> oracles;
   IsolationLimits limits;
-  // The support points are counted before.
+  // The count of support points stops EPA long before.
   limits.cpu = std::chrono::minutes(1);
   limits.wall = std::chrono::hours(1);
   oracles.push_back(Isolate(std::make_unique<CcdOracle>(Algorithm::kEpa), limits));

@@ -16,12 +16,12 @@ namespace {
 using Eigen::Vector3d;
 using enum ShapeKind;
 
-// The geoms of a question, A's and B's, whatever their types.
+// A model of two geoms, for A and B. Their types and sizes are set for each question.
 constexpr const char* kTwoGeoms =
     R"(<mujoco><worldbody><geom type="sphere" size="1"/>)"
     R"(<geom type="sphere" size="1"/></worldbody></mujoco>)";
 
-/** What MuJoCo calls a shape. */
+/** A shape in MuJoCo's terms. */
 struct Geom {
   int type;
   Vector3d size;
@@ -40,7 +40,7 @@ std::optional<Geom> ToMujoco(const Shape& shape) {
   return std::nullopt;
 }
 
-/** Two geoms that take the sizes and places of one question after the other. */
+/** Two geoms that are resized and moved for each question. */
 class Pair {
  public:
   Pair() : model_(mj_copyModel(nullptr, &Prototype())), data_(mj_makeData(&*model_)) {}
@@ -78,14 +78,14 @@ class Pair {
     return *model;
   }
 
-  /** Returns the type of the geom. */
+  /** Sets type, size and pose of the geom `index`. Returns its type. */
   int Place(const Body& body, std::ptrdiff_t index) {
     const Geom geom = *ToMujoco(body.shape);
     model_->geom_type[index] = geom.type;
     Vector3d::Map(model_->geom_size + 3 * index) = geom.size;
     Vector3d::Map(data_->geom_xpos + 3 * index) = body.X_WB.p_WB;
     Eigen::Matrix3d::Map(data_->geom_xmat + 9 * index) =
-        body.X_WB.R_WB.transpose();  // Row by row.
+        body.X_WB.R_WB.transpose();  // MuJoCo stores matrices row by row.
     return geom.type;
   }
 
@@ -111,7 +111,7 @@ Capability MujocoCapability(ShapeKind a, ShapeKind b) {
     capability.reason = "MuJoCo has no cone";
   } else if (either(kConvexHull)) {
     capability.reason =
-        "MuJoCo keeps vertices in single precision, and moves them: another hull";
+        "MuJoCo stores vertices in single precision and moves them: a different hull";
   } else if (a == kHalfSpace && b == kHalfSpace) {
     capability.reason = "MuJoCo does not collide planes";
   }
@@ -120,7 +120,7 @@ Capability MujocoCapability(ShapeKind a, ShapeKind b) {
   capability.family = FamilyOf(a, b);
   capability.depth = true;
   capability.normal = true;
-  // libccd gives one point.
+  // libccd returns one point.
   capability.manifold = capability.family != "mpr";
   if (capability.family == "mpr") {
     capability.documented_error = 1e-6;
@@ -139,15 +139,16 @@ void AnswerByMujoco(const OracleInfo& info, std::span<const ContactQuery> querie
 void DescribeMujocoContacts(OracleInfo& info) {
   info.capabilities = CapabilityTable(MujocoCapability);
   const std::vector<Setting> settings = {
-      {"entry point", "mjCOLLISIONFUNC", "What mj_collision() calls for a pair."},
-      {"margin", "0", "Contacts only of what touches."},
+      {"entry point", "mjCOLLISIONFUNC", "mj_collision() calls it for a pair."},
+      {"margin", "0", "Only touching geoms have contacts."},
       {"contacts", std::to_string(mjMAXCONPAIR), "mjMAXCONPAIR."},
-      {"normal", "of mjContact::frame", "From the geom of the lesser type: turned."},
-      {"depth sign", "negative penetrating", "mjContact::dist, as it comes."},
-      {"contact position", "midway", "mjContact::pos, as it comes."},
+      {"normal", "first axis of mjContact::frame",
+       "It points away from the geom of the lesser type: negated if that is B."},
+      {"depth sign", "negative penetrating", "mjContact::dist, unchanged."},
+      {"contact position", "midway", "mjContact::pos, unchanged."},
       {"answer's normal and separation", "of the deepest contact",
        "Contacts of one pair may differ in both."},
-      {"half-space", "plane", "Its normal is the z of its geom."},
+      {"half-space", "plane", "Its normal is the z axis of its geom."},
   };
   info.settings.insert(info.settings.end(), settings.begin(), settings.end());
 }

@@ -6,26 +6,28 @@
 
 namespace touchstone {
 
-/** Returns what MuJoCo's collision functions can do of a pair. */
+/** Returns the capability of MuJoCo's collision functions for a pair. */
 Capability MujocoCapability(ShapeKind a, ShapeKind b);
 
-/** Answers by MuJoCo's table of collision functions, mjCOLLISIONFUNC, with margin 0:
- what mj_collision() calls for a pair that is near.
+/** Answers `queries` with MuJoCo's table of collision functions, mjCOLLISIONFUNC, and
+ margin 0: mj_collision() calls these functions for a pair that is near.
 
- What the translation hides:
- - geoms are those of one model, resized and moved for each question;
- - the functions want the geom of the lesser type first: swapped, and the normal with it;
- - contact.frame starts with the normal, from the first geom to the second;
- - contact.dist is negative when penetrating, contact.pos midway: as here;
- - a half-space is a plane, whose normal is z: as here;
+ The translation does the following:
+ - the two geoms are those of one model, resized and moved for each question;
+ - the functions require the geom of the lesser type first: the geoms are swapped if
+   necessary, and the normal is then negated;
+ - contact.frame starts with the normal, from the first geom to the second: unchanged;
+ - contact.dist is negative when penetrating, contact.pos is midway: unchanged;
+ - a half-space is a plane whose normal is z: unchanged;
  - the answer's normal and separation are those of the deepest contact.
 
- MuJoCo keeps the vertices of meshes in single precision and moves them to their principal
- axes: it would answer about another hull. It has no cones. */
+ Hulls are unsupported: MuJoCo stores the vertices of meshes in single precision and moves
+ them to their principal axes, so it would answer for a different hull. Cones do not
+ exist in MuJoCo. */
 void AnswerByMujoco(const OracleInfo& info, std::span<const ContactQuery> queries,
                     std::span<ContactAnswer> answers);
 
-/** Adds to `info` the capabilities above, and what is set. */
+/** Adds the capabilities above and the settings to `info`. */
 void DescribeMujocoContacts(OracleInfo& info);
 
 }  // namespace touchstone

@@ -22,7 +22,7 @@ std::string Text(const Vector3d& v) {
   return fmt::format("{} {} {}", v.x(), v.y(), v.z());
 }
 
-// `size`, a half-space's being that of a picture of it.
+// The attributes `type` and `size`. The size of a plane is only used for rendering.
 std::string GeomOf(const Shape& shape) {
   if (const auto* sphere = std::get_if<Sphere>(&shape))
     return fmt::format(R"(type="sphere" size="{}")", sphere->radius);
@@ -41,7 +41,8 @@ std::string Site(std::string_view name, const Vector3d& p) {
   return fmt::format(R"(<site name="{}" pos="{}"/>)", name, Text(p));
 }
 
-/** Writes a world, the ends of its springs and joints into their bodies. */
+/** Writes a world as MJCF. The ends of springs and joints become sites of their bodies.
+ */
 class Writer {
  public:
   Writer(const World& world, std::size_t contacts)
@@ -68,12 +69,12 @@ class Writer {
   std::string operator()() const {
     const std::size_t contacts = MostContacts();
     const std::size_t rows = 4 * contacts + world_.joints.size();
-    // MuJoCo counts the bytes of its buffer in an int: of numbers and indices of rows by
-    // rows, and twice of rows by degrees of freedom.
+    // MuJoCo counts the bytes of its buffer in an int. The buffer holds numbers and
+    // indices for matrices of size rows × rows, and twice for rows × degrees of freedom.
     const double bytes = 12.0 * static_cast<double>(rows * (rows + 2 * Freedoms()));
     if (bytes > std::numeric_limits<int>::max()) {
       throw std::runtime_error(
-          fmt::format("MuJoCo has no room for {} contacts of {} bodies: it takes 2 GiB",
+          fmt::format("MuJoCo cannot hold {} contacts of {} bodies: its limit is 2 GiB",
                       contacts, world_.bodies.size()));
     }
     return fmt::format(
@@ -91,7 +92,7 @@ class Writer {
     return A.collides && B.collides && (A.mass > 0 || B.mass > 0);
   }
 
-  /** Returns for how many contacts there is to be room. */
+  /** Returns the number of contacts for which memory is reserved. */
   std::size_t MostContacts() const {
     std::size_t contacts = 1;
     for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
@@ -99,7 +100,7 @@ class Writer {
         if (!CanTouch(BodyAt(i), BodyAt(j))) continue;
         const bool round = KindOf(BodyAt(i).placed.shape) == ShapeKind::kSphere ||
                            KindOf(BodyAt(j).placed.shape) == ShapeKind::kSphere;
-        contacts += round ? 1 : 8;  // MuJoCo gives at most eight, of a box on a box.
+        contacts += round ? 1 : 8;  // MuJoCo returns at most eight, for two boxes.
       }
     }
     return std::min(contacts, room_);
@@ -107,9 +108,9 @@ class Writer {
 
   std::size_t Freedoms() const { return 6 * world_.bodies.size(); }
 
-  /** Returns how many numbers MuJoCo may need at once. Its solver takes three times the
-   square of the degrees of freedom, as measured, and a row for each constraint; what
-   it reserves of its own accord are five times the square of all of them. */
+  /** Returns the size of MuJoCo's stack, in numbers. According to measurements its solver
+   needs three times the square of the degrees of freedom, and a row per constraint. Its
+   own default is five times the square of the sum of both. */
   std::size_t StackFor(std::size_t rows) const {
     const std::size_t freedoms = Freedoms();
     return 4 * freedoms * freedoms + rows * freedoms + 200 * (rows + freedoms);
@@ -157,13 +158,14 @@ class Writer {
         i, PlaceOf(body.placed.X_WB), body.mass, Text(InertiaOf(body)), geom, sites_[i]);
   }
 
-  // Without friction a contact has one dimension: the friction of others is at least 1e-5
-  // (mjMINMU).
+  // A frictionless contact must have dimension 1: with more dimensions, friction is at
+  // least 1e-5 (mjMINMU).
   static std::string FrictionOf(double mu) {
     return fmt::format(R"(condim="{}" friction="{} 0 0")", mu > 0 ? 3 : 1, mu);
   }
 
-  // MuJoCo takes the larger friction of two geoms; of a pair it is told.
+  // Adds explicit pairs with their friction. Without them MuJoCo uses the larger friction
+  // of the two geoms.
   void AddPairs() {
     for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
       for (std::size_t j = i + 1; j < world_.bodies.size(); ++j) {
@@ -180,7 +182,7 @@ class Writer {
 
   const World& world_;
   std::size_t room_;
-  std::vector<std::string> sites_;  // Of each body.
+  std::vector<std::string> sites_;  // Sites indexed by body.
   std::string world_sites_;
   std::string bodies_;
   std::string pairs_;
@@ -199,13 +201,13 @@ void InitialiseMujoco() {
 }
 
 MujocoModel Compile(const std::string& mjcf) {
-  static std::mutex mutex;  // The reader keeps the last model it read for the process.
+  static std::mutex mutex;  // The reader keeps the last model in a global variable.
   const std::lock_guard lock(mutex);
   static const char* const kName = "world.xml";
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
   if (mj_makeEmptyFileVFS(files.get(), kName, static_cast<int>(mjcf.size())) != 0)
-    throw std::runtime_error("MuJoCo has no room for a model of that size");
+    throw std::runtime_error("MuJoCo cannot hold a model of this size");
   const int file = mj_findFileVFS(files.get(), kName);
   mjcf.copy(static_cast<char*>(files->filedata[file]), mjcf.size());
   std::array<char, 500> error{};

@@ -18,21 +18,22 @@ struct DeleteMujoco {
 using MujocoModel = std::unique_ptr<mjModel, DeleteMujoco>;
 using MujocoData = std::unique_ptr<mjData, DeleteMujoco>;
 
-/** Makes MuJoCo speak to the standard error instead of a file in the working directory,
- and abort where it would exit. For the whole process, once. */
+/** Makes MuJoCo print to the standard error instead of a file in the working directory,
+ and abort instead of exit. Affects the whole process; to be called once. */
 void InitialiseMujoco();
 
-/** Returns what MuJoCo makes of `mjcf`, a model in its own format.
- @throws std::runtime_error with what it says where it refuses. Thread safe. */
+/** Returns the model compiled from `mjcf`, MuJoCo's own text format. Thread safe.
+ @throws std::runtime_error with MuJoCo's message if it refuses the model. */
 MujocoModel Compile(const std::string& mjcf);
 
-/** Returns `world` as MJCF: a body "b<i>" with a geom "g<i>" for each body, the static
- ones as geoms of MuJoCo's world; a tendon "s<i>" for each spring and "j<i>" for each
- joint, with an equality of the same name. No entry for what has nothing to move. There is
- room for so many `contacts`, or for all that there can be, if those are fewer: MuJoCo
- clears memory that grows with their square. Options are left as they are by default.
- @pre Shapes are spheres, boxes and static half-spaces; anchors are on no particle.
- @throws std::runtime_error where MuJoCo has no such room. */
+/** Returns `world` as MJCF: a body "b<i>" with a geom "g<i>" for each moving body, and a
+ geom "g<i>" of MuJoCo's world for each static one. A spring is a tendon "s<i>"; a joint
+ is a tendon "j<i>" with an equality of the same name. Springs and joints that cannot move
+ anything are left out. The model can hold `contacts` contacts, or fewer if the world
+ cannot have that many: MuJoCo clears memory that grows with their square. Options keep
+ their default values.
+ @pre Shapes are spheres, boxes and static half-spaces; no anchor is on a particle.
+ @throws std::runtime_error if MuJoCo cannot hold that many contacts. */
 std::string ToMjcf(const World& world, std::size_t contacts);
 
 }  // namespace touchstone

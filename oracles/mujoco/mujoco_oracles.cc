@@ -23,7 +23,7 @@ class MujocoOracle final : public Oracle {
       for (auto& row : info_.capabilities) {
         for (Capability& capability : row)
           capability.reason =
-              "RK4 steps worlds; contact queries are for the oracle \"mujoco\"";
+              "RK4 only steps worlds; the oracle \"mujoco\" answers contact queries";
       }
     }
     DescribeMujocoWorlds(integrator, info_);
@@ -57,7 +57,7 @@ std::vector<std::unique_ptr<Oracle>> MujocoOracles() {
   std::vector<std::unique_ptr<Oracle>> oracles;
   oracles.push_back(std::make_unique<MujocoOracle>(MujocoIntegrator::kEuler));
   oracles.push_back(std::make_unique<MujocoOracle>(MujocoIntegrator::kRk4));
-  // What it calls an error ends the process.
+  // An error inside MuJoCo ends the process.
   for (std::unique_ptr<Oracle>& oracle : oracles)
     oracle = Isolate(std::move(oracle), {}, IsolationScope::kWorlds);
   return oracles;

@@ -7,9 +7,9 @@
 
 namespace touchstone {
 
-/** Returns "mujoco" and "mujoco/rk4". Both simulate worlds, the first by MuJoCo's
- semi-implicit Euler, the second by Runge and Kutta's method of fourth order
- (mujoco_world.h). The first answers contact queries, by MuJoCo's collision functions
+/** Returns the oracles "mujoco" and "mujoco/rk4". Both simulate worlds (mujoco_world.h),
+ the first with MuJoCo's semi-implicit Euler, the second with the fourth-order Runge-Kutta
+ method. The first also answers contact queries with MuJoCo's collision functions
  (mujoco_contacts.h). */
 std::vector<std::unique_ptr<Oracle>> MujocoOracles();
 

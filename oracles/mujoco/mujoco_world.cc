@@ -17,13 +17,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The share of its error that a rod takes back in a step, as in ODE.
+// The fraction of its error that a rod corrects in a step, as in ODE.
 constexpr double kErrorReduction = 0.2;
 
-// A constraint is solved for the acceleration −b v − d k r, of which it gets the share d,
-// its impedance ("Solver parameters" in MuJoCo's documentation of its computations). With
-// the highest d, b = 1/h and k = 0 it stops what approaches in one step, but for 1e-4 of
-// it, and pushes nothing out. MuJoCo divides the b it is given by d, and k by d².
+// The stiffness of a constraint. MuJoCo aims at the acceleration −b v − d k r and reaches
+// the fraction d of it, the impedance ("Solver parameters" in MuJoCo's documentation of
+// its computations). With the highest d, b = 1/h and k = 0, a contact stops an approach
+// in one step except for 1e-4 of it, and pushes nothing out. MuJoCo divides the given b
+// by d, and the given k by d².
 struct Stiffness {
   mjtNum solref[mjNREF];
   mjtNum solimp[mjNIMP];
@@ -65,7 +66,8 @@ class MujocoSimulation final : public Simulation {
   void Step() override {
     Save();
     mj_step(model_.get(), data_.get());
-    // What has no room is dropped: taken again with twice the room.
+    // MuJoCo drops contacts that do not fit. The step is then repeated with twice the
+    // space.
     while (HasWarned({mjWARN_CONTACTFULL, mjWARN_CNSTRFULL})) {
       const int had = model_->nconmax;
       room_ *= 2;
@@ -75,7 +77,7 @@ class MujocoSimulation final : public Simulation {
       Restore();
       mj_step(model_.get(), data_.get());
     }
-    // MuJoCo starts the world anew where a number is none or large.
+    // MuJoCo resets the world if a number is NaN or too large.
     was_reset_ |= HasWarned({mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC});
   }
 
@@ -103,7 +105,7 @@ class MujocoSimulation final : public Simulation {
     for (int i = 0; i < data_->ncon; ++i) {
       const mjContact& contact = data_->contact[i];
       if (contact.efc_address < 0) continue;
-      mjtNum force[6];  // Of A on B, along the axes of the contact.
+      mjtNum force[6];  // Force and torque of A on B, along the axes of the contact.
       mj_contactForce(model_.get(), data_.get(), i, force);
       const Eigen::Map<const Eigen::Matrix3d> axes_W(contact.frame);
       ContactImpulse& impulse = impulses.emplace_back();
@@ -116,18 +118,19 @@ class MujocoSimulation final : public Simulation {
     }
   }
 
-  // What RK4 leaves are the forces of its last quarter.
+  // RK4 leaves only the forces of its last stage.
   bool GivesImpulses() const override { return model_->opt.integrator == mjINT_EULER; }
 
  private:
-  /** Where MuJoCo keeps a body: −1 for one that does not move. */
+  /** MuJoCo's indices of a body; −1 for a static body. */
   struct BodyDofs {
     int body = -1;
-    int position = -1;  // Into qpos: position, then quaternion.
-    int velocity = -1;  // Into qvel: world frame, then body frame.
+    int position = -1;  // Index into qpos: position, then quaternion.
+    int velocity = -1;  // Index into qvel: velocity in the world frame, then angular
+                        // velocity in the body frame.
   };
 
-  /** Makes the world as it starts, with room for `room_` contacts. */
+  /** Creates the world in its initial state, with space for `room_` contacts. */
   void Make() {
     model_ = Compile(ToMjcf(question_, room_));
     mjOption& option = model_->opt;
@@ -157,7 +160,7 @@ class MujocoSimulation final : public Simulation {
     });
   }
 
-  /** Keeps what a step starts from. */
+  /** Saves the state from which a step starts. */
   void Save() {
     saved_.time = data_->time;
     saved_.qpos.assign(data_->qpos, data_->qpos + model_->nq);
@@ -183,7 +186,7 @@ class MujocoSimulation final : public Simulation {
   void MakeRigid() {
     mjOption& option = model_->opt;
     option.cone = mjCONE_ELLIPTIC;
-    option.tolerance = mjMINVAL;  // Until nothing improves.
+    option.tolerance = mjMINVAL;  // Iterates until nothing improves.
     option.iterations = 1000;
     option.enableflags |= mjENBL_OVERRIDE;
     option.o_margin = 0;
@@ -211,7 +214,7 @@ class MujocoSimulation final : public Simulation {
         OrientationOf(dofs).conjugate() * asked.w_WB;
   }
 
-  /** What a step starts from. */
+  /** The state from which a step starts. */
   struct Saved {
     mjtNum time = 0;
     std::vector<mjtNum> qpos;
@@ -219,7 +222,7 @@ class MujocoSimulation final : public Simulation {
     std::vector<mjtNum> warm;
   };
 
-  // Contacts that there is room for at first.
+  // The initial space for contacts: a fixed number and a number per body.
   static constexpr std::size_t kFewContacts = 100;
   static constexpr std::size_t kContactsOfBody = 6;
 
@@ -232,15 +235,16 @@ class MujocoSimulation final : public Simulation {
   MujocoModel model_;
   MujocoData data_;
   std::vector<BodyDofs> bodies_;
-  std::vector<int> geoms_;  // Of each geom, the body that it is of.
+  std::vector<int> geoms_;  // Index of the body, indexed by geom.
 };
 
-// Empty for what MuJoCo does simulate.
+// Returns why MuJoCo does not simulate `feature`; empty if it does.
 std::string WhyNot(WorldFeature feature) {
   switch (feature) {
     case WorldFeature::kOtherShape:
     case WorldFeature::kStaticOtherShape:
-      return "MuJoCo has no cone; of what it has, this adapter moves spheres and boxes";
+      return "MuJoCo has no cone; this adapter simulates spheres, boxes and static "
+             "half-spaces only";
     case WorldFeature::kRestitution:
       return "MuJoCo has no coefficient of restitution: its contacts are damped springs";
     case WorldFeature::kParticle:
@@ -266,34 +270,31 @@ void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info) {
   }
   const std::vector<Setting> settings = {
       {"world: solver", "Newton, 1000 iterations, tolerance 1e-15",
-       "Until nothing improves: MuJoCo's 1e-8 would be measured in place of its contact "
-       "law."},
+       "It iterates until nothing improves: the residual of MuJoCo's default 1e-8 would "
+       "hide its contact law."},
       integrator == MujocoIntegrator::kEuler
           ? Setting{"world: integrator", "Euler",
                     "Semi-implicit; rotation by the exponential map."}
-          : Setting{"world: integrator", "RK4", "Runge and Kutta's of fourth order."},
+          : Setting{"world: integrator", "RK4", "Fourth-order Runge-Kutta method."},
       {"world: contact softness", "solref 0, -d/h; solimp d = 0.9999",
-       "MuJoCo's contacts are damped springs. So stiff that one step stops what "
-       "approaches, "
-       "but for 1e-4 of it; nothing is pushed out, which would add energy. Its default "
-       "is "
-       "a spring that settles over 0.02 s at any step."},
+       "MuJoCo's contacts are damped springs. These are so stiff that one step stops an "
+       "approach except for 1e-4 of it. Nothing is pushed out, which would add energy. "
+       "The default is a spring that settles over 0.02 s at any step."},
       {"world: contact law", "convex",
-       "MuJoCo's relaxation of Coulomb's law: what slides also lifts, at mu times the "
-       "speed of its slip."},
+       "MuJoCo's relaxation of Coulomb's law: a sliding body also lifts off, at mu times "
+       "its slip velocity."},
       {"world: restitution", "none",
-       "A world in which two bodies can bounce is "
-       "unsupported."},
+       "A world in which two bodies can bounce is unsupported."},
       {"world: friction", "sqrt(mu_A mu_B)",
-       "By explicit pairs where bodies differ: MuJoCo takes the larger."},
+       "Set by explicit pairs if bodies differ: MuJoCo's default is the larger one."},
       {"world: friction cone", "elliptic",
        "Coulomb's circle. MuJoCo's default is a pyramid inside it."},
       {"world: friction of spin and roll", "none", "condim 3; 1 where friction is 0."},
       {"world: contact margin", "0", "MuJoCo's default."},
       {"world: distance joint", "equality of a tendon's length",
-       "Between two sites; a fifth of its error is taken back in a step, as in ODE."},
+       "Between two sites; a fifth of its error is corrected in a step, as in ODE."},
       {"world: spring", "tendon with stiffness, damping and spring length",
-       "An explicit force, taken at the start of a step."},
+       "An explicit force, evaluated at the start of a step."},
       {"world: push", "velocities set", "MuJoCo has no impulses."},
       {"world: gyroscopic term", "on, explicit", "It cannot be switched off."},
       {"world: damping, sleeping", "0, none", "MuJoCo's default."},

@@ -7,25 +7,25 @@
 
 namespace touchstone {
 
-/** Which of MuJoCo's integrators moves a world. */
+/** The integrator of MuJoCo that steps a world. */
 enum class MujocoIntegrator {
   kEuler,  ///< Semi-implicit Euler.
-  kRk4,    ///< Runge and Kutta's of fourth order.
+  kRk4,    ///< Fourth-order Runge-Kutta method.
 };
 
-/** How stiff contacts and rods are, and how they are solved. */
+/** The stiffness of contacts and rods, and the way they are solved. */
 enum class MujocoContacts {
-  kRigid,      ///< As rigid as MuJoCo can make them, Coulomb's circular cone.
-  kAsShipped,  ///< MuJoCo's defaults: soft over 20 ms, a pyramid for a cone.
+  kRigid,      ///< The most rigid that MuJoCo allows, with Coulomb's circular cone.
+  kAsShipped,  ///< MuJoCo's defaults: soft over 20 ms, with a friction pyramid.
 };
 
-/** Returns `world` in the hands of MuJoCo.
+/** Returns a simulation of `world` by MuJoCo.
  @pre MuJoCo can simulate it (DescribeMujocoWorlds) and is initialised.
- @throws std::runtime_error where it refuses the model. */
+ @throws std::runtime_error if MuJoCo refuses the model. */
 std::unique_ptr<Simulation> MujocoWorld(const World& world, MujocoIntegrator integrator,
                                         MujocoContacts contacts);
 
-/** Adds to `info` what MuJoCo can do of worlds, and what is set in them. */
+/** Adds MuJoCo's capabilities for worlds, and the settings used in them, to `info`. */
 void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info);
 
 }  // namespace touchstone

@@ -15,7 +15,8 @@ double BoxHeight(const Vector3d& half_extents, const Vector3d& p_B) {
   return (p_B.cwiseAbs() - half_extents).maxCoeff();
 }
 
-// How far a point is from the surface of the four shapes with which ODE's choice varies.
+// The distance of a point from the surface of a shape; 0 for the three shapes for which
+// the place of ODE's point does not vary. [m]
 struct DistanceToSurface {
   Vector3d p_B;
 
@@ -25,7 +26,7 @@ struct DistanceToSurface {
   double operator()(const Capsule& s) const {
     const double along = std::clamp(p_B.z(), -s.half_length, s.half_length);
     const double round = std::abs((p_B - along * Vector3d::UnitZ()).norm() - s.radius);
-    // A deep capsule is a box to dCollideCapsuleBox.
+    // dCollideCapsuleBox treats a deep capsule as a box.
     const Vector3d half_extents(s.radius, s.radius, s.radius + s.half_length);
     return std::min(round, std::abs(BoxHeight(half_extents, p_B)));
   }
@@ -47,7 +48,7 @@ double Distance(const Body& body, const Vector3d& p_W) {
   return std::visit(DistanceToSurface{InBodyFrame(body, p_W)}, body.shape);
 }
 
-// The one of `shifts` along n to midway that fits both surfaces best.
+// The best of `shifts` along n: with it, the midway point fits both surfaces best. [m]
 double BestOf(std::span<const double> shifts, const ContactQuery& query,
               const OdeContact& contact) {
   const double half = contact.depth / 2;
@@ -59,7 +60,8 @@ double BestOf(std::span<const double> shifts, const ContactQuery& query,
   return *std::ranges::min_element(shifts, {}, misfit);
 }
 
-// Of a sphere that is A: from its centre, where that is in the box; else from the box.
+// The shift to midway for a sphere A and a box: from the sphere's centre if that is
+// inside the box, otherwise from the surface of the box. [m]
 double ShiftOfSphereAtBox(const Sphere& sphere, const Vector3d& centre_W, const Body& box,
                           double half) {
   const double height =
@@ -67,13 +69,14 @@ double ShiftOfSphereAtBox(const Sphere& sphere, const Vector3d& centre_W, const 
   return height > 0 ? half : sphere.radius - half;
 }
 
-// Whether dCollideCylinderCylinder() took the branch that lays discs on each other; all
-// else of it is MPR. Its own test of the axes is 1 − |cos| < 1e-3, its normal then one of
-// them.
+// Whether dCollideCylinderCylinder() used its special case for two discs on each other;
+// it uses MPR otherwise. Its own condition for the axes is 1 − |cos| < 1e-3, and its
+// normal is then one of the axes.
 bool IsDiscOnDisc(const ContactQuery& query, const Vector3d& n_W) {
   const Vector3d axis_A = query.A.X_WB.R_WB.col(2);
   const Vector3d axis_B = query.B.X_WB.R_WB.col(2);
-  // Above the rounding of an axis through ODE's quaternions, below any other normal.
+  // Larger than the rounding of an axis by ODE's quaternions, smaller than the deviation
+  // of any other normal.
   constexpr double kAlong = 1e-12;
   return 1 - std::abs(axis_A.dot(axis_B)) < 1e-3 &&
          1 - std::max(std::abs(axis_A.dot(n_W)), std::abs(axis_B.dot(n_W))) < kAlong;
@@ -95,7 +98,8 @@ Eigen::Vector3d MidwayPoint(const ContactQuery& query, const OdeContact& contact
   if (is(query.B, ShapeKind::kHalfSpace)) return p - half * n;
   if (is(query.A, ShapeKind::kHalfSpace)) return p + half * n;
   if (either(ShapeKind::kConvexHull)) return p;
-  // A's surface is half the depth further along n than the midway point, B's half before.
+  // A's surface is half the depth further along n than the midway point, B's surface half
+  // the depth before it.
   const double from_A = -half;
   const double from_B = half;
   if (either(ShapeKind::kSphere)) {
@@ -108,7 +112,7 @@ Eigen::Vector3d MidwayPoint(const ContactQuery& query, const OdeContact& contact
       return p + (first ? shift : -shift) * n;
     }
     if (const auto* cylinder = std::get_if<Cylinder>(&other.shape)) {
-      // The axis is a radius behind the cylinder's surface.
+      // The axis is a radius below the cylinder's surface.
       const double from_axis = half - cylinder->radius;
       return p + BestOf(std::array{from_A, from_B, first ? from_axis : -from_axis}, query,
                         contact) *

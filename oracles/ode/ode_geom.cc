@@ -62,7 +62,7 @@ OdeGeom::OdeGeom(const Body& body) {
 void OdeGeom::MakeConvex(const ConvexHull& hull) {
   const std::optional<ConvexFacets> boundary = BoundaryOf(hull);
   if (!boundary) return;
-  // ODE wants the geom's origin inside: MPR starts its search there.
+  // ODE requires the geom's origin to be inside the hull: MPR starts its search there.
   const bool origin_is_inside = std::ranges::all_of(
       boundary->facets, [](const ConvexFacet& facet) { return facet.offset > 0; });
   if (!origin_is_inside) origin_B_ = boundary->centre;

@@ -7,14 +7,15 @@
 
 #include "scenarios/contact_query.h"
 
-struct dxGeom;  // What ODE's dGeomID points to.
+struct dxGeom;  // ODE's dGeomID is a pointer to it.
 
 namespace touchstone {
 
-/** A posed ODE geom in no space, with the arrays that a convex geom only points to. */
+/** An ODE geom with a pose, outside any space. It owns the arrays of a convex geom, which
+ stores only pointers to them. */
 class OdeGeom {
  public:
-  /** Makes the geom for `body`, or an empty one where ODE has no such shape: a cone, or a
+  /** Creates the geom for `body`, or an empty one if ODE has no such shape: a cone, or a
    convex hull without volume. */
   explicit OdeGeom(const Body& body);
 
@@ -31,7 +32,7 @@ class OdeGeom {
   std::vector<double> planes_;
   std::vector<double> points_;
   std::vector<unsigned> polygons_;
-  Eigen::Vector3d origin_B_ = Eigen::Vector3d::Zero();  // Of the geom, in the body. [m]
+  Eigen::Vector3d origin_B_ = Eigen::Vector3d::Zero();  // Geom origin, body frame. [m]
   std::unique_ptr<dxGeom, Destroy> geom_;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// As many points as ODE returns for a pair of boxes.
+// The maximum number of points that ODE returns for a pair of boxes.
 constexpr int kMaxContacts = 8;
 using Contacts = std::array<dContactGeom, kMaxContacts>;
 
@@ -28,7 +28,8 @@ int Collide(const OdeGeom& a, const OdeGeom& b, Contacts& contacts) {
   return dCollide(a.get(), b.get(), kMaxContacts, contacts.data(), sizeof(dContactGeom));
 }
 
-// ODE is process-wide. It is never closed: oracles may be asked until the process ends.
+// Initialises ODE, whose state is global. It is never closed, because oracles may be
+// called until the process ends.
 void Initialise() {
   static const int initialised = dInitODE2(0);
   (void)initialised;
@@ -62,7 +63,7 @@ Capability CapabilityOf(ShapeKind a, ShapeKind b) {
   capability.family = FamilyOf(a, b);
   capability.depth = true;
   capability.normal = true;
-  // ODE keeps the one point that libccd gives.
+  // ODE passes on the one point that libccd returns.
   capability.manifold = capability.family != "mpr";
   if (capability.family == "mpr") {
     capability.documented_error = 1e-6;
@@ -79,24 +80,24 @@ OracleInfo MakeInfo() {
   info.library = "ODE";
   info.version = dODE_VERSION;
   info.settings = {
-      {"build", dGetConfiguration(), "What dGetConfiguration() says of the library."},
-      {"entry point", "dCollide, geoms made per question, no space",
-       "Spaces add culling, which is not what is asked."},
-      {"contacts", std::to_string(kMaxContacts), "As many as box on box can give."},
+      {"build", dGetConfiguration(), "The result of dGetConfiguration()."},
+      {"entry point", "dCollide, geoms created per question, no space",
+       "Spaces would only add culling."},
+      {"contacts", std::to_string(kMaxContacts), "The maximum for box on box."},
       {"normal", "B->A, negated", "dContactGeom::normal points into g1."},
       {"depth sign", "positive penetrating, negated", "dContactGeom::depth."},
       {"contact position", "moved along the normal to midway",
-       "By a length that follows from the pair and the depth: the table is in "
+       "The distance follows from the pair and the depth: see the table in "
        "ode_contact_point.h."},
-      {"contact position, sphere on box", "on the box; the centre, if that is inside",
-       "Moved from there: one that is off stays off."},
-      {"contact position, MPR pairs", "as it comes",
-       "Somewhere in the overlap, along no surface."},
+      {"contact position, sphere on box", "on the box, or the centre if that is inside",
+       "It is moved by the distance from this place: one that is off stays off."},
+      {"contact position, MPR pairs", "unchanged",
+       "Somewhere in the overlap, on no surface."},
       {"answer's normal and separation", "of the deepest contact",
        "Contacts of one pair may differ in both."},
       {"sizes", "doubled", "dCreateBox, -Capsule and -Cylinder take full lengths."},
       {"half-space", "dCreatePlane(n, n·p)", "A plane geom has no pose."},
-      {"convex hull", "faces computed here, origin moved inside if it is not",
+      {"convex hull", "faces computed here, origin moved inside if it is outside",
        "dCreateConvex takes planes and polygons; MPR starts from the origin."},
   };
   info.capabilities = CapabilityTable(CapabilityOf);
@@ -112,7 +113,7 @@ OracleInfo MakeQuickStepInfo() {
   for (auto& row : info.capabilities) {
     for (Capability& capability : row)
       capability.reason =
-          "QuickStep steps worlds; contact queries are for the oracle \"ode\"";
+          "QuickStep only steps worlds; the oracle \"ode\" answers contact queries";
   }
   DescribeOdeWorlds(OdeStepper::kQuickStep, info);
   return info;
@@ -201,7 +202,7 @@ class OdeOracle final : public Oracle {
   static ContactAnswer AnswerOne(const ContactQuery& query) {
     const OdeGeom a(query.A);
     const OdeGeom b(query.B);
-    if (!a || !b) return UnsupportedAnswer("ODE wants convex hulls to have volume");
+    if (!a || !b) return UnsupportedAnswer("ODE requires convex hulls with volume");
     Contacts contacts;
     const int count = Collide(a, b, contacts);
     return Translate(query, contacts, count);
@@ -241,7 +242,7 @@ std::vector<std::unique_ptr<Oracle>> OdeOracles() {
   std::vector<std::unique_ptr<Oracle>> oracles;
   oracles.push_back(std::make_unique<OdeOracle>());
   oracles.push_back(std::make_unique<QuickStepOracle>());
-  // A world that goes mad aborts it, and the direct solver takes minutes over a pile.
+  // ODE aborts on a diverging world, and its direct solver takes minutes for a pile.
   for (std::unique_ptr<Oracle>& oracle : oracles)
     oracle = Isolate(std::move(oracle), {}, IsolationScope::kWorlds);
   return oracles;

@@ -7,25 +7,27 @@
 
 namespace touchstone {
 
-/** Returns "ode" and "ode/quick". Both step worlds, the first by dWorldStep, the second
- by dWorldQuickStep (ode_world.h); the second answers no contact queries.
+/** Returns the oracles "ode" and "ode/quick" of the Open Dynamics Engine. Both simulate
+ worlds, the first with dWorldStep, the second with dWorldQuickStep (ode_world.h). The
+ second answers no contact queries.
 
- "ode" answers by dCollide() of the Open Dynamics Engine, up to eight contacts a pair.
+ "ode" answers contact queries with dCollide(), up to eight contacts per pair.
 
- What the translation hides:
- - geoms are made for each question, in no space and no world;
- - dContactGeom::normal points into g1, i.e. B to A: negated;
+ The translation does the following:
+ - geoms are created for each question, in no space and no world;
+ - dContactGeom::normal points into g1, i.e. from B to A: negated;
  - dContactGeom::depth is positive when penetrating: negated;
  - dContactGeom::pos is a surface point for some pairs: moved midway
- (ode_contact_point.h);
- - sides, capsule and cylinder lengths are given in full: half sizes are doubled;
- - a half-space is a dPlane, which has no pose: n·x = d is worked out in the world;
- - dCreateConvex wants faces: worked out here (convex_facets.h). Where the body origin is
- not inside the hull, its vertices are moved so that ODE's is, one more rounding each;
+   (ode_contact_point.h);
+ - sides, and lengths of capsules and cylinders, are full sizes: half sizes are doubled;
+ - a half-space is a dPlane, which has no pose: n·x = d is computed in the world frame;
+ - dCreateConvex requires faces: they are computed here (convex_facets.h). If the body
+   origin is not inside the hull, the vertices are shifted so that the geom's origin is,
+   which rounds each once more;
  - the answer's normal and separation are those of the deepest contact.
 
- ODE says nothing of pairs that are apart, and has no cones. Source: ode/contact.h,
- "Describe the contact point between two geoms", and measurement. */
+ ODE returns no distance for pairs that are apart, and has no cones. Source:
+ ode/contact.h, "Describe the contact point between two geoms", and measurement. */
 std::vector<std::unique_ptr<Oracle>> OdeOracles();
 
 }  // namespace touchstone

@@ -16,11 +16,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// As many points as ODE returns for a pair of boxes.
+// The maximum number of points that ODE returns for a pair of boxes.
 constexpr int kMaxContacts = 8;
 
-// [m/(N s)] Contacts of one face make the direct solver's matrix singular; so much
-// softness cures that, and lets a kilogram at rest sink by 1e-11 m/s.
+// [m/(N s)] The contacts of one face make the matrix of the direct solver singular. This
+// softness prevents that, and lets a kilogram at rest sink at 1e-11 m/s.
 constexpr double kConstraintForceMixing = 1e-12;
 
 constexpr int kQuickStepIterations = 200;
@@ -39,7 +39,8 @@ Vector3d FromOde(const dReal* v) {
   return {v[0], v[1], v[2]};
 }
 
-// ODE's generator is the process's; a world has its own, and QuickStep one answer.
+// Replaces ODE's global random seed by that of a world during a scope. So the result of
+// QuickStep does not depend on other worlds.
 class OwnRandom {
  public:
   explicit OwnRandom(unsigned long& seed) : seed_(seed), others_(dRandGetSeed()) {
@@ -67,11 +68,11 @@ class OdeSimulation final : public Simulation {
         world_(dWorldCreate()),
         contact_joints_(dJointGroupCreate(0)),
         space_(dHashSpaceCreate(nullptr)) {
-    // The default one is the process's: two worlds stepped at once abort.
+    // The default threading is global: stepping two worlds at once would abort.
     dWorldSetStepThreadingImplementation(
         world_.get(), dThreadingImplementationGetFunctions(threading_.get()),
         threading_.get());
-    dSpaceSetCleanup(space_.get(), 0);  // The geoms are ours.
+    dSpaceSetCleanup(space_.get(), 0);  // geoms_ owns the geoms.
     const Vector3d& g = world.gravity_W;
     dWorldSetGravity(world_.get(), g.x(), g.y(), g.z());
     if (is_rigid_) {
@@ -88,8 +89,8 @@ class OdeSimulation final : public Simulation {
   void Push(int body, const Vector3d& p_W, const Vector3d& J_W) override {
     const dBodyID pushed = bodies_[static_cast<std::size_t>(body)];
     if (pushed == nullptr) return;
-    // ODE has forces only, and one that lasts a step is not felt by a bounce in that
-    // step.
+    // ODE has no impulses, only forces, and a bounce ignores a force that acts during the
+    // same step. So the velocities are set.
     const RigidBody& asked = question_.bodies[static_cast<std::size_t>(body)];
     const Eigen::Matrix3d R_WB = Orientation(pushed).toRotationMatrix();
     const Vector3d r_W = p_W - FromOde(dBodyGetPosition(pushed));
@@ -143,7 +144,7 @@ class OdeSimulation final : public Simulation {
       impulse.B = IndexOf(geom.g2);
       impulse.p_WC = FromOde(geom.pos);
       impulse.n_AB_W = -FromOde(geom.normal);
-      // ODE's first body is A, or B where A does not move.
+      // f1 acts on the first body of the joint: A, or B if A is static.
       const bool moves_A = bodies_[static_cast<std::size_t>(impulse.A)] != nullptr;
       impulse.J_B_W =
           (moves_A ? -question_.dt : question_.dt) * FromOde(contact.feedback.f1);
@@ -190,14 +191,14 @@ class OdeSimulation final : public Simulation {
     if (!asked.collides) return;
     const OdeGeom& geom = geoms_.emplace_back(asked.placed);
     if (body != nullptr) dGeomSetBody(geom.get(), body);
-    // ODE keeps a pointer for its users, here a number. NOLINTNEXTLINE(*-no-int-to-ptr)
+    // ODE's user pointer stores the index here. NOLINTNEXTLINE(*-no-int-to-ptr)
     dGeomSetData(geom.get(), reinterpret_cast<void*>(index));
     dSpaceAdd(space_.get(), geom.get());
   }
 
-  // A rod between two points, or nothing where neither of them can move.
+  // Creates a rod between two points. Returns null if neither of them can move.
   dJointID Connect(Anchor A, Anchor B, double length) {
-    // ODE turns a joint round whose first body is none.
+    // ODE swaps the bodies of a joint whose first body is null.
     if (BodyOf(A) == nullptr) std::swap(A, B);
     if (BodyOf(A) == nullptr) return nullptr;
     const dJointID joint = dJointCreateDBall(world_.get(), nullptr);
@@ -210,7 +211,7 @@ class OdeSimulation final : public Simulation {
     return joint;
   }
 
-  // A rod that gives: ODE manual, "How to use ERP and CFM".
+  // Adds a spring as a soft rod: ODE manual, "How to use ERP and CFM".
   void Add(const Spring& spring) {
     const double h = question_.dt;
     const double hk_plus_b = h * spring.stiffness + spring.damping;
@@ -227,7 +228,7 @@ class OdeSimulation final : public Simulation {
                : nullptr;
   }
 
-  // Of the anchor, at the start. World frame, [m].
+  // The position of the anchor at the start. World frame, [m].
   Vector3d Place(const Anchor& anchor) const {
     if (anchor.on == AnchorKind::kWorld) return anchor.point;
     return question_.bodies[static_cast<std::size_t>(anchor.index)].placed.X_WB *
@@ -269,19 +270,20 @@ class OdeSimulation final : public Simulation {
   Owned<dxJointGroup> contact_joints_;
   Owned<dxSpace> space_;
   std::vector<OdeGeom> geoms_;
-  std::vector<dBodyID> bodies_;   // Null for what does not move.
-  std::deque<Contact> contacts_;  // Of the last step; ODE points to their feedback.
+  std::vector<dBodyID> bodies_;   // Null for static bodies.
+  std::deque<Contact> contacts_;  // Contacts of the last step; ODE has pointers to them.
 };
 
-// Empty for what ODE does simulate.
+// Returns why ODE does not simulate `feature`; empty if it does.
 std::string WhyNot(WorldFeature feature) {
   switch (feature) {
     case WorldFeature::kOtherShape:
     case WorldFeature::kStaticOtherShape:
-      return "ODE has no cone; of what it has, this adapter moves spheres and boxes";
+      return "ODE has no cone; this adapter simulates spheres, boxes and static "
+             "half-spaces only";
     case WorldFeature::kParticle:
     case WorldFeature::kCloth:
-      return "ODE's bodies have a volume";
+      return "ODE has no point masses";
     default:
       return "";
   }
@@ -302,33 +304,33 @@ void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
   }
   const std::vector<Setting> settings = {
       stepper == OdeStepper::kStep
-          ? Setting{"world: solver", "dWorldStep",
-                    "Direct: there is nothing to converge."}
+          ? Setting{"world: solver", "dWorldStep", "A direct solver, without iterations."}
           : Setting{"world: solver", "dWorldQuickStep, 200 iterations",
-                    "ODE's 20 leave a residual that would be measured in place of its "
-                    "contact law; the random order starts anew with each world."},
+                    "ODE's default of 20 leaves a residual that would hide its contact "
+                    "law. The random order is reset for each world."},
       {"world: integrator",
        "semi-implicit Euler, rotation by Euler's step of a quaternion",
        "ODE's finite rotation mode is off, as it is by default."},
       {"world: contacts", "dHashSpace, up to 8 points a pair",
-       "As many as box on box can give."},
+       "The maximum for box on box."},
       {"world: restitution", "min(e_A, e_B)",
-       "Set per contact: ODE leaves it to the user."},
+       "Set per contact: ODE leaves the rule to the user."},
       {"world: restitution velocity threshold", "0", "bounce_vel."},
       {"world: friction", "sqrt(mu_A mu_B)", "Set per contact."},
       {"world: friction cone", "dContactApprox1",
        "Coulomb's law along each of two fixed directions: a square, not a circle."},
       {"world: error reduction of contacts", "0",
        "dContactSoftERP. Overlap is not pushed out, which would add energy: bodies rest "
-       "as "
-       "deep as they were found. What starts a rounding off a contact may then leave the "
-       "direct solver without an answer, with ODE's 0.2 not."},
+       "at the depth at which they were found. A body that starts one rounding away from "
+       "a contact may then make the direct solver fail; with "
+       "ODE's default of 0.2 it does not."},
       {"world: error reduction of joints", "0.2", "ODE's default."},
       {"world: constraint force mixing", "1e-12",
-       "Faces make the direct solver's matrix singular; a kilogram sinks by 1e-11 m/s."},
+       "With 0, faces make the direct solver's matrix singular. "
+       "A kilogram sinks at 1e-11 m/s."},
       {"world: distance joint", "dJointTypeDBall", "A rod between two points."},
       {"world: spring", "dJointTypeDBall, ERP = hk/(hk+b), CFM = 1/(hk+b)",
-       "As ODE's manual makes springs: an implicit step."},
+       "The formulas of ODE's manual: an implicit step."},
       {"world: push", "velocities set", "ODE has no impulses."},
       {"world: gyroscopic term", "on", "dBodySetGyroscopicMode, ODE's default."},
       {"world: damping, sleeping", "0, off", "ODE's default."},

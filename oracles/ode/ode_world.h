@@ -8,24 +8,24 @@
 
 namespace touchstone {
 
-/** Which of ODE's solvers steps a world. */
+/** The solver of ODE that steps a world. */
 enum class OdeStepper {
   kStep,       ///< dWorldStep: Dantzig's direct solver.
   kQuickStep,  ///< dWorldQuickStep: successive over-relaxation.
 };
 
-/** How constraints are stabilised, and how long QuickStep iterates. */
+/** The stabilisation of constraints, and the number of iterations of QuickStep. */
 enum class OdeConstraints {
-  kRigid,      ///< As rigid as ODE can make them; overlap is not pushed out.
+  kRigid,      ///< The most rigid that ODE allows; overlap is not pushed out.
   kAsShipped,  ///< ODE's defaults.
 };
 
-/** Returns `world` in the hands of ODE.
+/** Returns a simulation of `world` by ODE.
  @pre ODE can simulate it (DescribeOdeWorlds). ODE is initialised. */
 std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper,
                                      OdeConstraints constraints);
 
-/** Adds to `info` what ODE can do of worlds, and what is set in them. */
+/** Adds ODE's capabilities for worlds, and the settings used in them, to `info`. */
 void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info);
 
 }  // namespace touchstone

@@ -1,5 +1,6 @@
-// Tables that others published, run again through the oracles of this project: to the
-// printed digits, or with the difference explained and held to what it is.
+// Published benchmark tables, reproduced with the oracles of this project. Each value
+// must agree to the printed digits, or its difference must be explained and stay the
+// same.
 
 #include <algorithm>
 #include <cctype>
@@ -34,9 +35,9 @@ struct Row {
   std::string oracle;
   double dt = 0;  ///< [s]
   std::string quantity;
-  std::string published;  ///< As printed.
-  std::string here;       ///< What comes out today, where that differs; else empty.
-  std::string why;        ///< It differs.
+  std::string published;  ///< Value as printed.
+  std::string here;       ///< Value of this project if it differs; otherwise empty.
+  std::string why;        ///< Reason of the difference.
   std::string source;
 };
 
@@ -62,7 +63,7 @@ const std::vector<Row>& Table() {
   return rows;
 }
 
-/** Returns half a unit of the last digit that `printed` shows, and a hair. */
+/** Returns half a unit of the last digit of `printed`, plus a margin for rounding. */
 double HalfAUnit(const std::string& printed) {
   const std::size_t e = printed.find('e');
   const std::string mantissa = printed.substr(0, e);
@@ -73,7 +74,7 @@ double HalfAUnit(const std::string& printed) {
   return 0.5 * std::pow(10, exponent - decimals) * (1 + 1e-9);
 }
 
-/** One run, which gives several quantities. */
+/** One run, which measures several quantities. */
 struct Benchmark {
   std::string benchmark;
   std::string oracle;
@@ -100,7 +101,7 @@ std::vector<Benchmark> Benchmarks() {
 
 class Published : public testing::TestWithParam<Benchmark> {};
 
-TEST_P(Published, ComesOutToThePrintedDigitsOrAsExplained) {
+TEST_P(Published, IsReproducedToThePrintedDigitsOrAsExplained) {
   const Benchmark& run = GetParam();
   const Oracle& oracle = *Registry().Find(run.oracle);
   const std::map<std::string, double> measured =
@@ -115,7 +116,7 @@ TEST_P(Published, ComesOutToThePrintedDigitsOrAsExplained) {
     if (row.here.empty()) continue;
     EXPECT_GT(std::abs(value - std::stod(row.published)), HalfAUnit(row.published))
         << "improved: " << row.quantity
-        << " is as published; remove what explains why not";
+        << " is as published; remove \"here\" and \"why\" from its line";
   }
 }
 

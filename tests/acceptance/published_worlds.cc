@@ -43,12 +43,13 @@ RigidBody Add(World& world, const Shape& shape, const Vector3d& p_W, double mass
   return body;
 }
 
-/* Its top is z = 0. */
+/* Adds a static box whose top is z = 0. */
 void AddGround(World& world, double restitution, double friction) {
   Add(world, Box{{50, 50, 0.5}}, {0, 0, -0.5}, 0, restitution, friction);
 }
 
-/* Calls `see` with the time and the state at the start and after every step. */
+/* Simulates `world`. Calls `see` with the time and the state at the start and after every
+ step. Returns the last state. */
 WorldState Simulate(const Oracle& oracle, const World& world,
                     const std::function<void(double, const WorldState&)>& see) {
   const std::unique_ptr<Simulation> simulation = oracle.Begin(world);
@@ -67,8 +68,8 @@ WorldState SimulateToEnd(const Oracle& oracle, const World& world) {
   return Simulate(oracle, world, [](double, const WorldState&) {});
 }
 
-/* 49 balls that never meet: one is simulated. The score is the mean of (E − E₀)² over the
- states before each step. */
+/* The benchmark has 49 balls that never collide with each other, so one is simulated. The
+ score is the mean of (E − E₀)² over the states before each step. */
 Measured Bouncing(const Oracle& oracle, double dt) {
   World world = Empty(dt, 20);
   AddGround(world, 1, 0);
@@ -76,7 +77,7 @@ Measured Bouncing(const Oracle& oracle, double dt) {
   Add(world, Sphere{0.1}, {0, 0, 5}, mass, 1, 0);
   const double E_0 = 49 * mass * kGravity * 5;
   double sum = 0;
-  double last = 0;  // After the last step, which is not counted.
+  double last = 0;  // Value after the last step, which is not counted.
   Simulate(oracle, world, [&](double, const WorldState& state) {
     const BodyState& ball = state.bodies[1];
     const double E = 49 * mass * (kGravity * ball.p_WB.z() + ball.v_WB.squaredNorm() / 2);
@@ -89,13 +90,13 @@ Measured Bouncing(const Oracle& oracle, double dt) {
 /* The score is the mean, over the states before each step, of the squared errors of the
  velocities of the plate and of the first ball. */
 Measured Rolling(const Oracle& oracle, double dt, double degrees) {
-  constexpr double kPenetration = 2e-5;  // [m] At the start.
+  constexpr double kPenetration = 2e-5;  // [m] Depth of each contact at the start.
   constexpr double kForce = 150;         // [N]
   constexpr double kPlate = 10;          // [kg]
   constexpr double kBall = 1;            // [kg]
   constexpr int kBalls = 25;
   World world = Empty(dt, 4);
-  // sqrt(0.2 · 0.8) = 0.4 under the plate, 0.8 on it.
+  // Friction is sqrt(0.2 · 0.8) = 0.4 under the plate, and 0.8 on it.
   AddGround(world, 0, 0.2);
   Add(world, Box{{10, 10, 0.5}}, {0, 0, 0.5 - kPenetration}, kPlate, 0, 0.8);
   const Vector3d direction(std::cos(Radians(degrees)), std::sin(Radians(degrees)), 0);
@@ -104,7 +105,7 @@ Measured Rolling(const Oracle& oracle, double dt, double degrees) {
     const Vector3d p_W(2.0 * (i % 5) - 4, 2.0 * (i / 5) - 4, 1.5 - 3 * kPenetration);
     Add(world, Sphere{0.5}, p_W, kBall, 0, 0.8);
   }
-  // All slide under the plate, and roll on it.
+  // The plate slides on the ground, and all balls roll on the plate.
   const double under = 0.4 * (kPlate + kBalls * kBall) * kGravity;
   const double of_ball = (kForce - under) / kPlate / (3.5 / kBall + kBalls / kPlate);
   const double of_plate = (kForce - under - kBalls * of_ball) / kPlate;
@@ -118,7 +119,7 @@ Measured Rolling(const Oracle& oracle, double dt, double degrees) {
   return {{"score", (sum - last) / world.steps}};
 }
 
-/* Errors are the largest after any step. */
+/* Returns the largest errors after any step. */
 Measured Boxes(const Oracle& oracle, double dt, bool is_complex) {
   World world = Empty(dt, 10);
   Add(world, Box{{0.05, 0.2, 0.45}}, Vector3d::Zero(), 10, 0, 0);
@@ -186,7 +187,7 @@ Measured SlipAndRoll(const Oracle& oracle, double dt) {
 Measured Cradle(const Oracle& oracle, double dt) {
   World world = Empty(dt, 0.2);
   world.gravity_W.setZero();
-  // The first starts a tenth of a second away, the others touch by a rounding.
+  // The first ball starts 0.1 m away from the second. The others overlap by 1e-9 m.
   for (int i = 0; i < 5; ++i)
     Add(world, Sphere{0.5}, {i == 0 ? -0.1 : i * (1 - 1e-9), 0, 0}, 1, 1, 0);
   world.bodies[0].v_WB = {1, 0, 0};

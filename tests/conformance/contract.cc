@@ -23,7 +23,8 @@ using Eigen::Vector3d;
 
 constexpr double kGap = 2e-3;  // [m] A hundredth of the smallest feature.
 
-constexpr double kSmallestRadius = 0.23;  // [m] Of the constructed shapes: the capsule's.
+// [m] The radius of the capsule, the smallest of the constructed shapes.
+constexpr double kSmallestRadius = 0.23;
 
 std::string Printed(const Vector3d& v) {
   std::ostringstream out;
@@ -50,8 +51,8 @@ ConstructedContact Moved(const ConstructedContact& contact, const Pose& X) {
           X * contact.p_WM};
 }
 
-/* Where the pair is put, everywhere turned at random: an engine whose fault depends on
- how a direction rounds shows it in some of sixteen. */
+/* Sixteen random poses for the pair. A fault that depends on the rounding of a direction
+ shows in some of them. */
 std::vector<Pose> Placements() {
   std::mt19937_64 random(20260611);
   std::vector<Pose> placements(16);
@@ -63,22 +64,23 @@ const Capability& CapabilityOf(const Oracle& oracle, const ContactQuery& query) 
   return oracle.info().For(KindOf(query.A.shape), KindOf(query.B.shape));
 }
 
-/* Of every length along the normal. [m] */
+/* The tolerance of every length along the normal. [m] */
 double LengthError(const Oracle& oracle, const ContactQuery& query) {
   const Capability& capability = CapabilityOf(oracle, query);
   return kRoundings * oracle.info().unit_roundoff * SceneSize(query) +
          capability.documented_error + capability.documented_relative_error * kGap;
 }
 
-/* How far a length error e can tilt the normal. Apart, the normal joins two points kGap
- from each other, each off by e. Penetrating, a normal off by t overlaps by 1 - cos t of
- the radius of a round feature more than the true one, or by t times the width of a flat
- one, which is less for small t: t <= sqrt(2 e / r). [rad] */
+/* The largest angle by which a length error e can tilt the normal. Apart, the normal
+ joins two points kGap from each other, each off by e. Penetrating, the overlap along a
+ normal that is off by t exceeds the true depth by 1 - cos t times the radius of a round
+ feature, or by t times the width of a flat one. The round feature allows the larger tilt
+ for small t: t <= sqrt(2 e / r). [rad] */
 double AngleError(double e, double separation) {
   return separation > 0 ? 2 * e / separation : std::sqrt(2 * e / kSmallestRadius);
 }
 
-/* As one batch, which an isolated oracle answers in one child. */
+/* Asks all queries in one batch, which an isolated oracle answers in one child. */
 std::vector<ContactAnswer> Ask(const Oracle& oracle,
                                const std::vector<ContactQuery>& queries) {
   std::vector<ContactAnswer> answers(queries.size());
@@ -95,7 +97,7 @@ class Report {
                 std::string(NameOf(KindOf(query.B.shape))) + ", " + std::move(about) +
                 ": ") {}
 
-  // `held` must be written so that a NaN fails.
+  // The caller must write `held` so that a NaN makes it false.
   bool Expect(bool held, const std::string& otherwise) {
     if (!held) breaches_.push_back(prefix_ + otherwise);
     return held;
@@ -126,16 +128,16 @@ bool HasAnswered(Report& report, const ContactAnswer& answer) {
 void ExpectPromised(Report& report, const Capability& capability,
                     const ContactAnswer& answer) {
   if (answer.touching) {
-    report.Expect(!capability.depth || answer.separation, "promised depth is not there");
-    report.Expect(!capability.normal || answer.n_AB_W, "promised normal is not there");
+    report.Expect(!capability.depth || answer.separation, "promised depth is missing");
+    report.Expect(!capability.normal || answer.n_AB_W, "promised normal is missing");
     report.Expect(!capability.manifold || !answer.points.empty(),
-                  "promised contacts are not there");
+                  "promised contacts are missing");
   } else {
     report.Expect(!capability.distance || answer.separation,
-                  "promised distance is not there");
-    // Of bodies that overlap, many an engine has none.
+                  "promised distance is missing");
+    // Only checked for bodies apart: many engines have no witnesses for overlapping ones.
     report.Expect(!capability.witnesses || answer.witnesses,
-                  "promised witnesses are not there");
+                  "promised witnesses are missing");
     report.Expect(answer.points.empty(), "contacts of bodies that do not touch");
   }
 }
@@ -177,8 +179,8 @@ void ExpectSame(Report& report, double e, const ContactAnswer& answer,
                     answer.n_AB_W.has_value() == other.n_AB_W.has_value() &&
                     answer.points.empty() == other.points.empty() &&
                     answer.witnesses.has_value() == other.witnesses.has_value(),
-                "a field comes or goes");
-  // Each of the two may be off by as much as one.
+                "a field appears or disappears");
+  // Each of the two answers may be off by e.
   if (answer.separation && other.separation) {
     report.ExpectNear(*other.separation, *answer.separation, 2 * e, "separation");
   }
@@ -301,8 +303,8 @@ Breaches PushApart(const Oracle& oracle, ShapeKind a, ShapeKind b) {
                        "no contact to push apart")) {
       continue;
     }
-    // Its depth may be off by e, and so may its next answer; a normal tilted by t moves B
-    // by 1 - cos t of the depth too little, which is less than the third.
+    // One e for the error of the depth, one e for the error of the next answer. The third
+    // covers a normal tilted by t, which moves B too little by 1 - cos t times the depth.
     const double clearance = 3 * LengthError(oracle, queries[i]);
     for (auto& [moved, by] : {std::pair(&beyond, clearance - *answer.separation),
                               std::pair(&short_of_it, -clearance - *answer.separation)}) {
@@ -315,8 +317,8 @@ Breaches PushApart(const Oracle& oracle, ShapeKind a, ShapeKind b) {
     for (const ContactAnswer& answer : Ask(oracle, *pushed)) {
       Report report(breaches, queries.front(), "pushed apart");
       report.Expect(answer.touching == touches,
-                    touches ? "no longer touches a clearance short of it"
-                            : "still touches a clearance beyond");
+                    touches ? "no longer touches after a move of depth - clearance"
+                            : "still touches after a move of depth + clearance");
     }
   }
   return breaches;
@@ -362,7 +364,7 @@ Breaches Pure(const Oracle& oracle) {
   for (const auto& [about, answers] : others) {
     for (std::size_t i = 0; i < queries.size(); ++i) {
       Report report(breaches, queries[i], about);
-      report.Expect(SameBits(answers[i], once[i]), "another answer");
+      report.Expect(SameBits(answers[i], once[i]), "a different answer");
     }
   }
   return breaches;

@@ -1,5 +1,5 @@
-// The contract of an oracle, stated once and kept by every oracle there is. An adapter is
-// done when it is listed here and green.
+// The contract of an oracle, stated once and tested for every oracle. An adapter is
+// complete when it is listed here and passes.
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ const Pairs kWorldsOnly = {
 const Pairs kConvexOnly = {{kHalfSpace}, {}};
 const Pairs kAllButTwoHalfSpaces = {{}, {kTwoHalfSpaces}};
 
-/** What an oracle cannot do, in full. */
+/** All pairs that an oracle does not support. */
 struct Unsupported {
   std::string_view oracle;
   Pairs pairs;
@@ -78,15 +78,16 @@ const std::vector<Unsupported> kUnsupported = {
     {"printed:none", kOnlySpheresAndBoxes},
 };
 
-/** Pairs of which an engine gets even the known answer wrong. Asserted: once it is right,
- the pair must go from its row. No other clause is asked of a pair in this table. */
+/** Pairs for which an engine returns a wrong known answer. The fault is asserted: once
+ the engine is right, the pair must be removed from its row. The other clauses are not
+ tested for a pair in this table. */
 struct EngineFault {
   std::string_view oracle;
   Pairs pairs;
   std::string_view why;
 };
 
-/* Those for which GST_INDEP has no closed form. */
+/* The pairs for which GST_INDEP has no closed form. */
 const Pairs kIndepEpa = {{},
                          {{kSphere, kCone},
                           {kSphere, kConvexHull},
@@ -108,26 +109,25 @@ const Pairs kIndepEpa = {{},
 const std::vector<EngineFault> kEngineFaults = {
     {"ode",
      {{}, {{kBox, kCylinder}}},
-     "takes the sine of the angle between cylinder and box axes as sqrt(1 - cos^2), "
-     "which "
-     "near 0 keeps half the digits, times the radius (collision_cylinder_box.cpp)"},
+     "multiplies the radius by sqrt(1 - cos^2) as the sine of the angle between cylinder "
+     "and box axes, which keeps half the digits near 0 (collision_cylinder_box.cpp)"},
     {"ode",
      {{}, {{kCylinder, kConvexHull}}},
-     "along the cylinder's axis its support point normalises what rounding leaves of the "
-     "direction across it, which may point along the axis: false contacts up to a radius "
-     "beyond the end (ccdSupportCyl in collision_libccd.cpp)"},
+     "for a direction along the cylinder's axis its support function normalises the "
+     "rounding error of the radial part, which may point along the axis: false contacts "
+     "up to a radius beyond the end (ccdSupportCyl in collision_libccd.cpp)"},
     {"fcl/collide", {{}, {{kSphere, kCapsule}}}, "puts the contact outside the sphere"},
     {"fcl/collide_indep",
      {{}, {{kSphere, kCapsule}}},
      "puts the contact outside the sphere"},
     {"fcl/collide_indep", kIndepEpa,
-     "its EPA gives the depth with the wrong sign and the normal in a body frame"},
+     "its EPA returns the depth with the wrong sign and the normal in a body frame"},
     {"fcl/distance", kConvexOnly,
      "calls a null support function for the half-space: SIGSEGV"},
     {"fcl/distance",
      {{}, {{kBox, kCapsule}, {kCapsule, kConvexHull}}},
-     "stops when one iteration gains less than distance_tolerance, which does not bound "
-     "the error"},
+     "stops when one iteration gains less than distance_tolerance, "
+     "which does not bound the error"},
     {"fcl/signed_distance", kConvexOnly,
      "calls a null support function for the half-space: SIGSEGV"},
     {"fcl/signed_distance",
@@ -139,15 +139,15 @@ const std::vector<EngineFault> kEngineFaults = {
        {kBox, kCapsule},
        {kCapsule, kCapsule},
        {kCapsule, kConvexHull}}},
-     "stops when one iteration gains less than distance_tolerance, which does not bound "
-     "the error"},
+     "stops when one iteration gains less than distance_tolerance, "
+     "which does not bound the error"},
     {"fcl/distance_indep",
      {{}, {{kSphere, kHalfSpace}, {kCapsule, kHalfSpace}}},
-     "distances off by a millimetre, overlap seen as apart"},
-    {"fcl/signed_distance_indep", kIndepEpa, "an assertion aborts it, distance-inl.h"},
+     "its distances are off by a millimetre, and it reports overlap as apart"},
+    {"fcl/signed_distance_indep", kIndepEpa, "an assertion in distance-inl.h aborts it"},
     {"fcl/signed_distance_indep",
      {{}, {{kSphere, kHalfSpace}, {kCapsule, kHalfSpace}}},
-     "distances off by a millimetre, overlap seen as apart"},
+     "its distances are off by a millimetre, and it reports overlap as apart"},
     {"libccd/epa",
      {{},
       {{kSphere, kSphere},
@@ -167,11 +167,12 @@ const std::vector<EngineFault> kEngineFaults = {
      "puts the contact centimetres off the overlap"},
     {"mujoco",
      {{}, {{kBox, kBox}}},
-     "gives half the depth along the normal of a face (engine_collision_box.c)"},
+     "returns half the depth along the normal of a face (engine_collision_box.c)"},
     {"mujoco",
      {{}, {{kCylinder, kHalfSpace}}},
-     "normalises what rounding leaves of the plane's normal across an upright cylinder's "
-     "axis, which may point along the axis: the contacts are lost (mjc_PlaneCylinder)"},
+     "for an upright cylinder it normalises the rounding error of the radial part of the "
+     "plane's normal, which may point along the axis: the contacts are lost "
+     "(mjc_PlaneCylinder)"},
 };
 
 const EngineFault* FaultOf(std::string_view oracle, ShapeKind a, ShapeKind b) {
@@ -181,7 +182,7 @@ const EngineFault* FaultOf(std::string_view oracle, ShapeKind a, ShapeKind b) {
   return nullptr;
 }
 
-/** Names of tests hold letters, digits and underscores only. */
+/** Returns `name` as the name of a test, with letters, digits and underscores only. */
 std::string TestName(std::string_view name) {
   std::string test_name(name);
   std::replace_if(
@@ -190,8 +191,8 @@ std::string TestName(std::string_view name) {
   return test_name;
 }
 
-/* Every oracle, but of the printed engine the specimen without errata: those of the
- others are there to be found. */
+/* All oracles, with the specimen without errata for the printed engine: the errata of the
+ other specimens violate the contract on purpose. */
 std::vector<std::string> OracleNames() {
   std::vector<std::string> names;
   for (const Oracle* oracle : Registry().All()) {
@@ -206,10 +207,10 @@ class OracleConformance : public testing::TestWithParam<std::string> {
   const Oracle& oracle() const { return *Registry().Find(GetParam()); }
 };
 
-TEST_P(OracleConformance, SaysExactlyWhatItCannotDoAndWhy) {
+TEST_P(OracleConformance, StatesExactlyWhatItDoesNotSupportAndWhy) {
   const auto row = std::find_if(kUnsupported.begin(), kUnsupported.end(),
                                 [](const auto& r) { return r.oracle == GetParam(); });
-  ASSERT_NE(row, kUnsupported.end()) << "add a row, empty if it can do everything";
+  ASSERT_NE(row, kUnsupported.end()) << "add a row, empty if it supports all pairs";
   for (int i = 0; i < kShapeKinds; ++i) {
     for (int j = 0; j < kShapeKinds; ++j) {
       const auto a = static_cast<ShapeKind>(i);
@@ -235,7 +236,7 @@ TEST_P(OracleConformance, IsAPureFunction) {
 INSTANTIATE_TEST_SUITE_P(, OracleConformance, testing::ValuesIn(OracleNames()),
                          [](const auto& instance) { return TestName(instance.param); });
 
-/** One oracle and two kinds of shape that it supports. */
+/** One oracle and a pair of kinds that it supports. */
 struct PairCase {
   std::string oracle;
   ShapeKind a;
@@ -246,7 +247,8 @@ void PrintTo(const PairCase& c, std::ostream* out) {
   *out << c.oracle << ": " << NameOf(c.a) << " - " << NameOf(c.b);
 }
 
-/* Returns the supported pairs with, or without, a fault of the engine. */
+/* Returns the supported pairs that have a fault of the engine, or those that have none.
+ */
 std::vector<PairCase> SupportedPairs(bool faulty) {
   std::vector<PairCase> cases;
   for (const std::string& name : OracleNames()) {
@@ -278,7 +280,7 @@ class PairConformance : public testing::TestWithParam<PairCase> {
   }
 };
 
-TEST_P(PairConformance, GivesTheKnownAnswer) {
+TEST_P(PairConformance, ReturnsTheKnownAnswer) {
   EXPECT_EQ(Of(KnownAnswer), Breaches());
 }
 
@@ -286,11 +288,11 @@ TEST_P(PairConformance, SwappingBodiesOnlyNegatesTheNormal) {
   EXPECT_EQ(Of(Swap), Breaches());
 }
 
-TEST_P(PairConformance, PushedApartByTheirSeparationTheyNoLongerTouch) {
+TEST_P(PairConformance, BodiesPushedApartByTheirDepthNoLongerTouch) {
   EXPECT_EQ(Of(PushApart), Breaches());
 }
 
-TEST_P(PairConformance, RigidMotionOnlyTurnsTheNormal) {
+TEST_P(PairConformance, RigidMotionOnlyRotatesTheNormal) {
   EXPECT_EQ(Of(RigidMotion), Breaches());
 }
 
@@ -302,7 +304,7 @@ class EngineFaults : public PairConformance {};
 TEST_P(EngineFaults, StillShow) {
   const PairCase& c = GetParam();
   EXPECT_FALSE(Of(KnownAnswer).empty())
-      << "improved: remove the pair from the row that says: "
+      << "improved: remove the pair from the row with this fault: "
       << FaultOf(c.oracle, c.a, c.b)->why;
 }
 

@@ -1,6 +1,6 @@
-// What an oracle that simulates worlds promises beside its answers about contacts: it
-// says exactly what it cannot do, does what it says it can, flies as gravity has it, and
-// knows a bounce in closed form.
+// The contract of an oracle that simulates worlds, in addition to that of contact
+// queries. It states exactly what it does not support and supports the rest. Its free
+// flight and its oblique bounce agree with closed forms.
 
 #include <algorithm>
 #include <cctype>
@@ -27,17 +27,18 @@ const OracleRegistry& Registry() {
   return registry;
 }
 
-/** What of worlds an oracle cannot do, in full. An oracle without a row has no worlds. */
+/** An oracle that simulates worlds. An oracle without a row does not. */
 struct Simulator {
   std::string_view oracle;
-  std::vector<WorldFeature> cannot;
-  /** The share of an impulse that the engine leaves undone by design. */
+  std::vector<WorldFeature> cannot;  ///< All features that it does not support.
+  /** The fraction of an impulse by which the engine falls short by design. */
   double softness = 0;
-  /** Its contact law is the convex relaxation of Coulomb's: what slides also lifts, at
-   μ times the speed of its slip (Anitescu 2006). */
+  /** Whether its contact law is the convex relaxation of Coulomb's law: a sliding body
+   also lifts off, at μ times its slip velocity (Anitescu 2006). */
   bool is_convex = false;
-  /** It solves contacts in each stage of a step: an impact takes some steps, and what
-   lifts leaves before it is done. Asked without friction, where nothing lifts. */
+  /** Whether it solves contacts in each stage of a step. An impact then takes several
+   steps, and a body that lifts off leaves before the impact is complete. It is tested
+   without friction, so that nothing lifts off. */
   bool is_staged = false;
 };
 
@@ -45,12 +46,13 @@ const std::vector<Simulator> kSimulators = {
     {"bullet", {kParticle, kSpring, kDistanceJoint, kCloth}},
     {"bullet_float", {kParticle, kSpring, kDistanceJoint, kCloth}},
     {"cookbook", {kOtherShape, kStaticOtherShape}},
-    // Its constraint force mixing, relative to the diagonal of its matrix.
+    // The softness is its constraint force mixing, relative to the diagonal of its
+    // matrix.
     {"dart",
      {kOtherShape, kStaticHalfSpace, kStaticOtherShape, kParticle, kSpring,
       kDistanceJoint, kCloth},
      1e-9},
-    // mjMAXIMP: a contact gets at most 0.9999 of what it is to change.
+    // The softness follows from mjMAXIMP: a contact reaches at most 0.9999 of its target.
     {"mujoco",
      {kOtherShape, kStaticOtherShape, kRestitution, kParticle, kCloth},
      1 - 0.9999,
@@ -60,7 +62,8 @@ const std::vector<Simulator> kSimulators = {
      1 - 0.9999,
      true,
      true},
-    // Its constraints give by CFM = 1e-12 (m/s)/N: m CFM/h = 1.3e-9 of an impulse.
+    // Its constraints yield by CFM = 1e-12 (m/s)/N, which is m CFM/h = 1.3e-9 of an
+    // impulse.
     {"ode", {kOtherShape, kStaticOtherShape, kParticle, kCloth}, 1.3e-9},
     {"ode/quick", {kOtherShape, kStaticOtherShape, kParticle, kCloth}, 1.3e-9},
     {"printed:none", {kOtherShape, kStaticHalfSpace, kStaticOtherShape}},
@@ -81,7 +84,7 @@ RigidBody Ball(const Vector3d& p_W) {
   return ball;
 }
 
-/* Its top is at z = 0. */
+/* Returns a static body at `p_W`, which must place its top at z = 0. */
 RigidBody Slab(const Shape& shape, const Vector3d& p_W) {
   RigidBody slab;
   slab.name = "slab";
@@ -95,7 +98,8 @@ RigidBody SlabOfBox() {
   return Slab(Box{{20, 20, 0.7}}, {0, 0, -0.7});
 }
 
-/* A short world that asks for `feature`, and where it can, for no other but spheres. */
+/* Returns a short world that needs `feature` and, if possible, no other feature except
+ spheres. */
 World WorldWith(WorldFeature feature) {
   World world;
   world.gravity_W = {0, 0, -9.81};
@@ -170,13 +174,14 @@ class WorldConformance : public testing::TestWithParam<std::string> {
     return oracle().info().For(feature).supported;
   }
 
-  /** Of velocities of some metres a second, in so many steps. [m/s] */
+  /** Returns the rounding error of velocities of a few metres per second after all steps
+   of `world`. [m/s] */
   double Rounding(const World& world) const {
     return 64 * world.steps * oracle().info().unit_roundoff;
   }
 };
 
-TEST_P(WorldConformance, SaysExactlyWhatItCannotDoAndDoesTheRest) {
+TEST_P(WorldConformance, StatesExactlyWhatItDoesNotSupportAndSupportsTheRest) {
   for (int i = 0; i < kWorldFeatures; ++i) {
     const auto feature = static_cast<WorldFeature>(i);
     SCOPED_TRACE(NameOf(feature));
@@ -196,7 +201,7 @@ TEST_P(WorldConformance, SaysExactlyWhatItCannotDoAndDoesTheRest) {
   }
 }
 
-TEST_P(WorldConformance, FliesAndSpinsAsGravityHasIt) {
+TEST_P(WorldConformance, FreeFlightAndSpinAgreeWithTheirClosedForms) {
   World world;
   world.gravity_W = {0.3, -0.7, -9.81};
   world.dt = 1.0 / 300;
@@ -213,13 +218,14 @@ TEST_P(WorldConformance, FliesAndSpinsAsGravityHasIt) {
     const BodyState& state = trajectory.samples[i].bodies[0];
     const double rounding = Rounding(world);
     EXPECT_LE((state.v_WB - (ball.v_WB + t * world.gravity_W)).norm(), 8 * rounding);
-    // A method of first order is off by half a step of gravity, others by less.
+    // The velocity of a first-order method is off by half a step of gravity, that of
+    // others by less.
     const Vector3d p_W =
         ball.placed.X_WB.p_WB + t * ball.v_WB + t * t / 2 * world.gravity_W;
     EXPECT_LE((state.p_WB - p_W).norm(),
               world.gravity_W.norm() * world.dt * t / 2 + 8 * rounding);
     EXPECT_LE((state.w_WB - ball.w_WB).norm(), rounding);
-    // Euler's step of a quaternion turns by atan(wh/2), not wh/2.
+    // An Euler step of a quaternion rotates by the half angle atan(wh/2) instead of wh/2.
     const double w = ball.w_WB.norm();
     const Quaterniond q(Eigen::AngleAxisd(w * t, ball.w_WB / w));
     EXPECT_LE(state.q_WB.angularDistance(q),
@@ -227,12 +233,15 @@ TEST_P(WorldConformance, FliesAndSpinsAsGravityHasIt) {
   }
 }
 
-/* A ball that slides as it hits a slab, without gravity, so that nothing but the one
- impact happens; along an axis, where all kinds of friction cones agree. Coulomb's law
- with μ < 2/7 |u| / ((1 + e) |v_n|), u being the slip before, so that it slides
- throughout; J is the normal impulse by mass: J = (1 + e) |v_n|,  v_n' = J − |v_n|,  v_t'
- = v_t − μ J,  ω' = 5/2 μ J / R The convex law, for e = 0, has v_n' = μ u' = μ (u − 7/2 μ
- J) in place of v_n' = 0. */
+/* Expects the closed form of a ball that hits a slab obliquely. There is no gravity, so
+ that only the one impact happens. The slip is along an axis, where all kinds of friction
+ cones agree. Coulomb's law with μ < 2/7 |u| / ((1 + e) |v_n|), where u is the slip before
+ the impact, so that the ball slides throughout. With J, the normal impulse divided by the
+ mass:
+
+     J = (1 + e) |v_n|,  v_n' = J − |v_n|,  v_t' = v_t − μ J,  ω' = 5/2 μ J / R
+
+ The convex law, for e = 0, has v_n' = μ u' = μ (u − 7/2 μ J) in place of v_n' = 0. */
 void ExpectObliqueBounce(const Oracle& oracle, const Simulator& row, double e) {
   const double mu = row.is_staged ? 0 : 0.2;
   constexpr double kRadius = 0.3;
@@ -259,13 +268,14 @@ void ExpectObliqueBounce(const Oracle& oracle, const Simulator& row, double e) {
   const BodyState& after = trajectory.samples.back().bodies[0];
   const double allowed = 2 * row.softness * J + 64 * 16 * oracle.info().unit_roundoff * 5;
   EXPECT_LE((after.v_WB - Vector3d(vt - mu * J, 0, J - vn)).norm(), allowed);
-  // Friction acts at most |v_n| h deep in the slab, nearer to the centre than R.
+  // Friction acts at most |v_n| h inside the slab, so the lever arm is that much shorter
+  // than R.
   const Vector3d w_W(0, 2.5 * mu * J / kRadius, 0);
   EXPECT_LE((after.w_WB - w_W).norm(),
             w_W.norm() * vn * world.dt / kRadius + 2.5 / kRadius * allowed);
 }
 
-TEST_P(WorldConformance, BouncesOffAslantAsCoulombHasIt) {
+TEST_P(WorldConformance, ObliqueBounceAgreesWithCoulombsLaw) {
   if (Supports(kRestitution)) {
     ExpectObliqueBounce(oracle(), row(), 0.8);
   } else {
@@ -274,7 +284,7 @@ TEST_P(WorldConformance, BouncesOffAslantAsCoulombHasIt) {
   }
 }
 
-TEST_P(WorldConformance, StopsDeadWithoutRestitution) {
+TEST_P(WorldConformance, ObliqueImpactWithoutRestitutionAgreesWithTheContactLaw) {
   ExpectObliqueBounce(oracle(), row(), 0);
 }
 
@@ -298,7 +308,7 @@ INSTANTIATE_TEST_SUITE_P(, WorldConformance, testing::ValuesIn(NamesOfSimulators
 TEST(WorldConformanceTable, HasARowForEveryOracleThatSimulates) {
   for (const Oracle* oracle : Registry().All()) {
     const OracleInfo& info = oracle->info();
-    if (info.name == "printed") continue;  // Its errata are there to be found.
+    if (info.name == "printed") continue;  // Its errata violate the contract on purpose.
     EXPECT_EQ(info.simulates, RowOf(info.name) != nullptr) << info.name;
   }
 }

@@ -1,10 +1,11 @@
-// The catalogue as tests: one per scenario, contact query or world, and oracle that
-// answers such, CrossEngine/<oracle>.<scenario>, answered from one run. Known
-// discrepancies pass, as they do for `touchstone run`.
+// The catalogue as tests, named CrossEngine/<oracle>.<scenario>: one per scenario
+// (contact query or world) and oracle that answers such scenarios. All tests of an oracle
+// share one run. Known discrepancies pass, as they do for `touchstone run`.
 //
-// CTest has cross_engine.catalogue, which asks everybody everything once, and an entry
-// per oracle, which asks the same of that one alone: for `ctest -R fcl`. Their label is
-// each_engine; scripts/test leaves them out. --write-ctest FILE makes them.
+// CTest has the entry cross_engine.catalogue, which runs all scenarios on all oracles
+// once. It also has one entry per oracle, which runs all scenarios on that oracle alone,
+// for `ctest -R fcl`. These have the label each_engine, and scripts/test leaves them out.
+// --write-ctest FILE writes the entries.
 #include <algorithm>
 #include <cctype>
 #include <fstream>
@@ -29,8 +30,8 @@
 namespace touchstone {
 namespace {
 
-// GoogleTest filters give ':', '*', '?' and '-' a meaning; names keep clear of all but
-// letters.
+// Replaces all characters except letters and digits by underscores: ':', '*', '?' and '-'
+// have a meaning in GoogleTest filters.
 std::string TestName(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; },
@@ -38,8 +39,8 @@ std::string TestName(std::string name) {
   return name;
 }
 
-// Everything that the tests share: what is asked, who answers, and, once a test needs it,
-// what was found.
+// The shared data of the tests: the questions, the oracles and, once a test needs them,
+// the findings.
 class Suite {
  public:
   static Suite& Instance() {
@@ -56,15 +57,15 @@ class Suite {
     return all;
   }
 
-  // Everybody asked everything.
+  // Runs all questions on all oracles.
   RunReport Report() const {
     return Run(questions_, oracles_, ledger_.ledger.value_or(Ledger{}), {});
   }
 
-  // One oracle asked everything: what a CTest entry needs.
+  // The results of one oracle on all questions, for one CTest entry.
   struct Part {
     RunReport report;
-    std::vector<Outcome> outcomes;  // Per question.
+    std::vector<Outcome> outcomes;  // Indexed by question.
   };
   const Part& Of(std::size_t oracle) {
     Part& part = parts_[oracle];

@@ -1,5 +1,6 @@
-// Each erratum of the published recipes, alone, is found by a measure; with all of them
-// off, nothing is. The comparators do not know which erratum is on: they see an oracle.
+// Each erratum of the published recipes is found by a measure when it is the only one
+// enabled; with none enabled, nothing is found. The comparators do not know which erratum
+// is enabled: they only see an oracle.
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -30,7 +31,7 @@ const Oracle* OracleNamed(const std::string& name) {
   return registry.Find(name);
 }
 
-// Failed findings per measure.
+// The number of failed findings per measure.
 std::map<std::string, int> FailuresAmong(const std::vector<Finding>& findings) {
   std::map<std::string, int> failures;
   for (const Finding& finding : findings) {
@@ -41,7 +42,7 @@ std::map<std::string, int> FailuresAmong(const std::vector<Finding>& findings) {
   return failures;
 }
 
-// What was found of an oracle in contact queries.
+// The failures per measure of an oracle in the contact queries of the catalogue.
 std::map<std::string, int> FailuresOf(const std::string& oracle_name) {
   const Oracle* oracle = OracleNamed(oracle_name);
   if (oracle == nullptr) return {};
@@ -49,7 +50,7 @@ std::map<std::string, int> FailuresOf(const std::string& oracle_name) {
       Run(TheCatalogue().scenarios, std::span(&oracle, 1), {}, {}).findings);
 }
 
-// What was found of an oracle in the worlds whose ids begin so.
+// The failures per measure of an oracle in the worlds whose ids start with `beginning`.
 std::map<std::string, int> FailuresInWorlds(const std::string& oracle_name,
                                             const std::string& beginning) {
   const Oracle* oracle = OracleNamed(oracle_name);
@@ -62,7 +63,7 @@ std::map<std::string, int> FailuresInWorlds(const std::string& oracle_name,
   return FailuresAmong(RunWorlds(worlds, std::span(&oracle, 1), 1, {}).findings);
 }
 
-// "E-10" is "e10" in the names of worlds and of tests.
+// The form of an erratum in the names of worlds and tests: "e10" for "E-10".
 std::string FileNameOf(std::string erratum) {
   erratum.erase(erratum.find('-'), 1);
   erratum[0] = 'e';
@@ -71,7 +72,7 @@ std::string FileNameOf(std::string erratum) {
 
 struct Specimen {
   const char* erratum;
-  const char* measure;  // One that must find it, by what the erratum does.
+  const char* measure;  // A measure that must find it, by the nature of the erratum.
 };
 
 class PrintedErratum : public testing::TestWithParam<Specimen> {};
@@ -87,14 +88,14 @@ TEST_P(PrintedErratum, AloneIsFoundByTheMeasureOfItsKind) {
 INSTANTIATE_TEST_SUITE_P(
     OfContact, PrintedErratum,
     testing::Values(
-        Specimen{"E-01", "touching"},  // Apart on an axis it does not test.
+        Specimen{"E-01", "touching"},  // Apart on an untested axis.
         Specimen{"E-02", "excess"},    // The normal loses its negative components.
         Specimen{"E-03", "separation_error"}, Specimen{"E-04", "consistency_error"},
-        Specimen{"E-05", "excess"},     // A centre inside leaves by the wrong face.
-        Specimen{"E-06", "touching"},   // Concentric shapes are said to be apart.
-        Specimen{"E-07", "answering"},  // Touching, without the promised contact.
+        Specimen{"E-05", "excess"},    // A centre inside is pushed out of the wrong face.
+        Specimen{"E-06", "touching"},  // Concentric shapes are reported as apart.
+        Specimen{"E-07", "answering"},          // Touching, without the promised contact.
         Specimen{"E-08", "contact_off_patch"},  // Four contacts where two are right.
-        Specimen{"E-09", "patch_coverage"},     // Contacts within a centimetre are one.
+        Specimen{"E-09", "patch_coverage"},  // Contacts within a centimetre are merged.
         Specimen{"E-26", "separation_error"}),
     [](const testing::TestParamInfo<Specimen>& instance) {
       return FileNameOf(instance.param.erratum);
@@ -110,24 +111,24 @@ TEST_P(PrintedErratumOfMotion, AloneIsFoundInItsWorldByTheMeasureOfItsKind) {
       << testing::PrintToString(failures);
 }
 
-// Without E-21: no file can hold its world.
+// E-21 is left out, because no scenario file can express its world.
 INSTANTIATE_TEST_SUITE_P(
     OfMotion, PrintedErratumOfMotion,
     testing::Values(
-        Specimen{"E-10", "velocity_error"},     // A blow is not divided by the mass.
-        Specimen{"E-11", "momentum_drift"},     // Damped, though nobody asked.
+        Specimen{"E-10", "velocity_error"},     // An impulse is not divided by the mass.
+        Specimen{"E-11", "momentum_drift"},     // Damping that the world does not state.
         Specimen{"E-12", "restitution"},        // Four contacts share one bounce.
-        Specimen{"E-13", "orientation_error"},  // Balls do not turn.
-        Specimen{"E-14", "spin_error"},  // The inertia does not turn with the plank.
-        Specimen{"E-15", "orientation_error"},       // Euler angles gain ω dt.
+        Specimen{"E-13", "orientation_error"},  // Spheres do not rotate.
+        Specimen{"E-14", "spin_error"},  // The inertia does not rotate with the plank.
+        Specimen{"E-15", "orientation_error"},       // Adds ω dt to Euler angles.
         Specimen{"E-16", "angular_momentum_drift"},  // No gyroscopic term.
-        Specimen{"E-17", "energy_drift"},            // Damping that drives.
+        Specimen{"E-17", "energy_drift"},            // Damping by an unsigned speed.
         Specimen{"E-18", "energy_drift"},            // A force without dt.
-        Specimen{"E-19", "limit_error"},             // A share kept per step.
-        Specimen{"E-20", "answering"},  // Starts at its place times the spacing.
-        Specimen{"E-22", "angular_momentum_drift"},  // Corrections half and half.
-        Specimen{"E-23", "velocity_error"},  // Friction against the slip from before.
-        Specimen{"E-24", "penetration"},     // Pushed out, but not turned.
+        Specimen{"E-19", "limit_error"},             // Damping per step, not per time.
+        Specimen{"E-20", "answering"},  // Cloth position multiplied by its spacing.
+        Specimen{"E-22", "angular_momentum_drift"},  // Corrections split half and half.
+        Specimen{"E-23", "velocity_error"},  // Friction uses the slip before the impact.
+        Specimen{"E-24", "penetration"},     // Pushed out, but not rotated.
         Specimen{"E-25", "friction"}),       // No friction below a threshold.
     [](const testing::TestParamInfo<Specimen>& instance) {
       return FileNameOf(instance.param.erratum);

@@ -8,7 +8,7 @@
 namespace touchstone {
 namespace {
 
-// Balls only, of which those of radius 2 break it.
+// An engine for spheres only, which throws on a sphere of radius 2.
 ContactAnswer Ask(const ContactQuery& query) {
   if (std::get<Sphere>(query.A.shape).radius == 2) throw std::runtime_error("too fat");
   ContactAnswer answer;
@@ -27,7 +27,7 @@ OracleInfo BallsOnly() {
   return info;
 }
 
-TEST(AnswerEach, GoesOnAfterWhatIsUnsupportedAndWhatThrows) {
+TEST(AnswerEach, ContinuesAfterUnsupportedPairsAndExceptions) {
   const Body ball{Sphere{1}, {}};
   const Body fat{Sphere{2}, {}};
   const Body box{Box{{1, 2, 3}}, {}};

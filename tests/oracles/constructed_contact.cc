@@ -13,10 +13,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+// A shape and one of its features.
 struct Feature {
   Shape shape;
-  Vector3d p_B;  // A point of it. [m]
-  Vector3d n_B;  // Its outward normal.
+  Vector3d p_B;  // A point of the feature. [m]
+  Vector3d n_B;  // The outward normal at this point.
 
   bool is_flat() const {
     return !std::holds_alternative<Sphere>(shape) &&
@@ -58,7 +59,8 @@ Feature FeatureOf(ShapeKind kind) {
   return {};
 }
 
-// The rotation that takes the unit vector `from` to `to`, with a spin about it.
+// The rotation that takes the unit vector `from` to `to`, then by the angle `spin` about
+// it.
 Matrix3d Turn(const Vector3d& from, const Vector3d& to, double spin) {
   return (Eigen::AngleAxisd(spin, to) * Eigen::Quaterniond::FromTwoVectors(from, to))
       .toRotationMatrix();
@@ -76,7 +78,7 @@ ConstructedContact PutTogether(ShapeKind a, ShapeKind b, double separation) {
   const Matrix3d R_WA = Turn(A.n_B, n_W, 0.4);
   const Matrix3d R_WB = Turn(B.n_B, -n_W, 1.1);
   const Vector3d p_WFa = p_WM - separation / 2 * n_W;
-  // Far less than any feature's width, far more than rounding.
+  // Much smaller than the width of any feature, much larger than rounding.
   const double shift = A.is_flat() || B.is_flat() ? 0.031 : 0;
   const Vector3d p_WFb = p_WM + separation / 2 * n_W + shift * sideways;
   return {{{A.shape, Pose::FromMatrix(p_WFa - R_WA * A.p_B, R_WA)},
@@ -98,8 +100,8 @@ std::vector<std::pair<ShapeKind, ShapeKind>> AllPairs() {
 
 namespace {
 
-/** Three draws of `number`, one a statement: in one expression their order would be the
- compiler's. */
+/** Returns three draws of `number`. Each has its own statement, because the compiler
+ chooses the order within one expression. */
 template <typename Distribution>
 Vector3d Three(Distribution& number, std::mt19937_64& random) {
   const double z = number(random);

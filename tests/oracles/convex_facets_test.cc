@@ -41,7 +41,7 @@ std::vector<Vector3d> Prism(int sides) {
   return corners;
 }
 
-// Closed, oriented, convex, and with all of Euler's V − E + F = 2.
+// Expects a closed, oriented, convex boundary that satisfies Euler's V − E + F = 2.
 void ExpectIsTheBoundaryOf(const ConvexHull& hull, const ConvexFacets& boundary) {
   std::set<std::pair<int, int>> edges;
   std::size_t edge_uses = 0;
@@ -52,8 +52,8 @@ void ExpectIsTheBoundaryOf(const ConvexHull& hull, const ConvexFacets& boundary)
       edges.emplace(facet.corners[i], facet.corners[(i + 1) % facet.corners.size()]);
       ++edge_uses;
     }
-    // Coordinates are below 4 m; the polygon's plane is a fit through points flat to
-    // kFlatness of that, and thin facets turn it by as much again.
+    // Coordinates are below 4 m. The plane of a polygon is fitted to points that are flat
+    // to kFlatness of that, and a thin facet tilts it by as much again.
     constexpr double kRounding = 4 * 4 * kFlatness;
     for (const Vector3d& vertex : hull.vertices) {
       EXPECT_LE(facet.n_B.dot(vertex), facet.offset + kRounding);
@@ -69,7 +69,7 @@ void ExpectIsTheBoundaryOf(const ConvexHull& hull, const ConvexFacets& boundary)
   EXPECT_EQ(boundary.corners.size() + boundary.facets.size(), edges.size() / 2 + 2);
 }
 
-TEST(ConvexFacets, OfACuboidAreSixQuadrilateralsInAnyAttitude) {
+TEST(ConvexFacets, OfARotatedCuboidAreSixQuadrilaterals) {
   const ConvexHull hull = Turned(CuboidCorners({0.31, 1.7, 0.052}));
   const auto boundary = BoundaryOf(hull);
   ASSERT_TRUE(boundary);
@@ -117,7 +117,7 @@ TEST(ConvexFacets, OfPointsOnASphereHaveEveryPointAsACorner) {
   ExpectIsTheBoundaryOf(hull, *boundary);
 }
 
-TEST(ConvexFacets, KeepASliverAtAnEdgeFromBridgingTwoFaces) {
+TEST(ConvexFacets, AreNotBridgedByASliverAtAnEdge) {
   std::vector<Vector3d> vertices = CuboidCorners({0.5, 0.5, 0.5});
   vertices.emplace_back(0.1, 0.5 + 0x1p-53, 0.5 + 0x1p-53);  // One ulp outside an edge.
   const auto boundary = BoundaryOf({vertices});

@@ -13,7 +13,7 @@
 namespace touchstone {
 namespace {
 
-/** An oracle with a name and nothing to say. */
+/** An oracle with a name that answers nothing. */
 class Named : public Oracle {
  public:
   explicit Named(std::string name) { info_.name = std::move(name); }
@@ -52,7 +52,7 @@ TEST(OracleRegistry, FindsExactNamesOnlyAndKeepsTheOrder) {
   EXPECT_EQ(NamesOf(registry.All()), (std::vector<std::string>{"beta/collide", "alpha"}));
 }
 
-TEST(OracleRegistry, NameThatExistsIsRefusedAndTheFirstStays) {
+TEST(OracleRegistry, RefusesANameThatExistsAndKeepsTheFirst) {
   OracleRegistry registry;
   registry.Add(std::make_unique<Named>("mine"));
   const Oracle* first = registry.Find("mine");
@@ -61,7 +61,7 @@ TEST(OracleRegistry, NameThatExistsIsRefusedAndTheFirstStays) {
   EXPECT_EQ(registry.All().size(), 1u);
 }
 
-TEST(OracleRegistry, SpecimensAreMadeWhenAskedForAndOnlyOnce) {
+TEST(OracleRegistry, SpecimensAreCreatedOnDemandAndOnlyOnce) {
   const OracleRegistry registry = OracleRegistry::BuiltIn();
   const std::size_t listed = registry.All().size();
   std::vector<const Oracle*> found(4);
@@ -76,10 +76,10 @@ TEST(OracleRegistry, SpecimensAreMadeWhenAskedForAndOnlyOnce) {
   EXPECT_EQ(registry.All().size(), listed);
 }
 
-TEST(OracleRegistry, EverySpecimenThatIsNamedCanBeFound) {
+TEST(OracleRegistry, FindsEverySpecimenThatItNames) {
   const OracleRegistry registry = OracleRegistry::BuiltIn();
   const std::vector<std::string> names = registry.SpecimenNames();
-  EXPECT_EQ(names.size(), 28u);  // As printed, put right, and 26 errata.
+  EXPECT_EQ(names.size(), 28u);  // All errata, none, and each of 26 alone.
   for (const std::string& name : names) EXPECT_NE(registry.Find(name), nullptr) << name;
   EXPECT_TRUE(OracleRegistry().SpecimenNames().empty());
 }
@@ -93,7 +93,7 @@ TEST(OracleRegistry, KnowsTheNamesThatAnotherBuildMayHave) {
   EXPECT_FALSE(registry.MayExist("cookbook/quick"));
 }
 
-TEST(OracleRegistry, EveryEngineIsThereOrSaysHowToGetIt) {
+TEST(OracleRegistry, EveryEngineIsPresentOrMissingWithInstructions) {
   const OracleRegistry registry = OracleRegistry::BuiltIn();
   const auto is_missing = [&](const std::string& name) {
     const auto& missing = registry.missing();

@@ -102,7 +102,7 @@ void ExpectJointTakesBackAFifthOfItsError(const Oracle& oracle, double undone,
     ASSERT_NEAR(n.dot(v), wanted + undone * (free - wanted), allowed);
     longest = std::max(longest, r.norm());
   }
-  EXPECT_GT(longest, length + 1e-4);  // There was something to take back.
+  EXPECT_GT(longest, length + 1e-4);  // There was an error to correct.
 }
 
 void ExpectJointHoldsEitherWayRound(const Oracle& oracle, double allowed) {
@@ -125,8 +125,8 @@ void ExpectJointHoldsEitherWayRound(const Oracle& oracle, double allowed) {
   ASSERT_FALSE(other.samples.empty());
   const BodyState& ball = one.samples.back().bodies[1];
   EXPECT_LE((ball.p_WB - other.samples.back().bodies[1].p_WB).norm(), allowed);
-  // A second after: a swing of 3 m/s moves off its circle by (v h)²/2 L = 1e-4 m a step,
-  // of which a fifth is taken back in each.
+  // This is one second later. A swing of 3 m/s leaves its circle by (v h)²/2 L = 1e-4 m
+  // per step, and each step corrects a fifth of the error.
   EXPECT_NEAR((ball.p_WB + ball.q_WB * on_ball.point - p_WPost).norm(), length, 5 * 1e-4);
 }
 

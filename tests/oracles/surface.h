@@ -6,9 +6,9 @@
 
 namespace touchstone {
 
-/** Returns 0 where `p_W` is on the surface of `body`, < 0 inside, > 0 outside; near a
- smooth part of the surface it is the signed distance. [m] The hull of a test has volume.
- */
+/** Returns the height of `p_W` above the surface of `body`: 0 on it, < 0 inside, > 0
+ outside. Near a smooth part of the surface it is the signed distance. [m]
+ @pre A hull has volume. */
 double HeightAboveSurface(const Body& body, const Eigen::Vector3d& p_W);
 
 }  // namespace touchstone

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 constexpr double kDoubleRoundoff = 0x1p-53;
 constexpr double kFloatRoundoff = 0x1p-24;
 
-// Scenes here reach 3 m from the origin, and an answer takes a few dozen operations.
+// Scenes here reach 3 m from the origin, and an answer needs a few dozen operations.
 constexpr double kRounding = 64 * 3 * kDoubleRoundoff;      // [m]
 constexpr double kFloatRounding = 64 * 3 * kFloatRoundoff;  // [m]
 
@@ -46,10 +46,10 @@ Pose Turned(const Vector3d& p_WB, double angle, const Vector3d& axis) {
       p_WB, Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized())));
 }
 
-// Where nothing is aligned with an axis or exact in binary.
+// A pose in which nothing is aligned with an axis or exact in binary.
 const Pose kAwkward = Turned({0.31, -1.27, 0.83}, 0.7, {0.4, -0.9, 0.3});
 
-/* Returns the pose of what is at `p_A` in the awkward frame, turned with it. */
+/* Returns the pose of a body at `p_A` in the awkward frame, rotated with that frame. */
 Pose At(const Vector3d& p_A) {
   return {kAwkward * p_A, kAwkward.R_WB, kAwkward.q_WB};
 }
@@ -62,10 +62,10 @@ ContactQuery SphereOverBox(double separation) {
           {Sphere{1.0 / 3}, At({0.07, -0.03, 0.3 + 1.0 / 3 + separation})}};
 }
 
-TEST(BulletOracles, FloatAndDoubleAnswerInOneProcessEachToItsOwnPrecision) {
+TEST(BulletOracles, FloatAndDoubleAnswerInOneProcessEachWithItsOwnPrecision) {
   const ContactQuery query = {{Sphere{1.0 / 3}, At({0.1, 0.2, 0.3})},
                               {Sphere{0.7}, At({-0.3, 0.5, 1.1})}};
-  // Distance of the centres (0.4, 0.3, 0.8) less the radii.
+  // Distance of the centres (0.4, 0.3, 0.8) minus the radii.
   const double truth = std::sqrt(0.16 + 0.09 + 0.64) - 1.0 / 3 - 0.7;
   for (const std::string path : {"", "/gjk"}) {
     const ContactAnswer first = Bullet("bullet" + path).Answer(query);
@@ -75,8 +75,8 @@ TEST(BulletOracles, FloatAndDoubleAnswerInOneProcessEachToItsOwnPrecision) {
     EXPECT_EQ(*first.separation, *again.separation) << path;
     EXPECT_LE(std::abs(*first.separation - truth), kRounding) << path;
     EXPECT_LE(std::abs(*in_float.separation - truth), kFloatRounding) << path;
-    // Were it the same library twice, the error would be that of doubles. This pose
-    // rounds in float.
+    // If it were the same library twice, the error would be that of doubles. This pose
+    // is not exact in float.
     EXPECT_GT(std::abs(*in_float.separation - truth), 100 * kRounding) << path;
   }
 }
@@ -101,7 +101,8 @@ TEST(BulletOracles, NormalPointsOutOfAIntoB) {
         RoundingOf(oracle) +
         oracle.info().For(ShapeKind::kBox, ShapeKind::kSphere).documented_error;
     EXPECT_NEAR(*answer.separation, -2e-3, allowed) << name;
-    // The nearest point of the core is a third of a metre away.
+    // The sphere's centre is a third of a metre from its surface, so a length error tilts
+    // the normal by three times as many radians.
     EXPECT_LE((*answer.n_AB_W - kAxis).norm(), 3 * allowed) << name;
   }
 }
@@ -111,14 +112,14 @@ TEST(BulletOracles, ContactIsMidwayBetweenTheSurfaces) {
     const Oracle& oracle = Bullet(name);
     const ContactAnswer answer = oracle.Answer(SphereOverBox(-2e-3));
     ASSERT_EQ(answer.points.size(), 1u) << name;
-    // On the face the box reaches z = 0.3, the sphere down to z = 0.298.
+    // The face of the box is at z = 0.3, the lowest point of the sphere at z = 0.298.
     const Vector3d truth = kAwkward * Vector3d(0.07, -0.03, 0.299);
     EXPECT_LE((answer.points[0].p_WC - truth).norm(), RoundingOf(oracle)) << name;
     EXPECT_FALSE(answer.points[0].n_AB_W) << "repeats the answer's own normal";
   }
 }
 
-TEST(BulletOracles, NearbySurfacesDoNotTouchThoughTheManifoldHoldsAPoint) {
+TEST(BulletOracles, NearbySurfacesDoNotTouchEvenIfTheManifoldHoldsAPoint) {
   for (const std::string& name : kNames) {
     const Oracle& oracle = Bullet(name);
     const ContactAnswer answer = oracle.Answer(SphereOverBox(1e-3));
@@ -130,7 +131,7 @@ TEST(BulletOracles, NearbySurfacesDoNotTouchThoughTheManifoldHoldsAPoint) {
 }
 
 TEST(BulletOracles, ZeroSeparationCountsAsTouching) {
-  // Exact in binary, and so is every step from here to zero.
+  // These numbers are exact in binary, and so is every operation on them.
   const ContactQuery query = {
       {Sphere{0.5}, Pose::FromQuaternion({1, 2, 3}, Eigen::Quaterniond::Identity())},
       {Sphere{0.25}, Pose::FromQuaternion({1, 2, 3.75}, Eigen::Quaterniond::Identity())}};
@@ -142,8 +143,9 @@ TEST(BulletOracles, ZeroSeparationCountsAsTouching) {
   }
 }
 
-TEST(BulletOracles, DispatchGivesAFaceOnAFaceFourContactsAndClosestPointsWitnesses) {
-  // B, turned 0.2 about the normal, stands well within the face of A.
+TEST(BulletOracles,
+     DispatchReturnsFourContactsFaceOnFaceAndClosestPointsReturnWitnesses) {
+  // B is rotated by 0.2 about the normal and stands well inside the face of A.
   const double half = 0.2;
   Pose X_WB = At({0.05, -0.04, 0.3 + half - 2e-3});
   X_WB = Pose::FromMatrix(X_WB.p_WB,
@@ -165,8 +167,8 @@ TEST(BulletOracles, DispatchGivesAFaceOnAFaceFourContactsAndClosestPointsWitness
 }
 
 TEST(BulletOracles, MarginsNeitherRoundNorEnlargeAShape) {
-  // Cube corner to cube corner, sqrt(3)/2 apart: Bullet's own margins make it 0.92
-  // (bulletphysics/bullet3#889) and would enlarge the hull by 0.04.
+  // The nearest corners of two cubes are sqrt(3)/2 apart. Bullet's own margins would make
+  // this 0.92 (bulletphysics/bullet3#889) and enlarge the hull by 0.04.
   const Box box{{0.5, 0.5, 0.5}};
   ConvexHull hull;
   for (const double x : {-0.5, 0.5}) {
@@ -187,7 +189,7 @@ TEST(BulletOracles, MarginsNeitherRoundNorEnlargeAShape) {
 }
 
 TEST(BulletOracles, SizesOfSmallShapesSurviveTheMargin) {
-  // Bullet stores h - 0.04 and adds the 0.04 back: of h = 1e-6 that leaves 11 digits.
+  // Bullet stores h - 0.04 and adds the 0.04 back: for h = 1e-6 only 11 digits remain.
   const double h = 1e-6 / 3;
   const ContactQuery query = {{Box{{h, h, h}}, Turned({0, 0, 0}, 0.7, {0.4, -0.9, 0.3})},
                               {HalfSpace{}, Turned({0, 0, 0}, 0.7, {0.4, -0.9, 0.3})}};
@@ -196,7 +198,7 @@ TEST(BulletOracles, SizesOfSmallShapesSurviveTheMargin) {
   EXPECT_NEAR(*answer.separation, -h, 64 * h * kDoubleRoundoff);
 }
 
-TEST(BulletOracles, HalfSpaceIsAPlaneEitherWayRoundAndNotForClosestPoints) {
+TEST(BulletOracles, HalfSpaceIsAPlaneInEitherOrderAndUnsupportedByClosestPoints) {
   const Body plane = {HalfSpace{}, kAwkward};
   const Body cone = {Cone{0.4, 0.6}, At({0.2, 0.1, 0.6 - 3e-3})};
   for (const std::string name : {"bullet", "bullet_float"}) {
@@ -214,7 +216,7 @@ TEST(BulletOracles, HalfSpaceIsAPlaneEitherWayRoundAndNotForClosestPoints) {
   EXPECT_FALSE(refused.reason.empty());
 }
 
-TEST(BulletOracles, PreparedBatchGivesTheSeparationsOfTheAnswers) {
+TEST(BulletOracles, PreparedBatchReturnsTheSeparationsOfTheAnswers) {
   const std::vector<ContactQuery> queries = {
       SphereOverBox(-2e-3),
       SphereOverBox(1e-3),

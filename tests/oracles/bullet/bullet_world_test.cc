@@ -23,8 +23,8 @@ std::array<const Oracle*, 2> Simulators() {
   return {bullets.in_double.front().get(), bullets.in_float.front().get()};
 }
 
-// Velocities of metres a second, each rounded in every step.
-TEST(BulletWorld, ContactImpulsesAreWhatChangesMomentum) {
+// The tolerance is the rounding of velocities of a few metres per second in every step.
+TEST(BulletWorld, ContactImpulsesAccountForTheChangeOfMomentum) {
   const World world = BrickOnSlab();
   for (const Oracle* oracle : Simulators()) {
     ExpectImpulsesChangeMomentum(*oracle, world,
@@ -38,7 +38,8 @@ TEST(BulletWorld, BodiesThatDoNotCollidePassThroughEverything) {
   }
 }
 
-// Bullet's default ERP takes a fifth of a slight overlap in a step; here it stays.
+// Bullet's default ERP removes a fifth of a slight overlap in a step; the adapter keeps
+// it.
 TEST(BulletWorld, PushesOverlapOutOnlyAsShipped) {
   for (const Oracle* oracle : Simulators()) {
     ExpectPushesOverlapOutOnlyAsShipped(*oracle, 0.2e-3 / World().dt, 1e-5);
@@ -52,14 +53,14 @@ TEST(BulletWorld, ClosestPointsDoNotSimulate) {
   EXPECT_EQ(oracles[1]->Simulate(BrickOnSlab()).status, AnswerStatus::kUnsupported);
 }
 
-TEST(BulletWorld, SaysWhyItHasNoSprings) {
+TEST(BulletWorld, StatesWhyItHasNoSprings) {
   for (const Oracle* oracle : Simulators()) {
     World world = BrickOnSlab();
     world.springs.emplace_back();
     const Trajectory trajectory = oracle->Simulate(world);
     EXPECT_EQ(trajectory.status, AnswerStatus::kUnsupported);
     EXPECT_EQ(trajectory.reason,
-              "Bullet has springs along the axes of a body, and none between two points");
+              "Bullet has springs along the axes of a body but none between two points");
   }
 }
 

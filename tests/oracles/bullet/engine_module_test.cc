@@ -9,7 +9,7 @@
 namespace touchstone {
 namespace {
 
-TEST(EngineModule, MissingModuleIsNamedWithThePlacesSearched) {
+TEST(EngineModule, ErrorNamesTheMissingModuleAndTheFoldersSearched) {
   ASSERT_EQ(setenv("TOUCHSTONE_PLUGIN_PATH", "/first/place:/second/place", 1), 0);
   try {
     OpenEngineModule("touchstone_no_such_engine");

@@ -22,7 +22,7 @@ std::vector<ContactQuery> BoxesAtManyDistances() {
   return queries;
 }
 
-TEST(CookbookBatchOracle, DecidesAsOneQueryAfterTheOtherDoes) {
+TEST(CookbookBatchOracle, AgreesWithQueriesAnsweredOneByOne) {
   const std::vector<ContactQuery> queries = BoxesAtManyDistances();
   std::vector<ContactAnswer> batch(queries.size());
   std::vector<ContactAnswer> single(queries.size());
@@ -75,7 +75,7 @@ TEST(CookbookBatchOracle, MixedBatchesKeepTheOrderOfTheQueries) {
   }
 }
 
-TEST(CookbookBatchOracle, SkipsPairsItHasNoBatchFor) {
+TEST(CookbookBatchOracle, SkipsPairsThatItDoesNotSupport) {
   std::vector<ContactQuery> queries = BoxesAtManyDistances();
   queries[3].B.shape = Sphere{0.4};
   std::vector<ContactAnswer> answers(queries.size());

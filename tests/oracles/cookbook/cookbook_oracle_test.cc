@@ -36,10 +36,10 @@ TEST(CookbookOracle, AnswersSpheresAndBoxesAndNothingElse) {
   }
 }
 
-TEST(CookbookOracle, GivesNormalDepthAndContacts) {
+TEST(CookbookOracle, ReturnsNormalDepthAndContacts) {
   const CookbookOracle oracle;
   const ContactAnswer answer = oracle.Answer(Ask(Sphere{0.6}, Sphere{0.3}));
-  // Centres (0.6, 0.3, −0.3) apart: |d| = √0.54.
+  // The centres are d = (0.6, 0.3, −0.3) apart: |d| = √0.54.
   const Eigen::Vector3d d(0.6, 0.3, -0.3);
   ASSERT_TRUE(answer.touching);
   EXPECT_NEAR(*answer.separation, d.norm() - 0.9, 1e-15);
@@ -60,7 +60,7 @@ TEST(CookbookOracle, LeavesOutTheDistanceOfBoxesApart) {
   EXPECT_TRUE(oracle.Answer(Ask(small, Sphere{0.05})).separation.has_value());
 }
 
-TEST(CookbookOracle, PreparedBatchSeparatesAsTheAnswersDo) {
+TEST(CookbookOracle, PreparedBatchReturnsTheSeparationsOfTheAnswers) {
   const CookbookOracle oracle;
   const std::vector<Shape> shapes = {Sphere{0.6}, Box{{0.7, 0.4, 0.5}}};
   std::vector<ContactQuery> queries;

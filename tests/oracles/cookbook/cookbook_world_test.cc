@@ -9,7 +9,7 @@
 namespace touchstone {
 namespace {
 
-TEST(CookbookWorld, ABallOnAFloorRollsAsTheEngineSays) {
+TEST(CookbookWorld, SlidingBallEndsUpRollingAtFiveSeventhsOfItsSpeed) {
   World world;
   world.bodies.resize(2);
   world.bodies[0].name = "floor";
@@ -29,11 +29,11 @@ TEST(CookbookWorld, ABallOnAFloorRollsAsTheEngineSays) {
   ASSERT_EQ(trajectory.status, AnswerStatus::kAnswered);
   EXPECT_EQ(trajectory.diverged_at_step, 0);
   EXPECT_FALSE(trajectory.impulses.empty());
-  // Angular momentum about the point of contact is kept: 5/7 of the speed is left.
+  // Angular momentum about the contact point is conserved: 5/7 of the speed remains.
   EXPECT_NEAR(trajectory.samples.back().bodies[1].v_WB[0], 25.0 / 7, 1e-12);
 }
 
-TEST(CookbookWorld, TellsParticlesAndNodesFromBodies) {
+TEST(CookbookWorld, DistinguishesParticlesAndNodesFromBodies) {
   World world;
   world.bodies.resize(1);
   world.bodies[0].name = "ball";
@@ -44,7 +44,7 @@ TEST(CookbookWorld, TellsParticlesAndNodesFromBodies) {
   world.particles[0].mass = 0;
   world.particles[1].name = "bob";
   world.particles[1].p_W = {0, -2, 0};
-  // A bob that hangs where its weight stretches the spring to stays there.
+  // The bob hangs in static equilibrium, so it stays there.
   world.springs.push_back({{AnchorKind::kParticle, 0, {0, 0, 0}},
                            {AnchorKind::kParticle, 1, {0, 0, 0}},
                            9.82,
@@ -72,7 +72,7 @@ std::ptrdiff_t ThreadsOfThisProcess() {
   return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {});
 }
 
-TEST(CookbookWorld, TakesTheThreadsThatItIsToldTo) {
+TEST(CookbookWorld, UsesTheRequestedNumberOfThreads) {
   World world;
   const CookbookOracle oracle;
   ASSERT_TRUE(oracle.info().steps_in_threads);

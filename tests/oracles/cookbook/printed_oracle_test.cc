@@ -14,17 +14,17 @@ const ContactQuery kSpheres = {
     {Sphere{1}, Pose::FromMatrix({0.3, -0.2, 0.7}, Eigen::Matrix3d::Identity())},
     {Sphere{1}, Pose::FromMatrix({0.3, -0.2, 2.6}, Eigen::Matrix3d::Identity())}};
 
-double DepthSaidBy(std::string_view name) {
+double DepthFrom(std::string_view name) {
   return -*MakePrintedOracle(name)->Answer(kSpheres).separation;
 }
 
-TEST(PrintedOracle, NameChoosesTheErrata) {
-  EXPECT_NEAR(DepthSaidBy("printed"), 0.5, 1e-15);  // E-03, halved by E-04.
-  EXPECT_NEAR(DepthSaidBy("printed:none"), 0.1, 1e-15);
-  EXPECT_NEAR(DepthSaidBy("printed:E-03"), 1.0, 1e-15);  // |1 − 2|, not halved.
-  EXPECT_NEAR(DepthSaidBy("printed:E-04"), 0.05, 1e-15);
-  EXPECT_NEAR(DepthSaidBy("printed:E-03+E-04"), 0.5, 1e-15);
-  EXPECT_NEAR(DepthSaidBy("printed:E-26"), 0.1, 1e-15);
+TEST(PrintedOracle, NameSelectsTheErrata) {
+  EXPECT_NEAR(DepthFrom("printed"), 0.5, 1e-15);  // E-03, halved by E-04.
+  EXPECT_NEAR(DepthFrom("printed:none"), 0.1, 1e-15);
+  EXPECT_NEAR(DepthFrom("printed:E-03"), 1.0, 1e-15);  // |1 − 2|, not halved.
+  EXPECT_NEAR(DepthFrom("printed:E-04"), 0.05, 1e-15);
+  EXPECT_NEAR(DepthFrom("printed:E-03+E-04"), 0.5, 1e-15);
+  EXPECT_NEAR(DepthFrom("printed:E-26"), 0.1, 1e-15);
 }
 
 std::vector<std::string> SettingsOf(std::string_view name) {
@@ -35,7 +35,7 @@ std::vector<std::string> SettingsOf(std::string_view name) {
   return settings;
 }
 
-TEST(PrintedOracle, SaysOfEachErratumInForceWhatIsWrong) {
+TEST(PrintedOracle, DescribesEachEnabledErratumInItsSettings) {
   const std::string separation = "separation of a contact = minus the depth";
   EXPECT_THAT(SettingsOf("printed:none"),
               testing::ElementsAre("errata = none", separation));
@@ -50,7 +50,7 @@ TEST(PrintedOracle, SaysOfEachErratumInForceWhatIsWrong) {
                                        "length of the intervals")));
 }
 
-TEST(PrintedOracle, UnknownNamesMakeNone) {
+TEST(PrintedOracle, UnknownNamesReturnNull) {
   for (const char* name :
        {"", "print", "cookbook", "printed:", "printed:E-27", "printed:E-4", "printed:all",
         "printed:E-03+", "printed:+E-03", "printedE-03"}) {
@@ -58,7 +58,7 @@ TEST(PrintedOracle, UnknownNamesMakeNone) {
   }
 }
 
-TEST(PrintedOracle, SaysNothingButTheVerdictOfShapesApart) {
+TEST(PrintedOracle, ReturnsOnlyTheVerdictForShapesApart) {
   ContactQuery query = kSpheres;
   query.B.X_WB.p_WB[2] += 1;
   const ContactAnswer answer = MakePrintedOracle("printed:none")->Answer(query);
@@ -69,7 +69,7 @@ TEST(PrintedOracle, SaysNothingButTheVerdictOfShapesApart) {
   EXPECT_TRUE(answer.points.empty());
 }
 
-TEST(PrintedOracle, KnowsSpheresAndBoxesAndNothingElse) {
+TEST(PrintedOracle, SupportsSpheresAndBoxesOnly) {
   const std::unique_ptr<Oracle> oracle = MakePrintedOracle("printed");
   EXPECT_EQ(oracle->info().name, "printed");
   EXPECT_TRUE(oracle->info().For(ShapeKind::kBox, ShapeKind::kSphere).supported);

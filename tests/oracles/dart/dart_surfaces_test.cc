@@ -16,7 +16,7 @@ RigidBody Surface(double mass, double restitution, double friction) {
   return body;
 }
 
-/* What DART makes of two bodies, and what is meant. */
+/* Expects that DART's combination rules, applied to `surfaces`, yield Touchstone's. */
 void ExpectOurRules(const DartSurfaces& surfaces, const RigidBody& A,
                     const RigidBody& B) {
   EXPECT_NEAR(surfaces.RestitutionOf(A) * surfaces.RestitutionOf(B),
@@ -25,7 +25,7 @@ void ExpectOurRules(const DartSurfaces& surfaces, const RigidBody& A,
               std::sqrt(A.friction * B.friction), 1e-15);
 }
 
-TEST(DartSurfaces, GiveOurRulesWhereAllThatMovesIsAlike) {
+TEST(DartSurfaces, YieldOurRulesIfAllMovingBodiesAreAlike) {
   World world;
   world.bodies = {Surface(1, 0.6, 0.5), Surface(2, 0.6, 0.5), Surface(0, 0.9, 0.3),
                   Surface(0, 0.2, 0.5)};
@@ -34,7 +34,7 @@ TEST(DartSurfaces, GiveOurRulesWhereAllThatMovesIsAlike) {
   for (const RigidBody& B : world.bodies) ExpectOurRules(surfaces, world.bodies[0], B);
 }
 
-TEST(DartSurfaces, GiveOurRulesToTheOneBodyThatMovesWhateverItMeets) {
+TEST(DartSurfaces, YieldOurRulesForASingleMovingBodyAgainstAnyStaticBody) {
   World world;
   world.bodies = {Surface(0, 0.9, 0.8), Surface(1, 0.6, 0.1), Surface(0, 0, 0.02)};
   const DartSurfaces surfaces(world);
@@ -43,7 +43,7 @@ TEST(DartSurfaces, GiveOurRulesToTheOneBodyThatMovesWhateverItMeets) {
   ExpectOurRules(surfaces, world.bodies[1], world.bodies[2]);
 }
 
-TEST(DartSurfaces, GiveNeitherBounceNorFrictionToWhatHasNone) {
+TEST(DartSurfaces, YieldZeroForABodyWithoutRestitutionAndFriction) {
   World world;
   world.bodies = {Surface(0, 0.9, 0.8), Surface(1, 0, 0)};
   const DartSurfaces surfaces(world);
@@ -51,14 +51,14 @@ TEST(DartSurfaces, GiveNeitherBounceNorFrictionToWhatHasNone) {
   ExpectOurRules(surfaces, world.bodies[1], world.bodies[0]);
 }
 
-TEST(DartSurfaces, SayWhyTheyCannot) {
+TEST(DartSurfaces, StateWhyAWorldIsUnsupported) {
   World world;
   world.bodies = {Surface(1, 0.6, 0.5), Surface(1, 0.5, 0.5)};
   EXPECT_NE(DartSurfaces(world).why_not().find("restitution"), std::string::npos);
   world.bodies = {Surface(1, 0.6, 0.5), Surface(1, 0.6, 0.4)};
   EXPECT_NE(DartSurfaces(world).why_not().find("friction"), std::string::npos);
   world.bodies = {Surface(1, 0.6, 0.5), Surface(1, 0.6, 0.5), Surface(0, 0.6, 0.6)};
-  EXPECT_NE(DartSurfaces(world).why_not().find("stands still"), std::string::npos);
+  EXPECT_NE(DartSurfaces(world).why_not().find("static bodies"), std::string::npos);
   for (RigidBody& body : world.bodies) body.collides = false;
   EXPECT_EQ(DartSurfaces(world).why_not(), "");
 }

@@ -17,9 +17,9 @@ const Oracle& Dart() {
   return *oracles.front();
 }
 
-// Velocities of metres a second, each rounded in every step; DART turns them between the
-// frames of the world, the body and the joint.
-TEST(DartWorld, ContactImpulsesAreWhatChangesMomentum) {
+// The tolerance is the rounding of velocities of a few metres per second in every step.
+// DART transforms them between the frames of the world, the body and the joint.
+TEST(DartWorld, ContactImpulsesAccountForTheChangeOfMomentum) {
   const World world = BrickOnSlab();
   ExpectImpulsesChangeMomentum(Dart(), world, 8 * 64 * world.steps * 0x1p-53);
 }
@@ -50,7 +50,7 @@ TEST(DartWorld, BodiesThatDoNotCollidePassThroughEverything) {
   ExpectPassesThroughEverything(Dart());
 }
 
-TEST(DartWorld, RefusesRestitutionsThatItCannotCombine) {
+TEST(DartWorld, DoesNotSupportRestitutionsThatItCannotCombine) {
   World world = BrickOnSlab();
   world.bodies.push_back(world.bodies[1]);
   world.bodies[2].name = "other";
@@ -60,7 +60,8 @@ TEST(DartWorld, RefusesRestitutionsThatItCannotCombine) {
   EXPECT_NE(trajectory.reason.find("multiplies"), std::string::npos);
 }
 
-// DART's default takes a hundredth of the overlap in a step, up to 1 mm/s; here it stays.
+// DART's default removes a hundredth of the overlap in a step, up to 1 mm/s; the adapter
+// keeps it.
 TEST(DartWorld, PushesOverlapOutOnlyAsShipped) {
   ExpectPushesOverlapOutOnlyAsShipped(Dart(), 1e-3, 1e-5);
 }

@@ -29,11 +29,12 @@ const Oracle& Fcl(const std::string& name) {
   throw std::logic_error("there is no oracle " + name);
 }
 
-// What FCL states, or its formula bounds, when bodies overlap by `depth`.
+// The tolerances that FCL documents, or that follow from its formulas, for bodies that
+// overlap by `depth`.
 Allowed AllowedFor(const Capability& capability, double depth) {
   if (capability.documented_error == 0) return {kRounding, kRounding, kRounding};
-  // MPR: the point is somewhere in the overlap. Features are 0.2 m wide or more, so an
-  // error of the depth is one of the normal 5 times as large.
+  // For MPR, the point is somewhere in the overlap. Features are at least 0.2 m wide, so
+  // a depth error in metres allows a normal error of 5 times as many radians.
   const double error = kRounding + capability.documented_error;
   return {error, error / 0.2, depth / 2 + error};
 }
@@ -52,7 +53,7 @@ TEST_P(FclCollide, AnswersInTheProjectsConventions) {
     SCOPED_TRACE(std::string(NameOf(a)) + " against " + std::string(NameOf(b)));
     const Capability& capability = fcl.info().For(a, b);
     EXPECT_EQ(capability.supported, !(a == ShapeKind::kHalfSpace && a == b));
-    // The next test has these.
+    // The next test covers the family "gjk_epa".
     if (!capability.supported || capability.family == "gjk_epa") continue;
     ++judged;
     const ConstructedContact deep = PutTogether(a, b, -2e-3);
@@ -60,7 +61,7 @@ TEST_P(FclCollide, AnswersInTheProjectsConventions) {
     EXPECT_TRUE(answer.separation && answer.n_AB_W);
     EXPECT_FALSE(answer.points.empty());
     Allowed allowed = AllowedFor(capability, 2e-3);
-    // FCL puts this point by the capsule's axis, up to its radius from the overlap.
+    // FCL puts this point next to the capsule's axis, up to 0.37 m from the overlap.
     if (IsSphereAndCapsule(a, b)) allowed.point = 0.37;
     ExpectMatches(answer, deep, allowed);
 
@@ -70,8 +71,8 @@ TEST_P(FclCollide, AnswersInTheProjectsConventions) {
     EXPECT_FALSE(answer.separation);
     EXPECT_TRUE(answer.points.empty());
   }
-  // All 48, or those with a closed form: a sphere with four, a half-space with six, two
-  // boxes.
+  // All 48 pairs, or those with a closed form: a sphere with four kinds, a half-space
+  // with six kinds, and two boxes.
   EXPECT_EQ(judged, GetParam() == "fcl/collide" ? 48 : 7 + 12 + 1);
 }
 
@@ -79,8 +80,8 @@ INSTANTIATE_TEST_SUITE_P(BothSolvers, FclCollide,
                          testing::Values("fcl/collide", "fcl/collide_indep"),
                          [](const auto& test) { return test.param.substr(4); });
 
-// FCL pull request #334: GST_INDEP's EPA returns the depth negative and the normal in a
-// body frame. What the adapter must not do is repair it.
+// FCL pull request #334: GST_INDEP's EPA returns the depth with the wrong sign and the
+// normal in a body frame. The adapter must not repair this.
 TEST(FclCollideIndep, PassesOnTheNegativeDepthsOfItsEpa) {
   const Oracle& fcl = Fcl("fcl/collide_indep");
   const ConstructedContact deep =
@@ -91,8 +92,8 @@ TEST(FclCollideIndep, PassesOnTheNegativeDepthsOfItsEpa) {
   EXPECT_GT(*answer.separation, 0);
 }
 
-// Any depth, any attitude: for pairs on which FCL is exact, p ± n depth/2 are on the
-// surfaces.
+// For pairs on which FCL is exact, p ± n depth/2 are on the surfaces, at any depth and
+// orientation.
 TEST(FclCollideOracle, PutsEveryContactMidwayThroughItsOverlap) {
   const Oracle& fcl = Fcl("fcl/collide");
   std::mt19937_64 random(20240611);
@@ -118,8 +119,8 @@ TEST(FclCollideOracle, PutsEveryContactMidwayThroughItsOverlap) {
       ASSERT_EQ(answer.status, AnswerStatus::kAnswered);
       for (const ContactPoint& point : answer.points) {
         const Vector3d half_gap_W = point.separation / 2 * *answer.n_AB_W;
-        // Where two edges cross comes from a division by sin² of their angle, here >
-        // 1e-5.
+        // The crossing point of two edges is computed with a division by sin² of their
+        // angle, which is > 1e-5 here.
         constexpr double kIllConditioned = kRounding / 1e-5;
         EXPECT_NEAR(HeightAboveSurface(query.A, point.p_WC - half_gap_W), 0,
                     kIllConditioned);
@@ -132,21 +133,22 @@ TEST(FclCollideOracle, PutsEveryContactMidwayThroughItsOverlap) {
   }
 }
 
-TEST(FclContactPoint, KeepsWhatAPointIsOffAlongItsNormal) {
+TEST(FclContactPoint, KeepsTheErrorOfAPointAlongItsNormal) {
   const FclContact right = {{0.5, 0, 0}, {1, 0, 0}, 0.3};
   FclContact off = right;
   off.p_W.x() += 1e-3;
   const auto at_x = [](double radius, double x) {
     return Body{Sphere{radius}, Pose::FromQuaternion({x, 0, 0}, {1, 0, 0, 0})};
   };
-  // Overlap from x = 0.45 to 0.75, of which a third is 0.1 m: FCL is at 0.65, we at 0.6.
+  // The overlap is from x = 0.45 to 0.75. FCL's point is at 0.65, a third of the depth
+  // inside A; the adapter's is at 0.6.
   const ContactQuery spheres = {at_x(0.75, 0), at_x(1.5, 1.95)};
   EXPECT_NEAR(MidwayPoint(spheres, {{0.65, 0, 0}, {1, 0, 0}, 0.3}).x(), 0.6, kRounding);
   EXPECT_NEAR(MidwayPoint(spheres, off).x() - MidwayPoint(spheres, right).x(), 1e-3,
               kRounding);
 }
 
-TEST(FclCollideOracle, SaysThatAFlatHullIsUnsupported) {
+TEST(FclCollideOracle, DoesNotSupportAFlatHull) {
   ConstructedContact contact =
       PutTogether(ShapeKind::kConvexHull, ShapeKind::kBox, -2e-3);
   contact.query.A.shape = ConvexHull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
@@ -155,7 +157,7 @@ TEST(FclCollideOracle, SaysThatAFlatHullIsUnsupported) {
   EXPECT_FALSE(answer.reason.empty());
 }
 
-TEST(FclCollideOracle, SaysTheSameWhenPrepared) {
+TEST(FclCollideOracle, PreparedBatchReturnsTheSeparationsOfTheAnswers) {
   const Oracle& fcl = Fcl("fcl/collide");
   std::mt19937_64 random(5);
   std::vector<ContactQuery> queries;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kGap = 2e-3;  // [m]
 
-// A wrong sign or frame is off by the gap itself; how exact FCL is, is not asked here.
+// A wrong sign or frame is off by the gap itself. The accuracy of FCL is not tested here.
 constexpr Allowed kConventions = {kGap / 4, 0.05, kGap / 4};
 
 const Oracle& Fcl(const std::string& name) {
@@ -29,14 +29,14 @@ bool HasHalfSpace(ShapeKind a, ShapeKind b) {
   return a == ShapeKind::kHalfSpace || b == ShapeKind::kHalfSpace;
 }
 
-TEST(FclDistance, IsIsolatedWhateverTheSolver) {
+TEST(FclDistance, IsIsolatedWithEitherSolver) {
   for (const char* name : {"fcl/distance", "fcl/distance_indep", "fcl/signed_distance",
                            "fcl/signed_distance_indep"}) {
     EXPECT_TRUE(Fcl(name).info().isolated) << name;
   }
 }
 
-TEST(FclDistance, GivesDistanceAndWitnessesWhereApartAndOnlyTouchingWhereNot) {
+TEST(FclDistance, ReturnsDistanceAndWitnessesIfApartAndOnlyTouchingOtherwise) {
   for (const char* name : {"fcl/distance", "fcl/distance_indep"}) {
     for (const auto& [a, b] : AllPairs()) {
       if (HasHalfSpace(a, b)) continue;
@@ -55,7 +55,7 @@ TEST(FclDistance, GivesDistanceAndWitnessesWhereApartAndOnlyTouchingWhereNot) {
   }
 }
 
-TEST(FclSignedDistance, PointsItsNormalFromAToBOnBothSidesOfTouching) {
+TEST(FclSignedDistance, NormalPointsFromAToBBothApartAndPenetrating) {
   const Oracle& fcl = Fcl("fcl/signed_distance");
   for (const auto& [a, b] : AllPairs()) {
     if (HasHalfSpace(a, b)) continue;
@@ -69,16 +69,16 @@ TEST(FclSignedDistance, PointsItsNormalFromAToBOnBothSidesOfTouching) {
   }
 }
 
-// The nearest points of boxes that just touch are one point: what direction they have is
-// rounding.
-TEST(FclSignedDistance, GivesNoNormalWhereItsNearestPointsCoincide) {
+// The nearest points of boxes that just touch are one point: the direction between them
+// is only rounding.
+TEST(FclSignedDistance, ReturnsNoNormalIfItsNearestPointsCoincide) {
   const ConstructedContact touching = PutTogether(ShapeKind::kBox, ShapeKind::kBox, 0);
   const ContactAnswer answer = Fcl("fcl/signed_distance").Answer(touching.query);
   ASSERT_EQ(answer.status, AnswerStatus::kAnswered) << answer.reason;
   EXPECT_FALSE(answer.n_AB_W);
 }
 
-TEST(FclSignedDistanceIndep, GivesDepthButNoNormal) {
+TEST(FclSignedDistanceIndep, ReturnsDepthButNoNormal) {
   const ConstructedContact deep = PutTogether(ShapeKind::kSphere, ShapeKind::kBox, -kGap);
   const ContactAnswer answer = Fcl("fcl/signed_distance_indep").Answer(deep.query);
   ExpectMatches(answer, deep, kConventions);
@@ -88,7 +88,7 @@ TEST(FclSignedDistanceIndep, GivesDepthButNoNormal) {
 
 // flexible-collision-library/fcl#623: the support function of a half-space is a null
 // pointer.
-TEST(FclDistance, OfAHalfSpaceIsACrashThatTheRunSurvives) {
+TEST(FclDistance, CrashesOnAHalfSpaceButTheRunSurvives) {
   const std::vector<ContactQuery> queries = {
       PutTogether(ShapeKind::kSphere, ShapeKind::kBox, kGap).query,
       PutTogether(ShapeKind::kBox, ShapeKind::kHalfSpace, kGap).query,
@@ -102,7 +102,7 @@ TEST(FclDistance, OfAHalfSpaceIsACrashThatTheRunSurvives) {
   }
 }
 
-TEST(FclDistance, SaysTheSameWhenPrepared) {
+TEST(FclDistance, PreparedBatchReturnsTheSeparationsOfTheAnswers) {
   const Oracle& fcl = Fcl("fcl/distance");
   std::vector<ContactQuery> queries;
   for (const double separation : {-0.1, 0.003, 0.2}) {

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Everything set, to values whose bits matter.
+// An answer with every field set, to values whose bits matter.
 ContactAnswer FullAnswer() {
   ContactAnswer answer;
   answer.status = AnswerStatus::kAnswered;
@@ -27,7 +27,7 @@ ContactAnswer FullAnswer() {
   return answer;
 }
 
-// == would let -0.0 pass for 0.0 and fail for NaN.
+// Compares bits, because == treats -0.0 as 0.0 and fails for NaN.
 ::testing::AssertionResult SameBits(const Vector3d& a, const Vector3d& b) {
   for (int i = 0; i < 3; ++i) {
     if (std::bit_cast<std::uint64_t>(a[i]) != std::bit_cast<std::uint64_t>(b[i])) {
@@ -91,8 +91,9 @@ TEST(AnswerWire, RefusesAnotherVersionAndUnknownValues) {
   }
 }
 
-// What is accepted must be what ToWire() writes: nothing is made up or read past the end
-// (which the sanitizers watch), and no length in the bytes is believed.
+// Accepted bytes must be exactly those that ToWire() writes for the result. So nothing is
+// invented, nothing is read past the end (the sanitizers watch this), and no length in
+// the bytes is trusted.
 TEST(AnswerWire, SurvivesAnyBytes) {
   std::mt19937_64 random(99);
   const std::string sound = ToWire(FullAnswer());
@@ -185,7 +186,7 @@ TEST(TrajectoryWire, RefusesEveryTruncationAndEveryExtraByte) {
   EXPECT_FALSE(TrajectoryFromWire(bytes + '\0'));
 }
 
-// As for contact answers.
+// The same property as for contact answers.
 TEST(TrajectoryWire, SurvivesAnyBytes) {
   std::mt19937_64 random(100);
   const std::string sound = ToWire(FullTrajectory());

@@ -28,7 +28,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// An oracle that does to a question what the radius of its sphere A says.
+// The planted behaviours of the oracle in this test. The radius of sphere A selects one.
 enum Deed {
   kAnswer = 1,
   kAbort,
@@ -52,7 +52,7 @@ ContactQuery Ask(Deed deed, double id = 0) {
           {Sphere{1}, {.p_WB = Vector3d(id, 0, 0), .q_WB = {}}}};
 }
 
-// Keeps the optimiser from seeing what is done to it.
+// Volatile, so that the compiler cannot remove the endless loops.
 volatile int forever = 1;
 
 void Do(Deed deed) {
@@ -84,7 +84,7 @@ void Do(Deed deed) {
       std::exit(3);
     case kFlood:
     case kFloodAndAbort:
-      // Long lines, since each is a system call of its own and the CPU time is limited.
+      // Long lines, because each is a separate system call and the CPU time is limited.
       for (int i = 0; i < 1000; ++i) {
         const std::string line = std::string(3000, 'w') + '\n';
         std::fputs(line.c_str(), stderr);
@@ -111,7 +111,7 @@ void Do(Deed deed) {
   }
 }
 
-// A ball at (step, 0, 0), that does in its third step what its radius says.
+// A ball at (step, 0, 0). Its radius selects the behaviour in the third step.
 class PlantedSimulation final : public Simulation {
  public:
   explicit PlantedSimulation(const World& world)
@@ -132,7 +132,7 @@ class PlantedSimulation final : public Simulation {
   int step_ = 0;
 };
 
-// A ball at rest, on which an impulse of NaN acts in the second step.
+// A ball at rest on which a NaN impulse acts in the second step.
 class NaNImpulse final : public Simulation {
  public:
   void Push(int, const Vector3d&, const Vector3d&) override {}
@@ -196,7 +196,7 @@ class PlantedOracle final : public Oracle {
 
 IsolationLimits Limits() {
   IsolationLimits limits;
-  // Long enough for megabytes of output on a slow machine, under sanitizers.
+  // Long enough for megabytes of output on a slow machine with sanitizers.
   limits.cpu = std::chrono::seconds(1);
   limits.world_cpu = std::chrono::seconds(1);
   limits.memory = std::size_t{1} << 30;
@@ -207,7 +207,7 @@ std::unique_ptr<Oracle> Isolated(const IsolationLimits& limits = Limits()) {
   return Isolate(std::make_unique<PlantedOracle>(), limits);
 }
 
-// Asks `deed` between two harmless questions, which must be answered whatever it does.
+// Asks `deed` between two harmless questions, which must always be answered.
 ContactAnswer AnswerTo(Deed deed, const IsolationLimits& limits = Limits()) {
   const std::vector<ContactQuery> queries = {Ask(kAnswer, 1), Ask(deed, 2),
                                              Ask(kAnswer, 3)};
@@ -245,7 +245,7 @@ TEST(IsolatedOracle, ReportsTheAssertionThatFailed) {
 }
 
 TEST(IsolatedOracle, ReportsASignal) {
-  ExpectCrash(kSegfault, "died of SIGSEGV");
+  ExpectCrash(kSegfault, "killed by SIGSEGV");
 }
 
 TEST(IsolatedOracle, ReportsAnException) {
@@ -257,8 +257,8 @@ TEST(IsolatedOracle, ReportsAnExit) {
   ExpectCrash(kExit, "exited with status 3");
 }
 
-TEST(IsolatedOracle, ReportsBytesThatAreNoAnswer) {
-  ExpectCrash(kNonsense, "sent bytes that are no answer");
+TEST(IsolatedOracle, ReportsBytesThatAreNotAnAnswer) {
+  ExpectCrash(kNonsense, "sent bytes that are not an answer");
 }
 
 TEST(IsolatedOracle, StopsAnEngineThatWorksForever) {
@@ -278,21 +278,21 @@ TEST(IsolatedOracle, StopsAnEngineThatWaitsForever) {
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST(IsolatedOracle, StopsAnEngineThatEatsTheMemory) {
+TEST(IsolatedOracle, StopsAnEngineThatExhaustsTheMemory) {
   const ContactAnswer answer = AnswerTo(kEatMemory);
-  // Whichever limit it meets first: filling pages takes CPU time.
+  // It may reach either limit first, because filling pages takes CPU time.
   EXPECT_TRUE(answer.reason == "threw std::bad_alloc: std::bad_alloc" ||
               answer.status == AnswerStatus::kTimedOut)
       << answer.reason;
 }
 #endif
 
-TEST(IsolatedOracle, IsNotHeldUpByMegabytesOfOutput) {
+TEST(IsolatedOracle, IsNotBlockedByMegabytesOfOutput) {
   EXPECT_EQ(AnswerTo(kFlood).separation, 2);
   ExpectCrash(kFloodAndAbort, "aborted: the last straw");
 }
 
-TEST(IsolatedOracle, ForgetsWhatWasPrintedOnEarlierQuestions) {
+TEST(IsolatedOracle, DiscardsTheOutputOfEarlierQuestions) {
   const std::vector<ContactQuery> queries = {Ask(kFlood), Ask(kAbort)};
   std::vector<ContactAnswer> answers(queries.size());
   Isolated()->Answer(queries, answers);
@@ -303,12 +303,12 @@ TEST(IsolatedOracle, PassesOnNaN) {
   EXPECT_TRUE(std::isnan(AnswerTo(kNaN).separation.value()));
 }
 
-TEST(IsolatedOracle, SaysThatItIsIsolated) {
+TEST(IsolatedOracle, ReportsThatItIsIsolated) {
   EXPECT_TRUE(Isolated()->info().isolated);
   EXPECT_EQ(Isolated()->info().name, "planted");
 }
 
-// One answer a question, in their order, whatever happens between them.
+// There is one answer per question, in the order of the questions, even after crashes.
 TEST(IsolatedOracle, KeepsTheOrderOfALongBatch) {
   std::vector<ContactQuery> queries;
   queries.reserve(5000);
@@ -323,7 +323,7 @@ TEST(IsolatedOracle, KeepsTheOrderOfALongBatch) {
   for (int i = 0; i < 5000; ++i) {
     const ContactAnswer& answer = answers[static_cast<std::size_t>(i)];
     if (i % 500 == 250) {
-      EXPECT_EQ(answer.reason, "died of SIGSEGV") << i;
+      EXPECT_EQ(answer.reason, "killed by SIGSEGV") << i;
     } else if (i % 500 == 100) {
       EXPECT_EQ(answer.status, AnswerStatus::kCrashed) << i;
     } else {
@@ -340,10 +340,11 @@ TEST(IsolatedOracle, LeavesNoProcessAndNoFileBehind) {
   EXPECT_EQ(OpenFiles(), open_before);
 }
 
-// A child of one thread that held another's pipe would make that thread wait for it.
+// If the child of one thread held another thread's pipe open, that thread would wait for
+// it.
 TEST(IsolatedOracle, AnswersSeveralThreadsAtOnce) {
   IsolationLimits limits = Limits();
-  limits.cpu = std::chrono::milliseconds(100);  // Forty of them hang.
+  limits.cpu = std::chrono::milliseconds(100);  // Short, because forty questions hang.
   const std::unique_ptr<Oracle> oracle = Isolated(limits);
   std::atomic<int> right = 0;
   std::vector<std::thread> threads;
@@ -369,9 +370,9 @@ TEST(IsolatedOracle, AnswersSeveralThreadsAtOnce) {
   EXPECT_TRUE(HasNoChildren());
 }
 
-// The program that asks is killed while its child blocks: the child must go with it.
-TEST(IsolatedOracle, DiesWithTheProgramThatAsks) {
-  ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);  // Orphans come to us.
+// The calling program is killed while its child blocks: the child must die with it.
+TEST(IsolatedOracle, DiesWithTheCallingProgram) {
+  ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);  // Orphans become our children.
   const pid_t asker = fork();
   if (asker == 0) {
     Isolate(std::make_unique<PlantedOracle>())->Answer(Ask(kBlock));
@@ -386,8 +387,8 @@ TEST(IsolatedOracle, DiesWithTheProgramThatAsks) {
   }
   kill(asker, SIGKILL);
   ASSERT_EQ(waitpid(asker, nullptr, 0), asker);
-  EXPECT_EQ(waitpid(child, nullptr, 0),
-            child);  // Would wait for a minute if it lived on.
+  // This would wait for a minute if the child lived on.
+  EXPECT_EQ(waitpid(child, nullptr, 0), child);
   EXPECT_TRUE(HasNoChildren());
   prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
@@ -399,14 +400,14 @@ World WorldOf(Deed deed) {
   return world;
 }
 
-TEST(IsolatedOracle, BeginsWorldsInThisProcessAsTheOracleWithinDoes) {
+TEST(IsolatedOracle, BeginsWorldsInThisProcessLikeTheInnerOracle) {
   EXPECT_NE(Isolated()->Begin(WorldOf(kAnswer)), nullptr);
   EXPECT_EQ(Isolated()->BeginAsShipped(WorldOf(kAnswer)), nullptr);
   EXPECT_EQ(Isolated()->BeginInThreads(WorldOf(kAnswer), 2), nullptr);
   EXPECT_NE(Isolated()->BeginInThreads(WorldOf(kAnswer), 3), nullptr);
 }
 
-TEST(IsolatedWorlds, MoveAsTheEngineSaysWhatItPrintsIncluded) {
+TEST(IsolatedWorlds, HaveTheEnginesTrajectoryAndItsLastLineOfOutput) {
   const Trajectory quiet = Isolated()->Simulate(WorldOf(kAnswer));
   ASSERT_EQ(quiet.status, AnswerStatus::kAnswered) << quiet.reason;
   ASSERT_EQ(quiet.samples.size(), 6u);
@@ -417,7 +418,7 @@ TEST(IsolatedWorlds, MoveAsTheEngineSaysWhatItPrintsIncluded) {
   EXPECT_EQ(loud.complaint, std::string(3000, 'w'));
 }
 
-TEST(IsolatedWorlds, AreLostAloneWhenTheEngineBreaksDown) {
+TEST(IsolatedWorlds, HaveNoSamplesAndAReasonIfTheEngineFails) {
   const auto ending = [](Deed deed) {
     const Trajectory trajectory = Isolated()->Simulate(WorldOf(deed));
     EXPECT_TRUE(trajectory.samples.empty());
@@ -426,15 +427,15 @@ TEST(IsolatedWorlds, AreLostAloneWhenTheEngineBreaksDown) {
     return trajectory.reason;
   };
   EXPECT_EQ(ending(kAssert), "aborted: engine.cc:7: Assertion `depth >= 0' failed.");
-  EXPECT_EQ(ending(kSegfault), "died of SIGSEGV");
+  EXPECT_EQ(ending(kSegfault), "killed by SIGSEGV");
   EXPECT_EQ(ending(kThrow), "threw std::logic_error: origin outside the polytope");
   EXPECT_EQ(ending(kExit), "exited with status 3");
-  EXPECT_EQ(ending(kNonsense), "sent bytes that are no answer");
+  EXPECT_EQ(ending(kNonsense), "sent bytes that are not an answer");
   EXPECT_EQ(ending(kHang), "no answer after 1 s of CPU time");
   EXPECT_TRUE(HasNoChildren());
 }
 
-TEST(IsolatedWorlds, OfABatchAreLostAloneWhereverTheEngineBreaksDown) {
+TEST(IsolatedWorlds, OfABatchDoNotAffectEachOtherIfTheEngineFails) {
   World unsupported = WorldOf(kAnswer);
   unsupported.cloths.emplace_back();
   const std::vector<World> worlds = {WorldOf(kAbort), WorldOf(kAnswer),
@@ -446,12 +447,12 @@ TEST(IsolatedWorlds, OfABatchAreLostAloneWhereverTheEngineBreaksDown) {
     reasons.push_back(trajectory.reason);
   }
   EXPECT_EQ(reasons, (std::vector<std::string>{
-                         "aborted", "", "has no cloth", "died of SIGSEGV",
+                         "aborted", "", "has no cloth", "killed by SIGSEGV",
                          "threw std::logic_error: origin outside the polytope", ""}));
   EXPECT_TRUE(HasNoChildren());
 }
 
-TEST(IsolatedWorlds, OfABatchAreShownWithWhatWasPrintedOnEach) {
+TEST(IsolatedWorlds, OfABatchHaveTheirOwnOutput) {
   const std::vector<World> worlds = {WorldOf(kAnswer), WorldOf(kFlood), WorldOf(kAnswer)};
   std::vector<std::string> printed;
   for (const Trajectory& trajectory : Isolated()->SimulateEach(worlds))
@@ -459,7 +460,7 @@ TEST(IsolatedWorlds, OfABatchAreShownWithWhatWasPrintedOnEach) {
   EXPECT_EQ(printed, (std::vector<std::string>{"", std::string(3000, 'w'), ""}));
 }
 
-TEST(IsolatedWorlds, ThatAreUnsupportedSayWhy) {
+TEST(IsolatedWorlds, ThatAreUnsupportedHaveAReason) {
   World world = WorldOf(kAnswer);
   world.cloths.emplace_back();
   const Trajectory trajectory = Isolated()->Simulate(world);
@@ -476,16 +477,16 @@ TEST(IsolatedWorlds, BeginInProcess) {
   EXPECT_EQ(state.bodies[0].p_WB.x(), 1);
 }
 
-TEST(IsolatedWorlds, CanBeTheOnlyThingIsolated) {
+TEST(IsolatedWorlds, CanBeIsolatedWithoutContactQueries) {
   const auto oracle =
       Isolate(std::make_unique<PlantedOracle>(), Limits(), IsolationScope::kWorlds);
   EXPECT_FALSE(oracle->info().isolated);
   EXPECT_EQ(oracle->Simulate(WorldOf(kAbort)).reason, "aborted");
-  // In this very process: an exception gets through.
+  // The query is answered in this process, so its exception arrives here.
   EXPECT_THROW(oracle->Answer(Ask(kThrow)), std::logic_error);
 }
 
-TEST(RunToEnd, TakesAnImpulseThatIsNoNumberForADivergedWorld) {
+TEST(RunToEnd, TreatsANaNImpulseAsADivergedWorld) {
   World world;
   world.dt = 0.01;
   world.steps = 5;

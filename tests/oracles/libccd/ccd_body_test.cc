@@ -14,9 +14,9 @@ using Eigen::Vector3d;
 
 constexpr double kRounding = 64 * 4 * 0x1p-53;  // [m]
 
-// p is the support along d exactly if it is on the surface and no other point is farther;
-// points are sampled as supports of other directions, which reach all of a convex
-// surface.
+// p is the support point along d if and only if it is on the surface and no other point
+// is farther. Other points are sampled as support points of random directions, which
+// reach all of a convex surface.
 TEST(CcdSupport, IsOnTheSurfaceAndNothingIsFarther) {
   std::mt19937_64 random(17);
   std::normal_distribution<double> normal;

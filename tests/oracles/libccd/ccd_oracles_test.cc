@@ -27,7 +27,7 @@ bool HasHalfSpace(ShapeKind a, ShapeKind b) {
   return a == ShapeKind::kHalfSpace || b == ShapeKind::kHalfSpace;
 }
 
-TEST(CcdOracles, AreEpaWhichIsIsolatedAndMprWhichIsNot) {
+TEST(CcdOracles, AreIsolatedEpaAndInProcessMpr) {
   EXPECT_EQ(Epa().info().name, "libccd/epa");
   EXPECT_TRUE(Epa().info().isolated);
   EXPECT_EQ(Mpr().info().name, "libccd/mpr");
@@ -35,7 +35,7 @@ TEST(CcdOracles, AreEpaWhichIsIsolatedAndMprWhichIsNot) {
   EXPECT_FALSE(Mpr().info().version.empty());
 }
 
-TEST(CcdOracles, TakeAllButHalfSpaces) {
+TEST(CcdOracles, SupportAllShapesExceptHalfSpaces) {
   for (const Oracle* oracle : {&Epa(), &Mpr()}) {
     for (const auto& [a, b] : AllPairs()) {
       EXPECT_EQ(oracle->info().For(a, b).supported, !HasHalfSpace(a, b));
@@ -45,9 +45,9 @@ TEST(CcdOracles, TakeAllButHalfSpaces) {
   }
 }
 
-// MPR is exact where the portal's direction is that of the least depth: flat against
-// flat, or along the line of the centres. What it makes of the others is not its
-// conventions.
+// MPR is exact only if the portal's direction is that of the least depth: flat against
+// flat, or along the line of the centres. Its errors for other pairs do not concern the
+// conventions that this test checks.
 TEST(CcdMpr, AnswersInTheProjectsConventions) {
   for (const auto& [a, b] : AllPairs()) {
     if (HasHalfSpace(a, b)) continue;
@@ -66,8 +66,8 @@ TEST(CcdMpr, AnswersInTheProjectsConventions) {
   }
 }
 
-// EPA's direction is at times NaN (libccd issue #44, FCL pull request #305), so only the
-// pairs it solves are asked. Its sign, where it has one, is that of MPR.
+// EPA's direction is sometimes NaN (libccd issue #44, FCL pull request #305), so only the
+// pairs that it solves are checked. The sign of its direction is that of MPR.
 TEST(CcdEpa, AnswersInTheProjectsConventions) {
   int right = 0;
   for (const auto& [a, b] : AllPairs()) {
@@ -84,7 +84,7 @@ TEST(CcdEpa, AnswersInTheProjectsConventions) {
   EXPECT_GE(right, 18);
 }
 
-// libccd issue #25: the origin on the boundary of the simplex gives 0/0.
+// libccd issue #25: an origin on the boundary of the simplex results in 0/0.
 TEST(CcdEpa, PassesOnADirectionThatIsNaN) {
   const Body A = {Box{{1, 1, 1}}, {}};
   const Body B = {Box{{1, 1, 1}}, Pose::FromQuaternion({0, 0, 1.9}, {1, 0, 0, 0})};
@@ -94,9 +94,9 @@ TEST(CcdEpa, PassesOnADirectionThatIsNaN) {
   EXPECT_TRUE(answer.n_AB_W->hasNaN());
 }
 
-// The scaled balls of contact/sphere_sphere/nearly_concentric. Without the limit, EPA
-// answers after 31,168 support points or so.
-TEST(CcdEpa, IsStoppedAtACountOfSupportPointsAndNotOfSeconds) {
+// The spheres are those of contact/sphere_sphere/nearly_concentric, scaled. Without the
+// limit, EPA answers after about 31,168 support points.
+TEST(CcdEpa, IsStoppedByACountOfSupportPointsInsteadOfATime) {
   const Eigen::Vector3d p_WA(-0.40990668019244275, 0.508108728496903,
                              -1.4664471105465984);
   const Eigen::Vector3d p_WB(-0.40990668015359477, 0.5081087284064314,
@@ -105,10 +105,10 @@ TEST(CcdEpa, IsStoppedAtACountOfSupportPointsAndNotOfSeconds) {
   const Body B = {Sphere{0.465}, Pose::FromQuaternion(0.5 * p_WB, {1, 0, 0, 0})};
   const ContactAnswer answer = Epa().Answer({A, B});
   EXPECT_EQ(answer.status, AnswerStatus::kTimedOut);
-  EXPECT_EQ(answer.reason, "no answer by support point 20000");
+  EXPECT_EQ(answer.reason, "no answer after 20000 support points");
 }
 
-TEST(CcdMpr, SaysTheSameWhenPrepared) {
+TEST(CcdMpr, PreparedBatchReturnsTheSeparationsOfTheAnswers) {
   std::vector<ContactQuery> queries;
   for (const double separation : {-0.1, 0.003, -0.02}) {
     queries.push_back(PutTogether(ShapeKind::kBox, ShapeKind::kCone, separation).query);

@@ -30,10 +30,10 @@ const Oracle& Rk4() {
   return *Simulators()[1];
 }
 
-// What a contact leaves undone of what it is to change, 1 − mjMAXIMP.
+// The fraction by which a contact falls short of its target, 1 − mjMAXIMP.
 constexpr double kSoftness = 1e-4;
 
-/* The world without rebounds, of which MuJoCo has none. */
+/* Returns `world` with restitution 0, because MuJoCo has none. */
 World WithoutRebound(World world) {
   for (RigidBody& body : world.bodies) {
     body.restitution = 0;
@@ -41,18 +41,18 @@ World WithoutRebound(World world) {
   return world;
 }
 
-// Of velocities of metres a second, each rounded in every step, and of forces of
-// stiffnesses 1e4 times as large.
-TEST(MujocoWorld, ContactImpulsesAreWhatChangesMomentum) {
+// The tolerance is the rounding of velocities of a few metres per second in every step,
+// and of forces with stiffnesses 1e4 times as large.
+TEST(MujocoWorld, ContactImpulsesAccountForTheChangeOfMomentum) {
   const World world = WithoutRebound(BrickOnSlab());
   ExpectImpulsesChangeMomentum(Euler(), world, 1e4 * 64 * world.steps * 0x1p-53);
   EXPECT_FALSE(Rk4().Simulate(world).gives_impulses);
 }
 
-// Four layers of sixteen cubes, which close up in the third step: 96 faces of four
-// contacts and 72 edges, more than there is room for at first. The step is taken again,
-// from where it began.
-TEST(MujocoWorld, MakesRoomForContactsOnTheWay) {
+// Four layers of sixteen cubes close up in the third step. They then have 96 faces of
+// four contacts and 72 edges, more than the initial buffer holds. The step is repeated
+// from its initial state.
+TEST(MujocoWorld, EnlargesTheContactBufferDuringAStep) {
   constexpr int kRow = 4;
   constexpr double kGap = 3e-3;
   World world;
@@ -84,7 +84,7 @@ TEST(MujocoWorld, MakesRoomForContactsOnTheWay) {
 }
 
 // m v' = m v − h (k x + b v), x' = x + h v'.
-TEST(MujocoWorld, SpringPullsAtTheStartOfAStep) {
+TEST(MujocoWorld, SpringForceIsExplicit) {
   World world;
   world.gravity_W.setZero();
   world.dt = 1e-2;
@@ -112,22 +112,22 @@ TEST(MujocoWorld, SpringPullsAtTheStartOfAStep) {
     const double t = step * world.dt;
     const double truth = std::exp(-decay * t) *
                          (std::cos(omega * t) + decay / omega * std::sin(omega * t)) / 4;
-    // Its phase is late by (ωh)⁵/120 a step; the amplitude goes less wrong.
+    // The phase of RK4 lags by (ωh)⁵/120 per step; the error of the amplitude is smaller.
     ASSERT_NEAR(rk4.samples[i].bodies[0].p_WB.dot(direction) - rest_length, truth,
                 0.25 * std::pow(omega * world.dt, 5) / 120 * step * 1.5);
   }
 }
 
-TEST(MujocoWorld, DistanceJointTakesBackAFifthOfItsErrorAStep) {
+TEST(MujocoWorld, DistanceJointCorrectsAFifthOfItsErrorPerStep) {
   ExpectJointTakesBackAFifthOfItsError(Euler(), kSoftness, 1e-12);
 }
 
-// Swings amplify a rounding.
-TEST(MujocoWorld, JointsHoldAtAnchorsOfStaticBodiesEitherWayRound) {
+// The tolerance is larger than a rounding because a pendulum amplifies it.
+TEST(MujocoWorld, JointsHoldAtAnchorsOfStaticBodiesInEitherOrder) {
   ExpectJointHoldsEitherWayRound(Euler(), 1e-9);
 }
 
-// Sinking by what a contact leaves undone of gravity in each step.
+// The body sinks by the fraction of gravity that its contact leaves uncorrected per step.
 TEST(MujocoWorld, BodyAtRestSinksByTheSoftnessOfItsContact) {
   World world;
   world.dt = 1e-3;
@@ -154,7 +154,7 @@ TEST(MujocoWorld, PushActsAtItsPoint) {
   const Vector3d L_B = p_BoP.cross(q_WB.conjugate() * J_W);
   const Vector3d w_B = L_B.cwiseQuotient(*world.bodies[0].inertia);
   const Eigen::Matrix3d R = q_WB.toRotationMatrix();
-  // It tumbles on for the rest of the step: angular momentum is what stays.
+  // The body tumbles during the rest of the step; its angular momentum is constant.
   const Vector3d L_W =
       end.q_WB *
       ((end.q_WB.conjugate() * end.w_WB).cwiseProduct(*world.bodies[0].inertia));
@@ -168,7 +168,7 @@ TEST(MujocoWorld, BodiesThatDoNotCollidePassThroughEverything) {
   }
 }
 
-TEST(MujocoWorld, WhatItStartsAnewHasDiverged) {
+TEST(MujocoWorld, ReportsAWorldThatMujocoResetsAsDiverged) {
   World world;
   world.steps = 10;
   world.bodies = {Ball(Vector3d::Zero())};

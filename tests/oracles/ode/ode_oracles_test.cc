@@ -27,18 +27,19 @@ const Oracle& Ode() {
   return *oracles.front();
 }
 
-// What ODE is documented, or its formula bound, to keep to when bodies overlap by
-// `depth`.
+// The tolerances that ODE documents, or that follow from its formulas, for bodies that
+// overlap by `depth`.
 Allowed AllowedFor(ShapeKind a, ShapeKind b, double depth) {
   const Capability& capability = Ode().info().For(a, b);
   if (capability.family == "mpr") {
-    // The point is somewhere in the overlap. Features are 0.2 m wide or more, so an error
-    // of the depth is one of the normal 5 times as large.
+    // The point is somewhere in the overlap. Features are at least 0.2 m wide, so a depth
+    // error in metres allows a normal error of 5 times as many radians.
     const double error = kRounding + capability.documented_error;
     return {error, error / 0.2, depth / 2 + error};
   }
   if (capability.family == "cylinder_box_sat") {
-    // It takes sin from sqrt(1 − cos²): sqrt of two roundings, times the radius.
+    // ODE computes sin as sqrt(1 − cos²): the error is sqrt of two roundings, times the
+    // radius.
     const double error = 0.35 * std::sqrt(2 * 0x1p-53) + kRounding;
     return {error, kRounding, error};
   }
@@ -67,11 +68,11 @@ TEST(OdeOracle, AnswersInTheProjectsConventions) {
     EXPECT_FALSE(answer.separation);
     EXPECT_TRUE(answer.points.empty());
   }
-  EXPECT_EQ(supported, 6 * 6 - 1);  // All but cones, and but a plane against a plane.
+  EXPECT_EQ(supported, 6 * 6 - 1);  // All pairs without a cone, except two planes.
 }
 
-// Any depth, any attitude: for pairs on which ODE is exact, p ± n depth/2 are on the
-// surfaces.
+// For pairs on which ODE is exact, p ± n depth/2 are on the surfaces, at any depth and
+// orientation.
 TEST(OdeOracle, PutsEveryContactMidwayThroughItsOverlap) {
   std::mt19937_64 random(20240611);
   const ShapeKind sphere = ShapeKind::kSphere;
@@ -99,8 +100,8 @@ TEST(OdeOracle, PutsEveryContactMidwayThroughItsOverlap) {
         const Vector3d half_gap_W = point.separation / 2 * *answer.n_AB_W;
         const double height_A = HeightAboveSurface(query.A, point.p_WC - half_gap_W);
         const double height_B = HeightAboveSurface(query.B, point.p_WC + half_gap_W);
-        // Where two edges cross comes from a division by sin² of their angle, here >
-        // 1e-5.
+        // The crossing point of two edges is computed with a division by sin² of their
+        // angle, which is > 1e-5 here.
         constexpr double kIllConditioned = kRounding / 1e-5;
         if (std::max(std::abs(height_A), std::abs(height_B)) > kIllConditioned)
           ++off_surface;
@@ -108,16 +109,16 @@ TEST(OdeOracle, PutsEveryContactMidwayThroughItsOverlap) {
       }
     }
     EXPECT_GT(contacts, 100);
-    // dBoxBox() keeps the first pair of edges within 5 % of the best, and where that is
-    // not the best its lines cross beyond the ends of the edges: 3 of 5126 contacts,
-    // measured.
+    // dBoxBox() keeps the first pair of edges within 5 % of the best. If it is not the
+    // best, its lines cross beyond the ends of the edges: measured for 3 of 5126
+    // contacts.
     EXPECT_LE(off_surface, a == box && b == box ? contacts / 200 : 0);
   }
 }
 
-// The adapter moves a sphere's contact along the normal. If that took it to where it
-// should be, no measure could tell that ODE had put it somewhere else.
-TEST(OdeContactPoint, KeepsWhatASpheresPointIsOffAlongItsNormal) {
+// The adapter moves a sphere's contact along the normal. If it moved the contact to the
+// right place, no measure could detect that ODE had put it elsewhere.
+TEST(OdeContactPoint, KeepsTheErrorOfASpheresPointAlongItsNormal) {
   constexpr double kOff = 1e-3;  // [m]
   std::mt19937_64 random(20240612);
   for (const auto& [a, b] : AllPairs()) {
@@ -134,7 +135,7 @@ TEST(OdeContactPoint, KeepsWhatASpheresPointIsOffAlongItsNormal) {
       const Vector3d& n = *answer.n_AB_W;
       const double depth = -*answer.separation;
       const Vector3d& midway = answer.points[0].p_WC;
-      // Where ODE may have put it: on A, midway, on B, at a centre.
+      // The places where ODE may have put it: on A, midway, on B, at a centre.
       for (const Vector3d& place :
            {Vector3d(midway + depth / 2 * n), midway, Vector3d(midway - depth / 2 * n),
             query.A.X_WB.p_WB, query.B.X_WB.p_WB}) {
@@ -145,13 +146,14 @@ TEST(OdeContactPoint, KeepsWhatASpheresPointIsOffAlongItsNormal) {
       }
     }
     EXPECT_GT(contacts, 100);
-    // A cylinder has several places, two of which may be as near as the point is off.
+    // A cylinder has several possible places, and two of them may be as close to each
+    // other as the point is off.
     const bool cylinder = a == ShapeKind::kCylinder || b == ShapeKind::kCylinder;
     EXPECT_LE(hidden, cylinder ? contacts / 50 : 0);
   }
 }
 
-TEST(OdeOracle, TakesHullsWhoseOriginIsFarOutside) {
+TEST(OdeOracle, SupportsHullsWhoseOriginIsFarOutside) {
   const ConstructedContact near =
       PutTogether(ShapeKind::kConvexHull, ShapeKind::kBox, -2e-3);
   ConstructedContact far = near;
@@ -163,7 +165,7 @@ TEST(OdeOracle, TakesHullsWhoseOriginIsFarOutside) {
                 AllowedFor(ShapeKind::kConvexHull, ShapeKind::kBox, 2e-3));
 }
 
-TEST(OdeOracle, SaysThatAFlatHullIsUnsupported) {
+TEST(OdeOracle, DoesNotSupportAFlatHull) {
   ConstructedContact contact =
       PutTogether(ShapeKind::kConvexHull, ShapeKind::kBox, -2e-3);
   contact.query.A.shape = ConvexHull{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
@@ -172,7 +174,7 @@ TEST(OdeOracle, SaysThatAFlatHullIsUnsupported) {
   EXPECT_FALSE(answer.reason.empty());
 }
 
-TEST(OdeOracle, SaysTheSameWhenPrepared) {
+TEST(OdeOracle, PreparedBatchReturnsTheSeparationsOfTheAnswers) {
   std::mt19937_64 random(5);
   std::vector<ContactQuery> queries;
   for (int i = 0; i < 200; ++i) {

@@ -19,21 +19,21 @@ const std::vector<std::unique_ptr<Oracle>>& Simulators() {
   return oracles;
 }
 
-// A rod gives by its CFM, 1e-12 m/s for each newton: of at most 100 N here, for in its
-// first step it brings 1.3 kg to 0.7 m/s in 0.01 s.
+// A rod yields by its CFM, 1e-12 m/s per newton. The force is at most 100 N here: in its
+// first step the rod brings 1.3 kg to 0.7 m/s in 0.01 s.
 constexpr double kSoftness = 1e-10;  // [m/s]
 
-// Velocities of metres a second, each rounded in every step.
-TEST(OdeWorld, ContactImpulsesAreWhatChangesMomentum) {
+// The tolerance is the rounding of velocities of a few metres per second in every step.
+TEST(OdeWorld, ContactImpulsesAccountForTheChangeOfMomentum) {
   const World world = BrickOnSlab();
   for (const auto& oracle : Simulators()) {
     ExpectImpulsesChangeMomentum(*oracle, world, 64 * world.steps * 0x1p-53);
   }
 }
 
-// m v' = m v − h (k (x + h v') + b v'), x' = x + h v': the implicit step that ODE's
-// manual derives ERP and CFM from.
-TEST(OdeWorld, SpringTakesImplicitSteps) {
+// m v' = m v − h (k (x + h v') + b v'), x' = x + h v'. ODE's manual derives ERP and CFM
+// from this implicit step.
+TEST(OdeWorld, SpringForceIsImplicit) {
   for (const auto& oracle : Simulators()) {
     World world;
     world.gravity_W.setZero();
@@ -55,7 +55,8 @@ TEST(OdeWorld, SpringTakesImplicitSteps) {
       x += h * v;
       const BodyState& body =
           trajectory.samples[static_cast<std::size_t>(step)].bodies[0];
-      // QuickStep's relaxation (w = 1.3) of one row ends at 0.3^200 of its error.
+      // QuickStep's over-relaxation (w = 1.3) of one constraint leaves 0.3^200 of its
+      // error.
       ASSERT_NEAR(body.p_WB.dot(direction), rest_length + x, 1e-13 * step);
       ASSERT_NEAR(body.v_WB.dot(direction), v, 1e-13 * step);
     }
@@ -74,26 +75,26 @@ TEST(OdeWorld, SpringWithoutStiffnessAndDampingDoesNothing) {
   }
 }
 
-TEST(OdeWorld, DistanceJointTakesBackAFifthOfItsErrorAStep) {
+TEST(OdeWorld, DistanceJointCorrectsAFifthOfItsErrorPerStep) {
   for (const auto& oracle : Simulators()) {
     ExpectJointTakesBackAFifthOfItsError(*oracle, 0, kSoftness);
   }
 }
 
-TEST(OdeWorld, JointsHoldAtAnchorsOfStaticBodiesEitherWayRound) {
+TEST(OdeWorld, JointsHoldAtAnchorsOfStaticBodiesInEitherOrder) {
   for (const auto& oracle : Simulators()) {
     ExpectJointHoldsEitherWayRound(*oracle, 0);
   }
 }
 
-// ODE's default ERP takes a fifth of the overlap in a step; here it stays.
+// ODE's default ERP removes a fifth of the overlap in a step; the adapter keeps it.
 TEST(OdeWorld, PushesOverlapOutOnlyAsShipped) {
   for (const auto& oracle : Simulators()) {
     ExpectPushesOverlapOutOnlyAsShipped(*oracle, 0.2e-3 / World().dt, 1e-7);
   }
 }
 
-TEST(OdeWorld, QuickStepGivesTheSameAnswerWhateverItDidBefore) {
+TEST(OdeWorld, QuickStepAnswersDoNotDependOnEarlierSimulations) {
   const Oracle& quick = *Simulators()[1];
   const World world = BrickOnSlab();
   const WorldState first = quick.Simulate(world).samples.back();
