@@ -67,7 +67,7 @@ cookbook::Cloth ToCookbook(const Cloth& cloth) {
 
 /** The iteration budget of a question, in iterations × constraints: at most 20 ms per
  step. */
-constexpr int kPatience = 40000;
+constexpr int kIterationBudget = 40000;
 
 class CookbookSimulation final : public Simulation {
  public:

@@ -140,8 +140,8 @@ OracleInfo MakeInfo(Algorithm algorithm) {
 ContactAnswer Translate(const Penetration& penetration) {
   if (penetration.status == -2) return CrashedAnswer("libccd ran out of memory");
   if (penetration.gave_up()) {
-    return TimedOutAnswer("no answer after " + std::to_string(kMostSupportPoints) +
-                          " support points");
+    return TimedOutAnswer("gave up at support point " +
+                          std::to_string(kMostSupportPoints));
   }
   ContactAnswer answer;
   answer.status = AnswerStatus::kAnswered;

@@ -37,13 +37,13 @@ void BallOnPlane::Take(std::size_t s, const BodyState& truth, const Errors& erro
       kSafety * (across + inside * errors.surface + errors.ending) + share * errors.speed;
   velocity_.Take((is.v_WB - truth.v_WB).norm(), allowed, [&] {
     return fmt::format("{} has {} moving at {} after {:.6g} s; {} it moves at {}",
-                       motion_.oracle.name, body.name, Words(is.v_WB), t, how_,
-                       Words(truth.v_WB));
+                       motion_.oracle.name, body.name, FormatVector(is.v_WB, 9), t, how_,
+                       FormatVector(truth.v_WB, 9));
   });
   spin_.Take((is.w_WB - truth.w_WB).norm(), allowed / (r * std::min(1.0, k)), [&] {
     return fmt::format("{} has {} spinning at {} after {:.6g} s; {} it spins at {}",
-                       motion_.oracle.name, body.name, Words(is.w_WB), t, how_,
-                       Words(truth.w_WB));
+                       motion_.oracle.name, body.name, FormatVector(is.w_WB, 9), t, how_,
+                       FormatVector(truth.w_WB, 9));
   });
   position_.Take((is.p_WB - truth.p_WB).norm(),
                  kSafety * (errors.lag + on_.Settling(h) + inside * errors.speed * t) +

@@ -256,8 +256,8 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
         return fmt::format(
             "{} has {} at {} after {:.6g} s; a fall from {:.6g} m with e = {:.6g} puts "
             "it at {}",
-            motion.oracle.name, fall.name, Words(is), t, fall.start.gap, fall.restitution,
-            Words(p_W));
+            motion.oracle.name, fall.name, FormatVector(is, 9), t, fall.start.gap,
+            fall.restitution, FormatVector(p_W, 9));
       });
       if (late > 0) continue;
       const Eigen::Vector3d v_W =
@@ -271,7 +271,8 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
             return fmt::format(
                 "{} has {} moving at {} after {:.6g} s, before it first touches; v₀ + g "
                 "t is {}",
-                motion.oracle.name, fall.name, Words(is_v_W), t, Words(v_W));
+                motion.oracle.name, fall.name, FormatVector(is_v_W, 9), t,
+                FormatVector(v_W, 9));
           });
     }
     if (position.IsBeyond())

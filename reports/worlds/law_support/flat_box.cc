@@ -64,7 +64,7 @@ void FlatBox::Take(std::size_t s, double speed) {
   });
   spin_.Take(is.w_WB.norm(), settling_spin_ + left, [&] {
     return fmt::format("{} has {} spinning at {} after {:.6g} s; nothing turns it",
-                       motion_.oracle.name, body.name, Words(is.w_WB), t);
+                       motion_.oracle.name, body.name, FormatVector(is.w_WB, 9), t);
   });
 }
 

@@ -145,14 +145,15 @@ std::vector<LawFinding> JudgeHeld(
                     kSafety * off + rounding * (points[i].p_W.norm() + speed * t), [&] {
                       return fmt::format(
                           "{} has {} at {} after {:.6g} s; the exact swing is at {}",
-                          motion.oracle.name, point.name, Words(is.p_W), t,
-                          Words(points[i].p_W));
+                          motion.oracle.name, point.name, FormatVector(is.p_W, 9), t,
+                          FormatVector(points[i].p_W, 9));
                     });
       velocity.Take(
           (is.v_W - points[i].v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
             return fmt::format(
                 "{} has {} moving at {} after {:.6g} s; the exact swing moves at {}",
-                motion.oracle.name, point.name, Words(is.v_W), t, Words(points[i].v_W));
+                motion.oracle.name, point.name, FormatVector(is.v_W, 9), t,
+                FormatVector(points[i].v_W, 9));
           });
     }
   }

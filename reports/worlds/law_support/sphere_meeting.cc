@@ -90,7 +90,8 @@ class SideJudge {
         (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
           return fmt::format(
               "{} has {} moving at {} after {:.6g} s; after the impact it moves at {}",
-              motion_.oracle.name, name, Words(is.v_WB), t, Words(truth.v_WB));
+              motion_.oracle.name, name, FormatVector(is.v_WB, 9), t,
+              FormatVector(truth.v_WB, 9));
         });
     spin_.Take(
         (is.w_WB - truth.w_WB).norm(),
@@ -99,7 +100,8 @@ class SideJudge {
         [&] {
           return fmt::format(
               "{} has {} spinning at {} after {:.6g} s; after the impact it spins at {}",
-              motion_.oracle.name, name, Words(is.w_WB), t, Words(truth.w_WB));
+              motion_.oracle.name, name, FormatVector(is.w_WB, 9), t,
+              FormatVector(truth.w_WB, 9));
         });
     position_.Take((is.p_WB - truth.p_WB).norm(),
                    kSafety * (dp + (gravity + side.a_W.norm() * h / 2) * t) +
@@ -107,7 +109,8 @@ class SideJudge {
                    [&] {
                      return fmt::format(
                          "{} has {} at {} after {:.6g} s; after the impact it is at {}",
-                         motion_.oracle.name, name, Words(is.p_WB), t, Words(truth.p_WB));
+                         motion_.oracle.name, name, FormatVector(is.p_WB, 9), t,
+                         FormatVector(truth.p_WB, 9));
                    });
   }
 

@@ -102,8 +102,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         });
     velocity.Take((is.v_W - truth.v_W).norm(), rounding * flight.Speed(t), [&] {
       return fmt::format("{} has {} moving at {} after {:.6g} s; v₀ + a t is {}",
-                         motion.oracle.name, flight.name, Words(is.v_W), t,
-                         Words(truth.v_W));
+                         motion.oracle.name, flight.name, FormatVector(is.v_W, 9), t,
+                         FormatVector(truth.v_W, 9));
     });
   };
   const Subjects subjects = SubjectsOf(world, claim);

@@ -65,7 +65,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                  return fmt::format(
                      "{} has a momentum of {} N s after {:.6g} s; the start and the "
                      "external impulses give {}",
-                     motion.oracle.name, Words(P), t, Words(truth));
+                     motion.oracle.name, FormatVector(P, 9), t, FormatVector(truth, 9));
                });
   }
   return FindingsOf({drift});

@@ -271,7 +271,8 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
         (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
           return fmt::format(
               "{} has {} moving at {} after {:.6g} s; after the impact it moves at {}",
-              motion.oracle.name, body.name, Words(is.v_WB), t, Words(truth.v_WB));
+              motion.oracle.name, body.name, FormatVector(is.v_WB, 9), t,
+              FormatVector(truth.v_WB, 9));
         });
     position.Take((is.p_WB - truth.p_WB).norm(),
                   kSafety * (dp + (gravity + a * h / 2) * t) + share * speed * t +
@@ -279,8 +280,8 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
                   [&] {
                     return fmt::format(
                         "{} has {} at {} after {:.6g} s; after the impact it is at {}",
-                        motion.oracle.name, body.name, Words(is.p_WB), t,
-                        Words(truth.p_WB));
+                        motion.oracle.name, body.name, FormatVector(is.p_WB, 9), t,
+                        FormatVector(truth.p_WB, 9));
                   });
     // Before the impact the inverse inertia is that of the start; the spin of the truth
     // is that at the impact.
@@ -296,7 +297,8 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
                 return fmt::format(
                     "{} has {} spinning at {} after {:.6g} s; in this orientation the "
                     "angular momentum after the impact is a spin of {}",
-                    motion.oracle.name, body.name, Words(is.w_WB), t, Words(w_W));
+                    motion.oracle.name, body.name, FormatVector(is.w_WB, 9), t,
+                    FormatVector(w_W, 9));
               });
   }
   return {position, velocity, spin};

@@ -60,8 +60,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                    return fmt::format(
                        "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, "
                        "pushes and the reported contacts give {}",
-                       motion.oracle.name, body.name, Words(gained_W), from, to,
-                       Words(given_W));
+                       motion.oracle.name, body.name, FormatVector(gained_W, 9), from, to,
+                       FormatVector(given_W, 9));
                  });
     }
   }

@@ -75,8 +75,8 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
         (is.v_W - truth.v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
           return fmt::format(
               "{} has {} moving at {} after {:.6g} s; damped by {:.6g}/s it moves at {}",
-              motion.oracle.name, particle.name, Words(is.v_W), t, particle.damping,
-              Words(truth.v_W));
+              motion.oracle.name, particle.name, FormatVector(is.v_W, 9), t,
+              particle.damping, FormatVector(truth.v_W, 9));
         });
   }
   return FindingsOf({position, velocity});

@@ -85,8 +85,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const double rounding = RoundingOf(motion.oracle, world.sample_every);
       momentum.Take((body.mass * after.v_WB - P_W).norm(), rounding * size, [&] {
         return fmt::format("{} has {} at {} N s after {:.6g} s; the push leaves it {}",
-                           motion.oracle.name, body.name, Words(body.mass * after.v_WB),
-                           to, Words(P_W));
+                           motion.oracle.name, body.name,
+                           FormatVector(body.mass * after.v_WB, 9), to,
+                           FormatVector(P_W, 9));
       });
       spin.Take((L_after - L_W).norm(),
                 kSafety * (world.dt * lost + turned) + rounding * L_size, [&] {

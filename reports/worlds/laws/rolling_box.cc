@@ -174,8 +174,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
             return fmt::format(
                 "{} has {} moving at {} after {:.6g} s; driven against friction "
                 "it moves at {}",
-                motion.oracle.name, world.bodies[i].name, Words(state.bodies[i].v_WB), t,
-                Words(v_W));
+                motion.oracle.name, world.bodies[i].name,
+                FormatVector(state.bodies[i].v_WB, 9), t, FormatVector(v_W, 9));
           });
     };
     double deepest = 0;
@@ -197,7 +197,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
                   return fmt::format(
                       "{} has {} spinning at {} after {:.6g} s; rolling on the box it "
                       "spins at {}",
-                      motion.oracle.name, ball.name, Words(is), t, Words(w_W));
+                      motion.oracle.name, ball.name, FormatVector(is, 9), t,
+                      FormatVector(w_W, 9));
                 });
     }
     hold(train.box, 1, deepest);

@@ -220,14 +220,15 @@ std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
                     [&] {
                       return fmt::format(
                           "{} has {} at {} after {:.6g} s; after its impacts it is at {}",
-                          motion.oracle.name, name, Words(is.p_WB), t, Words(p_W));
+                          motion.oracle.name, name, FormatVector(is.p_WB, 9), t,
+                          FormatVector(p_W, 9));
                     });
       if (strikes.May(i, t)) continue;
       const Eigen::Vector3d v_W = balls[i].v * row.d_W;
       velocity.Take((is.v_WB - v_W).norm(), share * row.speed, [&] {
         return fmt::format(
             "{} has {} moving at {} after {:.6g} s; after its impacts it moves at {}",
-            motion.oracle.name, name, Words(is.v_WB), t, Words(v_W));
+            motion.oracle.name, name, FormatVector(is.v_WB, 9), t, FormatVector(v_W, 9));
       });
     }
   }

@@ -136,15 +136,16 @@ std::vector<Worst> JudgeBy(const Motion& motion, const OnSpring& on,
                     return fmt::format(
                         "{} has {} at {} after {:.6g} s; with ω = {:.6g} rad/s and c = "
                         "{:.6g}/s it is at {}",
-                        motion.oracle.name, on.mass.name, Words(is.p_W), t,
-                        on.oscillator.omega, on.oscillator.damping, Words(p_W));
+                        motion.oracle.name, on.mass.name, FormatVector(is.p_W, 9), t,
+                        on.oscillator.omega, on.oscillator.damping, FormatVector(p_W, 9));
                   });
     velocity.Take(
         (is.v_W - v_W).norm(),
         off.v + rounding * on.oscillator.omega * (on.p_W.norm() + on.rest + A), [&] {
           return fmt::format(
               "{} has {} moving at {} after {:.6g} s; the exact swing moves at {}",
-              motion.oracle.name, on.mass.name, Words(is.v_W), t, Words(v_W));
+              motion.oracle.name, on.mass.name, FormatVector(is.v_W, 9), t,
+              FormatVector(v_W, 9));
         });
   }
   return {position, velocity};

@@ -134,8 +134,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(), [&] {
             return fmt::format(
                 "{} has {} spinning at {} rad/s after {:.6g} s; Euler's equations say {}",
-                motion.oracle.name, name, Words(is.w_WB), trajectory.times[s],
-                Words(truth[s].w_WB));
+                motion.oracle.name, name, FormatVector(is.w_WB, 9), trajectory.times[s],
+                FormatVector(truth[s].w_WB, 9));
           });
     }
   }

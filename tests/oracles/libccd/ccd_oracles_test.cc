@@ -105,7 +105,7 @@ TEST(CcdEpa, IsStoppedByACountOfSupportPointsInsteadOfATime) {
   const Body B = {Sphere{0.465}, Pose::FromQuaternion(0.5 * p_WB, {1, 0, 0, 0})};
   const ContactAnswer answer = Epa().Answer({A, B});
   EXPECT_EQ(answer.status, AnswerStatus::kTimedOut);
-  EXPECT_EQ(answer.reason, "no answer after 20000 support points");
+  EXPECT_EQ(answer.reason, "gave up at support point 20000");
 }
 
 TEST(CcdMpr, PreparedBatchReturnsTheSeparationsOfTheAnswers) {
