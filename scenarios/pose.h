@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include "scenarios/eigen_alignment.h"
+
 namespace touchstone {
 
 /** The pose of a body: maps body coordinates to world coordinates, x_W = R_WB x_B + p_WB.

@@ -2,6 +2,12 @@
 
 #include <Eigen/Core>
 
+// With -mavx2 or -march=native Eigen would align its types otherwise than the installed
+// library does. The CMake target sets the alignment.
+static_assert(EIGEN_MAX_STATIC_ALIGN_BYTES == 16,
+              "The engine aligns Eigen's types to 16 bytes: link the CMake target "
+              "touchstone::engine, or compile with -DEIGEN_MAX_ALIGN_BYTES=16.");
+
 namespace cookbook {
 
 /** The pose of a body in the world: x_W = R_WB x_B + p_WB. */
