@@ -61,6 +61,7 @@ list(APPEND own_rules
   "reports/worlds/laws/ => reports/(text|worlds/(truth|law_support))/"
   # The study finds a law by its name and includes no single law.
   "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/nearest_name[.]h|(generators|worlds)/)"
+  # Only the benchmark runs engines in child processes of its own.
   "reports/(bench/|worlds/deepest_penetration[.]) => reports/(text|referee)/|oracles/(isolation/[a-z_]+|oracle|simulation|trajectory)[.]h|scenarios/([a-z_]+[.]h|(generators|worlds)/)"
   "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_result[.]h)|oracles/oracle[.]h"
   "reports/ledger/ => reports/((text|finding|referee|measures|contacts)/|run_report[.]h)|scenarios/(diagnostic|schema/nearest_name)[.]h"
