@@ -1,35 +1,80 @@
-# Checks the architecture. Fails if a file includes a header that its folder must not
-# include, or if headers include each other in a cycle.
+# Checks the architecture. Fails if a file includes a header that its room must not
+# include, if a file has no room, if a room has no files, or if headers include each other
+# in a cycle.
 #   cmake -D ROOT=<source dir> -P allowed_includes.cmake
 #
-# A rule is "folder => headers it may include"; both sides are regular expressions. The
-# first rule whose folder matches a file decides, so the narrower rules come first.
+# A rule is "room => headers of other rooms that it may include"; both sides are regular
+# expressions. The last rule that matches a file decides its room, so exceptions follow
+# their room. The rules are in order from the bottom up: no file may include a header of a
+# later rule, whatever its right side says. Rooms thus never depend on each other in a
+# circle.
 
 cmake_minimum_required(VERSION 3.24)
 
 set(own_rules
-  # The corrected engine never calls the specimens.
-  "engine/printed/ => engine/"
-  "engine/simd/ => engine/simd/"
-  "engine/threads/ => engine/threads/"
-  "engine/collision/ => engine/(simd|collision)/"
-  "engine/dynamics/body/ => engine/(collision|dynamics/body)/"
-  "engine/dynamics/broad_phase/ => engine/(simd|threads|dynamics/(body|broad_phase))/"
-  "engine/dynamics/joints/ => engine/dynamics/(body|joints)/"
-  "engine/dynamics/contacts/ => engine/(simd|threads|collision|dynamics/(body|broad_phase|contacts))/"
-  "engine/dynamics/solver/ => engine/(simd|threads|dynamics/(body|contacts|solver))/"
-  "engine/dynamics/impacts/ => engine/(threads|collision|dynamics/(body|contacts|solver|impacts))/"
+  # The cookbook engine.
+  "engine/simd/ => nothing"
+  "engine/threads/ => nothing"
+  "engine/collision/ => engine/simd/"
+  "engine/dynamics/body/ => engine/collision/"
+  "engine/dynamics/broad_phase/ => engine/(simd|threads|dynamics/body)/"
+  "engine/dynamics/joints/ => engine/dynamics/body/"
+  "engine/dynamics/contacts/ => engine/(simd|threads|collision|dynamics/(body|broad_phase))/"
+  "engine/dynamics/solver/ => engine/(simd|threads|dynamics/(body|contacts))/"
+  "engine/dynamics/impacts/ => engine/(threads|collision|dynamics/(body|contacts|solver))/"
   "engine/dynamics/world/ => engine/(simd|threads|dynamics)/"
-  "engine/ => engine/(simd|threads|collision|dynamics)/|engine/(dynamics/)?[a-z_]+[.]h"
-  "scenarios/ => scenarios/"
+  # The published recipes share only vocabulary with the corrected engine.
+  "engine/printed/ => engine/collision/(rounding|shape)[.]h"
+
+  "scenarios/ => nothing"
+
+  # The interface of the oracles, and the child processes.
+  "oracles/[a-z_]+[.] => scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
+  "oracles/isolation/ => oracles/[a-z_]+[.]h")
+
+# No adapter includes another.
+foreach(adapter bullet cookbook dart fcl libccd mujoco ode)
+  set(rule "oracles/${adapter}/ => oracles/(isolation/isolated_oracle|[a-z_]+)[.]h")
+  string(APPEND rule "|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h")
   # Only the cookbook adapter sees the engine, so that no oracle is right because it ran
   # the code it judges.
-  "oracles/cookbook/ => (oracles|scenarios|engine)/"
-  "oracles/ => (oracles|scenarios)/"
+  if(adapter STREQUAL "cookbook")
+    string(APPEND rule "|engine/(collision|dynamics/world|printed)/")
+  endif()
+  list(APPEND own_rules "${rule}")
+endforeach()
+
+list(APPEND own_rules
+  "oracles/oracle_registry[.] => oracles/([a-z_]+|[a-z]+/[a-z_]+_oracles?)[.]h"
+
+  # The vocabulary of the reports.
+  "reports/text/ => nothing"
+  "reports/threads/ => nothing"
+  "reports/finding/ => scenarios/measure_kind[.]h"
   # The referee sees questions, never an answer.
-  "reports/referee/ => (reports/referee|scenarios)/"
-  "reports/ => (reports|scenarios)/|oracles/(oracle|contact_answer|simulation|trajectory)[.]h"
-  "cli/ => (cli|reports|oracles|scenarios)/")
+  "reports/referee/ => scenarios/[a-z_]+[.]h"
+  "reports/measures/ => reports/referee/|oracles/contact_answer[.]h|scenarios/[a-z_]+[.]h"
+  "reports/contacts/ => reports/(text|finding|referee|measures)/|oracles/(contact_answer|oracle)[.]h|scenarios/[a-z_]+[.]h"
+  # Closed forms know nothing of engines' names, laws or findings.
+  "reports/worlds/truth/ => oracles/trajectory[.]h|scenarios/worlds/"
+  "reports/worlds/law_support/ => reports/(text|finding|referee|worlds/truth)/|oracles/(oracle|trajectory)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
+  "reports/worlds/laws/ => reports/(text|worlds/(truth|law_support))/"
+  # The study finds a law by its name and includes no single law.
+  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/nearest_name[.]h|(generators|worlds)/)"
+  # Only the benchmark runs engines in child processes of its own.
+  "reports/(bench/|worlds/deepest_penetration[.]) => reports/(text|referee)/|oracles/(isolation/[a-z_]+|oracle|simulation|trajectory)[.]h|scenarios/([a-z_]+[.]h|(generators|worlds)/)"
+  "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_result[.]h)|oracles/oracle[.]h"
+  "reports/ledger/ => reports/((text|finding|referee|measures|contacts)/|run_report[.]h)|scenarios/(diagnostic|schema/nearest_name)[.]h"
+  "reports/accuracy/ => reports/(ledger/|run_report[.]h)"
+  "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
+  "reports/writers/ => reports/((text|referee|contacts|worlds/study)/|run_report[.]h)|oracles/(contact_answer|trajectory)[.]h|scenarios/(contact_query|worlds/world_scenario)[.]h"
+  "reports/sweep/ => reports/((text|writers)/|run[.]h|run_report[.]h)|oracles/oracle[.]h|scenarios/(generators/|scenario_file[.]h)"
+  "reports/gtest/ => reports/sweep/"
+
+  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/(deepest_penetration|study/check_claims)[.]h)|oracles/(isolation/last_line|oracle|oracle_registry)[.]h|scenarios/"
+  "cli/commands/ => cli/|reports/(accuracy|bench|ledger|referee|sweep|text|writers)/|scenarios/"
+  # The command line is the only file that knows the commands.
+  "cli/command_line[.]cc => cli/|scenarios/schema/")
 
 # The headers of a third-party library may be included only by the files that wrap it.
 set(library_rules
@@ -53,51 +98,87 @@ macro(split_rule rule)
   string(REGEX REPLACE ".* => " "" right "${rule}")
 endmacro()
 
-set(broken)
-set(headers)
-set(seen 0)
-foreach(room engine scenarios oracles reports cli)
-  file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${room}/*.h ${ROOT}/${room}/*.cc)
+# Finds the room of each file, as the index of its rule.
+set(homeless)
+set(occupied)
+set(own_files)
+foreach(house engine scenarios oracles reports cli)
+  file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${house}/*.h ${ROOT}/${house}/*.cc)
   foreach(file IN LISTS files)
-    math(EXPR seen "${seen} + 1")
-    set(own)
-    file(STRINGS ${ROOT}/${file} includes REGEX "^#include")
-    foreach(line IN LISTS includes)
-      if(line MATCHES "\"(.*)\"")
-        set(header ${CMAKE_MATCH_1})
-        list(APPEND own ${header})
-        foreach(rule IN LISTS own_rules)
-          split_rule("${rule}")
-          if(file MATCHES "^${left}")
-            if(NOT header MATCHES "^(${right})")
-              list(APPEND broken "${file}: ${line}")
-            endif()
-            break()
-          endif()
-        endforeach()
-      elseif(line MATCHES "<(.*)>")
-        set(header ${CMAKE_MATCH_1})
-        foreach(rule IN LISTS library_rules)
-          split_rule("${rule}")
-          if(header MATCHES "^${left}" AND NOT file MATCHES "^${right}")
-            list(APPEND broken "${file}: ${line}")
-          endif()
-        endforeach()
+    set(index 0)
+    foreach(rule IN LISTS own_rules)
+      split_rule("${rule}")
+      if(file MATCHES "^${left}")
+        set(room_of_${file} ${index})
       endif()
+      math(EXPR index "${index} + 1")
     endforeach()
-    if(file MATCHES "[.]h$")
-      list(APPEND headers ${file})
-      set(includes_of_${file} ${own})
+    if(DEFINED room_of_${file})
+      list(APPEND occupied ${room_of_${file}})
+      list(APPEND own_files ${file})
+    else()
+      list(APPEND homeless ${file})
     endif()
   endforeach()
 endforeach()
 
-if(seen LESS 15)
-  message(FATAL_ERROR "Only ${seen} files were read: is ROOT the source folder?")
-endif()
-if(broken)
-  list(JOIN broken "\n  " broken)
-  message(FATAL_ERROR "Includes that break the architecture:\n  ${broken}")
+set(empty)
+set(index 0)
+foreach(rule IN LISTS own_rules)
+  if(NOT index IN_LIST occupied)
+    split_rule("${rule}")
+    list(APPEND empty ${left})
+  endif()
+  math(EXPR index "${index} + 1")
+endforeach()
+
+set(broken)
+set(headers)
+foreach(file IN LISTS own_files)
+  set(room ${room_of_${file}})
+  list(GET own_rules ${room} own_rule)
+  set(own)
+  file(STRINGS ${ROOT}/${file} includes REGEX "^#include")
+  foreach(line IN LISTS includes)
+    if(line MATCHES "\"(.*)\"")
+      set(header ${CMAKE_MATCH_1})
+      list(APPEND own ${header})
+      split_rule("${own_rule}")
+      if(NOT DEFINED room_of_${header})
+        list(APPEND broken "${file}: ${line}: no such header in a room")
+      elseif(room_of_${header} GREATER room)
+        list(APPEND broken "${file}: ${line}: points up")
+      elseif(NOT room_of_${header} EQUAL room AND NOT header MATCHES "^(${right})")
+        list(APPEND broken "${file}: ${line}: not in the list of its room")
+      endif()
+    elseif(line MATCHES "<(.*)>")
+      set(header ${CMAKE_MATCH_1})
+      foreach(rule IN LISTS library_rules)
+        split_rule("${rule}")
+        if(header MATCHES "^${left}" AND NOT file MATCHES "^${right}")
+          list(APPEND broken "${file}: ${line}: only in ${right}")
+        endif()
+      endforeach()
+    endif()
+  endforeach()
+  if(file MATCHES "[.]h$")
+    list(APPEND headers ${file})
+    set(includes_of_${file} ${own})
+  endif()
+endforeach()
+
+# Prints the list named `faults`, if it has any elements.
+macro(report faults title)
+  if(${faults})
+    list(JOIN ${faults} "\n  " lines)
+    message(SEND_ERROR "${title}:\n  ${lines}")
+  endif()
+endmacro()
+report(empty "Rooms without files. Is ROOT the source folder? If so, remove their rules")
+report(homeless "Files without a room. Add a rule for their folder")
+report(broken "Includes that break the architecture")
+if(empty OR homeless OR broken)
+  return()
 endif()
 
 # A header is settled once all its includes are. The headers that never settle form a
@@ -124,5 +205,6 @@ while(TRUE)
   endif()
   set(open ${still_open})
 endwhile()
-list(LENGTH headers count)
-message(STATUS "${seen} files, ${count} headers: every include obeys the rules")
+list(LENGTH own_rules rooms)
+list(LENGTH own_files count)
+message(STATUS "${count} files in ${rooms} rooms: every include obeys the rules")
