@@ -3,19 +3,11 @@
 
 #include "engine/dynamics/broad_phase/aabb_tree.h"
 
-// Sixteen doubles are two registers of AVX-512, four of AVX2.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/broad_phase/aabb_tree_simd.cc"
-#include <hwy/foreach_target.h>
-// After foreach_target.h.
-#include <hwy/highway.h>
+#include "engine/simd/foreach_target.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -54,16 +46,13 @@ void FindBelow(const AabbTree::Node* nodes, int root, const Aabb& bounds,
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(FindBelow);
-
 void AabbTree::Find(const Aabb& bounds, Room& room) const {
-  if (root_ >= 0) HWY_DYNAMIC_DISPATCH(FindBelow)(nodes_.data(), root_, bounds, room);
+  if (root_ >= 0) COOKBOOK_DISPATCH(FindBelow)(nodes_.data(), root_, bounds, room);
 }
 
 }  // namespace cookbook

@@ -9,23 +9,14 @@
 #include "engine/collision/feature.h"
 #include "engine/collision/rounding.h"
 
-// Vectors without a size at compile time cannot be kept in arrays; what is between the
-// baseline and AVX2 brings no more than the baseline.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/contacts/collide_boxes_simd.cc"
-#include <hwy/foreach_target.h>
+#include "engine/simd/foreach_target.h"
 // After foreach_target.h.
-#include <hwy/highway.h>
-
 #include "engine/collision/many_pairs_axis.h"
 #include "engine/dynamics/contacts/clip_faces_simd.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -320,16 +311,13 @@ unsigned CollideAll(std::span<const Neighbours> boxes) {
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(CollideAll);
-
 unsigned CollideBoxesSimd(std::span<const Neighbours> boxes) {
-  return HWY_DYNAMIC_DISPATCH(CollideAll)(boxes);
+  return COOKBOOK_DISPATCH(CollideAll)(boxes);
 }
 }  // namespace cookbook
 #endif

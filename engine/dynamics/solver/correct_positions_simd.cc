@@ -2,21 +2,13 @@
 
 #include "engine/dynamics/solver/position_constraint.h"
 
-// Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/solver/correct_positions_simd.cc"
-#include <hwy/foreach_target.h>
+#include "engine/simd/foreach_target.h"
 // After foreach_target.h.
-#include <hwy/highway.h>
-
 #include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 template <class Real>
@@ -122,73 +114,31 @@ void Remove(const PositionConstraintView<Real>& rows, SolverVelocity<Real>* move
   }
 }
 
-void NoteDoubles(const ConstraintView<double>& rows, bool turns,
-                 Overlaps<double>& overlaps) {
-  Note(rows, turns, overlaps);
-}
-void NoteFloats(const ConstraintView<float>& rows, bool turns,
-                Overlaps<float>& overlaps) {
-  Note(rows, turns, overlaps);
-}
-void FindDoubles(const PositionConstraintView<double>& rows, const PositionRules& rules,
-                 const Velocity* mean, const Velocity* solved) {
-  Find(rows, rules, mean, solved);
-}
-void FindFloats(const PositionConstraintView<float>& rows, const PositionRules& rules,
-                const Velocity* mean, const Velocity* solved) {
-  Find(rows, rules, mean, solved);
-}
-void RemoveDoubles(const PositionConstraintView<double>& rows, Velocity* moves) {
-  Remove(rows, moves);
-}
-void RemoveFloats(const PositionConstraintView<float>& rows, SingleVelocity* moves) {
-  Remove(rows, moves);
-}
-
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(NoteDoubles);
-HWY_EXPORT(NoteFloats);
-HWY_EXPORT(FindDoubles);
-HWY_EXPORT(FindFloats);
-HWY_EXPORT(RemoveDoubles);
-HWY_EXPORT(RemoveFloats);
-
-template <>
-void CollectDeepContacts(const ConstraintView<double>& rows, bool turns,
-                         Overlaps<double>& overlaps) {
-  HWY_DYNAMIC_DISPATCH(NoteDoubles)(rows, turns, overlaps);
+template <class Real>
+void CollectDeepContacts(const ConstraintView<Real>& rows, bool turns,
+                         Overlaps<Real>& overlaps) {
+  COOKBOOK_DISPATCH(Note<Real>)(rows, turns, overlaps);
 }
-template <>
-void CollectDeepContacts(const ConstraintView<float>& rows, bool turns,
-                         Overlaps<float>& overlaps) {
-  HWY_DYNAMIC_DISPATCH(NoteFloats)(rows, turns, overlaps);
-}
+COOKBOOK_INSTANTIATE(CollectDeepContacts);
 
-template <>
-void FindExcess(const PositionConstraintView<double>& rows, const PositionRules& rules,
+template <class Real>
+void FindExcess(const PositionConstraintView<Real>& rows, const PositionRules& rules,
                 std::span<const Velocity> mean, std::span<const Velocity> solved) {
-  HWY_DYNAMIC_DISPATCH(FindDoubles)(rows, rules, mean.data(), solved.data());
+  COOKBOOK_DISPATCH(Find<Real>)(rows, rules, mean.data(), solved.data());
 }
-template <>
-void FindExcess(const PositionConstraintView<float>& rows, const PositionRules& rules,
-                std::span<const Velocity> mean, std::span<const Velocity> solved) {
-  HWY_DYNAMIC_DISPATCH(FindFloats)(rows, rules, mean.data(), solved.data());
-}
+COOKBOOK_INSTANTIATE(FindExcess);
 
-template <>
-void RemoveExcess(const PositionConstraintView<double>& rows, std::span<Velocity> moves) {
-  HWY_DYNAMIC_DISPATCH(RemoveDoubles)(rows, moves.data());
+template <class Real>
+void RemoveExcess(const PositionConstraintView<Real>& rows,
+                  std::span<SolverVelocity<Real>> moves) {
+  COOKBOOK_DISPATCH(Remove<Real>)(rows, moves.data());
 }
-template <>
-void RemoveExcess(const PositionConstraintView<float>& rows,
-                  std::span<SingleVelocity> moves) {
-  HWY_DYNAMIC_DISPATCH(RemoveFloats)(rows, moves.data());
-}
+COOKBOOK_INSTANTIATE(RemoveExcess);
 }  // namespace cookbook
 #endif

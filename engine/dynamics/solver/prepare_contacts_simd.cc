@@ -5,21 +5,13 @@
 #include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/threads/prefetch.h"
 
-// Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/solver/prepare_contacts_simd.cc"
-#include <hwy/foreach_target.h>
+#include "engine/simd/foreach_target.h"
 // After foreach_target.h.
-#include <hwy/highway.h>
-
 #include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 /** A contact that approaches slower than this share of what gravity adds in a step is one
@@ -444,38 +436,18 @@ double Prepare(const ConstraintView<Real>& rows, const ContactRules& rules,
   return Greatest(Sqrt(greatest));
 }
 
-double PrepareDoubles(const ConstraintView<double>& rows, const ContactRules& rules,
-                      std::span<const ContactPair> pairs, const SolverBodies& world,
-                      bool warm_starting) {
-  return Prepare(rows, rules, pairs, world, warm_starting);
-}
-double PrepareFloats(const ConstraintView<float>& rows, const ContactRules& rules,
-                     std::span<const ContactPair> pairs, const SolverBodies& world,
-                     bool warm_starting) {
-  return Prepare(rows, rules, pairs, world, warm_starting);
-}
-
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(PrepareDoubles);
-HWY_EXPORT(PrepareFloats);
-
-template <>
-double PrepareContacts(const ConstraintView<double>& rows, const ContactRules& rules,
+template <class Real>
+double PrepareContacts(const ConstraintView<Real>& rows, const ContactRules& rules,
                        std::span<const ContactPair> pairs, const SolverBodies& world,
                        bool warm_starting) {
-  return HWY_DYNAMIC_DISPATCH(PrepareDoubles)(rows, rules, pairs, world, warm_starting);
+  return COOKBOOK_DISPATCH(Prepare<Real>)(rows, rules, pairs, world, warm_starting);
 }
-template <>
-double PrepareContacts(const ConstraintView<float>& rows, const ContactRules& rules,
-                       std::span<const ContactPair> pairs, const SolverBodies& world,
-                       bool warm_starting) {
-  return HWY_DYNAMIC_DISPATCH(PrepareFloats)(rows, rules, pairs, world, warm_starting);
-}
+COOKBOOK_INSTANTIATE(PrepareContacts);
 }  // namespace cookbook
 #endif

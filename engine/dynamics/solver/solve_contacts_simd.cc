@@ -4,21 +4,13 @@
 
 #include "engine/dynamics/solver/contact_constraint.h"
 
-// Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/solver/solve_contacts_simd.cc"
-#include <hwy/foreach_target.h>
+#include "engine/simd/foreach_target.h"
 // After foreach_target.h.
-#include <hwy/highway.h>
-
 #include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 template <class Real>
@@ -350,78 +342,35 @@ void Read(const ConstraintView<Real>& rows, std::span<ContactPair> pairs,
   }
 }
 
-void ApplyAllDoubles(const ConstraintView<double>& rows, Velocity* velocities) {
-  ApplyAll(rows, velocities);
-}
-void ApplyAllFloats(const ConstraintView<float>& rows, SingleVelocity* velocities) {
-  ApplyAll(rows, velocities);
-}
-Changes SolveDoubles(const ConstraintView<double>& rows, const ContactRules& rules,
-                     double relaxation, Velocity* velocities) {
-  return Iterate(rows, rules, relaxation, velocities);
-}
-Changes SolveFloats(const ConstraintView<float>& rows, const ContactRules& rules,
-                    double relaxation, SingleVelocity* velocities) {
-  return Iterate(rows, rules, relaxation, velocities);
-}
-void ReadDoubles(const ConstraintView<double>& rows, std::span<ContactPair> pairs,
-                 Touch* touches) {
-  Read(rows, pairs, touches);
-}
-void ReadFloats(const ConstraintView<float>& rows, std::span<ContactPair> pairs,
-                Touch* touches) {
-  Read(rows, pairs, touches);
-}
-
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(ApplyAllDoubles);
-HWY_EXPORT(ApplyAllFloats);
-HWY_EXPORT(ApplyFound);
-HWY_EXPORT(SolveDoubles);
-HWY_EXPORT(SolveFloats);
-HWY_EXPORT(ReadDoubles);
-HWY_EXPORT(ReadFloats);
-
-template <>
-void ApplyImpulses(const ConstraintView<double>& rows, std::span<Velocity> velocities) {
-  HWY_DYNAMIC_DISPATCH(ApplyAllDoubles)(rows, velocities.data());
+template <class Real>
+void ApplyImpulses(const ConstraintView<Real>& rows,
+                   std::span<SolverVelocity<Real>> velocities) {
+  COOKBOOK_DISPATCH(ApplyAll<Real>)(rows, velocities.data());
 }
-template <>
-void ApplyImpulses(const ConstraintView<float>& rows,
-                   std::span<SingleVelocity> velocities) {
-  HWY_DYNAMIC_DISPATCH(ApplyAllFloats)(rows, velocities.data());
-}
+COOKBOOK_INSTANTIATE(ApplyImpulses);
 
 void ApplyFoundImpulses(const ConstraintView<float>& rows, const SolverBodies& world) {
-  HWY_DYNAMIC_DISPATCH(ApplyFound)(rows, world);
+  COOKBOOK_DISPATCH(ApplyFound)(rows, world);
 }
 
-template <>
-Changes SolveContacts(const ConstraintView<double>& rows, const ContactRules& rules,
-                      double relaxation, std::span<Velocity> velocities) {
-  return HWY_DYNAMIC_DISPATCH(SolveDoubles)(rows, rules, relaxation, velocities.data());
+template <class Real>
+Changes SolveContacts(const ConstraintView<Real>& rows, const ContactRules& rules,
+                      double relaxation, std::span<SolverVelocity<Real>> velocities) {
+  return COOKBOOK_DISPATCH(Iterate<Real>)(rows, rules, relaxation, velocities.data());
 }
-template <>
-Changes SolveContacts(const ConstraintView<float>& rows, const ContactRules& rules,
-                      double relaxation, std::span<SingleVelocity> velocities) {
-  return HWY_DYNAMIC_DISPATCH(SolveFloats)(rows, rules, relaxation, velocities.data());
-}
+COOKBOOK_INSTANTIATE(SolveContacts);
 
-template <>
-void ReadContacts(const ConstraintView<double>& rows, std::span<ContactPair> pairs,
+template <class Real>
+void ReadContacts(const ConstraintView<Real>& rows, std::span<ContactPair> pairs,
                   std::span<Touch> touches) {
-  HWY_DYNAMIC_DISPATCH(ReadDoubles)(rows, pairs, touches.data());
+  COOKBOOK_DISPATCH(Read<Real>)(rows, pairs, touches.data());
 }
-template <>
-void ReadContacts(const ConstraintView<float>& rows, std::span<ContactPair> pairs,
-                  std::span<Touch> touches) {
-  HWY_DYNAMIC_DISPATCH(ReadFloats)(rows, pairs, touches.data());
-}
+COOKBOOK_INSTANTIATE(ReadContacts);
 }  // namespace cookbook
 #endif

@@ -4,21 +4,13 @@
 #include "engine/dynamics/body/rotation.h"
 #include "engine/dynamics/world/integrate.h"
 
-// Four doubles are one register from AVX2 on.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/world/integrate_simd.cc"
-#include <hwy/foreach_target.h>
+#include "engine/simd/foreach_target.h"
 // After foreach_target.h.
-#include <hwy/highway.h>
-
 #include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 // Sums and products in the order in which Eigen has them: a body moves by the same bits
@@ -244,23 +236,19 @@ void ShiftAll(std::span<RigidBody> bodies, std::span<const Velocity> moves,
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(MoveAll);
-HWY_EXPORT(ShiftAll);
-
 bool MoveRound(const Motion& motion, std::span<const int> bodies,
                std::span<double> ways) {
-  return HWY_DYNAMIC_DISPATCH(MoveAll)(motion, bodies, ways);
+  return COOKBOOK_DISPATCH(MoveAll)(motion, bodies, ways);
 }
 
 void Shift(std::span<RigidBody> bodies, std::span<const Velocity> moves,
            std::span<const int> some, std::span<double> ways) {
-  HWY_DYNAMIC_DISPATCH(ShiftAll)(bodies, moves, some, ways);
+  COOKBOOK_DISPATCH(ShiftAll)(bodies, moves, some, ways);
 }
 }  // namespace cookbook
 #endif
