@@ -91,7 +91,7 @@ void BroadPhase::Add(const RigidBody& body) {
 
 void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
                              double ahead, ThreadPool& pool) {
-  leaving_.Clear(pool.shares());
+  leaving_.Clear(pool.chunk_count());
   const auto look = [&](std::size_t i, std::vector<Leaving>& leaving) {
     const Proxy& proxy = proxies_[i];
     const RigidBody& body = bodies[i];
@@ -108,9 +108,9 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
     leaving.push_back({static_cast<int>(i), wide});
   };
   pool.ParallelForIndexed(proxies_.size(), kFewBodies,
-                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t i = begin; i < end; ++i)
-                              look(i, leaving_.Of(share));
+                              look(i, leaving_[chunk]);
                           });
 }
 
@@ -135,12 +135,12 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
     SetWide(leaving.body, leaving.wide);
   });
 
-  rooms_.resize(pool.shares());
-  appearing_.Clear(pool.shares());
+  rooms_.resize(pool.chunk_count());
+  appearing_.Clear(pool.chunk_count());
   pool.ParallelForIndexed(moved_.size(), kFewMoved,
-                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t k = begin; k < end; ++k) {
-                              Pair(moved_[k], rooms_[share], appearing_.Of(share));
+                              Pair(moved_[k], rooms_[chunk], appearing_[chunk]);
                             }
                           });
   appearing_.ForEach([&](const std::pair<int, int>& pair) { appeared.push_back(pair); });

@@ -9,7 +9,7 @@
 #include "engine/dynamics/broad_phase/aabb_tree.h"
 #include "engine/dynamics/broad_phase/aabb_trees_by_size.h"
 #include "engine/dynamics/broad_phase/rounded_box.h"
-#include "engine/threads/per_thread.h"
+#include "engine/threads/per_chunk.h"
 #include "engine/threads/thread_pool.h"
 
 namespace cookbook {
@@ -108,8 +108,8 @@ class BroadPhase {
   /** Of each body: 1 where it has got another wide box in the last Update(). */
   std::vector<char> has_moved_;
   std::vector<char> rests_;  ///< Of each body: 1 where it is static, or asleep.
-  PerThread<Leaving> leaving_;
-  PerThread<std::pair<int, int>> appearing_;
+  PerChunk<Leaving> leaving_;
+  PerChunk<std::pair<int, int>> appearing_;
   std::vector<Room> rooms_{1};
 };
 

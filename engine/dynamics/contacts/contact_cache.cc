@@ -121,11 +121,11 @@ void ContactCache::FindDue(double margin, ThreadPool& pool) {
     travel_bounds_[static_cast<std::size_t>(body)] =
         std::numeric_limits<double>::infinity();
   });
-  for (PerThread<std::size_t>* findings : {&found_, &new_, &separated_}) {
-    findings->Clear(pool.shares());
+  for (PerChunk<std::size_t>* findings : {&found_, &new_, &separated_}) {
+    findings->Clear(pool.chunk_count());
   }
   pool.ParallelForIndexed(near_.size(), kFewNear,
-                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t k = begin; k < end; ++k) {
                               NearPair& pair = near_[k];
                               if (travel_bounds_[static_cast<std::size_t>(pair.A)] +
@@ -134,10 +134,10 @@ void ContactCache::FindDue(double margin, ThreadPool& pool) {
                                 continue;
                               }
                               if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
-                                separated_.Of(share).push_back(k);
+                                separated_[chunk].push_back(k);
                               } else if (is_due(pair)) {
-                                found_.Of(share).push_back(k);
-                                if (pair.contact < 0) new_.Of(share).push_back(k);
+                                found_[chunk].push_back(k);
+                                if (pair.contact < 0) new_[chunk].push_back(k);
                               }
                             }
                           });
@@ -163,8 +163,8 @@ void ContactCache::Collide(std::span<const RigidBody> bodies, const ContactChoic
     return contacts_[static_cast<std::size_t>(near_[due_[due]].contact)];
   };
   const std::size_t groups = (due_.size() + kNeighbours - 1) / kNeighbours;
-  found_.Clear(pool.shares());  // Those without a contact.
-  const auto collide = [&](std::size_t share, std::size_t begin, std::size_t end) {
+  found_.Clear(pool.chunk_count());  // Those without a contact.
+  const auto collide = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     for (std::size_t group = begin; group < end; ++group) {
       const std::size_t first = group * kNeighbours;
       const std::size_t count = std::min(kNeighbours, due_.size() - first);
@@ -187,7 +187,7 @@ void ContactCache::Collide(std::span<const RigidBody> bodies, const ContactChoic
         const ContactPair& pair = *pairs[k];
         edges_[static_cast<std::size_t>(pairs[k] - contacts_.data())] = {
             pair.A, pair.B, pair.manifold.count};
-        if (pair.manifold.count == 0) found_.Of(share).push_back(due_[first + k]);
+        if (pair.manifold.count == 0) found_[chunk].push_back(due_[first + k]);
       }
     }
   };

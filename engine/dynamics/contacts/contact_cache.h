@@ -6,7 +6,7 @@
 
 #include "engine/dynamics/broad_phase/broad_phase.h"
 #include "engine/dynamics/contacts/contact_pair.h"
-#include "engine/threads/per_thread.h"
+#include "engine/threads/per_chunk.h"
 #include "engine/threads/thread_pool.h"
 
 namespace cookbook {
@@ -91,9 +91,9 @@ class ContactCache {
   std::vector<ContactPair> contacts_;
   std::vector<ContactEdge> edges_;     ///< Of contacts_.
   std::vector<std::size_t> due_;       ///< The near pairs to be looked at in this step.
-  PerThread<std::size_t> found_;       ///< Those, or those of them that are apart.
-  PerThread<std::size_t> new_;         ///< Those of them that had no contact.
-  PerThread<std::size_t> separated_;   ///< The near pairs that are near no more.
+  PerChunk<std::size_t> found_;       ///< Those, or those of them that are apart.
+  PerChunk<std::size_t> new_;         ///< Those of them that had no contact.
+  PerChunk<std::size_t> separated_;   ///< The near pairs that are near no more.
   std::vector<double> travel_;         ///< By body. [m]
   std::vector<double> travel_bounds_;  ///< The same, infinite of what has left its box.
   int unsorted_ = 0;                   ///< Calls of Find() since pairs were sorted.

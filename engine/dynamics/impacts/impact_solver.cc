@@ -204,12 +204,12 @@ bool ImpactSolver::FindFreeBodies(const Start& start, ContactCache& cache,
         (IsInFreeFlight(pair.A) || IsInFreeFlight(pair.B))) {
       strikers_.emplace_back(pair.A, pair.B);
     } else {
-      islands_.Join(pair.A, pair.B);
+      islands_.Unite(pair.A, pair.B);
     }
   }
   max_island_size_ = start.is_large ? kMaxIslandSizeOfMany : kMaxIslandSize;
   if (!strikers_.empty()) HoldStrikersOfLargeIslands();
-  island_ = islands_.All();
+  island_ = islands_.Roots();
   holds_.assign(in_free_flight_.size(), 0);
   for (std::size_t i = 0; i < island_.size(); ++i) {
     if (!in_free_flight_[i] && !static_[i]) holds_[At(island_[i])] = 1;
@@ -226,11 +226,11 @@ bool ImpactSolver::FindFreeBodies(const Start& start, ContactCache& cache,
 
 void ImpactSolver::HoldStrikersOfLargeIslands() {
   crowds_ = islands_;
-  for (const auto& [A, B] : strikers_) crowds_.Join(A, B);
-  island_ = crowds_.All();
+  for (const auto& [A, B] : strikers_) crowds_.Unite(A, B);
+  island_ = crowds_.Roots();
   MeasureIslands();
   for (const auto& [A, B] : strikers_) {
-    if (island_size_[At(island_[At(A)])] > max_island_size_) islands_.Join(A, B);
+    if (island_size_[At(island_[At(A)])] > max_island_size_) islands_.Unite(A, B);
   }
 }
 
@@ -249,17 +249,17 @@ void ImpactSolver::BeginFlight(int body, const Start& start) {
 
 void ImpactSolver::FindCandidates(const Start& start, const ContactCache& cache,
                                   ThreadPool& pool) {
-  near_.Clear(pool.shares());
+  near_.Clear(pool.chunk_count());
   const auto is_asked = [&](int A, int B) {
     return (IsInFreeFlight(A) || IsInFreeFlight(B)) && IslandOf(A) <= kMaxIslandSize &&
            IslandOf(B) <= kMaxIslandSize;
   };
   pool.ParallelForIndexed(cache.near_count(), kFewNear,
-                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             cache.ForEachGap(
                                 begin, end, is_asked, [&](int A, int B, double gap) {
                                   if (gap > reaches_[At(A)] + reaches_[At(B)]) return;
-                                  near_.Of(share).push_back({A, B, gap});
+                                  near_[chunk].push_back({A, B, gap});
                                 });
                           });
   std::fill(begun_.begin(), begun_.end(), 0);
@@ -281,9 +281,9 @@ void ImpactSolver::FindCandidates(const Start& start, const ContactCache& cache,
 void ImpactSolver::FindIslands() {
   // What strikes and is held after all presses too.
   for (const auto& [A, B] : strikers_) {
-    if (IsHeld(A) && IsHeld(B)) islands_.Join(A, B);
+    if (IsHeld(A) && IsHeld(B)) islands_.Unite(A, B);
   }
-  island_ = islands_.All();
+  island_ = islands_.Roots();
   MeasureIslands();
 }
 

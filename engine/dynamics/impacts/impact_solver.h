@@ -10,7 +10,7 @@
 #include "engine/dynamics/impacts/impact_queue.h"
 #include "engine/dynamics/impacts/time_of_impact.h"
 #include "engine/dynamics/solver/union_find.h"
-#include "engine/threads/per_thread.h"
+#include "engine/threads/per_chunk.h"
 #include "engine/threads/thread_pool.h"
 
 namespace cookbook {
@@ -171,7 +171,7 @@ class ImpactSolver {
   std::vector<int> met_;  ///< What one body may meet.
   std::vector<ContactPair> struck_;
   std::vector<Touching> touching_;
-  PerThread<Near> near_;
+  PerChunk<Near> near_;
   std::vector<int> beginning_;         ///< Bodies whose flight begins.
   std::vector<double> first_impacts_;  ///< By candidate: when it meets first. [s]
   UnionFind islands_;                  ///< Of bodies.

@@ -105,9 +105,9 @@ void ContactSolver::ColourAndJoin(std::span<const ContactEdge> edges,
     if (!is_static[b]) colours_[b] |= bit;
     colours_used_ = std::max(colours_used_, colour + 1);
     coloured_.push_back({static_cast<int>(p), colour, edge.A, edge.B, edge.count});
-    if (!is_static[a] && !is_static[b]) islands_.Join(edge.A, edge.B);
+    if (!is_static[a] && !is_static[b]) islands_.Unite(edge.A, edge.B);
   }
-  island_ = islands_.All();
+  island_ = islands_.Roots();
   is_large_ = !IsSmall(settings, is_large_ ? 2 * contacts_ : contacts_);
 }
 

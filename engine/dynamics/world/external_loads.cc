@@ -26,7 +26,7 @@ void ExternalLoads::Find(std::span<const ContactPair> contacts,
   const auto moves = [&](int body) { return body >= 0 && !bodies[at(body)].is_static(); };
   joined_.Reset(bodies.size());
   const auto join = [&](int A, int B) {
-    if (moves(A) && moves(B)) joined_.Join(A, B);
+    if (moves(A) && moves(B)) joined_.Unite(A, B);
   };
   for (const ContactPair& pair : contacts) {
     if (pair.manifold.count > 0) join(pair.A, pair.B);
@@ -49,7 +49,7 @@ void ExternalLoads::Find(std::span<const ContactPair> contacts,
     if (!body.is_point) {
       body.load = std::max(body.load, body.inverse_mass * spring_forces_W_[at(i)].norm());
     }
-    Island& island = islands_[at(joined_.Of(i))];
+    Island& island = islands_[at(joined_.Find(i))];
     island.mass += 1 / body.inverse_mass;
     island.excess += (body.load - g) / body.inverse_mass;
   }
@@ -63,7 +63,7 @@ void ExternalLoads::Find(std::span<const ContactPair> contacts,
     if (body.is_static()) {
       body.load = g;
     } else {
-      const Island& island = islands_[at(joined_.Of(i))];
+      const Island& island = islands_[at(joined_.Find(i))];
       body.island_load = std::max(0.0, g + island.excess / island.mass);
     }
     const double of_two_steps = std::min(

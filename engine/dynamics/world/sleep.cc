@@ -59,7 +59,7 @@ bool Sleep::PutToSleep(const ContactCache& cache, const std::vector<bool>& drive
   const auto join = [&](int A, int B) {
     const bool both_move = !bodies[static_cast<std::size_t>(A)].is_static() &&
                            !bodies[static_cast<std::size_t>(B)].is_static();
-    if (both_move) islands_.Join(A, B);
+    if (both_move) islands_.Unite(A, B);
   };
   cache.ForEachNear(join);
   for (const auto& [A, B] : links_) join(A, B);
@@ -67,13 +67,13 @@ bool Sleep::PutToSleep(const ContactCache& cache, const std::vector<bool>& drive
   std::fill(slowest_.begin(), slowest_.end(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     double& slowest =
-        slowest_[static_cast<std::size_t>(islands_.Of(static_cast<int>(i)))];
+        slowest_[static_cast<std::size_t>(islands_.Find(static_cast<int>(i)))];
     if (!bodies[i].is_static()) slowest = std::min(slowest, slow_for_[i]);
   }
   bool any = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     RigidBody& body = bodies[i];
-    const auto island = static_cast<std::size_t>(islands_.Of(static_cast<int>(i)));
+    const auto island = static_cast<std::size_t>(islands_.Find(static_cast<int>(i)));
     if (body.is_static() || slowest_[island] < enough) continue;
     body.state.v_WB.setZero();
     body.state.w_WB.setZero();

@@ -167,7 +167,7 @@ void World::Step(double dt) {
 }
 
 void World::StepOnce(double h) {
-  const ThreadPool::ParallelScope shift(pool_, bodies_.size(), kFewToShare);
+  const ThreadPool::ParallelScope scope(pool_, bodies_.size(), kFewToShare);
   const bool touching = FindContacts(h);
   if (settings_.sleep_after) sleep_.WakeNear(contact_cache_, bodies_);
   StopStretching(h);
