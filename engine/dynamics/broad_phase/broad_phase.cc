@@ -99,10 +99,10 @@ void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
     if (!proxy.takes_part || rests_[i] != 0) return;
     // The margin is as wide as gravity needs; other forces load it farther.
     const Eigen::Vector3d pushed_W =
-        body.state.v_WB + ahead * body.inverse_mass * body.Push_W();
+        body.state.v_WB + ahead * body.inverse_mass * body.Force_W();
     bounds_[i] = BoundsOf(body);
     const Aabb bounds =
-        Widened(bounds_[i].bounds(), margin + Reach(body, pushed_W, ahead));
+        Widened(bounds_[i].bounds(), margin + MaxTravel(body, pushed_W, ahead));
     if (proxy.wide.Contains(bounds)) return;
     const Aabb wide = WideFor(body, bounds, ahead * pushed_W);
     leaving.push_back({static_cast<int>(i), wide});

@@ -120,7 +120,7 @@ void CollideSpeculative(std::span<const Neighbours> pairs) {
   std::array<Neighbours, kNeighbours> boxes;
   std::size_t count = 0;
   for (const Neighbours& pair : pairs) {
-    if (pair.A->is_ball && pair.B->is_ball) {
+    if (pair.A->is_sphere && pair.B->is_sphere) {
       CollideBalls(pair.margin, *pair.A, *pair.B, *pair.manifold);
       continue;
     }

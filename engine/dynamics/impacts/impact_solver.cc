@@ -186,7 +186,7 @@ bool ImpactSolver::FindFreeBodies(const Start& start, ContactCache& cache,
               !body.is_static() && !body.is_point && !start.linked[i] ? 1 : 0;
           loads_[i].setZero();
           if (!static_[i]) loads_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
-          reaches_[i] = Reach(body, start.free[i].v, rules_.h);
+          reaches_[i] = MaxTravel(body, start.free[i].v, rules_.h);
         }
       });
   FindTouching(cache, start.bodies, pool);
@@ -352,7 +352,7 @@ bool ImpactSolver::ComeNear(const ImpactCandidate& candidate) const {
   const double h = rules_.h;
   const double way = h * (B.start.state.v_WB - A.start.state.v_WB).norm() +
                      0.5 * h * h * (B.a_W - A.a_W).norm() +
-                     h * (TurningSpeed(A.start) + TurningSpeed(B.start));
+                     h * (RotationalSpeed(A.start) + RotationalSpeed(B.start));
   return candidate.gap <= way;
 }
 
@@ -417,12 +417,12 @@ void ImpactSolver::Widen(int body, double t, const End& end, ContactCache& cache
   const FreeFlight& flight = flights_[At(body)];
   const double left = rules_.h - t;
   const double way =
-      Reach(flight.start, flight.start.state.v_WB + left * flight.a_W, left);
+      MaxTravel(flight.start, flight.start.state.v_WB + left * flight.a_W, left);
   double& reach = reaches_[At(body)];
   if (way <= reach * left / rules_.h) return;
   reach = way * rules_.h / left;
   met_.clear();
-  cache.Widen(body, flight.start, way + flight.start.margin, met_);
+  cache.Widen(body, flight.start, way + flight.start.speculative_margin, met_);
   for (const int other : met_) {
     if (IslandOf(body) > kMaxIslandSize || IslandOf(other) > kMaxIslandSize) continue;
     if (!IsInFreeFlight(body) && !IsInFreeFlight(other)) continue;
@@ -484,7 +484,7 @@ void ImpactSolver::Gather(double t, const End& end) {
     if (std::exchange(candidate.known, true) || !IsAsked(candidate)) continue;
     const auto room_of = [&](int body) {
       return impact_.IsIn(body) ? impact_.BodyOf(body)
-                                : flights_[At(body)].RoomAt(t, rules_.gyroscopic);
+                                : flights_[At(body)].ShapeAt(t, rules_.gyroscopic);
     };
     ContactPair pair;
     pair.manifold = CollideAtImpact(room_of(candidate.A), room_of(candidate.B));

@@ -97,7 +97,7 @@ double TimeToMeet(const Manifold& manifold, const RigidBody& A, const RigidBody&
   const Eigen::Vector3d& n = manifold.n_AB_W;
   const double gap = manifold.separation;
   const double load = n.dot(a_AB_W);
-  const double turning = TurningSpeed(A, n) + TurningSpeed(B, n);
+  const double turning = RotationalSpeed(A, n) + RotationalSpeed(B, n);
   const double parting = n.dot(B.state.v_WB - A.state.v_WB);
   const std::optional<double> safe = TimeOfFall(gap, parting - turning, load);
   if (!safe) return h;
@@ -157,8 +157,8 @@ std::optional<double> TimeOfImpact(const FreeFlight& A, const FreeFlight& B, dou
   double t = from;
   Bracket bracket;
   for (int look = 0; look < kMostLooks; ++look) {
-    const RigidBody a = A.RoomAt(t, rules.gyroscopic);
-    const RigidBody b = B.RoomAt(t, rules.gyroscopic);
+    const RigidBody a = A.ShapeAt(t, rules.gyroscopic);
+    const RigidBody b = B.ShapeAt(t, rules.gyroscopic);
     const Manifold manifold = CollideAtImpact(a, b);
     const double gap = manifold.separation;
     if (gap > touch) {

@@ -277,7 +277,7 @@ void StaticEquilibrium::TakeApart(const ConstraintView<double>& rows,
     const RigidBody& moving = world.bodies[i];
     const Velocity& velocity = world.velocities[i];
     needs_[i] = {velocity.v / -moving.inverse_mass,
-                 -TurnedInertiaTimes(moving.R_WB, moving.moments, velocity.w)};
+                 -WorldInertiaTimes(moving.R_WB, moving.moments, velocity.w)};
     if (joints_[i].pairs == 1) loose_.push_back(body);
   }
   while (!loose_.empty()) {

@@ -10,7 +10,7 @@ constexpr double kOfBall = 1.0 / 50;
 
 /** Returns what gravity, forces and torques make of a body. [m/s²] */
 double LoadOf(const RigidBody& body, const Eigen::Vector3d& gravity_W) {
-  const Eigen::Vector3d a_W = gravity_W + body.inverse_mass * body.Push_W();
+  const Eigen::Vector3d a_W = gravity_W + body.inverse_mass * body.Force_W();
   const double turning =
       body.is_point ? 0 : body.inverse_mass * body.Torque_W().norm() / body.radius;
   return a_W.norm() + turning;
@@ -35,7 +35,7 @@ void ExternalLoads::Find(std::span<const ContactPair> contacts,
   spring_forces_W_.assign(bodies.size(), Eigen::Vector3d::Zero());
   for (const Spring& spring : springs) {
     join(spring.A.body, spring.B.body);
-    const Eigen::Vector3d load_W = LoadOnA(spring, bodies);
+    const Eigen::Vector3d load_W = ForceOnA(spring, bodies);
     if (spring.A.body >= 0) spring_forces_W_[at(spring.A.body)] += load_W;
     if (spring.B.body >= 0) spring_forces_W_[at(spring.B.body)] -= load_W;
   }
@@ -68,9 +68,9 @@ void ExternalLoads::Find(std::span<const ContactPair> contacts,
     }
     const double of_two_steps = std::min(
         2 * h * h * body.island_load, std::max(of_gravity, kOfBall * InnerRadius(body)));
-    body.margin = settings.speculative_margin.value_or(of_two_steps);
+    body.speculative_margin = settings.speculative_margin.value_or(of_two_steps);
     body.slop = settings.penetration_slop.value_or(of_two_steps);
-    greatest_margin_ = std::max(greatest_margin_, body.margin);
+    greatest_margin_ = std::max(greatest_margin_, body.speculative_margin);
   }
 }
 

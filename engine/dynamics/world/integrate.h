@@ -25,7 +25,7 @@ struct Motion {
 /** Beyond any world that means something. */
 inline constexpr double kLargest = 1e12;
 
-/** Moves bodies that RigidBody::moves_round() as World::MoveBody() does, four at once,
+/** Moves bodies that RigidBody::moves_isotropically() as World::MoveBody() does, four at once,
  and fills `ways` with the Travel() of each. Returns whether all numbers are below
  kLargest.
  */

@@ -48,7 +48,7 @@ HWY_INLINE Quaternions ExpOf(const Vec3<double>& phi) {
                  squared * (Splat(1.0 / 384) +
                             squared * (Splat(-1.0 / 46080) + squared / Splat(10321920))));
   Quaternions turn{s * phi.x, s * phi.y, s * phi.z, c};
-  const FourBits small = squared < Splat(kSmallTurnSquared);
+  const FourBits small = squared < Splat(kSmallAngleSquared);
   const unsigned is_small = Bits(small);
   for (std::size_t lane = 0; lane < 4 && is_small != 15; ++lane) {
     if ((is_small >> lane & 1) != 0) continue;
@@ -76,7 +76,7 @@ HWY_INLINE Vec3<double> Displace(const std::array<RigidBody*, 4>& body,
   for (std::size_t k = 0; k < 4; ++k) {
     p_WB[k] = body[k]->state.p_WB.data();
     q_WB[k] = body[k]->state.q_WB.coeffs().data();
-    reach[k] = body[k]->is_ball ? 0 : 2 * body[k]->radius;
+    reach[k] = body[k]->is_sphere ? 0 : 2 * body[k]->radius;
   }
   Four lanes[4];
   LoadFour(p_WB, lanes);

@@ -62,7 +62,7 @@ int World::AddBody(const BodyDefinition& definition) {
   driven_.push_back(false);
   ahead_.push_back(bodies_.back());
   const RigidBody& body = bodies_.back();
-  has_forces_ = has_forces_ || body.is_pushed;
+  has_forces_ = has_forces_ || body.has_forces;
   fit_single_precision_ = fit_single_precision_ && FitsSinglePrecision(body);
   found_for_ = 0;
   const bool is_solid = std::holds_alternative<Box>(body.shape) ||
@@ -135,7 +135,7 @@ void World::ApplyImpulse(int body, const Eigen::Vector3d& p_W,
   sleep_.Wake(body, bodies_);
   if (struck.is_static()) return;
   struck.state.v_WB += struck.inverse_mass * J_W;
-  struck.state.w_WB += TurnedInertiaTimes(struck.R_WB, struck.inverse_moments,
+  struck.state.w_WB += WorldInertiaTimes(struck.R_WB, struck.inverse_moments,
                                           (p_W - struck.state.p_WB).cross(J_W));
 }
 
@@ -146,7 +146,7 @@ void World::ApplyForce(int body, const Eigen::Vector3d& p_W, const Eigen::Vector
   }
   sleep_.Wake(body, bodies_);
   is_pushed_ = true;
-  pushed.is_pushed = true;
+  pushed.has_forces = true;
   pushed.applied_force_W += F_W;
   pushed.applied_torque_W += (p_W - pushed.state.p_WB).cross(F_W);
 }
@@ -162,7 +162,7 @@ void World::Step(double dt) {
   for (RigidBody& body : bodies_) {
     body.applied_force_W.setZero();
     body.applied_torque_W.setZero();
-    body.is_pushed = !body.force_W.isZero(0);
+    body.has_forces = !body.force_W.isZero(0);
   }
 }
 
@@ -195,7 +195,7 @@ bool World::MayImpact(double h) {
   ApplyForces(h);
   const auto reach = [&](int body) {
     const auto i = static_cast<std::size_t>(body);
-    return Reach(bodies_[i], free_[i].v, h);
+    return MaxTravel(bodies_[i], free_[i].v, h);
   };
   const auto take_part = [&](int A, int B) {
     const auto takes_part = [&](std::size_t i) {
@@ -297,11 +297,11 @@ void World::ApplyForcesTo(std::size_t i, double h) {
   const RigidBody& body = bodies_[i];
   if (body.is_static()) return;
   // Of what is round it is what it was, but for what has slept.
-  if (!body.is_round || inertias_[i].mass != body.inverse_mass)
+  if (!body.is_isotropic || inertias_[i].mass != body.inverse_mass)
     inertias_[i] = InverseInertiaOf(body);
   before_[i].v = body.state.v_WB;
   before_[i].w = body.state.w_WB;
-  const Eigen::Vector3d load = settings_.gravity_W + body.inverse_mass * body.Push_W();
+  const Eigen::Vector3d load = settings_.gravity_W + body.inverse_mass * body.Force_W();
   if (body.is_point) {
     // An impulse of the step acts as a constant force, on which drag has its effect
     // too.
@@ -313,8 +313,8 @@ void World::ApplyForcesTo(std::size_t i, double h) {
   }
   free_[i].v = body.state.v_WB + h * load;
   free_[i].w = body.state.w_WB;
-  if (body.is_pushed) free_[i].w += inertias_[i].Turn(h * body.Torque_W());
-  if (!body.is_round) {
+  if (body.has_forces) free_[i].w += inertias_[i].Times(h * body.Torque_W());
+  if (!body.is_isotropic) {
     free_[i].w += GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h,
                                    settings_.gyroscopic);
   }
@@ -340,8 +340,8 @@ void World::StopStretching(double h) {
   }
   for (const DistanceJoint& joint : joints_) shortest = std::min(shortest, joint.length);
   const double usual = h * (load + fastest * fastest / shortest);
-  if (rods_.FastestStretching(solved_) <= usual) return;
-  rods_.Forget();
+  if (rods_.MaxStretchSpeed(solved_) <= usual) return;
+  rods_.ResetImpulses();
   const int sweeps =
       std::max(settings_.impulse_iterations,
                settings_.iteration_budget / static_cast<int>(joints_.size()));
@@ -353,7 +353,7 @@ void World::StopStretching(double h) {
     bodies_[i].state.v_WB = solved_[i].v;
     bodies_[i].state.w_WB = solved_[i].w;
   }
-  rods_.Forget();
+  rods_.ResetImpulses();
 }
 
 void World::SolveJointsUntilConverged() {
@@ -391,13 +391,13 @@ void World::Solve(double h) {
 void World::SolveJoints(double h) {
   // Lengths are kept to this share, a few roundings.
   constexpr double kSameLength = 1e-15;
-  if (!settings_.warm_starting) rods_.Forget();
+  if (!settings_.warm_starting) rods_.ResetImpulses();
   rods_.Begin(joints_, bodies_, inertias_);
   rods_.WarmStart(solved_, h);
   spring_solver_.Begin(springs_, bodies_, inertias_, before_, h);
   for (int round = 0;; ++round) {
     // What is solved is a difference of velocities and loads: that rounds as they do.
-    fastest_ = std::max(rods_.GreatestLoad(), spring_solver_.GreatestLoad());
+    fastest_ = std::max(rods_.MaxVelocityChange(), spring_solver_.MaxVelocityChange());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!linked_[i]) continue;
       fastest_ = std::max({fastest_, free_[i].v.norm(), solved_[i].v.norm()});
@@ -411,8 +411,8 @@ void World::SolveJoints(double h) {
       ahead_[i] = bodies_[i];
       MoveBody(i, h, ahead_[i]);
     }
-    const double rods = rods_.Correct(joints_, ahead_, shares_, solved_, h);
-    const bool springs = spring_solver_.Correct(springs_, ahead_, shares_, solved_, h,
+    const double rods = rods_.Relinearize(joints_, ahead_, shares_, solved_, h);
+    const bool springs = spring_solver_.Relinearize(springs_, ahead_, shares_, solved_, h,
                                                 settings_.residual * fastest_);
     if (springs && rods <= kSameLength) return;
   }
@@ -454,18 +454,18 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
   body.state.v_WB = after.v;
   // A impact acts at once: it turns from the start as that leaves it.
   const Eigen::Vector3d from = struck ? before.w + (after.w - free.w) : before.w;
-  if (settings_.gyroscopic == Gyroscopic::kExact && body.is_round) {
-    body.state.q_WB = Turned(body.state.q_WB, from, after.w, h);
+  if (settings_.gyroscopic == Gyroscopic::kExact && body.is_isotropic) {
+    body.state.q_WB = IntegrateRotation(body.state.q_WB, from, after.w, h);
     body.state.w_WB = after.w;
   } else if (settings_.gyroscopic == Gyroscopic::kExact) {
     const Eigen::Vector3d torque = h * body.Torque_W();
-    const Eigen::Vector3d L = TurnedInertiaTimes(body.R_WB, body.moments, before.w);
+    const Eigen::Vector3d L = WorldInertiaTimes(body.R_WB, body.moments, before.w);
     const Eigen::Vector3d impact =
-        TurnedInertiaTimes(body.R_WB, body.moments, after.w - free.w);
-    const Turning start{body.state.q_WB, from};
-    const Turning end =
-        struck ? TurnWithMomentum(start, body.moments, L + impact, torque, h)
-               : TurnWithMomentum(start, body.moments, L, torque + impact, h);
+        WorldInertiaTimes(body.R_WB, body.moments, after.w - free.w);
+    const AngularState start{body.state.q_WB, from};
+    const AngularState end =
+        struck ? IntegrateAngularMomentum(start, body.moments, L + impact, torque, h)
+               : IntegrateAngularMomentum(start, body.moments, L, torque + impact, h);
     body.state.q_WB = end.q_WB;
     body.state.w_WB = end.w_WB;
   } else {
@@ -478,7 +478,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
 void World::Move(double h) {
   const Motion motion{bodies_, before_, free_, solved_, touches_, mean_, h};
   const bool in_lanes = settings_.gyroscopic == Gyroscopic::kExact;
-  ForSomeBodies([&](std::size_t i) { return in_lanes && bodies_[i].moves_round(); },
+  ForSomeBodies([&](std::size_t i) { return in_lanes && bodies_[i].moves_isotropically(); },
                 [&](std::span<const int> round, std::span<double> ways) {
                   if (!MoveRound(motion, round, ways)) diverged_ = true;
                 },
@@ -524,7 +524,7 @@ void World::Project(double h) {
       std::fill(moves_.begin(), moves_.end(), Velocity{});
     }
     moved |=
-        rods_.Project(joints_, settings_.position_correction_fraction, bodies_, moves_);
+        rods_.CorrectPositions(joints_, settings_.position_correction_fraction, bodies_, moves_);
   }
   if (!moved) return;
   ForSomeBodies(
@@ -543,7 +543,7 @@ void World::PutToSleep(double h) {
   constexpr double kNothing = 1e-15;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const RigidBody& body = bodies_[i];
-    const Eigen::Vector3d push = body.inverse_mass * body.Push_W();
+    const Eigen::Vector3d push = body.inverse_mass * body.Force_W();
     const double load = (settings_.gravity_W + push).norm();
     const bool is_pulled = load > kNothing * (settings_.gravity_W.norm() + push.norm());
     const bool is_held = linked_[i] || touches_[i].rested || touches_[i].bounced;

@@ -150,7 +150,7 @@ class World {
   std::vector<Velocity> moves_;   ///< Of the projection. [m], [rad]
   std::vector<Touch> touches_;
   std::vector<char> static_;      ///< 1 where it is, or sleeps.
-  std::vector<double> shares_;    ///< See JointSolver::Correct().
+  std::vector<double> shares_;    ///< See JointSolver::Relinearize().
   std::vector<bool> linked_;      ///< Whether a rod or a spring holds it.
   std::vector<bool> driven_;      ///< See Sleep::PutToSleep().
   std::vector<RigidBody> ahead_;  ///< After the step; valid where linked.

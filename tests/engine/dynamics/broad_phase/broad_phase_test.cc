@@ -69,7 +69,7 @@ RigidBody SomeBody() {
     body.state.w_WB = InCube(20);
   }
   RigidBody made = MakeRigidBody(body);
-  made.margin = Uniform(0, kMargin);
+  made.speculative_margin = Uniform(0, kMargin);
   return made;
 }
 
@@ -103,7 +103,7 @@ bool MayMeet(const RigidBody& A, const RigidBody& B) {
   if (A.is_static() && B.is_static()) return false;
   const auto grown = [](const RigidBody& body) -> Aabb {
     const double by =
-        body.is_static() ? 0 : kMargin + Reach(body, body.state.v_WB, kStep);
+        body.is_static() ? 0 : kMargin + MaxTravel(body, body.state.v_WB, kStep);
     const Aabb bounds = BoundsOf(body).bounds();
     return {bounds.low.array() - by, bounds.high.array() + by};
   };
@@ -170,7 +170,7 @@ RC_GTEST_PROP(BroadPhase, WhatMayMeetInAStepIsNearAndAppearsOnce, ()) {
     RigidBody& body = bodies[static_cast<std::size_t>(struck)];
     if (TakesPart(body) && !body.is_static()) {
       body.state.v_WB = InCube(200);
-      const double reach = kMargin + Reach(body, body.state.v_WB, kStep);
+      const double reach = kMargin + MaxTravel(body, body.state.v_WB, kStep);
       std::vector<int> met;
       appeared.clear();
       broad_phase.Widen(struck, body, reach, appeared, met);

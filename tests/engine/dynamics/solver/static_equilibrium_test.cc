@@ -222,7 +222,7 @@ class Island {
     box.restitution = restitution;
     box.friction = 0.6;
     bodies.push_back(MakeRigidBody(box));
-    bodies.back().margin = 1e-3;
+    bodies.back().speculative_margin = 1e-3;
     return static_cast<int>(bodies.size()) - 1;
   }
 
