@@ -46,14 +46,14 @@ void Impact::Exchange(const Settings& settings, double h, ThreadPool& pool,
   before_.emplace_back();
   after_.assign(before_.begin(), before_.end());
   touches_.assign(members_.size(), Touch{});
-  solver_.Begin(pairs_, edges_, {bodies_, inertias_, before_, after_, static_}, settings,
-                h, pool);
+  const StepContext step{settings, h, pool};
+  solver_.Begin(pairs_, edges_, {bodies_, inertias_, before_, after_, static_}, step);
   for (int k = 0; k < settings.impulse_iterations || spent_ <= settings.iteration_budget;
        ++k) {
     spent_ += solver_.constraint_count();
     if (solver_.Iterate(after_, pool) <= settings.residual * solver_.scale()) break;
   }
-  solver_.End(pairs_, settings, touches_);
+  solver_.StoreImpulses(pairs_, step, touches_);
   for (const ContactPair& pair : pairs_) {
     const auto points = pair.manifold.points().size();
     const bool gave = std::any_of(pair.J_W.begin(), pair.J_W.begin() + points,

@@ -86,13 +86,12 @@ template <class Real>
 void ConstraintGroup<Real>::Begin(std::span<const ColouredPair> ordered,
                                   std::span<const ContactPair> pairs,
                                   const SolverBodies& world, const ContactRules& rules,
-                                  bool warm_starting, Velocities velocities,
-                                  ThreadPool& pool) {
+                                  Velocities velocities, ThreadPool& pool) {
   rules_ = rules;
   LayOut(ordered, static_cast<int>(world.bodies.size()));
   Greatest scale;
   ShareByColour(pool, [&](const ConstraintView<Real>& rows) {
-    scale.Note(PrepareContacts(rows, rules, pairs, world, warm_starting));
+    scale.Note(PrepareContacts(rows, rules, pairs, world));
   });
   scale_ = scale.value();
   // All rows have seen the velocities without impulses: now apply those to start from.
@@ -168,8 +167,8 @@ void ConstraintGroup<Real>::CollectPositionConstraints(bool turns,
 }
 
 template <class Real>
-void ConstraintGroup<Real>::End(std::span<ContactPair> pairs, std::span<Touch> touches,
-                                ThreadPool& pool) {
+void ConstraintGroup<Real>::StoreImpulses(std::span<ContactPair> pairs,
+                                          std::span<Touch> touches, ThreadPool& pool) {
   ShareByColour(pool, [&](const ConstraintView<Real>& rows) {
     ReadContacts(rows, pairs, touches);
   });

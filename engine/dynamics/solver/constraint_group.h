@@ -35,7 +35,7 @@ class ConstraintGroup {
    to start from to `velocities`, which are those of the world or, in single precision,
    what is changed of them, at first zero. */
   void Begin(std::span<const ColouredPair> ordered, std::span<const ContactPair> pairs,
-             const SolverBodies& world, const ContactRules& rules, bool warm_starting,
+             const SolverBodies& world, const ContactRules& rules,
              Velocities velocities, ThreadPool& pool);
 
   /** Sweeps once over all contacts at work, at first all there are, and returns the
@@ -54,7 +54,8 @@ class ConstraintGroup {
   ConstraintView<Real> rows() { return {batches_, contacts_, notes_}; }
 
   /** Writes the impulses to the pairs, and what the contacts did to the bodies. */
-  void End(std::span<ContactPair> pairs, std::span<Touch> touches, ThreadPool& pool);
+  void StoreImpulses(std::span<ContactPair> pairs, std::span<Touch> touches,
+                     ThreadPool& pool);
 
   /** Appends what is too deep; `turns`: whether a body may turn, not only move. */
   void CollectPositionConstraints(bool turns, Overlaps<Real>& overlaps);

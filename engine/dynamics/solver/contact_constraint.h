@@ -95,7 +95,7 @@ struct alignas(kAlignment<Real>) ConstraintBatch {
   TensorLanes<Real> inverse_inertia_A;
   TensorLanes<Real> inverse_inertia_B;
   Lanes<Real> restitution;
-  Lanes<Real> usual;  ///< What gravity and forces add in a step, see LoadOn(). [m/s]
+  Lanes<Real> usual;  ///< What gravity and forces add in a step, see LoadAccelerationOn(). [m/s]
   Lanes<Real> slop;   ///< [m]
 };
 
@@ -108,6 +108,7 @@ struct ContactRules {
   double soft_mass_scale;  ///< 1 where hard.
   double soft_impulse_scale;
   bool accumulated;
+  bool warm_starting;
 };
 
 /** Contacts and their batches. */
@@ -129,8 +130,7 @@ struct ConstraintView {
  relative velocity of a contact. [m/s] */
 template <class Real>
 double PrepareContacts(const ConstraintView<Real>& rows, const ContactRules& rules,
-                       std::span<const ContactPair> pairs, const SolverBodies& world,
-                       bool warm_starting);
+                       std::span<const ContactPair> pairs, const SolverBodies& world);
 
 /** Applies the impulses. */
 template <class Real>

@@ -33,6 +33,7 @@ ContactRules RulesOf(const Settings& settings, double h) {
   rules.resting_speed = settings.resting_speed;
   rules.soft_mass_scale = 1;
   rules.accumulated = settings.accumulated_impulses;
+  rules.warm_starting = settings.warm_starting && settings.accumulated_impulses;
   if (settings.stabilisation == Stabilisation::kBaumgarte) {
     rules.baumgarte = settings.position_correction_fraction / h;
   } else if (settings.stabilisation == Stabilisation::kSoft) {
@@ -85,9 +86,9 @@ ContactSolver::ContactSolver(int threads)
     : groups_(static_cast<std::size_t>(threads)),
       single_groups_(static_cast<std::size_t>(threads)) {}
 
-void ContactSolver::ColourAndJoin(std::span<const ContactEdge> edges,
-                                  std::span<const char> is_static,
-                                  const Settings& settings) {
+void ContactSolver::BuildConstraintGraph(std::span<const ContactEdge> edges,
+                                         std::span<const char> is_static,
+                                         const Settings& settings) {
   colours_.assign(is_static.size(), 0);
   islands_.Reset(is_static.size());
   coloured_.clear();
@@ -166,49 +167,66 @@ void ContactSolver::ForgetOverlaps() {
 
 void ContactSolver::Solve(std::span<ContactPair> pairs,
                           std::span<const ContactEdge> edges, const SolverBodies& world,
-                          const Settings& settings, double h, ThreadPool& pool,
-                          std::span<Touch> touches) {
+                          const StepContext& step, std::span<Touch> touches) {
   ForgetOverlaps();
-  const Task task{pairs,
-                  world,
-                  settings,
-                  RulesOf(settings, h),
-                  settings.warm_starting && settings.accumulated_impulses,
-                  touches};
-  ColourAndJoin(edges, world.is_static, settings);
+  BuildConstraintGraph(edges, world.is_static, step.settings);
   // ImpactSolver may have taken them all.
   if (contacts_ == 0) return;
-  // A world that may be swept more often than any world is solved as a whole: the sweeps
-  // that one island leaves over are for the others.
-  Divide(world.is_static, is_large_ ? kPart : contacts_);
-  Order();
-  is_single_ = is_large_ && settings.single_precision && contacts_ >= kManyContacts &&
-               world.fit_single_precision;
   if (!is_large_) {
-    SolveSmall(task, pool);
-  } else if (is_single_) {
+    BeginWhole(pairs, world, step);
+    IterateUntilConverged(world, step);
+    StoreImpulses(pairs, step, touches);
+    return;
+  }
+  Divide(world.is_static, kPart);
+  Order();
+  is_single_ = step.settings.single_precision && contacts_ >= kManyContacts &&
+               world.fit_single_precision;
+  const Problem problem{pairs, world, step, touches};
+  if (is_single_) {
     single_.assign(world.velocities.size(), {});
-    SolveLarge<float>(task, single_, single_groups_, pool);
+    SolveLarge<float>(problem, single_, single_groups_);
   } else {
-    SolveLarge<double>(task, world.velocities, groups_, pool);
+    SolveLarge<double>(problem, world.velocities, groups_);
   }
 }
 
-void ContactSolver::SolveSmall(const Task& task, ThreadPool& pool) {
-  const Settings& settings = task.settings;
-  heap_changes_.resize(task.world.bodies.size());
-  whole_.Begin(ordered_, task.pairs, task.world, task.rules, task.warm_starting,
-               task.world.velocities, pool);
+void ContactSolver::Begin(std::span<const ContactPair> pairs,
+                          std::span<const ContactEdge> edges, const SolverBodies& world,
+                          const StepContext& step) {
+  BuildConstraintGraph(edges, world.is_static, step.settings);
+  BeginWhole(pairs, world, step);
+}
+
+void ContactSolver::BeginWhole(std::span<const ContactPair> pairs,
+                               const SolverBodies& world, const StepContext& step) {
+  is_single_ = false;
+  // A world that may be swept more often than any world is solved as a whole: the sweeps
+  // that one island leaves over are for the others.
+  Divide(world.is_static, contacts_);
+  Order();
+  whole_.Begin(ordered_, pairs, world, RulesOf(step.settings, step.h), world.velocities,
+               step.pool);
+}
+
+double ContactSolver::Iterate(std::span<Velocity> velocities, ThreadPool& pool) {
+  return whole_.Iterate(1, velocities, pool);
+}
+
+void ContactSolver::IterateUntilConverged(const SolverBodies& world,
+                                          const StepContext& step) {
+  const Settings& settings = step.settings;
+  heap_changes_.resize(world.bodies.size());
   const double solved = settings.residual * whole_.scale();
   const long iteration_budget = iteration_budget_.Left(settings);
-  const ContactRules& rules = task.rules;
+  const ContactRules rules = RulesOf(settings, step.h);
   const bool may_rest = settings.static_equilibrium && rules.accumulated &&
                         rules.soft_impulse_scale == 0 && rules.baumgarte == 0;
   long spent = 0;
   for (int k = 0;; ++k) {
     // What sweeps do not solve soon may be brought to rest at once.
     if (k == settings.impulse_iterations && may_rest) {
-      standstill_.Find(whole_.rows(), island_, solved, task.world);
+      standstill_.Find(whole_.rows(), island_, solved, world);
     }
     // What is solved is left be, so that all the iteration_budget is for what is not.
     if (k >= settings.impulse_iterations) {
@@ -216,33 +234,39 @@ void ContactSolver::SolveSmall(const Task& task, ThreadPool& pool) {
     }
     spent += std::max(1, whole_.constraint_count());
     if (k >= settings.impulse_iterations && spent > iteration_budget) break;
-    if (whole_.Iterate(1, task.world.velocities, pool) <= solved) break;
+    if (Iterate(world.velocities, step.pool) <= solved) break;
   }
   iteration_budget_.Spend(spent, settings);
-  whole_.End(task.pairs, task.touches, pool);
-  CollectPositionConstraints(whole_, settings, groups_.overlaps.back());
+}
+
+void ContactSolver::StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
+                                  std::span<Touch> touches) {
+  ForgetOverlaps();
+  whole_.StoreImpulses(pairs, touches, step.pool);
+  CollectPositionConstraints(whole_, step.settings, groups_.overlaps.back());
 }
 
 template <class Real>
-void ContactSolver::SolveLarge(const Task& task,
+void ContactSolver::SolveLarge(const Problem& problem,
                                std::span<SolverVelocity<Real>> velocities,
-                               Groups<Real>& groups, ThreadPool& pool) {
-  const int sweeps =
-      task.settings.impulse_iterations - task.settings.impulse_iterations / 8;
+                               Groups<Real>& groups) {
+  const Settings& settings = problem.step.settings;
+  ThreadPool& pool = problem.step.pool;
+  const ContactRules rules = RulesOf(settings, problem.step.h);
+  const int sweeps = settings.impulse_iterations - settings.impulse_iterations / 8;
   const auto solve = [&](const Part& part, ConstraintGroup<Real>& group,
                          Overlaps<Real>& overlaps, ThreadPool& helpers) {
     group.Begin(std::span(ordered_).subspan(part.begin, part.end - part.begin),
-                task.pairs, task.world, task.rules, task.warm_starting, velocities,
-                helpers);
-    const double solved = task.settings.residual * group.scale();
+                problem.pairs, problem.world, rules, velocities, helpers);
+    const double solved = settings.residual * group.scale();
     for (int k = 1; k <= sweeps; ++k) {
       // The last sweep leaves what it solves last without overshoot.
       const double relaxation = k < sweeps ? kRelaxation : 1;
       if (group.Iterate(relaxation, velocities, helpers) <= solved) break;
     }
-    group.Apply(task.world, helpers);
-    group.End(task.pairs, task.touches, helpers);
-    CollectPositionConstraints(group, task.settings, overlaps);
+    group.Apply(problem.world, helpers);
+    group.StoreImpulses(problem.pairs, problem.touches, helpers);
+    CollectPositionConstraints(group, settings, overlaps);
   };
 
   const std::size_t threads = groups.own.size();
@@ -274,40 +298,16 @@ void ContactSolver::SolveLarge(const Task& task,
   });
 }
 
-void ContactSolver::Begin(std::span<const ContactPair> pairs,
-                          std::span<const ContactEdge> edges, const SolverBodies& world,
-                          const Settings& settings, double h, ThreadPool& pool) {
-  is_single_ = false;
-  ColourAndJoin(edges, world.is_static, settings);
-  Divide(world.is_static, contacts_);
-  Order();
-  whole_.Begin(ordered_, pairs, world, RulesOf(settings, h),
-               settings.warm_starting && settings.accumulated_impulses, world.velocities,
-               pool);
-}
-
-double ContactSolver::Iterate(std::span<Velocity> velocities, ThreadPool& pool) {
-  return whole_.Iterate(1, velocities, pool);
-}
-
-void ContactSolver::End(std::span<ContactPair> pairs, const Settings& settings,
-                        std::span<Touch> touches) {
-  ForgetOverlaps();
-  whole_.End(pairs, touches, alone_);
-  CollectPositionConstraints(whole_, settings, groups_.overlaps.back());
-}
-
-bool ContactSolver::FindPositionCorrections(std::span<const Velocity> mean,
-                                            std::span<const Velocity> solved,
-                                            const Settings& settings, double h,
-                                            ThreadPool& pool, std::span<Velocity> moves) {
+bool ContactSolver::FindPositionCorrections(const StepMotion& motion,
+                                            const StepContext& step,
+                                            std::span<Velocity> corrections) {
   if (!is_single_) {
-    return cookbook::FindPositionCorrections<double>(groups_.overlaps, is_large_, mean,
-                                                     solved, settings, h, pool, moves);
+    return cookbook::FindPositionCorrections<double>(groups_.overlaps, is_large_, motion,
+                                                     step, corrections);
   }
   const bool moved = cookbook::FindPositionCorrections<float>(
-      single_groups_.overlaps, is_large_, mean, solved, settings, h, pool, single_);
-  if (moved) std::transform(single_.begin(), single_.end(), moves.begin(), Exact);
+      single_groups_.overlaps, is_large_, motion, step, single_);
+  if (moved) std::transform(single_.begin(), single_.end(), corrections.begin(), Exact);
   return moved;
 }
 

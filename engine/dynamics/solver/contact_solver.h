@@ -10,6 +10,7 @@
 #include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/dynamics/solver/iteration_budget.h"
 #include "engine/dynamics/solver/static_equilibrium.h"
+#include "engine/dynamics/solver/step_context.h"
 #include "engine/dynamics/solver/union_find.h"
 #include "engine/threads/thread_pool.h"
 
@@ -52,22 +53,21 @@ class ContactSolver {
   /** Finds the impulses; writes them to the pairs, and what they did to the bodies.
    `edges` are those of the pairs. */
   void Solve(std::span<ContactPair> pairs, std::span<const ContactEdge> edges,
-             const SolverBodies& world, const Settings& settings, double h,
-             ThreadPool& pool, std::span<Touch> touches);
+             const SolverBodies& world, const StepContext& step,
+             std::span<Touch> touches);
 
   // The same in parts, for a world in which something else is solved with the contacts.
 
   /** Sets up the rows of all pairs with contacts and applies the impulses to start from.
    */
   void Begin(std::span<const ContactPair> pairs, std::span<const ContactEdge> edges,
-             const SolverBodies& world, const Settings& settings, double h,
-             ThreadPool& pool);
+             const SolverBodies& world, const StepContext& step);
   /** Sweeps once over all contacts and returns the greatest change of a relative
    velocity. [m/s] */
   double Iterate(std::span<Velocity> velocities, ThreadPool& pool);
   /** Writes what Solve() does; may be called again after further sweeps. */
-  void End(std::span<ContactPair> pairs, const Settings& settings,
-           std::span<Touch> touches);
+  void StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
+                     std::span<Touch> touches);
   /** The greatest speed that a contact sees before it is solved. [m/s] */
   double scale() const { return whole_.scale(); }
   int constraint_count() const { return whole_.constraint_count(); }
@@ -78,9 +78,8 @@ class ContactSolver {
   /** Fills `moves` with what removes overlap of the pairs solved last, see
    * FindPositionCorrections().
    */
-  bool FindPositionCorrections(std::span<const Velocity> mean,
-                               std::span<const Velocity> solved, const Settings& settings,
-                               double h, ThreadPool& pool, std::span<Velocity> moves);
+  bool FindPositionCorrections(const StepMotion& motion, const StepContext& step,
+                               std::span<Velocity> corrections);
 
  private:
   /** Some islands: a part of ordered_. */
@@ -103,27 +102,28 @@ class ContactSolver {
   };
 
   /** What all solving is given. */
-  struct Task {
+  struct Problem {
     std::span<ContactPair> pairs;
     const SolverBodies& world;
-    const Settings& settings;
-    ContactRules rules;
-    bool warm_starting;
+    const StepContext& step;
     std::span<Touch> touches;
   };
 
+  /** Begin() after BuildConstraintGraph(). */
+  void BeginWhole(std::span<const ContactPair> pairs, const SolverBodies& world,
+                  const StepContext& step);
   /** Sweeps until the whole is solved, or no iteration_budget is left; what sweeps do not
    solve soon is brought to rest where that can be, see StaticEquilibrium. */
-  void SolveSmall(const Task& task, ThreadPool& pool);
+  void IterateUntilConverged(const SolverBodies& world, const StepContext& step);
   /** Sweeps part after part a few times, each with the velocities given. */
   template <class Real>
-  void SolveLarge(const Task& task, std::span<SolverVelocity<Real>> velocities,
-                  Groups<Real>& groups, ThreadPool& pool);
+  void SolveLarge(const Problem& problem, std::span<SolverVelocity<Real>> velocities,
+                  Groups<Real>& groups);
 
   void ForgetOverlaps();
   /** Gives each pair with contacts its colour, and joins bodies to islands. */
-  void ColourAndJoin(std::span<const ContactEdge> edges, std::span<const char> is_static,
-                     const Settings& settings);
+  void BuildConstraintGraph(std::span<const ContactEdge> edges,
+                            std::span<const char> is_static, const Settings& settings);
   /** Divides the islands into parts of at least `least` contacts where there are so many.
    */
   void Divide(std::span<const char> is_static, int least);

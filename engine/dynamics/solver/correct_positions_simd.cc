@@ -87,13 +87,13 @@ void Find(const PositionConstraintView<Real>& rows, const PositionRules& rules,
 }
 
 template <class Real>
-void Remove(const PositionConstraintView<Real>& rows, SolverVelocity<Real>* moves) {
+void Remove(const PositionConstraintView<Real>& rows, SolverVelocity<Real>* corrections) {
   using V = Vec<Real>;
   const V zero{};
   for (const PositionConstraintBatch<Real>& batch : rows.batches) {
     if (!batch.at_work) continue;
-    Moving<Real> A = Gather(moves, batch.A);
-    Moving<Real> B = Gather(moves, batch.B);
+    Moving<Real> A = Gather(corrections, batch.A);
+    Moving<Real> B = Gather(corrections, batch.B);
     const Inertias<Real> m = InertiasOf<Real>(batch);
     const Vec3<Real> n = At(batch.n);
     PositionConstraintLanes<Real>* of_batch =
@@ -109,8 +109,8 @@ void Remove(const PositionConstraintView<Real>& rows, SolverVelocity<Real>* move
       Put(impulse, overlap.impulse);
       Apply(Times(impulse - start, n), r_A, r_B, m, A, B);
     }
-    Scatter(A, batch.A, batch.inverse_mass_A, moves);
-    Scatter(B, batch.B, batch.inverse_mass_B, moves);
+    Scatter(A, batch.A, batch.inverse_mass_A, corrections);
+    Scatter(B, batch.B, batch.inverse_mass_B, corrections);
   }
 }
 
@@ -129,15 +129,15 @@ COOKBOOK_INSTANTIATE(CollectDeepContacts);
 
 template <class Real>
 void FindExcess(const PositionConstraintView<Real>& rows, const PositionRules& rules,
-                std::span<const Velocity> mean, std::span<const Velocity> solved) {
-  COOKBOOK_DISPATCH(Find<Real>)(rows, rules, mean.data(), solved.data());
+                const StepMotion& motion) {
+  COOKBOOK_DISPATCH(Find<Real>)(rows, rules, motion.mean.data(), motion.solved.data());
 }
 COOKBOOK_INSTANTIATE(FindExcess);
 
 template <class Real>
 void RemoveExcess(const PositionConstraintView<Real>& rows,
-                  std::span<SolverVelocity<Real>> moves) {
-  COOKBOOK_DISPATCH(Remove<Real>)(rows, moves.data());
+                  std::span<SolverVelocity<Real>> corrections) {
+  COOKBOOK_DISPATCH(Remove<Real>)(rows, corrections.data());
 }
 COOKBOOK_INSTANTIATE(RemoveExcess);
 }  // namespace cookbook

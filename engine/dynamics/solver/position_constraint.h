@@ -60,6 +60,12 @@ struct PositionConstraintView {
   std::span<PositionConstraintLanes<Real>> overlaps;
 };
 
+/** The velocities of the bodies that a position correction takes into account. */
+struct StepMotion {
+  std::span<const Velocity> mean;    ///< Moved the bodies during the step.
+  std::span<const Velocity> solved;  ///< At the end of the step.
+};
+
 /** How overlap is removed. */
 struct PositionRules {
   double h;      ///< [s]
@@ -79,11 +85,11 @@ void CollectDeepContacts(const ConstraintView<Real>& rows, bool turns,
  the step and how they move now: contacts that part on their own are let go. */
 template <class Real>
 void FindExcess(const PositionConstraintView<Real>& rows, const PositionRules& rules,
-                std::span<const Velocity> mean, std::span<const Velocity> solved);
+                const StepMotion& motion);
 
 /** Removes each overlap once, batch after batch: adds to the moves ([m], [rad]). */
 template <class Real>
 void RemoveExcess(const PositionConstraintView<Real>& rows,
-                  std::span<SolverVelocity<Real>> moves);
+                  std::span<SolverVelocity<Real>> corrections);
 
 }  // namespace cookbook

@@ -18,18 +18,17 @@ constexpr double kLargeShare = 0.2;
 
 template <class Real>
 bool FindPositionCorrections(std::span<Overlaps<Real>> overlaps, bool is_large,
-                             std::span<const Velocity> mean,
-                             std::span<const Velocity> solved, const Settings& settings,
-                             double h, ThreadPool& pool,
-                             std::span<SolverVelocity<Real>> moves) {
+                             const StepMotion& motion, const StepContext& step,
+                             std::span<SolverVelocity<Real>> corrections) {
+  const Settings& settings = step.settings;
   const auto is_empty = [](const Overlaps<Real>& some) { return some.batches.empty(); };
   if (std::all_of(overlaps.begin(), overlaps.end(), is_empty)) return false;
   const double share = is_large
                            ? std::min(settings.position_correction_fraction, kLargeShare)
                            : settings.position_correction_fraction;
-  const PositionRules rules{h, share};
+  const PositionRules rules{step.h, share};
 
-  std::fill(moves.begin(), moves.end(), SolverVelocity<Real>{});
+  std::fill(corrections.begin(), corrections.end(), SolverVelocity<Real>{});
   const auto for_each_sweep = [&](const auto& remove) {
     for (int k = 0; k < settings.position_iterations; ++k) remove();
   };
@@ -37,7 +36,7 @@ bool FindPositionCorrections(std::span<Overlaps<Real>> overlaps, bool is_large,
   std::size_t batches = 0;
   for (const Overlaps<Real>& own : overlaps.first(threads)) batches += own.batches.size();
   const std::size_t least = batches < kFewBatches ? threads + 1 : 0;
-  pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
+  step.pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
     for (Overlaps<Real>& own : overlaps.subspan(begin, end - begin)) {
       // Group after group: each stays in a processor's cache for all its sweeps.
       for (std::size_t k = 0; k < own.groups.size(); ++k) {
@@ -46,28 +45,29 @@ bool FindPositionCorrections(std::span<Overlaps<Real>> overlaps, bool is_large,
             k + 1 < own.groups.size() ? own.groups[k + 1] : own.batches.size();
         const PositionConstraintView<Real> rows{
             std::span(own.batches).subspan(first, last - first), own.rows};
-        FindExcess(rows, rules, mean, solved);
-        for_each_sweep([&] { RemoveExcess(rows, moves); });
+        FindExcess(rows, rules, motion);
+        for_each_sweep([&] { RemoveExcess(rows, corrections); });
       }
     }
   });
 
   Overlaps<Real>& shared = overlaps.back();
   const PositionConstraintView<Real> rows{shared.batches, shared.rows};
-  pool.ParallelFor(
+  step.pool.ParallelFor(
       rows.batches.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
         FindExcess<Real>({rows.batches.subspan(begin, end - begin), rows.overlaps}, rules,
-                         mean, solved);
+                         motion);
       });
   for_each_sweep([&] {
     for (std::size_t k = 0; k < shared.firsts.size(); ++k) {
       const std::size_t first = shared.firsts[k];
       const std::size_t last =
           k + 1 < shared.firsts.size() ? shared.firsts[k + 1] : shared.batches.size();
-      pool.ParallelFor(
+      step.pool.ParallelFor(
           last - first, kFewBatches, [&](std::size_t begin, std::size_t end) {
             RemoveExcess<Real>(
-                {rows.batches.subspan(first + begin, end - begin), rows.overlaps}, moves);
+                {rows.batches.subspan(first + begin, end - begin), rows.overlaps},
+                corrections);
           });
     }
   });
@@ -75,13 +75,10 @@ bool FindPositionCorrections(std::span<Overlaps<Real>> overlaps, bool is_large,
 }
 
 template bool FindPositionCorrections<double>(std::span<Overlaps<double>>, bool,
-                                              std::span<const Velocity>,
-                                              std::span<const Velocity>, const Settings&,
-                                              double, ThreadPool&, std::span<Velocity>);
+                                              const StepMotion&, const StepContext&,
+                                              std::span<Velocity>);
 template bool FindPositionCorrections<float>(std::span<Overlaps<float>>, bool,
-                                             std::span<const Velocity>,
-                                             std::span<const Velocity>, const Settings&,
-                                             double, ThreadPool&,
+                                             const StepMotion&, const StepContext&,
                                              std::span<SingleVelocity>);
 
 }  // namespace cookbook

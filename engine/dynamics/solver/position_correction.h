@@ -2,9 +2,8 @@
 
 #include <span>
 
-#include "engine/dynamics/body/settings.h"
 #include "engine/dynamics/solver/constraint_group.h"
-#include "engine/threads/thread_pool.h"
+#include "engine/dynamics/solver/step_context.h"
 
 namespace cookbook {
 
@@ -16,9 +15,7 @@ namespace cookbook {
  is then as it was. */
 template <class Real>
 bool FindPositionCorrections(std::span<Overlaps<Real>> overlaps, bool is_large,
-                             std::span<const Velocity> mean,
-                             std::span<const Velocity> solved, const Settings& settings,
-                             double h, ThreadPool& pool,
-                             std::span<SolverVelocity<Real>> moves);
+                             const StepMotion& motion, const StepContext& step,
+                             std::span<SolverVelocity<Real>> corrections);
 
 }  // namespace cookbook

@@ -213,8 +213,7 @@ HWY_INLINE void SpreadFriction(const ConstraintBatch<Real>& batch,
 template <class Real>
 HWY_INLINE void Fill(ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
                      ContactNotes<Real>* notes, const ContactRules& rules,
-                     std::span<const ContactPair> pairs, const SolverBodies& world,
-                     bool warm_starting) {
+                     std::span<const ContactPair> pairs, const SolverBodies& world) {
   static_assert(offsetof(ContactPoint, separation) == sizeof(Eigen::Vector3d));
   // Of a lane without a pair, and of what a pair has fewer of than another.
   alignas(32) constexpr std::array<double, 4> kNothing = {0, 0, 0, 0};
@@ -250,7 +249,7 @@ HWY_INLINE void Fill(ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
       inertia_B[k] = &world.inertias[b];
       friction[k] = A.friction * B.friction;
       batch.restitution[lane] = static_cast<Real>(std::min(A.restitution, B.restitution));
-      batch.usual[lane] = static_cast<Real>(rules.h * LoadOn(*pair[k], A, B));
+      batch.usual[lane] = static_cast<Real>(rules.h * LoadAccelerationOn(*pair[k], A, B));
       batch.slop[lane] = static_cast<Real>(SlopBetween(A, B));
     }
     const auto put_inertias = [&](const std::array<const InverseInertia*, 4>& from,
@@ -291,7 +290,7 @@ HWY_INLINE void Fill(ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
         notes[i].used[4 * four + k] = is_used ? 1 : 0;
         points[k] =
             is_used ? pair[k]->manifold.contacts[at].p_WC.data() : kNothing.data();
-        J[k] = is_used && warm_starting ? Load3(pair[k]->J_W[at].data(), 0) : zero;
+        J[k] = is_used && rules.warm_starting ? Load3(pair[k]->J_W[at].data(), 0) : zero;
       }
       LoadFour(points, lanes);
       const Vec3<double> p{lanes[0], lanes[1], lanes[2]};
@@ -305,7 +304,7 @@ HWY_INLINE void Fill(ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
       PutFour(Dot(J_W, t2), four, contact.friction_impulse2);
     }
   }
-  if (warm_starting && batch.count > 3) SpreadLoad(batch, rows, notes);
+  if (rules.warm_starting && batch.count > 3) SpreadLoad(batch, rows, notes);
 }
 
 /** Tells memory what Prepare() will want of a batch. */
@@ -328,8 +327,7 @@ void PrefetchBatch(const ConstraintBatch<Real>& batch, std::span<const ContactPa
 
 template <class Real>
 double Prepare(const ConstraintView<Real>& rows, const ContactRules& rules,
-               std::span<const ContactPair> pairs, const SolverBodies& world,
-               bool warm_starting) {
+               std::span<const ContactPair> pairs, const SolverBodies& world) {
   using V = Vec<Real>;
   const V zero{};
   const V one = All<Real>(1);
@@ -340,10 +338,10 @@ double Prepare(const ConstraintView<Real>& rows, const ContactRules& rules,
     const auto first = static_cast<std::size_t>(batch.first);
     ContactLanes<Real>* prepared = &rows.contacts[first];
     ContactNotes<Real>* notes = &rows.notes[first];
-    Fill(batch, prepared, notes, rules, pairs, world, warm_starting);
+    Fill(batch, prepared, notes, rules, pairs, world);
     const Pairs<Real> before = PairsOf<Real>(world.before.data(), batch.A, batch.B);
     const Pairs<Real> free = PairsOf<Real>(world.velocities.data(), batch.A, batch.B);
-    if (warm_starting && batch.count > 1) {
+    if (rules.warm_starting && batch.count > 1) {
       SpreadFriction(batch, prepared, notes, before, free);
     }
     const Inertias<Real> m = InertiasOf<Real>(batch);
@@ -444,9 +442,8 @@ HWY_AFTER_NAMESPACE();
 namespace cookbook {
 template <class Real>
 double PrepareContacts(const ConstraintView<Real>& rows, const ContactRules& rules,
-                       std::span<const ContactPair> pairs, const SolverBodies& world,
-                       bool warm_starting) {
-  return COOKBOOK_DISPATCH(Prepare<Real>)(rows, rules, pairs, world, warm_starting);
+                       std::span<const ContactPair> pairs, const SolverBodies& world) {
+  return COOKBOOK_DISPATCH(Prepare<Real>)(rows, rules, pairs, world);
 }
 COOKBOOK_INSTANTIATE(PrepareContacts);
 }  // namespace cookbook

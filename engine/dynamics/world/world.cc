@@ -336,7 +336,7 @@ void World::StopStretching(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!linked_[i] || bodies_[i].is_static()) continue;
     fastest = std::max(fastest, bodies_[i].state.v_WB.norm());
-    load = std::max(load, bodies_[i].load);
+    load = std::max(load, bodies_[i].load_acceleration);
   }
   for (const DistanceJoint& joint : joints_) shortest = std::min(shortest, joint.length);
   const double usual = h * (load + fastest * fastest / shortest);
@@ -379,12 +379,12 @@ void World::Solve(double h) {
   const SolverBodies world{bodies_, inertias_, before_,
                            solved_, static_,   fit_single_precision_};
   if (!HasLinks()) {
-    contacts_.Solve(contact_cache_.contacts(), contact_cache_.edges(), world, settings_,
-                    h, pool_, touches_);
+    contacts_.Solve(contact_cache_.contacts(), contact_cache_.edges(), world,
+                    {settings_, h, pool_}, touches_);
     return;
   }
-  contacts_.Begin(contact_cache_.contacts(), contact_cache_.edges(), world, settings_, h,
-                  pool_);
+  contacts_.Begin(contact_cache_.contacts(), contact_cache_.edges(), world,
+                  {settings_, h, pool_});
   SolveJoints(h);
 }
 
@@ -404,7 +404,7 @@ void World::SolveJoints(double h) {
     }
     SolveJointsUntilConverged();
     std::fill(touches_.begin(), touches_.end(), Touch{});
-    contacts_.End(contact_cache_.contacts(), settings_, touches_);
+    contacts_.StoreImpulses(contact_cache_.contacts(), {settings_, h, pool_}, touches_);
     if (round == settings_.joint_rounds) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!linked_[i]) continue;
@@ -439,7 +439,7 @@ void World::MoveBody(std::size_t i, double h, RigidBody& body) {
   const bool touched = touches_[i].bounced || touches_[i].rested;
   const bool struck =
       touched && (touches_[i].bounced || !touches_[i].steady ||
-                  change > kImpactFactor * h * std::max(body.load, body.island_load));
+                  change > kImpactFactor * h * std::max(body.load_acceleration, body.island_load_acceleration));
   Velocity& mean = mean_[i];
   if (!struck) {
     mean.v = 0.5 * (before.v + after.v);
@@ -518,7 +518,7 @@ bool World::MeetSolids(double h, const RigidBody& before, RigidBody& point) {
 
 void World::Project(double h) {
   bool moved =
-      contacts_.FindPositionCorrections(mean_, solved_, settings_, h, pool_, moves_);
+      contacts_.FindPositionCorrections({mean_, solved_}, {settings_, h, pool_}, moves_);
   if (!joints_.empty()) {
     if (!moved) {
       std::fill(moves_.begin(), moves_.end(), Velocity{});

@@ -313,13 +313,13 @@ class Island {
       inertias_.push_back(InverseInertiaOf(body));
       islands_.push_back(body.is_static() ? static_cast<int>(i) : 1);
       if (body.is_static()) continue;
-      body.load = kG;
+      body.load_acceleration = kG;
       before_[i] = {body.state.v_WB, body.state.w_WB};
       free[i] = before_[i];
       free[i].v.y() -= kG * kH;
     }
     velocities_ = free;
-    group_.Begin(ordered, pairs, World(), rules, false, velocities_, pool_);
+    group_.Begin(ordered, pairs, World(), rules, velocities_, pool_);
     group_.Iterate(1, velocities_, pool_);
   }
 
