@@ -30,7 +30,7 @@ void ContactCache::Add(const RigidBody& body) {
 }
 
 void ContactCache::Sort() {
-  broad_phase_.NumberByPlace(number_);
+  broad_phase_.NumberInSpatialOrder(number_);
   const auto numbers = [&](const NearPair& pair) {
     return std::minmax(number_[static_cast<std::size_t>(pair.A)],
                        number_[static_cast<std::size_t>(pair.B)]);
@@ -82,7 +82,7 @@ void ContactCache::Part(std::size_t near) {
 void ContactCache::Widen(int index, const RigidBody& body, double reach,
                          std::vector<int>& met) {
   appeared_.clear();
-  broad_phase_.Widen(index, body, reach, appeared_, met);
+  broad_phase_.EnlargeProxy(index, body, reach, appeared_, met);
   for (const auto& [a, b] : appeared_) near_.push_back({a, b});
 }
 
@@ -109,7 +109,7 @@ void ContactCache::FindDue(double margin, ThreadPool& pool) {
     if (gone < pair.separated_until_travel) return false;
     if (broad_phase_.IsAtRest(pair.A) && broad_phase_.IsAtRest(pair.B)) return false;
     if (pair.contact >= 0) return true;
-    const double gap = broad_phase_.GapOf(pair.A, pair.B);
+    const double gap = broad_phase_.DistanceBound(pair.A, pair.B);
     if (gap <= margin) return true;
     pair.separated_until_travel = gone + gap - margin;
     return false;

@@ -97,7 +97,7 @@ class ContactCache {
   std::vector<double> travel_;         ///< By body. [m]
   std::vector<double> travel_bounds_;  ///< The same, infinite of what has left its box.
   int unsorted_ = 0;                   ///< Calls of Find() since pairs were sorted.
-  std::vector<int> number_;            ///< By body, see BroadPhase::NumberByPlace().
+  std::vector<int> number_;            ///< By body, see BroadPhase::NumberInSpatialOrder().
   std::vector<ContactPair> sorted_;
 };
 
