@@ -226,7 +226,7 @@ RC_GTEST_PROP(ContactCache, FindsTheSameContactsAsAnExhaustiveSearch, ()) {
   for (const RigidBody& body : bodies) cache.Add(body);
   int most = 0;
   for (int step = 0; step < 20; ++step) {
-    cache.Find(bodies, {kMargin, false}, kStep, pool);
+    cache.Update(bodies, {kMargin, false}, kStep, pool);
     Pairs found;
     for (const ContactPair& pair : cache.contacts()) {
       RC_ASSERT(found.insert({pair.A, pair.B}).second);
@@ -277,11 +277,11 @@ TEST(ContactCache, ItsEdgesAgreeWithItsContacts) {
         if (body.state.p_WB[0] < 5) body.inverse_mass = 0;
       }
     }
-    cache.Find(bodies, {kMargin, false}, kStep, pool);
+    cache.Update(bodies, {kMargin, false}, kStep, pool);
     EXPECT_EQ(cache.contacts().size(), kFaces);
     EXPECT_TRUE(EdgesAgree(cache)) << step;
   }
-  cache.Release(7);
+  cache.ClearContacts(7);
   EXPECT_EQ(cache.contacts()[7].manifold.count, 0);
   EXPECT_TRUE(EdgesAgree(cache));
 }
