@@ -4,8 +4,8 @@
 
 namespace cookbook {
 
-/** The set of points no farther than `rounding` from an axis-aligned box. As a bounding
- volume it is exact for a sphere. */
+/** The set of points no farther than `rounding` from an axis-aligned box. It bounds a
+ body; for a sphere it is exact. */
 struct RoundedBox {
   Aabb core;
   double rounding;  ///< [m]

@@ -2,9 +2,10 @@
 // after engine/simd/foreach_target.h, in a file that foreach_target.h includes
 // repeatedly; hence the include guard that toggles.
 //
-// As in engine/collision/one_pair_contacts.h for one pair, the incident face, a
-// parallelogram, is clipped to the reference face, a rectangle. Here the projection is
-// always along the normal of the reference face, and speculative corners are kept.
+// The method is that of engine/collision/one_pair_contacts.h for one pair: the incident
+// face, a parallelogram, is clipped to the reference face, a rectangle. Here the
+// projection is always along the normal of the reference face, and speculative corners
+// are kept.
 
 #if defined(COOKBOOK_ENGINE_CLIP_FACES_SIMD_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_CLIP_FACES_SIMD_H_

@@ -32,7 +32,7 @@ constexpr double kMinFaceCosine = 0.98;
 struct alignas(64) BatchInput {
   using Row = double[kMostPairs];
 
-  // Of A and of B.
+  // First index: body A or B.
   Row R[2][9];    ///< Axes of the body, one after the other.
   Row p_W[2][3];  ///< Position. [m]
   Row h[2][3];    ///< Half extents. [m]
@@ -232,7 +232,7 @@ struct DistinctCorners {
 };
 
 /** Returns the corners that differ in x or y by more than kSameCorner times the
- tolerance. Of several equal corners the first has the feature. The deepest has the
+ tolerance. If corners are equal, the first has the feature. The deepest has the
  position if it is deeper by more than the tolerance: along a steep edge, a negligible
  distance is many times the rounding in depth. */
 DistinctCorners MergeEqualCorners(const CandidateCorners& corners, unsigned kept,
