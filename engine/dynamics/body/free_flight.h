@@ -13,7 +13,7 @@ struct FreeFlight {
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N m]
   /** Acceleration by gravity and forces if nothing held the body. It decides whether a
    contact is an impact. [m/s²] */
-  Eigen::Vector3d load_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d load_acceleration_W = Eigen::Vector3d::Zero();
 
   /** Returns the body at time `t` [s]. A static body stays where it is. */
   RigidBody At(double t, Gyroscopic rule) const;

@@ -20,14 +20,14 @@ struct alignas(64) RigidBody {
   bool has_forces;    ///< Whether any of the forces below may be nonzero.
   // Contact properties: one cache line.
   double inverse_mass;            ///< 0: static. [1/kg]
-  double speculative_margin = 0;  ///< See Settings. [m]
+  double speculative_margin = 0;  ///< See Settings. Set by ExternalLoads. [m]
   double restitution;
   double friction;
-  // Thresholds of rest, see ExternalLoads.
-  double load = 0;         ///< External force per mass. [m/s²]
-  double island_load = 0;  ///< Mean of `load` over its island. [m/s²]
-  double slop = 0;         ///< Depth that position correction leaves. [m]
-  double drag;             ///< See BodyDefinition.
+  // Thresholds of rest. ExternalLoads computes them in each step.
+  double load_acceleration = 0;         ///< External force per mass. [m/s²]
+  double island_load_acceleration = 0;  ///< Mean by mass over the island. [m/s²]
+  double slop = 0;                      ///< Depth that position correction leaves. [m]
+  double drag;                          ///< See BodyDefinition.
   // Orientation and shape: two cache lines.
   Eigen::Matrix3d R_WB;             ///< The rotation matrix of state.q_WB.
   Eigen::Vector3d inverse_moments;  ///< Zero if static or a point.
@@ -72,15 +72,17 @@ inline double SlopBetween(const RigidBody& A, const RigidBody& B) {
 }
 
 /** Returns the greater load of the two bodies themselves. [m/s²] */
-inline double LoadBetween(const RigidBody& A, const RigidBody& B) {
-  return A.is_static() ? B.load : B.is_static() ? A.load : std::max(A.load, B.load);
+inline double LoadAccelerationBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static()   ? B.load_acceleration
+         : B.is_static() ? A.load_acceleration
+                         : std::max(A.load_acceleration, B.load_acceleration);
 }
 
 /** Returns the greater load of their two islands. [m/s²] */
-inline double IslandLoadBetween(const RigidBody& A, const RigidBody& B) {
-  return A.is_static()   ? B.island_load
-         : B.is_static() ? A.island_load
-                         : std::max(A.island_load, B.island_load);
+inline double IslandLoadAccelerationBetween(const RigidBody& A, const RigidBody& B) {
+  return A.is_static()   ? B.island_load_acceleration
+         : B.is_static() ? A.island_load_acceleration
+                         : std::max(A.island_load_acceleration, B.island_load_acceleration);
 }
 
 /** Returns the radius of the largest inscribed sphere. [m] */
