@@ -246,7 +246,7 @@ class Island {
     const std::vector<Velocity> swept = velocities_;
     const std::vector<double> borne = Borne();
     StaticEquilibrium static_equilibrium;
-    static_equilibrium.Find(group_.rows(), islands_, 1e-14 * group_.scale(), World());
+    static_equilibrium.Solve(group_.view(), islands_, 1e-14 * group_.max_speed(), Bodies());
     bool rests = true;
     bool same = borne == Borne();
     for (std::size_t i = 1; i < bodies.size(); ++i) {
@@ -262,15 +262,15 @@ class Island {
     const auto i = static_cast<std::size_t>(body);
     const RigidBody& b = bodies[i];
     Received left{free[i].v / b.inverse_mass, b.moments.cwiseProduct(free[i].w)};
-    const ConstraintView<double> rows = group_.rows();
-    for (const ConstraintBatch<double>& batch : rows.batches) {
+    const ConstraintView<double> constraints = group_.view();
+    for (const ConstraintBatch<double>& batch : constraints.batches) {
       const auto at = [](const VectorLanes<double>& v) {
         return Eigen::Vector3d(v[0][0], v[1][0], v[2][0]);
       };
       if (batch.A[0] != body && batch.B[0] != body) continue;
       for (int k = 0; k < batch.count; ++k) {
-        const ContactLanes<double>& contact =
-            rows.contacts[static_cast<std::size_t>(batch.first) +
+        const ContactConstraintLanes<double>& contact =
+            constraints.contacts[static_cast<std::size_t>(batch.first) +
                           static_cast<std::size_t>(k)];
         const Eigen::Vector3d J_W = contact.impulse[0] * at(batch.n) +
                                     contact.friction_impulse1[0] * at(batch.t1) +
@@ -290,18 +290,18 @@ class Island {
   std::vector<Velocity> free;  ///< At the end of the step without impulses.
 
  private:
-  SolverBodies World() { return {bodies, inertias_, before_, velocities_}; }
+  SolverBodies Bodies() { return {bodies, inertias_, before_, velocities_}; }
 
   void Iterate() {
-    ContactRules rules{};
-    rules.h = kH;
-    rules.resting_speed = 1;
-    rules.soft_mass_scale = 1;
-    rules.accumulated = true;
+    ContactParameters parameters{};
+    parameters.h = kH;
+    parameters.resting_speed = 1;
+    parameters.soft_mass_scale = 1;
+    parameters.accumulated = true;
     std::vector<ColouredPair> ordered;
     for (ContactPair& pair : pairs) {
       std::array<ContactPair*, 1> one = {&pair};
-      Recollide({1, false}, bodies, one);
+      UpdateManifolds({1, false}, bodies, one);
       const auto k = static_cast<int>(ordered.size());
       ordered.push_back({k, k, pair.A, pair.B, pair.manifold.count});
     }
@@ -319,13 +319,13 @@ class Island {
       free[i].v.y() -= kG * kH;
     }
     velocities_ = free;
-    group_.Begin(ordered, pairs, World(), rules, velocities_, pool_);
+    group_.Begin(ordered, pairs, Bodies(), parameters, velocities_, pool_);
     group_.Iterate(1, velocities_, pool_);
   }
 
   std::vector<double> Borne() {
     std::vector<double> borne;
-    for (const ContactLanes<double>& contact : group_.rows().contacts) {
+    for (const ContactConstraintLanes<double>& contact : group_.view().contacts) {
       for (const auto* lanes :
            {&contact.impulse, &contact.friction_impulse1, &contact.friction_impulse2}) {
         borne.insert(borne.end(), lanes->begin(), lanes->end());
