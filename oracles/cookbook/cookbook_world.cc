@@ -65,7 +65,7 @@ cookbook::Cloth ToCookbook(const Cloth& cloth) {
   return net;
 }
 
-/** Sweeps × rows that a question is worth: 20 ms a step at most. */
+/** Iterations × constraints per step of a judged world: at most 20 ms. */
 constexpr int kIterationBudget = 40000;
 
 class CookbookSimulation final : public Simulation {

@@ -10,13 +10,13 @@ namespace touchstone {
 /** Returns what the corrected engine can do of each feature of a world. */
 decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities();
 
-/** Returns what is in force where the corrected engine simulates worlds. */
+/** Returns the settings of the corrected engine for worlds. */
 std::vector<Setting> CookbookWorldSettings();
 
-/** How long the corrected engine may take to solve a step. */
+/** The iteration budget of the corrected engine. */
 enum class Care {
-  kAll,        ///< Until it is solved to rounding, where that can be waited for.
-  kAsShipped,  ///< As the engine's defaults say.
+  kAll,        ///< Ten times the default: solves most steps to rounding.
+  kAsShipped,  ///< The default of the engine.
 };
 
 /** Returns `world` at its start, in the corrected engine, in `threads` threads: the bits
