@@ -33,7 +33,7 @@ enum class Stabilisation {
 };
 
 /** The settings of a world. Every refinement has its own switch.
- docs/decisions/0030-a-step-of-the-world.md has the measured benefit of each default. */
+ docs/decisions/0031-defaults-are-measured.md has the measured benefit of each default. */
 struct Settings {
   Eigen::Vector3d gravity_W{0, -9.82, 0};  ///< [m/s²]
 
