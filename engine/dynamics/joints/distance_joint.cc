@@ -132,7 +132,7 @@ double JointSolver::Relinearize(std::span<const DistanceJoint> joints,
 
 bool JointSolver::CorrectPositions(std::span<const DistanceJoint> joints, double fraction,
                                    std::span<const RigidBody> bodies,
-                                   std::span<Velocity> moves) {
+                                   std::span<Velocity> corrections) {
   bool moved = false;
   for (std::size_t k = 0; k < constraints_.size(); ++k) {
     Constraint& constraint = constraints_[k];
@@ -142,8 +142,10 @@ bool JointSolver::CorrectPositions(std::span<const DistanceJoint> joints, double
     const double error = joints[k].length - d.norm();
     if (std::abs(error) <= kLengthTolerance * joints[k].length) continue;
     SetDirection(d, a.r_W, b.r_W, constraint);
-    const double change = fraction * error - constraint.axis.RelativeVelocity(moves);
-    constraint.axis.ApplyImpulse(constraint.effective_mass * change, inertias_, moves);
+    const double change =
+        fraction * error - constraint.axis.RelativeVelocity(corrections);
+    constraint.axis.ApplyImpulse(constraint.effective_mass * change, inertias_,
+                                 corrections);
     moved = true;
   }
   return moved;

@@ -57,11 +57,12 @@ class JointSolver {
                      std::span<const double> moved_fraction,
                      std::span<Velocity> velocities, double h);
 
-  /** Position correction: adds to `moves` [m], [rad] the pseudo-velocities that remove
-   `fraction` of the error of each rod whose length is off by more than rounding. Returns
-   whether there was such a rod. */
+  /** Position correction: adds to `corrections` [m], [rad] the pseudo-velocities that
+   remove `fraction` of the error of each rod whose length is off by more than rounding.
+   Returns whether there was such a rod. */
   bool CorrectPositions(std::span<const DistanceJoint> joints, double fraction,
-                        std::span<const RigidBody> bodies, std::span<Velocity> moves);
+                        std::span<const RigidBody> bodies,
+                        std::span<Velocity> corrections);
 
  private:
   struct Constraint {

@@ -38,7 +38,7 @@ using SolverVelocity =
 struct ContactFlags {
   bool bounced = false;  ///< A contact with an impulse bounced.
   bool rested = false;   ///< A contact with an impulse did not bounce.
-  bool steady = true;    ///< No contact with an impulse approached before the step.
+  bool steady = true;    ///< All contacts with an impulse were steady.
 };
 
 /** A contact constraint of each pair of a batch, as the iterations read it. A pair with
@@ -73,7 +73,7 @@ struct alignas(kAlignment<Real>) ContactColdLanes {
   Lanes<Real> separation;       ///< [m]
   Lanes<Real> used;             ///< 1; 0 if the pair has no such contact.
   Lanes<Real> bounces;          ///< 1 if restitution applies.
-  Lanes<Real> steady;           ///< 1 if it did not approach before the step.
+  Lanes<Real> steady;           ///< 1 if its normal speed before the step was small.
   Lanes<Real> normal_response;  ///< k(n). [1/kg]
   Lanes<Real> slip_response;    ///< 1 / friction_step. [1/kg]
 };
@@ -99,12 +99,11 @@ struct alignas(kAlignment<Real>) ConstraintBatch {
   TensorLanes<Real> inverse_inertia_A;
   TensorLanes<Real> inverse_inertia_B;
   Lanes<Real> restitution;
-  Lanes<Real>
-      load_speed;    ///< Speed that loads add in a step, h LoadAccelerationOn(). [m/s]
-  Lanes<Real> slop;  ///< Depth that is tolerated. [m]
+  Lanes<Real> load_speed;  ///< h LoadAccelerationOn(): loads add it in a step. [m/s]
+  Lanes<Real> slop;        ///< Depth that is tolerated. [m]
 };
 
-/** What the contact constraints are made from, in addition to pairs and bodies. */
+/** Parameters that all contact constraints of a step share. */
 struct ContactParameters {
   double h;                   ///< Time step. [s]
   double resting_speed;       ///< See Settings.

@@ -74,7 +74,7 @@ void CollectPositionConstraints(ConstraintGroup<Real>& group, const Settings& se
 
 bool FitsSinglePrecision(const RigidBody& body) {
   constexpr double kMaxMass = 1e6;   // [kg]; the least mass is its inverse.
-  constexpr double kMaxRatio = 1e3;  // Of r² I⁻¹ to 1/m; 2.5 for a ball.
+  constexpr double kMaxRatio = 1e3;  // r² I⁻¹ relative to 1/m; 2.5 for a ball.
   if (body.is_static() || body.is_point) return true;
   const double rotational = body.radius * body.radius * body.inverse_moments.maxCoeff();
   const double least = body.inverse_moments.minCoeff();
@@ -125,12 +125,12 @@ void ContactSolver::DivideIntoGroups(std::span<const char> is_static, int min_co
     group_of_island_[static_cast<std::size_t>(group_of_pair_.back())] += pair.count;
   }
   group_ranges_.clear();
-  for (int& island : group_of_island_) {
-    if (island == 0) continue;
+  for (int& entry : group_of_island_) {
+    if (entry == 0) continue;
     if (group_ranges_.empty() || group_ranges_.back().contacts >= min_contacts)
       group_ranges_.emplace_back();
-    group_ranges_.back().contacts += island;
-    island = static_cast<int>(group_ranges_.size()) - 1;
+    group_ranges_.back().contacts += entry;
+    entry = static_cast<int>(group_ranges_.size()) - 1;
   }
   for (int& group : group_of_pair_) {
     group = group_of_island_[static_cast<std::size_t>(group)];

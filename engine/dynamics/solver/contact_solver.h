@@ -41,38 +41,40 @@ bool FitsSinglePrecision(const RigidBody& body);
    min(0, −e u₀·n)                  else.
 
  An open contact is speculative: its target is −gap / h if that is less, and a contact
- that would bounce is off until it is closed. The resting speed is Settings::resting_speed
- times h LoadAccelerationOn() + |(u_f − u₀)·n|. Baumgarte stabilisation and soft contacts
- add a speed to the third target of a contact that is deeper than its slop.
+ that would bounce is off until it is closed. The resting speed is
+ Settings::resting_speed times h LoadAccelerationOn() + |(u_f − u₀)·n|. Baumgarte
+ stabilisation and soft contacts add a speed to the second and third targets of a contact
+ that is deeper than its slop.
 
  This differs from the textbook (Catto, GDC 2006) as follows:
  - *Restitution.* A bounce reverses the velocity before the step, and then the loads of
- the step act. At e = 1 it conserves energy with any step. A textbook bounce reverses the
-   velocity after the loads.
+   the step act. At e = 1 it conserves energy with any step. Usually the velocity after
+   the loads is reversed.
  - *Coinciding impacts.* A contact that an impact reverses in the step in which it
    separates comes back no faster than it left (Moreau's rule, targets two and three).
- Then impacts of equal e without friction never add energy: with u = −e u₀ where λ > 0,
- and W the response, the change of energy is ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ.
- Friction at an eccentric contact may add energy.
- - *Friction.* The two tangential impulses are solved together, on the circular cone, from
-   the slip after the normal impulse.
+   Then impacts of equal e without friction never add energy: with u = −e u₀ where
+   λ > 0, and W the response, the change of energy is
+   ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ. Friction at an eccentric contact may add
+   energy.
+ - *Friction.* The two tangential impulses are solved together, on the circular cone,
+   from the slip after the normal impulse.
  - *Warm starting.* The loads of a face are first redistributed, see PrepareContacts().
- - *Batches.* Graph colouring puts pairs that share no moving body into batches: four
- pairs are solved at once in double precision, sixteen in single precision.
+ - *Batches.* Graph colouring finds pairs that share no moving body: four of them are
+   solved at once in double precision, sixteen in single precision.
  - *Small worlds* (see IsSmall()) are solved until they converge. Converged islands are
    frozen, which leaves the iteration budget to the others. Islands that do not converge
-   soon are solved directly, see StaticEquilibrium.
- - *Large worlds* get a fixed number of over-relaxed iterations, in single precision where
-   possible. Groups of islands, each small enough for a processor's cache, are solved one
-   after the other, or by different threads. */
+   soon are solved directly if possible, see StaticEquilibrium.
+ - *Large worlds* get a few over-relaxed iterations, in single precision where possible.
+   Groups of islands, each small enough for a processor's cache, are solved one after
+   the other, or by different threads. */
 class ContactSolver {
  public:
   /** `threads`: number of threads of the pool that later steps use. */
   explicit ContactSolver(int threads);
 
   /** Finds the impulses; writes them to the pairs, and sets the flags of the bodies.
-   `edges` are those of the pairs. Of a small world this is Begin(), Iterate() until the
-   world is solved, and StoreImpulses(). A large world is divided into groups. */
+   `edges` are those of the pairs. A small world is solved by Begin(), Iterate() until it
+   has converged, and StoreImpulses(); a large world in groups. */
   void Solve(std::span<ContactPair> pairs, std::span<const ContactEdge> edges,
              const SolverBodies& bodies, const StepContext& step,
              std::span<ContactFlags> contact_flags);
@@ -165,7 +167,7 @@ class ContactSolver {
   std::vector<ColouredPair> sorted_pairs_;  ///< Sorted by group, then by key.
   std::vector<GroupRange> group_ranges_;
   int contact_count_ = 0;
-  UnionFind islands_;                    ///< Of bodies.
+  UnionFind islands_;                    ///< Islands as sets of bodies.
   std::span<const int> island_roots_;    ///< Indexed by body.
   std::vector<int> group_of_island_;     ///< Indexed by the root of the island.
   std::vector<double> island_changes_;   ///< Scratch, see FreezeConvergedIslands().

@@ -14,8 +14,9 @@ HWY_BEFORE_NAMESPACE();
 namespace cookbook::HWY_NAMESPACE {
 namespace {
 
-/** A contact is steady, that is, was closed before the step, if it approaches slower than
- this fraction of the speed that the loads add in a step. */
+/** A contact is steady if its normal speed before the step was at most this fraction of
+ the speed that the loads add in a step: it has been closed for a while. It slips if its
+ slip was faster than that. */
 constexpr double kSteadyFraction = 1.0 / 16;
 
 /** Relative rounding error of a sum. */
@@ -90,8 +91,8 @@ HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch,
     least = Select(used > zero, Min(least, impulse), least);
     centre = Plus(centre, Times(used, PositionOf(contacts[0], contacts[k])));
   }
-  VecBits<Real> is_spread = (count > Splat<Real>(3.5)) & (least > zero);
-  if (Bits(is_spread) == 0) return;
+  VecBits<Real> can_spread = (count > Splat<Real>(3.5)) & (least > zero);
+  if (Bits(can_spread) == 0) return;
   const V inverse_count = Splat<Real>(1) / Max(count, Splat<Real>(1));
   const V mean = load * inverse_count;
   centre = Times(inverse_count, centre);
@@ -119,29 +120,30 @@ HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch,
   // The gradient across a line of contacts is undefined.
   const V determinant = xx * yy - xy * xy;
   const V trace = xx + yy;
-  is_spread &= determinant > Splat<Real>(kLineFraction<Real>) * trace * trace;
+  can_spread &= determinant > Splat<Real>(kLineFraction<Real>) * trace * trace;
   const V inverse_determinant =
-      Splat<Real>(1) / Select(is_spread, determinant, Splat<Real>(1));
+      Splat<Real>(1) / Select(can_spread, determinant, Splat<Real>(1));
   const V gradient_x = inverse_determinant * (yy * moment_x - xy * moment_y);
   const V gradient_y = inverse_determinant * (xx * moment_y - xy * moment_x);
-  V even[8];
-  V least_even = largest;
+  V linear[8];
+  V least_linear = largest;
   for (int k = 0; k < batch.count; ++k) {
-    even[k] = mean + gradient_x * x[k] + gradient_y * y[k];
-    least_even = Select(Load(cold[k].used) > zero, Min(least_even, even[k]), least_even);
+    linear[k] = mean + gradient_x * x[k] + gradient_y * y[k];
+    least_linear =
+        Select(Load(cold[k].used) > zero, Min(least_linear, linear[k]), least_linear);
   }
-  is_spread &= least_even > zero;
+  can_spread &= least_linear > zero;
   for (int k = 0; k < batch.count; ++k) {
-    const VecBits<Real> changes = is_spread & (Load(cold[k].used) > zero);
-    Store(Select(changes, even[k], Load(contacts[k].impulse)), contacts[k].impulse);
+    const VecBits<Real> changes = can_spread & (Load(cold[k].used) > zero);
+    Store(Select(changes, linear[k], Load(contacts[k].impulse)), contacts[k].impulse);
   }
 }
 
 /** Redistributes the friction impulses of each sticking face in proportion to its load,
- with the same sum and the same moment about the normal. Of all such impulses these have
- the least Σ f²/λ: without a moment, every contact is as far from its friction bound as
- the whole face. Otherwise the remains of the first iterations make contacts pull against
- each other across the face, and they slip too early.
+ with the same sum and the same moment about the normal. They have the least
+ Σ f²/λ of all such impulses: without a moment, every contact is as far from its friction
+ bound as the whole face. Otherwise the remains of the first iterations make contacts pull
+ against each other across the face, and they slip too early.
 
  f' = λ (F/Σλ + s × (x − x̄)), where x̄ is the centre of the load and s = M / Σ λ (x − x̄)².
  The impulses stay as they are if a contact slips, since the slip then determines its
@@ -182,9 +184,9 @@ HWY_INLINE void SpreadFriction(const ConstraintBatch<Real>& batch,
     slips |=
         (impulse > zero) & (slip1 * slip1 + slip2 * slip2 > steady_speed * steady_speed);
   }
-  VecBits<Real> is_spread = (count > Splat<Real>(1.5)) & ~slips;
-  if (Bits(is_spread) == 0) return;
-  const V inverse_load = one / Select(is_spread, load, one);
+  VecBits<Real> can_spread = (count > Splat<Real>(1.5)) & ~slips;
+  if (Bits(can_spread) == 0) return;
+  const V inverse_load = one / Select(can_spread, load, one);
   centre = Times(inverse_load, centre);
   V x[8];
   V y[8];
@@ -208,10 +210,10 @@ HWY_INLINE void SpreadFriction(const ConstraintBatch<Real>& batch,
     const V scaled1 = mean1 - spin * y[k];
     const V scaled2 = mean2 + spin * x[k];
     const VecBits<Real> inside = scaled1 * scaled1 + scaled2 * scaled2 <= bound;
-    is_spread &= inside | ~(Load(contacts[k].impulse) > zero);
+    can_spread &= inside | ~(Load(contacts[k].impulse) > zero);
   }
   for (int k = 0; k < batch.count; ++k) {
-    const VecBits<Real> changes = is_spread & (Load(cold[k].used) > zero);
+    const VecBits<Real> changes = can_spread & (Load(cold[k].used) > zero);
     const V impulse = Load(contacts[k].impulse);
     Store(Select(changes, impulse * (mean1 - spin * y[k]),
                  Load(contacts[k].friction_impulse1)),
