@@ -2,19 +2,14 @@
 
 #include "engine/collision/box_batch_layout.h"
 
-// Vectors whose size is unknown at compile time cannot be stored in arrays.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
+#define COOKBOOK_DISABLED_TARGETS COOKBOOK_SIZELESS_TARGETS
 #define HWY_TARGET_INCLUDE "engine/collision/box_batch_simd.cc"
-#include <hwy/foreach_target.h>
-// Must come after foreach_target.h.
-#include <hwy/highway.h>
-
+#include "engine/simd/foreach_target.h"
+// After foreach_target.h.
 #include "engine/collision/many_pairs_axis.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -56,16 +51,13 @@ void FindBlocks(const double* rows, std::size_t blocks, const GapArrays& gaps) {
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(FindBlocks);
-
 void FindBlockGaps(const double* rows, std::size_t blocks, const GapArrays& gaps) {
-  HWY_DYNAMIC_DISPATCH(FindBlocks)(rows, blocks, gaps);
+  COOKBOOK_DISPATCH(FindBlocks)(rows, blocks, gaps);
 }
 }  // namespace cookbook
 #endif

@@ -1,20 +1,15 @@
 #include "engine/collision/collide.h"
 
-// Vectors of four doubles: targets narrower than AVX2 are no faster than the baseline.
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
+#define COOKBOOK_DISABLED_TARGETS (COOKBOOK_SIZELESS_TARGETS | COOKBOOK_NARROW_TARGETS)
 #define HWY_TARGET_INCLUDE "engine/collision/box_box.cc"
-#include <hwy/foreach_target.h>
-// Must come after foreach_target.h.
-#include "engine/simd/dispatch.h"
-#include "engine/simd/four_lanes.h"
+#include "engine/simd/foreach_target.h"
+// After foreach_target.h.
 #include "engine/collision/one_pair_axis.h"
 #include "engine/collision/one_pair_contacts.h"
+#include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 void CollideBoxes(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
@@ -39,17 +34,14 @@ void CollideBoxes(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(CollideBoxes);
-
 void Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
              Manifold& manifold) {
-  CallOnTarget<HWY_DISPATCH_TABLE(CollideBoxes)>(A, X_WA, B, X_WB, manifold);
+  COOKBOOK_DISPATCH(CollideBoxes)(A, X_WA, B, X_WB, manifold);
 }
 }  // namespace cookbook
 #endif

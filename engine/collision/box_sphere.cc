@@ -1,26 +1,21 @@
-#include "engine/collision/collide.h"
-
-// Vectors of four doubles: targets narrower than AVX2 are no faster than the baseline.
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "engine/collision/box_sphere.cc"
-#include <hwy/foreach_target.h>
-// Must come after foreach_target.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/collision/collide.h"
 #include "engine/collision/feature.h"
 #include "engine/collision/rounding.h"
-#include "engine/simd/dispatch.h"
+
+#define COOKBOOK_DISABLED_TARGETS (COOKBOOK_SIZELESS_TARGETS | COOKBOOK_NARROW_TARGETS)
+#define HWY_TARGET_INCLUDE "engine/collision/box_sphere.cc"
+#include "engine/simd/foreach_target.h"
+// After foreach_target.h.
 #include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 /** A table of SphereContactId(). The lower three bits of the index mark the axes along
@@ -92,17 +87,14 @@ void CollideBoxSphere(const Box& A, const Pose& X_WA, const Sphere& B, const Pos
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(CollideBoxSphere);
-
 void Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
              Manifold& manifold) {
-  CallOnTarget<HWY_DISPATCH_TABLE(CollideBoxSphere)>(A, X_WA, B, X_WB, manifold);
+  COOKBOOK_DISPATCH(CollideBoxSphere)(A, X_WA, B, X_WB, manifold);
 }
 
 void Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_WB,

@@ -5,17 +5,12 @@
 
 #include "engine/collision/rounding.h"
 
-// Disabled for the reason given in box_batch_kernel.cc.
-#define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
+#define COOKBOOK_DISABLED_TARGETS COOKBOOK_SIZELESS_TARGETS
 #define HWY_TARGET_INCLUDE "engine/collision/sphere_batch.cc"
-#include <hwy/foreach_target.h>
-// Must come after foreach_target.h.
-#include <hwy/highway.h>
+#include "engine/simd/foreach_target.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -42,14 +37,11 @@ void FindSeparations(std::span<const SphereBlock> blocks, double* separations) {
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(FindSeparations);
-
 SphereBatch::SphereBatch(std::size_t size)
     : size_(size), blocks_((size + 7) / 8), separations_(blocks_.size() * 8) {}
 
@@ -66,7 +58,7 @@ void SphereBatch::Set(std::size_t index, const Sphere& A, const Pose& X_WA,
 }
 
 void SphereBatch::FindGaps() {
-  HWY_DYNAMIC_DISPATCH(FindSeparations)(blocks_, separations_.data());
+  COOKBOOK_DISPATCH(FindSeparations)(blocks_, separations_.data());
 }
 }  // namespace cookbook
 #endif

@@ -1,5 +1,5 @@
-// A vector of eight floats, the counterpart of Four in engine/simd/four_lanes.h. Include it
-// after hwy/highway.h, in a file that foreach_target.h includes repeatedly; hence the
+// A vector of eight floats, the counterpart of Four in engine/simd/four_lanes.h. Include
+// it after hwy/highway.h, in a file that foreach_target.h includes repeatedly; hence the
 // include guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_EIGHT_LANES_H_) == defined(HWY_TARGET_TOGGLE)
@@ -18,8 +18,7 @@
 #include "engine/simd/four_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 
 using Eight = float __attribute__((vector_size(32)));
 /** The result of comparing two Eight: all bits set in a lane where it is true. */
@@ -41,9 +40,9 @@ HWY_INLINE Eight Abs(Eight x) {
   return reinterpret_cast<Eight>(reinterpret_cast<EightBits>(x) & INT32_MAX);
 }
 
-/** The counterpart of OfVectors() for Four. */
+/** Like ApplyToVectors() for Four. */
 template <class Operation>
-HWY_INLINE Eight OfVectors(Eight a, Eight b, const Operation& operation) {
+HWY_INLINE Eight ApplyToVectors(Eight a, Eight b, const Operation& operation) {
   namespace hn = hwy::HWY_NAMESPACE;
   const hn::CappedTag<float, 8> tag;
   alignas(32) float x[8];
@@ -59,8 +58,8 @@ HWY_INLINE Eight OfVectors(Eight a, Eight b, const Operation& operation) {
 /** Returns the lesser in each lane; b if either is NaN. */
 HWY_INLINE Eight Min(Eight a, Eight b) {
 #if HWY_ARCH_X86
-  return OfVectors(a, b,
-                   [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
+  return ApplyToVectors(
+      a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
 #else
   return a < b ? a : b;
 #endif
@@ -69,8 +68,8 @@ HWY_INLINE Eight Min(Eight a, Eight b) {
 /** Returns the greater in each lane; b if either is NaN. */
 HWY_INLINE Eight Max(Eight a, Eight b) {
 #if HWY_ARCH_X86
-  return OfVectors(a, b,
-                   [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Max(x, y); });
+  return ApplyToVectors(
+      a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Max(x, y); });
 #else
   return a > b ? a : b;
 #endif
@@ -81,8 +80,8 @@ HWY_INLINE Eight Select(EightBits choose, Eight a, Eight b) {
 }
 
 HWY_INLINE Eight Sqrt(Eight x) {
-  return OfVectors(x, x,
-                   [](auto v, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Sqrt(v); });
+  return ApplyToVectors(
+      x, x, [](auto v, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Sqrt(v); });
 }
 
 /** Returns a mask whose bit k is set if lane k is true. */
@@ -132,8 +131,7 @@ HWY_INLINE void Transpose8(Eight m[8]) {
   }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -17,8 +17,7 @@
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 
 using Four = double __attribute__((vector_size(32)));
 /** The result of comparing two Four: all bits set in a lane where it is true. */
@@ -50,9 +49,9 @@ HWY_INLINE Four Abs(Four x) {
   return reinterpret_cast<Four>(reinterpret_cast<FourBits>(x) & INT64_MAX);
 }
 
-/** Applies `operation` to the processor's own vectors, of which a Four may take two. */
+/** Applies `operation` to native vectors; a Four may be two of them. */
 template <class Operation>
-HWY_INLINE Four OfVectors(Four a, Four b, const Operation& operation) {
+HWY_INLINE Four ApplyToVectors(Four a, Four b, const Operation& operation) {
   namespace hn = hwy::HWY_NAMESPACE;
   const hn::CappedTag<double, 4> tag;
   alignas(32) double x[4];
@@ -69,8 +68,8 @@ HWY_INLINE Four OfVectors(Four a, Four b, const Operation& operation) {
 HWY_INLINE Four Min(Four a, Four b) {
 #if HWY_ARCH_X86
   // The same result, but for AVX-512 g++ 12 needs two instructions for the comparison.
-  return OfVectors(a, b,
-                   [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
+  return ApplyToVectors(
+      a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
 #else
   return a < b ? a : b;
 #endif
@@ -79,8 +78,8 @@ HWY_INLINE Four Min(Four a, Four b) {
 /** Returns the greater in each lane; b if either is NaN. */
 HWY_INLINE Four Max(Four a, Four b) {
 #if HWY_ARCH_X86
-  return OfVectors(a, b,
-                   [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Max(x, y); });
+  return ApplyToVectors(
+      a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Max(x, y); });
 #else
   return a > b ? a : b;
 #endif
@@ -137,8 +136,7 @@ HWY_INLINE void LoadColumns(const double* matrix, Four out[3]) {
   out[2] = __builtin_shufflevector(before_last, before_last, 1, 2, 3, 0);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -19,8 +19,7 @@
 #include "engine/simd/eight_lanes.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_AVX3
 
@@ -28,7 +27,7 @@ using Sixteen = float __attribute__((vector_size(64)));
 /** The result of comparing two Sixteen: all bits set in a lane where it is true. */
 using SixteenBits = std::int32_t __attribute__((vector_size(64)));
 
-HWY_INLINE Sixteen Beside(Eight low, Eight high) {
+HWY_INLINE Sixteen Concatenate(Eight low, Eight high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13,
                                  14, 15);
 }
@@ -43,9 +42,9 @@ HWY_INLINE Sixteen SplatSixteen(float x) {
   return Sixteen{} + x;
 }
 
-/** The counterpart of OfVectors() for Four. */
+/** Like ApplyToVectors() for Four. */
 template <class Operation>
-HWY_INLINE Sixteen OfVectors(Sixteen a, Sixteen b, const Operation& operation) {
+HWY_INLINE Sixteen ApplyToVectors(Sixteen a, Sixteen b, const Operation& operation) {
   const hwy::HWY_NAMESPACE::CappedTag<float, 16> tag;
   alignas(64) float x[16];
   alignas(64) float y[16];
@@ -63,16 +62,16 @@ HWY_INLINE Sixteen Abs(Sixteen x) {
   return reinterpret_cast<Sixteen>(reinterpret_cast<SixteenBits>(x) & INT32_MAX);
 }
 HWY_INLINE Sixteen Min(Sixteen a, Sixteen b) {
-  return OfVectors(a, b,
-                   [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
+  return ApplyToVectors(
+      a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Min(x, y); });
 }
 HWY_INLINE Sixteen Max(Sixteen a, Sixteen b) {
-  return OfVectors(a, b,
-                   [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Max(x, y); });
+  return ApplyToVectors(
+      a, b, [](auto x, auto y) HWY_ATTR { return hwy::HWY_NAMESPACE::Max(x, y); });
 }
 HWY_INLINE Sixteen Sqrt(Sixteen x) {
-  return OfVectors(x, x,
-                   [](auto v, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Sqrt(v); });
+  return ApplyToVectors(
+      x, x, [](auto v, auto) HWY_ATTR { return hwy::HWY_NAMESPACE::Sqrt(v); });
 }
 HWY_INLINE Sixteen Select(SixteenBits choose, Sixteen a, Sixteen b) {
   return choose ? a : b;
@@ -96,7 +95,7 @@ struct SixteenBits {
   EightBits high;
 };
 
-HWY_INLINE Sixteen Beside(Eight low, Eight high) {
+HWY_INLINE Sixteen Concatenate(Eight low, Eight high) {
   return {low, high};
 }
 HWY_INLINE Eight Low(const Sixteen& v) {
@@ -172,7 +171,7 @@ HWY_INLINE Sixteen Select(const SixteenBits& choose, const Sixteen& a, const Six
 #endif
 
 HWY_INLINE Sixteen LoadSixteen(const float* p) {
-  return Beside(LoadEight(p), LoadEight(p + 8));
+  return Concatenate(LoadEight(p), LoadEight(p + 8));
 }
 HWY_INLINE void Store(const Sixteen& v, float* p) {
   Store(Low(v), p);
@@ -186,11 +185,10 @@ HWY_INLINE unsigned Bits(const SixteenBits& x) {
 
 /** Rounds sixteen doubles to floats. */
 HWY_INLINE Sixteen Narrow(const Four doubles[4]) {
-  return Beside(Narrow(doubles[0], doubles[1]), Narrow(doubles[2], doubles[3]));
+  return Concatenate(Narrow(doubles[0], doubles[1]), Narrow(doubles[2], doubles[3]));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -4,11 +4,11 @@
 
 namespace cookbook {
 
-/** Tells memory that `bytes` from `place` on will be wanted soon: pairs lie about as they
- met, and no processor foretells where the next one is. */
-inline void Prefetch(const void* place, std::size_t bytes) {
+/** Prefetches `bytes` starting at `address`. Pairs are visited in random memory order,
+ which the hardware prefetcher cannot predict. */
+inline void Prefetch(const void* address, std::size_t bytes) {
   for (std::size_t k = 0; k < bytes; k += 64) {
-    __builtin_prefetch(static_cast<const char*>(place) + k);
+    __builtin_prefetch(static_cast<const char*>(address) + k);
   }
 }
 

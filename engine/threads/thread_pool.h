@@ -7,24 +7,27 @@
 
 namespace cookbook {
 
-/** Threads that share work with the one that calls them. What is done in one share must
- not depend on another: so the bits are the same whatever the number of threads. Each
- takes its own share first, and then those that nobody has begun: a thread without a
- processor keeps nobody waiting. */
+/** A thread pool for parallel loops. A loop is divided into as many chunks as there are
+ threads. The calls for two chunks must not depend on each other; then the result has the
+ same bits whatever the number of threads. Each thread runs its own chunk first, then any
+ chunk that no thread has begun: a thread that gets no processor delays nobody. */
 class ThreadPool {
  public:
-  /** `threads`: how many work at once, the caller included; at least 1.
-   @throws std::system_error where the system does not give so many. */
+  /** `threads`: number of threads that work at the same time, including the caller; at
+   least 1.
+   @throws std::system_error if the system cannot start that many threads. */
   explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /** The time in which work is shared: else it does not pay to wake the threads, which
-   takes some 30 microseconds each time. No two at once. */
+  /** The lifetime of this object is the time in which loops run in parallel. Outside of
+   it, the loops are too short to pay for waking the threads, which takes about 30
+   microseconds each time. Scopes of the same pool must not overlap. */
   class ParallelScope {
    public:
-    /** With fewer things to do than `least` there is none. */
+    /** Loops run in parallel only if `count`, the size of the problem, is at least
+     `least`. */
     ParallelScope(ThreadPool& pool, std::size_t count, std::size_t least);
     ~ParallelScope();
     ParallelScope(const ParallelScope&) = delete;
@@ -34,9 +37,10 @@ class ThreadPool {
     ThreadPool& pool_;
   };
 
-  /** Calls `work(begin, end)` so that every index in [0, count) is in one of the calls,
-   and returns when all have returned. Fewer than `least`, and all outside a
-   ParallelScope, are done by the caller. `work` neither throws nor shares. */
+  /** Calls `work(begin, end)` for each chunk of the indices in [0, count), and returns
+   after all calls have returned. The caller alone makes one call for all indices if
+   `count` is less than `least`, or outside of a ParallelScope. `work` must not throw, and
+   must not start another loop. */
   template <class Work>
   void ParallelFor(std::size_t count, std::size_t least, const Work& work) {
     ParallelForIndexed(
@@ -44,8 +48,9 @@ class ThreadPool {
         [&](std::size_t, std::size_t begin, std::size_t end) { work(begin, end); });
   }
 
-  /** The same for `work(share, begin, end)`: calls of a greater share, all less than
-   shares(), have greater indices, and no two calls the same share. */
+  /** Like ParallelFor(), but calls `work(chunk, begin, end)`. Chunks are numbered in the
+   order of their indices and are less than chunk_count(). No two calls have the same
+   chunk. */
   template <class Work>
   void ParallelForIndexed(std::size_t count, std::size_t least, const Work& work) {
     if (count < least || !in_parallel_scope_) {
@@ -53,36 +58,37 @@ class ThreadPool {
       return;
     }
     Run(count, &work,
-        [](const void* object, std::size_t share, std::size_t begin, std::size_t end) {
-          (*static_cast<const Work*>(object))(share, begin, end);
+        [](const void* object, std::size_t chunk, std::size_t begin, std::size_t end) {
+          (*static_cast<const Work*>(object))(chunk, begin, end);
         });
   }
 
-  std::size_t shares() const { return claims_.size(); }
+  /** Returns the number of chunks of a parallel loop, which is the number of threads. */
+  std::size_t chunk_count() const { return claims_.size(); }
 
  private:
-  using Call = void (*)(const void* object, std::size_t share, std::size_t begin,
+  using Call = void (*)(const void* object, std::size_t chunk, std::size_t begin,
                         std::size_t end);
 
-  /** Whether somebody has begun a share; in a line of a cache of its own. */
+  /** Whether a thread has begun a chunk. Fills a cache line, against false sharing. */
   struct alignas(64) Claim {
     std::atomic<bool> taken{true};
   };
 
   void Run(std::size_t count, const void* object, Call call) noexcept;
   void Stop();
-  /** Does what nobody has begun of the task, the share `own` first. */
-  void RunChunks(std::size_t own);
-  void WorkerLoop(std::size_t own);
+  /** Runs the chunks of the current loop that no thread has begun, `first` first. */
+  void RunChunks(std::size_t first);
+  void WorkerLoop(std::size_t own_chunk);
   /** Returns once `value` is not `old`. */
   void WaitWhile(const std::atomic<unsigned>& value, unsigned old) const;
 
-  std::vector<Claim> claims_;  ///< By share.
-  int looks_;                  ///< How often a thread looks for news before it sleeps.
+  std::vector<Claim> claims_;  ///< Indexed by chunk.
+  int spin_count_;             ///< Number of polls before a waiting thread sleeps.
   bool in_parallel_scope_ = false;
-  std::atomic<unsigned> task_{0};  ///< Counts the tasks that were given.
-  std::atomic<unsigned> done_{0};  ///< Shares of the last one.
-  std::atomic<bool> over_{false};
+  std::atomic<unsigned> loop_{0};         ///< Number of loops started so far.
+  std::atomic<unsigned> chunks_done_{0};  ///< Number of finished chunks of the last loop.
+  std::atomic<bool> stopping_{false};
   std::size_t count_ = 0;
   const void* object_ = nullptr;
   Call call_ = nullptr;

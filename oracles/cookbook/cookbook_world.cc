@@ -65,8 +65,7 @@ cookbook::Cloth ToCookbook(const Cloth& cloth) {
   return net;
 }
 
-/** The iteration budget of a question, in iterations × constraints: at most 20 ms per
- step. */
+/** Iterations × constraints per step of a judged world: at most 20 ms. */
 constexpr int kIterationBudget = 40000;
 
 class CookbookSimulation final : public Simulation {

@@ -10,13 +10,13 @@ namespace touchstone {
 /** Returns whether the corrected engine supports each feature of a world. */
 decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities();
 
-/** Returns the settings in force when the corrected engine simulates worlds. */
+/** Returns the settings of the corrected engine for worlds. */
 std::vector<Setting> CookbookWorldSettings();
 
-/** How accurately the corrected engine solves a step. */
+/** The iteration budget of the corrected engine. */
 enum class Care {
-  kAll,        ///< To rounding, if a large iteration budget suffices.
-  kAsShipped,  ///< With the engine's default settings.
+  kAll,        ///< Ten times the default: solves most steps to rounding.
+  kAsShipped,  ///< The default of the engine.
 };
 
 /** Returns `world` at its start, in the corrected engine. Its steps use `threads`

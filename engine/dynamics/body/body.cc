@@ -43,7 +43,7 @@ void ValidateShape(const HalfSpace&, double mass) {
 void ValidateShape(const Point&, double) {}
 
 void ValidateInertia(const Eigen::Vector3d& inertia) {
-  // Moments are sums over the mass of squares of distances: I1 + I2 >= I3, to rounding.
+  // Moments are sums of squared distances over the mass: I1 + I2 >= I3, to rounding.
   constexpr double kRounding = 1e-12;
   for (const double moment : inertia) ExpectPositive("moment of inertia", moment);
   for (int k = 0; k < 3; ++k) {
@@ -88,7 +88,7 @@ void Validate(const BodyDefinition& body) {
     Refuse("drag", body.drag, "a finite number >= 0");
   }
   if (body.drag > 0 && !std::holds_alternative<Point>(body.shape)) {
-    Refuse("drag", body.drag, "0 for what is not a point");
+    Refuse("drag", body.drag, "0 for a body that is not a point");
   }
 }
 

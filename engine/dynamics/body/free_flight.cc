@@ -6,10 +6,9 @@
 #include "engine/dynamics/body/rotation.h"
 
 namespace cookbook {
-
 namespace {
 
-/** Moves `body`, which is that of `flight` when it starts, but does not turn it. */
+/** Translates `body`, which is `flight.start`, by `time` [s]. Does not rotate it. */
 void Move(const FreeFlight& flight, double time, RigidBody& body) {
   const BodyState& start = flight.start.state;
   body.state.p_WB += time * (start.v_WB + 0.5 * time * flight.a_W);
@@ -18,8 +17,8 @@ void Move(const FreeFlight& flight, double time, RigidBody& body) {
 
 }  // namespace
 
-RigidBody FreeFlight::RoomAt(double t, Gyroscopic rule) const {
-  if (!start.is_ball) return At(t, rule);
+RigidBody FreeFlight::ShapeAt(double t, Gyroscopic rule) const {
+  if (!start.is_sphere) return At(t, rule);
   RigidBody body = start;
   if (!body.is_static()) Move(*this, t - from, body);
   return body;
@@ -32,14 +31,14 @@ RigidBody FreeFlight::At(double t, Gyroscopic rule) const {
   Move(*this, time, body);
   const Eigen::Vector3d& w = start.state.w_WB;
   if (rule == Gyroscopic::kExact) {
-    const Eigen::Vector3d L_W = TurnedInertiaTimes(start.R_WB, start.moments, w);
-    const Turning end = TurnWithMomentum({start.state.q_WB, w}, start.moments, L_W,
-                                         time * torque_W, time);
+    const Eigen::Vector3d L_W = WorldInertiaTimes(start.R_WB, start.moments, w);
+    const AngularState end = IntegrateAngularMomentum(
+        {start.state.q_WB, w}, start.moments, L_W, time * torque_W, time);
     body.state.q_WB = end.q_WB;
     body.state.w_WB = end.w_WB;
   } else {
     body.state.w_WB +=
-        TurnedInertiaTimes(start.R_WB, start.inverse_moments, time * torque_W) +
+        WorldInertiaTimes(start.R_WB, start.inverse_moments, time * torque_W) +
         GyroscopicChange(start.R_WB, start.moments, w, time, rule);
     body.state.q_WB =
         (Exp(0.5 * time * (w + body.state.w_WB)) * start.state.q_WB).normalized();
@@ -48,18 +47,18 @@ RigidBody FreeFlight::At(double t, Gyroscopic rule) const {
   return body;
 }
 
-double TurningSpeed(const RigidBody& body) {
-  return body.is_ball ? 0 : body.radius * body.state.w_WB.norm();
+double RotationalSpeed(const RigidBody& body) {
+  return body.is_sphere ? 0 : body.radius * body.state.w_WB.norm();
 }
 
-double TurningSpeed(const RigidBody& body, const Eigen::Vector3d& n_W) {
-  return body.is_ball ? 0 : body.radius * n_W.cross(body.state.w_WB).norm();
+double RotationalSpeed(const RigidBody& body, const Eigen::Vector3d& n_W) {
+  return body.is_sphere ? 0 : body.radius * n_W.cross(body.state.w_WB).norm();
 }
 
-double Reach(const RigidBody& body, const Eigen::Vector3d& v_W, double time) {
+double MaxTravel(const RigidBody& body, const Eigen::Vector3d& v_W, double time) {
   if (body.is_static()) return 0;
   return time * std::sqrt(std::max(body.state.v_WB.squaredNorm(), v_W.squaredNorm())) +
-         std::min(2 * body.radius, time * TurningSpeed(body));
+         std::min(2 * body.radius, time * RotationalSpeed(body));
 }
 
 }  // namespace cookbook

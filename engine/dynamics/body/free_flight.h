@@ -5,34 +5,34 @@
 
 namespace cookbook {
 
-/** The way of a rigid body under a constant force and torque, while nothing touches it.
- */
+/** The motion of a rigid body in free flight, under a constant force and torque. */
 struct FreeFlight {
-  RigidBody start;
-  double from = 0;                                     ///< When it starts. [s]
-  Eigen::Vector3d a_W = Eigen::Vector3d::Zero();       ///< [m/s²]
+  RigidBody start;                                     ///< The body at time `from`.
+  double from = 0;                                     ///< Start time. [s]
+  Eigen::Vector3d a_W = Eigen::Vector3d::Zero();       ///< Acceleration. [m/s²]
   Eigen::Vector3d torque_W = Eigen::Vector3d::Zero();  ///< [N m]
-  /** What forces would make of it if nothing held it: decides what strikes. [m/s²] */
-  Eigen::Vector3d load_W = Eigen::Vector3d::Zero();
+  /** Acceleration by gravity and forces if nothing held the body. It decides whether a
+   contact is an impact. [m/s²] */
+  Eigen::Vector3d load_acceleration_W = Eigen::Vector3d::Zero();
 
-  /** Returns the body at time `t` [s]. What is static stays. */
+  /** Returns the body at time `t` [s]. A static body stays where it is. */
   RigidBody At(double t, Gyroscopic rule) const;
 
-  /** The same, but that a ball, which fills the same room however it is turned, stays
-   turned as it was. */
-  RigidBody RoomAt(double t, Gyroscopic rule) const;
+  /** Like At(), but only the shape is valid: a sphere keeps its initial orientation,
+   which is cheaper and does not move its surface. */
+  RigidBody ShapeAt(double t, Gyroscopic rule) const;
 };
 
-/** Returns a bound of how fast a point of `body` moves because it turns; 0 of a ball,
- whose surface stays where it is. [m/s] */
-double TurningSpeed(const RigidBody& body);
+/** Returns an upper bound on the speed of the points of `body` due to rotation; 0 for a
+ sphere, whose surface rotation does not move. [m/s] */
+double RotationalSpeed(const RigidBody& body);
 
-/** The same, along `n_W` alone. */
-double TurningSpeed(const RigidBody& body, const Eigen::Vector3d& n_W);
+/** The same for the component of the velocity along the unit vector `n_W`. [m/s] */
+double RotationalSpeed(const RigidBody& body, const Eigen::Vector3d& n_W);
 
-/** Returns a bound of how far any point of `body` gets from where it is in `time` [s], in
- which the velocity of its centre goes to `v_W` at a constant rate; 0 of what is static.
- [m] */
-double Reach(const RigidBody& body, const Eigen::Vector3d& v_W, double time);
+/** Returns an upper bound on the distance that any point of `body` travels in `time` [s],
+ while the velocity of its centre changes to `v_W` at a constant rate; 0 for a static
+ body. [m] */
+double MaxTravel(const RigidBody& body, const Eigen::Vector3d& v_W, double time);
 
 }  // namespace cookbook

@@ -34,16 +34,16 @@ RigidBody MakeRigidBody(const BodyDefinition& definition) {
                        : PrincipalInertia(definition.shape, definition.mass);
     body.inverse_moments = body.moments.cwiseInverse();
   }
-  body.is_round = body.moments[0] > 0 && IsRound(body.moments);
+  body.is_isotropic = body.moments[0] > 0 && IsIsotropic(body.moments);
   body.restitution = definition.restitution;
   body.friction = definition.friction;
   body.collides = definition.collides;
-  body.is_ball = std::holds_alternative<Sphere>(body.shape);
+  body.is_sphere = std::holds_alternative<Sphere>(body.shape);
   body.is_point = std::holds_alternative<Point>(body.shape);
   body.drag = definition.drag;
   body.radius = BoundingRadius(definition.shape);
   body.force_W = definition.force_W;
-  body.is_pushed = !body.force_W.isZero(0);
+  body.has_forces = !body.force_W.isZero(0);
   return body;
 }
 
@@ -57,19 +57,18 @@ double InnerRadius(const RigidBody& body) {
 }
 
 double Travel(const BodyState& before, const RigidBody& body) {
-  const double way = (body.state.p_WB - before.p_WB).norm();
-  // A ball that turns stays in its place.
-  if (body.is_ball) return way;
+  const double distance = (body.state.p_WB - before.p_WB).norm();
+  if (body.is_sphere) return distance;
   // A rotation by θ moves a point at r by 2 r sin(θ/2), and the vector part of
   // q q₀⁻¹ has the length sin(θ/2).
   const double sine = (body.state.q_WB * before.q_WB.conjugate()).vec().norm();
-  return way + 2 * body.radius * sine;
+  return distance + 2 * body.radius * sine;
 }
 
 InverseInertia InverseInertiaOf(const RigidBody& body) {
   const Eigen::Vector3d& moments = body.inverse_moments;
-  // A ball has no axes to turn, and its tensor stays diagonal to the last bit.
-  if (IsRound(moments)) {
+  // Without this the products with R would make the tensor slightly non-diagonal.
+  if (IsIsotropic(moments)) {
     return {{moments[0], 0, 0, moments[0], 0, moments[0]}, body.inverse_mass};
   }
   const Eigen::Matrix3d I_W = body.R_WB * moments.asDiagonal() * body.R_WB.transpose();

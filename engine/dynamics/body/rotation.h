@@ -6,44 +6,47 @@
 
 namespace cookbook {
 
-/** Whether a body of these moments, or their inverses, is as easy to turn about any axis,
- as a ball and a cube are. */
-bool IsRound(const Eigen::Vector3d& moments);
+/** Whether these principal moments of inertia, or their inverses, are equal, as those of
+ a sphere or a cube. */
+bool IsIsotropic(const Eigen::Vector3d& moments);
 
-/** The square of an angle below which Exp() is a series. [rad²] */
-inline constexpr double kSmallTurnSquared = 0.01;
+/** Squared angle below which Exp() uses a series. [rad²] */
+inline constexpr double kSmallAngleSquared = 0.01;
 
 /** Returns the rotation by |phi| about phi: the exponential map. */
 Eigen::Quaterniond Exp(const Eigen::Vector3d& phi);
 
-/** Returns R diag(moments) Rᵀ u. */
-Eigen::Vector3d TurnedInertiaTimes(const Eigen::Matrix3d& R_WB,
-                                   const Eigen::Vector3d& moments,
-                                   const Eigen::Vector3d& u_W);
+/** Returns R diag(moments) Rᵀ u, the product of the inertia tensor in the world frame and
+ u. */
+Eigen::Vector3d WorldInertiaTimes(const Eigen::Matrix3d& R_WB,
+                                  const Eigen::Vector3d& moments,
+                                  const Eigen::Vector3d& u_W);
 
-/** How a body turns: its orientation and how fast. */
-struct Turning {
+/** Orientation and angular velocity of a body. */
+struct AngularState {
   Eigen::Quaterniond q_WB;
   Eigen::Vector3d w_WB;  ///< [rad/s]
 };
 
-/** Returns the orientation after `h` of a body that is `q_WB` and whose spin goes from
- `from_W` to `to_W` [rad/s] at a constant rate, to fourth order in h. */
-Eigen::Quaterniond Turned(const Eigen::Quaterniond& q_WB, const Eigen::Vector3d& from_W,
-                          const Eigen::Vector3d& to_W, double h);
+/** Integrates the orientation `q_WB` over a time `h` [s] in which the angular velocity
+ changes from `from_W` to `to_W` [rad/s] at a constant rate. Fourth order in h. */
+Eigen::Quaterniond IntegrateRotation(const Eigen::Quaterniond& q_WB,
+                                     const Eigen::Vector3d& from_W,
+                                     const Eigen::Vector3d& to_W, double h);
 
-/** Returns the state after `h` of a free body whose angular momentum goes from L_W at a
- constant rate to L_W + dL_W. The momentum at the end is that to rounding; the
- orientation is of fourth order in h, and exact about a fixed axis at constant ω. The
- energy differs from the work by 1e-6 of it at most: where the step is too long for that
- it is taken in parts, up to 256.
+/** Integrates the rotation of a body over a time `h` [s] in which its angular momentum
+ changes from L_W to L_W + dL_W at a constant rate. The final angular momentum is right to
+ rounding. The orientation is of fourth order in h, and exact about a fixed axis at
+ constant ω. The energy differs from the work by at most 1e-6 of the energy: if the step
+ is too long for that, it is divided into sub-steps, at most 256.
  @pre `moments` > 0, [kg m²]; L_W = R I Rᵀ ω. */
-Turning TurnWithMomentum(const Turning& start, const Eigen::Vector3d& moments,
-                         const Eigen::Vector3d& L_W, const Eigen::Vector3d& dL_W,
-                         double h);
+AngularState IntegrateAngularMomentum(const AngularState& start,
+                                      const Eigen::Vector3d& moments,
+                                      const Eigen::Vector3d& L_W,
+                                      const Eigen::Vector3d& dL_W, double h);
 
-/** Returns the change of ω [rad/s] that ω × (I ω) makes in `h`, by `rule`; for kExact,
- the explicit estimate. */
+/** Returns the change of ω [rad/s] by the gyroscopic torque −ω × (I ω) over a time `h`
+ [s], as `rule` computes it; for kExact, the explicit estimate. */
 Eigen::Vector3d GyroscopicChange(const Eigen::Matrix3d& R_WB,
                                  const Eigen::Vector3d& moments,
                                  const Eigen::Vector3d& w_WB, double h, Gyroscopic rule);

@@ -4,13 +4,13 @@
 
 namespace cookbook {
 
-std::optional<double> TimeOfFall(double height, double speed, double load) {
-  // The root without cancellation, for what falls (speed < 0) or is pulled back.
-  const double discriminant = speed * speed - 2 * load * height;
+std::optional<double> TimeOfFall(double height, double speed, double acceleration) {
+  // The root without cancellation, if it falls already (speed < 0) or is pulled back.
+  const double discriminant = speed * speed - 2 * acceleration * height;
   if (discriminant < 0) return std::nullopt;
   const double root = std::sqrt(discriminant);
   if (speed < 0) return 2 * height / (root - speed);
-  if (load < 0) return (speed + root) / -load;
+  if (acceleration < 0) return (speed + root) / -acceleration;
   return std::nullopt;
 }
 

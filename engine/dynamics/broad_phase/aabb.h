@@ -6,26 +6,27 @@
 
 namespace cookbook {
 
-/** A box along the world's axes. */
+/** An axis-aligned bounding box in the world frame. */
 struct Aabb {
   Eigen::Vector3d low;   ///< [m]
   Eigen::Vector3d high;  ///< [m]
 
-  /** Returns a box that overlaps none that ends somewhere. */
-  static Aabb Nothing() {
+  /** Returns the empty box, which overlaps no finite box. It is the neutral element of
+   Union(). */
+  static Aabb Empty() {
     const Eigen::Vector3d far =
         Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
     return {far, -far};
   }
 
   bool Overlaps(const Aabb& other) const {
-    // Without branches: which of the six comparisons fails cannot be foretold.
-    int apart = 0;
+    // Branch-free: which of the six comparisons fails is unpredictable.
+    int separated = 0;
     for (int k = 0; k < 3; ++k) {
-      apart |= low[k] > other.high[k];
-      apart |= other.low[k] > high[k];
+      separated |= low[k] > other.high[k];
+      separated |= other.low[k] > high[k];
     }
-    return apart == 0;
+    return separated == 0;
   }
 
   bool Contains(const Aabb& other) const {
@@ -41,13 +42,14 @@ struct Aabb {
     return low == other.low && high == other.high;
   }
 
-  /** Half the surface. [m²] */
-  double Surface() const {
+  /** Returns half the surface area. [m²] */
+  double HalfArea() const {
     const Eigen::Vector3d size = high - low;
     return size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
   }
 };
 
+/** Returns the smallest box that contains both. */
 inline Aabb Union(const Aabb& a, const Aabb& b) {
   return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
 }

@@ -8,72 +8,76 @@
 
 namespace cookbook {
 
-/** A tree of boxes, sixteen to a node, all bodies at one depth while they come and go:
- where boxes are of about one size, and few of them overlap, it looks at some log n nodes
- to find what a box overlaps. Sixteen boxes are looked at together, in as many lanes as
- the processor has.
+/** A dynamic AABB tree with up to sixteen children per node, all leaves at the same
+ depth. It is wider than the usual binary tree because the boxes of a node are tested
+ together, with SIMD. If the boxes have about the same size and few of them overlap, a
+ query visits some log n nodes.
 
- As an R-tree (Guttman, SIGMOD 1984): a body goes down to the box that grows least, of
- equals the smallest; what is full is split, and a node of bodies that is nearly empty is
- dissolved. Here both go by surface, which is how likely a box is looked into. */
+ It is an R-tree (Guttman, SIGMOD 1984). A body is inserted into the child whose box grows
+ least, if equal into the smallest. A full node is split, and a leaf node with few bodies
+ is dissolved. Growth and splits are measured by surface area, to which the probability of
+ a visit is proportional. */
 class AabbTree {
  public:
-  /** Adds `body`, which is not there. */
+  /** Adds `body`.
+   @pre It is not in the tree. */
   void Insert(const Aabb& bounds, int body);
 
-  /** Removes `body`, which is. */
+  /** Removes `body`.
+   @pre It is in the tree. */
   void Remove(int body);
 
-  /** Room of one thread that asks. */
-  struct Room {
-    std::vector<int> stack;
-    std::vector<int> found;
-    long looked_at = 0;  ///< Nodes, in all questions.
+  /** Scratch memory and result of the queries of one thread. */
+  struct Scratch {
+    std::vector<int> stack;  ///< Nodes to visit.
+    std::vector<int> found;  ///< Bodies.
+    long nodes_visited = 0;  ///< Number of nodes, summed over all queries.
   };
 
-  /** Appends to what is `found` the bodies whose boxes overlap `bounds`, in an order that
-   depends on the history of the tree alone. */
-  void Find(const Aabb& bounds, Room& room) const;
+  /** Appends the bodies whose boxes overlap `bounds` to `scratch.found`, in an order that
+   depends only on the history of the tree. */
+  void Query(const Aabb& bounds, Scratch& scratch) const;
 
-  /** Calls `visit(body)` for every body; those near each other mostly come soon after
-   each other. */
+  /** Calls `visit(body)` for every body, mostly in spatial order: neighbours follow each
+   other closely. */
   template <class Visit>
   void ForEach(const Visit& visit) const {
     if (root_ >= 0) ForEachBelow(root_, visit);
   }
 
-  static constexpr std::size_t kWide = 16;
+  static constexpr std::size_t kMaxChildren = 16;
 
-  /** Sixteen boxes, side by side; those from `count` on are no children. */
+  /** A node: the boxes of its children as a structure of arrays. Those from `count` on
+   are empty. */
   struct alignas(64) Node {
-    using Lanes = std::array<double, kWide>;
+    using Lanes = std::array<double, kMaxChildren>;
 
     std::array<Lanes, 3> low;
     std::array<Lanes, 3> high;
-    std::array<int, kWide> children;  ///< Nodes; at level 0 bodies.
+    std::array<int, kMaxChildren> children;  ///< Nodes; bodies at level 0.
     int count;
-    int level;
-    int parent;  ///< −1: the root. Of a free node the next free one.
-    int slot;    ///< Which child of the parent it is.
+    int level;   ///< Height above the leaf nodes.
+    int parent;  ///< −1: the root. In a free node, the next free node.
+    int slot;    ///< Index among the children of the parent.
 
-    Aabb BoxOf(std::size_t slot_of) const {
+    Aabb ChildBox(std::size_t child) const {
       Aabb box{};
       for (int k = 0; k < 3; ++k) {
-        box.low[k] = low[static_cast<std::size_t>(k)][slot_of];
-        box.high[k] = high[static_cast<std::size_t>(k)][slot_of];
+        box.low[k] = low[static_cast<std::size_t>(k)][child];
+        box.high[k] = high[static_cast<std::size_t>(k)][child];
       }
       return box;
     }
-    void SetBox(std::size_t slot_of, const Aabb& box) {
+    void SetChildBox(std::size_t child, const Aabb& box) {
       for (int k = 0; k < 3; ++k) {
-        low[static_cast<std::size_t>(k)][slot_of] = box.low[k];
-        high[static_cast<std::size_t>(k)][slot_of] = box.high[k];
+        low[static_cast<std::size_t>(k)][child] = box.low[k];
+        high[static_cast<std::size_t>(k)][child] = box.high[k];
       }
     }
   };
 
  private:
-  /** A box and what is in it. */
+  /** A child and its box. */
   struct Entry {
     Aabb box;
     int child;
@@ -94,26 +98,26 @@ class AabbTree {
 
   Node& at(int node) { return nodes_[static_cast<std::size_t>(node)]; }
   const Node& at(int node) const { return nodes_[static_cast<std::size_t>(node)]; }
-  /** Returns an empty node. */
-  int Allocate(int level);
-  void Free(int node);
+  /** Returns the index of an empty node without a parent. */
+  int AllocateNode(int level);
+  void FreeNode(int node);
   Aabb BoundsOf(int node) const;
-  /** Puts an entry where a node has nothing yet, or replaces one. */
-  void Put(int node, std::size_t slot, const Entry& entry);
-  void Add(int node, const Entry& entry);
-  /** Adds to a full node: half of all goes to a new one beside it. */
+  /** Writes an entry into a slot of a node, and updates the back link of the child. */
+  void SetEntry(int node, std::size_t slot, const Entry& entry);
+  void AddEntry(int node, const Entry& entry);
+  /** Splits a full node to add an entry: some of the entries move to a new sibling. */
   void Split(int node, const Entry& entry);
-  /** Takes an entry out of a node, and the node out of the tree if that was the last. */
-  void TakeOut(int node, std::size_t slot);
-  /** Takes a node out of the tree and puts elsewhere what is left in it. */
+  /** Removes an entry from a node, and the node from the tree if it is empty then. */
+  void RemoveEntry(int node, std::size_t slot);
+  /** Removes a leaf node from the tree and reinserts its bodies. */
   void Dissolve(int node);
-  /** Brings the boxes of a node's ancestors up to date. */
+  /** Updates the box of a node in its ancestors. */
   void Refit(int node);
 
-  std::vector<Node> nodes_;
-  std::vector<int> places_;  ///< Of each body: kWide times its node and its slot.
-  int root_ = -1;
-  int free_ = -1;
+  std::vector<Node> nodes_;     ///< Used and free nodes.
+  std::vector<int> locations_;  ///< Indexed by body: kMaxChildren * node + slot.
+  int root_ = -1;               ///< −1: the tree is empty.
+  int free_list_ = -1;          ///< First free node; −1: none.
 };
 
 }  // namespace cookbook

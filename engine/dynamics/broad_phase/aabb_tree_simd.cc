@@ -3,29 +3,22 @@
 
 #include "engine/dynamics/broad_phase/aabb_tree.h"
 
-// Sixteen doubles are two registers of AVX-512, four of AVX2.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/broad_phase/aabb_tree_simd.cc"
-#include <hwy/foreach_target.h>
-// After foreach_target.h.
-#include <hwy/highway.h>
+#include "engine/simd/foreach_target.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/** Returns a bit for each box of a node that overlaps `bounds`. */
-HWY_INLINE std::uint64_t Overlapping(const AabbTree::Node& node, const Aabb& bounds) {
-  const hn::CappedTag<double, AabbTree::kWide> tag;
+/** Returns a mask whose bit k is set if child k of a node overlaps `bounds`. The sixteen
+ doubles of an array are two registers of AVX-512, four of AVX2. */
+HWY_INLINE std::uint64_t OverlapMask(const AabbTree::Node& node, const Aabb& bounds) {
+  const hn::CappedTag<double, AabbTree::kMaxChildren> tag;
   std::uint64_t bits = 0;
-  for (std::size_t first = 0; first < AabbTree::kWide; first += hn::Lanes(tag)) {
-    auto overlaps = hn::FirstN(tag, AabbTree::kWide);
+  for (std::size_t first = 0; first < AabbTree::kMaxChildren; first += hn::Lanes(tag)) {
+    auto overlaps = hn::FirstN(tag, AabbTree::kMaxChildren);
     for (int k = 0; k < 3; ++k) {
       const auto axis = static_cast<std::size_t>(k);
       const auto low = hn::Load(tag, node.low[axis].data() + first);
@@ -40,31 +33,27 @@ HWY_INLINE std::uint64_t Overlapping(const AabbTree::Node& node, const Aabb& bou
   return bits & ((std::uint64_t{1} << node.count) - 1);
 }
 
-void FindBelow(const AabbTree::Node* nodes, int root, const Aabb& bounds,
-               AabbTree::Room& room) {
-  room.stack.assign(1, root);
-  for (; !room.stack.empty(); ++room.looked_at) {
-    const AabbTree::Node& node = nodes[room.stack.back()];
-    room.stack.pop_back();
-    std::vector<int>& into = node.level == 0 ? room.found : room.stack;
-    for (std::uint64_t bits = Overlapping(node, bounds); bits != 0; bits &= bits - 1) {
+void QueryNodes(const AabbTree::Node* nodes, int root, const Aabb& bounds,
+                AabbTree::Scratch& scratch) {
+  scratch.stack.assign(1, root);
+  for (; !scratch.stack.empty(); ++scratch.nodes_visited) {
+    const AabbTree::Node& node = nodes[scratch.stack.back()];
+    scratch.stack.pop_back();
+    std::vector<int>& into = node.level == 0 ? scratch.found : scratch.stack;
+    for (std::uint64_t bits = OverlapMask(node, bounds); bits != 0; bits &= bits - 1) {
       into.push_back(node.children[static_cast<std::size_t>(std::countr_zero(bits))]);
     }
   }
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(FindBelow);
-
-void AabbTree::Find(const Aabb& bounds, Room& room) const {
-  if (root_ >= 0) HWY_DYNAMIC_DISPATCH(FindBelow)(nodes_.data(), root_, bounds, room);
+void AabbTree::Query(const Aabb& bounds, Scratch& scratch) const {
+  if (root_ >= 0) COOKBOOK_DISPATCH(QueryNodes)(nodes_.data(), root_, bounds, scratch);
 }
-
 }  // namespace cookbook
 #endif

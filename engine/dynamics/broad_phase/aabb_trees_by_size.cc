@@ -6,30 +6,32 @@
 namespace cookbook {
 namespace {
 
-/** Boxes of one tree are up to so many times as long as each other, as a power of two. */
-constexpr int kPowers = 3;
-/** What is longer by 2 to this power, or by as much shorter, [m] is of one size. */
-constexpr int kFarthest = 60;
+/** The lengths of the boxes in a tree differ by up to this power of two. */
+constexpr int kPowersPerClass = 3;
+/** All lengths beyond 2^60 m are in one size class, and so are all below 2^-60 m. */
+constexpr int kMaxPower = 60;
 
-/** Returns a number that boxes of about the same length share, from 0. */
-int SizeOf(const Aabb& box) {
+/** Returns the size class of a box, from 0. */
+int SizeClassOf(const Aabb& box) {
   const double length = (box.high - box.low).maxCoeff();
   if (!(length > 0)) return 0;
-  const int power = std::isfinite(length) ? std::ilogb(length) : kFarthest;
-  return (std::clamp(power, -kFarthest, kFarthest) + kFarthest) / kPowers;
+  const int power = std::isfinite(length) ? std::ilogb(length) : kMaxPower;
+  return (std::clamp(power, -kMaxPower, kMaxPower) + kMaxPower) / kPowersPerClass;
 }
 
 }  // namespace
 
 void AabbTreesBySize::Insert(const Aabb& bounds, int body) {
-  const int size = SizeOf(bounds);
-  auto sized = std::find_if(trees_.begin(), trees_.end(),
-                            [size](const Sized& some) { return some.size == size; });
-  if (sized == trees_.end()) sized = trees_.insert(sized, Sized{size, {}});
-  sized->tree.Insert(bounds, body);
+  const int number = SizeClassOf(bounds);
+  auto size_class =
+      std::find_if(trees_.begin(), trees_.end(),
+                   [number](const SizeClass& some) { return some.number == number; });
+  if (size_class == trees_.end())
+    size_class = trees_.insert(size_class, SizeClass{number, {}});
+  size_class->tree.Insert(bounds, body);
   const auto index = static_cast<std::size_t>(body);
   if (tree_of_.size() <= index) tree_of_.resize(index + 1);
-  tree_of_[index] = static_cast<std::size_t>(sized - trees_.begin());
+  tree_of_[index] = static_cast<std::size_t>(size_class - trees_.begin());
 }
 
 void AabbTreesBySize::Remove(int body) {
@@ -37,10 +39,10 @@ void AabbTreesBySize::Remove(int body) {
 }
 
 std::span<const int> AabbTreesBySize::Query(const Aabb& bounds,
-                                            AabbTree::Room& room) const {
-  room.found.clear();
-  for (const Sized& sized : trees_) sized.tree.Find(bounds, room);
-  return room.found;
+                                            AabbTree::Scratch& scratch) const {
+  scratch.found.clear();
+  for (const SizeClass& size_class : trees_) size_class.tree.Query(bounds, scratch);
+  return scratch.found;
 }
 
 }  // namespace cookbook

@@ -9,34 +9,36 @@
 
 namespace cookbook {
 
-/** Trees of boxes, each of about one size: a wall or a floor in the tree of what lies on
- it would draw all of that to itself, whatever is near what. */
+/** One AABB tree for each size class of boxes (a factor of 8). In a single tree a floor
+ or a wall would overlap nearly every node, and every query would visit them all. */
 class AabbTreesBySize {
  public:
-  /** Adds `body`, which is not there. */
+  /** Adds `body`.
+   @pre It is in none of the trees. */
   void Insert(const Aabb& bounds, int body);
 
-  /** Removes `body`, which is. */
+  /** Removes `body`.
+   @pre It is in one of the trees. */
   void Remove(int body);
 
-  /** Returns the bodies whose boxes overlap `bounds`, as AabbTree::Find() does. Valid
-   until `room` is used again. */
-  std::span<const int> Query(const Aabb& bounds, AabbTree::Room& room) const;
+  /** Returns the bodies whose boxes overlap `bounds`, like AabbTree::Query(). The result
+   is valid until `scratch` is used again. */
+  std::span<const int> Query(const Aabb& bounds, AabbTree::Scratch& scratch) const;
 
-  /** Calls `visit(body)` for every body, as AabbTree::ForEach() does. */
+  /** Calls `visit(body)` for every body, like AabbTree::ForEach(). */
   template <class Visit>
   void ForEach(const Visit& visit) const {
-    for (const Sized& sized : trees_) sized.tree.ForEach(visit);
+    for (const SizeClass& size_class : trees_) size_class.tree.ForEach(visit);
   }
 
  private:
-  struct Sized {
-    int size;  ///< See SizeOf().
+  struct SizeClass {
+    int number;  ///< See SizeClassOf().
     AabbTree tree;
   };
 
-  std::vector<Sized> trees_;
-  std::vector<std::size_t> tree_of_;  ///< Of each body.
+  std::vector<SizeClass> trees_;
+  std::vector<std::size_t> tree_of_;  ///< Indexed by body: index into `trees_`.
 };
 
 }  // namespace cookbook

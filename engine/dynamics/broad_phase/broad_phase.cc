@@ -9,45 +9,45 @@
 namespace cookbook {
 namespace {
 
-/** How much wider than needed the box of a body is on all sides, as a share of its
- radius: wide enough that a body that rests stays inside, narrow enough that few strangers
- are in it. */
-constexpr double kWider = 0.05;
+/** Margin of a fat box on all sides, as a fraction of the radius of the body: wide enough
+ that a body at rest stays inside, narrow enough to give few false pairs. */
+constexpr double kFatMargin = 0.05;
 
-/** A box is made for so many steps of a body that goes on as it moves now: to look for
- who is near costs as much as to keep a hundred near pairs for a step. */
-constexpr double kSteps = 16;
-/** As long as it gets no farther than this share of its radius: what is fast would have
- many strangers on its way. */
-constexpr double kFarthest = 1;
+/** Number of steps for which a fat box is enlarged along the velocity. A query costs as
+ much as keeping a hundred near pairs for a step. */
+constexpr double kPredictedSteps = 16;
+/** Limit of that enlargement, as a fraction of the radius: a fast body would otherwise
+ have many false pairs. */
+constexpr double kMaxPrediction = 1;
 
-/** What bounds are wider by than a body because its pose is rounded, as a share of where
- it is and how large: more than the narrow phase allows for. */
+/** Relative enlargement of tight bounds for the rounding of poses, as a fraction of
+ position and radius: greater than the tolerance of the narrow phase. */
 constexpr double kRounding = 1e-12;
 
-/** Bodies below which it does not pay to share them out, and of those that look anew for
- who is near. */
-constexpr std::size_t kFewBodies = 128;
-constexpr std::size_t kFewMoved = 16;
+/** Number of bodies, and of queries, below which a parallel loop does not pay. */
+constexpr std::size_t kMinBodies = 128;
+constexpr std::size_t kMinQueries = 16;
 
-Aabb Widened(const Aabb& bounds, double by) {
+Aabb Expanded(const Aabb& bounds, double by) {
   return {bounds.low.array() - by, bounds.high.array() + by};
 }
 
-/** Returns a box that ends where numbers do, so that Aabb::Nothing() does not overlap it.
- */
-Aabb Bounded(const Aabb& box) {
+/** Returns a finite box, which Aabb::Empty() does not overlap. */
+Aabb Clamped(const Aabb& box) {
   constexpr double kFar = std::numeric_limits<double>::max();
   return {box.low.cwiseMax(-kFar), box.high.cwiseMin(kFar)};
 }
 
-/** Returns the box for a body that needs `bounds` and moves by `way_W` in a step. [m] */
-Aabb WideFor(const RigidBody& body, const Aabb& bounds, const Eigen::Vector3d& way_W) {
-  const double far = kSteps * way_W.norm();
-  const double farthest = kFarthest * body.radius;
-  const Eigen::Vector3d shift = (far > farthest ? farthest / far : 1) * kSteps * way_W;
-  const Aabb wide = Widened(bounds, kWider * body.radius);
-  return Bounded({wide.low + shift.cwiseMin(0), wide.high + shift.cwiseMax(0)});
+/** Returns the fat box for a body that needs `bounds` and moves by `displacement_W` [m]
+ per step. */
+Aabb FatBoxFor(const RigidBody& body, const Aabb& bounds,
+               const Eigen::Vector3d& displacement_W) {
+  const double predicted = kPredictedSteps * displacement_W.norm();
+  const double limit = kMaxPrediction * body.radius;
+  const Eigen::Vector3d shift =
+      (predicted > limit ? limit / predicted : 1) * kPredictedSteps * displacement_W;
+  const Aabb fat = Expanded(bounds, kFatMargin * body.radius);
+  return Clamped({fat.low + shift.cwiseMin(0), fat.high + shift.cwiseMax(0)});
 }
 
 }  // namespace
@@ -76,45 +76,45 @@ void BroadPhase::Add(const RigidBody& body) {
   Proxy& proxy = proxies_.emplace_back();
   bounds_.emplace_back();
   has_moved_.push_back(0);
-  rests_.push_back(0);
+  at_rest_.push_back(0);
   proxy.is_static = body.is_static();
   if (!body.collides || body.is_point) return;
   bounds_.back() = BoundsOf(body);
-  // What stands still needs no more.
-  proxy.wide = Bounded(
-      Widened(bounds_.back().bounds(), proxy.is_static ? 0 : kWider * body.radius));
-  proxy.takes_part = true;
+  // A static body needs no margin.
+  proxy.fat = Clamped(
+      Expanded(bounds_.back().bounds(), proxy.is_static ? 0 : kFatMargin * body.radius));
+  proxy.collides = true;
   const int added = static_cast<int>(proxies_.size()) - 1;
-  (proxy.is_static ? resting_ : moving_).Insert(proxy.wide, added);
+  (proxy.is_static ? static_trees_ : dynamic_trees_).Insert(proxy.fat, added);
   added_.push_back(added);
 }
 
-void BroadPhase::FindLeaving(std::span<const RigidBody> bodies, double margin,
+void BroadPhase::FindEscapes(std::span<const RigidBody> bodies, double margin,
                              double ahead, ThreadPool& pool) {
-  leaving_.Clear(pool.shares());
-  const auto look = [&](std::size_t i, std::vector<Leaving>& leaving) {
+  escapes_.Clear(pool.chunk_count());
+  const auto look = [&](std::size_t i, std::vector<Escape>& escapes) {
     const Proxy& proxy = proxies_[i];
     const RigidBody& body = bodies[i];
-    rests_[i] = body.is_static() ? 1 : 0;
-    if (!proxy.takes_part || rests_[i] != 0) return;
-    // The margin is as wide as gravity needs; other forces load it farther.
+    at_rest_[i] = body.is_static() ? 1 : 0;
+    if (!proxy.collides || at_rest_[i] != 0) return;
+    // The margin covers gravity; other forces move the body farther.
     const Eigen::Vector3d pushed_W =
-        body.state.v_WB + ahead * body.inverse_mass * body.Push_W();
+        body.state.v_WB + ahead * body.inverse_mass * body.Force_W();
     bounds_[i] = BoundsOf(body);
     const Aabb bounds =
-        Widened(bounds_[i].bounds(), margin + Reach(body, pushed_W, ahead));
-    if (proxy.wide.Contains(bounds)) return;
-    const Aabb wide = WideFor(body, bounds, ahead * pushed_W);
-    leaving.push_back({static_cast<int>(i), wide});
+        Expanded(bounds_[i].bounds(), margin + MaxTravel(body, pushed_W, ahead));
+    if (proxy.fat.Contains(bounds)) return;
+    const Aabb fat = FatBoxFor(body, bounds, ahead * pushed_W);
+    escapes.push_back({static_cast<int>(i), fat});
   };
-  pool.ParallelForIndexed(proxies_.size(), kFewBodies,
-                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+  pool.ParallelForIndexed(proxies_.size(), kMinBodies,
+                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t i = begin; i < end; ++i)
-                              look(i, leaving_.Of(share));
+                              look(i, escapes_[chunk]);
                           });
 }
 
-void BroadPhase::NoteMoved(int body, const Aabb& before) {
+void BroadPhase::MarkMoved(int body, const Aabb& before) {
   if (has_moved(body)) return;
   moved_.push_back(body);
   has_moved_[static_cast<std::size_t>(body)] = 1;
@@ -122,84 +122,85 @@ void BroadPhase::NoteMoved(int body, const Aabb& before) {
 }
 
 void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double ahead,
-                        ThreadPool& pool, std::vector<std::pair<int, int>>& appeared) {
+                        ThreadPool& pool, std::vector<std::pair<int, int>>& new_pairs) {
   for (const int body : moved_) {
     has_moved_[static_cast<std::size_t>(body)] = 0;
   }
   moved_.clear();
-  for (const int body : added_) NoteMoved(body, Aabb::Nothing());
+  for (const int body : added_) MarkMoved(body, Aabb::Empty());
   added_.clear();
-  FindLeaving(bodies, margin, ahead, pool);
-  leaving_.ForEach([&](const Leaving& leaving) {
-    NoteMoved(leaving.body, proxy(leaving.body).wide);
-    SetWide(leaving.body, leaving.wide);
+  FindEscapes(bodies, margin, ahead, pool);
+  escapes_.ForEach([&](const Escape& escape) {
+    MarkMoved(escape.body, proxy(escape.body).fat);
+    MoveProxy(escape.body, escape.fat);
   });
 
-  rooms_.resize(pool.shares());
-  appearing_.Clear(pool.shares());
-  pool.ParallelForIndexed(moved_.size(), kFewMoved,
-                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+  scratch_.resize(pool.chunk_count());
+  new_pairs_.Clear(pool.chunk_count());
+  pool.ParallelForIndexed(moved_.size(), kMinQueries,
+                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t k = begin; k < end; ++k) {
-                              Pair(moved_[k], rooms_[share], appearing_.Of(share));
+                              FindNewPairs(moved_[k], scratch_[chunk], new_pairs_[chunk]);
                             }
                           });
-  appearing_.ForEach([&](const std::pair<int, int>& pair) { appeared.push_back(pair); });
+  new_pairs_.ForEach([&](const std::pair<int, int>& pair) { new_pairs.push_back(pair); });
 }
 
-void BroadPhase::SetWide(int body, const Aabb& wide) {
-  proxy(body).wide = wide;
-  moving_.Remove(body);
-  moving_.Insert(wide, body);
+void BroadPhase::MoveProxy(int body, const Aabb& fat) {
+  proxy(body).fat = fat;
+  dynamic_trees_.Remove(body);
+  dynamic_trees_.Insert(fat, body);
 }
 
 template <class Found>
-void BroadPhase::ForEachNear(int body, Room& room, const Found& found) const {
+void BroadPhase::ForEachOverlap(int body, Scratch& scratch, const Found& found) const {
   const Proxy& own = proxy(body);
-  for (const int other : moving_.Query(own.wide, room.tree)) {
+  for (const int other : dynamic_trees_.Query(own.fat, scratch.query)) {
     if (other != body) found(other);
   }
   if (own.is_static) return;
-  for (const int other : resting_.Query(own.wide, room.tree)) found(other);
+  for (const int other : static_trees_.Query(own.fat, scratch.query)) found(other);
 }
 
-void BroadPhase::Pair(int body, Room& room,
-                      std::vector<std::pair<int, int>>& appeared) const {
+void BroadPhase::FindNewPairs(int body, Scratch& scratch,
+                              std::vector<std::pair<int, int>>& new_pairs) const {
   const Aabb& before = proxy(body).before;
-  const auto first = static_cast<std::ptrdiff_t>(appeared.size());
-  ForEachNear(body, room, [&](int other) {
-    // Of two that have moved the first finds the pair.
+  const auto first = static_cast<std::ptrdiff_t>(new_pairs.size());
+  ForEachOverlap(body, scratch, [&](int other) {
+    // A pair of two moved bodies is found by the one with the lesser index.
     if (has_moved(other) && other < body) return;
-    if (before.Overlaps(has_moved(other) ? proxy(other).before : proxy(other).wide)) {
+    if (before.Overlaps(has_moved(other) ? proxy(other).before : proxy(other).fat)) {
       return;
     }
-    appeared.push_back(std::minmax(body, other));
+    new_pairs.push_back(std::minmax(body, other));
   });
-  // How contacts are ordered decides how soon they are solved: as bodies were added, not
-  // as the tree happens to have them.
-  std::sort(appeared.begin() + first, appeared.end());
+  // The order of contacts affects the convergence of the solver. Hence the order in which
+  // bodies were added, not that of the tree.
+  std::sort(new_pairs.begin() + first, new_pairs.end());
 }
 
-void BroadPhase::Widen(int index, const RigidBody& body, double reach,
-                       std::vector<std::pair<int, int>>& appeared,
-                       std::vector<int>& met) {
-  const Aabb now = Bounded(Widened(BoundsOf(body).bounds(), reach));
-  const Aabb before = proxy(index).wide;
-  if (!before.Contains(now)) SetWide(index, Union(before, now));
-  const auto first_appeared = static_cast<std::ptrdiff_t>(appeared.size());
-  const auto first_met = static_cast<std::ptrdiff_t>(met.size());
-  ForEachNear(index, rooms_[0], [&](int other) {
-    const Aabb& wide = proxy(other).wide;
-    if (!before.Overlaps(wide)) appeared.push_back(std::minmax(index, other));
-    if (now.Overlaps(wide)) met.push_back(other);
+void BroadPhase::EnlargeProxy(int index, const RigidBody& body, double reach,
+                              std::vector<std::pair<int, int>>& new_pairs,
+                              std::vector<int>& candidates) {
+  const Aabb now = Clamped(Expanded(BoundsOf(body).bounds(), reach));
+  const Aabb before = proxy(index).fat;
+  if (!before.Contains(now)) MoveProxy(index, Union(before, now));
+  const auto first_new_pair = static_cast<std::ptrdiff_t>(new_pairs.size());
+  const auto first_candidate = static_cast<std::ptrdiff_t>(candidates.size());
+  ForEachOverlap(index, scratch_[0], [&](int other) {
+    const Aabb& fat = proxy(other).fat;
+    if (!before.Overlaps(fat)) new_pairs.push_back(std::minmax(index, other));
+    if (now.Overlaps(fat)) candidates.push_back(other);
   });
-  std::sort(appeared.begin() + first_appeared, appeared.end());
-  std::sort(met.begin() + first_met, met.end());
+  std::sort(new_pairs.begin() + first_new_pair, new_pairs.end());
+  std::sort(candidates.begin() + first_candidate, candidates.end());
 }
 
-void BroadPhase::NumberByPlace(std::vector<int>& number) const {
+void BroadPhase::NumberInSpatialOrder(std::vector<int>& number) const {
   number.assign(proxies_.size(), 0);
   int last = 0;
-  moving_.ForEach([&](int body) { number[static_cast<std::size_t>(body)] = ++last; });
+  dynamic_trees_.ForEach(
+      [&](int body) { number[static_cast<std::size_t>(body)] = ++last; });
 }
 
 }  // namespace cookbook

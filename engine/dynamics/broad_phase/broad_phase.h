@@ -9,76 +9,75 @@
 #include "engine/dynamics/broad_phase/aabb_tree.h"
 #include "engine/dynamics/broad_phase/aabb_trees_by_size.h"
 #include "engine/dynamics/broad_phase/rounded_box.h"
-#include "engine/threads/per_thread.h"
+#include "engine/threads/per_chunk.h"
 #include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 
-/** Finds the pairs of bodies that are near each other.
+/** A broad phase with fat AABBs in dynamic AABB trees. It finds the pairs of bodies that
+ are near each other.
 
- Every body has a box along the world's axes that is wider than it needs; only a body that
- leaves its box is looked at again. A pair is near as long as the wide boxes overlap. */
+ Only a body that leaves its fat box is queried again. A pair is near as long as its fat
+ boxes overlap. */
 class BroadPhase {
  public:
-  /** Adds the body of the next index. Points, and bodies that do not collide, take part
-   in nothing. */
+  /** Adds the body with the next index. Points, and bodies that do not collide, are in no
+   pair. */
   void Add(const RigidBody& body);
 
-  /** Looks at all bodies anew and appends the pairs that have become near, the lesser
-   index first. `margin`: how far contacts reach beyond the shapes. [m] Pairs that may
-   meet within `ahead` [s], as the bodies move now, are near as well. */
+  /** Updates all bodies and appends the pairs that have become near, each with the lesser
+   index first. `margin`: greatest speculative margin of a body. [m] Pairs that may
+   collide within `ahead` [s] at the current velocities are near as well. */
   void Update(std::span<const RigidBody> bodies, double margin, double ahead,
-              ThreadPool& pool, std::vector<std::pair<int, int>>& appeared);
+              ThreadPool& pool, std::vector<std::pair<int, int>>& new_pairs);
 
-  /** Appends to `met` what the moving body `index` may meet that is at `body` now and
-   gets no farther than `reach` [m], and to `appeared` the pairs that become near by it,
-   both by index. */
-  void Widen(int index, const RigidBody& body, double reach,
-             std::vector<std::pair<int, int>>& appeared, std::vector<int>& met);
+  /** Enlarges the fat box of the moving body `index`, which is at `body` now and travels
+   no farther than `reach` [m]. Appends the pairs that become near to `new_pairs`, and all
+   bodies that it may touch to `candidates`, both sorted by index. */
+  void EnlargeProxy(int index, const RigidBody& body, double reach,
+                    std::vector<std::pair<int, int>>& new_pairs,
+                    std::vector<int>& candidates);
 
-  /** Whether a pair that was near before the last Update() still is. */
+  /** Whether a pair that was near before the last Update() is still near. */
   bool AreStillNear(int a, int b) const {
-    return (!has_moved(a) && !has_moved(b)) || proxy(a).wide.Overlaps(proxy(b).wide);
+    return (!has_moved(a) && !has_moved(b)) || proxy(a).fat.Overlaps(proxy(b).fat);
   }
 
-  /** Calls `visit(body)` for each body that has got another wide box in the last
-   * Update().
-   */
+  /** Calls `visit(body)` for each body whose fat box the last Update() changed. */
   template <class Visit>
   void ForEachMoved(const Visit& visit) const {
     for (const int body : moved_) visit(body);
   }
 
-  /** Whether a body was static, or asleep, in the last Update(). */
-  bool IsAtRest(int body) const { return rests_[static_cast<std::size_t>(body)] != 0; }
+  /** Whether a body was static or asleep in the last Update(). */
+  bool IsAtRest(int body) const { return at_rest_[static_cast<std::size_t>(body)] != 0; }
 
-  /** Returns a bound of how far two bodies were apart in the last Update(). [m] */
-  double GapOf(int a, int b) const {
-    return cookbook::GapOf(bounds_[static_cast<std::size_t>(a)],
-                           bounds_[static_cast<std::size_t>(b)]);
+  /** Returns a lower bound on the distance of two bodies in the last Update(). [m] */
+  double DistanceBound(int a, int b) const {
+    return Distance(bounds_[static_cast<std::size_t>(a)],
+                    bounds_[static_cast<std::size_t>(b)]);
   }
 
-  /** Numbers the bodies so that those near each other mostly have numbers near each
-   other; 0 for what is static or collides with nothing. */
-  void NumberByPlace(std::vector<int>& number) const;
+  /** Numbers the bodies in spatial order: neighbours mostly have close numbers. The
+   number of a body that is static or does not collide is 0. */
+  void NumberInSpatialOrder(std::vector<int>& number) const;
 
  private:
   struct alignas(64) Proxy {
-    Aabb wide;
-    /** That before the last Update(), where `has_moved_`; of a new body it holds nothing.
-     */
+    Aabb fat;
+    /** The fat box before the last Update(), if `has_moved_`; empty for a new body. */
     Aabb before;
-    bool takes_part = false;  ///< False: does not collide.
+    bool collides = false;  ///< False: not in a tree.
     bool is_static = false;
   };
-  /** A body that has left its wide box, and the next one. */
-  struct Leaving {
+  /** A body that has left its fat box, and its next one. */
+  struct Escape {
     int body;
-    Aabb wide;
+    Aabb fat;
   };
-  /** Room of one thread, in lines of a cache of its own. */
-  struct alignas(64) Room {
-    AabbTree::Room tree;
+  /** Scratch memory of one chunk. Fills whole cache lines, against false sharing. */
+  struct alignas(64) Scratch {
+    AabbTree::Scratch query;
   };
 
   Proxy& proxy(int body) { return proxies_[static_cast<std::size_t>(body)]; }
@@ -87,34 +86,34 @@ class BroadPhase {
     return has_moved_[static_cast<std::size_t>(body)] != 0;
   }
 
-  /** Brings bounds_ up to date, and notes who leaves its wide box. */
-  void FindLeaving(std::span<const RigidBody> bodies, double margin, double ahead,
+  /** Updates `bounds_`, and records the bodies that leave their fat boxes. */
+  void FindEscapes(std::span<const RigidBody> bodies, double margin, double ahead,
                    ThreadPool& pool);
-  /** Notes that the wide box of a body is another now than `before`. */
-  void NoteMoved(int body, const Aabb& before);
-  void SetWide(int body, const Aabb& wide);
-  /** Calls `found(other)` for all that the wide box of a body overlaps. */
+  /** Records that the fat box of a body, which was `before`, changes. */
+  void MarkMoved(int body, const Aabb& before);
+  void MoveProxy(int body, const Aabb& fat);
+  /** Calls `found(other)` for each body whose fat box overlaps that of `body`. */
   template <class Found>
-  void ForEachNear(int body, Room& room, const Found& found) const;
-  /** Appends the pairs of a body that has moved which have become near. */
-  void Pair(int body, Room& room, std::vector<std::pair<int, int>>& appeared) const;
+  void ForEachOverlap(int body, Scratch& scratch, const Found& found) const;
+  /** Appends the new pairs of a body whose fat box has changed. */
+  void FindNewPairs(int body, Scratch& scratch,
+                    std::vector<std::pair<int, int>>& new_pairs) const;
 
-  AabbTreesBySize moving_;
-  AabbTreesBySize resting_;  ///< Static bodies: they meet moving ones only.
+  AabbTreesBySize dynamic_trees_;
+  AabbTreesBySize static_trees_;  ///< Static bodies are not paired with each other.
   std::vector<Proxy> proxies_;
-  std::vector<RoundedBox> bounds_;  ///< Of each body: what holds it.
-  std::vector<int> added_;          ///< Since the last Update().
-  std::vector<int> moved_;
-  /** Of each body: 1 where it has got another wide box in the last Update(). */
-  std::vector<char> has_moved_;
-  std::vector<char> rests_;  ///< Of each body: 1 where it is static, or asleep.
-  PerThread<Leaving> leaving_;
-  PerThread<std::pair<int, int>> appearing_;
-  std::vector<Room> rooms_{1};
+  std::vector<RoundedBox> bounds_;  ///< Indexed by body: tight bounds.
+  std::vector<int> added_;          ///< Bodies added since the last Update().
+  std::vector<int> moved_;          ///< Bodies whose fat box the last Update() changed.
+  std::vector<char> has_moved_;     ///< Indexed by body: 1 if in `moved_`.
+  std::vector<char> at_rest_;       ///< Indexed by body: 1 if static or asleep.
+  PerChunk<Escape> escapes_;
+  PerChunk<std::pair<int, int>> new_pairs_;
+  std::vector<Scratch> scratch_{1};
 };
 
-/** Returns the box that holds `body`; of a half-space all of the world, as far as its
- axes tell no more. */
+/** Returns the tight bounds of `body`. Those of a half-space are infinite, except on the
+ side of its surface if that is perpendicular to an axis. */
 RoundedBox BoundsOf(const RigidBody& body);
 
 }  // namespace cookbook

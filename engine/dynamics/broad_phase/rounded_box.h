@@ -4,8 +4,8 @@
 
 namespace cookbook {
 
-/** All that is no farther than `rounding` from a box along the world's axes: holds a
- body, and a sphere exactly. */
+/** The set of points no farther than `rounding` from an axis-aligned box. It bounds a
+ body; for a sphere it is exact. */
 struct RoundedBox {
   Aabb core;
   double rounding;  ///< [m]
@@ -15,12 +15,12 @@ struct RoundedBox {
   }
 };
 
-/** Returns how far two of them are from each other; where they overlap, 0 or less. [m] */
-inline double GapOf(const RoundedBox& a, const RoundedBox& b) {
-  const Eigen::Vector3d way = (b.core.low - a.core.high)
+/** Returns the distance between two rounded boxes; 0 or less if they overlap. [m] */
+inline double Distance(const RoundedBox& a, const RoundedBox& b) {
+  const Eigen::Vector3d gap = (b.core.low - a.core.high)
                                   .cwiseMax(a.core.low - b.core.high)
                                   .cwiseMax(Eigen::Vector3d::Zero());
-  return way.norm() - a.rounding - b.rounding;
+  return gap.norm() - a.rounding - b.rounding;
 }
 
 }  // namespace cookbook

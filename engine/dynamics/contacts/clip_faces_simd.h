@@ -1,16 +1,17 @@
-// The patches in which faces of boxes meet, of a vector of pairs of boxes at once.
-// Include after engine/collision/many_pairs_axis.h, within a file that foreach_target.h
-// reads again and again; hence the guard that toggles.
+// Face clipping, edge by edge (Liang-Barsky), for a vector of pairs of boxes. Include it
+// after engine/simd/foreach_target.h, in a file that foreach_target.h includes
+// repeatedly; hence the include guard that toggles.
 //
-// As engine/collision/one_pair_contacts.h does it for one pair: the incident face, a
-// parallelogram, is clipped to the reference face, a rectangle; here always along the
-// normal of the latter, and no corner less deep than a margin is left out.
+// The method is that of engine/collision/one_pair_contacts.h for one pair: the incident
+// face, a parallelogram, is clipped to the reference face, a rectangle. Here the
+// projection is always along the normal of the reference face, and speculative corners
+// are kept.
 
-#if defined(COOKBOOK_ENGINE_FACE_PATCHES_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef COOKBOOK_ENGINE_FACE_PATCHES_H_
-#undef COOKBOOK_ENGINE_FACE_PATCHES_H_
+#if defined(COOKBOOK_ENGINE_CLIP_FACES_SIMD_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COOKBOOK_ENGINE_CLIP_FACES_SIMD_H_
+#undef COOKBOOK_ENGINE_CLIP_FACES_SIMD_H_
 #else
-#define COOKBOOK_ENGINE_FACE_PATCHES_H_
+#define COOKBOOK_ENGINE_CLIP_FACES_SIMD_H_
 #endif
 
 #include <cstddef>
@@ -22,12 +23,11 @@
 #include "engine/collision/rounding.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 
-/** Which of three axes it is: 0 where neither. */
+/** An axis index 0, 1 or 2 per pair, as masks: 0 if neither is set. */
 struct AxisMask {
-  // By hand, see SeenPairs.
+  // Written out for the reason given at SeenPairs.
   HWY_INLINE AxisMask() {}
   HWY_INLINE AxisMask(PairMask one, PairMask two) : is1(one), is2(two) {}
 
@@ -35,7 +35,7 @@ struct AxisMask {
   PairMask is2;
 };
 
-/** Returns that of three which `axis` says. */
+/** Returns x0, x1 or x2, as `axis` selects. */
 HWY_INLINE PairVector Pick(const AxisMask& axis, PairVector x0, PairVector x1,
                            PairVector x2) {
   namespace hn = hwy::HWY_NAMESPACE;
@@ -45,15 +45,16 @@ HWY_INLINE PairVector Pick(const AxisMask& axis, const PairVector x[3]) {
   return Pick(axis, x[0], x[1], x[2]);
 }
 
-/** Writes what belongs to `axis`, to the axis after it, and to the one after that. */
-HWY_INLINE void PickFrom(const AxisMask& axis, const PairVector x[3], PairVector out[3]) {
+/** Cyclically permutes x: writes the values of `axis` and of the two axes after it. */
+HWY_INLINE void PickCyclic(const AxisMask& axis, const PairVector x[3],
+                           PairVector out[3]) {
   out[0] = Pick(axis, x[0], x[1], x[2]);
   out[1] = Pick(axis, x[1], x[2], x[0]);
   out[2] = Pick(axis, x[2], x[0], x[1]);
 }
 
-/** Returns the first of the axes along which |x| is greatest. */
-HWY_INLINE AxisMask Steepest(const PairVector x[3]) {
+/** Returns the first axis along which |x| is greatest. */
+HWY_INLINE AxisMask LargestComponent(const PairVector x[3]) {
   namespace hn = hwy::HWY_NAMESPACE;
   const PairVector x0 = hn::Abs(x[0]);
   const PairVector x1 = hn::Abs(x[1]);
@@ -62,66 +63,67 @@ HWY_INLINE AxisMask Steepest(const PairVector x[3]) {
   return {hn::AndNot(is2, hn::Gt(x1, x0)), is2};
 }
 
-/** Returns the number of an axis. */
-HWY_INLINE PairVector NumberOf(const AxisMask& axis) {
+/** Returns the index of an axis as a number. */
+HWY_INLINE PairVector IndexOf(const AxisMask& axis) {
   return Pick(axis, All(0), All(1), All(2));
 }
 
-/** A face of each pair that clips the other box's. */
+/** The reference face of each pair. */
 struct ReferenceFaces {
-  // By hand, see SeenPairs.
+  // Written out for the reason given at SeenPairs.
   HWY_INLINE ReferenceFaces() {}
 
-  PairMask is_B;          ///< Whose.
-  AxisMask axis;          ///< Of the face.
-  PairVector outward;     ///< +1 or −1: on which side of its box, along the axis.
-  PairVector n_W[3];      ///< From A to B.
-  PairVector axes[3][3];  ///< Axes of its box in the world.
-  PairVector p_W[3];      ///< Centre of its box.
+  PairMask is_B;          ///< Whether it is a face of B.
+  AxisMask axis;          ///< Axis of its box perpendicular to it.
+  PairVector outward;     ///< +1 or −1: side of its box along the axis.
+  PairVector n_W[3];      ///< Normal from A to B.
+  PairVector axes[3][3];  ///< Axes of its box in the world frame.
+  PairVector p_W[3];      ///< Centre of its box. [m]
 };
 
-/** Where the contacts of each pair may be: 0…3 where an edge of the incident face enters
- the reference face, or its first corner where that is inside; 4…7 where it leaves; 8…11
- corners of the reference face. */
-struct alignas(64) PatchCorners {
+/** The candidates for contact points of each pair. 0…3: points where an edge of the
+ incident face enters the reference face, or its first corner if that is inside. 4…7:
+ points where it leaves. 8…11: corners of the reference face. */
+struct alignas(64) CandidateCorners {
   static constexpr std::size_t kCount = 12;
   using Row = double[kMostPairs];
 
-  Row kept;        ///< A bit for each that is one.
-  Row may_repeat;  ///< 1 where two of them may be one and the same, to rounding; else 0.
-  Row slop;        ///< By so much flush corners may be out. [m]
-  Row rounded;     ///< What is apart by less, or as deep, touches. [m]
-  // Of each:
+  Row kept;        ///< Mask of the candidates that are contact points.
+  Row may_repeat;  ///< 1 if two of them may be equal to rounding, else 0.
+  Row tolerance;   ///< Distance by which flush corners may be outside. [m]
+  Row rounded;     ///< Separations within ± this are zero. [m]
+  // Per candidate:
   Row p_W[kCount][3];
   Row separation[kCount];
-  Row feature[kCount];  ///< As FaceContactId().
-  Row x[kCount];        ///< Along the reference face. [m]
-  Row y[kCount];
+  Row feature[kCount];  ///< See FaceContactId().
+  Row x[kCount];        ///< Coordinate on the reference face. [m]
+  Row y[kCount];        ///< Coordinate on the reference face. [m]
 };
 
-/** How far flush corners may be out, as a share of the margin. Boxes stacked flush drift
- apart by more than rounding but far less than the margin; where their edges cross, all
- but parallel, hangs on nothing else, and so would how many contacts there are. */
-constexpr double kFlushOfMargin = 1e-3;
+/** Tolerance for flush corners, as a fraction of the margin. Boxes that are stacked flush
+ drift by more than rounding but far less than the margin. Without a tolerance that drift
+ alone would decide where their nearly parallel edges cross, and hence the number of
+ contact points. */
+constexpr double kFlushTolerance = 1e-3;
 
-/** The incident face as the reference face sees it along the normal: x and y along that
- face's edges from its centre; z is the gap. Corners are centre ± side1 ± side2. [m] */
-struct SeenFaces {
-  // By hand, see SeenPairs.
-  HWY_INLINE SeenFaces() {}
+/** The incident face in the frame of the reference face: x and y along the edges of that
+ face from its centre, z the separation. Its corners are centre ± side1 ± side2. [m] */
+struct IncidentFaces {
+  // Written out for the reason given at SeenPairs.
+  HWY_INLINE IncidentFaces() {}
 
   PairVector centre[3];
   PairVector side1[3];
   PairVector side2[3];
-  PairVector h[3];   ///< Half extents of the reference box: outward, then along x and y.
-  PairVector faces;  ///< FaceContactId() without edges.
+  PairVector h[3];   ///< Half extents of the reference box: along the normal, x and y.
+  PairVector faces;  ///< FaceContactId() without the edges.
 };
 
-HWY_INLINE SeenFaces SeeIncidentFaces(const SeenPairs& pairs,
-                                      const ReferenceFaces& reference) {
+HWY_INLINE IncidentFaces FindIncidentFaces(const SeenPairs& pairs,
+                                           const ReferenceFaces& reference) {
   namespace hn = hwy::HWY_NAMESPACE;
   const PairMask is_B = reference.is_B;
-  // The axes of the other box, column by column, along those of the reference box.
+  // The axes of the incident box in the frame of the reference box, column by column.
   PairVector R[3][3];
   PairVector p_AB[3];
   PairVector h_R[3];
@@ -134,79 +136,80 @@ HWY_INLINE SeenFaces SeeIncidentFaces(const SeenPairs& pairs,
     h_R[i] = hn::IfThenElse(is_B, pairs.h_B[i], pairs.h_A[i]);
     h_I[i] = hn::IfThenElse(is_B, pairs.h_A[i], pairs.h_B[i]);
   }
-  // Then outward, x and y of the reference face, each a component.
+  // The same with the components along the normal, x and y of the reference face.
   PairVector axes[3][3];
-  for (std::size_t j = 0; j < 3; ++j) PickFrom(reference.axis, R[j], axes[j]);
+  for (std::size_t j = 0; j < 3; ++j) PickCyclic(reference.axis, R[j], axes[j]);
   PairVector t[3];
-  PickFrom(reference.axis, p_AB, t);
+  PickCyclic(reference.axis, p_AB, t);
 
-  SeenFaces seen;
-  PickFrom(reference.axis, h_R, seen.h);
+  IncidentFaces incident;
+  PickCyclic(reference.axis, h_R, incident.h);
   const PairVector towards = hn::IfThenElse(is_B, All(-1), All(1));
   const PairVector n_I[3] = {reference.outward * axes[0][0],
                              reference.outward * axes[1][0],
                              reference.outward * axes[2][0]};
-  const AxisMask k = Steepest(n_I);
+  const AxisMask k = LargestComponent(n_I);
   PairVector h[3];
-  PickFrom(k, h_I, h);
+  PickCyclic(k, h_I, h);
   const PairVector reach = hn::CopySign(h[0], All(0) - Pick(k, n_I));
   const PairVector incident_up = hn::IfThenElse(hn::Gt(reach, All(0)), All(1), All(0));
   const PairVector reference_up =
       hn::IfThenElse(hn::Gt(reference.outward, All(0)), All(1), All(0));
   const PairVector eight = All(8);
-  seen.faces = eight * eight *
-               (eight * (eight * hn::IfThenElse(is_B, All(3), All(2)) +
-                         (All(2) * NumberOf(reference.axis) + reference_up)) +
-                (All(2) * NumberOf(k) + incident_up));
+  incident.faces = eight * eight *
+                   (eight * (eight * hn::IfThenElse(is_B, All(3), All(2)) +
+                             (All(2) * IndexOf(reference.axis) + reference_up)) +
+                    (All(2) * IndexOf(k) + incident_up));
   for (std::size_t c = 0; c < 3; ++c) {
     const PairVector components[3] = {axes[0][c], axes[1][c], axes[2][c]};
     PairVector along[3];
-    PickFrom(k, components, along);
+    PickCyclic(k, components, along);
     const PairVector centre = towards * t[c] + reach * along[0];
     const PairVector side1 = h[1] * along[1];
     const PairVector side2 = h[2] * along[2];
     if (c == 0) {
-      seen.centre[2] = reference.outward * centre - seen.h[0];
-      seen.side1[2] = reference.outward * side1;
-      seen.side2[2] = reference.outward * side2;
+      incident.centre[2] = reference.outward * centre - incident.h[0];
+      incident.side1[2] = reference.outward * side1;
+      incident.side2[2] = reference.outward * side2;
     } else {
-      seen.centre[c - 1] = centre;
-      seen.side1[c - 1] = side1;
-      seen.side2[c - 1] = side2;
+      incident.centre[c - 1] = centre;
+      incident.side1[c - 1] = side1;
+      incident.side2[c - 1] = side2;
     }
   }
-  return seen;
+  return incident;
 }
 
-/** Returns 1 / x, a number far off where x is all but zero: 1e-300 times any box's
- distance from a line underflows to nothing; its inverse, 1e300, is finite, so that no
- 0 · ∞ arises for a corner on the line. */
-HWY_INLINE PairVector FarInverse(PairVector x) {
+/** Returns 1 / x, or the huge number 1e300 if x is nearly zero. That number is finite, so
+ that no 0 · ∞ arises for a corner on the line. */
+HWY_INLINE PairVector SafeInverse(PairVector x) {
   namespace hn = hwy::HWY_NAMESPACE;
   const PairVector least = All(1e-300);
   return All(1) / hn::IfThenElse(hn::Lt(hn::Abs(x), least), least, x);
 }
 
-/** Fills the lanes of `corners` from `lane` on, given the least separation and the margin
- of each pair. [m] */
-HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& reference,
-                            PairVector separation, PairVector margin, std::size_t lane,
-                            PatchCorners& corners) {
+/** Clips the incident face to the reference face. Fills the lanes of `corners` from
+ `lane` on. `separation`: least separation of each pair. [m] `margin`: its speculative
+ margin. [m]
+ */
+HWY_INLINE void ClipFaces(const SeenPairs& pairs, const ReferenceFaces& reference,
+                          PairVector separation, PairVector margin, std::size_t lane,
+                          CandidateCorners& corners) {
   namespace hn = hwy::HWY_NAMESPACE;
   const PairTag tag;
-  const SeenFaces face = SeeIncidentFaces(pairs, reference);
+  const IncidentFaces face = FindIncidentFaces(pairs, reference);
   const PairVector* c = face.centre;
   const PairVector* u = face.side1;
   const PairVector* v = face.side2;
   const PairVector zero = All(0);
   const PairVector one = All(1);
   const PairVector size = SizeOf(pairs);
-  const PairVector slop = hn::Max(All(kFlush) * size, All(kFlushOfMargin) * margin);
+  const PairVector tolerance = hn::Max(All(kFlush) * size, All(kFlushTolerance) * margin);
   const PairVector rounded = All(kOverlapRounding) * size;
   const PairVector h_x = face.h[1];
   const PairVector h_y = face.h[2];
 
-  // From the face to the world.
+  // The transformation from the reference face to the world.
   PairVector axes_W[3][3];
   PairVector p_W[3];
   PairVector half_n_W[3];
@@ -214,12 +217,12 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
   for (std::size_t k = 0; k < 3; ++k) {
     const PairVector components[3] = {reference.axes[0][k], reference.axes[1][k],
                                       reference.axes[2][k]};
-    PickFrom(reference.axis, components, axes_W[k]);
+    PickCyclic(reference.axis, components, axes_W[k]);
     p_W[k] = reference.p_W[k] + (reference.outward * face.h[0]) * axes_W[k][0];
     half_n_W[k] = half * reference.n_W[k];
   }
   PairVector kept = zero;
-  const auto put = [&](std::size_t n, PairMask is_corner, PairVector x, PairVector y,
+  const auto add = [&](std::size_t n, PairMask is_corner, PairVector x, PairVector y,
                        PairVector gap, PairVector feature) HWY_ATTR {
     kept = kept + hn::IfThenElse(hn::And(is_corner, hn::Le(gap, margin)),
                                  All(static_cast<double>(1u << n)), zero);
@@ -235,12 +238,12 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
     hn::Store(y, tag, corners.y[n] + lane);
   };
 
-  // Faces that lie flush share corners: rounding must not cut those off, so the lines
-  // stand back by the slop, and what they let through is brought back to the face.
-  const PairVector bound_x = h_x + slop;
-  const PairVector bound_y = h_y + slop;
-  // Corner k, and the edge from there to the next: against side1, against side2, and
-  // back.
+  // Flush faces share corners, which rounding must not cut off. So the clip lines are
+  // moved outwards by the tolerance, and the clipped points are moved back to the face.
+  const PairVector bound_x = h_x + tolerance;
+  const PairVector bound_y = h_y + tolerance;
+  // Corner k, from which an edge goes to the next corner: along −side1, −side2, side1 and
+  // side2.
   const PairVector x[4] = {c[0] + u[0] + v[0], c[0] - u[0] + v[0], c[0] - u[0] - v[0],
                            c[0] + u[0] - v[0]};
   const PairVector y[4] = {c[1] + u[1] + v[1], c[1] - u[1] + v[1], c[1] - u[1] - v[1],
@@ -249,11 +252,11 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
                            c[2] + u[2] - v[2]};
   const PairVector two = All(2);
   PairMask inside[4];
-  // Two candidates are one only where a corner of one face is near a line of the other:
-  // they lie within √2 kSameCorner slop of each other, and adjacent edges of the
-  // incident face, seen along a normal at most 55° off, meet at no angle so flat that
-  // their corner is more than thrice as far from the line.
-  const PairVector near = All(4 * kSameCorner) * slop;
+  // Two candidates can be equal only if a corner of one face is near a line of the other.
+  // They are within √2 kSameCorner times the tolerance of each other. The incident face
+  // is tilted by at most 55°, so the angle between its adjacent edges is never so flat
+  // that their corner is more than three times as far from the line.
+  const PairVector near = All(4 * kSameCorner) * tolerance;
   PairMask may_repeat = hn::Lt(near, zero);
   for (std::size_t k = 0; k < 4; ++k) {
     const PairVector abs_x = hn::Abs(x[k]);
@@ -262,7 +265,7 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
     may_repeat = hn::Or(may_repeat, hn::Or(hn::Le(hn::Abs(abs_x - bound_x), near),
                                            hn::Le(hn::Abs(abs_y - bound_y), near)));
   }
-  // The edges of the incident face that leave and that reach its corners.
+  // The edges of the incident face that start and that end at its corners.
   constexpr FaceEdge kEdge[4] = {3, 0, 2, 1};
   constexpr double kCorner[4] = {EdgesId(1, 3), EdgesId(3, 0), EdgesId(0, 2),
                                  EdgesId(2, 1)};
@@ -273,9 +276,9 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
     const PairVector dy = side[1] * length;
     const PairVector dz = side[2] * length;
     const PairMask next_inside = inside[(k + 1) % 4];
-    // Shares of the edge at which it meets the lines.
-    const PairVector per_x = FarInverse(dx);
-    const PairVector per_y = FarInverse(dy);
+    // The edge parameters, in [0, 1], at which it crosses the clip lines.
+    const PairVector per_x = SafeInverse(dx);
+    const PairVector per_y = SafeInverse(dy);
     const PairVector x1 = (zero - bound_x - x[k]) * per_x;
     const PairVector x2 = (bound_x - x[k]) * per_x;
     const PairVector y1 = (zero - bound_y - y[k]) * per_y;
@@ -284,10 +287,10 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
     const PairVector enter_y = hn::Min(y1, y2);
     const PairVector leave_x = hn::Max(x1, x2);
     const PairVector leave_y = hn::Max(y1, y2);
-    // Of a corner inside both are at most 0 and so 0: the corner.
+    // If the first corner is inside, both are at most 0, and `enter` is 0: the corner.
     const PairVector enter = hn::Min(hn::Max(hn::Max(enter_x, enter_y), zero), one);
     const PairVector leave = hn::Max(hn::Min(hn::Min(leave_x, leave_y), one), zero);
-    // Of an edge with an end inside only that end decides, as it does for its neighbour.
+    // If an end of the edge is inside, that alone decides, and the adjacent edge agrees.
     const PairMask inside_or_crosses = hn::Or(inside[k], hn::Lt(enter, leave));
     const PairMask enters = hn::Or(inside_or_crosses, next_inside);
     const PairMask leaves = hn::AndNot(next_inside, inside_or_crosses);
@@ -300,23 +303,23 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
     const PairVector leave_line =
         hn::IfThenElse(hn::Lt(leave_x, leave_y), hn::IfThenElse(up_x, All(5), All(4)),
                        hn::IfThenElse(up_y, All(7), All(6)));
-    const auto within = [](PairVector at, PairVector bound) HWY_ATTR {
+    const auto clamp = [](PairVector at, PairVector bound) HWY_ATTR {
       return hn::Min(hn::Max(at, All(0) - bound), bound);
     };
-    put(k, enters, within(x[k] + enter * dx, h_x), within(y[k] + enter * dy, h_y),
+    add(k, enters, clamp(x[k] + enter * dx, h_x), clamp(y[k] + enter * dy, h_y),
         z[k] + enter * dz,
         hn::IfThenElse(inside[k], All(kCorner[k]) + face.faces, edge + enter_line));
-    put(k + 4, leaves, within(x[k] + leave * dx, h_x), within(y[k] + leave * dy, h_y),
+    add(k + 4, leaves, clamp(x[k] + leave * dx, h_x), clamp(y[k] + leave * dy, h_y),
         z[k] + leave * dz, edge + leave_line);
   }
 
-  // Corners of the rectangle in the parallelogram, to the same slop.
+  // The corners of the rectangle inside the parallelogram, with the same tolerance.
   const PairVector area = u[0] * v[1] - u[1] * v[0];
   const PairVector abs_area = hn::Abs(area);
-  const PairVector slack_u = slop * (hn::Abs(v[0]) + hn::Abs(v[1]));
-  const PairVector slack_v = slop * (hn::Abs(u[0]) + hn::Abs(u[1]));
-  const PairVector near_u = All(4 * kSameCorner) * slack_u;
-  const PairVector near_v = All(4 * kSameCorner) * slack_v;
+  const PairVector tolerance_u = tolerance * (hn::Abs(v[0]) + hn::Abs(v[1]));
+  const PairVector tolerance_v = tolerance * (hn::Abs(u[0]) + hn::Abs(u[1]));
+  const PairVector near_u = All(4 * kSameCorner) * tolerance_u;
+  const PairVector near_v = All(4 * kSameCorner) * tolerance_v;
   constexpr double kCornerOfReference[4] = {EdgesId(5, 7), EdgesId(4, 7), EdgesId(4, 6),
                                             EdgesId(5, 6)};
   for (std::size_t k = 0; k < 4; ++k) {
@@ -324,24 +327,23 @@ HWY_INLINE void FindPatches(const SeenPairs& pairs, const ReferenceFaces& refere
     const PairVector corner_y = k < 2 ? h_y : zero - h_y;
     const PairVector from_x = corner_x - c[0];
     const PairVector from_y = corner_y - c[1];
-    const PairVector share_u = from_x * v[1] - from_y * v[0];
-    const PairVector share_v = from_y * u[0] - from_x * u[1];
-    const PairVector beyond_u = hn::Abs(share_u) - abs_area;
-    const PairVector beyond_v = hn::Abs(share_v) - abs_area;
+    const PairVector along_u = from_x * v[1] - from_y * v[0];
+    const PairVector along_v = from_y * u[0] - from_x * u[1];
+    const PairVector beyond_u = hn::Abs(along_u) - abs_area;
+    const PairVector beyond_v = hn::Abs(along_v) - abs_area;
     may_repeat = hn::Or(may_repeat, hn::Or(hn::Le(hn::Abs(beyond_u), near_u),
                                            hn::Le(hn::Abs(beyond_v), near_v)));
-    put(k + 8, hn::And(hn::Le(beyond_u, slack_u), hn::Le(beyond_v, slack_v)), corner_x,
-        corner_y, c[2] + (share_u * u[2] + share_v * v[2]) / area,
+    add(k + 8, hn::And(hn::Le(beyond_u, tolerance_u), hn::Le(beyond_v, tolerance_v)),
+        corner_x, corner_y, c[2] + (along_u * u[2] + along_v * v[2]) / area,
         All(kCornerOfReference[k]) + face.faces);
   }
   hn::Store(kept, tag, corners.kept + lane);
   hn::Store(hn::IfThenElse(may_repeat, one, zero), tag, corners.may_repeat + lane);
-  hn::Store(slop, tag, corners.slop + lane);
+  hn::Store(tolerance, tag, corners.tolerance + lane);
   hn::Store(rounded, tag, corners.rounded + lane);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -8,21 +8,22 @@
 
 namespace cookbook {
 
-/** Two bodies that may touch, and what is to be known of how they do. */
-struct Neighbours {
+/** Input and output of the collision of two bodies. */
+struct CollisionPair {
   const RigidBody* A;
   const RigidBody* B;
-  double margin;              ///< Contacts apart by no more count. [m]
-  Eigen::Vector3d n_guess_W;  ///< As of CollideSpeculative().
-  Manifold* manifold;         ///< Where it is written.
+  double margin;              ///< Speculative margin. [m]
+  Eigen::Vector3d n_guess_W;  ///< See CollideSpeculative().
+  Manifold* manifold;         ///< The result.
 };
 
-/** Pairs of boxes that are looked at together. */
-inline constexpr std::size_t kNeighbours = 8;
+/** Number of pairs of boxes that are collided together. */
+inline constexpr std::size_t kPairsPerBatch = 8;
 
-/** Fills the manifolds of at most kNeighbours pairs of boxes as CollideSpeculative()
- says, each contact midway. Returns a bit for each pair of which two edges meet, apart
- from all faces: its manifold then has its normal and separation, and no contacts. */
-unsigned CollideBoxesSimd(std::span<const Neighbours> boxes);
+/** Fills the manifolds of at most kPairsPerBatch pairs of boxes like
+ CollideSpeculative(), with contact points midway between the surfaces. Returns a mask of
+ the pairs whose contact is between two edges. The manifold of such a pair has its normal
+ and separation, but no contact points. */
+unsigned CollideBoxesSimd(std::span<const CollisionPair> batch);
 
 }  // namespace cookbook

@@ -11,16 +11,17 @@
 namespace cookbook {
 namespace {
 
-/** Groups of pairs, and near pairs, below which it does not pay to share them out: some
- 10 microseconds. */
-constexpr std::size_t kFewGroups = 16;
-constexpr std::size_t kFewNear = 2048;
-/** Pairs, of half a KiB, that do not fit a processor's cache. More of them are sorted by
- place, so that what is solved together lies together. */
-constexpr std::size_t kManyPairs = 4096;
-/** Steps until so many are sorted again: what has changed of their order by then is
- little, and sorting takes about as long as a step. */
-constexpr int kSorted = 64;
+/** Number of batches, and of near pairs, below which a parallel loop does not pay: about
+ 10 microseconds of work. */
+constexpr std::size_t kMinBatches = 16;
+constexpr std::size_t kMinNearPairs = 2048;
+/** Number of contact pairs, of half a KiB each, that no longer fit into a processor's
+ cache. From then on they are sorted in spatial order, so that pairs that are solved
+ together are close in memory. */
+constexpr std::size_t kSortThreshold = 4096;
+/** Number of steps between two sorts: the order changes little in that time, and sorting
+ takes about as long as a step. */
+constexpr int kSortInterval = 64;
 
 }  // namespace
 
@@ -30,16 +31,16 @@ void ContactCache::Add(const RigidBody& body) {
 }
 
 void ContactCache::Sort() {
-  broad_phase_.NumberByPlace(number_);
-  const auto numbers = [&](const NearPair& pair) {
-    return std::minmax(number_[static_cast<std::size_t>(pair.A)],
-                       number_[static_cast<std::size_t>(pair.B)]);
+  broad_phase_.NumberInSpatialOrder(spatial_number_);
+  const auto spatial_numbers = [&](const NearPair& pair) {
+    return std::minmax(spatial_number_[static_cast<std::size_t>(pair.A)],
+                       spatial_number_[static_cast<std::size_t>(pair.B)]);
   };
-  // By the later of two: what is static has number 0, and all that touches a floor is not
-  // at one place.
+  // The greater number first: static bodies have the number 0, and bodies on the same
+  // floor are not all neighbours.
   std::sort(near_.begin(), near_.end(), [&](const NearPair& a, const NearPair& b) {
-    const auto [a_first, a_last] = numbers(a);
-    const auto [b_first, b_last] = numbers(b);
+    const auto [a_first, a_last] = spatial_numbers(a);
+    const auto [b_first, b_last] = spatial_numbers(b);
     return std::tie(a_last, a_first, a.A, a.B) < std::tie(b_last, b_first, b.A, b.B);
   });
   sorted_.clear();
@@ -56,7 +57,7 @@ void ContactCache::Sort() {
   }
 }
 
-void ContactCache::Join(std::size_t near) {
+void ContactCache::BeginContact(std::size_t near) {
   near_[near].contact = static_cast<int>(contacts_.size());
   ContactPair& pair = contacts_.emplace_back();
   pair.A = near_[near].A;
@@ -65,7 +66,7 @@ void ContactCache::Join(std::size_t near) {
   edges_.push_back({pair.A, pair.B, 0});
 }
 
-void ContactCache::Part(std::size_t near) {
+void ContactCache::EndContact(std::size_t near) {
   const int contact = near_[near].contact;
   if (contact < 0) return;
   near_[near].contact = -1;
@@ -79,53 +80,53 @@ void ContactCache::Part(std::size_t near) {
   edges_.pop_back();
 }
 
-void ContactCache::Widen(int index, const RigidBody& body, double reach,
-                         std::vector<int>& met) {
-  appeared_.clear();
-  broad_phase_.Widen(index, body, reach, appeared_, met);
-  for (const auto& [a, b] : appeared_) near_.push_back({a, b});
+void ContactCache::FindCandidates(int index, const RigidBody& body, double reach,
+                                  std::vector<int>& candidates) {
+  new_pairs_.clear();
+  broad_phase_.EnlargeProxy(index, body, reach, new_pairs_, candidates);
+  for (const auto& [a, b] : new_pairs_) near_.push_back({a, b});
 }
 
-void ContactCache::Find(std::span<const RigidBody> bodies, const ContactChoice& choice,
-                        double ahead, ThreadPool& pool) {
-  appeared_.clear();
-  broad_phase_.Update(bodies, choice.margin, ahead, pool, appeared_);
-  for (const auto& [a, b] : appeared_) near_.push_back({a, b});
+void ContactCache::Update(std::span<const RigidBody> bodies,
+                          const ContactOptions& options, double ahead, ThreadPool& pool) {
+  new_pairs_.clear();
+  broad_phase_.Update(bodies, options.margin, ahead, pool, new_pairs_);
+  for (const auto& [a, b] : new_pairs_) near_.push_back({a, b});
 
-  if (contacts_.size() >= kManyPairs && ++unsorted_ >= kSorted) {
+  if (contacts_.size() >= kSortThreshold && ++updates_since_sort_ >= kSortInterval) {
     Sort();
-    unsorted_ = 0;
+    updates_since_sort_ = 0;
   }
 
-  FindDue(choice.margin, pool);
-  Collide(bodies, choice, pool);
+  FindDue(options.margin, pool);
+  Collide(bodies, options, pool);
   RemoveSeparatedPairs();
 }
 
 void ContactCache::FindDue(double margin, ThreadPool& pool) {
   const auto is_due = [&](NearPair& pair) {
-    // What was apart by a gap stays apart until the two have gone that far.
-    const double gone = TravelOf(pair);
-    if (gone < pair.separated_until_travel) return false;
+    // A separated pair stays separated until the bodies have travelled the gap.
+    const double travel = TravelOf(pair);
+    if (travel < pair.separated_until_travel) return false;
     if (broad_phase_.IsAtRest(pair.A) && broad_phase_.IsAtRest(pair.B)) return false;
     if (pair.contact >= 0) return true;
-    const double gap = broad_phase_.GapOf(pair.A, pair.B);
+    const double gap = broad_phase_.DistanceBound(pair.A, pair.B);
     if (gap <= margin) return true;
-    pair.separated_until_travel = gone + gap - margin;
+    pair.separated_until_travel = travel + gap - margin;
     return false;
   };
-  // Most near pairs are neither due nor strangers: known by one sum, as if what has left
-  // its wide box had gone however far.
+  // Most near pairs are neither due nor separated. One sum shows that, since the travel
+  // of a body whose fat box changed counts as infinite.
   travel_bounds_ = travel_;
   broad_phase_.ForEachMoved([&](int body) {
     travel_bounds_[static_cast<std::size_t>(body)] =
         std::numeric_limits<double>::infinity();
   });
-  for (PerThread<std::size_t>* findings : {&found_, &new_, &separated_}) {
-    findings->Clear(pool.shares());
+  for (PerChunk<std::size_t>* list : {&found_, &began_, &separated_}) {
+    list->Clear(pool.chunk_count());
   }
-  pool.ParallelForIndexed(near_.size(), kFewNear,
-                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+  pool.ParallelForIndexed(near_.size(), kMinNearPairs,
+                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t k = begin; k < end; ++k) {
                               NearPair& pair = near_[k];
                               if (travel_bounds_[static_cast<std::size_t>(pair.A)] +
@@ -134,22 +135,22 @@ void ContactCache::FindDue(double margin, ThreadPool& pool) {
                                 continue;
                               }
                               if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
-                                separated_.Of(share).push_back(k);
+                                separated_[chunk].push_back(k);
                               } else if (is_due(pair)) {
-                                found_.Of(share).push_back(k);
-                                if (pair.contact < 0) new_.Of(share).push_back(k);
+                                found_[chunk].push_back(k);
+                                if (pair.contact < 0) began_[chunk].push_back(k);
                               }
                             }
                           });
-  new_.ForEach([&](std::size_t k) { Join(k); });
+  began_.ForEach([&](std::size_t k) { BeginContact(k); });
   due_.clear();
   found_.AppendTo(due_);
 }
 
 void ContactCache::RemoveSeparatedPairs() {
-  // The last first: what takes its place stays.
+  // Backwards: the last near pair, which takes the place of the removed one, stays.
   separated_.ForEachBackwards([&](std::size_t k) {
-    Part(k);
+    EndContact(k);
     near_[k] = near_.back();
     const int contact = near_[k].contact;
     if (contact >= 0) contacts_[static_cast<std::size_t>(contact)].near = k;
@@ -157,47 +158,47 @@ void ContactCache::RemoveSeparatedPairs() {
   });
 }
 
-void ContactCache::Collide(std::span<const RigidBody> bodies, const ContactChoice& choice,
-                           ThreadPool& pool) {
+void ContactCache::Collide(std::span<const RigidBody> bodies,
+                           const ContactOptions& options, ThreadPool& pool) {
   const auto contact_of = [&](std::size_t due) -> ContactPair& {
     return contacts_[static_cast<std::size_t>(near_[due_[due]].contact)];
   };
-  const std::size_t groups = (due_.size() + kNeighbours - 1) / kNeighbours;
-  found_.Clear(pool.shares());  // Those without a contact.
-  const auto collide = [&](std::size_t share, std::size_t begin, std::size_t end) {
-    for (std::size_t group = begin; group < end; ++group) {
-      const std::size_t first = group * kNeighbours;
-      const std::size_t count = std::min(kNeighbours, due_.size() - first);
-      std::array<ContactPair*, kNeighbours> pairs;
+  const std::size_t batches = (due_.size() + kPairsPerBatch - 1) / kPairsPerBatch;
+  found_.Clear(pool.chunk_count());  // Now those without a contact point.
+  const auto collide = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+    for (std::size_t batch = begin; batch < end; ++batch) {
+      const std::size_t first = batch * kPairsPerBatch;
+      const std::size_t count = std::min(kPairsPerBatch, due_.size() - first);
+      std::array<ContactPair*, kPairsPerBatch> pairs;
       for (std::size_t k = 0; k < count; ++k) {
         pairs[k] = &contact_of(first + k);
-        const std::size_t later = first + k + 2 * kNeighbours;
+        const std::size_t later = first + k + 2 * kPairsPerBatch;
         if (later < due_.size()) Prefetch(&contact_of(later), 1);
-        // How many contacts a pair has is for its own thread to read.
-        if (group + 1 == end || first + k + kNeighbours >= due_.size()) continue;
-        const ContactPair& next = contact_of(first + k + kNeighbours);
+        // Only the thread that owns the next batch may read its number of contacts.
+        if (batch + 1 == end || first + k + kPairsPerBatch >= due_.size()) continue;
+        const ContactPair& next = contact_of(first + k + kPairsPerBatch);
         PrefetchContacts(next, std::max(1, next.manifold.count));
-        const NearPair& next_near = near_[due_[first + k + kNeighbours]];
+        const NearPair& next_near = near_[due_[first + k + kPairsPerBatch]];
         for (const int body : {next_near.A, next_near.B}) {
           Prefetch(&bodies[static_cast<std::size_t>(body)], offsetof(RigidBody, moments));
         }
       }
-      Recollide(choice, bodies, std::span(pairs).first(count));
+      UpdateManifolds(options, bodies, std::span(pairs).first(count));
       for (std::size_t k = 0; k < count; ++k) {
         const ContactPair& pair = *pairs[k];
         edges_[static_cast<std::size_t>(pairs[k] - contacts_.data())] = {
             pair.A, pair.B, pair.manifold.count};
-        if (pair.manifold.count == 0) found_.Of(share).push_back(due_[first + k]);
+        if (pair.manifold.count == 0) found_[chunk].push_back(due_[first + k]);
       }
     }
   };
-  pool.ParallelForIndexed(groups, kFewGroups, collide);
+  pool.ParallelForIndexed(batches, kMinBatches, collide);
 
   found_.ForEach([&](std::size_t k) {
     NearPair& pair = near_[k];
     const Manifold& manifold = contacts_[static_cast<std::size_t>(pair.contact)].manifold;
-    pair.separated_until_travel = TravelOf(pair) + manifold.separation - choice.margin;
-    Part(k);
+    pair.separated_until_travel = TravelOf(pair) + manifold.separation - options.margin;
+    EndContact(k);
   });
 }
 

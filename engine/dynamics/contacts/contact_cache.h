@@ -6,48 +6,53 @@
 
 #include "engine/dynamics/broad_phase/broad_phase.h"
 #include "engine/dynamics/contacts/contact_pair.h"
-#include "engine/threads/per_thread.h"
+#include "engine/threads/per_chunk.h"
 #include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 
-/** Finds the contacts of a world, step after step. */
+/** The contacts of a world, kept from step to step: broad phase, narrow phase and the
+ impulses for warm starting. Pairs that cannot have come into contact since they were last
+ collided are skipped. */
 class ContactCache {
  public:
-  /** Adds the body of the next index. */
+  /** Adds the body with the next index. */
   void Add(const RigidBody& body);
 
-  /** Says that a body has got no farther than `way` [m] out of the room it filled when
-   that was last said, see Travel(). */
-  void AddTravel(std::size_t body, double way) { travel_[body] += way; }
+  /** Records that no point of a body has travelled farther than `distance` [m] since the
+   last call, see Travel(). */
+  void AddTravel(std::size_t body, double distance) { travel_[body] += distance; }
 
-  /** Brings contacts() up to date, those apart by up to `margin` [m] included. Bodies
-   that may meet within `ahead` [s] are near each other. */
-  void Find(std::span<const RigidBody> bodies, const ContactChoice& choice, double ahead,
-            ThreadPool& pool);
+  /** Updates contacts(), including speculative ones. Bodies that may collide within
+   `ahead` [s] become near pairs. */
+  void Update(std::span<const RigidBody> bodies, const ContactOptions& options,
+              double ahead, ThreadPool& pool);
 
-  /** Appends to `met` what the moving body `index` may meet that is at `body` now and
-   gets no farther than `reach` [m] in the step; both are near each other from now on. */
-  void Widen(int index, const RigidBody& body, double reach, std::vector<int>& met);
+  /** Appends to `candidates` the bodies that the moving body `index` may touch, which is
+   at `body` now and travels no farther than `reach` [m] in the step. They become near
+   pairs. */
+  void FindCandidates(int index, const RigidBody& body, double reach,
+                      std::vector<int>& candidates);
 
-  /** The pairs that have a contact, in an order that the history of the world decides. */
+  /** Returns the pairs that have a contact, in an order that depends on the history of
+   the world. */
   std::span<ContactPair> contacts() { return contacts_; }
   std::span<const ContactPair> contacts() const { return contacts_; }
-  /** The same in short. */
+  /** Returns a short form of contacts(), with the same indices. */
   std::span<const ContactEdge> edges() const { return edges_; }
-  /** Leaves a pair without contacts until the next Find(). */
-  void Release(std::size_t contact) {
+  /** Removes the contacts of a pair until the next Update(). */
+  void ClearContacts(std::size_t contact) {
     contacts_[contact].manifold.count = 0;
     edges_[contact].count = 0;
   }
 
-  /** Calls `visit(A, B)` for every two bodies that are near each other. */
+  /** Calls `visit(A, B)` for every near pair. */
   template <class Visit>
   void ForEachNear(const Visit& visit) const {
     for (const NearPair& pair : near_) visit(pair.A, pair.B);
   }
-  /** Calls `visit(A, B, gap)` for those from `begin` to `end` of near_count() of which
-   `takes(A, B)` is true: they are apart by `gap` [m] or more. */
+  /** Calls `visit(A, B, gap)` for the near pairs with indices in [begin, end) for which
+   `takes(A, B)` is true. Their distance is at least `gap` [m]. */
   template <class Takes, class Visit>
   void ForEachGap(std::size_t begin, std::size_t end, const Takes& takes,
                   const Visit& visit) const {
@@ -57,48 +62,54 @@ class ContactCache {
             pair.contact >= 0 ? 0 : pair.separated_until_travel - TravelOf(pair));
     }
   }
+  /** Returns the number of near pairs. */
   std::size_t near_count() const { return near_.size(); }
 
  private:
-  /** Two bodies that the broad phase says are near. */
+  /** A near pair of the broad phase. */
   struct NearPair {
     int A;
     int B;
-    int contact = -1;  ///< Among contacts_; −1: none.
-    /** The sum of what the two have gone up to which they surely do not touch. [m] */
+    int contact = -1;  ///< Index in `contacts_`; −1: none.
+    /** The pair is separated as long as TravelOf() is less than this. [m] */
     double separated_until_travel = 0;
   };
 
+  /** Returns the sum of the distances that both bodies have travelled. [m] */
   double TravelOf(const NearPair& pair) const {
     return travel_[static_cast<std::size_t>(pair.A)] +
            travel_[static_cast<std::size_t>(pair.B)];
   }
-  /** Sorts pairs by place. */
+  /** Sorts near pairs and contacts in spatial order. */
   void Sort();
-  void Join(std::size_t near);
-  void Part(std::size_t near);
-  /** Finds the pairs to be looked at, and those that are near no more. */
+  /** Adds a contact, without contact points yet, for a near pair. */
+  void BeginContact(std::size_t near);
+  /** Removes the contact of a near pair, if it has one. */
+  void EndContact(std::size_t near);
+  /** Fills `due_` and `separated_`, and begins the contacts of the former. */
   void FindDue(double margin, ThreadPool& pool);
-  /** Looks at the former, and parts those that have no contact. */
-  void Collide(std::span<const RigidBody> bodies, const ContactChoice& choice,
+  /** Collides the pairs in `due_`, and ends the contacts of those without a contact
+   * point.
+   */
+  void Collide(std::span<const RigidBody> bodies, const ContactOptions& options,
                ThreadPool& pool);
-  /** Forgets the latter. */
+  /** Removes the near pairs in `separated_`. */
   void RemoveSeparatedPairs();
 
   BroadPhase broad_phase_;
-  std::vector<std::pair<int, int>> appeared_;
+  std::vector<std::pair<int, int>> new_pairs_;
   std::vector<NearPair> near_;
   std::vector<ContactPair> contacts_;
-  std::vector<ContactEdge> edges_;     ///< Of contacts_.
-  std::vector<std::size_t> due_;       ///< The near pairs to be looked at in this step.
-  PerThread<std::size_t> found_;       ///< Those, or those of them that are apart.
-  PerThread<std::size_t> new_;         ///< Those of them that had no contact.
-  PerThread<std::size_t> separated_;   ///< The near pairs that are near no more.
-  std::vector<double> travel_;         ///< By body. [m]
-  std::vector<double> travel_bounds_;  ///< The same, infinite of what has left its box.
-  int unsorted_ = 0;                   ///< Calls of Find() since pairs were sorted.
-  std::vector<int> number_;            ///< By body, see BroadPhase::NumberByPlace().
-  std::vector<ContactPair> sorted_;
+  std::vector<ContactEdge> edges_;   ///< Short form of `contacts_`.
+  std::vector<std::size_t> due_;     ///< Near pairs to be collided in this step.
+  PerChunk<std::size_t> found_;      ///< `due_`; later those without a contact point.
+  PerChunk<std::size_t> began_;      ///< Those in `due_` that had no contact.
+  PerChunk<std::size_t> separated_;  ///< Near pairs that are near no longer.
+  std::vector<double> travel_;       ///< Indexed by body: distance travelled so far. [m]
+  std::vector<double> travel_bounds_;  ///< The same, but infinite if the fat box changed.
+  int updates_since_sort_ = 0;       ///< Number of Update() calls since the last Sort().
+  std::vector<int> spatial_number_;  ///< See BroadPhase::NumberInSpatialOrder().
+  std::vector<ContactPair> sorted_;  ///< Scratch memory of Sort().
 };
 
 }  // namespace cookbook

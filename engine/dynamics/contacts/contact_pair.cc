@@ -8,23 +8,23 @@
 namespace cookbook {
 namespace {
 
-/** A contact no further from where an old one was than this share of the smaller body is
- the old one under a new name: where edges coincide, rounding chooses which of them makes
- a corner. */
-constexpr double kSamePlace = 0.05;
+/** Distance, as a fraction of the radius of the smaller body, below which a contact point
+ is matched with an old one of a different feature: if edges coincide, rounding decides
+ which of them makes a corner. */
+constexpr double kMatchDistance = 0.05;
 
-/** The contacts of a pair in the step before. */
-struct OldContacts {
+/** The contact points of a pair in the previous step. */
+struct OldManifold {
   std::size_t count;
   std::array<ContactPoint, 8> contacts;
 
-  void Note(const Manifold& manifold) {
+  void Store(const Manifold& manifold) {
     count = manifold.points().size();
     std::copy_n(manifold.contacts.begin(), count, contacts.begin());
   }
 };
 
-bool HasSameFeatures(const OldContacts& old, const Manifold& now) {
+bool HasSameFeatures(const OldManifold& old, const Manifold& now) {
   if (old.count != now.points().size()) return false;
   for (std::size_t i = 0; i < old.count; ++i) {
     if (old.contacts[i].feature != now.contacts[i].feature) return false;
@@ -32,32 +32,32 @@ bool HasSameFeatures(const OldContacts& old, const Manifold& now) {
   return true;
 }
 
-/** Gives the contacts of `pair` the impulses of the old contacts of the same features;
- of those left over, one within `reach` [m]. */
-void PassOn(const OldContacts& old, double reach, ContactPair& pair) {
+/** Transfers impulses from old to new contact points: first between those of the same
+ feature, then between the others within `reach` [m]. */
+void TransferImpulses(const OldManifold& old, double reach, ContactPair& pair) {
   const Manifold& now = pair.manifold;
   const std::array<Eigen::Vector3d, 8> old_J_W = pair.J_W;
-  unsigned taken = 0;    // Old contacts whose impulse has been passed on.
-  unsigned settled = 0;  // New contacts that have one.
+  unsigned used = 0;     // Old contact points whose impulse is transferred.
+  unsigned matched = 0;  // New contact points that have an impulse.
   for (std::size_t i = 0; i < now.points().size(); ++i) {
     pair.J_W[i].setZero();
     for (std::size_t k = 0; k < old.count; ++k) {
       if (old.contacts[k].feature != now.contacts[i].feature) continue;
       pair.J_W[i] = old_J_W[k];
-      taken |= 1u << k;
-      settled |= 1u << i;
+      used |= 1u << k;
+      matched |= 1u << i;
       break;
     }
   }
-  if (settled + 1 == 1u << now.points().size()) return;
+  if (matched + 1 == 1u << now.points().size()) return;
   for (std::size_t i = 0; i < now.points().size(); ++i) {
-    if (settled >> i & 1) continue;
+    if (matched >> i & 1) continue;
     for (std::size_t k = 0; k < old.count; ++k) {
-      if (taken >> k & 1) continue;
-      const Eigen::Vector3d step = now.contacts[i].p_WC - old.contacts[k].p_WC;
-      if (step.squaredNorm() > reach * reach) continue;
+      if (used >> k & 1) continue;
+      const Eigen::Vector3d offset = now.contacts[i].p_WC - old.contacts[k].p_WC;
+      if (offset.squaredNorm() > reach * reach) continue;
       pair.J_W[i] = old_J_W[k];
-      taken |= 1u << k;
+      used |= 1u << k;
       break;
     }
   }
@@ -65,40 +65,43 @@ void PassOn(const OldContacts& old, double reach, ContactPair& pair) {
 
 }  // namespace
 
-double LoadOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B) {
-  const double own = LoadBetween(A, B);
-  const double of_heap = IslandLoadBetween(A, B);
-  if (of_heap <= own) return own;
-  const bool press = std::any_of(pair.J_W.begin(), pair.J_W.begin() + pair.manifold.count,
-                                 [](const Eigen::Vector3d& J) { return !J.isZero(0); });
-  return press ? of_heap : own;
+double LoadAccelerationOn(const ContactPair& pair, const RigidBody& A,
+                          const RigidBody& B) {
+  const double own = LoadAccelerationBetween(A, B);
+  const double of_island = IslandLoadAccelerationBetween(A, B);
+  if (of_island <= own) return own;
+  const bool is_pressed =
+      std::any_of(pair.J_W.begin(), pair.J_W.begin() + pair.manifold.count,
+                  [](const Eigen::Vector3d& J) { return !J.isZero(0); });
+  return is_pressed ? of_island : own;
 }
 
-void Recollide(const ContactChoice& choice, std::span<const RigidBody> bodies,
-               std::span<ContactPair* const> pairs) {
-  std::array<OldContacts, kNeighbours> old;
-  std::array<Neighbours, kNeighbours> neighbours;
+void UpdateManifolds(const ContactOptions& options, std::span<const RigidBody> bodies,
+                     std::span<ContactPair* const> pairs) {
+  std::array<OldManifold, kPairsPerBatch> old;
+  std::array<CollisionPair, kPairsPerBatch> batch;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     ContactPair& pair = *pairs[k];
     const RigidBody& A = bodies[static_cast<std::size_t>(pair.A)];
     const RigidBody& B = bodies[static_cast<std::size_t>(pair.B)];
-    old[k].Note(pair.manifold);
-    neighbours[k] = {&A, &B, std::min(choice.margin, SpeculativeMarginBetween(A, B)),
-                     Eigen::Vector3d::Zero(), &pair.manifold};
-    if (old[k].count > 0) neighbours[k].n_guess_W = pair.manifold.n_AB_W;
+    old[k].Store(pair.manifold);
+    batch[k] = {&A, &B, std::min(options.margin, SpeculativeMarginBetween(A, B)),
+                Eigen::Vector3d::Zero(), &pair.manifold};
+    if (old[k].count > 0) batch[k].n_guess_W = pair.manifold.n_AB_W;
   }
-  CollideSpeculative(std::span(neighbours).first(pairs.size()));
+  CollideSpeculative(std::span(batch).first(pairs.size()));
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    // With a half-space they are no face: all corners of a box may be within the margin.
-    if (choice.reduce_manifold && AreBoxes(*neighbours[k].A, *neighbours[k].B))
+    // Contacts with a half-space need not be on one face: all corners of a box may be
+    // within the margin.
+    if (options.reduce_manifold && AreBoxes(*batch[k].A, *batch[k].B))
       ReduceManifold(std::span(old[k].contacts).first(old[k].count), pairs[k]->manifold);
     if (HasSameFeatures(old[k], pairs[k]->manifold)) continue;
-    const RigidBody& A = *neighbours[k].A;
-    const RigidBody& B = *neighbours[k].B;
+    const RigidBody& A = *batch[k].A;
+    const RigidBody& B = *batch[k].B;
     const double smaller = A.is_static()   ? B.radius
                            : B.is_static() ? A.radius
                                            : std::min(A.radius, B.radius);
-    PassOn(old[k], kSamePlace * smaller, *pairs[k]);
+    TransferImpulses(old[k], kMatchDistance * smaller, *pairs[k]);
   }
 }
 

@@ -11,27 +11,25 @@
 
 namespace cookbook {
 
-/** Two bodies that are near each other: how they touch, and the impulses that held them
- apart in the last step. */
+/** The contact of two bodies: the manifold, and the impulses of the last step for warm
+ starting. */
 struct alignas(64) ContactPair {
-  int A = 0;
-  int B = 0;
-  std::size_t near = 0;  ///< Where ContactCache keeps it.
+  int A = 0;             ///< Index of a body.
+  int B = 0;             ///< Index of a body.
+  std::size_t near = 0;  ///< Index of its near pair in ContactCache.
   Manifold manifold;     ///< See CollideSpeculative().
   /** Impulse on B at each contact of the manifold. World frame. [N s] */
   alignas(64) std::array<Eigen::Vector3d, 8> J_W;
 };
 
-/** What is asked of a pair most, side by side with those of the others: pairs are large.
- */
+/** The most used members of a ContactPair, which is large. */
 struct ContactEdge {
   int A;
   int B;
-  int count;  ///< Of contacts.
+  int count;  ///< Number of contact points.
 };
 
-/** Tells memory that so many contacts of `pair` and their impulses will be wanted soon.
- */
+/** Prefetches the first `contacts` contact points of `pair` and their impulses. */
 inline void PrefetchContacts(const ContactPair& pair, int contacts) {
   const auto count = static_cast<std::size_t>(contacts);
   Prefetch(&pair, offsetof(ContactPair, manifold) + offsetof(Manifold, contacts) +
@@ -39,21 +37,21 @@ inline void PrefetchContacts(const ContactPair& pair, int contacts) {
   Prefetch(&pair.J_W, count * sizeof(Eigen::Vector3d));
 }
 
-/** Returns how hard the two bodies of `pair` are pulled; as hard as their island, where
- they pressed each other in the last step. [m/s²] */
-double LoadOn(const ContactPair& pair, const RigidBody& A, const RigidBody& B);
+/** Returns the load of the two bodies of `pair`, or that of their island if they pressed
+ on each other in the last step. [m/s²] */
+double LoadAccelerationOn(const ContactPair& pair, const RigidBody& A,
+                          const RigidBody& B);
 
-/** Which contacts are kept. */
-struct ContactChoice {
-  double margin;         ///< Those apart by no more, and no more than
-                         ///< SpeculativeMarginBetween(). [m]
-  bool reduce_manifold;  ///< Of a face the few that hold it widest, see ReduceManifold().
+/** Options of the narrow phase. */
+struct ContactOptions {
+  double margin;         ///< Upper bound on the speculative margin of a pair. [m]
+  bool reduce_manifold;  ///< Whether faces are reduced, see ReduceManifold().
 };
 
-/** Replaces the manifolds of at most kNeighbours pairs by those of their bodies as they
- are now. The impulse of a contact is that of the old contact of the same feature; new
- contacts start at zero. */
-void Recollide(const ContactChoice& choice, std::span<const RigidBody> bodies,
-               std::span<ContactPair* const> pairs);
+/** Updates the manifolds of at most kPairsPerBatch pairs. A contact point keeps the
+ impulse of the old one with the same feature or nearly the same position; the impulse of
+ any other is zero. */
+void UpdateManifolds(const ContactOptions& options, std::span<const RigidBody> bodies,
+                     std::span<ContactPair* const> pairs);
 
 }  // namespace cookbook

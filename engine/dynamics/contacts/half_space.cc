@@ -25,16 +25,17 @@ void Collide(const HalfSpace&, const Pose& X_WA, const Box& B, const Pose& X_WB,
   const Eigen::Vector3d reach = (X_WB.R_WB.transpose() * n).cwiseProduct(B.half_extents);
   manifold.n_AB_W = n;
   manifold.separation = height - reach.cwiseAbs().sum();
-  const double slop = kOverlapRounding * (p_AB.lpNorm<1>() + B.half_extents.lpNorm<1>());
-  manifold.touching = manifold.separation <= slop;
-  const double reported = std::max(slop, margin);
+  const double rounding =
+      kOverlapRounding * (p_AB.lpNorm<1>() + B.half_extents.lpNorm<1>());
+  manifold.touching = manifold.separation <= rounding;
+  const double limit = std::max(rounding, margin);
   manifold.count = 0;
-  if (manifold.separation > reported) return;
+  if (manifold.separation > limit) return;
   for (unsigned vertex = 0; vertex < 8; ++vertex) {
     const Eigen::Vector3d sides(vertex & 1 ? 1 : -1, vertex & 2 ? 1 : -1,
                                 vertex & 4 ? 1 : -1);
     const double separation = height + sides.dot(reach);
-    if (separation > reported) continue;
+    if (separation > limit) continue;
     const Eigen::Vector3d p_WV =
         X_WB.p_WB + X_WB.R_WB * sides.cwiseProduct(B.half_extents);
     manifold.contacts[static_cast<std::size_t>(manifold.count++)] = {

@@ -5,14 +5,14 @@
 
 namespace cookbook {
 
-/** As Collide() of a box, with an unbounded floor for A: the normal is the floor's +z.
- Separation to within 4 u (|p_AB| + r). */
+/** Collides a sphere with a half-space A, like Collide() for a box A. The normal is the
+ +z axis of A. The error of the separation is at most 4 u (|p_AB| + r). */
 void Collide(const HalfSpace& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
              Manifold& manifold);
 
-/** The vertices of B below the floor, or less than `margin` [m] above it, each a contact
- of its own separation. A vertex at zero to within kOverlapRounding times the size of the
- pair counts as below. */
+/** Collides a box with a half-space A. Each vertex of B below the surface, or less than
+ `margin` [m] above it, is a contact point. A vertex on the surface to within
+ kOverlapRounding times the size of the pair counts as below. */
 void Collide(const HalfSpace& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
              double margin, Manifold& manifold);
 

@@ -6,14 +6,14 @@
 
 namespace cookbook {
 
-/** Contacts that hold a face about as well as all that its outline has. */
+/** Number of contact points that support a face about as well as all of its corners. */
 inline constexpr int kContactsPerFace = 4;
 
-/** Leaves of the contacts of a face those that hold it widest: one far from their middle,
- the one farthest from that, and on either side of the line between the two the farthest
- from it. Contacts of the features of `before` are taken for a little wider than they are,
- so that a face at rest keeps them.
- @pre All are about in one plane, across the normal. */
+/** Manifold reduction: keeps four contact points of a face that span a large area. The
+ first is the farthest from their mean, the second the farthest from the first. The others
+ are the farthest from the line through these two, one on each side. Features of `before`
+ are preferred a little, so that a face at rest keeps its contact points.
+ @pre All contact points are about in one plane perpendicular to the normal. */
 void ReduceManifold(std::span<const ContactPoint> before, Manifold& manifold);
 
 }  // namespace cookbook

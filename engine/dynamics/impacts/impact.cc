@@ -5,26 +5,26 @@
 namespace cookbook {
 
 Impact::Impact() {
-  // Of most impacts of most steps: from then on they allocate nothing.
+  // Enough for most impacts, which then allocate nothing.
   constexpr std::size_t kMany = 64;
   members_.reserve(kMany);
   bodies_.reserve(kMany);
   inertias_.reserve(kMany);
   before_.reserve(kMany);
   after_.reserve(kMany);
-  touches_.reserve(kMany);
+  contact_flags_.reserve(kMany);
   static_.reserve(kMany);
   pairs_.reserve(kMany);
   edges_.reserve(kMany);
 }
 
 void Impact::BeginStep(std::size_t bodies) {
-  place_.resize(bodies, -1);
-  spent_ = 0;
+  local_index_.resize(bodies, -1);
+  work_spent_ = 0;
 }
 
-void Impact::Add(int body, const RigidBody& now) {
-  place_[static_cast<std::size_t>(body)] = static_cast<int>(members_.size());
+void Impact::AddBody(int body, const RigidBody& now) {
+  local_index_[static_cast<std::size_t>(body)] = static_cast<int>(members_.size());
   members_.push_back(body);
   bodies_.push_back(now);
   inertias_.push_back(InverseInertiaOf(now));
@@ -32,41 +32,43 @@ void Impact::Add(int body, const RigidBody& now) {
   static_.push_back(now.is_static() ? 1 : 0);
 }
 
-void Impact::Add(const ContactPair& pair) {
+void Impact::AddContacts(const ContactPair& pair) {
   ContactPair& added = pairs_.emplace_back(pair);
-  added.A = place_[static_cast<std::size_t>(pair.A)];
-  added.B = place_[static_cast<std::size_t>(pair.B)];
+  added.A = local_index_[static_cast<std::size_t>(pair.A)];
+  added.B = local_index_[static_cast<std::size_t>(pair.B)];
   added.J_W.fill(Eigen::Vector3d::Zero());
   for (ContactPoint& contact : added.manifold.contacts) contact.separation = 0;
   edges_.push_back({added.A, added.B, added.manifold.count});
 }
 
-void Impact::Exchange(const Settings& settings, double h, ThreadPool& pool,
-                      std::vector<ContactPair>& struck) {
+void Impact::Solve(const StepContext& step, std::vector<ContactPair>& impact_contacts) {
+  const Settings& settings = step.settings;
   before_.emplace_back();
   after_.assign(before_.begin(), before_.end());
-  touches_.assign(members_.size(), Touch{});
-  solver_.Begin(pairs_, edges_, {bodies_, inertias_, before_, after_, static_}, settings,
-                h, pool);
-  for (int k = 0; k < settings.impulse_iterations || spent_ <= settings.iteration_budget;
-       ++k) {
-    spent_ += solver_.constraint_count();
-    if (solver_.Iterate(after_, pool) <= settings.residual * solver_.scale()) break;
+  contact_flags_.assign(members_.size(), ContactFlags{});
+
+  solver_.Begin(pairs_, edges_, {bodies_, inertias_, before_, after_, static_}, step);
+  for (int k = 0;
+       k < settings.impulse_iterations || work_spent_ <= settings.iteration_budget; ++k) {
+    work_spent_ += solver_.constraint_count();
+    if (solver_.Iterate(after_, step.pool) <= settings.residual * solver_.max_speed())
+      break;
   }
-  solver_.End(pairs_, settings, touches_);
+  solver_.StoreImpulses(pairs_, step, contact_flags_);
   for (const ContactPair& pair : pairs_) {
     const auto points = pair.manifold.points().size();
-    const bool gave = std::any_of(pair.J_W.begin(), pair.J_W.begin() + points,
-                                  [](const Eigen::Vector3d& J) { return !J.isZero(0); });
-    if (!gave) continue;
-    ContactPair& known = struck.emplace_back(pair);
-    known.A = members_[static_cast<std::size_t>(pair.A)];
-    known.B = members_[static_cast<std::size_t>(pair.B)];
+    const bool has_impulse =
+        std::any_of(pair.J_W.begin(), pair.J_W.begin() + points,
+                    [](const Eigen::Vector3d& J) { return !J.isZero(0); });
+    if (!has_impulse) continue;
+    ContactPair& appended = impact_contacts.emplace_back(pair);
+    appended.A = members_[static_cast<std::size_t>(pair.A)];
+    appended.B = members_[static_cast<std::size_t>(pair.B)];
   }
 }
 
 void Impact::Clear() {
-  for (const int body : members_) place_[static_cast<std::size_t>(body)] = -1;
+  for (const int body : members_) local_index_[static_cast<std::size_t>(body)] = -1;
   members_.clear();
   bodies_.clear();
   inertias_.clear();

@@ -5,64 +5,69 @@
 #include <vector>
 
 #include "engine/dynamics/solver/contact_solver.h"
-#include "engine/threads/thread_pool.h"
+#include "engine/dynamics/solver/step_context.h"
 
 namespace cookbook {
 
-/** A impact: what takes part in it is a world of its own, in which no time goes by. Its
- bodies exchange the impulses of ContactSolver. */
+/** An impact: the bodies that touch at one time of impact, and their contacts. A
+ ContactSolver of its own finds the impulses. No time passes and no force acts. */
 class Impact {
  public:
   Impact();
 
-  /** Begins a step of a world of so many bodies. All impacts of a step share the
-   iteration_budget of one solve. */
+  /** Begins a step of a world of `bodies` bodies. All impacts of a step share one
+   iteration budget. */
   void BeginStep(std::size_t bodies);
 
-  /** Adds a body of the world that does not take part yet, as it is at that moment. */
-  void Add(int body, const RigidBody& now);
+  /** Adds body `body` of the world, in its state `now` at the time of impact.
+   @pre !Contains(body) */
+  void AddBody(int body, const RigidBody& now);
 
-  /** Adds how two bodies touch that take part. */
-  void Add(const ContactPair& pair);
+  /** Adds the contacts of two bodies of the impact. */
+  void AddContacts(const ContactPair& pair);
 
-  bool IsIn(int body) const { return place_[static_cast<std::size_t>(body)] >= 0; }
-
-  /** Returns a body that takes part as it came. */
-  const RigidBody& BodyOf(int body) const {
-    return bodies_[static_cast<std::size_t>(place_[static_cast<std::size_t>(body)])];
+  bool Contains(int body) const {
+    return local_index_[static_cast<std::size_t>(body)] >= 0;
   }
 
-  /** The bodies that take part, in the order in which they were added. */
+  /** Returns a body of the impact as it was added. */
+  const RigidBody& BodyBefore(int body) const {
+    return bodies_[static_cast<std::size_t>(
+        local_index_[static_cast<std::size_t>(body)])];
+  }
+
+  /** The bodies of the impact, in the order in which they were added. */
   std::span<const int> members() const { return members_; }
 
-  /** Finds the impulses, and appends to `struck` the pairs that gave any. */
-  void Exchange(const Settings& settings, double h, ThreadPool& pool,
-                std::vector<ContactPair>& struck);
+  /** Computes the impulses, and appends the pairs with nonzero impulses to
+   `impact_contacts`. */
+  void Solve(const StepContext& step, std::vector<ContactPair>& impact_contacts);
 
-  // Of the member `k`, after the exchange.
-  Velocity After(std::size_t k) const { return after_[k]; }
-  Velocity Gain(std::size_t k) const {
+  // Results of Solve() for the k-th member.
+  Velocity VelocityAfter(std::size_t k) const { return after_[k]; }
+  Velocity VelocityChange(std::size_t k) const {
     return {after_[k].v - before_[k].v, after_[k].w - before_[k].w};
   }
-  /** The greatest speed at which a contact came. [m/s] */
-  double scale() const { return solver_.scale(); }
+  /** Greatest relative velocity of a contact before the impact. [m/s] */
+  double max_approach_speed() const { return solver_.max_speed(); }
 
-  /** Lets all go that took part: the next impact begins. */
+  /** Removes all bodies and contacts, for the next impact. */
   void Clear();
 
  private:
   ContactSolver solver_{1};
-  int spent_ = 0;           ///< Sweeps × rows, in this step.
-  std::vector<int> place_;  ///< By body of the world: among the following, or −1.
+  int work_spent_ = 0;  ///< Iterations × constraints in this step.
+  /** Indexed by body of the world: its index here, or −1. */
+  std::vector<int> local_index_;
   std::vector<int> members_;
   std::vector<RigidBody> bodies_;
   std::vector<InverseInertia> inertias_;
   std::vector<Velocity> before_;  ///< One more than bodies, see SolverBodies.
   std::vector<Velocity> after_;
-  std::vector<Touch> touches_;
-  std::vector<char> static_;        ///< 1 where a body is.
-  std::vector<ContactPair> pairs_;  ///< Of places.
-  std::vector<ContactEdge> edges_;  ///< Of the same.
+  std::vector<ContactFlags> contact_flags_;
+  std::vector<char> static_;        ///< 1: static.
+  std::vector<ContactPair> pairs_;  ///< A and B are indices here, not in the world.
+  std::vector<ContactEdge> edges_;  ///< Edges of pairs_.
 };
 
 }  // namespace cookbook

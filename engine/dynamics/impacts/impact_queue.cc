@@ -7,34 +7,34 @@ namespace cookbook {
 
 void ImpactQueue::Begin(std::size_t bodies) {
   Clear();
-  newest_.assign(bodies, -1);
+  last_candidate_.assign(bodies, -1);
 }
 
 void ImpactQueue::Clear() {
   candidates_.clear();
-  queue_.clear();
+  heap_.clear();
 }
 
 void ImpactQueue::Append(int A, int B, double gap) {
-  int& of_A = newest_[static_cast<std::size_t>(A)];
-  int& of_B = newest_[static_cast<std::size_t>(B)];
-  candidates_.push_back({.A = A, .B = B, .gap = gap, .earlier = {of_A, of_B}});
-  of_A = of_B = size() - 1;
+  int& last_of_A = last_candidate_[static_cast<std::size_t>(A)];
+  int& last_of_B = last_candidate_[static_cast<std::size_t>(B)];
+  candidates_.push_back({.A = A, .B = B, .gap = gap, .previous = {last_of_A, last_of_B}});
+  last_of_A = last_of_B = size() - 1;
 }
 
 void ImpactQueue::Schedule(int candidate, double time) {
-  (*this)[candidate].next = time;
+  (*this)[candidate].time_of_impact = time;
   if (time == std::numeric_limits<double>::infinity()) return;
-  queue_.emplace_back(time, candidate);
-  std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
+  heap_.emplace_back(time, candidate);
+  std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
 }
 
-int ImpactQueue::TakeNext() {
-  while (!queue_.empty()) {
-    std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
-    const auto [time, index] = queue_.back();
-    queue_.pop_back();
-    if ((*this)[index].next == time) return index;
+int ImpactQueue::PopEarliest() {
+  while (!heap_.empty()) {
+    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
+    const auto [time, index] = heap_.back();
+    heap_.pop_back();
+    if ((*this)[index].time_of_impact == time) return index;
   }
   return -1;
 }

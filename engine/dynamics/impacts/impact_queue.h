@@ -8,35 +8,38 @@
 
 namespace cookbook {
 
-/** Two bodies that may meet in a step. */
+/** Two bodies that may collide in a step. */
 struct ImpactCandidate {
   int A;
   int B;
-  double gap;  ///< They are apart by so much or more when the step begins. [m]
-  /** When they do; infinite: not in this step. [s] */
-  double next = std::numeric_limits<double>::infinity();
-  bool known = false;  ///< Whether the impact at hand knows if they touch.
-  /** Of A and of B: the candidate appended before this one; −1: none. */
-  std::array<int, 2> earlier;
+  double gap;  ///< Lower bound of their distance at the start of the step. [m]
+  /** Time of their next impact; infinite: none in this step. [s] */
+  double time_of_impact = std::numeric_limits<double>::infinity();
+  bool is_tested = false;  ///< Whether the current impact has tested them for contact.
+  /** Index of the previous candidate of A and of B; −1: none. */
+  std::array<int, 2> previous;
 };
 
-/** What may meet in a step, and what meets next. */
+/** A priority queue of the impacts of a step, ordered by time, with a list of candidates
+ for each body. A candidate may be rescheduled: entries of the binary heap are not removed
+ then, but skipped when they come to the top. */
 class ImpactQueue {
  public:
-  /** Begins a step of so many bodies: without candidates. */
+  /** Begins a step of a world of `bodies` bodies, without candidates. */
   void Begin(std::size_t bodies);
 
-  /** Forgets all candidates. */
+  /** Removes all candidates. */
   void Clear();
 
-  /** Appends a candidate that does not meet. */
+  /** Appends a candidate without an impact. */
   void Append(int A, int B, double gap);
 
-  /** Says that a candidate meets next at `time` [s]; infinite: not in this step. */
+  /** Sets the time of impact [s] of a candidate; infinite: none in this step. */
   void Schedule(int candidate, double time);
 
-  /** Returns the candidate that meets next, the first of several at once; −1: none. */
-  int TakeNext();
+  /** Removes the earliest impact and returns its candidate; −1: none. Impacts at the same
+   time come in the order of their candidates. */
+  int PopEarliest();
 
   int size() const { return static_cast<int>(candidates_.size()); }
   ImpactCandidate& operator[](int index) {
@@ -46,12 +49,12 @@ class ImpactQueue {
     return candidates_[static_cast<std::size_t>(index)];
   }
 
-  /** Calls `visit(index)` for the candidates that a body is one of, the last first. */
+  /** Calls `visit(index)` for each candidate of a body, the last one first. */
   template <class Visit>
   void ForEachOf(int body, const Visit& visit) const {
-    for (int index = newest_[static_cast<std::size_t>(body)]; index >= 0;) {
+    for (int index = last_candidate_[static_cast<std::size_t>(body)]; index >= 0;) {
       const ImpactCandidate& candidate = (*this)[index];
-      const int next = candidate.earlier[candidate.A == body ? 0 : 1];
+      const int next = candidate.previous[candidate.A == body ? 0 : 1];
       visit(index);
       index = next;
     }
@@ -59,10 +62,10 @@ class ImpactQueue {
 
  private:
   std::vector<ImpactCandidate> candidates_;
-  std::vector<int> newest_;  ///< By body: its candidate appended last; −1: none.
-  /** When candidates meet, and which: a island with the earliest first, in which some are
+  std::vector<int> last_candidate_;  ///< Indexed by body; −1: none.
+  /** Binary heap of (time of impact, candidate), the earliest on top. Some entries are
    out of date. */
-  std::vector<std::pair<double, int>> queue_;
+  std::vector<std::pair<double, int>> heap_;
 };
 
 }  // namespace cookbook

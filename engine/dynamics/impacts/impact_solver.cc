@@ -11,35 +11,34 @@
 namespace cookbook {
 namespace {
 
-/** ImpactSolver of a body in a step after which it flies on through what it meets: the
- next step sends it back. */
+/** Maximum number of impacts of a body in a step. After that the body passes through
+ others, and the next step separates them. */
 constexpr int kMaxImpacts = 8;
 
-/** Bodies of a island that takes part in a impact: that costs as much as a step of the
- * island.
- */
+/** Maximum number of bodies of an island that takes part in an impact. The impact costs
+ as much as a step of the island. */
 constexpr int kMaxIslandSize = 32;
-/** The same in a large world, whose impacts are too many to be solved: a island that a
- impact leaves half solved sinks deeper than what strikes it is late. Not of what would be
- through the island by the next step. */
+/** The same in a large world, which has too many impacts to solve each to convergence. An
+ island that is solved only partly sinks deeper than a late impact does. Bodies that
+ would tunnel through the island until the next step are exempt. */
 constexpr int kMaxIslandSizeOfMany = 4;
 
-/** What a impact leaves of an approach, as a share of the speeds, where it sends nothing
- back: rounding, and what the solver leaves. */
-constexpr double kStopped = 1e-9;
+/** Normal velocity after an inelastic impact, as a fraction of the greatest approach
+ speed: rounding and the residual of the solver. */
+constexpr double kRestingFraction = 1e-9;
 
-/** How much faster than a impact has to be what flies from within the margin. */
-constexpr double kSurely = 1.01;
+/** Factor on the impact threshold for contacts within the speculative margin. */
+constexpr double kImpactSpeedFactor = 1.01;
 
-/** Bodies, pairs, near pairs and candidates below which it does not pay to share them
- out: some microseconds. */
+/** Minimum numbers of bodies, pairs, near pairs and candidates for a parallel loop. Fewer
+ take some microseconds, and threads do not pay. */
 constexpr std::size_t kFewBodies = 128;
 constexpr std::size_t kFewPairs = 128;
 constexpr std::size_t kFewNear = 1024;
-constexpr std::size_t kFewMeetings = 32;
+constexpr std::size_t kFewCandidates = 32;
 
-/** How many pairs ahead memory is told. */
-constexpr std::size_t kAhead = 3;
+/** Number of pairs by which prefetching is ahead. */
+constexpr std::size_t kPrefetchDistance = 3;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -47,67 +46,67 @@ std::size_t At(int body) {
   return static_cast<std::size_t>(body);
 }
 
-/** Returns true where some contact of a pair holds for sure, as PhaseAt() says, without
- a branch for each contact, which nothing foretells: how fast two bodies approach at p, u
- = n · (v_B + ω_B × (p − x_B) − v_A − ω_A × (p − x_A)), is linear in p. What that rounds
- is far below kTogether of the speeds. */
-bool SurelyHolds(const Manifold& manifold, const RigidBody& A, const RigidBody& B,
-                 double load, const ImpactRules& rules) {
-  // About a body that moves: the centre of ground that is wide may be far.
+/** Returns true if some contact of a pair is surely resting as defined by PhaseAt().
+ Computed without a branch per contact, which would be unpredictable. The normal velocity
+ at p, u = n · (v_B + ω_B × (p − x_B) − v_A − ω_A × (p − x_A)), is linear in p. Its
+ rounding error is far below kRelativeSpeedTolerance of the speeds. */
+bool IsSurelyResting(const Manifold& manifold, const RigidBody& A, const RigidBody& B,
+                     double load_acceleration, const ImpactRules& rules) {
+  // Relative to a dynamic body: the centre of a large static body may be far away.
   const Eigen::Vector3d& n = manifold.n_AB_W;
   const Eigen::Vector3d& o_W = A.is_static() ? B.state.p_WB : A.state.p_WB;
   const Eigen::Vector3d u = B.state.v_WB - A.state.v_WB +
                             B.state.w_WB.cross(o_W - B.state.p_WB) -
                             A.state.w_WB.cross(o_W - A.state.p_WB);
   const Eigen::Vector3d slope = n.cross(B.state.w_WB - A.state.w_WB);
-  double fastest = std::numeric_limits<double>::infinity();
+  double least_velocity = std::numeric_limits<double>::infinity();
   for (const ContactPoint& contact : manifold.points()) {
-    fastest = std::min(fastest, slope.dot(contact.p_WC - o_W));
+    least_velocity = std::min(least_velocity, slope.dot(contact.p_WC - o_W));
   }
-  fastest += n.dot(u);
+  least_velocity += n.dot(u);
   const auto speed = [](const RigidBody& body) {
     return body.state.v_WB.lpNorm<1>() + 2 * body.radius * body.state.w_WB.lpNorm<1>();
   };
-  return fastest < -2 * kTogether * (speed(A) + speed(B)) &&
-         fastest > -0.999 * rules.resting_speed * rules.h * load;
+  return least_velocity < -2 * kRelativeSpeedTolerance * (speed(A) + speed(B)) &&
+         least_velocity > -0.999 * rules.resting_speed * rules.h * load_acceleration;
 }
 
 }  // namespace
 
 ImpactSolver::ImpactSolver() {
-  // Of most impacts of most steps: from then on they allocate nothing.
+  // Enough for most steps, which then allocate nothing.
   constexpr std::size_t kMany = 64;
-  struck_.reserve(kMany);
+  impact_contacts_.reserve(kMany);
   supports_.reserve(kMany);
-  met_.reserve(kMany);
+  neighbours_.reserve(kMany);
 }
 
 void ImpactSolver::Clear() {
-  std::fill(impacts_.begin(), impacts_.end(), 0);
-  struck_.clear();
+  std::fill(impact_count_.begin(), impact_count_.end(), 0);
+  impact_contacts_.clear();
   supports_.clear();
   queue_.Clear();
 }
 
 void ImpactSolver::Begin(const Start& start, ContactCache& cache,
-                         const Settings& settings, double h, ThreadPool& pool) {
-  rules_ = {h, settings.resting_speed, settings.gyroscopic};
+                         const StepContext& step) {
+  rules_ = {step.h, step.settings.resting_speed, step.settings.gyroscopic};
   const std::size_t count = start.bodies.size();
   in_free_flight_.resize(count);
   static_.resize(count);
   asleep_.resize(count);
   linked_.resize(count);
-  impacts_.resize(count);
+  impact_count_.resize(count);
   flights_.resize(count);
-  begun_.resize(count);
-  reaches_.resize(count);
-  gains_.resize(count);
-  loads_.resize(count);
+  has_flight_.resize(count);
+  max_travel_.resize(count);
+  velocity_changes_.resize(count);
+  accelerations_.resize(count);
   Clear();
   impact_.BeginStep(count);
-  if (!FindFreeBodies(start, cache, pool)) return;
+  if (!FindFreeBodies(start, cache, step.pool)) return;
   FindIslands();
-  FindCandidates(start, cache, pool);
+  FindCandidates(start, cache, step.pool);
 }
 
 ContactPhase ImpactSolver::PhaseOf(const ContactPair& pair,
@@ -115,17 +114,18 @@ ContactPhase ImpactSolver::PhaseOf(const ContactPair& pair,
                                    const ImpactRules& rules) const {
   const RigidBody& A = bodies[At(pair.A)];
   const RigidBody& B = bodies[At(pair.B)];
-  const Eigen::Vector3d a_AB_W = loads_[At(pair.B)] - loads_[At(pair.A)];
-  const double load = LoadOn(pair, A, B);
-  if (SurelyHolds(pair.manifold, A, B, load, rules)) return ContactPhase::kResting;
+  const Eigen::Vector3d a_AB_W = accelerations_[At(pair.B)] - accelerations_[At(pair.A)];
+  const double load_acceleration = LoadAccelerationOn(pair, A, B);
+  if (IsSurelyResting(pair.manifold, A, B, load_acceleration, rules))
+    return ContactPhase::kResting;
   ContactPhase all = ContactPhase::kImpacting;
   for (const ContactPoint& contact : pair.manifold.points()) {
-    const ContactPhase one =
-        PhaseAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W, load, rules);
+    const ContactPhase one = PhaseAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W,
+                                     load_acceleration, rules);
     if (one == ContactPhase::kImpacting) continue;
-    // What overlaps has to be parted, unless it strikes.
+    // A penetrating contact needs position correction unless it is an impact.
     if (one == ContactPhase::kResting ||
-        contact.separation < -SpeculativeMarginBetween(A, B) - TouchOf(A, B)) {
+        contact.separation < -SpeculativeMarginBetween(A, B) - ContactTolerance(A, B)) {
       return ContactPhase::kResting;
     }
     all = ContactPhase::kSeparating;
@@ -133,42 +133,44 @@ ContactPhase ImpactSolver::PhaseOf(const ContactPair& pair,
   return all;
 }
 
-void ImpactSolver::FindTouching(const ContactCache& cache,
-                                std::span<const RigidBody> bodies, ThreadPool& pool) {
+void ImpactSolver::ClassifyContacts(const ContactCache& cache,
+                                    std::span<const RigidBody> bodies, ThreadPool& pool) {
   const std::span<const ContactPair> contacts = cache.contacts();
   const std::span<const ContactEdge> edges = cache.edges();
-  // A little more than Follow() asks for: what flies and is no impact there would sink
-  // in.
-  ImpactRules surely = rules_;
-  surely.resting_speed *= kSurely;
-  touching_.resize(edges.size());
-  // What one contact holds is held whatever the others do: of two that are, by whichever
-  // contacts threads have looked at by now, nothing more is asked.
-  const auto flies = [&](int body) {
+  // A slightly higher threshold than in Solve(): a body that is in free flight here but
+  // without an impact there would sink in.
+  ImpactRules strict_rules = rules_;
+  strict_rules.resting_speed *= kImpactSpeedFactor;
+  touching_pairs_.resize(edges.size());
+  // One resting contact constrains both bodies, so that later contacts between
+  // constrained bodies need no classification. Which ones are skipped depends on the
+  // threads, the result does not.
+  const auto may_be_free = [&](int body) {
     return std::atomic_ref(in_free_flight_[At(body)]).load(std::memory_order_relaxed) !=
            0;
   };
-  const auto hold = [&](int body) {
+  const auto constrain = [&](int body) {
     std::atomic_ref(in_free_flight_[At(body)]).store(0, std::memory_order_relaxed);
   };
   pool.ParallelFor(edges.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      if (k + kAhead < end) {
-        for (const int next : {edges[k + kAhead].A, edges[k + kAhead].B}) {
-          if (!flies(next)) continue;
+      if (k + kPrefetchDistance < end) {
+        for (const int next :
+             {edges[k + kPrefetchDistance].A, edges[k + kPrefetchDistance].B}) {
+          if (!may_be_free(next)) continue;
           Prefetch(&bodies[At(next)].state, offsetof(RigidBody, R_WB));
-          Prefetch(&loads_[At(next)], sizeof(Eigen::Vector3d));
+          Prefetch(&accelerations_[At(next)], sizeof(Eigen::Vector3d));
         }
       }
       const ContactEdge& edge = edges[k];
-      ContactPhase meeting = ContactPhase::kSeparating;
-      if (flies(edge.A) || flies(edge.B)) {
-        meeting = PhaseOf(contacts[k], bodies, surely);
+      ContactPhase phase = ContactPhase::kSeparating;
+      if (may_be_free(edge.A) || may_be_free(edge.B)) {
+        phase = PhaseOf(contacts[k], bodies, strict_rules);
       }
-      touching_[k] = {edge.A, edge.B, meeting};
-      if (meeting != ContactPhase::kResting) continue;
-      hold(edge.A);
-      hold(edge.B);
+      touching_pairs_[k] = {edge.A, edge.B, phase};
+      if (phase != ContactPhase::kResting) continue;
+      constrain(edge.A);
+      constrain(edge.B);
     }
   });
 }
@@ -184,210 +186,216 @@ bool ImpactSolver::FindFreeBodies(const Start& start, ContactCache& cache,
           linked_[i] = start.linked[i] ? 1 : 0;
           in_free_flight_[i] =
               !body.is_static() && !body.is_point && !start.linked[i] ? 1 : 0;
-          loads_[i].setZero();
-          if (!static_[i]) loads_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
-          reaches_[i] = Reach(body, start.free[i].v, rules_.h);
+          accelerations_[i].setZero();
+          if (!static_[i])
+            accelerations_[i] = (start.free[i].v - start.before[i].v) / rules_.h;
+          max_travel_[i] = MaxTravel(body, start.free[i].v, rules_.h);
         }
       });
-  FindTouching(cache, start.bodies, pool);
-  const auto any_flies = [&] {
+  ClassifyContacts(cache, start.bodies, pool);
+  const auto any_is_free = [&] {
     return std::find(in_free_flight_.begin(), in_free_flight_.end(), 1) !=
            in_free_flight_.end();
   };
-  if (!any_flies()) return false;
-  // What touches a body that is held is held, and what touches that; not what strikes.
+  if (!any_is_free()) return false;
+  // A body that touches a constrained body is constrained, except if it hits it.
   islands_.Reset(in_free_flight_.size());
-  strikers_.clear();
-  for (const Touching& pair : touching_) {
+  impacting_pairs_.clear();
+  for (const TouchingPair& pair : touching_pairs_) {
     if (IsStatic(pair.A) || IsStatic(pair.B)) continue;
-    if (pair.meeting == ContactPhase::kImpacting &&
+    if (pair.phase == ContactPhase::kImpacting &&
         (IsInFreeFlight(pair.A) || IsInFreeFlight(pair.B))) {
-      strikers_.emplace_back(pair.A, pair.B);
+      impacting_pairs_.emplace_back(pair.A, pair.B);
     } else {
-      islands_.Join(pair.A, pair.B);
+      islands_.Unite(pair.A, pair.B);
     }
   }
   max_island_size_ = start.is_large ? kMaxIslandSizeOfMany : kMaxIslandSize;
-  if (!strikers_.empty()) HoldStrikersOfLargeIslands();
-  island_ = islands_.All();
-  holds_.assign(in_free_flight_.size(), 0);
-  for (std::size_t i = 0; i < island_.size(); ++i) {
-    if (!in_free_flight_[i] && !static_[i]) holds_[At(island_[i])] = 1;
+  if (!impacting_pairs_.empty()) ConstrainBodiesHittingLargeIslands();
+  island_root_ = islands_.Roots();
+  is_constrained_island_.assign(in_free_flight_.size(), 0);
+  for (std::size_t i = 0; i < island_root_.size(); ++i) {
+    if (!in_free_flight_[i] && !static_[i])
+      is_constrained_island_[At(island_root_[i])] = 1;
   }
-  for (std::size_t i = 0; i < island_.size(); ++i) {
-    if (holds_[At(island_[i])]) in_free_flight_[i] = 0;
+  for (std::size_t i = 0; i < island_root_.size(); ++i) {
+    if (is_constrained_island_[At(island_root_[i])]) in_free_flight_[i] = 0;
   }
-  for (std::size_t k = 0; k < touching_.size(); ++k) {
-    if (!IsInFreeFlight(touching_[k].A) && !IsInFreeFlight(touching_[k].B)) continue;
-    cache.Release(k);
+  for (std::size_t k = 0; k < touching_pairs_.size(); ++k) {
+    if (!IsInFreeFlight(touching_pairs_[k].A) && !IsInFreeFlight(touching_pairs_[k].B))
+      continue;
+    cache.ClearContacts(k);
   }
-  return any_flies();
+  return any_is_free();
 }
 
-void ImpactSolver::HoldStrikersOfLargeIslands() {
-  crowds_ = islands_;
-  for (const auto& [A, B] : strikers_) crowds_.Join(A, B);
-  island_ = crowds_.All();
-  MeasureIslands();
-  for (const auto& [A, B] : strikers_) {
-    if (island_size_[At(island_[At(A)])] > max_island_size_) islands_.Join(A, B);
+void ImpactSolver::ConstrainBodiesHittingLargeIslands() {
+  impact_islands_ = islands_;
+  for (const auto& [A, B] : impacting_pairs_) impact_islands_.Unite(A, B);
+  island_root_ = impact_islands_.Roots();
+  CountIslandBodies();
+  for (const auto& [A, B] : impacting_pairs_) {
+    if (island_size_[At(island_root_[At(A)])] > max_island_size_) islands_.Unite(A, B);
   }
 }
 
 void ImpactSolver::BeginFlight(int body, const Start& start) {
-  // In its place: a whole body is not copied twice.
+  // Filled in place: a RigidBody is large.
   FreeFlight& flight = flights_[At(body)];
   flight.start = start.bodies[At(body)];
   flight.from = 0;
-  flight.load_W = loads_[At(body)];
+  flight.load_acceleration_W = accelerations_[At(body)];
   flight.a_W.setZero();
   flight.torque_W.setZero();
   if (!IsInFreeFlight(body)) return;
-  flight.a_W = loads_[At(body)];
+  flight.a_W = accelerations_[At(body)];
   flight.torque_W = flight.start.Torque_W();
 }
 
 void ImpactSolver::FindCandidates(const Start& start, const ContactCache& cache,
                                   ThreadPool& pool) {
-  near_.Clear(pool.shares());
-  const auto is_asked = [&](int A, int B) {
-    return (IsInFreeFlight(A) || IsInFreeFlight(B)) && IslandOf(A) <= kMaxIslandSize &&
-           IslandOf(B) <= kMaxIslandSize;
+  near_pairs_.Clear(pool.chunk_count());
+  const auto is_eligible = [&](int A, int B) {
+    return (IsInFreeFlight(A) || IsInFreeFlight(B)) &&
+           IslandSizeOf(A) <= kMaxIslandSize && IslandSizeOf(B) <= kMaxIslandSize;
   };
   pool.ParallelForIndexed(cache.near_count(), kFewNear,
-                          [&](std::size_t share, std::size_t begin, std::size_t end) {
+                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             cache.ForEachGap(
-                                begin, end, is_asked, [&](int A, int B, double gap) {
-                                  if (gap > reaches_[At(A)] + reaches_[At(B)]) return;
-                                  near_.Of(share).push_back({A, B, gap});
+                                begin, end, is_eligible, [&](int A, int B, double gap) {
+                                  if (gap > max_travel_[At(A)] + max_travel_[At(B)])
+                                    return;
+                                  near_pairs_[chunk].push_back({A, B, gap});
                                 });
                           });
-  std::fill(begun_.begin(), begun_.end(), 0);
-  beginning_.clear();
+  std::fill(has_flight_.begin(), has_flight_.end(), 0);
+  flights_to_begin_.clear();
   queue_.Begin(start.bodies.size());
-  near_.ForEach([&](const Near& pair) {
+  near_pairs_.ForEach([&](const NearPair& pair) {
     for (const int body : {pair.A, pair.B}) {
-      if (!std::exchange(begun_[At(body)], 1)) beginning_.push_back(body);
+      if (!std::exchange(has_flight_[At(body)], 1)) flights_to_begin_.push_back(body);
     }
     queue_.Append(pair.A, pair.B, pair.gap);
   });
-  pool.ParallelFor(beginning_.size(), kFewMeetings,
+  pool.ParallelFor(flights_to_begin_.size(), kFewCandidates,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t k = begin; k < end; ++k)
-                       BeginFlight(beginning_[k], start);
+                       BeginFlight(flights_to_begin_[k], start);
                    });
 }
 
 void ImpactSolver::FindIslands() {
-  // What strikes and is held after all presses too.
-  for (const auto& [A, B] : strikers_) {
-    if (IsHeld(A) && IsHeld(B)) islands_.Join(A, B);
+  // Impacts between two constrained bodies are resting contacts after all.
+  for (const auto& [A, B] : impacting_pairs_) {
+    if (IsConstrained(A) && IsConstrained(B)) islands_.Unite(A, B);
   }
-  island_ = islands_.All();
-  MeasureIslands();
+  island_root_ = islands_.Roots();
+  CountIslandBodies();
 }
 
-void ImpactSolver::ListIslands(std::span<const ContactEdge> contacts) {
-  // The last contact first, so that the list of a island has them in their order.
-  first_of_island_.assign(in_free_flight_.size(), -1);
-  next_of_island_.resize(contacts.size());
+void ImpactSolver::BuildContactLists(std::span<const ContactEdge> contacts) {
+  // Backwards, so that each list has its contacts in their order.
+  first_contact_of_island_.assign(in_free_flight_.size(), -1);
+  next_contact_.resize(contacts.size());
   for (int k = static_cast<int>(contacts.size()) - 1; k >= 0; --k) {
     const ContactEdge& edge = contacts[At(k)];
     if (edge.count == 0) continue;
-    const int moving = IsStatic(edge.A) ? edge.B : edge.A;
-    next_of_island_[At(k)] = std::exchange(first_of_island_[At(island_[At(moving)])], k);
+    const int dynamic = IsStatic(edge.A) ? edge.B : edge.A;
+    next_contact_[At(k)] =
+        std::exchange(first_contact_of_island_[At(island_root_[At(dynamic)])], k);
   }
 }
 
-void ImpactSolver::MeasureIslands() {
+void ImpactSolver::CountIslandBodies() {
   island_size_.assign(in_free_flight_.size(), 0);
   for (std::size_t i = 0; i < in_free_flight_.size(); ++i) {
-    int& size = island_size_[At(island_[i])];
-    // What rods and springs hold is not asked either.
+    int& size = island_size_[At(island_root_[i])];
+    // Bodies with joints or springs take part in no impact.
     size += linked_[i] ? kMaxIslandSize + 1 : 1;
   }
 }
 
-void ImpactSolver::Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
-                          ContactCache& cache, const Settings& settings,
-                          ThreadPool& pool) {
+void ImpactSolver::Solve(std::span<RigidBody> bodies, std::span<const Velocity> mean,
+                         ContactCache& cache, const StepContext& step) {
   if (queue_.size() == 0) return;
   const End end{bodies, mean, cache.contacts(), cache.edges()};
-  islands_are_listed_ = false;
+  has_contact_lists_ = false;
   for (int index = 0; index < queue_.size(); ++index) {
     for (const int body : {queue_[index].A, queue_[index].B}) {
-      if (!IsHeld(body)) continue;
+      if (!IsConstrained(body)) continue;
       FreeFlight& flight = flights_[At(body)];
       flight.start.state.v_WB = mean[At(body)].v;
       flight.start.state.w_WB = mean[At(body)].w;
     }
   }
-  ScheduleAll(pool);
-  for (int first = queue_.TakeNext(); first >= 0; first = queue_.TakeNext()) {
-    const double t = queue_[first].next;
-    Strike(queue_[first], end, settings, pool);
+  ScheduleAll(step.pool);
+  for (int first = queue_.PopEarliest(); first >= 0; first = queue_.PopEarliest()) {
+    const double t = queue_[first].time_of_impact;
+    ResolveImpact(queue_[first], end, step);
     for (const int body : impact_.members()) {
-      if (!IsStatic(body)) Widen(body, t, end, cache);
+      if (!IsStatic(body)) AddNewCandidates(body, t, end, cache);
     }
     impact_.Clear();
   }
-  EndSupports();
-  for (std::size_t i = 0; i < impacts_.size(); ++i) {
-    if (impacts_[i] == 0) continue;
-    const BodyState landed = flights_[i].At(rules_.h, rules_.gyroscopic).state;
+  ApplySupportImpulses();
+  for (std::size_t i = 0; i < impact_count_.size(); ++i) {
+    if (impact_count_[i] == 0) continue;
+    const BodyState end_state = flights_[i].At(rules_.h, rules_.gyroscopic).state;
     const BodyState before = bodies[i].state;
-    bodies[i].state = landed;
+    bodies[i].state = end_state;
     if (!in_free_flight_[i]) {
-      bodies[i].state.v_WB = before.v_WB + gains_[i].v;
-      bodies[i].state.w_WB = before.w_WB + gains_[i].w;
+      bodies[i].state.v_WB = before.v_WB + velocity_changes_[i].v;
+      bodies[i].state.w_WB = before.w_WB + velocity_changes_[i].w;
     }
-    bodies[i].R_WB = landed.q_WB.toRotationMatrix();
+    bodies[i].R_WB = end_state.q_WB.toRotationMatrix();
     cache.AddTravel(i, Travel(before, bodies[i]));
   }
 }
 
-bool ImpactSolver::ComeNear(const ImpactCandidate& candidate) const {
+bool ImpactSolver::MayCollide(const ImpactCandidate& candidate) const {
   const FreeFlight& A = flights_[At(candidate.A)];
   const FreeFlight& B = flights_[At(candidate.B)];
   const double h = rules_.h;
-  const double way = h * (B.start.state.v_WB - A.start.state.v_WB).norm() +
-                     0.5 * h * h * (B.a_W - A.a_W).norm() +
-                     h * (TurningSpeed(A.start) + TurningSpeed(B.start));
-  return candidate.gap <= way;
+  const double max_distance = h * (B.start.state.v_WB - A.start.state.v_WB).norm() +
+                              0.5 * h * h * (B.a_W - A.a_W).norm() +
+                              h * (RotationalSpeed(A.start) + RotationalSpeed(B.start));
+  return candidate.gap <= max_distance;
 }
 
-bool ImpactSolver::IsAsked(const ImpactCandidate& candidate) const {
-  int island = 0;
+bool ImpactSolver::IsEligible(const ImpactCandidate& candidate) const {
+  int island_size = 0;
   for (const int body : {candidate.A, candidate.B}) {
-    if (IsInFreeFlight(body) && impacts_[At(body)] >= kMaxImpacts) return false;
-    island = std::max(island, IslandOf(body));
+    if (IsInFreeFlight(body) && impact_count_[At(body)] >= kMaxImpacts) return false;
+    island_size = std::max(island_size, IslandSizeOf(body));
   }
   const Eigen::Vector3d v_AB_W = flights_[At(candidate.B)].start.state.v_WB -
                                  flights_[At(candidate.A)].start.state.v_WB;
-  return island <= max_island_size_ ||
-         (island <= kMaxIslandSize &&
-          MayGoThrough(flights_[At(candidate.A)].start, flights_[At(candidate.B)].start,
-                       rules_.h * v_AB_W.norm()));
+  return island_size <= max_island_size_ ||
+         (island_size <= kMaxIslandSize &&
+          MayTunnel(flights_[At(candidate.A)].start, flights_[At(candidate.B)].start,
+                    rules_.h * v_AB_W.norm()));
 }
 
-double ImpactSolver::NextImpact(double from, const ImpactCandidate& candidate) const {
-  if (!IsAsked(candidate)) return kNever;
+double ImpactSolver::NextTimeOfImpact(double from,
+                                      const ImpactCandidate& candidate) const {
+  if (!IsEligible(candidate)) return kNever;
   const FreeFlight& A = flights_[At(candidate.A)];
   const FreeFlight& B = flights_[At(candidate.B)];
   return TimeOfImpact(A, B, from, rules_).value_or(kNever);
 }
 
 void ImpactSolver::Schedule(double from, int index) {
-  queue_.Schedule(index, NextImpact(from, queue_[index]));
+  queue_.Schedule(index, NextTimeOfImpact(from, queue_[index]));
 }
 
 void ImpactSolver::ScheduleAll(ThreadPool& pool) {
   first_impacts_.resize(At(queue_.size()));
   pool.ParallelFor(
-      first_impacts_.size(), kFewMeetings, [&](std::size_t begin, std::size_t end) {
+      first_impacts_.size(), kFewCandidates, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           const ImpactCandidate& candidate = queue_[static_cast<int>(k)];
-          first_impacts_[k] = ComeNear(candidate) ? NextImpact(0, candidate) : kNever;
+          first_impacts_[k] =
+              MayCollide(candidate) ? NextTimeOfImpact(0, candidate) : kNever;
         }
       });
   for (int index = 0; index < queue_.size(); ++index) {
@@ -395,17 +403,18 @@ void ImpactSolver::ScheduleAll(ThreadPool& pool) {
   }
 }
 
-void ImpactSolver::Join(int body, double t) {
-  if (!impact_.IsIn(body)) impact_.Add(body, flights_[At(body)].At(t, rules_.gyroscopic));
+void ImpactSolver::AddBody(int body, double t) {
+  if (!impact_.Contains(body))
+    impact_.AddBody(body, flights_[At(body)].At(t, rules_.gyroscopic));
 }
 
-void ImpactSolver::TraceBack(int body, const End& end) {
-  begun_[At(body)] = 1;
+void ImpactSolver::BeginFlightFromEnd(int body, const End& end) {
+  has_flight_[At(body)] = 1;
   FreeFlight& flight = flights_[At(body)];
   flight = {end.bodies[At(body)], rules_.h};
-  flight.load_W = loads_[At(body)];
+  flight.load_acceleration_W = accelerations_[At(body)];
   if (IsInFreeFlight(body)) {
-    flight.a_W = loads_[At(body)];
+    flight.a_W = accelerations_[At(body)];
     flight.torque_W = flight.start.Torque_W();
   } else if (!IsStatic(body)) {
     flight.start.state.v_WB = end.mean[At(body)].v;
@@ -413,160 +422,165 @@ void ImpactSolver::TraceBack(int body, const End& end) {
   }
 }
 
-void ImpactSolver::Widen(int body, double t, const End& end, ContactCache& cache) {
+void ImpactSolver::AddNewCandidates(int body, double t, const End& end,
+                                    ContactCache& cache) {
   const FreeFlight& flight = flights_[At(body)];
-  const double left = rules_.h - t;
-  const double way =
-      Reach(flight.start, flight.start.state.v_WB + left * flight.a_W, left);
-  double& reach = reaches_[At(body)];
-  if (way <= reach * left / rules_.h) return;
-  reach = way * rules_.h / left;
-  met_.clear();
-  cache.Widen(body, flight.start, way + flight.start.margin, met_);
-  for (const int other : met_) {
-    if (IslandOf(body) > kMaxIslandSize || IslandOf(other) > kMaxIslandSize) continue;
+  const double remaining = rules_.h - t;
+  const double distance = MaxTravel(
+      flight.start, flight.start.state.v_WB + remaining * flight.a_W, remaining);
+  double& max_travel = max_travel_[At(body)];
+  if (distance <= max_travel * remaining / rules_.h) return;
+  max_travel = distance * rules_.h / remaining;
+  neighbours_.clear();
+  cache.FindCandidates(body, flight.start, distance + flight.start.speculative_margin,
+                       neighbours_);
+  for (const int other : neighbours_) {
+    if (IslandSizeOf(body) > kMaxIslandSize || IslandSizeOf(other) > kMaxIslandSize)
+      continue;
     if (!IsInFreeFlight(body) && !IsInFreeFlight(other)) continue;
-    // It is static in this step, and wakes for the next.
+    // A sleeping body is static in this step and wakes in the next one.
     if (asleep_[At(other)]) continue;
-    bool known = false;
+    bool is_known = false;
     queue_.ForEachOf(body, [&](int index) {
-      known = known || queue_[index].A == other || queue_[index].B == other;
+      is_known = is_known || queue_[index].A == other || queue_[index].B == other;
     });
-    if (known) continue;
-    if (!begun_[At(other)]) TraceBack(other, end);
+    if (is_known) continue;
+    if (!has_flight_[At(other)]) BeginFlightFromEnd(other, end);
     queue_.Append(std::min(body, other), std::max(body, other), 0);
     Schedule(t, queue_.size() - 1);
   }
 }
 
-void ImpactSolver::JoinIsland(int body, double t, const End& end) {
+void ImpactSolver::AddIsland(int body, double t, const End& end) {
   const auto join = [&](int member) {
-    if (!impact_.IsIn(member) && impacts_[At(member)] == 0) TraceBack(member, end);
-    Join(member, t);
+    if (!impact_.Contains(member) && impact_count_[At(member)] == 0)
+      BeginFlightFromEnd(member, end);
+    AddBody(member, t);
   };
   join(body);
-  if (!std::exchange(islands_are_listed_, true)) ListIslands(end.edges);
-  for (int k = first_of_island_[At(island_[At(body)])]; k >= 0;
-       k = next_of_island_[At(k)]) {
+  if (!std::exchange(has_contact_lists_, true)) BuildContactLists(end.edges);
+  for (int k = first_contact_of_island_[At(island_root_[At(body)])]; k >= 0;
+       k = next_contact_[At(k)]) {
     const ContactPair& contact = end.contacts[At(k)];
     join(contact.A);
     join(contact.B);
-    impact_.Add(contact);
+    impact_.AddContacts(contact);
   }
 }
 
-void ImpactSolver::Gather(double t, const End& end) {
+void ImpactSolver::GatherContacts(double t, const End& end) {
   const auto join = [&](int body) {
-    if (IsHeld(body) && !impact_.IsIn(body)) JoinIsland(body, t, end);
-    Join(body, t);
+    if (IsConstrained(body) && !impact_.Contains(body)) AddIsland(body, t, end);
+    AddBody(body, t);
   };
-  // Candidates are looked at in their order; those that a body brings which joins after
-  // their turn, in the next look.
-  looks_.clear();
-  later_.clear();
-  std::size_t brought = 0;
-  const auto bring = [&](int after) {
-    for (; brought < impact_.members().size(); ++brought) {
-      const int body = impact_.members()[brought];
+  // Tests candidates in their order. A body that joins after the turn of one of its
+  // candidates brings that one into the next pass.
+  pending_.clear();
+  deferred_.clear();
+  std::size_t visited = 0;
+  const auto add_candidates = [&](int after) {
+    for (; visited < impact_.members().size(); ++visited) {
+      const int body = impact_.members()[visited];
       if (IsStatic(body)) continue;
       queue_.ForEachOf(body, [&](int index) {
-        std::vector<int>& island = index > after ? looks_ : later_;
-        island.push_back(index);
-        std::push_heap(island.begin(), island.end(), std::greater<>());
+        std::vector<int>& heap = index > after ? pending_ : deferred_;
+        heap.push_back(index);
+        std::push_heap(heap.begin(), heap.end(), std::greater<>());
       });
     }
   };
-  for (bring(-1); !looks_.empty(); looks_.empty() ? looks_.swap(later_) : void()) {
-    std::pop_heap(looks_.begin(), looks_.end(), std::greater<>());
-    const int index = looks_.back();
-    looks_.pop_back();
+  for (add_candidates(-1); !pending_.empty();
+       pending_.empty() ? pending_.swap(deferred_) : void()) {
+    std::pop_heap(pending_.begin(), pending_.end(), std::greater<>());
+    const int index = pending_.back();
+    pending_.pop_back();
     ImpactCandidate& candidate = queue_[index];
-    if (std::exchange(candidate.known, true) || !IsAsked(candidate)) continue;
-    const auto room_of = [&](int body) {
-      return impact_.IsIn(body) ? impact_.BodyOf(body)
-                                : flights_[At(body)].RoomAt(t, rules_.gyroscopic);
+    if (std::exchange(candidate.is_tested, true) || !IsEligible(candidate)) continue;
+    const auto shape_of = [&](int body) {
+      return impact_.Contains(body) ? impact_.BodyBefore(body)
+                                    : flights_[At(body)].ShapeAt(t, rules_.gyroscopic);
     };
     ContactPair pair;
-    pair.manifold = CollideAtImpact(room_of(candidate.A), room_of(candidate.B));
+    pair.manifold = CollideAtImpact(shape_of(candidate.A), shape_of(candidate.B));
     if (pair.manifold.count == 0) continue;
     pair.A = candidate.A;
     pair.B = candidate.B;
     join(pair.A);
     join(pair.B);
-    impact_.Add(pair);
-    bring(index);
+    impact_.AddContacts(pair);
+    add_candidates(index);
   }
 }
 
-void ImpactSolver::Strike(const ImpactCandidate& first, const End& end,
-                          const Settings& settings, ThreadPool& pool) {
-  const double t = first.next;
-  // The flying one brings the other.
-  Join(IsInFreeFlight(first.A) ? first.A : first.B, t);
-  Gather(t, end);
-  const std::size_t first_struck = struck_.size();
-  impact_.Exchange(settings, rules_.h, pool, struck_);
-  LetFly(t);
-  SupportSince(first_struck, t);
+void ImpactSolver::ResolveImpact(const ImpactCandidate& first, const End& end,
+                                 const StepContext& step) {
+  const double t = first.time_of_impact;
+  // The body in free flight brings the other one with it.
+  AddBody(IsInFreeFlight(first.A) ? first.A : first.B, t);
+  GatherContacts(t, end);
+  const std::size_t first_struck = impact_contacts_.size();
+  impact_.Solve(step, impact_contacts_);
+  ResumeFlights(t);
+  AddSupports(first_struck, t);
   for (const int body : impact_.members()) {
     if (IsStatic(body)) continue;
     queue_.ForEachOf(body, [&](int index) {
-      if (std::exchange(queue_[index].known, false)) Schedule(t, index);
+      if (std::exchange(queue_[index].is_tested, false)) Schedule(t, index);
     });
   }
 }
 
-void ImpactSolver::LetFly(double t) {
+void ImpactSolver::ResumeFlights(double t) {
   for (std::size_t k = 0; k < impact_.members().size(); ++k) {
     const int body = impact_.members()[k];
     if (IsStatic(body)) continue;
     FreeFlight& flight = flights_[At(body)];
-    flight.start = impact_.BodyOf(body);
-    flight.start.state.v_WB = impact_.After(k).v;
-    flight.start.state.w_WB = impact_.After(k).w;
+    flight.start = impact_.BodyBefore(body);
+    flight.start.state.v_WB = impact_.VelocityAfter(k).v;
+    flight.start.state.w_WB = impact_.VelocityAfter(k).w;
     flight.from = t;
-    if (IsInFreeFlight(body)) flight.a_W = loads_[At(body)];
+    if (IsInFreeFlight(body)) flight.a_W = accelerations_[At(body)];
     for (Support& support : supports_) {
       if (support.body == body) support.until = std::min(support.until, t);
     }
-    Velocity& gain = gains_[At(body)];
-    if (impacts_[At(body)] == 0) gain = {};
-    gain.v += impact_.Gain(k).v;
-    gain.w += impact_.Gain(k).w;
-    ++impacts_[At(body)];
+    Velocity& change = velocity_changes_[At(body)];
+    if (impact_count_[At(body)] == 0) change = {};
+    change.v += impact_.VelocityChange(k).v;
+    change.w += impact_.VelocityChange(k).w;
+    ++impact_count_[At(body)];
   }
 }
 
-void ImpactSolver::SupportSince(std::size_t first, double t) {
-  for (std::size_t k = first; k < struck_.size(); ++k) {
-    const ContactPair& pair = struck_[k];
+void ImpactSolver::AddSupports(std::size_t first, double t) {
+  for (std::size_t k = first; k < impact_contacts_.size(); ++k) {
+    const ContactPair& pair = impact_contacts_[k];
     const bool A_rests = IsInFreeFlight(pair.A) && IsStatic(pair.B);
     if (!A_rests && !(IsInFreeFlight(pair.B) && IsStatic(pair.A))) continue;
     const int body = A_rests ? pair.A : pair.B;
     const Eigen::Vector3d n_W = (A_rests ? -1 : 1) * pair.manifold.n_AB_W;
     FreeFlight& flight = flights_[At(body)];
     const BodyState& state = flight.start.state;
-    // What still rises or falls about its contacts is not at rest: a support would do
+    // A body that still moves or rocks on its contacts does not rest: a support would do
     // work on it.
-    const double stopped = kStopped * impact_.scale();
-    if (std::abs(n_W.dot(state.v_WB)) > stopped) continue;
+    const double tolerance = kRestingFraction * impact_.max_approach_speed();
+    if (std::abs(n_W.dot(state.v_WB)) > tolerance) continue;
     const auto points = pair.manifold.points();
     const bool rests =
         std::all_of(points.begin(), points.end(), [&](const ContactPoint& contact) {
           const Eigen::Vector3d r = contact.p_WC - state.p_WB;
-          return std::abs(n_W.dot(state.w_WB.cross(r))) <= stopped;
+          return std::abs(n_W.dot(state.w_WB.cross(r))) <= tolerance;
         });
-    const double load = n_W.dot(flight.a_W);
-    if (!rests || load >= 0) continue;
-    flight.a_W -= load * n_W;
-    const double force = -load / flight.start.inverse_mass;
+    const double acceleration = n_W.dot(flight.a_W);
+    if (!rests || acceleration >= 0) continue;
+    flight.a_W -= acceleration * n_W;
+    const double force = -acceleration / flight.start.inverse_mass;
     supports_.push_back({body, k, force * pair.manifold.n_AB_W, t, rules_.h});
   }
 }
 
-void ImpactSolver::EndSupports() {
+void ImpactSolver::ApplySupportImpulses() {
   for (const Support& support : supports_) {
-    ContactPair& pair = struck_[support.pair];
+    ContactPair& pair = impact_contacts_[support.pair];
     const Eigen::Vector3d J_W = (support.until - support.from) * support.force_B_W;
     const std::size_t count = pair.manifold.points().size();
     for (std::size_t i = 0; i < count; ++i) {

@@ -9,71 +9,76 @@
 #include "engine/dynamics/impacts/impact.h"
 #include "engine/dynamics/impacts/impact_queue.h"
 #include "engine/dynamics/impacts/time_of_impact.h"
+#include "engine/dynamics/solver/step_context.h"
 #include "engine/dynamics/solver/union_find.h"
-#include "engine/threads/per_thread.h"
+#include "engine/threads/per_chunk.h"
 #include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 
-/** The impacts of a step, each at its moment.
+/** Continuous collision: resolves the impacts of a step in the order of their time of
+ impact.
 
- A body flies in a step where nothing holds it: no rod or spring, and no contact but such
- as part or strike, nor any of what it touches but strikes. Bodies that fly are followed
- until they strike something; there they exchange the impulses of ContactSolver, with all
- that touch them at that moment, and fly on. So a bounce takes no time, and what it keeps
- is kept in its place too.
+ A body is in free flight for a step if no joint or spring is attached to it, each of its
+ contacts is either separating or an impact, and every body that it touches other than by
+ an impact is in free flight too. Bodies in free flight are followed until their first
+ impact. There they exchange the impulses of ContactSolver with everything that touches
+ them at that time, and continue. So a bounce takes no time, and positions are as exact as
+ energies.
 
- What does not fly moves as contacts, rods and springs let it. Where it is struck, all
- that it rests on and that rests on it takes part in the impact, and what that changes of
- its velocity acts from then on.
+ The other dynamic bodies are constrained: they move as contacts, joints and springs
+ allow. If one of them is hit, its whole island takes part in the impact. The resulting
+ change of velocity acts from the time of impact on.
 
- Not seen before the next step, which finds what is then inside: what strikes a island of
- more than 32 bodies, or what a rod or a spring holds; the impacts of a body after its
- eighth in a step; those of two bodies that are both held; and what a struck body reaches
- that sleeps. Thinner things may be gone through there, and where TimeOfImpact() says so.
- In a large world what strikes a island of more than 4 is not seen either, unless it goes
- so far in a step that the next might not tell which way it came. */
+ Some impacts are left to the next step, which finds the bodies in penetration:
+  - on an island that has more than 32 bodies, a joint or a spring;
+  - of a body after its eighth impact in the step;
+  - between two constrained bodies;
+  - of a body that was hit with a sleeping body that it reaches only because of that.
+ Thin bodies may tunnel there, and in the cases that TimeOfImpact() names. In a large
+ world, impacts on an island of more than 4 bodies are left to the next step as well,
+ unless the bodies may tunnel before it. */
 class ImpactSolver {
  public:
   ImpactSolver();
 
-  /** Everything about the bodies at the start of a step. */
+  /** The bodies at the start of a step. */
   struct Start {
     std::span<const RigidBody> bodies;
-    std::span<const Velocity> before;
-    std::span<const Velocity> free;  ///< At the end of the step, without impulses.
+    std::span<const Velocity> before;  ///< At the start of the step.
+    std::span<const Velocity> free;    ///< At the end of the step, without impulses.
     const std::vector<bool>& asleep;
     const std::vector<bool>& linked;
-    bool is_large;  ///< In the step before, see ContactSolver.
+    bool is_large;  ///< ContactSolver::is_large() of the previous step.
   };
 
-  /** Begins a step of `h` [s]: finds what flies and what it may meet. Takes the contacts
-   of what flies out of those that `cache` has. */
-  void Begin(const Start& start, ContactCache& cache, const Settings& settings, double h,
-             ThreadPool& pool);
+  /** Begins a step: finds the bodies in free flight and the candidates for
+   impacts. Releases the contacts of bodies in free flight from `cache`. */
+  void Begin(const Start& start, ContactCache& cache, const StepContext& step);
 
-  /** Follows what flies. `bodies` are those after the step; what was struck is put where
-   its impacts lead it. `mean` is what has moved those that do not fly. */
-  void Follow(std::span<RigidBody> bodies, std::span<const Velocity> mean,
-              ContactCache& cache, const Settings& settings, ThreadPool& pool);
+  /** Resolves the impacts. `bodies` are those after the step; bodies with an impact are
+   moved to where it leads them. `mean` are the velocities that moved the constrained
+   bodies during the step. */
+  void Solve(std::span<RigidBody> bodies, std::span<const Velocity> mean,
+             ContactCache& cache, const StepContext& step);
 
-  /** Forgets the last step. */
+  /** Removes the impacts of the last step. */
   void Clear();
 
-  /** What struck what, as it was at that moment. */
-  std::span<const ContactPair> struck() const { return struck_; }
+  /** Contacts of the impacts of the last step, each at its time of impact. */
+  std::span<const ContactPair> impact_contacts() const { return impact_contacts_; }
 
  private:
-  /** What a static body bears of one that rests on it after a impact. */
+  /** The force between a static body and a body that rests on it after an impact. */
   struct Support {
-    int body;
-    std::size_t pair;           ///< Of struck().
-    Eigen::Vector3d force_B_W;  ///< On B of the pair. [N]
+    int body;                   ///< The body that rests.
+    std::size_t pair;           ///< Index into impact_contacts().
+    Eigen::Vector3d force_B_W;  ///< Force on B of the pair. [N]
     double from;                ///< [s]
     double until;               ///< [s]
   };
 
-  /** Everything about the bodies after the step. */
+  /** The bodies after the step. */
   struct End {
     std::span<const RigidBody> bodies;
     std::span<const Velocity> mean;
@@ -81,116 +86,130 @@ class ImpactSolver {
     std::span<const ContactEdge> edges;
   };
 
-  /** What a pair with contacts does when the step begins. */
-  struct Touching {
+  /** A pair with contacts at the start of the step. */
+  struct TouchingPair {
     int A;
     int B;
-    /** It strikes where all its contacts do, and holds where one does or where what
-     overlaps has to be parted. */
-    ContactPhase meeting;
+    /** kImpacting if all contacts are; kResting if one is, or penetrates and is not an
+     impact; otherwise kSeparating. */
+    ContactPhase phase;
   };
 
-  /** Two bodies that are near each other. */
-  struct Near {
+  /** Two bodies that are close to each other. */
+  struct NearPair {
     int A;
     int B;
-    double gap;  ///< As ImpactCandidate.
+    double gap;  ///< See ImpactCandidate. [m]
   };
 
   bool IsInFreeFlight(int body) const {
     return in_free_flight_[static_cast<std::size_t>(body)] != 0;
   }
   bool IsStatic(int body) const { return static_[static_cast<std::size_t>(body)] != 0; }
-  /** Whether it moves and does not fly. */
-  bool IsHeld(int body) const { return !IsInFreeFlight(body) && !IsStatic(body); }
+  /** Whether a body is dynamic and not in free flight. */
+  bool IsConstrained(int body) const { return !IsInFreeFlight(body) && !IsStatic(body); }
 
+  /** Finds the bodies in free flight. Returns whether there are any. */
   bool FindFreeBodies(const Start& start, ContactCache& cache, ThreadPool& pool);
-  /** Fills touching_: of each of the contacts. */
-  void FindTouching(const ContactCache& cache, std::span<const RigidBody> bodies,
-                    ThreadPool& pool);
+  /** Fills touching_pairs_, one for each pair of `cache`. Constrains the bodies of pairs
+   that rest. */
+  void ClassifyContacts(const ContactCache& cache, std::span<const RigidBody> bodies,
+                        ThreadPool& pool);
+  /** Returns TouchingPair::phase. */
   ContactPhase PhaseOf(const ContactPair& pair, std::span<const RigidBody> bodies,
                        const ImpactRules& rules) const;
-  /** Joins to a island what strikes it where its impact would not be asked for. */
-  void HoldStrikersOfLargeIslands();
+  /** Joins a body to the island that it hits if the two are too large for an impact. The
+   body then is constrained if the island is. */
+  void ConstrainBodiesHittingLargeIslands();
+  /** Finds the candidates for impacts and begins the flights of their bodies. */
   void FindCandidates(const Start& start, const ContactCache& cache, ThreadPool& pool);
   /** Begins the flight of a body at the start of the step. */
   void BeginFlight(int body, const Start& start);
-  /** Fills island_ and island_size_ of what is held. */
+  /** Fills island_root_ and island_size_ for the constrained bodies. */
   void FindIslands();
-  void MeasureIslands();
-  /** Returns how many bodies are in the island of a body that is held, 0 of others. Of
-   more than 32 no impact is looked at; what rods and springs hold counts for so many. */
-  int IslandOf(int body) const {
-    if (!IsHeld(body)) return 0;
-    const int island = island_[static_cast<std::size_t>(body)];
-    return island_size_[static_cast<std::size_t>(island)];
+  void CountIslandBodies();
+  /** Returns the number of bodies in the island of a constrained body, 0 for other
+   bodies. A body with a joint or a spring counts as more than kMaxIslandSize. */
+  int IslandSizeOf(int body) const {
+    if (!IsConstrained(body)) return 0;
+    const int root = island_root_[static_cast<std::size_t>(body)];
+    return island_size_[static_cast<std::size_t>(root)];
   }
-  void ListIslands(std::span<const ContactEdge> contacts);
-  /** Whether impacts of the two are looked at. */
-  bool IsAsked(const ImpactCandidate& candidate) const;
-  /** Returns when the two meet next from `from` on. [s] */
-  double NextImpact(double from, const ImpactCandidate& candidate) const;
+  /** Fills the lists of the contacts of each island. */
+  void BuildContactLists(std::span<const ContactEdge> contacts);
+  /** Whether an impact of the candidate is resolved in this step. */
+  bool IsEligible(const ImpactCandidate& candidate) const;
+  /** Returns the next time of impact from `from` on; infinite: none. [s] */
+  double NextTimeOfImpact(double from, const ImpactCandidate& candidate) const;
   void Schedule(double from, int candidate);
-  /** Foresees all candidates that come near each other. */
+  /** Schedules the first impact of each candidate. */
   void ScheduleAll(ThreadPool& pool);
-  /** Whether the two come near enough to meet, going as they do when the step begins. */
-  bool ComeNear(const ImpactCandidate& candidate) const;
-  void Strike(const ImpactCandidate& first, const End& end, const Settings& settings,
-              ThreadPool& pool);
-  /** Adds to the impact what touches any of its bodies at time `t`. */
-  void Gather(double t, const End& end);
-  void JoinIsland(int body, double t, const End& end);
-  /** Begins the flight of a body that no impact has changed: back from where it led. */
-  void TraceBack(int body, const End& end);
-  /** Adds what a body may meet that leaves a impact at `t` faster than it came. */
-  void Widen(int body, double t, const End& end, ContactCache& cache);
-  /** Adds a body to the impact at hand, at time `t`, unless it takes part already. */
-  void Join(int body, double t);
-  /** Lets the bodies of the impact at hand fly on. */
-  void LetFly(double t);
-  /** Takes from what flies on the load against what it now rests on, which has been
-   struck since `first` of struck(). */
-  void SupportSince(std::size_t first, double t);
-  /** Adds to the impulses what supports gave. */
-  void EndSupports();
+  /** Whether the two bodies can get close enough to collide, with their motion at the
+   start of the step. */
+  bool MayCollide(const ImpactCandidate& candidate) const;
+  /** Resolves the impact of `first`, with everything that touches it at that time. */
+  void ResolveImpact(const ImpactCandidate& first, const End& end,
+                     const StepContext& step);
+  /** Adds all contacts of the bodies of the current impact at time `t`, and with them the
+   other bodies. */
+  void GatherContacts(double t, const End& end);
+  /** Adds the bodies and contacts of the island of a constrained body. */
+  void AddIsland(int body, double t, const End& end);
+  /** Begins the flight of a body without an impact so far: backwards from its state after
+   the step. */
+  void BeginFlightFromEnd(int body, const End& end);
+  /** Adds candidates for a body that leaves an impact at `t` faster than it came. */
+  void AddNewCandidates(int body, double t, const End& end, ContactCache& cache);
+  /** Adds a body to the current impact, at time `t`, unless it is part of it already. */
+  void AddBody(int body, double t);
+  /** Begins the flights of the bodies of the current impact, with their new velocities.
+   */
+  void ResumeFlights(double t);
+  /** Adds a support for each body in free flight that rests on a static body since the
+   current impact, whose contacts start at index `first`. A support cancels the
+   acceleration of the body towards the static one. */
+  void AddSupports(std::size_t first, double t);
+  /** Adds the impulses of the supports to those of the contacts. */
+  void ApplySupportImpulses();
 
   ImpactRules rules_;
-  // 1 where it is so: bytes, since each is asked many times a step.
-  std::vector<char> in_free_flight_;    ///< By body.
-  std::vector<char> static_;            ///< By body.
-  std::vector<char> asleep_;            ///< By body.
-  std::vector<char> linked_;            ///< By body.
-  std::vector<int> impacts_;            ///< By body: how many it had.
-  std::vector<FreeFlight> flights_;     ///< By body: since its last impact.
-  std::vector<char> begun_;             ///< By body: whether its flight is of this step.
-  std::vector<double> reaches_;         ///< By body. [m]
-  std::vector<Eigen::Vector3d> loads_;  ///< By body: of nothing that holds it. [m/s²]
+  // Flags are 0 or 1. They are bytes because each is read often.
+  std::vector<char> in_free_flight_;  ///< Indexed by body.
+  std::vector<char> static_;          ///< Indexed by body.
+  std::vector<char> asleep_;          ///< Indexed by body.
+  std::vector<char> linked_;          ///< Indexed by body: has a joint or a spring.
+  std::vector<int> impact_count_;     ///< Indexed by body: number of impacts so far.
+  std::vector<FreeFlight> flights_;   ///< Indexed by body: motion since its last impact.
+  std::vector<char> has_flight_;      ///< Indexed by body: flight is of this step.
+  std::vector<double> max_travel_;    ///< Indexed by body: bound for this step. [m]
+  /** Indexed by body: acceleration due to gravity and forces alone. [m/s²] */
+  std::vector<Eigen::Vector3d> accelerations_;
   std::vector<Support> supports_;
-  std::vector<Velocity> gains_;  ///< By body that is held: what impacts gave it.
+  std::vector<Velocity> velocity_changes_;  ///< Indexed by body: sum over its impacts.
   ImpactQueue queue_;
-  std::vector<int> met_;  ///< What one body may meet.
-  std::vector<ContactPair> struck_;
-  std::vector<Touching> touching_;
-  PerThread<Near> near_;
-  std::vector<int> beginning_;         ///< Bodies whose flight begins.
-  std::vector<double> first_impacts_;  ///< By candidate: when it meets first. [s]
-  UnionFind islands_;                  ///< Of bodies.
-  std::span<const int> island_;        ///< By body: who stands for its island.
-  UnionFind crowds_;                   ///< Of bodies: what strikes with what it strikes.
-  std::vector<std::pair<int, int>> strikers_;
-  std::vector<char> holds_;  ///< By body that stands for a island: whether one is held.
-  std::vector<int> island_size_;  ///< By body that stands for a island.
-  int max_island_size_ = 0;       ///< Bodies of a island that takes part in a impact.
-  // The contacts of each island of what is held, as lists.
-  std::vector<int> first_of_island_;  ///< By body that stands for a island; −1: none.
-  std::vector<int> next_of_island_;   ///< By contact; −1: the last.
-  bool islands_are_listed_ = false;
+  std::vector<int> neighbours_;  ///< New neighbours of one body.
+  std::vector<ContactPair> impact_contacts_;
+  std::vector<TouchingPair> touching_pairs_;
+  PerChunk<NearPair> near_pairs_;
+  std::vector<int> flights_to_begin_;  ///< Indices of bodies.
+  std::vector<double> first_impacts_;  ///< Indexed by candidate: first impact. [s]
+  UnionFind islands_;                  ///< Bodies that touch other than by an impact.
+  std::span<const int> island_root_;   ///< Indexed by body: root of its island.
+  UnionFind impact_islands_;           ///< Like islands_, but joined by impacts too.
+  std::vector<std::pair<int, int>> impacting_pairs_;
+  std::vector<char> is_constrained_island_;  ///< Indexed by root: 1 if any body is.
+  std::vector<int> island_size_;             ///< Indexed by root: number of bodies.
+  int max_island_size_ = 0;  ///< Maximum number of bodies of an island in an impact.
+  // The contacts of each island of constrained bodies, as linked lists.
+  std::vector<int> first_contact_of_island_;  ///< Indexed by root; −1: none.
+  std::vector<int> next_contact_;             ///< Indexed by contact; −1: the last.
+  bool has_contact_lists_ = false;
 
-  Impact impact_;  ///< At hand.
-  // Heaps with the least first: candidates that may join the impact at hand, in this look
-  // and the next.
-  std::vector<int> looks_;
-  std::vector<int> later_;
+  Impact impact_;  ///< The current impact.
+  // Binary heaps with the least on top: candidates to test for the current impact, in
+  // this pass and in the next.
+  std::vector<int> pending_;
+  std::vector<int> deferred_;
 };
 
 }  // namespace cookbook

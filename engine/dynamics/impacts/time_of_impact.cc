@@ -9,79 +9,81 @@
 namespace cookbook {
 namespace {
 
-/** Looks at two bodies in a step. Some three will do, some eight where they turn. */
-constexpr int kMostLooks = 32;
+/** Maximum number of collision queries. About three suffice, eight with rotation. */
+constexpr int kMaxIterations = 32;
 
-/** Bodies apart by less than this share of the smaller touch: what is left costs a impact
- as much of its place. */
-constexpr double kTouch = 1e-10;
+/** Gap below which bodies touch, as a fraction of the smaller radius. It is also the
+ error of the position at the impact. */
+constexpr double kContactTolerance = 1e-10;
 
-/** What touches so near the end of the step, as a share of it, touches at the start of
- the next. */
-constexpr double kNext = 1e-9;
+/** An impact in this last fraction of the step is left to the next step. */
+constexpr double kEndOfStep = 1e-9;
 
-/** Where bodies touch and no contact strikes, another may do so soon: looks are then this
- share of a step apart. */
-constexpr double kIterationBudget = 1.0 / 4;
+/** Interval between queries, as a fraction of the step, while bodies touch without an
+ impact: another contact may become one soon. */
+constexpr double kSamplingInterval = 1.0 / 4;
 
 Eigen::Vector3d PointVelocity(const RigidBody& body, const Eigen::Vector3d& p_W) {
   return body.state.v_WB + body.state.w_WB.cross(p_W - body.state.p_WB);
 }
 
-bool Strikes(const Manifold& manifold, const RigidBody& A, const RigidBody& B,
-             const Eigen::Vector3d& a_AB_W, const ImpactRules& rules) {
+/** Returns whether a contact is an impact, or a resting contact that might tunnel. */
+bool HasImpact(const Manifold& manifold, const RigidBody& A, const RigidBody& B,
+               const Eigen::Vector3d& a_AB_W, const ImpactRules& rules) {
   const auto points = manifold.points();
-  const double load = LoadBetween(A, B);
+  const double load_acceleration = LoadAccelerationBetween(A, B);
   return std::any_of(points.begin(), points.end(), [&](const ContactPoint& contact) {
-    const ContactPhase meeting =
-        PhaseAt(contact.p_WC, manifold.n_AB_W, A, B, a_AB_W, load, rules);
-    if (meeting != ContactPhase::kResting) return meeting == ContactPhase::kImpacting;
-    // The next step would hold it, had it not come too far by then.
-    const double approach = manifold.n_AB_W.dot(PointVelocity(A, contact.p_WC) -
-                                                PointVelocity(B, contact.p_WC));
-    return MayGoThrough(A, B, rules.h * approach);
+    const ContactPhase phase =
+        PhaseAt(contact.p_WC, manifold.n_AB_W, A, B, a_AB_W, load_acceleration, rules);
+    if (phase != ContactPhase::kResting) return phase == ContactPhase::kImpacting;
+    // The next step would treat it as a resting contact, but by then it may be too deep.
+    const double approach_speed = manifold.n_AB_W.dot(PointVelocity(A, contact.p_WC) -
+                                                      PointVelocity(B, contact.p_WC));
+    return MayTunnel(A, B, rules.h * approach_speed);
   });
 }
 
-/** A time at which two bodies are apart and a later one at which they are inside each
- other. */
+/** The bracket of a root search: a time at which two bodies are separated, and a later
+ one at which they penetrate. */
 struct Bracket {
-  double apart = 0;   ///< [s]
-  double inside = 0;  ///< [s]
-  double apart_gap = 0;
-  double inside_gap = 0;
-  bool is_open = false;    ///< Whether `apart` is known.
-  bool is_closed = false;  ///< Whether both are.
-  int same_side = 0;
+  double lower = 0;      ///< Separated at this time. [s]
+  double upper = 0;      ///< Penetrating at this time. [s]
+  double lower_gap = 0;  ///< [m]
+  double upper_gap = 0;  ///< [m]
+  bool has_lower = false;
+  bool has_both = false;
+  int last_side = 0;  ///< +1 if `lower` was set last, −1 if `upper` was.
 
-  void SetApart(double t, double gap) {
-    apart = t;
-    apart_gap = gap;
-    if (is_closed) Weigh(1, inside_gap);
-    is_open = true;
+  void SetLower(double t, double gap) {
+    lower = t;
+    lower_gap = gap;
+    if (has_both) ApplyIllinoisRule(1, upper_gap);
+    has_lower = true;
   }
 
-  void SetInside(double t, double gap) {
-    inside = t;
-    inside_gap = gap;
-    if (is_closed) Weigh(-1, apart_gap);
-    is_closed = true;
+  void SetUpper(double t, double gap) {
+    upper = t;
+    upper_gap = gap;
+    if (has_both) ApplyIllinoisRule(-1, lower_gap);
+    has_both = true;
   }
 
-  /** Halves the gap of the end that stays twice, so that both ends close in: the Illinois
-   rule (Dowell & Jarratt, BIT 11, 1971). */
-  void Weigh(int side, double& other_gap) {
-    if (same_side == side) other_gap /= 2;
-    same_side = side;
+  /** Halves the gap of the other end if the same end moves twice, so that both ends
+   converge: the Illinois rule (Dowell & Jarratt, BIT 11, 1971). */
+  void ApplyIllinoisRule(int side, double& other_gap) {
+    if (last_side == side) other_gap /= 2;
+    last_side = side;
   }
 
-  double Between() const {
-    return apart + (inside - apart) * apart_gap / (apart_gap - inside_gap);
+  /** Returns the root of the linear interpolation (regula falsi). [s] */
+  double Interpolate() const {
+    return lower + (upper - lower) * lower_gap / (lower_gap - upper_gap);
   }
 };
 
-/** Returns the point of `body` that is farthest along `n_W`, a ball's centre. */
-Eigen::Vector3d FarthestAlong(const Eigen::Vector3d& n_W, const RigidBody& body) {
+/** Returns the support point of `body` along `n_W`; the centre of anything but a dynamic
+ box. */
+Eigen::Vector3d SupportPoint(const Eigen::Vector3d& n_W, const RigidBody& body) {
   const auto* box = std::get_if<Box>(&body.shape);
   if (box == nullptr || body.is_static()) return body.state.p_WB;
   const Eigen::Vector3d n_B = body.R_WB.transpose() * n_W;
@@ -89,91 +91,97 @@ Eigen::Vector3d FarthestAlong(const Eigen::Vector3d& n_W, const RigidBody& body)
   return body.state.p_WB + body.R_WB * (sides * box->half_extents.array()).matrix();
 }
 
-/** Returns in which time two bodies may have met that are apart: when the points that
- face each other meet, but not less than is safe whatever turns; and, where those points
- do not meet, no less than it pays to look at. [s] */
-double TimeToMeet(const Manifold& manifold, const RigidBody& A, const RigidBody& B,
-                  const Eigen::Vector3d& a_AB_W, double h) {
+/** Returns by how much to advance the time of two separated bodies: until the support
+ points that face each other meet, or to the next sample if they do not; at least the
+ advancement that is safe for any rotation. [s] */
+double AdvancementTime(const Manifold& manifold, const RigidBody& A, const RigidBody& B,
+                       const Eigen::Vector3d& a_AB_W, double h) {
   const Eigen::Vector3d& n = manifold.n_AB_W;
   const double gap = manifold.separation;
-  const double load = n.dot(a_AB_W);
-  const double turning = TurningSpeed(A, n) + TurningSpeed(B, n);
-  const double parting = n.dot(B.state.v_WB - A.state.v_WB);
-  const std::optional<double> safe = TimeOfFall(gap, parting - turning, load);
-  if (!safe) return h;
-  if (turning == 0) return *safe;
-  const double facing = n.dot(PointVelocity(B, FarthestAlong(-n, B)) -
-                              PointVelocity(A, FarthestAlong(n, A)));
-  const std::optional<double> meet = TimeOfFall(gap, facing, load);
-  return std::max(*safe, meet.value_or(kIterationBudget * h));
+  const double acceleration = n.dot(a_AB_W);
+  const double rotational_speed = RotationalSpeed(A, n) + RotationalSpeed(B, n);
+  const double separating_speed = n.dot(B.state.v_WB - A.state.v_WB);
+  const std::optional<double> safe_time =
+      TimeOfFall(gap, separating_speed - rotational_speed, acceleration);
+  if (!safe_time) return h;
+  if (rotational_speed == 0) return *safe_time;
+  const double facing_speed =
+      n.dot(PointVelocity(B, SupportPoint(-n, B)) - PointVelocity(A, SupportPoint(n, A)));
+  const std::optional<double> meeting_time = TimeOfFall(gap, facing_speed, acceleration);
+  return std::max(*safe_time, meeting_time.value_or(kSamplingInterval * h));
 }
 
 }  // namespace
 
-double TouchOf(const RigidBody& A, const RigidBody& B) {
-  return kTouch * (A.is_static()   ? B.radius
-                   : B.is_static() ? A.radius
-                                   : std::min(A.radius, B.radius));
+double ContactTolerance(const RigidBody& A, const RigidBody& B) {
+  return kContactTolerance * (A.is_static()   ? B.radius
+                              : B.is_static() ? A.radius
+                                              : std::min(A.radius, B.radius));
 }
 
 Manifold CollideAtImpact(const RigidBody& A, const RigidBody& B) {
   Manifold manifold;
-  CollideSpeculative(SpeculativeMarginBetween(A, B) + TouchOf(A, B), A, B,
+  CollideSpeculative(SpeculativeMarginBetween(A, B) + ContactTolerance(A, B), A, B,
                      Eigen::Vector3d::Zero(), manifold);
   return manifold;
 }
 
-bool MayGoThrough(const RigidBody& A, const RigidBody& B, double way) {
-  return way > 0.5 * (InnerRadius(A) + InnerRadius(B));
+bool MayTunnel(const RigidBody& A, const RigidBody& B, double distance) {
+  return distance > 0.5 * (InnerRadius(A) + InnerRadius(B));
 }
 
 ContactPhase PhaseAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
                      const RigidBody& A, const RigidBody& B,
-                     const Eigen::Vector3d& a_AB_W, double load,
+                     const Eigen::Vector3d& a_AB_W, double load_acceleration,
                      const ImpactRules& rules) {
   const Eigen::Vector3d v_A = PointVelocity(A, p_W);
   const Eigen::Vector3d v_B = PointVelocity(B, p_W);
-  const double approach = n_AB_W.dot(v_B - v_A);
-  const double gain = rules.h * n_AB_W.dot(a_AB_W);
-  const double fast = rules.resting_speed * (rules.h * load + std::abs(gain));
-  if (approach > fast) return ContactPhase::kSeparating;
-  // Most contacts rest: known without a root.
-  const double least = std::min(approach, gain);
-  const double together_at_most = kTogether * (v_A.lpNorm<1>() + v_B.lpNorm<1>());
-  if (least < -together_at_most && approach >= -fast) return ContactPhase::kResting;
-  if (least >= 0) return ContactPhase::kSeparating;
-  const double together = kTogether * (v_A.norm() + v_B.norm());
-  if (approach >= -together && gain >= -together) return ContactPhase::kSeparating;
-  return approach < -std::max(fast, together) ? ContactPhase::kImpacting
-                                              : ContactPhase::kResting;
+  const double normal_velocity = n_AB_W.dot(v_B - v_A);
+  const double velocity_change = rules.h * n_AB_W.dot(a_AB_W);
+  const double threshold =
+      rules.resting_speed * (rules.h * load_acceleration + std::abs(velocity_change));
+  if (normal_velocity > threshold) return ContactPhase::kSeparating;
+  // Most contacts rest. The 1-norm decides these without a square root.
+  const double smaller = std::min(normal_velocity, velocity_change);
+  const double tolerance_bound =
+      kRelativeSpeedTolerance * (v_A.lpNorm<1>() + v_B.lpNorm<1>());
+  if (smaller < -tolerance_bound && normal_velocity >= -threshold)
+    return ContactPhase::kResting;
+  if (smaller >= 0) return ContactPhase::kSeparating;
+  const double tolerance = kRelativeSpeedTolerance * (v_A.norm() + v_B.norm());
+  if (normal_velocity >= -tolerance && velocity_change >= -tolerance)
+    return ContactPhase::kSeparating;
+  return normal_velocity < -std::max(threshold, tolerance) ? ContactPhase::kImpacting
+                                                           : ContactPhase::kResting;
 }
 
 std::optional<double> TimeOfImpact(const FreeFlight& A, const FreeFlight& B, double from,
                                    const ImpactRules& rules) {
   const Eigen::Vector3d a_AB_W = B.a_W - A.a_W;
-  const Eigen::Vector3d load_AB_W = B.load_W - A.load_W;
-  const double touch = TouchOf(A.start, B.start);
+  const Eigen::Vector3d load_acceleration_AB_W =
+      B.load_acceleration_W - A.load_acceleration_W;
+  const double tolerance = ContactTolerance(A.start, B.start);
   const double h = rules.h;
   double t = from;
   Bracket bracket;
-  for (int look = 0; look < kMostLooks; ++look) {
-    const RigidBody a = A.RoomAt(t, rules.gyroscopic);
-    const RigidBody b = B.RoomAt(t, rules.gyroscopic);
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    const RigidBody a = A.ShapeAt(t, rules.gyroscopic);
+    const RigidBody b = B.ShapeAt(t, rules.gyroscopic);
     const Manifold manifold = CollideAtImpact(a, b);
     const double gap = manifold.separation;
-    if (gap > touch) {
+    if (gap > tolerance) {
       if (t >= h) return std::nullopt;
-      bracket.SetApart(t, gap);
-      t = bracket.is_closed ? bracket.Between()
-                            : std::min(h, t + TimeToMeet(manifold, a, b, a_AB_W, h));
-    } else if (gap < -touch && bracket.is_open) {
-      bracket.SetInside(t, gap);
-      t = bracket.Between();
+      bracket.SetLower(t, gap);
+      t = bracket.has_both ? bracket.Interpolate()
+                           : std::min(h, t + AdvancementTime(manifold, a, b, a_AB_W, h));
+    } else if (gap < -tolerance && bracket.has_lower) {
+      bracket.SetUpper(t, gap);
+      t = bracket.Interpolate();
     } else {
-      if (t >= (1 - kNext) * h) return std::nullopt;
-      if (Strikes(manifold, a, b, load_AB_W, rules)) return t;
+      if (t >= (1 - kEndOfStep) * h) return std::nullopt;
+      if (HasImpact(manifold, a, b, load_acceleration_AB_W, rules)) return t;
       bracket = {};
-      t = std::min(h, t + kIterationBudget * h);
+      t = std::min(h, t + kSamplingInterval * h);
     }
   }
   return std::nullopt;

@@ -7,50 +7,54 @@
 
 namespace cookbook {
 
-/** When a meeting of two bodies is a impact. */
+/** Parameters that decide whether a contact is an impact. */
 struct ImpactRules {
-  double h;              ///< Of the step. [s]
-  double resting_speed;  ///< As Settings.
+  double h;              ///< Time step. [s]
+  double resting_speed;  ///< See Settings.
   Gyroscopic gyroscopic;
 };
 
-/** Bodies that approach by less than this share of their speeds go together: what
- rounding and the solver leave. */
-inline constexpr double kTogether = 1e-12;
+/** A relative velocity below this fraction of the speeds of both bodies is treated as
+ zero: rounding and the solver leave that much. */
+inline constexpr double kRelativeSpeedTolerance = 1e-12;
 
-/** What becomes of two bodies at a contact. */
+/** The motion of two bodies at a contact. */
 enum class ContactPhase {
-  kSeparating,  ///< They go apart, or together with nothing that presses them.
-  kImpacting,   ///< They come faster than those that rest.
-  kResting,     ///< Anything else.
+  kSeparating,  ///< They move apart, or move together and no force presses them.
+  kImpacting,   ///< They approach faster than the resting threshold.
+  kResting,     ///< All other contacts.
 };
 
-/** Returns what two bodies make of their contact at `p_W`, given how forces change the
- velocity of B against A, and how hard they are pulled, see ExternalLoads. The threshold
- is that of ContactSolver. */
+/** Classifies the contact at `p_W`. `a_AB_W` is the acceleration of B relative to A due
+ to forces; `load_acceleration` that of the pair, see ExternalLoads. The threshold between
+ resting and impacting is that of ContactSolver. */
 ContactPhase PhaseAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
                      const RigidBody& A, const RigidBody& B,
-                     const Eigen::Vector3d& a_AB_W, double load,
+                     const Eigen::Vector3d& a_AB_W, double load_acceleration,
                      const ImpactRules& rules);
 
-/** Returns the gap below which two bodies touch in a impact. [m] */
-double TouchOf(const RigidBody& A, const RigidBody& B);
+/** Returns the gap below which two bodies touch at their time of impact. [m] */
+double ContactTolerance(const RigidBody& A, const RigidBody& B);
 
-/** Returns how two bodies touch that TimeOfImpact() brought together. */
+/** Returns the contacts of two bodies at their time of impact. */
 Manifold CollideAtImpact(const RigidBody& A, const RigidBody& B);
 
-/** Returns whether two bodies that go `way` [m] into each other may be deeper than can be
- told which way they came. */
-bool MayGoThrough(const RigidBody& A, const RigidBody& B, double way);
+/** Returns whether a penetration of two bodies by `distance` [m] may be so deep that
+ collision detection pushes them out on the wrong side. */
+bool MayTunnel(const RigidBody& A, const RigidBody& B, double distance);
 
-/** Returns when, from `from` [s] to the end of the step, two bodies first touch where one
- contact at least strikes. They are found to touch by conservative advancement (Mirtich
- 1996). Where neither turns, nothing is gone through that is struck; what comes no faster
- than PhaseAt() asks of a impact is not, unless it might go through. Where one turns, the
- points that face each other decide how long not to look, at most a quarter of the step:
- what only the turn brings together may be seen by so much too late, or, where it is
- thinner than that way, not at all. Bounds take the turning as fast as it is when the step
- begins. */
+/** Time of impact by conservative advancement (Mirtich 1996). Returns the first time from
+ `from` [s] to the end of the step at which two bodies touch and at least one contact is
+ an impact.
+
+ Without rotation, bodies do not pass through anything that they hit. A contact below the
+ impact threshold of PhaseAt() is not reported unless the bodies might tunnel.
+
+ With rotation, the advancement is not conservative: its length follows from the support
+ points that face each other, and is a quarter of a step if these do not meet. A contact
+ that rotation alone causes may be detected late by up to that time, or be missed if one
+ of the bodies is thinner than the distance travelled meanwhile. Bounds assume the angular
+ velocity at the start of the step. */
 std::optional<double> TimeOfImpact(const FreeFlight& A, const FreeFlight& B, double from,
                                    const ImpactRules& rules);
 

@@ -6,39 +6,40 @@
 
 namespace cookbook {
 
-/** An end of a joint or a spring. */
+/** A point on a body, or in the world, to which a joint or a spring is attached. */
 struct Anchor {
-  int body = -1;  ///< −1: fixed to the world.
-  /** In the frame of the body, from its centre; in the world for −1. [m] */
+  int body = -1;  ///< Index of the body; −1: fixed to the world.
+  /** In the frame of the body, or in the world frame for body −1. [m] */
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
 };
 
-/** Where an anchor is. World frame. */
-struct AnchorPlace {
+/** The position of an anchor. World frame. */
+struct AnchorPoint {
   Eigen::Vector3d p_W;  ///< [m]
-  Eigen::Vector3d r_W;  ///< From the centre of its body; zero for the world.
+  Eigen::Vector3d r_W;  ///< From the centre of its body; zero for body −1. [m]
 };
 
-/** Returns the place of `anchor`, given the poses of the bodies. */
-AnchorPlace PlaceOf(const Anchor& anchor, std::span<const RigidBody> bodies);
+/** Returns the position of `anchor`, given the poses of the bodies. */
+AnchorPoint LocateAnchor(const Anchor& anchor, std::span<const RigidBody> bodies);
 
-/** Two bodies, or the world (−1), on which a massless thing loads along one line. */
-struct Line {
+/** A constraint along one axis between two bodies, or a body and the world (−1). */
+struct AxialConstraint {
   int A;
   int B;
-  Eigen::Vector3d n;    ///< Along it, out of A's anchor.
+  Eigen::Vector3d n;    ///< The axis, from A's anchor to B's. A unit vector, or shorter.
   Eigen::Vector3d r_A;  ///< From the centre of A to its anchor. [m]
-  Eigen::Vector3d r_B;
+  Eigen::Vector3d r_B;  ///< From the centre of B to its anchor. [m]
 
-  /** Returns what a unit impulse, n on B and −n on A, changes of Parting(). [1/kg] */
-  double Response(std::span<const InverseInertia> inertias) const;
+  /** Returns the change of RelativeVelocity() by a unit impulse, n on B and −n on A.
+   [1/kg] */
+  double InverseEffectiveMass(std::span<const InverseInertia> inertias) const;
 
-  /** Returns n·(velocity of B's anchor − that of A's). [m/s] */
-  double Parting(std::span<const Velocity> velocities) const;
+  /** Returns n·(velocity of B's anchor − velocity of A's anchor). [m/s] */
+  double RelativeVelocity(std::span<const Velocity> velocities) const;
 
-  /** Gives `impulse` n to B and its opposite to A. */
-  void Apply(double impulse, std::span<const InverseInertia> inertias,
-             std::span<Velocity> velocities) const;
+  /** Applies the impulse `impulse` n to B and its opposite to A. `impulse`: [N s]. */
+  void ApplyImpulse(double impulse, std::span<const InverseInertia> inertias,
+                    std::span<Velocity> velocities) const;
 };
 
 }  // namespace cookbook

@@ -8,16 +8,16 @@
 namespace cookbook {
 namespace {
 
-/** Batches of a colour below which it does not pay to share them out: a batch takes about
- a quarter of a microsecond, of four pairs by doubles or of sixteen by floats. */
-constexpr std::size_t kFewBatches = 12;
+/** Number of batches of a colour from which a parallel loop pays. A batch takes about a
+ quarter of a microsecond, for four pairs in doubles or sixteen in floats. */
+constexpr std::size_t kMinParallelBatches = 12;
 
-/** The greatest of numbers that several threads note. */
-class Greatest {
+/** A maximum that several threads update. */
+class AtomicMax {
  public:
-  explicit Greatest(double start = 0) : value_(start) {}
+  explicit AtomicMax(double start = 0) : value_(start) {}
 
-  void Note(double value) {
+  void Update(double value) {
     double known = value_.load(std::memory_order_relaxed);
     while (value > known &&
            !value_.compare_exchange_weak(known, value, std::memory_order_relaxed)) {
@@ -32,85 +32,90 @@ class Greatest {
 }  // namespace
 
 template <class Real>
-void ConstraintGroup<Real>::LayOut(std::span<const ColouredPair> ordered, int nobody) {
-  firsts_.clear();
+void ConstraintGroup<Real>::BuildBatches(std::span<const ColouredPair> ordered,
+                                         int null_body) {
+  colour_starts_.clear();
   constraint_count_ = 0;
-  int rows = 0;
+  int contacts = 0;
   int colour = -1;
-  std::size_t used = 0;  // Batches.
+  std::size_t used = 0;  // Number of batches.
   std::size_t lane = kLanes<Real>;
   for (const ColouredPair& next : ordered) {
     const bool starts_colour = next.colour != colour || next.colour == kLastColour;
     if (lane == kLanes<Real> || starts_colour) {
-      if (starts_colour) firsts_.push_back(used);
+      if (starts_colour) colour_starts_.push_back(used);
       colour = next.colour;
       lane = 0;
-      // What a step before has left in a batch is filled anew: it need not be cleared.
+      // PrepareContacts() overwrites whatever the last step left in a batch.
       if (used == batches_.size()) batches_.emplace_back();
       ConstraintBatch<Real>& batch = batches_[used++];
       batch.pair.fill(-1);
-      batch.A.fill(nobody);
-      batch.B.fill(nobody);
-      batch.first = rows;
+      batch.A.fill(null_body);
+      batch.B.fill(null_body);
+      batch.first = contacts;
       batch.count = 0;
-      batch.at_work = true;
+      batch.is_active = true;
     }
     ConstraintBatch<Real>& batch = batches_[used - 1];
     batch.pair[lane] = next.pair;
     batch.A[lane] = next.A;
     batch.B[lane] = next.B;
     constraint_count_ += next.count;
-    rows += std::max(0, next.count - batch.count);
+    contacts += std::max(0, next.count - batch.count);
     batch.count = std::max(batch.count, next.count);
     ++lane;
   }
-  firsts_.push_back(used);
+  colour_starts_.push_back(used);
   batches_.resize(used);
-  contacts_.resize(static_cast<std::size_t>(rows));
-  notes_.resize(static_cast<std::size_t>(rows));
+  contacts_.resize(static_cast<std::size_t>(contacts));
+  cold_.resize(static_cast<std::size_t>(contacts));
 }
 
 template <class Real>
 template <class Work>
-void ConstraintGroup<Real>::ShareByColour(ThreadPool& pool, const Work& work) {
-  for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
-    const std::span<ConstraintBatch<Real>> colour =
-        std::span(batches_).subspan(firsts_[k], firsts_[k + 1] - firsts_[k]);
-    pool.ParallelFor(colour.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
-      work(ConstraintView<Real>{colour.subspan(begin, end - begin), contacts_, notes_});
-    });
+void ConstraintGroup<Real>::ForEachColour(ThreadPool& pool, const Work& work) {
+  for (std::size_t k = 0; k + 1 < colour_starts_.size(); ++k) {
+    const std::span<ConstraintBatch<Real>> colour = std::span(batches_).subspan(
+        colour_starts_[k], colour_starts_[k + 1] - colour_starts_[k]);
+    pool.ParallelFor(
+        colour.size(), kMinParallelBatches, [&](std::size_t begin, std::size_t end) {
+          work(
+              ConstraintView<Real>{colour.subspan(begin, end - begin), contacts_, cold_});
+        });
   }
 }
 
 template <class Real>
 void ConstraintGroup<Real>::Begin(std::span<const ColouredPair> ordered,
                                   std::span<const ContactPair> pairs,
-                                  const SolverBodies& world, const ContactRules& rules,
-                                  bool warm_starting, Velocities velocities,
-                                  ThreadPool& pool) {
-  rules_ = rules;
-  LayOut(ordered, static_cast<int>(world.bodies.size()));
-  Greatest scale;
-  ShareByColour(pool, [&](const ConstraintView<Real>& rows) {
-    scale.Note(PrepareContacts(rows, rules, pairs, world, warm_starting));
+                                  const SolverBodies& bodies,
+                                  const ContactParameters& parameters,
+                                  Velocities velocities, ThreadPool& pool) {
+  parameters_ = parameters;
+  BuildBatches(ordered, static_cast<int>(bodies.rigid_bodies.size()));
+  AtomicMax max_speed;
+  ForEachColour(pool, [&](const ConstraintView<Real>& constraints) {
+    max_speed.Update(PrepareContacts(constraints, parameters, pairs, bodies));
   });
-  scale_ = scale.value();
-  // All rows have seen the velocities without impulses: now apply those to start from.
-  ShareByColour(
-      pool, [&](const ConstraintView<Real>& rows) { ApplyImpulses(rows, velocities); });
+  max_speed_ = max_speed.value();
+  // Warm start only now: the preparation reads the velocities without impulses.
+  ForEachColour(pool, [&](const ConstraintView<Real>& constraints) {
+    WarmStartContacts(constraints, velocities);
+  });
 }
 
 template <class Real>
 double ConstraintGroup<Real>::Iterate(double relaxation, Velocities velocities,
                                       ThreadPool& pool) {
-  Greatest change;
-  Greatest closeness(-std::numeric_limits<double>::infinity());  // −(least change).
-  ShareByColour(pool, [&](const ConstraintView<Real>& rows) {
-    const Changes changes = SolveContacts(rows, rules_, relaxation, velocities);
-    change.Note(changes.greatest);
-    closeness.Note(-changes.least);
+  AtomicMax change;
+  AtomicMax negated_min(-std::numeric_limits<double>::infinity());
+  ForEachColour(pool, [&](const ConstraintView<Real>& constraints) {
+    const VelocityChanges changes =
+        SolveContacts(constraints, parameters_, relaxation, velocities);
+    change.Update(changes.max);
+    negated_min.Update(-changes.min);
   });
-  least_change_ = -closeness.value();
+  min_change_ = -negated_min.value();
   return change.value();
 }
 
@@ -118,9 +123,8 @@ template <class Real>
 void ConstraintGroup<Real>::FreezeConvergedIslands(double solved,
                                                    std::span<const int> islands,
                                                    std::span<double> island_changes) {
-  if (least_change_ > solved) return;  // No pair is solved, and so no island.
-  // A lane of its own says of each pair which of its bodies moves; both are in one
-  // island.
+  if (min_change_ > solved) return;  // No pair has converged, hence no island.
+  // The island of a pair is that of a moving body; if both move, they have the same.
   const auto change_of = [&](const ConstraintBatch<Real>& batch,
                              std::size_t lane) -> double& {
     const int body = batch.inverse_mass_A[lane] > 0 ? batch.A[lane] : batch.B[lane];
@@ -138,48 +142,50 @@ void ConstraintGroup<Real>::FreezeConvergedIslands(double solved,
     change_of(batch, lane) = 0;
   });
   for_each_pair([&](const ConstraintBatch<Real>& batch, std::size_t lane) {
-    if (!batch.at_work) return;
+    if (!batch.is_active) return;
     double& change = change_of(batch, lane);
-    change = std::max(change, double{batch.change[lane]});
+    change = std::max(change, double{batch.max_change[lane]});
   });
   constraint_count_ = 0;
-  for (ConstraintBatch<Real>& batch : batches_) batch.at_work = false;
+  for (ConstraintBatch<Real>& batch : batches_) batch.is_active = false;
   for_each_pair([&](ConstraintBatch<Real>& batch, std::size_t lane) {
     if (change_of(batch, lane) <= solved) return;
-    batch.at_work = true;
+    batch.is_active = true;
     for (int k = 0; k < batch.count; ++k) {
       constraint_count_ +=
-          notes_[static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k)]
+          cold_[static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k)]
               .used[lane] != 0;
     }
   });
 }
 
 template <class Real>
-void ConstraintGroup<Real>::CollectPositionConstraints(bool turns,
-                                                       Overlaps<Real>& overlaps) {
-  overlaps.groups.push_back(overlaps.batches.size());
-  for (std::size_t k = 0; k + 1 < firsts_.size(); ++k) {
-    overlaps.firsts.push_back(overlaps.batches.size());
-    const std::span<ConstraintBatch<Real>> colour =
-        std::span(batches_).subspan(firsts_[k], firsts_[k + 1] - firsts_[k]);
-    CollectDeepContacts(ConstraintView<Real>{colour, contacts_, notes_}, turns, overlaps);
+void ConstraintGroup<Real>::CollectPositionConstraints(
+    bool rotates, PositionConstraints<Real>& constraints) {
+  constraints.group_starts.push_back(constraints.batches.size());
+  for (std::size_t k = 0; k + 1 < colour_starts_.size(); ++k) {
+    constraints.colour_starts.push_back(constraints.batches.size());
+    const std::span<ConstraintBatch<Real>> colour = std::span(batches_).subspan(
+        colour_starts_[k], colour_starts_[k + 1] - colour_starts_[k]);
+    CollectDeepContacts(ConstraintView<Real>{colour, contacts_, cold_}, rotates,
+                        constraints);
   }
 }
 
 template <class Real>
-void ConstraintGroup<Real>::End(std::span<ContactPair> pairs, std::span<Touch> touches,
-                                ThreadPool& pool) {
-  ShareByColour(pool, [&](const ConstraintView<Real>& rows) {
-    ReadContacts(rows, pairs, touches);
+void ConstraintGroup<Real>::StoreImpulses(std::span<ContactPair> pairs,
+                                          std::span<ContactFlags> contact_flags,
+                                          ThreadPool& pool) {
+  ForEachColour(pool, [&](const ConstraintView<Real>& constraints) {
+    StoreContactImpulses(constraints, pairs, contact_flags);
   });
 }
 
 template <class Real>
-void ConstraintGroup<Real>::Apply(const SolverBodies& world, ThreadPool& pool) {
+void ConstraintGroup<Real>::ApplyToBodies(const SolverBodies& bodies, ThreadPool& pool) {
   if constexpr (std::is_same_v<Real, float>) {
-    ShareByColour(pool, [&](const ConstraintView<float>& rows) {
-      ApplyFoundImpulses(rows, world);
+    ForEachColour(pool, [&](const ConstraintView<float>& constraints) {
+      ApplyImpulsesInDouble(constraints, bodies);
     });
   }
 }

@@ -10,77 +10,82 @@
 
 namespace cookbook {
 
-/** The last of 64 colours that pairs are sorted by, so that no two of a colour share a
- moving body: it is for pairs that found none of the others free, which are solved one
- after the other. */
+/** The last of 64 colours of the constraint graph. No two pairs of another colour share a
+ moving body. The last colour takes the pairs for which no other colour was free; they
+ are solved one after the other. */
 inline constexpr int kLastColour = 63;
 
-/** A pair, its colour, and what is asked of it most: pairs are large. */
+/** A pair, its colour, and its most used data: pairs are large. */
 struct ColouredPair {
-  int pair;
+  int pair;  ///< Index of the pair.
   int colour;
   int A;
   int B;
-  int count;  ///< Of contacts.
+  int count;  ///< Number of contacts.
 };
 
-/** The rows of the pairs of some islands, while they are solved by doubles or by floats.
- A island is what contacts join, without what never moves. */
+/** The contact constraints of some islands, solved together by projected Gauss-Seidel in
+ double or single precision. An island is a set of moving bodies connected by contacts. */
 template <class Real>
 class ConstraintGroup {
  public:
   using Velocities = std::span<SolverVelocity<Real>>;
 
-  /** Sets up the rows of `ordered`, which are sorted by colour, and applies the impulses
-   to start from to `velocities`, which are those of the world or, in single precision,
-   what is changed of them, at first zero. */
+  /** Prepares the constraints of the pairs `ordered`, which are sorted by colour, and
+   warm starts `velocities`. In double precision these are the velocities of the bodies;
+   in single precision their changes by impulses, initially zero. */
   void Begin(std::span<const ColouredPair> ordered, std::span<const ContactPair> pairs,
-             const SolverBodies& world, const ContactRules& rules, bool warm_starting,
+             const SolverBodies& bodies, const ContactParameters& parameters,
              Velocities velocities, ThreadPool& pool);
 
-  /** Sweeps once over all contacts at work, at first all there are, and returns the
-   greatest change of a relative velocity, see Changes. [m/s] `relaxation`: see
-   SolveContacts(). */
+  /** One iteration over all active contacts, which initially are all contacts. Returns
+   the greatest change of a relative velocity, see VelocityChanges. [m/s] `relaxation`:
+   see SolveContacts(). */
   double Iterate(double relaxation, Velocities velocities, ThreadPool& pool);
 
-  /** Leaves out of the next sweeps the contacts of every island in which the last sweep
-   changed no relative velocity by more than `solved` [m/s]: how well one is solved does
-   not depend on the others. `islands` tells of each body which stands for its island;
-   `island_changes` is room for a number of each body. */
+  /** Deactivates each island in which the last iteration changed no relative velocity by
+   more than `solved` [m/s]. The accuracy of an island then does not depend on the others.
+   `islands`, indexed by body, is the root of the body's island; `island_changes` is
+   scratch space of one number for each body. */
   void FreezeConvergedIslands(double solved, std::span<const int> islands,
                               std::span<double> island_changes);
 
-  /** All rows, while they are solved. */
-  ConstraintView<Real> rows() { return {batches_, contacts_, notes_}; }
+  /** Returns all constraints. */
+  ConstraintView<Real> view() { return {batches_, contacts_, cold_}; }
 
-  /** Writes the impulses to the pairs, and what the contacts did to the bodies. */
-  void End(std::span<ContactPair> pairs, std::span<Touch> touches, ThreadPool& pool);
+  /** Writes the impulses to the pairs, and the flags of the bodies that move. */
+  void StoreImpulses(std::span<ContactPair> pairs, std::span<ContactFlags> contact_flags,
+                     ThreadPool& pool);
 
-  /** Appends what is too deep; `turns`: whether a body may turn, not only move. */
-  void CollectPositionConstraints(bool turns, Overlaps<Real>& overlaps);
+  /** Appends a group of position constraints for the contacts that are too deep.
+   `rotates`: whether a correction may rotate bodies, not only translate them. */
+  void CollectPositionConstraints(bool rotates, PositionConstraints<Real>& constraints);
 
-  /** Applies what was found in single precision to the velocities of the world; in
-   doubles it is there. */
-  void Apply(const SolverBodies& world, ThreadPool& pool);
+  /** In single precision, applies the impulses to the velocities of the bodies. In double
+   precision Iterate() has done so. */
+  void ApplyToBodies(const SolverBodies& bodies, ThreadPool& pool);
 
-  /** The greatest speed that a contact sees before it is solved. [m/s] */
-  double scale() const { return scale_; }
-  /** Contacts of the islands that are not solved. */
+  /** Greatest relative speed at a contact before it is solved. [m/s] */
+  double max_speed() const { return max_speed_; }
+  /** Number of contacts of the active islands. */
   int constraint_count() const { return constraint_count_; }
 
  private:
-  void LayOut(std::span<const ColouredPair> ordered, int nobody);
-  /** Calls `work(rows)` for all rows: colour after colour, each shared out. */
+  /** Puts the pairs into batches. `null_body` fills the lanes without a pair. */
+  void BuildBatches(std::span<const ColouredPair> ordered, int null_body);
+  /** Calls `work(constraints)` for all batches: one colour after the other, each in
+   parallel. */
   template <class Work>
-  void ShareByColour(ThreadPool& pool, const Work& work);
+  void ForEachColour(ThreadPool& pool, const Work& work);
 
   std::vector<ConstraintBatch<Real>> batches_;
-  std::vector<ContactLanes<Real>> contacts_;
-  std::vector<ContactNotes<Real>> notes_;  ///< Of each of them.
-  std::vector<std::size_t> firsts_;        ///< Batch of each colour in use, and the end.
-  ContactRules rules_{};
-  double scale_ = 0;
-  double least_change_ = 0;  ///< Of a pair at work, in the last sweep. [m/s]
+  std::vector<ContactConstraintLanes<Real>> contacts_;
+  std::vector<ContactColdLanes<Real>> cold_;  ///< Indexed like contacts_.
+  /** First batch of each colour in use, and the number of batches. */
+  std::vector<std::size_t> colour_starts_;
+  ContactParameters parameters_{};
+  double max_speed_ = 0;
+  double min_change_ = 0;  ///< Least change of an active pair, last iteration. [m/s]
   int constraint_count_ = 0;
 };
 

@@ -11,81 +11,85 @@
 
 namespace cookbook {
 
-/** Everything about the bodies that a solver sees, by body index. The velocities have one
- more place at the end, zero, for lanes without a pair. */
+/** The bodies as a solver sees them, all indexed by body. The spans of velocities have
+ one more element at the end, the velocity 0 of a null body: it fills lanes without a
+ pair. */
 struct SolverBodies {
-  std::span<const RigidBody> bodies;         ///< At the start of the step.
-  std::span<const InverseInertia> inertias;  ///< At the start of the step.
-  std::span<const Velocity> before;          ///< At the start of the step.
-  std::span<Velocity> velocities;            ///< In: without impulses; then solved.
-  std::span<const char> is_static{};         ///< By body: 1 where it is.
-  bool fit_single_precision = false;         ///< See FitsSinglePrecision().
+  std::span<const RigidBody> rigid_bodies;      ///< At the start of the step.
+  std::span<const InverseInertia> inertias;     ///< At the start of the step.
+  std::span<const Velocity> velocities_before;  ///< At the start of the step.
+  std::span<Velocity> velocities;               ///< In: without impulses; out: solved.
+  std::span<const char> is_static{};            ///< 1 for a static body.
+  bool fit_single_precision = false;            ///< See FitsSinglePrecision().
 };
 
-/** What impulses change of a Velocity, in single precision: its rounding is a share of
- that, however fast the bodies go together. */
+/** The change of a Velocity by impulses, in single precision. Its rounding error is a
+ fraction of the change, however fast the bodies move together. */
 struct alignas(32) SingleVelocity {
-  std::array<float, 8> numbers{};  ///< v, ω and two of no concern. [m/s], [rad/s]
+  std::array<float, 8> numbers{};  ///< v, ω and two unused. [m/s], [rad/s]
 };
 
-/** What sweeps of this precision change. */
+/** The velocity that iterations in this precision change. */
 template <class Real>
 using SolverVelocity =
     std::conditional_t<std::is_same_v<Real, float>, SingleVelocity, Velocity>;
 
-/** What contacts did to a body in a step. */
-struct Touch {
-  bool bounced = false;  ///< Some contact sent it back.
-  bool rested = false;   ///< Some contact held it.
-  bool steady = true;    ///< Before the step, no contact that held it was approaching.
+/** The effect of the contacts on a body in a step. */
+struct ContactFlags {
+  bool bounced = false;  ///< A contact with an impulse bounced.
+  bool rested = false;   ///< A contact with an impulse did not bounce.
+  bool steady = true;    ///< All contacts with an impulse were steady.
 };
 
-/** One contact of each of some pairs, as sweeps see it. A pair that has fewer contacts
- than another has `effective_mass` 0 there, and nothing happens. */
+/** A contact constraint of each pair of a batch, as the iterations read it. A pair with
+ fewer contacts than another has `effective_mass` 0 in its lane, which makes it inert.
+ k denotes the response: the change of relative velocity per unit impulse. */
 template <class Real>
-struct alignas(kAlignment<Real>) ContactLanes {
-  VectorLanes<Real> r_A;  ///< From the centre of A. [m]
-  VectorLanes<Real> r_B;
-  Lanes<Real> impulse;            ///< λ, along n. [N s]
-  Lanes<Real> friction_impulse1;  ///< λ_t, along t1. [N s]
-  Lanes<Real> friction_impulse2;
-  Lanes<Real> target;          ///< Least u·n; −∞ where the contact is let be. [m/s]
-  Lanes<Real> effective_mass;  ///< 1 / k(n), for a soft contact less. [kg]
-  Lanes<Real> impulse_scale;   ///< 0 for a hard contact.
-  Lanes<Real> response_n1;     ///< What a unit impulse along n slips along t1. [1/kg]
-  Lanes<Real> response_n2;     ///< Along t2.
-  Lanes<Real> stick11;         ///< Inverse of the response of the slip along t1, t2. [kg]
-  Lanes<Real> stick12;
-  Lanes<Real> stick22;
-  Lanes<Real> slip_step;  ///< 1 / the greatest eigenvalue of that response. [kg]
-  // In single precision, where sweeps see what impulses change of a velocity, and
-  // `target` is of that: the slip at the end of the step without impulses. [m/s]
-  Lanes<Real> slip1;
-  Lanes<Real> slip2;
+struct alignas(kAlignment<Real>) ContactConstraintLanes {
+  VectorLanes<Real> r_A;          ///< From the centre of A. [m]
+  VectorLanes<Real> r_B;          ///< From the centre of B. [m]
+  Lanes<Real> impulse;            ///< Accumulated λ, along n. [N s]
+  Lanes<Real> friction_impulse1;  ///< Accumulated λ_t, along t1. [N s]
+  Lanes<Real> friction_impulse2;  ///< The same along t2. [N s]
+  Lanes<Real> target;  ///< Least allowed u·n; −∞ turns the contact off. [m/s]
+  Lanes<Real> effective_mass;  ///< 1 / k(n); less if the contact is soft. [kg]
+  Lanes<Real> impulse_scale;   ///< Softness; 0 if the contact is hard.
+  Lanes<Real> response_n1;     ///< Slip along t1 per unit impulse along n. [1/kg]
+  Lanes<Real> response_n2;     ///< Slip along t2 per unit impulse along n. [1/kg]
+  Lanes<Real> tangent_mass11;  ///< Inverse of the 2 × 2 response along t1, t2. [kg]
+  Lanes<Real> tangent_mass12;
+  Lanes<Real> tangent_mass22;
+  Lanes<Real> friction_step;  ///< 1 / greatest eigenvalue of that response. [kg]
+  // Used in single precision only, where the velocities are changes by impulses and
+  // `target` is for those: the slip at the end of the step without impulses. [m/s]
+  Lanes<Real> free_slip1;
+  Lanes<Real> free_slip2;
 };
 
-/** What sweeps in single precision do not look at of the same contacts. */
+/** The cold data of the same contact constraints: iterations in single precision do not
+ read it. */
 template <class Real>
-struct alignas(kAlignment<Real>) ContactNotes {
-  Lanes<Real> separation;     ///< [m]
-  Lanes<Real> used;           ///< 1, or 0 where the pair has no such contact.
-  Lanes<Real> bounces;        ///< 1 where it sends back.
-  Lanes<Real> steady;         ///< 1 where it did not approach before the step.
-  Lanes<Real> response;       ///< k(n). [1/kg]
-  Lanes<Real> slip_response;  ///< 1 / slip_step. [1/kg]
+struct alignas(kAlignment<Real>) ContactColdLanes {
+  Lanes<Real> separation;       ///< [m]
+  Lanes<Real> used;             ///< 1; 0 if the pair has no such contact.
+  Lanes<Real> bounces;          ///< 1 if restitution applies.
+  Lanes<Real> steady;           ///< 1 if its normal speed before the step was small.
+  Lanes<Real> normal_response;  ///< k(n). [1/kg]
+  Lanes<Real> slip_response;    ///< 1 / friction_step. [1/kg]
 };
 
-/** Pairs of which no two share a moving body. */
+/** Pairs that are solved together, one in each lane. No two share a moving body. */
 template <class Real>
 struct alignas(kAlignment<Real>) ConstraintBatch {
-  BodyLanes<Real> pair;  ///< −1: none.
+  BodyLanes<Real> pair;  ///< Index of the pair; −1: none.
   BodyLanes<Real> A;
   BodyLanes<Real> B;
-  int first;           ///< Its first contact; the others follow.
-  int count;           ///< The greatest number of contacts of a pair.
-  bool at_work;        ///< Whether a sweep solves it.
-  Lanes<Real> change;  ///< The greatest that the last sweep changed a relative velocity.
-                       ///< Not in single precision. [m/s]
+  int first;       ///< Index of its first contact constraint; the others follow.
+  int count;       ///< Greatest number of contacts of a pair.
+  bool is_active;  ///< Whether iterations solve it.
+  /** Greatest change of a relative velocity in the last iteration. Unset in single
+   precision. [m/s] */
+  Lanes<Real> max_change;
   VectorLanes<Real> n;
   VectorLanes<Real> t1;
   VectorLanes<Real> t2;
@@ -95,69 +99,74 @@ struct alignas(kAlignment<Real>) ConstraintBatch {
   TensorLanes<Real> inverse_inertia_A;
   TensorLanes<Real> inverse_inertia_B;
   Lanes<Real> restitution;
-  Lanes<Real> usual;  ///< What gravity and forces add in a step, see LoadOn(). [m/s]
-  Lanes<Real> slop;   ///< [m]
+  Lanes<Real> load_speed;  ///< h LoadAccelerationOn(): loads add it in a step. [m/s]
+  Lanes<Real> slop;        ///< Depth that is tolerated. [m]
 };
 
-/** What the rows are made by. */
-struct ContactRules {
-  double h;                ///< [s]
-  double resting_speed;    ///< As Settings.
-  double baumgarte;        ///< Share of the excess depth, or 0.
-  double soft_rate;        ///< Speed per excess depth, or 0. [1/s]
-  double soft_mass_scale;  ///< 1 where hard.
-  double soft_impulse_scale;
-  bool accumulated;
+/** Parameters that all contact constraints of a step share. */
+struct ContactParameters {
+  double h;                   ///< Time step. [s]
+  double resting_speed;       ///< See Settings.
+  double baumgarte;           ///< Speed per depth beyond the slop, or 0. [1/s]
+  double soft_rate;           ///< Speed per depth beyond the slop, or 0. [1/s]
+  double soft_mass_scale;     ///< 1 for hard contacts.
+  double soft_impulse_scale;  ///< 0 for hard contacts.
+  bool accumulated;           ///< See Settings::accumulated_impulses.
+  bool warm_starting;         ///< Whether to start from the impulses of the pairs.
 };
 
-/** Contacts and their batches. */
+/** Contact constraints and their batches. */
 template <class Real>
 struct ConstraintView {
   std::span<ConstraintBatch<Real>> batches;
-  std::span<ContactLanes<Real>> contacts;
-  std::span<ContactNotes<Real>> notes;  ///< Of each of the contacts.
+  std::span<ContactConstraintLanes<Real>> contacts;
+  std::span<ContactColdLanes<Real>> cold;  ///< Indexed like `contacts`.
 };
 
-// All of these are there for double and for float. In single precision an impulse is off
-// by some 1e-7 of itself, and an approach by as much of what is changed and of what the
-// spins make of it; the two bodies receive opposite impulses at the same place all the
-// same, to the rounding of a double.
+// All templates below are instantiated for double and float. In single precision an
+// impulse has a relative error of about 1e-7. An approach speed has that error relative
+// to the changes of velocity and to the contribution of the spins. The two bodies still
+// receive opposite impulses at the same point, to the rounding of a double.
 
-/** Fills the rows of the pairs and bodies that the batches name, given the velocities
- before the step and those at its end without impulses. The impulses are those of the
- pairs, spread evenly over a face, or none without `warm_starting`. Returns the greatest
- relative velocity of a contact. [m/s] */
-template <class Real>
-double PrepareContacts(const ConstraintView<Real>& rows, const ContactRules& rules,
-                       std::span<const ContactPair> pairs, const SolverBodies& world,
-                       bool warm_starting);
-
-/** Applies the impulses. */
-template <class Real>
-void ApplyImpulses(const ConstraintView<Real>& rows,
-                   std::span<SolverVelocity<Real>> velocities);
-
-/** Applies impulses found in single precision to the velocities themselves. */
-void ApplyFoundImpulses(const ConstraintView<float>& rows, const SolverBodies& world);
-
-/** How much a sweep changed the relative velocities of pairs: of each pair the greatest,
- and of those the greatest and the least; +∞ in single precision, where it is not known.
+/** Fills the contact constraints of the pairs and bodies that the batches name. Reads the
+ velocities before the step and those at its end without impulses. The impulses are zero,
+ or with `warm_starting` those of the pairs, spread evenly over each face. Returns the
+ greatest relative speed at a contact, before the step or at its end without impulses.
  [m/s] */
-struct Changes {
-  double greatest;
-  double least;  ///< +∞ where there is no pair.
+template <class Real>
+double PrepareContacts(const ConstraintView<Real>& constraints,
+                       const ContactParameters& parameters,
+                       std::span<const ContactPair> pairs, const SolverBodies& bodies);
+
+/** Applies the impulses of the contact constraints. */
+template <class Real>
+void WarmStartContacts(const ConstraintView<Real>& constraints,
+                       std::span<SolverVelocity<Real>> velocities);
+
+/** Applies impulses found in single precision to the velocities of the bodies, in double
+ precision. */
+void ApplyImpulsesInDouble(const ConstraintView<float>& constraints,
+                           const SolverBodies& bodies);
+
+/** Changes of relative velocities in an iteration: the greatest of each pair, and of
+ those the greatest and the least. Both are +∞ in single precision, which does not measure
+ them. [m/s] */
+struct VelocityChanges {
+  double max;
+  double min;  ///< +∞ if there is no pair.
 };
 
-/** Solves each contact of the batches at work once, batch after batch. What is missing
- along the normal is made up for times `relaxation`. */
+/** One iteration of projected Gauss-Seidel: solves each contact of the active batches
+ once, batch after batch. Normal impulses are relaxed by the factor `relaxation`. */
 template <class Real>
-Changes SolveContacts(const ConstraintView<Real>& rows, const ContactRules& rules,
-                      double relaxation, std::span<SolverVelocity<Real>> velocities);
+VelocityChanges SolveContacts(const ConstraintView<Real>& constraints,
+                              const ContactParameters& parameters, double relaxation,
+                              std::span<SolverVelocity<Real>> velocities);
 
-/** Writes the impulses to the pairs, and what the contacts did to the bodies that move.
- */
+/** Writes the impulses to the pairs, and the flags of the bodies that move. */
 template <class Real>
-void ReadContacts(const ConstraintView<Real>& rows, std::span<ContactPair> pairs,
-                  std::span<Touch> touches);
+void StoreContactImpulses(const ConstraintView<Real>& constraints,
+                          std::span<ContactPair> pairs,
+                          std::span<ContactFlags> contact_flags);
 
 }  // namespace cookbook

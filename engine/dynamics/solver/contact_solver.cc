@@ -11,30 +11,32 @@
 namespace cookbook {
 namespace {
 
-/** Contacts of a manifold. */
-constexpr int kMost = 8;
-/** Contacts of a part: its rows, of 220 bytes a contact or of 110 in single precision,
- stay in a cache of 256 KiB, and the batches that its colours leave unfilled are few. */
-constexpr int kPart = 1000;
-/** A part of more contacts is solved by all threads, colour after colour. */
-constexpr int kLargePart = 2 * kPart;
-/** By how much a large world makes up for what is missing: a stack passes on a load
- sooner, and seven such sweeps leave less than eight others. */
+/** Greatest number of contacts of a pair. */
+constexpr int kMaxContactsPerPair = 8;
+/** Number of contacts of a group. Its constraints, about 220 bytes for each contact or
+ 110 in single precision, fit in a cache of 256 KiB, and there are few batches that a
+ colour does not fill. */
+constexpr int kGroupContacts = 1000;
+/** A group of more contacts is solved by all threads together, colour after colour. */
+constexpr int kSharedGroupContacts = 2 * kGroupContacts;
+/** Over-relaxation of the normal impulses in a large world. A stack passes on loads
+ faster: seven such iterations leave less error than eight without over-relaxation. */
 constexpr double kRelaxation = 1.4;
-/** Contacts below which it does not pay to share them out. */
-constexpr int kFewContacts = 200;
-/** Contacts from which on single precision pays: fewer leave most of sixteen lanes empty.
- */
-constexpr int kManyContacts = 100;
+/** Number of contacts from which solving groups in parallel pays. */
+constexpr int kMinParallelContacts = 200;
+/** Number of contacts from which single precision pays. With fewer, most of the sixteen
+ lanes are empty. */
+constexpr int kMinSinglePrecisionContacts = 100;
 
-ContactRules RulesOf(const Settings& settings, double h) {
-  ContactRules rules{};
-  rules.h = h;
-  rules.resting_speed = settings.resting_speed;
-  rules.soft_mass_scale = 1;
-  rules.accumulated = settings.accumulated_impulses;
+ContactParameters MakeContactParameters(const Settings& settings, double h) {
+  ContactParameters parameters{};
+  parameters.h = h;
+  parameters.resting_speed = settings.resting_speed;
+  parameters.soft_mass_scale = 1;
+  parameters.accumulated = settings.accumulated_impulses;
+  parameters.warm_starting = settings.warm_starting && settings.accumulated_impulses;
   if (settings.stabilisation == Stabilisation::kBaumgarte) {
-    rules.baumgarte = settings.position_correction_fraction / h;
+    parameters.baumgarte = settings.position_correction_fraction / h;
   } else if (settings.stabilisation == Stabilisation::kSoft) {
     // A damped spring stepped implicitly (Catto 2011): ω = 2π f, damping ratio ζ.
     const double omega =
@@ -42,273 +44,288 @@ ContactRules RulesOf(const Settings& settings, double h) {
     const double a1 = 2 * settings.soft_damping_ratio + h * omega;
     const double a2 = h * omega * a1;
     const double a3 = 1 / (1 + a2);
-    rules.soft_rate = omega / a1;
-    rules.soft_mass_scale = a2 * a3;
-    rules.soft_impulse_scale = a3;
+    parameters.soft_rate = omega / a1;
+    parameters.soft_mass_scale = a2 * a3;
+    parameters.soft_impulse_scale = a3;
   }
-  return rules;
+  return parameters;
 }
 
-Velocity Exact(const SingleVelocity& velocity) {
+Velocity ToDouble(const SingleVelocity& velocity) {
   const Eigen::Map<const Eigen::Matrix<float, 6, 1>> numbers(velocity.numbers.data());
   return {numbers.head<3>().cast<double>(), numbers.tail<3>().cast<double>()};
 }
 
-bool RemovesOverlap(const Settings& settings) {
+bool CorrectsPositions(const Settings& settings) {
   return settings.stabilisation == Stabilisation::kNonLinearProjection ||
          settings.stabilisation == Stabilisation::kLinearProjection;
 }
 
-/** Notes what is too deep in a group, where that is removed by moves. */
+/** Collects the contacts of a group that are too deep, if positions are corrected. */
 template <class Real>
 void CollectPositionConstraints(ConstraintGroup<Real>& group, const Settings& settings,
-                                Overlaps<Real>& overlaps) {
-  if (!RemovesOverlap(settings)) return;
+                                PositionConstraints<Real>& constraints) {
+  if (!CorrectsPositions(settings)) return;
   group.CollectPositionConstraints(
-      settings.stabilisation == Stabilisation::kNonLinearProjection, overlaps);
+      settings.stabilisation == Stabilisation::kNonLinearProjection, constraints);
 }
 
 }  // namespace
 
 bool FitsSinglePrecision(const RigidBody& body) {
-  constexpr double kMostMass = 1e6;      // [kg], and of 1 / mass.
-  constexpr double kMostResponse = 1e3;  // Of r² I⁻¹ by 1/m; 2.5 of a ball.
+  constexpr double kMaxMass = 1e6;   // [kg]; the least mass is its inverse.
+  constexpr double kMaxRatio = 1e3;  // r² I⁻¹ relative to 1/m; 2.5 for a ball.
   if (body.is_static() || body.is_point) return true;
-  const double turning = body.radius * body.radius * body.inverse_moments.maxCoeff();
+  const double rotational = body.radius * body.radius * body.inverse_moments.maxCoeff();
   const double least = body.inverse_moments.minCoeff();
-  return body.inverse_mass <= kMostMass && body.inverse_mass >= 1 / kMostMass &&
-         turning <= kMostResponse * body.inverse_mass &&
-         body.inverse_moments.maxCoeff() <= kMostResponse * least;
+  return body.inverse_mass <= kMaxMass && body.inverse_mass >= 1 / kMaxMass &&
+         rotational <= kMaxRatio * body.inverse_mass &&
+         body.inverse_moments.maxCoeff() <= kMaxRatio * least;
 }
 
 ContactSolver::ContactSolver(int threads)
-    : groups_(static_cast<std::size_t>(threads)),
-      single_groups_(static_cast<std::size_t>(threads)) {}
+    : double_groups_(static_cast<std::size_t>(threads)),
+      float_groups_(static_cast<std::size_t>(threads)) {}
 
-void ContactSolver::ColourAndJoin(std::span<const ContactEdge> edges,
-                                  std::span<const char> is_static,
-                                  const Settings& settings) {
-  colours_.assign(is_static.size(), 0);
+void ContactSolver::BuildConstraintGraph(std::span<const ContactEdge> edges,
+                                         std::span<const char> is_static,
+                                         const Settings& settings) {
+  body_colours_.assign(is_static.size(), 0);
   islands_.Reset(is_static.size());
-  coloured_.clear();
+  coloured_pairs_.clear();
   colours_used_ = 0;
-  contacts_ = 0;
+  contact_count_ = 0;
   for (std::size_t p = 0; p < edges.size(); ++p) {
     const ContactEdge& edge = edges[p];
     const auto a = static_cast<std::size_t>(edge.A);
     const auto b = static_cast<std::size_t>(edge.B);
     if (edge.count == 0 || (is_static[a] && is_static[b])) continue;
-    contacts_ += edge.count;
-    const int colour = std::min(kLastColour, std::countr_one(colours_[a] | colours_[b]));
+    contact_count_ += edge.count;
+    const int colour =
+        std::min(kLastColour, std::countr_one(body_colours_[a] | body_colours_[b]));
     const std::uint64_t bit = std::uint64_t{1} << colour;
-    if (!is_static[a]) colours_[a] |= bit;
-    if (!is_static[b]) colours_[b] |= bit;
+    if (!is_static[a]) body_colours_[a] |= bit;
+    if (!is_static[b]) body_colours_[b] |= bit;
     colours_used_ = std::max(colours_used_, colour + 1);
-    coloured_.push_back({static_cast<int>(p), colour, edge.A, edge.B, edge.count});
-    if (!is_static[a] && !is_static[b]) islands_.Join(edge.A, edge.B);
+    coloured_pairs_.push_back({static_cast<int>(p), colour, edge.A, edge.B, edge.count});
+    if (!is_static[a] && !is_static[b]) islands_.Unite(edge.A, edge.B);
   }
-  island_ = islands_.All();
-  is_large_ = !IsSmall(settings, is_large_ ? 2 * contacts_ : contacts_);
+  island_roots_ = islands_.Roots();
+  is_large_ = !IsSmall(settings, is_large_ ? 2 * contact_count_ : contact_count_);
 }
 
-void ContactSolver::Divide(std::span<const char> is_static, int least) {
-  // Of a island first its contacts, then its part.
-  heap_part_.assign(is_static.size(), 0);
-  part_.clear();
-  for (const ColouredPair& pair : coloured_) {
+void ContactSolver::DivideIntoGroups(std::span<const char> is_static, int min_contacts) {
+  // group_of_island_ first holds the number of contacts of an island, then its group;
+  // group_of_pair_ first the island of a pair.
+  group_of_island_.assign(is_static.size(), 0);
+  group_of_pair_.clear();
+  for (const ColouredPair& pair : coloured_pairs_) {
     const int moving = is_static[static_cast<std::size_t>(pair.A)] ? pair.B : pair.A;
-    part_.push_back(island_[static_cast<std::size_t>(moving)]);
-    heap_part_[static_cast<std::size_t>(part_.back())] += pair.count;
+    group_of_pair_.push_back(island_roots_[static_cast<std::size_t>(moving)]);
+    group_of_island_[static_cast<std::size_t>(group_of_pair_.back())] += pair.count;
   }
-  parts_.clear();
-  for (int& island : heap_part_) {
-    if (island == 0) continue;
-    if (parts_.empty() || parts_.back().contacts >= least) parts_.emplace_back();
-    parts_.back().contacts += island;
-    island = static_cast<int>(parts_.size()) - 1;
+  group_ranges_.clear();
+  for (int& entry : group_of_island_) {
+    if (entry == 0) continue;
+    if (group_ranges_.empty() || group_ranges_.back().contacts >= min_contacts)
+      group_ranges_.emplace_back();
+    group_ranges_.back().contacts += entry;
+    entry = static_cast<int>(group_ranges_.size()) - 1;
   }
-  for (int& part : part_) {
-    part = heap_part_[static_cast<std::size_t>(part)];
-    ++parts_[static_cast<std::size_t>(part)].end;
+  for (int& group : group_of_pair_) {
+    group = group_of_island_[static_cast<std::size_t>(group)];
+    ++group_ranges_[static_cast<std::size_t>(group)].end;
   }
   std::size_t begin = 0;
-  for (Part& part : parts_) {
-    part.begin = begin;
-    begin += part.end;
-    part.end = part.begin;  // Grows to its end as pairs are put there.
+  for (GroupRange& range : group_ranges_) {
+    range.begin = begin;
+    begin += range.end;
+    range.end = range.begin;  // SortPairs() increments it for each pair of the group.
   }
 }
 
-void ContactSolver::Order() {
-  // Pairs with more contacts first within a colour, so that the lanes of a batch are
-  // about as long as each other.
+void ContactSolver::SortPairs() {
+  // A counting sort. In a colour, pairs with more contacts come first, so that the lanes
+  // of a batch have similar numbers of contacts.
   const auto key = [](const ColouredPair& pair) {
-    return static_cast<std::size_t>(pair.colour * (kMost + 1) + kMost - pair.count);
+    return static_cast<std::size_t>(pair.colour * (kMaxContactsPerPair + 1) +
+                                    kMaxContactsPerPair - pair.count);
   };
-  starts_.assign(static_cast<std::size_t>(colours_used_ * (kMost + 1)) + 1, 0);
-  for (const ColouredPair& pair : coloured_) ++starts_[key(pair) + 1];
-  std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-  by_key_.resize(coloured_.size());
-  for (std::size_t k = 0; k < coloured_.size(); ++k) {
-    by_key_[static_cast<std::size_t>(starts_[key(coloured_[k])]++)] = static_cast<int>(k);
+  key_starts_.assign(
+      static_cast<std::size_t>(colours_used_ * (kMaxContactsPerPair + 1)) + 1, 0);
+  for (const ColouredPair& pair : coloured_pairs_) ++key_starts_[key(pair) + 1];
+  std::partial_sum(key_starts_.begin(), key_starts_.end(), key_starts_.begin());
+  pairs_by_key_.resize(coloured_pairs_.size());
+  for (std::size_t k = 0; k < coloured_pairs_.size(); ++k) {
+    pairs_by_key_[static_cast<std::size_t>(key_starts_[key(coloured_pairs_[k])]++)] =
+        static_cast<int>(k);
   }
-  ordered_.resize(coloured_.size());
-  for (const int next : by_key_) {
+  sorted_pairs_.resize(coloured_pairs_.size());
+  for (const int next : pairs_by_key_) {
     const auto k = static_cast<std::size_t>(next);
-    ordered_[parts_[static_cast<std::size_t>(part_[k])].end++] = coloured_[k];
+    sorted_pairs_[group_ranges_[static_cast<std::size_t>(group_of_pair_[k])].end++] =
+        coloured_pairs_[k];
   }
 }
 
-void ContactSolver::ForgetOverlaps() {
-  for (Overlaps<double>& overlaps : groups_.overlaps) overlaps.Clear();
-  for (Overlaps<float>& overlaps : single_groups_.overlaps) overlaps.Clear();
+void ContactSolver::ClearPositionConstraints() {
+  for (auto& constraints : double_groups_.position_constraints) constraints.Clear();
+  for (auto& constraints : float_groups_.position_constraints) constraints.Clear();
 }
 
 void ContactSolver::Solve(std::span<ContactPair> pairs,
-                          std::span<const ContactEdge> edges, const SolverBodies& world,
-                          const Settings& settings, double h, ThreadPool& pool,
-                          std::span<Touch> touches) {
-  ForgetOverlaps();
-  const Task task{pairs,
-                  world,
-                  settings,
-                  RulesOf(settings, h),
-                  settings.warm_starting && settings.accumulated_impulses,
-                  touches};
-  ColourAndJoin(edges, world.is_static, settings);
-  // ImpactSolver may have taken them all.
-  if (contacts_ == 0) return;
-  // A world that may be swept more often than any world is solved as a whole: the sweeps
-  // that one island leaves over are for the others.
-  Divide(world.is_static, is_large_ ? kPart : contacts_);
-  Order();
-  is_single_ = is_large_ && settings.single_precision && contacts_ >= kManyContacts &&
-               world.fit_single_precision;
+                          std::span<const ContactEdge> edges, const SolverBodies& bodies,
+                          const StepContext& step,
+                          std::span<ContactFlags> contact_flags) {
+  ClearPositionConstraints();
+  BuildConstraintGraph(edges, bodies.is_static, step.settings);
+  // ImpactSolver may have taken all contacts.
+  if (contact_count_ == 0) return;
   if (!is_large_) {
-    SolveSmall(task, pool);
-  } else if (is_single_) {
-    single_.assign(world.velocities.size(), {});
-    SolveLarge<float>(task, single_, single_groups_, pool);
+    BeginWholeWorld(pairs, bodies, step);
+    IterateUntilConverged(bodies, step);
+    StoreImpulses(pairs, step, contact_flags);
+    return;
+  }
+  DivideIntoGroups(bodies.is_static, kGroupContacts);
+  SortPairs();
+  is_single_precision_ = step.settings.single_precision &&
+                         contact_count_ >= kMinSinglePrecisionContacts &&
+                         bodies.fit_single_precision;
+  const Problem problem{pairs, bodies, step, contact_flags};
+  if (is_single_precision_) {
+    single_velocities_.assign(bodies.velocities.size(), {});
+    SolveLarge<float>(problem, single_velocities_, float_groups_);
   } else {
-    SolveLarge<double>(task, world.velocities, groups_, pool);
+    SolveLarge<double>(problem, bodies.velocities, double_groups_);
   }
 }
 
-void ContactSolver::SolveSmall(const Task& task, ThreadPool& pool) {
-  const Settings& settings = task.settings;
-  heap_changes_.resize(task.world.bodies.size());
-  whole_.Begin(ordered_, task.pairs, task.world, task.rules, task.warm_starting,
-               task.world.velocities, pool);
-  const double solved = settings.residual * whole_.scale();
-  const long iteration_budget = iteration_budget_.Left(settings);
-  const ContactRules& rules = task.rules;
-  const bool may_rest = settings.static_equilibrium && rules.accumulated &&
-                        rules.soft_impulse_scale == 0 && rules.baumgarte == 0;
+void ContactSolver::Begin(std::span<const ContactPair> pairs,
+                          std::span<const ContactEdge> edges, const SolverBodies& bodies,
+                          const StepContext& step) {
+  BuildConstraintGraph(edges, bodies.is_static, step.settings);
+  BeginWholeWorld(pairs, bodies, step);
+}
+
+void ContactSolver::BeginWholeWorld(std::span<const ContactPair> pairs,
+                                    const SolverBodies& bodies, const StepContext& step) {
+  is_single_precision_ = false;
+  // One group: iterations that one island does not need are available to the others.
+  DivideIntoGroups(bodies.is_static, contact_count_);
+  SortPairs();
+  whole_world_.Begin(sorted_pairs_, pairs, bodies,
+                     MakeContactParameters(step.settings, step.h), bodies.velocities,
+                     step.pool);
+}
+
+double ContactSolver::Iterate(std::span<Velocity> velocities, ThreadPool& pool) {
+  return whole_world_.Iterate(1, velocities, pool);
+}
+
+void ContactSolver::IterateUntilConverged(const SolverBodies& bodies,
+                                          const StepContext& step) {
+  const Settings& settings = step.settings;
+  island_changes_.resize(bodies.rigid_bodies.size());
+  const double solved = settings.residual * whole_world_.max_speed();
+  const long iteration_budget = iteration_budget_.Remaining(settings);
+  const ContactParameters parameters = MakeContactParameters(settings, step.h);
+  const bool may_rest = settings.static_equilibrium && parameters.accumulated &&
+                        parameters.soft_impulse_scale == 0 && parameters.baumgarte == 0;
   long spent = 0;
   for (int k = 0;; ++k) {
-    // What sweeps do not solve soon may be brought to rest at once.
+    // Islands that have not converged yet may be in static equilibrium.
     if (k == settings.impulse_iterations && may_rest) {
-      standstill_.Find(whole_.rows(), island_, solved, task.world);
+      static_equilibrium_.Solve(whole_world_.view(), island_roots_, solved, bodies);
     }
-    // What is solved is left be, so that all the iteration_budget is for what is not.
+    // Spend the budget on the islands that have not converged.
     if (k >= settings.impulse_iterations) {
-      whole_.FreezeConvergedIslands(solved, island_, heap_changes_);
+      whole_world_.FreezeConvergedIslands(solved, island_roots_, island_changes_);
     }
-    spent += std::max(1, whole_.constraint_count());
+    spent += std::max(1, whole_world_.constraint_count());
     if (k >= settings.impulse_iterations && spent > iteration_budget) break;
-    if (whole_.Iterate(1, task.world.velocities, pool) <= solved) break;
+    if (Iterate(bodies.velocities, step.pool) <= solved) break;
   }
   iteration_budget_.Spend(spent, settings);
-  whole_.End(task.pairs, task.touches, pool);
-  CollectPositionConstraints(whole_, settings, groups_.overlaps.back());
+}
+
+void ContactSolver::StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
+                                  std::span<ContactFlags> contact_flags) {
+  ClearPositionConstraints();
+  whole_world_.StoreImpulses(pairs, contact_flags, step.pool);
+  CollectPositionConstraints(whole_world_, step.settings,
+                             double_groups_.position_constraints.back());
 }
 
 template <class Real>
-void ContactSolver::SolveLarge(const Task& task,
+void ContactSolver::SolveLarge(const Problem& problem,
                                std::span<SolverVelocity<Real>> velocities,
-                               Groups<Real>& groups, ThreadPool& pool) {
-  const int sweeps =
-      task.settings.impulse_iterations - task.settings.impulse_iterations / 8;
-  const auto solve = [&](const Part& part, ConstraintGroup<Real>& group,
-                         Overlaps<Real>& overlaps, ThreadPool& helpers) {
-    group.Begin(std::span(ordered_).subspan(part.begin, part.end - part.begin),
-                task.pairs, task.world, task.rules, task.warm_starting, velocities,
-                helpers);
-    const double solved = task.settings.residual * group.scale();
-    for (int k = 1; k <= sweeps; ++k) {
-      // The last sweep leaves what it solves last without overshoot.
-      const double relaxation = k < sweeps ? kRelaxation : 1;
-      if (group.Iterate(relaxation, velocities, helpers) <= solved) break;
+                               ThreadGroups<Real>& groups) {
+  const Settings& settings = problem.step.settings;
+  ThreadPool& pool = problem.step.pool;
+  const ContactParameters parameters = MakeContactParameters(settings, problem.step.h);
+  const int iterations = settings.impulse_iterations - settings.impulse_iterations / 8;
+  const auto solve = [&](const GroupRange& range, ConstraintGroup<Real>& group,
+                         PositionConstraints<Real>& deep, ThreadPool& group_pool) {
+    group.Begin(std::span(sorted_pairs_).subspan(range.begin, range.end - range.begin),
+                problem.pairs, problem.bodies, parameters, velocities, group_pool);
+    const double solved = settings.residual * group.max_speed();
+    for (int k = 1; k <= iterations; ++k) {
+      // No overshoot in the last iteration.
+      const double relaxation = k < iterations ? kRelaxation : 1;
+      if (group.Iterate(relaxation, velocities, group_pool) <= solved) break;
     }
-    group.Apply(task.world, helpers);
-    group.End(task.pairs, task.touches, helpers);
-    CollectPositionConstraints(group, task.settings, overlaps);
+    group.ApplyToBodies(problem.bodies, group_pool);
+    group.StoreImpulses(problem.pairs, problem.contact_flags, group_pool);
+    CollectPositionConstraints(group, settings, deep);
   };
 
   const std::size_t threads = groups.own.size();
-  const auto is_large = [&](const Part& part) {
-    return threads > 1 && (part.contacts > kLargePart || parts_.size() == 1);
+  // Large groups are solved by all threads together.
+  const auto is_shared = [&](const GroupRange& range) {
+    return threads > 1 &&
+           (range.contacts > kSharedGroupContacts || group_ranges_.size() == 1);
   };
-  int left = contacts_;
-  for (const Part& part : parts_) {
-    if (!is_large(part)) continue;
-    solve(part, groups.shared, groups.overlaps.back(), pool);
-    left -= part.contacts;
+  int remaining = contact_count_;
+  for (const GroupRange& range : group_ranges_) {
+    if (!is_shared(range)) continue;
+    solve(range, groups.shared, groups.position_constraints.back(), pool);
+    remaining -= range.contacts;
   }
-  // The others are shared out, to each thread about as many contacts.
-  const std::size_t least = left < kFewContacts ? threads + 1 : 0;
+  // The others are distributed, about the same number of contacts to each thread.
+  const std::size_t least = remaining < kMinParallelContacts ? threads + 1 : 0;
   pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
     for (std::size_t thread = begin; thread < end; ++thread) {
       long before = 0;
-      for (const Part& part : parts_) {
-        if (is_large(part)) continue;
-        const long middle = before + part.contacts / 2;
-        before += part.contacts;
-        if (static_cast<std::size_t>(middle) * threads / static_cast<std::size_t>(left) !=
+      for (const GroupRange& range : group_ranges_) {
+        if (is_shared(range)) continue;
+        const long middle = before + range.contacts / 2;
+        before += range.contacts;
+        if (static_cast<std::size_t>(middle) * threads /
+                static_cast<std::size_t>(remaining) !=
             thread) {
           continue;
         }
-        solve(part, groups.own[thread], groups.overlaps[thread], alone_);
+        solve(range, groups.own[thread], groups.position_constraints[thread],
+              one_thread_);
       }
     }
   });
 }
 
-void ContactSolver::Begin(std::span<const ContactPair> pairs,
-                          std::span<const ContactEdge> edges, const SolverBodies& world,
-                          const Settings& settings, double h, ThreadPool& pool) {
-  is_single_ = false;
-  ColourAndJoin(edges, world.is_static, settings);
-  Divide(world.is_static, contacts_);
-  Order();
-  whole_.Begin(ordered_, pairs, world, RulesOf(settings, h),
-               settings.warm_starting && settings.accumulated_impulses, world.velocities,
-               pool);
-}
-
-double ContactSolver::Iterate(std::span<Velocity> velocities, ThreadPool& pool) {
-  return whole_.Iterate(1, velocities, pool);
-}
-
-void ContactSolver::End(std::span<ContactPair> pairs, const Settings& settings,
-                        std::span<Touch> touches) {
-  ForgetOverlaps();
-  whole_.End(pairs, touches, alone_);
-  CollectPositionConstraints(whole_, settings, groups_.overlaps.back());
-}
-
-bool ContactSolver::FindPositionCorrections(std::span<const Velocity> mean,
-                                            std::span<const Velocity> solved,
-                                            const Settings& settings, double h,
-                                            ThreadPool& pool, std::span<Velocity> moves) {
-  if (!is_single_) {
-    return cookbook::FindPositionCorrections<double>(groups_.overlaps, is_large_, mean,
-                                                     solved, settings, h, pool, moves);
+bool ContactSolver::FindPositionCorrections(const StepMotion& motion,
+                                            const StepContext& step,
+                                            std::span<Velocity> corrections) {
+  if (!is_single_precision_) {
+    return cookbook::FindPositionCorrections<double>(
+        double_groups_.position_constraints, is_large_, motion, step, corrections);
   }
-  const bool moved = cookbook::FindPositionCorrections<float>(
-      single_groups_.overlaps, is_large_, mean, solved, settings, h, pool, single_);
-  if (moved) std::transform(single_.begin(), single_.end(), moves.begin(), Exact);
-  return moved;
+  const bool corrected = cookbook::FindPositionCorrections<float>(
+      float_groups_.position_constraints, is_large_, motion, step, single_velocities_);
+  if (corrected)
+    std::transform(single_velocities_.begin(), single_velocities_.end(),
+                   corrections.begin(), ToDouble);
+  return corrected;
 }
 
 }  // namespace cookbook

@@ -10,149 +10,178 @@
 #include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/dynamics/solver/iteration_budget.h"
 #include "engine/dynamics/solver/static_equilibrium.h"
+#include "engine/dynamics/solver/step_context.h"
 #include "engine/dynamics/solver/union_find.h"
 #include "engine/threads/thread_pool.h"
 
 namespace cookbook {
 
-/** Returns whether single precision will do for a body. What a contact resists with,
- 1/m + a·I⁻¹ a with |a| <= r, is off by a few 6e-8 of what its greatest terms are: where
- they cancel, as across a wire, by many times itself. Here by 1e-3 of itself at most. Of
- such masses, and no speed beyond 1e12 m/s, the square of an impulse is a float. */
+/** Returns whether single precision is accurate enough for the contacts of a body. The
+ rounding error of a response, 1/m + a·I⁻¹ a with |a| <= r, is a few 6e-8 of its greatest
+ term. Where the terms cancel, as across a wire, that can be many times the response; for
+ the bodies accepted here it is at most 1e-3 of it. With their masses, and speeds below
+ 1e12 m/s, the square of an impulse does not overflow a float. */
 bool FitsSinglePrecision(const RigidBody& body);
 
-/** Sequential impulses: finds by sweeps the impulses that leave no contact approaching.
+/** Projected Gauss-Seidel over contact constraints (sequential impulses): iterations find
+ impulses under which no contact approaches faster than its target, with Coulomb friction.
 
- With u the velocity of B against A at a contact, n the normal, h the step, u₀ and u_f
- the velocities before the step and at its end without impulses:
+ A contact has the normal n out of A into B, the relative velocity u of B against A, the
+ impulses λ along n and λ_t across it, the restitution e and the coefficient of friction
+ μ. The solver finds impulses with
 
-   u·n >= max(0, −e u₀·n + (u_f − u₀)·n)   where u₀·n < −(resting speed),
-   u·n >= −e u₀·n + (u_f − u₀)·n           where e u₀·n > (resting speed),
-   u·n >= min(0, −e u₀·n)                  elsewhere, or −gap / h where that is less,
+   u·n >= target,  λ >= 0,  and λ = 0 where u·n > target;
+   |λ_t| <= μ λ (circular cone),  no slip where |λ_t| < μ λ,  λ_t against the slip else.
 
- with an impulse λ >= 0 that is zero where the inequality is strict. The first line sends
- back the velocity of the start of the step and then lets the forces of the step act, so
- that a bounce at e = 1 keeps the energy whatever the step. The second and third let what
- a impact turns round in the step that it leaves in come back no faster than it left
- (Moreau's rule, under which impacts of one e together, without friction, never gain
- energy: with u = −e u₀ where λ > 0 and W the response, ½ λ·(u + u₀) =
- −½ (1 − e)/(1 + e) λ·W λ; friction at an eccentric contact may add to it). Friction:
- |λ_t| <= μ λ in the circular cone; λ_t is against the slip where it is at the bound, and
- there is no slip where it is inside.
+ Let h be the step, u₀ the relative velocity before the step, and u_f that at its end
+ without impulses. The target is
 
- Four pairs that share no moving body are solved at once, sixteen in single precision.
- What contacts join is a island, and islands do not depend on each other: a large world is
- solved group after group of them, each small enough to stay in a processor's cache from
- its first sweep to its last. */
+   max(0, −e u₀·n + (u_f − u₀)·n)   if u₀·n < −(resting speed): the contact bounces;
+   −e u₀·n + (u_f − u₀)·n           if e u₀·n > (resting speed): it separates;
+   min(0, −e u₀·n)                  else.
+
+ An open contact is speculative: its target is −gap / h if that is less, and a contact
+ that would bounce is off until it is closed. The resting speed is
+ Settings::resting_speed times h LoadAccelerationOn() + |(u_f − u₀)·n|. Baumgarte
+ stabilisation and soft contacts add a speed to the second and third targets of a contact
+ that is deeper than its slop.
+
+ This differs from the textbook (Catto, GDC 2006) as follows:
+ - *Restitution.* A bounce reverses the velocity before the step, and then the loads of
+   the step act. At e = 1 it conserves energy with any step. Usually the velocity after
+   the loads is reversed.
+ - *Coinciding impacts.* A contact that an impact reverses in the step in which it
+   separates comes back no faster than it left (Moreau's rule, targets two and three).
+   Then impacts of equal e without friction never add energy: with u = −e u₀ where
+   λ > 0, and W the response, the change of energy is
+   ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ. Friction at an eccentric contact may add
+   energy.
+ - *Friction.* The two tangential impulses are solved together, on the circular cone,
+   from the slip after the normal impulse.
+ - *Warm starting.* The loads of a face are first redistributed, see PrepareContacts().
+ - *Batches.* Graph colouring finds pairs that share no moving body: four of them are
+   solved at once in double precision, sixteen in single precision.
+ - *Small worlds* (see IsSmall()) are solved until they converge. Converged islands are
+   frozen, which leaves the iteration budget to the others. Islands that do not converge
+   soon are solved directly if possible, see StaticEquilibrium.
+ - *Large worlds* get a few over-relaxed iterations, in single precision where possible.
+   Groups of islands, each small enough for a processor's cache, are solved one after
+   the other, or by different threads. */
 class ContactSolver {
  public:
-  /** `threads`: how many solve at once. */
+  /** `threads`: number of threads of the pool that later steps use. */
   explicit ContactSolver(int threads);
 
-  /** Finds the impulses; writes them to the pairs, and what they did to the bodies.
-   `edges` are those of the pairs. */
+  /** Finds the impulses; writes them to the pairs, and sets the flags of the bodies.
+   `edges` are those of the pairs. A small world is solved by Begin(), Iterate() until it
+   has converged, and StoreImpulses(); a large world in groups. */
   void Solve(std::span<ContactPair> pairs, std::span<const ContactEdge> edges,
-             const SolverBodies& world, const Settings& settings, double h,
-             ThreadPool& pool, std::span<Touch> touches);
+             const SolverBodies& bodies, const StepContext& step,
+             std::span<ContactFlags> contact_flags);
 
-  // The same in parts, for a world in which something else is solved with the contacts.
+  // The parts of Solve(), for a caller that solves other constraints in the same
+  // iterations (joints and springs) or has a budget of its own (impacts). The world is
+  // solved as a whole in double precision, whatever its size.
 
-  /** Sets up the rows of all pairs with contacts and applies the impulses to start from.
+  /** Prepares the constraints of all pairs with contacts, and warm starts the velocities.
    */
   void Begin(std::span<const ContactPair> pairs, std::span<const ContactEdge> edges,
-             const SolverBodies& world, const Settings& settings, double h,
-             ThreadPool& pool);
-  /** Sweeps once over all contacts and returns the greatest change of a relative
+             const SolverBodies& bodies, const StepContext& step);
+  /** One iteration over all active contacts. Returns the greatest change of a relative
    velocity. [m/s] */
   double Iterate(std::span<Velocity> velocities, ThreadPool& pool);
-  /** Writes what Solve() does; may be called again after further sweeps. */
-  void End(std::span<ContactPair> pairs, const Settings& settings,
-           std::span<Touch> touches);
-  /** The greatest speed that a contact sees before it is solved. [m/s] */
-  double scale() const { return whole_.scale(); }
-  int constraint_count() const { return whole_.constraint_count(); }
-  /** Whether the world solved last was large, see IsSmall(). It stays so until it has
-   half as many contacts: what is kept of them hangs on it. */
+  /** Writes the impulses to the pairs, and sets the flags of the bodies. May be called
+   again after further iterations. */
+  void StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
+                     std::span<ContactFlags> contact_flags);
+  /** Greatest relative speed at a contact before it is solved. [m/s] */
+  double max_speed() const { return whole_world_.max_speed(); }
+  /** Number of active contacts. */
+  int constraint_count() const { return whole_world_.constraint_count(); }
+
+  /** Whether the last world solved was large, see IsSmall(). It stays large until it has
+   half as many contacts: the choice of contacts that are kept depends on it. */
   bool is_large() const { return is_large_; }
 
-  /** Fills `moves` with what removes overlap of the pairs solved last, see
-   * FindPositionCorrections().
-   */
-  bool FindPositionCorrections(std::span<const Velocity> mean,
-                               std::span<const Velocity> solved, const Settings& settings,
-                               double h, ThreadPool& pool, std::span<Velocity> moves);
+  /** Fills `corrections` with the displacements and rotations that remove overlap of the
+   pairs solved last. See the function FindPositionCorrections(). */
+  bool FindPositionCorrections(const StepMotion& motion, const StepContext& step,
+                               std::span<Velocity> corrections);
 
  private:
-  /** Some islands: a part of ordered_. */
-  struct Part {
+  /** Some islands that are solved together: a range of sorted_pairs_. */
+  struct GroupRange {
     std::size_t begin = 0;
     std::size_t end = 0;
     int contacts = 0;
   };
 
-  /** What solves parts of a large world. */
+  /** The constraint groups that solve a large world. */
   template <class Real>
-  struct Groups {
-    ConstraintGroup<Real> shared;            ///< Of a part that all threads share.
-    std::vector<ConstraintGroup<Real>> own;  ///< Of each thread.
-    /** What is too deep to be left: for each thread its own, and last what all share. No
-     two of them have a moving body in common. */
-    std::vector<Overlaps<Real>> overlaps;
+  struct ThreadGroups {
+    ConstraintGroup<Real> shared;            ///< Solved by all threads together.
+    std::vector<ConstraintGroup<Real>> own;  ///< Indexed by thread.
+    /** One list for each thread, and last one that all share. No two lists have a moving
+     body in common. */
+    std::vector<PositionConstraints<Real>> position_constraints;
 
-    explicit Groups(std::size_t threads) : own(threads), overlaps(threads + 1) {}
+    explicit ThreadGroups(std::size_t threads)
+        : own(threads), position_constraints(threads + 1) {}
   };
 
-  /** What all solving is given. */
-  struct Task {
+  /** The arguments of Solve(). */
+  struct Problem {
     std::span<ContactPair> pairs;
-    const SolverBodies& world;
-    const Settings& settings;
-    ContactRules rules;
-    bool warm_starting;
-    std::span<Touch> touches;
+    const SolverBodies& bodies;
+    const StepContext& step;
+    std::span<ContactFlags> contact_flags;
   };
 
-  /** Sweeps until the whole is solved, or no iteration_budget is left; what sweeps do not
-   solve soon is brought to rest where that can be, see StaticEquilibrium. */
-  void SolveSmall(const Task& task, ThreadPool& pool);
-  /** Sweeps part after part a few times, each with the velocities given. */
+  /** Begin() after BuildConstraintGraph(). */
+  void BeginWholeWorld(std::span<const ContactPair> pairs, const SolverBodies& bodies,
+                       const StepContext& step);
+  /** Iterates until the world has converged or the iteration budget is spent. After the
+   first iterations it solves the islands that can rest directly. */
+  void IterateUntilConverged(const SolverBodies& bodies, const StepContext& step);
+  /** Solves one group after the other with a few iterations each. */
   template <class Real>
-  void SolveLarge(const Task& task, std::span<SolverVelocity<Real>> velocities,
-                  Groups<Real>& groups, ThreadPool& pool);
+  void SolveLarge(const Problem& problem, std::span<SolverVelocity<Real>> velocities,
+                  ThreadGroups<Real>& groups);
 
-  void ForgetOverlaps();
-  /** Gives each pair with contacts its colour, and joins bodies to islands. */
-  void ColourAndJoin(std::span<const ContactEdge> edges, std::span<const char> is_static,
-                     const Settings& settings);
-  /** Divides the islands into parts of at least `least` contacts where there are so many.
-   */
-  void Divide(std::span<const char> is_static, int least);
-  /** Sorts the pairs by part, colour and number of contacts. */
-  void Order();
+  void ClearPositionConstraints();
+  /** Colours the pairs with contacts, and finds the islands. */
+  void BuildConstraintGraph(std::span<const ContactEdge> edges,
+                            std::span<const char> is_static, const Settings& settings);
+  /** Divides the islands into groups of at least `min_contacts` contacts each; the last
+   may have fewer. */
+  void DivideIntoGroups(std::span<const char> is_static, int min_contacts);
+  /** Sorts the pairs by group, colour and number of contacts. */
+  void SortPairs();
 
-  std::vector<std::uint64_t> colours_;  ///< Of each body: one bit for each in use.
+  std::vector<std::uint64_t> body_colours_;  ///< One bit for each used; indexed by body.
   int colours_used_ = 0;
-  std::vector<ColouredPair> coloured_;  ///< The pairs with contacts, in their order.
-  std::vector<int> part_;               ///< Of each of those.
-  std::vector<int> by_key_;             ///< The same, by colour and number of contacts.
-  std::vector<int> starts_;             ///< Where in `by_key_` each key starts.
-  std::vector<ColouredPair> ordered_;   ///< The pairs, by part and then by key.
-  std::vector<Part> parts_;
-  int contacts_ = 0;
-  UnionFind islands_;            ///< Of bodies.
-  std::span<const int> island_;  ///< Of each body the one that stands for its island.
-  std::vector<int> heap_part_;   ///< Of each body that stands for a island.
-  std::vector<double>
-      heap_changes_;  ///< Room for ConstraintGroup::FreezeConvergedIslands().
-  ConstraintGroup<double> whole_;  ///< Of a small world.
-  StaticEquilibrium standstill_;
-  Groups<double> groups_;  ///< Of a large one, and the overlaps of both.
-  Groups<float> single_groups_;
+  std::vector<ColouredPair> coloured_pairs_;  ///< All pairs with contacts.
+  std::vector<int> group_of_pair_;            ///< Indexed like coloured_pairs_.
+  std::vector<int> pairs_by_key_;  ///< Indices of the same, by colour and contact count.
+  std::vector<int> key_starts_;    ///< First element of each key in pairs_by_key_.
+  std::vector<ColouredPair> sorted_pairs_;  ///< Sorted by group, then by key.
+  std::vector<GroupRange> group_ranges_;
+  int contact_count_ = 0;
+  UnionFind islands_;                    ///< Islands as sets of bodies.
+  std::span<const int> island_roots_;    ///< Indexed by body.
+  std::vector<int> group_of_island_;     ///< Indexed by the root of the island.
+  std::vector<double> island_changes_;   ///< Scratch, see FreezeConvergedIslands().
+  ConstraintGroup<double> whole_world_;  ///< All contacts of a small world.
+  StaticEquilibrium static_equilibrium_;
+  /** Also holds the position constraints of a small world. */
+  ThreadGroups<double> double_groups_;
+  ThreadGroups<float> float_groups_;
   bool is_large_ = false;
-  bool is_single_ = false;              ///< Whether those were used last.
-  std::vector<SingleVelocity> single_;  ///< Changes of velocities, or moves.
+  bool is_single_precision_ = false;  ///< Whether float_groups_ were used last.
+  /** Changes of velocities by impulses, later position corrections. */
+  std::vector<SingleVelocity> single_velocities_;
   IterationBudget iteration_budget_;
-  ThreadPool alone_{1};
+  ThreadPool one_thread_{1};  ///< For a group that a single thread solves.
 };
 
 }  // namespace cookbook

@@ -2,193 +2,155 @@
 
 #include "engine/dynamics/solver/position_constraint.h"
 
-// Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/solver/correct_positions_simd.cc"
-#include <hwy/foreach_target.h>
+#include "engine/simd/foreach_target.h"
 // After foreach_target.h.
-#include <hwy/highway.h>
-
 #include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
 template <class Real>
-void Note(const ConstraintView<Real>& rows, bool turns, Overlaps<Real>& overlaps) {
+void CollectDeep(const ConstraintView<Real>& contacts, bool rotates,
+                 PositionConstraints<Real>& constraints) {
   using V = Vec<Real>;
   const V zero{};
-  const V one = All<Real>(1);
-  for (const ConstraintBatch<Real>& batch : rows.batches) {
-    const std::size_t first = overlaps.rows.size();
-    const V slop = At(batch.slop);
-    const V moved = At(batch.inverse_mass_A) + At(batch.inverse_mass_B);
+  const V one = Splat<Real>(1);
+  for (const ConstraintBatch<Real>& batch : contacts.batches) {
+    const std::size_t first = constraints.contacts.size();
+    const V slop = Load(batch.slop);
+    const V linear_response = Load(batch.inverse_mass_A) + Load(batch.inverse_mass_B);
     for (int k = 0; k < batch.count; ++k) {
-      const auto row =
+      const auto index =
           static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k);
-      const ContactNotes<Real>& note = rows.notes[row];
-      const V depth = zero - At(note.separation) - slop;
-      const VecBits<Real> counts =
-          (depth > zero) & (At(note.used) > zero) & ~(At(note.bounces) > zero);
-      if (Bits(counts) == 0) continue;
-      const V response = turns ? At(note.response) : moved;
-      PositionConstraintLanes<Real>& overlap = overlaps.rows.emplace_back();
-      overlap.r_A = rows.contacts[row].r_A;
-      overlap.r_B = rows.contacts[row].r_B;
-      Put(depth, overlap.depth);
-      Put(Select(counts, one / response, zero), overlap.mass);
+      const ContactColdLanes<Real>& cold = contacts.cold[index];
+      const V depth = zero - Load(cold.separation) - slop;
+      const VecBits<Real> is_deep =
+          (depth > zero) & (Load(cold.used) > zero) & ~(Load(cold.bounces) > zero);
+      if (Bits(is_deep) == 0) continue;
+      const V response = rotates ? Load(cold.normal_response) : linear_response;
+      PositionConstraintLanes<Real>& contact = constraints.contacts.emplace_back();
+      contact.r_A = contacts.contacts[index].r_A;
+      contact.r_B = contacts.contacts[index].r_B;
+      Store(depth, contact.depth);
+      Store(Select(is_deep, one / response, zero), contact.effective_mass);
     }
-    const std::size_t count = overlaps.rows.size() - first;
+    const std::size_t count = constraints.contacts.size() - first;
     if (count == 0) continue;
-    PositionConstraintBatch<Real>& noted = overlaps.batches.emplace_back();
-    noted.A = batch.A;
-    noted.B = batch.B;
-    noted.first = static_cast<int>(first);
-    noted.count = static_cast<int>(count);
-    noted.n = batch.n;
-    noted.usual = batch.usual;
-    noted.inverse_mass_A = batch.inverse_mass_A;
-    noted.inverse_mass_B = batch.inverse_mass_B;
-    if (!turns) continue;
-    noted.inverse_inertia_A = batch.inverse_inertia_A;
-    noted.inverse_inertia_B = batch.inverse_inertia_B;
+    PositionConstraintBatch<Real>& added = constraints.batches.emplace_back();
+    added.A = batch.A;
+    added.B = batch.B;
+    added.first = static_cast<int>(first);
+    added.count = static_cast<int>(count);
+    added.n = batch.n;
+    added.load_speed = batch.load_speed;
+    added.inverse_mass_A = batch.inverse_mass_A;
+    added.inverse_mass_B = batch.inverse_mass_B;
+    if (!rotates) continue;
+    added.inverse_inertia_A = batch.inverse_inertia_A;
+    added.inverse_inertia_B = batch.inverse_inertia_B;
   }
 }
 
 template <class Real>
-void Find(const PositionConstraintView<Real>& rows, const PositionRules& rules,
-          const Velocity* mean, const Velocity* solved) {
+void Prepare(const PositionConstraintView<Real>& constraints,
+             const PositionParameters& parameters, const Velocity* mean,
+             const Velocity* solved) {
   using V = Vec<Real>;
   const V zero{};
-  const V h = All<Real>(rules.h);
-  const V share = All<Real>(rules.share);
-  for (PositionConstraintBatch<Real>& batch : rows.batches) {
-    const Pairs<Real> moved = PairsOf<Real>(mean, batch.A, batch.B);
-    const Pairs<Real> now = PairsOf<Real>(solved, batch.A, batch.B);
-    const Vec3<Real> n = At(batch.n);
+  const V h = Splat<Real>(parameters.h);
+  const V fraction = Splat<Real>(parameters.fraction);
+  for (PositionConstraintBatch<Real>& batch : constraints.batches) {
+    const PairVelocities<Real> during_step =
+        GatherPairVelocities<Real>(mean, batch.A, batch.B);
+    const PairVelocities<Real> at_end =
+        GatherPairVelocities<Real>(solved, batch.A, batch.B);
+    const Vec3<Real> n = Load(batch.n);
     VecBits<Real> any{};
-    PositionConstraintLanes<Real>* of_batch =
-        &rows.overlaps[static_cast<std::size_t>(batch.first)];
+    PositionConstraintLanes<Real>* contacts =
+        &constraints.contacts[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      PositionConstraintLanes<Real>& overlap = of_batch[k];
-      const Vec3<Real> r_A = At(overlap.r_A);
-      const Vec3<Real> r_B = At(overlap.r_B);
-      const V gone = h * Dot(n, moved.At(r_A, r_B));
-      const V excess = At(overlap.depth) - gone;
-      // What parts by itself needs no help, and help would be energy from nowhere.
-      const V parting = Dot(n, now.At(r_A, r_B));
-      const VecBits<Real> parts = parting > At(batch.usual) + share * excess / h;
-      const V mass = At(overlap.mass);
-      const VecBits<Real> counts = (mass > zero) & (excess > zero) & ~parts;
-      any |= counts;
-      Put(Select(counts, mass, zero), overlap.mass);
-      Put(share * excess, overlap.excess);
-      Put(zero, overlap.impulse);
+      PositionConstraintLanes<Real>& contact = contacts[k];
+      const Vec3<Real> r_A = Load(contact.r_A);
+      const Vec3<Real> r_B = Load(contact.r_B);
+      // Remaining depth: the bodies have moved since the contacts were found.
+      const V separated = h * Dot(n, during_step.RelativeAt(r_A, r_B));
+      const V depth = Load(contact.depth) - separated;
+      // A contact that separates by itself needs no correction: it would add energy.
+      const V separating_speed = Dot(n, at_end.RelativeAt(r_A, r_B));
+      const VecBits<Real> separates =
+          separating_speed > Load(batch.load_speed) + fraction * depth / h;
+      const V mass = Load(contact.effective_mass);
+      const VecBits<Real> is_active = (mass > zero) & (depth > zero) & ~separates;
+      any |= is_active;
+      Store(Select(is_active, mass, zero), contact.effective_mass);
+      Store(fraction * depth, contact.target);
+      Store(zero, contact.impulse);
     }
-    batch.at_work = Bits(any) != 0;
+    batch.is_active = Bits(any) != 0;
   }
 }
 
 template <class Real>
-void Remove(const PositionConstraintView<Real>& rows, SolverVelocity<Real>* moves) {
+void Solve(const PositionConstraintView<Real>& constraints,
+           SolverVelocity<Real>* corrections) {
   using V = Vec<Real>;
   const V zero{};
-  for (const PositionConstraintBatch<Real>& batch : rows.batches) {
-    if (!batch.at_work) continue;
-    Moving<Real> A = Gather(moves, batch.A);
-    Moving<Real> B = Gather(moves, batch.B);
-    const Inertias<Real> m = InertiasOf<Real>(batch);
-    const Vec3<Real> n = At(batch.n);
-    PositionConstraintLanes<Real>* of_batch =
-        &rows.overlaps[static_cast<std::size_t>(batch.first)];
+  for (const PositionConstraintBatch<Real>& batch : constraints.batches) {
+    if (!batch.is_active) continue;
+    BodyVelocities<Real> A = Gather(corrections, batch.A);
+    BodyVelocities<Real> B = Gather(corrections, batch.B);
+    const InverseInertias<Real> m = LoadInverseInertias<Real>(batch);
+    const Vec3<Real> n = Load(batch.n);
+    PositionConstraintLanes<Real>* contacts =
+        &constraints.contacts[static_cast<std::size_t>(batch.first)];
     for (int k = 0; k < batch.count; ++k) {
-      PositionConstraintLanes<Real>& overlap = of_batch[k];
-      const Vec3<Real> r_A = At(overlap.r_A);
-      const Vec3<Real> r_B = At(overlap.r_B);
-      const V gained = Dot(n, RelativeVelocity(A, B, r_A, r_B));
-      const V start = At(overlap.impulse);
-      const V impulse =
-          Max(zero, start + At(overlap.mass) * (At(overlap.excess) - gained));
-      Put(impulse, overlap.impulse);
-      Apply(Times(impulse - start, n), r_A, r_B, m, A, B);
+      PositionConstraintLanes<Real>& contact = contacts[k];
+      const Vec3<Real> r_A = Load(contact.r_A);
+      const Vec3<Real> r_B = Load(contact.r_B);
+      // Separation so far.
+      const V separation = Dot(n, RelativeVelocity(A, B, r_A, r_B));
+      // Clamp the accumulated pseudo-impulse.
+      const V old_impulse = Load(contact.impulse);
+      const V impulse = Max(zero, old_impulse + Load(contact.effective_mass) *
+                                                    (Load(contact.target) - separation));
+      Store(impulse, contact.impulse);
+      // Apply.
+      ApplyImpulse(Times(impulse - old_impulse, n), r_A, r_B, m, A, B);
     }
-    Scatter(A, batch.A, batch.inverse_mass_A, moves);
-    Scatter(B, batch.B, batch.inverse_mass_B, moves);
+    Scatter(A, batch.A, batch.inverse_mass_A, corrections);
+    Scatter(B, batch.B, batch.inverse_mass_B, corrections);
   }
-}
-
-void NoteDoubles(const ConstraintView<double>& rows, bool turns,
-                 Overlaps<double>& overlaps) {
-  Note(rows, turns, overlaps);
-}
-void NoteFloats(const ConstraintView<float>& rows, bool turns,
-                Overlaps<float>& overlaps) {
-  Note(rows, turns, overlaps);
-}
-void FindDoubles(const PositionConstraintView<double>& rows, const PositionRules& rules,
-                 const Velocity* mean, const Velocity* solved) {
-  Find(rows, rules, mean, solved);
-}
-void FindFloats(const PositionConstraintView<float>& rows, const PositionRules& rules,
-                const Velocity* mean, const Velocity* solved) {
-  Find(rows, rules, mean, solved);
-}
-void RemoveDoubles(const PositionConstraintView<double>& rows, Velocity* moves) {
-  Remove(rows, moves);
-}
-void RemoveFloats(const PositionConstraintView<float>& rows, SingleVelocity* moves) {
-  Remove(rows, moves);
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(NoteDoubles);
-HWY_EXPORT(NoteFloats);
-HWY_EXPORT(FindDoubles);
-HWY_EXPORT(FindFloats);
-HWY_EXPORT(RemoveDoubles);
-HWY_EXPORT(RemoveFloats);
+template <class Real>
+void CollectDeepContacts(const ConstraintView<Real>& contacts, bool rotates,
+                         PositionConstraints<Real>& constraints) {
+  COOKBOOK_DISPATCH(CollectDeep<Real>)(contacts, rotates, constraints);
+}
+COOKBOOK_INSTANTIATE(CollectDeepContacts);
 
-template <>
-void CollectDeepContacts(const ConstraintView<double>& rows, bool turns,
-                         Overlaps<double>& overlaps) {
-  HWY_DYNAMIC_DISPATCH(NoteDoubles)(rows, turns, overlaps);
+template <class Real>
+void PreparePositionConstraints(const PositionConstraintView<Real>& constraints,
+                                const PositionParameters& parameters,
+                                const StepMotion& motion) {
+  COOKBOOK_DISPATCH(Prepare<Real>)
+  (constraints, parameters, motion.mean.data(), motion.solved.data());
 }
-template <>
-void CollectDeepContacts(const ConstraintView<float>& rows, bool turns,
-                         Overlaps<float>& overlaps) {
-  HWY_DYNAMIC_DISPATCH(NoteFloats)(rows, turns, overlaps);
-}
+COOKBOOK_INSTANTIATE(PreparePositionConstraints);
 
-template <>
-void FindExcess(const PositionConstraintView<double>& rows, const PositionRules& rules,
-                std::span<const Velocity> mean, std::span<const Velocity> solved) {
-  HWY_DYNAMIC_DISPATCH(FindDoubles)(rows, rules, mean.data(), solved.data());
+template <class Real>
+void SolvePositionConstraints(const PositionConstraintView<Real>& constraints,
+                              std::span<SolverVelocity<Real>> corrections) {
+  COOKBOOK_DISPATCH(Solve<Real>)(constraints, corrections.data());
 }
-template <>
-void FindExcess(const PositionConstraintView<float>& rows, const PositionRules& rules,
-                std::span<const Velocity> mean, std::span<const Velocity> solved) {
-  HWY_DYNAMIC_DISPATCH(FindFloats)(rows, rules, mean.data(), solved.data());
-}
-
-template <>
-void RemoveExcess(const PositionConstraintView<double>& rows, std::span<Velocity> moves) {
-  HWY_DYNAMIC_DISPATCH(RemoveDoubles)(rows, moves.data());
-}
-template <>
-void RemoveExcess(const PositionConstraintView<float>& rows,
-                  std::span<SingleVelocity> moves) {
-  HWY_DYNAMIC_DISPATCH(RemoveFloats)(rows, moves.data());
-}
+COOKBOOK_INSTANTIATE(SolvePositionConstraints);
 }  // namespace cookbook
 #endif

@@ -6,25 +6,27 @@
 
 namespace cookbook {
 
-/** How much the solves of a small world may spend, in sweeps × rows: on the average
- Settings::iteration_budget, and ahead of others up to 20 times as much. */
+/** The number of iterations × constraints that the solves of a small world may spend:
+ Settings::iteration_budget on average. A solve may overdraw the budget by up to 20 times
+ that, which later solves save again. */
 class IterationBudget {
  public:
-  /** Returns what the next solve may spend. */
-  long Left(const Settings& settings) const {
+  /** Returns the amount that the next solve may spend. */
+  long Remaining(const Settings& settings) const {
     return settings.iteration_budget +
-           std::max(0L, kHeadStart * settings.iteration_budget - ahead_);
+           std::max(0L, kMaxOverdraft * settings.iteration_budget - overdraft_);
   }
 
-  /** Says what it spent. */
+  /** Records the amount that a solve spent. */
   void Spend(long spent, const Settings& settings) {
-    ahead_ = std::max(0L, ahead_ + spent - settings.iteration_budget);
+    overdraft_ = std::max(0L, overdraft_ + spent - settings.iteration_budget);
   }
 
  private:
-  static constexpr long kHeadStart = 20;
+  /** In multiples of Settings::iteration_budget. */
+  static constexpr long kMaxOverdraft = 20;
 
-  long ahead_ = 0;  ///< What was spent beyond the average, and not saved yet.
+  long overdraft_ = 0;  ///< Amount spent beyond the average and not saved yet.
 };
 
 }  // namespace cookbook

@@ -9,81 +9,89 @@
 
 namespace cookbook {
 
-/** One contact of each of some pairs that is too deep, where `mass` is not 0. */
+/** A position constraint of each pair of a batch: a contact that is too deep. Lanes with
+ `effective_mass` 0 are inert. */
 template <class Real>
 struct alignas(kAlignment<Real>) PositionConstraintLanes {
-  VectorLanes<Real> r_A;  ///< From the centre of A. [m]
-  VectorLanes<Real> r_B;
-  Lanes<Real> depth;    ///< Beyond the slop, at the start of the step. [m]
-  Lanes<Real> mass;     ///< What resists a move along n. [kg]
-  Lanes<Real> excess;   ///< To be removed. [m]
-  Lanes<Real> impulse;  ///< [kg m]
+  VectorLanes<Real> r_A;       ///< From the centre of A. [m]
+  VectorLanes<Real> r_B;       ///< From the centre of B. [m]
+  Lanes<Real> depth;           ///< Beyond the slop, at the start of the step. [m]
+  Lanes<Real> effective_mass;  ///< 1 / response to a pseudo-impulse along n. [kg]
+  Lanes<Real> target;          ///< Displacement along n to be reached. [m]
+  Lanes<Real> impulse;         ///< Accumulated pseudo-impulse. [kg m]
 };
 
-/** Pairs of which no two share a moving body. */
+/** Pairs that are solved together, one in each lane. No two share a moving body. */
 template <class Real>
 struct alignas(kAlignment<Real>) PositionConstraintBatch {
   BodyLanes<Real> A;
   BodyLanes<Real> B;
-  int first;  ///< Its first row; the others follow.
-  int count;
-  bool at_work;  ///< Whether any contact of it is to be moved.
+  int first;       ///< Index of its first constraint; the others follow.
+  int count;       ///< Number of its constraints.
+  bool is_active;  ///< Whether any of its constraints has something to correct.
   VectorLanes<Real> n;
-  Lanes<Real> usual;  ///< As of ConstraintBatch. [m/s]
+  Lanes<Real> load_speed;  ///< See ConstraintBatch. [m/s]
   Lanes<Real> inverse_mass_A;
   Lanes<Real> inverse_mass_B;
   TensorLanes<Real> inverse_inertia_A;
   TensorLanes<Real> inverse_inertia_B;
 };
 
-/** Overlaps too deep to be left, batch by batch in the order in which they are removed.
- */
+/** Position constraints and their batches, in the order in which they are solved. */
 template <class Real>
-struct Overlaps {
+struct PositionConstraints {
   std::vector<PositionConstraintBatch<Real>> batches;
-  std::vector<PositionConstraintLanes<Real>> rows;
-  std::vector<std::size_t> firsts;  ///< Batch of each colour, group after group.
-  std::vector<std::size_t> groups;  ///< First batch of each group.
+  std::vector<PositionConstraintLanes<Real>> contacts;
+  std::vector<std::size_t> colour_starts;  ///< First batch of each colour of each group.
+  std::vector<std::size_t> group_starts;   ///< First batch of each group.
 
   void Clear() {
     batches.clear();
-    rows.clear();
-    firsts.clear();
-    groups.clear();
+    contacts.clear();
+    colour_starts.clear();
+    group_starts.clear();
   }
 };
 
-/** Overlaps and their batches. */
+/** Some batches of position constraints. */
 template <class Real>
 struct PositionConstraintView {
   std::span<PositionConstraintBatch<Real>> batches;
-  std::span<PositionConstraintLanes<Real>> overlaps;
+  std::span<PositionConstraintLanes<Real>> contacts;
 };
 
-/** How overlap is removed. */
-struct PositionRules {
-  double h;      ///< [s]
-  double share;  ///< Of the excess, in (0, 1].
+/** The velocities of the bodies in a step, indexed by body. */
+struct StepMotion {
+  std::span<const Velocity> mean;    ///< Moved the bodies during the step.
+  std::span<const Velocity> solved;  ///< At the end of the step.
 };
 
-// All are there for double and for float.
+struct PositionParameters {
+  double h;         ///< Time step. [s]
+  double fraction;  ///< Fraction of the depth beyond the slop to be removed, in (0, 1].
+};
 
-/** Appends what is deeper than its slop, and neither sends back nor is let be: a batch
- for each batch of contacts that has any. `turns`: whether a body may turn, not only move.
- */
-template <class Real>
-void CollectDeepContacts(const ConstraintView<Real>& rows, bool turns,
-                         Overlaps<Real>& overlaps);
+// All templates below are instantiated for double and float.
 
-/** Finds what is to be removed of each overlap, given what has moved the bodies during
- the step and how they move now: contacts that part on their own are let go. */
+/** Appends a position constraint for each contact that is deeper than its slop and does
+ not bounce: one batch for each batch of contacts with such a contact. `rotates`: whether
+ the correction may rotate bodies, not only translate them. */
 template <class Real>
-void FindExcess(const PositionConstraintView<Real>& rows, const PositionRules& rules,
-                std::span<const Velocity> mean, std::span<const Velocity> solved);
+void CollectDeepContacts(const ConstraintView<Real>& contacts, bool rotates,
+                         PositionConstraints<Real>& constraints);
 
-/** Removes each overlap once, batch after batch: adds to the moves ([m], [rad]). */
+/** Computes the target of each constraint, which is a fraction of the depth that the
+ motion of the step has left, and resets the pseudo-impulses. Turns off contacts that
+ separate by themselves fast enough. */
 template <class Real>
-void RemoveExcess(const PositionConstraintView<Real>& rows,
-                  std::span<SolverVelocity<Real>> moves);
+void PreparePositionConstraints(const PositionConstraintView<Real>& constraints,
+                                const PositionParameters& parameters,
+                                const StepMotion& motion);
+
+/** One iteration of projected Gauss-Seidel over the active batches: adds to
+ `corrections`, the displacements [m] and rotations [rad] of the bodies. */
+template <class Real>
+void SolvePositionConstraints(const PositionConstraintView<Real>& constraints,
+                              std::span<SolverVelocity<Real>> corrections);
 
 }  // namespace cookbook

@@ -5,83 +5,90 @@
 namespace cookbook {
 namespace {
 
-/** Batches below which it does not pay to share them out: see ConstraintGroup. */
-constexpr std::size_t kFewBatches = 12;
+/** Number of batches from which a parallel loop pays, see ConstraintGroup. */
+constexpr std::size_t kMinParallelBatches = 12;
 
-/** Share of the excess that a large world removes at most. A few sweeps lift the one and
- not yet the other: what is lifted off by more than the margin loses its contacts, and
- with them the impulses to start from, so that all that rests on it sinks in. A pile of
- 30 layers was 96 mm deep in itself where each step took 0.45. */
-constexpr double kLargeShare = 0.2;
+/** Greatest fraction of the depth beyond the slop that a large world removes in a step. A
+ few iterations lift one body before the bodies on it. A body that is lifted off another
+ by more than the speculative margin loses the contacts, and with them the impulses for
+ warm starting: all that rests on it sinks in. A pile of 30 layers, in which each step
+ removed 0.45, was up to 96 mm deep in itself. */
+constexpr double kMaxFractionOfLargeWorld = 0.2;
 
 }  // namespace
 
 template <class Real>
-bool FindPositionCorrections(std::span<Overlaps<Real>> overlaps, bool is_large,
-                             std::span<const Velocity> mean,
-                             std::span<const Velocity> solved, const Settings& settings,
-                             double h, ThreadPool& pool,
-                             std::span<SolverVelocity<Real>> moves) {
-  const auto is_empty = [](const Overlaps<Real>& some) { return some.batches.empty(); };
-  if (std::all_of(overlaps.begin(), overlaps.end(), is_empty)) return false;
-  const double share = is_large
-                           ? std::min(settings.position_correction_fraction, kLargeShare)
-                           : settings.position_correction_fraction;
-  const PositionRules rules{h, share};
-
-  std::fill(moves.begin(), moves.end(), SolverVelocity<Real>{});
-  const auto for_each_sweep = [&](const auto& remove) {
-    for (int k = 0; k < settings.position_iterations; ++k) remove();
+bool FindPositionCorrections(std::span<PositionConstraints<Real>> constraints,
+                             bool is_large, const StepMotion& motion,
+                             const StepContext& step,
+                             std::span<SolverVelocity<Real>> corrections) {
+  const Settings& settings = step.settings;
+  const auto is_empty = [](const PositionConstraints<Real>& list) {
+    return list.batches.empty();
   };
-  const std::size_t threads = overlaps.size() - 1;
+  if (std::all_of(constraints.begin(), constraints.end(), is_empty)) return false;
+  const double fraction =
+      is_large ? std::min(settings.position_correction_fraction, kMaxFractionOfLargeWorld)
+               : settings.position_correction_fraction;
+  const PositionParameters parameters{step.h, fraction};
+
+  std::fill(corrections.begin(), corrections.end(), SolverVelocity<Real>{});
+  const auto iterate = [&](const auto& solve) {
+    for (int k = 0; k < settings.position_iterations; ++k) solve();
+  };
+  const std::size_t threads = constraints.size() - 1;
   std::size_t batches = 0;
-  for (const Overlaps<Real>& own : overlaps.first(threads)) batches += own.batches.size();
-  const std::size_t least = batches < kFewBatches ? threads + 1 : 0;
-  pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
-    for (Overlaps<Real>& own : overlaps.subspan(begin, end - begin)) {
-      // Group after group: each stays in a processor's cache for all its sweeps.
-      for (std::size_t k = 0; k < own.groups.size(); ++k) {
-        const std::size_t first = own.groups[k];
-        const std::size_t last =
-            k + 1 < own.groups.size() ? own.groups[k + 1] : own.batches.size();
-        const PositionConstraintView<Real> rows{
-            std::span(own.batches).subspan(first, last - first), own.rows};
-        FindExcess(rows, rules, mean, solved);
-        for_each_sweep([&] { RemoveExcess(rows, moves); });
+  for (const PositionConstraints<Real>& own : constraints.first(threads)) {
+    batches += own.batches.size();
+  }
+  const std::size_t least = batches < kMinParallelBatches ? threads + 1 : 0;
+  step.pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
+    for (PositionConstraints<Real>& own : constraints.subspan(begin, end - begin)) {
+      // One group after the other: a group stays in the cache for all its iterations.
+      for (std::size_t k = 0; k < own.group_starts.size(); ++k) {
+        const std::size_t first = own.group_starts[k];
+        const std::size_t last = k + 1 < own.group_starts.size() ? own.group_starts[k + 1]
+                                                                 : own.batches.size();
+        const PositionConstraintView<Real> group{
+            std::span(own.batches).subspan(first, last - first), own.contacts};
+        PreparePositionConstraints(group, parameters, motion);
+        iterate([&] { SolvePositionConstraints(group, corrections); });
       }
     }
   });
 
-  Overlaps<Real>& shared = overlaps.back();
-  const PositionConstraintView<Real> rows{shared.batches, shared.rows};
-  pool.ParallelFor(
-      rows.batches.size(), kFewBatches, [&](std::size_t begin, std::size_t end) {
-        FindExcess<Real>({rows.batches.subspan(begin, end - begin), rows.overlaps}, rules,
-                         mean, solved);
+  // The list that all threads share, one colour after the other.
+  PositionConstraints<Real>& shared = constraints.back();
+  const PositionConstraintView<Real> view{shared.batches, shared.contacts};
+  const auto view_of = [&](std::size_t begin, std::size_t end) {
+    return PositionConstraintView<Real>{view.batches.subspan(begin, end - begin),
+                                        view.contacts};
+  };
+  step.pool.ParallelFor(
+      view.batches.size(), kMinParallelBatches, [&](std::size_t begin, std::size_t end) {
+        PreparePositionConstraints<Real>(view_of(begin, end), parameters, motion);
       });
-  for_each_sweep([&] {
-    for (std::size_t k = 0; k < shared.firsts.size(); ++k) {
-      const std::size_t first = shared.firsts[k];
-      const std::size_t last =
-          k + 1 < shared.firsts.size() ? shared.firsts[k + 1] : shared.batches.size();
-      pool.ParallelFor(
-          last - first, kFewBatches, [&](std::size_t begin, std::size_t end) {
-            RemoveExcess<Real>(
-                {rows.batches.subspan(first + begin, end - begin), rows.overlaps}, moves);
-          });
+  iterate([&] {
+    for (std::size_t k = 0; k < shared.colour_starts.size(); ++k) {
+      const std::size_t first = shared.colour_starts[k];
+      const std::size_t last = k + 1 < shared.colour_starts.size()
+                                   ? shared.colour_starts[k + 1]
+                                   : shared.batches.size();
+      step.pool.ParallelFor(last - first, kMinParallelBatches,
+                            [&](std::size_t begin, std::size_t end) {
+                              SolvePositionConstraints<Real>(
+                                  view_of(first + begin, first + end), corrections);
+                            });
     }
   });
   return true;
 }
 
-template bool FindPositionCorrections<double>(std::span<Overlaps<double>>, bool,
-                                              std::span<const Velocity>,
-                                              std::span<const Velocity>, const Settings&,
-                                              double, ThreadPool&, std::span<Velocity>);
-template bool FindPositionCorrections<float>(std::span<Overlaps<float>>, bool,
-                                             std::span<const Velocity>,
-                                             std::span<const Velocity>, const Settings&,
-                                             double, ThreadPool&,
+template bool FindPositionCorrections<double>(std::span<PositionConstraints<double>>,
+                                              bool, const StepMotion&, const StepContext&,
+                                              std::span<Velocity>);
+template bool FindPositionCorrections<float>(std::span<PositionConstraints<float>>, bool,
+                                             const StepMotion&, const StepContext&,
                                              std::span<SingleVelocity>);
 
 }  // namespace cookbook

@@ -2,23 +2,23 @@
 
 #include <span>
 
-#include "engine/dynamics/body/settings.h"
-#include "engine/dynamics/solver/constraint_group.h"
-#include "engine/threads/thread_pool.h"
+#include "engine/dynamics/solver/position_constraint.h"
+#include "engine/dynamics/solver/step_context.h"
 
 namespace cookbook {
 
-/** Fills `moves` with the displacement [m] and rotation [rad] of each body that remove
- Settings::position_correction_fraction of the depth beyond the slop; velocities are left
- alone. `overlaps` are as ContactSolver notes them, of a world that `is_large` or not.
- `mean` is what has moved the bodies during the step of length `h` since the contacts were
- found, `solved` how they move now. Returns false where there is nothing to move; `moves`
- is then as it was. */
+/** Position correction (non-linear projection, "split impulses"): fills `corrections`,
+ indexed by body, with a displacement [m] and a rotation [rad] of each body that together
+ remove Settings::position_correction_fraction of the depth beyond the slop. Velocities do
+ not change, so that no energy is added. A large world removes at most a fifth.
+
+ `constraints` holds one list for each thread, and last one that all threads share; no two
+ lists have a moving body in common. `motion` is the motion since the contacts were found.
+ Returns false, and leaves `corrections` unchanged, if there is no constraint. */
 template <class Real>
-bool FindPositionCorrections(std::span<Overlaps<Real>> overlaps, bool is_large,
-                             std::span<const Velocity> mean,
-                             std::span<const Velocity> solved, const Settings& settings,
-                             double h, ThreadPool& pool,
-                             std::span<SolverVelocity<Real>> moves);
+bool FindPositionCorrections(std::span<PositionConstraints<Real>> constraints,
+                             bool is_large, const StepMotion& motion,
+                             const StepContext& step,
+                             std::span<SolverVelocity<Real>> corrections);
 
 }  // namespace cookbook

@@ -5,55 +5,51 @@
 #include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/threads/prefetch.h"
 
-// Four doubles are one register from AVX2 on, sixteen floats one of AVX-512.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/solver/prepare_contacts_simd.cc"
-#include <hwy/foreach_target.h>
+#include "engine/simd/foreach_target.h"
 // After foreach_target.h.
-#include <hwy/highway.h>
-
 #include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
-/** A contact that approaches slower than this share of what gravity adds in a step is one
- that was there all along. */
-constexpr double kSteady = 1.0 / 16;
+/** A contact is steady if its normal speed before the step was at most this fraction of
+ the speed that the loads add in a step: it has been closed for a while. It slips if its
+ slip was faster than that. */
+constexpr double kSteadyFraction = 1.0 / 16;
 
-/** By how much a sum may be off, as a share of itself. */
+/** Relative rounding error of a sum. */
 template <class Real>
 constexpr double kRounding = std::is_same_v<Real, float> ? 1e-6 : 1e-14;
-/** A face narrower than the root of this share of its length is a line: a load spread
- across it would be off by some roundings over this share. */
+/** A face narrower than the square root of this fraction of its length counts as a line:
+ a load spread across it would have an error of some roundings divided by this fraction.
+ */
 template <class Real>
-constexpr double kLine = std::is_same_v<Real, float> ? 1e-3 : 1e-12;
+constexpr double kLineFraction = std::is_same_v<Real, float> ? 1e-3 : 1e-12;
 
-/** Returns where a contact is, from a body of its pair: in single precision from the
- nearer one, since a wide ground rounds what it is apart from others. */
+/** Returns the position of a contact relative to a body of its pair. In single precision
+ this is the nearer body: relative to the centre of a wide ground, the distances between
+ contacts would be lost in rounding. */
 template <class Real>
-HWY_INLINE Vec3<Real> PlaceOf(const ContactLanes<Real>& first,
-                              const ContactLanes<Real>& contact) {
-  const Vec3<Real> r_A = At(contact.r_A);
+HWY_INLINE Vec3<Real> PositionOf(const ContactConstraintLanes<Real>& first,
+                                 const ContactConstraintLanes<Real>& contact) {
+  const Vec3<Real> r_A = Load(contact.r_A);
   if constexpr (std::is_same_v<Real, double>) {
     return r_A;
   } else {
-    const Vec3<Real> A = At(first.r_A);
-    const Vec3<Real> B = At(first.r_B);
+    const Vec3<Real> A = Load(first.r_A);
+    const Vec3<Real> B = Load(first.r_B);
     const VecBits<Real> nearer = Dot(B, B) < Dot(A, A);
-    const Vec3<Real> r_B = At(contact.r_B);
+    const Vec3<Real> r_B = Load(contact.r_B);
     return {Select(nearer, r_B.x, r_A.x), Select(nearer, r_B.y, r_A.y),
             Select(nearer, r_B.z, r_A.z)};
   }
 }
 
-/** Returns a unit vector across the unit vector n, as Eigen's unitOrthogonal(). */
-HWY_INLINE Vec3<double> Across(const Vec3<double>& n) {
+/** Returns a unit vector orthogonal to the unit vector n, like Eigen's unitOrthogonal().
+ */
+HWY_INLINE Vec3<double> UnitOrthogonal(const Vec3<double>& n) {
   const Four zero{};
   const Four small = Splat(1e-12) * Abs(n.z);
   const FourBits level = (Abs(n.x) > small) | (Abs(n.y) > small);
@@ -66,38 +62,42 @@ HWY_INLINE Vec3<double> Across(const Vec3<double>& n) {
           Select(level, zero, along_b)};
 }
 
-/** Spreads the impulses along the normal as a stiff even bed would carry the same load:
- linear in the place, of the same sum and the same moments. Four contacts or more hold a
- face in more ways than one, and which of them sweeps find, and carry on from step to
- step, hangs on their order; how a face slides hangs on the way.
+/** Redistributes the normal impulses of each face as a rigid body on a uniform elastic
+ foundation would: linearly in position, with the same sum and the same moments. The load
+ of a face with four or more contacts is statically indeterminate. Which solution the
+ iterations find, and warm starting passes on, depends on their order, and the friction of
+ a sliding face depends on the solution.
 
- λ' = λ̄ + g·(x − x̄), g the least squares of λ − λ̄: of all λ of these sums the one of least
- Σ λ². Left alone where a contact carries nothing, or would load. */
+ λ' = λ̄ + g·(x − x̄), where g is the least-squares gradient of λ − λ̄: of all λ with these
+ sums this one has the least Σ λ². The impulses stay as they are if there are fewer than
+ four, if one of them is zero, if the contacts are on a line, or if one would have to
+ pull. */
 template <class Real>
-HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
-                           const ContactNotes<Real>* notes) {
+HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch,
+                           ContactConstraintLanes<Real>* contacts,
+                           const ContactColdLanes<Real>* cold) {
   using V = Vec<Real>;
   const V zero{};
-  const V most = All<Real>(std::numeric_limits<Real>::max());
-  V number{};
+  const V largest = Splat<Real>(std::numeric_limits<Real>::max());
+  V count{};
   V load{};
-  V lowest = most;
+  V least = largest;
   Vec3<Real> centre{};
   for (int k = 0; k < batch.count; ++k) {
-    const V used = At(notes[k].used);
-    const V impulse = At(rows[k].impulse);
-    number = number + used;
+    const V used = Load(cold[k].used);
+    const V impulse = Load(contacts[k].impulse);
+    count = count + used;
     load = load + impulse;
-    lowest = Select(used > zero, Min(lowest, impulse), lowest);
-    centre = Plus(centre, Times(used, PlaceOf(rows[0], rows[k])));
+    least = Select(used > zero, Min(least, impulse), least);
+    centre = Plus(centre, Times(used, PositionOf(contacts[0], contacts[k])));
   }
-  VecBits<Real> spreads = (number > All<Real>(3.5)) & (lowest > zero);
-  if (Bits(spreads) == 0) return;
-  const V share = All<Real>(1) / Max(number, All<Real>(1));
-  const V mean = load * share;
-  centre = Times(share, centre);
-  const Vec3<Real> t1 = At(batch.t1);
-  const Vec3<Real> t2 = At(batch.t2);
+  VecBits<Real> can_spread = (count > Splat<Real>(3.5)) & (least > zero);
+  if (Bits(can_spread) == 0) return;
+  const V inverse_count = Splat<Real>(1) / Max(count, Splat<Real>(1));
+  const V mean = load * inverse_count;
+  centre = Times(inverse_count, centre);
+  const Vec3<Real> t1 = Load(batch.t1);
+  const Vec3<Real> t2 = Load(batch.t2);
   V x[8];
   V y[8];
   V xx{};
@@ -107,125 +107,134 @@ HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch, ContactLanes<Real
   V moment_y{};
   for (int k = 0; k < batch.count; ++k) {
     const Vec3<Real> arm =
-        Times(At(notes[k].used), Minus(PlaceOf(rows[0], rows[k]), centre));
+        Times(Load(cold[k].used), Minus(PositionOf(contacts[0], contacts[k]), centre));
     x[k] = Dot(arm, t1);
     y[k] = Dot(arm, t2);
     xx = xx + x[k] * x[k];
     xy = xy + x[k] * y[k];
     yy = yy + y[k] * y[k];
-    const V more = At(rows[k].impulse) - mean;
-    moment_x = moment_x + more * x[k];
-    moment_y = moment_y + more * y[k];
+    const V deviation = Load(contacts[k].impulse) - mean;
+    moment_x = moment_x + deviation * x[k];
+    moment_y = moment_y + deviation * y[k];
   }
-  // Contacts on a line have no gradient across it.
+  // The gradient across a line of contacts is undefined.
   const V determinant = xx * yy - xy * xy;
   const V trace = xx + yy;
-  spreads &= determinant > All<Real>(kLine<Real>) * trace * trace;
-  const V per = All<Real>(1) / Select(spreads, determinant, All<Real>(1));
-  const V gradient_x = per * (yy * moment_x - xy * moment_y);
-  const V gradient_y = per * (xx * moment_y - xy * moment_x);
-  V even[8];
-  V lowest_even = most;
+  can_spread &= determinant > Splat<Real>(kLineFraction<Real>) * trace * trace;
+  const V inverse_determinant =
+      Splat<Real>(1) / Select(can_spread, determinant, Splat<Real>(1));
+  const V gradient_x = inverse_determinant * (yy * moment_x - xy * moment_y);
+  const V gradient_y = inverse_determinant * (xx * moment_y - xy * moment_x);
+  V linear[8];
+  V least_linear = largest;
   for (int k = 0; k < batch.count; ++k) {
-    even[k] = mean + gradient_x * x[k] + gradient_y * y[k];
-    lowest_even =
-        Select(At(notes[k].used) > zero, Min(lowest_even, even[k]), lowest_even);
+    linear[k] = mean + gradient_x * x[k] + gradient_y * y[k];
+    least_linear =
+        Select(Load(cold[k].used) > zero, Min(least_linear, linear[k]), least_linear);
   }
-  spreads &= lowest_even > zero;
+  can_spread &= least_linear > zero;
   for (int k = 0; k < batch.count; ++k) {
-    const VecBits<Real> changes = spreads & (At(notes[k].used) > zero);
-    Put(Select(changes, even[k], At(rows[k].impulse)), rows[k].impulse);
+    const VecBits<Real> changes = can_spread & (Load(cold[k].used) > zero);
+    Store(Select(changes, linear[k], Load(contacts[k].impulse)), contacts[k].impulse);
   }
 }
 
-/** Spreads the impulses of friction of a face that holds as the load is spread: of all
- that have the same sum and the same moment about the normal those of least Σ f²/λ, with
- which every contact is as far from its bound as the face is, if it does not spin. Else
- contacts load against each other across the face, by what the first sweeps left there,
- and slip too early.
+/** Redistributes the friction impulses of each sticking face in proportion to its load,
+ with the same sum and the same moment about the normal. They have the least
+ Σ f²/λ of all such impulses: without a moment, every contact is as far from its friction
+ bound as the whole face. Otherwise the remains of the first iterations make contacts pull
+ against each other across the face, and they slip too early.
 
- f' = λ (F/Σλ + s × (x − x̄)), x̄ the centre of the load, s = M / Σ λ (x − x̄)². Left alone
- where a contact slips, since its friction then follows from that, or where f' is beyond
- the cone. */
+ f' = λ (F/Σλ + s × (x − x̄)), where x̄ is the centre of the load and s = M / Σ λ (x − x̄)².
+ The impulses stay as they are if a contact slips, since the slip then determines its
+ friction, or if some f' is outside the cone. */
 template <class Real>
 HWY_INLINE void SpreadFriction(const ConstraintBatch<Real>& batch,
-                               ContactLanes<Real>* rows, const ContactNotes<Real>* notes,
-                               const Pairs<Real>& before, const Pairs<Real>& free) {
+                               ContactConstraintLanes<Real>* contacts,
+                               const ContactColdLanes<Real>* cold,
+                               const PairVelocities<Real>& before,
+                               const PairVelocities<Real>& free) {
   using V = Vec<Real>;
   const V zero{};
-  const V one = All<Real>(1);
-  const Vec3<Real> n = At(batch.n);
-  const Vec3<Real> t1 = At(batch.t1);
-  const Vec3<Real> t2 = At(batch.t2);
-  V number{};
+  const V one = Splat<Real>(1);
+  const Vec3<Real> n = Load(batch.n);
+  const Vec3<Real> t1 = Load(batch.t1);
+  const Vec3<Real> t2 = Load(batch.t2);
+  V count{};
   V load{};
   V sum1{};
   V sum2{};
   VecBits<Real> slips = zero > zero;
   Vec3<Real> centre{};
   for (int k = 0; k < batch.count; ++k) {
-    const V impulse = At(rows[k].impulse);
-    const Vec3<Real> r_A = At(rows[k].r_A);
-    number = number + Select(impulse > zero, one, zero);
+    const V impulse = Load(contacts[k].impulse);
+    const Vec3<Real> r_A = Load(contacts[k].r_A);
+    count = count + Select(impulse > zero, one, zero);
     load = load + impulse;
-    sum1 = sum1 + At(rows[k].friction_impulse1);
-    sum2 = sum2 + At(rows[k].friction_impulse2);
-    centre = Plus(centre, Times(impulse, PlaceOf(rows[0], rows[k])));
-    const Vec3<Real> r_B = At(rows[k].r_B);
-    const Vec3<Real> u = before.At(r_A, r_B);
+    sum1 = sum1 + Load(contacts[k].friction_impulse1);
+    sum2 = sum2 + Load(contacts[k].friction_impulse2);
+    centre = Plus(centre, Times(impulse, PositionOf(contacts[0], contacts[k])));
+    const Vec3<Real> r_B = Load(contacts[k].r_B);
+    const Vec3<Real> u = before.RelativeAt(r_A, r_B);
     const V slip1 = Dot(u, t1);
     const V slip2 = Dot(u, t2);
-    const V gain = Dot(Minus(free.At(r_A, r_B), u), n);
-    const V steady = All<Real>(kSteady) * (At(batch.usual) + Abs(gain));
-    slips |= (impulse > zero) & (slip1 * slip1 + slip2 * slip2 > steady * steady);
+    const V change = Dot(Minus(free.RelativeAt(r_A, r_B), u), n);
+    const V steady_speed =
+        Splat<Real>(kSteadyFraction) * (Load(batch.load_speed) + Abs(change));
+    slips |=
+        (impulse > zero) & (slip1 * slip1 + slip2 * slip2 > steady_speed * steady_speed);
   }
-  VecBits<Real> spreads = (number > All<Real>(1.5)) & ~slips;
-  if (Bits(spreads) == 0) return;
-  const V share = one / Select(spreads, load, one);
-  centre = Times(share, centre);
+  VecBits<Real> can_spread = (count > Splat<Real>(1.5)) & ~slips;
+  if (Bits(can_spread) == 0) return;
+  const V inverse_load = one / Select(can_spread, load, one);
+  centre = Times(inverse_load, centre);
   V x[8];
   V y[8];
   V moment{};
   V polar{};
   for (int k = 0; k < batch.count; ++k) {
-    const Vec3<Real> arm = Minus(PlaceOf(rows[0], rows[k]), centre);
+    const Vec3<Real> arm = Minus(PositionOf(contacts[0], contacts[k]), centre);
     x[k] = Dot(arm, t1);
     y[k] = Dot(arm, t2);
-    moment = moment + x[k] * At(rows[k].friction_impulse2) -
-             y[k] * At(rows[k].friction_impulse1);
-    polar = polar + At(rows[k].impulse) * (x[k] * x[k] + y[k] * y[k]);
+    moment = moment + x[k] * Load(contacts[k].friction_impulse2) -
+             y[k] * Load(contacts[k].friction_impulse1);
+    polar = polar + Load(contacts[k].impulse) * (x[k] * x[k] + y[k] * y[k]);
   }
   const V spin = Select(polar > zero, moment, zero) / Select(polar > zero, polar, one);
-  const V mean1 = share * sum1;
-  const V mean2 = share * sum2;
-  // The sum of what is at its bound may round to beyond it.
+  const V mean1 = inverse_load * sum1;
+  const V mean2 = inverse_load * sum2;
+  // A sum of impulses on the cone may be outside by rounding.
   const V bound =
-      At(batch.friction) * At(batch.friction) * All<Real>(1 + kRounding<Real>);
+      Load(batch.friction) * Load(batch.friction) * Splat<Real>(1 + kRounding<Real>);
   for (int k = 0; k < batch.count; ++k) {
-    const V along1 = mean1 - spin * y[k];
-    const V along2 = mean2 + spin * x[k];
-    const VecBits<Real> inside = along1 * along1 + along2 * along2 <= bound;
-    spreads &= inside | ~(At(rows[k].impulse) > zero);
+    const V scaled1 = mean1 - spin * y[k];
+    const V scaled2 = mean2 + spin * x[k];
+    const VecBits<Real> inside = scaled1 * scaled1 + scaled2 * scaled2 <= bound;
+    can_spread &= inside | ~(Load(contacts[k].impulse) > zero);
   }
   for (int k = 0; k < batch.count; ++k) {
-    const VecBits<Real> changes = spreads & (At(notes[k].used) > zero);
-    const V impulse = At(rows[k].impulse);
-    Put(Select(changes, impulse * (mean1 - spin * y[k]), At(rows[k].friction_impulse1)),
-        rows[k].friction_impulse1);
-    Put(Select(changes, impulse * (mean2 + spin * x[k]), At(rows[k].friction_impulse2)),
-        rows[k].friction_impulse2);
+    const VecBits<Real> changes = can_spread & (Load(cold[k].used) > zero);
+    const V impulse = Load(contacts[k].impulse);
+    Store(Select(changes, impulse * (mean1 - spin * y[k]),
+                 Load(contacts[k].friction_impulse1)),
+          contacts[k].friction_impulse1);
+    Store(Select(changes, impulse * (mean2 + spin * x[k]),
+                 Load(contacts[k].friction_impulse2)),
+          contacts[k].friction_impulse2);
   }
 }
 
-/** Fills what a batch and its rows have of the pairs. */
+/** Loads the data of the pairs and bodies of a batch and of its contacts. */
 template <class Real>
-HWY_INLINE void Fill(ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
-                     ContactNotes<Real>* notes, const ContactRules& rules,
-                     std::span<const ContactPair> pairs, const SolverBodies& world,
-                     bool warm_starting) {
+HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
+                          ContactConstraintLanes<Real>* contacts,
+                          ContactColdLanes<Real>* cold,
+                          const ContactParameters& parameters,
+                          std::span<const ContactPair> pairs,
+                          const SolverBodies& bodies) {
   static_assert(offsetof(ContactPoint, separation) == sizeof(Eigen::Vector3d));
-  // Of a lane without a pair, and of what a pair has fewer of than another.
-  alignas(32) constexpr std::array<double, 4> kNothing = {0, 0, 0, 0};
+  // Defaults for lanes without a pair, and for contacts that a pair does not have.
+  alignas(32) constexpr std::array<double, 4> kZeros = {0, 0, 0, 0};
   alignas(32) constexpr std::array<double, 4> kAnyNormal = {1, 0, 0, 0};
   alignas(64) static const InverseInertia kImmovable{};
   for (std::size_t four = 0; four < kFours<Real>; ++four) {
@@ -243,239 +252,243 @@ HWY_INLINE void Fill(ConstraintBatch<Real>& batch, ContactLanes<Real>* rows,
       pair[k] = is_pair ? &pairs[static_cast<std::size_t>(batch.pair[lane])] : nullptr;
       counts[k] = is_pair ? pair[k]->manifold.count : 0;
       n_AB[k] = is_pair ? pair[k]->manifold.n_AB_W.data() : kAnyNormal.data();
-      x_A[k] = x_B[k] = kNothing.data();
+      x_A[k] = x_B[k] = kZeros.data();
       inertia_A[k] = inertia_B[k] = &kImmovable;
       friction[k] = 0;
-      batch.restitution[lane] = batch.usual[lane] = batch.slop[lane] = 0;
+      batch.restitution[lane] = batch.load_speed[lane] = batch.slop[lane] = 0;
       if (!is_pair) continue;
       const auto a = static_cast<std::size_t>(batch.A[lane]);
       const auto b = static_cast<std::size_t>(batch.B[lane]);
-      const RigidBody& A = world.bodies[a];
-      const RigidBody& B = world.bodies[b];
+      const RigidBody& A = bodies.rigid_bodies[a];
+      const RigidBody& B = bodies.rigid_bodies[b];
       x_A[k] = A.state.p_WB.data();
       x_B[k] = B.state.p_WB.data();
-      inertia_A[k] = &world.inertias[a];
-      inertia_B[k] = &world.inertias[b];
+      inertia_A[k] = &bodies.inertias[a];
+      inertia_B[k] = &bodies.inertias[b];
       friction[k] = A.friction * B.friction;
       batch.restitution[lane] = static_cast<Real>(std::min(A.restitution, B.restitution));
-      batch.usual[lane] = static_cast<Real>(rules.h * LoadOn(*pair[k], A, B));
+      batch.load_speed[lane] =
+          static_cast<Real>(parameters.h * LoadAccelerationOn(*pair[k], A, B));
       batch.slop[lane] = static_cast<Real>(SlopBetween(A, B));
     }
-    const auto put_inertias = [&](const std::array<const InverseInertia*, 4>& from,
-                                  Lanes<Real>& mass, TensorLanes<Real>& tensor) HWY_ATTR {
+    const auto load_inertias = [&](const std::array<const InverseInertia*, 4>& from,
+                                   Lanes<Real>& mass,
+                                   TensorLanes<Real>& tensor) HWY_ATTR {
       Tensor<double> t;
-      PutFour(LoadInertias(from, t), four, mass);
-      PutFour(t.xx, four, tensor[0]);
-      PutFour(t.xy, four, tensor[1]);
-      PutFour(t.xz, four, tensor[2]);
-      PutFour(t.yy, four, tensor[3]);
-      PutFour(t.yz, four, tensor[4]);
-      PutFour(t.zz, four, tensor[5]);
+      StoreFour(GatherInverseInertias(from, t), four, mass);
+      StoreFour(t.xx, four, tensor[0]);
+      StoreFour(t.xy, four, tensor[1]);
+      StoreFour(t.xz, four, tensor[2]);
+      StoreFour(t.yy, four, tensor[3]);
+      StoreFour(t.yz, four, tensor[4]);
+      StoreFour(t.zz, four, tensor[5]);
     };
-    put_inertias(inertia_A, batch.inverse_mass_A, batch.inverse_inertia_A);
-    put_inertias(inertia_B, batch.inverse_mass_B, batch.inverse_inertia_B);
-    PutFour(Sqrt(At(friction)), four, batch.friction);
+    load_inertias(inertia_A, batch.inverse_mass_A, batch.inverse_inertia_A);
+    load_inertias(inertia_B, batch.inverse_mass_B, batch.inverse_inertia_B);
+    StoreFour(Sqrt(Load(friction)), four, batch.friction);
     Four lanes[4];
-    LoadFour(x_A, lanes);
+    LoadTransposed(x_A, lanes);
     const Vec3<double> centre_A{lanes[0], lanes[1], lanes[2]};
-    LoadFour(x_B, lanes);
+    LoadTransposed(x_B, lanes);
     const Vec3<double> centre_B{lanes[0], lanes[1], lanes[2]};
-    LoadFour(n_AB, lanes);
+    LoadTransposed(n_AB, lanes);
     const Vec3<double> n{lanes[0], lanes[1], lanes[2]};
-    const Vec3<double> t1 = Across(n);
+    const Vec3<double> t1 = UnitOrthogonal(n);
     const Vec3<double> t2 = Cross(n, t1);
-    PutFour(n, four, batch.n);
-    PutFour(t1, four, batch.t1);
-    PutFour(t2, four, batch.t2);
+    StoreFour(n, four, batch.n);
+    StoreFour(t1, four, batch.t1);
+    StoreFour(t2, four, batch.t2);
 
     const Four zero{};
     for (int i = 0; i < batch.count; ++i) {
-      ContactLanes<Real>& contact = rows[i];
+      ContactConstraintLanes<Real>& contact = contacts[i];
       std::array<const double*, 4> points;
       Four J[4];
       for (std::size_t k = 0; k < 4; ++k) {
         const auto at = static_cast<std::size_t>(i);
         const bool is_used = i < counts[k];
-        notes[i].used[4 * four + k] = is_used ? 1 : 0;
-        points[k] =
-            is_used ? pair[k]->manifold.contacts[at].p_WC.data() : kNothing.data();
-        J[k] = is_used && warm_starting ? Load3(pair[k]->J_W[at].data(), 0) : zero;
+        cold[i].used[4 * four + k] = is_used ? 1 : 0;
+        points[k] = is_used ? pair[k]->manifold.contacts[at].p_WC.data() : kZeros.data();
+        J[k] = is_used && parameters.warm_starting ? Load3(pair[k]->J_W[at].data(), 0)
+                                                   : zero;
       }
-      LoadFour(points, lanes);
+      LoadTransposed(points, lanes);
       const Vec3<double> p{lanes[0], lanes[1], lanes[2]};
-      PutFour(Minus(p, centre_A), four, contact.r_A);
-      PutFour(Minus(p, centre_B), four, contact.r_B);
-      PutFour(lanes[3], four, notes[i].separation);
+      StoreFour(Minus(p, centre_A), four, contact.r_A);
+      StoreFour(Minus(p, centre_B), four, contact.r_B);
+      StoreFour(lanes[3], four, cold[i].separation);
       Transpose4(J[0], J[1], J[2], J[3]);
       const Vec3<double> J_W{J[0], J[1], J[2]};
-      PutFour(Max(zero, Dot(J_W, n)), four, contact.impulse);
-      PutFour(Dot(J_W, t1), four, contact.friction_impulse1);
-      PutFour(Dot(J_W, t2), four, contact.friction_impulse2);
+      StoreFour(Max(zero, Dot(J_W, n)), four, contact.impulse);
+      StoreFour(Dot(J_W, t1), four, contact.friction_impulse1);
+      StoreFour(Dot(J_W, t2), four, contact.friction_impulse2);
     }
   }
-  if (warm_starting && batch.count > 3) SpreadLoad(batch, rows, notes);
+  if (parameters.warm_starting && batch.count > 3) SpreadLoad(batch, contacts, cold);
 }
 
-/** Tells memory what Prepare() will want of a batch. */
+/** Prefetches what Prepare() reads for a batch. */
 template <class Real>
 void PrefetchBatch(const ConstraintBatch<Real>& batch, std::span<const ContactPair> pairs,
-                   const SolverBodies& world) {
+                   const SolverBodies& bodies) {
   for (std::size_t lane = 0; lane < kLanes<Real>; ++lane) {
     if (batch.pair[lane] < 0) continue;
     PrefetchContacts(pairs[static_cast<std::size_t>(batch.pair[lane])], batch.count);
     for (const int body : {batch.A[lane], batch.B[lane]}) {
       const auto i = static_cast<std::size_t>(body);
-      Prefetch(&world.bodies[i].state.p_WB, 1);
-      Prefetch(&world.bodies[i].restitution, 1);
-      Prefetch(&world.inertias[i], sizeof(InverseInertia));
-      Prefetch(&world.before[i], 1);
-      Prefetch(&world.velocities[i], 1);
+      Prefetch(&bodies.rigid_bodies[i].state.p_WB, 1);
+      Prefetch(&bodies.rigid_bodies[i].restitution, 1);
+      Prefetch(&bodies.inertias[i], sizeof(InverseInertia));
+      Prefetch(&bodies.velocities_before[i], 1);
+      Prefetch(&bodies.velocities[i], 1);
     }
   }
 }
 
 template <class Real>
-double Prepare(const ConstraintView<Real>& rows, const ContactRules& rules,
-               std::span<const ContactPair> pairs, const SolverBodies& world,
-               bool warm_starting) {
+double Prepare(const ConstraintView<Real>& constraints,
+               const ContactParameters& parameters, std::span<const ContactPair> pairs,
+               const SolverBodies& bodies) {
   using V = Vec<Real>;
   const V zero{};
-  const V one = All<Real>(1);
-  V greatest{};
-  for (std::size_t k = 0; k < rows.batches.size(); ++k) {
-    ConstraintBatch<Real>& batch = rows.batches[k];
-    if (k + 1 < rows.batches.size()) PrefetchBatch(rows.batches[k + 1], pairs, world);
-    const auto first = static_cast<std::size_t>(batch.first);
-    ContactLanes<Real>* prepared = &rows.contacts[first];
-    ContactNotes<Real>* notes = &rows.notes[first];
-    Fill(batch, prepared, notes, rules, pairs, world, warm_starting);
-    const Pairs<Real> before = PairsOf<Real>(world.before.data(), batch.A, batch.B);
-    const Pairs<Real> free = PairsOf<Real>(world.velocities.data(), batch.A, batch.B);
-    if (warm_starting && batch.count > 1) {
-      SpreadFriction(batch, prepared, notes, before, free);
+  const V one = Splat<Real>(1);
+  V max_squared{};
+  for (std::size_t index = 0; index < constraints.batches.size(); ++index) {
+    ConstraintBatch<Real>& batch = constraints.batches[index];
+    if (index + 1 < constraints.batches.size()) {
+      PrefetchBatch(constraints.batches[index + 1], pairs, bodies);
     }
-    const Inertias<Real> m = InertiasOf<Real>(batch);
-    const Vec3<Real> n = At(batch.n);
-    const Vec3<Real> t1 = At(batch.t1);
-    const Vec3<Real> t2 = At(batch.t2);
-    const V restitution = At(batch.restitution);
-    for (int row = 0; row < batch.count; ++row) {
-      ContactLanes<Real>& contact = prepared[row];
-      ContactNotes<Real>& note = notes[row];
-      const Vec3<Real> r_A = At(contact.r_A);
-      const Vec3<Real> r_B = At(contact.r_B);
-      const VecBits<Real> used = At(note.used) > zero;
-      const Vec3<Real> u_before = before.At(r_A, r_B);
-      const Vec3<Real> u_free = free.At(r_A, r_B);
-      greatest =
-          Max(greatest,
+    const auto first = static_cast<std::size_t>(batch.first);
+    ContactConstraintLanes<Real>* contacts = &constraints.contacts[first];
+    ContactColdLanes<Real>* cold = &constraints.cold[first];
+    LoadPairs(batch, contacts, cold, parameters, pairs, bodies);
+    const PairVelocities<Real> before =
+        GatherPairVelocities<Real>(bodies.velocities_before.data(), batch.A, batch.B);
+    const PairVelocities<Real> free =
+        GatherPairVelocities<Real>(bodies.velocities.data(), batch.A, batch.B);
+    if (parameters.warm_starting && batch.count > 1) {
+      SpreadFriction(batch, contacts, cold, before, free);
+    }
+    const InverseInertias<Real> m = LoadInverseInertias<Real>(batch);
+    const Vec3<Real> n = Load(batch.n);
+    const Vec3<Real> t1 = Load(batch.t1);
+    const Vec3<Real> t2 = Load(batch.t2);
+    const V restitution = Load(batch.restitution);
+    for (int k = 0; k < batch.count; ++k) {
+      ContactConstraintLanes<Real>& contact = contacts[k];
+      ContactColdLanes<Real>& data = cold[k];
+      const Vec3<Real> r_A = Load(contact.r_A);
+      const Vec3<Real> r_B = Load(contact.r_B);
+
+      // Relative velocity, before the step and at its end without impulses.
+      const VecBits<Real> used = Load(data.used) > zero;
+      const Vec3<Real> u_before = before.RelativeAt(r_A, r_B);
+      const Vec3<Real> u_free = free.RelativeAt(r_A, r_B);
+      max_squared =
+          Max(max_squared,
               Select(used, Max(Dot(u_before, u_before), Dot(u_free, u_free)), zero));
-      const V approach = Dot(u_before, n);
-      const V load = Dot(u_free, n) - approach;
-      const V usual = At(batch.usual) + Abs(load);
-      const V sent_back = load - restitution * approach;
-      const VecBits<Real> apart = At(note.separation) > zero;
-      const V fast = All<Real>(rules.resting_speed) * usual;
-      const VecBits<Real> would_bounce = (approach < zero - fast) & (sent_back > zero);
-      // What parts, and meets a impact of this step, comes back by the same law: held at
-      // rest it would leave the other body of the impact with the energy of both.
-      const VecBits<Real> leaves = restitution * approach > fast;
-      const VecBits<Real> bounces = leaves | (would_bounce & ~apart);
-      const VecBits<Real> steady = Abs(approach) <= All<Real>(kSteady) * usual;
 
-      // Not there yet: what will bounce goes on, what will rest arrives with the step.
-      const V arrive =
-          Select(would_bounce, All<Real>(-std::numeric_limits<Real>::infinity()),
-                 zero - At(note.separation) / All<Real>(rules.h));
-      const V excess = zero - At(note.separation) - At(batch.slop);
-      const VecBits<Real> deep = (excess > zero) & ~would_bounce;
-      const V push =
-          Select(deep, All<Real>(rules.baumgarte + rules.soft_rate) * excess, zero);
-      const V least = Select(leaves, sent_back, Min(zero, zero - restitution * approach));
-      const V target = Select(apart, Min(arrive, least),
-                              Select(would_bounce, sent_back, push + least));
+      // Restitution.
+      const V un_before = Dot(u_before, n);
+      const V change = Dot(u_free, n) - un_before;
+      const V load_speed = Load(batch.load_speed) + Abs(change);
+      const V bounce = change - restitution * un_before;
+      const VecBits<Real> is_apart = Load(data.separation) > zero;
+      const V resting_speed = Splat<Real>(parameters.resting_speed) * load_speed;
+      const VecBits<Real> would_bounce =
+          (un_before < zero - resting_speed) & (bounce > zero);
+      // A contact that separates and is hit by an impact of this step comes back by the
+      // same law. Held at rest, it would leave the energy of both bodies to the other
+      // one.
+      const VecBits<Real> separates = restitution * un_before > resting_speed;
+      const VecBits<Real> is_bouncing = separates | (would_bounce & ~is_apart);
+      const VecBits<Real> is_steady =
+          Abs(un_before) <= Splat<Real>(kSteadyFraction) * load_speed;
 
+      // Speculative contact: one that will rest closes by the end of the step; one that
+      // will bounce is off until it is closed.
+      const V speculative =
+          Select(would_bounce, Splat<Real>(-std::numeric_limits<Real>::infinity()),
+                 zero - Load(data.separation) / Splat<Real>(parameters.h));
+
+      // Stabilisation of contacts deeper than the slop (Baumgarte or soft).
+      const V depth = zero - Load(data.separation) - Load(batch.slop);
+      const VecBits<Real> is_deep = (depth > zero) & ~would_bounce;
+      const V stabilisation =
+          Select(is_deep,
+                 Splat<Real>(parameters.baumgarte + parameters.soft_rate) * depth, zero);
+
+      // Target of the relative normal velocity.
+      const V resting =
+          Select(separates, bounce, Min(zero, zero - restitution * un_before));
+      const V target = Select(is_apart, Min(speculative, resting),
+                              Select(would_bounce, bounce, stabilisation + resting));
+
+      // Response of the relative velocity to unit impulses along n, t1 and t2, and the
+      // effective masses, its inverses.
       const Vec3<Real> a_n = Cross(r_A, n);
       const Vec3<Real> b_n = Cross(r_B, n);
       const Vec3<Real> a_1 = Cross(r_A, t1);
       const Vec3<Real> b_1 = Cross(r_B, t1);
       const Vec3<Real> a_2 = Cross(r_A, t2);
       const Vec3<Real> b_2 = Cross(r_B, t2);
-      const Vec3<Real> Ia_1 = Times(m.tensor_A, a_1);
-      const Vec3<Real> Ib_1 = Times(m.tensor_B, b_1);
-      const V mass = m.mass_A + m.mass_B;
-      const Vec3<Real> Ia_n = Times(m.tensor_A, a_n);
-      const Vec3<Real> Ib_n = Times(m.tensor_B, b_n);
+      const Vec3<Real> Ia_1 = Times(m.inverse_inertia_A, a_1);
+      const Vec3<Real> Ib_1 = Times(m.inverse_inertia_B, b_1);
+      const V mass = m.inverse_mass_A + m.inverse_mass_B;
+      const Vec3<Real> Ia_n = Times(m.inverse_inertia_A, a_n);
+      const Vec3<Real> Ib_n = Times(m.inverse_inertia_B, b_n);
       const V k_n = mass + Dot(a_n, Ia_n) + Dot(b_n, Ib_n);
       const V k_n1 = Dot(a_1, Ia_n) + Dot(b_1, Ib_n);
       const V k_n2 = Dot(a_2, Ia_n) + Dot(b_2, Ib_n);
       const V k11 = mass + Dot(a_1, Ia_1) + Dot(b_1, Ib_1);
       const V k12 = Dot(a_2, Ia_1) + Dot(b_2, Ib_1);
-      const V k22 =
-          mass + Dot(a_2, Times(m.tensor_A, a_2)) + Dot(b_2, Times(m.tensor_B, b_2));
+      const V k22 = mass + Dot(a_2, Times(m.inverse_inertia_A, a_2)) +
+                    Dot(b_2, Times(m.inverse_inertia_B, b_2));
       const V determinant = k11 * k22 - k12 * k12;
       const V difference = k11 - k22;
-      const V k_slip =
-          All<Real>(0.5) *
-          (k11 + k22 + Sqrt(difference * difference + All<Real>(4) * k12 * k12));
-      const V soft = Select(deep, All<Real>(rules.soft_mass_scale), one);
-      const V scale = Select(deep, All<Real>(rules.soft_impulse_scale), zero);
+      // Greatest eigenvalue of the tangential response, for the step against the slip.
+      const V max_slip_response =
+          Splat<Real>(0.5) *
+          (k11 + k22 + Sqrt(difference * difference + Splat<Real>(4) * k12 * k12));
+      const V soft = Select(is_deep, Splat<Real>(parameters.soft_mass_scale), one);
+      const V scale = Select(is_deep, Splat<Real>(parameters.soft_impulse_scale), zero);
+
       if constexpr (std::is_same_v<Real, float>) {
-        Put(Select(used, target - Dot(u_free, n), zero), contact.target);
-        Put(Select(used, Dot(u_free, t1), zero), contact.slip1);
-        Put(Select(used, Dot(u_free, t2), zero), contact.slip2);
+        Store(Select(used, target - Dot(u_free, n), zero), contact.target);
+        Store(Select(used, Dot(u_free, t1), zero), contact.free_slip1);
+        Store(Select(used, Dot(u_free, t2), zero), contact.free_slip2);
       } else {
-        Put(Select(used, target, zero), contact.target);
+        Store(Select(used, target, zero), contact.target);
       }
-      Put(Select(used, k_n, zero), note.response);
-      Put(Select(used, soft / k_n, zero), contact.effective_mass);
-      Put(Select(used, scale, zero), contact.impulse_scale);
-      Put(k_n1, contact.response_n1);
-      Put(k_n2, contact.response_n2);
-      Put(Select(used, k22 / determinant, zero), contact.stick11);
-      Put(Select(used, zero - k12 / determinant, zero), contact.stick12);
-      Put(Select(used, k11 / determinant, zero), contact.stick22);
-      Put(Select(used, k_slip, zero), note.slip_response);
-      Put(Select(used, one / k_slip, zero), contact.slip_step);
-      Put(Select(bounces & used, one, zero), note.bounces);
-      Put(Select(steady, one, zero), note.steady);
+      Store(Select(used, k_n, zero), data.normal_response);
+      Store(Select(used, soft / k_n, zero), contact.effective_mass);
+      Store(Select(used, scale, zero), contact.impulse_scale);
+      Store(k_n1, contact.response_n1);
+      Store(k_n2, contact.response_n2);
+      Store(Select(used, k22 / determinant, zero), contact.tangent_mass11);
+      Store(Select(used, zero - k12 / determinant, zero), contact.tangent_mass12);
+      Store(Select(used, k11 / determinant, zero), contact.tangent_mass22);
+      Store(Select(used, max_slip_response, zero), data.slip_response);
+      Store(Select(used, one / max_slip_response, zero), contact.friction_step);
+      Store(Select(is_bouncing & used, one, zero), data.bounces);
+      Store(Select(is_steady, one, zero), data.steady);
     }
   }
-  return Greatest(Sqrt(greatest));
-}
-
-double PrepareDoubles(const ConstraintView<double>& rows, const ContactRules& rules,
-                      std::span<const ContactPair> pairs, const SolverBodies& world,
-                      bool warm_starting) {
-  return Prepare(rows, rules, pairs, world, warm_starting);
-}
-double PrepareFloats(const ConstraintView<float>& rows, const ContactRules& rules,
-                     std::span<const ContactPair> pairs, const SolverBodies& world,
-                     bool warm_starting) {
-  return Prepare(rows, rules, pairs, world, warm_starting);
+  return MaxLane(Sqrt(max_squared));
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(PrepareDoubles);
-HWY_EXPORT(PrepareFloats);
-
-template <>
-double PrepareContacts(const ConstraintView<double>& rows, const ContactRules& rules,
-                       std::span<const ContactPair> pairs, const SolverBodies& world,
-                       bool warm_starting) {
-  return HWY_DYNAMIC_DISPATCH(PrepareDoubles)(rows, rules, pairs, world, warm_starting);
+template <class Real>
+double PrepareContacts(const ConstraintView<Real>& constraints,
+                       const ContactParameters& parameters,
+                       std::span<const ContactPair> pairs, const SolverBodies& bodies) {
+  return COOKBOOK_DISPATCH(Prepare<Real>)(constraints, parameters, pairs, bodies);
 }
-template <>
-double PrepareContacts(const ConstraintView<float>& rows, const ContactRules& rules,
-                       std::span<const ContactPair> pairs, const SolverBodies& world,
-                       bool warm_starting) {
-  return HWY_DYNAMIC_DISPATCH(PrepareFloats)(rows, rules, pairs, world, warm_starting);
-}
+COOKBOOK_INSTANTIATE(PrepareContacts);
 }  // namespace cookbook
 #endif

@@ -1,12 +1,13 @@
-// Pairs of bodies, one a lane, for engine code compiled once per processor target: four
-// by doubles, sixteen by floats. Include after engine/simd/sixteen_lanes.h, within a file
-// that foreach_target.h reads again and again; hence the guard that toggles.
+// Velocities and inertias of pairs of bodies, one pair in each lane, for engine code that
+// is compiled once per SIMD target: four pairs in doubles, sixteen in floats. Include it
+// after engine/simd/foreach_target.h, in a file that foreach_target.h includes
+// repeatedly; hence the include guard that toggles.
 
-#if defined(COOKBOOK_ENGINE_BODIES_IN_LANES_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef COOKBOOK_ENGINE_BODIES_IN_LANES_H_
-#undef COOKBOOK_ENGINE_BODIES_IN_LANES_H_
+#if defined(COOKBOOK_ENGINE_SOLVER_BODIES_SIMD_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef COOKBOOK_ENGINE_SOLVER_BODIES_SIMD_H_
+#undef COOKBOOK_ENGINE_SOLVER_BODIES_SIMD_H_
 #else
-#define COOKBOOK_ENGINE_BODIES_IN_LANES_H_
+#define COOKBOOK_ENGINE_SOLVER_BODIES_SIMD_H_
 #endif
 
 #include <algorithm>
@@ -23,16 +24,16 @@ HWY_BEFORE_NAMESPACE();
 namespace cookbook {
 namespace HWY_NAMESPACE {
 
-/** A register of numbers. */
+/** A vector of numbers, one for each lane. */
 template <class Real>
 using Vec = std::conditional_t<std::is_same_v<Real, float>, Sixteen, Four>;
-/** What comparing two of them gives. */
+/** The result of comparing two Vec: all bits set in a lane where it is true. */
 template <class Real>
 using VecBits = std::conditional_t<std::is_same_v<Real, float>, SixteenBits, FourBits>;
 
 /** Returns x in every lane. */
 template <class Real>
-HWY_INLINE Vec<Real> All(double x) {
+HWY_INLINE Vec<Real> Splat(double x) {
   if constexpr (std::is_same_v<Real, float>) {
     return SplatSixteen(static_cast<float>(x));
   } else {
@@ -47,51 +48,51 @@ struct Vec3 {
   Vec<Real> z;
 };
 
-HWY_INLINE Four At(const Lanes<double>& lanes) {
+HWY_INLINE Four Load(const Lanes<double>& lanes) {
   return Load(lanes.data());
 }
-HWY_INLINE Sixteen At(const Lanes<float>& lanes) {
+HWY_INLINE Sixteen Load(const Lanes<float>& lanes) {
   return LoadSixteen(lanes.data());
 }
 template <class Real>
-HWY_INLINE Vec3<Real> At(const VectorLanes<Real>& lanes) {
-  return {At(lanes[0]), At(lanes[1]), At(lanes[2])};
+HWY_INLINE Vec3<Real> Load(const VectorLanes<Real>& lanes) {
+  return {Load(lanes[0]), Load(lanes[1]), Load(lanes[2])};
 }
-HWY_INLINE void Put(Four v, Lanes<double>& lanes) {
+HWY_INLINE void Store(Four v, Lanes<double>& lanes) {
   Store(v, lanes.data());
 }
-HWY_INLINE void Put(Sixteen v, Lanes<float>& lanes) {
+HWY_INLINE void Store(Sixteen v, Lanes<float>& lanes) {
   Store(v, lanes.data());
 }
 
-/** How many Four fill a register. */
+/** Number of Fours in a Vec<Real>. */
 template <class Real>
 inline constexpr std::size_t kFours = kLanes<Real> / 4;
 
-/** Writes four doubles as the four lanes from 4 · `four` on. */
-HWY_INLINE void PutFour(Four v, std::size_t, Lanes<double>& lanes) {
+/** Stores four doubles in the four lanes that start at 4 · `four`. */
+HWY_INLINE void StoreFour(Four v, std::size_t, Lanes<double>& lanes) {
   Store(v, lanes.data());
 }
-HWY_INLINE void PutFour(Four v, std::size_t four, Lanes<float>& lanes) {
+HWY_INLINE void StoreFour(Four v, std::size_t four, Lanes<float>& lanes) {
   const FourFloats narrow = __builtin_convertvector(v, FourFloats);
   std::memcpy(lanes.data() + 4 * four, &narrow, sizeof narrow);
 }
 template <class Real>
-HWY_INLINE void PutFour(const Vec3<double>& v, std::size_t four,
-                        VectorLanes<Real>& lanes) {
-  PutFour(v.x, four, lanes[0]);
-  PutFour(v.y, four, lanes[1]);
-  PutFour(v.z, four, lanes[2]);
+HWY_INLINE void StoreFour(const Vec3<double>& v, std::size_t four,
+                          VectorLanes<Real>& lanes) {
+  StoreFour(v.x, four, lanes[0]);
+  StoreFour(v.y, four, lanes[1]);
+  StoreFour(v.z, four, lanes[2]);
 }
 
-/** Returns the four lanes from 4 · `four` on. */
-HWY_INLINE Four FourAt(const Lanes<float>& lanes, std::size_t four) {
+/** Loads the four lanes that start at 4 · `four`. */
+HWY_INLINE Four LoadFour(const Lanes<float>& lanes, std::size_t four) {
   FourFloats narrow;
   std::memcpy(&narrow, lanes.data() + 4 * four, sizeof narrow);
   return __builtin_convertvector(narrow, Four);
 }
-HWY_INLINE Vec3<double> FourAt(const VectorLanes<float>& lanes, std::size_t four) {
-  return {FourAt(lanes[0], four), FourAt(lanes[1], four), FourAt(lanes[2], four)};
+HWY_INLINE Vec3<double> LoadFour(const VectorLanes<float>& lanes, std::size_t four) {
+  return {LoadFour(lanes[0], four), LoadFour(lanes[1], four), LoadFour(lanes[2], four)};
 }
 
 template <class Real>
@@ -120,9 +121,9 @@ struct Tensor {
   Vec<Real> xx, xy, xz, yy, yz, zz;
 };
 template <class Real>
-HWY_INLINE Tensor<Real> At(const TensorLanes<Real>& lanes) {
-  return {At(lanes[0]), At(lanes[1]), At(lanes[2]),
-          At(lanes[3]), At(lanes[4]), At(lanes[5])};
+HWY_INLINE Tensor<Real> Load(const TensorLanes<Real>& lanes) {
+  return {Load(lanes[0]), Load(lanes[1]), Load(lanes[2]),
+          Load(lanes[3]), Load(lanes[4]), Load(lanes[5])};
 }
 template <class Real>
 HWY_INLINE Vec3<Real> Times(const Tensor<Real>& t, const Vec3<Real>& a) {
@@ -130,13 +131,14 @@ HWY_INLINE Vec3<Real> Times(const Tensor<Real>& t, const Vec3<Real>& a) {
           t.xz * a.x + t.yz * a.y + t.zz * a.z};
 }
 
-/** The velocities of bodies. */
+/** The velocities of bodies, one in each lane. */
 template <class Real>
-struct Moving {
+struct BodyVelocities {
   Vec3<Real> v;
   Vec3<Real> w;
 };
 
+/** Transposes the 4 × 4 matrix with the rows a, b, c, d. */
 HWY_INLINE void Transpose4(Four& a, Four& b, Four& c, Four& d) {
   const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);
   const Four ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
@@ -148,8 +150,9 @@ HWY_INLINE void Transpose4(Four& a, Four& b, Four& c, Four& d) {
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-/** Returns the velocities of the four bodies from `bodies` on. */
-HWY_INLINE Moving<double> GatherFour(const Velocity* velocities, const int* bodies) {
+/** Returns the velocities of the four bodies whose indices start at `bodies`. */
+HWY_INLINE BodyVelocities<double> GatherFour(const Velocity* velocities,
+                                             const int* bodies) {
   Four low[4];
   Four high[4];
   for (std::size_t k = 0; k < 4; ++k) {
@@ -162,12 +165,12 @@ HWY_INLINE Moving<double> GatherFour(const Velocity* velocities, const int* bodi
   return {{low[0], low[1], low[2]}, {low[3], high[0], high[1]}};
 }
 
-HWY_INLINE Moving<double> Gather(const Velocity* velocities,
-                                 const BodyLanes<double>& bodies) {
+HWY_INLINE BodyVelocities<double> Gather(const Velocity* velocities,
+                                         const BodyLanes<double>& bodies) {
   return GatherFour(velocities, bodies.data());
 }
-HWY_INLINE Moving<float> Gather(const SingleVelocity* velocities,
-                                const BodyLanes<float>& bodies) {
+HWY_INLINE BodyVelocities<float> Gather(const SingleVelocity* velocities,
+                                        const BodyLanes<float>& bodies) {
   Eight low[8];
   Eight high[8];
   for (std::size_t k = 0; k < 8; ++k) {
@@ -176,16 +179,18 @@ HWY_INLINE Moving<float> Gather(const SingleVelocity* velocities,
   }
   Transpose8(low);
   Transpose8(high);
-  return {{Beside(low[0], high[0]), Beside(low[1], high[1]), Beside(low[2], high[2])},
-          {Beside(low[3], high[3]), Beside(low[4], high[4]), Beside(low[5], high[5])}};
+  return {{Concatenate(low[0], high[0]), Concatenate(low[1], high[1]),
+           Concatenate(low[2], high[2])},
+          {Concatenate(low[3], high[3]), Concatenate(low[4], high[4]),
+           Concatenate(low[5], high[5])}};
 }
 
-/** Writes the velocities of four bodies, those that move: several threads may read one
- that does not. */
-HWY_INLINE void ScatterFour(const Moving<double>& moving, const int* bodies,
+/** Writes the velocities of four bodies. Skips static bodies, which other threads may
+ read at the same time. */
+HWY_INLINE void ScatterFour(const BodyVelocities<double>& velocity, const int* bodies,
                             Four inverse_mass, Velocity* velocities) {
-  Four low[4] = {moving.v.x, moving.v.y, moving.v.z, moving.w.x};
-  Four high[4] = {moving.w.y, moving.w.z, Four{}, Four{}};
+  Four low[4] = {velocity.v.x, velocity.v.y, velocity.v.z, velocity.w.x};
+  Four high[4] = {velocity.w.y, velocity.w.z, Four{}, Four{}};
   Transpose4(low[0], low[1], low[2], low[3]);
   Transpose4(high[0], high[1], high[2], high[3]);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -196,13 +201,15 @@ HWY_INLINE void ScatterFour(const Moving<double>& moving, const int* bodies,
   }
 }
 
-HWY_INLINE void Scatter(const Moving<double>& moving, const BodyLanes<double>& bodies,
+HWY_INLINE void Scatter(const BodyVelocities<double>& velocity,
+                        const BodyLanes<double>& bodies,
                         const Lanes<double>& inverse_mass, Velocity* velocities) {
-  ScatterFour(moving, bodies.data(), At(inverse_mass), velocities);
+  ScatterFour(velocity, bodies.data(), Load(inverse_mass), velocities);
 }
-HWY_INLINE void Scatter(const Moving<float>& moving, const BodyLanes<float>& bodies,
-                        const Lanes<float>& inverse_mass, SingleVelocity* velocities) {
-  const auto& [v, w] = moving;
+HWY_INLINE void Scatter(const BodyVelocities<float>& velocity,
+                        const BodyLanes<float>& bodies, const Lanes<float>& inverse_mass,
+                        SingleVelocity* velocities) {
+  const auto& [v, w] = velocity;
   Eight low[8] = {Low(v.x), Low(v.y), Low(v.z), Low(w.x), Low(w.y), Low(w.z), {}, {}};
   Eight high[8] = {High(v.x), High(v.y), High(v.z), High(w.x),
                    High(w.y), High(w.z), {},        {}};
@@ -215,29 +222,33 @@ HWY_INLINE void Scatter(const Moving<float>& moving, const BodyLanes<float>& bod
   }
 }
 
+/** Returns the velocity of the point of B at `r_B` relative to the point of A at `r_A`.
+ */
 template <class Real>
-HWY_INLINE Vec3<Real> RelativeVelocity(const Moving<Real>& A, const Moving<Real>& B,
+HWY_INLINE Vec3<Real> RelativeVelocity(const BodyVelocities<Real>& A,
+                                       const BodyVelocities<Real>& B,
                                        const Vec3<Real>& r_A, const Vec3<Real>& r_B) {
   return Minus(Plus(B.v, Cross(B.w, r_B)), Plus(A.v, Cross(A.w, r_A)));
 }
 
-/** How the bodies of some pairs move. In single precision as the centre of A sees it:
- what the two have in common of their velocities, not of their spins, is taken off before
- anything is rounded. */
+/** The velocities of the bodies of some pairs. In single precision they are relative to
+ the linear velocity of A, which is subtracted in double precision: the common velocity of
+ the two then causes no rounding error. The spins are not relative. */
 template <class Real>
-struct Pairs {
-  Moving<Real> A;
-  Moving<Real> B;
+struct PairVelocities {
+  BodyVelocities<Real> A;
+  BodyVelocities<Real> B;
 
-  /** Returns how the point of B moves against that of A. [m/s] */
-  HWY_INLINE Vec3<Real> At(const Vec3<Real>& r_A, const Vec3<Real>& r_B) const {
+  /** Returns the velocity of the point of B relative to the point of A. [m/s] */
+  HWY_INLINE Vec3<Real> RelativeAt(const Vec3<Real>& r_A, const Vec3<Real>& r_B) const {
     return RelativeVelocity(A, B, r_A, r_B);
   }
 };
 
 template <class Real>
-HWY_INLINE Pairs<Real> PairsOf(const Velocity* velocities, const BodyLanes<Real>& A,
-                               const BodyLanes<Real>& B) {
+HWY_INLINE PairVelocities<Real> GatherPairVelocities(const Velocity* velocities,
+                                                     const BodyLanes<Real>& A,
+                                                     const BodyLanes<Real>& B) {
   if constexpr (std::is_same_v<Real, double>) {
     return {Gather(velocities, A), Gather(velocities, B)};
   } else {
@@ -245,8 +256,8 @@ HWY_INLINE Pairs<Real> PairsOf(const Velocity* velocities, const BodyLanes<Real>
     Four w_A[3][4];
     Four w_B[3][4];
     for (std::size_t k = 0; k < 4; ++k) {
-      const Moving<double> a = GatherFour(velocities, A.data() + 4 * k);
-      const Moving<double> b = GatherFour(velocities, B.data() + 4 * k);
+      const BodyVelocities<double> a = GatherFour(velocities, A.data() + 4 * k);
+      const BodyVelocities<double> b = GatherFour(velocities, B.data() + 4 * k);
       const auto put = [&](const Vec3<double>& v, Four to[3][4]) HWY_ATTR {
         to[0][k] = v.x;
         to[1][k] = v.y;
@@ -259,42 +270,44 @@ HWY_INLINE Pairs<Real> PairsOf(const Velocity* velocities, const BodyLanes<Real>
     const auto narrow = [](const Four from[3][4]) HWY_ATTR {
       return Vec3<float>{Narrow(from[0]), Narrow(from[1]), Narrow(from[2])};
     };
-    return {Moving<float>{{}, narrow(w_A)}, Moving<float>{narrow(v_AB), narrow(w_B)}};
+    return {BodyVelocities<float>{{}, narrow(w_A)},
+            BodyVelocities<float>{narrow(v_AB), narrow(w_B)}};
   }
 }
 
-/** What resists the impulses of a batch. */
+/** The inverse masses and inertia tensors of the bodies of some pairs. */
 template <class Real>
-struct Inertias {
-  Vec<Real> mass_A;
-  Vec<Real> mass_B;
-  Tensor<Real> tensor_A;
-  Tensor<Real> tensor_B;
+struct InverseInertias {
+  Vec<Real> inverse_mass_A;
+  Vec<Real> inverse_mass_B;
+  Tensor<Real> inverse_inertia_A;
+  Tensor<Real> inverse_inertia_B;
 };
 
-/** Returns it of a batch of such numbers. */
+/** Loads those of a batch of contact or position constraints. */
 template <class Real, class Batch>
-HWY_INLINE Inertias<Real> InertiasOf(const Batch& batch) {
-  return {At(batch.inverse_mass_A), At(batch.inverse_mass_B), At(batch.inverse_inertia_A),
-          At(batch.inverse_inertia_B)};
+HWY_INLINE InverseInertias<Real> LoadInverseInertias(const Batch& batch) {
+  return {Load(batch.inverse_mass_A), Load(batch.inverse_mass_B),
+          Load(batch.inverse_inertia_A), Load(batch.inverse_inertia_B)};
 }
 
-/** Applies J to B and −J to A. */
+/** Applies the impulse J to B at `r_B`, and −J to A at `r_A`. */
 template <class Real>
-HWY_INLINE void Apply(const Vec3<Real>& J, const Vec3<Real>& r_A, const Vec3<Real>& r_B,
-                      const Inertias<Real>& m, Moving<Real>& A, Moving<Real>& B) {
-  A.v = Minus(A.v, Times(m.mass_A, J));
-  A.w = Minus(A.w, Times(m.tensor_A, Cross(r_A, J)));
-  B.v = Plus(B.v, Times(m.mass_B, J));
-  B.w = Plus(B.w, Times(m.tensor_B, Cross(r_B, J)));
+HWY_INLINE void ApplyImpulse(const Vec3<Real>& J, const Vec3<Real>& r_A,
+                             const Vec3<Real>& r_B, const InverseInertias<Real>& m,
+                             BodyVelocities<Real>& A, BodyVelocities<Real>& B) {
+  A.v = Minus(A.v, Times(m.inverse_mass_A, J));
+  A.w = Minus(A.w, Times(m.inverse_inertia_A, Cross(r_A, J)));
+  B.v = Plus(B.v, Times(m.inverse_mass_B, J));
+  B.w = Plus(B.w, Times(m.inverse_inertia_B, Cross(r_B, J)));
 }
 
-/** What several impulses of pairs make together. */
+/** The sum of several impulses of each pair. */
 template <class Real>
-struct Wrenches {
-  Vec3<Real> J{};    ///< On B, the opposite on A. [N s]
-  Vec3<Real> L_A{};  ///< The moment of it about the centre of A. [N m s]
-  Vec3<Real> L_B{};
+struct ImpulseSum {
+  Vec3<Real> J{};    ///< On B; −J acts on A. [N s]
+  Vec3<Real> L_A{};  ///< Moment of J about the centre of A. [N m s]
+  Vec3<Real> L_B{};  ///< Moment of J about the centre of B. [N m s]
 
   HWY_INLINE void Add(const Vec3<Real>& impulse, const Vec3<Real>& r_A,
                       const Vec3<Real>& r_B) {
@@ -304,37 +317,36 @@ struct Wrenches {
   }
 };
 
-/** Applies them. */
+/** Applies the sum to B, and its opposite to A. */
 template <class Real>
-HWY_INLINE void Apply(const Wrenches<Real>& all, const Inertias<Real>& m, Moving<Real>& A,
-                      Moving<Real>& B) {
-  A.v = Minus(A.v, Times(m.mass_A, all.J));
-  A.w = Minus(A.w, Times(m.tensor_A, all.L_A));
-  B.v = Plus(B.v, Times(m.mass_B, all.J));
-  B.w = Plus(B.w, Times(m.tensor_B, all.L_B));
+HWY_INLINE void ApplyImpulse(const ImpulseSum<Real>& sum, const InverseInertias<Real>& m,
+                             BodyVelocities<Real>& A, BodyVelocities<Real>& B) {
+  A.v = Minus(A.v, Times(m.inverse_mass_A, sum.J));
+  A.w = Minus(A.w, Times(m.inverse_inertia_A, sum.L_A));
+  B.v = Plus(B.v, Times(m.inverse_mass_B, sum.J));
+  B.w = Plus(B.w, Times(m.inverse_inertia_B, sum.L_B));
 }
 
-HWY_INLINE double Greatest(Four v) {
+/** Returns the greatest lane. */
+HWY_INLINE double MaxLane(Four v) {
   return std::max(std::max(v[0], v[1]), std::max(v[2], v[3]));
 }
-HWY_INLINE double Greatest(const Sixteen& v) {
+HWY_INLINE double MaxLane(const Sixteen& v) {
   const Eight half = Max(Low(v), High(v));
   const Eight quarter =
       Max(half, __builtin_shufflevector(half, half, 4, 5, 6, 7, 0, 1, 2, 3));
   return std::max({quarter[0], quarter[1], quarter[2], quarter[3]});
 }
 
-// What is read of four things at once.
-
-/** Returns what the first four numbers are of each of four things. */
-HWY_INLINE void LoadFour(const std::array<const double*, 4>& from, Four to[4]) {
+/** Loads four doubles from each of four addresses; to[k] contains number k of each. */
+HWY_INLINE void LoadTransposed(const std::array<const double*, 4>& from, Four to[4]) {
   for (std::size_t lane = 0; lane < 4; ++lane) to[lane] = Load(from[lane]);
   Transpose4(to[0], to[1], to[2], to[3]);
 }
 
-/** Returns the inverse mass of four bodies and fills their tensors. */
-HWY_INLINE Four LoadInertias(const std::array<const InverseInertia*, 4>& from,
-                             Tensor<double>& tensor) {
+/** Returns the inverse masses of four bodies, and fills their inverse inertia tensors. */
+HWY_INLINE Four GatherInverseInertias(const std::array<const InverseInertia*, 4>& from,
+                                      Tensor<double>& tensor) {
   static_assert(offsetof(InverseInertia, mass) == 6 * sizeof(double));
   Four low[4];
   Four high[4];

@@ -9,77 +9,84 @@
 
 namespace cookbook {
 
-/** Finds impulses by which islands come to rest on what does not move.
+/** A direct solver for islands that can rest on a static body: it finds the contact
+ impulses of a static equilibrium without iterations.
 
- Sweeps pass a load on from contact to contact: of a column of n boxes, which bends like a
- beam, they take some n⁴ to bring it to rest. But where each body of a island has one pair
- below it, and one of them stands on something static, what a pair bears is what all that
- is above it needs to stop: known from the momenta alone. Over the contacts of a pair it
- is spread as a stiff even bed would carry it: linearly along the normal, and across it as
- the load is, with the same sum and the same moment.
+ Gauss-Seidel passes a load on from contact to contact. A column of n boxes bends like a
+ beam, and takes some n⁴ iterations to come to rest. Here the island has to be a tree:
+ each body has one supporting pair below it, and one body stands on a static body. The
+ impulse and moment of a supporting pair then follow from momentum alone: they stop all
+ that the pair supports. They are distributed over the contacts of the pair as by a rigid
+ body on a uniform elastic foundation: linearly in position along the normal, and in
+ proportion to that load across it, with the same sum and the same moment.
 
- Where no contact has to load for that, and none to hold more than its friction, no
- contact moves and none has to: the law of ContactSolver, to some ten roundings of the
- load. A contact that is apart by so little that it arrives with less than a thousandth
- of what gravity adds in a step counts as there: it bears, and the sweeps that follow let
- it come. Where a contact would have to load, the island may still be able to rest, borne
- otherwise: it is left to sweeps, as is a island with a ring, or with two pairs on what is
- static. */
+ The result is accepted if no contact would have to pull and none exceeds its friction.
+ It then satisfies the inequalities of ContactSolver with zero velocities, to some ten
+ roundings of the load. A gap that closes with less than a thousandth of the speed that
+ the loads add in a step counts as closed: its contact bears load, and later iterations
+ close it. Where a contact would have to pull, another load distribution may still be in
+ equilibrium. Such islands are left to the iterations, and so are those that contain a
+ cycle of pairs or stand on static bodies with two pairs. */
 class StaticEquilibrium {
  public:
-  /** Brings to rest each island of `rows` that can be, of those in which the last sweep
-   changed a relative velocity by more than `solved` [m/s]: changes its impulses, and the
-   velocities of its bodies to 0. Of the others nothing changes. Contacts have to be hard.
-   `islands` tells of each body which stands for its island. */
-  void Find(const ConstraintView<double>& rows, std::span<const int> islands,
-            double solved, const SolverBodies& world);
+  /** Brings to rest each island of `constraints` that can be, among those in which the
+   last iteration changed a relative velocity by more than `solved` [m/s]: sets its
+   impulses, and the velocities of its bodies to 0. Other islands do not change.
+   `islands`, indexed by body, is the root of the body's island.
+   @pre Contacts are hard and impulses accumulate. */
+  void Solve(const ConstraintView<double>& constraints, std::span<const int> islands,
+             double solved, const SolverBodies& bodies);
 
  private:
-  /** What a pair or some bodies need. */
-  struct Wrench {
-    Eigen::Vector3d force;   ///< Impulse. [N s]
-    Eigen::Vector3d moment;  ///< About the centre of a body. [N m s]
+  /** An impulse and its moment. */
+  struct SpatialImpulse {
+    Eigen::Vector3d linear;   ///< [N s]
+    Eigen::Vector3d angular;  ///< About the centre of a body. [N m s]
   };
 
-  /** Where a pair is. */
-  struct Place {
+  /** The position of a pair in the batches. */
+  struct PairPosition {
     std::size_t batch;
     std::size_t lane;
   };
 
-  /** A body and the pair that it stands on. */
-  struct Limb {
-    Place place;
+  /** The solution for a pair that supports a body. */
+  struct SupportingPair {
+    PairPosition position;
     int island;
-    std::array<Eigen::Vector3d, 8> impulses;  ///< Along n, t1 and t2, of each contact.
+    std::array<Eigen::Vector3d, 8> impulses;  ///< Along n, t1 and t2 of each contact.
   };
 
-  /** What is known of a island, by the body that stands for it. */
   struct Island {
-    int pairs = 0;
-    int bodies = 0;
-    double change = 0;  ///< The greatest of the last sweep. [m/s]
+    int pairs = 0;   ///< Number of pairs.
+    int bodies = 0;  ///< Number of bodies that are not removed yet.
+    /** Greatest change of a relative velocity in the last iteration. [m/s] */
+    double max_change = 0;
     bool may_rest = false;
   };
 
-  /** What is known of a body. */
-  struct Joint {
-    int pairs = 0;         ///< That it is one of, and that are not taken off yet.
-    std::size_t last = 0;  ///< The exclusive or of those, and so the last one.
+  /** A body as a node of the contact graph, whose edges are the pairs. */
+  struct Node {
+    int degree = 0;             ///< Number of its edges that are not removed yet.
+    std::size_t edges_xor = 0;  ///< XOR of their indices; with degree 1 the last edge.
   };
 
-  bool FindTrees(const ConstraintView<double>& rows, std::span<const int> islands,
+  /** Fills nodes and islands. Returns whether any island may be a tree on a static body.
+   */
+  bool FindTrees(const ConstraintView<double>& constraints, std::span<const int> islands,
                  double solved);
-  /** Takes bodies that are one of one pair off their island, until none is left. */
-  void TakeApart(const ConstraintView<double>& rows, std::span<const int> islands,
-                 const SolverBodies& world);
+  /** Removes leaves, that is, bodies of degree 1, until none is left, and solves the
+   supporting pair of each. */
+  void RemoveLeaves(const ConstraintView<double>& constraints,
+                    std::span<const int> islands, const SolverBodies& bodies);
 
-  std::vector<Place> places_;    ///< Of all pairs.
-  std::vector<Island> islands_;  ///< By body.
-  std::vector<Joint> joints_;    ///< By body.
-  std::vector<Wrench> needs_;    ///< By body: of it and of what is taken off it.
-  std::vector<int> loose_;       ///< Bodies of one pair.
-  std::vector<Limb> limbs_;
+  std::vector<PairPosition> edges_;  ///< All pairs.
+  std::vector<Island> islands_;      ///< Indexed by the root of the island.
+  std::vector<Node> nodes_;          ///< Indexed by body.
+  /** Impulse that stops a body and all bodies that it supports. Indexed by body. */
+  std::vector<SpatialImpulse> required_;
+  std::vector<int> leaves_;  ///< Bodies of degree 1, to be removed.
+  std::vector<SupportingPair> supports_;
 };
 
 }  // namespace cookbook

@@ -41,8 +41,8 @@ void Validate(const Cloth& cloth) {
            "a finite number >= 0");
   }
   for (const auto& [row, column] : cloth.pinned) {
-    for (const int place : {row, column}) {
-      Expect(place >= 0 && place < cloth.n, "pinned node", place,
+    for (const int index : {row, column}) {
+      Expect(index >= 0 && index < cloth.n, "pinned node", index,
              "a row and a column in [0, n)");
     }
   }
@@ -54,12 +54,12 @@ int AddCloth(const Cloth& cloth, World& world) {
   Validate(cloth);
   const int n = cloth.n;
   const double middle = 0.5 * (n - 1);
-  const auto place_of = [n](int row, int column) {
+  const auto index_of = [n](int row, int column) {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(n) +
            static_cast<std::size_t>(column);
   };
-  std::vector<double> masses(place_of(n, 0), cloth.node_mass);
-  for (const auto& [row, column] : cloth.pinned) masses[place_of(row, column)] = 0;
+  std::vector<double> masses(index_of(n, 0), cloth.node_mass);
+  for (const auto& [row, column] : cloth.pinned) masses[index_of(row, column)] = 0;
   const int first = world.body_count();
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) {
@@ -67,7 +67,7 @@ int AddCloth(const Cloth& cloth, World& world) {
       node.shape = Point{};
       node.state.p_WB = cloth.centre_W +
                         cloth.spacing * Eigen::Vector3d(column - middle, 0, row - middle);
-      node.mass = masses[place_of(row, column)];
+      node.mass = masses[index_of(row, column)];
       node.restitution = cloth.bounce;
       node.drag = cloth.drag;
       world.AddBody(node);

@@ -11,58 +11,63 @@
 
 namespace cookbook {
 
-/** How hard the bodies of a world are pulled, which is the measure of what counts for
- rest: contacts that are kept ready, depths that are left, approaches that do not bounce.
+/** The load accelerations of the bodies, and the thresholds of rest that follow from
+ them: speculative margin, slop, and the speed below which a contact does not bounce.
+ Box2D uses constants for
+ them. Here they scale with the loads, so that bodies at rest under forces or springs
+ behave like bodies at rest under gravity.
 
- What loads a body makes of it, if nothing holds it,
+ The load acceleration of a body is the acceleration that external loads would cause if
+ nothing held it,
 
    a = max(|g + F/m| + |τ|/(m r), |S|/m),
 
- with F and τ the forces and torques on it, S the sum of its springs and r its radius. So
- gravity and a constant force that make the same motion make the same measure, and what
- falls with the frame in which it is seen weighs nothing; what hangs on a spring does. A
- torque loads as a force at the arm r would. Points touch nothing that is solved, and
- their springs are left out.
+ with the forces F and torques τ on it, the sum S of its spring forces and its bounding
+ radius r. So gravity and a constant force that cause the same motion have the same load
+ acceleration. It is zero for a body in free fall in its own frame, but not for a body
+ that hangs on a spring. A torque counts like a force with the lever arm r. Points have no
+ contact constraints, and the springs on them are left out.
 
- Contacts, rods and springs pass on what presses them. A island is what they joined in the
- step before, without what is static, and pulled as hard as
+ Contacts, joints and springs transmit loads. An island is what they joined in the
+ previous step, without static bodies. Its load acceleration is
 
    ā = Σ m a / Σ m,
 
- the gravity under which it would weigh as much as now loads at it. A mean by mass, so
- that a light body under a great force does to a island what it can; and of a island,
- since others are none of its business.
+ the gravity under which the island would weigh as much as its loads. The mean is weighted
+ by mass, so that a light body under a great force affects the island only as much as it
+ can. It is a mean over the island and not over the world, because other islands are not
+ affected.
 
- Contacts are kept ready, and depths left, up to 2 ā h²; but where forces load harder than
- gravity, no further than a fiftieth of the inner radius of the body, or 2 |g| h² where
- that is more: what forces press may be small, and pressed as in a vice. Two bodies take
- the less of both, the margin that either of them bears.
+ Speculative margin and slop are 2 ā h². Where forces load more than gravity does, they
+ are at most the greater of 2 |g| h² and a fiftieth of the inner radius of the body: a
+ small body may be pressed as in a vice. A pair uses the smaller value of its bodies.
 
- An approach does not bounce that is slower than what the greater of their a makes of a
- step; or ā, where the two press each other already: what is thrown at a island gets
- nothing of what presses that. */
+ A contact does not bounce if its approach speed is below a h, times
+ Settings::resting_speed, with the greater a of its bodies. If the two pressed each other
+ in the previous step, the bound is ā h if that is greater.
+ So a body that is thrown at an island is not affected by the load on the island. */
 class ExternalLoads {
  public:
-  /** Finds of each moving body how hard it is pulled in a step of `h` [s], and what
-   follows from that, given the contacts of the step before. */
-  void Find(std::span<const ContactPair> contacts, std::span<const DistanceJoint> joints,
-            std::span<const Spring> springs, const Settings& settings, double h,
-            std::span<RigidBody> bodies);
+  /** Sets the load accelerations, the speculative margin and the slop of all bodies for a
+   step of `h` [s]. `contacts` are those of the previous step. */
+  void Update(std::span<const ContactPair> contacts,
+              std::span<const DistanceJoint> joints, std::span<const Spring> springs,
+              const Settings& settings, double h, std::span<RigidBody> bodies);
 
-  /** The greatest margin of a body. [m] */
-  double greatest_margin() const { return greatest_margin_; }
+  /** The greatest speculative margin of a body. [m] */
+  double max_speculative_margin() const { return max_speculative_margin_; }
 
  private:
-  /** What a island is made of. */
+  /** The mass and load of an island. */
   struct Island {
     double mass = 0;    ///< [kg]
-    double excess = 0;  ///< Σ m (a − |g|): of gravity alone 0, without rounding. [N]
+    double excess = 0;  ///< Σ m (a − |g|): exactly 0 under gravity alone. [N]
   };
 
-  double greatest_margin_ = 0;
+  double max_speculative_margin_ = 0;
   UnionFind joined_;
-  std::vector<Island> islands_;                   ///< By body that stands for it.
-  std::vector<Eigen::Vector3d> spring_forces_W_;  ///< By body. [N]
+  std::vector<Island> islands_;                   ///< Indexed by root of the island.
+  std::vector<Eigen::Vector3d> spring_forces_W_;  ///< Indexed by body. [N]
 };
 
 }  // namespace cookbook

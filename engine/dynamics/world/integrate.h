@@ -7,33 +7,36 @@
 
 namespace cookbook {
 
-/** A change of velocity in a step beyond this many times what the forces make of a free
- body is taken for a impact. A contact that holds or slows a body makes less. */
+/** A change of velocity beyond this many times that of a free body in a step is treated
+ as an impact. A contact that holds or slows down a body causes less. */
 inline constexpr double kImpactFactor = 4;
 
-/** A step of some bodies, all by body index. */
-struct Motion {
-  std::span<RigidBody> bodies;       ///< At its start, then at its end.
-  std::span<const Velocity> before;  ///< At its start.
-  std::span<const Velocity> free;    ///< At its end, without impulses.
-  std::span<const Velocity> solved;  ///< At its end.
-  std::span<const Touch> touches;
-  std::span<Velocity> mean;  ///< Out: what moves the bodies during the step.
-  double h;                  ///< [s]
+/** Input and output of the integration of a step. All spans are indexed by body. */
+struct Integration {
+  std::span<RigidBody> bodies;       ///< In: at the start of the step. Out: at its end.
+  std::span<const Velocity> before;  ///< At the start of the step.
+  std::span<const Velocity> free;    ///< At the end of the step, without impulses.
+  std::span<const Velocity> solved;  ///< At the end of the step.
+  std::span<const ContactFlags> contact_flags;
+  std::span<Velocity> mean;  ///< Out: the velocities that move the bodies.
+  double h;                  ///< Time step. [s]
 };
 
-/** Beyond any world that means something. */
-inline constexpr double kLargest = 1e12;
+/** Coordinates and velocities from here on count as diverged. [SI units] */
+inline constexpr double kDivergenceBound = 1e12;
 
-/** Moves bodies that RigidBody::moves_round() as World::MoveBody() does, four at once,
- and fills `ways` with the Travel() of each. Returns whether all numbers are below
- kLargest.
- */
-bool MoveRound(const Motion& motion, std::span<const int> bodies, std::span<double> ways);
+/** Integrates `bodies`, for which RigidBody::moves_isotropically() is true, like
+ World::IntegrateBody(), but four at once. Fills `travel` with the Travel() of each [m].
+ Returns whether all numbers are below kDivergenceBound. */
+bool IntegrateIsotropicBodies(const Integration& integration, std::span<const int> bodies,
+                              std::span<double> travel);
 
-/** Displaces and turns `some` of the bodies by their `moves` ([m], [rad], by body index),
- four at once, and fills `ways` with the Travel() of each. */
-void Shift(std::span<RigidBody> bodies, std::span<const Velocity> moves,
-           std::span<const int> some, std::span<double> ways);
+/** Translates and rotates the bodies with the indices `corrected` by their `corrections`
+ ([m], [rad], indexed by body), four at once. Fills `travel` with the Travel() of each
+ [m]. */
+void IntegratePositionCorrections(std::span<RigidBody> bodies,
+                                  std::span<const Velocity> corrections,
+                                  std::span<const int> corrected,
+                                  std::span<double> travel);
 
 }  // namespace cookbook

@@ -4,25 +4,17 @@
 #include "engine/dynamics/body/rotation.h"
 #include "engine/dynamics/world/integrate.h"
 
-// Four doubles are one register from AVX2 on.
-#define HWY_DISABLED_TARGETS                                               \
-  (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | \
-   HWY_SVE2_128 | HWY_RVV)
-#undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/dynamics/world/integrate_simd.cc"
-#include <hwy/foreach_target.h>
+#include "engine/simd/foreach_target.h"
 // After foreach_target.h.
-#include <hwy/highway.h>
-
 #include "engine/dynamics/solver/solver_bodies_simd.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace cookbook {
-namespace HWY_NAMESPACE {
+namespace cookbook::HWY_NAMESPACE {
 namespace {
 
-// Sums and products in the order in which Eigen has them: a body moves by the same bits
-// here as alone.
+// Sums and products are in Eigen's order, so that a body moves by the same bits here as
+// in World::IntegrateBody().
 
 HWY_INLINE Four SquaredLength(const Vec3<double>& a) {
   return a.x * a.x + (a.y * a.y + a.z * a.z);
@@ -44,8 +36,8 @@ HWY_INLINE Quaternions Normalized(const Quaternions& q) {
   return {q.x / length, q.y / length, q.z / length, q.w / length};
 }
 
-/** As Exp(). */
-HWY_INLINE Quaternions ExpOf(const Vec3<double>& phi) {
+/** Four times Exp(). */
+HWY_INLINE Quaternions ExpFour(const Vec3<double>& phi) {
   const Four squared = SquaredLength(phi);
   Four s =
       Splat(0.5) + squared * (Splat(-1.0 / 48) +
@@ -55,47 +47,47 @@ HWY_INLINE Quaternions ExpOf(const Vec3<double>& phi) {
       squared * (Splat(-1.0 / 8) +
                  squared * (Splat(1.0 / 384) +
                             squared * (Splat(-1.0 / 46080) + squared / Splat(10321920))));
-  Quaternions turn{s * phi.x, s * phi.y, s * phi.z, c};
-  const FourBits small = squared < Splat(kSmallTurnSquared);
+  Quaternions rotation{s * phi.x, s * phi.y, s * phi.z, c};
+  const FourBits small = squared < Splat(kSmallAngleSquared);
   const unsigned is_small = Bits(small);
   for (std::size_t lane = 0; lane < 4 && is_small != 15; ++lane) {
     if ((is_small >> lane & 1) != 0) continue;
     const Eigen::Quaterniond exact = Exp({phi.x[lane], phi.y[lane], phi.z[lane]});
-    turn.x[lane] = exact.x();
-    turn.y[lane] = exact.y();
-    turn.z[lane] = exact.z();
-    turn.w[lane] = exact.w();
+    rotation.x[lane] = exact.x();
+    rotation.y[lane] = exact.y();
+    rotation.z[lane] = exact.z();
+    rotation.w[lane] = exact.w();
   }
-  return turn;
+  return rotation;
 }
 
 HWY_INLINE void Store3(Four v, Eigen::Vector3d& to) {
   to = {v[0], v[1], v[2]};
 }
 
-/** Moves four bodies by `way_W` and turns them by `phi_W`. Fills `ways` with the Travel()
- of each and returns where they are. */
+/** Translates four bodies by `displacement_W` and rotates them by `phi_W`. Fills `travel`
+ with the Travel() of each and returns their positions. */
 HWY_INLINE Vec3<double> Displace(const std::array<RigidBody*, 4>& body,
-                                 const Vec3<double>& way_W, const Vec3<double>& phi_W,
-                                 double* ways) {
+                                 const Vec3<double>& displacement_W,
+                                 const Vec3<double>& phi_W, double* travel) {
   std::array<const double*, 4> p_WB;
   std::array<const double*, 4> q_WB;
-  Four reach;  // 0 of a ball, which no turn takes from its place.
+  Four diameter;  // 0 for a sphere: rotation does not move its surface.
   for (std::size_t k = 0; k < 4; ++k) {
     p_WB[k] = body[k]->state.p_WB.data();
     q_WB[k] = body[k]->state.q_WB.coeffs().data();
-    reach[k] = body[k]->is_ball ? 0 : 2 * body[k]->radius;
+    diameter[k] = body[k]->is_sphere ? 0 : 2 * body[k]->radius;
   }
-  Four lanes[4];
-  LoadFour(p_WB, lanes);
-  const Vec3<double> p{lanes[0], lanes[1], lanes[2]};
-  const Vec3<double> moved = Plus(p, way_W);
-  LoadFour(q_WB, lanes);
-  const Quaternions q =
-      Normalized(Product(ExpOf(phi_W), {lanes[0], lanes[1], lanes[2], lanes[3]}));
-  // A turn by θ moves a point at r by 2 r sin(θ / 2) at most.
+  Four components[4];
+  LoadTransposed(p_WB, components);
+  const Vec3<double> p{components[0], components[1], components[2]};
+  const Vec3<double> moved = Plus(p, displacement_W);
+  LoadTransposed(q_WB, components);
+  const Quaternions q = Normalized(Product(
+      ExpFour(phi_W), {components[0], components[1], components[2], components[3]}));
+  // A rotation by θ moves a point at r by at most 2 r sin(θ / 2).
   const Four sine = Min(Splat(0.5) * Sqrt(SquaredLength(phi_W)), Splat(1));
-  Store(Sqrt(SquaredLength(Minus(moved, p))) + reach * sine, ways);
+  Store(Sqrt(SquaredLength(Minus(moved, p))) + diameter * sine, travel);
 
   const Four zero{};
   const Four one = Splat(1);
@@ -114,14 +106,14 @@ HWY_INLINE Vec3<double> Displace(const std::array<RigidBody*, 4>& body,
   Four R_low[4] = {one - (tyy + tzz), txy + twz, txz - twy, txy - twz};
   Four R_high[4] = {one - (txx + tzz), tyz + twx, txz + twy, tyz - twx};
   const Four R_last = one - (txx + tyy);
-  Four places[4] = {moved.x, moved.y, moved.z, zero};
-  Four turnings[4] = {q.x, q.y, q.z, q.w};
-  for (Four* four : {R_low, R_high, places, turnings}) {
+  Four positions[4] = {moved.x, moved.y, moved.z, zero};
+  Four orientations[4] = {q.x, q.y, q.z, q.w};
+  for (Four* four : {R_low, R_high, positions, orientations}) {
     Transpose4(four[0], four[1], four[2], four[3]);
   }
   for (std::size_t k = 0; k < 4; ++k) {
-    Store3(places[k], body[k]->state.p_WB);
-    Store(turnings[k], body[k]->state.q_WB.coeffs().data());
+    Store3(positions[k], body[k]->state.p_WB);
+    Store(orientations[k], body[k]->state.q_WB.coeffs().data());
     double* R_WB = body[k]->R_WB.data();
     Store(R_low[k], R_WB);
     Store(R_high[k], R_WB + 4);
@@ -130,137 +122,142 @@ HWY_INLINE Vec3<double> Displace(const std::array<RigidBody*, 4>& body,
   return moved;
 }
 
-/** Moves four bodies; `ways` has room for four. Returns as MoveRound(). */
-HWY_INLINE bool MoveFour(const Motion& motion, const int* indices, double* ways) {
+/** Integrates four bodies. `travel` has four elements. Returns the same as
+ IntegrateIsotropicBodies(). */
+HWY_INLINE bool IntegrateFour(const Integration& integration, const int* indices,
+                              double* travel) {
   std::array<RigidBody*, 4> body;
   Four radius;
-  Four usual;
+  Four load_acceleration;
   Four touched{};
-  Four surely_struck{};
+  Four is_sure_impact{};
   Four rested{};
   for (std::size_t k = 0; k < 4; ++k) {
     const auto i = static_cast<std::size_t>(indices[k]);
-    body[k] = &motion.bodies[i];
+    body[k] = &integration.bodies[i];
     radius[k] = body[k]->radius;
-    usual[k] = std::max(body[k]->load, body[k]->island_load);
-    const Touch& touch = motion.touches[i];
-    touched[k] = touch.bounced || touch.rested ? 1 : 0;
-    surely_struck[k] = touch.bounced || !touch.steady ? 1 : 0;
-    rested[k] = touch.rested ? 1 : 0;
+    load_acceleration[k] =
+        std::max(body[k]->load_acceleration, body[k]->island_load_acceleration);
+    const ContactFlags& flags = integration.contact_flags[i];
+    touched[k] = flags.bounced || flags.rested ? 1 : 0;
+    is_sure_impact[k] = flags.bounced || !flags.steady ? 1 : 0;
+    rested[k] = flags.rested ? 1 : 0;
   }
   const Four zero{};
   const Four half = Splat(0.5);
-  const Four h = Splat(motion.h);
-  const Moving<double> before = GatherFour(motion.before.data(), indices);
-  const Moving<double> after = GatherFour(motion.solved.data(), indices);
+  const Four h = Splat(integration.h);
+  const BodyVelocities<double> before = GatherFour(integration.before.data(), indices);
+  const BodyVelocities<double> after = GatherFour(integration.solved.data(), indices);
   const Four change = Sqrt(SquaredLength(Minus(after.v, before.v))) +
                       radius * Sqrt(SquaredLength(Minus(after.w, before.w)));
-  const FourBits struck =
+  const FourBits has_impact =
       (touched > zero) &
-      ((surely_struck > zero) | (change > Splat(kImpactFactor * motion.h) * usual));
+      ((is_sure_impact > zero) |
+       (change > Splat(kImpactFactor * integration.h) * load_acceleration));
   const auto choose = [&](const Vec3<double>& yes, const Vec3<double>& no) HWY_ATTR {
-    return Vec3<double>{Select(struck, yes.x, no.x), Select(struck, yes.y, no.y),
-                        Select(struck, yes.z, no.z)};
+    return Vec3<double>{Select(has_impact, yes.x, no.x), Select(has_impact, yes.y, no.y),
+                        Select(has_impact, yes.z, no.z)};
   };
-  Vec3<double> thrown = after.v;   // What is struck.
-  Vec3<double> turned = before.w;  // How all turn from the start.
-  if (Bits(struck) != 0) {
-    const Moving<double> free = GatherFour(motion.free.data(), indices);
-    const Four share = Select(rested > zero, zero, half);
-    thrown = Minus(after.v, Times(share, Minus(free.v, before.v)));
-    turned = choose(Plus(before.w, Minus(after.w, free.w)), before.w);
+  Vec3<double> impact_v = after.v;  // Mean velocity with an impact.
+  Vec3<double> start_w = before.w;  // Angular velocity at the start.
+  if (Bits(has_impact) != 0) {
+    const BodyVelocities<double> free = GatherFour(integration.free.data(), indices);
+    const Four fraction = Select(rested > zero, zero, half);
+    impact_v = Minus(after.v, Times(fraction, Minus(free.v, before.v)));
+    start_w = choose(Plus(before.w, Minus(after.w, free.w)), before.w);
   }
-  const Moving<double> mean{choose(thrown, Times(half, Plus(before.v, after.v))),
-                            choose(after.w, Times(half, Plus(before.w, after.w)))};
-  const Vec3<double> k1 = Times(h, turned);
+  const BodyVelocities<double> mean{
+      choose(impact_v, Times(half, Plus(before.v, after.v))),
+      choose(after.w, Times(half, Plus(before.w, after.w)))};
+  const Vec3<double> k1 = Times(h, start_w);
   const Vec3<double> k4 = Times(h, after.w);
-  const Vec3<double> bend = Cross(k1, k4);
+  const Vec3<double> cross = Cross(k1, k4);
   const Four twelve = Splat(12);
   const Vec3<double> phi = Minus(Times(half, Plus(k1, k4)),
-                                 {bend.x / twelve, bend.y / twelve, bend.z / twelve});
-  const Vec3<double> p = Displace(body, Times(h, mean.v), phi, ways);
+                                 {cross.x / twelve, cross.y / twelve, cross.z / twelve});
+  const Vec3<double> p = Displace(body, Times(h, mean.v), phi, travel);
 
   Four velocities[4] = {after.v.x, after.v.y, after.v.z, zero};
-  Four spins[4] = {after.w.x, after.w.y, after.w.z, zero};
+  Four angular_velocities[4] = {after.w.x, after.w.y, after.w.z, zero};
   Transpose4(velocities[0], velocities[1], velocities[2], velocities[3]);
-  Transpose4(spins[0], spins[1], spins[2], spins[3]);
+  Transpose4(angular_velocities[0], angular_velocities[1], angular_velocities[2],
+             angular_velocities[3]);
   for (std::size_t k = 0; k < 4; ++k) {
     Store3(velocities[k], body[k]->state.v_WB);
-    Store3(spins[k], body[k]->state.w_WB);
+    Store3(angular_velocities[k], body[k]->state.w_WB);
   }
-  ScatterFour(mean, indices, Splat(1), motion.mean.data());
+  ScatterFour(mean, indices, Splat(1), integration.mean.data());
 
-  // Each by itself: what is not a number is below nothing.
-  const Four large = Splat(kLargest);
-  FourBits below = Abs(p.x) < large;
+  // Each number on its own, because a NaN has to fail the comparison.
+  const Four bound = Splat(kDivergenceBound);
+  FourBits below = Abs(p.x) < bound;
   for (const Four& x :
        {p.y, p.z, after.v.x, after.v.y, after.v.z, after.w.x, after.w.y, after.w.z}) {
-    below &= Abs(x) < large;
+    below &= Abs(x) < bound;
   }
   return Bits(below) == 15;
 }
 
-/** Displaces four bodies; `ways` has room for four. */
-HWY_INLINE void ShiftFour(std::span<RigidBody> bodies, const Velocity* moves,
-                          const int* indices, double* ways) {
+/** Corrects the positions of four bodies. `travel` has four elements. */
+HWY_INLINE void CorrectFour(std::span<RigidBody> bodies, const Velocity* corrections,
+                            const int* indices, double* travel) {
   std::array<RigidBody*, 4> body;
   for (std::size_t k = 0; k < 4; ++k)
     body[k] = &bodies[static_cast<std::size_t>(indices[k])];
-  const Moving<double> move = GatherFour(moves, indices);
-  Displace(body, move.v, move.w, ways);
+  const BodyVelocities<double> correction = GatherFour(corrections, indices);
+  Displace(body, correction.v, correction.w, travel);
 }
 
-/** Calls `work(indices, ways)` for four bodies after the other. */
+/** Calls `work(indices, travel)` for four bodies at a time. */
 template <class Work>
-HWY_INLINE void FourByFour(std::span<const int> bodies, std::span<double> ways,
-                           const Work& work) {
+HWY_INLINE void ForEachFour(std::span<const int> bodies, std::span<double> travel,
+                            const Work& work) {
   std::size_t k = 0;
-  for (; k + 4 <= bodies.size(); k += 4) work(&bodies[k], &ways[k]);
+  for (; k + 4 <= bodies.size(); k += 4) work(&bodies[k], &travel[k]);
   if (k == bodies.size()) return;
-  // Lanes without a body repeat the last: what they write is the same.
+  // Lanes without a body repeat the last body and write the same values.
   std::array<int, 4> last;
-  std::array<double, 4> ways_of_last;
+  std::array<double, 4> last_travel;
   for (std::size_t lane = 0; lane < 4; ++lane) {
     last[lane] = bodies[std::min(k + lane, bodies.size() - 1)];
   }
-  work(last.data(), ways_of_last.data());
-  std::copy_n(ways_of_last.begin(), bodies.size() - k,
-              ways.begin() + static_cast<std::ptrdiff_t>(k));
+  work(last.data(), last_travel.data());
+  std::copy_n(last_travel.begin(), bodies.size() - k,
+              travel.begin() + static_cast<std::ptrdiff_t>(k));
 }
 
-bool MoveAll(const Motion& motion, std::span<const int> bodies, std::span<double> ways) {
-  bool is_sane = true;
-  FourByFour(bodies, ways, [&](const int* four, double* four_ways) HWY_ATTR {
-    is_sane &= MoveFour(motion, four, four_ways);
+bool IntegrateAll(const Integration& integration, std::span<const int> bodies,
+                  std::span<double> travel) {
+  bool is_bounded = true;
+  ForEachFour(bodies, travel, [&](const int* four, double* four_travel) HWY_ATTR {
+    is_bounded &= IntegrateFour(integration, four, four_travel);
   });
-  return is_sane;
+  return is_bounded;
 }
 
-void ShiftAll(std::span<RigidBody> bodies, std::span<const Velocity> moves,
-              std::span<const int> some, std::span<double> ways) {
-  FourByFour(some, ways, [&](const int* four, double* four_ways) HWY_ATTR {
-    ShiftFour(bodies, moves.data(), four, four_ways);
+void CorrectAll(std::span<RigidBody> bodies, std::span<const Velocity> corrections,
+                std::span<const int> corrected, std::span<double> travel) {
+  ForEachFour(corrected, travel, [&](const int* four, double* four_travel) HWY_ATTR {
+    CorrectFour(bodies, corrections.data(), four, four_travel);
   });
 }
 
 }  // namespace
-}  // namespace HWY_NAMESPACE
-}  // namespace cookbook
+}  // namespace cookbook::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace cookbook {
-HWY_EXPORT(MoveAll);
-HWY_EXPORT(ShiftAll);
-
-bool MoveRound(const Motion& motion, std::span<const int> bodies,
-               std::span<double> ways) {
-  return HWY_DYNAMIC_DISPATCH(MoveAll)(motion, bodies, ways);
+bool IntegrateIsotropicBodies(const Integration& integration, std::span<const int> bodies,
+                              std::span<double> travel) {
+  return COOKBOOK_DISPATCH(IntegrateAll)(integration, bodies, travel);
 }
 
-void Shift(std::span<RigidBody> bodies, std::span<const Velocity> moves,
-           std::span<const int> some, std::span<double> ways) {
-  HWY_DYNAMIC_DISPATCH(ShiftAll)(bodies, moves, some, ways);
+void IntegratePositionCorrections(std::span<RigidBody> bodies,
+                                  std::span<const Velocity> corrections,
+                                  std::span<const int> corrected,
+                                  std::span<double> travel) {
+  COOKBOOK_DISPATCH(CorrectAll)(bodies, corrections, corrected, travel);
 }
 }  // namespace cookbook
 #endif

@@ -10,16 +10,16 @@
 namespace cookbook {
 namespace {
 
-/** Bounces in a step after which a point stays where it bounces. */
-constexpr int kMostBounces = 8;
+/** Maximum number of bounces in a step. After that the point stays on the face. */
+constexpr int kMaxBounces = 8;
 
-/** A point nearer to a face than this, relative to the coordinates, is on it. */
+/** Tolerance of points on a face, relative to the coordinates. */
 constexpr double kOnFace = 16 * std::numeric_limits<double>::epsilon();
 
 /** Returns (exp(−z) − 1 + z)/z². */
 double SecondPhi(double z) {
   if (std::abs(z) > 0.5) return (std::expm1(-z) + z) / (z * z);
-  // Its power series, without the cancellation: Σ (−z)^k / (k + 2)!.
+  // The power series Σ (−z)^k / (k + 2)! avoids the cancellation.
   double term = 0.5;
   double sum = 0;
   for (int k = 0; k < 15; ++k) {
@@ -29,12 +29,13 @@ double SecondPhi(double z) {
   return sum;
 }
 
-/** One face of a solid: what is at n·p < offset is below it. */
+/** A face of a solid, which is at n·p < offset. */
 struct Face {
   Eigen::Vector3d n_W;
   double offset;  ///< [m]
 };
 
+/** The impact of a point on a face. */
 struct Hit {
   double time;  ///< [s]
   Face face;
@@ -45,19 +46,21 @@ bool IsBelow(const Face& face, const Eigen::Vector3d& p) {
   return face.n_W.dot(p) - face.offset < -rounding;
 }
 
-/** Returns n·u, or 0 where that is what rounding leaves of zero. */
-double AcrossUnlessRounding(const Face& face, const Eigen::Vector3d& u) {
-  const double across = face.n_W.dot(u);
-  return std::abs(across) <= kOnFace * u.lpNorm<1>() ? 0 : across;
+/** Returns n·u, or 0 if it is below the rounding error. */
+double NormalComponent(const Face& face, const Eigen::Vector3d& u) {
+  const double component = face.n_W.dot(u);
+  return std::abs(component) <= kOnFace * u.lpNorm<1>() ? 0 : component;
 }
 
-/** Returns when the point falls through the face, if it does within `limit` [s]. */
-std::optional<double> TimeThrough(const Face& face, const Flight& flight, double limit) {
+/** Returns the time at which the point crosses the face from outside, up to `limit` [s].
+ */
+std::optional<double> TimeOfCrossing(const Face& face, const PointFlight& flight,
+                                     double limit) {
   if (IsBelow(face, flight.p)) return std::nullopt;
   const double height = std::max(0.0, face.n_W.dot(flight.p) - face.offset);
-  const double speed = AcrossUnlessRounding(face, flight.v);
-  const double load = AcrossUnlessRounding(face, flight.a);
-  const std::optional<double> time = TimeOfFall(height, speed, load);
+  const double speed = NormalComponent(face, flight.v);
+  const double acceleration = NormalComponent(face, flight.a);
+  const std::optional<double> time = TimeOfFall(height, speed, acceleration);
   if (!time || *time > limit) return std::nullopt;
   return time;
 }
@@ -79,37 +82,37 @@ void ForEachFace(const RigidBody& solid, const Visit& visit) {
   }
 }
 
-Flight After(double t, const Flight& flight) {
+PointFlight FlightAfter(double t, const PointFlight& flight) {
   return {flight.p + t * (flight.v + 0.5 * t * flight.a), flight.v + t * flight.a,
           flight.a};
 }
 
-/** Returns the first hit within `limit` [s]. A solid is the common part of what is below
- its faces: its surface is met where the way falls through one face while it is below the
- others. */
-std::optional<Hit> FirstHit(const Flight& flight, double limit,
+/** Returns the first hit up to `limit` [s]. A solid is the intersection of the
+ half-spaces below its faces. The point hits it where it crosses one face while it is
+ below all others. */
+std::optional<Hit> FirstHit(const PointFlight& flight, double limit,
                             std::span<const RigidBody> bodies,
                             std::span<const int> solids) {
   std::optional<Hit> first;
   for (const int index : solids) {
     const RigidBody& solid = bodies[static_cast<std::size_t>(index)];
     ForEachFace(solid, [&](const Face& face) {
-      const std::optional<double> time = TimeThrough(face, flight, limit);
+      const std::optional<double> time = TimeOfCrossing(face, flight, limit);
       if (!time || (first && *time >= first->time)) return;
-      const Eigen::Vector3d p = After(*time, flight).p;
-      bool within = true;
+      const Eigen::Vector3d p = FlightAfter(*time, flight).p;
+      bool is_inside_others = true;
       ForEachFace(solid, [&](const Face& other) {
         if (other.n_W == face.n_W) return;
-        within = within && other.n_W.dot(p) < other.offset;
+        is_inside_others = is_inside_others && other.n_W.dot(p) < other.offset;
       });
-      if (within) first = Hit{*time, face};
+      if (is_inside_others) first = Hit{*time, face};
     });
   }
   return first;
 }
 
-/** Takes out of `u` what goes into the face. */
-void StopInto(const Face& face, Eigen::Vector3d& u) {
+/** Removes the component of `u` that points into the face. */
+void RemoveInwardComponent(const Face& face, Eigen::Vector3d& u) {
   u -= std::min(0.0, face.n_W.dot(u)) * face.n_W;
 }
 
@@ -117,37 +120,38 @@ void StopInto(const Face& face, Eigen::Vector3d& u) {
 
 Drag::Drag(double c, double h) {
   const double z = c * h;
-  kept = std::exp(-z);
-  gain = z == 0 ? 1 : -std::expm1(-z) / z;
-  share = SecondPhi(z) / gain;
+  decay = std::exp(-z);
+  force_factor = z == 0 ? 1 : -std::expm1(-z) / z;
+  travel_factor = SecondPhi(z) / force_factor;
 }
 
-Landing Follow(const Flight& flight, double h, double bounce, double resting_speed,
-               std::span<const RigidBody> bodies, std::span<const int> solids) {
-  Flight now = flight;
-  Landing landing;
-  double left = h;
+PointFlightEnd FollowPoint(const PointFlight& flight, double h, double restitution,
+                           double resting_speed, std::span<const RigidBody> bodies,
+                           std::span<const int> solids) {
+  PointFlight current = flight;
+  PointFlightEnd end;
+  double remaining = h;
   for (int bounces = 0;; ++bounces) {
-    const std::optional<Hit> hit = FirstHit(now, left, bodies, solids);
+    const std::optional<Hit> hit = FirstHit(current, remaining, bodies, solids);
     if (!hit) break;
-    landing.hit = true;
-    now = After(hit->time, now);
-    left -= hit->time;
-    const double approach = hit->face.n_W.dot(now.v);
-    if (bounces < kMostBounces && approach < -resting_speed) {
-      now.v -= (1 + bounce) * approach * hit->face.n_W;
+    end.hit = true;
+    current = FlightAfter(hit->time, current);
+    remaining -= hit->time;
+    const double normal_velocity = hit->face.n_W.dot(current.v);
+    if (bounces < kMaxBounces && normal_velocity < -resting_speed) {
+      current.v -= (1 + restitution) * normal_velocity * hit->face.n_W;
     } else {
-      StopInto(hit->face, now.v);
-      StopInto(hit->face, now.a);
+      RemoveInwardComponent(hit->face, current.v);
+      RemoveInwardComponent(hit->face, current.a);
     }
-    // On the face, not a rounding below it.
-    now.p += (hit->face.offset - hit->face.n_W.dot(now.p)) * hit->face.n_W;
-    if (bounces == 2 * kMostBounces) break;  // Held in a corner.
+    // Exactly on the face, not below it by rounding.
+    current.p += (hit->face.offset - hit->face.n_W.dot(current.p)) * hit->face.n_W;
+    if (bounces == 2 * kMaxBounces) break;  // Trapped in a corner.
   }
-  now = After(left, now);
-  landing.p_W = now.p;
-  landing.v_W = now.v;
-  return landing;
+  current = FlightAfter(remaining, current);
+  end.p_W = current.p;
+  end.v_W = current.v;
+  return end;
 }
 
 }  // namespace cookbook

@@ -6,35 +6,38 @@
 
 namespace cookbook {
 
-/** What drag makes of a step of `h` [s], c being the drag [1/s]. */
+/** The exact solution of linear drag over a step of `h` [s], for the drag c [1/s] and a
+ constant force. With z = c h: */
 struct Drag {
   Drag(double c, double h);
 
-  double kept;  ///< Of the velocity: exp(−c h).
-  double gain;  ///< Of the velocity that a constant force gives: (1 − exp(−c h))/(c h).
-  double share;  ///< Of that velocity, times h, what it moves by: 1/2 without drag.
+  double decay;         ///< Factor on the velocity: exp(−z).
+  double force_factor;  ///< Factor on the velocity change by a force: (1 − exp(−z))/z.
+  double
+      travel_factor;  ///< Travel due to that change, divided by change × h; 1/2 if c = 0.
 };
 
-/** The way of a point during a step, under a constant acceleration. World frame. */
-struct Flight {
-  Eigen::Vector3d p;  ///< At the start. [m]
-  Eigen::Vector3d v;  ///< [m/s]
-  Eigen::Vector3d a;  ///< [m/s²]
+/** The motion of a point under a constant acceleration. World frame. */
+struct PointFlight {
+  Eigen::Vector3d p;  ///< Start position. [m]
+  Eigen::Vector3d v;  ///< Start velocity. [m/s]
+  Eigen::Vector3d a;  ///< Acceleration. [m/s²]
 };
 
-/** Where a point is at the end of a step and how it moves. */
-struct Landing {
-  Eigen::Vector3d p_W;
-  Eigen::Vector3d v_W;
-  bool hit = false;  ///< Whether it met a solid on its way.
+/** The state of a point at the end of a step. */
+struct PointFlightEnd {
+  Eigen::Vector3d p_W;  ///< [m]
+  Eigen::Vector3d v_W;  ///< [m/s]
+  bool hit = false;     ///< Whether the point has hit a solid.
 };
 
-/** Follows a point for `h` [s] > 0 past the static boxes and half-spaces among `bodies`
- that collide. Where its way enters one it is sent back at once, v_n → −bounce v_n, and
- flies on; where it comes slower than `resting_speed` [m/s] or comes back again and again
- it stays on the surface and slides without friction. A point that starts inside a solid
- passes out of it. */
-Landing Follow(const Flight& flight, double h, double bounce, double resting_speed,
-               std::span<const RigidBody> bodies, std::span<const int> solids);
+/** Continuous collision of a point with the static boxes and half-spaces `solids`,
+ indices into `bodies`, for `h` [s] > 0. At the time of impact the point bounces, v_n →
+ −restitution v_n, and continues. If it is slower than `resting_speed` [m/s] or has
+ bounced too often, it stays on the surface and slides without friction. A point that
+ starts inside a solid leaves it freely. */
+PointFlightEnd FollowPoint(const PointFlight& flight, double h, double restitution,
+                           double resting_speed, std::span<const RigidBody> bodies,
+                           std::span<const int> solids);
 
 }  // namespace cookbook

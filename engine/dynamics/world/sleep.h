@@ -11,54 +11,58 @@
 
 namespace cookbook {
 
-/** Which bodies sleep.
+/** Deactivation of bodies at rest.
 
- An island is all moving bodies that are linked, or near each other as the broad phase
- sees them; static ones join none. It falls asleep when each of its bodies has been slow
- for Settings::sleep_after; what a force moves and nothing holds is not slow, even where
- it turns back. It wakes, all of it, as soon as a body that is awake comes
- near one of its own, which is before the two touch, or something pushes one of them.
+ A sleep island is a set of dynamic bodies that joints or springs connect, or that are
+ neighbours in the broad phase. It is larger than an island of the solver, which contacts
+ connect. Static bodies are in no island. An island falls asleep when each of its bodies
+ has been slow for Settings::sleep_after. A body that a force accelerates and nothing
+ holds does not count as slow, even at its turning point. All of the island wakes when an
+ awake body comes near one of its bodies, which is before the two touch, or when an
+ impulse or a force is applied to one of them.
 
- A body that sleeps has no velocity, and is static to everything else. */
+ A sleeping body has no velocity, and is static for all other classes. */
 class Sleep {
  public:
   /** Adds the body of the next index, awake. */
   void Add(const RigidBody& body);
 
-  /** Puts two bodies into the same island, whatever is near. −1: the world, in no island.
-   */
+  /** Connects two bodies, so that they are always in the same island. −1: the world,
+   which is in no island. */
   void Link(int A, int B);
 
   bool IsAsleep(int body) const { return asleep_[static_cast<std::size_t>(body)]; }
 
-  /** By body: whether it sleeps. */
+  /** Indexed by body: whether it sleeps. */
   const std::vector<bool>& asleep() const { return asleep_; }
 
   /** Wakes the island of a body. */
   void Wake(int body, std::span<RigidBody> bodies);
 
-  /** Wakes the islands that something awake has come near. */
+  /** Wakes the islands that an awake body has come near. */
   void WakeNear(const ContactCache& cache, std::span<RigidBody> bodies);
 
-  /** Ends a step of `h` [s]: lets fall asleep what has been slow for long. `driven`: by
-   body, whether a force moves it that nothing holds. Returns whether anything did.
-   @pre Settings::sleep_after is there. */
+  /** Ends a step of `h` [s]: puts islands to sleep that have been slow for long enough.
+   `driven`, indexed by body, is true if a force accelerates the body and nothing holds
+   it. Returns whether any body fell asleep.
+   @pre Settings::sleep_after has a value. */
   bool PutToSleep(const ContactCache& cache, const std::vector<bool>& driven,
                   const Settings& settings, double h, std::span<RigidBody> bodies);
 
  private:
-  /** What a body is given back when it wakes. */
+  /** The inverse inertia of an awake body. A sleeping one has zero, like a static body.
+   */
   struct Inertia {
     double inverse_mass;
     Eigen::Vector3d inverse_moments;
   };
 
-  std::vector<Inertia> inertias_;  ///< By body, as the following.
-  std::vector<bool> asleep_;
-  std::vector<double> slow_for_;  ///< [s]
-  std::vector<double> slowest_;   ///< By body that stands for an island: least slow_for_.
-  std::vector<int> next_;         ///< The next that sleeps in its island, in a ring.
-  UnionFind islands_;             ///< Of bodies that are awake.
+  std::vector<Inertia> inertias_;      ///< Indexed by body.
+  std::vector<bool> asleep_;           ///< Indexed by body.
+  std::vector<double> slow_time_;      ///< Indexed by body. [s]
+  std::vector<double> min_slow_time_;  ///< Indexed by root: least of its island. [s]
+  std::vector<int> next_in_island_;    ///< Circular list of a sleeping island.
+  UnionFind islands_;                  ///< Of the awake bodies.
   std::vector<std::pair<int, int>> links_;
 };
 

@@ -18,45 +18,49 @@
 
 namespace cookbook {
 
-/** What one contact did in a step. */
+/** The impulse of a contact in a step. */
 struct ContactImpulse {
   int A;
   int B;
-  Eigen::Vector3d p_WC;    ///< Where it acted. [m]
+  Eigen::Vector3d p_WC;    ///< Contact point. [m]
   Eigen::Vector3d n_AB_W;  ///< Unit, out of A into B.
-  Eigen::Vector3d J_B_W;   ///< Impulse on B; A received its opposite. [N s]
-  /** At the start of the step, or at the moment of a impact: < 0 penetrating. [m] */
+  Eigen::Vector3d J_B_W;   ///< Impulse on B; the opposite acts on A. [N s]
+  /** Separation at the start of the step or at the time of impact; < 0 penetrating. [m]
+   */
   double separation;
 };
 
-/** Rigid bodies in contact, stepped in time. Bodies are known by the index that AddBody()
- returned: 0, 1, 2, …
+/** A world of rigid bodies, points, joints and springs that is stepped in time. See
+ docs/dynamics.md for the stages of a step. Bodies are identified by the index that
+ AddBody() returned: 0, 1, 2, …
 
- The same calls give the same bits. Where a world has to refuse it throws
- std::invalid_argument with a sentence and stays as it was. */
+ The same calls give the same bits, for any number of threads. Member functions with
+ invalid arguments throw std::invalid_argument with a sentence and leave the world
+ unchanged. */
 class World {
  public:
   explicit World(const Settings& settings = {});
 
   int AddBody(const BodyDefinition& definition);
 
-  /** Adds a rod; returns its index among the rods.
-   @throws std::invalid_argument where an anchor is on no body, both are on one, a number
-   is not finite, or the length is not positive. */
+  /** Adds a distance joint; returns its index among the joints.
+   @throws std::invalid_argument if an anchor names no body, both anchors are on the same
+   body, a number is not finite, or the length is not positive. */
   int AddJoint(const DistanceJoint& joint);
 
   /** Adds a spring; returns its index among the springs.
-   @throws std::invalid_argument as AddJoint(), and where a constant is negative. */
+   @throws std::invalid_argument like AddJoint(), and if a constant is negative. */
   int AddSpring(const Spring& spring);
 
-  /** Applies an impulse [N s] at a world point [m] now. Static bodies take no notice. */
+  /** Applies an impulse [N s] at a world point [m] immediately. Has no effect on static
+   bodies. */
   void ApplyImpulse(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W);
 
-  /** Applies a force [N] at a world point [m] during the next step: during all of it, as
-   it is now. */
+  /** Applies a force [N] at a world point [m] for the whole of the next step. Its torque
+   is that of the current position of the body. */
   void ApplyForce(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& F_W);
 
-  /** Advances by `dt` [s], > 0. A world that has diverged stays as it is. */
+  /** Advances by `dt` [s], > 0. Has no effect on a world that has diverged. */
   void Step(double dt);
 
   int body_count() const { return static_cast<int>(bodies_.size()); }
@@ -68,52 +72,59 @@ class World {
   /** Whether a body sleeps, see Settings::sleep_after. */
   bool IsAsleep(int body) const { return sleep_.IsAsleep(body); }
 
-  /** Appends what every touching contact did in the last step (the last sub-step). */
+  /** Appends the impulses of all touching contacts in the last step or sub-step. */
   void ReadImpulses(std::vector<ContactImpulse>& impulses) const;
 
-  /** Whether a state became not finite, or larger than 1e12 in SI units. */
+  /** Whether a state is no longer finite, or has exceeded 1e12 in SI units. */
   bool diverged() const { return diverged_; }
 
  private:
   void StepOnce(double h);
-  /** Takes one step of fourth order, or, where anything touches on the way, none at all,
-   and returns whether it did. */
+  /** Takes one step of fourth order. If anything touches on the way, restores the state
+   before the step. Returns whether the step was taken. */
   bool StepFourthOrder(double h);
-  /** Whether two that no rod or spring holds come so near in `h` [s] that a impact is to
-   be looked for. */
-  bool MayImpact(double h);
-  void Advance(double h, bool follow_blows);
-  /** Finds how hard the bodies are pulled. */
-  void FindLoads(double h);
-  /** Returns whether there are any contacts. */
-  bool FindContacts(double h);
+  /** Whether two bodies, static or without joints and springs, get so close in `h` [s]
+   that they may have an impact. */
+  bool MayHaveImpact(double h);
+  /** The stages of a step after contact detection, with or without continuous collision.
+   */
+  void Advance(double h, bool with_impacts);
+  /** Updates the load accelerations of the bodies. */
+  void UpdateLoads(double h);
+  /** Updates the contacts. Returns whether there are any. */
+  bool UpdateContacts(double h);
   void ApplyForcesTo(std::size_t i, double h);
-  /** Finds how bodies would move if nothing touched them: what is solved starts there. */
+  /** Computes the velocities at the end of the step without impulses, and initializes the
+   solved velocities with them. */
   void ApplyForces(double h);
-  void StopStretching(double h);
+  /** Removes velocities along the joints that are due to an impact. */
+  void SolveJointImpacts(double h);
+  /** Solves all constraints on velocities. */
   void Solve(double h);
+  /** Solves joints and springs together with contacts: linearizes them at the end of the
+   step, solves, and repeats until lengths and spring forces are consistent. */
   void SolveJoints(double h);
   void SolveJointsUntilConverged();
-  /** Moves `body`, which is body `i` as it is before the step, by the velocities solved
-   so far. */
-  void MoveBody(std::size_t i, double h, RigidBody& body);
-  /** The same with the body itself, and what comes of it. */
-  void MoveOne(std::size_t i, double h);
-  void Move(double h);
-  /** Returns whether the point has met a solid on its way. */
-  bool MeetSolids(double h, const RigidBody& before, RigidBody& point);
-  void Project(double h);
+  /** Integrates `body`, which is body `i` before the step, with the solved velocities. */
+  void IntegrateBody(std::size_t i, double h, RigidBody& body);
+  /** Integrates body `i` itself and checks the result; a point may hit a solid. */
+  void IntegrateOne(std::size_t i, double h);
+  void IntegrateAll(double h);
+  /** Continuous collision of a point. Returns whether it has hit a solid. */
+  bool CollidePoint(double h, const RigidBody& before, RigidBody& point);
+  void CorrectPositions(double h);
   void PutToSleep(double h);
 
   RigidBody& Find(int body);
-  /** Calls `work(i)` for all bodies, shared by the threads: each its own. */
+  /** Calls `work(i)` for all bodies, in parallel. */
   template <class Work>
   void ForEachBody(const Work& work);
-  /** Calls `work(bodies, ways)` for some of the bodies that `takes(i)` after the other,
-   which fills `ways` with how far they have gone; `other(i)` for the rest. */
+  /** Calls `work(batch, travel)` for batches of the bodies for which `is_batched(i)` is
+   true, and `other(i)` for the rest, in parallel. `work` fills `travel` with the Travel()
+   of each body of the batch. */
   template <class Takes, class Work, class Other>
-  void ForSomeBodies(const Takes& takes, const Work& work, const Other& other);
-  bool HasLinks() const { return !joints_.empty() || !springs_.empty(); }
+  void IntegrateInBatches(const Takes& is_batched, const Work& work, const Other& other);
+  bool HasJoints() const { return !joints_.empty() || !springs_.empty(); }
   void ExpectTwoEnds(const Anchor& A, const Anchor& B, const char* what);
   void MarkLinked(const Anchor& A, const Anchor& B);
 
@@ -125,36 +136,38 @@ class World {
   Sleep sleep_;
   std::vector<DistanceJoint> joints_;
   std::vector<Spring> springs_;
-  std::vector<int> solids_;  ///< What points meet.
-  ContactSolver contacts_;
-  ImpactSolver impacts_;
+  std::vector<int> solids_;  ///< Static bodies that points collide with.
+  ContactSolver contact_solver_;
+  ImpactSolver impact_solver_;
   ExternalLoads loads_;
-  bool has_forces_ = false;           ///< Whether a constant force loads a body.
-  bool is_pushed_ = false;            ///< Whether a force of this step loads one.
-  bool fit_single_precision_ = true;  ///< Whether all bodies do.
-  /** The step for which all is found, and gravity alone loads; 0: none. [s] */
-  double found_for_ = 0;
-  JointSolver rods_;
+  bool has_constant_forces_ = false;  ///< Whether any body has a constant force.
+  bool has_applied_forces_ = false;   ///< Whether any body has a force for this step.
+  bool fit_single_precision_ = true;  ///< FitsSinglePrecision() of all bodies.
+  /** Time step for which the loads are valid under gravity alone; 0: none. [s] */
+  double loads_valid_for_ = 0;
+  JointSolver joint_solver_;
   SpringSolver spring_solver_;
 
-  IterationBudget iteration_budget_;  ///< Of what sweeps over rods and springs.
-  double fastest_ = 0;                ///< Of the linked bodies, or loads on them. [m/s]
-  std::atomic<bool> point_hit_ = false;  ///< Whether a point has met a solid.
+  IterationBudget iteration_budget_;  ///< For joints and springs.
+  /** Greatest speed or velocity change of a linked body. [m/s] */
+  double max_linked_speed_ = 0;
+  std::atomic<bool> point_hit_ = false;  ///< Whether a point has hit a solid.
 
-  // By body, while a step is taken. Velocities have one more place, see SolverBodies.
+  // Indexed by body, valid during a step. Velocities have one more element, see
+  // SolverBodies.
   std::vector<InverseInertia> inertias_;
-  std::vector<Velocity> before_;  ///< At its start.
+  std::vector<Velocity> before_;  ///< At the start of the step.
   std::vector<Velocity> free_;    ///< At the end of the step, without impulses.
   std::vector<Velocity> solved_;  ///< At the end of the step.
-  std::vector<Velocity> mean_;    ///< What moves the body during the step.
-  std::vector<Velocity> moves_;   ///< Of the projection. [m], [rad]
-  std::vector<Touch> touches_;
-  std::vector<char> static_;      ///< 1 where it is, or sleeps.
-  std::vector<double> shares_;    ///< See JointSolver::Correct().
-  std::vector<bool> linked_;      ///< Whether a rod or a spring holds it.
-  std::vector<bool> driven_;      ///< See Sleep::PutToSleep().
-  std::vector<RigidBody> ahead_;  ///< After the step; valid where linked.
-  std::vector<RigidBody> kept_;   ///< As it was, should a step have to be taken back.
+  std::vector<Velocity> mean_;    ///< Velocities that move the bodies during the step.
+  std::vector<Velocity> corrections_;  ///< Position corrections. [m], [rad]
+  std::vector<ContactFlags> contact_flags_;
+  std::vector<char> static_;             ///< 1: static or asleep.
+  std::vector<double> moved_fraction_;   ///< See JointSolver::Relinearize().
+  std::vector<bool> linked_;             ///< Whether a joint or spring is attached.
+  std::vector<bool> driven_;             ///< See Sleep::PutToSleep().
+  std::vector<RigidBody> predicted_;     ///< After the step; valid if linked.
+  std::vector<RigidBody> saved_bodies_;  ///< Before the step, to restore it.
 };
 
 }  // namespace cookbook

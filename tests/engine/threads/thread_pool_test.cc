@@ -7,27 +7,27 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/threads/per_thread.h"
+#include "engine/threads/per_chunk.h"
 
 namespace cookbook {
 namespace {
 
-TEST(ThreadPool, DoesEveryIndexOnceInSharesThatFollowEachOther) {
+TEST(ThreadPool, VisitsEveryIndexOnceInOrderedChunks) {
   for (const int threads : {1, 2, 3, 7}) {
     ThreadPool pool(threads);
-    const ThreadPool::ParallelScope shift(pool, 1, 0);
-    ASSERT_EQ(pool.shares(), static_cast<std::size_t>(threads));
+    const ThreadPool::ParallelScope scope(pool, 1, 0);
+    ASSERT_EQ(pool.chunk_count(), static_cast<std::size_t>(threads));
     for (const std::size_t count : {0UL, 1UL, 5UL, 1000UL}) {
-      PerThread<std::size_t> found;
-      found.Clear(pool.shares());
+      PerChunk<std::size_t> lists;
+      lists.Clear(pool.chunk_count());
       pool.ParallelForIndexed(count, 0,
-                              [&](std::size_t share, std::size_t begin, std::size_t end) {
+                              [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                                 for (std::size_t i = begin; i < end; ++i) {
-                                  found.Of(share).push_back(i);
+                                  lists[chunk].push_back(i);
                                 }
                               });
       std::vector<std::size_t> all;
-      found.ForEach([&](std::size_t i) { all.push_back(i); });
+      lists.ForEach([&](std::size_t i) { all.push_back(i); });
       std::vector<std::size_t> expected(count);
       std::iota(expected.begin(), expected.end(), std::size_t{0});
       EXPECT_EQ(all, expected) << threads << " threads";
@@ -35,22 +35,22 @@ TEST(ThreadPool, DoesEveryIndexOnceInSharesThatFollowEachOther) {
   }
 }
 
-TEST(ThreadPool, ReturnsWhenAllHaveReturnedHoweverManyTasks) {
+TEST(ThreadPool, ReturnsAfterAllCallsHaveReturnedHoweverManyLoops) {
   ThreadPool pool(3);
-  const ThreadPool::ParallelScope shift(pool, 1, 0);
-  std::vector<int> times(300, 0);  // Plain: no two threads have an index in common.
-  for (int task = 1; task <= 2000; ++task) {
+  const ThreadPool::ParallelScope scope(pool, 1, 0);
+  std::vector<int> times(300, 0);  // Not atomic: no two threads share an index.
+  for (int loop = 1; loop <= 2000; ++loop) {
     pool.ParallelFor(times.size(), 0, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) ++times[i];
     });
-    ASSERT_EQ(times, std::vector<int>(times.size(), task));
+    ASSERT_EQ(times, std::vector<int>(times.size(), loop));
   }
 }
 
-TEST(ThreadPool, TheCallerDoesAloneWhatIsTooLittleOrOutsideAShift) {
+TEST(ThreadPool, RunsShortLoopsAndLoopsOutsideAScopeOnTheCaller) {
   ThreadPool pool(2);
-  // Of two shares neither ends before both have begun, so that nobody does both.
-  const auto another_helps = [&](std::size_t least) {
+  // Neither of the two chunks ends before both have begun, so no thread runs both.
+  const auto runs_in_parallel = [&](std::size_t least) {
     std::atomic<int> begun = 0;
     pool.ParallelFor(100, least, [&](std::size_t begin, std::size_t end) {
       ++begun;
@@ -58,36 +58,37 @@ TEST(ThreadPool, TheCallerDoesAloneWhatIsTooLittleOrOutsideAShift) {
     });
     return begun == 2;
   };
-  EXPECT_FALSE(another_helps(0));
+  EXPECT_FALSE(runs_in_parallel(0));
   {
-    const ThreadPool::ParallelScope shift(pool, 99, 100);
-    EXPECT_FALSE(another_helps(0));
+    const ThreadPool::ParallelScope scope(pool, 99, 100);
+    EXPECT_FALSE(runs_in_parallel(0));
   }
   {
-    const ThreadPool::ParallelScope shift(pool, 100, 100);
-    EXPECT_FALSE(another_helps(101));
-    EXPECT_TRUE(another_helps(100));
+    const ThreadPool::ParallelScope scope(pool, 100, 100);
+    EXPECT_FALSE(runs_in_parallel(101));
+    EXPECT_TRUE(runs_in_parallel(100));
   }
-  EXPECT_FALSE(another_helps(0));
+  EXPECT_FALSE(runs_in_parallel(0));
 }
 
-// One of two threads is kept from its share: the other does all.
-TEST(ThreadPool, WaitsForNoThreadThatHasBegunNothing) {
+// The thread that runs the first chunk is held up: the other threads run the other
+// chunks.
+TEST(ThreadPool, DoesNotWaitForAThreadThatHasBegunNothing) {
   ThreadPool pool(3);
-  const ThreadPool::ParallelScope shift(pool, 1, 0);
-  for (int task = 0; task < 100; ++task) {
-    std::atomic<int> in_first = 0;
-    std::atomic<int> shares = 0;
+  const ThreadPool::ParallelScope scope(pool, 1, 0);
+  for (int loop = 0; loop < 100; ++loop) {
+    std::atomic<int> in_first_chunk = 0;
+    std::atomic<int> chunks_done = 0;
     pool.ParallelFor(3, 0, [&](std::size_t begin, std::size_t) {
-      // Whoever does the first share ends it only when the others are done.
+      // The first chunk ends only when the others are done.
       if (begin == 0) {
-        ++in_first;
-        while (shares < 2) std::this_thread::yield();
+        ++in_first_chunk;
+        while (chunks_done < 2) std::this_thread::yield();
       }
-      ++shares;
+      ++chunks_done;
     });
-    ASSERT_EQ(shares, 3);
-    ASSERT_EQ(in_first, 1);
+    ASSERT_EQ(chunks_done, 3);
+    ASSERT_EQ(in_first_chunk, 1);
   }
 }
 

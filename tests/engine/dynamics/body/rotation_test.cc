@@ -9,8 +9,8 @@
 namespace cookbook {
 namespace {
 
-/** The body of the "boxes" benchmark (Peters & Hsu 2014), tumbling as in its complex
- case; orientation after 10 s from the closed form in Jacobi's elliptic functions. */
+/** The final state of the body of the "boxes" benchmark (Peters & Hsu 2014), which
+ tumbles as in its complex case. */
 struct Tumbling {
   Eigen::Vector3d L_W;
   Eigen::Quaterniond q_WB;
@@ -46,6 +46,7 @@ TEST(Rotation, ATumblingBoxKeepsItsAngularMomentumToRounding) {
 }
 
 TEST(Rotation, ATumblingBoxConvergesWithFourthOrderToJacobisEllipticFunctions) {
+  // The closed form in Jacobi's elliptic functions.
   const Eigen::Quaterniond truth(0.225164563, -0.619927563, -0.277029151, 0.698745724);
   const double coarse = After10s(1e-2).q_WB.angularDistance(truth);
   const double fine = After10s(5e-3).q_WB.angularDistance(truth);
@@ -54,19 +55,20 @@ TEST(Rotation, ATumblingBoxConvergesWithFourthOrderToJacobisEllipticFunctions) {
   EXPECT_LT(finest, coarse / 1e4) << "ten times finer";
 }
 
-// The parts that a step is taken in are not enough of it.
-TEST(Rotation, WhatTurnsTooFastToFollowStillTakesItsWholeTorque) {
+// The maximum number of sub-steps is too small here.
+TEST(Rotation, ABodyThatTurnsTooFastToResolveStillGetsItsWholeTorque) {
   const Eigen::Vector3d moments(1e-6, 1, 1);
   const Eigen::Vector3d L_W(3e4, 2e4, 1e4);
   const Eigen::Vector3d dL_W(100, -200, 300);
   const Eigen::Quaterniond q = Eigen::Quaterniond(0.8, 0.4, 0.4, 0.2).normalized();
-  const Turning end =
-      TurnWithMomentum({q, Eigen::Vector3d::Zero()}, moments, L_W, dL_W, 0.1);
+  const AngularState end =
+      IntegrateAngularMomentum({q, Eigen::Vector3d::Zero()}, moments, L_W, dL_W, 0.1);
   const Eigen::Vector3d L_B = moments.cwiseProduct(end.q_WB.conjugate() * end.w_WB);
   EXPECT_LE((end.q_WB * L_B - (L_W + dL_W)).norm(), 1e-9 * L_W.norm());
 }
 
-// One step of it turns by more than half a radian, and the moments are as 1 to 100.
+// The rod turns by more than half a radian per step, and its moments differ by a factor
+// of 100.
 TEST(Rotation, AThinRodThatTumblesFastKeepsItsEnergy) {
   Settings settings;
   settings.gravity_W.setZero();
@@ -83,7 +85,7 @@ TEST(Rotation, AThinRodThatTumblesFastKeepsItsEnergy) {
   };
   const double start = energy();
   for (int k = 0; k < 60; ++k) world.Step(1.0 / 60);
-  // A step may be a millionth off.
+  // Each step may have an error of a millionth.
   EXPECT_NEAR(energy(), start, 60 * 1.01e-6 * start);
 }
 

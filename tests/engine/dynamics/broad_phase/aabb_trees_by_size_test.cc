@@ -13,7 +13,8 @@
 namespace cookbook {
 namespace {
 
-/** Returns a number in [low, high), any as likely, in the first cases as in the last. */
+/** Returns a uniformly distributed number in [low, high), independent of the case size.
+ */
 int Draw(int low, int high) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
 }
@@ -22,8 +23,8 @@ double Uniform(double low, double high) {
   return low + (high - low) * Draw(0, 1 << 20) / (1 << 20);
 }
 
-/** From a grain to a wall, now and then the half of a world. */
-Aabb SomeBox() {
+/** Returns a box between a grain and a wall in size, sometimes half of the world. */
+Aabb RandomBox() {
   const Eigen::Vector3d middle(Uniform(-9, 9), Uniform(-9, 9), Uniform(-9, 9));
   const Eigen::Vector3d half =
       std::pow(10, Uniform(-2, 0.5)) * Eigen::Vector3d(Uniform(0, 1), Uniform(0, 1), 1);
@@ -34,51 +35,51 @@ Aabb SomeBox() {
   return box;
 }
 
-/** The boxes of a tree, to be asked one by one. */
+/** The boxes of a tree, for the exhaustive search. */
 using Boxes = std::map<int, Aabb>;
 
-std::vector<int> OverlappingAnyOrder(const Boxes& boxes, const Aabb& asked) {
+std::vector<int> FindOverlapsExhaustively(const Boxes& boxes, const Aabb& query) {
   std::vector<int> found;
   for (const auto& [body, box] : boxes) {
-    if (box.Overlaps(asked)) found.push_back(body);
+    if (box.Overlaps(query)) found.push_back(body);
   }
   return found;
 }
 
-/** Returns what a tree, or a forest, answers. */
-std::vector<int> Answer(const AabbTree& tree, const Aabb& asked, AabbTree::Room& room) {
-  room.found.clear();
-  tree.Find(asked, room);
-  return room.found;
+std::vector<int> Query(const AabbTree& tree, const Aabb& query,
+                       AabbTree::Scratch& scratch) {
+  scratch.found.clear();
+  tree.Query(query, scratch);
+  return scratch.found;
 }
-std::vector<int> Answer(const AabbTreesBySize& forest, const Aabb& asked,
-                        AabbTree::Room& room) {
-  const std::span<const int> found = forest.Query(asked, room);
+std::vector<int> Query(const AabbTreesBySize& trees, const Aabb& query,
+                       AabbTree::Scratch& scratch) {
+  const std::span<const int> found = trees.Query(query, scratch);
   return {found.begin(), found.end()};
 }
 
-/** Boxes that come and go, up to a tree of three levels and down again. */
+/** Inserts and removes boxes until the tree has up to three levels, then empties it. */
 template <class Tree>
-void ExpectFindsWhatOverlaps() {
+void ExpectFindsAllOverlaps() {
   Tree tree;
   Boxes boxes;
-  AabbTree::Room room;
+  AabbTree::Scratch scratch;
   std::size_t hits = 0;
   const int most = Draw(1, 400);
   for (int change = 0; change < 3 * most; ++change) {
     const int body = Draw(0, most);
     if (boxes.erase(body) > 0) tree.Remove(body);
-    // The more likely the later, the more go.
+    // Insertions become less likely with time.
     if (Draw(0, 3 * most) > change) {
-      const Aabb box = SomeBox();
+      const Aabb box = RandomBox();
       boxes.emplace(body, box);
       tree.Insert(box, body);
     }
     if (change % 16 != 0) continue;
-    const Aabb asked = SomeBox();
-    std::vector<int> found = Answer(tree, asked, room);
+    const Aabb query = RandomBox();
+    std::vector<int> found = Query(tree, query, scratch);
     std::sort(found.begin(), found.end());
-    RC_ASSERT(found == OverlappingAnyOrder(boxes, asked));
+    RC_ASSERT(found == FindOverlapsExhaustively(boxes, query));
     hits += found.size();
   }
   std::vector<int> all;
@@ -90,91 +91,93 @@ void ExpectFindsWhatOverlaps() {
   RC_CLASSIFY(hits > 0);
 }
 
-RC_GTEST_PROP(AabbTree, FindsWhatOverlapsWhoeverCameAndWent, ()) {
-  ExpectFindsWhatOverlaps<AabbTree>();
+RC_GTEST_PROP(AabbTree, FindsAllOverlapsAfterAnyInsertionsAndRemovals, ()) {
+  ExpectFindsAllOverlaps<AabbTree>();
 }
 
-RC_GTEST_PROP(AabbTreesBySize, FindsWhatOverlapsWhoeverCameAndWent, ()) {
-  ExpectFindsWhatOverlaps<AabbTreesBySize>();
+RC_GTEST_PROP(AabbTreesBySize, FindsAllOverlapsAfterAnyInsertionsAndRemovals, ()) {
+  ExpectFindsAllOverlaps<AabbTreesBySize>();
 }
 
-TEST(AabbTree, IsEmptyBeforeTheFirstAndAfterTheLast) {
+TEST(AabbTree, IsEmptyBeforeTheFirstInsertionAndAfterTheLastRemoval) {
   AabbTree tree;
-  AabbTree::Room room;
+  AabbTree::Scratch scratch;
   const Aabb box{Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()};
-  EXPECT_TRUE(Answer(tree, box, room).empty());
+  EXPECT_TRUE(Query(tree, box, scratch).empty());
   for (int body = 0; body < 40; ++body) tree.Insert(box, body);
-  EXPECT_EQ(Answer(tree, box, room).size(), 40u);
+  EXPECT_EQ(Query(tree, box, scratch).size(), 40u);
   for (int body = 0; body < 40; ++body) tree.Remove(body);
-  EXPECT_TRUE(Answer(tree, box, room).empty());
+  EXPECT_TRUE(Query(tree, box, scratch).empty());
   tree.Insert(box, 3);
-  EXPECT_EQ(Answer(tree, box, room).size(), 1u);
+  EXPECT_EQ(Query(tree, box, scratch).size(), 1u);
 }
 
-TEST(AabbTree, FindsWhatOnlyTouches) {
+TEST(AabbTree, FindsBoxesThatOnlyTouch) {
   AabbTree tree;
-  AabbTree::Room room;
+  AabbTree::Scratch scratch;
   tree.Insert({Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()}, 0);
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d aside = Eigen::Vector3d::Unit(axis);
-    EXPECT_EQ(Answer(tree, {aside, aside + Eigen::Vector3d::Ones()}, room).size(), 1u);
-    EXPECT_EQ(Answer(tree, {-aside, Eigen::Vector3d::Ones() - aside}, room).size(), 1u);
+    EXPECT_EQ(Query(tree, {aside, aside + Eigen::Vector3d::Ones()}, scratch).size(), 1u);
+    EXPECT_EQ(Query(tree, {-aside, Eigen::Vector3d::Ones() - aside}, scratch).size(), 1u);
   }
 }
 
-TEST(AabbTree, EndsWhereNoNumberDoes) {
+TEST(AabbTree, FindsAnInfiniteBox) {
   AabbTree tree;
-  AabbTree::Room room;
-  const Aabb world{-Aabb::Nothing().low, Aabb::Nothing().low};
+  AabbTree::Scratch scratch;
+  const Aabb world{-Aabb::Empty().low, Aabb::Empty().low};
   tree.Insert(world, 7);
-  EXPECT_EQ(Answer(tree, world, room), std::vector<int>{7});
+  EXPECT_EQ(Query(tree, world, scratch), std::vector<int>{7});
 }
 
-/** Boxes of 0.8 m at the places of a cube of 20 × 20 × 20 metres, in no order. */
-std::vector<Aabb> Crowd() {
-  std::vector<Aabb> crowd;
+/** Boxes of 0.8 m on a grid of 20 × 20 × 20 m with a spacing of 1 m, in shuffled order.
+ */
+std::vector<Aabb> GridOfBoxes() {
+  std::vector<Aabb> boxes;
   for (int k = 0; k < 8000; ++k) {
     const int at = k * 4567 % 8000;
     const Eigen::Vector3d middle(at % 20, at / 20 % 20, at / 400);
-    crowd.push_back({middle.array() - 0.4, middle.array() + 0.4});
+    boxes.push_back({middle.array() - 0.4, middle.array() + 0.4});
   }
-  return crowd;
+  return boxes;
 }
 
-/** Nodes that a question about one of them looks at, on the average. */
-double LookedAt(const AabbTreesBySize& forest, const std::vector<Aabb>& crowd) {
-  AabbTree::Room room;
-  for (const Aabb& box : crowd) forest.Query(box, room);
-  return static_cast<double>(room.looked_at) / static_cast<double>(crowd.size());
+/** Returns the mean number of nodes that a query for one of the boxes visits. */
+double MeanNodesVisited(const AabbTreesBySize& trees, const std::vector<Aabb>& boxes) {
+  AabbTree::Scratch scratch;
+  for (const Aabb& box : boxes) trees.Query(box, scratch);
+  return static_cast<double>(scratch.nodes_visited) / static_cast<double>(boxes.size());
 }
 
-// Three levels of a tree of eight thousand are five nodes or more.
-TEST(AabbTreesBySize, LooksAtFewNodes) {
-  AabbTreesBySize forest;
-  const std::vector<Aabb> crowd = Crowd();
+// A tree of eight thousand boxes has at least four levels, and a query visits about five
+// nodes or more.
+TEST(AabbTreesBySize, VisitsFewNodes) {
+  AabbTreesBySize trees;
+  const std::vector<Aabb> boxes = GridOfBoxes();
   int body = 0;
-  for (const Aabb& box : crowd) forest.Insert(box, body++);
-  EXPECT_LT(LookedAt(forest, crowd), 8);
-  // As few when all have moved.
+  for (const Aabb& box : boxes) trees.Insert(box, body++);
+  EXPECT_LT(MeanNodesVisited(trees, boxes), 8);
+  // The same after all boxes have moved.
   for (int k = 0; k < body; ++k) {
-    forest.Remove(k);
-    forest.Insert(crowd[static_cast<std::size_t>((k + 1) % body)], k);
+    trees.Remove(k);
+    trees.Insert(boxes[static_cast<std::size_t>((k + 1) % body)], k);
   }
-  EXPECT_LT(LookedAt(forest, crowd), 8);
+  EXPECT_LT(MeanNodesVisited(trees, boxes), 8);
 }
 
-TEST(AabbTreesBySize, LooksAtFewNodesInsideWallsAndAboveAFloorThatCameFirst) {
-  AabbTreesBySize forest;
-  const std::vector<Aabb> crowd = Crowd();
+TEST(AabbTreesBySize, VisitsFewNodesInsideWallsAndAboveAFloorThatWereAddedFirst) {
+  AabbTreesBySize trees;
+  const std::vector<Aabb> boxes = GridOfBoxes();
   int body = 0;
-  const Aabb world{-Aabb::Nothing().low, Aabb::Nothing().low};
-  forest.Insert(world, body++);
+  const Aabb world{-Aabb::Empty().low, Aabb::Empty().low};
+  trees.Insert(world, body++);
   for (const double half : {300.0, 1000.0, 1e6}) {
     const Eigen::Vector3d far = Eigen::Vector3d::Constant(half);
-    forest.Insert({-far, far}, body++);
+    trees.Insert({-far, far}, body++);
   }
-  for (const Aabb& box : crowd) forest.Insert(box, body++);
-  EXPECT_LT(LookedAt(forest, crowd), 8 + 4);
+  for (const Aabb& box : boxes) trees.Insert(box, body++);
+  EXPECT_LT(MeanNodesVisited(trees, boxes), 8 + 4);
 }
 
 }  // namespace

@@ -20,10 +20,11 @@ namespace {
 
 using Pairs = std::set<std::pair<int, int>>;
 
-constexpr double kMargin = 1e-3;    // The greatest of a body. [m]
+constexpr double kMargin = 1e-3;    // Greatest speculative margin of a body. [m]
 constexpr double kStep = 1.0 / 60;  // [s]
 
-/** Returns a number in [low, high), any as likely, in the first cases as in the last. */
+/** Returns a uniformly distributed number in [low, high), independent of the case size.
+ */
 int Draw(int low, int high) {
   return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high));
 }
@@ -36,8 +37,8 @@ Eigen::Vector3d InCube(double half) {
   return {Uniform(-half, half), Uniform(-half, half), Uniform(-half, half)};
 }
 
-/** From a grain to a rock, at rest or as fast as a bullet. */
-RigidBody SomeBody() {
+/** Returns a body between a grain and a rock in size, at rest or as fast as a bullet. */
+RigidBody RandomBody() {
   const double size = std::pow(10, Uniform(-2, 0.7));
   BodyDefinition body;
   switch (Draw(0, 10)) {
@@ -59,7 +60,7 @@ RigidBody SomeBody() {
   body.collides = Draw(0, 10) > 0;
   if (Draw(0, 6) == 0) body.mass = 0;
   body.state.p_WB = InCube(2.5);
-  // Half-spaces along an axis have bounds, others have none.
+  // Half-spaces perpendicular to an axis have finite bounds on one side, others do not.
   if (Draw(0, 2) == 0) {
     body.state.q_WB = Eigen::Quaterniond(1, Uniform(-1, 1), Uniform(-1, 1), 1);
     body.state.q_WB.normalize();
@@ -69,22 +70,22 @@ RigidBody SomeBody() {
     body.state.w_WB = InCube(20);
   }
   RigidBody made = MakeRigidBody(body);
-  made.margin = Uniform(0, kMargin);
+  made.speculative_margin = Uniform(0, kMargin);
   return made;
 }
 
-std::vector<RigidBody> SomeBodies() {
+std::vector<RigidBody> RandomBodies() {
   std::vector<RigidBody> bodies;
-  for (int i = Draw(2, 40); i > 0; --i) bodies.push_back(SomeBody());
+  for (int i = Draw(2, 40); i > 0; --i) bodies.push_back(RandomBody());
   return bodies;
 }
 
-bool TakesPart(const RigidBody& body) {
+bool CanCollide(const RigidBody& body) {
   return body.collides && !body.is_point;
 }
 
-/** Lets every body fly on for a step; now and then one is turned back, falls asleep or
- wakes. Returns it as it flies. */
+/** Moves body `i` in free flight for a step. Sometimes it falls asleep, wakes or changes
+ its velocity before. */
 void Move(std::size_t i, std::vector<RigidBody>& bodies,
           const std::vector<RigidBody>& first) {
   RigidBody& body = bodies[i];
@@ -97,29 +98,29 @@ void Move(std::size_t i, std::vector<RigidBody>& bodies,
   body = FreeFlight{body}.At(kStep, Gyroscopic::kOff);
 }
 
-/** Whether the two may be within the margin before the next step ends. */
-bool MayMeet(const RigidBody& A, const RigidBody& B) {
-  if (!TakesPart(A) || !TakesPart(B)) return false;
+/** Whether the two bodies may be within the margin before the next step ends. */
+bool MayCollide(const RigidBody& A, const RigidBody& B) {
+  if (!CanCollide(A) || !CanCollide(B)) return false;
   if (A.is_static() && B.is_static()) return false;
   const auto grown = [](const RigidBody& body) -> Aabb {
     const double by =
-        body.is_static() ? 0 : kMargin + Reach(body, body.state.v_WB, kStep);
+        body.is_static() ? 0 : kMargin + MaxTravel(body, body.state.v_WB, kStep);
     const Aabb bounds = BoundsOf(body).bounds();
     return {bounds.low.array() - by, bounds.high.array() + by};
   };
   return grown(A).Overlaps(grown(B));
 }
 
-/** Keeps the near pairs as ContactCache does, and checks what it is told. */
+/** Keeps the near pairs like ContactCache, and checks the new ones. */
 class NearPairs {
  public:
-  void Add(const std::vector<std::pair<int, int>>& appeared,
+  void Add(const std::vector<std::pair<int, int>>& new_pairs,
            const std::vector<RigidBody>& first) {
-    for (const auto& [a, b] : appeared) {
+    for (const auto& [a, b] : new_pairs) {
       RC_ASSERT(a < b);
       const RigidBody& A = first[static_cast<std::size_t>(a)];
       const RigidBody& B = first[static_cast<std::size_t>(b)];
-      RC_ASSERT(TakesPart(A) && TakesPart(B));
+      RC_ASSERT(CanCollide(A) && CanCollide(B));
       RC_ASSERT(!A.is_static() || !B.is_static());
       RC_ASSERT(near_.insert({a, b}).second);
     }
@@ -137,14 +138,14 @@ class NearPairs {
   Pairs near_;
 };
 
-RC_GTEST_PROP(BroadPhase, WhatMayMeetInAStepIsNearAndAppearsOnce, ()) {
-  std::vector<RigidBody> bodies = SomeBodies();
+RC_GTEST_PROP(BroadPhase, PairsThatMayCollideInAStepAreNearAndReportedOnce, ()) {
+  std::vector<RigidBody> bodies = RandomBodies();
   const std::vector<RigidBody> first = bodies;
   BroadPhase broad_phase;
-  ThreadPool alone(1);
+  ThreadPool pool(1);
   NearPairs near;
-  const int late = Draw(0, 10);  // The step in which the last body comes.
-  std::vector<std::pair<int, int>> appeared;
+  const int late = Draw(0, 10);  // The step in which the last body is added.
+  std::vector<std::pair<int, int>> new_pairs;
   int known = 0;
   for (int step = 0; step < 20; ++step) {
     const int count = static_cast<int>(bodies.size()) - (step < late ? 1 : 0);
@@ -153,60 +154,61 @@ RC_GTEST_PROP(BroadPhase, WhatMayMeetInAStepIsNearAndAppearsOnce, ()) {
     }
     const std::span<const RigidBody> present(bodies.data(),
                                              static_cast<std::size_t>(count));
-    appeared.clear();
-    broad_phase.Update(present, kMargin, kStep, alone, appeared);
+    new_pairs.clear();
+    broad_phase.Update(present, kMargin, kStep, pool, new_pairs);
     near.DropThoseApart(broad_phase);
-    near.Add(appeared, first);
+    near.Add(new_pairs, first);
     for (int a = 0; a < count; ++a) {
       for (int b = a + 1; b < count; ++b) {
-        if (MayMeet(present[static_cast<std::size_t>(a)],
-                    present[static_cast<std::size_t>(b)])) {
+        if (MayCollide(present[static_cast<std::size_t>(a)],
+                       present[static_cast<std::size_t>(b)])) {
           RC_ASSERT(near.Has(a, b));
         }
       }
     }
-    // Something strikes one of them in the midst of the step.
-    const int struck = Draw(0, count);
-    RigidBody& body = bodies[static_cast<std::size_t>(struck)];
-    if (TakesPart(body) && !body.is_static()) {
+    // An impact changes the velocity of one body during the step.
+    const int hit = Draw(0, count);
+    RigidBody& body = bodies[static_cast<std::size_t>(hit)];
+    if (CanCollide(body) && !body.is_static()) {
       body.state.v_WB = InCube(200);
-      const double reach = kMargin + Reach(body, body.state.v_WB, kStep);
-      std::vector<int> met;
-      appeared.clear();
-      broad_phase.Widen(struck, body, reach, appeared, met);
-      near.Add(appeared, first);
-      RC_ASSERT(std::is_sorted(appeared.begin(), appeared.end()));
-      RC_ASSERT(std::is_sorted(met.begin(), met.end()));
-      for (const int other : met) RC_ASSERT(near.Has(struck, other));
+      const double reach = kMargin + MaxTravel(body, body.state.v_WB, kStep);
+      std::vector<int> candidates;
+      new_pairs.clear();
+      broad_phase.EnlargeProxy(hit, body, reach, new_pairs, candidates);
+      near.Add(new_pairs, first);
+      RC_ASSERT(std::is_sorted(new_pairs.begin(), new_pairs.end()));
+      RC_ASSERT(std::is_sorted(candidates.begin(), candidates.end()));
+      for (const int other : candidates) RC_ASSERT(near.Has(hit, other));
       for (int other = 0; other < count; ++other) {
-        if (other == struck || !MayMeet(body, present[static_cast<std::size_t>(other)])) {
+        if (other == hit || !MayCollide(body, present[static_cast<std::size_t>(other)])) {
           continue;
         }
-        RC_ASSERT(std::find(met.begin(), met.end(), other) != met.end());
+        RC_ASSERT(std::find(candidates.begin(), candidates.end(), other) !=
+                  candidates.end());
       }
     }
     for (int i = 0; i < count; ++i) Move(static_cast<std::size_t>(i), bodies, first);
   }
 }
 
-RC_GTEST_PROP(BroadPhase, ItsGapIsNoMoreThanTheDistance, ()) {
-  std::vector<RigidBody> bodies = {SomeBody(), SomeBody()};
-  while (!TakesPart(bodies[0]) || bodies[0].is_static()) bodies[0] = SomeBody();
-  while (!TakesPart(bodies[1])) bodies[1] = SomeBody();
+RC_GTEST_PROP(BroadPhase, ItsDistanceBoundIsNoMoreThanTheDistance, ()) {
+  std::vector<RigidBody> bodies = {RandomBody(), RandomBody()};
+  while (!CanCollide(bodies[0]) || bodies[0].is_static()) bodies[0] = RandomBody();
+  while (!CanCollide(bodies[1])) bodies[1] = RandomBody();
   BroadPhase broad_phase;
   for (const RigidBody& body : bodies) broad_phase.Add(body);
-  const double gap = broad_phase.GapOf(0, 1);
+  const double gap = broad_phase.DistanceBound(0, 1);
   Manifold manifold;
   CollideSpeculative(0, bodies[0], bodies[1], Eigen::Vector3d::Zero(), manifold);
-  // Apart, the manifold of two boxes has only a bound as well.
+  // The manifold of two separated boxes has only a bound as well.
   const bool boxes = std::holds_alternative<Box>(bodies[0].shape) &&
                      std::holds_alternative<Box>(bodies[1].shape);
   if (manifold.touching || !boxes) RC_ASSERT(gap <= std::max(0.0, manifold.separation));
   RC_CLASSIFY(gap > 0);
 }
 
-/** Whether the edges say of the contacts what those say. */
-bool AreInShort(const ContactCache& cache) {
+/** Whether the edges have the bodies and numbers of contacts of the contact pairs. */
+bool EdgesAgree(const ContactCache& cache) {
   const std::span<const ContactPair> contacts = cache.contacts();
   const std::span<const ContactEdge> edges = cache.edges();
   return std::equal(contacts.begin(), contacts.end(), edges.begin(), edges.end(),
@@ -216,26 +218,27 @@ bool AreInShort(const ContactCache& cache) {
                     });
 }
 
-RC_GTEST_PROP(ContactCache, FindsWhatALookAtAllPairsFinds, ()) {
-  std::vector<RigidBody> bodies = SomeBodies();
+RC_GTEST_PROP(ContactCache, FindsTheSameContactsAsAnExhaustiveSearch, ()) {
+  std::vector<RigidBody> bodies = RandomBodies();
   const std::vector<RigidBody> first = bodies;
   ContactCache cache;
   ThreadPool pool(1);
   for (const RigidBody& body : bodies) cache.Add(body);
   int most = 0;
   for (int step = 0; step < 20; ++step) {
-    cache.Find(bodies, {kMargin, false}, kStep, pool);
+    cache.Update(bodies, {kMargin, false}, kStep, pool);
     Pairs found;
     for (const ContactPair& pair : cache.contacts()) {
       RC_ASSERT(found.insert({pair.A, pair.B}).second);
     }
-    RC_ASSERT(AreInShort(cache));
+    RC_ASSERT(EdgesAgree(cache));
     most = std::max(most, static_cast<int>(found.size()));
     for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
       for (int b = a + 1; b < static_cast<int>(bodies.size()); ++b) {
         const RigidBody& A = bodies[static_cast<std::size_t>(a)];
         const RigidBody& B = bodies[static_cast<std::size_t>(b)];
-        if (!TakesPart(A) || !TakesPart(B) || (A.is_static() && B.is_static())) continue;
+        if (!CanCollide(A) || !CanCollide(B) || (A.is_static() && B.is_static()))
+          continue;
         Manifold manifold;
         CollideSpeculative(SpeculativeMarginBetween(A, B), A, B, Eigen::Vector3d::Zero(),
                            manifold);
@@ -251,8 +254,8 @@ RC_GTEST_PROP(ContactCache, FindsWhatALookAtAllPairsFinds, ()) {
   RC_CLASSIFY(most > 0);
 }
 
-// So many that they are sorted by place now and then.
-TEST(ContactCache, TellsOfItsContactsInShort) {
+// The contacts are so many that they are sometimes sorted in spatial order.
+TEST(ContactCache, ItsEdgesAgreeWithItsContacts) {
   constexpr int kRow = 12;
   std::vector<RigidBody> bodies;
   ContactCache cache;
@@ -265,51 +268,51 @@ TEST(ContactCache, TellsOfItsContactsInShort) {
     bodies.push_back(MakeRigidBody(ball));
     cache.Add(bodies.back());
   }
-  ThreadPool alone(1);
+  ThreadPool pool(1);
   constexpr std::size_t kFaces = std::size_t{3} * kRow * kRow * (kRow - 1);
   for (int step = 0; step < 70; ++step) {
-    // Half of them fall asleep: nobody looks at those again.
+    // Half of the bodies fall asleep: their pairs are not collided again.
     if (step == 30) {
       for (RigidBody& body : bodies) {
         if (body.state.p_WB[0] < 5) body.inverse_mass = 0;
       }
     }
-    cache.Find(bodies, {kMargin, false}, kStep, alone);
+    cache.Update(bodies, {kMargin, false}, kStep, pool);
     EXPECT_EQ(cache.contacts().size(), kFaces);
-    EXPECT_TRUE(AreInShort(cache)) << step;
+    EXPECT_TRUE(EdgesAgree(cache)) << step;
   }
-  cache.Release(7);
+  cache.ClearContacts(7);
   EXPECT_EQ(cache.contacts()[7].manifold.count, 0);
-  EXPECT_TRUE(AreInShort(cache));
+  EXPECT_TRUE(EdgesAgree(cache));
 }
 
-TEST(BroadPhase, WhatAppearsBesideABodyComesAsBodiesWereAdded) {
+TEST(BroadPhase, NewPairsOfABodyAreInTheOrderInWhichBodiesWereAdded) {
   std::vector<RigidBody> bodies;
   BroadPhase broad_phase;
   constexpr int kCount = 60;
   for (int k = 0; k < kCount; ++k) {
-    BodyDefinition ball;  // A row in no order, within a radius.
+    BodyDefinition ball;  // A row in shuffled order, shorter than a radius.
     ball.state.p_WB = {0.001 * (k * 37 % kCount), 0, 0};
     bodies.push_back(MakeRigidBody(ball));
     broad_phase.Add(bodies.back());
   }
-  ThreadPool alone(1);
-  std::vector<std::pair<int, int>> appeared;
-  broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
-  EXPECT_EQ(appeared.size(), std::size_t{kCount} * (kCount - 1) / 2);
+  ThreadPool pool(1);
+  std::vector<std::pair<int, int>> new_pairs;
+  broad_phase.Update(bodies, kMargin, kStep, pool, new_pairs);
+  EXPECT_EQ(new_pairs.size(), std::size_t{kCount} * (kCount - 1) / 2);
   constexpr int kLate = 23;
   const Eigen::Vector3d p_WB = bodies[kLate].state.p_WB;
   for (const double away : {100.0, 0.0}) {
     bodies[kLate].state.p_WB = p_WB + away * Eigen::Vector3d::UnitY();
-    appeared.clear();
-    broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
+    new_pairs.clear();
+    broad_phase.Update(bodies, kMargin, kStep, pool, new_pairs);
   }
-  EXPECT_EQ(appeared.size(), std::size_t{kCount - 1});
-  EXPECT_TRUE(std::is_sorted(appeared.begin(), appeared.end()));
+  EXPECT_EQ(new_pairs.size(), std::size_t{kCount - 1});
+  EXPECT_TRUE(std::is_sorted(new_pairs.begin(), new_pairs.end()));
 }
 
-// As a float could not tell them apart: it rounds 1e8 m to 8 m.
-TEST(BroadPhase, WhatIsApartIsNotNearHoweverFarOut) {
+// Floats could not distinguish these positions: they round 1e8 m to 8 m.
+TEST(BroadPhase, SeparatedBodiesAreNotNearHoweverFarFromTheOrigin) {
   for (const double far : {1e7, 1e8, 1e9, 1e11}) {
     std::vector<RigidBody> bodies;
     BroadPhase broad_phase;
@@ -320,15 +323,15 @@ TEST(BroadPhase, WhatIsApartIsNotNearHoweverFarOut) {
       bodies.push_back(MakeRigidBody(box));
       broad_phase.Add(bodies.back());
     }
-    ThreadPool alone(1);
-    std::vector<std::pair<int, int>> appeared;
-    broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
-    EXPECT_TRUE(appeared.empty()) << far << ": " << appeared.size();
+    ThreadPool pool(1);
+    std::vector<std::pair<int, int>> new_pairs;
+    broad_phase.Update(bodies, kMargin, kStep, pool, new_pairs);
+    EXPECT_TRUE(new_pairs.empty()) << far << ": " << new_pairs.size();
   }
 }
 
-// Where numbers end: nothing of an empty place of a tree is taken for a body.
-TEST(BroadPhase, WhatIsLargerThanNumbersIsNearEverythingOnce) {
+// The bounds overflow. No empty slot of a tree node is treated as a body.
+TEST(BroadPhase, AHugeBodyIsNearEveryOtherOnce) {
   for (const double half : {3.4028233e38, 1e300, std::numeric_limits<double>::max()}) {
     std::vector<RigidBody> bodies;
     BroadPhase broad_phase;
@@ -342,15 +345,15 @@ TEST(BroadPhase, WhatIsLargerThanNumbersIsNearEverythingOnce) {
       bodies.push_back(MakeRigidBody(body));
       broad_phase.Add(bodies.back());
     }
-    ThreadPool alone(1);
-    std::vector<std::pair<int, int>> appeared;
-    broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
-    EXPECT_EQ(Pairs(appeared.begin(), appeared.end()).size(), 19u) << half;
-    EXPECT_EQ(appeared.size(), 19u) << half;
+    ThreadPool pool(1);
+    std::vector<std::pair<int, int>> new_pairs;
+    broad_phase.Update(bodies, kMargin, kStep, pool, new_pairs);
+    EXPECT_EQ(Pairs(new_pairs.begin(), new_pairs.end()).size(), 19u) << half;
+    EXPECT_EQ(new_pairs.size(), 19u) << half;
   }
 }
 
-TEST(BroadPhase, AWideFloorIsNotNearWhatIsFarAboveIt) {
+TEST(BroadPhase, AWideFloorIsNotNearABodyFarAboveIt) {
   BodyDefinition floor;
   floor.shape = Box{{1000, 1, 1000}};
   floor.mass = 0;
@@ -358,11 +361,11 @@ TEST(BroadPhase, AWideFloorIsNotNearWhatIsFarAboveIt) {
   ball.state.p_WB = {0, 3, 0};
   const std::vector<RigidBody> bodies = {MakeRigidBody(floor), MakeRigidBody(ball)};
   BroadPhase broad_phase;
-  ThreadPool alone(1);
+  ThreadPool pool(1);
   for (const RigidBody& body : bodies) broad_phase.Add(body);
-  std::vector<std::pair<int, int>> appeared;
-  broad_phase.Update(bodies, kMargin, kStep, alone, appeared);
-  EXPECT_TRUE(appeared.empty());
+  std::vector<std::pair<int, int>> new_pairs;
+  broad_phase.Update(bodies, kMargin, kStep, pool, new_pairs);
+  EXPECT_TRUE(new_pairs.empty());
 }
 
 }  // namespace

@@ -5,27 +5,27 @@
 namespace cookbook {
 namespace {
 
-RigidBody BallAt(double x, double radius, double mass) {
-  BodyDefinition ball;
-  ball.shape = Sphere{radius};
-  ball.state.p_WB = {x, 1, 2};
-  ball.mass = mass;
-  return MakeRigidBody(ball);
+RigidBody SphereAt(double x, double radius, double mass) {
+  BodyDefinition sphere;
+  sphere.shape = Sphere{radius};
+  sphere.state.p_WB = {x, 1, 2};
+  sphere.mass = mass;
+  return MakeRigidBody(sphere);
 }
 
-Manifold Meet(const RigidBody& A, const RigidBody& B) {
+Manifold CollideWithoutMargin(const RigidBody& A, const RigidBody& B) {
   Manifold manifold;
   CollideSpeculative(0, A, B, Eigen::Vector3d::Zero(), manifold);
   return manifold;
 }
 
-/** Balls of 0.5 and 0.25 m that overlap by 0.25 m: from x = 0.25 to 0.5. */
-Manifold MeetOfMasses(double mass_A, double mass_B) {
-  return Meet(BallAt(0, 0.5, mass_A), BallAt(0.5, 0.25, mass_B));
+/** Collides spheres of 0.5 and 0.25 m that overlap by 0.25 m: from x = 0.25 to 0.5. */
+Manifold CollideWithMasses(double mass_A, double mass_B) {
+  return CollideWithoutMargin(SphereAt(0, 0.5, mass_A), SphereAt(0.5, 0.25, mass_B));
 }
 
-TEST(NearContact, OfTwoBallsThatMoveIsMidway) {
-  const Manifold manifold = MeetOfMasses(1, 3);
+TEST(CollideSpeculative, PutsTheContactOfTwoDynamicSpheresMidway) {
+  const Manifold manifold = CollideWithMasses(1, 3);
   ASSERT_EQ(manifold.count, 1);
   EXPECT_EQ(manifold.n_AB_W, Eigen::Vector3d::UnitX());
   EXPECT_EQ(manifold.separation, -0.25);
@@ -33,17 +33,17 @@ TEST(NearContact, OfTwoBallsThatMoveIsMidway) {
   EXPECT_LT((manifold.contacts[0].p_WC - Eigen::Vector3d(0.375, 1, 2)).norm(), 1e-15);
 }
 
-// Friction turns a ball by its radius, however deep it is caught.
-TEST(NearContact, OfTwoBallsIsOnTheOneThatMoves) {
-  const Manifold on_B = MeetOfMasses(0, 1);
+// The lever arm of friction is the radius of the sphere, at any depth.
+TEST(CollideSpeculative, PutsTheContactOnTheDynamicSphere) {
+  const Manifold on_B = CollideWithMasses(0, 1);
   EXPECT_LT((on_B.contacts[0].p_WC - Eigen::Vector3d(0.25, 1, 2)).norm(), 1e-15);
-  const Manifold on_A = MeetOfMasses(1, 0);
+  const Manifold on_A = CollideWithMasses(1, 0);
   EXPECT_LT((on_A.contacts[0].p_WC - Eigen::Vector3d(0.5, 1, 2)).norm(), 1e-15);
 }
 
-TEST(NearContact, BallsApartByMoreThanTheMarginHaveNone) {
-  const RigidBody A = BallAt(0, 0.5, 1);
-  const RigidBody B = BallAt(1, 0.25, 1);
+TEST(CollideSpeculative, FindsNoContactBeyondTheMargin) {
+  const RigidBody A = SphereAt(0, 0.5, 1);
+  const RigidBody B = SphereAt(1, 0.25, 1);
   Manifold manifold;
   CollideSpeculative(0.2, A, B, Eigen::Vector3d::Zero(), manifold);
   EXPECT_EQ(manifold.count, 0);

@@ -1,5 +1,3 @@
-// Boxes that come near each other, many pairs at once.
-
 #include "engine/dynamics/contacts/collide_boxes_simd.h"
 
 #include <array>
@@ -19,12 +17,12 @@
 namespace cookbook::test {
 namespace {
 
-/** Two bodies and how they touch. */
+/** Two bodies and their manifold. */
 struct Pair {
   RigidBody A;
   RigidBody B;
   Manifold manifold;
-  bool edges_meet = false;
+  bool edge_contact = false;
 };
 
 RigidBody BodyOf(const Box& box, const Pose& X_WO) {
@@ -40,22 +38,21 @@ Pair PairOf(const BoxQuestion& q) {
   return {BodyOf(q.A, q.X_WA), BodyOf(q.B, q.X_WB), {}};
 }
 
-/** At most kNeighbours pairs at once. */
-void CollideTogether(double margin, std::span<Pair> pairs) {
-  std::vector<Neighbours> neighbours;
+/** Collides at most kPairsPerBatch pairs as one batch. */
+void CollideBatch(double margin, std::span<Pair> pairs) {
+  std::vector<CollisionPair> batch;
   for (Pair& pair : pairs) {
-    neighbours.push_back(
-        {&pair.A, &pair.B, margin, Eigen::Vector3d::Zero(), &pair.manifold});
+    batch.push_back({&pair.A, &pair.B, margin, Eigen::Vector3d::Zero(), &pair.manifold});
   }
-  const unsigned edges_meet = CollideBoxesSimd(neighbours);
+  const unsigned edge_contact = CollideBoxesSimd(batch);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    pairs[k].edges_meet = (edges_meet >> k & 1) != 0;
+    pairs[k].edge_contact = (edge_contact >> k & 1) != 0;
   }
 }
 
 Pair CollideAlone(double margin, const BoxQuestion& q) {
   Pair pair = PairOf(q);
-  CollideTogether(margin, std::span(&pair, 1));
+  CollideBatch(margin, std::span(&pair, 1));
   return pair;
 }
 
@@ -68,7 +65,7 @@ void ExpectSameBits(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 void ExpectSameBits(const Pair& a, const Pair& b) {
-  EXPECT_EQ(a.edges_meet, b.edges_meet);
+  EXPECT_EQ(a.edge_contact, b.edge_contact);
   EXPECT_EQ(a.manifold.touching, b.manifold.touching);
   EXPECT_EQ(Bits(a.manifold.separation), Bits(b.manifold.separation));
   ExpectSameBits(a.manifold.n_AB_W, b.manifold.n_AB_W);
@@ -84,32 +81,33 @@ void ExpectSameBits(const Pair& a, const Pair& b) {
 
 constexpr double kMargin = 1e-3;
 
-/** Pairs of every family, as many of each as are looked at together, one family after
- the other, or mixed. */
-std::vector<BoxQuestion> Questions(int rounds) {
+/** Returns pairs of all families: in each round one pair of each family, then a batch of
+ random families. */
+std::vector<BoxQuestion> RandomPairs(int rounds) {
   std::vector<BoxQuestion> questions;
   Random random(7);
   for (int round = 0; round < rounds; ++round) {
     for (const Family& family : Families()) questions.push_back(family.draw(random));
-    for (std::size_t k = 0; k < kNeighbours; ++k) questions.push_back(AnyBoxes(random));
+    for (std::size_t k = 0; k < kPairsPerBatch; ++k)
+      questions.push_back(AnyBoxes(random));
   }
   return questions;
 }
 
-using NearBoxesOnTarget = OnTarget;
+using CollideBoxesOnTarget = OnTarget;
 
-TEST_P(NearBoxesOnTarget, ArePairByPairAsEachAloneWithTheWidestVectors) {
-  const std::vector<BoxQuestion> questions = Questions(200);
+TEST_P(CollideBoxesOnTarget, ABatchHasTheBitsOfEachPairAloneOnTheBestTarget) {
+  const std::vector<BoxQuestion> questions = RandomPairs(200);
   int contacts = 0;
-  // Groups of 1, 2, … 8, 1, 2, …
+  // Batches of 1, 2, … 8, 1, 2, … pairs.
   for (std::size_t first = 0, size = 1; first < questions.size() && !HasFailure();
-       first += size, size = size % kNeighbours + 1) {
+       first += size, size = size % kPairsPerBatch + 1) {
     std::vector<Pair> pairs;
     for (std::size_t k = first; k < std::min(first + size, questions.size()); ++k) {
       pairs.push_back(PairOf(questions[k]));
     }
     Choose(GetParam());
-    CollideTogether(kMargin, pairs);
+    CollideBatch(kMargin, pairs);
     Choose(kAll);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       ExpectSameBits(pairs[k], CollideAlone(kMargin, questions[first + k]));
@@ -119,16 +117,17 @@ TEST_P(NearBoxesOnTarget, ArePairByPairAsEachAloneWithTheWidestVectors) {
   EXPECT_GT(contacts, 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(, NearBoxesOnTarget, testing::ValuesIn(Targets()), NameOfTarget);
+INSTANTIATE_TEST_SUITE_P(, CollideBoxesOnTarget, testing::ValuesIn(Targets()),
+                         NameOfTarget);
 
 /** Returns the signed distance from a point to the planes of a box's faces: < 0 inside.
  */
-double BeyondFaces(const RigidBody& body, const Eigen::Vector3d& p_W) {
+double DistanceToFaces(const RigidBody& body, const Eigen::Vector3d& p_W) {
   const Eigen::Vector3d p_B = body.R_WB.transpose() * (p_W - body.state.p_WB);
   return (p_B.cwiseAbs() - std::get<Box>(body.shape).half_extents).maxCoeff();
 }
 
-TEST(NearBoxes, ContactsAreMidwayBetweenTheSurfaces) {
+TEST(CollideBoxesSimd, ContactsAreMidwayBetweenTheSurfaces) {
   Random random(11);
   int contacts = 0;
   for (int n = 0; n < 2000 && !testing::Test::HasFailure(); ++n) {
@@ -137,19 +136,19 @@ TEST(NearBoxes, ContactsAreMidwayBetweenTheSurfaces) {
       const Eigen::Vector3d half = 0.5 * contact.separation * pair.manifold.n_AB_W;
       EXPECT_GE(contact.separation, pair.manifold.separation);
       EXPECT_LE(contact.separation, kMargin);
-      // Corners may be out by a thousandth of the margin, and are brought back to the
-      // reference face; the other face is at most 55° off it, so its surface is 1.7 times
-      // as far. That, and rounding.
+      // Corners may be outside by a thousandth of the margin, and are moved back to the
+      // reference face. The other face is tilted by at most 55°, so its surface is 1.7
+      // times as far. The rest is rounding.
       const double slop = 1e-3 * kMargin * 2;
-      EXPECT_NEAR(BeyondFaces(pair.A, contact.p_WC - half), 0, slop);
-      EXPECT_NEAR(BeyondFaces(pair.B, contact.p_WC + half), 0, slop);
+      EXPECT_NEAR(DistanceToFaces(pair.A, contact.p_WC - half), 0, slop);
+      EXPECT_NEAR(DistanceToFaces(pair.B, contact.p_WC + half), 0, slop);
       ++contacts;
     }
   }
   EXPECT_GT(contacts, 2000);
 }
 
-TEST(NearBoxes, WithoutMarginFacesHaveTheContactsOfCollide) {
+TEST(CollideBoxesSimd, WithoutMarginFaceContactsAreThoseOfCollide) {
   Random random(13);
   int compared = 0;
   for (int n = 0; n < 2000 && !testing::Test::HasFailure(); ++n) {
@@ -157,8 +156,8 @@ TEST(NearBoxes, WithoutMarginFacesHaveTheContactsOfCollide) {
     const Manifold expected = Collide(q.A, q.X_WA, q.B, q.X_WB);
     const Pair pair = CollideAlone(0, q);
     ASSERT_EQ(pair.manifold.touching, expected.touching);
-    // Of two edges there is a patch here where the faces are nearly parallel.
-    if (!expected.touching || pair.edges_meet ||
+    // For two edges of nearly parallel faces the SIMD version has a patch.
+    if (!expected.touching || pair.edge_contact ||
         !pair.manifold.n_AB_W.isApprox(expected.n_AB_W, 1e-12)) {
       continue;
     }
@@ -174,8 +173,8 @@ TEST(NearBoxes, WithoutMarginFacesHaveTheContactsOfCollide) {
   EXPECT_GT(compared, 500);
 }
 
-/** A cube of 1 m on another, turned about the vertical, `gap` above it. */
-BoxQuestion OneOnAnother(double angle, double gap) {
+/** A cube of 1 m above another, rotated about the vertical, at the distance `gap`. */
+BoxQuestion CubeAboveCube(double angle, double gap) {
   const Box cube{{0.5, 0.5, 0.5}};
   return {cube,
           {Eigen::Matrix3d::Identity(), {0, 0, 0}},
@@ -183,8 +182,8 @@ BoxQuestion OneOnAnother(double angle, double gap) {
           {Turn(Eigen::Vector3d::UnitY(), angle), {0, 1 + gap, 0}}};
 }
 
-TEST(NearBoxes, FlushFacesMeetAtTheirFourCorners) {
-  const Pair pair = CollideAlone(kMargin, OneOnAnother(0, 0));
+TEST(CollideBoxesSimd, FlushFacesHaveFourContactsAtTheirCorners) {
+  const Pair pair = CollideAlone(kMargin, CubeAboveCube(0, 0));
   ASSERT_EQ(pair.manifold.count, 4);
   EXPECT_EQ(pair.manifold.n_AB_W, Eigen::Vector3d::UnitY());
   for (const ContactPoint& contact : pair.manifold.points()) {
@@ -193,8 +192,8 @@ TEST(NearBoxes, FlushFacesMeetAtTheirFourCorners) {
   }
 }
 
-TEST(NearBoxes, FacesTurnedByAnEighthMeetInAnOctagon) {
-  const Pair pair = CollideAlone(kMargin, OneOnAnother(std::numbers::pi / 4, 0.5e-3));
+TEST(CollideBoxesSimd, FacesRotatedByAnEighthTurnHaveAnOctagonOfContacts) {
+  const Pair pair = CollideAlone(kMargin, CubeAboveCube(std::numbers::pi / 4, 0.5e-3));
   ASSERT_EQ(pair.manifold.count, 8);
   EXPECT_FALSE(pair.manifold.touching);
   const double near = std::numbers::sqrt2 / 2 - 0.5;
@@ -204,20 +203,20 @@ TEST(NearBoxes, FacesTurnedByAnEighthMeetInAnOctagon) {
     const double x = std::abs(contact.p_WC.x());
     const double z = std::abs(contact.p_WC.z());
     EXPECT_NEAR(std::max(x, z), 0.5, 1e-15);
-    // Along the edge as far as flush corners may be out.
+    // Along the edge within the tolerance for flush corners.
     EXPECT_NEAR(std::min(x, z), near, 1e-3 * kMargin + 1e-15);
   }
 }
 
-TEST(NearBoxes, FacesApartByMoreThanTheMarginDoNotMeet) {
-  const Pair pair = CollideAlone(kMargin, OneOnAnother(0.3, 1.1 * kMargin));
+TEST(CollideBoxesSimd, FacesSeparatedByMoreThanTheMarginHaveNoContact) {
+  const Pair pair = CollideAlone(kMargin, CubeAboveCube(0.3, 1.1 * kMargin));
   EXPECT_EQ(pair.manifold.count, 0);
-  EXPECT_FALSE(pair.edges_meet);
+  EXPECT_FALSE(pair.edge_contact);
   EXPECT_NEAR(pair.manifold.separation, 1.1 * kMargin, 1e-15);
 }
 
-TEST(NearBoxes, EdgesThatCrossAreLeftToAnother) {
-  // Each stands on an edge; B's, turned by a quarter, crosses A's from above.
+TEST(CollideBoxesSimd, CrossingEdgesAreLeftToTheCaller) {
+  // Each cube stands on an edge. The lower edge of B crosses the upper edge of A at 90°.
   const Box cube{{0.5, 0.5, 0.5}};
   const Eigen::Matrix3d on_edge = Turn(Eigen::Vector3d::UnitZ(), std::numbers::pi / 4);
   const double gap = 0.5 * kMargin;
@@ -227,15 +226,14 @@ TEST(NearBoxes, EdgesThatCrossAreLeftToAnother) {
                       {Turn(Eigen::Vector3d::UnitY(), std::numbers::pi / 2) * on_edge,
                        {0, std::numbers::sqrt2 + gap, 0}}};
   const Pair pair = CollideAlone(kMargin, q);
-  EXPECT_TRUE(pair.edges_meet);
+  EXPECT_TRUE(pair.edge_contact);
   EXPECT_EQ(pair.manifold.count, 0);
   EXPECT_NEAR(pair.manifold.separation, gap, 1e-15);
   EXPECT_LT((pair.manifold.n_AB_W - Eigen::Vector3d::UnitY()).norm(), 1e-15);
 }
 
-TEST(NearBoxes, TheFaceOfTheLastStepStaysTheReferenceWithinTheMargin) {
-  // B is tilted: along A's face it is as near as along its own, but for a tenth of the
-  // margin.
+TEST(CollideBoxesSimd, TheReferenceFaceOfTheLastStepIsKeptWithinTheMargin) {
+  // B is tilted. The gaps along the normals of A and B differ by a tenth of the margin.
   const Box cube{{0.5, 0.5, 0.5}};
   const Eigen::Matrix3d tilted = Turn(Eigen::Vector3d::UnitZ(), 1e-3);
   for (const bool was_B : {false, true}) {
@@ -246,8 +244,8 @@ TEST(NearBoxes, TheFaceOfTheLastStepStaysTheReferenceWithinTheMargin) {
     const Eigen::Vector3d n_A = Eigen::Vector3d::UnitY();
     const Eigen::Vector3d n_B = tilted.col(1);
     const Eigen::Vector3d guess = was_B ? n_B : n_A;
-    const Neighbours neighbours{&pair.A, &pair.B, kMargin, guess, &pair.manifold};
-    CollideBoxesSimd(std::span(&neighbours, 1));
+    const CollisionPair batch{&pair.A, &pair.B, kMargin, guess, &pair.manifold};
+    CollideBoxesSimd(std::span(&batch, 1));
     EXPECT_LT((pair.manifold.n_AB_W - guess).norm(), 1e-15) << was_B;
   }
 }

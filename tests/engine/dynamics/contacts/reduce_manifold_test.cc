@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/** A face across z with its corners in this order, each named by its place in it. */
+/** Returns a face perpendicular to z with these corners. The feature of a corner is its
+ index + 10. */
 Manifold FaceOf(const std::vector<Eigen::Vector3d>& corners) {
   Manifold face;
   face.n_AB_W = Eigen::Vector3d::UnitZ();
@@ -25,7 +26,7 @@ Manifold FaceOf(const std::vector<Eigen::Vector3d>& corners) {
   return face;
 }
 
-/** Corners of an ellipse at these angles. */
+/** Returns a face with its corners on an ellipse at these angles. */
 Manifold OnEllipse(const std::vector<double>& angles, double width, double height) {
   std::vector<Eigen::Vector3d> corners;
   corners.reserve(angles.size());
@@ -35,10 +36,10 @@ Manifold OnEllipse(const std::vector<double>& angles, double width, double heigh
   return FaceOf(corners);
 }
 
-Manifold Octagon(double turned) {
+Manifold Octagon(double angle) {
   std::vector<double> angles;
   angles.reserve(8);
-  for (int k = 0; k < 8; ++k) angles.push_back(turned + k * kPi / 4);
+  for (int k = 0; k < 8; ++k) angles.push_back(angle + k * kPi / 4);
   return OnEllipse(angles, 1, 1);
 }
 
@@ -48,7 +49,7 @@ std::vector<FeatureId> FeaturesOf(const Manifold& face) {
   return features;
 }
 
-/** Of a polygon with corners in order. [m²] */
+/** Returns the area of a polygon with its corners in order. [m²] */
 double AreaOf(const Manifold& face) {
   double area = 0;
   const auto corners = face.points();
@@ -60,7 +61,7 @@ double AreaOf(const Manifold& face) {
   return area;
 }
 
-TEST(WidestContacts, FourAndFewerAreKept) {
+TEST(ReduceManifold, KeepsFourAndFewer) {
   for (const std::size_t count : {0u, 1u, 2u, 3u, 4u}) {
     std::vector<double> angles;
     for (std::size_t k = 0; k < count; ++k) angles.push_back(static_cast<double>(k));
@@ -71,8 +72,8 @@ TEST(WidestContacts, FourAndFewerAreKept) {
   }
 }
 
-// Every second corner: the square in a regular octagon has 1/√2 of it.
-TEST(WidestContacts, OfARegularOctagonASquareIsKept) {
+// A square of every second corner has 1/√2 of the area of a regular octagon.
+TEST(ReduceManifold, KeepsASquareOfARegularOctagon) {
   Manifold face = Octagon(0.1);
   const double whole = AreaOf(face);
   ReduceManifold({}, face);
@@ -80,8 +81,8 @@ TEST(WidestContacts, OfARegularOctagonASquareIsKept) {
   EXPECT_NEAR(AreaOf(face), whole / std::sqrt(2), 1e-12);
 }
 
-TEST(WidestContacts, ThoseThatWereThereStay) {
-  // The other square, which nothing but rounding tells from the first.
+TEST(ReduceManifold, KeepsTheFeaturesOfThePreviousManifold) {
+  // Both squares of the octagon have the same area to rounding.
   for (const unsigned other : {0u, 1u}) {
     Manifold before = Octagon(0);
     before.count = 0;
@@ -95,24 +96,25 @@ TEST(WidestContacts, ThoseThatWereThereStay) {
   }
 }
 
-TEST(WidestContacts, OfALineItsEndsAreKept) {
+TEST(ReduceManifold, KeepsTheEndsOfALine) {
   Manifold face =
       FaceOf({{0.3, 0, 0}, {-1, 0, 0}, {0.2, 0, 0}, {0.7, 0, 0}, {0, 0, 0}, {0.9, 0, 0}});
   ReduceManifold({}, face);
   EXPECT_EQ(FeaturesOf(face), (std::vector<FeatureId>{11, 15}));
 }
 
-TEST(WidestContacts, OfOnePointWhateverIsKeptIsThatPoint) {
+TEST(ReduceManifold, KeepsAPointIfAllCoincide) {
   Manifold face = FaceOf(std::vector<Eigen::Vector3d>(6, {1, 2, 3}));
   ReduceManifold({}, face);
   ASSERT_GT(face.count, 0);
   EXPECT_EQ(face.contacts[0].p_WC, Eigen::Vector3d(1, 2, 3));
 }
 
-// With a, b the first two and w, v how far the others are on either side of the line
-// between them, what is kept has an area of |ab| (w + v) / 2. No corner is farther from a
-// than b is: all of the face is in a strip of the width w + v and within |ab| of a.
-RC_GTEST_PROP(WidestContacts, AQuarterOfAConvexFaceIsKeptAtLeast, ()) {
+// Let a, b be the first two contact points and w, v the distances of the other two from
+// the line through them, one on each side. The four points span the area |ab| (w + v)
+// / 2. No corner is farther from a than b, so the face lies in a strip of the width w + v
+// and within |ab| of a.
+RC_GTEST_PROP(ReduceManifold, KeepsAtLeastAQuarterOfTheAreaOfAConvexFace, ()) {
   std::vector<double> angles;
   const int count = *rc::gen::inRange(5, 9);
   angles.reserve(8);

@@ -25,7 +25,7 @@ void AddFloor(double restitution, World& world) {
   world.AddBody(floor);
 }
 
-/** The same without an end: the half-space below y = 0. */
+/** The same without edges: the half-space below y = 0. */
 void AddGround(double restitution, World& world) {
   BodyDefinition ground;
   ground.shape = HalfSpace{};
@@ -45,29 +45,30 @@ BodyDefinition Ball(double height, double restitution) {
   return ball;
 }
 
-/** Returns how high above the floor a ball is that falls from `height` and bounces off
- it without loss: a fall of T = √(2 height / g), then flights of 2 T. */
-double HeightOfBouncing(double height, double time) {
+/** Returns the height above the floor of a ball that falls from `height` and bounces
+ without loss: a fall of T = √(2 height / g), then flights of 2 T. */
+double HeightOfBouncingBall(double height, double time) {
   const double fall = std::sqrt(2 * height / kGravity);
   const double since_apex = std::remainder(time, 2 * fall);
   return height - kGravity / 2 * since_apex * since_apex;
 }
 
-TEST(Impact, ABallIsWhereItsBouncesLeadItAtAnyStep) {
+TEST(ImpactSolver, ABouncingBallIsAtTheClosedFormPositionForAnyTimeStep) {
   for (const double h : {1e-3, 7e-3, 4e-2}) {
     World world(OnEarth());
     AddFloor(1, world);
     const int ball = world.AddBody(Ball(1.3, 1));
     for (int k = 1; k * h < 5; ++k) {
       world.Step(h);
-      // A impact is 1e-10 of the radius off at most, and each passes that on.
-      EXPECT_NEAR(world.state(ball).p_WB[1] - 0.1, HeightOfBouncing(1.3, k * h), 1e-9)
+      // The position of an impact is off by at most 1e-10 of the radius, and errors add
+      // up.
+      EXPECT_NEAR(world.state(ball).p_WB[1] - 0.1, HeightOfBouncingBall(1.3, k * h), 1e-9)
           << h << " " << k;
     }
   }
 }
 
-TEST(Impact, ABallBouncesMoreThanOnceInAStep) {
+TEST(ImpactSolver, ABallBouncesMoreThanOnceInAStep) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -84,14 +85,14 @@ TEST(Impact, ABallBouncesMoreThanOnceInAStep) {
   ball.state.v_WB = {100, 3, 0};
   const int body = world.AddBody(ball);
   world.Step(1e-2);
-  // Its centre has 0.3 m between the walls, and goes a metre: 0.2 to 0.4, back to 0.1, to
-  // 0.4 and 0.2 back.
+  // The centre can move by 0.3 m between the walls, and moves by 1 m: from 0.2 to 0.4,
+  // back to 0.1, to 0.4, and back to 0.2.
   EXPECT_NEAR(world.state(body).p_WB[0], 0.2, 1e-9);
   EXPECT_NEAR(world.state(body).p_WB[1], 0.43, 1e-12);
   EXPECT_NEAR(world.state(body).v_WB[0], -100, 1e-9);
 }
 
-TEST(Impact, NothingGoesThroughAPlateThatIsThinnerThanItsStep) {
+TEST(ImpactSolver, ABoxDoesNotTunnelThroughAPlateThinnerThanItsTravelInAStep) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -108,12 +109,12 @@ TEST(Impact, NothingGoesThroughAPlateThatIsThinnerThanItsStep) {
   box.state.v_WB = {200, 0, 0};
   const int body = world.AddBody(box);
   world.Step(1e-2);
-  // 0.499 m at 200 m/s, the rest of the step at half of it.
+  // 0.499 m at 200 m/s, then the rest of the step at half that speed.
   EXPECT_NEAR(world.state(body).p_WB[0], -0.101 - 100 * (1e-2 - 0.499 / 200), 1e-9);
 }
 
-/** Steps once a world in which a ball flies at a plate, and a pendulum swings elsewhere
- that hangs from the world or from the plate. Returns the ball. */
+/** Steps once a world in which a ball flies towards a plate, and a pendulum far away
+ hangs from the world or from the plate. Returns the state of the ball. */
 BodyState StateOfABallAtAPlate(bool plate_holds_pendulum) {
   Settings settings;
   settings.gravity_W.setZero();
@@ -135,17 +136,17 @@ BodyState StateOfABallAtAPlate(bool plate_holds_pendulum) {
   return world.state(body);
 }
 
-// A world with rods takes other steps, of fourth order, where nothing may strike.
-TEST(Impact, NothingGoesThroughAPlateWhileAPendulumSwingsElsewhere) {
+// A world with joints takes a fourth-order step if no impact is possible.
+TEST(ImpactSolver, ABallDoesNotTunnelWhileAPendulumSwingsElsewhere) {
   for (const bool plate_holds_pendulum : {false, true}) {
     const BodyState ball = StateOfABallAtAPlate(plate_holds_pendulum);
-    // 0.499 m there, and 1.501 m back.
+    // 0.499 m to the plate and 1.501 m back.
     EXPECT_NEAR(ball.p_WB[0], -0.101 - 1.501, 1e-9) << plate_holds_pendulum;
     EXPECT_NEAR(ball.v_WB[0], -200, 1e-9) << plate_holds_pendulum;
   }
 }
 
-TEST(Impact, AFloorThatHoldsAPendulumIsBouncedOnAsAnyOther) {
+TEST(ImpactSolver, ABallBouncesOnAFloorThatAPendulumIsAttachedTo) {
   World world(OnEarth());
   AddFloor(1, world);
   BodyDefinition ball = Ball(2, 1);
@@ -163,7 +164,7 @@ TEST(Impact, AFloorThatHoldsAPendulumIsBouncedOnAsAnyOther) {
   EXPECT_GT(world.state(body).p_WB[1], 0.49);
 }
 
-TEST(Impact, NothingGoesThroughAPlateThatAForcePullsItTo) {
+TEST(ImpactSolver, ABallThatAForceAcceleratesDoesNotTunnel) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -182,7 +183,7 @@ TEST(Impact, NothingGoesThroughAPlateThatAForcePullsItTo) {
   const int body = world.AddBody(ball);
   const double h = 1.0 / 240;
   world.Step(h);
-  // The plate is 0.3 m away, beyond the 0.25 m that its speed takes it.
+  // The plate is 0.3 m away, farther than the 0.25 m that the initial speed covers.
   const double strikes_by = std::sqrt(60 * 60 + 2 * 2e4 * 0.3);
   const double left = h - (strikes_by - 60) / 2e4;
   EXPECT_NEAR(world.state(body).p_WB[0], 0.3 - strikes_by * left + 1e4 * left * left,
@@ -190,8 +191,8 @@ TEST(Impact, NothingGoesThroughAPlateThatAForcePullsItTo) {
   EXPECT_NEAR(world.state(body).v_WB[0], 2e4 * left - strikes_by, 1e-9);
 }
 
-// Each is at rest when the step begins, and struck in it.
-TEST(Impact, WhatIsStruckStrikesTheNextInTheSameStep) {
+// Each ball is at rest at the start of the step and is hit during it.
+TEST(ImpactSolver, ImpactsPropagateThroughARowOfBallsInOneStep) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -205,7 +206,8 @@ TEST(Impact, WhatIsStruckStrikesTheNextInTheSameStep) {
     world.AddBody(ball);
   }
   for (int k = 0; k < 10; ++k) world.Step(1.0 / 60);
-  // Each goes the 3 cm to the next and stays there; the last goes what is left of 1 m.
+  // Each ball moves 3 cm to the next one and stays there; the last one moves the rest of
+  // 1 m.
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(world.state(i).p_WB[0], 0.07 * i + 0.03, 1e-9) << i;
     EXPECT_NEAR(world.state(i).v_WB[0], 0, 1e-9) << i;
@@ -214,7 +216,7 @@ TEST(Impact, WhatIsStruckStrikesTheNextInTheSameStep) {
   EXPECT_NEAR(world.state(3).v_WB[0], 6, 1e-9);
 }
 
-TEST(Impact, WhatIsStruckDoesNotGoThroughAPlateFarFromWhereItRested) {
+TEST(ImpactSolver, ABallThatIsHitDoesNotTunnelThroughADistantPlate) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -237,15 +239,15 @@ TEST(Impact, WhatIsStruckDoesNotGoThroughAPlateFarFromWhereItRested) {
   plate.state.p_WB = {0.3, 0, 0};
   world.AddBody(plate);
   world.Step(1.0 / 240);
-  // Struck after 0.1 m at 60 m/s, it leaves by 2 · 60 · 100/100.1 m/s, and turns at the
-  // plate after 0.245 m. When the step ends the heavy one is not yet there again.
+  // Hit after 0.1 m at 60 m/s, it leaves with 2 · 60 · 100/100.1 m/s and bounces off the
+  // plate after 0.245 m. The heavy ball does not reach it again within the step.
   const double v = 120 * 100 / 100.1;
   const double way = v * (1.0 / 240 - 0.1 / 60);
   EXPECT_NEAR(world.state(light).p_WB[0], 2 * 0.245 - way, 1e-9);
   EXPECT_NEAR(world.state(light).v_WB[0], -v, 1e-9);
 }
 
-TEST(Impact, ASpinningBoxStrikesWithTheCornerThatIsThereFirst) {
+TEST(ImpactSolver, ASpinningBoxHitsWithItsFirstCorner) {
   World world(OnEarth());
   AddFloor(1, world);
   BodyDefinition box;
@@ -264,15 +266,15 @@ TEST(Impact, ASpinningBoxStrikesWithTheCornerThatIsThereFirst) {
   bool rose = false;
   for (int k = 0; k < 60; ++k) {
     world.Step(h);
-    // A corner that follows another is seen a quarter of a step late, and is not faster
-    // than the fall and the spin make it.
+    // The impact of a second corner is detected up to a quarter of a step late, and the
+    // corner is no faster than the fall and the spin together.
     EXPECT_GT(lowest(), -h / 4 * (6 + 0.4 * 20));
     rose = rose || world.state(body).v_WB[1] > 0;
   }
   EXPECT_TRUE(rose);
 }
 
-TEST(Impact, ABallWithoutReboundStaysWhereItLands) {
+TEST(ImpactSolver, AnInelasticBallStaysWhereItLands) {
   for (const double h : {1e-3, 7e-3, 4e-2}) {
     World world(OnEarth());
     AddFloor(1, world);
@@ -283,9 +285,9 @@ TEST(Impact, ABallWithoutReboundStaysWhereItLands) {
   }
 }
 
-TEST(Impact, WhatStrikesFromWithinTheMarginIsStoppedWhereItTouches) {
-  // A ball comes to one that rests, from nearer than where contacts begin. Taken for a
-  // contact it moves by the mean of its velocities, 0.4 mm here, before it stops.
+TEST(ImpactSolver, AnImpactFromWithinTheSpeculativeMarginStopsAtTheSurface) {
+  // A ball hits a resting one from within the speculative margin. If it were treated as a
+  // contact, it would move with the mean of its velocities, by 0.4 mm, before it stops.
   World world(OnEarth());
   AddFloor(0, world);
   const int lower = world.AddBody(Ball(0, 0.5));
@@ -296,22 +298,22 @@ TEST(Impact, WhatStrikesFromWithinTheMarginIsStoppedWhereItTouches) {
   const int upper = world.AddBody(ball);
   for (int k = 0; k < 5; ++k) {
     world.Step(h);
-    // What gravity does in a step may be left where both move.
+    // The displacement by gravity in a step may remain as penetration.
     EXPECT_GT(world.state(upper).p_WB[1] - world.state(lower).p_WB[1],
               0.2 - 0.5 * kGravity * h * h)
         << k;
   }
 }
 
-TEST(Impact, WhatStrikesALargeHeapOrAPendulumFromWithinTheMarginDoesNotSinkIn) {
-  // ImpactSolver of neither are looked at.
+TEST(ImpactSolver, AnImpactOnALargeIslandOrAPendulumFromWithinTheMarginDoesNotPenetrate) {
+  // Neither takes part in impacts.
   const double h = 1.0 / 240;
   for (const bool pendulum : {false, true}) {
     World world(OnEarth());
     AddFloor(0, world);
     int top = 0;
     const int balls = pendulum ? 1 : 40;
-    // A row of balls that touch, and the struck one last.
+    // A row of touching balls. The one that is hit comes last.
     for (int k = balls - 1; k >= 0; --k) {
       BodyDefinition ball = Ball(pendulum ? 1 : 0, 0);
       ball.state.p_WB[0] += 0.2 * k;
@@ -334,9 +336,9 @@ TEST(Impact, WhatStrikesALargeHeapOrAPendulumFromWithinTheMarginDoesNotSinkIn) {
   }
 }
 
-TEST(Impact, WhatStrikesAHeapHardlyFasterThanItWouldRestDoesNotSinkIn) {
-  // Between once and twice what gravity adds in a step: a impact to what falls, none to
-  // what is held.
+TEST(ImpactSolver, AnImpactJustAboveTheRestingSpeedDoesNotPenetrate) {
+  // One to two times the velocity that gravity adds in a step: an impact for a body in
+  // free flight, but not for a constrained one.
   const double h = 1.0 / 240;
   for (const double fast : {1.05, 1.1, 1.25, 1.5, 1.9}) {
     World world(OnEarth());
@@ -355,7 +357,7 @@ TEST(Impact, WhatStrikesAHeapHardlyFasterThanItWouldRestDoesNotSinkIn) {
   }
 }
 
-TEST(Impact, WhatRestsIsStruckWithAllThatItRestsOn) {
+TEST(ImpactSolver, AnImpactOnARestingBoxInvolvesItsIsland) {
   World world(OnEarth());
   AddFloor(0, world);
   BodyDefinition box;
@@ -376,14 +378,14 @@ TEST(Impact, WhatRestsIsStruckWithAllThatItRestsOn) {
     }
     EXPECT_LT(energy, least + 1e-9 * start) << k;
     least = std::min(least, energy);
-    // What gravity does in a step may be left where both move.
+    // The displacement by gravity in a step may remain as penetration.
     EXPECT_GT(world.state(ball).p_WB[1] - world.state(upper).p_WB[1], 0.4 - 2e-3) << k;
   }
   EXPECT_NEAR(world.state(ball).p_WB[1], 1.3, 4e-3);
   EXPECT_NEAR(world.state(lower).p_WB[1], 0.3, 2e-3);
 }
 
-TEST(Impact, TheImpulsesThatAreReportedAreWhatChangedTheMomentum) {
+TEST(ImpactSolver, ReportedImpulsesSumToTheChangeOfMomentum) {
   for (const double e : {0.0, 0.7}) {
     World world(OnEarth());
     AddFloor(e, world);
@@ -407,7 +409,7 @@ TEST(Impact, TheImpulsesThatAreReportedAreWhatChangedTheMomentum) {
   }
 }
 
-TEST(Impact, WithoutTheRefinementABounceWaitsForTheNextStep) {
+TEST(ImpactSolver, WithoutContinuousCollisionABallPenetratesBeforeItBounces) {
   Settings settings = OnEarth();
   settings.continuous_collision = false;
   World world(settings);
@@ -421,9 +423,9 @@ TEST(Impact, WithoutTheRefinementABounceWaitsForTheNextStep) {
   EXPECT_LT(deepest, -1e-3);
 }
 
-/** Returns how far a ball comes that strikes a stack of `plates` at 60 m/s, a metre a
- step, in a world of `others` boxes that rest elsewhere. [m] */
-double WayThroughPlates(int plates, int others) {
+/** Returns how far a ball moves that hits a stack of `plates` at 60 m/s, 1 m per step, in
+ a world with `others` boxes at rest elsewhere. [m] */
+double DistanceIntoPlates(int plates, int others) {
   World world(OnEarth());
   AddGround(0, world);
   BodyDefinition box;
@@ -448,10 +450,10 @@ double WayThroughPlates(int plates, int others) {
   return world.state(thrown).p_WB.x() + 1;
 }
 
-// What a large world leaves to the next step is not there any more by then.
-TEST(Impact, NothingIsThroughAHeapBeforeItIsSeenHoweverManyRestElsewhere) {
+// A large world leaves impacts to the next step only if the ball cannot tunnel before it.
+TEST(ImpactSolver, ABallDoesNotTunnelThroughAStackInALargeWorld) {
   for (const int others : {0, 120})
-    EXPECT_LT(WayThroughPlates(10, others), 1.5) << others;
+    EXPECT_LT(DistanceIntoPlates(10, others), 1.5) << others;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ BodyDefinition Floor() {
   return floor;
 }
 
-TEST(Impact, ABallThatBouncesPerfectlyKeepsItsEnergyAtAnyStep) {
+TEST(Impact, AnElasticBallConservesEnergyForAnyTimeStep) {
   for (const double h : {1e-4, 1e-3, 4e-3, 1e-2, 4e-2}) {
     Settings settings;
     settings.gravity_W = {0, -9.81, 0};
@@ -43,7 +43,7 @@ TEST(Impact, ABallThatBouncesPerfectlyKeepsItsEnergyAtAnyStep) {
   }
 }
 
-TEST(Impact, ABoxThatLandsFlatBouncesByItsRestitution) {
+TEST(Impact, ABoxThatLandsFlatBouncesWithItsRestitution) {
   World world;
   world.AddBody(Floor());
   BodyDefinition box;
@@ -59,26 +59,26 @@ TEST(Impact, ABoxThatLandsFlatBouncesByItsRestitution) {
 }
 
 /** A number in [−1, 1]. */
-double AnyShare() {
+double AnyFraction() {
   return *rc::gen::inRange(-1000, 1001) / 1000.0;
 }
 
 double KineticEnergy(const World& world) {
   double energy = 0;
   for (int i = 0; i < world.body_count(); ++i) {
-    energy += world.state(i).v_WB.squaredNorm() / 2;  // 1 kg each; the floor stands.
+    energy += world.state(i).v_WB.squaredNorm() / 2;  // 1 kg each; the floor is static.
   }
   return energy;
 }
 
-// Whatever meets whatever in one step: a ball that has just left the floor and is struck
-// from above has its own way back to it, and is not held there.
-RC_GTEST_PROP(Impact, AColumnOfBallsGainsNothingHoweverItsBlowsCoincide, ()) {
+// Any combination of impacts in one step. A ball that has just left the floor and is hit
+// from above returns to the floor on its own path, and is not held there.
+RC_GTEST_PROP(Impact, SimultaneousImpactsInAColumnOfBallsDoNotAddEnergy, ()) {
   Settings settings;
   settings.gravity_W.setZero();
   settings.speculative_margin = 1e-4;
   World world(settings);
-  const double e = std::abs(AnyShare());
+  const double e = std::abs(AnyFraction());
   BodyDefinition floor = Floor();
   floor.restitution = e;
   world.AddBody(floor);
@@ -88,19 +88,20 @@ RC_GTEST_PROP(Impact, AColumnOfBallsGainsNothingHoweverItsBlowsCoincide, ()) {
     ball.shape = Sphere{0.1};
     ball.restitution = e;
     ball.friction = 0;
-    height += 1e-4 * AnyShare();
+    height += 1e-4 * AnyFraction();
     ball.state.p_WB = {0, height + 0.1, 0};
-    ball.state.v_WB = {0, 5 * AnyShare(), 0};
+    ball.state.v_WB = {0, 5 * AnyFraction(), 0};
     height += 0.2;
     world.AddBody(ball);
   }
   const double before = KineticEnergy(world);
   world.Step(1e-3);
-  // A hundred sums of each of five velocities, and what the solver leaves of the fastest.
+  // The rounding of about a hundred sums for each of five velocities, and the residual of
+  // the solver.
   RC_ASSERT(KineticEnergy(world) <= before * (1 + 500 * 0x1p-53) + 1e-12);
 }
 
-TEST(Impact, ABallStruckAsItLeavesTheFloorLeavesTheEnergyAsItWas) {
+TEST(Impact, ABallThatIsHitAsItLeavesTheFloorConservesEnergy) {
   const double h = 2e-3;
   Settings settings;
   settings.gravity_W = {0, -9.81, 0};
@@ -124,7 +125,7 @@ TEST(Impact, ABallStruckAsItLeavesTheFloorLeavesTheEnergyAsItWas) {
   };
   const double before = energy();
   for (int k = 0; k < 2; ++k) world.Step(h);
-  // Each impact is early or late by less than a step, in which gravity works.
+  // Each impact is early or late by less than a step, during which gravity does work.
   EXPECT_NEAR(energy(), before, 2 * h * 9.81 * 4.47);
   EXPECT_GT(world.state(leaves).v_WB[1], 4);
 }

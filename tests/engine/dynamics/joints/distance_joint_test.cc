@@ -7,9 +7,9 @@
 namespace cookbook {
 namespace {
 
-TEST(Rod, APendulumFollowsItsEllipticFunctionWithFourthOrder) {
+TEST(DistanceJoint, APendulumConvergesWithFourthOrderToItsEllipticFunction) {
   // 1 kg on 1 m, g = 9.81, from rest at 90°: θ = 2 asin(k sn(K − √(g/L) t)), IFToMM A01.
-  const auto miss = [](double h) {
+  const auto error = [](double h) {
     Settings settings;
     settings.gravity_W = {0, -9.81, 0};
     World world(settings);
@@ -23,12 +23,12 @@ TEST(Rod, APendulumFollowsItsEllipticFunctionWithFourthOrder) {
     const Eigen::Vector3d truth(0.942305435044, -0.334754338414, 0);
     return (world.state(body).p_WB - truth).norm();
   };
-  const double coarse = miss(1e-2);
+  const double coarse = error(1e-2);
   EXPECT_LT(coarse, 1e-6);
-  EXPECT_NEAR(std::log2(coarse / miss(5e-3)), 4, 0.4);
+  EXPECT_NEAR(std::log2(coarse / error(5e-3)), 4, 0.4);
 }
 
-TEST(Rod, AChainHangsInTheCatenaryOfItsLinks) {
+TEST(DistanceJoint, AChainAtRestHasTheShapeOfItsDiscreteCatenary) {
   // n links of length L and n − 1 masses m over the span D: tan θᵢ = (i − (n−1)/2) m g/H
   // and Σ L cos θᵢ = D, which for these numbers gives H and the sag below.
   const int n = 10;
@@ -36,7 +36,7 @@ TEST(Rod, AChainHangsInTheCatenaryOfItsLinks) {
   Settings settings;
   settings.gravity_W = {0, -9.81, 0};
   World world(settings);
-  // Hangs down from both ends at the start, bent as a V.
+  // At the start the chain hangs from both ends in the shape of a V.
   const double half = 0.5 * n * 0.1;
   const double drop = std::sqrt(half * half - 0.3 * 0.3);
   int last = -1;
@@ -56,11 +56,12 @@ TEST(Rod, AChainHangsInTheCatenaryOfItsLinks) {
   }
   world.AddJoint({{last, {0, 0, 0}}, {-1, {0.6, 0, 0}}, 0.1});
   for (int k = 0; k < 2400; ++k) world.Step(1.0 / 240);
-  // An even number of links has its lowest bead in the middle. Nine digits are given.
+  // With an even number of links the lowest bead is in the middle. The reference value
+  // has nine digits.
   EXPECT_NEAR(-world.state(n / 2 - 1).p_WB[1], sag, 1e-9);
 }
 
-TEST(Rod, APointAndABoxOnARodKeepTheirMomentum) {
+TEST(DistanceJoint, APointAndABoxOnARodConserveMomentum) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);

@@ -27,9 +27,9 @@ BodyDefinition PointAt(const Eigen::Vector3d& p_W, double mass = 1) {
   return point;
 }
 
-/** A bob of 1 kg on a spring of k = 100 N/m, so that ω₀ = 10 rad/s, let go 0.5 m from
- where it rests. Returns how far from there it is after 2 s. */
-double Swing(double h, double damping, bool fourth_order = true) {
+/** Simulates a bob of 1 kg on a spring of k = 100 N/m, so that ω₀ = 10 rad/s, released
+ 0.5 m from its rest position. Returns its displacement from there after 2 s. [m] */
+double Oscillate(double h, double damping, bool fourth_order = true) {
   Settings settings = Weightless();
   settings.fourth_order_joints = fourth_order;
   World world(settings);
@@ -41,36 +41,38 @@ double Swing(double h, double damping, bool fourth_order = true) {
   return world.state(bob).p_WB[0] - 1;
 }
 
-TEST(Spring, SwingsWithTheFrequencyOfItsLaw) {
-  // A step of length h turns the phase by 2 atan(ωh/2) = z − z³/12 + z⁵/80 − …, z = ωh;
-  // of five with shares c that make Σc³ = 0 there is left Σc⁵ z⁵/80.
+TEST(Spring, OscillatesAtItsNaturalFrequency) {
+  // A step of length h advances the phase by 2 atan(ωh/2) = z − z³/12 + z⁵/80 − …, z =
+  // ωh. Five sub-steps of the fractions c with Σc³ = 0 leave an error of Σc⁵ z⁵/80.
   const double s = 1 / (4 - std::cbrt(4.0));
   const double fifth = std::abs(4 * std::pow(s, 5) + std::pow(1 - 4 * s, 5)) / 80;
   for (const double h : {1.0 / 50, 1.0 / 240, 1e-3}) {
-    const double late = 20 * std::pow(10 * h, 4) * fifth;  // Phase after ωt = 20.
-    EXPECT_NEAR(Swing(h, 0), 0.5 * std::cos(20.0), 0.5 * 1.5 * late + 1e-12) << h;
+    const double phase_error =
+        20 * std::pow(10 * h, 4) * fifth;  // Phase error after ωt = 20.
+    EXPECT_NEAR(Oscillate(h, 0), 0.5 * std::cos(20.0), 0.5 * 1.5 * phase_error + 1e-12)
+        << h;
   }
 }
 
-TEST(Spring, OneStepOfSecondOrderTurnsThePhaseByTwoArcTangents) {
+TEST(Spring, AStepOfSecondOrderAdvancesThePhaseByTwoArcTangents) {
   const double h = 1.0 / 100;
   const double phase = 200 * 2 * std::atan(10 * h / 2);
-  EXPECT_NEAR(Swing(h, 0, false), 0.5 * std::cos(phase), 1e-11);
+  EXPECT_NEAR(Oscillate(h, 0, false), 0.5 * std::cos(phase), 1e-11);
 }
 
-TEST(Spring, ADamperMakesTheSwingDecay) {
+TEST(Spring, ADamperMakesTheOscillationDecay) {
   // x = A exp(−δt)(cos ωt + δ/ω sin ωt), δ = b/2m, ω² = ω₀² − δ².
   const double delta = 1;
   const double omega = std::sqrt(100 - delta * delta);
   const double truth = 0.5 * std::exp(-2 * delta) *
                        (std::cos(2 * omega) + delta / omega * std::sin(2 * omega));
-  const double coarse = Swing(1.0 / 50, 2) - truth;
-  const double fine = Swing(1.0 / 100, 2) - truth;
+  const double coarse = Oscillate(1.0 / 50, 2) - truth;
+  const double fine = Oscillate(1.0 / 100, 2) - truth;
   EXPECT_LT(std::abs(coarse), 2e-5);
   EXPECT_NEAR(std::log2(std::abs(coarse / fine)), 4, 0.3);
 }
 
-TEST(Spring, KeepsEnergyAndMomentaHoweverStiff) {
+TEST(Spring, ConservesEnergyAndMomentaAtAnyStiffness) {
   for (const double stiffness : {40.0, 400.0, 4e5}) {
     World world(Weightless());
     BodyDefinition a = PointAt({0.2, 0.5, -0.1}, 1);
@@ -94,9 +96,9 @@ TEST(Spring, KeepsEnergyAndMomentaHoweverStiff) {
     const Eigen::Vector3d L = spin();
     const int steps = 500;
     for (int k = 0; k < steps; ++k) world.Step(1.0 / 240);
-    // Five small steps of some ten roundings each; the solver stops within 1e-14 of the
-    // greatest speed. At the last stiffness a step is two radians of the swing, and the
-    // rounds end before the direction of the load has settled: still within 1e-5.
+    // Five sub-steps of some ten roundings each; the solver stops within 1e-14 of the
+    // greatest speed. At the last stiffness a step is two radians of the oscillation, and
+    // the rounds end before the direction of the force has converged: still within 1e-5.
     const double rounding = stiffness > 1e5 ? 1e-5 : 5 * steps * (10 * kRounding + 1e-14);
     EXPECT_NEAR(energy(), start, rounding * start) << stiffness;
     EXPECT_LT((spin() - L).norm(), rounding * 5) << stiffness;
@@ -105,8 +107,8 @@ TEST(Spring, KeepsEnergyAndMomentaHoweverStiff) {
   }
 }
 
-TEST(Spring, KeepsTheEnergyOfARingHoweverShortTheStep) {
-  // What an impulse may be off by is a velocity, not the length that it moves in a step.
+TEST(Spring, ConservesTheEnergyOfARingAtAnyStepSize) {
+  // The tolerance of an impulse is a velocity, not the distance moved in a step.
   World world(Weightless());
   constexpr int kBalls = 6;
   for (int i = 0; i < kBalls; ++i) {
@@ -129,11 +131,11 @@ TEST(Spring, KeepsTheEnergyOfARingHoweverShortTheStep) {
   const double start = energy();
   const int steps = 500;
   for (int k = 0; k < steps; ++k) world.Step(1e-4);
-  // Five small steps, each solved to 1e-14 of the greatest speed.
+  // Five sub-steps, each solved to 1e-14 of the greatest speed.
   EXPECT_NEAR(energy(), start, 5 * steps * (10 * kRounding + 1e-14) * start);
 }
 
-TEST(Spring, ADamperNeverFeedsAPairThatWhirls) {
+TEST(Spring, ADamperNeverAddsEnergyToAPairThatRotates) {
   World world(Weightless());
   BodyDefinition a = PointAt({0.2, 0.5, -0.1});
   BodyDefinition b = PointAt({1.4, 0.7, 0.2});
@@ -154,7 +156,7 @@ TEST(Spring, ADamperNeverFeedsAPairThatWhirls) {
   }
 }
 
-TEST(Spring, ABoxHungByItsCornerKeepsItsEnergy) {
+TEST(Spring, ABoxHungByItsCornerConservesEnergy) {
   World world;
   BodyDefinition box;
   box.shape = Box{{0.1, 0.2, 0.3}};
@@ -177,12 +179,12 @@ TEST(Spring, ABoxHungByItsCornerKeepsItsEnergy) {
     world.Step(1.0 / 240);
     worst = std::max(worst, std::abs(energy() - start));
   }
-  // Its energy of place varies by about 20 J; (ωh)⁴ of the fastest swing, 20 rad/s, is
-  // 5e-5.
+  // Its potential energy varies by about 20 J; (ωh)⁴ of the fastest oscillation, 20
+  // rad/s, is 5e-5.
   EXPECT_LT(worst, 20 * 5e-5);
 }
 
-TEST(Spring, AStringHangsAsLongAsItsWeightStretchesIt) {
+TEST(Spring, AStringHasTheLengthToWhichItsWeightStretchesIt) {
   // N links of rest length L₀ and stiffness k, a mass m at each: N L₀ + m g N (N + 1)/2k.
   World world;
   const int n = 10;
@@ -199,7 +201,7 @@ TEST(Spring, AStringHangsAsLongAsItsWeightStretchesIt) {
   EXPECT_NEAR(-world.state(above).p_WB[1], length, 1e-12);
 }
 
-TEST(Spring, RefusesWhatIsNoSpring) {
+TEST(Spring, RefusesInvalidSprings) {
   World world;
   world.AddBody(PointAt({0, 0, 0}));
   const Anchor at_world;

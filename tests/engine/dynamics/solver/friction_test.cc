@@ -18,14 +18,14 @@ BodyDefinition Ground(double friction) {
   return ground;
 }
 
-/** Gravity as on a slope down which x leads. */
+/** Returns gravity in the frame of a slope; x points down the slope. [m/s²] */
 Eigen::Vector3d GravityOnSlope(double angle) {
   return 9.81 * Eigen::Vector3d(std::sin(angle), -std::cos(angle), 0);
 }
 
-/** How fast a plate creeps after three steps on a slope that its friction just holds,
- among so many others that slide. [m/s] */
-double CreepOfAPlateAmong(int others) {
+/** Returns the creep speed after three steps of a plate on a slope at the threshold of
+ its friction, next to `others` plates that slide. [m/s] */
+double CreepSpeedOfPlate(int others) {
   Settings settings;
   settings.gravity_W = GravityOnSlope(std::numbers::pi / 4);
   World world(settings);
@@ -45,16 +45,17 @@ double CreepOfAPlateAmong(int others) {
   return world.state(held).v_WB.norm();
 }
 
-// At the threshold every contact slides or nearly does, which sweeps find slowest: what
-// others would have used up is there for the one that needs it.
-TEST(Sliding, HowWellAPlateIsHeldDoesNotDependOnHowManyOthersSlide) {
-  const double alone = CreepOfAPlateAmong(0);
+// Iterations converge slowest at the threshold, where every contact slides or nearly
+// does. Islands that have converged must leave the iteration budget to the others.
+TEST(Sliding, CreepOfAPlateDoesNotDependOnTheNumberOfOtherPlates) {
+  const double alone = CreepSpeedOfPlate(0);
   EXPECT_GT(alone, 0);
-  EXPECT_LT(CreepOfAPlateAmong(30), 2 * alone);
+  EXPECT_LT(CreepSpeedOfPlate(30), 2 * alone);
 }
 
-// The block, or its mirror image in the plane of x and y.
-BodyState ABlockThatSpinsDownASlope(double handed) {
+/** Returns the final state of a block that spins while it slides down a slope.
+ `spin_sign` −1: the mirror image in the plane of x and y. */
+BodyState SpinningBlockOnSlope(double spin_sign) {
   Settings settings;
   settings.gravity_W = GravityOnSlope(std::numbers::pi / 9);
   World world(settings);
@@ -64,19 +65,19 @@ BodyState ABlockThatSpinsDownASlope(double handed) {
   block.restitution = 0;
   block.friction = 0.3;
   block.state.p_WB = {0, 0.25, 0};
-  block.state.w_WB = {0, handed * 25, 0};
+  block.state.w_WB = {0, spin_sign * 25, 0};
   const int body = world.AddBody(block);
   for (int k = 0; k < 480; ++k) world.Step(1.0 / 240);
   return world.state(body);
 }
 
-// Four contacts carry the block in many ways, and its friction hangs on which: there is
-// one that a mirror does not change.
-TEST(Sliding, ABlockThatSpinsSlidesAsItsMirrorImageDoes) {
-  const BodyState block = ABlockThatSpinsDownASlope(1);
-  const BodyState image = ABlockThatSpinsDownASlope(-1);
+// The load of four contacts is statically indeterminate, and the friction depends on its
+// distribution. The linear distribution is symmetric.
+TEST(Sliding, ASpinningBlockSlidesLikeItsMirrorImage) {
+  const BodyState block = SpinningBlockOnSlope(1);
+  const BodyState image = SpinningBlockOnSlope(-1);
   EXPECT_GT(block.p_WB.x(), 4);
-  // A step's share of an order remains: 2 ‰ of the way that the block drifts aside.
+  // The effect of the order of contacts in a step remains: 2 ‰ of the sideways drift.
   const Eigen::Vector3d mirrored(image.p_WB.x(), image.p_WB.y(), -image.p_WB.z());
   EXPECT_LT((block.p_WB - mirrored).norm(), 1e-3);
 }

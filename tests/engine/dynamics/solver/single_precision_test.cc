@@ -10,20 +10,21 @@ namespace {
 
 constexpr double kH = 1.0 / 120;
 constexpr double kApproach = 2;  // [m/s]
-constexpr int kRow = 6;
+constexpr int kBricksPerRow = 6;
 
-/** No iteration_budget: any world of many contacts is a large one. */
-Settings Impatient() {
+/** Settings without an iteration budget, under which every world is large. */
+Settings LargeWorldSettings() {
   Settings settings;
   settings.gravity_W.setZero();
   settings.iteration_budget = 0;
   return settings;
 }
 
-/** Two floating walls of bricks that slide into each other, each brick a little turned
- and of a weight of its own. The walls meet in the first step; both go at `frame` besides.
- Rough, so that friction has its part. */
-void AddTwoWalls(World& world, const Eigen::Vector3d& frame = {0, 0, 0}, int row = kRow) {
+/** Adds two floating walls of `row` × `row` bricks that collide in the first step. The
+ bricks are slightly rotated, of different masses, and have friction. `frame` [m/s] is
+ added to all velocities. */
+void AddTwoWalls(World& world, const Eigen::Vector3d& frame = {0, 0, 0},
+                 int row = kBricksPerRow) {
   for (int wall = 0; wall < 2; ++wall) {
     for (int k = 0; k < row * row; ++k) {
       BodyDefinition brick;
@@ -42,7 +43,8 @@ void AddTwoWalls(World& world, const Eigen::Vector3d& frame = {0, 0, 0}, int row
   }
 }
 
-int ContactsThatAct(const World& world) {
+/** Returns the number of contacts with an impulse. */
+int CountActingContacts(const World& world) {
   std::vector<ContactImpulse> impulses;
   world.ReadImpulses(impulses);
   int acting = 0;
@@ -53,11 +55,11 @@ int ContactsThatAct(const World& world) {
 }
 
 double MassOf(int body) {
-  return 1 + 0.1 * (body % (kRow * kRow) % 4);
+  return 1 + 0.1 * (body % (kBricksPerRow * kBricksPerRow) % 4);
 }
 
-/** The greatest difference of a velocity or spin. [m/s], [rad/s] */
-double Difference(const World& a, const World& b) {
+/** Returns the greatest difference of a velocity or spin. [m/s], [rad/s] */
+double MaxDifference(const World& a, const World& b) {
   double greatest = 0;
   for (int i = 0; i < a.body_count(); ++i) {
     greatest = std::max({greatest, (a.state(i).v_WB - b.state(i).v_WB).norm(),
@@ -72,8 +74,8 @@ Eigen::Vector3d MomentumOf(const World& world) {
   return p;
 }
 
-/** The angular momentum about the origin, of bodies that move as in `world` and are where
- they are in `start`. */
+/** Returns the angular momentum about the origin of bodies with the velocities of `world`
+ and the poses of `start`. */
 Eigen::Vector3d AngularMomentumOf(const World& world, const World& start) {
   Eigen::Vector3d L = Eigen::Vector3d::Zero();
   for (int i = 0; i < world.body_count(); ++i) {
@@ -87,19 +89,19 @@ Eigen::Vector3d AngularMomentumOf(const World& world, const World& start) {
   return L;
 }
 
-// The two bodies of a contact receive the very same impulse, whatever it was rounded to.
+// The two bodies of a contact receive exactly opposite impulses, however rounded.
 TEST(SinglePrecision, KeepsMomentumToTheRoundingOfADouble) {
-  World world(Impatient());
+  World world(LargeWorldSettings());
   AddTwoWalls(world);
   const Eigen::Vector3d before = MomentumOf(world);
   for (int k = 0; k < 30; ++k) world.Step(kH);
-  // 30 steps of some 300 impulses of 1 N s each round 2.2e-16 of it.
+  // 30 steps of about 300 impulses of 1 N s, each rounded by 2.2e-16 of itself.
   EXPECT_LT((MomentumOf(world) - before).norm(), 30 * 300 * 2.2e-16);
 }
 
-// And receive it at the very same place.
+// The two impulses act at exactly the same point.
 TEST(SinglePrecision, KeepsAngularMomentumToTheRoundingOfADouble) {
-  Settings settings = Impatient();
+  Settings settings = LargeWorldSettings();
   settings.gyroscopic = Gyroscopic::kOff;
   settings.stabilisation = Stabilisation::kNone;
   World start(settings);
@@ -107,53 +109,53 @@ TEST(SinglePrecision, KeepsAngularMomentumToTheRoundingOfADouble) {
   AddTwoWalls(start);
   AddTwoWalls(world);
   world.Step(kH);
-  ASSERT_GT(ContactsThatAct(world), 100);
+  ASSERT_GT(CountActingContacts(world), 100);
   const Eigen::Vector3d change =
       AngularMomentumOf(world, start) - AngularMomentumOf(start, start);
-  // 300 impulses of 1 N s, some 5 m from the origin; a float would be off by 1e-7.
+  // 300 impulses of 1 N s, about 5 m from the origin; the error of a float would be 1e-7.
   EXPECT_LT(change.norm(), 300 * 5 * 2.2e-16);
 }
 
-/** Expects that a step differs from one in doubles, and by how little. */
+/** Expects that a step differs from one in double precision by rounding only. */
 void ExpectOnlyRounding(const Eigen::Vector3d& frame) {
-  World single(Impatient());
+  World single(LargeWorldSettings());
   AddTwoWalls(single, frame);
-  Settings settings = Impatient();
+  Settings settings = LargeWorldSettings();
   settings.single_precision = false;
   World exact(settings);
   AddTwoWalls(exact, frame);
   single.Step(kH);
   exact.Step(kH);
-  ASSERT_GT(ContactsThatAct(exact), 100);
-  // A sweep is linear in what it starts from, but for its bounds: each of some 30
-  // operations of seven sweeps rounds by 6e-8 of the approach.
-  EXPECT_LT(Difference(single, exact), 7 * 30 * 6e-8 * kApproach);
-  EXPECT_NE(Difference(single, exact), 0) << "Both were solved in doubles.";
+  ASSERT_GT(CountActingContacts(exact), 100);
+  // Each of about 30 operations in seven iterations rounds by 6e-8 of the approach speed.
+  // An iteration is linear in its initial values, except for the clamping.
+  EXPECT_LT(MaxDifference(single, exact), 7 * 30 * 6e-8 * kApproach);
+  EXPECT_NE(MaxDifference(single, exact), 0) << "Both were solved in double precision.";
 }
 
-TEST(SinglePrecision, IsAsGoodAsDoublesButForRounding) {
+TEST(SinglePrecision, DiffersFromDoublePrecisionByRoundingOnly) {
   ExpectOnlyRounding({0, 0, 0});
 }
 
-// What is rounded is what impulses change, not how fast the bodies are: a float of 1e5
-// m/s would be off by 4e-3 m/s.
-TEST(SinglePrecision, IsAsGoodWhereAllGoesFast) {
+// The changes of velocities are rounded, not the velocities: the rounding error of a
+// float of 1e5 m/s would be 4e-3 m/s.
+TEST(SinglePrecision, IsAsAccurateInAFastFrame) {
   ExpectOnlyRounding({3e4, 1e5, -2e4});
 }
 
-/** Whether a body in the same world keeps that from being solved in single precision. */
-bool KeepsToDoubles(const BodyDefinition& body, bool comes_first = false) {
-  Settings settings = Impatient();
-  World one(settings);
+/** Returns whether a world with that body is solved in double precision. */
+bool ForcesDoublePrecision(const BodyDefinition& body, bool comes_first = false) {
+  Settings settings = LargeWorldSettings();
+  World world_of_default(settings);
   settings.single_precision = false;
-  World other(settings);
-  for (World* world : {&one, &other}) {
+  World world_of_doubles(settings);
+  for (World* world : {&world_of_default, &world_of_doubles}) {
     if (comes_first) world->AddBody(body);
     AddTwoWalls(*world);
     if (!comes_first) world->AddBody(body);
     world->Step(kH);
   }
-  return Difference(one, other) == 0;
+  return MaxDifference(world_of_default, world_of_doubles) == 0;
 }
 
 BodyDefinition FarAway(const BodyShape& shape) {
@@ -163,23 +165,22 @@ BodyDefinition FarAway(const BodyShape& shape) {
   return body;
 }
 
-TEST(SinglePrecision, IsNotForBodiesWhoseResponsesItCannotHold) {
-  EXPECT_FALSE(KeepsToDoubles(FarAway(Box{{0.5, 0.5, 0.5}})));
-  EXPECT_FALSE(KeepsToDoubles(FarAway(Box{{0.5, 0.05, 0.5}})));
+TEST(SinglePrecision, IsNotUsedForBodiesWhoseResponsesItCannotRepresent) {
+  EXPECT_FALSE(ForcesDoublePrecision(FarAway(Box{{0.5, 0.5, 0.5}})));
+  EXPECT_FALSE(ForcesDoublePrecision(FarAway(Box{{0.5, 0.05, 0.5}})));
   const BodyDefinition wire = FarAway(Box{{0.5, 0.01, 0.01}});
-  EXPECT_TRUE(KeepsToDoubles(wire));
-  EXPECT_TRUE(KeepsToDoubles(wire, true));
+  EXPECT_TRUE(ForcesDoublePrecision(wire));
+  EXPECT_TRUE(ForcesDoublePrecision(wire, true));
   BodyDefinition heavy = FarAway(Sphere{1});
   heavy.mass = 1e20;
-  EXPECT_TRUE(KeepsToDoubles(heavy));
+  EXPECT_TRUE(ForcesDoublePrecision(heavy));
   BodyDefinition wheel = FarAway(Box{{1e3, 1e3, 1e3}});
   wheel.inertia = Eigen::Vector3d::Constant(1e-14);
-  EXPECT_TRUE(KeepsToDoubles(wheel));
+  EXPECT_TRUE(ForcesDoublePrecision(wheel));
 }
 
-/** Boxes beside each other on a floor 200 km wide, whose middle is 50 km away, each
- `depth` [m] in it: more than enough contacts, which start from those of the step before.
- */
+/** Adds a row of boxes that penetrate a floor by `depth` [m]. The floor is 200 km wide,
+ and its centre is 50 km away. There are enough contacts for single precision. */
 void AddBoxesOnWideFloor(World& world, double depth) {
   BodyDefinition floor;
   floor.shape = Box{{1e5, 1, 1e5}};
@@ -195,36 +196,36 @@ void AddBoxesOnWideFloor(World& world, double depth) {
   }
 }
 
-TEST(SinglePrecision, WhatRestsFarFromTheMiddleOfItsGroundStaysAtRest) {
-  Settings settings = Impatient();
+TEST(SinglePrecision, BodiesFarFromTheCentreOfTheGroundStayAtRest) {
+  Settings settings = LargeWorldSettings();
   settings.gravity_W = {0, -9.82, 0};
   World world(settings);
   AddBoxesOnWideFloor(world, 0);
   for (int k = 0; k < 240; ++k) world.Step(kH);
-  ASSERT_GT(ContactsThatAct(world), 100);
+  ASSERT_GT(CountActingContacts(world), 100);
   for (int i = 1; i < world.body_count(); ++i) {
-    // What a step's gravity makes is held but for the rounding of seven sweeps.
+    // Rounding of seven iterations, relative to the speed that gravity adds in a step.
     EXPECT_LT(world.state(i).v_WB.norm(), 7 * 30 * 6e-8 * 9.82 * kH) << i;
   }
 }
 
-TEST(SinglePrecision, OverlapIsRemovedDownToTheSlack) {
-  Settings settings = Impatient();
+TEST(SinglePrecision, RemovesOverlapDownToTheSlop) {
+  Settings settings = LargeWorldSettings();
   settings.gravity_W = {0, -9.82, 0};
   World world(settings);
   const double slop = 2 * 9.82 * kH * kH;
   AddBoxesOnWideFloor(world, 5 * slop);
   for (int k = 0; k < 120; ++k) world.Step(kH);
   for (int i = 1; i < world.body_count(); ++i) {
-    // A fifth of the excess goes in a step: of four slacks 4 · 0.8¹²⁰ are left, and what
-    // a float rounds of the depth.
+    // A step removes a fifth of the depth beyond the slop: 4 · 0.8¹²⁰ of a slop remains,
+    // and the rounding error of the depth as a float.
     EXPECT_NEAR(0.05 - world.state(i).p_WB.y(), slop, 1e-6 * slop) << i;
   }
 }
 
-// A slim body in a large world made energy out of nothing, 1e12 times what there was.
-TEST(SinglePrecision, CrossingWiresMakeNoEnergy) {
-  World world(Impatient());
+// In single precision, colliding wires would gain 1e12 times their energy.
+TEST(SinglePrecision, CrossingWiresGainNoEnergy) {
+  World world(LargeWorldSettings());
   const auto add = [&](double x, double y, double v) {
     BodyDefinition wire;
     wire.shape = v > 0 ? Box{{0.5, 1e-5, 1e-5}} : Box{{1e-5, 1e-5, 0.5}};
@@ -246,9 +247,9 @@ TEST(SinglePrecision, CrossingWiresMakeNoEnergy) {
   EXPECT_LE(energy, 2 * kPairs * 0.5 * 0.05 * 0.05);
 }
 
-// So many bricks meet that threads share each colour.
-TEST(SinglePrecision, TheBitsOfAWideHeapDoNotDependOnTheNumberOfThreads) {
-  Settings settings = Impatient();
+// The walls are wide enough for the threads to share each colour.
+TEST(SinglePrecision, TheBitsOfALargeIslandDoNotDependOnTheNumberOfThreads) {
+  Settings settings = LargeWorldSettings();
   World one(settings);
   settings.threads = 3;
   World three(settings);
@@ -256,7 +257,7 @@ TEST(SinglePrecision, TheBitsOfAWideHeapDoNotDependOnTheNumberOfThreads) {
     AddTwoWalls(*world, {0, 0, 0}, 60);
     for (int k = 0; k < 3; ++k) world->Step(kH);
   }
-  EXPECT_EQ(Difference(one, three), 0);
+  EXPECT_EQ(MaxDifference(one, three), 0);
 }
 
 }  // namespace

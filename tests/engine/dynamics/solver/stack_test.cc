@@ -11,10 +11,10 @@ namespace {
 constexpr int kBoxes = 5;
 constexpr int kSteps = 160;
 
-void Build(World& world, const Eigen::Vector3d& place) {
+void BuildStack(World& world, const Eigen::Vector3d& origin) {
   BodyDefinition floor;
   floor.shape = Box{{10, 1, 10}};
-  floor.state.p_WB = place + Eigen::Vector3d(0, -1, 0);
+  floor.state.p_WB = origin + Eigen::Vector3d(0, -1, 0);
   floor.mass = 0;
   world.AddBody(floor);
   for (int i = 0; i < kBoxes; ++i) {
@@ -22,7 +22,7 @@ void Build(World& world, const Eigen::Vector3d& place) {
     box.shape = Box{{0.5, 0.5, 0.5}};
     box.restitution = 0;
     box.friction = 0.3;
-    box.state.p_WB = place + Eigen::Vector3d(0.1, 0.5 + i, -0.2);
+    box.state.p_WB = origin + Eigen::Vector3d(0.1, 0.5 + i, -0.2);
     world.AddBody(box);
   }
 }
@@ -48,17 +48,18 @@ int AddHeavyOnLight(World& world, double x, double mass) {
   return world.AddBody(box);
 }
 
-/** Expects `body` to rest for eight steps, but for a share of what gravity adds in one.
- */
-void ExpectToRest(World& world, int body, double share) {
+/** Expects `body` to be slower, during eight steps, than `fraction` of the speed that
+ gravity adds in a step. */
+void ExpectToRest(World& world, int body, double fraction) {
   for (int k = 0; k < 8; ++k) {
     world.Step(1.0 / 240);
-    EXPECT_LT(world.state(body).v_WB.norm(), share * 9.82 / 240) << k;
+    EXPECT_LT(world.state(body).v_WB.norm(), fraction * 9.82 / 240) << k;
   }
 }
 
-// A first step has no impulses to start from; what it leaves moving would stay so for
-// some steps. Sweeps leave ρ of the error of a heavy box on a light one, ρ near 1.
+// The first step has no impulses for warm starting; a body that it leaves moving would
+// move for some steps. Iterations reduce the error of a heavy box on a light one by a
+// factor near 1.
 TEST(Stack, AHeavyBoxOnALightOneRestsFromTheFirstStep) {
   Settings settings;
   settings.iteration_budget = 40000;
@@ -68,7 +69,7 @@ TEST(Stack, AHeavyBoxOnALightOneRestsFromTheFirstStep) {
   ExpectToRest(world, heavy, 1e-12);
 }
 
-TEST(Stack, AHeavyBoxThatComesLaterRestsFromItsFirstStepToo) {
+TEST(Stack, AHeavyBoxAddedLaterRestsFromItsFirstStep) {
   World world{Settings()};
   AddFloor(world);
   const int early = AddHeavyOnLight(world, 50, 30);
@@ -78,9 +79,9 @@ TEST(Stack, AHeavyBoxThatComesLaterRestsFromItsFirstStepToo) {
   ExpectToRest(world, late, 1e-11);
 }
 
-// What a spring or a rod needs elsewhere is little, and no reason for contacts to be
-// solved less.
-TEST(Stack, AHeavyBoxOnALightOneRestsAlsoWhereARodOrASpringHoldsSomethingElse) {
+// A spring or rod elsewhere needs few iterations. The contacts must not be solved less
+// accurately because of it.
+TEST(Stack, AHeavyBoxOnALightOneRestsInAWorldWithARodOrASpring) {
   for (const bool rod : {false, true}) {
     World world{Settings()};
     AddFloor(world);
@@ -99,9 +100,9 @@ TEST(Stack, AHeavyBoxOnALightOneRestsAlsoWhereARodOrASpringHoldsSomethingElse) {
   }
 }
 
-// Four contacts can load against each other across a face, which nobody sees: until one
-// of them needs for the load what it spends on that.
-TEST(Stack, AFaceThatHoldsPullsAtNothingAcrossIt) {
+// The friction impulses of four contacts can balance each other. That has no effect on
+// the bodies until a contact needs its friction for the load.
+TEST(Stack, AFaceThatSticksHasNoInternalFriction) {
   World world{Settings()};
   AddFloor(world);
   AddHeavyOnLight(world, 0.1, 30);
@@ -111,32 +112,32 @@ TEST(Stack, AFaceThatHoldsPullsAtNothingAcrossIt) {
   ASSERT_EQ(impulses.size(), 8u);
   for (const ContactImpulse& contact : impulses) {
     const double load = contact.J_B_W.dot(contact.n_AB_W);
-    const Eigen::Vector3d across = contact.J_B_W - load * contact.n_AB_W;
-    EXPECT_LT(across.norm(), 1e-11 * load);
+    const Eigen::Vector3d friction = contact.J_B_W - load * contact.n_AB_W;
+    EXPECT_LT(friction.norm(), 1e-11 * load);
   }
 }
 
-// Faces that lie flush keep their four contacts, whichever way rounding moves their
-// corners: else a stack would sway by as much as one contact more or less makes of it.
-TEST(Stack, StandsTheSameWhereverItIsPut) {
+// Flush faces keep their four contacts, whichever way rounding moves their corners.
+// Otherwise the sway of a stack would depend on which contacts rounding removes.
+TEST(Stack, IsTranslationInvariant) {
   Settings settings;
   settings.iteration_budget = 40000;  // Solved to rounding.
   World here(settings);
-  Build(here, Eigen::Vector3d::Zero());
+  BuildStack(here, Eigen::Vector3d::Zero());
   for (int k = 0; k < kSteps; ++k) here.Step(1.0 / 240);
-  // A step rounds each coordinate, of at most 12 m, a few times.
+  // A step rounds each coordinate a few times; coordinates are at most 12 m.
   const double bound = 64 * kSteps * 12 * 0x1p-53;
-  for (const double way : {1.0, 3.7, -2.3, 5.5, 0.123}) {
-    const Eigen::Vector3d place = way * Eigen::Vector3d(1, 0.3, -0.6);
+  for (const double distance : {1.0, 3.7, -2.3, 5.5, 0.123}) {
+    const Eigen::Vector3d origin = distance * Eigen::Vector3d(1, 0.3, -0.6);
     World there(settings);
-    Build(there, place);
+    BuildStack(there, origin);
     for (int k = 0; k < kSteps; ++k) there.Step(1.0 / 240);
     double worst = 0;
     for (int i = 1; i <= kBoxes; ++i) {
-      const Eigen::Vector3d moved = there.state(i).p_WB - place - here.state(i).p_WB;
+      const Eigen::Vector3d moved = there.state(i).p_WB - origin - here.state(i).p_WB;
       worst = std::max(worst, moved.norm());
     }
-    EXPECT_LT(worst, bound) << way;
+    EXPECT_LT(worst, bound) << distance;
   }
 }
 

@@ -1,4 +1,4 @@
-// Heaps that come to rest at once, where each body stands on one other.
+// Islands that come to rest at once, in which each body stands on one other.
 
 #include "engine/dynamics/solver/static_equilibrium.h"
 
@@ -19,7 +19,8 @@ namespace {
 constexpr double kG = 9.82;
 constexpr double kH = 1.0 / 240;
 
-/** Rounding of what a step of gravity makes, of loads of some hundred times a body's. */
+/** Speed that gravity adds in a step, times the rounding error of loads of some hundred
+ bodies. [m/s] */
 constexpr double kRest = 1e-12 * kG * kH;
 
 void AddFloor(World& world) {
@@ -42,24 +43,26 @@ int AddBox(World& world, const Eigen::Vector3d& p_WB, double mass = 1,
   return world.AddBody(box);
 }
 
-double Fastest(const World& world) {
-  double fastest = 0;
+/** Returns the greatest |v| + |ω|. */
+double MaxSpeed(const World& world) {
+  double max = 0;
   for (int i = 1; i < world.body_count(); ++i) {
-    fastest = std::max(fastest, world.state(i).v_WB.norm() + world.state(i).w_WB.norm());
+    max = std::max(max, world.state(i).v_WB.norm() + world.state(i).w_WB.norm());
   }
-  return fastest;
+  return max;
 }
 
 void ExpectToRest(World& world, int steps) {
   for (int k = 0; k < steps && !testing::Test::HasFailure(); ++k) {
     world.Step(kH);
-    EXPECT_LT(Fastest(world), kRest) << k;
+    EXPECT_LT(MaxSpeed(world), kRest) << k;
   }
 }
 
-/** Impulse and its moment about the centre that the contacts give to a body in a step. */
+/** The sum of the contact impulses on a body in a step. */
 struct Received {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< [N s]
+  /** About the centre. [N m s] */
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
 };
 
@@ -70,13 +73,13 @@ Received ReceivedBy(const World& world, int body) {
   for (const ContactImpulse& contact : impulses) {
     if (contact.A != body && contact.B != body) continue;
     const Eigen::Vector3d J_W = contact.B == body ? contact.J_B_W : -contact.J_B_W;
-    received.force += J_W;
+    received.impulse += J_W;
     received.moment += (contact.p_WC - world.state(body).p_WB).cross(J_W);
   }
   return received;
 }
 
-TEST(StaticEquilibrium, AStackOfTwentyStandsThoughSweepsWouldNotHoldIt) {
+TEST(StaticEquilibrium, AStackOfTwentyStandsThoughIterationsWouldNotHoldIt) {
   World world{Settings()};
   AddFloor(world);
   for (int i = 0; i < 20; ++i) {
@@ -88,9 +91,9 @@ TEST(StaticEquilibrium, AStackOfTwentyStandsThoughSweepsWouldNotHoldIt) {
   }
 }
 
-// There the gaps between boxes are what a coordinate rounds: contacts that are not there
-// yet, and arrive within the step.
-TEST(StaticEquilibrium, AStackStandsFarFromTheOriginToo) {
+// There are gaps between the boxes, of the rounding of a coordinate. The contacts close
+// in the step.
+TEST(StaticEquilibrium, AStackStandsFarFromTheOrigin) {
   for (const double gap : {0.0, 1e-12, 1e-9}) {
     World world{Settings()};
     constexpr double kFar = 1000.1;
@@ -103,22 +106,22 @@ TEST(StaticEquilibrium, AStackStandsFarFromTheOriginToo) {
       AddBox(world, {0, kFar + 0.35 + (0.7 + gap) * i, 0}, 1, {0.5, 0.35, 0.5});
     }
     for (int k = 0; k < 120; ++k) world.Step(kH);
-    // Gaps close, by some nanometres a step: no more is to be seen.
-    EXPECT_LT(Fastest(world), 1e-6) << gap;
+    // Gaps close by some nanometres in a step. There is no other motion.
+    EXPECT_LT(MaxSpeed(world), 1e-6) << gap;
   }
 }
 
-TEST(StaticEquilibrium, IsASettingWithoutWhichTheStackSways) {
+TEST(StaticEquilibrium, TheStackSwaysIfTheSettingIsOff) {
   Settings settings;
   settings.static_equilibrium = false;
   World world(settings);
   AddFloor(world);
   for (int i = 0; i < 20; ++i) AddBox(world, {0, 0.5 + i, 0});
   for (int k = 0; k < 240; ++k) world.Step(kH);
-  EXPECT_GT(Fastest(world), 1e3 * kRest);
+  EXPECT_GT(MaxSpeed(world), 1e3 * kRest);
 }
 
-TEST(StaticEquilibrium, AThousandfoldLoadRestsFromTheFirstStep) {
+TEST(StaticEquilibrium, AThousandTimesHeavierBoxRestsFromTheFirstStep) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.5, 0});
@@ -126,7 +129,7 @@ TEST(StaticEquilibrium, AThousandfoldLoadRestsFromTheFirstStep) {
   ExpectToRest(world, 20);
 }
 
-TEST(StaticEquilibrium, WhatBranchesRests) {
+TEST(StaticEquilibrium, ABranchingStackRests) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.5, 0}, 0.1, {3, 0.5, 1});  // A plank with two stacks on it.
@@ -137,55 +140,55 @@ TEST(StaticEquilibrium, WhatBranchesRests) {
   ExpectToRest(world, 20);
 }
 
-TEST(StaticEquilibrium, BodiesReceiveJustWhatGravityTakes) {
+TEST(StaticEquilibrium, ContactImpulsesBalanceGravity) {
   World world{Settings()};
   AddFloor(world);
-  // Each a tenth further out, so that none bears its load in the middle.
+  // Each box is further out, so that none has its load in the middle.
   for (int i = 0; i < 6; ++i) AddBox(world, {0.05 * i, 0.5 + i, 0.02 * i}, 6 - i);
   ExpectToRest(world, 3);
   for (int i = 1; i <= 6; ++i) {
     const Received received = ReceivedBy(world, i);
     const double weight = (7 - i) * kG * kH;
-    EXPECT_LT((received.force - Eigen::Vector3d(0, weight, 0)).norm(), 1e-12) << i;
+    EXPECT_LT((received.impulse - Eigen::Vector3d(0, weight, 0)).norm(), 1e-12) << i;
     EXPECT_LT(received.moment.norm(), 1e-12) << i;
   }
 }
 
-TEST(StaticEquilibrium, ASlopeHoldsWhatItsFrictionHoldsAndNoMore) {
+TEST(StaticEquilibrium, ASlopeHoldsBoxesUpToItsFrictionAndNoMore) {
   for (const double steepness : {0.95, 1.05}) {
     Settings settings;
     const double angle = std::atan(0.6 * steepness);
     settings.gravity_W = kG * Eigen::Vector3d(std::sin(angle), -std::cos(angle), 0);
     World world(settings);
     AddFloor(world);
-    // A low one on another, that does not tip.
+    // Two flat boxes, which do not tip.
     AddBox(world, {0, 0.1, 0}, 1, {0.5, 0.1, 0.5});
     const int upper = AddBox(world, {0, 0.3, 0}, 1, {0.5, 0.1, 0.5});
     constexpr int kSteps = 48;
     for (int k = 0; k < kSteps; ++k) world.Step(kH);
-    // Both slide on the floor, or the upper on the lower.
+    // Both slide on the floor, or the upper box slides on the lower one.
     const double slides =
         kSteps * kH * kG * std::max(0.0, std::sin(angle) - 0.6 * std::cos(angle));
     if (slides == 0) {
-      EXPECT_LT(Fastest(world), kRest);
+      EXPECT_LT(MaxSpeed(world), kRest);
     } else {
       EXPECT_GT(world.state(upper).v_WB.x(), 0.999 * slides);
     }
   }
 }
 
-TEST(StaticEquilibrium, WhatLeansOutTooFarFalls) {
+TEST(StaticEquilibrium, AnOverhangingStackFalls) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.5, 0});
   AddBox(world, {0.4, 1.5, 0});
   const int top = AddBox(world, {0.8, 2.5, 0});
-  // The two upper ones together are 0.6 m out, a tenth beyond the edge.
+  // The centre of the two upper boxes is 0.6 m out, 0.1 m beyond the edge.
   for (int k = 0; k < 240; ++k) world.Step(kH);
   EXPECT_LT(world.state(top).p_WB.y(), 2.4);
 }
 
-TEST(StaticEquilibrium, WhatIsThrownUpIsNotHeld) {
+TEST(StaticEquilibrium, ABodyThrownUpIsNotHeld) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.5, 0});
@@ -196,7 +199,7 @@ TEST(StaticEquilibrium, WhatIsThrownUpIsNotHeld) {
   EXPECT_NEAR(world.state(top).v_WB.y(), 1 - kG * kH, 1e-12);
 }
 
-TEST(StaticEquilibrium, WhatSlidesIsSlowedByItsFrictionAlone) {
+TEST(StaticEquilibrium, FrictionAloneSlowsASlidingBody) {
   World world{Settings()};
   AddFloor(world);
   AddBox(world, {0, 0.1, 0}, 1, {0.5, 0.1, 0.5});
@@ -207,7 +210,7 @@ TEST(StaticEquilibrium, WhatSlidesIsSlowedByItsFrictionAlone) {
   EXPECT_NEAR(world.state(upper).v_WB.x(), 1 - 0.6 * kG * kH, 1e-3 * kG * kH);
 }
 
-/** Some bodies, which of them touch, and one sweep over their contacts. Body 0 is a
+/** An island of boxes with given pairs, and one iteration over its contacts. Body 0 is a
  floor. */
 class Island {
  public:
@@ -222,66 +225,68 @@ class Island {
     box.restitution = restitution;
     box.friction = 0.6;
     bodies.push_back(MakeRigidBody(box));
-    bodies.back().margin = 1e-3;
+    bodies.back().speculative_margin = 1e-3;
     return static_cast<int>(bodies.size()) - 1;
   }
 
-  void Join(int A, int B) {
+  void AddPair(int A, int B) {
     ContactPair& pair = pairs.emplace_back();
     pair.A = A;
     pair.B = B;
   }
 
-  /** A tower on the floor. */
+  /** Stacks boxes on the floor. */
   void Stack(int count) {
     for (int i = 0; i < count; ++i) {
       Add({0.01 * i, 0.5 + i, 0});
-      Join(i, i + 1);
+      AddPair(i, i + 1);
     }
   }
 
-  /** Returns whether all come to rest; expects that else nothing changes at all. */
-  bool Rests() {
+  /** Returns whether all bodies come to rest. Expects that otherwise nothing changes. */
+  bool ComesToRest() {
     Iterate();
-    const std::vector<Velocity> swept = velocities_;
-    const std::vector<double> borne = Borne();
+    const std::vector<Velocity> velocities_before = velocities_;
+    const std::vector<double> impulses_before = Impulses();
     StaticEquilibrium static_equilibrium;
-    static_equilibrium.Find(group_.rows(), islands_, 1e-14 * group_.scale(), World());
+    static_equilibrium.Solve(group_.view(), islands_, 1e-14 * group_.max_speed(),
+                             Bodies());
     bool rests = true;
-    bool same = borne == Borne();
+    bool same = impulses_before == Impulses();
     for (std::size_t i = 1; i < bodies.size(); ++i) {
       rests = rests && velocities_[i].v.isZero(0) && velocities_[i].w.isZero(0);
-      same = same && velocities_[i].v == swept[i].v && velocities_[i].w == swept[i].w;
+      same = same && velocities_[i].v == velocities_before[i].v &&
+             velocities_[i].w == velocities_before[i].w;
     }
     EXPECT_NE(rests, same);
     return rests;
   }
 
-  /** What stays of the momentum of `body` and of its moment about the centre. */
-  Received Left(int body) {
+  /** Returns the linear and angular momentum of `body` that the contacts leave. */
+  Received RemainingMomentum(int body) {
     const auto i = static_cast<std::size_t>(body);
     const RigidBody& b = bodies[i];
-    Received left{free[i].v / b.inverse_mass, b.moments.cwiseProduct(free[i].w)};
-    const ConstraintView<double> rows = group_.rows();
-    for (const ConstraintBatch<double>& batch : rows.batches) {
+    Received remaining{free[i].v / b.inverse_mass, b.moments.cwiseProduct(free[i].w)};
+    const ConstraintView<double> constraints = group_.view();
+    for (const ConstraintBatch<double>& batch : constraints.batches) {
       const auto at = [](const VectorLanes<double>& v) {
         return Eigen::Vector3d(v[0][0], v[1][0], v[2][0]);
       };
       if (batch.A[0] != body && batch.B[0] != body) continue;
       for (int k = 0; k < batch.count; ++k) {
-        const ContactLanes<double>& contact =
-            rows.contacts[static_cast<std::size_t>(batch.first) +
-                          static_cast<std::size_t>(k)];
+        const ContactConstraintLanes<double>& contact =
+            constraints.contacts[static_cast<std::size_t>(batch.first) +
+                                 static_cast<std::size_t>(k)];
         const Eigen::Vector3d J_W = contact.impulse[0] * at(batch.n) +
                                     contact.friction_impulse1[0] * at(batch.t1) +
                                     contact.friction_impulse2[0] * at(batch.t2);
         const double sign = batch.B[0] == body ? 1 : -1;
-        left.force += sign * J_W;
-        left.moment +=
+        remaining.impulse += sign * J_W;
+        remaining.moment +=
             at(batch.B[0] == body ? contact.r_B : contact.r_A).cross(sign * J_W);
       }
     }
-    return left;
+    return remaining;
   }
 
   double restitution = 0;
@@ -290,18 +295,18 @@ class Island {
   std::vector<Velocity> free;  ///< At the end of the step without impulses.
 
  private:
-  SolverBodies World() { return {bodies, inertias_, before_, velocities_}; }
+  SolverBodies Bodies() { return {bodies, inertias_, before_, velocities_}; }
 
   void Iterate() {
-    ContactRules rules{};
-    rules.h = kH;
-    rules.resting_speed = 1;
-    rules.soft_mass_scale = 1;
-    rules.accumulated = true;
+    ContactParameters parameters{};
+    parameters.h = kH;
+    parameters.resting_speed = 1;
+    parameters.soft_mass_scale = 1;
+    parameters.accumulated = true;
     std::vector<ColouredPair> ordered;
     for (ContactPair& pair : pairs) {
       std::array<ContactPair*, 1> one = {&pair};
-      Recollide({1, false}, bodies, one);
+      UpdateManifolds({1, false}, bodies, one);
       const auto k = static_cast<int>(ordered.size());
       ordered.push_back({k, k, pair.A, pair.B, pair.manifold.count});
     }
@@ -313,25 +318,25 @@ class Island {
       inertias_.push_back(InverseInertiaOf(body));
       islands_.push_back(body.is_static() ? static_cast<int>(i) : 1);
       if (body.is_static()) continue;
-      body.load = kG;
+      body.load_acceleration = kG;
       before_[i] = {body.state.v_WB, body.state.w_WB};
       free[i] = before_[i];
       free[i].v.y() -= kG * kH;
     }
     velocities_ = free;
-    group_.Begin(ordered, pairs, World(), rules, false, velocities_, pool_);
+    group_.Begin(ordered, pairs, Bodies(), parameters, velocities_, pool_);
     group_.Iterate(1, velocities_, pool_);
   }
 
-  std::vector<double> Borne() {
-    std::vector<double> borne;
-    for (const ContactLanes<double>& contact : group_.rows().contacts) {
+  std::vector<double> Impulses() {
+    std::vector<double> impulses;
+    for (const ContactConstraintLanes<double>& contact : group_.view().contacts) {
       for (const auto* lanes :
            {&contact.impulse, &contact.friction_impulse1, &contact.friction_impulse2}) {
-        borne.insert(borne.end(), lanes->begin(), lanes->end());
+        impulses.insert(impulses.end(), lanes->begin(), lanes->end());
       }
     }
-    return borne;
+    return impulses;
   }
 
   std::vector<InverseInertia> inertias_;
@@ -342,125 +347,127 @@ class Island {
   ThreadPool pool_{1};
 };
 
-/** Of loads of some g h. */
-void ExpectNothingLeft(Island& island) {
+/** Expects that the contacts stop all bodies. Their loads are some g h. */
+void ExpectNoRemainingMomentum(Island& island) {
   for (int i = 1; i < static_cast<int>(island.bodies.size()); ++i) {
-    const Received left = island.Left(i);
-    EXPECT_LT(left.force.norm(), 1e-14) << i;
-    EXPECT_LT(left.moment.norm(), 1e-14) << i;
+    const Received remaining = island.RemainingMomentum(i);
+    EXPECT_LT(remaining.impulse.norm(), 1e-14) << i;
+    EXPECT_LT(remaining.moment.norm(), 1e-14) << i;
   }
 }
 
-TEST(StandstillFind, BearsWhatEachBodyNeeds) {
+TEST(StaticEquilibriumSolve, StopsEachBody) {
   Island island;
   island.Stack(4);
-  EXPECT_TRUE(island.Rests());
-  ExpectNothingLeft(island);
+  EXPECT_TRUE(island.ComesToRest());
+  ExpectNoRemainingMomentum(island);
 }
 
-TEST(StandstillFind, BearsItWhicheverBodyOfAPairIsTheFirst) {
+TEST(StaticEquilibriumSolve, DoesNotDependOnTheOrderOfBodiesInAPair) {
   Island island;
   island.Stack(4);
   std::swap(island.pairs[0].A, island.pairs[0].B);
   std::swap(island.pairs[2].A, island.pairs[2].B);
   island.bodies[4].state.v_WB = {0.01, 0, 0};
-  EXPECT_TRUE(island.Rests());
-  ExpectNothingLeft(island);
+  EXPECT_TRUE(island.ComesToRest());
+  ExpectNoRemainingMomentum(island);
 }
 
-TEST(StandstillFind, HoldsASlipNoFasterThanFrictionStops) {
+TEST(StaticEquilibriumSolve, StopsASlipUpToTheFriction) {
   // A step of friction stops μ g h = 0.0245 m/s of the upper box.
   for (const double v : {0.024, 0.025}) {
     Island island;
     island.Stack(2);
-    // Low, so that it does not tip.
+    // Flat, so that it does not tip.
     island.bodies[2] = island.bodies[1];
     island.bodies[2].shape = Box{{0.5, 0.05, 0.5}};
     island.bodies[2].state.p_WB = {0, 1.05, 0};
     island.bodies[2].state.v_WB = {v, 0, 0};
-    EXPECT_EQ(island.Rests(), v < 0.6 * kG * kH) << v;
-    if (v < 0.6 * kG * kH) ExpectNothingLeft(island);
+    EXPECT_EQ(island.ComesToRest(), v < 0.6 * kG * kH) << v;
+    if (v < 0.6 * kG * kH) ExpectNoRemainingMomentum(island);
   }
 }
 
-TEST(StandstillFind, HoldsASpinNoFasterThanFrictionStops) {
-  // Corners √½ m out bear g h/4 each: together μ g h √½, and 1/6 kg m² has to stop.
-  const double most = 0.6 * kG * kH * std::sqrt(0.5) * 6;
-  for (const double share : {0.99, 1.01}) {
+TEST(StaticEquilibriumSolve, StopsASpinUpToTheFriction) {
+  // The corners, at √½ m, each bear g h/4. Their friction has the moment μ g h √½; the
+  // moment of inertia is 1/6 kg m².
+  const double max_spin = 0.6 * kG * kH * std::sqrt(0.5) * 6;
+  for (const double fraction : {0.99, 1.01}) {
     Island island;
     island.Stack(1);
-    island.bodies[1].state.w_WB = {0, share * most, 0};
-    EXPECT_EQ(island.Rests(), share < 1) << share;
-    if (share < 1) ExpectNothingLeft(island);
+    island.bodies[1].state.w_WB = {0, fraction * max_spin, 0};
+    EXPECT_EQ(island.ComesToRest(), fraction < 1) << fraction;
+    if (fraction < 1) ExpectNoRemainingMomentum(island);
   }
 }
 
-TEST(StandstillFind, PullsAtNothing) {
-  // On two of its corners a cube has ½ m g h, and 1/6 kg m² to stop.
-  const double most = 0.5 * kG * kH * 6;
-  for (const double share : {0.99, 1.01}) {
+TEST(StaticEquilibriumSolve, DoesNotPull) {
+  // The load of a cube on two of its corners has the moment ½ m g h; the moment of
+  // inertia is 1/6 kg m².
+  const double max_spin = 0.5 * kG * kH * 6;
+  for (const double fraction : {0.99, 1.01}) {
     Island island;
     island.Stack(1);
-    island.bodies[1].state.w_WB = {share * most, 0, 0};
-    EXPECT_EQ(island.Rests(), share < 1) << share;
-    if (share < 1) ExpectNothingLeft(island);
+    island.bodies[1].state.w_WB = {fraction * max_spin, 0, 0};
+    EXPECT_EQ(island.ComesToRest(), fraction < 1) << fraction;
+    if (fraction < 1) ExpectNoRemainingMomentum(island);
   }
 }
 
-TEST(StandstillFind, LeavesRingsAndSecondSupports) {
+TEST(StaticEquilibriumSolve, LeavesCyclesAndSecondSupports) {
   Island arch;
   arch.Stack(1);
   arch.Add({3, 0.5, 0});
-  arch.Join(0, 2);
+  arch.AddPair(0, 2);
   arch.Add({1.5, 1.5, 0}, {2, 0.5, 0.5});
-  arch.Join(1, 3);
-  arch.Join(2, 3);
-  EXPECT_FALSE(arch.Rests());
+  arch.AddPair(1, 3);
+  arch.AddPair(2, 3);
+  EXPECT_FALSE(arch.ComesToRest());
 
   Island seam;
   seam.Stack(1);
   seam.Add({0.2, -1, 0}, {0.1, 1, 10}, 0);
-  seam.Join(2, 1);
-  EXPECT_FALSE(seam.Rests());
+  seam.AddPair(2, 1);
+  EXPECT_FALSE(seam.ComesToRest());
 
-  // As many pairs as bodies, and nothing to stand on.
-  Island ring;
-  ring.Stack(2);
-  ring.pairs[0].A = 1;
-  ring.pairs[0].B = 2;
-  EXPECT_FALSE(ring.Rests());
+  // The number of pairs equals that of bodies, but there is no support.
+  Island cycle;
+  cycle.Stack(2);
+  cycle.pairs[0].A = 1;
+  cycle.pairs[0].B = 2;
+  EXPECT_FALSE(cycle.ComesToRest());
 
-  Island limb;
-  limb.Stack(3);
-  limb.pairs[0].A = 1;
-  limb.pairs[0].B = 2;
-  EXPECT_FALSE(limb.Rests());
+  Island cycle_with_branch;
+  cycle_with_branch.Stack(3);
+  cycle_with_branch.pairs[0].A = 1;
+  cycle_with_branch.pairs[0].B = 2;
+  EXPECT_FALSE(cycle_with_branch.ComesToRest());
 }
 
-TEST(StandstillFind, LetsComeWhatIsNotThereYet) {
+TEST(StaticEquilibriumSolve, LeavesOpenContacts) {
   Island island;
   island.Stack(2);
   island.bodies[2].state.p_WB.y() += 1e-5;
-  EXPECT_FALSE(island.Rests());
+  EXPECT_FALSE(island.ComesToRest());
 }
 
-TEST(StandstillFind, HoldsNothingThatBounces) {
+TEST(StaticEquilibriumSolve, LeavesBouncingContacts) {
   Island island;
   island.restitution = 0.5;
   island.bodies[0].restitution = 0.5;
   island.Stack(2);
   island.bodies[2].state.v_WB = {0, -1, 0};
-  EXPECT_FALSE(island.Rests());
+  EXPECT_FALSE(island.ComesToRest());
 }
 
-TEST(StandstillFind, BalancesNothingOnALine) {
+TEST(StaticEquilibriumSolve, LeavesABodyThatStandsOnALine) {
   Island island;
   island.Add({0, 1, 0}, {1e-8, 1, 2}, 0);
   island.Add({0, 2.5, 0});
   island.bodies[1].state.p_WB = {0, 1, 0};
-  island.Join(1, 2);
+  island.AddPair(1, 2);
   island.bodies[2].state.w_WB = {0, 0, 1e-3};
-  EXPECT_FALSE(island.Rests());
+  EXPECT_FALSE(island.ComesToRest());
 }
 
 }  // namespace

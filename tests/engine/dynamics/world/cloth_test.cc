@@ -20,7 +20,7 @@ Cloth Sheet() {
   return cloth;
 }
 
-TEST(Cloth, FallsAsOneWhereNothingHoldsIt) {
+TEST(Cloth, FallsRigidlyWithoutSupports) {
   World world;
   const int first = AddCloth(Sheet(), world);
   const double h = 1.0 / 240;
@@ -35,7 +35,7 @@ TEST(Cloth, FallsAsOneWhereNothingHoldsIt) {
   }
 }
 
-TEST(Cloth, ADampedOneHangsFromItsCornersAndTheyCarryItsWeight) {
+TEST(Cloth, HangsFromTwoCornersThatCarryItsWeight) {
   World world;
   Cloth cloth = Sheet();
   cloth.drag = 3;
@@ -43,28 +43,27 @@ TEST(Cloth, ADampedOneHangsFromItsCornersAndTheyCarryItsWeight) {
   cloth.pinned = {{0, 0}, {0, 4}};
   const int first = AddCloth(cloth, world);
   for (int k = 0; k < 2400; ++k) world.Step(1.0 / 100);
-  // At rest the springs at each node carry it. Those at the two corners carry all: what
-  // they load is minus the load on the other 23 nodes.
-  Eigen::Vector3d held(0, 0, 0);
-  const auto load = [&](int corner, int other, double k, double rest) {
+  // At rest, the springs at the two corners carry the weight of the other 23 nodes.
+  Eigen::Vector3d total_force(0, 0, 0);
+  const auto add_force = [&](int corner, int other, double k, double rest) {
     const Eigen::Vector3d d =
         world.state(first + other).p_WB - world.state(first + corner).p_WB;
-    held += k * (d.norm() - rest) * d.normalized();
+    total_force += k * (d.norm() - rest) * d.normalized();
   };
-  load(0, 1, 80, 0.25);
-  load(0, 5, 80, 0.25);
-  load(0, 6, 40, 0.25 * std::sqrt(2.0));
-  load(0, 2, 20, 0.5);
-  load(0, 10, 20, 0.5);
-  load(4, 3, 80, 0.25);
-  load(4, 9, 80, 0.25);
-  load(4, 8, 40, 0.25 * std::sqrt(2.0));
-  load(4, 2, 20, 0.5);
-  load(4, 14, 20, 0.5);
+  add_force(0, 1, 80, 0.25);
+  add_force(0, 5, 80, 0.25);
+  add_force(0, 6, 40, 0.25 * std::sqrt(2.0));
+  add_force(0, 2, 20, 0.5);
+  add_force(0, 10, 20, 0.5);
+  add_force(4, 3, 80, 0.25);
+  add_force(4, 9, 80, 0.25);
+  add_force(4, 8, 40, 0.25 * std::sqrt(2.0));
+  add_force(4, 2, 20, 0.5);
+  add_force(4, 14, 20, 0.5);
   const double weight = 23 * 0.1 * 9.82;
-  EXPECT_NEAR(held[1], -weight, 1e-6 * weight);
-  EXPECT_NEAR(held[0], 0, 1e-6 * weight);
-  // Mirrored left and right.
+  EXPECT_NEAR(total_force[1], -weight, 1e-6 * weight);
+  EXPECT_NEAR(total_force[0], 0, 1e-6 * weight);
+  // Left and right are mirror images.
   for (int row = 0; row < 5; ++row) {
     const Eigen::Vector3d left = world.state(first + 5 * row).p_WB;
     const Eigen::Vector3d right = world.state(first + 5 * row + 4).p_WB;
@@ -74,7 +73,7 @@ TEST(Cloth, ADampedOneHangsFromItsCornersAndTheyCarryItsWeight) {
   EXPECT_EQ(world.state(first).p_WB, Eigen::Vector3d(0.8, 2, -1.2));
 }
 
-TEST(Cloth, RefusesWhatIsNoNetAndLeavesTheWorldAsItWas) {
+TEST(Cloth, RefusesInvalidClothsAndLeavesTheWorldUnchanged) {
   const auto refused = [](auto change) {
     Cloth cloth = Sheet();
     change(cloth);

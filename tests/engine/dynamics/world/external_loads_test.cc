@@ -1,5 +1,5 @@
-// What presses bodies on each other is gravity, a force or a spring: how they rest
-// depends on how hard, not on which of them it is.
+// Bodies at rest behave the same whether gravity, a force or a spring presses them on
+// each other.
 
 #include <cmath>
 #include <utility>
@@ -15,16 +15,16 @@ namespace {
 constexpr double kStep = 1.0 / 240;
 constexpr double kG = 9.82;
 
-/** How the bodies of a world are pulled. */
-struct Pull {
+/** The load on all bodies of a world. */
+struct Load {
   Eigen::Vector3d gravity_W;
   Eigen::Vector3d force_per_mass_W;
 };
 
-const Pull kByGravity{{0, -kG, 0}, {0, 0, 0}};
-const Pull kByForces{{0, 0, 0}, {0, -kG, 0}};
-const Pull kByHalfOfEach{{0, -kG / 2, 0}, {0, -kG / 2, 0}};
-const Pull kAgainstGravity{{0, kG, 0}, {0, -2 * kG, 0}};
+const Load kGravity{{0, -kG, 0}, {0, 0, 0}};
+const Load kForces{{0, 0, 0}, {0, -kG, 0}};
+const Load kHalfOfEach{{0, -kG / 2, 0}, {0, -kG / 2, 0}};
+const Load kForcesAgainstGravity{{0, kG, 0}, {0, -2 * kG, 0}};
 
 Settings Under(const Eigen::Vector3d& gravity_W) {
   Settings settings;
@@ -63,18 +63,18 @@ BodyDefinition BallAt(const Eigen::Vector3d& p_W, double radius, double mass,
   return ball;
 }
 
-/** Expects `body` to rest for eight steps, but for a share of what gravity would add in
- one. */
-void ExpectToRest(World& world, int body, double share) {
+/** Expects that `body` rests for eight steps, with a speed below `fraction` of the
+ velocity that gravity would add in a step. */
+void ExpectToRest(World& world, int body, double fraction) {
   for (int k = 0; k < 8; ++k) {
     world.Step(kStep);
-    EXPECT_LT(world.state(body).v_WB.norm(), share * kG * kStep) << k;
+    EXPECT_LT(world.state(body).v_WB.norm(), fraction * kG * kStep) << k;
   }
 }
 
-/** Two stacks, one of them heavy on light, a box that falls on a corner, one that slides,
- and a ball that bounces and comes to rest. */
-std::vector<BodyState> Simulate(const Pull& load, int steps) {
+/** Simulates two stacks, one with a heavy box on a light one, a box that falls on a
+ corner, a sliding box, and a ball that bounces and comes to rest. */
+std::vector<BodyState> Simulate(const Load& load, int steps) {
   World world(Under(load.gravity_W));
   AddFloor(world);
   const auto add = [&](BodyDefinition body) {
@@ -109,15 +109,15 @@ double Difference(const std::vector<BodyState>& a, const std::vector<BodyState>&
   return greatest;
 }
 
-// Masses are powers of two, so that forces make the same acceleration to the bit.
-TEST(Pressed, ByForcesAllIsAsByGravityToTheBit) {
-  const std::vector<BodyState> by_gravity = Simulate(kByGravity, 480);
-  EXPECT_EQ(Difference(Simulate(kByForces, 480), by_gravity), 0);
-  EXPECT_EQ(Difference(Simulate(kByHalfOfEach, 480), by_gravity), 0);
-  EXPECT_EQ(Difference(Simulate(kAgainstGravity, 480), by_gravity), 0);
+// Masses are powers of two, so that forces cause exactly the same acceleration.
+TEST(ExternalLoads, ForcesGiveTheSameBitsAsGravity) {
+  const std::vector<BodyState> by_gravity = Simulate(kGravity, 480);
+  EXPECT_EQ(Difference(Simulate(kForces, 480), by_gravity), 0);
+  EXPECT_EQ(Difference(Simulate(kHalfOfEach, 480), by_gravity), 0);
+  EXPECT_EQ(Difference(Simulate(kForcesAgainstGravity, 480), by_gravity), 0);
 }
 
-TEST(Pressed, ByAForceAHeavyBoxOnALightOneRestsFromTheFirstStep) {
+TEST(ExternalLoads, AHeavyBoxOnALightOneRestsFromTheFirstStepUnderForces) {
   World world(Under({0, 0, 0}));
   AddFloor(world);
   world.AddBody(BoxAt({0.1, 0.5, -0.2}, 1, {0, -kG, 0}));
@@ -125,7 +125,7 @@ TEST(Pressed, ByAForceAHeavyBoxOnALightOneRestsFromTheFirstStep) {
   ExpectToRest(world, heavy, 1e-11);
 }
 
-TEST(Pressed, WhatNoForcePullsRestsUnderWhatAForcePresses) {
+TEST(ExternalLoads, ABoxWithoutAForceRestsUnderABoxWithOne) {
   World world(Under({0, 0, 0}));
   AddFloor(world);
   const int light = world.AddBody(BoxAt({0.1, 0.5, -0.2}, 1, {0, 0, 0}));
@@ -134,7 +134,7 @@ TEST(Pressed, WhatNoForcePullsRestsUnderWhatAForcePresses) {
   ExpectToRest(world, light, 1e-11);
 }
 
-TEST(Pressed, ByAForceOfEachStepRestsToo) {
+TEST(ExternalLoads, AForceAppliedInEachStepKeepsBoxesAtRest) {
   World world(Under({0, 0, 0}));
   AddFloor(world);
   world.AddBody(BoxAt({0.1, 0.5, -0.2}, 1, {0, 0, 0}));
@@ -146,17 +146,17 @@ TEST(Pressed, ByAForceOfEachStepRestsToo) {
   }
 }
 
-TEST(Pressed, ByASpringRestsToo) {
+TEST(ExternalLoads, ASpringKeepsBoxesAtRest) {
   World world(Under({0, 0, 0}));
   AddFloor(world);
   world.AddBody(BoxAt({0.1, 0.5, -0.2}, 1, {0, 0, 0}));
   const int heavy = world.AddBody(BoxAt({0.1, 1.5, -0.2}, 8, {0, 0, 0}));
-  // Held 1 m below the box's centre, stretched by half a metre.
+  // Attached 1 m below the centre of the box, and stretched by 0.5 m.
   world.AddSpring({{heavy, {0, 0, 0}}, {-1, {0.1, 0.5, -0.2}}, 16 * kG, 0, 0.5});
   ExpectToRest(world, heavy, 1e-11);
 }
 
-TEST(Pressed, RestsInAnyDirection) {
+TEST(ExternalLoads, BoxesRestInAnyDirection) {
   const Eigen::Quaterniond turn = Eigen::Quaterniond(0.7, -0.3, 0.2, 0.5).normalized();
   World world(Under({0, 0, 0}));
   BodyDefinition floor;
@@ -175,7 +175,7 @@ TEST(Pressed, RestsInAnyDirection) {
   ExpectToRest(world, heavy, 1e-11);
 }
 
-TEST(Pressed, AStackNeverMindsALightBodyThatABigForceDrives) {
+TEST(ExternalLoads, AForceOnADistantBodyDoesNotAffectAStack) {
   const auto run = [](bool driven) {
     World world(Under({0, -kG, 0}));
     AddFloor(world);
@@ -191,7 +191,7 @@ TEST(Pressed, AStackNeverMindsALightBodyThatABigForceDrives) {
   EXPECT_EQ(Difference(run(true), run(false)), 0);
 }
 
-TEST(Pressed, AStackBearsALightBodyThatABigForcePressesOnIt) {
+TEST(ExternalLoads, AStackBearsALightBodyThatAGreatForcePressesOnIt) {
   World world(Under({0, -kG, 0}));
   AddFloor(world);
   for (int k = 0; k < 5; ++k) world.AddBody(BoxAt({0.1, 0.5 + k, -0.2}, 1, {0, 0, 0}));
@@ -205,8 +205,9 @@ TEST(Pressed, AStackBearsALightBodyThatABigForcePressesOnIt) {
   }
 }
 
-// Nothing brings the ball back: it never comes to rest on what a force holds down.
-TEST(Pressed, WhatNothingPullsBouncesHoweverSlow) {
+// No load acts on the ball, so it never comes to rest on a plate that a force presses
+// down.
+TEST(ExternalLoads, ABallWithoutALoadBouncesAtAnySpeed) {
   for (const double speed : {1.0, 1e-2, 1e-4}) {
     World world(Under({0, 0, 0}));
     AddFloor(world);
@@ -222,7 +223,7 @@ TEST(Pressed, WhatNothingPullsBouncesHoweverSlow) {
   }
 }
 
-TEST(Pressed, WhatAForcePushesAlongIsPushedAsOneBody) {
+TEST(ExternalLoads, TwoBoxesThatAForcePushesMoveAsOneBody) {
   World world(Under({0, 0, 0}));
   world.AddBody(BoxAt({0, 0, 0}, 2, {6, 0, 0}));
   world.AddBody(BoxAt({1, 0, 0}, 1, {0, 0, 0}));
@@ -235,8 +236,8 @@ TEST(Pressed, WhatAForcePushesAlongIsPushedAsOneBody) {
   }
 }
 
-TEST(Pressed, APendulumSwingsUnderAForceAsUnderGravity) {
-  const auto swing = [](const Pull& load) {
+TEST(ExternalLoads, APendulumSwingsUnderAForceLikeUnderGravity) {
+  const auto swing = [](const Load& load) {
     World world(Under(load.gravity_W));
     BodyDefinition bob;
     bob.shape = Point{};
@@ -248,17 +249,17 @@ TEST(Pressed, APendulumSwingsUnderAForceAsUnderGravity) {
     for (int k = 0; k < 1000; ++k) world.Step(1e-2);
     return std::vector<BodyState>{world.state(body)};
   };
-  const std::vector<BodyState> by_gravity = swing(kByGravity);
-  EXPECT_EQ(Difference(swing(kByForces), by_gravity), 0);
-  EXPECT_EQ(Difference(swing(kByHalfOfEach), by_gravity), 0);
+  const std::vector<BodyState> by_gravity = swing(kGravity);
+  EXPECT_EQ(Difference(swing(kForces), by_gravity), 0);
+  EXPECT_EQ(Difference(swing(kHalfOfEach), by_gravity), 0);
 }
 
-TEST(Pressed, WhatForcesHoldInTheAirSleepsAsWithoutThem) {
+TEST(ExternalLoads, BodiesWithBalancedForcesFallAsleep) {
   Settings settings;
   settings.sleep_after = 0.5;
   settings.gravity_W = {0, -kG, 0};
   World world(settings);
-  // Of m g/m not all is g to the bit.
+  // m g / m is not exactly g for every m.
   const std::vector<double> masses = {0.3, 0.7, 7, 49, 1.1};
   for (const double mass : masses) {
     world.AddBody(BoxAt({3 * mass, 3, 0}, mass, {0, mass * kG, 0}));

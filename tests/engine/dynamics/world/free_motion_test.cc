@@ -5,7 +5,7 @@
 namespace cookbook {
 namespace {
 
-TEST(FreeMotion, FlightUnderGravityIsExactAtAnyStep) {
+TEST(FreeMotion, FreeFallIsExactForAnyTimeStep) {
   for (const int steps : {10, 100, 1000}) {
     World world;
     BodyDefinition ball;
@@ -18,7 +18,7 @@ TEST(FreeMotion, FlightUnderGravityIsExactAtAnyStep) {
 
     const Eigen::Vector3d g = world.settings().gravity_W;
     const Eigen::Vector3d p = ball.state.p_WB + t * ball.state.v_WB + 0.5 * t * t * g;
-    // Each step rounds a few times at the size of the largest coordinate, about 10 m.
+    // Each step has a few rounding errors of the largest coordinate, about 10 m.
     const double tolerance = 4 * steps * 10 * 0x1p-53;
     EXPECT_LT((world.state(0).p_WB - p).norm(), tolerance);
     EXPECT_LT((world.state(0).v_WB - ball.state.v_WB - t * g).norm(), tolerance);

@@ -33,10 +33,11 @@ void ExpectNear(const BodyState& a, const BodyState& b, double within) {
   EXPECT_LT((a.q_WB.coeffs() - b.q_WB.coeffs()).norm(), within);
 }
 
-/** Steps what `add` puts into a world as round bodies, moved four at once, and with
- moments of inertia that differ by a few roundings, each moved by itself. */
+/** Simulates the bodies that `add` adds to a world twice: as isotropic bodies, integrated
+ four at once, and with moments of inertia that differ by a few roundings, integrated one
+ by one. */
 template <class Add>
-void ExpectTheSameNearlyRound(int steps, double within, const Add& add) {
+void ExpectIsotropicLikeNearlyIsotropic(int steps, double within, const Add& add) {
   World round;
   World nearly;
   add(round, Eigen::Vector3d(1, 1, 1));
@@ -52,21 +53,22 @@ void ExpectTheSameNearlyRound(int steps, double within, const Add& add) {
   }
 }
 
-// Slowly, and by more than the series of the exponential map is good for.
-TEST(Motion, WhatIsRoundFliesAndTurnsAsWhatIsNearlySo) {
-  ExpectTheSameNearlyRound(240, 1e-10, [](World& world, const Eigen::Vector3d& moments) {
-    for (const double spin : {0.0, 0.3, 7.0, 40.0, 90.0, 2.0}) {
-      BodyDefinition cube = Cube({3 * spin, 0, 0});
-      cube.inertia = moments / 6;
-      cube.state.v_WB = {1, 2, 0.1 * spin};
-      cube.state.w_WB = spin * Eigen::Vector3d(0.6, -0.48, 0.64);
-      world.AddBody(cube);
-    }
-  });
+// Slow rotations, and rotations beyond the series of the exponential map.
+TEST(Integrate, IsotropicBodiesRotateLikeNearlyIsotropicOnes) {
+  ExpectIsotropicLikeNearlyIsotropic(
+      240, 1e-10, [](World& world, const Eigen::Vector3d& moments) {
+        for (const double spin : {0.0, 0.3, 7.0, 40.0, 90.0, 2.0}) {
+          BodyDefinition cube = Cube({3 * spin, 0, 0});
+          cube.inertia = moments / 6;
+          cube.state.v_WB = {1, 2, 0.1 * spin};
+          cube.state.w_WB = spin * Eigen::Vector3d(0.6, -0.48, 0.64);
+          world.AddBody(cube);
+        }
+      });
 }
 
-// Under a torque the axis of the spin turns.
-TEST(Motion, WhatIsRoundIsPushedAsWhatIsNearlySo) {
+// Under a torque the axis of rotation changes.
+TEST(Integrate, ForcesMoveIsotropicBodiesLikeNearlyIsotropicOnes) {
   World round;
   World nearly;
   for (World* world : {&round, &nearly}) {
@@ -88,11 +90,11 @@ TEST(Motion, WhatIsRoundIsPushedAsWhatIsNearlySo) {
     }
   }
   for (int k = 0; k < 5; ++k) ExpectNear(round.state(k), nearly.state(k), 1e-10);
-  // Nothing turns what is pushed through its centre.
+  // A force through the centre of mass does not rotate the body.
   EXPECT_EQ(round.state(1).w_WB, Eigen::Vector3d(3, 0.5, 0));
 }
 
-TEST(Motion, AConstantForceStaysWhereAnotherActsForAStep) {
+TEST(Integrate, AConstantForceRemainsAfterAForceForOneStep) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -103,13 +105,13 @@ TEST(Motion, AConstantForceStaysWhereAnotherActsForAStep) {
   world.Step(kH);
   world.ApplyForce(0, world.state(0).p_WB, {0, 5, 0});
   for (int k = 0; k < 9; ++k) world.Step(kH);
-  // v = F t / m, each force by its own time.
+  // v = F t / m, with the duration of each force.
   const Eigen::Vector3d v = kH / 2 * Eigen::Vector3d(10 * 3, 5, 0);
   EXPECT_LT((world.state(0).v_WB - v).norm(), 1e-15);
 }
 
-// Whatever it is that grows beyond all bounds, while the others are moderate still.
-TEST(Motion, WhatIsRoundAndTooFastHasDiverged) {
+// One velocity exceeds the bound while all other numbers are still moderate.
+TEST(Integrate, IsotropicBodiesThatAreTooFastHaveDiverged) {
   Settings settings;
   settings.gravity_W.setZero();
   for (const bool spins : {false, true}) {
@@ -126,27 +128,28 @@ TEST(Motion, WhatIsRoundAndTooFastHasDiverged) {
   }
 }
 
-// Landing, sliding to rest, and thrown up again.
-TEST(Motion, WhatIsRoundLandsAndSlidesAsWhatIsNearlySo) {
-  ExpectTheSameNearlyRound(90, 1e-8, [](World& world, const Eigen::Vector3d& moments) {
-    AddFloor(world);
-    for (int k = 0; k < 6; ++k) {
-      BodyDefinition cube = Cube({4.0 * k, 0.5 + 0.02 * k, 0});
-      cube.inertia = moments / 6;
-      cube.restitution = 0.1 * k;
-      cube.state.v_WB = {1, 0, 0.5};
-      world.AddBody(cube);
-    }
-    BodyDefinition ball = Cube({0, 0.8, 9});
-    ball.shape = Sphere{0.5};
-    ball.inertia = 0.1 * moments;
-    ball.state.v_WB = {2, 0, 0};
-    ball.state.w_WB = {0, 3, 0};
-    world.AddBody(ball);
-  });
+// Bodies land, slide to rest, and bounce.
+TEST(Integrate, IsotropicBodiesLandAndSlideLikeNearlyIsotropicOnes) {
+  ExpectIsotropicLikeNearlyIsotropic(
+      90, 1e-8, [](World& world, const Eigen::Vector3d& moments) {
+        AddFloor(world);
+        for (int k = 0; k < 6; ++k) {
+          BodyDefinition cube = Cube({4.0 * k, 0.5 + 0.02 * k, 0});
+          cube.inertia = moments / 6;
+          cube.restitution = 0.1 * k;
+          cube.state.v_WB = {1, 0, 0.5};
+          world.AddBody(cube);
+        }
+        BodyDefinition ball = Cube({0, 0.8, 9});
+        ball.shape = Sphere{0.5};
+        ball.inertia = 0.1 * moments;
+        ball.state.v_WB = {2, 0, 0};
+        ball.state.w_WB = {0, 3, 0};
+        world.AddBody(ball);
+      });
 }
 
-TEST(Motion, ABodyMovesByTheSameBitsAloneAndAmongOthers) {
+TEST(Integrate, ABodyMovesByTheSameBitsAloneAndInABatch) {
   const auto thrown = [](int k) {
     BodyDefinition cube = Cube({5.0 * k, 1, 0});
     cube.state.v_WB = {0.1 * k, 3, -1};
@@ -173,35 +176,36 @@ RigidBody BodyAt(const Eigen::Vector3d& p_W, const BodyShape& shape) {
   return MakeRigidBody(body);
 }
 
-TEST(Motion, ShiftedBodiesTellHowFarTheyHaveGone) {
+TEST(Integrate, PositionCorrectionsReturnTheTravel) {
   const Box plank{{0.2, 0.3, 1}};
   std::vector<RigidBody> bodies;
   std::vector<RigidBody> before;
-  std::vector<Velocity> moves;
-  std::vector<int> some;
+  std::vector<Velocity> corrections;
+  std::vector<int> corrected;
   for (int k = 0; k < 7; ++k) {
     bodies.push_back(k % 2 == 0 ? BodyAt({k + 0.5, 0, 0}, plank)
                                 : BodyAt({k + 0.5, 0, 0}, Sphere{0.5}));
-    const double turn = k == 6 ? 4 : 0.01 * k;  // Beyond half a turn it is less again.
-    moves.push_back({{0, 0.1 * k, 0}, turn * Eigen::Vector3d(0.6, 0, 0.8)});
-    if (k != 3) some.push_back(k);
+    const double angle_of_k =
+        k == 6 ? 4 : 0.01 * k;  // Beyond a half turn the travel decreases.
+    corrections.push_back({{0, 0.1 * k, 0}, angle_of_k * Eigen::Vector3d(0.6, 0, 0.8)});
+    if (k != 3) corrected.push_back(k);
   }
   before = bodies;
-  std::vector<double> ways(some.size());
-  Shift(bodies, moves, some, ways);
-  for (std::size_t n = 0; n < some.size(); ++n) {
-    const auto k = static_cast<std::size_t>(some[n]);
+  std::vector<double> travel(corrected.size());
+  IntegratePositionCorrections(bodies, corrections, corrected, travel);
+  for (std::size_t n = 0; n < corrected.size(); ++n) {
+    const auto k = static_cast<std::size_t>(corrected[n]);
     SCOPED_TRACE(k);
     const RigidBody& body = bodies[k];
-    EXPECT_LT((body.state.p_WB - before[k].state.p_WB - moves[k].v).norm(), 1e-15);
-    const double angle = moves[k].w.norm();
+    EXPECT_LT((body.state.p_WB - before[k].state.p_WB - corrections[k].v).norm(), 1e-15);
+    const double angle = corrections[k].w.norm();
     const Eigen::Quaterniond turned =
         Eigen::AngleAxisd(angle, Eigen::Vector3d(0.6, 0, 0.8)) * before[k].state.q_WB;
     EXPECT_LT((body.state.q_WB.coeffs() - turned.coeffs()).norm(), 1e-15);
     EXPECT_LT((body.R_WB - turned.toRotationMatrix()).norm(), 1e-15);
-    EXPECT_GE(ways[n], Travel(before[k].state, body) - 1e-15);
+    EXPECT_GE(travel[n], Travel(before[k].state, body) - 1e-15);
     if (angle < 3) {
-      EXPECT_NEAR(ways[n], Travel(before[k].state, body), 1e-4 * ways[n]);
+      EXPECT_NEAR(travel[n], Travel(before[k].state, body), 1e-4 * travel[n]);
     }
   }
   EXPECT_EQ(bodies[3].state.p_WB, before[3].state.p_WB);

@@ -44,34 +44,34 @@ std::map<std::pair<int, int>, int> ContactsOfPairs(const World& world) {
   return contacts;
 }
 
-/** A box on the floor and one on it that is turned by an eighth: 4 and 8 contacts. */
-void AddTurned(World& world) {
+/** Adds a box on the floor and one on top, rotated by 45°: 4 and 8 contacts. */
+void AddRotatedStack(World& world) {
   AddFloor(world);
   AddBox(world, {0, 0.5, 0}, AboutY(0));
   AddBox(world, {0, 1.5, 0}, AboutY(std::numbers::pi / 4));
 }
 
-/** Settings under which a world of more contacts is large. */
+/** Returns settings under which a world with more contacts is large. */
 Settings SmallUpTo(int contacts) {
   Settings settings;
   settings.iteration_budget = (settings.impulse_iterations + 1) * contacts;
   return settings;
 }
 
-TEST(LargeWorld, ASmallOneKeepsAllContactsOfAFace) {
+TEST(LargeWorld, ASmallWorldKeepsAllContactsOfAFace) {
   World world(SmallUpTo(12));
-  AddTurned(world);
+  AddRotatedStack(world);
   for (int k = 0; k < 5; ++k) {
     world.Step(kH);
     EXPECT_EQ((ContactsOfPairs(world)[{1, 2}]), 8);
   }
 }
 
-// With four contacts a face it would be small again; it stays large all the same, else it
-// would have all of them in every second step.
-TEST(LargeWorld, KeepsFourContactsOfAFaceFromItsSecondStepOn) {
+// With four contacts per face it would be small. It stays large, because it would
+// alternate between the two otherwise.
+TEST(LargeWorld, KeepsFourContactsPerFaceFromTheSecondStepOn) {
   World world(SmallUpTo(11));
-  AddTurned(world);
+  AddRotatedStack(world);
   world.Step(kH);
   for (int k = 0; k < 5; ++k) {
     world.Step(kH);
@@ -80,21 +80,21 @@ TEST(LargeWorld, KeepsFourContactsOfAFaceFromItsSecondStepOn) {
   }
 }
 
-TEST(LargeWorld, IsSmallAgainWhereTwiceItsContactsAreFew) {
+TEST(LargeWorld, BecomesSmallAgainWithHalfTheContacts) {
   World world(SmallUpTo(11));
-  AddTurned(world);
+  AddRotatedStack(world);
   for (int k = 0; k < 3; ++k) world.Step(kH);
   ASSERT_EQ((ContactsOfPairs(world)[{1, 2}]), 4);
   world.ApplyImpulse(2, world.state(2).p_WB, {0, 3, 0});
   for (int k = 0; k < 3; ++k) world.Step(kH);
   ASSERT_EQ((ContactsOfPairs(world)[{1, 2}]), 0);
-  // It comes down on a small world, in a step that sees all its contacts.
+  // The box lands in a small world, which keeps all its contacts.
   for (int k = 0; k < 200 && ContactsOfPairs(world)[{1, 2}] == 0; ++k) world.Step(kH);
   EXPECT_GT((ContactsOfPairs(world)[{1, 2}]), 4);
 }
 
-// Thinner than the margin: all eight corners of a tile are contacts, and the four widest
-// might be those above.
+// The tiles are thinner than the speculative margin: all eight corners are contacts, and
+// the four widest might be the upper ones.
 TEST(LargeWorld, TilesLieFlatOnAHalfSpace) {
   World world;
   BodyDefinition ground;
@@ -119,7 +119,7 @@ TEST(LargeWorld, TilesLieFlatOnAHalfSpace) {
   }
 }
 
-double EnergyOfMotion(const World& world) {
+double KineticEnergy(const World& world) {
   double energy = 0;
   for (int i = 0; i < world.body_count(); ++i) {
     const BodyState& state = world.state(i);
@@ -128,12 +128,12 @@ double EnergyOfMotion(const World& world) {
   return energy;
 }
 
-// A hundred boxes of 1 kg that fall upon each other in columns, and these rock. With all
-// the contacts of a face they rocked on for ever, by thousands of times as much.
+// A hundred boxes of 1 kg fall on each other in columns, which rock. With all contacts of
+// a face they never came to rest, with thousands of times the kinetic energy.
 TEST(LargeWorld, APileOfBoxesComesToRest) {
   World world;
   AddFloor(world);
-  const auto share = [](int k) {  // In [-1, 1), evenly.
+  const auto number_of = [](int k) {  // In [-1, 1), evenly distributed.
     const double x = (6000 + k) * std::numbers::phi;
     return 2 * (x - std::floor(x)) - 1;
   };
@@ -141,15 +141,17 @@ TEST(LargeWorld, APileOfBoxesComesToRest) {
     const int layer = k / 25;
     const int row = k / 5 % 5;
     const Eigen::Vector3d cell(k % 5 - 2, layer, row - 2);
-    const Eigen::Vector3d shift(0.05 * share(7 * k), 0.6, 0.05 * share(7 * k + 1));
-    const Eigen::Quaterniond turn(1, 0.05 * share(7 * k + 2), 0.05 * share(7 * k + 3),
-                                  0.05 * share(7 * k + 4));
+    const Eigen::Vector3d shift(0.05 * number_of(7 * k), 0.6,
+                                0.05 * number_of(7 * k + 1));
+    const Eigen::Quaterniond turn(1, 0.05 * number_of(7 * k + 2),
+                                  0.05 * number_of(7 * k + 3),
+                                  0.05 * number_of(7 * k + 4));
     AddBox(world, 1.31 * cell + shift, turn.normalized());
   }
   for (int k = 0; k < 240; ++k) world.Step(kH);
   ASSERT_GT(ContactsOfPairs(world).size(), 90u);
   for (int k = 0; k < 960; ++k) world.Step(kH);
-  EXPECT_LT(EnergyOfMotion(world), 1e-6);
+  EXPECT_LT(KineticEnergy(world), 1e-6);
 }
 
 }  // namespace

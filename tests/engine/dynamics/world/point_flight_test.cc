@@ -24,7 +24,7 @@ BodyDefinition StaticBox(const Eigen::Vector3d& half_extents,
   return box;
 }
 
-TEST(Point, FallsThroughAMediumByTheClosedForm) {
+TEST(Point, FallsWithDragLikeTheClosedForm) {
   const double c = 0.5;
   const double t = 2;
   for (const int steps : {1, 10, 120}) {
@@ -45,9 +45,9 @@ TEST(Point, FallsThroughAMediumByTheClosedForm) {
   }
 }
 
-TEST(Point, BouncesAtTheMomentItMeetsTheBox) {
-  // From the height H with e: it lands at t = √(2H/g), and the n-th bounce after it lasts
-  // 2 eⁿ t.
+TEST(Point, BouncesAtItsTimeOfImpact) {
+  // From the height H with the restitution e: the point lands at t = √(2H/g), and the
+  // flight after the n-th bounce takes 2 eⁿ t.
   const double g = 9.82;
   const double height = 1.3;
   const double e = 0.7;
@@ -57,8 +57,8 @@ TEST(Point, BouncesAtTheMomentItMeetsTheBox) {
   ball.restitution = e;
   const int point = world.AddBody(ball);
   const double fall = std::sqrt(2 * height / g);
-  double since = 0;  // The last landing.
-  double speed = 0;  // After it.
+  double since = 0;  // Time of the last bounce.
+  double speed = 0;  // Speed after it.
   double next = fall;
   for (int k = 1; k <= 300; ++k) {
     world.Step(1.0 / 240);
@@ -71,7 +71,7 @@ TEST(Point, BouncesAtTheMomentItMeetsTheBox) {
     const double airborne = t - since;
     const double y = since == 0 ? height - 0.5 * g * t * t
                                 : speed * airborne - 0.5 * g * airborne * airborne;
-    // Rounding of the moment, times the speed of about 5 m/s, a few bounces long.
+    // Rounding of the time of impact, times about 5 m/s, for a few bounces.
     EXPECT_NEAR(world.state(point).p_WB[1], y, 1e-13) << k;
     EXPECT_NEAR(world.state(point).p_WB[0], 0.4 * t, 1e-13) << k;
   }
@@ -92,7 +92,7 @@ TEST(Point, ComesToRestOnABoxAndStaysThere) {
 }
 
 TEST(Point, SlidesDownATiltedBoxWithoutFriction) {
-  // g sin α along the slope, whatever the step.
+  // The acceleration along the slope is g sin α for any time step.
   World world;
   BodyDefinition slope = StaticBox({5, 0.5, 5}, {0, 0, 0});
   slope.state.q_WB = Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitZ());
@@ -107,7 +107,7 @@ TEST(Point, SlidesDownATiltedBoxWithoutFriction) {
   EXPECT_LT((world.state(point).p_WB - p).norm(), 1e-12);
 }
 
-TEST(Point, IsNotStoppedByWhatItPassesBy) {
+TEST(Point, PassesSolidsThatItDoesNotHit) {
   World world;
   world.AddBody(StaticBox({1, 1, 1}, {0, 0, 0}));
   BodyDefinition ghost = StaticBox({1, 1, 1}, {5, 0, 0});
@@ -123,7 +123,7 @@ TEST(Point, IsNotStoppedByWhatItPassesBy) {
   }
 }
 
-TEST(Point, IsSentBackByAFaceHoweverFastItIs) {
+TEST(Point, BouncesAtAnySpeed) {
   Settings settings;
   settings.gravity_W.setZero();
   World world(settings);
@@ -133,7 +133,7 @@ TEST(Point, IsSentBackByAFaceHoweverFastItIs) {
   const int point = world.AddBody(bullet);
   world.Step(1.0 / 240);
   EXPECT_NEAR(world.state(point).v_WB[0], -900, 1e-12);
-  // 3.75 m in all, 2.99 m of them to the wall.
+  // 3.75 m in total, 2.99 m of it to the wall.
   EXPECT_NEAR(world.state(point).p_WB[0], -0.01 - 0.76, 1e-12);
 }
 

@@ -15,8 +15,8 @@ std::atomic<int> allocations = 0;
 
 }  // namespace
 
-// Counts what the program allocates. Not inline: g++ 12 takes a free() that it sees in
-// the one, and not the malloc() in the other, for a mistake. NOLINTBEGIN(*-no-malloc)
+// Counts the allocations of the program. Not inline: g++ 12 would report a mismatch of
+// free() in one and malloc() in the other. NOLINTBEGIN(*-no-malloc)
 [[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
@@ -61,10 +61,10 @@ BodyDefinition MakeFloor() {
   return floor;
 }
 
-/** Heaps of boxes and spheres that fall together on a floor. */
-void Fill(World& world, int islands = 1) {
+/** Adds piles of boxes and spheres that fall on a floor. */
+void Fill(World& world, int piles = 1) {
   world.AddBody(MakeFloor());
-  for (int k = 0; k < 125 * islands; ++k) {
+  for (int k = 0; k < 125 * piles; ++k) {
     const int i = k % 125;
     BodyDefinition body;
     if (i % 3 == 0) {
@@ -74,11 +74,10 @@ void Fill(World& world, int islands = 1) {
     }
     body.restitution = 0.1;
     const double tilt = 0.03 * (i % 7);
-    const int island = k / 125;
+    const int pile = k / 125;
     const int layer = i / 25;
     const int row = i / 5 % 5;
-    body.state.p_WB = {10.0 * island + 1.1 * (i % 5) + tilt, 0.6 + 1.05 * layer,
-                       1.1 * row};
+    body.state.p_WB = {10.0 * pile + 1.1 * (i % 5) + tilt, 0.6 + 1.05 * layer, 1.1 * row};
     body.state.q_WB = Eigen::Quaterniond(1, tilt, 0.1 - tilt, 0.02).normalized();
     world.AddBody(body);
   }
@@ -93,7 +92,7 @@ void ExpectSameBits(const World& a, const World& b) {
   }
 }
 
-void ExpectSameBitsWhateverTheThreads(int islands, int steps) {
+void ExpectSameBitsForAnyNumberOfThreads(int piles, int steps) {
   Settings settings;
   World one(settings);
   settings.threads = 2;
@@ -101,44 +100,44 @@ void ExpectSameBitsWhateverTheThreads(int islands, int steps) {
   settings.threads = 5;
   World five(settings);
   for (World* world : {&one, &two, &five}) {
-    Fill(*world, islands);
+    Fill(*world, piles);
     for (int k = 0; k < steps; ++k) world->Step(1.0 / 120);
   }
   ExpectSameBits(one, two);
   ExpectSameBits(one, five);
 }
 
-// Threads share the colours of one island.
-TEST(Repeatability, TheBitsOfAHeapDoNotDependOnTheNumberOfThreads) {
-  ExpectSameBitsWhateverTheThreads(1, 120);
+// Threads solve the colours of one island together.
+TEST(Repeatability, OneIslandHasTheSameBitsForAnyNumberOfThreads) {
+  ExpectSameBitsForAnyNumberOfThreads(1, 120);
 }
 
-// Threads take islands: 1,000 bodies have some 4,000 contacts, which are solved in parts;
-// and they share out who is near whom, what flies and what it meets.
-TEST(Repeatability, TheBitsOfManyHeapsDoNotDependOnTheNumberOfThreads) {
-  ExpectSameBitsWhateverTheThreads(8, 60);
+// Threads solve different islands: 1,000 bodies have about 4,000 contacts, which are
+// solved in groups. Broad phase, free flight and times of impact run in parallel too.
+TEST(Repeatability, ManyIslandsHaveTheSameBitsForAnyNumberOfThreads) {
+  ExpectSameBitsForAnyNumberOfThreads(8, 60);
 }
 
 using RepeatabilityOnTarget = test::OnTarget;
 
-void ExpectBitsOfTheWidestVectors(const Settings& settings, int islands, int steps,
+void ExpectBitsOfTheWidestVectors(const Settings& settings, int piles, int steps,
                                   const std::function<void()>& widen) {
   World narrow(settings);
-  Fill(narrow, islands);
+  Fill(narrow, piles);
   for (int k = 0; k < steps; ++k) narrow.Step(1.0 / 120);
   widen();
   World wide(settings);
-  Fill(wide, islands);
+  Fill(wide, piles);
   for (int k = 0; k < steps; ++k) wide.Step(1.0 / 120);
   ExpectSameBits(narrow, wide);
 }
 
-// Falling, striking, sliding and at rest: every kernel of a step has its part.
-TEST_P(RepeatabilityOnTarget, AHeapHasTheBitsOfTheWidestVectors) {
+// Bodies fall, hit, slide and rest, so that every kernel of a step runs.
+TEST_P(RepeatabilityOnTarget, APileHasTheBitsOfTheWidestVectors) {
   ExpectBitsOfTheWidestVectors({}, 1, 120, [] { Choose(kAll); });
 }
 
-// Sixteen floats at once, or two times eight, or as many as there are.
+// Sixteen floats at once, or twice eight, depending on the target.
 TEST_P(RepeatabilityOnTarget, SinglePrecisionHasTheBitsOfTheWidestVectors) {
   Settings settings;
   settings.iteration_budget = 0;
@@ -149,8 +148,8 @@ INSTANTIATE_TEST_SUITE_P(Targets, RepeatabilityOnTarget,
                          testing::ValuesIn(test::Targets()), test::NameOfTarget);
 
 TEST(Repeatability, AStepAllocatesNothingOnceWarm) {
-  World island;
-  Fill(island);
+  World pile;
+  Fill(pile);
   Settings settings;
   settings.threads = 2;
   World shared(settings);
@@ -168,20 +167,20 @@ TEST(Repeatability, AStepAllocatesNothingOnceWarm) {
     ball.state.p_WB = {1.1 * i, 1 + 0.3 * i, 0};
     bouncing.AddBody(ball);
   }
-  // After ten seconds the last that falls has fallen from the island; until then more and
-  // more come near each other, or strike at once.
-  for (World* world : {&island, &shared, &net, &bouncing}) {
+  // The last body falls from the pile after ten seconds. Until then the numbers of
+  // neighbours and of simultaneous impacts grow.
+  for (World* world : {&pile, &shared, &net, &bouncing}) {
     for (int k = 0; k < 1300; ++k) world->Step(1.0 / 120);
   }
   const int before = allocations;
-  for (World* world : {&island, &shared, &net, &bouncing}) {
+  for (World* world : {&pile, &shared, &net, &bouncing}) {
     for (int k = 0; k < 60; ++k) world->Step(1.0 / 120);
   }
   EXPECT_EQ(allocations, before);
   EXPECT_GT(allocations, 0);
 }
 
-TEST(Repeatability, AWorldThatDivergesSaysSoAndStays) {
+TEST(Repeatability, AWorldThatHasDivergedReportsItAndStaysUnchanged) {
   World world;
   BodyDefinition ball;
   ball.force_W = {1e300, 0, 0};

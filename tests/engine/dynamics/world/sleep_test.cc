@@ -56,7 +56,7 @@ TEST(Sleep, IsOffUnlessAskedFor) {
   EXPECT_FALSE(StackSleeps(world, stack));
 }
 
-TEST(Sleep, ComesOverWhatHasRestedForLongEnoughAndNothingMovesAnyMore) {
+TEST(Sleep, BeginsAfterTheTimeAtRestAndFreezesTheBodies) {
   World world(SleepsAfterHalfASecond());
   AddFloor(world);
   const int stack = AddStack(world, 0);
@@ -69,10 +69,10 @@ TEST(Sleep, ComesOverWhatHasRestedForLongEnoughAndNothingMovesAnyMore) {
   EXPECT_EQ(world.state(stack + 2).p_WB, before.p_WB);
   EXPECT_EQ(world.state(stack + 2).q_WB.coeffs(), before.q_WB.coeffs());
   EXPECT_EQ(world.state(stack + 2).v_WB, Eigen::Vector3d(0, 0, 0));
-  EXPECT_FALSE(world.IsAsleep(0));  // The floor never was awake.
+  EXPECT_FALSE(world.IsAsleep(0));  // A static body does not sleep.
 }
 
-TEST(Sleep, WakesAllOfAnIslandAsSomethingComesAndLeavesOthersAsleep) {
+TEST(Sleep, WakesTheWholeIslandThatABodyApproachesAndNoOther) {
   World world(SleepsAfterHalfASecond());
   AddFloor(world);
   const int struck = AddStack(world, 0);
@@ -89,14 +89,14 @@ TEST(Sleep, WakesAllOfAnIslandAsSomethingComesAndLeavesOthersAsleep) {
   EXPECT_TRUE(StackSleeps(world, other));
 }
 
-// What was asleep takes its whole part in a impact: the same as if it had never slept.
-TEST(Sleep, DoesNotChangeABlow) {
+// A body that was asleep takes part in an impact as if it had never slept.
+TEST(Sleep, DoesNotChangeAnImpact) {
   Settings weightless = SleepsAfterHalfASecond();
   weightless.gravity_W.setZero();
-  World lulled(weightless);
+  World with_sleep(weightless);
   weightless.sleep_after.reset();
   World awake(weightless);
-  for (World* world : {&lulled, &awake}) {
+  for (World* world : {&with_sleep, &awake}) {
     BodyDefinition ball;
     ball.shape = Sphere{0.5};
     ball.restitution = 1;
@@ -107,14 +107,14 @@ TEST(Sleep, DoesNotChangeABlow) {
     world->AddBody(ball);
     RunFor(*world, 1);  // They meet after 1.5 s.
   }
-  ASSERT_TRUE(lulled.IsAsleep(0));
-  for (World* world : {&lulled, &awake}) RunFor(*world, 1);
-  EXPECT_FALSE(lulled.IsAsleep(0));
+  ASSERT_TRUE(with_sleep.IsAsleep(0));
+  for (World* world : {&with_sleep, &awake}) RunFor(*world, 1);
+  EXPECT_FALSE(with_sleep.IsAsleep(0));
   for (int i = 0; i < 2; ++i) {
-    EXPECT_EQ(lulled.state(i).v_WB, awake.state(i).v_WB);
-    EXPECT_EQ(lulled.state(i).p_WB, awake.state(i).p_WB);
+    EXPECT_EQ(with_sleep.state(i).v_WB, awake.state(i).v_WB);
+    EXPECT_EQ(with_sleep.state(i).p_WB, awake.state(i).p_WB);
   }
-  EXPECT_EQ(lulled.state(0).v_WB, Eigen::Vector3d(2, 0, 0));
+  EXPECT_EQ(with_sleep.state(0).v_WB, Eigen::Vector3d(2, 0, 0));
 }
 
 TEST(Sleep, EndsWithAnImpulseOrAForce) {
@@ -136,7 +136,7 @@ TEST(Sleep, EndsWithAnImpulseOrAForce) {
   }
 }
 
-TEST(Sleep, WhatWakesIsHeldAsBefore) {
+TEST(Sleep, AStackThatWakesStaysInPlace) {
   World world(SleepsAfterHalfASecond());
   AddFloor(world);
   const int stack = AddStack(world, 0);
@@ -148,8 +148,8 @@ TEST(Sleep, WhatWakesIsHeldAsBefore) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(world.state(stack + k).p_WB[1], 0.5 + k, 1e-6);
 }
 
-// What is near is found in doubles: a float rounds 1e8 m to 8 m.
-TEST(Sleep, IsNotDisturbedByWhatBouncesNotNearHoweverFarOut) {
+// The broad phase uses doubles: a float rounds 1e8 m to 8 m.
+TEST(Sleep, ABounceNearbyDoesNotWakeABoxFarFromTheOrigin) {
   constexpr double kFar = 1e8;
   World world(SleepsAfterHalfASecond());
   BodyDefinition floor;
@@ -174,7 +174,7 @@ TEST(Sleep, IsNotDisturbedByWhatBouncesNotNearHoweverFarOut) {
   EXPECT_FALSE(world.IsAsleep(bouncing));
 }
 
-TEST(Sleep, SparesWhatHangsOnSomethingThatMoves) {
+TEST(Sleep, DoesNotBeginWhileAJointedBodyMoves) {
   World world(SleepsAfterHalfASecond());
   BodyDefinition bob;
   bob.shape = Sphere{0.1};
@@ -194,7 +194,7 @@ TEST(Sleep, SparesWhatHangsOnSomethingThatMoves) {
   EXPECT_NEAR(world.state(alone).p_WB[1], -3, 1e-9);
 }
 
-TEST(Sleep, ThatBeginsAtOnceIsRefused) {
+TEST(Sleep, RefusesATimeThatIsNotPositive) {
   Settings settings;
   for (const double never : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     settings.sleep_after = never;
@@ -202,8 +202,8 @@ TEST(Sleep, ThatBeginsAtOnceIsRefused) {
   }
 }
 
-// Slow for longer than it takes to fall asleep, and yet on its way.
-TEST(Sleep, SparesWhatAForceDrivesThatNothingHolds) {
+// The body is slow for longer than the time to fall asleep, but it is accelerating.
+TEST(Sleep, DoesNotBeginForBodiesThatAForceAccelerates) {
   Settings settings;
   settings.gravity_W = {0, -9.81, 0};
   settings.sleep_after = 0.005;
@@ -214,7 +214,7 @@ TEST(Sleep, SparesWhatAForceDrivesThatNothingHolds) {
     body.state.v_WB = {0, 1, 0};
     thrown.AddBody(body);
     for (int k = 0; k < 1000; ++k) thrown.Step(1e-3);
-    // After 1 s; 1000 steps, each rounded once or twice.
+    // After 1 s: 1000 steps with one or two rounding errors each.
     EXPECT_NEAR(thrown.state(0).p_WB[1], 1 - 9.81 / 2, 1e-11);
   }
   settings.gravity_W.setZero();
@@ -231,7 +231,7 @@ TEST(Sleep, SparesWhatAForceDrivesThatNothingHolds) {
   }
 }
 
-TEST(Sleep, ComesOverAPointThatLies) {
+TEST(Sleep, BeginsForAPointAtRest) {
   World world(SleepsAfterHalfASecond());
   AddFloor(world);
   BodyDefinition point;
