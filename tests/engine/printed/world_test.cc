@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "engine/printed/world.h"
+
 namespace cookbook::printed {
 namespace {
 
