@@ -14,7 +14,7 @@ std::vector<Fault> FaultsOfEachBody(const World& world, const Claim& claim,
                                     std::string (*why_not)(const World&, int),
                                     std::string_view expected,
                                     ExpectedNumbers (*numbers)(const World&, int)) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   for (const int i : SubjectsOf(world, claim).bodies) {
     const std::string why = why_not(world, i);
@@ -34,7 +34,7 @@ std::vector<Fault> FaultsOfOneBody(const World& world, const Claim& claim,
                                    std::string (*why_not)(const World&, int),
                                    std::string_view expected,
                                    ExpectedNumbers (*numbers)(const World&, int)) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::size_t bodies = SubjectsOf(world, claim).bodies.size();
   if (bodies > 1)

@@ -20,7 +20,7 @@ bool Has(const Subjects& subjects, const Anchor& anchor) {
 }  // namespace
 
 std::vector<Fault> FaultsOfIsolation(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, true});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true, .particles = true, .cloths = true});
   if (!faults.empty()) return faults;
   const Subjects subjects = SubjectsOf(world, claim);
   const auto reaches_out = [&](const auto& links, std::string_view kind) {

@@ -21,7 +21,7 @@ Subjects SubjectsOf(const World& world, const Claim& claim);
 
 /** The kinds of moving things that a law applies to. */
 struct SpeaksOf {
-  bool bodies = true;
+  bool bodies = false;
   bool particles = false;
   bool cloths = false;
 };

@@ -57,7 +57,8 @@ Flight FlightOfParticle(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
   const Subjects subjects = SubjectsOf(world, claim);
   const auto held = [&](AnchorKind on, int index, const std::string& name) {
@@ -130,9 +131,12 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 }  // namespace
 
 constinit const Law kBallistic = {
-    "ballistic", "A body in free flight moves along x₀ + v₀ t + ½ (g + F/m) t².",
-    {},          Faults,
-    Judge,       true,
-    Place};
+    .name = "ballistic",
+    .documentation = "A body in free flight moves along x₀ + v₀ t + ½ (g + F/m) t².",
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+    .place = Place,
+};
 
 }  // namespace touchstone

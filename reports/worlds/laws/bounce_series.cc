@@ -77,14 +77,16 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 }  // namespace
 
 constinit const Law kBounceSeries = {
-    "bounce_series",
-    "A sphere or a flat box falls straight onto a static plane and leaves each bounce "
-    "with e times its speed.",
-    kNumbersOfFalls,
-    Faults,
-    Judge,
-    false,
-    Place,
-    true};
+    .name = "bounce_series",
+    .documentation =
+        "A sphere or a flat box falls straight onto a static plane and leaves each "
+        "bounce "
+        "with e times its speed.",
+    .numbers = kNumbersOfFalls,
+    .faults = Faults,
+    .judge = Judge,
+    .place = Place,
+    .has_impacts = true,
+};
 
 }  // namespace touchstone

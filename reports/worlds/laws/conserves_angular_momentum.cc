@@ -128,9 +128,14 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_momentum
 }  // namespace
 
 constinit const Law kConservesAngularMomentum = {
-    "conserves_angular_momentum",
-    "Angular momentum about the centre of mass is conserved; x, y, z: only along that "
-    "direction.",
-    kNumbers, Faults, Judge};
+    .name = "conserves_angular_momentum",
+    .documentation =
+        "Angular momentum about the centre of mass is conserved; x, y, z: only along "
+        "that "
+        "direction.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

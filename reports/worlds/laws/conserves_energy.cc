@@ -71,7 +71,8 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_energy"};
 }  // namespace
 
 std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim, bool damped) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, true});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true, .cloths = true});
   if (!faults.empty()) return faults;
   const Subjects subjects = SubjectsOf(world, claim);
   AddForeign(world, subjects, world.springs, "springs", faults);
@@ -100,9 +101,14 @@ std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim, bool d
   return faults;
 }
 
-constinit const Law kConservesEnergy = {"conserves_energy",
-                                        "The sum of the energies of motion, gravity, "
-                                        "constant forces and springs is constant.",
-                                        kNumbers, Faults, Judge};
+constinit const Law kConservesEnergy = {
+    .name = "conserves_energy",
+    .documentation =
+        "The sum of the energies of motion, gravity, "
+        "constant forces and springs is constant.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

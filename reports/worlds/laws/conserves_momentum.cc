@@ -76,9 +76,14 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_momentum", "x", 
 }  // namespace
 
 constinit const Law kConservesMomentum = {
-    "conserves_momentum",
-    "Linear momentum is changed by gravity, forces and pushes alone; x, y, z: only along "
-    "that direction.",
-    kNumbers, Faults, Judge};
+    .name = "conserves_momentum",
+    .documentation =
+        "Linear momentum is changed by gravity, forces and pushes alone; x, y, z: only "
+        "along "
+        "that direction.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

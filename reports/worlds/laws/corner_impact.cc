@@ -318,9 +318,14 @@ constexpr std::array<std::string_view, 3> kNumbers = {"expected_impulse",
 }  // namespace
 
 constinit const Law kCornerImpact = {
-    "corner_impact",
-    "A box without spin hits a static plane with an edge, or with a corner in a plane or "
-    "without friction.",
-    kNumbers, Faults, Judge};
+    .name = "corner_impact",
+    .documentation =
+        "A box without spin hits a static plane with an edge, or with a corner in a "
+        "plane or "
+        "without friction.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "reports/text/told_apart.h"
-#include "reports/worlds/laws/conserves_energy.h"
 #include "reports/worlds/law_support/energy_bound.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/laws/conserves_energy.h"
 
 namespace touchstone {
 namespace {
@@ -67,10 +67,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kEnergyNeverRises = {
-    "energy_never_rises",
-    "Contacts, friction and damping only take energy.",
-    {},
-    Faults,
-    Judge};
+    .name = "energy_never_rises",
+    .documentation = "Contacts, friction and damping only take energy.",
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -146,9 +146,14 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 
 }  // namespace
 
-constinit const Law kIncline = {"incline",
-                                "From rest on a slope, a box stays if μ >= tan θ, else "
-                                "slides, and never rotates; a sphere rolls or slips.",
-                                kNumbers, Faults, Judge};
+constinit const Law kIncline = {
+    .name = "incline",
+    .documentation =
+        "From rest on a slope, a box stays if μ >= tan θ, else "
+        "slides, and never rotates; a sphere rolls or slips.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -13,7 +13,7 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   for (const int i : SubjectsOf(world, claim).bodies) {
     if (!IsHeld(world, AnchorKind::kBody, i)) continue;
@@ -71,10 +71,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kMomentumBalance = {
-    "momentum_balance",
-    "A body's momentum changes by gravity, force, pushes and the reported contacts.",
-    {},
-    Faults,
-    Judge};
+    .name = "momentum_balance",
+    .documentation =
+        "A body's momentum changes by gravity, force, pushes and the reported contacts.",
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

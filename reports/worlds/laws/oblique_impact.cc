@@ -97,9 +97,13 @@ constexpr std::array<std::string_view, 4> kNumbers = {
 }  // namespace
 
 constinit const Law kObliqueImpact = {
-    "oblique_impact",
-    "A sphere hits a static plane at an angle, with spin, restitution and Coulomb "
-    "friction.",
-    kNumbers, Faults, Judge};
+    .name = "oblique_impact",
+    .documentation =
+        "A sphere hits a static plane at an angle, with spin, restitution and Coulomb "
+        "friction.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -44,7 +44,7 @@ std::string WhyNot(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {false, true, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.particles = true});
   if (!faults.empty()) return faults;
   for (const int i : SubjectsOf(world, claim).particles) {
     const std::string& name = world.particles[static_cast<std::size_t>(i)].name;
@@ -75,14 +75,16 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 
 }  // namespace
 
-constinit const Law kParticleBounce = {"particle_bounce",
-                                       "A particle that falls onto a static plane leaves "
-                                       "with `bounce` times its normal speed.",
-                                       kNumbersOfFalls,
-                                       Faults,
-                                       Judge,
-                                       false,
-                                       Place,
-                                       true};
+constinit const Law kParticleBounce = {
+    .name = "particle_bounce",
+    .documentation =
+        "A particle that falls onto a static plane leaves "
+        "with `bounce` times its normal speed.",
+    .numbers = kNumbersOfFalls,
+    .faults = Faults,
+    .judge = Judge,
+    .place = Place,
+    .has_impacts = true,
+};
 
 }  // namespace touchstone

@@ -17,7 +17,7 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {false, true, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.particles = true});
   if (!faults.empty()) return faults;
   const std::vector<int> particles = SubjectsOf(world, claim).particles;
   for (const int i : particles) {
@@ -103,12 +103,13 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_terminal_speed"}
 }  // namespace
 
 constinit const Law kParticleFlight = {
-    "particle_flight",
-    "A damped particle in free flight moves by v̇ = g − c v.",
-    kNumbers,
-    Faults,
-    Judge,
-    true,
-    Place};
+    .name = "particle_flight",
+    .documentation = "A damped particle in free flight moves by v̇ = g − c v.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+    .place = Place,
+};
 
 }  // namespace touchstone

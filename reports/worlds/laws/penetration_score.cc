@@ -35,7 +35,7 @@ double DistanceTo(const Body& ground, const Eigen::Vector3d& p_W) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   for (const int i : SubjectsOf(world, claim).bodies) {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
@@ -131,8 +131,12 @@ constexpr std::array<std::string_view, 1> kNumbers = {"slope"};
 }  // namespace
 
 constinit const Law kPenetrationScore = {
-    "penetration_score",
-    "Spheres penetrate on average no deeper than a step at their speed allows.", kNumbers,
-    Faults, Judge};
+    .name = "penetration_score",
+    .documentation =
+        "Spheres penetrate on average no deeper than a step at their speed allows.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

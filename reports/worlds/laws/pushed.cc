@@ -19,7 +19,7 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   for (const int i : bodies) {
@@ -108,8 +108,13 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_speed_gain",
 }  // namespace
 
 constinit const Law kPushed = {
-    "pushed",
-    "A push J at the point r gives a body the momentum J and the angular momentum r × J.",
-    kNumbers, Faults, Judge};
+    .name = "pushed",
+    .documentation =
+        "A push J at the point r gives a body the momentum J and the angular momentum r "
+        "× J.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

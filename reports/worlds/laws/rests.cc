@@ -23,7 +23,8 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, true});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true, .cloths = true});
   const double from = NumberOr(claim, "from", 0);
   if (from < 0 || from >= world.steps * world.dt)
     faults.push_back(
@@ -172,7 +173,12 @@ constexpr std::array<std::string_view, 2> kNumbers = {"from", "slack"};
 }  // namespace
 
 constinit const Law kRests = {
-    "rests", "A body at rest stays where it is; from [s] and slack [m] may be given.",
-    kNumbers, Faults, Judge};
+    .name = "rests",
+    .documentation =
+        "A body at rest stays where it is; from [s] and slack [m] may be given.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

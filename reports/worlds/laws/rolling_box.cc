@@ -101,7 +101,7 @@ std::string WhyNoBall(const World& world, const RigidBody& box, const OnPlane& o
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   const RigidBody& box = world.bodies[static_cast<std::size_t>(bodies.front())];
@@ -219,8 +219,13 @@ constexpr std::array<std::string_view, 3> kNumbers = {
 }  // namespace
 
 constinit const Law kRollingBox = {
-    "rolling_box",
-    "A box driven over a level plane carries balls that roll; about names the box first.",
-    kNumbers, Faults, Judge};
+    .name = "rolling_box",
+    .documentation =
+        "A box driven over a level plane carries balls that roll; about names the box "
+        "first.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -91,8 +91,12 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 }  // namespace
 
 constinit const Law kRolls = {
-    "rolls",
-    "A sphere that rolls on a static plane keeps rolling; a slope accelerates it.",
-    kNumbers, Faults, Judge};
+    .name = "rolls",
+    .documentation =
+        "A sphere that rolls on a static plane keeps rolling; a slope accelerates it.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

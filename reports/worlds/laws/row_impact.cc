@@ -155,7 +155,7 @@ bool ShowsAnImpact(const World& world, const RowOfBalls& truth) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   if (bodies.size() < 2) return {{"about", "is one body", "two or more spheres"}};
@@ -263,9 +263,14 @@ constexpr std::array<std::string_view, 4> kNumbers = {
 
 }  // namespace
 
-constinit const Law kRowImpact = {"row_impact",
-                                  "Spheres on a line hit each other, in sequential or "
-                                  "simultaneous impacts; about names them in order.",
-                                  kNumbers, Faults, Judge};
+constinit const Law kRowImpact = {
+    .name = "row_impact",
+    .documentation =
+        "Spheres on a line hit each other, in sequential or "
+        "simultaneous impacts; about names them in order.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

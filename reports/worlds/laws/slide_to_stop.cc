@@ -114,9 +114,14 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_distance",
 
 }  // namespace
 
-constinit const Law kSlideToStop = {"slide_to_stop",
-                                    "A box that slides on a level plane stops after "
-                                    "v²/(2 μ g), along its heading, and does not rotate.",
-                                    kNumbers, Faults, Judge};
+constinit const Law kSlideToStop = {
+    .name = "slide_to_stop",
+    .documentation =
+        "A box that slides on a level plane stops after "
+        "v²/(2 μ g), along its heading, and does not rotate.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

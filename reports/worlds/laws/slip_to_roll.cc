@@ -120,8 +120,12 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_rolling_speed",
 }  // namespace
 
 constinit const Law kSlipToRoll = {
-    "slip_to_roll",
-    "A sphere that slips on a level plane is spun by friction until it rolls.", kNumbers,
-    Faults, Judge};
+    .name = "slip_to_roll",
+    .documentation =
+        "A sphere that slips on a level plane is spun by friction until it rolls.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

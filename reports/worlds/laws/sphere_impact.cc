@@ -31,7 +31,7 @@ SphereMeeting MeetingOf(const World& world, const std::vector<int>& bodies) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   if (bodies.size() != 2)
@@ -87,9 +87,14 @@ constexpr std::array<std::string_view, 5> kNumbers = {
 }  // namespace
 
 constinit const Law kSphereImpact = {
-    "sphere_impact",
-    "Two free spheres hit each other with restitution and Coulomb friction; about names "
-    "both.",
-    kNumbers, Faults, Judge};
+    .name = "sphere_impact",
+    .documentation =
+        "Two free spheres hit each other with restitution and Coulomb friction; about "
+        "names "
+        "both.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

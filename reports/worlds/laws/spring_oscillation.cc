@@ -93,7 +93,8 @@ std::string WhyNot(const World& world, const PointMass& mass) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
   const std::vector<PointMass> masses = PointMassesOf(world, SubjectsOf(world, claim));
   if (masses.size() != 1)
@@ -215,12 +216,14 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_frequenc
 }  // namespace
 
 constinit const Law kSpringOscillation = {
-    "spring_oscillation",
-    "A mass on one spring to a fixed point oscillates along it, damped or not.",
-    kNumbers,
-    Faults,
-    Judge,
-    true,
-    Place};
+    .name = "spring_oscillation",
+    .documentation =
+        "A mass on one spring to a fixed point oscillates along it, damped or not.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+    .place = Place,
+};
 
 }  // namespace touchstone

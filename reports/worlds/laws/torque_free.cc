@@ -83,7 +83,7 @@ std::vector<Apart> RoundingErrors(const Motion& motion, int index,
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const Subjects subjects = SubjectsOf(world, claim);
   for (const int i : subjects.bodies) {
@@ -148,11 +148,14 @@ constexpr std::array<std::string_view, 3> kNumbers = {
 }  // namespace
 
 constinit const Law kTorqueFree = {
-    "torque_free",
-    "A body without torque rotates by Euler's equations (Jacobi's elliptic functions).",
-    kNumbers,
-    Faults,
-    Judge,
-    true};
+    .name = "torque_free",
+    .documentation =
+        "A body without torque rotates by Euler's equations (Jacobi's elliptic "
+        "functions).",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+};
 
 }  // namespace touchstone
