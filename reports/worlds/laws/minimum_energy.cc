@@ -30,8 +30,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (!faults.empty()) return faults;
   const Subjects subjects = SubjectsOf(world, claim);
   const auto refuse = [&](const std::string& name, const std::string& why) {
-    faults.push_back({WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
-                      "damped cloths and particles on springs"});
+    faults.push_back(
+        FaultAbout(claim, name, why, "damped cloths and particles on springs"));
   };
   for (const int i : subjects.cloths) {
     const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];

@@ -94,7 +94,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   double g = world.gravity_W.norm();
   for (const int i : subjects.bodies) {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    g = std::max(g, (world.gravity_W + body.force_W / body.mass).norm());
+    g = std::max(g, AccelerationOf(world, body).norm());
   }
   const double contacts = static_cast<double>(
       std::max<std::size_t>(1, subjects.bodies.size() + subjects.particles.size()));

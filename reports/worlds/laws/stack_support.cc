@@ -46,9 +46,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
                                    .placed.X_WB.p_WB) <= 0)
       why = "is not above its predecessor";
     if (why.empty()) continue;
-    faults.push_back({WhereAbout(claim, body.name),
-                      fmt::format("is {}, which {}", body.name, why),
-                      "bodies at rest, from the lowest to the highest"});
+    faults.push_back(FaultAbout(claim, body.name, why,
+                                "bodies at rest, from the lowest to the highest"));
   }
   return Joined(
       std::move(faults),

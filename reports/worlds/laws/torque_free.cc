@@ -89,10 +89,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   for (const int i : subjects.bodies) {
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
     if (!IsHeld(world, AnchorKind::kBody, i) && !IsPushed(world, i)) continue;
-    faults.push_back(
-        {WhereAbout(claim, name),
-         fmt::format("is {}, which a spring, a joint or a push may rotate", name),
-         "a body without torque"});
+    faults.push_back(FaultAbout(claim, name, "a spring, a joint or a push may rotate",
+                                "a body without torque"));
   }
   if (!faults.empty() || claim.numbers.empty()) return faults;
   if (subjects.bodies.size() > 1) {

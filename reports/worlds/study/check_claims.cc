@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/worlds/law_support/law.h"
+#include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/run_worlds.h"
 #include "scenarios/schema/nearest_name.h"
 
