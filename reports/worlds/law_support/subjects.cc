@@ -105,11 +105,10 @@ Fault FaultAbout(const Claim& claim, const std::string& name, std::string_view w
 }
 
 bool Has(const Subjects& subjects, const Anchor& anchor) {
-  const auto among = [&](const std::vector<int>& indices) {
-    return std::find(indices.begin(), indices.end(), anchor.index) != indices.end();
-  };
-  return (anchor.on == AnchorKind::kBody && among(subjects.bodies)) ||
-         (anchor.on == AnchorKind::kParticle && among(subjects.particles));
+  const std::vector<int>& indices =
+      anchor.on == AnchorKind::kBody ? subjects.bodies : subjects.particles;
+  return anchor.on != AnchorKind::kWorld &&
+         std::find(indices.begin(), indices.end(), anchor.index) != indices.end();
 }
 
 bool Moves(const World& world, const Anchor& anchor) {

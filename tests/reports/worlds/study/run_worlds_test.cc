@@ -14,6 +14,7 @@
 
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/check_claims.h"
+#include "reports/worlds/study/run_claims.h"
 #include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/motions.h"
 
