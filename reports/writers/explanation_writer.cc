@@ -16,7 +16,7 @@
 #include "reports/contacts/proof.h"
 #include "reports/text/counted.h"
 #include "reports/text/format_vector.h"
-#include "reports/worlds/study/run_worlds.h"
+#include "reports/worlds/study/run_claims.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/world_words.h"

@@ -9,6 +9,10 @@
 
 namespace touchstone {
 
+/** Returns the reason why body `index` is not a ball with equal moments of inertia that
+ starts on a static plane; empty if it is. */
+std::string WhyNoBallOnPlane(const World& world, int index);
+
 /** Checks a ball that rolls or slips on a plane against its closed-form motion.
 
  Friction acts on whatever presses the contact. So a velocity may be off by (1 + μ) of the

@@ -1,7 +1,5 @@
 #include "reports/worlds/law_support/cone_models.h"
 
-#include <utility>
-
 #include "reports/worlds/law_support/landing.h"
 
 namespace touchstone {
@@ -19,10 +17,9 @@ std::vector<LawFinding> JudgedByCone(
     const Motion& motion, const std::vector<int>& bodies,
     const std::function<std::vector<Worst>(const PlacedCone&, const Motion&, int body)>&
         judge_by) {
-  std::vector<LawFinding> findings;
   const World rougher = Rougher(motion.world);
   const Motion on_rougher{rougher, motion.oracle, motion.trajectory};
-  for (const int body : bodies) {
+  return WorstOfEach(bodies, [&](int body) {
     const std::vector<PlacedCone> cones = ConesOn(LandingOf(motion.world, body)->n_W);
     const std::vector<Worst> by_circle = judge_by(cones.front(), motion, body);
     std::string_view recognised;
@@ -32,10 +29,8 @@ std::vector<LawFinding> JudgedByCone(
         recognised = NameOf(cones[i].cone);
       break;
     }
-    for (LawFinding& finding : FindingsOf(by_circle, recognised))
-      findings.push_back(std::move(finding));
-  }
-  return WorstOfEach(findings);
+    return FindingsOf(by_circle, recognised);
+  });
 }
 
 }  // namespace touchstone

@@ -5,9 +5,13 @@
 
 namespace touchstone {
 
-double TimeBefore(const Motion& motion, std::size_t s) {
+Eigen::Vector3d ImpulseOfLoads(const Motion& motion, int index, std::size_t s) {
+  const RigidBody& body = motion.world.bodies[static_cast<std::size_t>(index)];
   const std::vector<double>& times = motion.trajectory.times;
-  return motion.world.dt * std::round((times[s] - times[s - 1]) / motion.world.dt);
+  // Whole steps, since the difference of two times has lost digits.
+  const double time =
+      motion.world.dt * std::round((times[s] - times[s - 1]) / motion.world.dt);
+  return time * (body.mass * motion.world.gravity_W + body.force_W);
 }
 
 std::vector<const ContactImpulse*> ImpulsesBetween(const Motion& motion, std::size_t from,

@@ -6,9 +6,9 @@
 
 namespace touchstone {
 
-/** Returns the time from sample `s` − 1 to sample `s` in whole steps, since the
- difference of two times has lost digits. [s] */
-double TimeBefore(const Motion& motion, std::size_t s);
+/** Returns the impulse of gravity and of the constant force on body `index` from sample
+ `s` − 1 to sample `s`. [N s] */
+Eigen::Vector3d ImpulseOfLoads(const Motion& motion, int index, std::size_t s);
 
 /** Returns the impulses of the steps after sample `from` up to sample `to`, in order. */
 std::vector<const ContactImpulse*> ImpulsesBetween(const Motion& motion, std::size_t from,

@@ -15,8 +15,8 @@ double SquaredForces(const World& world, const Subjects& subjects) {
   double sum = MassOf(world, subjects) * world.gravity_W.squaredNorm();
   for (const int i : subjects.bodies) {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    sum += body.mass * ((world.gravity_W + body.force_W / body.mass).squaredNorm() -
-                        world.gravity_W.squaredNorm());
+    sum += body.mass *
+           (AccelerationOf(world, body).squaredNorm() - world.gravity_W.squaredNorm());
   }
   return sum;
 }

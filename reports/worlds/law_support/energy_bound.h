@@ -21,7 +21,7 @@ struct EnergyAlong {
    E(0) by ½ h times the power dU/dt at that time and at the start; in free fall by
    exactly ½ m g h (v − v₀). The largest power so far stands for both, since a bounce
    changes its sign; h² |F|²/m of each body bounds the next order. The losses of the
-   gyroscopic term and of rods are added (laws/scheme_drift.h), all × 1.5, and 64
+   gyroscopic term and of rods are added (law_support/scheme_drift.h), all × 1.5, and 64
    roundings per step. */
   std::vector<double> tolerances;
   /** Σ m |g·v̂| h |v| over the reversals of a body's fall so far: the energy added by

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/energy_bound.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/worst.h"
@@ -220,7 +221,8 @@ std::vector<std::pair<std::string_view, double>> NumbersOf(const Fall& fall) {
           {"expected_first_apex", V * V / (2 * fall.gravity)}};
 }
 
-std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls) {
+std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<int>& subjects,
+                                   Fall (*fall_of)(const World& world, int subject)) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
   Worst position(MeasureKind::kPositionError,
@@ -238,11 +240,15 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
   bool after_gravity = true;
   bool any_bounce = false;
   bool any_telling = false;
-  for (const Fall& fall : falls) {
+  for (const int subject : subjects) {
+    const Fall fall = fall_of(world, subject);
     const VerticalBounces truth = fall.Truth();
     const double V = truth.impact_speed();
     const std::vector<double> errors = StepErrors(motion, fall);
     const double reach = fall.p_W.norm() + fall.size;
+    const std::string falling =
+        fmt::format("a fall from {:.6g} m with e = {:.6g} puts it at", fall.start.gap,
+                    fall.restitution);
     std::vector<double> granted;
     for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
       const double t = trajectory.times[s];
@@ -252,13 +258,7 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>
       granted.push_back(kSafety * (errors[s] + late) +
                         RoundingOf(motion.oracle, StepsBefore(motion, s)) *
                             (reach + (V + fall.v_along_W.norm()) * t));
-      position.Take((is - p_W).norm(), granted.back(), [&] {
-        return fmt::format(
-            "{} has {} at {} after {:.6g} s; a fall from {:.6g} m with e = {:.6g} puts "
-            "it at {}",
-            motion.oracle.name, fall.name, FormatVector(is, 9), t, fall.start.gap,
-            fall.restitution, FormatVector(p_W, 9));
-      });
+      AtSample{motion, s, fall.name}.Compare(position, is, p_W, granted.back(), falling);
       if (late > 0) continue;
       const Eigen::Vector3d v_W =
           fall.v_along_W + (fall.start.velocity - fall.gravity * t) * fall.n_W;

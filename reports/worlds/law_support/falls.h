@@ -33,7 +33,8 @@ struct Fall {
   }
 };
 
-/** Judges falls by the closed form of their bounces.
+/** Judges the falls of `subjects` by the closed form of their bounces; `fall_of` returns
+ the fall of one of them.
 
  Position: the error of an engine that detects contacts once per step is computed. The
  fall is stepped by the rule that reflects the velocity at the start of the step, with
@@ -65,7 +66,8 @@ struct Fall {
  must be those of falls stepped by that rule. The rule adds m g h V per bounce. It is not
  recognised if e g h is within rounding, so that no bounce distinguishes the rules. Errors
  before the first impact or across the normal are not excused. */
-std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<Fall>& falls);
+std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<int>& subjects,
+                                   Fall (*fall_of)(const World& world, int subject));
 
 /** Returns whether `v` is along `n`, to the rounding of quaternions with 16 digits. */
 bool IsAlong(const Eigen::Vector3d& v, const Eigen::Vector3d& n);

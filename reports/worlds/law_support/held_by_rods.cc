@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/worst.h"
 
@@ -141,20 +141,12 @@ std::vector<LawFinding> JudgeHeld(
       const PointMass& point = held.points[i];
       const PointState is = point.In(motion.trajectory.samples[s]);
       const double speed = points[i].v_W.norm() + held.system.g_W.norm() * t;
-      position.Take((is.p_W - points[i].p_W).norm(),
-                    kSafety * off + rounding * (points[i].p_W.norm() + speed * t), [&] {
-                      return fmt::format(
-                          "{} has {} at {} after {:.6g} s; the exact swing is at {}",
-                          motion.oracle.name, point.name, FormatVector(is.p_W, 9), t,
-                          FormatVector(points[i].p_W, 9));
-                    });
-      velocity.Take(
-          (is.v_W - points[i].v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
-            return fmt::format(
-                "{} has {} moving at {} after {:.6g} s; the exact swing moves at {}",
-                motion.oracle.name, point.name, FormatVector(is.v_W, 9), t,
-                FormatVector(points[i].v_W, 9));
-          });
+      const AtSample at{motion, s, point.name};
+      at.Compare(position, is.p_W, points[i].p_W,
+                 kSafety * off + rounding * (points[i].p_W.norm() + speed * t),
+                 "the exact swing is at");
+      at.Compare(velocity, is.v_W, points[i].v_W, kSafety * off_speed + rounding * speed,
+                 "the exact swing moves at");
     }
   }
   return FindingsOf({position, velocity});

@@ -13,4 +13,12 @@ namespace touchstone {
  vouches for their absence. */
 std::vector<Fault> FaultsOfIsolation(const World& world, const Claim& claim);
 
+/** Returns the reasons why the energy of the subjects is not theirs alone: springs and
+ joints to other moving things, and pushes. @pre FaultsOfSubjects() is empty. */
+std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim);
+
+/** Returns the projection onto the direction (x, y, z) along which `claim` states that a
+ quantity is conserved; the identity if it gives no direction. */
+Eigen::Matrix3d ProjectionOf(const Claim& claim);
+
 }  // namespace touchstone

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace touchstone {
 namespace {
+
+/** Largest angle of a face to the plane it lies on; quaternions have 16 digits. [rad] */
+constexpr double kFlat = 1e-9;
 
 /** A plane that never moves. */
 struct Plane {
@@ -31,6 +35,24 @@ std::optional<Plane> PlaneUnder(const Body& ground, const Eigen::Vector3d& p_W) 
 }
 
 }  // namespace
+
+bool LiesFlat(const RigidBody& body, const Eigen::Vector3d& n_W) {
+  if (!std::holds_alternative<Box>(body.placed.shape)) return true;
+  const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * n_W;
+  return !(n_B.cwiseAbs().maxCoeff() < 1 - kFlat);
+}
+
+Arrival ArrivalAt(const Landing& landing, const Eigen::Vector3d& v_W,
+                  const Eigen::Vector3d& a_W) {
+  // The first root of gap + v t + ½ a t² = 0, written so that nothing cancels.
+  const double gap = std::max(0.0, landing.gap);
+  const double v = landing.n_W.dot(v_W);
+  const double a = landing.n_W.dot(a_W);
+  const double speed = std::sqrt(v * v - 2 * a * gap);
+  if (v < 0) return {2 * gap / (speed - v), speed};
+  if (a < 0) return {-(v + speed) / a, speed};
+  return {std::numeric_limits<double>::quiet_NaN(), speed};
+}
 
 Eigen::Vector3d SupportOf(const RigidBody& body, const Eigen::Vector3d& d_W) {
   const Pose& pose = body.placed.X_WB;

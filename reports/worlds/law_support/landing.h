@@ -27,6 +27,21 @@ std::optional<Landing> LandingOf(const World& world, int body);
 /** Returns the same for a point at `p_W`, without restitution and friction. */
 std::optional<Landing> LandingOfPoint(const World& world, const Eigen::Vector3d& p_W);
 
+/** Returns whether `body` lands on a plane of normal `n_W` with a face, if it is a box.
+ */
+bool LiesFlat(const RigidBody& body, const Eigen::Vector3d& n_W);
+
+/** The arrival of a body at the plane that it faces. */
+struct Arrival {
+  double time;   ///< NaN if the body never arrives. [s]
+  double speed;  ///< Speed into the plane. [m/s]
+};
+
+/** Returns the arrival of a body with the velocity `v_W` and the constant acceleration
+ `a_W`. */
+Arrival ArrivalAt(const Landing& landing, const Eigen::Vector3d& v_W,
+                  const Eigen::Vector3d& a_W);
+
 /** Returns the support point of `body` along `d_W` at the start, the farthest point of
  its shape. [m] @pre A sphere or a box. */
 Eigen::Vector3d SupportOf(const RigidBody& body, const Eigen::Vector3d& d_W);

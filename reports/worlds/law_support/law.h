@@ -43,7 +43,7 @@ struct Law {
   std::string_view documentation;
   /** The numbers that a claim may state, sorted. A number "expected_…" is derived by the
    claim's author and checked by faults(); the law reads the others. */
-  std::span<const std::string_view> numbers;
+  std::span<const std::string_view> numbers = {};
   /** Returns the reasons why `claim` does not apply to `world`, e.g. a body that is no
    sphere. `where` of a fault starts with "about" or "numbers". Empty if the claim
    applies. */
@@ -64,11 +64,5 @@ struct Law {
    step. */
   bool has_impacts = false;
 };
-
-/** Returns every law, sorted by name. */
-std::span<const Law> Laws();
-
-/** Returns the law of that name, or null. */
-const Law* FindLaw(std::string_view name);
 
 }  // namespace touchstone

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
@@ -12,10 +13,15 @@ namespace {
  a small penetration so that they are detected at once. [-] */
 constexpr double kSurfaceSlack = 1e-3;
 
-/** Largest angle of a face to the plane it lies on; quaternions have 16 digits. [rad] */
-constexpr double kFlat = 1e-9;
+/** Largest angle of the initial velocity to the plane, and largest slope that counts as
+ level; quaternions have 16 digits. [rad] */
+constexpr double kParallel = 1e-9;
 
 }  // namespace
+
+bool OnPlane::IsLevel() const {
+  return !(along_W.norm() > kParallel * press);
+}
 
 double OnPlane::Settling(double dt) const {
   return std::abs(plane.gap) + 2 * press * dt * dt;
@@ -34,7 +40,7 @@ double OnPlane::SpeedAcross(const Eigen::Vector3d& v_WB, double dt) const {
 OnPlane OnPlaneOf(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const Landing plane = *LandingOf(world, index);
-  const Eigen::Vector3d a_W = world.gravity_W + body.force_W / body.mass;
+  const Eigen::Vector3d a_W = AccelerationOf(world, body);
   const double out = a_W.dot(plane.n_W);
   const double v_out = body.v_WB.dot(plane.n_W);
   return {plane, -out, a_W - out * plane.n_W, body.v_WB - v_out * plane.n_W, v_out};
@@ -46,13 +52,10 @@ std::string WhyNotOnPlane(const World& world, int index) {
   if (!plane) return "is no sphere or box on a static half-space or box";
   const double size = BoundingRadius(body.placed.shape);
   if (std::abs(plane->gap) > kSurfaceSlack * size) return "does not start on the ground";
-  if (std::holds_alternative<Box>(body.placed.shape)) {
-    const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * plane->n_W;
-    if (n_B.cwiseAbs().maxCoeff() < 1 - kFlat) return "is a box that does not lie flat";
-  }
+  if (!LiesFlat(body, plane->n_W)) return "is a box that does not lie flat";
   const OnPlane on = OnPlaneOf(world, index);
   if (on.press <= 0) return "is not pressed against the ground";
-  if (std::abs(on.v_out) > kFlat * body.v_WB.norm())
+  if (std::abs(on.v_out) > kParallel * body.v_WB.norm())
     return "does not start along the ground";
   if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
     return "is held or pushed";

@@ -14,6 +14,10 @@ struct OnPlane {
   Eigen::Vector3d v_along_W;  ///< Initial velocity along the plane. [m/s]
   double v_out = 0;           ///< Initial velocity away from the plane. [m/s]
 
+  /** Returns whether the plane is level: gravity and force do not pull the body along
+   it. */
+  bool IsLevel() const;
+
   /** Returns the settling distance: the largest distance of the body from the plane in a
    correct engine. It is the gap at the start plus g h² before the contact is detected and
    g h² before it is resisted. [m] */

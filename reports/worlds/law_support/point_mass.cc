@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reports/worlds/truth/mechanics.h"
+
 namespace touchstone {
 
 PointState PointMass::In(const WorldState& state) const {
@@ -24,7 +26,7 @@ std::vector<PointMass> PointMassesOf(const World& world, const Subjects& subject
                       body.mass,
                       0,
                       {body.placed.X_WB.p_WB, body.v_WB},
-                      world.gravity_W + body.force_W / body.mass});
+                      AccelerationOf(world, body)});
   }
   for (const int i : subjects.particles) {
     const Particle& particle = world.particles[static_cast<std::size_t>(i)];
@@ -51,10 +53,7 @@ std::vector<PointMass> PointMassesInOrder(const World& world, const Claim& claim
 }
 
 std::optional<Eigen::Vector3d> FixedPointOf(const World& world, const Anchor& anchor) {
-  const auto i = static_cast<std::size_t>(anchor.index);
-  const bool moves = (anchor.on == AnchorKind::kBody && world.bodies[i].mass > 0) ||
-                     (anchor.on == AnchorKind::kParticle && world.particles[i].mass > 0);
-  if (moves) return std::nullopt;
+  if (Moves(world, anchor)) return std::nullopt;
   return StartOf(world, anchor);
 }
 

@@ -23,13 +23,6 @@ Spin SpinOf(const World& world, const WorldState& state, int index) {
   return spin;
 }
 
-bool Has(const Subjects& subjects, const Anchor& anchor) {
-  const std::vector<int>& indices =
-      anchor.on == AnchorKind::kBody ? subjects.bodies : subjects.particles;
-  return anchor.on != AnchorKind::kWorld &&
-         std::find(indices.begin(), indices.end(), anchor.index) != indices.end();
-}
-
 double InverseMassOf(const World& world, const Anchor& anchor) {
   double mass = 0;
   if (anchor.on == AnchorKind::kBody)

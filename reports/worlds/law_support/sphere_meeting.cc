@@ -7,18 +7,16 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/cone_models.h"
-#include "reports/worlds/law_support/each_body.h"
 #include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/impact_errors.h"
+#include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
-
-/** The latest impact considered. It exceeds 1, since rounding decides whether an impact
- that falls on a step is detected in it. [steps] */
-constexpr double kLatest = 1.125;
 
 Striker FlownTo(const SphereMeeting::Side& side, double t) {
   Striker flown = side.start;
@@ -38,7 +36,8 @@ std::vector<Met> Deviations(const SphereMeeting& meeting, double t, double h,
   std::vector<Met> deviations;
   constexpr int kPhases = 4;
   for (int phase = -kPhases; phase <= kPhases; ++phase) {
-    const double late = phase == kPhases ? kLatest : static_cast<double>(phase) / kPhases;
+    const double late =
+        phase == kPhases ? kLatestImpact : static_cast<double>(phase) / kPhases;
     const double impact = std::max(0.0, meeting.time + late * h);
     for (const double inset : {0.0, 0.5, 1.0})
       deviations.push_back(MetAt(meeting, t, impact, inset, cone));
@@ -76,42 +75,21 @@ class SideJudge {
     const double h = motion_.world.dt;
     const double rounding = RoundingOf(motion_.oracle, StepsBefore(motion_, s));
     const double share = kSolverResidual + rounding;
-    double dv = 0;
-    double dw = 0;
-    double dp = 0;
-    for (const Striker& other : deviations) {
-      dv = std::max(dv, (other.v_WB - truth.v_WB).norm());
-      dw = std::max(dw, (other.w_WB - truth.w_WB).norm());
-      dp = std::max(dp, (other.p_WB - truth.p_WB).norm());
-    }
-    const std::string& name =
-        motion_.world.bodies[static_cast<std::size_t>(side.body)].name;
-    velocity_.Take(
-        (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
-          return fmt::format(
-              "{} has {} moving at {} after {:.6g} s; after the impact it moves at {}",
-              motion_.oracle.name, name, FormatVector(is.v_WB, 9), t,
-              FormatVector(truth.v_WB, 9));
-        });
-    spin_.Take(
-        (is.w_WB - truth.w_WB).norm(),
-        kSafety * (dw + gravity * side.size / side.radius) +
-            share * (speed * side.size / side.radius + truth.w_WB.norm()),
-        [&] {
-          return fmt::format(
-              "{} has {} spinning at {} after {:.6g} s; after the impact it spins at {}",
-              motion_.oracle.name, name, FormatVector(is.w_WB, 9), t,
-              FormatVector(truth.w_WB, 9));
-        });
-    position_.Take((is.p_WB - truth.p_WB).norm(),
-                   kSafety * (dp + (gravity + side.a_W.norm() * h / 2) * t) +
-                       share * speed * t + rounding * truth.p_WB.norm(),
-                   [&] {
-                     return fmt::format(
-                         "{} has {} at {} after {:.6g} s; after the impact it is at {}",
-                         motion_.oracle.name, name, FormatVector(is.p_WB, 9), t,
-                         FormatVector(truth.p_WB, 9));
-                   });
+    ImpactErrors errors;
+    for (const Striker& other : deviations) errors.Include(other, truth);
+    const AtSample at{motion_, s,
+                      motion_.world.bodies[static_cast<std::size_t>(side.body)].name};
+    at.Compare(velocity_, is.v_WB, truth.v_WB,
+               kSafety * (errors.velocity + gravity) + share * speed,
+               "after the impact it moves at");
+    at.Compare(spin_, is.w_WB, truth.w_WB,
+               kSafety * (errors.spin + gravity * side.size / side.radius) +
+                   share * (speed * side.size / side.radius + truth.w_WB.norm()),
+               "after the impact it spins at");
+    at.Compare(position_, is.p_WB, truth.p_WB,
+               kSafety * (errors.position + (gravity + side.a_W.norm() * h / 2) * t) +
+                   share * speed * t + rounding * truth.p_WB.norm(),
+               "after the impact it is at");
   }
 
  private:
@@ -128,8 +106,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
   const std::string because =
       "1.5 × the change by an impact up to a step early or late and inside the spheres, "
       "and by gravity in a step; 1e-5 of the velocity for the solver, and 64 roundings "
-      "per "
-      "step";
+      "per step";
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   Worst position(MeasureKind::kPositionError, because);
@@ -171,7 +148,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
     }
     if (meeting.A.radius > 0) judge.Take(meeting.A, s, is.A, truth.A, A, gravity, speed);
     judge.Take(meeting.B, s, is.B, truth.B, B, gravity, speed);
-    if (t <= meeting.time + kLatest * h) continue;
+    if (t <= meeting.time + kLatestImpact * h) continue;
     const double since = n_W.dot(meeting.B.a_W - meeting.A.a_W) * (t - meeting.time);
     const double e = -(ApproachOf(is, n_W) + since) / V;
     restitution.Take(
@@ -222,6 +199,26 @@ Met MetAt(const SphereMeeting& meeting, double t, double impact, double inset,
   return met;
 }
 
+double Outcome::EnergyRatio() const {
+  // Without the factor ½, which cancels. A static side has no energy.
+  const auto energy = [](const Met& met) {
+    double sum = 0;
+    for (const Striker& is : {met.A, met.B}) {
+      if (is.inverse_mass == 0) continue;
+      sum += is.v_WB.squaredNorm() / is.inverse_mass +
+             is.w_WB.squaredNorm() / is.inverse_inertia_W(0, 0);
+    }
+    return sum;
+  };
+  return energy(after) / energy(before);
+}
+
+Outcome OutcomeOf(const SphereMeeting& meeting) {
+  const PlacedCone circle = ConesOn(meeting.NormalAt(meeting.time)).front();
+  const auto at = [&](double t) { return MetAt(meeting, t, meeting.time, 0, circle); };
+  return {at(meeting.time), at(std::nextafter(meeting.time, 1e300))};
+}
+
 double TouchTime(const SphereMeeting::Side& A, const SphereMeeting::Side& B) {
   // Solves |p + u t| = r, with equal accelerations.
   const Eigen::Vector3d p_W = B.start.p_WB - A.start.p_WB;
@@ -237,13 +234,13 @@ double TouchTime(const SphereMeeting::Side& A, const SphereMeeting::Side& B) {
 
 SphereMeeting::Side SideOf(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
-  const double r = std::get<Sphere>(body.placed.shape).radius;
+  const double r = RadiusOf(body);
   const double inertia = InertiaOf(body).x();
   return {index,
           r,
           {1 / body.mass, Eigen::Matrix3d::Identity() / inertia, body.placed.X_WB.p_WB,
            body.v_WB, body.w_WB},
-          world.gravity_W + body.force_W / body.mass,
+          AccelerationOf(world, body),
           1 + body.mass * r * r / inertia};
 }
 

@@ -44,6 +44,18 @@ struct Met {
 Met MetAt(const SphereMeeting& meeting, double t, double impact, double inset,
           const PlacedCone& cone);
 
+/** Both sides just before and just after their impact. */
+struct Outcome {
+  Met before;
+  Met after;
+
+  /** Returns the kinetic energy after the impact over that before it. */
+  double EnergyRatio() const;
+};
+
+/** Returns the outcome of the impact at its time, with Coulomb's circular cone. */
+Outcome OutcomeOf(const SphereMeeting& meeting);
+
 /** Returns the time at which two spheres A and B first touch; NaN if they never do. */
 double TouchTime(const SphereMeeting::Side& A, const SphereMeeting::Side& B);
 
@@ -61,7 +73,7 @@ std::string WhyNoFreeSphere(const World& world, int index);
  on a step. Its point is up to the whole overlap inside the spheres, where engines put it.
  Added are gravity's effect in a step, the error of semi-implicit Euler, 1e-5 of the
  velocity for the solver, and 64 roundings per step. Other friction cones are recognised
- if the contact slips (laws/cone_models.h). */
+ if the contact slips (law_support/cone_models.h). */
 std::vector<LawFinding> JudgeMeeting(const Motion& motion, const SphereMeeting& meeting,
                                      double until);
 

@@ -98,6 +98,25 @@ std::string WhereAbout(const Claim& claim, const std::string& name) {
              : fmt::format("about[{}]", found - claim.about.begin());
 }
 
+Fault FaultAbout(const Claim& claim, const std::string& name, std::string_view why,
+                 std::string_view expected) {
+  return {WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
+          std::string(expected)};
+}
+
+bool Has(const Subjects& subjects, const Anchor& anchor) {
+  const std::vector<int>& indices =
+      anchor.on == AnchorKind::kBody ? subjects.bodies : subjects.particles;
+  return anchor.on != AnchorKind::kWorld &&
+         std::find(indices.begin(), indices.end(), anchor.index) != indices.end();
+}
+
+bool Moves(const World& world, const Anchor& anchor) {
+  const auto i = static_cast<std::size_t>(anchor.index);
+  return (anchor.on == AnchorKind::kBody && world.bodies[i].mass > 0) ||
+         (anchor.on == AnchorKind::kParticle && world.particles[i].mass > 0);
+}
+
 bool IsHeld(const World& world, AnchorKind on, int index) {
   const auto holds = [&](const auto& link) {
     return IsFixedTo(link.A, on, index) || IsFixedTo(link.B, on, index);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scenarios/validate.h"
@@ -21,7 +22,7 @@ Subjects SubjectsOf(const World& world, const Claim& claim);
 
 /** The kinds of moving things that a law applies to. */
 struct SpeaksOf {
-  bool bodies = true;
+  bool bodies = false;
   bool particles = false;
   bool cloths = false;
 };
@@ -34,6 +35,17 @@ std::vector<Fault> FaultsOfSubjects(const World& world, const Claim& claim,
 /** Returns the place of a fault about a subject: "about[2]", or "about" if the claim
  names nothing. `name` is the subject's. */
 std::string WhereAbout(const Claim& claim, const std::string& name);
+
+/** Returns the fault of a subject to which the law does not apply: "is ball, which spins
+ at the start" for `why` = "spins at the start". */
+Fault FaultAbout(const Claim& claim, const std::string& name, std::string_view why,
+                 std::string_view expected);
+
+/** Returns whether `anchor` is on one of the subjects. */
+bool Has(const Subjects& subjects, const Anchor& anchor);
+
+/** Returns whether `anchor` is on a body or particle that moves. */
+bool Moves(const World& world, const Anchor& anchor);
 
 /** Returns whether a spring or a joint is fixed to body or particle `index`. */
 bool IsHeld(const World& world, AnchorKind on, int index);

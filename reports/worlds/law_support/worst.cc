@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace touchstone {
 namespace {
@@ -28,16 +29,20 @@ std::vector<LawFinding> FindingsOf(const std::vector<Worst>& findings,
   return taken;
 }
 
-std::vector<LawFinding> WorstOfEach(const std::vector<LawFinding>& findings) {
+std::vector<LawFinding> WorstOfEach(
+    const std::vector<int>& subjects,
+    const std::function<std::vector<LawFinding>(int subject)>& judge) {
   std::vector<LawFinding> worst;
-  for (const LawFinding& finding : findings) {
-    const auto same = std::find_if(
-        worst.begin(), worst.end(),
-        [&](const LawFinding& other) { return other.measure == finding.measure; });
-    if (same == worst.end()) {
-      worst.push_back(finding);
-    } else if (Gravity(finding) > Gravity(*same)) {
-      *same = finding;
+  for (const int subject : subjects) {
+    for (LawFinding& finding : judge(subject)) {
+      const auto same = std::find_if(
+          worst.begin(), worst.end(),
+          [&](const LawFinding& other) { return other.measure == finding.measure; });
+      if (same == worst.end()) {
+        worst.push_back(std::move(finding));
+      } else if (Gravity(finding) > Gravity(*same)) {
+        *same = std::move(finding);
+      }
     }
   }
   return worst;

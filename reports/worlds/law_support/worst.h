@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -63,9 +64,12 @@ bool AnyBeyond(const std::vector<Worst>& findings);
 std::vector<LawFinding> FindingsOf(const std::vector<Worst>& findings,
                                    std::string_view model = "");
 
-/** Returns one finding per measure. A finding beyond its tolerance and not recognised
- precedes a recognised one, and that precedes one within its tolerance; among equals the
- one with the largest value over tolerance is taken. */
-std::vector<LawFinding> WorstOfEach(const std::vector<LawFinding>& findings);
+/** Returns one finding per measure of subjects that `judge` judges one by one. A finding
+ beyond its tolerance and not recognised precedes a recognised one, and that precedes one
+ within its tolerance; among equals the one with the largest value over tolerance is
+ taken. */
+std::vector<LawFinding> WorstOfEach(
+    const std::vector<int>& subjects,
+    const std::function<std::vector<LawFinding>(int subject)>& judge);
 
 }  // namespace touchstone

@@ -7,7 +7,7 @@ namespace touchstone {
 /** A sphere, or a box that lands flat, falls straight down onto a static plane and leaves
  each bounce with e times its speed (truth/vertical_bounces.h). [m], [-]
 
- The tolerances are in laws/falls.h, with the rule that reflects the velocity after
+ The tolerances are in law_support/falls.h, with the rule that reflects the velocity after
  gravity, which is recognised.
 
  About: spheres and flat boxes at rest or moving along gravity, above a static half-space

@@ -31,9 +31,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
                         "no force on one of several bodies: it has a torque"});
     }
     if (IsPushed(world, i)) {
-      faults.push_back({WhereAbout(claim, body.name),
-                        fmt::format("is {}, which is pushed", body.name),
-                        "a body without pushes"});
+      faults.push_back(
+          FaultAbout(claim, body.name, "is pushed", "a body without pushes"));
     }
   }
   const WorldState start = StateAtStart(world);
@@ -75,12 +74,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const WorldState start = StateAtStart(world);
   const Eigen::Vector3d L_0 =
       AngularMomentumOf(world, start, subjects, CentreOf(world, start, subjects));
-  const Eigen::Vector3d direction{NumberOr(claim, "x", 0), NumberOr(claim, "y", 0),
-                                  NumberOr(claim, "z", 0)};
-  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
-  if (!direction.isZero(0))
-    kept = direction.normalized() * direction.normalized().transpose();
-
+  const Eigen::Matrix3d kept = ProjectionOf(claim);
   const std::vector<double> drift =
       IntegralAlong(trajectory, [&](const WorldState& state) {
         return GyroscopicMomentumRate(world, state, subjects) +
@@ -128,9 +122,14 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_momentum
 }  // namespace
 
 constinit const Law kConservesAngularMomentum = {
-    "conserves_angular_momentum",
-    "Angular momentum about the centre of mass is conserved; x, y, z: only along that "
-    "direction.",
-    kNumbers, Faults, Judge};
+    .name = "conserves_angular_momentum",
+    .documentation =
+        "Angular momentum about the centre of mass is conserved; x, y, z: only along "
+        "that "
+        "direction.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

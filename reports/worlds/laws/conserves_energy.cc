@@ -9,6 +9,7 @@
 
 #include "reports/text/told_apart.h"
 #include "reports/worlds/law_support/energy_bound.h"
+#include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
@@ -16,34 +17,32 @@
 namespace touchstone {
 namespace {
 
-/** Whether `anchor` is on something that moves and is not a subject. */
-bool IsForeign(const World& world, const Subjects& subjects, const Anchor& anchor) {
-  const auto missing = [&](const std::vector<int>& indices) {
-    return std::find(indices.begin(), indices.end(), anchor.index) == indices.end();
-  };
-  const auto index = static_cast<std::size_t>(anchor.index);
-  return (anchor.on == AnchorKind::kBody && world.bodies[index].mass > 0 &&
-          missing(subjects.bodies)) ||
-         (anchor.on == AnchorKind::kParticle && world.particles[index].mass > 0 &&
-          missing(subjects.particles));
-}
-
-template <typename Links>
-void AddForeign(const World& world, const Subjects& subjects, const Links& links,
-                std::string_view kind, std::vector<Fault>& faults) {
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const bool A = IsForeign(world, subjects, links[i].A);
-    const bool B = IsForeign(world, subjects, links[i].B);
-    if (A == B) continue;
-    faults.push_back({"about", fmt::format("leaves out one end of {}[{}]", kind, i),
-                      "both ends that move, or none"});
-  }
+bool IsDamped(const World& world, const Subjects& subjects) {
+  return std::any_of(world.springs.begin(), world.springs.end(),
+                     [](const Spring& spring) { return spring.damping > 0; }) ||
+         std::any_of(subjects.particles.begin(), subjects.particles.end(),
+                     [&](int i) {
+                       return world.particles[static_cast<std::size_t>(i)].damping > 0;
+                     }) ||
+         std::any_of(subjects.cloths.begin(), subjects.cloths.end(), [&](int i) {
+           const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];
+           return cloth.damping > 0 || cloth.structural.damping > 0 ||
+                  cloth.shear.damping > 0 || cloth.bend.damping > 0;
+         });
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfEnergy(world, claim, false);
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true, .cloths = true});
   if (!faults.empty()) return faults;
-  const Energy energy = EnergyOf(world, StateAtStart(world), SubjectsOf(world, claim));
+  faults = FaultsOfEnergy(world, claim);
+  const Subjects subjects = SubjectsOf(world, claim);
+  if (IsDamped(world, subjects)) {
+    faults.push_back({"about", "is damped, or held by a damped spring",
+                      "no damping (energy_never_rises covers damped motion)"});
+  }
+  if (!faults.empty()) return faults;
+  const Energy energy = EnergyOf(world, StateAtStart(world), subjects);
   return FaultsOfNumbers(claim, {{"expected_energy", energy.total()}});
 }
 
@@ -70,39 +69,14 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_energy"};
 
 }  // namespace
 
-std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim, bool damped) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, true});
-  if (!faults.empty()) return faults;
-  const Subjects subjects = SubjectsOf(world, claim);
-  AddForeign(world, subjects, world.springs, "springs", faults);
-  AddForeign(world, subjects, world.joints, "joints", faults);
-  for (const int i : subjects.bodies) {
-    if (!IsPushed(world, i)) continue;
-    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    faults.push_back({WhereAbout(claim, name),
-                      fmt::format("is {}, which is pushed", name),
-                      "a body without pushes"});
-  }
-  if (damped) return faults;
-  bool any = std::any_of(world.springs.begin(), world.springs.end(),
-                         [](const Spring& spring) { return spring.damping > 0; });
-  for (const int i : subjects.particles)
-    any = any || world.particles[static_cast<std::size_t>(i)].damping > 0;
-  for (const int i : subjects.cloths) {
-    const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];
-    any = any || cloth.damping > 0 || cloth.structural.damping > 0 ||
-          cloth.shear.damping > 0 || cloth.bend.damping > 0;
-  }
-  if (any) {
-    faults.push_back({"about", "is damped, or held by a damped spring",
-                      "no damping (energy_never_rises covers damped motion)"});
-  }
-  return faults;
-}
-
-constinit const Law kConservesEnergy = {"conserves_energy",
-                                        "The sum of the energies of motion, gravity, "
-                                        "constant forces and springs is constant.",
-                                        kNumbers, Faults, Judge};
+constinit const Law kConservesEnergy = {
+    .name = "conserves_energy",
+    .documentation =
+        "The sum of the energies of motion, gravity, "
+        "constant forces and springs is constant.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -8,7 +8,7 @@ namespace touchstone {
  springs is constant. [J]
 
  The tolerance is the error law of semi-implicit Euler along the motion itself
- (laws/energy_bound.h). A motion that gains m g h V at each bounce, to within that
+ (law_support/energy_bound.h). A motion that gains m g h V at each bounce, to within that
  tolerance, is recognised: its engine reflects the velocity after gravity has acted on it.
  That is legal, and the error vanishes with the step.
 
@@ -16,10 +16,5 @@ namespace touchstone {
  restitution 1; the author vouches for the contacts. Numbers: expected_energy at the
  start, with gravity's potential zero at the world's origin. */
 extern const Law kConservesEnergy;
-
-/** Returns the reasons why the energy of the subjects is not a quantity of their own, for
- laws of energy: wrong names, springs and joints to other moving things, pushes; and
- damping unless `damped`. */
-std::vector<Fault> FaultsOfEnergy(const World& world, const Claim& claim, bool damped);
 
 }  // namespace touchstone

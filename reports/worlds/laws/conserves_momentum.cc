@@ -15,10 +15,6 @@
 namespace touchstone {
 namespace {
 
-Eigen::Vector3d DirectionOf(const Claim& claim) {
-  return {NumberOr(claim, "x", 0), NumberOr(claim, "y", 0), NumberOr(claim, "z", 0)};
-}
-
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
   std::vector<Fault> faults = FaultsOfIsolation(world, claim);
   if (!faults.empty()) return faults;
@@ -39,11 +35,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst drift(MeasureKind::kMomentumDrift,
               "64 roundings per step: impulses are equal and opposite, and every scheme "
               "integrates a constant force exactly");
-  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d direction = DirectionOf(claim);
-  if (!direction.isZero(0)) {
-    kept = direction.normalized() * direction.normalized().transpose();
-  }
+  const Eigen::Matrix3d kept = ProjectionOf(claim);
   const Trajectory& trajectory = motion.trajectory;
   const Eigen::Vector3d P_0 = MomentumOf(world, StateAtStart(world), subjects);
   double size = 0;
@@ -76,9 +68,14 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_momentum", "x", 
 }  // namespace
 
 constinit const Law kConservesMomentum = {
-    "conserves_momentum",
-    "Linear momentum is changed by gravity, forces and pushes alone; x, y, z: only along "
-    "that direction.",
-    kNumbers, Faults, Judge};
+    .name = "conserves_momentum",
+    .documentation =
+        "Linear momentum is changed by gravity, forces and pushes alone; x, y, z: only "
+        "along "
+        "that direction.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

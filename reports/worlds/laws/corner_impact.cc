@@ -6,11 +6,10 @@
 #include <limits>
 #include <string_view>
 
-#include <fmt/format.h>
-
-#include "reports/text/format_vector.h"
-#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/at_sample.h"
+#include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/impact_errors.h"
 #include "reports/worlds/law_support/landing.h"
 #include "reports/worlds/law_support/scheme_drift.h"
 #include "reports/worlds/law_support/subjects.h"
@@ -29,10 +28,6 @@ constexpr double kEven = 1e-9;
 /** Least height of the other corners, in distances covered per step at the impact speed.
  [-] */
 constexpr double kClear = 3;
-
-/** The latest impact considered. It exceeds 1, since an impact may fall on a step.
- [steps] */
-constexpr double kLatest = 1.125;
 
 using Corners = Eigen::Matrix<double, 3, 8>;
 
@@ -108,7 +103,7 @@ Fall FallOf(const World& world, int index) {
   fall.start = {1 / body.mass,
                 R * InertiaOf(body).cwiseInverse().asDiagonal() * R.transpose(),
                 body.placed.X_WB.p_WB, body.v_WB, body.w_WB};
-  fall.a_W = world.gravity_W + body.force_W / body.mass;
+  fall.a_W = AccelerationOf(world, body);
   const Eigen::Vector3d& n_W = fall.landing.n_W;
   const Corners r_W = CornersOf(body, R);
   const Eigen::Matrix<double, 1, 8> heights = n_W.transpose() * r_W;
@@ -133,11 +128,9 @@ Fall FallOf(const World& world, int index) {
   (R.transpose() * fall.r_W).cwiseAbs().minCoeff(&along);
   fall.t_W = fall.lowest == 1 ? (fall.r_W - n_W.dot(fall.r_W) * n_W).normalized()
                               : R.col(along).cross(n_W).normalized();
-  const double gap = std::max(0.0, fall.landing.gap);
-  const double v = n_W.dot(body.v_WB);
-  const double a = n_W.dot(fall.a_W);
-  fall.speed = std::sqrt(v * v - 2 * a * gap);
-  fall.time = v < 0 ? 2 * gap / (fall.speed - v) : -(v + fall.speed) / a;
+  const Arrival arrival = ArrivalAt(fall.landing, body.v_WB, fall.a_W);
+  fall.time = arrival.time;
+  fall.speed = arrival.speed;
   return fall;
 }
 
@@ -216,10 +209,12 @@ ExpectedNumbers NumbersOfBody(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfOneBody(world, claim, "one box", WhyNot,
-                         "a box that flies without spin and hits a static half-space or "
-                         "box with an edge or a corner (with friction: in a plane)",
-                         NumbersOfBody);
+  return FaultsOfOneBody(
+      world, claim, "one box",
+      {.why_not = WhyNot,
+       .expected = "a box that flies without spin and hits a static half-space or box "
+                   "with an edge or a corner (with friction: in a plane)",
+       .numbers = NumbersOfBody});
 }
 
 std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
@@ -250,16 +245,11 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
     if (t > until) break;
     const BodyState& is = motion.trajectory.samples[s].bodies[i];
     const Striker truth = fall.At(t, fall.time, 0, rule);
-    double dv = 0;
-    double dw = 0;
-    double dp = 0;
-    for (const double late : {-1.0, -0.5, 0.0, 0.5, kLatest}) {
+    ImpactErrors errors;
+    for (const double late : {-1.0, -0.5, 0.0, 0.5, kLatestImpact}) {
       for (const double inset : {0.0, 0.5, 1.0}) {
-        const Striker other =
-            fall.At(t, std::max(0.0, fall.time + late * h), inset, rule);
-        dv = std::max(dv, (other.v_WB - truth.v_WB).norm());
-        dw = std::max(dw, (other.w_WB - truth.w_WB).norm());
-        dp = std::max(dp, (other.p_WB - truth.p_WB).norm());
+        const double impact = std::max(0.0, fall.time + late * h);
+        errors.Include(fall.At(t, impact, inset, rule), truth);
       }
     }
     const double gravity = t < fall.time - h ? 0
@@ -267,22 +257,14 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
                                                    (1 + fall.landing.friction);
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const double share = kSolverResidual + rounding;
-    velocity.Take(
-        (is.v_WB - truth.v_WB).norm(), kSafety * (dv + gravity) + share * speed, [&] {
-          return fmt::format(
-              "{} has {} moving at {} after {:.6g} s; after the impact it moves at {}",
-              motion.oracle.name, body.name, FormatVector(is.v_WB, 9), t,
-              FormatVector(truth.v_WB, 9));
-        });
-    position.Take((is.p_WB - truth.p_WB).norm(),
-                  kSafety * (dp + (gravity + a * h / 2) * t) + share * speed * t +
-                      rounding * truth.p_WB.norm(),
-                  [&] {
-                    return fmt::format(
-                        "{} has {} at {} after {:.6g} s; after the impact it is at {}",
-                        motion.oracle.name, body.name, FormatVector(is.p_WB, 9), t,
-                        FormatVector(truth.p_WB, 9));
-                  });
+    const AtSample at{motion, s, body.name};
+    at.Compare(velocity, is.v_WB, truth.v_WB,
+               kSafety * (errors.velocity + gravity) + share * speed,
+               "after the impact it moves at");
+    at.Compare(position, is.p_WB, truth.p_WB,
+               kSafety * (errors.position + (gravity + a * h / 2) * t) +
+                   share * speed * t + rounding * truth.p_WB.norm(),
+               "after the impact it is at");
     // Before the impact the inverse inertia is that of the start; the spin of the truth
     // is that at the impact.
     const Eigen::Vector3d L_W = fall.start.inverse_inertia_W.inverse() * truth.w_WB;
@@ -290,16 +272,11 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
     const Eigen::Vector3d w_W = inverse_inertia_W * L_W;
     // Semi-implicit Euler rotates the box with the spin of its previous orientation.
     const double behind = h * (inverse_inertia_W * L_W.cross(w_W)).norm();
-    spin.Take((is.w_WB - w_W).norm(),
-              kSafety * (dw + gravity * lever + h * lost[s] / least_inertia + behind) +
-                  share * (speed * lever + w_W.norm()),
-              [&] {
-                return fmt::format(
-                    "{} has {} spinning at {} after {:.6g} s; in this orientation the "
-                    "angular momentum after the impact is a spin of {}",
-                    motion.oracle.name, body.name, FormatVector(is.w_WB, 9), t,
-                    FormatVector(w_W, 9));
-              });
+    at.Compare(
+        spin, is.w_WB, w_W,
+        kSafety * (errors.spin + gravity * lever + h * lost[s] / least_inertia + behind) +
+            share * (speed * lever + w_W.norm()),
+        "in this orientation the angular momentum after the impact is a spin of");
   }
   return {position, velocity, spin};
 }
@@ -318,9 +295,14 @@ constexpr std::array<std::string_view, 3> kNumbers = {"expected_impulse",
 }  // namespace
 
 constinit const Law kCornerImpact = {
-    "corner_impact",
-    "A box without spin hits a static plane with an edge, or with a corner in a plane or "
-    "without friction.",
-    kNumbers, Faults, Judge};
+    .name = "corner_impact",
+    .documentation =
+        "A box without spin hits a static plane with an edge, or with a corner in a "
+        "plane or "
+        "without friction.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -17,9 +17,10 @@ namespace touchstone {
 
  Judged until another corner comes down. Tolerance of velocity and position: the
  deviations of an impact up to a step early or late, with its contact point inside the
- box, × 1.5, as in laws/sphere_meeting.h. Spin: |ω − I⁻¹ L*|, where L* is the angular
- momentum after the impact, which stays constant. First-order schemes lose h ∫ of the
- rates in laws/scheme_drift.h. 1e-5 of the velocity for the solver, 64 roundings per step.
+ box, × 1.5, as in law_support/sphere_meeting.h. Spin: |ω − I⁻¹ L*|, where L* is the
+ angular momentum after the impact, which stays constant. First-order schemes lose h ∫ of
+ the rates in law_support/scheme_drift.h. 1e-5 of the velocity for the solver, 64
+ roundings per step.
 
  About: one box whose other corners are higher by more than three steps of motion.
  Numbers: expected_speed, expected_spin (magnitudes, after the impact), expected_impulse

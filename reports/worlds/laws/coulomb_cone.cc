@@ -18,7 +18,7 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return Joined(FaultsOfSubjects(world, claim, {true, false, false}),
+  return Joined(FaultsOfSubjects(world, claim, {.bodies = true}),
                 FaultsOfNumbers(claim, {}));
 }
 
@@ -119,10 +119,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kCoulombCone = {
-    "coulomb_cone",
-    "Every contact pushes, and its friction is at most μ times as large.",
-    {},
-    Faults,
-    Judge};
+    .name = "coulomb_cone",
+    .documentation =
+        "Every contact pushes, and its friction is at most μ times as large.",
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

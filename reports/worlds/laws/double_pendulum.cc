@@ -14,7 +14,8 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
   const std::vector<PointMass> points = PointMassesInOrder(world, claim);
   std::string why = points.size() == 2
@@ -47,11 +48,13 @@ constexpr std::array<std::string_view, 1> kNumbers = {"until"};
 }  // namespace
 
 constinit const Law kDoublePendulum = {
-    "double_pendulum",
-    "Two masses swing on two rods; about names the upper one, then the lower.",
-    kNumbers,
-    Faults,
-    Judge,
-    true};
+    .name = "double_pendulum",
+    .documentation =
+        "Two masses swing on two rods; about names the upper one, then the lower.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+};
 
 }  // namespace touchstone

@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include "reports/text/told_apart.h"
-#include "reports/worlds/laws/conserves_energy.h"
 #include "reports/worlds/law_support/energy_bound.h"
+#include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
@@ -18,7 +19,10 @@ namespace {
 constexpr double kGainingRestitution = 0.5;
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfEnergy(world, claim, true);
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true, .cloths = true});
+  if (!faults.empty()) return faults;
+  faults = FaultsOfEnergy(world, claim);
   if (!faults.empty()) return faults;
   for (const int i : SubjectsOf(world, claim).bodies) {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
@@ -28,12 +32,11 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
              std::min(body.restitution, other.restitution) >= kGainingRestitution;
     };
     if (std::any_of(world.bodies.begin(), world.bodies.end(), gains)) {
-      faults.push_back(
-          {WhereAbout(claim, body.name),
-           fmt::format("is {}, which may hit another with e >= {} and friction",
-                       body.name, kGainingRestitution),
-           "a sphere, less restitution, or no friction: Newton's rule may gain "
-           "energy in eccentric impacts"});
+      faults.push_back(FaultAbout(
+          claim, body.name,
+          fmt::format("may hit another with e >= {} and friction", kGainingRestitution),
+          "a sphere, less restitution, or no friction: Newton's rule may gain energy in "
+          "eccentric impacts"));
     }
   }
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
@@ -67,10 +70,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kEnergyNeverRises = {
-    "energy_never_rises",
-    "Contacts, friction and damping only take energy.",
-    {},
-    Faults,
-    Judge};
+    .name = "energy_never_rises",
+    .documentation = "Contacts, friction and damping only take energy.",
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

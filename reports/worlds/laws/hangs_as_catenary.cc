@@ -184,7 +184,8 @@ Decay DecayOf(const std::vector<PointMass>& points, const HangingChain& chain,
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
   const std::vector<PointMass> points = PointMassesInOrder(world, claim);
   const std::string expected =
@@ -268,8 +269,13 @@ constexpr std::array<std::string_view, 4> kNumbers = {
 }  // namespace
 
 constinit const Law kHangsAsCatenary = {
-    "hangs_as_catenary",
-    "A chain of rods or springs hangs as the discrete catenary; about names it in order.",
-    kNumbers, Faults, Judge};
+    .name = "hangs_as_catenary",
+    .documentation =
+        "A chain of rods or springs hangs as the discrete catenary; about names it in "
+        "order.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -2,18 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/cone_models.h"
-#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/flat_box.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
@@ -27,15 +27,14 @@ struct Start {
 
 Start StartOf(const RigidBody& body, const OnPlane& on, const PlacedCone& cone) {
   const double brake = on.plane.friction * on.press;
-  const auto* sphere = std::get_if<Sphere>(&body.placed.shape);
-  if (!sphere) {
+  if (!std::holds_alternative<Sphere>(body.placed.shape)) {
     return {cone.frame *
                 DrivenFromRest(cone.cone, cone.frame.transpose() * on.along_W, brake),
             Eigen::Vector3d::Zero()};
   }
   // Friction f at the contact: a = a_t + f, α = (−r n) × f m/I; rolling leaves no slip.
-  const double r = sphere->radius;
-  const double k = InertiaOf(body).x() / (body.mass * r * r);
+  const double r = RadiusOf(body);
+  const double k = InertiaRatioOf(body);
   const Eigen::Vector3d holding_W = -on.along_W * k / (1 + k);
   const Eigen::Vector3d f_W =
       cone.frame * NearestInCone(cone.cone, cone.frame.transpose() * holding_W, brake);
@@ -64,9 +63,10 @@ ExpectedNumbers NumbersOfBody(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfEachBody(world, claim, WhyNot,
-                          "a flat box or a sphere at rest on a static plane",
-                          NumbersOfBody);
+  return FaultsOfEachBody(world, claim,
+                          {.why_not = WhyNot,
+                           .expected = "a flat box or a sphere at rest on a static plane",
+                           .numbers = NumbersOfBody});
 }
 
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
@@ -78,10 +78,10 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const double mu = on.plane.friction;
   const Start start = StartOf(body, on, cone);
   const double pull = on.along_W.norm() + mu * on.press;
-  const auto* sphere = std::get_if<Sphere>(&body.placed.shape);
-  const double r = sphere ? sphere->radius : BoundingRadius(body.placed.shape);
+  const double r = BoundingRadius(body.placed.shape);
   std::optional<FlatBox> flat;
-  if (!sphere) flat.emplace(motion, index, on);
+  if (std::holds_alternative<Box>(body.placed.shape)) flat.emplace(motion, index, on);
+  const std::string here = fmt::format("on this slope with μ = {:.6g} it ", mu);
   const std::string because =
       "1.5 × ((1 + μ) |v_n| of the body's own velocity along the normal, and δ/r of the "
       "velocity for a contact at depth δ), 1e-5 of the velocity from gravity and "
@@ -93,46 +93,29 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
                  "gravity and friction for the solver, and 64 roundings per step");
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
+    const AtSample at{motion, s, body.name};
     const BodyState& is = motion.trajectory.samples[s].bodies[i];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const double share = kSolverResidual + rounding;
     const double across = (1 + mu) * on.SpeedAcross(is.v_WB, h);
     const double inside = on.Settling(h) / r;
     const Eigen::Vector3d v_W = start.a_W * t;
-    velocity.Take(
-        (is.v_WB - v_W).norm(),
-        kSafety * (across + inside * v_W.norm()) + share * pull * t, [&] {
-          return fmt::format(
-              "{} has {} moving at {} after {:.6g} s; on this slope with μ = {:.6g} it "
-              "moves at {}",
-              motion.oracle.name, body.name, FormatVector(is.v_WB, 9), t, mu,
-              FormatVector(v_W, 9));
-        });
+    at.Compare(velocity, is.v_WB, v_W,
+               kSafety * (across + inside * v_W.norm()) + share * pull * t,
+               here + "moves at");
     const Eigen::Vector3d p_W = body.placed.X_WB.p_WB + v_W * (t / 2);
-    position.Take(
-        (is.p_WB - p_W).norm(),
-        kSafety * (v_W.norm() * (h + inside * t) / 2 + on.Settling(h)) +
-            share * pull * t * t / 2 + rounding * body.placed.X_WB.p_WB.norm(),
-        [&] {
-          return fmt::format(
-              "{} has {} at {} after {:.6g} s; on this slope with μ = {:.6g} it is at {}",
-              motion.oracle.name, body.name, FormatVector(is.p_WB, 9), t, mu,
-              FormatVector(p_W, 9));
-        });
+    at.Compare(position, is.p_WB, p_W,
+               kSafety * (v_W.norm() * (h + inside * t) / 2 + on.Settling(h)) +
+                   share * pull * t * t / 2 + rounding * body.placed.X_WB.p_WB.norm(),
+               here + "is at");
     if (flat) {
       flat->Take(s, pull * t);
       continue;
     }
     const Eigen::Vector3d w_W = start.alpha_W * t;
-    spin.Take(
-        (is.w_WB - w_W).norm(),
-        kSafety * (across / r + inside * w_W.norm()) + share * pull * t / r, [&] {
-          return fmt::format(
-              "{} has {} spinning at {} after {:.6g} s; on this slope with μ = {:.6g} it "
-              "spins at {}",
-              motion.oracle.name, body.name, FormatVector(is.w_WB, 9), t, mu,
-              FormatVector(w_W, 9));
-        });
+    at.Compare(spin, is.w_WB, w_W,
+               kSafety * (across / r + inside * w_W.norm()) + share * pull * t / r,
+               here + "spins at");
   }
   if (flat) return {position, velocity, flat->orientation(), flat->spin()};
   return {position, velocity, spin};
@@ -146,9 +129,14 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 
 }  // namespace
 
-constinit const Law kIncline = {"incline",
-                                "From rest on a slope, a box stays if μ >= tan θ, else "
-                                "slides, and never rotates; a sphere rolls or slips.",
-                                kNumbers, Faults, Judge};
+constinit const Law kIncline = {
+    .name = "incline",
+    .documentation =
+        "From rest on a slope, a box stays if μ >= tan θ, else "
+        "slides, and never rotates; a sphere rolls or slips.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

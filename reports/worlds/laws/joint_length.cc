@@ -30,7 +30,8 @@ std::vector<const DistanceJoint*> RodsOf(const World& world, const Subjects& sub
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
   if (RodsOf(world, SubjectsOf(world, claim)).empty())
     faults.push_back({"about", "is held by no rod", "bodies or particles with joints"});
@@ -95,6 +96,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kJointLength = {
-    "joint_length", "A rod keeps its length.", {}, Faults, Judge};
+    .name = "joint_length",
+    .documentation = "A rod keeps its length.",
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

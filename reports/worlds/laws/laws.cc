@@ -1,7 +1,8 @@
+#include "reports/worlds/laws/laws.h"
+
 #include <algorithm>
 #include <array>
 
-#include "reports/worlds/law_support/law.h"
 #include "reports/worlds/laws/ballistic.h"
 #include "reports/worlds/laws/bounce_series.h"
 #include "reports/worlds/laws/conserves_angular_momentum.h"

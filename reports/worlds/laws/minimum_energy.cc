@@ -25,12 +25,13 @@ bool Holds(const std::vector<int>& particles, const Anchor& anchor) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {false, true, true});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.particles = true, .cloths = true});
   if (!faults.empty()) return faults;
   const Subjects subjects = SubjectsOf(world, claim);
   const auto refuse = [&](const std::string& name, const std::string& why) {
-    faults.push_back({WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
-                      "damped cloths and particles on springs"});
+    faults.push_back(
+        FaultAbout(claim, name, why, "damped cloths and particles on springs"));
   };
   for (const int i : subjects.cloths) {
     const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];
@@ -230,10 +231,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kMinimumEnergy = {
-    "minimum_energy",
-    "Damped cloths and particles on springs come to rest at a minimum of their energy.",
-    {},
-    Faults,
-    Judge};
+    .name = "minimum_energy",
+    .documentation =
+        "Damped cloths and particles on springs come to rest at a minimum of their "
+        "energy.",
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -13,14 +13,13 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   for (const int i : SubjectsOf(world, claim).bodies) {
     if (!IsHeld(world, AnchorKind::kBody, i)) continue;
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    faults.push_back({WhereAbout(claim, name),
-                      fmt::format("is {}, which a spring or a joint holds", name),
-                      "a body that is held only by contacts"});
+    faults.push_back(FaultAbout(claim, name, "a spring or a joint holds",
+                                "a body that is held only by contacts"));
   }
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
@@ -38,12 +37,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     for (const int index : SubjectsOf(world, claim).bodies) {
       const auto i = static_cast<std::size_t>(index);
       const RigidBody& body = world.bodies[i];
-      const Eigen::Vector3d pull_W =
-          TimeBefore(motion, s) * (body.mass * world.gravity_W + body.force_W);
-      Eigen::Vector3d given_W = pull_W;
+      const Eigen::Vector3d loads_W = ImpulseOfLoads(motion, index, s);
+      Eigen::Vector3d given_W = loads_W;
       double size =
-          pull_W.norm() + body.mass * (trajectory.samples[s - 1].bodies[i].v_WB.norm() +
-                                       trajectory.samples[s].bodies[i].v_WB.norm());
+          loads_W.norm() + body.mass * (trajectory.samples[s - 1].bodies[i].v_WB.norm() +
+                                        trajectory.samples[s].bodies[i].v_WB.norm());
       for (const Push* push : PushesBetween(world, index, from, to)) {
         given_W += push->J_W;
         size += push->J_W.norm();
@@ -71,10 +69,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 }  // namespace
 
 constinit const Law kMomentumBalance = {
-    "momentum_balance",
-    "A body's momentum changes by gravity, force, pushes and the reported contacts.",
-    {},
-    Faults,
-    Judge};
+    .name = "momentum_balance",
+    .documentation =
+        "A body's momentum changes by gravity, force, pushes and the reported contacts.",
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -19,7 +19,7 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (NumberOr(claim, "slack", 0) < 0)
     faults.push_back({"numbers.slack", "is negative", "a length >= 0"});
   const double parted_by = NumberOr(claim, "parted_by", 0);
@@ -134,9 +134,14 @@ constexpr std::array<std::string_view, 2> kNumbers = {"parted_by", "slack"};
 }  // namespace
 
 constinit const Law kNeverPenetrates = {
-    "never_penetrates",
-    "Colliding bodies penetrate by at most V h + g h²; slack [m] is granted on top, and "
-    "until parted_by [s] also the overlap at the start.",
-    kNumbers, Faults, Judge};
+    .name = "never_penetrates",
+    .documentation =
+        "Colliding bodies penetrate by at most V h + g h²; slack [m] is granted on top, "
+        "and "
+        "until parted_by [s] also the overlap at the start.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

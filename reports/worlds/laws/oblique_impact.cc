@@ -1,12 +1,11 @@
 #include "reports/worlds/laws/oblique_impact.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <string_view>
 
-#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/landing.h"
 #include "reports/worlds/law_support/sphere_meeting.h"
 #include "reports/worlds/law_support/subjects.h"
@@ -26,13 +25,7 @@ SphereMeeting MeetingOf(const World& world, int index) {
   meeting.n_AB_W = landing.n_W;
   meeting.restitution = landing.restitution;
   meeting.friction = landing.friction;
-  // The first root of gap + v t + ½ a t² = 0, written so that nothing cancels.
-  const double gap = std::max(0.0, landing.gap);
-  const double v = landing.n_W.dot(meeting.B.start.v_WB);
-  const double a = landing.n_W.dot(meeting.B.a_W);
-  const double V = std::sqrt(v * v - 2 * a * gap);
-  meeting.time = v < 0 || a < 0 ? (v < 0 ? 2 * gap / (V - v) : -(v + V) / a)
-                                : std::numeric_limits<double>::quiet_NaN();
+  meeting.time = ArrivalAt(landing, meeting.B.start.v_WB, meeting.B.a_W).time;
   return meeting;
 }
 
@@ -63,25 +56,21 @@ std::string WhyNot(const World& world, int index) {
 
 ExpectedNumbers NumbersOfBody(const World& world, int index) {
   const SphereMeeting meeting = MeetingOf(world, index);
-  const PlacedCone circle = ConesOn(*meeting.n_AB_W).front();
-  const Striker before = MetAt(meeting, meeting.time, meeting.time, 0, circle).B;
-  const Striker after =
-      MetAt(meeting, std::nextafter(meeting.time, 1e300), meeting.time, 0, circle).B;
-  const auto energy = [](const Striker& is) {
-    return is.v_WB.squaredNorm() / is.inverse_mass +
-           is.w_WB.squaredNorm() / is.inverse_inertia_W(0, 0);
-  };
+  const Outcome outcome = OutcomeOf(meeting);
+  const Striker& after = outcome.after.B;
   const double v_n = after.v_WB.dot(*meeting.n_AB_W);
   return {{"expected_normal_speed", std::abs(v_n)},
           {"expected_tangential_speed", (after.v_WB - v_n * *meeting.n_AB_W).norm()},
           {"expected_spin", after.w_WB.norm()},
-          {"expected_energy_ratio", energy(after) / energy(before)}};
+          {"expected_energy_ratio", outcome.EnergyRatio()}};
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfOneBody(world, claim, "one sphere", WhyNot,
-                         "a sphere that flies against a static half-space or box",
-                         NumbersOfBody);
+  return FaultsOfOneBody(
+      world, claim, "one sphere",
+      {.why_not = WhyNot,
+       .expected = "a sphere that flies against a static half-space or box",
+       .numbers = NumbersOfBody});
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -97,9 +86,13 @@ constexpr std::array<std::string_view, 4> kNumbers = {
 }  // namespace
 
 constinit const Law kObliqueImpact = {
-    "oblique_impact",
-    "A sphere hits a static plane at an angle, with spin, restitution and Coulomb "
-    "friction.",
-    kNumbers, Faults, Judge};
+    .name = "oblique_impact",
+    .documentation =
+        "A sphere hits a static plane at an angle, with spin, restitution and Coulomb "
+        "friction.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

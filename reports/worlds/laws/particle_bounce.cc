@@ -1,10 +1,8 @@
 #include "reports/worlds/laws/particle_bounce.h"
 
-#include <fmt/format.h>
-
+#include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/falls.h"
 #include "reports/worlds/law_support/landing.h"
-#include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
@@ -43,30 +41,20 @@ std::string WhyNot(const World& world, int index) {
   return "";
 }
 
+ExpectedNumbers NumbersOfParticle(const World& world, int index) {
+  return NumbersOf(FallOf(world, index));
+}
+
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {false, true, false});
-  if (!faults.empty()) return faults;
-  for (const int i : SubjectsOf(world, claim).particles) {
-    const std::string& name = world.particles[static_cast<std::size_t>(i)].name;
-    const std::string why = WhyNot(world, i);
-    if (!why.empty()) {
-      faults.push_back({WhereAbout(claim, name),
-                        fmt::format("is {}, which {}", name, why),
-                        "a free particle above a static half-space or box"});
-      continue;
-    }
-    faults =
-        Joined(std::move(faults), FaultsOfNumbers(claim, NumbersOf(FallOf(world, i))));
-  }
-  return faults;
+  return FaultsOfEachParticle(
+      world, claim,
+      {.why_not = WhyNot,
+       .expected = "a free particle above a static half-space or box",
+       .numbers = NumbersOfParticle});
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  const std::vector<int> particles = SubjectsOf(motion.world, claim).particles;
-  std::vector<Fall> falls;
-  falls.reserve(particles.size());
-  for (const int i : particles) falls.push_back(FallOf(motion.world, i));
-  return JudgeFalls(motion, falls);
+  return JudgeFalls(motion, SubjectsOf(motion.world, claim).particles, FallOf);
 }
 
 Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
@@ -75,14 +63,16 @@ Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
 
 }  // namespace
 
-constinit const Law kParticleBounce = {"particle_bounce",
-                                       "A particle that falls onto a static plane leaves "
-                                       "with `bounce` times its normal speed.",
-                                       kNumbersOfFalls,
-                                       Faults,
-                                       Judge,
-                                       false,
-                                       Place,
-                                       true};
+constinit const Law kParticleBounce = {
+    .name = "particle_bounce",
+    .documentation =
+        "A particle that falls onto a static plane leaves "
+        "with `bounce` times its normal speed.",
+    .numbers = kNumbersOfFalls,
+    .faults = Faults,
+    .judge = Judge,
+    .place = Place,
+    .has_impacts = true,
+};
 
 }  // namespace touchstone

@@ -7,7 +7,7 @@ namespace touchstone {
 /** A particle that falls onto a static plane leaves each bounce with `bounce` times its
  normal speed and keeps its speed along the plane (truth/vertical_bounces.h). [m], [-]
 
- The tolerances are in laws/falls.h, with the rule that reflects the velocity after
+ The tolerances are in law_support/falls.h, with the rule that reflects the velocity after
  gravity, which is recognised.
 
  About: particles without damping that nothing holds, above a static half-space or box

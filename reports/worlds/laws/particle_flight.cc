@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
@@ -17,15 +17,14 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {false, true, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.particles = true});
   if (!faults.empty()) return faults;
   const std::vector<int> particles = SubjectsOf(world, claim).particles;
   for (const int i : particles) {
     if (!IsHeld(world, AnchorKind::kParticle, i)) continue;
     const std::string& name = world.particles[static_cast<std::size_t>(i)].name;
-    faults.push_back({WhereAbout(claim, name),
-                      fmt::format("is {}, which a spring or a joint holds", name),
-                      "a free particle"});
+    faults.push_back(
+        FaultAbout(claim, name, "a spring or a joint holds", "a free particle"));
   }
   const double c = world.particles[static_cast<std::size_t>(particles.front())].damping;
   return Joined(
@@ -46,6 +45,7 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
   const std::array<FlightScheme, 8> schemes = FlightSchemes();
   std::array<PointState, 8> stepped;
   stepped.fill(start);
+  const std::string damped = fmt::format("damped by {:.6g}/s it ", particle.damping);
   double done = 0;
   double off = 0;
   double off_speed = 0;
@@ -63,32 +63,19 @@ std::vector<LawFinding> JudgeParticle(const Motion& motion, int index) {
     const PointState& is = motion.trajectory.samples[s].particles[i];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const double speed = start.v_W.norm() + world.gravity_W.norm() * t;
-    position.Take(
-        (is.p_W - truth.p_W).norm(),
-        kSafety * off + rounding * (start.p_W.norm() + speed * t), [&] {
-          return fmt::format(
-              "{} has {} at {} after {:.6g} s; damped by {:.6g}/s it flies to {}",
-              motion.oracle.name, particle.name, FormatVector(is.p_W, 9), t,
-              particle.damping, FormatVector(truth.p_W, 9));
-        });
-    velocity.Take(
-        (is.v_W - truth.v_W).norm(), kSafety * off_speed + rounding * speed, [&] {
-          return fmt::format(
-              "{} has {} moving at {} after {:.6g} s; damped by {:.6g}/s it moves at {}",
-              motion.oracle.name, particle.name, FormatVector(is.v_W, 9), t,
-              particle.damping, FormatVector(truth.v_W, 9));
-        });
+    const AtSample at{motion, s, particle.name};
+    at.Compare(position, is.p_W, truth.p_W,
+               kSafety * off + rounding * (start.p_W.norm() + speed * t),
+               damped + "flies to");
+    at.Compare(velocity, is.v_W, truth.v_W, kSafety * off_speed + rounding * speed,
+               damped + "moves at");
   }
   return FindingsOf({position, velocity});
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  std::vector<LawFinding> findings;
-  for (const int i : SubjectsOf(motion.world, claim).particles) {
-    for (LawFinding& finding : JudgeParticle(motion, i))
-      findings.push_back(std::move(finding));
-  }
-  return WorstOfEach(findings);
+  return WorstOfEach(SubjectsOf(motion.world, claim).particles,
+                     [&](int particle) { return JudgeParticle(motion, particle); });
 }
 
 Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {
@@ -103,12 +90,13 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_terminal_speed"}
 }  // namespace
 
 constinit const Law kParticleFlight = {
-    "particle_flight",
-    "A damped particle in free flight moves by v̇ = g − c v.",
-    kNumbers,
-    Faults,
-    Judge,
-    true,
-    Place};
+    .name = "particle_flight",
+    .documentation = "A damped particle in free flight moves by v̇ = g − c v.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+    .place = Place,
+};
 
 }  // namespace touchstone

@@ -77,7 +77,8 @@ std::string WhyNot(const World& world, const std::vector<PointMass>& points) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
   const std::vector<PointMass> points = PointMassesInOrder(world, claim);
   const std::string why = WhyNot(world, points);
@@ -119,9 +120,13 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_period"};
 }  // namespace
 
 constinit const Law kPendulum = {
-    "pendulum", "A mass on one rod to a fixed point swings in a plane.",
-    kNumbers,   Faults,
-    Judge,      true,
-    Place};
+    .name = "pendulum",
+    .documentation = "A mass on one rod to a fixed point swings in a plane.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+    .place = Place,
+};
 
 }  // namespace touchstone

@@ -10,7 +10,7 @@ namespace touchstone {
 
  A rod that is constrained by velocities loses the power ½ m v⁴ h/L², or becomes longer.
  An engine in angles has δT/T = −h² g cos θ₀/(24 L). The tolerance is that of
- laws/held_by_rods.h.
+ law_support/held_by_rods.h.
 
  About: one body, held at its centre, or one particle, moving in a vertical plane.
  Numbers: expected_period, of a swing or of one full turn. */

@@ -9,15 +9,12 @@
 
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {
-
-double RadiusOf(const RigidBody& body) {
-  return std::get<Sphere>(body.placed.shape).radius;
-}
 
 bool IsGround(const RigidBody& body) {
   return body.mass == 0 && body.collides &&
@@ -35,14 +32,13 @@ double DistanceTo(const Body& ground, const Eigen::Vector3d& p_W) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   for (const int i : SubjectsOf(world, claim).bodies) {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
     if (std::holds_alternative<Sphere>(body.placed.shape) && body.collides) continue;
-    faults.push_back({WhereAbout(claim, body.name),
-                      fmt::format("is {}, which is no sphere that collides", body.name),
-                      "spheres"});
+    faults.push_back(
+        FaultAbout(claim, body.name, "is no sphere that collides", "spheres"));
   }
   if (NumberOr(claim, "slope", 1) <= 0)
     faults.push_back({"numbers.slope", "is not positive", "a score over h²"});
@@ -131,8 +127,12 @@ constexpr std::array<std::string_view, 1> kNumbers = {"slope"};
 }  // namespace
 
 constinit const Law kPenetrationScore = {
-    "penetration_score",
-    "Spheres penetrate on average no deeper than a step at their speed allows.", kNumbers,
-    Faults, Judge};
+    .name = "penetration_score",
+    .documentation =
+        "Spheres penetrate on average no deeper than a step at their speed allows.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -19,15 +19,14 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   for (const int i : bodies) {
     if (IsPushed(world, i) && !IsHeld(world, AnchorKind::kBody, i)) continue;
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    faults.push_back({WhereAbout(claim, name),
-                      fmt::format("is {}, which has no push or is held", name),
-                      "a free body with a push"});
+    faults.push_back(
+        FaultAbout(claim, name, "has no push or is held", "a free body with a push"));
   }
   if (!faults.empty()) return faults;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(bodies.front())];
@@ -59,13 +58,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       if (pushes.empty()) continue;
       const BodyState& before = trajectory.samples[s - 1].bodies[i];
       const BodyState& after = trajectory.samples[s].bodies[i];
-      const Eigen::Vector3d pull_W =
-          TimeBefore(motion, s) * (body.mass * world.gravity_W + body.force_W);
+      const Eigen::Vector3d loads_W = ImpulseOfLoads(motion, index, s);
       const Eigen::Vector3d L_before = InertiaInWorld(body, before.q_WB) * before.w_WB;
       const Eigen::Vector3d L_after = InertiaInWorld(body, after.q_WB) * after.w_WB;
-      Eigen::Vector3d P_W = body.mass * before.v_WB + pull_W;
+      Eigen::Vector3d P_W = body.mass * before.v_WB + loads_W;
       Eigen::Vector3d L_W = L_before;
-      double size = body.mass * (before.v_WB.norm() + after.v_WB.norm()) + pull_W.norm();
+      double size = body.mass * (before.v_WB.norm() + after.v_WB.norm()) + loads_W.norm();
       double L_size = L_before.norm() + L_after.norm();
       double turned = 0;
       for (const Push* push : pushes) {
@@ -108,8 +106,13 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_speed_gain",
 }  // namespace
 
 constinit const Law kPushed = {
-    "pushed",
-    "A push J at the point r gives a body the momentum J and the angular momentum r × J.",
-    kNumbers, Faults, Judge};
+    .name = "pushed",
+    .documentation =
+        "A push J at the point r gives a body the momentum J and the angular momentum r "
+        "× J.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -23,7 +23,8 @@ namespace touchstone {
 namespace {
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, true});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true, .cloths = true});
   const double from = NumberOr(claim, "from", 0);
   if (from < 0 || from >= world.steps * world.dt)
     faults.push_back(
@@ -93,7 +94,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   double g = world.gravity_W.norm();
   for (const int i : subjects.bodies) {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    g = std::max(g, (world.gravity_W + body.force_W / body.mass).norm());
+    g = std::max(g, AccelerationOf(world, body).norm());
   }
   const double contacts = static_cast<double>(
       std::max<std::size_t>(1, subjects.bodies.size() + subjects.particles.size()));
@@ -172,7 +173,12 @@ constexpr std::array<std::string_view, 2> kNumbers = {"from", "slack"};
 }  // namespace
 
 constinit const Law kRests = {
-    "rests", "A body at rest stays where it is; from [s] and slack [m] may be given.",
-    kNumbers, Faults, Judge};
+    .name = "rests",
+    .documentation =
+        "A body at rest stays where it is; from [s] and slack [m] may be given.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

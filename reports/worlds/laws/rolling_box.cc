@@ -6,27 +6,16 @@
 #include <limits>
 #include <string_view>
 
-#include <fmt/format.h>
-
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/cone_models.h"
-#include "reports/worlds/law_support/each_body.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {
-
-double RadiusOf(const RigidBody& ball) {
-  return std::get<Sphere>(ball.placed.shape).radius;
-}
-
-/** Returns I/(m r²). [-] */
-double ShareOf(const RigidBody& ball) {
-  return InertiaOf(ball).x() / (ball.mass * RadiusOf(ball) * RadiusOf(ball));
-}
 
 /** The box, its plane and the balls on it. */
 struct Train {
@@ -61,7 +50,7 @@ Train TrainOf(const World& world, const Claim& claim) {
   train.mass = train.moved = box.mass;
   for (const int i : train.balls) {
     const RigidBody& ball = world.bodies[static_cast<std::size_t>(i)];
-    const double k = ShareOf(ball);
+    const double k = InertiaRatioOf(ball);
     train.mass += ball.mass;
     train.moved += ball.mass * k / (1 + k);
     train.least_grip = std::min(
@@ -101,7 +90,7 @@ std::string WhyNoBall(const World& world, const RigidBody& box, const OnPlane& o
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   const RigidBody& box = world.bodies[static_cast<std::size_t>(bodies.front())];
@@ -110,17 +99,14 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (why.empty() && (!box.v_WB.isZero(0) || !box.w_WB.isZero(0)))
     why = "does not start at rest";
   if (!why.empty()) {
-    return {{WhereAbout(claim, box.name), fmt::format("is {}, which {}", box.name, why),
-             "first the box, at rest on a static plane"}};
+    return {FaultAbout(claim, box.name, why, "first the box, at rest on a static plane")};
   }
   const OnPlane on = OnPlaneOf(world, bodies.front());
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     const std::string why_not = WhyNoBall(world, box, on, bodies[i]);
     if (why_not.empty()) continue;
     const std::string& name = world.bodies[static_cast<std::size_t>(bodies[i])].name;
-    faults.push_back({WhereAbout(claim, name),
-                      fmt::format("is {}, which {}", name, why_not),
-                      "a sphere at rest on the box"});
+    faults.push_back(FaultAbout(claim, name, why_not, "a sphere at rest on the box"));
   }
   if (!faults.empty()) return faults;
   const Train train = TrainOf(world, claim);
@@ -131,7 +117,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   if (train.balls.empty())
     return FaultsOfNumbers(claim, {{"expected_box_acceleration", a_W.norm()}});
   const RigidBody& ball = world.bodies[static_cast<std::size_t>(train.balls.front())];
-  const double k = ShareOf(ball);
+  const double k = InertiaRatioOf(ball);
   return FaultsOfNumbers(
       claim, {{"expected_box_acceleration", a_W.norm()},
               {"expected_ball_acceleration", a_W.norm() * k / (1 + k)},
@@ -168,38 +154,27 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
     const auto hold = [&](int index, double ratio, double inside) {
       const auto i = static_cast<std::size_t>(index);
       const Eigen::Vector3d v_W = ratio * a_W * t;
-      velocity.Take(
-          (state.bodies[i].v_WB - v_W).norm(),
-          kSafety * (across + inside * a_W.norm() * t) + share * pull * t, [&] {
-            return fmt::format(
-                "{} has {} moving at {} after {:.6g} s; driven against friction "
-                "it moves at {}",
-                motion.oracle.name, world.bodies[i].name,
-                FormatVector(state.bodies[i].v_WB, 9), t, FormatVector(v_W, 9));
-          });
+      AtSample{motion, s, world.bodies[i].name}.Compare(
+          velocity, state.bodies[i].v_WB, v_W,
+          kSafety * (across + inside * a_W.norm() * t) + share * pull * t,
+          "driven against friction it moves at");
     };
     double deepest = 0;
     for (const int index : train.balls) {
       const auto i = static_cast<std::size_t>(index);
       const RigidBody& ball = world.bodies[i];
       const double r = RadiusOf(ball);
-      const double k = ShareOf(ball);
+      const double k = InertiaRatioOf(ball);
       const double inside =
           std::abs(HeightOn(box, ball, n_W)) +
           2 * (g * world.dt * world.dt + train.on.Settling(world.dt)) / r;
       deepest = std::max(deepest, inside);
       hold(index, k / (1 + k), inside);
       const Eigen::Vector3d w_W = a_W.cross(n_W) * t / ((1 + k) * r);
-      const Eigen::Vector3d& is = state.bodies[i].w_WB;
-      spin.Take((is - w_W).norm(),
-                kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r,
-                [&] {
-                  return fmt::format(
-                      "{} has {} spinning at {} after {:.6g} s; rolling on the box it "
-                      "spins at {}",
-                      motion.oracle.name, ball.name, FormatVector(is, 9), t,
-                      FormatVector(w_W, 9));
-                });
+      AtSample{motion, s, ball.name}.Compare(
+          spin, state.bodies[i].w_WB, w_W,
+          kSafety * (across + inside * a_W.norm() * t) / r + share * pull * t / r,
+          "rolling on the box it spins at");
     }
     hold(train.box, 1, deepest);
   }
@@ -219,8 +194,13 @@ constexpr std::array<std::string_view, 3> kNumbers = {
 }  // namespace
 
 constinit const Law kRollingBox = {
-    "rolling_box",
-    "A box driven over a level plane carries balls that roll; about names the box first.",
-    kNumbers, Faults, Judge};
+    .name = "rolling_box",
+    .documentation =
+        "A box driven over a level plane carries balls that roll; about names the box "
+        "first.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

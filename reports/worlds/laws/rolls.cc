@@ -4,8 +4,9 @@
 #include <string_view>
 
 #include "reports/worlds/law_support/ball_on_plane.h"
-#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 
@@ -15,35 +16,31 @@ namespace {
 /** Largest initial slip of a rolling sphere, over its speed. [-] */
 constexpr double kRolling = 1e-9;
 
-double ShareOf(const RigidBody& body) {
-  const double r = std::get<Sphere>(body.placed.shape).radius;
-  return InertiaOf(body).x() / (body.mass * r * r);
-}
-
 std::string WhyNot(const World& world, int index) {
-  std::string why = WhyNotOnPlane(world, index);
+  std::string why = WhyNoBallOnPlane(world, index);
   if (!why.empty()) return why;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
-  if (!IsEvenSphere(body)) return "is no sphere with equal moments of inertia";
   const OnPlane on = OnPlaneOf(world, index);
-  const double r = std::get<Sphere>(body.placed.shape).radius;
+  const double r = RadiusOf(body);
   const Eigen::Vector3d slip_W = on.v_along_W - r * body.w_WB.cross(on.plane.n_W);
   if (slip_W.norm() > kRolling * (body.v_WB.norm() + r * body.w_WB.norm()))
     return "slips at the start";
-  const double k = ShareOf(body);
+  const double k = InertiaRatioOf(body);
   if (on.along_W.norm() * k / (1 + k) > on.plane.friction * on.press)
     return "has too little friction to keep rolling";
   return "";
 }
 
 ExpectedNumbers NumbersOfBody(const World& world, int index) {
-  const double k = ShareOf(world.bodies[static_cast<std::size_t>(index)]);
+  const double k = InertiaRatioOf(world.bodies[static_cast<std::size_t>(index)]);
   return {{"expected_acceleration", OnPlaneOf(world, index).along_W.norm() / (1 + k)}};
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfEachBody(world, claim, WhyNot, "a sphere that rolls on a static plane",
-                          NumbersOfBody);
+  return FaultsOfEachBody(world, claim,
+                          {.why_not = WhyNot,
+                           .expected = "a sphere that rolls on a static plane",
+                           .numbers = NumbersOfBody});
 }
 
 std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
@@ -53,8 +50,8 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
   const RigidBody& body = world.bodies[i];
   const OnPlane on = OnPlaneOf(world, index);
   const Eigen::Vector3d& n_W = on.plane.n_W;
-  const double r = std::get<Sphere>(body.placed.shape).radius;
-  const double k = ShareOf(body);
+  const double r = RadiusOf(body);
+  const double k = InertiaRatioOf(body);
   const Eigen::Vector3d a_W = on.along_W / (1 + k);
   const double pull = on.along_W.norm() + on.plane.friction * on.press;
   BallOnPlane ball(motion, index, on, "rolling",
@@ -78,12 +75,8 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  std::vector<LawFinding> findings;
-  for (const int i : SubjectsOf(motion.world, claim).bodies) {
-    for (LawFinding& finding : JudgeBody(motion, i))
-      findings.push_back(std::move(finding));
-  }
-  return WorstOfEach(findings);
+  return WorstOfEach(SubjectsOf(motion.world, claim).bodies,
+                     [&](int body) { return JudgeBody(motion, body); });
 }
 
 constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
@@ -91,8 +84,12 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 }  // namespace
 
 constinit const Law kRolls = {
-    "rolls",
-    "A sphere that rolls on a static plane keeps rolling; a slope accelerates it.",
-    kNumbers, Faults, Judge};
+    .name = "rolls",
+    .documentation =
+        "A sphere that rolls on a static plane keeps rolling; a slope accelerates it.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

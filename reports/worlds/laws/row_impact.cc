@@ -5,11 +5,10 @@
 #include <cmath>
 #include <string_view>
 
-#include <fmt/format.h>
-
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/row_of_balls.h"
@@ -45,7 +44,7 @@ Row RowOf(const World& world, const std::vector<int>& bodies) {
   row.p_W = body(bodies.front()).placed.X_WB.p_WB;
   row.d_W = (body(bodies.back()).placed.X_WB.p_WB - row.p_W).normalized();
   for (const int i : bodies) {
-    const double r = std::get<Sphere>(body(i).placed.shape).radius;
+    const double r = RadiusOf(body(i));
     row.balls.push_back({body(i).mass, r, row.d_W.dot(body(i).placed.X_WB.p_WB - row.p_W),
                          row.d_W.dot(body(i).v_WB)});
     row.radius = std::max(row.radius, r);
@@ -83,9 +82,8 @@ std::vector<Fault> FaultsOfLine(const World& world, const Claim& claim, const Ro
                           -kOnLine * row.radius)
       why = "is out of order, or inside its predecessor";
     if (why.empty()) continue;
-    faults.push_back({WhereAbout(claim, body.name),
-                      fmt::format("is {}, which {}", body.name, why),
-                      "spheres in the order of a line, moving along it"});
+    faults.push_back(FaultAbout(claim, body.name, why,
+                                "spheres in the order of a line, moving along it"));
   }
   return faults;
 }
@@ -155,7 +153,7 @@ bool ShowsAnImpact(const World& world, const RowOfBalls& truth) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   if (bodies.size() < 2) return {{"about", "is one body", "two or more spheres"}};
@@ -164,9 +162,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   for (const int i : bodies) {
     const std::string why = WhyNoBall(world, i);
     if (why.empty()) continue;
-    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    faults.push_back({WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
-                      "a free sphere"});
+    faults.push_back(FaultAbout(claim, world.bodies[static_cast<std::size_t>(i)].name,
+                                why, "a free sphere"));
   }
   if (!faults.empty()) return faults;
   const Row row = RowOf(world, bodies);
@@ -211,25 +208,17 @@ std::vector<Worst> JudgeBy(const RowOfBalls& truth, const Motion& motion,
     for (std::size_t i = 0; i < row.bodies.size(); ++i) {
       const auto index = static_cast<std::size_t>(row.bodies[i]);
       const BodyState& is = motion.trajectory.samples[s].bodies[index];
-      const std::string& name = world.bodies[index].name;
+      const AtSample at{motion, s, world.bodies[index].name};
       const Eigen::Vector3d p_W = row.p_W + balls[i].x * row.d_W;
-      position.Take((is.p_WB - p_W).norm(),
-                    kSafety * past.moments * h * past.change + share * row.speed * t +
-                        RoundingOf(motion.oracle, StepsBefore(motion, s)) *
-                            (row.p_W.norm() + std::abs(balls[i].x)),
-                    [&] {
-                      return fmt::format(
-                          "{} has {} at {} after {:.6g} s; after its impacts it is at {}",
-                          motion.oracle.name, name, FormatVector(is.p_WB, 9), t,
-                          FormatVector(p_W, 9));
-                    });
+      at.Compare(position, is.p_WB, p_W,
+                 kSafety * past.moments * h * past.change + share * row.speed * t +
+                     RoundingOf(motion.oracle, StepsBefore(motion, s)) *
+                         (row.p_W.norm() + std::abs(balls[i].x)),
+                 "after its impacts it is at");
       if (strikes.May(i, t)) continue;
       const Eigen::Vector3d v_W = balls[i].v * row.d_W;
-      velocity.Take((is.v_WB - v_W).norm(), share * row.speed, [&] {
-        return fmt::format(
-            "{} has {} moving at {} after {:.6g} s; after its impacts it moves at {}",
-            motion.oracle.name, name, FormatVector(is.v_WB, 9), t, FormatVector(v_W, 9));
-      });
+      at.Compare(velocity, is.v_WB, v_W, share * row.speed,
+                 "after its impacts it moves at");
     }
   }
   return {velocity, position};
@@ -263,9 +252,14 @@ constexpr std::array<std::string_view, 4> kNumbers = {
 
 }  // namespace
 
-constinit const Law kRowImpact = {"row_impact",
-                                  "Spheres on a line hit each other, in sequential or "
-                                  "simultaneous impacts; about names them in order.",
-                                  kNumbers, Faults, Judge};
+constinit const Law kRowImpact = {
+    .name = "row_impact",
+    .documentation =
+        "Spheres on a line hit each other, in sequential or "
+        "simultaneous impacts; about names them in order.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

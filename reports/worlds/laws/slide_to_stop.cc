@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/cone_models.h"
-#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/flat_box.h"
 #include "reports/worlds/law_support/on_plane.h"
@@ -18,16 +18,13 @@
 namespace touchstone {
 namespace {
 
-/** Slope that still counts as level; quaternions have 16 digits. [-] */
-constexpr double kLevel = 1e-9;
-
 std::string WhyNot(const World& world, int index) {
   std::string why = WhyNotOnPlane(world, index);
   if (!why.empty()) return why;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const OnPlane on = OnPlaneOf(world, index);
   if (!std::holds_alternative<Box>(body.placed.shape)) return "is no box";
-  if (on.along_W.norm() > kLevel * on.press) return "is not on a level plane";
+  if (!on.IsLevel()) return "is not on a level plane";
   if (on.v_along_W.isZero(0) || !body.w_WB.isZero(0)) return "does not start sliding";
   if (on.plane.friction == 0) return "has no friction to stop it";
   if (Tips(body, on, on.plane.friction * on.press))
@@ -43,9 +40,10 @@ ExpectedNumbers NumbersOfBody(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfEachBody(world, claim, WhyNot,
-                          "a box that slides flat on a level static plane",
-                          NumbersOfBody);
+  return FaultsOfEachBody(world, claim,
+                          {.why_not = WhyNot,
+                           .expected = "a box that slides flat on a level static plane",
+                           .numbers = NumbersOfBody});
 }
 
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
@@ -65,6 +63,8 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
       "1.5 × h/t of the step in which friction begins, 1e-5 of the velocity for the "
       "solver, and 64 roundings per step");
   FlatBox flat(motion, index, on);
+  const std::string braked =
+      fmt::format("braked by μ g = {:.6g} m/s² it slides to", brake);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     const BodyState& is = motion.trajectory.samples[s].bodies[i];
@@ -73,17 +73,12 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
         SlipAfter(cone.cone, cone.frame.transpose() * on.v_along_W, brake, t);
     const Eigen::Vector3d p_W = body.placed.X_WB.p_WB + cone.frame * slip.travelled;
     const double slowed = (on.v_along_W - cone.frame * slip.velocity).norm();
-    position.Take((is.p_WB - p_W).norm(),
-                  kSafety * (slowed * h / 2 + brake * h * h + on.Settling(h)) +
-                      kSolverResidual * v_0 * std::min(t, stop) +
-                      rounding * (body.placed.X_WB.p_WB.norm() + v_0 * t),
-                  [&] {
-                    return fmt::format(
-                        "{} has {} at {} after {:.6g} s; braked by μ g = {:.6g} m/s² it "
-                        "slides to {}",
-                        motion.oracle.name, body.name, FormatVector(is.p_WB, 9), t, brake,
-                        FormatVector(p_W, 9));
-                  });
+    AtSample{motion, s, body.name}.Compare(
+        position, is.p_WB, p_W,
+        kSafety * (slowed * h / 2 + brake * h * h + on.Settling(h)) +
+            kSolverResidual * v_0 * std::min(t, stop) +
+            rounding * (body.placed.X_WB.p_WB.norm() + v_0 * t),
+        braked);
     flat.Take(s, v_0);
     // Between a quarter and three quarters of the time to stop: v has dropped, and the
     // box still slides.
@@ -114,9 +109,14 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_distance",
 
 }  // namespace
 
-constinit const Law kSlideToStop = {"slide_to_stop",
-                                    "A box that slides on a level plane stops after "
-                                    "v²/(2 μ g), along its heading, and does not rotate.",
-                                    kNumbers, Faults, Judge};
+constinit const Law kSlideToStop = {
+    .name = "slide_to_stop",
+    .documentation =
+        "A box that slides on a level plane stops after "
+        "v²/(2 μ g), along its heading, and does not rotate.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -6,15 +6,13 @@
 
 #include "reports/worlds/law_support/ball_on_plane.h"
 #include "reports/worlds/law_support/cone_models.h"
-#include "reports/worlds/law_support/each_body.h"
+#include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
 namespace {
-
-/** Slope that still counts as level. [-] */
-constexpr double kLevel = 1e-9;
 
 /** A sphere that slips on a plane. */
 struct Slipping {
@@ -47,22 +45,20 @@ struct Slipping {
 Slipping SlippingOf(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const OnPlane on = OnPlaneOf(world, index);
-  const double r = std::get<Sphere>(body.placed.shape).radius;
+  const double r = RadiusOf(body);
   return {on,
           r,
-          InertiaOf(body).x() / (body.mass * r * r),
+          InertiaRatioOf(body),
           on.v_along_W - r * body.w_WB.cross(on.plane.n_W),
           body.w_WB,
           body.placed.X_WB.p_WB};
 }
 
 std::string WhyNot(const World& world, int index) {
-  std::string why = WhyNotOnPlane(world, index);
+  std::string why = WhyNoBallOnPlane(world, index);
   if (!why.empty()) return why;
-  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
-  if (!IsEvenSphere(body)) return "is no sphere with equal moments of inertia";
   const OnPlane on = OnPlaneOf(world, index);
-  if (on.along_W.norm() > kLevel * on.press) return "is not on a level plane";
+  if (!on.IsLevel()) return "is not on a level plane";
   if (on.plane.friction == 0) return "has no friction to turn it";
   return "";
 }
@@ -76,8 +72,10 @@ ExpectedNumbers NumbersOfBody(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfEachBody(world, claim, WhyNot, "a sphere on a level static plane",
-                          NumbersOfBody);
+  return FaultsOfEachBody(world, claim,
+                          {.why_not = WhyNot,
+                           .expected = "a sphere on a level static plane",
+                           .numbers = NumbersOfBody});
 }
 
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
@@ -120,8 +118,12 @@ constexpr std::array<std::string_view, 2> kNumbers = {"expected_rolling_speed",
 }  // namespace
 
 constinit const Law kSlipToRoll = {
-    "slip_to_roll",
-    "A sphere that slips on a level plane is spun by friction until it rolls.", kNumbers,
-    Faults, Judge};
+    .name = "slip_to_roll",
+    .documentation =
+        "A sphere that slips on a level plane is spun by friction until it rolls.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -31,7 +31,7 @@ SphereMeeting MeetingOf(const World& world, const std::vector<int>& bodies) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   if (bodies.size() != 2)
@@ -39,9 +39,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   for (const int i : bodies) {
     const std::string why = WhyNoFreeSphere(world, i);
     if (why.empty()) continue;
-    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    faults.push_back({WhereAbout(claim, name), fmt::format("is {}, which {}", name, why),
-                      "a free sphere"});
+    faults.push_back(FaultAbout(claim, world.bodies[static_cast<std::size_t>(i)].name,
+                                why, "a free sphere"));
   }
   if (!faults.empty()) return faults;
   const SphereMeeting meeting = MeetingOf(world, bodies);
@@ -55,23 +54,13 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
     return {{"about",
              "are spheres that do not hit each other, or start inside each other",
              "an impact"}};
-  const Met met = MetAt(meeting, std::nextafter(meeting.time, 1e300), meeting.time, 0,
-                        ConesOn(meeting.NormalAt(meeting.time)).front());
-  const auto energy = [](const SphereMeeting::Side& side, const Striker& is) {
-    return (is.v_WB.squaredNorm() / side.start.inverse_mass +
-            is.w_WB.squaredNorm() / side.start.inverse_inertia_W(0, 0)) /
-           2;
-  };
-  const Met before = MetAt(meeting, meeting.time, meeting.time, 0,
-                           ConesOn(meeting.NormalAt(meeting.time)).front());
-  return FaultsOfNumbers(
-      claim, {{"expected_first_speed", met.A.v_WB.norm()},
-              {"expected_second_speed", met.B.v_WB.norm()},
-              {"expected_first_spin", met.A.w_WB.norm()},
-              {"expected_second_spin", met.B.w_WB.norm()},
-              {"expected_energy_ratio",
-               (energy(meeting.A, met.A) + energy(meeting.B, met.B)) /
-                   (energy(meeting.A, before.A) + energy(meeting.B, before.B))}});
+  const Outcome outcome = OutcomeOf(meeting);
+  const Met& after = outcome.after;
+  return FaultsOfNumbers(claim, {{"expected_first_speed", after.A.v_WB.norm()},
+                                 {"expected_second_speed", after.B.v_WB.norm()},
+                                 {"expected_first_spin", after.A.w_WB.norm()},
+                                 {"expected_second_spin", after.B.w_WB.norm()},
+                                 {"expected_energy_ratio", outcome.EnergyRatio()}});
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -87,9 +76,14 @@ constexpr std::array<std::string_view, 5> kNumbers = {
 }  // namespace
 
 constinit const Law kSphereImpact = {
-    "sphere_impact",
-    "Two free spheres hit each other with restitution and Coulomb friction; about names "
-    "both.",
-    kNumbers, Faults, Judge};
+    .name = "sphere_impact",
+    .documentation =
+        "Two free spheres hit each other with restitution and Coulomb friction; about "
+        "names "
+        "both.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

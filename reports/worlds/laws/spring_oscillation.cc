@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/point_mass.h"
@@ -93,7 +93,8 @@ std::string WhyNot(const World& world, const PointMass& mass) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, true, false});
+  std::vector<Fault> faults =
+      FaultsOfSubjects(world, claim, {.bodies = true, .particles = true});
   if (!faults.empty()) return faults;
   const std::vector<PointMass> masses = PointMassesOf(world, SubjectsOf(world, claim));
   if (masses.size() != 1)
@@ -101,9 +102,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
         {"about", fmt::format("are {} bodies or particles", masses.size()), "one mass"}};
   const std::string why = WhyNot(world, masses.front());
   if (!why.empty()) {
-    return {{WhereAbout(claim, masses.front().name),
-             fmt::format("is {}, which {}", masses.front().name, why),
-             "a mass that swings along one spring to a fixed point"}};
+    return {FaultAbout(claim, masses.front().name, why,
+                       "a mass that swings along one spring to a fixed point")};
   }
   const OnSpring on = OnSpringOf(world, masses.front());
   const double omega = on.oscillator.omega;
@@ -122,31 +122,23 @@ std::vector<Worst> JudgeBy(const Motion& motion, const OnSpring& on,
                            const Allowed& allowed) {
   Worst position(MeasureKind::kPositionError, because);
   Worst velocity(MeasureKind::kVelocityError, because);
+  const std::string oscillating =
+      fmt::format("with ω = {:.6g} rad/s and c = {:.6g}/s it is at", on.oscillator.omega,
+                  on.oscillator.damping);
   const double A = on.Amplitude();
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
-    const double t = motion.trajectory.times[s];
     const Swing swing = truth(s);
     const Swing off = allowed(s);
     const PointState is = on.mass.In(motion.trajectory.samples[s]);
     const Eigen::Vector3d p_W = on.p_W + (on.rest + swing.x) * on.d_W;
     const Eigen::Vector3d v_W = swing.v * on.d_W;
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
-    position.Take((is.p_W - p_W).norm(), off.x + rounding * (on.p_W.norm() + on.rest + A),
-                  [&] {
-                    return fmt::format(
-                        "{} has {} at {} after {:.6g} s; with ω = {:.6g} rad/s and c = "
-                        "{:.6g}/s it is at {}",
-                        motion.oracle.name, on.mass.name, FormatVector(is.p_W, 9), t,
-                        on.oscillator.omega, on.oscillator.damping, FormatVector(p_W, 9));
-                  });
-    velocity.Take(
-        (is.v_W - v_W).norm(),
-        off.v + rounding * on.oscillator.omega * (on.p_W.norm() + on.rest + A), [&] {
-          return fmt::format(
-              "{} has {} moving at {} after {:.6g} s; the exact swing moves at {}",
-              motion.oracle.name, on.mass.name, FormatVector(is.v_W, 9), t,
-              FormatVector(v_W, 9));
-        });
+    const AtSample at{motion, s, on.mass.name};
+    at.Compare(position, is.p_W, p_W, off.x + rounding * (on.p_W.norm() + on.rest + A),
+               oscillating);
+    at.Compare(velocity, is.v_W, v_W,
+               off.v + rounding * on.oscillator.omega * (on.p_W.norm() + on.rest + A),
+               "the exact swing moves at");
   }
   return {position, velocity};
 }
@@ -215,12 +207,14 @@ constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_frequenc
 }  // namespace
 
 constinit const Law kSpringOscillation = {
-    "spring_oscillation",
-    "A mass on one spring to a fixed point oscillates along it, damped or not.",
-    kNumbers,
-    Faults,
-    Judge,
-    true,
-    Place};
+    .name = "spring_oscillation",
+    .documentation =
+        "A mass on one spring to a fixed point oscillates along it, damped or not.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+    .place = Place,
+};
 
 }  // namespace touchstone

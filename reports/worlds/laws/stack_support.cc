@@ -27,7 +27,7 @@ double WeightOf(const World& world, const std::vector<int>& levels, std::size_t 
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   if (world.gravity_W.isZero(0))
     return {{"about", "are in a world without gravity", "weight"}};
@@ -46,9 +46,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
                                    .placed.X_WB.p_WB) <= 0)
       why = "is not above its predecessor";
     if (why.empty()) continue;
-    faults.push_back({WhereAbout(claim, body.name),
-                      fmt::format("is {}, which {}", body.name, why),
-                      "bodies at rest, from the lowest to the highest"});
+    faults.push_back(FaultAbout(claim, body.name, why,
+                                "bodies at rest, from the lowest to the highest"));
   }
   return Joined(
       std::move(faults),
@@ -102,9 +101,14 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_weight"};
 
 }  // namespace
 
-constinit const Law kStackSupport = {"stack_support",
-                                     "In a stack at rest each level carries everything "
-                                     "above it; about names the levels from below.",
-                                     kNumbers, Faults, Judge};
+constinit const Law kStackSupport = {
+    .name = "stack_support",
+    .documentation =
+        "In a stack at rest each level carries everything "
+        "above it; about names the levels from below.",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+};
 
 }  // namespace touchstone

@@ -83,16 +83,14 @@ std::vector<Apart> RoundingErrors(const Motion& motion, int index,
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {true, false, false});
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
   if (!faults.empty()) return faults;
   const Subjects subjects = SubjectsOf(world, claim);
   for (const int i : subjects.bodies) {
     const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
     if (!IsHeld(world, AnchorKind::kBody, i) && !IsPushed(world, i)) continue;
-    faults.push_back(
-        {WhereAbout(claim, name),
-         fmt::format("is {}, which a spring, a joint or a push may rotate", name),
-         "a body without torque"});
+    faults.push_back(FaultAbout(claim, name, "a spring, a joint or a push may rotate",
+                                "a body without torque"));
   }
   if (!faults.empty() || claim.numbers.empty()) return faults;
   if (subjects.bodies.size() > 1) {
@@ -148,11 +146,14 @@ constexpr std::array<std::string_view, 3> kNumbers = {
 }  // namespace
 
 constinit const Law kTorqueFree = {
-    "torque_free",
-    "A body without torque rotates by Euler's equations (Jacobi's elliptic functions).",
-    kNumbers,
-    Faults,
-    Judge,
-    true};
+    .name = "torque_free",
+    .documentation =
+        "A body without torque rotates by Euler's equations (Jacobi's elliptic "
+        "functions).",
+    .numbers = kNumbers,
+    .faults = Faults,
+    .judge = Judge,
+    .smooth = true,
+};
 
 }  // namespace touchstone

@@ -11,8 +11,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/worlds/law_support/law.h"
-#include "reports/worlds/study/run_worlds.h"
+#include "reports/worlds/laws/laws.h"
+#include "reports/worlds/study/body_steps.h"
+#include "reports/worlds/study/run_claims.h"
 #include "scenarios/schema/nearest_name.h"
 
 namespace touchstone {

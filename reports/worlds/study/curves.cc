@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/law_support/law.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/laws/laws.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {

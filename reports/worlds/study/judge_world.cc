@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/cone_models.h"
+#include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/starting_state.h"
 #include "reports/worlds/study/trajectory_difference.h"
 #include "reports/worlds/study/world_size.h"

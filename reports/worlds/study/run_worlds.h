@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -35,23 +34,5 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
 /** Returns the number of times that RunWorlds() calls `on_done`. */
 std::size_t CountOfWorldRuns(std::span<const WorldScenario> worlds,
                              std::span<const Oracle* const> oracles);
-
-/** The claim that a second run gives the same bits. It is not a law: no single motion can
- show it. */
-inline constexpr std::string_view kDeterministic = "deterministic";
-
-/** The claim that the motion amplifies a change of its start at most `gain` times, a
- number of the claim. Variants are then compared to the end, however much an engine
- amplifies rounding. The claim applies only to worlds with IsStudied(). */
-inline constexpr std::string_view kStable = "stable";
-inline constexpr std::string_view kStableGain = "gain";
-
-/** Returns whether a world is simulated at other steps and in variants too: it has at
- most kStudiedBodySteps body-steps. */
-bool IsStudied(const WorldScenario& scenario);
-
-/** The largest product of steps and the number of moving bodies, particles and cloth
- nodes at which a world is studied: about a second of the slowest engine. [body-steps] */
-inline constexpr double kStudiedBodySteps = 1e5;
 
 }  // namespace touchstone

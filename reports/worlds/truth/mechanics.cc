@@ -74,6 +74,10 @@ Eigen::Matrix3d InertiaInWorld(const RigidBody& body, const Eigen::Quaterniond& 
   return R_WB * InertiaOf(body).asDiagonal() * R_WB.transpose();
 }
 
+Eigen::Vector3d AccelerationOf(const World& world, const RigidBody& body) {
+  return world.gravity_W + body.force_W / body.mass;
+}
+
 WorldState StateAtStart(const World& world) {
   WorldState state;
   for (const RigidBody& body : world.bodies) {

@@ -12,6 +12,10 @@ namespace touchstone {
  [kg m²] */
 Eigen::Matrix3d InertiaInWorld(const RigidBody& body, const Eigen::Quaterniond& q_WB);
 
+/** Returns the acceleration of a body that only gravity and its force act on, g + F/m.
+ [m/s²] */
+Eigen::Vector3d AccelerationOf(const World& world, const RigidBody& body);
+
 /** Returns the state that the world file specifies, from which every trajectory
  starts. */
 WorldState StateAtStart(const World& world);

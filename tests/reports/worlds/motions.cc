@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/worlds/laws/laws.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {

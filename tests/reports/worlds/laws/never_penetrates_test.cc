@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/worlds/laws/laws.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "tests/reports/worlds/motions.h"
 

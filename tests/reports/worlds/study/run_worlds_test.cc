@@ -12,7 +12,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/check_claims.h"
+#include "reports/worlds/study/run_claims.h"
 #include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/motions.h"
 

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "scenarios/validate.h"
+#include "scenarios/worlds/world_scenario.h"
+
+namespace touchstone {
+
+/** Numbers that a law derives for a subject, with the names that claims use for them. */
+using ExpectedNumbers = std::vector<std::pair<std::string_view, double>>;
+
+/** The conditions under which a law judges one subject. Both functions take the world and
+ the index of the subject. */
+struct Conditions {
+  /** Returns the reason why the law does not apply, as in "slips at the start"; empty if
+   it applies. */
+  std::string (*why_not)(const World&, int);
+  std::string_view expected;  ///< Description of a subject to which the law applies.
+  /** Returns the law's own numbers. @pre why_not() is empty. */
+  ExpectedNumbers (*numbers)(const World&, int);
+};
+
+/** Returns the faults of a claim whose law judges each body separately. They start with
+ those of FaultsOfSubjects(). The claim's numbers must agree with those of every body. */
+std::vector<Fault> FaultsOfEachBody(const World& world, const Claim& claim,
+                                    const Conditions& conditions);
+
+/** Returns the same for a law of particles. */
+std::vector<Fault> FaultsOfEachParticle(const World& world, const Claim& claim,
+                                        const Conditions& conditions);
+
+/** Returns the same for a law that takes exactly one body; `one` names it, as in "one
+ sphere". */
+std::vector<Fault> FaultsOfOneBody(const World& world, const Claim& claim,
+                                   std::string_view one, const Conditions& conditions);
+
+}  // namespace touchstone

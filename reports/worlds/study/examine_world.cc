@@ -1,0 +1,186 @@
+#include "reports/worlds/study/examine_world.h"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "reports/worlds/study/body_steps.h"
+#include "reports/worlds/study/judge_ensemble.h"
+#include "reports/worlds/study/judge_stability.h"
+#include "reports/worlds/study/judge_variant.h"
+#include "reports/worlds/study/judge_world.h"
+#include "reports/worlds/study/neighbours.h"
+#include "reports/worlds/study/rounding_growth.h"
+#include "reports/worlds/study/run_claims.h"
+
+namespace touchstone {
+namespace {
+
+void Append(std::vector<Finding>& findings, std::vector<Finding> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
+
+/** Returns the findings that the motions of a studied world at other steps and with a
+ moved start were not answered. The first unanswered move speaks for all. */
+std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neighbours) {
+  std::vector<Finding> failures;
+  const auto add = [&](const Trajectory& other, std::string_view asked, double step) {
+    const std::optional<Finding> failure = FailureToAnswer(study, other, asked, step);
+    if (failure) failures.push_back(*failure);
+  };
+  const double dt = study.scenario.world.dt;
+  add(neighbours.half, "at half the step", dt / 2);
+  add(neighbours.quarter, "at a quarter of the step", dt / 4);
+  const auto unanswered =
+      std::find_if_not(neighbours.nudged.begin(), neighbours.nudged.end(), IsWhole);
+  if (unanswered != neighbours.nudged.end())
+    add(*unanswered, "with its start moved by a rounding", dt);
+  return failures;
+}
+
+/** Returns the growth of rounding by the answered motion that amplifies it most. */
+RoundingGrowth LargestGrowth(const Study& study, std::span<const Trajectory> nudged) {
+  RoundingGrowth growth;
+  for (const Trajectory& other : nudged) {
+    if (!study.half || !IsWhole(other)) continue;
+    const RoundingGrowth more = GrowthOf(study, other);
+    if (more.gain > growth.gain) growth = more;
+  }
+  return growth;
+}
+
+/** Returns the finding that the claim of that law could not be judged. */
+Finding Unverified(const Study& study, std::string_view law) {
+  Finding finding;
+  finding.scenario = study.scenario.id;
+  finding.oracle = study.oracle.name;
+  finding.measure = MeasureKind::kAnswering;
+  finding.law = law;
+  finding.verdict = Verdict::kUnsupported;
+  finding.tolerance_because = "an answer is an answer";
+  finding.proof = fmt::format("{}: not every world with a moved start was answered", law);
+  return finding;
+}
+
+/** Returns the finding of the claim that a world is stable with at most the gain `most`.
+ */
+Finding JudgeStable(const Study& study, double most, std::span<const Trajectory> nudged) {
+  return std::all_of(nudged.begin(), nudged.end(), IsWhole)
+             ? JudgeStability(study, most, nudged)
+             : Unverified(study, kStable);
+}
+
+/** Returns the growth of rounding by which the variants of a stable world are judged:
+ `gain`, but at most `most`. Lateness is granted only if a moved start shows it, as
+ `stability` says. */
+RoundingGrowth GrowthIfStable(const Study& study, double gain, double most,
+                              const Finding& stability) {
+  const double late = LatenessOf(study);
+  const bool is_late = stability.value > stability.tolerance - late;
+  gain = std::min(gain, most);
+  return {.gain = gain, .gain_before = gain, .late = is_late ? late : 0};
+}
+
+/** Returns the failures of a variant's motion under the claims of the world, except those
+ that the world itself has too. The claims hold for the variant whether or not the two
+ motions can be compared. */
+std::vector<Finding> BrokenBy(const VariantMotion& moved, const Study& study,
+                              std::span<const Finding> of_world) {
+  WorldScenario asked = study.scenario;
+  asked.world = moved.variant.world;
+  asked.claims = ClaimsOf(moved.variant, study.scenario.claims);
+  std::vector<Finding> broken;
+  for (Finding& found : JudgeWorld({asked, study.oracle, moved.trajectory})) {
+    if (found.verdict != Verdict::kFail) continue;
+    const bool is_known =
+        std::any_of(of_world.begin(), of_world.end(), [&](const Finding& known) {
+          return known.law == found.law && known.measure == found.measure &&
+                 known.verdict == Verdict::kFail;
+        });
+    if (is_known) continue;
+    found.reference.clear();  // The failure is shown by a changed world.
+    found.proof =
+        fmt::format("the world {}: {}", ChangeOf(moved.variant.measure), found.proof);
+    broken.push_back(std::move(found));
+  }
+  return broken;
+}
+
+/** Returns the findings of one variant: a failure to answer, or its difference from the
+ world after the claims that it breaks. */
+std::vector<Finding> FindingsOfVariant(const Study& study, const RoundingGrowth& growth,
+                                       const VariantMotion& moved,
+                                       std::span<const Finding> of_world) {
+  const auto& [variant, trajectory] = moved;
+  std::vector<Finding> findings;
+  const std::optional<Finding> failure = FailureToAnswer(
+      study, trajectory, ChangeOf(variant.measure), study.scenario.world.dt);
+  if (failure) findings.push_back(*failure);
+  if (!study.half || !IsWhole(trajectory)) return findings;
+  Finding finding =
+      JudgeVariant(study, growth, variant.measure, SeenInWorld(variant, trajectory));
+  if (finding.verdict != Verdict::kFail)
+    Append(findings, BrokenBy(moved, study, of_world));
+  findings.push_back(std::move(finding));
+  return findings;
+}
+
+/** Adds the findings of the neighbours of a studied world to `of_world`, those of the
+ world itself, and returns all. */
+std::vector<Finding> WithNeighbours(const Study& study, const Neighbours& neighbours,
+                                    std::vector<Finding> of_world) {
+  Append(of_world, FailuresToAnswer(study, neighbours));
+  RoundingGrowth growth = LargestGrowth(study, neighbours.nudged);
+  if (const Claim* stable = FindClaim(study.scenario, kStable)) {
+    const double most = stable->numbers.at(std::string(kStableGain));
+    of_world.push_back(JudgeStable(study, most, neighbours.nudged));
+    growth = GrowthIfStable(study, growth.gain, most, of_world.back());
+  }
+  std::vector<Finding> findings = of_world;
+  for (const VariantMotion& moved : neighbours.variants)
+    Append(findings, FindingsOfVariant(study, growth, moved, of_world));
+  return findings;
+}
+
+}  // namespace
+
+Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle) {
+  Examination examined;
+  examined.trajectory = oracle.Simulate(scenario.world);
+  const Trajectory& trajectory = examined.trajectory;
+  Neighbours neighbours;
+  if (IsWhole(trajectory)) {
+    const double nudge = RoundingOf({scenario, oracle.info(), trajectory}, 1);
+    neighbours = SimulateNeighbours(scenario, oracle, nudge);
+  }
+  const bool studied = IsWhole(trajectory) && IsStudied(scenario);
+  const bool refined = studied && IsWhole(neighbours.half) && IsWhole(neighbours.quarter);
+  const Study study{scenario, oracle.info(), trajectory,
+                    refined ? &neighbours.half : nullptr,
+                    refined ? &neighbours.quarter : nullptr};
+
+  std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(study);
+  const bool answered = groups.front().front().verdict == Verdict::kPass;
+  if (answered && scenario.ensemble) {
+    EnsembleJudgement ensemble =
+        JudgeEnsemble(scenario, oracle, trajectory, std::move(groups));
+    groups = std::move(ensemble.groups);
+    examined.ensemble = ensemble.statistics;
+  }
+  std::vector<Finding> findings;
+  for (std::vector<Finding>& group : groups) Append(findings, std::move(group));
+  if (answered && FindClaim(scenario, kDeterministic))
+    findings.push_back(JudgeRepetition(study, neighbours.again));
+  if (answered && studied)
+    findings = WithNeighbours(study, neighbours, std::move(findings));
+  examined.findings = std::move(findings);
+  return examined;
+}
+
+}  // namespace touchstone

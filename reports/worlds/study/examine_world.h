@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "oracles/oracle.h"
+#include "reports/finding/finding.h"
+#include "reports/worlds/study/ensemble_statistics.h"
+#include "scenarios/worlds/world_scenario.h"
+
+namespace touchstone {
+
+/** The results of all simulations of one world by one oracle. */
+struct Examination {
+  Trajectory trajectory;        ///< Motion of the world itself.
+  EnsembleStatistics ensemble;  ///< 0 members unless the world has an ensemble.
+  std::vector<Finding> findings;
+};
+
+/** Simulates the world, its neighbours and the members of its ensemble, and judges the
+ motions. */
+Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle);
+
+}  // namespace touchstone

@@ -1,0 +1,69 @@
+#include "reports/worlds/study/neighbours.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "reports/worlds/study/body_steps.h"
+#include "reports/worlds/study/run_claims.h"
+#include "reports/worlds/study/world_size.h"
+#include "scenarios/generators/ensemble.h"
+#include "scenarios/generators/random.h"
+
+namespace touchstone {
+namespace {
+
+/** Number of times that the start of a stable world is moved: whether one rounding error
+ opens a contact or closes it is chance. */
+constexpr std::size_t kNudgesOfStable = 4;
+
+/** Returns the world with every position moved by up to `nudge` [m] along each axis.
+ Every body is also turned, by the angle that moves the surface of the largest body by as
+ much: a body that spins about its middle axis amplifies rotations, not translations. The
+ moves depend on `seed`. */
+World Nudged(WorldScenario scenario, double nudge, unsigned seed) {
+  scenario.ensemble = Ensemble{2, nudge, seed};
+  World world = MemberOf(scenario, 1);
+  const double radius = LargestRadius(world);
+  if (radius == 0) return world;
+  Random random({seed, 2});
+  for (RigidBody& body : world.bodies) {
+    if (body.mass == 0) continue;
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+    for (double& half_angle : turn.vec())
+      half_angle = random.Uniform(-nudge, nudge) / (2 * radius);
+    Pose& X_WB = body.placed.X_WB;
+    X_WB = Pose::FromQuaternion(X_WB.p_WB,
+                                (turn * Eigen::Quaterniond(X_WB.R_WB)).normalized());
+  }
+  return world;
+}
+
+}  // namespace
+
+Neighbours SimulateNeighbours(const WorldScenario& scenario, const Oracle& oracle,
+                              double nudge) {
+  std::vector<World> worlds;
+  std::vector<Trajectory*> places;
+  const auto ask = [&](World world, Trajectory& place) {
+    worlds.push_back(std::move(world));
+    places.push_back(&place);
+  };
+  Neighbours motions;
+  if (IsStudied(scenario)) {
+    ask(Refined(scenario.world, 2), motions.half);
+    ask(Refined(scenario.world, 4), motions.quarter);
+    motions.nudged.resize(FindClaim(scenario, kStable) ? kNudgesOfStable : 1);
+    for (std::size_t n = 0; n < motions.nudged.size(); ++n)
+      ask(Nudged(scenario, nudge, static_cast<unsigned>(n) + 1), motions.nudged[n]);
+    for (WorldVariant& variant : VariantsOf(scenario.world))
+      motions.variants.push_back({std::move(variant), {}});
+    for (VariantMotion& motion : motions.variants)
+      ask(motion.variant.world, motion.trajectory);
+  }
+  if (FindClaim(scenario, kDeterministic)) ask(scenario.world, motions.again);
+  std::vector<Trajectory> given = oracle.SimulateEach(worlds);
+  for (std::size_t i = 0; i < given.size(); ++i) *places[i] = std::move(given[i]);
+  return motions;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "oracles/oracle.h"
+#include "reports/worlds/study/world_variants.h"
+#include "scenarios/worlds/world_scenario.h"
+
+namespace touchstone {
+
+/** A variant of a world with its motion by one oracle. */
+struct VariantMotion {
+  WorldVariant variant;
+  Trajectory trajectory;
+};
+
+/** The motions of the changed copies of a world by one oracle. All but `again` are left
+ empty unless IsStudied(). */
+struct Neighbours {
+  Trajectory half;                 ///< At half the step.
+  Trajectory quarter;              ///< At a quarter of the step.
+  std::vector<Trajectory> nudged;  ///< With the start moved; several if `stable`.
+  std::vector<VariantMotion> variants;
+  Trajectory again;  ///< A second run; only with the claim `deterministic`.
+};
+
+/** Simulates all of them in one batch, so that an isolated oracle forks only once.
+ `nudge` is the largest move of a start along each axis. [m] */
+Neighbours SimulateNeighbours(const WorldScenario& scenario, const Oracle& oracle,
+                              double nudge);
+
+}  // namespace touchstone
