@@ -165,22 +165,23 @@ decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities() {
 }
 
 std::vector<Setting> CookbookWorldSettings() {
-  return {{"integrator", "mean velocity; RKMK4 at constant angular momentum",
-           "flight under a constant force and tumbling without one are exact"},
-          {"rods and springs", "discrete gradients, five steps of Suzuki's in one",
-           "energy and momenta are kept to rounding, time is of fourth order; of second "
-           "where anything touches"},
-          {"particles", "sent back at the moment they meet a static box or half-space",
-           "no depth, and no loss at bounce 1"},
-          {"restitution", "min(e_A, e_B), of the velocity before the impact",
-           "a bounce at e = 1 keeps the energy at any step"},
-          {"impacts", "at the moment what flies meets something, to 1e-10 of its size",
-           "a bounce is not a step late; a island of more than 32 is struck by the next "
-           "step, "
-           "in a large world one of more than 4 by what does not go through it before"},
-          {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
-          {"damping", "none", "nothing damps what is not said to be damped"},
-          {"sleeping", "none", "nothing sleeps"}};
+  return {
+      {"integrator", "mean velocity; RKMK4 at constant angular momentum",
+       "free flight and tumbling without a torque are exact"},
+      {"rods and springs", "discrete gradients, five steps of Suzuki's in one",
+       "energy and momenta are conserved to rounding; fourth order in time, second "
+       "order if anything touches"},
+      {"particles", "bounce at their time of impact on a static box or half-space",
+       "no penetration, and no loss at bounce 1"},
+      {"restitution", "min(e_A, e_B), of the velocity before the impact",
+       "a bounce at e = 1 keeps the energy at any step"},
+      {"impacts",
+       "at the time of impact of bodies in free flight, to 1e-10 of their size",
+       "a bounce is not a step late; impacts on islands of more than 32 bodies wait for "
+       "the next step, in a large world of more than 4 unless a body might tunnel"},
+      {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
+      {"damping", "none", "only what the scenario damps is damped"},
+      {"sleeping", "none", "nothing sleeps"}};
 }
 
 std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care,
