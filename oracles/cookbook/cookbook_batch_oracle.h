@@ -4,10 +4,11 @@
 
 namespace touchstone {
 
-/** Box against box and sphere against sphere as the cookbook engine's batches see them:
- many pairs in one call, with the widest vectors of the processor. The verdict, the depth
- and the normal, no contacts; everything else is unsupported. Of spheres apart it gives
- the distance, of boxes apart only the normal of the plane between them. */
+/** The batch queries of the cookbook engine, for pairs of boxes and pairs of spheres:
+ many pairs in one call, with the widest vectors of the processor. They return the
+ verdict, the depth and the normal, but no contacts. For separated spheres they also
+ return the distance, for separated boxes only the normal of a separating plane. All other
+ pairs are unsupported. */
 class CookbookBatchOracle final : public Oracle {
  public:
   CookbookBatchOracle();

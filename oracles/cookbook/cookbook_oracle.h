@@ -4,12 +4,12 @@
 
 namespace touchstone {
 
-/** The corrected cookbook engine: spheres and boxes, one query after the other, and
- worlds of them.
+/** The corrected cookbook engine: pairs of spheres and boxes, one query after the other,
+ and worlds.
 
- The engine speaks the project's conventions, so that nothing is converted. Of boxes apart
- it knows an axis that separates them, not their distance: the answer has the normal and
- no separation. */
+ The engine uses the conventions of the project, so that nothing is converted. For
+ separated boxes it finds a separating axis but not the distance: the answer has the
+ normal and no separation. */
 class CookbookOracle final : public Oracle {
  public:
   CookbookOracle();
