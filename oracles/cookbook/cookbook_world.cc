@@ -174,7 +174,7 @@ std::vector<Setting> CookbookWorldSettings() {
        "no penetration, and no energy loss at bounce 1"},
       {"restitution", "min(e_A, e_B), applied to the velocity before the impact",
        "a bounce at e = 1 conserves energy at any step size"},
-      {"blows",
+      {"impacts",
        "impact of a body in free flight at its time of impact, to 1e-10 of its size",
        "a bounce is not a step late; an impact on an island of more than 32 bodies is "
        "left to the next step (of more than 4 in a large world, unless it may tunnel)"},

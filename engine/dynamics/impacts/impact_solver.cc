@@ -518,10 +518,10 @@ void ImpactSolver::ResolveImpact(const ImpactCandidate& first, const End& end,
   // The body in free flight brings the other one with it.
   AddBody(IsInFreeFlight(first.A) ? first.A : first.B, t);
   GatherContacts(t, end);
-  const std::size_t first_struck = impact_contacts_.size();
+  const std::size_t first_contact = impact_contacts_.size();
   impact_.Solve(step, impact_contacts_);
   ResumeFlights(t);
-  AddSupports(first_struck, t);
+  AddSupports(first_contact, t);
   for (const int body : impact_.members()) {
     if (IsStatic(body)) continue;
     queue_.ForEachOf(body, [&](int index) {

@@ -81,8 +81,8 @@ bool Sleep::PutToSleep(const ContactCache& cache, const std::vector<bool>& drive
     body.inverse_mass = 0;
     body.inverse_moments.setZero();
     asleep_[i] = true;
-    // The root has the smallest index of its island and comes first, as a circular list of
-    // one element.
+    // The root has the smallest index of its island and comes first, as a circular list
+    // of one element.
     if (i != root)
       next_in_island_[i] = std::exchange(next_in_island_[root], static_cast<int>(i));
     any_fell_asleep = true;

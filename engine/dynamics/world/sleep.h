@@ -62,7 +62,7 @@ class Sleep {
   std::vector<double> slow_time_;      ///< Indexed by body. [s]
   std::vector<double> min_slow_time_;  ///< Indexed by root: least of its island. [s]
   std::vector<int> next_in_island_;    ///< Circular list of a sleeping island.
-  UnionFind islands_;                  ///< Of the awake bodies.
+  UnionFind islands_;                  ///< Islands of awake bodies.
   std::vector<std::pair<int, int>> links_;
 };
 
