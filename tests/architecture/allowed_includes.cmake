@@ -28,6 +28,8 @@ set(own_rules
   "oracles/ => (oracles|scenarios)/"
   # The referee sees questions, never an answer.
   "reports/referee/ => (reports/referee|scenarios)/"
+  # Only the benchmark runs engines in child processes of its own.
+  "reports/bench/ => (reports|scenarios)/|oracles/(oracle|contact_answer|simulation|trajectory)[.]h|oracles/isolation/"
   "reports/ => (reports|scenarios)/|oracles/(oracle|contact_answer|simulation|trajectory)[.]h"
   "cli/ => (cli|reports|oracles|scenarios)/")
 
