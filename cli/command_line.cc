@@ -25,6 +25,7 @@
 #include "cli/commands/run_command.h"
 #include "cli/commands/simulate_command.h"
 #include "cli/commands/sweep_command.h"
+#include "reports/bench/scene.h"
 #include "scenarios/schema/scenario_schema.h"
 
 namespace touchstone {
