@@ -317,9 +317,11 @@ TEST(LastLineOfAChild, IsThatOfTheCurrentTask) {
     Print("first\n");
     const std::string before = ChildContext::LastLine();
     parent.StartTask();
-    parent.Send(before + ";" + ChildContext::LastLine());
+    const std::string between = ChildContext::LastLine();
+    Print("second\n");
+    parent.Send(before + ";" + between + ";" + ChildContext::LastLine());
   });
-  EXPECT_EQ(lines, "first;");
+  EXPECT_EQ(lines, "first;;second");
 }
 
 }  // namespace
