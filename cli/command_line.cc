@@ -25,6 +25,7 @@
 #include "cli/commands/run_command.h"
 #include "cli/commands/simulate_command.h"
 #include "cli/commands/sweep_command.h"
+#include "reports/bench/scene.h"
 #include "scenarios/schema/scenario_schema.h"
 
 namespace touchstone {
@@ -264,11 +265,11 @@ class CommandLine {
         ->type_name("");
     AddOracleList(app, bench_.oracles);
     AddPair(app, bench_.pair);
-    AddNumber(app, "--count", bench_.count, 1,
+    AddNumber(app, "--count", bench_.questions.count, 1,
               "contact: number of random poses per pair");
-    AddNumber(app, "--sample", bench_.sample, 0,
+    AddNumber(app, "--sample", bench_.questions.sample, 0,
               "contact: number of poses checked against the truth");
-    AddNumber(app, "--seed", bench_.seed, 0, "seed of the poses");
+    AddNumber(app, "--seed", bench_.questions.seed, 0, "seed of the poses");
     app->add_option("--scene", bench_worlds_.scenes,
                     "worlds: boxes100, boxes1000, boxes10000, boxes30000, stack20, "
                     "spheres10000 (default: all)")
@@ -276,17 +277,17 @@ class CommandLine {
         ->type_name("SCENE")
         ->delimiter(',')
         ->allow_extra_args(false);
-    app->add_option("--steps", bench_worlds_.steps,
+    app->add_option("--steps", bench_worlds_.turns.steps,
                     "worlds: number of timed steps, after as many to settle")
         ->check(WholeNumber(1, 1'000'000))
         ->type_name("N")
         ->capture_default_str();
-    app->add_option("--seconds", bench_worlds_.seconds,
+    app->add_option("--seconds", bench_worlds_.turns.seconds,
                     "worlds: limit of CPU seconds per engine, scene and thread")
         ->check(WholeNumber(1, 1'000'000))
         ->type_name("N")
         ->capture_default_str();
-    app->add_option("--threads", bench_worlds_.threads,
+    app->add_option("--threads", bench_worlds_.turns.threads,
                     "worlds: also time cookbook with N threads; all times are then wall "
                     "times and need an idle machine")
         ->check(NumberOfThreads())
@@ -311,7 +312,7 @@ class CommandLine {
     }
     RefuseBenchOptions({"--pair", "--count", "--sample"});
     bench_worlds_.oracles = bench_.oracles;
-    bench_worlds_.seed = bench_.seed;
+    bench_worlds_.seed = bench_.questions.seed;
     return BenchWorldsCommand(session_, bench_worlds_);
   }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/session.h"
+#include "reports/bench/turns.h"
 
 namespace touchstone {
 
@@ -12,14 +13,9 @@ namespace touchstone {
 struct BenchWorldsArguments {
   std::vector<std::string> oracles;  ///< Names or groups; empty: all that simulate.
   std::vector<std::string> scenes;   ///< Names of scenes; empty: all of SceneNames().
-  int steps = 240;                   ///< Number of timed steps, after as many to settle.
   std::uint64_t seed = 1;
-  int seconds = 60;  ///< Limit of CPU time per thread, engine and scene. [s]
-  int threads = 1;   ///< Second number of threads to time, for engines that support it.
+  TurnSettings turns;
 };
-
-/** Returns the names of the scenes: "boxes100", …, "stack20", "spheres10000". */
-std::vector<std::string> SceneNames();
 
 /** Prints the time per step of each engine in each scene, the quality of the final state,
  and the growth of the times with the size of a scene. The engines take turns and run with

@@ -7,6 +7,8 @@
 
 #include "oracles/isolation/answer_wire.h"
 #include "oracles/isolation/answering_child.h"
+#include "oracles/isolation/child_context.h"
+#include "oracles/isolation/child_process.h"
 #include "oracles/no_answer.h"
 
 namespace touchstone {
@@ -143,7 +145,7 @@ class IsolatedOracle final : public Oracle {
     while (next < queries.size()) {
       std::optional<ContactAnswer> answer = child.Next(&FromWire);
       if (!answer) {
-        AnsweringChild::Ending ending = child.LastWords();
+        ChildProcess::Ending ending = child.LastWords();
         answers[next] = ContactAnswer{};
         answers[next].status = ending.status;
         answers[next++].reason = std::move(ending.reason);
@@ -163,7 +165,7 @@ class IsolatedOracle final : public Oracle {
         asked.size(),
         [&](std::size_t i) {
           Trajectory trajectory = SimulateOrCrash(*oracle_, worlds[asked[i]]);
-          trajectory.complaint = AnsweringChild::LastLine();
+          trajectory.complaint = ChildContext::LastLine();
           return ToWire(trajectory);
         },
         {limits_.world_cpu, limits_.world_wall, limits_.memory, limits_.memory});
@@ -171,7 +173,7 @@ class IsolatedOracle final : public Oracle {
       std::optional<Trajectory> trajectory = child.Next(&TrajectoryFromWire);
       const bool died = !trajectory;
       if (died) {
-        AnsweringChild::Ending ending = child.LastWords();
+        ChildProcess::Ending ending = child.LastWords();
         trajectory = NoTrajectory(ending.status, std::move(ending.reason));
       }
       trajectories[left.front()] = *std::move(trajectory);

@@ -62,7 +62,7 @@ list(APPEND own_rules
   # The study finds a law by its name and includes no single law.
   "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/nearest_name[.]h|(generators|worlds)/)"
   # Only the benchmark runs engines in child processes of its own.
-  "reports/(bench/|worlds/deepest_penetration[.]) => reports/(text|referee)/|oracles/(isolation/[a-z_]+|oracle|simulation|trajectory)[.]h|scenarios/([a-z_]+[.]h|(generators|worlds)/)"
+  "reports/bench/ => reports/(text|referee|measures)/|oracles/(isolation/[a-z_]+|oracle|simulation|trajectory)[.]h|scenarios/([a-z_]+[.]h|(generators|worlds)/)"
   "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_result[.]h)|oracles/oracle[.]h"
   "reports/ledger/ => reports/((text|finding|referee|measures|contacts)/|run_report[.]h)|scenarios/(diagnostic|schema/nearest_name)[.]h"
   "reports/accuracy/ => reports/(ledger/|run_report[.]h)"
@@ -71,10 +71,10 @@ list(APPEND own_rules
   "reports/sweep/ => reports/((text|writers)/|run[.]h|run_report[.]h)|oracles/oracle[.]h|scenarios/(generators/|scenario_file[.]h)"
   "reports/gtest/ => reports/sweep/"
 
-  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/(deepest_penetration|study/check_claims)[.]h)|oracles/(isolation/last_line|oracle|oracle_registry)[.]h|scenarios/"
+  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
   "cli/commands/ => cli/|reports/(accuracy|bench|ledger|referee|sweep|text|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
-  "cli/command_line[.]cc => cli/|scenarios/schema/")
+  "cli/command_line[.]cc => cli/|reports/bench/scene[.]h|scenarios/schema/")
 
 # The headers of a third-party library may be included only by the files that wrap it.
 set(library_rules

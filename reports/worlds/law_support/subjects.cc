@@ -104,13 +104,6 @@ Fault FaultAbout(const Claim& claim, const std::string& name, std::string_view w
           std::string(expected)};
 }
 
-bool Has(const Subjects& subjects, const Anchor& anchor) {
-  const std::vector<int>& indices =
-      anchor.on == AnchorKind::kBody ? subjects.bodies : subjects.particles;
-  return anchor.on != AnchorKind::kWorld &&
-         std::find(indices.begin(), indices.end(), anchor.index) != indices.end();
-}
-
 bool Moves(const World& world, const Anchor& anchor) {
   const auto i = static_cast<std::size_t>(anchor.index);
   return (anchor.on == AnchorKind::kBody && world.bodies[i].mass > 0) ||
@@ -128,15 +121,6 @@ bool IsHeld(const World& world, AnchorKind on, int index) {
 bool IsPushed(const World& world, int index) {
   return std::any_of(world.pushes.begin(), world.pushes.end(),
                      [&](const Push& push) { return push.body == index; });
-}
-
-int FirstNodeOf(const World& world, int index) {
-  int first = 0;
-  for (int i = 0; i < index; ++i) {
-    const int n = world.cloths[static_cast<std::size_t>(i)].n;
-    first += n * n;
-  }
-  return first;
 }
 
 }  // namespace touchstone

@@ -4,17 +4,11 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/worlds/truth/subjects.h"
 #include "scenarios/validate.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
-
-/** The things that a claim is about, by index. */
-struct Subjects {
-  std::vector<int> bodies;     ///< Indices into World::bodies; all of them move.
-  std::vector<int> particles;  ///< Indices into World::particles; all of them move.
-  std::vector<int> cloths;     ///< Indices into World::cloths.
-};
 
 /** Returns the things that `claim` names, in its order; everything that moves if it names
  nothing. Unknown names and names of static things are left out. */
@@ -41,9 +35,6 @@ std::string WhereAbout(const Claim& claim, const std::string& name);
 Fault FaultAbout(const Claim& claim, const std::string& name, std::string_view why,
                  std::string_view expected);
 
-/** Returns whether `anchor` is on one of the subjects. */
-bool Has(const Subjects& subjects, const Anchor& anchor);
-
 /** Returns whether `anchor` is on a body or particle that moves. */
 bool Moves(const World& world, const Anchor& anchor);
 
@@ -52,8 +43,5 @@ bool IsHeld(const World& world, AnchorKind on, int index);
 
 /** Returns whether a push acts on body `index`. */
 bool IsPushed(const World& world, int index);
-
-/** Returns the index of the first node of cloth `index` in WorldState::nodes. */
-int FirstNodeOf(const World& world, int index);
 
 }  // namespace touchstone

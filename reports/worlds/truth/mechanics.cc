@@ -41,22 +41,6 @@ void ForEachMass(const World& world, const WorldState& state, const Subjects& su
   }
 }
 
-bool Contains(const std::vector<int>& indices, int index) {
-  return std::find(indices.begin(), indices.end(), index) != indices.end();
-}
-
-bool IsSubject(const Subjects& subjects, const Anchor& anchor) {
-  switch (anchor.on) {
-    case AnchorKind::kBody:
-      return Contains(subjects.bodies, anchor.index);
-    case AnchorKind::kParticle:
-      return Contains(subjects.particles, anchor.index);
-    case AnchorKind::kWorld:
-      break;
-  }
-  return false;
-}
-
 void AddSpring(const PointState& A, const PointState& B, double stiffness,
                double rest_length, Energy& energy) {
   const Eigen::Vector3d p_AB = B.p_W - A.p_W;
@@ -163,7 +147,7 @@ Energy EnergyOf(const World& world, const WorldState& state, const Subjects& sub
   });
   energy.size += energy.kinetic;
   for (const Spring& spring : world.springs) {
-    if (!IsSubject(subjects, spring.A) && !IsSubject(subjects, spring.B)) continue;
+    if (!Has(subjects, spring.A) && !Has(subjects, spring.B)) continue;
     AddSpring(StateOf(world, state, spring.A), StateOf(world, state, spring.B),
               spring.stiffness, spring.rest_length, energy);
   }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "oracles/trajectory.h"
-#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/truth/subjects.h"
 #include "scenarios/worlds/world.h"
 
 namespace touchstone {

@@ -1,4 +1,4 @@
-#include "reports/worlds/deepest_penetration.h"
+#include "reports/bench/deepest_penetration.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "cli/growth.h"
+#include "reports/bench/growth.h"
 
 #include <cmath>
 #include <string>

@@ -1,0 +1,150 @@
+#include "oracles/isolation/child_process.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <climits>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "oracles/isolation/last_line.h"
+#include "oracles/isolation/sanitized_fork.h"
+#include "oracles/no_answer.h"
+
+namespace touchstone {
+namespace {
+
+using Silence = MessageSocket::Silence;
+
+// Held from the creation of a socket until the parent has closed the child's end.
+// Otherwise a child forked by another thread in between would keep that end open.
+std::mutex fork_mutex;
+
+// Returns the result of a system call, which is negative if the call failed.
+int Checked(int result, const char* what) {
+  if (result < 0) throw std::system_error(errno, std::generic_category(), what);
+  return result;
+}
+
+// The child. Never returns, so that no object of the parent is destroyed twice.
+[[noreturn]] void RunChild(int socket, int output, const ChildLimits& limits,
+                           const ChildProcess::Main& main) noexcept {
+  try {
+    ChildContext context(socket, output, limits);
+    main(context);
+  } catch (...) {
+    std::fputs(CrashedByException().reason.c_str(), stderr);
+    std::abort();
+  }
+  _exit(0);
+}
+
+std::string Seconds(std::chrono::milliseconds duration) {
+  std::string text = std::to_string(static_cast<double>(duration.count()) / 1000);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text + " s";
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const ChildLimits& limits, const Main& main)
+    : limits_(limits) {
+  AllowForkUnderSanitizer();
+  const std::lock_guard lock(fork_mutex);
+  output_ =
+      UniqueFd(Checked(memfd_create("touchstone-output", MFD_CLOEXEC), "memfd_create"));
+  int ends[2];
+  Checked(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends), "socketpair");
+  socket_ = MessageSocket(UniqueFd(ends[0]), limits.message);
+  const UniqueFd childs_end(ends[1]);
+  const pid_t parent = getpid();
+  pid_ = Checked(fork(), "fork");
+  if (pid_ == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(0);  // The parent died before the call of prctl.
+    RunChild(childs_end.get(), output_.get(), limits, main);
+  }
+}
+
+ChildProcess::~ChildProcess() {
+  Kill();
+}
+
+std::optional<std::string_view> ChildProcess::ReceiveBytes() {
+  return socket_.Receive(std::chrono::steady_clock::now() + limits_.wall);
+}
+
+std::string ChildProcess::LastLine() const {
+  return LastLineOf(output_.get());
+}
+
+// Waits for the death of a child that has closed its socket; returns false if it lives
+// on.
+bool ChildProcess::IsDead() const {
+  if (pid_ < 0) return true;
+  const UniqueFd process(static_cast<int>(syscall(SYS_pidfd_open, pid_, 0)));
+  pollfd waiting{process.get(), POLLIN, 0};
+  const auto wall = static_cast<int>(
+      std::min<std::chrono::milliseconds::rep>(limits_.wall.count(), INT_MAX));
+  int ready = 0;
+  do {
+    ready = poll(&waiting, 1, wall);
+  } while (ready < 0 && errno == EINTR);
+  return ready > 0;
+}
+
+// Kills the child and returns its wait status. Killing a dead child does not change it.
+int ChildProcess::Kill() {
+  if (pid_ < 0) return status_;
+  kill(pid_, SIGKILL);
+  while (waitpid(pid_, &status_, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  return status_;
+}
+
+ChildProcess::Ending ChildProcess::End() {
+  Silence silence = socket_.silence().value_or(Silence::kClosed);
+  if (silence == Silence::kClosed && !IsDead()) silence = Silence::kLate;
+  const int status = Kill();
+  const std::string line = LastLine();
+  const std::string said = line.empty() ? "" : ": " + line;
+  switch (silence) {
+    case Silence::kInvalid:
+      return {AnswerStatus::kCrashed, "sent bytes that are not an answer" + said};
+    case Silence::kLate:
+      return {AnswerStatus::kTimedOut,
+              "no answer after " + Seconds(limits_.wall) + ", blocked"};
+    case Silence::kClosed:
+      break;
+  }
+  if (WIFEXITED(status)) {
+    return {AnswerStatus::kCrashed,
+            "exited with status " + std::to_string(WEXITSTATUS(status)) + said};
+  }
+  const int signal = WTERMSIG(status);
+  if (signal == SIGPROF) {
+    return {AnswerStatus::kTimedOut,
+            "no answer after " + Seconds(limits_.cpu) + " of CPU time"};
+  }
+  if (signal == SIGABRT) return {AnswerStatus::kCrashed, "aborted" + said};
+  const char* name = sigabbrev_np(signal);
+  return {AnswerStatus::kCrashed,
+          std::string("killed by SIG") + (name != nullptr ? name : "?") + said};
+}
+
+}  // namespace touchstone
