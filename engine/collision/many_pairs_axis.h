@@ -1,7 +1,7 @@
 // The separating-axis test of a vector of pairs: FindLeastOverlap() of
-// engine/collision/one_pair_axis.h, operation by operation. Same products, same sums, same order,
-// no fused multiply-add, hence same bits. Include it after hwy/highway.h, in a file that
-// foreach_target.h includes repeatedly; hence the include guard that toggles.
+// engine/collision/one_pair_axis.h, operation by operation. Same products, same sums,
+// same order, no fused multiply-add, hence same bits. Include it after hwy/highway.h, in
+// a file that foreach_target.h includes repeatedly; hence the include guard that toggles.
 
 #if defined(COOKBOOK_ENGINE_MANY_PAIRS_AXIS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef COOKBOOK_ENGINE_MANY_PAIRS_AXIS_H_
@@ -193,12 +193,12 @@ HWY_INLINE AxesOfPairs FindLeastOverlaps(const SeenPairs& seen) {
   const PairVector best_face = hn::Max(face_A.separation, face_B.separation);
   const PairVector best_gap = hn::Max(best_face, edge_separation);
   const PairMask apart = hn::Gt(best_gap, zero);
-  const PairVector slack = hn::IfThenElse(apart, zero, All(kTie) * SizeOf(seen));
+  const PairVector tolerance = hn::IfThenElse(apart, zero, All(kTie) * SizeOf(seen));
   BestAxes best = face_A;
-  Keep(hn::Gt(best_gap, face_A.separation + slack), face_B.axis, face_B.separation,
+  Keep(hn::Gt(best_gap, face_A.separation + tolerance), face_B.axis, face_B.separation,
        face_B.offset, best);
   const PairMask edge_wins = hn::And(hn::Gt(of_B[0].signed_square, worst),
-                                     hn::Gt(edge_separation, best_face + slack));
+                                     hn::Gt(edge_separation, best_face + tolerance));
   Keep(edge_wins, edges.axis, edge_separation, edges.offset, best);
   return {best.axis, best.separation, best.offset, hn::IfThenElse(edge_wins, sine, one)};
 }

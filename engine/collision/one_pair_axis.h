@@ -240,13 +240,13 @@ HWY_INLINE AxisGap Find(const Box& A, const Pose& X_WA, const Box& B, const Pose
   }
 
   // No preference for faces if an axis separates: the verdict must not depend on it.
-  const std::array<double, 2> slacks = {0, kTie * pair.size};
-  const double slack =
-      slacks[search == Search::kFirstGap || std::max(best_face, separation) <= 0];
-  // A face of A loses to any axis that is better by more than `slack`, then a face of B
-  // does. The winner is thus never worse than the best by more than one `slack`.
-  const std::size_t is_edges = separation > best_face + slack;
-  const std::size_t is_B = std::max(best_face, separation) > face_A + slack;
+  const std::array<double, 2> tolerances = {0, kTie * pair.size};
+  const double tolerance =
+      tolerances[search == Search::kFirstGap || std::max(best_face, separation) <= 0];
+  // A face of A loses to any axis that is better by more than `tolerance`, then a face of
+  // B does. The winner is thus never worse than the best by more than one `tolerance`.
+  const std::size_t is_edges = separation > best_face + tolerance;
+  const std::size_t is_B = std::max(best_face, separation) > face_A + tolerance;
   const std::size_t kind = Either(is_edges, 2, is_B);
   const std::size_t lane = Either(is_edges, edge, Either(is_B, j, i));
   const std::array<double, 2> per_sines = {1, found.per_sine[edge]};

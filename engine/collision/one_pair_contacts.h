@@ -1,6 +1,6 @@
 // The contacts of two boxes, compiled once per SIMD target. Include it after
-// engine/simd/four_lanes.h, in a file that foreach_target.h includes repeatedly; hence the
-// include guard that toggles.
+// engine/simd/four_lanes.h, in a file that foreach_target.h includes repeatedly; hence
+// the include guard that toggles.
 //
 // Contacts lie between one face of each box, projected along the normal: the reference
 // face, from which the normal leans least, and the incident face, the face of the other
@@ -139,7 +139,7 @@ HWY_INLINE void StoreBits(FourBits v, std::int64_t* p) {
 
 /** Finds the candidates. Those at or below zero are kept, to rounding; if all are above,
  the lowest is kept. */
-HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separation,
+HWY_INLINE void FindCorners(const SeenFace& face, double tolerance, double separation,
                             std::int64_t faces, Corners& found) {
   const auto& c = face.centre;
   const auto& u = face.side1;
@@ -160,9 +160,10 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   const Four dz = edges(2);
 
   // Faces that lie flush share corners, which rounding must not cut off. The clip lines
-  // are therefore moved out by `slack`, and the points that pass are clamped to the face.
-  const Four bound_x = Splat(face.h_x + slack);
-  const Four bound_y = Splat(face.h_y + slack);
+  // are therefore moved out by `tolerance`, and the points that pass are clamped to the
+  // face.
+  const Four bound_x = Splat(face.h_x + tolerance);
+  const Four bound_y = Splat(face.h_y + tolerance);
   const FourBits inside = (Abs(x) <= bound_x) & (Abs(y) <= bound_y);
   const FourBits next_inside = __builtin_shufflevector(inside, inside, 1, 2, 3, 0);
 
@@ -207,7 +208,7 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   StoreBits(FourBits{EdgesId(5, 7), EdgesId(4, 7), EdgesId(4, 6), EdgesId(5, 6)} + faces,
             found.feature.data() + 8);
 
-  // Corners of the rectangle that lie in the parallelogram, to within the same slack.
+  // Corners of the rectangle that lie in the parallelogram, to within the same tolerance.
   const Four corner_x = Splat(face.h_x) * Four{1, -1, -1, 1};
   const Four corner_y = Splat(face.h_y) * Four{1, 1, -1, -1};
   const Four from_x = corner_x - c[0];
@@ -217,14 +218,14 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
   const Four share_v = from_y * u[0] - from_x * u[1];
   const Four beyond_u = Abs(share_u) - Abs(area);
   const Four beyond_v = Abs(share_v) - Abs(area);
-  const Four slack_u = Splat(slack) * (Abs(v[0]) + Abs(v[1]));
-  const Four slack_v = Splat(slack) * (Abs(u[0]) + Abs(u[1]));
-  const FourBits covered = (beyond_u <= slack_u) & (beyond_v <= slack_v);
+  const Four tolerance_u = Splat(tolerance) * (Abs(v[0]) + Abs(v[1]));
+  const Four tolerance_v = Splat(tolerance) * (Abs(u[0]) + Abs(u[1]));
+  const FourBits covered = (beyond_u <= tolerance_u) & (beyond_v <= tolerance_v);
 
   const Four enter_z = z + enter * dz;
   const Four leave_z = z + leave * dz;
   const Four corner_z = c[2] + (share_u * u[2] + share_v * v[2]) / area;
-  Four highest = Splat(slack);
+  Four highest = Splat(tolerance);
   const FourBits deep = ((enter_z <= zero) & enters) | ((leave_z <= zero) & leaves) |
                         ((corner_z <= zero) & covered);
   if (Bits(deep) == 0) [[unlikely]] {
@@ -234,22 +235,23 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
         Min(Min(Select(enters, enter_z, none), Select(leaves, leave_z, none)),
             Select(covered, corner_z, none));
     const Four lower = Min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
-    highest = Splat(std::min(std::max(slack, std::min(lower[0], lower[1]) + slack),
-                             std::numeric_limits<double>::max()));
+    highest =
+        Splat(std::min(std::max(tolerance, std::min(lower[0], lower[1]) + tolerance),
+                       std::numeric_limits<double>::max()));
   }
   found.kept = Bits((enter_z <= highest) & enters) |
                Bits((leave_z <= highest) & leaves) << 4 |
                Bits((corner_z <= highest) & covered) << 8;
 
   // Two candidates can be one point only if a corner of one face is near a line of the
-  // other. They then lie within √2 kSameCorner slack of each other. Adjacent edges of the
-  // incident face, projected along a normal at most 55° off, never meet at so flat an
+  // other. They then lie within √2 kSameCorner tolerance of each other. Adjacent edges of
+  // the incident face, projected along a normal at most 55° off, never meet at so flat an
   // angle that their corner is more than three times as far.
-  const Four near = Splat(4 * kSameCorner * slack);
+  const Four near = Splat(4 * kSameCorner * tolerance);
   found.may_repeat =
       Bits((Abs(Abs(x) - bound_x) <= near) | (Abs(Abs(y) - bound_y) <= near) |
-           (Abs(beyond_u) <= Splat(4 * kSameCorner) * slack_u) |
-           (Abs(beyond_v) <= Splat(4 * kSameCorner) * slack_v)) != 0;
+           (Abs(beyond_u) <= Splat(4 * kSameCorner) * tolerance_u) |
+           (Abs(beyond_v) <= Splat(4 * kSameCorner) * tolerance_v)) != 0;
 
   const Four h_x = Splat(face.h_x);
   const Four h_y = Splat(face.h_y);
@@ -266,11 +268,11 @@ HWY_INLINE void FindCorners(const SeenFace& face, double slack, double separatio
 }
 
 /** Returns the kept candidates without repeats: those that differ in x or y by more than
- kSameCorner · slack. The first of several repeats is kept, but moved to the deepest if
- that is deeper by more than `slack`: along a steep edge, a negligible distance makes many
- roundings of depth. */
-inline unsigned WithoutRepeats(Corners& found, double slack) {
-  const double distance = kSameCorner * slack;
+ kSameCorner · tolerance. The first of several repeats is kept, but moved to the deepest
+ if that is deeper by more than `tolerance`: along a steep edge, a negligible distance
+ makes many roundings of depth. */
+inline unsigned WithoutRepeats(Corners& found, double tolerance) {
+  const double distance = kSameCorner * tolerance;
   unsigned kept = 0;
   for (std::size_t k = 0; k < found.x.size(); ++k) {
     if ((found.kept >> k & 1) == 0) continue;
@@ -278,7 +280,7 @@ inline unsigned WithoutRepeats(Corners& found, double slack) {
     for (std::size_t n = 0; n < k && !repeats; ++n) {
       repeats = (kept >> n & 1) != 0 && std::abs(found.x[k] - found.x[n]) <= distance &&
                 std::abs(found.y[k] - found.y[n]) <= distance;
-      if (repeats && found.z[k] < found.z[n] - slack) {
+      if (repeats && found.z[k] < found.z[n] - tolerance) {
         found.x[n] = found.x[k];
         found.y[n] = found.y[k];
         found.z[n] = found.z[k];
@@ -293,16 +295,17 @@ inline unsigned WithoutRepeats(Corners& found, double slack) {
 HWY_INLINE void FillContacts(const BoxPair& pair, const Facing& facing, const Pose& X_WA,
                              const Pose& X_WB, Manifold& manifold) {
   const SeenFace face = FindIncidentFace(pair, facing);
-  const double slack = kFlush * pair.size;
+  const double tolerance = kFlush * pair.size;
   Corners found;
-  FindCorners(face, slack, manifold.separation,
+  FindCorners(face, tolerance, manifold.separation,
               FaceContactId(facing.is_B, face.reference, face.incident, 0, 0), found);
   if (found.kept == 0) {
     // The faces can miss each other only if another axis is as good to within rounding.
     found.kept =
         1u << (std::min_element(found.z.begin(), found.z.begin() + 4) - found.z.begin());
   }
-  const unsigned distinct = found.may_repeat ? WithoutRepeats(found, slack) : found.kept;
+  const unsigned distinct =
+      found.may_repeat ? WithoutRepeats(found, tolerance) : found.kept;
   manifold.count = std::min(std::popcount(distinct), 8);
 
   const std::array<const Pose*, 2> both_X = {&X_WA, &X_WB};

@@ -46,14 +46,15 @@ struct Chord {
 };
 
 /** Returns the segment of the line in [0, 1] that is inside the box. The tolerance is
- `slack` at faces that the line runs along, and `across` at faces that it crosses. [m] */
-Chord Inside(const PlacedBox& box, const Line& line, double slack, double across) {
+ `tolerance` at faces that the line runs along, and `across` at faces that it crosses. [m]
+ */
+Chord Inside(const PlacedBox& box, const Line& line, double tolerance, double across) {
   const Eigen::Vector3d p = box.X_WB.R_WB.transpose() * (line.p_W - box.X_WB.p_WB);
   const Eigen::Vector3d d = box.X_WB.R_WB.transpose() * line.d_W;
   Chord chord{0, 1};
   for (int k = 0; k < 3; ++k) {
-    const bool along = std::abs(d[k]) <= 2 * slack;
-    const double h = box.box.half_extents[k] + (along ? slack : across);
+    const bool along = std::abs(d[k]) <= 2 * tolerance;
+    const double h = box.box.half_extents[k] + (along ? tolerance : across);
     if (d[k] == 0) {
       if (std::abs(p[k]) > h) chord.end = -std::numeric_limits<double>::infinity();
       continue;
@@ -67,13 +68,13 @@ Chord Inside(const PlacedBox& box, const Line& line, double slack, double across
 }
 
 /** Returns the segment of the line that is in the box. If the line only grazes the box to
- within `slack`, the segment is the single point where it is nearest. The slack decides
- whether a point is kept, not its position: a crossing lies on the face that it
+ within `tolerance`, the segment is the single point where it is nearest. The tolerance
+ decides whether a point is kept, not its position: a crossing lies on the face that it
  crosses. */
-Chord Clip(const PlacedBox& box, const Line& line, double slack) {
-  const Chord chord = Inside(box, line, slack, 0);
+Chord Clip(const PlacedBox& box, const Line& line, double tolerance) {
+  const Chord chord = Inside(box, line, tolerance, 0);
   if (chord.begin <= chord.end) return chord;
-  const Chord grazing = Inside(box, line, slack, slack);
+  const Chord grazing = Inside(box, line, tolerance, tolerance);
   if (grazing.begin > grazing.end) return grazing;
   const double middle = (grazing.begin + grazing.end) / 2;
   return {middle, middle};
@@ -86,10 +87,10 @@ struct ClippedEdges {
   std::vector<Eigen::Vector3d> corners_W;
 };
 
-void ClipEdges(const PlacedBox& of, const PlacedBox& by, double slack,
+void ClipEdges(const PlacedBox& of, const PlacedBox& by, double tolerance,
                ClippedEdges& clipped) {
   for (const Line& edge : Edges(of)) {
-    const Chord chord = Clip(by, edge, slack);
+    const Chord chord = Clip(by, edge, tolerance);
     if (chord.begin > chord.end) continue;
     (chord.begin > 0 ? clipped.crossings_W : clipped.corners_W)
         .push_back(edge.p_W + chord.begin * edge.d_W);
@@ -115,10 +116,10 @@ ClippedEdges ClipBoth(const PlacedBox& A, const PlacedBox& B) {
   // A coordinate is a sum of some ten rounded terms, none above `size`: 32 is ample.
   const double size = A.box.half_extents.sum() + B.box.half_extents.sum() +
                       A.X_WB.p_WB.lpNorm<1>() + B.X_WB.p_WB.lpNorm<1>();
-  const double slack = 32 * kUnitRoundoff * size;
+  const double tolerance = 32 * kUnitRoundoff * size;
   ClippedEdges clipped;
-  ClipEdges(B, A, slack, clipped);
-  ClipEdges(A, B, slack, clipped);
+  ClipEdges(B, A, tolerance, clipped);
+  ClipEdges(A, B, tolerance, clipped);
   return clipped;
 }
 

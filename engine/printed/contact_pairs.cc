@@ -193,12 +193,12 @@ std::vector<ContactImpulse> ApplyImpulses(std::span<Body> bodies,
 }
 
 void Project(std::span<Body> bodies, std::span<const ContactPair> pairs, double share,
-             double slack, const Errata& errata) {
+             double tolerance, const Errata& errata) {
   for (const ContactPair& pair : pairs) {
     Body& a = bodies[static_cast<std::size_t>(pair.A)];
     Body& b = bodies[static_cast<std::size_t>(pair.B)];
     const Eigen::Vector3d& n = pair.manifold.n_AB_W;
-    const double excess = std::max(pair.manifold.depth - slack, 0.0);
+    const double excess = std::max(pair.manifold.depth - tolerance, 0.0);
     if (errata.Has(Erratum::kE24)) {
       const double push = share * excess / (InverseMass(a) + InverseMass(b));
       a.p_WB -= push * InverseMass(a) * n;

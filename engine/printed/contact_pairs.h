@@ -31,9 +31,9 @@ std::vector<ContactImpulse> ApplyImpulses(std::span<Body> bodies,
                                           int iterations, const Errata& errata);
 
 /** Position correction: moves the bodies of each pair apart by the fraction `share` of
- the depth beyond `slack` [m], in proportion to inverse mass. The corrected recipe also
- turns them: each contact pushes at its own position. */
+ the depth beyond `tolerance` [m], in proportion to inverse mass. The corrected recipe
+ also turns them: each contact pushes at its own position. */
 void Project(std::span<Body> bodies, std::span<const ContactPair> pairs, double share,
-             double slack, const Errata& errata);
+             double tolerance, const Errata& errata);
 
 }  // namespace cookbook::printed

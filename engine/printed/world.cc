@@ -131,10 +131,10 @@ int World::Add(const Cloth& cloth) {
 
 void World::ApplyImpulse(int body, const Eigen::Vector3d& p_W,
                          const Eigen::Vector3d& J_W) {
-  Body& struck = bodies_[static_cast<std::size_t>(body)];
-  if (struck.mass == 0) return;
-  Give(struck, p_W, J_W, errata_);
-  if (errata_.Has(Erratum::kE10)) struck.v_WB += (1 - 1 / struck.mass) * J_W;
+  Body& hit = bodies_[static_cast<std::size_t>(body)];
+  if (hit.mass == 0) return;
+  Give(hit, p_W, J_W, errata_);
+  if (errata_.Has(Erratum::kE10)) hit.v_WB += (1 - 1 / hit.mass) * J_W;
 }
 
 void World::Step(double dt) {
@@ -143,8 +143,8 @@ void World::Step(double dt) {
   for (Body& body : bodies_) Integrate(body, settings_.gravity_W, dt, errata_);
   for (Particle& particle : particles_)
     Integrate(particle, settings_.gravity_W, dt, errata_);
-  Project(bodies_, pairs, settings_.projection_share, settings_.projection_slack,
-          errata_);
+  Project(bodies_, pairs, settings_.position_correction_fraction,
+          settings_.penetration_slop, errata_);
   const Things things{bodies_, particles_};
   for (const Spring& spring : springs_) Pull(spring, things, dt, errata_);
   for (Particle& particle : particles_) KeepOutside(particle, bodies_);

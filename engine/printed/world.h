@@ -96,8 +96,8 @@ struct ContactImpulse {
 /** The parameters that the recipe leaves open, with its defaults. */
 struct Settings {
   Eigen::Vector3d gravity_W{0, -9.82, 0};
-  double projection_share = 0.45;
-  double projection_slack = 0.01;  ///< [m]
+  double position_correction_fraction = 0.45;
+  double penetration_slop = 0.01;  ///< [m]
   int impulse_iterations = 5;
 };
 

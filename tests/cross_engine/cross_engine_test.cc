@@ -23,7 +23,7 @@
 #include "cli/select_oracles.h"
 #include "reports/accuracy/accuracy.h"
 #include "reports/ledger/ledger_file.h"
-#include "reports/run_report.h"
+#include "reports/run.h"
 #include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"
 

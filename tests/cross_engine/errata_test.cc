@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "oracles/oracle_registry.h"
-#include "reports/run_report.h"
+#include "reports/run.h"
 #include "reports/worlds/study/run_worlds.h"
 #include "scenarios/scenario_file.h"
 

@@ -12,7 +12,7 @@ void ImpactQueue::Begin(std::size_t bodies) {
 
 void ImpactQueue::Clear() {
   candidates_.clear();
-  heap_.clear();
+  binary_heap_.clear();
 }
 
 void ImpactQueue::Append(int A, int B, double gap) {
@@ -25,15 +25,15 @@ void ImpactQueue::Append(int A, int B, double gap) {
 void ImpactQueue::Schedule(int candidate, double time) {
   (*this)[candidate].time_of_impact = time;
   if (time == std::numeric_limits<double>::infinity()) return;
-  heap_.emplace_back(time, candidate);
-  std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
+  binary_heap_.emplace_back(time, candidate);
+  std::push_heap(binary_heap_.begin(), binary_heap_.end(), std::greater<>());
 }
 
 int ImpactQueue::PopEarliest() {
-  while (!heap_.empty()) {
-    std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
-    const auto [time, index] = heap_.back();
-    heap_.pop_back();
+  while (!binary_heap_.empty()) {
+    std::pop_heap(binary_heap_.begin(), binary_heap_.end(), std::greater<>());
+    const auto [time, index] = binary_heap_.back();
+    binary_heap_.pop_back();
     if ((*this)[index].time_of_impact == time) return index;
   }
   return -1;

@@ -65,7 +65,7 @@ class ImpactQueue {
   std::vector<int> last_candidate_;  ///< Indexed by body; −1: none.
   /** Binary heap of (time of impact, candidate), the earliest on top. Some entries are
    out of date. */
-  std::vector<std::pair<double, int>> heap_;
+  std::vector<std::pair<double, int>> binary_heap_;
 };
 
 }  // namespace cookbook

@@ -483,9 +483,9 @@ void ImpactSolver::GatherContacts(double t, const End& end) {
       const int body = impact_.members()[visited];
       if (IsStatic(body)) continue;
       queue_.ForEachOf(body, [&](int index) {
-        std::vector<int>& heap = index > after ? pending_ : deferred_;
-        heap.push_back(index);
-        std::push_heap(heap.begin(), heap.end(), std::greater<>());
+        std::vector<int>& queue = index > after ? pending_ : deferred_;
+        queue.push_back(index);
+        std::push_heap(queue.begin(), queue.end(), std::greater<>());
       });
     }
   };

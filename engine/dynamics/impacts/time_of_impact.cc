@@ -107,8 +107,8 @@ double AdvancementTime(const Manifold& manifold, const RigidBody& A, const Rigid
   if (rotational_speed == 0) return *safe_time;
   const double facing_speed =
       n.dot(PointVelocity(B, SupportPoint(-n, B)) - PointVelocity(A, SupportPoint(n, A)));
-  const std::optional<double> meeting_time = TimeOfFall(gap, facing_speed, acceleration);
-  return std::max(*safe_time, meeting_time.value_or(kSamplingInterval * h));
+  const std::optional<double> contact_time = TimeOfFall(gap, facing_speed, acceleration);
+  return std::max(*safe_time, contact_time.value_or(kSamplingInterval * h));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/worlds/law_support/subjects.h"
 #include "scenarios/validate.h"
 #include "scenarios/worlds/world_scenario.h"
 

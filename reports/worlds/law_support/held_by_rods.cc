@@ -7,6 +7,7 @@
 
 #include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "reports/worlds/law_support/subjects.h"
 #include "scenarios/validate.h"
 #include "scenarios/worlds/world_scenario.h"
 

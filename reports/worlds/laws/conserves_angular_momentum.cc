@@ -11,6 +11,7 @@
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/scheme_drift.h"
+#include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 

@@ -9,6 +9,7 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 

@@ -133,8 +133,8 @@ TEST(PrintedWithoutErrata, FlatBoxesShareTheWholePatchWithTheEngine) {
     EXPECT_NEAR(recipe.depth, -engine.separation, kRounding);
     std::vector<Eigen::Vector3d> contacts;
     for (const ContactPoint& contact : engine.points()) contacts.push_back(contact.p_WC);
-    // Clipping with a slack of 1e-13 S displaces a corner by that slack over the sine of
-    // the turn.
+    // Clipping with a tolerance of 1e-13 S displaces a corner by that tolerance over the
+    // sine of the turn.
     EXPECT_LT(Beyond(contacts, recipe.contacts_W), 1e-10);
     EXPECT_LT(Beyond(recipe.contacts_W, contacts), 1e-10);
   }

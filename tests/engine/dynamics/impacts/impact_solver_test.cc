@@ -113,8 +113,8 @@ TEST(ImpactSolver, ABoxDoesNotTunnelThroughAPlateThinnerThanItsTravelInAStep) {
   EXPECT_NEAR(world.state(body).p_WB[0], -0.101 - 100 * (1e-2 - 0.499 / 200), 1e-9);
 }
 
-/** Steps once a world in which a ball flies towards a plate, and a pendulum far away
- hangs from the world or from the plate. Returns the state of the ball. */
+/** Steps once a world in which a ball moves freely towards a plate, and a pendulum far
+ away hangs from the world or from the plate. Returns the state of the ball. */
 BodyState StateOfABallAtAPlate(bool plate_holds_pendulum) {
   Settings settings;
   settings.gravity_W.setZero();
@@ -184,11 +184,11 @@ TEST(ImpactSolver, ABallThatAForceAcceleratesDoesNotTunnel) {
   const double h = 1.0 / 240;
   world.Step(h);
   // The plate is 0.3 m away, farther than the 0.25 m that the initial speed covers.
-  const double strikes_by = std::sqrt(60 * 60 + 2 * 2e4 * 0.3);
-  const double left = h - (strikes_by - 60) / 2e4;
-  EXPECT_NEAR(world.state(body).p_WB[0], 0.3 - strikes_by * left + 1e4 * left * left,
+  const double impact_speed = std::sqrt(60 * 60 + 2 * 2e4 * 0.3);
+  const double left = h - (impact_speed - 60) / 2e4;
+  EXPECT_NEAR(world.state(body).p_WB[0], 0.3 - impact_speed * left + 1e4 * left * left,
               1e-9);
-  EXPECT_NEAR(world.state(body).v_WB[0], 2e4 * left - strikes_by, 1e-9);
+  EXPECT_NEAR(world.state(body).v_WB[0], 2e4 * left - impact_speed, 1e-9);
 }
 
 // Each ball is at rest at the start of the step and is hit during it.
@@ -327,10 +327,10 @@ TEST(ImpactSolver, AnImpactOnALargeIslandOrAPendulumFromWithinTheMarginDoesNotPe
     BodyDefinition ball = Ball(0, 0);
     ball.state.p_WB = world.state(top).p_WB + Eigen::Vector3d(0, 0.2 + 5e-5, 0);
     ball.state.v_WB[1] = -0.19;
-    const int striker = world.AddBody(ball);
+    const int projectile = world.AddBody(ball);
     for (int k = 0; k < 20; ++k) {
       world.Step(h);
-      EXPECT_GT((world.state(striker).p_WB - world.state(top).p_WB).norm(), 0.2 - 1e-3)
+      EXPECT_GT((world.state(projectile).p_WB - world.state(top).p_WB).norm(), 0.2 - 1e-3)
           << pendulum << " " << k;
     }
   }
@@ -392,7 +392,7 @@ TEST(ImpactSolver, ReportedImpulsesSumToTheChangeOfMomentum) {
     const int ball = world.AddBody(Ball(0.5, e));
     const double h = 1.3e-2;
     std::vector<ContactImpulse> impulses;
-    bool struck = false;
+    bool hit = false;
     for (int k = 0; k < 100; ++k) {
       const Eigen::Vector3d before = world.state(ball).v_WB;
       world.Step(h);
@@ -401,11 +401,11 @@ TEST(ImpactSolver, ReportedImpulsesSumToTheChangeOfMomentum) {
       Eigen::Vector3d given(0, -kGravity * h, 0);
       for (const ContactImpulse& impulse : impulses) {
         given += impulse.B == ball ? impulse.J_B_W : -impulse.J_B_W;
-        struck = struck || impulse.J_B_W.norm() > 1;
+        hit = hit || impulse.J_B_W.norm() > 1;
       }
       EXPECT_LT((world.state(ball).v_WB - before - given).norm(), 1e-12) << k;
     }
-    EXPECT_TRUE(struck);
+    EXPECT_TRUE(hit);
   }
 }
 

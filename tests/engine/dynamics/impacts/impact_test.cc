@@ -115,10 +115,10 @@ TEST(Impact, ABallThatIsHitAsItLeavesTheFloorConservesEnergy) {
   const int leaves = world.AddBody(ball);
   ball.state.p_WB = {0, 0.3 - 9e-3, 0};
   ball.state.v_WB = {0, -4.47, 0};
-  const int strikes = world.AddBody(ball);
+  const int approaches = world.AddBody(ball);
   const auto energy = [&] {
     double sum = 0;
-    for (const int i : {leaves, strikes}) {
+    for (const int i : {leaves, approaches}) {
       sum += 9.81 * world.state(i).p_WB[1] + world.state(i).v_WB.squaredNorm() / 2;
     }
     return sum;

@@ -75,7 +75,7 @@ TEST(Sleep, BeginsAfterTheTimeAtRestAndFreezesTheBodies) {
 TEST(Sleep, WakesTheWholeIslandThatABodyApproachesAndNoOther) {
   World world(SleepsAfterHalfASecond());
   AddFloor(world);
-  const int struck = AddStack(world, 0);
+  const int hit = AddStack(world, 0);
   const int other = AddStack(world, 10);
   BodyDefinition ball;
   ball.shape = Sphere{0.2};
@@ -83,9 +83,9 @@ TEST(Sleep, WakesTheWholeIslandThatABodyApproachesAndNoOther) {
   ball.state.p_WB = {0, 8, 0};  // It falls for 1.03 s.
   world.AddBody(ball);
   RunFor(world, 0.9);
-  ASSERT_TRUE(StackSleeps(world, struck));
+  ASSERT_TRUE(StackSleeps(world, hit));
   RunFor(world, 0.2);
-  EXPECT_FALSE(StackSleeps(world, struck));
+  EXPECT_FALSE(StackSleeps(world, hit));
   EXPECT_TRUE(StackSleeps(world, other));
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/truth/mechanics.h"
 #include "tests/reports/worlds/motions.h"
 
