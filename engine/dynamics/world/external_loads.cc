@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/dynamics/joints/spring_solver.h"
+
 namespace cookbook {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "engine/dynamics/joints/spring.h"
+#include "engine/dynamics/joints/spring_solver.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "engine/dynamics/joints/anchor.h"
+#include "engine/dynamics/joints/axial_constraint.h"
 
 namespace cookbook {
 namespace {

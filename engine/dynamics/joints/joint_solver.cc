@@ -1,4 +1,4 @@
-#include "engine/dynamics/joints/distance_joint.h"
+#include "engine/dynamics/joints/joint_solver.h"
 
 #include <algorithm>
 #include <cmath>
