@@ -26,7 +26,7 @@ build_and_test(examples ${SOURCE}/docs/examples)
 # With wider vectors than the libraries were compiled for, Eigen would align its types
 # otherwise than they do.
 build_and_test(examples_native ${SOURCE}/docs/examples -D CMAKE_CXX_FLAGS=-march=native)
-build_and_test(headers ${SOURCE}/tests/package/headers -D PREFIX=${WORK}/prefix)
+build_and_test(headers ${SOURCE}/tests/package/headers)
 
 # The installed program finds its catalogue and its engines relative to itself.
 run(${WORK}/prefix/bin/touchstone list contact/box_box)
