@@ -14,9 +14,9 @@ constexpr int kSpinCountOversubscribed = 100;
 }  // namespace
 
 ThreadPool::ParallelScope::ParallelScope(ThreadPool& pool, std::size_t count,
-                                         std::size_t least)
+                                         std::size_t min_count)
     : pool_(pool) {
-  pool.in_parallel_scope_ = !pool.workers_.empty() && count >= least;
+  pool.in_parallel_scope_ = !pool.workers_.empty() && count >= min_count;
 }
 
 ThreadPool::ParallelScope::~ParallelScope() {

@@ -10,7 +10,7 @@ namespace cookbook {
 /** A thread pool for parallel loops. A loop is divided into as many chunks as there are
  threads. The calls for two chunks must not depend on each other; then the result has the
  same bits whatever the number of threads. Each thread runs its own chunk first, then any
- chunk that no thread has begun: a thread that gets no processor delays nobody. */
+ chunk that no thread has begun: a thread that has not begun a chunk delays nobody. */
 class ThreadPool {
  public:
   /** `threads`: number of threads that work at the same time, including the caller; at
@@ -21,14 +21,14 @@ class ThreadPool {
   ThreadPool(const ThreadPool&) = delete;
   ThreadPool& operator=(const ThreadPool&) = delete;
 
-  /** The lifetime of this object is the time in which loops run in parallel. Outside of
-   it, the loops are too short to pay for waking the threads, which takes about 30
-   microseconds each time. Scopes of the same pool must not overlap. */
+  /** Loops are parallel only while such an object lives; otherwise they run serially.
+   A scope is for loops that together take longer than waking the threads, which is about
+   30 microseconds each time. Scopes of the same pool must not overlap. */
   class ParallelScope {
    public:
     /** Loops run in parallel only if `count`, the size of the problem, is at least
-     `least`. */
-    ParallelScope(ThreadPool& pool, std::size_t count, std::size_t least);
+     `min_count`. */
+    ParallelScope(ThreadPool& pool, std::size_t count, std::size_t min_count);
     ~ParallelScope();
     ParallelScope(const ParallelScope&) = delete;
     ParallelScope& operator=(const ParallelScope&) = delete;
@@ -39,12 +39,12 @@ class ThreadPool {
 
   /** Calls `work(begin, end)` for each chunk of the indices in [0, count), and returns
    after all calls have returned. The caller alone makes one call for all indices if
-   `count` is less than `least`, or outside of a ParallelScope. `work` must not throw, and
-   must not start another loop. */
+   `count` is less than `min_count`, or outside of a ParallelScope. `work` must not throw,
+   and must not start another loop. */
   template <class Work>
-  void ParallelFor(std::size_t count, std::size_t least, const Work& work) {
+  void ParallelFor(std::size_t count, std::size_t min_count, const Work& work) {
     ParallelForIndexed(
-        count, least,
+        count, min_count,
         [&](std::size_t, std::size_t begin, std::size_t end) { work(begin, end); });
   }
 
@@ -52,8 +52,8 @@ class ThreadPool {
    order of their indices and are less than chunk_count(). No two calls have the same
    chunk. */
   template <class Work>
-  void ParallelForIndexed(std::size_t count, std::size_t least, const Work& work) {
-    if (count < least || !in_parallel_scope_) {
+  void ParallelForIndexed(std::size_t count, std::size_t min_count, const Work& work) {
+    if (count < min_count || !in_parallel_scope_) {
       if (count > 0) work(std::size_t{0}, std::size_t{0}, count);
       return;
     }

@@ -113,7 +113,7 @@ class CookbookSimulation final : public Simulation {
 
   void ReadImpulses(std::vector<ContactImpulse>& impulses) const override {
     std::vector<cookbook::ContactImpulse> read;
-    world_.ReadImpulses(read);
+    world_.AppendContactImpulses(read);
     for (const cookbook::ContactImpulse& impulse : read) {
       impulses.push_back({0, impulse.A, impulse.B, impulse.p_WC, impulse.n_AB_W,
                           impulse.J_B_W, impulse.separation});

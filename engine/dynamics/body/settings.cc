@@ -30,8 +30,10 @@ void Validate(const Settings& s) {
   Expect(s.iteration_budget >= 0, "iteration_budget", s.iteration_budget, "at least 0");
   Expect(s.residual >= 0, "residual", s.residual, "at least 0");
   Expect(s.joint_rounds > 0, "joint_rounds", s.joint_rounds, "at least 1");
-  Expect(s.resting_speed >= 0 && std::isfinite(s.resting_speed), "resting_speed",
-         s.resting_speed, "a finite number >= 0");
+  Expect(s.restitution_threshold_factor >= 0 &&
+             std::isfinite(s.restitution_threshold_factor),
+         "restitution_threshold_factor", s.restitution_threshold_factor,
+         "a finite number >= 0");
   Expect(s.position_correction_fraction > 0 && s.position_correction_fraction <= 1,
          "position_correction_fraction", s.position_correction_fraction,
          "a number in (0, 1]");

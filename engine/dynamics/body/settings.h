@@ -25,11 +25,12 @@ enum class Stabilisation {
   /** Soft contacts: a spring-damper instead of a hard constraint. */
   kSoft,
   /** Position correction as in the book: the deepest contact of a pair translates both
-   bodies. */
-  kLinearProjection,
-  /** Position correction that translates and rotates bodies, and leaves velocities
-   unchanged (nonlinear Gauss-Seidel). */
-  kNonLinearProjection,
+   bodies, without a change of velocity. */
+  kDeepestContact,
+  /** Position correction that translates and rotates bodies, without a change of
+   velocity. Split impulse: projected Gauss-Seidel on pseudo-velocities, with the contacts
+   found at the start of the step. */
+  kSplitImpulse,
 };
 
 /** The settings of a world. Every refinement has its own switch.
@@ -39,8 +40,10 @@ struct Settings {
 
   Gyroscopic gyroscopic = Gyroscopic::kExact;
 
-  /** Number of solver iterations over all contacts and joints that each step may use. A
-   large world, see IsSmall(), uses an eighth less, with over-relaxation. */
+  /** Minimum number of solver iterations over all contacts and joints in a step, unless
+   they converge earlier. A small world, see IsSmall(), may use more, see
+   `iteration_budget`. A large world uses at most this number less an eighth of it, with
+   normal impulses over-relaxed in all iterations except the last. */
   int impulse_iterations = 8;
   /** Bound on iterations × constraints per step, on average. A small world may use more
    iterations until it has converged. A single step may exceed the bound by up to 20 times
@@ -68,28 +71,29 @@ struct Settings {
   bool warm_starting = true;
   /** Clamps the accumulated impulse of a contact, not each increment. */
   bool accumulated_impulses = true;
-  /** Approach speed below which contacts do not bounce, in multiples of the velocity that
-   gravity and forces add in a step, see ExternalLoads. Slower bounces last less than two
-   steps. */
-  double resting_speed = 1;
+  /** Approach speed below which contacts do not bounce, in multiples of the threshold in
+   ExternalLoads. For a body on a floor under gravity g that threshold is 2 g h, with the
+   sub-step h. A bounce from a lower speed lasts less than 4 h. [-] */
+  double restitution_threshold_factor = 1;
   /** Continuous collision: bodies in free flight collide at their time of impact, not at
    the start of the step that finds them in penetration. */
   bool continuous_collision = true;
 
-  Stabilisation stabilisation = Stabilisation::kNonLinearProjection;
+  Stabilisation stabilisation = Stabilisation::kSplitImpulse;
   /** Fraction of the excess depth that is removed per step, in (0, 1]. A large world, see
    IsSmall(), removes at most a fifth. */
   double position_correction_fraction = 0.45;
-  /** Depth that position correction leaves, against jitter. Absent: like
-   `speculative_margin`. [m] */
+  /** Depth that position correction leaves, against jitter. Absent: the automatic
+   speculative margin, even if `speculative_margin` is set. [m] */
   std::optional<double> penetration_slop;
   int position_iterations = 4;
   /** Separation below which speculative contacts are kept, so that rounding does not take
-   a corner from a box at rest. Absent: 2 a dt², the distance that a body at rest would
-   travel in two steps under its load a. With gravity alone a = |g|; for forces and
-   springs see ExternalLoads. [m] */
+   a corner from a box at rest. Absent: automatic, 2 a h², with the sub-step h: the
+   distance that a body at rest would travel in two sub-steps under its load a. With
+   gravity alone a = |g|. With forces and springs the automatic margin is at most
+   2 |g| h² or InnerRadius() / 50, whichever is greater, see ExternalLoads. [m] */
   std::optional<double> speculative_margin;
-  /** Frequency for Stabilisation::kSoft, at most 1/(8 dt). [Hz] */
+  /** Frequency for Stabilisation::kSoft, at most 1/(8 h) with the sub-step h. [Hz] */
   double soft_frequency = 30;
   double soft_damping_ratio = 10;  ///< For Stabilisation::kSoft.
 
@@ -107,10 +111,10 @@ struct Settings {
   int sub_steps = 1;
 };
 
-/** Whether the iteration budget allows a world with this number of contacts more than
- `impulse_iterations` iterations. A small world is solved to convergence. A large world
- has greater errors and at most four contacts per face, see ReduceManifold(). It stays
- large until it has half as many contacts. */
+/** Whether the iteration budget allows a world with this number of contact points more
+ than `impulse_iterations` iterations. A small world is solved to convergence. A large
+ world has greater errors and at most four contact points per face, see ReduceManifold().
+ */
 bool IsSmall(const Settings& settings, int contacts);
 
 /** Checks that all settings are in their range.

@@ -24,9 +24,9 @@ constexpr double kMaxPrediction = 1;
  position and radius: greater than the tolerance of the narrow phase. */
 constexpr double kRounding = 1e-12;
 
-/** Number of bodies, and of queries, below which a parallel loop does not pay. */
-constexpr std::size_t kMinBodies = 128;
-constexpr std::size_t kMinQueries = 16;
+/** Minimum numbers of bodies and of queries for a parallel loop. */
+constexpr std::size_t kMinParallelBodies = 128;
+constexpr std::size_t kMinParallelQueries = 16;
 
 Aabb Expanded(const Aabb& bounds, double by) {
   return {bounds.low.array() - by, bounds.high.array() + by};
@@ -107,7 +107,7 @@ void BroadPhase::FindEscapes(std::span<const RigidBody> bodies, double margin,
     const Aabb fat = FatBoxFor(body, bounds, ahead * pushed_W);
     escapes.push_back({static_cast<int>(i), fat});
   };
-  pool.ParallelForIndexed(proxies_.size(), kMinBodies,
+  pool.ParallelForIndexed(proxies_.size(), kMinParallelBodies,
                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t i = begin; i < end; ++i)
                               look(i, escapes_[chunk]);
@@ -137,7 +137,7 @@ void BroadPhase::Update(std::span<const RigidBody> bodies, double margin, double
 
   scratch_.resize(pool.chunk_count());
   new_pairs_.Clear(pool.chunk_count());
-  pool.ParallelForIndexed(moved_.size(), kMinQueries,
+  pool.ParallelForIndexed(moved_.size(), kMinParallelQueries,
                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t k = begin; k < end; ++k) {
                               FindNewPairs(moved_[k], scratch_[chunk], new_pairs_[chunk]);

@@ -11,10 +11,10 @@
 namespace cookbook {
 namespace {
 
-/** Number of batches, and of near pairs, below which a parallel loop does not pay: about
- 10 microseconds of work. */
-constexpr std::size_t kMinBatches = 16;
-constexpr std::size_t kMinNearPairs = 2048;
+/** Minimum numbers of batches and of near pairs for a parallel loop: about 10
+ microseconds of work. */
+constexpr std::size_t kMinParallelBatches = 16;
+constexpr std::size_t kMinParallelNearPairs = 2048;
 /** Number of contact pairs, of half a KiB each, that no longer fit into a processor's
  cache. From then on they are sorted in spatial order, so that pairs that are solved
  together are close in memory. */
@@ -45,39 +45,39 @@ void ContactCache::Sort() {
   });
   sorted_.clear();
   for (std::size_t k = 0; k < near_.size(); ++k) {
-    int& contact = near_[k].contact;
-    if (contact < 0) continue;
-    sorted_.push_back(contacts_[static_cast<std::size_t>(contact)]);
+    int& index = near_[k].contact_pair;
+    if (index < 0) continue;
+    sorted_.push_back(pairs_[static_cast<std::size_t>(index)]);
     sorted_.back().near = k;
-    contact = static_cast<int>(sorted_.size()) - 1;
+    index = static_cast<int>(sorted_.size()) - 1;
   }
-  contacts_.swap(sorted_);
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    edges_[k] = {contacts_[k].A, contacts_[k].B, contacts_[k].manifold.count};
+  pairs_.swap(sorted_);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    summaries_[k] = {pairs_[k].A, pairs_[k].B, pairs_[k].manifold.count};
   }
 }
 
 void ContactCache::BeginContact(std::size_t near) {
-  near_[near].contact = static_cast<int>(contacts_.size());
-  ContactPair& pair = contacts_.emplace_back();
+  near_[near].contact_pair = static_cast<int>(pairs_.size());
+  ContactPair& pair = pairs_.emplace_back();
   pair.A = near_[near].A;
   pair.B = near_[near].B;
   pair.near = near;
-  edges_.push_back({pair.A, pair.B, 0});
+  summaries_.push_back({pair.A, pair.B, 0});
 }
 
 void ContactCache::EndContact(std::size_t near) {
-  const int contact = near_[near].contact;
-  if (contact < 0) return;
-  near_[near].contact = -1;
-  ContactPair& pair = contacts_[static_cast<std::size_t>(contact)];
-  if (&pair != &contacts_.back()) {
-    pair = contacts_.back();
-    edges_[static_cast<std::size_t>(contact)] = edges_.back();
-    near_[pair.near].contact = contact;
+  const int index = near_[near].contact_pair;
+  if (index < 0) return;
+  near_[near].contact_pair = -1;
+  ContactPair& pair = pairs_[static_cast<std::size_t>(index)];
+  if (&pair != &pairs_.back()) {
+    pair = pairs_.back();
+    summaries_[static_cast<std::size_t>(index)] = summaries_.back();
+    near_[pair.near].contact_pair = index;
   }
-  contacts_.pop_back();
-  edges_.pop_back();
+  pairs_.pop_back();
+  summaries_.pop_back();
 }
 
 void ContactCache::FindCandidates(int index, const RigidBody& body, double reach,
@@ -93,23 +93,23 @@ void ContactCache::Update(std::span<const RigidBody> bodies,
   broad_phase_.Update(bodies, options.margin, ahead, pool, new_pairs_);
   for (const auto& [a, b] : new_pairs_) near_.push_back({a, b});
 
-  if (contacts_.size() >= kSortThreshold && ++updates_since_sort_ >= kSortInterval) {
+  if (pairs_.size() >= kSortThreshold && ++updates_since_sort_ >= kSortInterval) {
     Sort();
     updates_since_sort_ = 0;
   }
 
-  FindDue(options.margin, pool);
+  FindPairsToCollide(options.margin, pool);
   Collide(bodies, options, pool);
   RemoveSeparatedPairs();
 }
 
-void ContactCache::FindDue(double margin, ThreadPool& pool) {
+void ContactCache::FindPairsToCollide(double margin, ThreadPool& pool) {
   const auto is_due = [&](NearPair& pair) {
     // A separated pair stays separated until the bodies have travelled the gap.
     const double travel = TravelOf(pair);
     if (travel < pair.separated_until_travel) return false;
     if (broad_phase_.IsAtRest(pair.A) && broad_phase_.IsAtRest(pair.B)) return false;
-    if (pair.contact >= 0) return true;
+    if (pair.contact_pair >= 0) return true;
     const double gap = broad_phase_.DistanceBound(pair.A, pair.B);
     if (gap <= margin) return true;
     pair.separated_until_travel = travel + gap - margin;
@@ -122,10 +122,10 @@ void ContactCache::FindDue(double margin, ThreadPool& pool) {
     travel_bounds_[static_cast<std::size_t>(body)] =
         std::numeric_limits<double>::infinity();
   });
-  for (PerChunk<std::size_t>* list : {&found_, &began_, &separated_}) {
+  for (PerChunk<std::size_t>* list : {&found_due_, &began_, &separated_}) {
     list->Clear(pool.chunk_count());
   }
-  pool.ParallelForIndexed(near_.size(), kMinNearPairs,
+  pool.ParallelForIndexed(near_.size(), kMinParallelNearPairs,
                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             for (std::size_t k = begin; k < end; ++k) {
                               NearPair& pair = near_[k];
@@ -137,46 +137,46 @@ void ContactCache::FindDue(double margin, ThreadPool& pool) {
                               if (!broad_phase_.AreStillNear(pair.A, pair.B)) {
                                 separated_[chunk].push_back(k);
                               } else if (is_due(pair)) {
-                                found_[chunk].push_back(k);
-                                if (pair.contact < 0) began_[chunk].push_back(k);
+                                found_due_[chunk].push_back(k);
+                                if (pair.contact_pair < 0) began_[chunk].push_back(k);
                               }
                             }
                           });
   began_.ForEach([&](std::size_t k) { BeginContact(k); });
   due_.clear();
-  found_.AppendTo(due_);
+  found_due_.AppendTo(due_);
 }
 
 void ContactCache::RemoveSeparatedPairs() {
-  // Backwards: the last near pair, which takes the place of the removed one, stays.
+  // Backwards, so that the pair moved into the gap is never due for removal.
   separated_.ForEachBackwards([&](std::size_t k) {
     EndContact(k);
     near_[k] = near_.back();
-    const int contact = near_[k].contact;
-    if (contact >= 0) contacts_[static_cast<std::size_t>(contact)].near = k;
+    const int index = near_[k].contact_pair;
+    if (index >= 0) pairs_[static_cast<std::size_t>(index)].near = k;
     near_.pop_back();
   });
 }
 
 void ContactCache::Collide(std::span<const RigidBody> bodies,
                            const ContactOptions& options, ThreadPool& pool) {
-  const auto contact_of = [&](std::size_t due) -> ContactPair& {
-    return contacts_[static_cast<std::size_t>(near_[due_[due]].contact)];
+  const auto pair_of = [&](std::size_t due) -> ContactPair& {
+    return pairs_[static_cast<std::size_t>(near_[due_[due]].contact_pair)];
   };
   const std::size_t batches = (due_.size() + kPairsPerBatch - 1) / kPairsPerBatch;
-  found_.Clear(pool.chunk_count());  // Now those without a contact point.
+  without_points_.Clear(pool.chunk_count());
   const auto collide = [&](std::size_t chunk, std::size_t begin, std::size_t end) {
     for (std::size_t batch = begin; batch < end; ++batch) {
       const std::size_t first = batch * kPairsPerBatch;
       const std::size_t count = std::min(kPairsPerBatch, due_.size() - first);
       std::array<ContactPair*, kPairsPerBatch> pairs;
       for (std::size_t k = 0; k < count; ++k) {
-        pairs[k] = &contact_of(first + k);
+        pairs[k] = &pair_of(first + k);
         const std::size_t later = first + k + 2 * kPairsPerBatch;
-        if (later < due_.size()) Prefetch(&contact_of(later), 1);
+        if (later < due_.size()) Prefetch(&pair_of(later), 1);
         // Only the thread that owns the next batch may read its number of contacts.
         if (batch + 1 == end || first + k + kPairsPerBatch >= due_.size()) continue;
-        const ContactPair& next = contact_of(first + k + kPairsPerBatch);
+        const ContactPair& next = pair_of(first + k + kPairsPerBatch);
         PrefetchContacts(next, std::max(1, next.manifold.count));
         const NearPair& next_near = near_[due_[first + k + kPairsPerBatch]];
         for (const int body : {next_near.A, next_near.B}) {
@@ -186,17 +186,18 @@ void ContactCache::Collide(std::span<const RigidBody> bodies,
       UpdateManifolds(options, bodies, std::span(pairs).first(count));
       for (std::size_t k = 0; k < count; ++k) {
         const ContactPair& pair = *pairs[k];
-        edges_[static_cast<std::size_t>(pairs[k] - contacts_.data())] = {
+        summaries_[static_cast<std::size_t>(pairs[k] - pairs_.data())] = {
             pair.A, pair.B, pair.manifold.count};
-        if (pair.manifold.count == 0) found_[chunk].push_back(due_[first + k]);
+        if (pair.manifold.count == 0) without_points_[chunk].push_back(due_[first + k]);
       }
     }
   };
-  pool.ParallelForIndexed(batches, kMinBatches, collide);
+  pool.ParallelForIndexed(batches, kMinParallelBatches, collide);
 
-  found_.ForEach([&](std::size_t k) {
+  without_points_.ForEach([&](std::size_t k) {
     NearPair& pair = near_[k];
-    const Manifold& manifold = contacts_[static_cast<std::size_t>(pair.contact)].manifold;
+    const Manifold& manifold =
+        pairs_[static_cast<std::size_t>(pair.contact_pair)].manifold;
     pair.separated_until_travel = TravelOf(pair) + manifold.separation - options.margin;
     EndContact(k);
   });

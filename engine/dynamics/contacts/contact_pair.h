@@ -11,19 +11,19 @@
 
 namespace cookbook {
 
-/** The contact of two bodies: the manifold, and the impulses of the last step for warm
- starting. */
+/** A contact pair, two bodies that touch or nearly do: the manifold, and the impulses of
+ the last step for warm starting. */
 struct alignas(64) ContactPair {
   int A = 0;             ///< Index of a body.
   int B = 0;             ///< Index of a body.
   std::size_t near = 0;  ///< Index of its near pair in ContactCache.
   Manifold manifold;     ///< See CollideSpeculative().
-  /** Impulse on B at each contact of the manifold. World frame. [N s] */
+  /** Impulse on B at each contact point of the manifold. World frame. [N s] */
   alignas(64) std::array<Eigen::Vector3d, 8> J_W;
 };
 
 /** The most used members of a ContactPair, which is large. */
-struct ContactEdge {
+struct PairSummary {
   int A;
   int B;
   int count;  ///< Number of contact points.

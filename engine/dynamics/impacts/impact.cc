@@ -15,7 +15,7 @@ Impact::Impact() {
   contact_flags_.reserve(kMany);
   static_.reserve(kMany);
   pairs_.reserve(kMany);
-  edges_.reserve(kMany);
+  summaries_.reserve(kMany);
 }
 
 void Impact::BeginStep(std::size_t bodies) {
@@ -38,7 +38,7 @@ void Impact::AddContacts(const ContactPair& pair) {
   added.B = local_index_[static_cast<std::size_t>(pair.B)];
   added.J_W.fill(Eigen::Vector3d::Zero());
   for (ContactPoint& contact : added.manifold.contacts) contact.separation = 0;
-  edges_.push_back({added.A, added.B, added.manifold.count});
+  summaries_.push_back({added.A, added.B, added.manifold.count});
 }
 
 void Impact::Solve(const StepContext& step, std::vector<ContactPair>& impact_contacts) {
@@ -47,7 +47,7 @@ void Impact::Solve(const StepContext& step, std::vector<ContactPair>& impact_con
   after_.assign(before_.begin(), before_.end());
   contact_flags_.assign(members_.size(), ContactFlags{});
 
-  solver_.Begin(pairs_, edges_, {bodies_, inertias_, before_, after_, static_}, step);
+  solver_.Begin(pairs_, summaries_, {bodies_, inertias_, before_, after_, static_}, step);
   for (int k = 0;
        k < settings.impulse_iterations || work_spent_ <= settings.iteration_budget; ++k) {
     work_spent_ += solver_.constraint_count();
@@ -75,7 +75,7 @@ void Impact::Clear() {
   before_.clear();
   static_.clear();
   pairs_.clear();
-  edges_.clear();
+  summaries_.clear();
 }
 
 }  // namespace cookbook

@@ -65,9 +65,9 @@ class Impact {
   std::vector<Velocity> before_;  ///< One more than bodies, see SolverBodies.
   std::vector<Velocity> after_;
   std::vector<ContactFlags> contact_flags_;
-  std::vector<char> static_;        ///< 1: static.
-  std::vector<ContactPair> pairs_;  ///< A and B are indices here, not in the world.
-  std::vector<ContactEdge> edges_;  ///< Edges of pairs_.
+  std::vector<char> static_;            ///< 1: static.
+  std::vector<ContactPair> pairs_;      ///< A and B are indices here, not in the world.
+  std::vector<PairSummary> summaries_;  ///< Summaries of pairs_.
 };
 
 }  // namespace cookbook

@@ -11,17 +11,18 @@
 namespace cookbook {
 namespace {
 
-/** Maximum number of impacts of a body in a step. After that the body passes through
- others, and the next step separates them. */
+/** Maximum number of impacts of a body in free flight in a step. After that the body
+ passes through others, and the next step separates them. Constrained bodies have no
+ limit. */
 constexpr int kMaxImpacts = 8;
 
 /** Maximum number of bodies of an island that takes part in an impact. The impact costs
  as much as a step of the island. */
 constexpr int kMaxIslandSize = 32;
-/** The same in a large world, which has too many impacts to solve each to convergence. An
- island that is solved only partly sinks deeper than a late impact does. Bodies that
- would tunnel through the island until the next step are exempt. */
-constexpr int kMaxIslandSizeOfMany = 4;
+/** The same in a large world, which has too many impacts to solve each to convergence. A
+ partly solved impact leaves more penetration than a postponed one. Bodies that would
+ tunnel through the island until the next step are exempt. */
+constexpr int kMaxIslandSizeInLargeWorld = 4;
 
 /** Normal velocity after an inelastic impact, as a fraction of the greatest approach
  speed: rounding and the residual of the solver. */
@@ -30,19 +31,19 @@ constexpr double kRestingFraction = 1e-9;
 /** Factor on the impact threshold for contacts within the speculative margin. */
 constexpr double kImpactSpeedFactor = 1.01;
 
-/** Minimum numbers of bodies, pairs, near pairs and candidates for a parallel loop. Fewer
- take some microseconds, and threads do not pay. */
-constexpr std::size_t kFewBodies = 128;
-constexpr std::size_t kFewPairs = 128;
-constexpr std::size_t kFewNear = 1024;
-constexpr std::size_t kFewCandidates = 32;
+/** Minimum numbers of bodies, contact pairs, near pairs and candidates for a parallel
+ loop. Fewer take some microseconds, and threads do not pay. */
+constexpr std::size_t kMinParallelBodies = 128;
+constexpr std::size_t kMinParallelPairs = 128;
+constexpr std::size_t kMinParallelNearPairs = 1024;
+constexpr std::size_t kMinParallelCandidates = 32;
 
 /** Number of pairs by which prefetching is ahead. */
 constexpr std::size_t kPrefetchDistance = 3;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-std::size_t At(int body) {
+std::size_t Index(int body) {
   return static_cast<std::size_t>(body);
 }
 
@@ -68,7 +69,8 @@ bool IsSurelyResting(const Manifold& manifold, const RigidBody& A, const RigidBo
     return body.state.v_WB.lpNorm<1>() + 2 * body.radius * body.state.w_WB.lpNorm<1>();
   };
   return least_velocity < -2 * kRelativeSpeedTolerance * (speed(A) + speed(B)) &&
-         least_velocity > -0.999 * rules.resting_speed * rules.h * load_acceleration;
+         least_velocity >
+             -0.999 * rules.restitution_threshold_factor * rules.h * load_acceleration;
 }
 
 }  // namespace
@@ -88,9 +90,9 @@ void ImpactSolver::Clear() {
   queue_.Clear();
 }
 
-void ImpactSolver::Begin(const Start& start, ContactCache& cache,
+void ImpactSolver::Begin(const StepStart& start, ContactCache& cache,
                          const StepContext& step) {
-  rules_ = {step.h, step.settings.resting_speed, step.settings.gyroscopic};
+  rules_ = {step.h, step.settings.restitution_threshold_factor, step.settings.gyroscopic};
   const std::size_t count = start.bodies.size();
   in_free_flight_.resize(count);
   static_.resize(count);
@@ -112,9 +114,10 @@ void ImpactSolver::Begin(const Start& start, ContactCache& cache,
 ContactPhase ImpactSolver::PhaseOf(const ContactPair& pair,
                                    std::span<const RigidBody> bodies,
                                    const ImpactRules& rules) const {
-  const RigidBody& A = bodies[At(pair.A)];
-  const RigidBody& B = bodies[At(pair.B)];
-  const Eigen::Vector3d a_AB_W = accelerations_[At(pair.B)] - accelerations_[At(pair.A)];
+  const RigidBody& A = bodies[Index(pair.A)];
+  const RigidBody& B = bodies[Index(pair.B)];
+  const Eigen::Vector3d a_AB_W =
+      accelerations_[Index(pair.B)] - accelerations_[Index(pair.A)];
   const double load_acceleration = LoadAccelerationOn(pair, A, B);
   if (IsSurelyResting(pair.manifold, A, B, load_acceleration, rules))
     return ContactPhase::kResting;
@@ -135,50 +138,51 @@ ContactPhase ImpactSolver::PhaseOf(const ContactPair& pair,
 
 void ImpactSolver::ClassifyContacts(const ContactCache& cache,
                                     std::span<const RigidBody> bodies, ThreadPool& pool) {
-  const std::span<const ContactPair> contacts = cache.contacts();
-  const std::span<const ContactEdge> edges = cache.edges();
-  // A slightly higher threshold than in Solve(): a body that is in free flight here but
-  // without an impact there would sink in.
+  const std::span<const ContactPair> pairs = cache.pairs();
+  const std::span<const PairSummary> summaries = cache.summaries();
+  // Use a higher threshold, so that every contact released here is an impact in Solve().
+  // A body released without an impact there would sink in.
   ImpactRules strict_rules = rules_;
-  strict_rules.resting_speed *= kImpactSpeedFactor;
-  touching_pairs_.resize(edges.size());
+  strict_rules.restitution_threshold_factor *= kImpactSpeedFactor;
+  touching_pairs_.resize(summaries.size());
   // One resting contact constrains both bodies, so that later contacts between
   // constrained bodies need no classification. Which ones are skipped depends on the
   // threads, the result does not.
   const auto may_be_free = [&](int body) {
-    return std::atomic_ref(in_free_flight_[At(body)]).load(std::memory_order_relaxed) !=
-           0;
+    return std::atomic_ref(in_free_flight_[Index(body)])
+               .load(std::memory_order_relaxed) != 0;
   };
   const auto constrain = [&](int body) {
-    std::atomic_ref(in_free_flight_[At(body)]).store(0, std::memory_order_relaxed);
+    std::atomic_ref(in_free_flight_[Index(body)]).store(0, std::memory_order_relaxed);
   };
-  pool.ParallelFor(edges.size(), kFewPairs, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      if (k + kPrefetchDistance < end) {
-        for (const int next :
-             {edges[k + kPrefetchDistance].A, edges[k + kPrefetchDistance].B}) {
-          if (!may_be_free(next)) continue;
-          Prefetch(&bodies[At(next)].state, offsetof(RigidBody, R_WB));
-          Prefetch(&accelerations_[At(next)], sizeof(Eigen::Vector3d));
+  pool.ParallelFor(
+      summaries.size(), kMinParallelPairs, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+          if (k + kPrefetchDistance < end) {
+            for (const int next : {summaries[k + kPrefetchDistance].A,
+                                   summaries[k + kPrefetchDistance].B}) {
+              if (!may_be_free(next)) continue;
+              Prefetch(&bodies[Index(next)].state, offsetof(RigidBody, R_WB));
+              Prefetch(&accelerations_[Index(next)], sizeof(Eigen::Vector3d));
+            }
+          }
+          const PairSummary& pair = summaries[k];
+          ContactPhase phase = ContactPhase::kSeparating;
+          if (may_be_free(pair.A) || may_be_free(pair.B)) {
+            phase = PhaseOf(pairs[k], bodies, strict_rules);
+          }
+          touching_pairs_[k] = {pair.A, pair.B, phase};
+          if (phase != ContactPhase::kResting) continue;
+          constrain(pair.A);
+          constrain(pair.B);
         }
-      }
-      const ContactEdge& edge = edges[k];
-      ContactPhase phase = ContactPhase::kSeparating;
-      if (may_be_free(edge.A) || may_be_free(edge.B)) {
-        phase = PhaseOf(contacts[k], bodies, strict_rules);
-      }
-      touching_pairs_[k] = {edge.A, edge.B, phase};
-      if (phase != ContactPhase::kResting) continue;
-      constrain(edge.A);
-      constrain(edge.B);
-    }
-  });
+      });
 }
 
-bool ImpactSolver::FindFreeBodies(const Start& start, ContactCache& cache,
+bool ImpactSolver::FindFreeBodies(const StepStart& start, ContactCache& cache,
                                   ThreadPool& pool) {
   pool.ParallelFor(
-      start.bodies.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
+      start.bodies.size(), kMinParallelBodies, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           const RigidBody& body = start.bodies[i];
           static_[i] = body.is_static() ? 1 : 0;
@@ -210,16 +214,16 @@ bool ImpactSolver::FindFreeBodies(const Start& start, ContactCache& cache,
       islands_.Unite(pair.A, pair.B);
     }
   }
-  max_island_size_ = start.is_large ? kMaxIslandSizeOfMany : kMaxIslandSize;
+  max_island_size_ = start.is_large ? kMaxIslandSizeInLargeWorld : kMaxIslandSize;
   if (!impacting_pairs_.empty()) ConstrainBodiesHittingLargeIslands();
   island_root_ = islands_.Roots();
   is_constrained_island_.assign(in_free_flight_.size(), 0);
   for (std::size_t i = 0; i < island_root_.size(); ++i) {
     if (!in_free_flight_[i] && !static_[i])
-      is_constrained_island_[At(island_root_[i])] = 1;
+      is_constrained_island_[Index(island_root_[i])] = 1;
   }
   for (std::size_t i = 0; i < island_root_.size(); ++i) {
-    if (is_constrained_island_[At(island_root_[i])]) in_free_flight_[i] = 0;
+    if (is_constrained_island_[Index(island_root_[i])]) in_free_flight_[i] = 0;
   }
   for (std::size_t k = 0; k < touching_pairs_.size(); ++k) {
     if (!IsInFreeFlight(touching_pairs_[k].A) && !IsInFreeFlight(touching_pairs_[k].B))
@@ -235,35 +239,36 @@ void ImpactSolver::ConstrainBodiesHittingLargeIslands() {
   island_root_ = impact_islands_.Roots();
   CountIslandBodies();
   for (const auto& [A, B] : impacting_pairs_) {
-    if (island_size_[At(island_root_[At(A)])] > max_island_size_) islands_.Unite(A, B);
+    if (island_size_[Index(island_root_[Index(A)])] > max_island_size_)
+      islands_.Unite(A, B);
   }
 }
 
-void ImpactSolver::BeginFlight(int body, const Start& start) {
+void ImpactSolver::BeginFlight(int body, const StepStart& start) {
   // Filled in place: a RigidBody is large.
-  FreeFlight& flight = flights_[At(body)];
-  flight.start = start.bodies[At(body)];
+  FreeFlight& flight = flights_[Index(body)];
+  flight.start = start.bodies[Index(body)];
   flight.from = 0;
-  flight.load_acceleration_W = accelerations_[At(body)];
+  flight.load_acceleration_W = accelerations_[Index(body)];
   flight.a_W.setZero();
   flight.torque_W.setZero();
   if (!IsInFreeFlight(body)) return;
-  flight.a_W = accelerations_[At(body)];
+  flight.a_W = accelerations_[Index(body)];
   flight.torque_W = flight.start.Torque_W();
 }
 
-void ImpactSolver::FindCandidates(const Start& start, const ContactCache& cache,
+void ImpactSolver::FindCandidates(const StepStart& start, const ContactCache& cache,
                                   ThreadPool& pool) {
   near_pairs_.Clear(pool.chunk_count());
   const auto is_eligible = [&](int A, int B) {
     return (IsInFreeFlight(A) || IsInFreeFlight(B)) &&
            IslandSizeOf(A) <= kMaxIslandSize && IslandSizeOf(B) <= kMaxIslandSize;
   };
-  pool.ParallelForIndexed(cache.near_count(), kFewNear,
+  pool.ParallelForIndexed(cache.near_count(), kMinParallelNearPairs,
                           [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                             cache.ForEachGap(
                                 begin, end, is_eligible, [&](int A, int B, double gap) {
-                                  if (gap > max_travel_[At(A)] + max_travel_[At(B)])
+                                  if (gap > max_travel_[Index(A)] + max_travel_[Index(B)])
                                     return;
                                   near_pairs_[chunk].push_back({A, B, gap});
                                 });
@@ -273,11 +278,11 @@ void ImpactSolver::FindCandidates(const Start& start, const ContactCache& cache,
   queue_.Begin(start.bodies.size());
   near_pairs_.ForEach([&](const NearPair& pair) {
     for (const int body : {pair.A, pair.B}) {
-      if (!std::exchange(has_flight_[At(body)], 1)) flights_to_begin_.push_back(body);
+      if (!std::exchange(has_flight_[Index(body)], 1)) flights_to_begin_.push_back(body);
     }
     queue_.Append(pair.A, pair.B, pair.gap);
   });
-  pool.ParallelFor(flights_to_begin_.size(), kFewCandidates,
+  pool.ParallelFor(flights_to_begin_.size(), kMinParallelCandidates,
                    [&](std::size_t begin, std::size_t end) {
                      for (std::size_t k = begin; k < end; ++k)
                        BeginFlight(flights_to_begin_[k], start);
@@ -293,23 +298,23 @@ void ImpactSolver::FindIslands() {
   CountIslandBodies();
 }
 
-void ImpactSolver::BuildContactLists(std::span<const ContactEdge> contacts) {
-  // Backwards, so that each list has its contacts in their order.
+void ImpactSolver::BuildContactLists(std::span<const PairSummary> summaries) {
+  // Backwards, so that each list has its contact pairs in their order.
   first_contact_of_island_.assign(in_free_flight_.size(), -1);
-  next_contact_.resize(contacts.size());
-  for (int k = static_cast<int>(contacts.size()) - 1; k >= 0; --k) {
-    const ContactEdge& edge = contacts[At(k)];
-    if (edge.count == 0) continue;
-    const int dynamic = IsStatic(edge.A) ? edge.B : edge.A;
-    next_contact_[At(k)] =
-        std::exchange(first_contact_of_island_[At(island_root_[At(dynamic)])], k);
+  next_contact_.resize(summaries.size());
+  for (int k = static_cast<int>(summaries.size()) - 1; k >= 0; --k) {
+    const PairSummary& pair = summaries[Index(k)];
+    if (pair.count == 0) continue;
+    const int dynamic = IsStatic(pair.A) ? pair.B : pair.A;
+    next_contact_[Index(k)] =
+        std::exchange(first_contact_of_island_[Index(island_root_[Index(dynamic)])], k);
   }
 }
 
 void ImpactSolver::CountIslandBodies() {
   island_size_.assign(in_free_flight_.size(), 0);
   for (std::size_t i = 0; i < in_free_flight_.size(); ++i) {
-    int& size = island_size_[At(island_root_[i])];
+    int& size = island_size_[Index(island_root_[i])];
     // Bodies with joints or springs take part in no impact.
     size += linked_[i] ? kMaxIslandSize + 1 : 1;
   }
@@ -318,14 +323,14 @@ void ImpactSolver::CountIslandBodies() {
 void ImpactSolver::Solve(std::span<RigidBody> bodies, std::span<const Velocity> mean,
                          ContactCache& cache, const StepContext& step) {
   if (queue_.size() == 0) return;
-  const End end{bodies, mean, cache.contacts(), cache.edges()};
+  const StepEnd end{bodies, mean, cache.pairs(), cache.summaries()};
   has_contact_lists_ = false;
   for (int index = 0; index < queue_.size(); ++index) {
     for (const int body : {queue_[index].A, queue_[index].B}) {
       if (!IsConstrained(body)) continue;
-      FreeFlight& flight = flights_[At(body)];
-      flight.start.state.v_WB = mean[At(body)].v;
-      flight.start.state.w_WB = mean[At(body)].w;
+      FreeFlight& flight = flights_[Index(body)];
+      flight.start.state.v_WB = mean[Index(body)].v;
+      flight.start.state.w_WB = mean[Index(body)].w;
     }
   }
   ScheduleAll(step.pool);
@@ -353,8 +358,8 @@ void ImpactSolver::Solve(std::span<RigidBody> bodies, std::span<const Velocity> 
 }
 
 bool ImpactSolver::MayCollide(const ImpactCandidate& candidate) const {
-  const FreeFlight& A = flights_[At(candidate.A)];
-  const FreeFlight& B = flights_[At(candidate.B)];
+  const FreeFlight& A = flights_[Index(candidate.A)];
+  const FreeFlight& B = flights_[Index(candidate.B)];
   const double h = rules_.h;
   const double max_distance = h * (B.start.state.v_WB - A.start.state.v_WB).norm() +
                               0.5 * h * h * (B.a_W - A.a_W).norm() +
@@ -365,22 +370,22 @@ bool ImpactSolver::MayCollide(const ImpactCandidate& candidate) const {
 bool ImpactSolver::IsEligible(const ImpactCandidate& candidate) const {
   int island_size = 0;
   for (const int body : {candidate.A, candidate.B}) {
-    if (IsInFreeFlight(body) && impact_count_[At(body)] >= kMaxImpacts) return false;
+    if (IsInFreeFlight(body) && impact_count_[Index(body)] >= kMaxImpacts) return false;
     island_size = std::max(island_size, IslandSizeOf(body));
   }
-  const Eigen::Vector3d v_AB_W = flights_[At(candidate.B)].start.state.v_WB -
-                                 flights_[At(candidate.A)].start.state.v_WB;
+  const Eigen::Vector3d v_AB_W = flights_[Index(candidate.B)].start.state.v_WB -
+                                 flights_[Index(candidate.A)].start.state.v_WB;
   return island_size <= max_island_size_ ||
          (island_size <= kMaxIslandSize &&
-          MayTunnel(flights_[At(candidate.A)].start, flights_[At(candidate.B)].start,
-                    rules_.h * v_AB_W.norm()));
+          MayTunnel(flights_[Index(candidate.A)].start,
+                    flights_[Index(candidate.B)].start, rules_.h * v_AB_W.norm()));
 }
 
 double ImpactSolver::NextTimeOfImpact(double from,
                                       const ImpactCandidate& candidate) const {
   if (!IsEligible(candidate)) return kNever;
-  const FreeFlight& A = flights_[At(candidate.A)];
-  const FreeFlight& B = flights_[At(candidate.B)];
+  const FreeFlight& A = flights_[Index(candidate.A)];
+  const FreeFlight& B = flights_[Index(candidate.B)];
   return TimeOfImpact(A, B, from, rules_).value_or(kNever);
 }
 
@@ -389,46 +394,47 @@ void ImpactSolver::Schedule(double from, int index) {
 }
 
 void ImpactSolver::ScheduleAll(ThreadPool& pool) {
-  first_impacts_.resize(At(queue_.size()));
-  pool.ParallelFor(
-      first_impacts_.size(), kFewCandidates, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-          const ImpactCandidate& candidate = queue_[static_cast<int>(k)];
-          first_impacts_[k] =
-              MayCollide(candidate) ? NextTimeOfImpact(0, candidate) : kNever;
-        }
-      });
+  first_impacts_.resize(Index(queue_.size()));
+  pool.ParallelFor(first_impacts_.size(), kMinParallelCandidates,
+                   [&](std::size_t begin, std::size_t end) {
+                     for (std::size_t k = begin; k < end; ++k) {
+                       const ImpactCandidate& candidate = queue_[static_cast<int>(k)];
+                       first_impacts_[k] = MayCollide(candidate)
+                                               ? NextTimeOfImpact(0, candidate)
+                                               : kNever;
+                     }
+                   });
   for (int index = 0; index < queue_.size(); ++index) {
-    queue_.Schedule(index, first_impacts_[At(index)]);
+    queue_.Schedule(index, first_impacts_[Index(index)]);
   }
 }
 
 void ImpactSolver::AddBody(int body, double t) {
   if (!impact_.Contains(body))
-    impact_.AddBody(body, flights_[At(body)].At(t, rules_.gyroscopic));
+    impact_.AddBody(body, flights_[Index(body)].At(t, rules_.gyroscopic));
 }
 
-void ImpactSolver::BeginFlightFromEnd(int body, const End& end) {
-  has_flight_[At(body)] = 1;
-  FreeFlight& flight = flights_[At(body)];
-  flight = {end.bodies[At(body)], rules_.h};
-  flight.load_acceleration_W = accelerations_[At(body)];
+void ImpactSolver::BeginFlightFromEnd(int body, const StepEnd& end) {
+  has_flight_[Index(body)] = 1;
+  FreeFlight& flight = flights_[Index(body)];
+  flight = {end.bodies[Index(body)], rules_.h};
+  flight.load_acceleration_W = accelerations_[Index(body)];
   if (IsInFreeFlight(body)) {
-    flight.a_W = accelerations_[At(body)];
+    flight.a_W = accelerations_[Index(body)];
     flight.torque_W = flight.start.Torque_W();
   } else if (!IsStatic(body)) {
-    flight.start.state.v_WB = end.mean[At(body)].v;
-    flight.start.state.w_WB = end.mean[At(body)].w;
+    flight.start.state.v_WB = end.mean[Index(body)].v;
+    flight.start.state.w_WB = end.mean[Index(body)].w;
   }
 }
 
-void ImpactSolver::AddNewCandidates(int body, double t, const End& end,
+void ImpactSolver::AddNewCandidates(int body, double t, const StepEnd& end,
                                     ContactCache& cache) {
-  const FreeFlight& flight = flights_[At(body)];
+  const FreeFlight& flight = flights_[Index(body)];
   const double remaining = rules_.h - t;
   const double distance = MaxTravel(
       flight.start, flight.start.state.v_WB + remaining * flight.a_W, remaining);
-  double& max_travel = max_travel_[At(body)];
+  double& max_travel = max_travel_[Index(body)];
   if (distance <= max_travel * remaining / rules_.h) return;
   max_travel = distance * rules_.h / remaining;
   neighbours_.clear();
@@ -439,36 +445,36 @@ void ImpactSolver::AddNewCandidates(int body, double t, const End& end,
       continue;
     if (!IsInFreeFlight(body) && !IsInFreeFlight(other)) continue;
     // A sleeping body is static in this step and wakes in the next one.
-    if (asleep_[At(other)]) continue;
+    if (asleep_[Index(other)]) continue;
     bool is_known = false;
     queue_.ForEachOf(body, [&](int index) {
       is_known = is_known || queue_[index].A == other || queue_[index].B == other;
     });
     if (is_known) continue;
-    if (!has_flight_[At(other)]) BeginFlightFromEnd(other, end);
+    if (!has_flight_[Index(other)]) BeginFlightFromEnd(other, end);
     queue_.Append(std::min(body, other), std::max(body, other), 0);
     Schedule(t, queue_.size() - 1);
   }
 }
 
-void ImpactSolver::AddIsland(int body, double t, const End& end) {
+void ImpactSolver::AddIsland(int body, double t, const StepEnd& end) {
   const auto join = [&](int member) {
-    if (!impact_.Contains(member) && impact_count_[At(member)] == 0)
+    if (!impact_.Contains(member) && impact_count_[Index(member)] == 0)
       BeginFlightFromEnd(member, end);
     AddBody(member, t);
   };
   join(body);
-  if (!std::exchange(has_contact_lists_, true)) BuildContactLists(end.edges);
-  for (int k = first_contact_of_island_[At(island_root_[At(body)])]; k >= 0;
-       k = next_contact_[At(k)]) {
-    const ContactPair& contact = end.contacts[At(k)];
-    join(contact.A);
-    join(contact.B);
-    impact_.AddContacts(contact);
+  if (!std::exchange(has_contact_lists_, true)) BuildContactLists(end.summaries);
+  for (int k = first_contact_of_island_[Index(island_root_[Index(body)])]; k >= 0;
+       k = next_contact_[Index(k)]) {
+    const ContactPair& pair = end.pairs[Index(k)];
+    join(pair.A);
+    join(pair.B);
+    impact_.AddContacts(pair);
   }
 }
 
-void ImpactSolver::GatherContacts(double t, const End& end) {
+void ImpactSolver::GatherContacts(double t, const StepEnd& end) {
   const auto join = [&](int body) {
     if (IsConstrained(body) && !impact_.Contains(body)) AddIsland(body, t, end);
     AddBody(body, t);
@@ -498,7 +504,7 @@ void ImpactSolver::GatherContacts(double t, const End& end) {
     if (std::exchange(candidate.is_tested, true) || !IsEligible(candidate)) continue;
     const auto shape_of = [&](int body) {
       return impact_.Contains(body) ? impact_.BodyBefore(body)
-                                    : flights_[At(body)].ShapeAt(t, rules_.gyroscopic);
+                                    : flights_[Index(body)].ShapeAt(t, rules_.gyroscopic);
     };
     ContactPair pair;
     pair.manifold = CollideAtImpact(shape_of(candidate.A), shape_of(candidate.B));
@@ -512,7 +518,7 @@ void ImpactSolver::GatherContacts(double t, const End& end) {
   }
 }
 
-void ImpactSolver::ResolveImpact(const ImpactCandidate& first, const End& end,
+void ImpactSolver::ResolveImpact(const ImpactCandidate& first, const StepEnd& end,
                                  const StepContext& step) {
   const double t = first.time_of_impact;
   // The body in free flight brings the other one with it.
@@ -534,20 +540,20 @@ void ImpactSolver::ResumeFlights(double t) {
   for (std::size_t k = 0; k < impact_.members().size(); ++k) {
     const int body = impact_.members()[k];
     if (IsStatic(body)) continue;
-    FreeFlight& flight = flights_[At(body)];
+    FreeFlight& flight = flights_[Index(body)];
     flight.start = impact_.BodyBefore(body);
     flight.start.state.v_WB = impact_.VelocityAfter(k).v;
     flight.start.state.w_WB = impact_.VelocityAfter(k).w;
     flight.from = t;
-    if (IsInFreeFlight(body)) flight.a_W = accelerations_[At(body)];
+    if (IsInFreeFlight(body)) flight.a_W = accelerations_[Index(body)];
     for (Support& support : supports_) {
       if (support.body == body) support.until = std::min(support.until, t);
     }
-    Velocity& change = velocity_changes_[At(body)];
-    if (impact_count_[At(body)] == 0) change = {};
+    Velocity& change = velocity_changes_[Index(body)];
+    if (impact_count_[Index(body)] == 0) change = {};
     change.v += impact_.VelocityChange(k).v;
     change.w += impact_.VelocityChange(k).w;
-    ++impact_count_[At(body)];
+    ++impact_count_[Index(body)];
   }
 }
 
@@ -558,7 +564,7 @@ void ImpactSolver::AddSupports(std::size_t first, double t) {
     if (!A_rests && !(IsInFreeFlight(pair.B) && IsStatic(pair.A))) continue;
     const int body = A_rests ? pair.A : pair.B;
     const Eigen::Vector3d n_W = (A_rests ? -1 : 1) * pair.manifold.n_AB_W;
-    FreeFlight& flight = flights_[At(body)];
+    FreeFlight& flight = flights_[Index(body)];
     const BodyState& state = flight.start.state;
     // A body that still moves or rocks on its contacts does not rest: a support would do
     // work on it.

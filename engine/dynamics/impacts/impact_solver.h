@@ -32,9 +32,9 @@ namespace cookbook {
 
  Some impacts are left to the next step, which finds the bodies in penetration:
   - on an island that has more than 32 bodies, a joint or a spring;
-  - of a body after its eighth impact in the step;
+  - of a body in free flight after its eighth impact in the step;
   - between two constrained bodies;
-  - of a body that was hit with a sleeping body that it reaches only because of that.
+  - between a body sped up by an impact and a sleeping body it could not otherwise reach.
  Thin bodies may tunnel there, and in the cases that TimeOfImpact() names. In a large
  world, impacts on an island of more than 4 bodies are left to the next step as well,
  unless the bodies may tunnel before it. */
@@ -43,7 +43,7 @@ class ImpactSolver {
   ImpactSolver();
 
   /** The bodies at the start of a step. */
-  struct Start {
+  struct StepStart {
     std::span<const RigidBody> bodies;
     std::span<const Velocity> before;  ///< At the start of the step.
     std::span<const Velocity> free;    ///< At the end of the step, without impulses.
@@ -54,7 +54,7 @@ class ImpactSolver {
 
   /** Begins a step: finds the bodies in free flight and the candidates for
    impacts. Releases the contacts of bodies in free flight from `cache`. */
-  void Begin(const Start& start, ContactCache& cache, const StepContext& step);
+  void Begin(const StepStart& start, ContactCache& cache, const StepContext& step);
 
   /** Resolves the impacts. `bodies` are those after the step; bodies with an impact are
    moved to where it leads them. `mean` are the velocities that moved the constrained
@@ -79,11 +79,11 @@ class ImpactSolver {
   };
 
   /** The bodies after the step. */
-  struct End {
+  struct StepEnd {
     std::span<const RigidBody> bodies;
     std::span<const Velocity> mean;
-    std::span<const ContactPair> contacts;
-    std::span<const ContactEdge> edges;
+    std::span<const ContactPair> pairs;
+    std::span<const PairSummary> summaries;
   };
 
   /** A pair with contacts at the start of the step. */
@@ -110,7 +110,7 @@ class ImpactSolver {
   bool IsConstrained(int body) const { return !IsInFreeFlight(body) && !IsStatic(body); }
 
   /** Finds the bodies in free flight. Returns whether there are any. */
-  bool FindFreeBodies(const Start& start, ContactCache& cache, ThreadPool& pool);
+  bool FindFreeBodies(const StepStart& start, ContactCache& cache, ThreadPool& pool);
   /** Fills touching_pairs_, one for each pair of `cache`. Constrains the bodies of pairs
    that rest. */
   void ClassifyContacts(const ContactCache& cache, std::span<const RigidBody> bodies,
@@ -122,9 +122,10 @@ class ImpactSolver {
    body then is constrained if the island is. */
   void ConstrainBodiesHittingLargeIslands();
   /** Finds the candidates for impacts and begins the flights of their bodies. */
-  void FindCandidates(const Start& start, const ContactCache& cache, ThreadPool& pool);
+  void FindCandidates(const StepStart& start, const ContactCache& cache,
+                      ThreadPool& pool);
   /** Begins the flight of a body at the start of the step. */
-  void BeginFlight(int body, const Start& start);
+  void BeginFlight(int body, const StepStart& start);
   /** Fills island_root_ and island_size_ for the constrained bodies. */
   void FindIslands();
   void CountIslandBodies();
@@ -136,7 +137,7 @@ class ImpactSolver {
     return island_size_[static_cast<std::size_t>(root)];
   }
   /** Fills the lists of the contacts of each island. */
-  void BuildContactLists(std::span<const ContactEdge> contacts);
+  void BuildContactLists(std::span<const PairSummary> summaries);
   /** Whether an impact of the candidate is resolved in this step. */
   bool IsEligible(const ImpactCandidate& candidate) const;
   /** Returns the next time of impact from `from` on; infinite: none. [s] */
@@ -148,18 +149,18 @@ class ImpactSolver {
    start of the step. */
   bool MayCollide(const ImpactCandidate& candidate) const;
   /** Resolves the impact of `first`, with everything that touches it at that time. */
-  void ResolveImpact(const ImpactCandidate& first, const End& end,
+  void ResolveImpact(const ImpactCandidate& first, const StepEnd& end,
                      const StepContext& step);
   /** Adds all contacts of the bodies of the current impact at time `t`, and with them the
    other bodies. */
-  void GatherContacts(double t, const End& end);
+  void GatherContacts(double t, const StepEnd& end);
   /** Adds the bodies and contacts of the island of a constrained body. */
-  void AddIsland(int body, double t, const End& end);
+  void AddIsland(int body, double t, const StepEnd& end);
   /** Begins the flight of a body without an impact so far: backwards from its state after
    the step. */
-  void BeginFlightFromEnd(int body, const End& end);
+  void BeginFlightFromEnd(int body, const StepEnd& end);
   /** Adds candidates for a body that leaves an impact at `t` faster than it came. */
-  void AddNewCandidates(int body, double t, const End& end, ContactCache& cache);
+  void AddNewCandidates(int body, double t, const StepEnd& end, ContactCache& cache);
   /** Adds a body to the current impact, at time `t`, unless it is part of it already. */
   void AddBody(int body, double t);
   /** Begins the flights of the bodies of the current impact, with their new velocities.
@@ -173,7 +174,8 @@ class ImpactSolver {
   void ApplySupportImpulses();
 
   ImpactRules rules_;
-  // Flags are 0 or 1. They are bytes because each is read often.
+  // Flags are 0 or 1. They are bytes because threads write them at the same time, some
+  // through std::atomic_ref; neighbouring bits of a vector<bool> would race.
   std::vector<char> in_free_flight_;  ///< Indexed by body.
   std::vector<char> static_;          ///< Indexed by body.
   std::vector<char> asleep_;          ///< Indexed by body.
@@ -200,9 +202,9 @@ class ImpactSolver {
   std::vector<char> is_constrained_island_;  ///< Indexed by root: 1 if any body is.
   std::vector<int> island_size_;             ///< Indexed by root: number of bodies.
   int max_island_size_ = 0;  ///< Maximum number of bodies of an island in an impact.
-  // The contacts of each island of constrained bodies, as linked lists.
+  // The contact pairs of each island of constrained bodies, as linked lists.
   std::vector<int> first_contact_of_island_;  ///< Indexed by root; −1: none.
-  std::vector<int> next_contact_;             ///< Indexed by contact; −1: the last.
+  std::vector<int> next_contact_;  ///< Indexed by contact pair; −1: the last.
   bool has_contact_lists_ = false;
 
   Impact impact_;  ///< The current impact.

@@ -138,8 +138,8 @@ ContactPhase PhaseAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
   const Eigen::Vector3d v_B = PointVelocity(B, p_W);
   const double normal_velocity = n_AB_W.dot(v_B - v_A);
   const double velocity_change = rules.h * n_AB_W.dot(a_AB_W);
-  const double threshold =
-      rules.resting_speed * (rules.h * load_acceleration + std::abs(velocity_change));
+  const double threshold = rules.restitution_threshold_factor *
+                           (rules.h * load_acceleration + std::abs(velocity_change));
   if (normal_velocity > threshold) return ContactPhase::kSeparating;
   // Most contacts rest. The 1-norm decides these without a square root.
   const double smaller = std::min(normal_velocity, velocity_change);

@@ -9,8 +9,8 @@ namespace cookbook {
 
 /** Parameters that decide whether a contact is an impact. */
 struct ImpactRules {
-  double h;              ///< Time step. [s]
-  double resting_speed;  ///< See Settings.
+  double h;                             ///< Time step. [s]
+  double restitution_threshold_factor;  ///< See Settings.
   Gyroscopic gyroscopic;
 };
 

@@ -105,14 +105,14 @@ struct alignas(kAlignment<Real>) ConstraintBatch {
 
 /** Parameters that all contact constraints of a step share. */
 struct ContactParameters {
-  double h;                   ///< Time step. [s]
-  double resting_speed;       ///< See Settings.
-  double baumgarte;           ///< Speed per depth beyond the slop, or 0. [1/s]
-  double soft_rate;           ///< Speed per depth beyond the slop, or 0. [1/s]
-  double soft_mass_scale;     ///< 1 for hard contacts.
-  double soft_impulse_scale;  ///< 0 for hard contacts.
-  bool accumulated;           ///< See Settings::accumulated_impulses.
-  bool warm_starting;         ///< Whether to start from the impulses of the pairs.
+  double h;                             ///< Time step. [s]
+  double restitution_threshold_factor;  ///< See Settings.
+  double baumgarte;                     ///< Speed per depth beyond the slop, or 0. [1/s]
+  double soft_rate;                     ///< Speed per depth beyond the slop, or 0. [1/s]
+  double soft_mass_scale;               ///< 1 for hard contacts.
+  double soft_impulse_scale;            ///< 0 for hard contacts.
+  bool accumulated;                     ///< See Settings::accumulated_impulses.
+  bool warm_starting;  ///< Whether to start from the impulses of the pairs.
 };
 
 /** Contact constraints and their batches. */
@@ -156,8 +156,11 @@ struct VelocityChanges {
   double min;  ///< +∞ if there is no pair.
 };
 
-/** One iteration of projected Gauss-Seidel: solves each contact of the active batches
- once, batch after batch. Normal impulses are relaxed by the factor `relaxation`. */
+/** One iteration of projected Gauss-Seidel over one colour: solves each contact of the
+ active batches once. Two batches at a time are interleaved, which changes no result
+ because they share no moving body. Normal impulses are relaxed by the factor
+ `relaxation`.
+ @pre All batches have one colour. Batches of the last colour come one by one. */
 template <class Real>
 VelocityChanges SolveContacts(const ConstraintView<Real>& constraints,
                               const ContactParameters& parameters, double relaxation,

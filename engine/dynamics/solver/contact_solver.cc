@@ -31,7 +31,7 @@ constexpr int kMinSinglePrecisionContacts = 100;
 ContactParameters MakeContactParameters(const Settings& settings, double h) {
   ContactParameters parameters{};
   parameters.h = h;
-  parameters.resting_speed = settings.resting_speed;
+  parameters.restitution_threshold_factor = settings.restitution_threshold_factor;
   parameters.soft_mass_scale = 1;
   parameters.accumulated = settings.accumulated_impulses;
   parameters.warm_starting = settings.warm_starting && settings.accumulated_impulses;
@@ -57,8 +57,8 @@ Velocity ToDouble(const SingleVelocity& velocity) {
 }
 
 bool CorrectsPositions(const Settings& settings) {
-  return settings.stabilisation == Stabilisation::kNonLinearProjection ||
-         settings.stabilisation == Stabilisation::kLinearProjection;
+  return settings.stabilisation == Stabilisation::kSplitImpulse ||
+         settings.stabilisation == Stabilisation::kDeepestContact;
 }
 
 /** Collects the contacts of a group that are too deep, if positions are corrected. */
@@ -66,8 +66,8 @@ template <class Real>
 void CollectPositionConstraints(ConstraintGroup<Real>& group, const Settings& settings,
                                 PositionConstraints<Real>& constraints) {
   if (!CorrectsPositions(settings)) return;
-  group.CollectPositionConstraints(
-      settings.stabilisation == Stabilisation::kNonLinearProjection, constraints);
+  group.CollectPositionConstraints(settings.stabilisation == Stabilisation::kSplitImpulse,
+                                   constraints);
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ ContactSolver::ContactSolver(int threads)
     : double_groups_(static_cast<std::size_t>(threads)),
       float_groups_(static_cast<std::size_t>(threads)) {}
 
-void ContactSolver::BuildConstraintGraph(std::span<const ContactEdge> edges,
+void ContactSolver::BuildConstraintGraph(std::span<const PairSummary> summaries,
                                          std::span<const char> is_static,
                                          const Settings& settings) {
   body_colours_.assign(is_static.size(), 0);
@@ -95,20 +95,20 @@ void ContactSolver::BuildConstraintGraph(std::span<const ContactEdge> edges,
   coloured_pairs_.clear();
   colours_used_ = 0;
   contact_count_ = 0;
-  for (std::size_t p = 0; p < edges.size(); ++p) {
-    const ContactEdge& edge = edges[p];
-    const auto a = static_cast<std::size_t>(edge.A);
-    const auto b = static_cast<std::size_t>(edge.B);
-    if (edge.count == 0 || (is_static[a] && is_static[b])) continue;
-    contact_count_ += edge.count;
+  for (std::size_t p = 0; p < summaries.size(); ++p) {
+    const PairSummary& pair = summaries[p];
+    const auto a = static_cast<std::size_t>(pair.A);
+    const auto b = static_cast<std::size_t>(pair.B);
+    if (pair.count == 0 || (is_static[a] && is_static[b])) continue;
+    contact_count_ += pair.count;
     const int colour =
         std::min(kLastColour, std::countr_one(body_colours_[a] | body_colours_[b]));
     const std::uint64_t bit = std::uint64_t{1} << colour;
     if (!is_static[a]) body_colours_[a] |= bit;
     if (!is_static[b]) body_colours_[b] |= bit;
     colours_used_ = std::max(colours_used_, colour + 1);
-    coloured_pairs_.push_back({static_cast<int>(p), colour, edge.A, edge.B, edge.count});
-    if (!is_static[a] && !is_static[b]) islands_.Unite(edge.A, edge.B);
+    coloured_pairs_.push_back({static_cast<int>(p), colour, pair.A, pair.B, pair.count});
+    if (!is_static[a] && !is_static[b]) islands_.Unite(pair.A, pair.B);
   }
   island_roots_ = islands_.Roots();
   is_large_ = !IsSmall(settings, is_large_ ? 2 * contact_count_ : contact_count_);
@@ -174,11 +174,11 @@ void ContactSolver::ClearPositionConstraints() {
 }
 
 void ContactSolver::Solve(std::span<ContactPair> pairs,
-                          std::span<const ContactEdge> edges, const SolverBodies& bodies,
-                          const StepContext& step,
+                          std::span<const PairSummary> summaries,
+                          const SolverBodies& bodies, const StepContext& step,
                           std::span<ContactFlags> contact_flags) {
   ClearPositionConstraints();
-  BuildConstraintGraph(edges, bodies.is_static, step.settings);
+  BuildConstraintGraph(summaries, bodies.is_static, step.settings);
   // ImpactSolver may have taken all contacts.
   if (contact_count_ == 0) return;
   if (!is_large_) {
@@ -202,9 +202,9 @@ void ContactSolver::Solve(std::span<ContactPair> pairs,
 }
 
 void ContactSolver::Begin(std::span<const ContactPair> pairs,
-                          std::span<const ContactEdge> edges, const SolverBodies& bodies,
-                          const StepContext& step) {
-  BuildConstraintGraph(edges, bodies.is_static, step.settings);
+                          std::span<const PairSummary> summaries,
+                          const SolverBodies& bodies, const StepContext& step) {
+  BuildConstraintGraph(summaries, bodies.is_static, step.settings);
   BeginWholeWorld(pairs, bodies, step);
 }
 
@@ -293,8 +293,8 @@ void ContactSolver::SolveLarge(const Problem& problem,
     remaining -= range.contacts;
   }
   // The others are distributed, about the same number of contacts to each thread.
-  const std::size_t least = remaining < kMinParallelContacts ? threads + 1 : 0;
-  pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
+  const std::size_t min_count = remaining < kMinParallelContacts ? threads + 1 : 0;
+  pool.ParallelFor(threads, min_count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t thread = begin; thread < end; ++thread) {
       long before = 0;
       for (const GroupRange& range : group_ranges_) {

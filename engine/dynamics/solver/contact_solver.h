@@ -17,9 +17,10 @@
 namespace cookbook {
 
 /** Returns whether single precision is accurate enough for the contacts of a body. The
- rounding error of a response, 1/m + a·I⁻¹ a with |a| <= r, is a few 6e-8 of its greatest
- term. Where the terms cancel, as across a wire, that can be many times the response; for
- the bodies accepted here it is at most 1e-3 of it. With their masses, and speeds below
+ rounding error of a response, 1/m + a·I⁻¹ a with |a| <= r, is a few float roundings
+ (6e-8) of its greatest term. Where the terms cancel, as for a long thin body hit across
+ its length, that can be many times the response; for the bodies accepted here it is at
+ most 1e-3 of it. With their masses, and speeds below
  1e12 m/s, the square of an impulse does not overflow a float. */
 bool FitsSinglePrecision(const RigidBody& body);
 
@@ -36,22 +37,23 @@ bool FitsSinglePrecision(const RigidBody& body);
  Let h be the step, u₀ the relative velocity before the step, and u_f that at its end
  without impulses. The target is
 
-   max(0, −e u₀·n + (u_f − u₀)·n)   if u₀·n < −(resting speed): the contact bounces;
-   −e u₀·n + (u_f − u₀)·n           if e u₀·n > (resting speed): it separates;
+   max(0, −e u₀·n + (u_f − u₀)·n)   if u₀·n < −threshold: the contact bounces;
+   −e u₀·n + (u_f − u₀)·n           if e u₀·n > threshold: it separates;
    min(0, −e u₀·n)                  else.
 
  An open contact is speculative: its target is −gap / h if that is less, and a contact
- that would bounce is off until it is closed. The resting speed is
- Settings::resting_speed times h LoadAccelerationOn() + |(u_f − u₀)·n|. Baumgarte
- stabilisation and soft contacts add a speed to the second and third targets of a contact
- that is deeper than its slop.
+ that would bounce is off until it is closed. The restitution threshold is
+ Settings::restitution_threshold_factor × (h LoadAccelerationOn() + |(u_f − u₀)·n|).
+ Baumgarte stabilisation and soft contacts add a speed to the second and third targets of
+ a contact that is deeper than its slop.
 
  This differs from the textbook (Catto, GDC 2006) as follows:
  - *Restitution.* A bounce reverses the velocity before the step, and then the loads of
    the step act. At e = 1 it conserves energy with any step. Usually the velocity after
    the loads is reversed.
- - *Coinciding impacts.* A contact that an impact reverses in the step in which it
-   separates comes back no faster than it left (Moreau's rule, targets two and three).
+ - *Simultaneous impacts.* If an impact reverses a contact that was separating, it
+   approaches afterwards no faster than e times its speed of separation (Moreau's rule,
+   targets two and three).
    Then impacts of equal e without friction never add energy: with u = −e u₀ where
    λ > 0, and W the response, the change of energy is
    ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ. Friction at an eccentric contact may add
@@ -73,9 +75,9 @@ class ContactSolver {
   explicit ContactSolver(int threads);
 
   /** Finds the impulses; writes them to the pairs, and sets the flags of the bodies.
-   `edges` are those of the pairs. A small world is solved by Begin(), Iterate() until it
-   has converged, and StoreImpulses(); a large world in groups. */
-  void Solve(std::span<ContactPair> pairs, std::span<const ContactEdge> edges,
+   `summaries`: the summary of each pair. A small world is solved by Begin(), Iterate()
+   until it has converged, and StoreImpulses(); a large world in groups. */
+  void Solve(std::span<ContactPair> pairs, std::span<const PairSummary> summaries,
              const SolverBodies& bodies, const StepContext& step,
              std::span<ContactFlags> contact_flags);
 
@@ -85,7 +87,7 @@ class ContactSolver {
 
   /** Prepares the constraints of all pairs with contacts, and warm starts the velocities.
    */
-  void Begin(std::span<const ContactPair> pairs, std::span<const ContactEdge> edges,
+  void Begin(std::span<const ContactPair> pairs, std::span<const PairSummary> summaries,
              const SolverBodies& bodies, const StepContext& step);
   /** One iteration over all active contacts. Returns the greatest change of a relative
    velocity. [m/s] */
@@ -99,12 +101,14 @@ class ContactSolver {
   /** Number of active contacts. */
   int constraint_count() const { return whole_world_.constraint_count(); }
 
-  /** Whether the last world solved was large, see IsSmall(). It stays large until it has
-   half as many contacts: the choice of contacts that are kept depends on it. */
+  /** Whether the last world solved was large, see IsSmall(). A large world stays large
+   until twice its number of contact points is small, because the choice of the points
+   that are kept depends on it. */
   bool is_large() const { return is_large_; }
 
-  /** Fills `corrections` with the displacements and rotations that remove overlap of the
-   pairs solved last. See the function FindPositionCorrections(). */
+  /** Fills `corrections` with the displacements and rotations that remove penetration of
+   the pairs solved last. Returns whether there is any to remove; otherwise `corrections`
+   does not change. See the function FindPositionCorrections(). */
   bool FindPositionCorrections(const StepMotion& motion, const StepContext& step,
                                std::span<Velocity> corrections);
 
@@ -150,7 +154,7 @@ class ContactSolver {
 
   void ClearPositionConstraints();
   /** Colours the pairs with contacts, and finds the islands. */
-  void BuildConstraintGraph(std::span<const ContactEdge> edges,
+  void BuildConstraintGraph(std::span<const PairSummary> summaries,
                             std::span<const char> is_static, const Settings& settings);
   /** Divides the islands into groups of at least `min_contacts` contacts each; the last
    may have fewer. */

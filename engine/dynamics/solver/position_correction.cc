@@ -41,8 +41,8 @@ bool FindPositionCorrections(std::span<PositionConstraints<Real>> constraints,
   for (const PositionConstraints<Real>& own : constraints.first(threads)) {
     batches += own.batches.size();
   }
-  const std::size_t least = batches < kMinParallelBatches ? threads + 1 : 0;
-  step.pool.ParallelFor(threads, least, [&](std::size_t begin, std::size_t end) {
+  const std::size_t min_count = batches < kMinParallelBatches ? threads + 1 : 0;
+  step.pool.ParallelFor(threads, min_count, [&](std::size_t begin, std::size_t end) {
     for (PositionConstraints<Real>& own : constraints.subspan(begin, end - begin)) {
       // One group after the other: a group stays in the cache for all its iterations.
       for (std::size_t k = 0; k < own.group_starts.size(); ++k) {

@@ -7,7 +7,7 @@
 
 namespace cookbook {
 
-/** Position correction (non-linear projection, "split impulses"): fills `corrections`,
+/** Position correction (split impulse): fills `corrections`,
  indexed by body, with a displacement [m] and a rotation [rad] of each body that together
  remove Settings::position_correction_fraction of the depth beyond the slop. Velocities do
  not change, so that no energy is added. A large world removes at most a fifth.

@@ -394,7 +394,8 @@ double Prepare(const ConstraintView<Real>& constraints,
       const V load_speed = Load(batch.load_speed) + Abs(change);
       const V bounce = change - restitution * un_before;
       const VecBits<Real> is_apart = Load(data.separation) > zero;
-      const V resting_speed = Splat<Real>(parameters.resting_speed) * load_speed;
+      const V resting_speed =
+          Splat<Real>(parameters.restitution_threshold_factor) * load_speed;
       const VecBits<Real> would_bounce =
           (un_before < zero - resting_speed) & (bounce > zero);
       // A contact that separates and is hit by an impact of this step comes back by the

@@ -37,7 +37,8 @@ void WarmStart(const ConstraintView<Real>& constraints,
   }
 }
 
-/** Returns the impulse on B of a contact of each pair. */
+/** Returns the impulse on B of a contact of each pair. WarmStart() adds the three terms
+ in another order, so the two differ by a rounding. */
 template <class Real>
 HWY_INLINE Vec3<Real> ImpulseOf(const ConstraintBatch<Real>& batch,
                                 const ContactConstraintLanes<Real>& contact) {
@@ -50,7 +51,7 @@ HWY_INLINE Vec3<Real> ImpulseOf(const ConstraintBatch<Real>& batch,
 void ApplyInDouble(const ConstraintView<float>& constraints, const SolverBodies& bodies) {
   Velocity* velocities = bodies.velocities.data();
   alignas(64) static const InverseInertia kImmovable{};
-  alignas(32) static constexpr std::array<double, 4> kAnywhere{};
+  alignas(32) static constexpr std::array<double, 4> kZeroPosition{};
   for (const ConstraintBatch<float>& batch : constraints.batches) {
     const ContactConstraintLanes<float>* contacts =
         &constraints.contacts[static_cast<std::size_t>(batch.first)];
@@ -73,8 +74,8 @@ void ApplyInDouble(const ConstraintView<float>& constraints, const SolverBodies&
           const bool is_pair = batch.pair[4 * four + k] >= 0;
           const auto body = static_cast<std::size_t>(indices[k]);
           inertia[k] = is_pair ? &bodies.inertias[body] : &kImmovable;
-          p_WB[k] =
-              is_pair ? bodies.rigid_bodies[body].state.p_WB.data() : kAnywhere.data();
+          p_WB[k] = is_pair ? bodies.rigid_bodies[body].state.p_WB.data()
+                            : kZeroPosition.data();
         }
         Four lanes[4];
         LoadTransposed(p_WB, lanes);
@@ -115,7 +116,7 @@ void ApplyInDouble(const ConstraintView<float>& constraints, const SolverBodies&
 template <class Real>
 struct BatchState {
   using V = Vec<Real>;
-  static constexpr bool kMeasures = std::is_same_v<Real, double>;
+  static constexpr bool kTracksChange = std::is_same_v<Real, double>;
 
   ConstraintBatch<Real>& batch;
   ContactConstraintLanes<Real>* contacts;
@@ -158,32 +159,37 @@ HWY_INLINE BatchState<Real> Begin(ConstraintBatch<Real>& batch,
 
 /** The contact model of a world. */
 enum class ContactModel {
-  kHardAccumulated,  ///< Hard contacts, accumulated impulses.
-  kGeneral,          ///< Soft contacts, or impulses that do not accumulate.
+  kHardAccumulated,      ///< Hard contacts, accumulated impulses.
+  kSoftOrUnaccumulated,  ///< Soft contacts, or impulses that do not accumulate.
 };
 
 /** Solves one contact of each pair. `accumulated` is 1 if impulses accumulate, else 0. */
 template <ContactModel model, class Real>
-HWY_INLINE void SolveContact(int index, Vec<Real> accumulated, BatchState<Real>& state) {
+HWY_INLINE void SolveContactLanes(int index, Vec<Real> accumulated,
+                                  BatchState<Real>& state) {
   using V = Vec<Real>;
-  constexpr bool kIsPlain = model == ContactModel::kHardAccumulated;
+  constexpr bool kIsHardAccumulated = model == ContactModel::kHardAccumulated;
   ContactConstraintLanes<Real>& contact = state.contacts[index];
   const V zero{};
   const Vec3<Real> r_A = Load(contact.r_A);
   const Vec3<Real> r_B = Load(contact.r_B);
 
-  // Relative velocity.
   const Vec3<Real> u = RelativeVelocity(state.A, state.B, r_A, r_B);
 
-  // Normal impulse: clamp the accumulated impulse.
+  // Normal impulse: clamp the sum of the old impulse and the change that attains the
+  // target. If impulses do not accumulate, `old_impulse` is 0, so that each change alone
+  // is clamped; `stored_impulse` then is the sum of the changes. `softened` is the old
+  // impulse less the part that the softness of the contact takes away.
   const V stored_impulse = Load(contact.impulse);
-  const V old_impulse = kIsPlain ? stored_impulse : accumulated * stored_impulse;
-  const V softened =
-      kIsPlain ? old_impulse : old_impulse - Load(contact.impulse_scale) * stored_impulse;
+  const V old_impulse =
+      kIsHardAccumulated ? stored_impulse : accumulated * stored_impulse;
+  const V softened = kIsHardAccumulated
+                         ? old_impulse
+                         : old_impulse - Load(contact.impulse_scale) * stored_impulse;
   const V mass = state.relaxation * Load(contact.effective_mass);
   const V impulse = Max(zero, softened + mass * (Load(contact.target) - Dot(u, state.n)));
   const V change = impulse - old_impulse;
-  Store(kIsPlain ? impulse : stored_impulse + change, contact.impulse);
+  Store(kIsHardAccumulated ? impulse : stored_impulse + change, contact.impulse);
 
   // Slip after the normal impulse.
   V slip1 = Dot(u, state.t1) + change * Load(contact.response_n1);
@@ -200,8 +206,8 @@ HWY_INLINE void SolveContact(int index, Vec<Real> accumulated, BatchState<Real>&
   const V max_squared = max_friction * max_friction;
   const V stored1 = Load(contact.friction_impulse1);
   const V stored2 = Load(contact.friction_impulse2);
-  const V old1 = kIsPlain ? stored1 : accumulated * stored1;
-  const V old2 = kIsPlain ? stored2 : accumulated * stored2;
+  const V old1 = kIsHardAccumulated ? stored1 : accumulated * stored1;
+  const V old2 = kIsHardAccumulated ? stored2 : accumulated * stored2;
   const V tangent_mass12 = Load(contact.tangent_mass12);
   const V stick1 = old1 - (Load(contact.tangent_mass11) * slip1 + tangent_mass12 * slip2);
   const V stick2 = old2 - (tangent_mass12 * slip1 + Load(contact.tangent_mass22) * slip2);
@@ -224,12 +230,11 @@ HWY_INLINE void SolveContact(int index, Vec<Real> accumulated, BatchState<Real>&
   Store(stored1 + change1, contact.friction_impulse1);
   Store(stored2 + change2, contact.friction_impulse2);
 
-  // Apply.
   ApplyImpulse(Plus(Times(change, state.n),
                     Plus(Times(change1, state.t1), Times(change2, state.t2))),
                r_A, r_B, state.m, state.A, state.B);
 
-  if constexpr (BatchState<Real>::kMeasures) {
+  if constexpr (BatchState<Real>::kTracksChange) {
     const ContactColdLanes<Real>& cold = state.cold[index];
     const V slip_response = Load(cold.slip_response);
     state.max_change = Max(state.max_change, Abs(change) * Load(cold.normal_response));
@@ -240,7 +245,7 @@ HWY_INLINE void SolveContact(int index, Vec<Real> accumulated, BatchState<Real>&
 
 template <class Real>
 HWY_INLINE void End(const BatchState<Real>& state, SolverVelocity<Real>* velocities) {
-  if constexpr (BatchState<Real>::kMeasures)
+  if constexpr (BatchState<Real>::kTracksChange)
     Store(state.max_change, state.batch.max_change);
   Scatter(state.A, state.batch.A, state.batch.inverse_mass_A, velocities);
   Scatter(state.B, state.batch.B, state.batch.inverse_mass_B, velocities);
@@ -260,14 +265,14 @@ VelocityChanges SolveModel(const ConstraintView<Real>& constraints, bool accumul
     return k;
   };
   // Two batches interleaved, which hides latency: a contact depends on the previous one
-  // of its batch, but batches of a colour do not depend on each other.
+  // of its batch, but the batches, which have one colour, do not depend on each other.
   for (std::size_t k = next_active(0); k < count;) {
     const std::size_t next = next_active(k + 1);
     BatchState<Real> first =
         Begin<Real>(constraints.batches[k], constraints, relaxation_lanes, velocities);
     if (next == count) {
       for (int i = 0; i < first.batch.count; ++i)
-        SolveContact<model, Real>(i, is_accumulated, first);
+        SolveContactLanes<model, Real>(i, is_accumulated, first);
       End(first, velocities);
       max = Max(max, first.max_change);
       min = Min(min, first.ChangeOfPairs());
@@ -277,20 +282,20 @@ VelocityChanges SolveModel(const ConstraintView<Real>& constraints, bool accumul
         Begin<Real>(constraints.batches[next], constraints, relaxation_lanes, velocities);
     const int both = std::min(first.batch.count, second.batch.count);
     for (int i = 0; i < both; ++i) {
-      SolveContact<model, Real>(i, is_accumulated, first);
-      SolveContact<model, Real>(i, is_accumulated, second);
+      SolveContactLanes<model, Real>(i, is_accumulated, first);
+      SolveContactLanes<model, Real>(i, is_accumulated, second);
     }
     for (int i = both; i < first.batch.count; ++i)
-      SolveContact<model, Real>(i, is_accumulated, first);
+      SolveContactLanes<model, Real>(i, is_accumulated, first);
     for (int i = both; i < second.batch.count; ++i)
-      SolveContact<model, Real>(i, is_accumulated, second);
+      SolveContactLanes<model, Real>(i, is_accumulated, second);
     End(first, velocities);
     End(second, velocities);
     max = Max(max, Max(first.max_change, second.max_change));
     min = Min(min, Min(first.ChangeOfPairs(), second.ChangeOfPairs()));
     k = next_active(next + 1);
   }
-  if constexpr (BatchState<Real>::kMeasures) {
+  if constexpr (BatchState<Real>::kTracksChange) {
     return {MaxLane(max), -MaxLane(-min)};
   } else {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
@@ -304,11 +309,12 @@ VelocityChanges SolveAll(const ConstraintView<Real>& constraints,
                          SolverVelocity<Real>* velocities) {
   const bool is_hard_accumulated =
       parameters.accumulated && parameters.soft_impulse_scale == 0;
-  return (is_hard_accumulated
-              ? SolveModel<ContactModel::kHardAccumulated, Real>
-              : SolveModel<ContactModel::kGeneral, Real>)(constraints,
-                                                          parameters.accumulated,
-                                                          relaxation, velocities);
+  return (
+      is_hard_accumulated
+          ? SolveModel<ContactModel::kHardAccumulated, Real>
+          : SolveModel<ContactModel::kSoftOrUnaccumulated, Real>)(constraints,
+                                                                  parameters.accumulated,
+                                                                  relaxation, velocities);
 }
 
 template <class Real>

@@ -21,7 +21,7 @@ double LoadAcceleration(const RigidBody& body, const Eigen::Vector3d& gravity_W)
 
 }  // namespace
 
-void ExternalLoads::Update(std::span<const ContactPair> contacts,
+void ExternalLoads::Update(std::span<const ContactPair> pairs,
                            std::span<const DistanceJoint> joints,
                            std::span<const Spring> springs, const Settings& settings,
                            double h, std::span<RigidBody> bodies) {
@@ -33,7 +33,7 @@ void ExternalLoads::Update(std::span<const ContactPair> contacts,
   const auto join = [&](int A, int B) {
     if (is_dynamic(A) && is_dynamic(B)) joined_.Unite(A, B);
   };
-  for (const ContactPair& pair : contacts) {
+  for (const ContactPair& pair : pairs) {
     if (pair.manifold.count > 0) join(pair.A, pair.B);
   }
   for (const DistanceJoint& joint : joints) join(joint.A.body, joint.B.body);

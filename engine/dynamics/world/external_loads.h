@@ -29,7 +29,8 @@ namespace cookbook {
  contact constraints, and the springs on them are left out.
 
  Contacts, joints and springs transmit loads. An island is what they joined in the
- previous step, without static bodies. Its load acceleration is
+ previous step, without static bodies; ContactSolver's islands are joined by contacts
+ alone. Its load acceleration is
 
    ā = Σ m a / Σ m,
 
@@ -42,17 +43,21 @@ namespace cookbook {
  are at most the greater of 2 |g| h² and a fiftieth of the inner radius of the body: a
  small body may be pressed as in a vice. A pair uses the smaller value of its bodies.
 
- A contact does not bounce if its approach speed is below a h, times
- Settings::resting_speed, with the greater a of its bodies. If the two pressed each other
- in the previous step, the bound is ā h if that is greater.
+ A contact does not bounce if its approach speed is below
+
+   (h a + |(u_f − u₀)·n|) · Settings::restitution_threshold_factor,
+
+ with the greater a of its bodies, the relative velocity u₀ before the step and u_f at its
+ end without impulses. On a floor under gravity g the sum is 2 g h. If the two bodies
+ pressed each other in the previous step, ā replaces a if it is greater.
  So a body that is thrown at an island is not affected by the load on the island. */
 class ExternalLoads {
  public:
   /** Sets the load accelerations, the speculative margin and the slop of all bodies for a
-   step of `h` [s]. `contacts` are those of the previous step. */
-  void Update(std::span<const ContactPair> contacts,
-              std::span<const DistanceJoint> joints, std::span<const Spring> springs,
-              const Settings& settings, double h, std::span<RigidBody> bodies);
+   step of `h` [s]. `pairs` are the contact pairs of the previous step. */
+  void Update(std::span<const ContactPair> pairs, std::span<const DistanceJoint> joints,
+              std::span<const Spring> springs, const Settings& settings, double h,
+              std::span<RigidBody> bodies);
 
   /** The greatest speculative margin of a body. [m] */
   double max_speculative_margin() const { return max_speculative_margin_; }

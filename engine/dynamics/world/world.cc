@@ -49,8 +49,8 @@ bool World::IsAsleep(int body) const {
   return impl_->IsAsleep(body);
 }
 
-void World::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
-  impl_->ReadImpulses(impulses);
+void World::AppendContactImpulses(std::vector<ContactImpulse>& impulses) const {
+  impl_->AppendContactImpulses(impulses);
 }
 
 bool World::diverged() const {

@@ -54,8 +54,8 @@ class World {
   /** Whether a body sleeps, see Settings::sleep_after. */
   bool IsAsleep(int body) const;
 
-  /** Appends the impulses of all touching contacts in the last step or sub-step. */
-  void ReadImpulses(std::vector<ContactImpulse>& impulses) const;
+  /** Appends the impulses of all touching contacts in the last sub-step. */
+  void AppendContactImpulses(std::vector<ContactImpulse>& impulses) const;
 
   /** Whether a state is no longer finite, or has exceeded 1e12 in SI units. */
   bool diverged() const;

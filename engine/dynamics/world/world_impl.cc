@@ -15,11 +15,11 @@
 namespace cookbook {
 namespace {
 
-/** Minimum number of bodies of a world for more than one thread. A step of fewer takes no
+/** Minimum number of bodies of a world for any parallel loop. A step of fewer takes no
  longer than it takes to wake two threads. */
-constexpr std::size_t kMinParallelBodies = 120;
-/** Minimum number of bodies for a parallel loop. */
-constexpr std::size_t kFewBodies = 128;
+constexpr std::size_t kMinParallelWorld = 120;
+/** Minimum number of bodies for a parallel loop over bodies. */
+constexpr std::size_t kMinParallelBodies = 128;
 
 const Settings& Valid(const Settings& settings) {
   Validate(settings);
@@ -70,7 +70,7 @@ int World::Impl::AddBody(const BodyDefinition& definition) {
   loads_valid_for_ = 0;
   const bool is_solid = std::holds_alternative<Box>(body.shape) ||
                         std::holds_alternative<HalfSpace>(body.shape);
-  if (body.is_static() && body.collides && is_solid) solids_.push_back(added);
+  if (body.is_static() && body.collides && is_solid) static_colliders_.push_back(added);
   return added;
 }
 
@@ -171,13 +171,15 @@ void World::Impl::Step(double dt) {
 }
 
 void World::Impl::StepOnce(double h) {
-  const ThreadPool::ParallelScope scope(pool_, bodies_.size(), kMinParallelBodies);
+  const ThreadPool::ParallelScope scope(pool_, bodies_.size(), kMinParallelWorld);
   const bool touching = UpdateContacts(h);
   if (settings_.sleep_after) sleep_.WakeNear(contact_cache_, bodies_);
   SolveJointImpacts(h);
-  const bool may_be_five = settings_.fourth_order_joints && HasJoints() && !touching &&
-                           !(settings_.continuous_collision && MayHaveImpact(h));
-  if (!may_be_five || !StepFourthOrder(h)) Advance(h, settings_.continuous_collision);
+  const bool may_use_fourth_order = settings_.fourth_order_joints && HasJoints() &&
+                                    !touching &&
+                                    !(settings_.continuous_collision && MayHaveImpact(h));
+  if (!may_use_fourth_order || !StepFourthOrder(h))
+    Advance(h, settings_.continuous_collision);
   if (settings_.sleep_after) PutToSleep(h);
 }
 
@@ -244,7 +246,7 @@ void World::Impl::UpdateLoads(double h) {
   const bool is_gravity_only =
       !has_constant_forces_ && !has_applied_forces_ && springs_.empty();
   if (is_gravity_only && loads_valid_for_ == h) return;
-  loads_.Update(contact_cache_.contacts(), joints_, springs_, settings_, h, bodies_);
+  loads_.Update(contact_cache_.pairs(), joints_, springs_, settings_, h, bodies_);
   loads_valid_for_ = is_gravity_only ? h : 0;
 }
 
@@ -255,41 +257,43 @@ bool World::Impl::UpdateContacts(double h) {
                         settings_.continuous_collision ? h : 0, pool_);
   // Again, because new contacts change the islands.
   UpdateLoads(h);
-  return !contact_cache_.contacts().empty();
+  return !contact_cache_.pairs().empty();
 }
 
 template <class Work>
 void World::Impl::ForEachBody(const Work& work) {
-  pool_.ParallelFor(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) work(i);
-  });
+  pool_.ParallelFor(bodies_.size(), kMinParallelBodies,
+                    [&](std::size_t begin, std::size_t end) {
+                      for (std::size_t i = begin; i < end; ++i) work(i);
+                    });
 }
 
 template <class Takes, class Work, class Other>
 void World::Impl::IntegrateInBatches(const Takes& is_batched, const Work& work,
                                      const Other& other) {
-  pool_.ParallelFor(bodies_.size(), kFewBodies, [&](std::size_t begin, std::size_t end) {
-    constexpr std::size_t kBatch = 32;
-    std::array<int, kBatch> batch;
-    std::array<double, kBatch> travel;
-    std::size_t count = 0;
-    const auto flush = [&] {
-      work(std::span<const int>(batch).first(count), std::span(travel).first(count));
-      for (std::size_t k = 0; k < count; ++k) {
-        contact_cache_.AddTravel(static_cast<std::size_t>(batch[k]), travel[k]);
-      }
-      count = 0;
-    };
-    for (std::size_t i = begin; i < end; ++i) {
-      if (is_batched(i)) {
-        batch[count++] = static_cast<int>(i);
-        if (count == kBatch) flush();
-      } else {
-        other(i);
-      }
-    }
-    if (count > 0) flush();
-  });
+  pool_.ParallelFor(
+      bodies_.size(), kMinParallelBodies, [&](std::size_t begin, std::size_t end) {
+        constexpr std::size_t kBatch = 32;
+        std::array<int, kBatch> batch;
+        std::array<double, kBatch> travel;
+        std::size_t count = 0;
+        const auto flush = [&] {
+          work(std::span<const int>(batch).first(count), std::span(travel).first(count));
+          for (std::size_t k = 0; k < count; ++k) {
+            contact_cache_.AddTravel(static_cast<std::size_t>(batch[k]), travel[k]);
+          }
+          count = 0;
+        };
+        for (std::size_t i = begin; i < end; ++i) {
+          if (is_batched(i)) {
+            batch[count++] = static_cast<int>(i);
+            if (count == kBatch) flush();
+          } else {
+            other(i);
+          }
+        }
+        if (count > 0) flush();
+      });
 }
 
 void World::Impl::ApplyForces(double h) {
@@ -336,8 +340,8 @@ void World::Impl::SolveJointImpacts(double h) {
     solved_[i].w = bodies_[i].state.w_WB;
   }
   joint_solver_.Begin(joints_, bodies_, inertias_);
-  // A step leaves stretch speeds up to the accelerations times h. A greater one is due to
-  // an impact along a joint, which takes no time.
+  // Stretch speed within (a + v²/L) h is discretisation error; more is an impact along a
+  // joint, which takes no time. a is the load acceleration, v the speed, L the length.
   double max_speed = 0;
   double max_load_acceleration = 0;
   double min_length = std::numeric_limits<double>::infinity();
@@ -391,11 +395,11 @@ void World::Impl::Solve(double h) {
   const SolverBodies world{bodies_, inertias_, before_,
                            solved_, static_,   fit_single_precision_};
   if (!HasJoints()) {
-    contact_solver_.Solve(contact_cache_.contacts(), contact_cache_.edges(), world,
+    contact_solver_.Solve(contact_cache_.pairs(), contact_cache_.summaries(), world,
                           {settings_, h, pool_}, contact_flags_);
     return;
   }
-  contact_solver_.Begin(contact_cache_.contacts(), contact_cache_.edges(), world,
+  contact_solver_.Begin(contact_cache_.pairs(), contact_cache_.summaries(), world,
                         {settings_, h, pool_});
   SolveJoints(h);
 }
@@ -408,8 +412,8 @@ void World::Impl::SolveJoints(double h) {
   joint_solver_.WarmStart(solved_, h);
   spring_solver_.Begin(springs_, bodies_, inertias_, before_, h);
   for (int round = 0;; ++round) {
-    // The tolerance is relative to the velocities and velocity changes, whose differences
-    // are solved for.
+    // Relative to the largest velocity or velocity change, because rounding scales with
+    // it.
     max_linked_speed_ =
         std::max(joint_solver_.MaxVelocityChange(), spring_solver_.MaxVelocityChange());
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -419,7 +423,7 @@ void World::Impl::SolveJoints(double h) {
     }
     SolveJointsUntilConverged();
     std::fill(contact_flags_.begin(), contact_flags_.end(), ContactFlags{});
-    contact_solver_.StoreImpulses(contact_cache_.contacts(), {settings_, h, pool_},
+    contact_solver_.StoreImpulses(contact_cache_.pairs(), {settings_, h, pool_},
                                   contact_flags_);
     if (round == settings_.joint_rounds) return;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -451,7 +455,9 @@ void World::Impl::IntegrateBody(std::size_t i, double h, RigidBody& body) {
 
   // Forces act during the whole step: the mean of the velocities is exact for them. An
   // impact acts at the start of the step. A body that bounces is in free flight after it;
-  // a body that rests has its final velocity from the start.
+  // a body that rests has its final velocity from the start. A contact new in this step
+  // counts as an impact: one that approached before the step is not `steady`. So does a
+  // change of velocity that is too great for the loads.
   const double change =
       (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
   const bool has_contact = contact_flags_[i].bounced || contact_flags_[i].rested;
@@ -513,7 +519,7 @@ void World::Impl::IntegrateOne(std::size_t i, double h) {
   if (body.is_point) {
     const RigidBody before = body;
     IntegrateBody(i, h, body);
-    const bool may_meet = h > 0 && body.collides && !solids_.empty();
+    const bool may_meet = h > 0 && body.collides && !static_colliders_.empty();
     contact_flags_[i].bounced = may_meet && CollidePoint(h, before, body);
   } else {
     const BodyState before = body.state;
@@ -529,9 +535,10 @@ void World::Impl::IntegrateOne(std::size_t i, double h) {
 bool World::Impl::CollidePoint(double h, const RigidBody& before, RigidBody& point) {
   const PointFlight flight{before.state.p_WB, before.state.v_WB,
                            (point.state.v_WB - before.state.v_WB) / h};
-  const double resting_speed = settings_.resting_speed * h * flight.a.norm();
-  const PointFlightEnd end =
-      FollowPoint(flight, h, point.restitution, resting_speed, bodies_, solids_);
+  const double resting_speed =
+      settings_.restitution_threshold_factor * h * flight.a.norm();
+  const PointFlightEnd end = FollowPoint(flight, h, point.restitution, resting_speed,
+                                         bodies_, static_colliders_);
   if (!end.hit) return false;
   point_hit_ = true;
   point.state.p_WB = end.p_W;
@@ -584,9 +591,9 @@ void World::Impl::PutToSleep(double h) {
   }
 }
 
-void World::Impl::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
+void World::Impl::AppendContactImpulses(std::vector<ContactImpulse>& impulses) const {
   for (const ContactPair& pair : impact_solver_.impact_contacts()) Read(pair, impulses);
-  for (const ContactPair& pair : contact_cache_.contacts()) Read(pair, impulses);
+  for (const ContactPair& pair : contact_cache_.pairs()) Read(pair, impulses);
 }
 
 }  // namespace cookbook

@@ -35,7 +35,7 @@ class World::Impl {
   }
   const Settings& settings() const { return settings_; }
   bool IsAsleep(int body) const { return sleep_.IsAsleep(body); }
-  void ReadImpulses(std::vector<ContactImpulse>& impulses) const;
+  void AppendContactImpulses(std::vector<ContactImpulse>& impulses) const;
   bool diverged() const { return diverged_; }
 
  private:
@@ -96,7 +96,7 @@ class World::Impl {
   Sleep sleep_;
   std::vector<DistanceJoint> joints_;
   std::vector<Spring> springs_;
-  std::vector<int> solids_;  ///< Static bodies that points collide with.
+  std::vector<int> static_colliders_;  ///< Static bodies that points collide with.
   ContactSolver contact_solver_;
   ImpactSolver impact_solver_;
   ExternalLoads loads_;
@@ -120,7 +120,7 @@ class World::Impl {
   std::vector<Velocity> free_;    ///< At the end of the step, without impulses.
   std::vector<Velocity> solved_;  ///< At the end of the step.
   std::vector<Velocity> mean_;    ///< Velocities that move the bodies during the step.
-  std::vector<Velocity> corrections_;  ///< Position corrections. [m], [rad]
+  std::vector<Velocity> corrections_;  ///< Displacements stored as Velocity. [m], [rad]
   std::vector<ContactFlags> contact_flags_;
   std::vector<char> static_;             ///< 1: static or asleep.
   std::vector<double> moved_fraction_;   ///< See JointSolver::Relinearize().

@@ -207,14 +207,14 @@ RC_GTEST_PROP(BroadPhase, ItsDistanceBoundIsNoMoreThanTheDistance, ()) {
   RC_CLASSIFY(gap > 0);
 }
 
-/** Whether the edges have the bodies and numbers of contacts of the contact pairs. */
-bool EdgesAgree(const ContactCache& cache) {
-  const std::span<const ContactPair> contacts = cache.contacts();
-  const std::span<const ContactEdge> edges = cache.edges();
-  return std::equal(contacts.begin(), contacts.end(), edges.begin(), edges.end(),
-                    [](const ContactPair& pair, const ContactEdge& edge) {
-                      return edge.A == pair.A && edge.B == pair.B &&
-                             edge.count == pair.manifold.count;
+/** Whether the summaries have the bodies and numbers of points of the contact pairs. */
+bool SummariesAgree(const ContactCache& cache) {
+  const std::span<const ContactPair> pairs = cache.pairs();
+  const std::span<const PairSummary> summaries = cache.summaries();
+  return std::equal(pairs.begin(), pairs.end(), summaries.begin(), summaries.end(),
+                    [](const ContactPair& pair, const PairSummary& summary) {
+                      return summary.A == pair.A && summary.B == pair.B &&
+                             summary.count == pair.manifold.count;
                     });
 }
 
@@ -228,10 +228,10 @@ RC_GTEST_PROP(ContactCache, FindsTheSameContactsAsAnExhaustiveSearch, ()) {
   for (int step = 0; step < 20; ++step) {
     cache.Update(bodies, {kMargin, false}, kStep, pool);
     Pairs found;
-    for (const ContactPair& pair : cache.contacts()) {
+    for (const ContactPair& pair : cache.pairs()) {
       RC_ASSERT(found.insert({pair.A, pair.B}).second);
     }
-    RC_ASSERT(EdgesAgree(cache));
+    RC_ASSERT(SummariesAgree(cache));
     most = std::max(most, static_cast<int>(found.size()));
     for (int a = 0; a < static_cast<int>(bodies.size()); ++a) {
       for (int b = a + 1; b < static_cast<int>(bodies.size()); ++b) {
@@ -255,7 +255,7 @@ RC_GTEST_PROP(ContactCache, FindsTheSameContactsAsAnExhaustiveSearch, ()) {
 }
 
 // The contacts are so many that they are sometimes sorted in spatial order.
-TEST(ContactCache, ItsEdgesAgreeWithItsContacts) {
+TEST(ContactCache, ItsSummariesAgreeWithItsContacts) {
   constexpr int kRow = 12;
   std::vector<RigidBody> bodies;
   ContactCache cache;
@@ -278,12 +278,12 @@ TEST(ContactCache, ItsEdgesAgreeWithItsContacts) {
       }
     }
     cache.Update(bodies, {kMargin, false}, kStep, pool);
-    EXPECT_EQ(cache.contacts().size(), kFaces);
-    EXPECT_TRUE(EdgesAgree(cache)) << step;
+    EXPECT_EQ(cache.pairs().size(), kFaces);
+    EXPECT_TRUE(SummariesAgree(cache)) << step;
   }
   cache.ClearContacts(7);
-  EXPECT_EQ(cache.contacts()[7].manifold.count, 0);
-  EXPECT_TRUE(EdgesAgree(cache));
+  EXPECT_EQ(cache.pairs()[7].manifold.count, 0);
+  EXPECT_TRUE(SummariesAgree(cache));
 }
 
 TEST(BroadPhase, NewPairsOfABodyAreInTheOrderInWhichBodiesWereAdded) {

@@ -397,7 +397,7 @@ TEST(ImpactSolver, ReportedImpulsesSumToTheChangeOfMomentum) {
       const Eigen::Vector3d before = world.state(ball).v_WB;
       world.Step(h);
       impulses.clear();
-      world.ReadImpulses(impulses);
+      world.AppendContactImpulses(impulses);
       Eigen::Vector3d given(0, -kGravity * h, 0);
       for (const ContactImpulse& impulse : impulses) {
         given += impulse.B == ball ? impulse.J_B_W : -impulse.J_B_W;

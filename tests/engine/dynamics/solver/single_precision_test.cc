@@ -46,7 +46,7 @@ void AddTwoWalls(World& world, const Eigen::Vector3d& frame = {0, 0, 0},
 /** Returns the number of contacts with an impulse. */
 int CountActingContacts(const World& world) {
   std::vector<ContactImpulse> impulses;
-  world.ReadImpulses(impulses);
+  world.AppendContactImpulses(impulses);
   int acting = 0;
   for (const ContactImpulse& impulse : impulses) {
     acting += impulse.J_B_W.isZero(0) ? 0 : 1;

@@ -108,7 +108,7 @@ TEST(Stack, AFaceThatSticksHasNoInternalFriction) {
   AddHeavyOnLight(world, 0.1, 30);
   for (int k = 0; k < 2; ++k) world.Step(1.0 / 240);
   std::vector<ContactImpulse> impulses;
-  world.ReadImpulses(impulses);
+  world.AppendContactImpulses(impulses);
   ASSERT_EQ(impulses.size(), 8u);
   for (const ContactImpulse& contact : impulses) {
     const double load = contact.J_B_W.dot(contact.n_AB_W);

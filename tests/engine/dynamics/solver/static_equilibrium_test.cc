@@ -68,7 +68,7 @@ struct Received {
 
 Received ReceivedBy(const World& world, int body) {
   std::vector<ContactImpulse> impulses;
-  world.ReadImpulses(impulses);
+  world.AppendContactImpulses(impulses);
   Received received;
   for (const ContactImpulse& contact : impulses) {
     if (contact.A != body && contact.B != body) continue;
@@ -300,7 +300,7 @@ class Island {
   void Iterate() {
     ContactParameters parameters{};
     parameters.h = kH;
-    parameters.resting_speed = 1;
+    parameters.restitution_threshold_factor = 1;
     parameters.soft_mass_scale = 1;
     parameters.accumulated = true;
     std::vector<ColouredPair> ordered;

@@ -38,7 +38,7 @@ Eigen::Quaterniond AboutY(double angle) {
 
 std::map<std::pair<int, int>, int> ContactsOfPairs(const World& world) {
   std::vector<ContactImpulse> impulses;
-  world.ReadImpulses(impulses);
+  world.AppendContactImpulses(impulses);
   std::map<std::pair<int, int>, int> contacts;
   for (const ContactImpulse& impulse : impulses) ++contacts[{impulse.A, impulse.B}];
   return contacts;
