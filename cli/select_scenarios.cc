@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "cli/input_error.h"
-#include "reports/text/counted.h"
 #include "reports/ledger/glob.h"
+#include "reports/text/counted.h"
 #include "reports/worlds/study/check_claims.h"
 #include "scenarios/scenario_file.h"
 #include "scenarios/schema/nearest_name.h"
@@ -168,28 +168,28 @@ Questions SelectQuestions(const ScenarioSelection& selection) {
   return selected;
 }
 
-std::set<std::string, std::less<>> Strangers(const ScenarioSelection& selection,
-                                             const Questions& questions,
-                                             const std::filesystem::path& catalogue) {
-  std::set<std::string, std::less<>> strangers;
+std::set<std::string, std::less<>> OutsideCatalogue(
+    const ScenarioSelection& selection, const Questions& questions,
+    const std::filesystem::path& catalogue) {
+  std::set<std::string, std::less<>> outside;
   const auto may_be_path = [](const std::string& pattern) { return IsPath(pattern, {}); };
   if (selection.catalogues == std::vector{catalogue} &&
       std::ranges::none_of(selection.patterns, may_be_path))
-    return strangers;
+    return outside;
   const auto known = [&](const std::string& id) {
     return ReadScenarioFile(catalogue / (id + ".toml"));
   };
   for (const Scenario& scenario : questions.contacts) {
     const auto same = known(scenario.id).scenario;
     if (!same || WriteScenario(*same) != WriteScenario(scenario))
-      strangers.insert(scenario.id);
+      outside.insert(scenario.id);
   }
   for (const WorldScenario& scenario : questions.worlds) {
     const auto same = known(scenario.id).world;
     if (!same || WriteScenario(*same) != WriteScenario(scenario))
-      strangers.insert(scenario.id);
+      outside.insert(scenario.id);
   }
-  return strangers;
+  return outside;
 }
 
 }  // namespace touchstone

@@ -31,8 +31,8 @@ Questions SelectQuestions(const ScenarioSelection& selection);
 /** Returns the ids of those `questions`, selected by `selection`, that are not part of
  the catalogue in the folder `catalogue`: it has no file of that id, or one with different
  content. */
-std::set<std::string, std::less<>> Strangers(const ScenarioSelection& selection,
-                                             const Questions& questions,
-                                             const std::filesystem::path& catalogue);
+std::set<std::string, std::less<>> OutsideCatalogue(
+    const ScenarioSelection& selection, const Questions& questions,
+    const std::filesystem::path& catalogue);
 
 }  // namespace touchstone

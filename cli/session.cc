@@ -8,8 +8,8 @@
 
 #include "cli/input_error.h"
 #include "cli/progress_bar.h"
-#include "reports/text/counted.h"
 #include "reports/ledger/ledger_file.h"
+#include "reports/text/counted.h"
 
 namespace touchstone {
 namespace {
@@ -39,7 +39,7 @@ Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
   const std::filesystem::path file = session.defaults.data / "known_discrepancies.toml";
   if (!std::filesystem::exists(file)) return {};
   Ledger ledger = ReadLedgerOf(file);
-  ledger.strangers = Strangers(selection, questions, session.catalogue());
+  ledger.outside_catalogue = OutsideCatalogue(selection, questions, session.catalogue());
   return ledger;
 }
 

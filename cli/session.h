@@ -25,7 +25,7 @@ Ledger ReadLedgerOf(const std::filesystem::path& file);
 
 /** Returns the built-in ledger, or an empty one if the file does not exist. It applies to
  the scenarios of the built-in catalogue only. All other `questions`, as selected by
- `selection`, become its `strangers`, even where their ids match an entry. Throws
+ `selection`, become its `outside_catalogue`, even where their ids match an entry. Throws
  InputError. */
 Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
                      const Questions& questions);

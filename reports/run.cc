@@ -156,7 +156,7 @@ class Suite {
  private:
   void EstablishTruth() {
     ForEachScenario([](ScenarioResult& result, std::vector<Finding>&) {
-      result.truth = JudgeContact(result.scenario.contact);
+      result.truth = ComputeContactTruth(result.scenario.contact);
     });
   }
 

@@ -92,7 +92,7 @@ ContactBench BenchContacts(ShapeKind A, ShapeKind B,
   const std::span<const ContactQuery> sample = std::span(queries).first(
       static_cast<std::size_t>(std::min(settings.sample, settings.count)));
   std::vector<ContactTruth> truths;
-  for (const ContactQuery& query : sample) truths.push_back(JudgeContact(query));
+  for (const ContactQuery& query : sample) truths.push_back(ComputeContactTruth(query));
   ContactBench bench{queries.size(), sample.size(), 0, {}};
   for (const ContactTruth& truth : truths)
     bench.touching += truth.touching == Touching::kTouching ? 1 : 0;

@@ -60,7 +60,7 @@ Penetration DeepestPenetration(const World& world, const WorldState& state) {
       if ((balls[j].p_W - balls[i].p_W).norm() > balls[i].radius + balls[j].radius)
         continue;
       const ContactTruth truth =
-          JudgeContact({AsItIs(world, state, a), AsItIs(world, state, b)});
+          ComputeContactTruth({AsItIs(world, state, a), AsItIs(world, state, b)});
       const double depth = -(truth.separation.lo + truth.separation.hi) / 2;
       // Written so that a NaN counts as the deepest.
       if (!(depth <= deepest.depth) && !std::isnan(deepest.depth))

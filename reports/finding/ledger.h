@@ -70,7 +70,7 @@ struct Ledger {
   std::vector<LedgerEntry> entries;
   /** Ids of scenarios outside the catalogue that the ledger was written for: no entry
    applies to them, even if its glob matches. */
-  std::set<std::string, std::less<>> strangers;
+  std::set<std::string, std::less<>> outside_catalogue;
 };
 
 }  // namespace touchstone

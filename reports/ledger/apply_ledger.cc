@@ -142,7 +142,8 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial,
   const std::map<std::string_view, LedgerScale> scales = LedgerScalesOf(report);
   for (Finding& finding : report.findings) {
     const auto found = rules.find(finding.oracle);
-    if (found == rules.end() || report.ledger.strangers.contains(finding.scenario))
+    if (found == rules.end() ||
+        report.ledger.outside_catalogue.contains(finding.scenario))
       continue;
     Excuse(finding, scales.at(finding.scenario), found->second, report.ledger);
   }

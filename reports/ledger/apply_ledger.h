@@ -19,9 +19,9 @@ namespace touchstone {
  accepts every name. Entries for oracles that took no part are otherwise ignored.
 
  An entry is void for any version of the library but its own, and does not apply to the
- ledger's strangers. Values and bounds are in units of SceneSize() for lengths of contact
- queries and in units of 1 otherwise, see ValueForLedger(). Verdicts without a value
- (crashed, timed out, invalid) have no bound to exceed. */
+ ledger's scenarios `outside_catalogue`. Values and bounds are in units of SceneSize() for
+ lengths of contact queries and in units of 1 otherwise, see ValueForLedger(). Verdicts
+ without a value (crashed, timed out, invalid) have no bound to exceed. */
 void ApplyLedger(RunReport& report, std::string_view today, bool partial,
                  const std::function<bool(std::string_view)>& is_oracle = {});
 

@@ -78,7 +78,7 @@ Enclosure TiltedOverlap(const PlaneOverlap& plane, const Eigen::Vector3d& n_W) {
 
 }  // namespace
 
-ContactTruth JudgeContact(const ContactQuery& query) {
+ContactTruth ComputeContactTruth(const ContactQuery& query) {
   ContactTruth truth =
       HasHalfSpace(query) ? JudgeAgainstPlane(query) : JudgeBounded(query);
   truth.input_rounding = InputRounding(query);

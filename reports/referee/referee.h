@@ -14,7 +14,7 @@ namespace touchstone {
  The truth refers to the affine image of each shape for the exact doubles of its pose.
  Deterministic and thread safe.
  @pre `query` is valid (scenarios/validate.h) and not two half-spaces. */
-ContactTruth JudgeContact(const ContactQuery& query);
+ContactTruth ComputeContactTruth(const ContactQuery& query);
 
 /** Returns an enclosure of the overlap o(n) = max_A n·x − min_B n·x along the unit vector
  that `n_W` normalises to. Moving B by o(n) along n just separates the shapes, so o(n) is

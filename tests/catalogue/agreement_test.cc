@@ -41,7 +41,7 @@ const std::vector<Judged>& JudgedCatalogue() {
   static const std::vector<Judged> judged = [] {
     std::vector<Judged> all;
     for (const auto& [id, scenario] : Below("contact/")) {
-      const ContactTruth truth = JudgeContact(scenario->contact);
+      const ContactTruth truth = ComputeContactTruth(scenario->contact);
       all.push_back({scenario, truth, SlackOf(*scenario, truth)});
     }
     return all;

@@ -23,7 +23,7 @@ std::string ErratumOf(const Scenario& scenario) {
 /** Returns whether `oracle` is proved wrong in `scenario`. */
 bool IsWrong(const Oracle& oracle, const Scenario& scenario) {
   const std::vector<Finding> findings =
-      JudgeAnswer(scenario, JudgeContact(scenario.contact), oracle.info(),
+      JudgeAnswer(scenario, ComputeContactTruth(scenario.contact), oracle.info(),
                   oracle.Answer(scenario.contact));
   return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
     return finding.verdict == Verdict::kFail || finding.verdict == Verdict::kInvalid;

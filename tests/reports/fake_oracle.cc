@@ -22,7 +22,7 @@ Capability Everything() {
 }  // namespace
 
 ContactAnswer RightAnswer(const ContactQuery& query) {
-  const ContactTruth truth = JudgeContact(query);
+  const ContactTruth truth = ComputeContactTruth(query);
   const double separation =
       truth.separation.lo + (truth.separation.hi - truth.separation.lo) / 2;
   ContactAnswer answer;

@@ -442,7 +442,7 @@ TEST(CheckCatalogue, FaultsAnExpectationThatCannotBeChecked) {
   result.scenario = ScenarioOf("contact/x", BoxOnBoxFace(1e-3).query);
   result.scenario.expect.separation = -1e-3;
   result.scenario.expect.contacts = 4;
-  result.truth = JudgeContact(result.scenario.contact);
+  result.truth = ComputeContactTruth(result.scenario.contact);
   result.truth.separation = {-2e-3, -0.5e-3};
   report.scenarios = {result};
   CheckCatalogue(report);

@@ -50,8 +50,8 @@ TEST(Swapped, KeepsTheSeparation) {
     const TransformedQuery swapped = Swapped(query);
     ASSERT_TRUE(FaultsOf(swapped.query).empty());
     EXPECT_EQ(swapped.rounding, 0);
-    ExpectSame(JudgeContact(query).separation, 1, JudgeContact(swapped.query).separation,
-               0);
+    ExpectSame(ComputeContactTruth(query).separation, 1,
+               ComputeContactTruth(swapped.query).separation, 0);
     EXPECT_TRUE(SameBits(Swapped(swapped.query).query, query));
   });
 }
@@ -60,8 +60,8 @@ TEST(MovedRigidly, KeepsTheSeparationToItsRounding) {
   ForManyQuestions([](const ContactQuery& query) {
     const TransformedQuery moved = MovedRigidly(query, AwkwardMotion());
     ASSERT_TRUE(FaultsOf(moved.query).empty());
-    ExpectSame(JudgeContact(query).separation, 1, JudgeContact(moved.query).separation,
-               moved.rounding);
+    ExpectSame(ComputeContactTruth(query).separation, 1,
+               ComputeContactTruth(moved.query).separation, moved.rounding);
   });
 }
 
@@ -80,8 +80,8 @@ TEST(MovedRigidly, BreaksTheLawIfItIsWrong) {
   ForManyQuestions([&](const ContactQuery& query) {
     TransformedQuery moved = MovedRigidly(query, AwkwardMotion());
     moved.query.B.X_WB.R_WB = query.B.X_WB.R_WB;
-    const Enclosure before = JudgeContact(query).separation;
-    const Enclosure after = JudgeContact(moved.query).separation;
+    const Enclosure before = ComputeContactTruth(query).separation;
+    const Enclosure after = ComputeContactTruth(moved.query).separation;
     if (after.lo - moved.rounding > before.hi || after.hi + moved.rounding < before.lo) {
       ++broken;
     }
@@ -97,8 +97,8 @@ TEST(Scaled, ByAPowerOfTwoScalesTheSeparationExactly) {
     const TransformedQuery scaled = Scaled(query, 0x1p-7);
     ASSERT_TRUE(FaultsOf(scaled.query).empty());
     EXPECT_EQ(scaled.rounding, 0);
-    ExpectSame(JudgeContact(query).separation, 0x1p-7,
-               JudgeContact(scaled.query).separation, 0);
+    ExpectSame(ComputeContactTruth(query).separation, 0x1p-7,
+               ComputeContactTruth(scaled.query).separation, 0);
     EXPECT_TRUE(SameBits(Scaled(scaled.query, 0x1p7).query, query));
   });
 }
@@ -107,8 +107,8 @@ TEST(Scaled, ByAnyFactorScalesTheSeparationToItsRounding) {
   ForManyQuestions([](const ContactQuery& query) {
     const TransformedQuery scaled = Scaled(query, 1.0 / 3);
     EXPECT_GT(scaled.rounding, 0);
-    ExpectSame(JudgeContact(query).separation, 1.0 / 3,
-               JudgeContact(scaled.query).separation, scaled.rounding);
+    ExpectSame(ComputeContactTruth(query).separation, 1.0 / 3,
+               ComputeContactTruth(scaled.query).separation, scaled.rounding);
   });
 }
 
@@ -141,8 +141,8 @@ TEST(Relabelled, KeepsTheSeparation) {
     symmetry = (symmetry + 1) % kCubeRotations;
     const TransformedQuery relabelled = Relabelled(query, symmetry, 23 - symmetry);
     EXPECT_EQ(relabelled.rounding, 0);
-    ExpectSame(JudgeContact(query).separation, 1,
-               JudgeContact(relabelled.query).separation, 0);
+    ExpectSame(ComputeContactTruth(query).separation, 1,
+               ComputeContactTruth(relabelled.query).separation, 0);
   });
 }
 
@@ -151,8 +151,8 @@ TEST(Perturbed, ChangesTheSeparationByNoMoreThanTheOffset) {
   int changed = 0;
   ForManyQuestions([&](const ContactQuery& query) {
     const TransformedQuery perturbed = Perturbed(query, offset);
-    const Enclosure before = JudgeContact(query).separation;
-    const Enclosure after = JudgeContact(perturbed.query).separation;
+    const Enclosure before = ComputeContactTruth(query).separation;
+    const Enclosure after = ComputeContactTruth(perturbed.query).separation;
     ExpectSame(before, 1, after, offset.norm() + perturbed.rounding);
     if (after.lo > before.hi || after.hi < before.lo) ++changed;
   });

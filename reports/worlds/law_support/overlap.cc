@@ -39,7 +39,7 @@ double OverlapOf(const World& world, const WorldState& state, int A, int B) {
     return std::max(0.0, sphere_A->radius + sphere_B->radius -
                              (query.B.X_WB.p_WB - query.A.X_WB.p_WB).norm());
   }
-  return std::max(0.0, -JudgeContact(query).separation.hi);
+  return std::max(0.0, -ComputeContactTruth(query).separation.hi);
 }
 
 }  // namespace touchstone

@@ -24,7 +24,7 @@ std::vector<Finding> Judged(const ContactQuery& query, const ContactAnswer& answ
   Scenario scenario;
   scenario.id = "contact/specimen";
   scenario.contact = query;
-  return JudgeAnswer(scenario, JudgeContact(query), oracle.info(), answer);
+  return JudgeAnswer(scenario, ComputeContactTruth(query), oracle.info(), answer);
 }
 
 const Finding& Of(MeasureKind measure, const std::vector<Finding>& findings) {
@@ -380,7 +380,7 @@ TEST(Judge, PassesOnlyValuesNearTheWholeEnclosure) {
   scenario.contact = s.query;
   const FakeOracle oracle("mine");
   const auto judged = [&](double narrower, double wider, double separation) {
-    ContactTruth truth = JudgeContact(s.query);
+    ContactTruth truth = ComputeContactTruth(s.query);
     truth.separation = {-kDepth - wider, -kDepth + narrower};
     ContactAnswer answer = s.right;
     answer.separation = separation;

@@ -31,7 +31,7 @@ Scenario ScenarioOf(const ContactQuery& query) {
 std::vector<Finding> Judged(const ContactQuery& query, const Plant& plant) {
   const FakeOracle oracle = FakeOracle::Wrong("mine", plant);
   const Scenario scenario = ScenarioOf(query);
-  const ContactTruth truth = JudgeContact(query);
+  const ContactTruth truth = ComputeContactTruth(query);
   std::vector<Finding> findings;
   for (const Variant& variant : VariantsOf(scenario)) {
     const auto finding =
@@ -122,7 +122,7 @@ TEST(Variants, DetectAPreferenceForOneAxisOfABox) {
     scenario.id += std::to_string(i);
     const FakeOracle oracle = FakeOracle::Wrong("mine", z_only);
     const Variant relabelled = VariantsOf(scenario)[3];
-    const auto finding = JudgeVariant(scenario, JudgeContact(scenario.contact),
+    const auto finding = JudgeVariant(scenario, ComputeContactTruth(scenario.contact),
                                       oracle.info(), oracle.Answer(scenario.contact),
                                       relabelled, oracle.Answer(relabelled.query));
     found += finding->verdict == Verdict::kFail;

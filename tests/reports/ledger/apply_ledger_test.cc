@@ -51,9 +51,9 @@ RunReport ReportOf(std::initializer_list<double> values, double bound) {
   return report;
 }
 
-TEST(ApplyLedger, LeavesStrangersAlone) {
+TEST(ApplyLedger, LeavesScenariosOutsideTheCatalogueAlone) {
   RunReport report = ReportOf({0.01, 0.04}, 0.05);
-  report.ledger.strangers = {"contact/box_box/0"};
+  report.ledger.outside_catalogue = {"contact/box_box/0"};
   ApplyLedger(report, "2026-01-01", false);
   EXPECT_EQ(report.findings[0].verdict, Verdict::kFail);
   EXPECT_EQ(report.findings[1].verdict, Verdict::kKnown);

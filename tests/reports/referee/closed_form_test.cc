@@ -16,14 +16,14 @@ namespace {
  moves the truth by at most the band of the input. The enclosure itself is a few ulps of
  the scene. */
 void ExpectSeparation(const ContactQuery& query, double expected) {
-  const ContactTruth truth = JudgeContact(query);
+  const ContactTruth truth = ComputeContactTruth(query);
   const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
   EXPECT_LE(truth.separation.lo, truth.separation.hi);
   EXPECT_LE(truth.separation.hi - truth.separation.lo, 16 * ulp);
   EXPECT_NEAR(truth.separation.lo, expected, truth.input_rounding + 16 * ulp);
   EXPECT_NEAR(truth.separation.hi, expected, truth.input_rounding + 16 * ulp);
   // Swapping the bodies asks the same question.
-  const ContactTruth swapped = JudgeContact({query.B, query.A});
+  const ContactTruth swapped = ComputeContactTruth({query.B, query.A});
   EXPECT_NEAR(swapped.separation.lo, truth.separation.lo, 16 * ulp);
   // The certificate's own direction bounds the separation from below.
   const Enclosure overlap = Overlap(query, truth.certificate.n_AB_W);

@@ -45,7 +45,7 @@ TEST(CurvedPairs, AreBoundedTightlyAndNoDirectionContradictsThem) {
     const Body placed_A{A, Pose::FromQuaternion(p, random.Rotation())};
     const ContactQuery query{
         placed_A, {B, Pose::FromQuaternion(p + random.Point(1.5), random.Rotation())}};
-    const ContactTruth truth = JudgeContact(query);
+    const ContactTruth truth = ComputeContactTruth(query);
     const Enclosure separation = truth.separation;
     const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
     EXPECT_LE(separation.hi - separation.lo, 64 * ulp) << "pair " << i;
@@ -61,7 +61,7 @@ TEST(CurvedPairs, AreBoundedTightlyAndNoDirectionContradictsThem) {
 }
 
 void ExpectSeparation(const ContactQuery& query, double expected) {
-  const ContactTruth truth = JudgeContact(query);
+  const ContactTruth truth = ComputeContactTruth(query);
   const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
   EXPECT_LE(truth.separation.hi - truth.separation.lo, 64 * ulp);
   EXPECT_NEAR(truth.separation.lo, expected, truth.input_rounding + 64 * ulp);
@@ -90,8 +90,8 @@ TEST(CurvedPairs, ParallelCylindersSideBySideAreDeepAlongTheLineOfCentres) {
 // Each cylinder contains a ball of its radius, and lies in a ball √2 times as large.
 TEST(CurvedPairs, CylindersWhoseOverlapsOverflowAreDeepByAnUnknownAmount) {
   const Cylinder huge{1e160, 1e160};
-  const ContactTruth truth =
-      JudgeContact({Place(huge, {0, 0, 0}), Place(huge, {0, 0, 0}, Turn(1, {1, 2, 3}))});
+  const ContactTruth truth = ComputeContactTruth(
+      {Place(huge, {0, 0, 0}), Place(huge, {0, 0, 0}, Turn(1, {1, 2, 3}))});
   EXPECT_LE(truth.separation.lo, -2e160);
   EXPECT_GE(truth.separation.hi, -2e160 * std::sqrt(2));
 }

@@ -30,7 +30,7 @@ int ExpectExact(std::uint64_t seed, int pairs,
   int touching = 0;
   for (int i = 0; i < pairs; ++i) {
     const ContactQuery query = family(random);
-    const ContactTruth truth = JudgeContact(query);
+    const ContactTruth truth = ComputeContactTruth(query);
     const ExactComparison exact = CompareExactly(query, truth.separation);
     EXPECT_TRUE(exact.lo_holds) << "pair " << i << ", lo " << truth.separation.lo;
     EXPECT_TRUE(exact.hi_holds) << "pair " << i << ", hi " << truth.separation.hi;
@@ -77,7 +77,7 @@ TEST(ExactKernel, AgreesWhereBodiesTouchToTheRounding) {
   ExpectExact(4, 40, [](RandomScene& random) {
     const Shape A = random.SomeHull(0.7, 8);
     ContactQuery query = At(random, A, random.SomeBox(1), 1);
-    const ContactTruth truth = JudgeContact(query);
+    const ContactTruth truth = ComputeContactTruth(query);
     query.B.X_WB.p_WB -=
         (truth.separation.lo + random.Uniform(-1, 1) * random.Power(-17, -8)) *
         truth.certificate.n_AB_W;
@@ -129,7 +129,7 @@ TEST(ExactKernel, CatchesAnEnclosureThatIsOffByAnUlp) {
   RandomScene random(9);
   for (int i = 0; i < 10; ++i) {
     const ContactQuery query = At(random, random.SomeBox(1), random.SomeBox(1), 1);
-    const Enclosure e = JudgeContact(query).separation;
+    const Enclosure e = ComputeContactTruth(query).separation;
     const double off = 4 * UlpOf(query) + (e.hi - e.lo);
     EXPECT_FALSE(CompareExactly(query, {e.lo + off, e.hi + off}).lo_holds);
     EXPECT_FALSE(CompareExactly(query, {e.lo - off, e.hi - off}).hi_holds);
@@ -143,7 +143,7 @@ TEST(ExactKernel, CatchesCandidatesWithoutEdgeCrosses) {
   int caught = 0;
   for (int i = 0; i < 30; ++i) {
     const ContactQuery query = At(random, random.SomeBox(1), random.SomeBox(1), 0.9);
-    if (JudgeContact(query).touching != Touching::kTouching) continue;
+    if (ComputeContactTruth(query).touching != Touching::kTouching) continue;
     Enclosure faces{std::numeric_limits<double>::infinity(), 0};
     for (const Body& body : {query.A, query.B}) {
       for (int axis = 0; axis < 3; ++axis) {
@@ -166,7 +166,7 @@ TEST(ExactKernel, FindsNoAxisOfNoiseThatUndercutsTheDepth) {
     ContactQuery query = At(random, random.SomeBox(1), random.SomeBox(1), 0.5);
     query.B.X_WB = Pose::FromQuaternion(
         query.B.X_WB.p_WB, (*query.A.X_WB.q_WB * Tilt(random, 1e-16)).normalized());
-    const Enclosure separation = JudgeContact(query).separation;
+    const Enclosure separation = ComputeContactTruth(query).separation;
     for (int axis = 0; axis < 3; ++axis) {
       const Eigen::Vector3d noise =
           query.A.X_WB.R_WB.col(axis).cross(query.B.X_WB.R_WB.col(axis));

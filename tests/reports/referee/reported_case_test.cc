@@ -16,7 +16,7 @@ Eigen::Matrix3d Rows(double xx, double xy, double xz, double yx, double yy, doub
 }
 
 void ExpectSeparation(const ContactQuery& query, double expected) {
-  const ContactTruth truth = JudgeContact(query);
+  const ContactTruth truth = ComputeContactTruth(query);
   // Both ends enclose the truth to an ulp of the scene.
   const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
   EXPECT_NEAR(truth.separation.lo, expected, 2 * ulp);

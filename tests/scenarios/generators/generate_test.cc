@@ -126,7 +126,7 @@ struct Tally {
 Tally TallyOf(Family family, ShapeKind a, ShapeKind b) {
   Tally tally;
   for (std::uint64_t i = 0; i < 200; ++i) {
-    switch (JudgeContact(Generate(family, a, b, kSeed, i)).touching) {
+    switch (ComputeContactTruth(Generate(family, a, b, kSeed, i)).touching) {
       case Touching::kTouching:
         ++tally.touching;
         break;
@@ -169,7 +169,7 @@ TEST(GenerateTouching, HasTheDrawnSeparation) {
   // of the 13 decades of gaps has 77 on average, half of each sign.
   std::map<std::pair<int, bool>, int> per_decade;
   for (std::uint64_t i = 0; i < 1000; ++i) {
-    const ContactTruth truth = JudgeContact(
+    const ContactTruth truth = ComputeContactTruth(
         Generate(Family::kTouching, ShapeKind::kSphere, ShapeKind::kSphere, kSeed, i));
     const double separation = (truth.separation.lo + truth.separation.hi) / 2;
     const auto decade = static_cast<int>(std::floor(std::log10(std::abs(separation))));

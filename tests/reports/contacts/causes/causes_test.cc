@@ -101,7 +101,7 @@ TEST(Convention, IsNotInferredFromSeparationsNearTheTolerance) {
   // The answer says a little more than twice 2e-14 m: an error above the tolerance of
   // 1e-14 m that is near a doubling by chance.
   Specimen s = BoxOnBoxFace(2e-14);
-  s.truth = JudgeContact(s.query);
+  s.truth = ComputeContactTruth(s.query);
   ScaleSeparations(s.right, 2.2);
   const auto conventions = Conventions(s);
   EXPECT_FALSE(conventions.empty());
