@@ -1,12 +1,12 @@
-# Checks the architecture. Fails if a file includes a header that its room must not
-# include, if a file has no room, if a room has no files, or if headers include each other
+# Checks the architecture. Fails if a file includes a header that its layer must not
+# include, if a file has no layer, if a layer has no files, or if headers include each other
 # in a cycle.
 #   cmake -D ROOT=<source dir> -P allowed_includes.cmake
 #
-# A rule is "room => headers of other rooms that it may include"; both sides are regular
-# expressions. The last rule that matches a file decides its room, so exceptions follow
-# their room. The rules are in order from the bottom up: no file may include a header of a
-# later rule, whatever its right side says. Rooms thus never depend on each other in a
+# A rule is "layer => headers of other layers that it may include"; both sides are regular
+# expressions. The last rule that matches a file decides its layer, so exceptions follow
+# their layer. The rules are in order from the bottom up: no file may include a header of a
+# later rule, whatever its right side says. Layers thus never depend on each other in a
 # circle.
 
 cmake_minimum_required(VERSION 3.24)
@@ -98,26 +98,26 @@ macro(split_rule rule)
   string(REGEX REPLACE ".* => " "" right "${rule}")
 endmacro()
 
-# Finds the room of each file, as the index of its rule.
-set(homeless)
+# Finds the layer of each file, as the index of its rule.
+set(without_layer)
 set(occupied)
 set(own_files)
-foreach(house engine scenarios oracles reports cli)
-  file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${house}/*.h ${ROOT}/${house}/*.cc)
+foreach(top_folder engine scenarios oracles reports cli)
+  file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/${top_folder}/*.h ${ROOT}/${top_folder}/*.cc)
   foreach(file IN LISTS files)
     set(index 0)
     foreach(rule IN LISTS own_rules)
       split_rule("${rule}")
       if(file MATCHES "^${left}")
-        set(room_of_${file} ${index})
+        set(layer_of_${file} ${index})
       endif()
       math(EXPR index "${index} + 1")
     endforeach()
-    if(DEFINED room_of_${file})
-      list(APPEND occupied ${room_of_${file}})
+    if(DEFINED layer_of_${file})
+      list(APPEND occupied ${layer_of_${file}})
       list(APPEND own_files ${file})
     else()
-      list(APPEND homeless ${file})
+      list(APPEND without_layer ${file})
     endif()
   endforeach()
 endforeach()
@@ -135,8 +135,8 @@ endforeach()
 set(broken)
 set(headers)
 foreach(file IN LISTS own_files)
-  set(room ${room_of_${file}})
-  list(GET own_rules ${room} own_rule)
+  set(layer ${layer_of_${file}})
+  list(GET own_rules ${layer} own_rule)
   set(own)
   file(STRINGS ${ROOT}/${file} includes REGEX "^#include")
   foreach(line IN LISTS includes)
@@ -144,12 +144,12 @@ foreach(file IN LISTS own_files)
       set(header ${CMAKE_MATCH_1})
       list(APPEND own ${header})
       split_rule("${own_rule}")
-      if(NOT DEFINED room_of_${header})
-        list(APPEND broken "${file}: ${line}: no such header in a room")
-      elseif(room_of_${header} GREATER room)
+      if(NOT DEFINED layer_of_${header})
+        list(APPEND broken "${file}: ${line}: no such header in a layer")
+      elseif(layer_of_${header} GREATER layer)
         list(APPEND broken "${file}: ${line}: points up")
-      elseif(NOT room_of_${header} EQUAL room AND NOT header MATCHES "^(${right})")
-        list(APPEND broken "${file}: ${line}: not in the list of its room")
+      elseif(NOT layer_of_${header} EQUAL layer AND NOT header MATCHES "^(${right})")
+        list(APPEND broken "${file}: ${line}: not in the list of its layer")
       endif()
     elseif(line MATCHES "<(.*)>")
       set(header ${CMAKE_MATCH_1})
@@ -174,10 +174,10 @@ macro(report faults title)
     message(SEND_ERROR "${title}:\n  ${lines}")
   endif()
 endmacro()
-report(empty "Rooms without files. Is ROOT the source folder? If so, remove their rules")
-report(homeless "Files without a room. Add a rule for their folder")
+report(empty "Layers without files. Is ROOT the source folder? If so, remove their rules")
+report(without_layer "Files without a layer. Add a rule for their folder")
 report(broken "Includes that break the architecture")
-if(empty OR homeless OR broken)
+if(empty OR without_layer OR broken)
   return()
 endif()
 
@@ -205,6 +205,6 @@ while(TRUE)
   endif()
   set(open ${still_open})
 endwhile()
-list(LENGTH own_rules rooms)
+list(LENGTH own_rules layers)
 list(LENGTH own_files count)
-message(STATUS "${count} files in ${rooms} rooms: every include obeys the rules")
+message(STATUS "${count} files in ${layers} layers: every include obeys the rules")
