@@ -11,20 +11,20 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "cli/commands/bench_command.h"
-#include "cli/commands/bench_worlds_command.h"
 #include "cli/body_text.h"
 #include "cli/command_examples.h"
-#include "cli/expected.h"
+#include "cli/commands/bench_command.h"
+#include "cli/commands/bench_worlds_command.h"
 #include "cli/commands/explain_command.h"
-#include "cli/input_error.h"
 #include "cli/commands/ledger_command.h"
-#include "cli/line_error.h"
 #include "cli/commands/list_command.h"
 #include "cli/commands/oracles_command.h"
 #include "cli/commands/run_command.h"
 #include "cli/commands/simulate_command.h"
 #include "cli/commands/sweep_command.h"
+#include "cli/expected.h"
+#include "cli/input_error.h"
+#include "cli/line_error.h"
 #include "reports/bench/scene.h"
 #include "scenarios/schema/scenario_schema.h"
 

@@ -37,8 +37,8 @@ void Collide(const Sphere& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
 
  Error: the separation is the gap along n_AB_W to within kOverlapRounding S, and no
  direction separates the boxes with a translation shorter by more than kDepthRounding S
- (engine/collision/rounding.h). Boxes further apart than that are never reported as touching, and
- boxes deeper than that are never missed. */
+ (engine/collision/rounding.h). Boxes further apart than that are never reported as
+ touching, and boxes deeper than that are never missed. */
 void Collide(const Box& A, const Pose& X_WA, const Box& B, const Pose& X_WB,
              Manifold& manifold);
 

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/ledger/apply_ledger.h"
 #include "reports/accuracy/published_table.h"
 #include "reports/accuracy/world_accuracy.h"
+#include "reports/ledger/apply_ledger.h"
 
 namespace touchstone {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/measures/stated.h"
 #include "reports/contacts/tolerances.h"
+#include "reports/measures/stated.h"
 
 namespace touchstone {
 namespace {

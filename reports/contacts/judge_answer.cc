@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/contacts/proof.h"
+#include "reports/contacts/tolerances.h"
 #include "reports/measures/consistency_error.h"
 #include "reports/measures/contact_count.h"
 #include "reports/measures/contact_off_patch.h"
@@ -21,9 +23,7 @@
 #include "reports/measures/separation_error.h"
 #include "reports/measures/stated.h"
 #include "reports/measures/touching.h"
-#include "reports/contacts/proof.h"
 #include "reports/referee/referee.h"
-#include "reports/contacts/tolerances.h"
 
 namespace touchstone {
 namespace {

@@ -15,8 +15,9 @@ namespace touchstone {
  A verdict is `pass`, `fail` with a proof, or `undecidable` where the truth itself is. A
  value is proved wrong if it lies outside the enclosure of the truth by more than the
  derived tolerance. A value inside the enclosure is never proved wrong, see
- reports/contacts/consensus.h. If the enclosure is wider than the tolerance, a value passes only if
- it is within the tolerance of every point of it. An invalid answer is judged no further.
+ reports/contacts/consensus.h. If the enclosure is wider than the tolerance, a value
+ passes only if it is within the tolerance of every point of it. An invalid answer is
+ judged no further.
  */
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
                                  const OracleInfo& oracle, const ContactAnswer& answer);

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/counted.h"
 #include "reports/run.h"
+#include "reports/text/counted.h"
 #include "reports/writers/explanation_writer.h"
 #include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"

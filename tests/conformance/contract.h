@@ -15,8 +15,8 @@ using Breaches = std::vector<std::string>;
  and flanks a hundred times as wide. There is one right answer, and no engine documents
  another.
 
- The tolerance is the rounding of the engine (reports/contacts/tolerances.h) plus the error that it
- documents. A normal may tilt as far as that error can tilt it. */
+ The tolerance is the rounding of the engine (reports/contacts/tolerances.h) plus the
+ error that it documents. A normal may tilt as far as that error can tilt it. */
 
 /** Touching, separation and normal are those of the construction, in either order of the
  bodies. Contacts lie between the surfaces, witnesses on them. All fields that the

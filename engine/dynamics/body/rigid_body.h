@@ -80,9 +80,10 @@ inline double LoadAccelerationBetween(const RigidBody& A, const RigidBody& B) {
 
 /** Returns the greater load of their two islands. [m/s²] */
 inline double IslandLoadAccelerationBetween(const RigidBody& A, const RigidBody& B) {
-  return A.is_static()   ? B.island_load_acceleration
-         : B.is_static() ? A.island_load_acceleration
-                         : std::max(A.island_load_acceleration, B.island_load_acceleration);
+  return A.is_static() ? B.island_load_acceleration
+         : B.is_static()
+             ? A.island_load_acceleration
+             : std::max(A.island_load_acceleration, B.island_load_acceleration);
 }
 
 /** Returns the radius of the largest inscribed sphere. [m] */

@@ -47,7 +47,8 @@ class UnionFind {
  private:
   int& At(int one) { return parent_[static_cast<std::size_t>(one)]; }
 
-  std::vector<int> parent_;  ///< Indexed by number: one of the same set; a root is its own.
+  std::vector<int>
+      parent_;  ///< Indexed by number: one of the same set; a root is its own.
 };
 
 }  // namespace cookbook

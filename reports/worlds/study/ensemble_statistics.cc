@@ -6,8 +6,8 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
-#include "reports/worlds/study/judge_world.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/study/judge_world.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {

@@ -1,13 +1,13 @@
 // The published recipes of motion. Corrected, they obey the laws of mechanics; each
 // erratum alone breaks the law that it concerns. The figures are those of the
 // specification.
+#include "engine/printed/world.h"
+
 #include <cmath>
 #include <stdexcept>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "engine/printed/world.h"
 
 namespace cookbook::printed {
 namespace {

@@ -1,11 +1,10 @@
-#include "engine/dynamics/joints/spring_solver.h"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "engine/dynamics/joints/spring_solver.h"
 #include "engine/dynamics/world/world.h"
 
 namespace cookbook {

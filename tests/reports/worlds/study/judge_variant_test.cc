@@ -10,8 +10,8 @@
 
 #include "reports/worlds/study/run_worlds.h"
 #include "reports/worlds/study/world_variants.h"
-#include "tests/reports/worlds/study/studied.h"
 #include "tests/reports/worlds/motions.h"
+#include "tests/reports/worlds/study/studied.h"
 
 namespace touchstone {
 namespace {

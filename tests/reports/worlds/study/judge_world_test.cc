@@ -10,8 +10,8 @@
 #include "reports/worlds/truth/sliding.h"
 #include "reports/worlds/truth/vertical_bounces.h"
 #include "tests/reports/worlds/fake_simulator.h"
-#include "tests/reports/worlds/study/studied.h"
 #include "tests/reports/worlds/motions.h"
+#include "tests/reports/worlds/study/studied.h"
 
 namespace touchstone {
 namespace {
