@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "scenarios/eigen_alignment.h"
+
 namespace touchstone {
 
 /** The status of an answer. */

@@ -4,9 +4,13 @@
 
 // With -mavx2 or -march=native Eigen would align its types otherwise than the installed
 // library does. The CMake target sets the alignment.
-static_assert(EIGEN_MAX_STATIC_ALIGN_BYTES == 16,
-              "The engine aligns Eigen's types to 16 bytes: link the CMake target "
-              "touchstone::engine, or compile with -DEIGEN_MAX_ALIGN_BYTES=16.");
+static_assert(
+    EIGEN_MAX_STATIC_ALIGN_BYTES == 16 && !Eigen::Matrix3d::IsRowMajor,
+    "The engine stores Eigen's types column-major and aligned to 16 bytes: link the "
+    "CMake target "
+    "touchstone::engine, compile with -DEIGEN_MAX_ALIGN_BYTES=16, and define none of "
+    "EIGEN_DONT_VECTORIZE, EIGEN_DONT_ALIGN, EIGEN_MAX_STATIC_ALIGN_BYTES and "
+    "EIGEN_DEFAULT_TO_ROW_MAJOR.");
 
 namespace cookbook {
 

@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
 #include <system_error>
+#include <thread>
 #include <utility>
 
-#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,7 +28,8 @@ namespace {
 using Silence = MessageSocket::Silence;
 
 // Held from the creation of a socket until the parent has closed the child's end.
-// Otherwise a child forked by another thread in between would keep that end open.
+// Without it, a child that another thread forks in between would hold that end open until
+// its close_range().
 std::mutex fork_mutex;
 
 // Returns the result of a system call, which is negative if the call failed.
@@ -93,18 +92,18 @@ std::string ChildProcess::LastLine() const {
 }
 
 // Waits for the death of a child that has closed its socket; returns false if it lives
-// on.
+// on. WNOWAIT leaves the status for Kill().
 bool ChildProcess::IsDead() const {
   if (pid_ < 0) return true;
-  const UniqueFd process(static_cast<int>(syscall(SYS_pidfd_open, pid_, 0)));
-  pollfd waiting{process.get(), POLLIN, 0};
-  const auto wall = static_cast<int>(
-      std::min<std::chrono::milliseconds::rep>(limits_.wall.count(), INT_MAX));
-  int ready = 0;
+  const auto deadline = std::chrono::steady_clock::now() + limits_.wall;
   do {
-    ready = poll(&waiting, 1, wall);
-  } while (ready < 0 && errno == EINTR);
-  return ready > 0;
+    siginfo_t info{};
+    const int result =
+        waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT);
+    if (result == 0 && info.si_pid == pid_) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  } while (std::chrono::steady_clock::now() < deadline);
+  return false;
 }
 
 // Kills the child and returns its wait status. Killing a dead child does not change it.

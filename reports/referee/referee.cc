@@ -88,10 +88,9 @@ ContactTruth ComputeContactTruth(const ContactQuery& query) {
 
 Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {
   if (HasHalfSpace(query)) return TiltedOverlap(OverlapWithPlane(query), n_W);
-  using Number = Bounded<Precise>;
+  using Exact = Bounded<Precise>;
   const MinkowskiDifference M(query.A, query.B);
-  return (M.OverlapAlong(Exactly<Number>(n_W)) + Number(M.A().radius) +
-          Number(M.B().radius))
+  return (M.OverlapAlong(Exactly<Exact>(n_W)) + Exact(M.A().radius) + Exact(M.B().radius))
       .enclosure();
 }
 

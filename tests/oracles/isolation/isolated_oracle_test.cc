@@ -340,8 +340,7 @@ TEST(IsolatedOracle, LeavesNoProcessAndNoFileBehind) {
   EXPECT_EQ(OpenFiles(), open_before);
 }
 
-// If the child of one thread held another thread's pipe open, that thread would wait for
-// it.
+// Children of eight threads at once: half of the questions hang or abort.
 TEST(IsolatedOracle, AnswersSeveralThreadsAtOnce) {
   IsolationLimits limits = Limits();
   limits.cpu = std::chrono::milliseconds(100);  // Short, because forty questions hang.

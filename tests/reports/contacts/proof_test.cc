@@ -18,16 +18,6 @@ Eigen::Vector3d Read(const std::string& words) {
   return {v[0], v[1], v[2]};
 }
 
-// With six digits a point would be 1e-6 off, while its proof speaks of 1e-12.
-TEST(InWords, ReadsBackExactly) {
-  const Eigen::Matrix3d R = AwkwardPose().R_WB;
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(Read(FormatVector(R.col(i))), R.col(i));
-}
-
-TEST(InWords, WritesNoMoreDigitsThanNeeded) {
-  EXPECT_EQ(FormatVector({0.1, -0.0, 3}), "(0.1, 0, 3)");
-}
-
 // The corners of a box have n·x between n·p ± Σ |n·e_i| h_i.
 TEST(ProveTouching, PrintsAPlaneThatSeparatesExactlyAsPrinted) {
   Specimen s = SphereInBoxFace(-1e-9);
