@@ -18,7 +18,7 @@ struct TurnSettings {
   int threads = 1;   ///< Second number of threads to time, for engines that support it.
 };
 
-/** What was measured of an engine that took all its steps. */
+/** The measurements of an engine that took all its steps. */
 struct MeasuredSteps {
   double microseconds;  ///< Time per step. [µs]
   double waited;  ///< Fraction of wall time spent waiting for a processor, thread mean.

@@ -29,7 +29,7 @@ foreach(file IN LISTS files)
     string(SUBSTRING ${word} 0 1 first)
     string(SUBSTRING ${word} 1 -1 rest)
     string(TOUPPER ${first} capital)
-    # As a word, as a part of snake_case, and as a part of CamelCase; also its plural.
+    # Matches a word, a part of snake_case or a part of CamelCase, and the plural.
     if(text MATCHES "(^|[^A-Za-z])(${word}(e?s)?)([^A-Za-z]|$)"
         OR text MATCHES "(${capital}${rest}(e?s)?)([^a-z]|$)")
       list(APPEND found "${file}: ${word}")
