@@ -540,8 +540,8 @@ TEST_F(CommandLineTest, RunsNothingIfALawIsUnknown) {
   EXPECT_EQ(ended.code, 2);
   EXPECT_EQ(ended.out, "");
   EXPECT_THAT(ended.err, HasSubstr(Path("mine/drop.toml") +
-                                   ":18:7: claims[0].law is \"balistic\", which is no "
-                                   "law; expected \"ballistic\"\n"));
+                                   ":18:7: claims[0].law is \"balistic\", which is not "
+                                   "a law; expected \"ballistic\"\n"));
 }
 
 TEST_F(CommandLineTest, RunsNothingIfANumberOfAClaimIsUnknownOrWrong) {
