@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "oracles/isolation/last_line.h"
+#include "oracles/isolation/sanitizers.h"
 
 namespace touchstone {
 namespace {
@@ -21,18 +22,6 @@ namespace {
 constexpr int kSocketFd = 3;
 // The most that a child may print to stderr in one task; more is lost. [bytes]
 constexpr rlim_t kMostOutput = rlim_t{64} << 20;
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kLimitsMemory = false;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kLimitsMemory = false;
-#else
-constexpr bool kLimitsMemory = true;
-#endif
-#else
-constexpr bool kLimitsMemory = true;
-#endif
 
 // The address space in use. [bytes]
 rlim_t AddressSpace() {
@@ -94,7 +83,7 @@ ChildContext::ChildContext(int socket, int output, const ChildLimits& limits)
   RedirectAndClose(socket, output);
   LowerLimit(RLIMIT_CORE, 0);
   LowerLimit(RLIMIT_FSIZE, kMostOutput);
-  if (kLimitsMemory) LowerLimit(RLIMIT_AS, address_space + limits.memory);
+  if (!kSanitizerReservesMemory) LowerLimit(RLIMIT_AS, address_space + limits.memory);
 }
 
 void ChildContext::StartTask() {

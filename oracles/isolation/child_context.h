@@ -13,7 +13,9 @@ namespace touchstone {
 struct ChildLimits {
   std::chrono::milliseconds cpu;   ///< CPU time of all its threads for one task.
   std::chrono::milliseconds wall;  ///< Longest wait of the parent for one message.
-  std::size_t memory;   ///< Address space beyond that in use at the fork. [bytes]
+  /** Address space beyond that in use at the fork. Not limited if
+   `kSanitizerReservesMemory`. [bytes] */
+  std::size_t memory;
   std::size_t message;  ///< Longest valid message. [bytes]
 };
 
