@@ -33,7 +33,7 @@ RigidBody FreeFlight::At(double t, Gyroscopic rule) const {
   if (rule == Gyroscopic::kExact) {
     const Eigen::Vector3d L_W = WorldInertiaTimes(start.R_WB, start.moments, w);
     const AngularState end = IntegrateAngularMomentum(
-        {start.state.q_WB, w}, start.moments, L_W, time * torque_W, time);
+        {start.state.q_WB, w}, start.moments, L_W, {time * torque_W, {}}, time);
     body.state.q_WB = end.q_WB;
     body.state.w_WB = end.w_WB;
   } else {

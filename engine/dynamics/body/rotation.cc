@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -47,10 +48,14 @@ constexpr double kEnergyTolerance = 1e-6;
  half as many. */
 constexpr int kMaxSubSteps = 256;
 
+/** Relative rounding error of a kinetic energy that is a sum of energy and work. */
+constexpr double kEnergyRounding = 16 * 0x1p-53;
+
 /** The result of a sub-step. */
 struct SubStep {
   AngularState end;
   double energy;  ///< Greater kinetic energy of start and end, times 2 h. [J s]
+  double work;    ///< Work of the change of angular momentum, times 2 h. [J s]
   double error;   ///< Difference between change of energy and work, times 2 h. [J s]
 };
 
@@ -75,10 +80,116 @@ SubStep TakeSubStep(const Eigen::Quaterniond& q, const Eigen::Vector3d& inverse,
   // E = L·ω/2, and the work is the integral of L̇·ω.
   const double before = L_W.dot(k1);
   const double after = h * L_end.dot(step.end.w_WB);
-  const double work = dL_W.dot(k1 + 2 * (k2 + k3) + k4) / 3;
+  step.work = dL_W.dot(k1 + 2 * (k2 + k3) + k4) / 3;
   step.energy = std::max(std::abs(before), std::abs(after));
-  step.error = std::abs(after - before - work);
+  step.error = std::abs(after - before - step.work);
   return step;
+}
+
+/** The kinetic energy of a body that is not isotropic, for one magnitude of its angular
+ momentum. With l = L/|L| in the body frame and the inverse moments a, the energy is
+ ½ |L|² (a_k + e), where e = Σ (a_i − a_k) l_i². The axis k is near l, so that e has no
+ rounding error of the size of a_k. */
+struct EnergyLevels {
+  Eigen::Vector3d slopes;  ///< a_i − a_k. [1/(kg m²)]
+  double reference;        ///< a_k. [1/(kg m²)]
+
+  EnergyLevels(const Eigen::Vector3d& inverse, const Eigen::Vector3d& l_B) {
+    Eigen::Index nearest = 0;
+    l_B.cwiseAbs().maxCoeff(&nearest);
+    reference = inverse[nearest];
+    slopes = inverse.array() - reference;
+  }
+  /** Returns e of the unit vector l. */
+  double At(const Eigen::Vector3d& l_B) const {
+    return l_B.dot(slopes.cwiseProduct(l_B));
+  }
+};
+
+/** Turns a body with the angular momentum L_W until its energy is at the level `target`,
+ which has a rounding error of up to `rounding`: if the body is nearly isotropic, a turn
+ that removes that could be large. Returns whether there is such an orientation; otherwise
+ the state does not change.
+
+ The projection of an integrator onto its invariants (Hairer, Lubich & Wanner, Geometric
+ Numerical Integration, IV.4). A turn of l by θ in the plane of l and a unit vector g ⊥ l
+ changes its level e by −(e − c) sin²θ + 2 s sin θ cos θ, where s = Σ (a_i − a_k) l_i g_i
+ and c is the level of g. This is a quadratic equation for tan θ.
+
+ The first g is the gradient of e, with the least turn. Near a principal axis its circle
+ may miss the target. The second g points away from the axis of least energy or to that of
+ greatest energy. Its circle contains the axis, and every level between. */
+bool SetEnergy(const EnergyLevels& levels, const Eigen::Vector3d& L_W, double target,
+               double rounding, Eigen::Quaterniond& q_WB) {
+  const Eigen::Vector3d l = (q_WB.conjugate() * L_W).normalized();
+  const double e = levels.At(l);
+  const double change = target - e;
+  const auto turn_towards = [&](const Eigen::Vector3d& direction) {
+    const Eigen::Vector3d across = direction - l.dot(direction) * l;
+    if (across.isZero(0)) return false;
+    const Eigen::Vector3d g = across.normalized();
+    const double s = l.dot(levels.slopes.cwiseProduct(g));
+    const double discriminant = s * s - change * (change + e - levels.At(g));
+    if (!(discriminant >= 0)) return false;
+    const double theta = std::atan2(change, s + std::sqrt(discriminant));
+    q_WB = (q_WB * Exp(-theta * l.cross(g))).normalized();
+    return true;
+  };
+  if (std::abs(change) <= rounding || turn_towards(levels.slopes.cwiseProduct(l)))
+    return true;
+  Eigen::Index axis = 0;
+  if (change < 0) {
+    levels.slopes.minCoeff(&axis);
+  } else {
+    levels.slopes.maxCoeff(&axis);
+  }
+  const double sign = (l[axis] < 0) == (change < 0) ? 1 : -1;
+  return turn_towards(sign * Eigen::Vector3d::Unit(axis));
+}
+
+/** IntegrateAngularMomentum() of a body that is not isotropic. Returns also whether the
+ energy is right. */
+std::pair<AngularState, bool> IntegrateAnisotropic(const AngularState& start,
+                                                   const Eigen::Vector3d& inverse,
+                                                   const Eigen::Vector3d& L_W,
+                                                   const AngularImpulse& impulse,
+                                                   double h) {
+  AngularState end;
+  double work = 0;
+  for (int count = 1;; count *= 2) {
+    const double fraction = 1.0 / count;
+    const Eigen::Vector3d dL_step_W = fraction * impulse.dL_W;
+    end = start;
+    work = 0;
+    double error = 0;
+    double energy = 0;
+    const bool is_last = count == kMaxSubSteps;
+    for (int k = 0; k < count && (is_last || !(error > kEnergyTolerance * energy)); ++k) {
+      const SubStep step =
+          TakeSubStep(end.q_WB, inverse, L_W + k * dL_step_W, dL_step_W, fraction * h);
+      end = step.end;
+      work += step.work * count / (2 * h);
+      error += step.error;
+      energy = std::max(energy, step.energy);
+    }
+    if (is_last || !(error > kEnergyTolerance * energy)) break;
+  }
+  const Eigen::Vector3d L_end_W = L_W + impulse.dL_W;
+  const double L_end_squared = L_end_W.squaredNorm();
+  if (!(L_end_squared > 0)) return {end, true};
+  const Eigen::Vector3d l_start = (start.q_WB.conjugate() * L_W).normalized();
+  const EnergyLevels levels(inverse, l_start);
+  double target = levels.At(l_start);
+  double rounding = 0;
+  if (!impulse.dL_W.isZero(0)) {
+    const double twice_energy = L_W.squaredNorm() * (levels.reference + target);
+    const double twice_work = 2 * impulse.work.value_or(work);
+    target = (twice_energy + twice_work) / L_end_squared - levels.reference;
+    rounding = kEnergyRounding * (twice_energy + std::abs(twice_work)) / L_end_squared;
+  }
+  const bool is_right = SetEnergy(levels, L_end_W, target, rounding, end.q_WB);
+  end.w_WB = WorldInertiaTimes(end.q_WB.toRotationMatrix(), inverse, L_end_W);
+  return {end, is_right};
 }
 
 }  // namespace
@@ -97,31 +208,22 @@ Eigen::Quaterniond IntegrateRotation(const Eigen::Quaterniond& q_WB,
 AngularState IntegrateAngularMomentum(const AngularState& start,
                                       const Eigen::Vector3d& moments,
                                       const Eigen::Vector3d& L_W,
-                                      const Eigen::Vector3d& dL_W, double h) {
-  AngularState end;
+                                      const AngularImpulse& impulse, double h) {
   if (IsIsotropic(moments)) {
-    // ω is parallel to L in any orientation.
-    end.w_WB = start.w_WB + dL_W / moments[0];
+    // ω is parallel to L in any orientation, and the energy is a function of L.
+    AngularState end;
+    end.w_WB = start.w_WB + impulse.dL_W / moments[0];
     end.q_WB = IntegrateRotation(start.q_WB, start.w_WB, end.w_WB, h);
     return end;
   }
   const Eigen::Vector3d inverse = moments.cwiseInverse();
-  for (int count = 1;; count *= 2) {
-    const double fraction = 1.0 / count;
-    const Eigen::Vector3d dL_step_W = fraction * dL_W;
-    end = start;
-    double error = 0;
-    double energy = 0;
-    const bool is_last = count == kMaxSubSteps;
-    for (int k = 0; k < count && (is_last || !(error > kEnergyTolerance * energy)); ++k) {
-      const SubStep step =
-          TakeSubStep(end.q_WB, inverse, L_W + k * dL_step_W, dL_step_W, fraction * h);
-      end = step.end;
-      error += step.error;
-      energy = std::max(energy, step.energy);
-    }
-    if (is_last || !(error > kEnergyTolerance * energy)) return end;
-  }
+  const auto [end, is_right] = IntegrateAnisotropic(start, inverse, L_W, impulse, h);
+  if (is_right || !impulse.work) return end;
+  // An impulse at the start of the step, then torque-free rotation: the energy after the
+  // impulse is one that this angular momentum can have.
+  return IntegrateAnisotropic(start, inverse, L_W + impulse.dL_W,
+                              {Eigen::Vector3d::Zero(), 0}, h)
+      .first;
 }
 
 Eigen::Vector3d GyroscopicChange(const Eigen::Matrix3d& R_WB,

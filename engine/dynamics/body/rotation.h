@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Geometry>
 
 #include "engine/dynamics/body/settings.h"
@@ -34,16 +36,25 @@ Eigen::Quaterniond IntegrateRotation(const Eigen::Quaterniond& q_WB,
                                      const Eigen::Vector3d& from_W,
                                      const Eigen::Vector3d& to_W, double h);
 
+/** A change of the angular momentum of a body in a step. */
+struct AngularImpulse {
+  Eigen::Vector3d dL_W;  ///< [N m s]
+  /** The work that it does. Absent: that of a constant torque, which follows the
+   rotation. [J] */
+  std::optional<double> work;
+};
+
 /** Integrates the rotation of a body over a time `h` [s] in which its angular momentum
- changes from L_W to L_W + dL_W at a constant rate. The final angular momentum is right to
- rounding. The orientation is of fourth order in h, and exact about a fixed axis at
- constant ω. The energy differs from the work by at most 1e-6 of the energy: if the step
- is too long for that, it is divided into sub-steps, at most 256.
+ changes from L_W to L_W + dL_W at a constant rate. The final angular momentum and the
+ final kinetic energy, which grows by the work, are right to rounding. The orientation is
+ of fourth order in h, and exact about a fixed axis at constant ω. If the energy of the
+ fourth-order step differs from that by more than 1e-6, the step is divided into
+ sub-steps, at most 256.
  @pre `moments` > 0, [kg m²]; L_W = R I Rᵀ ω. */
 AngularState IntegrateAngularMomentum(const AngularState& start,
                                       const Eigen::Vector3d& moments,
                                       const Eigen::Vector3d& L_W,
-                                      const Eigen::Vector3d& dL_W, double h);
+                                      const AngularImpulse& impulse, double h);
 
 /** Returns the change of ω [rad/s] by the gyroscopic torque −ω × (I ω) over a time `h`
  [s], as `rule` computes it; for kExact, the explicit estimate. */

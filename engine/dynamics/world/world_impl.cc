@@ -30,6 +30,13 @@ bool IsBounded(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kDivergenceBound;  // False for NaN.
 }
 
+/** Returns the rotational energy of a body that is not isotropic, else 0. [J] */
+double RotationalEnergy(const RigidBody& body) {
+  if (body.is_isotropic) return 0;
+  const Eigen::Vector3d w_B = body.R_WB.transpose() * body.state.w_WB;
+  return w_B.dot(body.moments.cwiseProduct(w_B)) / 2;
+}
+
 /** Appends the impulses of the touching contacts of `pair`. */
 void Read(const ContactPair& pair, std::vector<ContactImpulse>& impulses) {
   for (std::size_t i = 0; i < pair.manifold.points().size(); ++i) {
@@ -58,6 +65,7 @@ int World::Impl::AddBody(const BodyDefinition& definition) {
        {&before_, &free_, &solved_, &mean_, &corrections_}) {
     velocities->resize(places);
   }
+  rotational_energies_.emplace_back();
   contact_flags_.emplace_back();
   static_.emplace_back();
   moved_fraction_.push_back(0.5);
@@ -326,7 +334,9 @@ void World::Impl::ApplyForcesTo(std::size_t i, double h) {
   free_[i].v = body.state.v_WB + h * acceleration;
   free_[i].w = body.state.w_WB;
   if (body.has_forces) free_[i].w += inertias_[i].Times(h * body.Torque_W());
-  if (!body.is_isotropic) {
+  // Exact rotation comes after the impulses: with its change of ω among the loads,
+  // contacts would take away an approach that the body does not have, and add energy.
+  if (!body.is_isotropic && settings_.gyroscopic != Gyroscopic::kExact) {
     free_[i].w += GyroscopicChange(body.R_WB, body.moments, body.state.w_WB, h,
                                    settings_.gyroscopic);
   }
@@ -489,9 +499,12 @@ void World::Impl::IntegrateBody(std::size_t i, double h, RigidBody& body) {
     const Eigen::Vector3d impact =
         WorldInertiaTimes(body.R_WB, body.moments, after.w - free.w);
     const AngularState start{body.state.q_WB, start_w};
-    const AngularState end =
-        has_impact ? IntegrateAngularMomentum(start, body.moments, L + impact, torque, h)
-                   : IntegrateAngularMomentum(start, body.moments, L, torque + impact, h);
+    AngularImpulse spread{has_impact ? torque : torque + impact, {}};
+    // Contacts do the work of their impulses at the start of the step.
+    if (has_contact && !has_impact && !linked_[i])
+      spread.work = spread.dL_W.dot(before.w + after.w) / 2;
+    const AngularState end = IntegrateAngularMomentum(
+        start, body.moments, has_impact ? L + impact : L, spread, h);
     body.state.q_WB = end.q_WB;
     body.state.w_WB = end.w_WB;
   } else {
@@ -563,7 +576,18 @@ void World::Impl::CorrectPositions(double h) {
                !(corrections_[i].v.isZero(0) && corrections_[i].w.isZero(0));
       },
       [&](std::span<const int> batch, std::span<double> travel) {
+        for (const int i : batch) {
+          const auto k = static_cast<std::size_t>(i);
+          rotational_energies_[k] = RotationalEnergy(bodies_[k]);
+        }
         IntegratePositionCorrections(bodies_, corrections_, batch, travel);
+        // The new orientation has other moments of inertia about the angular velocity.
+        for (const int i : batch) {
+          const auto k = static_cast<std::size_t>(i);
+          RigidBody& body = bodies_[k];
+          if (body.is_isotropic || rotational_energies_[k] == 0) continue;
+          body.state.w_WB *= std::sqrt(rotational_energies_[k] / RotationalEnergy(body));
+        }
       },
       [](std::size_t) {});
 }

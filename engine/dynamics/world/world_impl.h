@@ -72,6 +72,8 @@ class World::Impl {
   void IntegrateAll(double h);
   /** Continuous collision of a point. Returns whether it has hit a solid. */
   bool CollidePoint(double h, const RigidBody& before, RigidBody& point);
+  /** Moves bodies out of each other and joints to their lengths. Angular velocities are
+   scaled so that no kinetic energy changes. */
   void CorrectPositions(double h);
   void PutToSleep(double h);
 
@@ -121,6 +123,7 @@ class World::Impl {
   std::vector<Velocity> solved_;  ///< At the end of the step.
   std::vector<Velocity> mean_;    ///< Velocities that move the bodies during the step.
   std::vector<Velocity> corrections_;  ///< Displacements stored as Velocity. [m], [rad]
+  std::vector<double> rotational_energies_;  ///< Before position correction. [J]
   std::vector<ContactFlags> contact_flags_;
   std::vector<char> static_;             ///< 1: static or asleep.
   std::vector<double> moved_fraction_;   ///< See JointSolver::Relinearize().
