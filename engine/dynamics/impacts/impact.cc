@@ -1,16 +1,8 @@
 #include "engine/dynamics/impacts/impact.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace cookbook {
-namespace {
-
-/** Energy that counts as rounding, as a fraction of the work at the approach. */
-constexpr double kRounding = 1e-13;
-
-}  // namespace
-
 Impact::Impact() {
   // Enough for most impacts, which then allocate nothing.
   constexpr std::size_t kMany = 64;
@@ -51,8 +43,22 @@ void Impact::AddContacts(const ContactPair& pair) {
 void Impact::Solve(const StepContext& step, std::vector<ContactPair>& impact_contacts) {
   before_.emplace_back();
   contact_flags_.assign(members_.size(), ContactFlags{});
-  SolveOnce(step);
-  ReduceRestitution(step);
+  after_.assign(before_.begin(), before_.end());
+  const SolverBodies bodies{bodies_, inertias_, before_, after_, static_};
+  const auto iterate = [&] {
+    const Settings& settings = step.settings;
+    for (int k = 0;
+         k < settings.impulse_iterations || work_spent_ <= settings.iteration_budget;
+         ++k) {
+      work_spent_ += solver_.constraint_count();
+      if (solver_.Iterate(after_, step.pool) <= settings.residual * solver_.max_speed())
+        break;
+    }
+  };
+  solver_.Begin(pairs_, summaries_, bodies, step);
+  iterate();
+  solver_.StoreImpulses(pairs_, step, contact_flags_);
+  solver_.LimitRestitution({pairs_, bodies, step, contact_flags_}, before_, iterate);
   for (const ContactPair& pair : pairs_) {
     const auto points = pair.manifold.points().size();
     const bool has_impulse =
@@ -62,71 +68,6 @@ void Impact::Solve(const StepContext& step, std::vector<ContactPair>& impact_con
     ContactPair& appended = impact_contacts.emplace_back(pair);
     appended.A = members_[static_cast<std::size_t>(pair.A)];
     appended.B = members_[static_cast<std::size_t>(pair.B)];
-  }
-}
-
-void Impact::SolveOnce(const StepContext& step) {
-  const Settings& settings = step.settings;
-  after_.assign(before_.begin(), before_.end());
-  solver_.Begin(pairs_, summaries_, {bodies_, inertias_, before_, after_, static_}, step);
-  for (int k = 0;
-       k < settings.impulse_iterations || work_spent_ <= settings.iteration_budget; ++k) {
-    work_spent_ += solver_.constraint_count();
-    if (solver_.Iterate(after_, step.pool) <= settings.residual * solver_.max_speed())
-      break;
-  }
-  solver_.StoreImpulses(pairs_, step, contact_flags_);
-}
-
-double Impact::WorkAt(std::span<const ContactPair> impulses,
-                      std::span<const Velocity> velocities) const {
-  double work = 0;
-  for (const ContactPair& pair : impulses) {
-    const auto velocity_at = [&](int body,
-                                 const Eigen::Vector3d& p_W) -> Eigen::Vector3d {
-      const auto i = static_cast<std::size_t>(body);
-      return velocities[i].v + velocities[i].w.cross(p_W - bodies_[i].state.p_WB);
-    };
-    for (std::size_t k = 0; k < pair.manifold.points().size(); ++k) {
-      const Eigen::Vector3d& p_WC = pair.manifold.contacts[k].p_WC;
-      work += pair.J_W[k].dot(velocity_at(pair.B, p_WC) - velocity_at(pair.A, p_WC));
-    }
-  }
-  return work;
-}
-
-void Impact::ReduceRestitution(const StepContext& step) {
-  // The energy that the impulses add; negative if they take energy.
-  const auto gain = [&] {
-    return (WorkAt(pairs_, before_) + WorkAt(pairs_, after_)) / 2;
-  };
-  const double gain_elastic = gain();
-  if (gain_elastic <= kRounding * std::abs(WorkAt(pairs_, before_))) return;
-
-  elastic_pairs_ = pairs_;
-  elastic_after_ = after_;
-  for (RigidBody& body : bodies_) body.restitution = 0;
-  SolveOnce(step);
-
-  // E(s) of the impulses (1 − s) J + s J₀ is E + b s + c s², and convex.
-  const double gain_inelastic = gain();
-  const double c =
-      (WorkAt(pairs_, after_) - WorkAt(pairs_, elastic_after_) -
-       WorkAt(elastic_pairs_, after_) + WorkAt(elastic_pairs_, elastic_after_)) /
-      2;
-  const double b = gain_inelastic - gain_elastic - c;
-  const double root = std::sqrt(std::max(0.0, b * b - 4 * c * gain_elastic));
-  const double s = std::clamp(2 * gain_elastic / (root - b), 0.0, 1.0);
-  const auto blend = [s](const auto& elastic, const auto& inelastic) {
-    return ((1 - s) * elastic + s * inelastic).eval();
-  };
-  for (std::size_t i = 0; i < after_.size(); ++i) {
-    after_[i].v = blend(elastic_after_[i].v, after_[i].v);
-    after_[i].w = blend(elastic_after_[i].w, after_[i].w);
-  }
-  for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    for (std::size_t k = 0; k < pairs_[p].manifold.points().size(); ++k)
-      pairs_[p].J_W[k] = blend(elastic_pairs_[p].J_W[k], pairs_[p].J_W[k]);
   }
 }
 

@@ -10,14 +10,7 @@
 namespace cookbook {
 
 /** An impact: the bodies that touch at one time of impact, and their contacts. A
- ContactSolver of its own finds the impulses. No time passes and no force acts.
-
- Newton's restitution with Coulomb friction may add energy if the impact is eccentric
- (Kane & Levinson, Dynamics: Theory and Applications, 1985). Then the restitution is the
- greatest fraction of e that adds none: the impulses are those on the line from the
- solution for e to that for 0 that change no energy. They are within the friction cone,
- which is convex. With e = 0 no impulses add energy: contacts and friction do no positive
- work at the velocities after the impact. */
+ ContactSolver of its own finds the impulses. No time passes and no force acts. */
 class Impact {
  public:
   Impact();
@@ -62,15 +55,6 @@ class Impact {
   void Clear();
 
  private:
-  /** Finds the impulses under the restitution of the bodies. */
-  void SolveOnce(const StepContext& step);
-  /** Reduces the restitution until the impulses found add no energy. */
-  void ReduceRestitution(const StepContext& step);
-  /** Returns Σ J·u over the contacts, with the relative velocities u of `velocities`. [J]
-   */
-  double WorkAt(std::span<const ContactPair> impulses,
-                std::span<const Velocity> velocities) const;
-
   ContactSolver solver_{1};
   int work_spent_ = 0;  ///< Iterations × constraints in this step.
   /** Indexed by body of the world: its index here, or −1. */
@@ -84,9 +68,6 @@ class Impact {
   std::vector<char> static_;            ///< 1: static.
   std::vector<ContactPair> pairs_;      ///< A and B are indices here, not in the world.
   std::vector<PairSummary> summaries_;  ///< Summaries of pairs_.
-  // The solution before its restitution was reduced.
-  std::vector<ContactPair> elastic_pairs_;
-  std::vector<Velocity> elastic_after_;
 };
 
 }  // namespace cookbook

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -32,6 +33,7 @@ ContactParameters MakeContactParameters(const Settings& settings, double h) {
   ContactParameters parameters{};
   parameters.h = h;
   parameters.restitution_threshold_factor = settings.restitution_threshold_factor;
+  parameters.restitution_factor = 1;
   parameters.soft_mass_scale = 1;
   parameters.accumulated = settings.accumulated_impulses;
   parameters.warm_starting = settings.warm_starting && settings.accumulated_impulses;
@@ -182,9 +184,12 @@ void ContactSolver::Solve(std::span<ContactPair> pairs,
   // ImpactSolver may have taken all contacts.
   if (contact_count_ == 0) return;
   if (!is_large_) {
-    BeginWholeWorld(pairs, bodies, step);
+    free_velocities_.assign(bodies.velocities.begin(), bodies.velocities.end());
+    BeginWholeWorld(pairs, bodies, step, 1);
     IterateUntilConverged(bodies, step);
     StoreImpulses(pairs, step, contact_flags);
+    LimitRestitution({pairs, bodies, step, contact_flags}, free_velocities_,
+                     [&] { IterateUntilConverged(bodies, step); });
     return;
   }
   DivideIntoGroups(bodies.is_static, kGroupContacts);
@@ -205,17 +210,19 @@ void ContactSolver::Begin(std::span<const ContactPair> pairs,
                           std::span<const PairSummary> summaries,
                           const SolverBodies& bodies, const StepContext& step) {
   BuildConstraintGraph(summaries, bodies.is_static, step.settings);
-  BeginWholeWorld(pairs, bodies, step);
+  BeginWholeWorld(pairs, bodies, step, 1);
 }
 
 void ContactSolver::BeginWholeWorld(std::span<const ContactPair> pairs,
-                                    const SolverBodies& bodies, const StepContext& step) {
+                                    const SolverBodies& bodies, const StepContext& step,
+                                    double restitution_factor) {
   is_single_precision_ = false;
   // One group: iterations that one island does not need are available to the others.
   DivideIntoGroups(bodies.is_static, contact_count_);
   SortPairs();
-  whole_world_.Begin(sorted_pairs_, pairs, bodies,
-                     MakeContactParameters(step.settings, step.h), bodies.velocities,
+  ContactParameters parameters = MakeContactParameters(step.settings, step.h);
+  parameters.restitution_factor = restitution_factor;
+  whole_world_.Begin(sorted_pairs_, pairs, bodies, parameters, bodies.velocities,
                      step.pool);
 }
 
@@ -255,6 +262,23 @@ void ContactSolver::StoreImpulses(std::span<ContactPair> pairs, const StepContex
   whole_world_.StoreImpulses(pairs, contact_flags, step.pool);
   CollectPositionConstraints(whole_world_, step.settings,
                              double_groups_.position_constraints.back());
+}
+
+void ContactSolver::LimitRestitution(const Problem& problem,
+                                     std::span<const Velocity> free,
+                                     const std::function<void()>& iterate) {
+  const std::span<ContactFlags> flags = problem.contact_flags;
+  const auto bounced = [](const ContactFlags& body) { return body.bounced; };
+  if (std::none_of(flags.begin(), flags.end(), bounced)) return;
+  const SolverBodies& bodies = problem.bodies;
+  if (!restitution_limit_.Exceeds(problem.pairs, bodies, free, island_roots_)) return;
+  const std::vector<ContactFlags> flags_of_bounce(flags.begin(), flags.end());
+  std::copy(free.begin(), free.end(), bodies.velocities.begin());
+  BeginWholeWorld(problem.pairs, bodies, problem.step, 0);
+  iterate();
+  StoreImpulses(problem.pairs, problem.step, flags);
+  std::copy(flags_of_bounce.begin(), flags_of_bounce.end(), flags.begin());
+  restitution_limit_.Blend(problem.pairs, bodies, island_roots_);
 }
 
 template <class Real>

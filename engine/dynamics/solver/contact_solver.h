@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "engine/dynamics/solver/constraint_group.h"
 #include "engine/dynamics/solver/contact_constraint.h"
 #include "engine/dynamics/solver/iteration_budget.h"
+#include "engine/dynamics/solver/restitution_limit.h"
 #include "engine/dynamics/solver/static_equilibrium.h"
 #include "engine/dynamics/solver/step_context.h"
 #include "engine/dynamics/solver/union_find.h"
@@ -56,8 +58,8 @@ bool FitsSinglePrecision(const RigidBody& body);
    targets two and three).
    Then impacts of equal e without friction never add energy: with u = −e u₀ where
    λ > 0, and W the response, the change of energy is
-   ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ. Friction at an eccentric contact may add
-   energy.
+   ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ. With friction an eccentric impact may add
+   energy; a small world then has less restitution, see RestitutionLimit.
  - *Friction.* The two tangential impulses are solved together, on the circular cone,
    from the slip after the normal impulse.
  - *Warm starting.* The loads of a face are first redistributed, see PrepareContacts().
@@ -81,6 +83,14 @@ class ContactSolver {
              const SolverBodies& bodies, const StepContext& step,
              std::span<ContactFlags> contact_flags);
 
+  /** The arguments of Solve(). */
+  struct Problem {
+    std::span<ContactPair> pairs;
+    const SolverBodies& bodies;
+    const StepContext& step;
+    std::span<ContactFlags> contact_flags;
+  };
+
   // The parts of Solve(), for a caller that solves other constraints in the same
   // iterations (joints and springs) or has a budget of its own (impacts). The world is
   // solved as a whole in double precision, whatever its size.
@@ -96,6 +106,11 @@ class ContactSolver {
    again after further iterations. */
   void StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
                      std::span<ContactFlags> contact_flags);
+  /** Reduces the restitution of the islands whose impulses, just stored, add energy, see
+   RestitutionLimit. `free`: velocities with the loads and without impulses; `iterate`
+   repeats the iterations of the caller. */
+  void LimitRestitution(const Problem& problem, std::span<const Velocity> free,
+                        const std::function<void()>& iterate);
   /** Greatest relative speed at a contact before it is solved. [m/s] */
   double max_speed() const { return whole_world_.max_speed(); }
   /** Number of active contacts. */
@@ -133,17 +148,9 @@ class ContactSolver {
         : own(threads), position_constraints(threads + 1) {}
   };
 
-  /** The arguments of Solve(). */
-  struct Problem {
-    std::span<ContactPair> pairs;
-    const SolverBodies& bodies;
-    const StepContext& step;
-    std::span<ContactFlags> contact_flags;
-  };
-
   /** Begin() after BuildConstraintGraph(). */
   void BeginWholeWorld(std::span<const ContactPair> pairs, const SolverBodies& bodies,
-                       const StepContext& step);
+                       const StepContext& step, double restitution_factor);
   /** Iterates until the world has converged or the iteration budget is spent. After the
    first iterations it solves the islands that can rest directly. */
   void IterateUntilConverged(const SolverBodies& bodies, const StepContext& step);
@@ -177,6 +184,8 @@ class ContactSolver {
   std::vector<double> island_changes_;   ///< Scratch, see FreezeConvergedIslands().
   ConstraintGroup<double> whole_world_;  ///< All contacts of a small world.
   StaticEquilibrium static_equilibrium_;
+  RestitutionLimit restitution_limit_;
+  std::vector<Velocity> free_velocities_;  ///< Without impulses; of a small world.
   /** Also holds the position constraints of a small world. */
   ThreadGroups<double> double_groups_;
   ThreadGroups<float> float_groups_;

@@ -266,7 +266,8 @@ HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
       inertia_A[k] = &bodies.inertias[a];
       inertia_B[k] = &bodies.inertias[b];
       friction[k] = A.friction * B.friction;
-      batch.restitution[lane] = static_cast<Real>(std::min(A.restitution, B.restitution));
+      batch.restitution[lane] = static_cast<Real>(parameters.restitution_factor *
+                                                  std::min(A.restitution, B.restitution));
       batch.load_speed[lane] =
           static_cast<Real>(parameters.h * LoadAccelerationOn(*pair[k], A, B));
       batch.slop[lane] = static_cast<Real>(SlopBetween(A, B));

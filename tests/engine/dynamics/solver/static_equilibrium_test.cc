@@ -301,6 +301,7 @@ class Island {
     ContactParameters parameters{};
     parameters.h = kH;
     parameters.restitution_threshold_factor = 1;
+    parameters.restitution_factor = 1;
     parameters.soft_mass_scale = 1;
     parameters.accumulated = true;
     std::vector<ColouredPair> ordered;
