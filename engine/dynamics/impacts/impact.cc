@@ -57,8 +57,11 @@ void Impact::Solve(const StepContext& step, std::vector<ContactPair>& impact_con
   };
   solver_.Begin(pairs_, summaries_, bodies, step);
   iterate();
-  solver_.StoreImpulses(pairs_, step, contact_flags_);
-  solver_.LimitRestitution({pairs_, bodies, step, contact_flags_}, before_, iterate);
+  const ContactSolver::Problem problem{pairs_, bodies, step, contact_flags_};
+  if (solver_.Finish(problem, before_)) {
+    iterate();
+    solver_.FinishWithLessRestitution(problem, before_);
+  }
   for (const ContactPair& pair : pairs_) {
     const auto points = pair.manifold.points().size();
     const bool has_impulse =

@@ -99,6 +99,11 @@ void ConstraintGroup<Real>::Begin(std::span<const ColouredPair> ordered,
   });
   max_speed_ = max_speed.value();
   // Warm start only now: the preparation reads the velocities without impulses.
+  ApplyImpulses(velocities, pool);
+}
+
+template <class Real>
+void ConstraintGroup<Real>::ApplyImpulses(Velocities velocities, ThreadPool& pool) {
   ForEachColour(pool, [&](const ConstraintView<Real>& constraints) {
     WarmStartContacts(constraints, velocities);
   });

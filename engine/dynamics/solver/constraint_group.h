@@ -61,6 +61,9 @@ class ConstraintGroup {
    `rotates`: whether a correction may rotate bodies, not only translate them. */
   void CollectPositionConstraints(bool rotates, PositionConstraints<Real>& constraints);
 
+  /** Applies the impulses to `velocities`, which have none. */
+  void ApplyImpulses(Velocities velocities, ThreadPool& pool);
+
   /** In single precision, applies the impulses to the velocities of the bodies. In double
    precision Iterate() has done so. */
   void ApplyToBodies(const SolverBodies& bodies, ThreadPool& pool);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <numeric>
 
@@ -187,9 +186,11 @@ void ContactSolver::Solve(std::span<ContactPair> pairs,
     free_velocities_.assign(bodies.velocities.begin(), bodies.velocities.end());
     BeginWholeWorld(pairs, bodies, step, 1);
     IterateUntilConverged(bodies, step);
-    StoreImpulses(pairs, step, contact_flags);
-    LimitRestitution({pairs, bodies, step, contact_flags}, free_velocities_,
-                     [&] { IterateUntilConverged(bodies, step); });
+    const Problem problem{pairs, bodies, step, contact_flags};
+    if (Finish(problem, free_velocities_)) {
+      IterateUntilConverged(bodies, step);
+      FinishWithLessRestitution(problem, free_velocities_);
+    }
     return;
   }
   DivideIntoGroups(bodies.is_static, kGroupContacts);
@@ -264,21 +265,33 @@ void ContactSolver::StoreImpulses(std::span<ContactPair> pairs, const StepContex
                              double_groups_.position_constraints.back());
 }
 
-void ContactSolver::LimitRestitution(const Problem& problem,
-                                     std::span<const Velocity> free,
-                                     const std::function<void()>& iterate) {
-  const std::span<ContactFlags> flags = problem.contact_flags;
+void ContactSolver::StoreSolution(const Problem& problem,
+                                  std::span<const Velocity> free) {
+  const std::span<Velocity> velocities = problem.bodies.velocities;
+  std::copy(free.begin(), free.end(), velocities.begin());
+  whole_world_.ApplyImpulses(velocities, problem.step.pool);
+  StoreImpulses(problem.pairs, problem.step, problem.contact_flags);
+}
+
+bool ContactSolver::Finish(const Problem& problem, std::span<const Velocity> free) {
+  StoreSolution(problem, free);
+  const std::span<const ContactFlags> flags = problem.contact_flags;
   const auto bounced = [](const ContactFlags& body) { return body.bounced; };
-  if (std::none_of(flags.begin(), flags.end(), bounced)) return;
+  if (std::none_of(flags.begin(), flags.end(), bounced)) return false;
   const SolverBodies& bodies = problem.bodies;
-  if (!restitution_limit_.Exceeds(problem.pairs, bodies, free, island_roots_)) return;
-  const std::vector<ContactFlags> flags_of_bounce(flags.begin(), flags.end());
+  if (!restitution_limit_.Exceeds(problem.pairs, bodies, free, island_roots_))
+    return false;
+  bounce_flags_.assign(flags.begin(), flags.end());
   std::copy(free.begin(), free.end(), bodies.velocities.begin());
   BeginWholeWorld(problem.pairs, bodies, problem.step, 0);
-  iterate();
-  StoreImpulses(problem.pairs, problem.step, flags);
-  std::copy(flags_of_bounce.begin(), flags_of_bounce.end(), flags.begin());
-  restitution_limit_.Blend(problem.pairs, bodies, island_roots_);
+  return true;
+}
+
+void ContactSolver::FinishWithLessRestitution(const Problem& problem,
+                                              std::span<const Velocity> free) {
+  StoreSolution(problem, free);
+  std::copy(bounce_flags_.begin(), bounce_flags_.end(), problem.contact_flags.begin());
+  restitution_limit_.Blend(problem.pairs, problem.bodies, island_roots_);
 }
 
 template <class Real>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -106,11 +105,15 @@ class ContactSolver {
    again after further iterations. */
   void StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
                      std::span<ContactFlags> contact_flags);
-  /** Reduces the restitution of the islands whose impulses, just stored, add energy, see
-   RestitutionLimit. `free`: velocities with the loads and without impulses; `iterate`
-   repeats the iterations of the caller. */
-  void LimitRestitution(const Problem& problem, std::span<const Velocity> free,
-                        const std::function<void()>& iterate);
+  /** Ends the solution of a world without joints and springs: sums the velocities from
+   the impulses, because each iteration has added a rounding to them, and stores the
+   impulses. `free`: velocities with the loads and without impulses.
+
+   Returns whether the impulses add energy to an island, see RestitutionLimit. Then the
+   world has been begun again without restitution: repeat the iterations, and call
+   FinishWithLessRestitution(). */
+  [[nodiscard]] bool Finish(const Problem& problem, std::span<const Velocity> free);
+  void FinishWithLessRestitution(const Problem& problem, std::span<const Velocity> free);
   /** Greatest relative speed at a contact before it is solved. [m/s] */
   double max_speed() const { return whole_world_.max_speed(); }
   /** Number of active contacts. */
@@ -148,6 +151,8 @@ class ContactSolver {
         : own(threads), position_constraints(threads + 1) {}
   };
 
+  /** Sums the velocities from the impulses, and stores the impulses. */
+  void StoreSolution(const Problem& problem, std::span<const Velocity> free);
   /** Begin() after BuildConstraintGraph(). */
   void BeginWholeWorld(std::span<const ContactPair> pairs, const SolverBodies& bodies,
                        const StepContext& step, double restitution_factor);
@@ -185,7 +190,8 @@ class ContactSolver {
   ConstraintGroup<double> whole_world_;  ///< All contacts of a small world.
   StaticEquilibrium static_equilibrium_;
   RestitutionLimit restitution_limit_;
-  std::vector<Velocity> free_velocities_;  ///< Without impulses; of a small world.
+  std::vector<Velocity> free_velocities_;   ///< Without impulses; of a small world.
+  std::vector<ContactFlags> bounce_flags_;  ///< Those with the whole restitution.
   /** Also holds the position constraints of a small world. */
   ThreadGroups<double> double_groups_;
   ThreadGroups<float> float_groups_;
