@@ -121,16 +121,21 @@ ContactPhase ImpactSolver::PhaseOf(const ContactPair& pair,
   const double load_acceleration = LoadAccelerationOn(pair, A, B);
   if (IsSurelyResting(pair.manifold, A, B, load_acceleration, rules))
     return ContactPhase::kResting;
+  const Eigen::Vector3d& n_W = pair.manifold.n_AB_W;
+  const double approach_speed = n_W.dot(A.state.v_WB - B.state.v_WB) +
+                                RotationalSpeed(A, n_W) + RotationalSpeed(B, n_W);
+  const bool may_tunnel = MayTunnel(A, B, rules.h * approach_speed);
   ContactPhase all = ContactPhase::kImpacting;
   for (const ContactPoint& contact : pair.manifold.points()) {
     const ContactPhase one = PhaseAt(contact.p_WC, pair.manifold.n_AB_W, A, B, a_AB_W,
                                      load_acceleration, rules);
     if (one == ContactPhase::kImpacting) continue;
-    // A penetrating contact needs position correction unless it is an impact.
-    if (one == ContactPhase::kResting ||
-        contact.separation < -SpeculativeMarginBetween(A, B) - ContactTolerance(A, B)) {
+    // A penetrating contact needs position correction unless it is an impact, or the
+    // bodies separate there and may tunnel by another point.
+    const bool penetrates =
+        contact.separation < -SpeculativeMarginBetween(A, B) - ContactTolerance(A, B);
+    if (one == ContactPhase::kResting || (penetrates && !may_tunnel))
       return ContactPhase::kResting;
-    }
     all = ContactPhase::kSeparating;
   }
   return all;

@@ -51,10 +51,10 @@ bool MayTunnel(const RigidBody& A, const RigidBody& B, double distance);
  impact threshold of PhaseAt() is not reported unless the bodies might tunnel.
 
  With rotation, the advancement is not conservative: its length follows from the support
- points that face each other, and is a quarter of a step if these do not meet. A contact
- that rotation alone causes may be detected late by up to that time, or be missed if one
- of the bodies is thinner than the distance travelled meanwhile. Bounds assume the angular
- velocity at the start of the step. */
+ points that face each other, and is a quarter of a step if these do not meet or if the
+ bodies touch already. So a contact that rotation alone causes may be detected late, but
+ before the bodies can be so deep in each other that they leave on the wrong side. Bounds
+ assume the angular velocity at the start of the step. */
 std::optional<double> TimeOfImpact(const FreeFlight& A, const FreeFlight& B, double from,
                                    const ImpactRules& rules);
 
