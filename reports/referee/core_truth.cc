@@ -13,10 +13,6 @@ namespace {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
 
-Enclosure Intersection(const Enclosure& a, const Enclosure& b) {
-  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
-}
-
 Eigen::Vector3d Rounded(const Vector<Precise>& a) {
   return {Nearest(a.x), Nearest(a.y), Nearest(a.z)};
 }
@@ -44,6 +40,43 @@ void SetSupportingPoints(const MinkowskiDifference& M, CoreTruth* truth) {
   truth->p_WCb = M.B().X_WB * ToEigen(deepest.q_B);
 }
 
+/** Returns what `simplex` proves: the overlap along −v from below, and the length of v,
+ whose points are its combinations of points of A and of B, from above. */
+CoreTruth ProvedBy(const MinkowskiDifference& M, const Simplex<Precise>& simplex) {
+  CoreTruth truth;
+  truth.separation = CertifyNearest(M, simplex);
+  Eigen::Vector3d q_A = Eigen::Vector3d::Zero();
+  Eigen::Vector3d q_B = Eigen::Vector3d::Zero();
+  double total = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
+    const double weight = Nearest(simplex.weights[i] / simplex.weights[0]);
+    q_A += weight * Rounded(simplex.points[i].q_A);
+    q_B += weight * Rounded(simplex.points[i].q_B);
+    total += weight;
+  }
+  truth.p_WCa = M.A().X_WB * Eigen::Vector3d(q_A / total);
+  truth.p_WCb = M.B().X_WB * Eigen::Vector3d(q_B / total);
+  truth.n_AB_W = -Rounded(simplex.v).stableNormalized();
+  return truth;
+}
+
+/** Raises the lower bound on the separation to `lo`, which the overlap along `n` proves,
+ if it is higher. */
+void ImproveLower(double lo, const Eigen::Vector3d& n, CoreTruth* truth) {
+  if (lo < truth->separation.lo) return;
+  truth->separation.lo = lo;
+  truth->n_AB_W = n;
+}
+
+/** Returns the best of both: each bound with the direction or the points that prove it.
+ */
+CoreTruth Best(const CoreTruth& a, const CoreTruth& b) {
+  CoreTruth best = a.separation.hi < b.separation.hi ? a : b;
+  ImproveLower(a.separation.lo, a.n_AB_W, &best);
+  ImproveLower(b.separation.lo, b.n_AB_W, &best);
+  return best;
+}
+
 /** The end of the search for the point of M nearest to the origin, and the truth that it
  proves. */
 struct NearestTruth {
@@ -54,39 +87,16 @@ struct NearestTruth {
 /** Returns the truth that `simplex` proves. If its features are not the nearest, the
  search continues at high precision. */
 NearestTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex) {
-  Simplex<Precise> sharp = Sharpen(M, simplex);
-  CoreTruth truth;
-  truth.separation = CertifyNearest(M, sharp);
+  const Simplex<Precise> sharp = Sharpen(M, simplex);
+  const CoreTruth truth = ProvedBy(M, sharp);
   // With the right features only the rounding of the result is left. On a round rim the
   // points of a double simplex have no more digits than a double, even if the features
   // are right.
   const double rounding =
       M.IsCurved() ? 8 * kUlp * M.Size() : 4 * kUlp * std::abs(truth.separation.hi);
-  if (!(Width(truth.separation) <= rounding)) {
-    sharp = FindNearest(M, sharp);
-    truth.separation = Intersection(truth.separation, CertifyNearest(M, sharp));
-  }
-  Eigen::Vector3d q_A = Eigen::Vector3d::Zero();
-  Eigen::Vector3d q_B = Eigen::Vector3d::Zero();
-  double total = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(sharp.count); ++i) {
-    const double weight = Nearest(sharp.weights[i] / sharp.weights[0]);
-    q_A += weight * Rounded(sharp.points[i].q_A);
-    q_B += weight * Rounded(sharp.points[i].q_B);
-    total += weight;
-  }
-  truth.p_WCa = M.A().X_WB * Eigen::Vector3d(q_A / total);
-  truth.p_WCb = M.B().X_WB * Eigen::Vector3d(q_B / total);
-  truth.n_AB_W = -Rounded(sharp.v).stableNormalized();
-  return {sharp, truth};
-}
-
-/** Raises the lower bound on the separation to that of the overlap along `n`, if it is
- higher. */
-void Improve(const Eigen::Vector3d& n, const Enclosure& overlap, CoreTruth* truth) {
-  if (-overlap.hi < truth->separation.lo) return;
-  truth->separation.lo = -overlap.hi;
-  truth->n_AB_W = n;
+  if (Width(truth.separation) <= rounding) return {sharp, truth};
+  const Simplex<Precise> sharper = FindNearest(M, sharp);
+  return {sharper, Best(truth, ProvedBy(M, sharper))};
 }
 
 CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
@@ -103,11 +113,12 @@ CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   // The origin is on the boundary of M to rounding, so the mixture v has no direction of
   // its own.
   if (depth) {
-    Improve(depth->n_AB_W, depth->depth, &truth);
+    ImproveLower(-depth->depth.hi, depth->n_AB_W, &truth);
   } else {
     const bool segment_A = std::holds_alternative<Segment>(M.A().core);
     const Eigen::Vector3d n = Perpendicular((segment_A ? M.A() : M.B()).X_WB.R_WB.col(2));
-    Improve(n, M.OverlapAlong(Exactly<Bounded<Precise>>(n)).enclosure(), &truth);
+    const Enclosure overlap = M.OverlapAlong(Exactly<Bounded<Precise>>(n)).enclosure();
+    ImproveLower(-overlap.hi, n, &truth);
   }
   return truth;
 }
@@ -145,7 +156,7 @@ CoreTruth JudgeDeep(const MinkowskiDifference& M, const Simplex<double>& simplex
   CoreTruth truth = nearest.truth;
   if (truth.separation.lo > 0) return truth;
   if (!(proof.depth.lo > 0)) {
-    Improve(proof.n_AB_W, proof.depth, &truth);
+    ImproveLower(-proof.depth.hi, proof.n_AB_W, &truth);
     if (Width(truth.separation) <= target) return truth;
   }
   // Doubles are too coarse: the origin is too near the boundary, or the facets are too
@@ -155,7 +166,7 @@ CoreTruth JudgeDeep(const MinkowskiDifference& M, const Simplex<double>& simplex
       Expand(M, nearest.simplex, target / 4, kMostPreciseVertices);
   proof = Both(proof, CertifyDepth(M, sharp, target));
   if (proof.depth.lo > 0) return FromDepth(M, proof);
-  Improve(proof.n_AB_W, proof.depth, &truth);
+  ImproveLower(-proof.depth.hi, proof.n_AB_W, &truth);
   return truth;
 }
 

@@ -131,5 +131,25 @@ TEST(CurvedPairs, PointOnTheSurfaceHasZeroDistance) {
   EXPECT_NEAR(e.hi, 0, 1e-14);
 }
 
+// The search in double and the search in high precision each find one good bound here. A
+// bound without its own direction would prove nothing: they are half a radian apart.
+TEST(CurvedPairs, EachBoundKeepsTheDirectionThatProvesIt) {
+  const Eigen::Matrix3d R_WB =
+      (Eigen::Matrix3d() << -6.6613381477509392e-16, -1.1678616087278231e-15, 1,
+       6.0712700190765511e-16, 1, 1.1678616087278235e-15, -1, 6.07127001907656e-16,
+       -6.6613381477509392e-16)
+          .finished();
+  const ContactQuery query{
+      {Box{{0.62208173494718433, 0.38730836094253329, 0.54666801797575199}},
+       Pose::FromMatrix({0.78140318556777921, 0.52246110237155452, -0.67913916241127248},
+                        Eigen::Matrix3d::Identity())},
+      {Cone{0.60063157139169099, 0.62610782343066962},
+       Pose::FromMatrix({0.78542927405126373, 1.5104010347057795, -0.67913916241127248},
+                        R_WB)}};
+  const ContactTruth truth = ComputeContactTruth(query);
+  const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
+  EXPECT_NEAR(-Overlap(query, truth.certificate.n_AB_W).hi, truth.separation.lo, ulp);
+}
+
 }  // namespace
 }  // namespace touchstone
