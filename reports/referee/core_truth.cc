@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "reports/referee/coaxial_depth.h"
+#include "reports/referee/direction.h"
 #include "reports/referee/inner_polytope.h"
 #include "reports/referee/nearest_point.h"
 #include "reports/referee/zonotope.h"
@@ -12,10 +13,6 @@ namespace touchstone::referee {
 namespace {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
-
-Eigen::Vector3d Rounded(const Vector<Precise>& a) {
-  return {Nearest(a.x), Nearest(a.y), Nearest(a.z)};
-}
 
 double Width(const Enclosure& e) {
   return e.hi - e.lo;
@@ -36,8 +33,11 @@ Eigen::Vector3d Perpendicular(const Eigen::Vector3d& direction) {
 
 void SetSupportingPoints(const MinkowskiDifference& M, CoreTruth* truth) {
   const DifferencePoint<double> deepest = M.Support(Exactly<double>(truth->n_AB_W));
-  truth->p_WCa = M.A().X_WB * ToEigen(deepest.q_A);
-  truth->p_WCb = M.B().X_WB * ToEigen(deepest.q_B);
+  truth->points.count = 1;
+  truth->points.weights[0] = 1;
+  truth->points.q_A[0] = Exactly<Precise>(deepest.q_A);
+  truth->points.q_B[0] = Exactly<Precise>(deepest.q_B);
+  truth->is_deep = true;
 }
 
 /** Returns what `simplex` proves: the overlap along −v from below, and the length of v,
@@ -45,18 +45,13 @@ void SetSupportingPoints(const MinkowskiDifference& M, CoreTruth* truth) {
 CoreTruth ProvedBy(const MinkowskiDifference& M, const Simplex<Precise>& simplex) {
   CoreTruth truth;
   truth.separation = CertifyNearest(M, simplex);
-  Eigen::Vector3d q_A = Eigen::Vector3d::Zero();
-  Eigen::Vector3d q_B = Eigen::Vector3d::Zero();
-  double total = 0;
+  truth.n_AB_W = -Direction(simplex.v);
+  truth.points.count = simplex.count;
+  truth.points.weights = simplex.weights;
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
-    const double weight = Nearest(simplex.weights[i] / simplex.weights[0]);
-    q_A += weight * Rounded(simplex.points[i].q_A);
-    q_B += weight * Rounded(simplex.points[i].q_B);
-    total += weight;
+    truth.points.q_A[i] = simplex.points[i].q_A;
+    truth.points.q_B[i] = simplex.points[i].q_B;
   }
-  truth.p_WCa = M.A().X_WB * Eigen::Vector3d(q_A / total);
-  truth.p_WCb = M.B().X_WB * Eigen::Vector3d(q_B / total);
-  truth.n_AB_W = -Rounded(simplex.v).stableNormalized();
   return truth;
 }
 
@@ -101,7 +96,8 @@ NearestTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex
 
 CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   const std::optional<CoreDepth> depth = ZonotopeDepth(M);
-  if (depth && depth->depth.lo > 0) {
+  // The least overlap over all candidates is at least 0: the origin is in M.
+  if (depth && depth->depth.lo >= 0) {
     CoreTruth truth;
     truth.separation = Negated(depth->depth);
     truth.n_AB_W = depth->n_AB_W;
