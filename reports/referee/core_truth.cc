@@ -7,6 +7,7 @@
 #include "reports/referee/direction.h"
 #include "reports/referee/inner_polytope.h"
 #include "reports/referee/nearest_point.h"
+#include "reports/referee/portal.h"
 #include "reports/referee/zonotope.h"
 
 namespace touchstone::referee {
@@ -175,11 +176,27 @@ CoreTruth JudgeAny(const MinkowskiDifference& M) {
   return JudgeDeep(M, simplex);
 }
 
+/** Returns `truth`, improved near touching by a portal: the direction of its plane, and
+ the nearest points that GJK finds from its corners. */
+CoreTruth ImprovedByPortal(const MinkowskiDifference& M, const CoreTruth& truth) {
+  const Portal portal = FindPortal(M);
+  CoreTruth improved = truth;
+  const Eigen::Vector3d n = Direction(portal.n);
+  if (n.isZero(0)) return improved;
+  const Enclosure overlap = M.OverlapAlong(Exactly<Bounded<Precise>>(n)).enclosure();
+  ImproveLower(-overlap.hi, n, &improved);
+  if (portal.simplex.count == 0 || truth.is_deep) return improved;
+  return Best(improved, ProvedBy(M, FindNearest(M, NearestOnSimplex(portal.simplex))));
+}
+
 }  // namespace
 
 CoreTruth JudgeCores(const MinkowskiDifference& M) {
   if (IsZonotope(M.A().core) && IsZonotope(M.B().core)) return JudgeZonotopes(M);
-  return JudgeAny(M);
+  const CoreTruth truth = JudgeAny(M);
+  // Where the other searches got all digits but the last few, there is nothing to gain.
+  if (Width(truth.separation) <= 64 * kUlp * M.Size()) return truth;
+  return ImprovedByPortal(M, truth);
 }
 
 }  // namespace touchstone::referee

@@ -151,5 +151,43 @@ TEST(CurvedPairs, EachBoundKeepsTheDirectionThatProvesIt) {
   EXPECT_NEAR(-Overlap(query, truth.certificate.n_AB_W).hi, truth.separation.lo, ulp);
 }
 
+// GJK loses the normal here: the vector to the origin is as short as its own error.
+TEST(CurvedPairs, ConeTouchingABoxEdgeIsKnownToRounding) {
+  const ContactQuery query{
+      {Cone{0.33752796105617888, 0.81887326105410996},
+       Pose::FromQuaternion(
+           {0.99546865162173748, -0.56747023424951326, 0.11096009747163516},
+           {0.13147997780390255, -0.37167836633587292, -0.87937958489635126,
+            0.26694522490972356})},
+      {Box{{0.24440271364564825, 0.76494441963943205, 0.80642359652666662}},
+       Pose::FromQuaternion(
+           {1.4023662086448265, -0.28974896543351891, -0.21183406098469054},
+           {-0.35899897446066764, 0.28172916263450859, 0.095788394843722008,
+            0.88463156097366935})}};
+  const Enclosure e = ComputeContactTruth(query).separation;
+  EXPECT_LE(e.hi - e.lo, 1e-15);
+}
+
+TEST(CurvedPairs, NearTouchingAreKnownToATrillionthOfTheirSize) {
+  RandomScene random(21);
+  int narrow = 0;
+  for (int i = 0; i < 600; ++i) {
+    const Shape A = SomeShape(random, i % 2);
+    const Shape B = SomeShape(random, i / 2 % 6);
+    const Eigen::Vector3d p = random.Point(1);
+    const Eigen::Quaterniond q = random.Rotation();
+    ContactQuery query{{A, Pose::FromQuaternion(p, q)},
+                       {B, Pose::FromQuaternion(p + random.Point(1.5), q)}};
+    const ContactTruth truth = ComputeContactTruth(query);
+    const double gap = random.Uniform(-1, 1) * random.Power(-17, -5);
+    query.B.X_WB.p_WB += (gap - truth.separation.lo) * truth.certificate.n_AB_W;
+    const Enclosure e = ComputeContactTruth(query).separation;
+    EXPECT_LE(e.hi - e.lo, 1e-12 * SceneSize(query)) << "pair " << i;
+    narrow += e.hi - e.lo <= 1e-17 * SceneSize(query);
+  }
+  // Only few are known to less than the rounding of their coordinates.
+  EXPECT_LT(narrow, 300);
+}
+
 }  // namespace
 }  // namespace touchstone
