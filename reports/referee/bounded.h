@@ -98,7 +98,8 @@ class Bounded {
     const bool is_exact = exactness.Holds();
     const double least_root = std::max(Below(root, kRoundoff<Real> * Magnitude(root)),
                                        std::numeric_limits<double>::min());
-    return Rounded(root, a.error_ / least_root, is_exact);
+    const double carried = a.error_ == 0 ? 0 : a.error_ / least_root + kUnderflow;
+    return Rounded(root, carried, is_exact);
   }
 
   friend Bounded Abs(const Bounded& a) { return Bounded(Real(abs(a.value_)), a.error_); }
@@ -118,11 +119,14 @@ class Bounded {
   static constexpr double kUnderflow = 4 * std::numeric_limits<double>::denorm_min();
 
   static Real abs(const Real& x) { return x < 0 ? Real(-x) : x; }
+  /** A bound below the smallest double is that double: a value of `Precise` can be
+   smaller than any double. */
   static Bounded Rounded(const Real& value, double carried, bool is_exact) {
     const double magnitude = Magnitude(value);
     // An infinite value is no result, even of an operation without a rounding.
-    const double rounding =
-        is_exact && std::isfinite(magnitude) ? 0 : kRoundoff<Real> * magnitude;
+    const double rounding = is_exact && std::isfinite(magnitude)
+                                ? 0
+                                : kRoundoff<Real> * magnitude + kUnderflow;
     return Bounded(value, (carried + rounding) * kInflation);
   }
 

@@ -9,6 +9,7 @@
 #include "reports/referee/input_rounding.h"
 #include "reports/referee/proved.h"
 #include "reports/referee/support.h"
+#include "reports/referee/unit_scale.h"
 #include "reports/referee/witnesses.h"
 
 namespace touchstone {
@@ -57,13 +58,14 @@ Eigen::Vector3d PointOf(const RoundedCore& core, const Witnesses& points,
 }
 
 ContactTruth JudgeBounded(const ContactQuery& query) {
-  const MinkowskiDifference M(query.A, query.B);
+  const auto [scaled, unit] = InOwnUnit(query);
+  const MinkowskiDifference M(scaled.A, scaled.B);
   const CoreTruth core = JudgeCores(M);
+  const Eigen::Vector3d& n = core.n_AB_W;
   ContactTruth truth;
-  truth.separation = Proved(query, core);
-  truth.certificate = {core.n_AB_W,
-                       PointOf(M.A(), core.points, core.points.q_A, core.n_AB_W),
-                       PointOf(M.B(), core.points, core.points.q_B, -core.n_AB_W)};
+  truth.separation = InMetres(Proved(scaled, core), unit);
+  truth.certificate = {n, InMetres(PointOf(M.A(), core.points, core.points.q_A, n), unit),
+                       InMetres(PointOf(M.B(), core.points, core.points.q_B, -n), unit)};
   truth.method = MethodOf(M);
   return truth;
 }

@@ -189,5 +189,35 @@ TEST(CurvedPairs, NearTouchingAreKnownToATrillionthOfTheirSize) {
   EXPECT_LT(narrow, 300);
 }
 
+Body Scaled(const Body& body, int exponent) {
+  Body scaled = body;
+  scaled.shape = Resized(body.shape, std::ldexp(1, exponent));
+  scaled.X_WB.p_WB *= std::ldexp(1, exponent);
+  return scaled;
+}
+
+// The promised range is from 1e-100 to 1e100 m.
+TEST(Sizes, ScaleTheTruthExactlyOverThePromisedRange) {
+  RandomScene random(22);
+  for (int i = 0; i < 72; ++i) {
+    const Shape A = SomeShape(random, i % 6);
+    const Shape B = SomeShape(random, i / 6 % 6);
+    const Eigen::Vector3d p = random.Point(1);
+    const ContactQuery query{
+        {A, Pose::FromQuaternion(p, random.Rotation())},
+        {B, Pose::FromQuaternion(p + random.Point(1.5), random.Rotation())}};
+    const ContactTruth truth = ComputeContactTruth(query);
+    for (const int exponent : {-328, -200, 200, 328}) {
+      const ContactQuery scaled{Scaled(query.A, exponent), Scaled(query.B, exponent)};
+      const ContactTruth same = ComputeContactTruth(scaled);
+      EXPECT_EQ(same.separation.lo, std::ldexp(truth.separation.lo, exponent));
+      EXPECT_EQ(same.separation.hi, std::ldexp(truth.separation.hi, exponent));
+      EXPECT_EQ(same.certificate.n_AB_W, truth.certificate.n_AB_W);
+      EXPECT_EQ(same.touching, truth.touching);
+      EXPECT_EQ(0 - Overlap(scaled, same.certificate.n_AB_W).hi, same.separation.lo);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace touchstone
