@@ -1,12 +1,20 @@
 #pragma once
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 
 #include "reports/referee/contact_truth.h"
 #include "reports/referee/precise.h"
 #include "reports/referee/vector.h"
+
+// Every error bound assumes that each operation is rounded once, to a double.
+#ifdef __FAST_MATH__
+#error "The referee's proofs need IEEE arithmetic: compile without -ffast-math."
+#endif
+static_assert(std::numeric_limits<double>::is_iec559);
+static_assert(FLT_EVAL_METHOD == 0, "Doubles must be rounded at every operation.");
 
 namespace touchstone::referee {
 
