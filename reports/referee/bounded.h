@@ -1,12 +1,20 @@
 #pragma once
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 
 #include "reports/referee/contact_truth.h"
 #include "reports/referee/precise.h"
 #include "reports/referee/vector.h"
+
+// Every error bound assumes that each operation is rounded once, to a double.
+#ifdef __FAST_MATH__
+#error "The referee's proofs need IEEE arithmetic: compile without -ffast-math."
+#endif
+static_assert(std::numeric_limits<double>::is_iec559);
+static_assert(FLT_EVAL_METHOD == 0, "Doubles must be rounded at every operation.");
 
 namespace touchstone::referee {
 
@@ -15,8 +23,9 @@ namespace touchstone::referee {
  rounding of its own result, u |result|. The bound itself is computed in double with a
  handful of roundings to nearest, each at most 2^-53 of a sum of positive terms:
  `kInflation` covers them. Products that underflow lose at most 2^-1075 each: `kUnderflow`
- covers those. If doubles overflow, nothing is known: the error is infinite. It is never a
- NaN, which comparisons would drop. */
+ covers those. An operation of `Precise` that MPFR finds exact adds nothing, so that
+ bodies that touch exactly are known to. If doubles overflow, nothing is known: the error
+ is infinite. It is never a NaN, which comparisons would drop. */
 template <typename Real>
 class Bounded {
  public:
@@ -44,19 +53,28 @@ class Bounded {
   }
 
   friend Bounded operator+(const Bounded& a, const Bounded& b) {
-    return Rounded(a.value_ + b.value_, a.error_ + b.error_);
+    const Exactness<Real> exactness;
+    const Real sum = a.value_ + b.value_;
+    return Rounded(sum, a.error_ + b.error_, exactness.Holds());
   }
   friend Bounded operator-(const Bounded& a, const Bounded& b) {
-    return Rounded(a.value_ - b.value_, a.error_ + b.error_);
+    const Exactness<Real> exactness;
+    const Real difference = a.value_ - b.value_;
+    return Rounded(difference, a.error_ + b.error_, exactness.Holds());
   }
   friend Bounded operator-(const Bounded& a) {
     return Bounded(Real(-a.value_), a.error_);
   }
 
   friend Bounded operator*(const Bounded& a, const Bounded& b) {
-    return Rounded(a.value_ * b.value_, Magnitude(a.value_) * b.error_ +
-                                            Magnitude(b.value_) * a.error_ +
-                                            a.error_ * b.error_ + kUnderflow);
+    const Exactness<Real> exactness;
+    const Real product = a.value_ * b.value_;
+    const bool is_exact = exactness.Holds();
+    if (is_exact && a.error_ == 0 && b.error_ == 0) return Rounded(product, 0, true);
+    return Rounded(product,
+                   Magnitude(a.value_) * b.error_ + Magnitude(b.value_) * a.error_ +
+                       a.error_ * b.error_ + kUnderflow,
+                   is_exact);
   }
 
   /** Divides by x/y − a/b = ((x − a) − (a/b)(y − b)) / y with |y| >= |b| − e_b. The error
@@ -64,10 +82,15 @@ class Bounded {
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
     const double least = Below(Real(abs(b.value_)), b.error_);
     if (!(least > 0)) return Bounded(Real(0), std::numeric_limits<double>::infinity());
-    Real quotient = a.value_ / b.value_;
+    const Exactness<Real> exactness;
+    const Real quotient = a.value_ / b.value_;
+    const bool is_exact = exactness.Holds();
+    // Zero divided by whatever is not zero is zero.
+    if (is_exact && a.error_ == 0 && (b.error_ == 0 || quotient == 0))
+      return Rounded(quotient, 0, true);
     const double carried =
         (a.error_ + Magnitude(quotient) * b.error_ * kInflation) / least + kUnderflow;
-    return Rounded(quotient, carried);
+    return Rounded(quotient, carried, is_exact);
   }
 
   /** Takes the root by |√x − √a| = |x − a| / (√x + √a) <= e / √a. Where a itself may have
@@ -78,10 +101,13 @@ class Bounded {
       const double most = a.enclosure().hi;
       return Bounded(Real(0), std::sqrt(std::max(most, 0.0)) * kInflation);
     }
-    Real root = sqrt(a.value_);
+    const Exactness<Real> exactness;
+    const Real root = sqrt(a.value_);
+    const bool is_exact = exactness.Holds();
     const double least_root = std::max(Below(root, kRoundoff<Real> * Magnitude(root)),
                                        std::numeric_limits<double>::min());
-    return Rounded(root, a.error_ / least_root);
+    const double carried = a.error_ == 0 ? 0 : a.error_ / least_root + kUnderflow;
+    return Rounded(root, carried, is_exact);
   }
 
   friend Bounded Abs(const Bounded& a) { return Bounded(Real(abs(a.value_)), a.error_); }
@@ -101,8 +127,15 @@ class Bounded {
   static constexpr double kUnderflow = 4 * std::numeric_limits<double>::denorm_min();
 
   static Real abs(const Real& x) { return x < 0 ? Real(-x) : x; }
-  static Bounded Rounded(const Real& value, double carried) {
-    return Bounded(value, (carried + kRoundoff<Real> * Magnitude(value)) * kInflation);
+  /** A bound below the smallest double is that double: a value of `Precise` can be
+   smaller than any double. */
+  static Bounded Rounded(const Real& value, double carried, bool is_exact) {
+    const double magnitude = Magnitude(value);
+    // An infinite value is no result, even of an operation without a rounding.
+    const double rounding = is_exact && std::isfinite(magnitude)
+                                ? 0
+                                : kRoundoff<Real> * magnitude + kUnderflow;
+    return Bounded(value, (carried + rounding) * kInflation);
   }
 
   Real value_;

@@ -4,22 +4,16 @@
 #include <limits>
 
 #include "reports/referee/coaxial_depth.h"
+#include "reports/referee/direction.h"
 #include "reports/referee/inner_polytope.h"
 #include "reports/referee/nearest_point.h"
+#include "reports/referee/portal.h"
 #include "reports/referee/zonotope.h"
 
 namespace touchstone::referee {
 namespace {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
-
-Enclosure Intersection(const Enclosure& a, const Enclosure& b) {
-  return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)};
-}
-
-Eigen::Vector3d Rounded(const Vector<Precise>& a) {
-  return {Nearest(a.x), Nearest(a.y), Nearest(a.z)};
-}
 
 double Width(const Enclosure& e) {
   return e.hi - e.lo;
@@ -40,8 +34,43 @@ Eigen::Vector3d Perpendicular(const Eigen::Vector3d& direction) {
 
 void SetSupportingPoints(const MinkowskiDifference& M, CoreTruth* truth) {
   const DifferencePoint<double> deepest = M.Support(Exactly<double>(truth->n_AB_W));
-  truth->p_WCa = M.A().X_WB * ToEigen(deepest.q_A);
-  truth->p_WCb = M.B().X_WB * ToEigen(deepest.q_B);
+  truth->points.count = 1;
+  truth->points.weights[0] = 1;
+  truth->points.q_A[0] = Exactly<Precise>(deepest.q_A);
+  truth->points.q_B[0] = Exactly<Precise>(deepest.q_B);
+  truth->is_deep = true;
+}
+
+/** Returns what `simplex` proves: the overlap along −v from below, and the length of v,
+ whose points are its combinations of points of A and of B, from above. */
+CoreTruth ProvedBy(const MinkowskiDifference& M, const Simplex<Precise>& simplex) {
+  CoreTruth truth;
+  truth.separation = CertifyNearest(M, simplex);
+  truth.n_AB_W = -Direction(simplex.v);
+  truth.points.count = simplex.count;
+  truth.points.weights = simplex.weights;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
+    truth.points.q_A[i] = simplex.points[i].q_A;
+    truth.points.q_B[i] = simplex.points[i].q_B;
+  }
+  return truth;
+}
+
+/** Raises the lower bound on the separation to `lo`, which the overlap along `n` proves,
+ if it is higher. */
+void ImproveLower(double lo, const Eigen::Vector3d& n, CoreTruth* truth) {
+  if (lo < truth->separation.lo) return;
+  truth->separation.lo = lo;
+  truth->n_AB_W = n;
+}
+
+/** Returns the best of both: each bound with the direction or the points that prove it.
+ */
+CoreTruth Best(const CoreTruth& a, const CoreTruth& b) {
+  CoreTruth best = a.separation.hi < b.separation.hi ? a : b;
+  ImproveLower(a.separation.lo, a.n_AB_W, &best);
+  ImproveLower(b.separation.lo, b.n_AB_W, &best);
+  return best;
 }
 
 /** The end of the search for the point of M nearest to the origin, and the truth that it
@@ -54,44 +83,22 @@ struct NearestTruth {
 /** Returns the truth that `simplex` proves. If its features are not the nearest, the
  search continues at high precision. */
 NearestTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex) {
-  Simplex<Precise> sharp = Sharpen(M, simplex);
-  CoreTruth truth;
-  truth.separation = CertifyNearest(M, sharp);
+  const Simplex<Precise> sharp = Sharpen(M, simplex);
+  const CoreTruth truth = ProvedBy(M, sharp);
   // With the right features only the rounding of the result is left. On a round rim the
   // points of a double simplex have no more digits than a double, even if the features
   // are right.
   const double rounding =
       M.IsCurved() ? 8 * kUlp * M.Size() : 4 * kUlp * std::abs(truth.separation.hi);
-  if (!(Width(truth.separation) <= rounding)) {
-    sharp = FindNearest(M, sharp);
-    truth.separation = Intersection(truth.separation, CertifyNearest(M, sharp));
-  }
-  Eigen::Vector3d q_A = Eigen::Vector3d::Zero();
-  Eigen::Vector3d q_B = Eigen::Vector3d::Zero();
-  double total = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(sharp.count); ++i) {
-    const double weight = Nearest(sharp.weights[i] / sharp.weights[0]);
-    q_A += weight * Rounded(sharp.points[i].q_A);
-    q_B += weight * Rounded(sharp.points[i].q_B);
-    total += weight;
-  }
-  truth.p_WCa = M.A().X_WB * Eigen::Vector3d(q_A / total);
-  truth.p_WCb = M.B().X_WB * Eigen::Vector3d(q_B / total);
-  truth.n_AB_W = -Rounded(sharp.v).stableNormalized();
-  return {sharp, truth};
-}
-
-/** Raises the lower bound on the separation to that of the overlap along `n`, if it is
- higher. */
-void Improve(const Eigen::Vector3d& n, const Enclosure& overlap, CoreTruth* truth) {
-  if (-overlap.hi < truth->separation.lo) return;
-  truth->separation.lo = -overlap.hi;
-  truth->n_AB_W = n;
+  if (Width(truth.separation) <= rounding) return {sharp, truth};
+  const Simplex<Precise> sharper = FindNearest(M, sharp);
+  return {sharper, Best(truth, ProvedBy(M, sharper))};
 }
 
 CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   const std::optional<CoreDepth> depth = ZonotopeDepth(M);
-  if (depth && depth->depth.lo > 0) {
+  // The least overlap over all candidates is at least 0: the origin is in M.
+  if (depth && depth->depth.lo >= 0) {
     CoreTruth truth;
     truth.separation = Negated(depth->depth);
     truth.n_AB_W = depth->n_AB_W;
@@ -103,11 +110,12 @@ CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   // The origin is on the boundary of M to rounding, so the mixture v has no direction of
   // its own.
   if (depth) {
-    Improve(depth->n_AB_W, depth->depth, &truth);
+    ImproveLower(-depth->depth.hi, depth->n_AB_W, &truth);
   } else {
     const bool segment_A = std::holds_alternative<Segment>(M.A().core);
     const Eigen::Vector3d n = Perpendicular((segment_A ? M.A() : M.B()).X_WB.R_WB.col(2));
-    Improve(n, M.OverlapAlong(Exactly<Bounded<Precise>>(n)).enclosure(), &truth);
+    const Enclosure overlap = M.OverlapAlong(Exactly<Bounded<Precise>>(n)).enclosure();
+    ImproveLower(-overlap.hi, n, &truth);
   }
   return truth;
 }
@@ -145,7 +153,7 @@ CoreTruth JudgeDeep(const MinkowskiDifference& M, const Simplex<double>& simplex
   CoreTruth truth = nearest.truth;
   if (truth.separation.lo > 0) return truth;
   if (!(proof.depth.lo > 0)) {
-    Improve(proof.n_AB_W, proof.depth, &truth);
+    ImproveLower(-proof.depth.hi, proof.n_AB_W, &truth);
     if (Width(truth.separation) <= target) return truth;
   }
   // Doubles are too coarse: the origin is too near the boundary, or the facets are too
@@ -155,7 +163,7 @@ CoreTruth JudgeDeep(const MinkowskiDifference& M, const Simplex<double>& simplex
       Expand(M, nearest.simplex, target / 4, kMostPreciseVertices);
   proof = Both(proof, CertifyDepth(M, sharp, target));
   if (proof.depth.lo > 0) return FromDepth(M, proof);
-  Improve(proof.n_AB_W, proof.depth, &truth);
+  ImproveLower(-proof.depth.hi, proof.n_AB_W, &truth);
   return truth;
 }
 
@@ -168,11 +176,27 @@ CoreTruth JudgeAny(const MinkowskiDifference& M) {
   return JudgeDeep(M, simplex);
 }
 
+/** Returns `truth`, improved near touching by a portal: the direction of its plane, and
+ the nearest points that GJK finds from its corners. */
+CoreTruth ImprovedByPortal(const MinkowskiDifference& M, const CoreTruth& truth) {
+  const Portal portal = FindPortal(M);
+  CoreTruth improved = truth;
+  const Eigen::Vector3d n = Direction(portal.n);
+  if (n.isZero(0)) return improved;
+  const Enclosure overlap = M.OverlapAlong(Exactly<Bounded<Precise>>(n)).enclosure();
+  ImproveLower(-overlap.hi, n, &improved);
+  if (portal.simplex.count == 0 || truth.is_deep) return improved;
+  return Best(improved, ProvedBy(M, FindNearest(M, NearestOnSimplex(portal.simplex))));
+}
+
 }  // namespace
 
 CoreTruth JudgeCores(const MinkowskiDifference& M) {
   if (IsZonotope(M.A().core) && IsZonotope(M.B().core)) return JudgeZonotopes(M);
-  return JudgeAny(M);
+  const CoreTruth truth = JudgeAny(M);
+  // Where the other searches got all digits but the last few, there is nothing to gain.
+  if (Width(truth.separation) <= 64 * kUlp * M.Size()) return truth;
+  return ImprovedByPortal(M, truth);
 }
 
 }  // namespace touchstone::referee

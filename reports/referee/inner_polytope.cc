@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "reports/referee/direction.h"
+
 namespace touchstone::referee {
 namespace {
 
@@ -295,8 +297,7 @@ Vector<Number> NormalOf(const Triangle<Number>& x) {
 }
 
 Eigen::Vector3d Direction(const Vector<Number>& n) {
-  return Eigen::Vector3d(Nearest(n.x.value()), Nearest(n.y.value()), Nearest(n.z.value()))
-      .stableNormalized();
+  return referee::Direction({n.x.value(), n.y.value(), n.z.value()});
 }
 
 }  // namespace

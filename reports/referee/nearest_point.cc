@@ -69,6 +69,8 @@ bool SolveSubset(const Simplex<Real>& all, unsigned subset, Simplex<Real>* solve
   return true;
 }
 
+}  // namespace
+
 template <typename Real>
 Simplex<Real> NearestOnSimplex(const Simplex<Real>& all) {
   Simplex<Real> best;
@@ -85,8 +87,6 @@ Simplex<Real> NearestOnSimplex(const Simplex<Real>& all) {
   }
   return best;
 }
-
-}  // namespace
 
 template <typename Real>
 Simplex<Real> FindNearest(const MinkowskiDifference& M, const Simplex<Real>& start) {
@@ -153,6 +153,7 @@ Enclosure CertifyNearest(const MinkowskiDifference& M, const Simplex<Real>& simp
   return {(-overlap).enclosure().lo, distance.enclosure().hi};
 }
 
+template Simplex<Precise> NearestOnSimplex(const Simplex<Precise>&);
 template Simplex<double> FindNearest(const MinkowskiDifference&, const Simplex<double>&);
 template Simplex<Precise> FindNearest(const MinkowskiDifference&,
                                       const Simplex<Precise>&);

@@ -24,6 +24,10 @@ struct Simplex {
 template <typename Real>
 Simplex<Real> FindNearest(const MinkowskiDifference& M, const Simplex<Real>& start);
 
+/** Returns the face of `simplex` nearest to the origin, with its weights. */
+template <typename Real>
+Simplex<Real> NearestOnSimplex(const Simplex<Real>& simplex);
+
 /** Returns the same points in higher precision, with the weights computed again. */
 Simplex<Precise> Sharpen(const MinkowskiDifference& M, const Simplex<double>& simplex);
 

@@ -33,6 +33,20 @@ inline double Magnitude(const Precise& x) {
   return mpfr_zero_p(data) ? 0 : std::numeric_limits<double>::infinity();
 }
 
+/** Tells whether the operations in `Real` since its construction were all exact. Doubles
+ do not tell: they count as rounded. */
+template <typename Real>
+class Exactness {
+ public:
+  bool Holds() const { return false; }
+};
+template <>
+class Exactness<Precise> {
+ public:
+  Exactness() { mpfr_clear_inexflag(); }  // A flag of this thread.
+  bool Holds() const { return mpfr_inexflag_p() == 0; }
+};
+
 /** Returns the double nearest to `x`. */
 inline double Nearest(double x) {
   return x;

@@ -1,11 +1,16 @@
 #include "reports/referee/referee.h"
 
-#include <cmath>
+#include <array>
 #include <limits>
 
 #include "reports/referee/core_truth.h"
+#include "reports/referee/direction.h"
 #include "reports/referee/half_space.h"
 #include "reports/referee/input_rounding.h"
+#include "reports/referee/proved.h"
+#include "reports/referee/support.h"
+#include "reports/referee/unit_scale.h"
+#include "reports/referee/witnesses.h"
 
 namespace touchstone {
 namespace {
@@ -18,13 +23,6 @@ Touching Decide(const Enclosure& separation, double input_rounding) {
   if (separation.lo > input_rounding) return Touching::kApart;
   if (separation.hi < -input_rounding) return Touching::kTouching;
   return Touching::kUndecided;
-}
-
-Enclosure MinusRadii(const Enclosure& separation, double r_A, double r_B) {
-  const auto rounded = [&](double bound) {
-    return (Number(bound) - Number(r_A) - Number(r_B)).enclosure();
-  };
-  return {rounded(separation.lo).lo, rounded(separation.hi).hi};
 }
 
 std::string MethodOf(const MinkowskiDifference& M) {
@@ -43,13 +41,31 @@ ContactTruth JudgeAgainstPlane(const ContactQuery& query) {
   return truth;
 }
 
+/** Returns the point of a body, given as the combination of `q` in its body frame, moved
+ by `radius` along n_W. Each coordinate is rounded once. [m] */
+Eigen::Vector3d PointOf(const RoundedCore& core, const Witnesses& points,
+                        const std::array<Vector<Precise>, 4>& q,
+                        const Eigen::Vector3d& n_W) {
+  Precise total(0);
+  Vector<Precise> sum{Precise(0), Precise(0), Precise(0)};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i) {
+    total = total + points.weights[i];
+    sum = sum + points.weights[i] * q[i];
+  }
+  return Rounded(Exactly<Precise>(core.X_WB.p_WB) +
+                 Rotate(core.X_WB.R_WB, (Precise(1) / total) * sum) +
+                 Precise(core.radius) * Exactly<Precise>(n_W));
+}
+
 ContactTruth JudgeBounded(const ContactQuery& query) {
-  const MinkowskiDifference M(query.A, query.B);
+  const auto [scaled, unit] = InOwnUnit(query);
+  const MinkowskiDifference M(scaled.A, scaled.B);
   const CoreTruth core = JudgeCores(M);
+  const Eigen::Vector3d& n = core.n_AB_W;
   ContactTruth truth;
-  truth.separation = MinusRadii(core.separation, M.A().radius, M.B().radius);
-  truth.certificate = {core.n_AB_W, core.p_WCa + M.A().radius * core.n_AB_W,
-                       core.p_WCb - M.B().radius * core.n_AB_W};
+  truth.separation = InMetres(Proved(scaled, core), unit);
+  truth.certificate = {n, InMetres(PointOf(M.A(), core.points, core.points.q_A, n), unit),
+                       InMetres(PointOf(M.B(), core.points, core.points.q_B, -n), unit)};
   truth.method = MethodOf(M);
   return truth;
 }
@@ -58,6 +74,8 @@ ContactTruth JudgeBounded(const ContactQuery& query) {
  > 0 along n just leaves the half-space where t (n·m) is the overlap along m. A gap is
  multiplied by n·m instead of divided, so that both cases bound −separation. */
 Enclosure TiltedOverlap(const PlaneOverlap& plane, const Eigen::Vector3d& n_W) {
+  // The referee's own rounding of the normal stands for the normal.
+  if (n_W == plane.n_AB_W) return plane.overlap;
   using Near = Bounded<double>;
   // The normal is accurate to a few roundings of a unit vector.
   constexpr double kNormalError = 8 * std::numeric_limits<double>::epsilon();
@@ -88,9 +106,8 @@ ContactTruth ComputeContactTruth(const ContactQuery& query) {
 
 Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {
   if (HasHalfSpace(query)) return TiltedOverlap(OverlapWithPlane(query), n_W);
-  using Exact = Bounded<Precise>;
-  const MinkowskiDifference M(query.A, query.B);
-  return (M.OverlapAlong(Exactly<Exact>(n_W)) + Exact(M.A().radius) + Exact(M.B().radius))
+  return ((SupportOf(query.A, n_W) + SupportOf(query.B, -n_W)) /
+          Norm(Exactly<Number>(n_W)))
       .enclosure();
 }
 

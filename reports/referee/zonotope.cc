@@ -4,6 +4,8 @@
 #include <limits>
 #include <vector>
 
+#include "reports/referee/direction.h"
+
 namespace touchstone::referee {
 namespace {
 
@@ -39,7 +41,7 @@ void AddGenerators(const RoundedCore& placed, std::vector<Generator>* generators
 struct Candidate {
   Enclosure overlap{std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity()};
-  Eigen::Vector3d n_AB_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d n_AB_W = Eigen::Vector3d::Zero();  ///< Only in high precision.
 };
 
 /** Returns the lesser overlap of the two along ± the cross product of two generators. If
@@ -68,9 +70,9 @@ Candidate Evaluate(const MinkowskiDifference& M, const std::vector<Generator>& g
         overlap + half_length * Abs(Dot(n, Exactly<Number>(generators[k].direction)));
   }
   candidate.overlap = (overlap / Norm(n)).enclosure();
-  candidate.n_AB_W =
-      Eigen::Vector3d(Nearest(n.x.value()), Nearest(n.y.value()), Nearest(n.z.value()))
-          .stableNormalized();
+  if constexpr (std::is_same_v<Real, Precise>) {
+    candidate.n_AB_W = Direction({n.x.value(), n.y.value(), n.z.value()});
+  }
   return candidate;
 }
 

@@ -104,6 +104,31 @@ TEST(Bounded, EnclosesAThirdBetweenNeighbouringDoublesInHighPrecision) {
   EXPECT_EQ(std::nextafter(third.enclosure().lo, 1), third.enclosure().hi);
 }
 
+// Every operation here is exact in 257 bits, though not in a double.
+TEST(Bounded, KnowsAnExactResultOfHighPrecisionExactly) {
+  using Number = Bounded<Precise>;
+  const Number a(0.1);
+  const Number b(0x1p-60);
+  EXPECT_EQ((a * a + b - a * a).error(), 0);
+  EXPECT_EQ((a * a + b - a * a).value(), 0x1p-60);
+  EXPECT_EQ((a * b / b).error(), 0);
+  EXPECT_EQ(Sqrt(a * a).error(), 0);
+  EXPECT_EQ(((a - a) / Sqrt(a)).error(), 0);  // Zero, whatever the root is.
+}
+
+TEST(Bounded, BoundsTheRoundingOfHighPrecision) {
+  using Number = Bounded<Precise>;
+  const Number one(1.0);
+  EXPECT_GT((one / Number(3.0)).error(), 0);
+  EXPECT_GT(Sqrt(Number(2.0)).error(), 0);
+  EXPECT_GT((one + Number(0x1p-300)).error(), 0);
+  EXPECT_GT((Number(0.1) * Number(0.1) * Number(0.1) * Number(0.1) * Number(0.1)).error(),
+            0);
+  // An exact operation carries the errors of its operands.
+  EXPECT_GE((one + Number(Precise(1), 0x1p-20)).error(), 0x1p-20);
+  EXPECT_GE((one * Number(Precise(1), 0x1p-20)).error(), 0x1p-20);
+}
+
 TEST(Bounded, RoundsAnExactNumberToItself) {
   const Enclosure e = Bounded<Precise>(0.1).enclosure();
   EXPECT_EQ(e.lo, 0.1);

@@ -131,5 +131,93 @@ TEST(CurvedPairs, PointOnTheSurfaceHasZeroDistance) {
   EXPECT_NEAR(e.hi, 0, 1e-14);
 }
 
+// The search in double and the search in high precision each find one good bound here. A
+// bound without its own direction would prove nothing: they are half a radian apart.
+TEST(CurvedPairs, EachBoundKeepsTheDirectionThatProvesIt) {
+  const Eigen::Matrix3d R_WB =
+      (Eigen::Matrix3d() << -6.6613381477509392e-16, -1.1678616087278231e-15, 1,
+       6.0712700190765511e-16, 1, 1.1678616087278235e-15, -1, 6.07127001907656e-16,
+       -6.6613381477509392e-16)
+          .finished();
+  const ContactQuery query{
+      {Box{{0.62208173494718433, 0.38730836094253329, 0.54666801797575199}},
+       Pose::FromMatrix({0.78140318556777921, 0.52246110237155452, -0.67913916241127248},
+                        Eigen::Matrix3d::Identity())},
+      {Cone{0.60063157139169099, 0.62610782343066962},
+       Pose::FromMatrix({0.78542927405126373, 1.5104010347057795, -0.67913916241127248},
+                        R_WB)}};
+  const ContactTruth truth = ComputeContactTruth(query);
+  const double ulp = std::numeric_limits<double>::epsilon() * SceneSize(query);
+  EXPECT_NEAR(-Overlap(query, truth.certificate.n_AB_W).hi, truth.separation.lo, ulp);
+}
+
+// GJK loses the normal here: the vector to the origin is as short as its own error.
+TEST(CurvedPairs, ConeTouchingABoxEdgeIsKnownToRounding) {
+  const ContactQuery query{
+      {Cone{0.33752796105617888, 0.81887326105410996},
+       Pose::FromQuaternion(
+           {0.99546865162173748, -0.56747023424951326, 0.11096009747163516},
+           {0.13147997780390255, -0.37167836633587292, -0.87937958489635126,
+            0.26694522490972356})},
+      {Box{{0.24440271364564825, 0.76494441963943205, 0.80642359652666662}},
+       Pose::FromQuaternion(
+           {1.4023662086448265, -0.28974896543351891, -0.21183406098469054},
+           {-0.35899897446066764, 0.28172916263450859, 0.095788394843722008,
+            0.88463156097366935})}};
+  const Enclosure e = ComputeContactTruth(query).separation;
+  EXPECT_LE(e.hi - e.lo, 1e-15);
+}
+
+TEST(CurvedPairs, NearTouchingAreKnownToATrillionthOfTheirSize) {
+  RandomScene random(21);
+  int narrow = 0;
+  for (int i = 0; i < 600; ++i) {
+    const Shape A = SomeShape(random, i % 2);
+    const Shape B = SomeShape(random, i / 2 % 6);
+    const Eigen::Vector3d p = random.Point(1);
+    const Eigen::Quaterniond q = random.Rotation();
+    ContactQuery query{{A, Pose::FromQuaternion(p, q)},
+                       {B, Pose::FromQuaternion(p + random.Point(1.5), q)}};
+    const ContactTruth truth = ComputeContactTruth(query);
+    const double gap = random.Uniform(-1, 1) * random.Power(-17, -5);
+    query.B.X_WB.p_WB += (gap - truth.separation.lo) * truth.certificate.n_AB_W;
+    const Enclosure e = ComputeContactTruth(query).separation;
+    EXPECT_LE(e.hi - e.lo, 1e-12 * SceneSize(query)) << "pair " << i;
+    narrow += e.hi - e.lo <= 1e-17 * SceneSize(query);
+  }
+  // Only few are known to less than the rounding of their coordinates.
+  EXPECT_LT(narrow, 300);
+}
+
+Body Scaled(const Body& body, int exponent) {
+  Body scaled = body;
+  scaled.shape = Resized(body.shape, std::ldexp(1, exponent));
+  scaled.X_WB.p_WB *= std::ldexp(1, exponent);
+  return scaled;
+}
+
+// The promised range is from 1e-100 to 1e100 m.
+TEST(Sizes, ScaleTheTruthExactlyOverThePromisedRange) {
+  RandomScene random(22);
+  for (int i = 0; i < 72; ++i) {
+    const Shape A = SomeShape(random, i % 6);
+    const Shape B = SomeShape(random, i / 6 % 6);
+    const Eigen::Vector3d p = random.Point(1);
+    const ContactQuery query{
+        {A, Pose::FromQuaternion(p, random.Rotation())},
+        {B, Pose::FromQuaternion(p + random.Point(1.5), random.Rotation())}};
+    const ContactTruth truth = ComputeContactTruth(query);
+    for (const int exponent : {-328, -200, 200, 328}) {
+      const ContactQuery scaled{Scaled(query.A, exponent), Scaled(query.B, exponent)};
+      const ContactTruth same = ComputeContactTruth(scaled);
+      EXPECT_EQ(same.separation.lo, std::ldexp(truth.separation.lo, exponent));
+      EXPECT_EQ(same.separation.hi, std::ldexp(truth.separation.hi, exponent));
+      EXPECT_EQ(same.certificate.n_AB_W, truth.certificate.n_AB_W);
+      EXPECT_EQ(same.touching, truth.touching);
+      EXPECT_EQ(0 - Overlap(scaled, same.certificate.n_AB_W).hi, same.separation.lo);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -1,0 +1,84 @@
+#include "reports/referee/support.h"
+
+#include <limits>
+#include <variant>
+
+namespace touchstone::referee {
+namespace {
+
+using Number = Bounded<Precise>;
+
+/** Returns n · x for exact doubles. */
+template <typename Real>
+Bounded<Real> Along(const Eigen::Vector3d& n, const Eigen::Vector3d& x) {
+  return Bounded<Real>(Real(n.x())) * Bounded<Real>(Real(x.x())) +
+         Bounded<Real>(Real(n.y())) * Bounded<Real>(Real(x.y())) +
+         Bounded<Real>(Real(n.z())) * Bounded<Real>(Real(x.z()));
+}
+
+/** The reach of a shape from its centre along the world direction n. */
+struct Reach {
+  const Eigen::Matrix3d& R_WB;
+  const Eigen::Vector3d& n_W;
+
+  Number operator()(const Sphere& sphere) const {
+    return Number(sphere.radius) * Length();
+  }
+  Number operator()(const Box& box) const {
+    Number reach;
+    for (int i = 0; i < 3; ++i) reach = reach + Number(box.half_extents[i]) * Abs(To(i));
+    return reach;
+  }
+  Number operator()(const Capsule& capsule) const {
+    return Number(capsule.half_length) * Abs(To(2)) + Number(capsule.radius) * Length();
+  }
+  Number operator()(const Cylinder& cylinder) const {
+    return Number(cylinder.half_length) * Abs(To(2)) + Number(cylinder.radius) * Off();
+  }
+  // The larger of the apex and the farthest point of the base.
+  Number operator()(const Cone& cone) const {
+    return Max(Number(cone.half_height) * To(2),
+               Number(cone.radius) * Off() - Number(cone.half_height) * To(2));
+  }
+  Number operator()(const ConvexHull& hull) const {
+    // Vertices that are certainly not the farthest in double are not worth more digits.
+    const Vector<Bounded<double>> quick = {Column<double>(0), Column<double>(1),
+                                           Column<double>(2)};
+    const Vector<Number> sharp = {To(0), To(1), To(2)};
+    double least = -std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& v : hull.vertices) {
+      least = std::max(least, Dot(quick, Exactly<Bounded<double>>(v)).enclosure().lo);
+    }
+    Number reach(-std::numeric_limits<double>::infinity());
+    bool is_first = true;
+    for (const Eigen::Vector3d& v : hull.vertices) {
+      if (Dot(quick, Exactly<Bounded<double>>(v)).enclosure().hi < least) continue;
+      const Number along = Dot(sharp, Exactly<Number>(v));
+      reach = is_first ? along : Max(reach, along);
+      is_first = false;
+    }
+    return reach;
+  }
+  Number operator()(const HalfSpace&) const {
+    return Number(std::numeric_limits<double>::infinity());
+  }
+
+  /** The component of n along the image of the body's axis i. */
+  template <typename Real>
+  Bounded<Real> Column(int i) const {
+    return Along<Real>(n_W, R_WB.col(i));
+  }
+  Number To(int i) const { return Column<Precise>(i); }
+  /** The component of n across the body's z axis, in body coordinates. */
+  Number Off() const { return Sqrt(To(0) * To(0) + To(1) * To(1)); }
+  Number Length() const { return Sqrt(Along<Precise>(n_W, n_W)); }
+};
+
+}  // namespace
+
+Bounded<Precise> SupportOf(const Body& body, const Eigen::Vector3d& n_W) {
+  return Along<Precise>(n_W, body.X_WB.p_WB) +
+         std::visit(Reach{body.X_WB.R_WB, n_W}, body.shape);
+}
+
+}  // namespace touchstone::referee
