@@ -168,6 +168,80 @@ RC_GTEST_PROP(PerturbedAnswer, FailsWhereAContactIsAddedThatIsApart, ()) {
   });
 }
 
+/** Changes a right answer into another one that is as right. */
+void PassesAfter(double depth, const Change& change) {
+  const ContactQuery query = BoxOnBox(depth);
+  ContactAnswer answer = Right(query, depth);
+  change(query, answer);
+  const std::vector<Finding> findings = Judged(query, answer);
+  RC_LOG() << Verdicts(findings);
+  RC_ASSERT(std::all_of(findings.begin(), findings.end(),
+                        [](const Finding& f) { return f.verdict == Verdict::kPass; }));
+}
+
+RC_GTEST_PROP(LegalAnswer, PassesWithContactsInAnyOrderAndMoreBetween, ()) {
+  PassesAfter(kDepth, [](const ContactQuery&, ContactAnswer& answer) {
+    std::rotate(answer.points.begin(),
+                answer.points.begin() + *rc::gen::inRange<std::ptrdiff_t>(0, 4),
+                answer.points.end());
+    ContactPoint between = answer.points[0];
+    const double share = RandomLength(0.1, 0.9);
+    between.p_WC +=
+        share * (answer.points[*rc::gen::element(1, 2, 3)].p_WC - between.p_WC);
+    answer.points.push_back(between);
+  });
+}
+
+RC_GTEST_PROP(LegalAnswer, PassesWithTheFieldsInItsContactsOnly, ()) {
+  PassesAfter(kDepth, [](const ContactQuery&, ContactAnswer& answer) {
+    for (ContactPoint& contact : answer.points) contact.n_AB_W = answer.n_AB_W;
+    answer.n_AB_W.reset();
+    answer.separation.reset();
+  });
+}
+
+RC_GTEST_PROP(LegalAnswer, PassesWithWitnessesAnywhereInThePatch, ()) {
+  PassesAfter(kDepth, [](const ContactQuery&, ContactAnswer& answer) {
+    const Eigen::Vector3d along = answer.points[2].p_WC - answer.points[0].p_WC;
+    const Eigen::Vector3d moved = RandomLength(0.01, 0.99) * along;
+    answer.witnesses->p_WCa += moved;
+    answer.witnesses->p_WCb += moved;
+  });
+}
+
+// A contact on the rim of A where a tilted B leaves it: as deep as the bodies are there.
+RC_GTEST_PROP(LegalAnswer, PassesWithShallowerContactsOfATiltedBox, ()) {
+  const double tilt = RandomLength(0.01, 0.3);
+  const Eigen::Matrix3d R(Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitY()));
+  const Eigen::Vector3d b(0.1, 0.07, 0.2);
+  const Eigen::Vector3d low = R * Eigen::Vector3d(b.x(), b.y(), -b.z());
+  const Eigen::Vector3d p_A(0.02, 0.01, 0.1 - low.z() - 0.05);
+  const Pose X_WA = AwkwardPose();
+  const ContactQuery query{{Box{{0.3, 0.2, 0.1}}, X_WA}, {Box{b}, Placed(X_WA, p_A, R)}};
+  const ContactTruth truth = ComputeContactTruth(query);
+  const Eigen::Vector3d n_W = X_WA.R_WB.col(2);
+  RC_PRE(truth.certificate.n_AB_W.dot(n_W) > 1 - 1e-9);
+  ContactAnswer answer;
+  answer.status = AnswerStatus::kAnswered;
+  answer.touching = true;
+  answer.n_AB_W = n_W;
+  answer.separation = -0.05;
+  for (const double x : {b.x(), -b.x()}) {
+    for (const double y : {b.y(), -b.y()}) {
+      const Eigen::Vector3d corner_A = p_A + R * Eigen::Vector3d(x, y, -b.z());
+      const double s = corner_A.z() - 0.1;
+      if (s > 0) continue;
+      answer.points.push_back(
+          {X_WA * Eigen::Vector3d(corner_A.x(), corner_A.y(), 0.1 + s / 2), s, {}});
+    }
+  }
+  answer.witnesses = SurfacePointsOf(answer.points.front(), n_W);
+  const std::vector<Finding> findings = Judged(query, answer);
+  RC_LOG() << Verdicts(findings);
+  RC_ASSERT(std::all_of(findings.begin(), findings.end(),
+                        [](const Finding& f) { return f.verdict == Verdict::kPass; }));
+}
+
 // Any direction is a separating one or not; without a distance nothing else is claimed.
 TEST(PerturbedAnswer, IsNotRightWhereANormalAloneSeparatesNothing) {
   const Specimen s = BoxOnBoxFace(-kDepth);
