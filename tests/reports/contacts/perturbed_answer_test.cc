@@ -186,8 +186,8 @@ RC_GTEST_PROP(LegalAnswer, PassesWithContactsInAnyOrderAndMoreBetween, ()) {
                 answer.points.end());
     ContactPoint between = answer.points[0];
     const double share = RandomLength(0.1, 0.9);
-    between.p_WC +=
-        share * (answer.points[*rc::gen::element(1, 2, 3)].p_WC - between.p_WC);
+    between.p_WC += share * (answer.points[*rc::gen::element<std::size_t>(1, 2, 3)].p_WC -
+                             between.p_WC);
     answer.points.push_back(between);
   });
 }
