@@ -26,7 +26,9 @@ struct Capability {
    algorithms that return one point per call: their point is judged but need not span a
    face. */
   bool manifold = false;
-  bool witnesses = false;  ///< Returns witness points.
+  bool witnesses = false;  ///< Returns witness points of pairs that are apart.
+  /** Returns witness points of penetrating pairs. */
+  bool penetrating_witnesses = false;
   /** The engine's own documented convergence tolerance or margin, added to the rounding
    tolerance when its separation is judged. [m]; 0 for closed forms. */
   double documented_error = 0;
@@ -57,6 +59,9 @@ struct OracleInfo {
   std::string version;  ///< Version that the library itself reports.
   /** Unit roundoff of the arithmetic: 2^-53 for double, 2^-24 for float. */
   double unit_roundoff = 0x1p-53;
+  /** Whether it computes contacts from p_B − p_A, so that its lengths round like the
+   distance of the bodies and not like their coordinates. */
+  bool subtracts_first = false;
   /** Whether contact queries are answered in a forked child with a deadline, because the
    engine can abort, crash or hang. */
   bool isolated = false;

@@ -105,8 +105,9 @@ void Round::Ask(std::span<const Oracle* const> oracles, int jobs,
 bool IsComparable(const ScenarioResult& result, const OracleInfo& oracle,
                   const ContactAnswer& answer) {
   return answer.status == AnswerStatus::kAnswered &&
-         !InvalidityOf(answer,
-                       TolerancesOf(oracle, result.scenario, result.truth).unit_normal);
+         !InvalidityOf(
+             answer, TolerancesOf(oracle, result.scenario, result.truth, answer.touching)
+                         .unit_normal);
 }
 
 /** A run in progress. */

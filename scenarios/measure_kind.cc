@@ -22,6 +22,8 @@ constexpr std::array<MeasureNames, kMeasureKinds> kMeasures = {{
     {"patch_coverage", ""},
     {"contact_count", ""},
     {"contact_too_deep", "m"},
+    {"contact_separation_error", "m"},
+    {"witness_error", "m"},
     {"mixed_normals", "rad"},
     {"swap", "m"},
     {"rigid_motion", "m"},

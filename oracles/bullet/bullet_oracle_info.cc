@@ -66,6 +66,7 @@ Capability ClosestPointsCapability(ShapeKind a, ShapeKind b, BulletPrecision pre
   Capability capability = GjkEpa(convergence);
   capability.distance = true;
   capability.witnesses = true;
+  capability.penetrating_witnesses = true;
   capability.documented_relative_error = convergence.gjk;
   capability.documented_by += "; REL_ERROR2, btGjkPairDetector.cpp";
   return capability;
@@ -178,6 +179,9 @@ OracleInfo BulletOracleInfo(BulletPrecision precision, BulletPath path,
   info.version =
       std::to_string(module.version / 100) + "." + std::to_string(module.version % 100);
   info.unit_roundoff = module.unit_roundoff;
+  // btGjkPairDetector moves both bodies by the middle of their positions,
+  // btBoxBoxDetector and the closed forms use the difference of the positions.
+  info.subtracts_first = true;
   info.settings = CommonSettings(precision);
   for (Setting& setting : dispatch ? WorldDispatchSettings() : ClosestPointsSettings()) {
     info.settings.push_back(std::move(setting));

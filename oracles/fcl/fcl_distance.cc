@@ -66,6 +66,7 @@ Capability CapabilityOf(FclSolver solver, FclDistanceKind kind, ShapeKind a,
   capability.distance = true;
   capability.normal = is_signed && libccd;
   capability.witnesses = true;
+  capability.penetrating_witnesses = is_signed && libccd;
   // GST_LIBCCD uses no closed forms for the signed distance.
   if (HasClosedDistance(a, b) && !(is_signed && libccd)) {
     capability.family = "closed_form";

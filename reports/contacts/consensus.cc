@@ -34,7 +34,8 @@ std::vector<Voter> VotersOf(const ScenarioResult& result,
         oracles[i].For(KindOf(query.A.shape), KindOf(query.B.shape));
     voters.push_back(
         {oracles[i].name, capability.family, answer.touching, SeparationOf(answer),
-         TolerancesOf(oracles[i], result.scenario, result.truth).separation.value});
+         TolerancesOf(oracles[i], result.scenario, result.truth, answer.touching)
+             .separation.value});
   }
   return voters;
 }

@@ -10,6 +10,7 @@
 #include "reports/contacts/causes/margin.h"
 #include "reports/contacts/causes/precision.h"
 #include "reports/contacts/causes/tie.h"
+#include "reports/contacts/normal_claim.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/stated.h"
 
@@ -43,7 +44,11 @@ void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
   std::vector<Finding*> of_answer;
   for (Finding& finding : findings) {
     if (finding.verdict == Verdict::kPass) ExplainByModel(result, oracle, finding);
-    if (finding.measure == MeasureKind::kExcess && finding.verdict == Verdict::kPass) {
+    const ContactQuery& query = result.scenario.contact;
+    const Capability& capability =
+        oracle.For(KindOf(query.A.shape), KindOf(query.B.shape));
+    if (finding.measure == MeasureKind::kExcess && finding.verdict == Verdict::kPass &&
+        ClaimsLeastDirection(result.truth, capability, answer)) {
       const auto tie = TieOf(result.truth, NormalOf(answer).value());
       if (tie) {
         finding.cause = Cause::kTie;

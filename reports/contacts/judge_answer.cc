@@ -6,11 +6,16 @@
 
 #include <fmt/format.h>
 
+#include "reports/contacts/body_size.h"
+#include "reports/contacts/exact_scene.h"
+#include "reports/contacts/grade.h"
+#include "reports/contacts/normal_claim.h"
 #include "reports/contacts/proof.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/consistency_error.h"
 #include "reports/measures/contact_count.h"
 #include "reports/measures/contact_off_patch.h"
+#include "reports/measures/contact_separation_error.h"
 #include "reports/measures/contact_surface_error.h"
 #include "reports/measures/contact_too_deep.h"
 #include "reports/measures/duality_gap.h"
@@ -23,6 +28,7 @@
 #include "reports/measures/separation_error.h"
 #include "reports/measures/stated.h"
 #include "reports/measures/touching.h"
+#include "reports/measures/witness_error.h"
 #include "reports/referee/referee.h"
 
 namespace touchstone {
@@ -39,7 +45,7 @@ class Judgement {
         oracle_(oracle),
         answer_(answer),
         capability_(oracle.For(KindOf(query_.A.shape), KindOf(query_.B.shape))),
-        tolerances_(TolerancesOf(oracle, scenario, truth)),
+        tolerances_(TolerancesOf(oracle, scenario, truth, answer.touching)),
         dispute_{oracle.name, query_, truth, answer},
         n_W_(NormalOf(answer)),
         separation_(SeparationOf(answer)) {}
@@ -82,8 +88,31 @@ class Judgement {
     finding.verdict = value <= tolerance.value ? Verdict::kPass : Verdict::kFail;
     // If doubles overflow, the enclosure is unbounded and proves no answer wrong.
     if (!std::isfinite(tolerance.value)) finding.verdict = Verdict::kUndecidable;
-    if (finding.verdict == Verdict::kFail) finding.proof = prove();
+    if (UnitOf(measure) == "m") RequireFineTolerance(finding);
+    if (finding.verdict == Verdict::kFail) {
+      finding.proof = prove();
+      finding.grade = GradeOf(finding, query_, truth_);
+      finding.safety = tolerance.value > 0 ? kRoundingsSafety : 1;
+    }
     return finding;
+  }
+
+  /** Withdraws a pass within a tolerance that is too wide to tell right from wrong. A
+   value that passes a fine tolerance as well remains a pass. */
+  void RequireFineTolerance(Finding& finding) const {
+    if (finding.verdict != Verdict::kPass || finding.tolerance <= tolerances_.fine)
+      return;
+    const bool is_fine = finding.value <= tolerances_.fine;
+    finding.tolerance_because =
+        fmt::format("{} {:.2g} m, a hundredth of the smallest feature: {}",
+                    is_fine ? "narrowed to" : "wider than", tolerances_.fine,
+                    finding.tolerance_because);
+    if (is_fine) {
+      finding.tolerance = tolerances_.fine;
+    } else {
+      finding.verdict = Verdict::kUndecidable;
+      finding.undecided = Undecided::kCoarse;
+    }
   }
 
   /** Withdraws a pass that is not proved because the truth is wider than the tolerance.
@@ -131,6 +160,8 @@ class Judgement {
     if (!answer_.touching) {
       if (capability_.distance && !separation_)
         return "apart, without the promised distance";
+      if (capability_.witnesses && !answer_.witnesses)
+        return "apart, without the promised witness points";
       return std::nullopt;
     }
     if (capability_.depth && !separation_) return "touching, without the promised depth";
@@ -143,6 +174,9 @@ class Judgement {
     if (capability_.manifold && answer_.points.empty()) {
       return "touching, without a contact";
     }
+    if (capability_.penetrating_witnesses && !answer_.witnesses) {
+      return "touching, without the promised witness points";
+    }
     return std::nullopt;
   }
 
@@ -152,19 +186,42 @@ class Judgement {
     Finding& finding =
         Add(MeasureKind::kTouching, TouchingError(truth_, answer_),
             {0, "the truth is certified"}, [&] { return ProveTouching(dispute_); });
+    const std::optional<bool> sign = CertifiedTouching(truth_);
     const double from_touching = Outside(0, truth_.separation);
-    if (truth_.touching == Touching::kUndecided) {
-      finding.verdict = Verdict::kUndecidable;
-      finding.tolerance_because = fmt::format(
-          "touching to within {:.2g} m, the rounding of the input, or undecided by {}",
-          truth_.input_rounding, truth_.method);
-    } else if (finding.value > 0 && from_touching <= tolerances_.separation.value) {
-      finding.verdict = Verdict::kUndecidable;
-      finding.tolerance_because =
-          fmt::format("{:.2g} m from touching, within {:.2g} m: {}", from_touching,
-                      tolerances_.separation.value, tolerances_.separation.because);
-      finding.proof.clear();
+    const double e = tolerances_.separation.value;
+    if (truth_.touching != Touching::kUndecided && finding.value == 0) return;
+    if (truth_.touching != Touching::kUndecided && from_touching > e) return;
+    if (IsExactScene(query_, oracle_.unit_roundoff)) {
+      if (const auto exact = TouchingInExactScene(query_, truth_)) {
+        DecideExactly(finding, *exact);
+        return;
+      }
     }
+    finding.verdict = Verdict::kUndecidable;
+    finding.undecided = !sign                       ? Undecided::kUnknown
+                        : *sign == answer_.touching ? Undecided::kAgreed
+                                                    : Undecided::kOpposed;
+    finding.tolerance_because =
+        truth_.touching == Touching::kUndecided
+            ? fmt::format("touching to within {:.2g} m, the rounding of the input{}",
+                          truth_.input_rounding,
+                          sign ? "" : ", or undecided by " + truth_.method)
+            : fmt::format("{:.2g} m from touching, within {:.2g} m: {}", from_touching, e,
+                          tolerances_.separation.because);
+    finding.grade = Grade::kNone;
+    finding.safety = 1;
+    finding.proof.clear();
+  }
+
+  /** Judges `touching` in a scene whose numbers need no rounding. */
+  void DecideExactly(Finding& finding, bool sign) const {
+    finding.value = answer_.touching == sign ? 0 : 1;
+    finding.verdict = finding.value > 0 ? Verdict::kFail : Verdict::kPass;
+    finding.tolerance_because =
+        "the truth is certified, and the numbers of the scene need no rounding";
+    if (finding.verdict == Verdict::kPass) return;
+    finding.proof = ProveTouching(dispute_);
+    finding.grade = GradeOf(finding, query_, truth_);
   }
 
   void JudgeSeparation() {
@@ -184,11 +241,17 @@ class Judgement {
     });
   }
 
-  /** Judges the normal. Where the bodies are apart, any separating direction is a legal
-   normal, unless the oracle promises distances: then it claims the direction of the
-   distance. */
+  bool IsNormalClaimed() const {
+    return n_W_ && ClaimsLeastDirection(truth_, capability_, answer_);
+  }
+
   void JudgeNormal() {
-    if (!n_W_ || (IsApart() && !answer_.touching && !capability_.distance)) return;
+    if (!n_W_) return;
+    if (!IsNormalClaimed()) {
+      // A separation that is stated without a promise is judged along the normal.
+      if (!separation_) JudgeSeparatingDirection();
+      return;
+    }
     Finding& finding =
         Add(MeasureKind::kExcess, Excess(query_, truth_, *n_W_), tolerances_.excess,
             [&] { return ProveExcess(dispute_, *n_W_); });
@@ -196,35 +259,115 @@ class Judgement {
     normal_is_right_ = finding.verdict == Verdict::kPass;
   }
 
-  void JudgeWitnesses() {
-    if (!answer_.witnesses || !IsApart() || answer_.touching) return;
-    const WitnessPoints& w = *answer_.witnesses;
-    if (w.p_WCa == w.p_WCb) return;  // Covered by the surface error below.
-    Add(MeasureKind::kDualityGap, DualityGap(query_, w), tolerances_.apart,
-        [&] { return ProveDualityGap(dispute_); });
+  /** Judges the normal of bodies that are apart, from an oracle that promises no
+   distance. Any direction that separates them is right, and its opposite wrong. Another
+   direction claims nothing that could be verified. */
+  void JudgeSeparatingDirection() {
+    const bool opposite = OverlapAlong(query_, -*n_W_).hi < 0;
+    Finding& finding =
+        Add(MeasureKind::kExcess, std::max(0.0, OverlapAlong(query_, *n_W_).lo),
+            tolerances_.apart, [&] { return ProveOppositeNormal(dispute_, *n_W_); });
+    if (finding.verdict != Verdict::kFail || opposite) return;
+    finding.verdict = Verdict::kUndecidable;
+    finding.undecided = Undecided::kUnverified;
+    finding.tolerance_because =
+        "its normal separates nothing, and without a distance it claims nothing else";
+    finding.proof.clear();
   }
 
-  void JudgeContacts() {
-    double surface = -1;
-    WitnessPoints worst;
-    const auto consider = [&](double error, const WitnessPoints& points) {
-      if (!(error <= surface)) {
-        surface = error;
-        worst = points;
-      }
-    };
+  void JudgeWitnesses() {
+    if (!answer_.witnesses) return;
+    const WitnessPoints& w = *answer_.witnesses;
+    // Witness points that coincide are covered by the surface error below.
+    if (IsApart() && !answer_.touching && w.p_WCa != w.p_WCb) {
+      Add(MeasureKind::kDualityGap, DualityGap(query_, w), tolerances_.apart,
+          [&] { return ProveDualityGap(dispute_); });
+    }
+    if (separation_) JudgeWitnessError(w);
+  }
+
+  void JudgeWitnessError(const WitnessPoints& w) {
+    const bool vector = IsNormalClaimed();
+    const WitnessError error = vector
+                                   ? WitnessErrorOf(w, *n_W_, *separation_)
+                                   : WitnessError{WitnessLengthError(w, *separation_), 0};
+    const Tolerance& each = tolerances_.position;
+    const Tolerance along = {
+        3 * each.value,
+        fmt::format("two points and a separation, each off by {:.2g} m: {}", each.value,
+                    each.because)};
+    const bool by_across =
+        error.across * along.value > error.along * tolerances_.across.value;
+    Add(MeasureKind::kWitnessError, by_across ? error.across : error.along,
+        by_across ? tolerances_.across : along, [&] {
+          return ProveWitnessError(dispute_, vector ? &*n_W_ : nullptr, *separation_);
+        });
+  }
+
+  /** The points of a contact on both bodies, or the witness points. */
+  struct OnSurfaces {
+    WitnessPoints points;
+    Eigen::Vector3d n_W;  ///< Zero if there is none to judge.
+    double gap;           ///< Separation of a contact; 0 for witness points. [m]
+  };
+
+  std::vector<OnSurfaces> AllOnSurfaces() const {
+    std::vector<OnSurfaces> all;
     if (answer_.witnesses) {
-      consider(WitnessSurfaceError(query_, *answer_.witnesses), *answer_.witnesses);
+      // Witness points of bodies that are apart are judged by their duality gap.
+      const bool judged = n_W_ && answer_.touching;
+      all.push_back({*answer_.witnesses,
+                     judged ? *n_W_ : Eigen::Vector3d(Eigen::Vector3d::Zero()), 0});
     }
     for (const ContactPoint& contact : answer_.points) {
       const Eigen::Vector3d n = contact.n_AB_W.value_or(*n_W_).normalized();
-      consider(ContactSurfaceError(query_, *n_W_, contact),
-               {contact.p_WC - n * (contact.separation / 2),
-                contact.p_WC + n * (contact.separation / 2)});
+      all.push_back({SurfacePointsOf(contact, n), n, contact.separation});
     }
-    if (surface < 0) return;
-    Add(MeasureKind::kContactSurfaceError, surface, tolerances_.separation,
-        [&] { return ProveSurfaceError(dispute_, worst.p_WCa, worst.p_WCb); });
+    return all;
+  }
+
+  void JudgeContacts() {
+    const std::vector<OnSurfaces> all = AllOnSurfaces();
+    double surface = -1;
+    const OnSurfaces* worst = nullptr;
+    for (const OnSurfaces& on : all) {
+      const double error = SurfaceError(query_, on.points);
+      if (!(error <= surface)) {
+        surface = error;
+        worst = &on;
+      }
+    }
+    if (worst == nullptr) return;
+    const Finding& finding =
+        Add(MeasureKind::kContactSurfaceError, surface, tolerances_.separation, [&] {
+          return ProveSurfaceError(dispute_, worst->points.p_WCa, worst->points.p_WCb);
+        });
+    // Points off their surfaces, or along a wrong normal, are wrong already.
+    if (finding.verdict == Verdict::kPass && normal_is_right_) JudgeSeparations(all);
+  }
+
+  /** Judges the own separation of every contact: neither may the bodies overlap there by
+   more than it says, nor may it be apart. */
+  void JudgeSeparations(const std::vector<OnSurfaces>& all) {
+    const double e = tolerances_.position.value;
+    const double least = tolerances_.across.value;
+    double beyond = 0;
+    double gap = 0;
+    const OnSurfaces* worst = &all.front();
+    for (const OnSurfaces& on : all) {
+      if (on.n_W.isZero()) continue;
+      const double more = ContactSeparationError(query_, on.points, on.n_W, e, least);
+      if (more > beyond || (beyond == 0 && on.gap > gap)) worst = &on;
+      beyond = std::max(beyond, more);
+      gap = std::max(gap, on.gap);
+    }
+    if (beyond > 0 || gap <= e) {
+      Add(MeasureKind::kContactSeparationError, beyond, tolerances_.across,
+          [&] { return ProveContactTooShallow(dispute_, worst->points, beyond); });
+    } else {
+      Add(MeasureKind::kContactSeparationError, gap, tolerances_.separation,
+          [&] { return ProveSurplusContact(dispute_, worst->points, gap); });
+    }
   }
 
   /** Judges the positions and the number of the contacts. Applies where the normal is
@@ -238,7 +381,8 @@ class Judgement {
     if (normal_is_right_ && certain && answer_.touching) {
       JudgeOffPatch();
       // Where the whole patch overlaps by more than rounding, all of it must be covered.
-      if (capability_.manifold && truth_.separation.hi < -2 * e) JudgeCoverage();
+      if (capability_.manifold && truth_.separation.hi < -2 * tolerances_.position.value)
+        JudgeCoverage();
     }
     Finding& finding =
         Add(MeasureKind::kContactTooDeep, ContactTooDeep(truth_, *deepest),
@@ -287,9 +431,10 @@ class Judgement {
       if (kind != ShapeKind::kCylinder && kind != ShapeKind::kCone) continue;
       const double lean = n_W_->cross(body->X_WB.R_WB.col(2)).norm();
       const double r = BoundingRadius(body->shape);
-      const double e = tolerances_.separation.value;
+      const double e = tolerances_.position.value;
       const double open = lean * r > e ? std::sqrt(2 * e * r / lean) : 2 * r;
-      tolerance.value = std::max(tolerance.value, 2 * std::min(open, 2 * r));
+      const double most = std::min(2 * r, SmallerExtent(query_));
+      tolerance.value = std::max(tolerance.value, std::min(2 * open, most));
       tolerance.because = fmt::format("{}, or along a rim that leans by {:.2g}",
                                       tolerances_.across.because, lean);
     }
@@ -297,26 +442,36 @@ class Judgement {
   }
 
   void JudgeCoverage() {
-    const double e = tolerances_.separation.value;
+    const double e = tolerances_.position.value;
     const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
     const ContactPatch patch =
         CertainPatch(query_, n, SeparationAlong(n), truth_.input_rounding, e);
+    bool is_spanned = false;
     if (patch.vertices_W.size() > 1) {
       const double unspanned = PatchUnspanned(patch, n, answer_.points);
+      const double legal = LegalUnspanned(patch, n, answer_.points);
       const double blur = PatchBlur(patch, n, e);
-      Add(MeasureKind::kPatchCoverage, unspanned,
-          {LegalUnspanned(patch) + blur,
-           fmt::format("a triangle inscribed in a disc leaves a quarter of its diameter "
-                       "unspanned, and sides off by {:.2g} m leave {:.2g} of it",
-                       e, blur)},
-          [&] { return ProveUnspanned(dispute_, patch, unspanned); });
+      const Finding& finding =
+          Add(MeasureKind::kPatchCoverage, unspanned,
+              {legal + blur,
+               fmt::format("{}, and sides off by {:.2g} m leave {:.2g} of it",
+                           legal > kLegalUnspanned
+                               ? "a triangle inscribed in a disc leaves a quarter of its "
+                                 "diameter unspanned"
+                               : "a sixteenth of its extent may be left unspanned",
+                           e, blur)},
+              [&] { return ProveUnspanned(dispute_, patch, unspanned); });
+      is_spanned = finding.verdict == Verdict::kPass;
     }
-    Add(MeasureKind::kContactCount, ContactCountError(patch, answer_.points, e),
+    const int least = is_spanned ? 0 : patch.least_contacts;
+    Add(MeasureKind::kContactCount, ContactCountError(least, answer_.points, e),
         {0, "the patch needs that many"}, [&] { return ProveCount(dispute_, patch); });
   }
 
   void JudgeMixedNormals() {
-    if (answer_.points.size() < 2) return;
+    const bool has_two =
+        answer_.points.size() > 1 || (answer_.points.size() == 1 && answer_.n_AB_W);
+    if (!has_two) return;
     const double angle = MixedNormals(answer_);
     Add(MeasureKind::kMixedNormals, angle, tolerances_.angle,
         [&] { return ProveMixedNormals(dispute_, angle); });

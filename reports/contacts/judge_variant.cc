@@ -10,6 +10,8 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "reports/contacts/grade.h"
+#include "reports/contacts/normal_claim.h"
 #include "reports/contacts/proof.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/answer_change.h"
@@ -168,15 +170,16 @@ struct Granted {
  Both overlaps lie between the least overlap, which is the same for both, and the granted
  excess above it: they differ by no more than the larger excess. */
 Granted GrantedBetween(const Scenario& scenario, const ContactTruth& truth,
-                       const OracleInfo& oracle, const Variant& variant) {
+                       const OracleInfo& oracle, const Variant& variant, bool touching,
+                       bool variant_touching) {
   const double f = variant.factor;
   Scenario changed = scenario;
   changed.contact = variant.query;
   ContactTruth changed_truth = truth;
   changed_truth.separation = {truth.separation.lo * f, truth.separation.hi * f};
   changed_truth.input_rounding = truth.input_rounding * f + variant.rounding;
-  const Tolerances base = TolerancesOf(oracle, scenario, truth);
-  const Tolerances other = TolerancesOf(oracle, changed, changed_truth);
+  const Tolerances base = TolerancesOf(oracle, scenario, truth, touching);
+  const Tolerances other = TolerancesOf(oracle, changed, changed_truth, variant_touching);
   return {{base.separation.value + other.separation.value / f,
            fmt::format("both answers may be off, the first by {:.2g} m ({}), the second "
                        "by {:.2g} m on its own scene",
@@ -219,7 +222,8 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
                                     const OracleInfo& oracle, const ContactAnswer& answer,
                                     const Variant& variant,
                                     const ContactAnswer& variant_answer) {
-  const Granted granted = GrantedBetween(scenario, truth, oracle, variant);
+  const Granted granted = GrantedBetween(scenario, truth, oracle, variant,
+                                         answer.touching, variant_answer.touching);
   Finding finding;
   finding.scenario = scenario.id;
   finding.oracle = oracle.name;
@@ -242,7 +246,8 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   if (variant_answer.status == AnswerStatus::kUnsupported) {
     return failed(Verdict::kUnsupported, variant_answer.reason);
   }
-  const double unit_slack = TolerancesOf(oracle, scenario, truth).unit_normal;
+  const double unit_slack =
+      TolerancesOf(oracle, scenario, truth, answer.touching).unit_normal;
   if (const auto fault = InvalidityOf(variant_answer, unit_slack)) {
     return failed(Verdict::kInvalid, *fault);
   }
@@ -260,7 +265,7 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   if (!missing.empty()) {
     return failed(Verdict::kInvalid, fmt::format("it returns no {}", missing));
   }
-  if (truth.separation.lo > 0 && !answer.touching && !capability.distance) {
+  if (!ClaimsLeastDirection(truth, capability, answer)) {
     ForgetNormals(back);
   }
   const AnswerDifference change = AnswerChange(query, truth, answer, back);
@@ -279,7 +284,18 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   // Written so that a NaN fails.
   finding.verdict = finding.value <= finding.tolerance ? Verdict::kPass : Verdict::kFail;
   if (!std::isfinite(finding.tolerance)) finding.verdict = Verdict::kUndecidable;
+  const double fine = TolerancesOf(oracle, scenario, truth, answer.touching).fine;
+  if (finding.verdict == Verdict::kPass && finding.tolerance > fine) {
+    if (finding.value <= fine) {
+      finding.tolerance = fine;
+    } else {
+      finding.verdict = Verdict::kUndecidable;
+      finding.undecided = Undecided::kCoarse;
+    }
+  }
   if (finding.verdict == Verdict::kFail) {
+    finding.grade = GradeOf(finding, query, truth);
+    finding.safety = kRoundingsSafety;
     const std::string changed = ChangeOf(query, variant);
     finding.proof =
         fmt::format("{} {}", oracle.name,

@@ -78,6 +78,10 @@ std::string ProveTouching(const Dispute& dispute) {
         "{} says they touch; {}.", dispute.oracle,
         SeparatingPlane(dispute.truth, InMetres(dispute.truth.separation.lo)));
   }
+  if (dispute.truth.separation.hi >= 0) {
+    return fmt::format("{} says apart; the point {} belongs to both.", dispute.oracle,
+                       FormatVector(dispute.truth.certificate.p_WCa));
+  }
   const InsidePoint inside = PointInsideBoth(dispute.query, dispute.truth);
   if (inside.depth > 0) {
     return fmt::format("{} says apart; the point {} lies {:.9g} m inside both.",
@@ -166,6 +170,15 @@ std::string ProveExcess(const Dispute& dispute, const Eigen::Vector3d& n_W) {
                      LeastTranslation(truth, depth), less);
 }
 
+std::string ProveOppositeNormal(const Dispute& dispute, const Eigen::Vector3d& n_W) {
+  return fmt::format(
+      "{} says n = {}, which points from B to A: the opposite direction separates them "
+      "by {} m, and along n itself they overlap by {} m.",
+      dispute.oracle, FormatVector(n_W),
+      InMetres(-Middle(OverlapAlong(dispute.query, -n_W))),
+      InMetres(Middle(OverlapAlong(dispute.query, n_W))));
+}
+
 std::string ProveDualityGap(const Dispute& dispute) {
   const WitnessPoints& w = *dispute.answer.witnesses;
   const Eigen::Vector3d p_AB_W = w.p_WCb - w.p_WCa;
@@ -185,6 +198,46 @@ std::string ProveSurfaceError(const Dispute& dispute, const Eigen::Vector3d& p_W
       dispute.oracle, FormatVector(p_WCa), FormatVector(p_WCb),
       std::abs(Middle(SignedDistance(dispute.query.A, p_WCa))),
       std::abs(Middle(SignedDistance(dispute.query.B, p_WCb))));
+}
+
+std::string ProveWitnessError(const Dispute& dispute, const Eigen::Vector3d* n_W,
+                              double separation) {
+  const WitnessPoints& w = *dispute.answer.witnesses;
+  const Eigen::Vector3d p_AB_W = w.p_WCb - w.p_WCa;
+  const std::string says =
+      fmt::format("{} says {} of A and {} of B and a separation of {} m", dispute.oracle,
+                  FormatVector(w.p_WCa), FormatVector(w.p_WCb), InMetres(separation));
+  if (n_W == nullptr) {
+    const auto [length, said, off] =
+        TellApart(p_AB_W.norm(), std::abs(separation), kDigits);
+    return fmt::format("{}; the points are {} m apart: a difference of {} m.", says,
+                       length, off);
+  }
+  const double along = p_AB_W.dot(*n_W);
+  return fmt::format(
+      "{} along n = {}; from the first point to the second it is {} m along n and {} m "
+      "across.",
+      says, FormatVector(*n_W), TellApart(along, separation, kDigits).a,
+      InMetres((p_AB_W - along * *n_W).norm()));
+}
+
+std::string ProveContactTooShallow(const Dispute& dispute, const WitnessPoints& points,
+                                   double more) {
+  return fmt::format(
+      "{} puts a contact at {} on A and {} on B; there a body extends {} m further along "
+      "the normal.",
+      dispute.oracle, FormatVector(points.p_WCa), FormatVector(points.p_WCb),
+      InMetres(more));
+}
+
+std::string ProveSurplusContact(const Dispute& dispute, const WitnessPoints& points,
+                                double gap) {
+  return fmt::format(
+      "{} returns a contact at {} on A and {} on B, which are {} m apart: nothing "
+      "touches "
+      "there.",
+      dispute.oracle, FormatVector(points.p_WCa), FormatVector(points.p_WCb),
+      InMetres(gap));
 }
 
 std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,

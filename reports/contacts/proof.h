@@ -29,9 +29,17 @@ std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_
 std::string ProveManifoldInconsistency(const Dispute& dispute, double separation,
                                        const ContactPoint& deepest);
 std::string ProveExcess(const Dispute& dispute, const Eigen::Vector3d& n_W);
+std::string ProveOppositeNormal(const Dispute& dispute, const Eigen::Vector3d& n_W);
 std::string ProveDualityGap(const Dispute& dispute);
 std::string ProveSurfaceError(const Dispute& dispute, const Eigen::Vector3d& p_WCa,
                               const Eigen::Vector3d& p_WCb);
+/** @param n_W The normal of the answer; null if it has none. */
+std::string ProveWitnessError(const Dispute& dispute, const Eigen::Vector3d* n_W,
+                              double separation);
+std::string ProveContactTooShallow(const Dispute& dispute, const WitnessPoints& points,
+                                   double more);
+std::string ProveSurplusContact(const Dispute& dispute, const WitnessPoints& points,
+                                double gap);
 std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,
                           double off);
 std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,

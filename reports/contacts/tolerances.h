@@ -34,14 +34,26 @@ inline constexpr double kRoundings = 64;
  */
 inline constexpr double kNormalRoundings = 16;
 
+/** The factor by which kRoundings exceeds the sum that it is derived from, 54.5. A value
+ that exceeds its tolerance by no more than this factor may owe that to the order of an
+ engine's terms. [-] */
+inline constexpr double kRoundingsSafety = kRoundings / 54.5;
+
+/** The largest tolerance, as a fraction of the smaller body, within which an answer is
+ called right. [-] */
+inline constexpr double kFine = 0.01;
+
 /** The tolerances of one oracle in one scenario. */
 struct Tolerances {
-  /** Tolerance of every length along the normal: separations, overlaps, distances from a
-   surface. The least of several overlaps is off no further than the worst of them. [m] */
+  /** Tolerance of every length along the normal: separations and overlaps. The least of
+   several overlaps is off no further than the worst of them. [m] */
   Tolerance separation;
-  /** Tolerance of values that depend on a normal where the bodies are apart. The normal
-   is then the direction between two nearest points, each off by e: it tilts by e /
-   distance, on a lever as long as the scene. [m] */
+  /** Tolerance of the distance of a position from a surface. Equal to `separation`, but a
+   position always rounds like the largest coordinate of the scene. [m] */
+  Tolerance position;
+  /** Tolerance of values that depend on a normal. If the answer says apart, the normal is
+   the direction between two nearest points, each off by e: it tilts by e / distance, on a
+   lever as long as both bodies, which also bounds the overlap along any direction. [m] */
   Tolerance apart;
   /** Tolerance of the excess of the overlap along a normal over the least overlap. The
    normal is chosen by computed overlaps: the true overlap along it may be larger than
@@ -50,21 +62,28 @@ struct Tolerances {
   Tolerance excess;
   /** Tolerance of the position of a deepest contact across the normal. A depth off by e
    moves the deepest point of a surface of radius r by √(2 r e), and that of a nearly
-   parallel face as far. [m] */
+   parallel edge or face as far, at most across the smaller body. The sharper of two
+   surfaces decides, so r is at most the extent of the smaller body. [m] */
   Tolerance across;
   /** Tolerance of angles between normals that should be equal: e over the smallest
    feature. [rad] */
   Tolerance angle;
   /** Tolerance of the length of a unit normal. [-] */
   double unit_normal = 0;
+  /** The largest length that still tells a right answer from a wrong one: kFine of the
+   smallest feature of the bodies, and of |separation| where they are apart. [m] */
+  double fine = 0;
 };
 
-/** Returns the rounding of `oracle` on a scene: kRoundings u SceneSize(). [m] */
+/** Returns the rounding of `oracle` on a scene: kRoundings u SceneSize(). If the oracle
+ subtracts the positions first and both are representable in its precision, the scene is
+ as large as the distance of the positions and the larger body. [m] */
 double RoundingOf(const OracleInfo& oracle, const ContactQuery& query);
 
-/** Returns the tolerances of `oracle` in `scenario`: its rounding, the rounding of the
- input, its documented error, and the tolerance that the scenario's author grants. */
+/** Returns the tolerances of `oracle` in `scenario` for an answer that says `touching`:
+ its rounding, the rounding of the input, its documented error, and the tolerance that the
+ scenario's author grants. */
 Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
-                        const ContactTruth& truth);
+                        const ContactTruth& truth, bool touching);
 
 }  // namespace touchstone

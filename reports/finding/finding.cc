@@ -11,6 +11,11 @@ bool IsFailure(Verdict verdict) {
          verdict == Verdict::kInvalid;
 }
 
+bool IsWithinSafety(const Finding& finding) {
+  return finding.value > finding.tolerance &&
+         finding.value <= finding.tolerance * finding.safety;
+}
+
 bool IsVerified(std::span<const Finding> of_one_answer) {
   const auto is_unverified = [](const Finding& finding) {
     return finding.verdict == Verdict::kUnsupported;
@@ -37,6 +42,19 @@ std::string_view NameOf(Verdict verdict) {
       "pass",        "fail",    "disagree",  "known",  "undecidable",
       "unsupported", "crashed", "timed out", "invalid"};
   return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::string_view NameOf(Undecided undecided) {
+  constexpr std::array<std::string_view, 5> kNames = {
+      "sign known and agreed", "truth unknown", "tolerance too coarse", "unverified",
+      "sign known and opposed"};
+  return kNames[static_cast<std::size_t>(undecided)];
+}
+
+std::string_view NameOf(Grade grade) {
+  constexpr std::array<std::string_view, 6> kNames = {
+      "", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong hit or miss"};
+  return kNames[static_cast<std::size_t>(grade)];
 }
 
 std::string_view NameOf(Cause cause) {

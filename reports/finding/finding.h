@@ -22,6 +22,26 @@ enum class Verdict {
   kInvalid,      ///< NaN, infinite, non-unit normal, contact without a point.
 };
 
+/** The reason why a finding is undecidable, from the mildest to the gravest. */
+enum class Undecided {
+  kAgreed,      ///< The sign is certified, and the answer agrees, within its rounding.
+  kUnknown,     ///< The truth is not known well enough.
+  kCoarse,      ///< Within a tolerance too wide to tell right from wrong.
+  kUnverified,  ///< The answer states a field without a claim that could be verified.
+  kOpposed,     ///< The sign is certified, and the answer denies it, within its rounding.
+};
+
+/** The grade of a fault, from the mildest to the gravest. Lengths are relative to the
+ smaller body; angles in rad, fractions and counts count as they are. */
+enum class Grade {
+  kNone,        ///< No fault, or one without a size.
+  kRounding,    ///< At most 1e-6.
+  kSmall,       ///< Over 1e-6.
+  kLarge,       ///< Over 1e-3.
+  kGross,       ///< Over 10 %.
+  kWrongTouch,  ///< A wrong hit or miss by more than 1e-6.
+};
+
 /** The reason why an answer differs. */
 enum class Cause {
   kNone,        ///< The answer does not differ, or its cause is unknown.
@@ -48,6 +68,10 @@ struct Finding {
   double tolerance = 0;
   std::string tolerance_because;  ///< Origin of the tolerance, one sentence.
   Verdict verdict = Verdict::kPass;
+  Undecided undecided = Undecided::kUnknown;  ///< Why it is undecidable, if it is.
+  Grade grade = Grade::kNone;  ///< Size of the fault; kNone unless proved wrong.
+  /** Factor of safety within `tolerance`; 1 if there is none. [-] */
+  double safety = 1;
   Cause cause = Cause::kNone;
   std::string cause_because;  ///< E.g. "depth is half the overlap along its own normal".
   /** The proof as a sentence, e.g. "fcl/collide says 0.0135 along n; moving B by 0.01341
@@ -60,6 +84,10 @@ struct Finding {
 /** Returns whether a verdict fails a run unless the ledger lists it: fail, disagree,
  crashed, timed out or invalid. */
 bool IsFailure(Verdict verdict);
+
+/** Returns whether a value exceeds its tolerance by no more than the tolerance's factor
+ of safety: it is a fault only if that factor is taken at its word. */
+bool IsWithinSafety(const Finding& finding);
 
 /** Returns whether the verdict is `fail`. Such a failure has a cause to look for. */
 inline bool IsProvedWrong(const Finding& finding) {
@@ -79,6 +107,10 @@ std::string_view RecognisedModelOf(const Finding& finding);
 
 /** Returns "pass", "fail", …, "timed out". */
 std::string_view NameOf(Verdict verdict);
+/** Returns "sign known and agreed", "truth unknown", … */
+std::string_view NameOf(Undecided undecided);
+/** Returns "wrong hit or miss", "over 10 %", …; "" for kNone. */
+std::string_view NameOf(Grade grade);
 /** Returns "convention", "tie", …; "" for kNone. */
 std::string_view NameOf(Cause cause);
 

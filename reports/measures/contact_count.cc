@@ -4,8 +4,7 @@
 
 namespace touchstone {
 
-int ContactCountError(const ContactPatch& patch, std::span<const ContactPoint> contacts,
-                      double same) {
+int ContactCountError(int least, std::span<const ContactPoint> contacts, double same) {
   int repeated = 0;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto earlier = contacts.first(i);
@@ -13,8 +12,7 @@ int ContactCountError(const ContactPatch& patch, std::span<const ContactPoint> c
       return (c.p_WC - contacts[i].p_WC).norm() < same;
     });
   }
-  const int missing =
-      patch.least_contacts - (static_cast<int>(contacts.size()) - repeated);
+  const int missing = least - (static_cast<int>(contacts.size()) - repeated);
   return std::max({missing, repeated, 0});
 }
 

@@ -7,16 +7,15 @@
 
 namespace touchstone {
 
-double ContactSurfaceError(const ContactQuery& query, const Eigen::Vector3d& n_AB_W,
-                           const ContactPoint& contact) {
-  const Eigen::Vector3d n = contact.n_AB_W.value_or(n_AB_W).normalized();
-  const Eigen::Vector3d half = n * (contact.separation / 2);
-  return WitnessSurfaceError(query, {contact.p_WC - half, contact.p_WC + half});
+WitnessPoints SurfacePointsOf(const ContactPoint& contact,
+                              const Eigen::Vector3d& n_AB_W) {
+  const Eigen::Vector3d half = n_AB_W * (contact.separation / 2);
+  return {contact.p_WC - half, contact.p_WC + half};
 }
 
-double WitnessSurfaceError(const ContactQuery& query, const WitnessPoints& witnesses) {
-  return std::max(Outside(0, SignedDistance(query.A, witnesses.p_WCa)),
-                  Outside(0, SignedDistance(query.B, witnesses.p_WCb)));
+double SurfaceError(const ContactQuery& query, const WitnessPoints& points) {
+  return std::max(Outside(0, SignedDistance(query.A, points.p_WCa)),
+                  Outside(0, SignedDistance(query.B, points.p_WCb)));
 }
 
 }  // namespace touchstone

@@ -45,16 +45,21 @@ std::vector<Eigen::Vector2d> ConvexHullOf(std::span<const Eigen::Vector2d> point
   return hull;
 }
 
-double DistanceFrom(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p) {
-  bool inside = hull.size() > 2;
+double DistanceFromRim(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p) {
   double distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Eigen::Vector2d& a = hull[i];
-    const Eigen::Vector2d& b = hull[(i + 1) % hull.size()];
-    if (Cross(b - a, p - a) < 0) inside = false;
-    distance = std::min(distance, DistanceFromSegment(a, b, p));
+    distance =
+        std::min(distance, DistanceFromSegment(hull[i], hull[(i + 1) % hull.size()], p));
   }
-  return inside ? 0 : distance;
+  return distance;
+}
+
+double DistanceFrom(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p) {
+  bool inside = hull.size() > 2;
+  for (std::size_t i = 0; i < hull.size() && inside; ++i) {
+    inside = Cross(hull[(i + 1) % hull.size()] - hull[i], p - hull[i]) >= 0;
+  }
+  return inside ? 0 : DistanceFromRim(hull, p);
 }
 
 std::vector<Eigen::Vector2d> ProjectedAlong(const Eigen::Vector3d& n,

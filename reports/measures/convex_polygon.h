@@ -16,6 +16,10 @@ std::vector<Eigen::Vector2d> ConvexHullOf(std::span<const Eigen::Vector2d> point
  @pre `hull` was returned by ConvexHullOf() and is not empty. */
 double DistanceFrom(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p);
 
+/** Returns the distance of `p` from the rim of `hull`.
+ @pre `hull` was returned by ConvexHullOf() and is not empty. */
+double DistanceFromRim(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p);
+
 /** Returns the points in coordinates along two axes orthogonal to the unit vector `n`. */
 std::vector<Eigen::Vector2d> ProjectedAlong(const Eigen::Vector3d& n,
                                             std::span<const Eigen::Vector3d> points);

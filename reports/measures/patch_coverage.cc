@@ -54,22 +54,32 @@ double Diameter(std::span<const Eigen::Vector2d> points) {
   return diameter;
 }
 
+/** A patch and its contacts, seen along the normal and stretched to unit spread. */
+struct Stretched {
+  std::vector<Eigen::Vector2d> corners;
+  std::vector<Eigen::Vector2d> contacts;
+};
+
+Stretched StretchedAlong(const Eigen::Vector3d& n_AB_W, const ContactPatch& patch,
+                         std::span<const ContactPoint> contacts) {
+  std::vector<Eigen::Vector3d> positions;
+  for (const ContactPoint& contact : contacts) positions.push_back(contact.p_WC);
+  const std::vector<Eigen::Vector2d> plane = ProjectedAlong(n_AB_W, patch.vertices_W);
+  const Eigen::Matrix2d map = Whitening(plane);
+  return {Mapped(map, plane), Mapped(map, ProjectedAlong(n_AB_W, positions))};
+}
+
 }  // namespace
 
 double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                       std::span<const ContactPoint> contacts) {
   if (contacts.empty()) return 1;
-  std::vector<Eigen::Vector3d> positions;
-  for (const ContactPoint& contact : contacts) positions.push_back(contact.p_WC);
-  const std::vector<Eigen::Vector2d> plane = ProjectedAlong(n_AB_W, patch.vertices_W);
-  const Eigen::Matrix2d map = Whitening(plane);
-  const std::vector<Eigen::Vector2d> corners = Mapped(map, plane);
-  const double diameter = Diameter(corners);
+  const Stretched seen = StretchedAlong(n_AB_W, patch, contacts);
+  const double diameter = Diameter(seen.corners);
   if (diameter == 0) return 0;
-  const std::vector<Eigen::Vector2d> hull =
-      ConvexHullOf(Mapped(map, ProjectedAlong(n_AB_W, positions)));
+  const std::vector<Eigen::Vector2d> hull = ConvexHullOf(seen.contacts);
   double unspanned = 0;
-  for (const Eigen::Vector2d& c : corners) {
+  for (const Eigen::Vector2d& c : seen.corners) {
     unspanned = std::max(unspanned, DistanceFrom(hull, c));
   }
   return std::min(1.0, unspanned / diameter);
@@ -90,10 +100,19 @@ double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, doubl
   return e * perimeter * 2 / twice_area;
 }
 
-double LegalUnspanned(const ContactPatch& patch) {
+double LegalUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
+                      std::span<const ContactPoint> contacts) {
   const std::size_t k = patch.vertices_W.size();
-  const bool is_disc = patch.least_contacts == 3 && k > 3;
-  if (!is_disc) return kLegalUnspanned;
+  if (k <= 4) return kLegalUnspanned;
+  const Stretched seen = StretchedAlong(n_AB_W, patch, contacts);
+  const std::vector<Eigen::Vector2d> rim = ConvexHullOf(seen.corners);
+  const double near = kLegalUnspanned * Diameter(rim);
+  const auto at_rim = std::count_if(
+      seen.contacts.begin(), seen.contacts.end(),
+      [&](const Eigen::Vector2d& p) { return DistanceFromRim(rim, p) <= near; });
+  if (at_rim < 3) return kLegalUnspanned;
+  const bool is_disc = patch.least_contacts == 3;
+  if (!is_disc) return kInscribedUnspanned;
   return 0.5 - 0.25 * std::cos(std::numbers::pi / static_cast<double>(k));
 }
 

@@ -25,15 +25,28 @@ double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
  @pre The patch has two vertices; `n_AB_W` is a unit vector. */
 double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, double e);
 
+/** The fraction of the patch's extent that a manifold may leave unspanned although its
+ contacts could lie at every corner. Sides and corners drawn in by a rounding are granted
+ by PatchBlur(); this is for engines that merge or move contacts by a few hundredths. [-]
+ */
+inline constexpr double kLegalUnspanned = 0x1p-4;
+
 /** The fraction of a disc's diameter that an inscribed triangle leaves unspanned: half
  the radius. A manifold that does better holds any face up. Two opposite corners of a
  square, or three of them, leave half its diagonal and do worse. [-] */
-inline constexpr double kLegalUnspanned = 0.25;
+inline constexpr double kInscribedUnspanned = 0.25;
 
-/** Returns kLegalUnspanned as it applies to `patch`. A disc of radius r is given by a
- polygon of k corners around it, at r / cos(π/k). The side of the triangle is still r / 2
- away from the centre. The unspanned fraction is (r / cos(π/k) − r / 2) of a diameter of 2
- r / cos(π/k), which is ½ − ¼ cos(π/k). [-] */
-double LegalUnspanned(const ContactPatch& patch);
+/** Returns the fraction of `patch` that `contacts` may leave unspanned. It is
+ kLegalUnspanned if the patch has at most four corners: four contacts span it. A disc or a
+ polygon of more corners may be spanned by an inscribed polygon, whose corners lie on the
+ rim: with at least three contacts within kLegalUnspanned of the rim it is
+ kInscribedUnspanned.
+
+ A disc of radius r is given by a polygon of k corners around it, at r / cos(π/k). The
+ side of the triangle is still r / 2 away from the centre. The unspanned fraction is (r /
+ cos(π/k) − r / 2) of a diameter of 2 r / cos(π/k), which is ½ − ¼ cos(π/k). [-]
+ @pre The patch has a vertex; `n_AB_W` is a unit vector. */
+double LegalUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
+                      std::span<const ContactPoint> contacts);
 
 }  // namespace touchstone

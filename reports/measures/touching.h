@@ -1,9 +1,16 @@
 #pragma once
 
+#include <optional>
+
 #include "oracles/contact_answer.h"
 #include "reports/referee/contact_truth.h"
 
 namespace touchstone {
+
+/** Returns whether the shapes touch, for the exact doubles of the question: certified by
+ the sign of the separation, and even within the rounding of the input. Empty if the
+ enclosure extends across zero. */
+std::optional<bool> CertifiedTouching(const ContactTruth& truth);
 
 /** Returns 1 if the truth is decided and the answer contradicts it, otherwise 0. [-] A
  separating plane proves the shapes apart, a point in both shapes proves them touching;

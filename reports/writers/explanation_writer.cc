@@ -121,6 +121,8 @@ std::string Names(const RunReport& report, std::span<const Outcome> outcomes,
   for (const Outcome& outcome : outcomes) {
     if (!selects(outcome)) continue;
     names += (names.empty() ? "" : ", ") + report.oracles[outcome.oracle].name;
+    const Grade grade = outcome.decisive ? outcome.decisive->grade : Grade::kNone;
+    if (grade != Grade::kNone) names += fmt::format(" ({})", NameOf(grade));
   }
   return names.empty() ? "none" : names;
 }
@@ -206,6 +208,14 @@ void WriteVerdict(const RunReport& report, std::span<const Outcome> outcomes,
                   std::ostream& out) {
   out << "Right: " << Names(report, outcomes, IsRight)
       << "\nWrong: " << Names(report, outcomes, IsWrong) << '\n';
+  std::map<Undecided, std::vector<std::string_view>> undecided;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.verdict == Verdict::kUndecidable)
+      undecided[outcome.decisive->undecided].push_back(
+          report.oracles[outcome.oracle].name);
+  }
+  for (const auto& [reason, names] : undecided)
+    out << fmt::format("Undecided, {}: {}\n", NameOf(reason), fmt::join(names, ", "));
   std::map<std::string_view, std::vector<std::string_view>> models;
   for (const Outcome& outcome : outcomes) {
     const std::string_view model = RecognisedModelOf(outcome);

@@ -167,7 +167,7 @@ class Page {
   void WriteSummary() {
     VerdictCounts counts;
     for (const Outcome& outcome : outcomes_) {
-      ++counts[outcome.verdict];
+      Count(outcome, counts);
     }
     const VerdictCounts subject = TallyByOracle(report_, outcomes_).front().outcomes;
     const std::string scenarios = Counted(QuestionCount(report_), "scenario");
@@ -206,6 +206,8 @@ class Page {
       if (counts[verdict] == 0) continue;
       out_ << fmt::format(" <span class=\"v {}\">{} {} {}</span>", CssClassOf(verdict),
                           SignOf(verdict), counts[verdict], NameOf(verdict));
+      if (verdict == Verdict::kUndecidable)
+        out_ << fmt::format(" ({})", UndecidedInWords(counts));
     }
     out_ << "</p>\n";
   }
@@ -294,7 +296,7 @@ class Page {
       verdicts += (verdicts.empty() ? "" : " ") + css_class;
       chips += fmt::format("<span class=\"{}\" title=\"{}: {}\">{}</span>", css_class,
                            XmlText(report_.oracles[outcome.oracle].name),
-                           outcome.asked ? NameOf(outcome.verdict) : "not queried",
+                           outcome.asked ? VerdictInWords(outcome) : "not queried",
                            SignOf(outcome.verdict));
     }
     const std::string id = XmlText(IdOf(report_, index));
@@ -351,7 +353,7 @@ class Page {
           "{}{}<td>{}<td>{}"
           "</tr>\n",
           LineClass(o), XmlText(report_.oracles[o].name), CssClassOf(outcomes[o].verdict),
-          SignOf(outcomes[o].verdict), NameOf(outcomes[o].verdict),
+          SignOf(outcomes[o].verdict), VerdictInWords(outcomes[o]),
           model.empty() ? "" : fmt::format(", recognised: {}", XmlText(model)),
           WorstOf(outcomes[o].worst),
           XmlText(trajectory.status == AnswerStatus::kAnswered
@@ -379,7 +381,7 @@ class Page {
       const Outcome& outcome = outcomes[o];
       out_ << fmt::format("<tr><td>{}<td class=\"v {}\">{} {}",
                           XmlText(report_.oracles[o].name), CssClassOf(outcome.verdict),
-                          SignOf(outcome.verdict), NameOf(outcome.verdict));
+                          SignOf(outcome.verdict), VerdictInWords(outcome));
       if (answer.status != AnswerStatus::kAnswered) {
         out_ << fmt::format("<td colspan=\"6\" class=\"soft\">{}</tr>\n",
                             XmlText(answer.reason));

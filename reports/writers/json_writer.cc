@@ -118,10 +118,21 @@ const char* NameOfStatus(AnswerStatus status) {
   return "crashed";
 }
 
-Json ToJson(const OracleInfo& oracle, const ContactAnswer& answer, Verdict verdict) {
+/** Adds the reason of an undecidable outcome, and the grade of a wrong one. */
+void AddReasons(const Outcome& outcome, Json& json) {
+  if (outcome.decisive == nullptr) return;
+  if (outcome.verdict == Verdict::kUndecidable)
+    json["undecided"] = NameOf(outcome.decisive->undecided);
+  if (outcome.decisive->grade != Grade::kNone)
+    json["grade"] = NameOf(outcome.decisive->grade);
+}
+
+Json ToJson(const OracleInfo& oracle, const ContactAnswer& answer,
+            const Outcome& outcome) {
   Json json;
   json["oracle"] = oracle.name;
-  json["verdict"] = NameOf(verdict);
+  json["verdict"] = NameOf(outcome.verdict);
+  AddReasons(outcome, json);
   json["status"] = NameOfStatus(answer.status);
   if (answer.status != AnswerStatus::kAnswered) {
     json["reason"] = answer.reason;
@@ -159,9 +170,8 @@ Json ScenarioToJson(const RunReport& report, std::span<const Outcome> outcomes,
   json["truth"] = ToJson(result.truth);
   json["answers"] = Json::array();
   for (std::size_t o = 0; o < report.oracles.size(); ++o) {
-    json["answers"].push_back(
-        ToJson(report.oracles[o], result.answers[o],
-               outcomes[index * report.oracles.size() + o].verdict));
+    json["answers"].push_back(ToJson(report.oracles[o], result.answers[o],
+                                     outcomes[index * report.oracles.size() + o]));
   }
   return json;
 }
@@ -193,6 +203,10 @@ Json ToJson(const Finding& finding) {
   json["tolerance"] = ToJson(finding.tolerance);
   json["tolerance_because"] = finding.tolerance_because;
   json["verdict"] = NameOf(finding.verdict);
+  if (finding.verdict == Verdict::kUndecidable)
+    json["undecided"] = NameOf(finding.undecided);
+  if (finding.grade != Grade::kNone) json["grade"] = NameOf(finding.grade);
+  if (IsWithinSafety(finding)) json["within_safety_factor"] = ToJson(finding.safety);
   if (finding.cause != Cause::kNone) {
     json["cause"] = NameOf(finding.cause);
     json["cause_because"] = finding.cause_because;
@@ -231,6 +245,7 @@ Json MotionToJson(const RunReport& report, const Outcome& outcome,
   Json json;
   json["oracle"] = report.oracles[outcome.oracle].name;
   json["verdict"] = NameOf(outcome.verdict);
+  AddReasons(outcome, json);
   json["status"] = NameOfStatus(trajectory.status);
   json["reason"] = trajectory.reason;
   json["complaint"] = trajectory.complaint;
@@ -314,6 +329,12 @@ Json ToJson(const VerdictCounts& counts) {
     const Verdict verdict = static_cast<Verdict>(i);
     json[std::string(NameOf(verdict))] = counts[verdict];
   }
+  Json undecided;
+  for (int i = 0; i < kUndecided; ++i) {
+    const auto reason = static_cast<Undecided>(i);
+    undecided[std::string(NameOf(reason))] = counts[reason];
+  }
+  json["undecided"] = undecided;
   return json;
 }
 
@@ -337,7 +358,7 @@ void WriteJson(const RunReport& report, std::ostream& out) {
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   VerdictCounts counts;
   for (const Outcome& outcome : outcomes) {
-    if (outcome.asked) ++counts[outcome.verdict];
+    if (outcome.asked) Count(outcome, counts);
   }
 
   out << "{\"format\": \"touchstone report\", \"version\": 1,\n";

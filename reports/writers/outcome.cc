@@ -38,6 +38,14 @@ int Gravity(Verdict verdict) {
   return 8;
 }
 
+// Severity of a finding. A wrong hit or miss outweighs a field that is missing because of
+// it.
+int Gravity(const Finding& finding) {
+  const bool wrong_touch =
+      finding.verdict == Verdict::kFail && finding.grade == Grade::kWrongTouch;
+  return Gravity(wrong_touch ? Verdict::kInvalid : finding.verdict);
+}
+
 bool IsMeasured(const Finding& finding) {
   return finding.verdict == Verdict::kPass || finding.verdict == Verdict::kFail ||
          finding.verdict == Verdict::kDisagree || finding.verdict == Verdict::kKnown;
@@ -50,11 +58,15 @@ void TakeWorse(const Finding*& worst, const Finding* candidate) {
   }
 }
 
-/** Returns whether `finding` is a simpler or stronger proof than `than`. Measures are
- enumerated from simple to complex: a separating plane, a number that the truth
- contradicts, then metamorphic variants. For the same measure, the finding farther beyond
- its tolerance is better. */
+/** Returns whether `finding` shows a graver fault than `than`, or a reason that leaves
+ more open, or else is a simpler or stronger proof of the same. Measures are enumerated
+ from simple to complex: a separating plane, a number that the truth contradicts, then
+ metamorphic variants. For the same measure, the finding farther beyond its tolerance is
+ better. */
 bool IsBetterProof(const Finding& finding, const Finding& than) {
+  if (finding.grade != than.grade) return finding.grade > than.grade;
+  if (finding.verdict == Verdict::kUndecidable && finding.undecided != than.undecided)
+    return finding.undecided > than.undecided;
   if (finding.measure != than.measure) return finding.measure < than.measure;
   return RelativeToTolerance(finding) > RelativeToTolerance(than);
 }
@@ -62,9 +74,9 @@ bool IsBetterProof(const Finding& finding, const Finding& than) {
 Outcome Sum(std::size_t scenario, std::size_t oracle, std::span<const Finding> findings) {
   Outcome outcome{.scenario = scenario, .oracle = oracle, .findings = findings};
   for (const Finding& finding : findings) {
-    const bool graver = outcome.decisive == nullptr ||
-                        Gravity(finding.verdict) > Gravity(outcome.verdict);
-    if (graver || (finding.verdict == outcome.verdict &&
+    const bool graver =
+        outcome.decisive == nullptr || Gravity(finding) > Gravity(*outcome.decisive);
+    if (graver || (Gravity(finding) == Gravity(*outcome.decisive) &&
                    IsBetterProof(finding, *outcome.decisive))) {
       outcome.verdict = finding.verdict;
       outcome.decisive = &finding;
@@ -137,14 +149,42 @@ std::string_view GroupOf(std::string_view scenario_id) {
   return slash == std::string_view::npos ? scenario_id : scenario_id.substr(0, slash);
 }
 
+void Count(const Outcome& outcome, VerdictCounts& counts) {
+  ++counts[outcome.verdict];
+  if (outcome.verdict == Verdict::kUndecidable && outcome.decisive != nullptr)
+    ++counts[outcome.decisive->undecided];
+}
+
+std::string VerdictInWords(const Outcome& outcome) {
+  std::string words(NameOf(outcome.verdict));
+  if (outcome.verdict == Verdict::kUndecidable && outcome.decisive != nullptr)
+    words += fmt::format(": {}", NameOf(outcome.decisive->undecided));
+  return words;
+}
+
+std::string UndecidedInWords(const VerdictCounts& counts) {
+  std::string words;
+  for (int i = 0; i < kUndecided; ++i) {
+    const auto undecided = static_cast<Undecided>(i);
+    if (counts[undecided] == 0) continue;
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", counts[undecided],
+                         NameOf(undecided));
+  }
+  return words;
+}
+
 void Tally::Add(const Outcome& outcome) {
-  ++outcomes[outcome.verdict];
+  Count(outcome, outcomes);
   TakeWorse(worst, outcome.worst);
 }
 
 void Tally::Add(const Tally& other) {
   for (int i = 0; i < kVerdicts; ++i) {
     outcomes[static_cast<Verdict>(i)] += other.outcomes[static_cast<Verdict>(i)];
+  }
+  for (int i = 0; i < kUndecided; ++i) {
+    const auto undecided = static_cast<Undecided>(i);
+    outcomes[undecided] += other.outcomes[undecided];
   }
   TakeWorse(worst, other.worst);
 }
@@ -226,6 +266,13 @@ std::string FailedReferences(const RunReport& report, std::span<const Outcome> o
 std::string Sentence(const Finding& finding) {
   const std::string_view model = RecognisedModelOf(finding);
   std::string text = fmt::format("{}: {}", finding.oracle, NameOf(finding.verdict));
+  if (finding.grade != Grade::kNone) text += fmt::format(", {}", NameOf(finding.grade));
+  if (finding.verdict == Verdict::kUndecidable) {
+    text +=
+        fmt::format(", {}, in {}", NameOf(finding.undecided), NameOf(finding.measure));
+    if (!finding.tolerance_because.empty())
+      text += fmt::format(": {}", finding.tolerance_because);
+  }
   if (!model.empty()) text += fmt::format(", recognised as {}", model);
   if (IsMeasured(finding)) {
     const std::string_view unit = UnitOf(finding.measure);
@@ -236,6 +283,11 @@ std::string Sentence(const Finding& finding) {
     if (!model.empty()) text += fmt::format(" by the law {}", finding.law);
     if (!finding.tolerance_because.empty()) {
       text += fmt::format(" ({})", finding.tolerance_because);
+    }
+    if (IsWithinSafety(finding)) {
+      text += fmt::format(
+          ", which is less than the factor of {:.2g} for safety in that tolerance",
+          finding.safety);
     }
   }
   if (!finding.proof.empty()) text += fmt::format(". Proof: {}", finding.proof);

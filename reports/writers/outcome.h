@@ -12,6 +12,8 @@ namespace touchstone {
 
 inline constexpr int kVerdicts = static_cast<int>(Verdict::kInvalid) + 1;
 
+inline constexpr int kUndecided = static_cast<int>(Undecided::kOpposed) + 1;
+
 /** Numbers of findings or outcomes per verdict. */
 class VerdictCounts {
  public:
@@ -24,8 +26,17 @@ class VerdictCounts {
   int failed() const;
   int total() const;
 
+  /** Numbers of undecidable outcomes per reason. */
+  int& operator[](Undecided undecided) {
+    return undecided_[static_cast<std::size_t>(undecided)];
+  }
+  int operator[](Undecided undecided) const {
+    return undecided_[static_cast<std::size_t>(undecided)];
+  }
+
  private:
   std::array<int, kVerdicts> counts_{};
+  std::array<int, kUndecided> undecided_{};
 };
 
 /** Returns whether `verdict` fails a run. */
@@ -40,8 +51,9 @@ struct Outcome {
    only finding that passed is that the oracle answered, and a law had nothing to judge.
  */
   Verdict verdict = Verdict::kUnsupported;
-  /** Finding with that verdict. If there are several, the simplest to check: the one
-   whose measure comes first in the enumeration. Null without findings. */
+  /** Finding with that verdict. If there are several, the one of the gravest grade or
+   reason, and among those the simplest to check: the one whose measure comes first in the
+   enumeration. Null without findings. */
   const Finding* decisive = nullptr;
   /** Finding with the largest value relative to its tolerance, whatever its verdict. Null
    if nothing was measured against a tolerance. */
@@ -105,6 +117,17 @@ std::vector<GroupTally> TallyByGroup(const RunReport& report,
 /** Returns the tally of every oracle over all scenarios. */
 std::vector<Tally> TallyByOracle(const RunReport& report,
                                  std::span<const Outcome> outcomes);
+
+/** Returns the verdict of an outcome with its reason if it is undecidable: "pass",
+ "undecidable: truth unknown". */
+std::string VerdictInWords(const Outcome& outcome);
+
+/** Returns the numbers of undecidable outcomes per reason, without those that are zero:
+ "3 sign known and agreed, 1 unverified". Empty if there are none. */
+std::string UndecidedInWords(const VerdictCounts& counts);
+
+/** Adds one outcome to `counts`. */
+void Count(const Outcome& outcome, VerdictCounts& counts);
 
 /** Returns the finding as one line of text, without the scenario: oracle, verdict,
  measure, value, tolerance and its origin, proof, and cause. */

@@ -286,13 +286,15 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   VerdictCounts counts;
   VerdictCounts of_subject;
   for (const Outcome& outcome : outcomes) {
-    ++counts[outcome.verdict];
+    touchstone::Count(outcome, counts);
     if (outcome.oracle == 0) ++of_subject[outcome.verdict];
   }
   std::string list;
   for (int i = 0; i < kVerdicts; ++i) {
     const Verdict verdict = static_cast<Verdict>(i);
     list += fmt::format("{}{} {}", i == 0 ? "" : ", ", counts[verdict], NameOf(verdict));
+    if (verdict == Verdict::kUndecidable && counts[verdict] > 0)
+      list += fmt::format(" ({})", UndecidedInWords(counts));
   }
   out << fmt::format("\n{} × {}: {}\n", Counted(QuestionCount(report), "scenario"),
                      Counted(report.oracles.size(), "oracle"), list);

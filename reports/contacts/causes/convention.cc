@@ -96,7 +96,7 @@ bool Breaks(const std::vector<Finding>& reading, const std::vector<Finding*>& fi
 
 std::vector<Reading> ReadingsOf(const Scenario& scenario, const ContactTruth& truth,
                                 const OracleInfo& oracle, const ContactAnswer& answer) {
-  const Tolerances tolerances = TolerancesOf(oracle, scenario, truth);
+  const Tolerances tolerances = TolerancesOf(oracle, scenario, truth, answer.touching);
   const double e = tolerances.separation.value;
   std::vector<Reading> readings;
 

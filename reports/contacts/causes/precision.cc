@@ -107,7 +107,9 @@ std::optional<std::string> PrecisionOf(const Finding& finding, const ContactTrut
   } else {
     return std::nullopt;
   }
-  if (!(movement >= kExplains * error)) return std::nullopt;
+  // An error without a size, in a scene that is exactly flush, has no rounding to
+  // explain.
+  if (!(error > 0) || !(movement >= kExplains * error)) return std::nullopt;
   return fmt::format(
       "{:.0f} roundings of 2^{:.0f} on its input move its answer by {:.3g} m", kAway,
       std::log2(u), movement);

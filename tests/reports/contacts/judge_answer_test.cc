@@ -60,13 +60,14 @@ TEST(Judge, AppliesEveryMeasureToATouchingManifold) {
   const Specimen s = BoxOnBoxFace(kDepth);
   std::vector<MeasureKind> applied;
   for (const Finding& f : Judged(s.query, s.right)) applied.push_back(f.measure);
-  EXPECT_THAT(applied, testing::UnorderedElementsAre(
-                           MeasureKind::kTouching, MeasureKind::kSeparationError,
-                           MeasureKind::kConsistencyError, MeasureKind::kExcess,
-                           MeasureKind::kContactSurfaceError,
-                           MeasureKind::kContactOffPatch, MeasureKind::kPatchCoverage,
-                           MeasureKind::kContactCount, MeasureKind::kContactTooDeep,
-                           MeasureKind::kMixedNormals, MeasureKind::kAnswering));
+  EXPECT_THAT(applied,
+              testing::UnorderedElementsAre(
+                  MeasureKind::kTouching, MeasureKind::kSeparationError,
+                  MeasureKind::kConsistencyError, MeasureKind::kExcess,
+                  MeasureKind::kContactSurfaceError, MeasureKind::kContactOffPatch,
+                  MeasureKind::kPatchCoverage, MeasureKind::kContactCount,
+                  MeasureKind::kContactTooDeep, MeasureKind::kContactSeparationError,
+                  MeasureKind::kMixedNormals, MeasureKind::kAnswering));
 }
 
 TEST(Judge, ProvesAMissedContactByAPointInsideBoth) {
@@ -239,7 +240,11 @@ TEST(Judge, FindsAManifoldThatIsNowhereAsDeepAsTheAnswerSays) {
     contact.separation = 0;
   }
   const std::vector<Finding> findings = Judged(s.query, s.right);
-  EXPECT_THAT(Failed(findings), testing::ElementsAre(MeasureKind::kConsistencyError));
+  // The point of each contact on B lies on B's side, and B extends further down.
+  EXPECT_THAT(Failed(findings),
+              testing::ElementsAre(MeasureKind::kConsistencyError,
+                                   MeasureKind::kContactSeparationError));
+  EXPECT_NEAR(Of(MeasureKind::kContactSeparationError, findings).value, kDepth, 1e-6);
   const Finding finding = Of(MeasureKind::kConsistencyError, findings);
   EXPECT_NEAR(finding.value, kDepth, 1e-12);
   EXPECT_THAT(finding.proof,
@@ -420,6 +425,85 @@ TEST(Judge, GrantsADocumentedErrorAndQuotesIt) {
       Of(MeasureKind::kSeparationError, Judged(s.query, s.right, documented));
   EXPECT_EQ(granted.verdict, Verdict::kPass);
   EXPECT_THAT(granted.tolerance_because, HasSubstr("its manual, section 4"));
+}
+
+TEST(Judge, DecidesAFlushSceneWhoseNumbersNeedNoRounding) {
+  const Box cube{Eigen::Vector3d::Constant(0.5)};
+  const ContactQuery query{
+      {cube, Pose{}},
+      {cube, Pose::FromMatrix({0, 0.25, 1}, Eigen::Matrix3d::Identity())}};
+  ContactAnswer answer = RightAnswer(query);
+  ASSERT_TRUE(answer.touching);
+  EXPECT_EQ(Of(MeasureKind::kTouching, Judged(query, answer)).verdict, Verdict::kPass);
+  answer = {};
+  answer.status = AnswerStatus::kAnswered;
+  const Finding missed = Of(MeasureKind::kTouching, Judged(query, answer));
+  EXPECT_EQ(missed.verdict, Verdict::kFail);
+  EXPECT_THAT(missed.proof, HasSubstr("belongs to both"));
+}
+
+TEST(Judge, SaysWhetherAnUndecidableAnswerOpposesTheCertifiedSign) {
+  const Specimen s = SphereInBoxFace(0);
+  Scenario scenario;
+  scenario.contact = s.query;
+  const FakeOracle oracle("mine");
+  const auto reason = [&](const Enclosure& separation, bool touching) {
+    ContactTruth truth = s.truth;
+    truth.touching = Touching::kUndecided;
+    truth.separation = separation;
+    ContactAnswer answer = s.right;
+    answer.touching = touching;
+    const Finding finding =
+        Of(MeasureKind::kTouching, JudgeAnswer(scenario, truth, oracle.info(), answer));
+    EXPECT_EQ(finding.verdict, Verdict::kUndecidable);
+    return finding.undecided;
+  };
+  EXPECT_EQ(reason({1e-17, 2e-17}, false), Undecided::kAgreed);
+  EXPECT_EQ(reason({1e-17, 2e-17}, true), Undecided::kOpposed);
+  EXPECT_EQ(reason({-2e-17, 0}, true), Undecided::kAgreed);
+  EXPECT_EQ(reason({-1e-17, 1e-17}, true), Undecided::kUnknown);
+}
+
+// Two float cubes at x = 3e6 m, 0.5 m deep in each other along z.
+TEST(Judge, RoundsAnEngineThatSubtractsFirstByTheDistanceOfThePositions) {
+  const Box cube{Eigen::Vector3d::Constant(1)};
+  const Eigen::Matrix3d I = Eigen::Matrix3d::Identity();
+  ContactQuery query{{cube, Pose::FromMatrix({3e6, 0, 0}, I)},
+                     {cube, Pose::FromMatrix({3e6, 0, 1.5}, I)}};
+  ContactAnswer answer = RightAnswer(query);
+  answer.separation = -0.289;
+  for (ContactPoint& contact : answer.points) contact.separation = -0.289;
+  FakeOracle coarse("mine");
+  coarse.info().unit_roundoff = 0x1p-24;
+  EXPECT_EQ(Of(MeasureKind::kSeparationError, Judged(query, answer, coarse)).undecided,
+            Undecided::kCoarse);
+  coarse.info().subtracts_first = true;
+  EXPECT_EQ(Of(MeasureKind::kSeparationError, Judged(query, answer, coarse)).verdict,
+            Verdict::kFail);
+  // 3e6 + 1/8 is no float.
+  query.A.X_WB = Pose::FromMatrix({3e6 + 0.125, 0, 0}, I);
+  EXPECT_EQ(Of(MeasureKind::kSeparationError, Judged(query, answer, coarse)).verdict,
+            Verdict::kUndecidable);
+}
+
+TEST(Judge, CallsNothingRightWithinAToleranceAsLargeAsTheBodies) {
+  const Specimen s = SphereInBoxFace(kDepth);
+  FakeOracle documented("mine");
+  documented.ForEachPair([](Capability& capability) {
+    capability.documented_error = 0.1;
+    capability.documented_by = "its manual";
+  });
+  const auto judged = [&](double error) {
+    ContactAnswer answer = s.right;
+    answer.separation = -kDepth - error;
+    return Of(MeasureKind::kSeparationError, Judged(s.query, answer, documented));
+  };
+  // The smallest feature is the box's half height of 0.1 m.
+  EXPECT_EQ(judged(0.9e-3).verdict, Verdict::kPass);
+  EXPECT_DOUBLE_EQ(judged(0.9e-3).tolerance, 1e-3);
+  EXPECT_EQ(judged(1.1e-3).verdict, Verdict::kUndecidable);
+  EXPECT_EQ(judged(1.1e-3).undecided, Undecided::kCoarse);
+  EXPECT_EQ(judged(0.11).verdict, Verdict::kFail);
 }
 
 }  // namespace

@@ -28,36 +28,37 @@ ContactPatch PatchOf(const Specimen& s) {
 double WorstSurfaceError(const Specimen& s) {
   double worst = 0;
   for (const ContactPoint& contact : s.right.points) {
-    worst = std::max(worst, ContactSurfaceError(s.query, *s.right.n_AB_W, contact));
+    worst =
+        std::max(worst, SurfaceError(s.query, SurfacePointsOf(contact, *s.right.n_AB_W)));
   }
   return worst;
 }
 
-TEST(ContactSurfaceError, IsNoneMidwayThroughTheOverlap) {
+TEST(SurfaceError, IsNoneMidwayThroughTheOverlap) {
   EXPECT_LE(WorstSurfaceError(SphereInBoxFace(kDepth)), kRounding);
   EXPECT_LE(WorstSurfaceError(BoxOnBoxFace(kDepth)), kRounding);
   EXPECT_LE(WorstSurfaceError(SphereInHalfSpace(kDepth)), kRounding);
 }
 
-TEST(ContactSurfaceError, OfAPointOnASurfaceIsHalfTheDepth) {
+TEST(SurfaceError, OfAPointOnASurfaceIsHalfTheDepth) {
   Specimen s = SphereInBoxFace(kDepth);
   s.right.points[0].p_WC += *s.right.n_AB_W * (kDepth / 2);
   EXPECT_NEAR(WorstSurfaceError(s), kDepth / 2, kRounding);
 }
 
-TEST(ContactSurfaceError, OfAHalvedDepthIsAQuarterOfTheDepth) {
+TEST(SurfaceError, OfAHalvedDepthIsAQuarterOfTheDepth) {
   Specimen s = SphereInBoxFace(kDepth);
   s.right.points[0].separation /= 2;
   EXPECT_NEAR(WorstSurfaceError(s), kDepth / 4, kRounding);
 }
 
-TEST(ContactSurfaceError, OfAFlippedNormalIsTheDepth) {
+TEST(SurfaceError, OfAFlippedNormalIsTheDepth) {
   Specimen s = SphereInBoxFace(kDepth);
   *s.right.n_AB_W *= -1;
   EXPECT_NEAR(WorstSurfaceError(s), kDepth, kRounding);
 }
 
-TEST(ContactSurfaceError, SeesAContactInTheAirNextToTheFace) {
+TEST(SurfaceError, SeesAContactInTheAirNextToTheFace) {
   // A's face ends at x = 0.3. A contact 0.3 further along x is 0.07 beyond it, where B's
   // sphere curves away from the plane.
   Specimen s = SphereInBoxFace(kDepth);
@@ -164,8 +165,8 @@ TEST(PatchCoverage, OfADiscAllowsAnInscribedTriangle) {
     if (i % 16 == 0) triangle.push_back({p, -1e-3, {}});
   }
   const Eigen::Vector3d n = Eigen::Vector3d::UnitZ();
-  EXPECT_NEAR(PatchUnspanned(disc, n, triangle), kLegalUnspanned, 1e-12);
-  EXPECT_GT(PatchUnspanned(disc, n, std::span(triangle).first(2)), kLegalUnspanned);
+  EXPECT_NEAR(PatchUnspanned(disc, n, triangle), kInscribedUnspanned, 1e-12);
+  EXPECT_GT(PatchUnspanned(disc, n, std::span(triangle).first(2)), kInscribedUnspanned);
 }
 
 TEST(PatchCoverage, OfADiscInItsPolygonAllowsAnInscribedTriangleAtAnyTurn) {
@@ -177,22 +178,39 @@ TEST(PatchCoverage, OfADiscInItsPolygonAllowsAnInscribedTriangleAtAnyTurn) {
     disc.vertices_W.push_back(Eigen::Vector3d(std::cos(angle), std::sin(angle), 0) /
                               std::cos(std::numbers::pi / kSides));
   }
-  const auto unspanned = [&](double turn, double radius) {
+  const Eigen::Vector3d n = Eigen::Vector3d::UnitZ();
+  const auto triangle_at = [&](double turn, double radius) {
     std::vector<ContactPoint> triangle;
     for (int i = 0; i < 3; ++i) {
       const double angle = turn + i * 2 * std::numbers::pi / 3;
       triangle.push_back(
           {radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0), -1e-3, {}});
     }
-    return PatchUnspanned(disc, Eigen::Vector3d::UnitZ(), triangle);
+    return triangle;
   };
   double most = 0;
   for (int i = 0; i < 96; ++i) {
     const double turn = i * 2 * std::numbers::pi / 96;
-    most = std::max(most, unspanned(turn, 1));
-    EXPECT_GT(unspanned(turn, 0.95), LegalUnspanned(disc));
+    const std::vector<ContactPoint> inscribed = triangle_at(turn, 1);
+    const std::vector<ContactPoint> within = triangle_at(turn, 0.95);
+    most = std::max(most, PatchUnspanned(disc, n, inscribed));
+    EXPECT_LE(most, LegalUnspanned(disc, n, inscribed) + 1e-12);
+    EXPECT_GT(PatchUnspanned(disc, n, within), LegalUnspanned(disc, n, within));
   }
-  EXPECT_NEAR(most, LegalUnspanned(disc), 1e-12);
+  EXPECT_NEAR(most, LegalUnspanned(disc, n, triangle_at(0, 1)), 1e-12);
+}
+
+TEST(PatchCoverage, OfADiscAllowsNoContactsDrawnInFromTheRim) {
+  ContactPatch disc;
+  disc.least_contacts = 3;
+  std::vector<ContactPoint> half;
+  for (int i = 0; i < 16; ++i) {
+    const double angle = i * 2 * std::numbers::pi / 16;
+    disc.vertices_W.emplace_back(std::cos(angle), std::sin(angle), 0);
+    half.push_back({disc.vertices_W.back() / 2, -1e-3, {}});
+  }
+  const Eigen::Vector3d n = Eigen::Vector3d::UnitZ();
+  EXPECT_GT(PatchUnspanned(disc, n, half), LegalUnspanned(disc, n, half));
 }
 
 TEST(PatchCoverage, OfASegmentNeedsBothEnds) {
@@ -227,15 +245,16 @@ TEST(PatchBlur, OfASegmentIsWhatBothItsEndsMayLose) {
 TEST(ContactCount, IsRightWithTheFewestAndWithMore) {
   const Specimen s = BoxOnBoxFace(kDepth);
   std::vector<ContactPoint> contacts = s.right.points;
-  EXPECT_EQ(ContactCountError(PatchOf(s), contacts, kRounding), 0);
+  EXPECT_EQ(ContactCountError(PatchOf(s).least_contacts, contacts, kRounding), 0);
   contacts.push_back(contacts[0]);
   contacts.back().p_WC = (contacts[0].p_WC + contacts[1].p_WC) / 2;
-  EXPECT_EQ(ContactCountError(PatchOf(s), contacts, kRounding), 0);
+  EXPECT_EQ(ContactCountError(PatchOf(s).least_contacts, contacts, kRounding), 0);
 }
 
 TEST(ContactCount, SeesMissingContacts) {
   const Specimen s = BoxOnBoxFace(kDepth);
-  EXPECT_EQ(ContactCountError(PatchOf(s), std::span(s.right.points).first(1), kRounding),
+  EXPECT_EQ(ContactCountError(PatchOf(s).least_contacts,
+                              std::span(s.right.points).first(1), kRounding),
             3);
 }
 
@@ -244,7 +263,7 @@ TEST(ContactCount, SeesRepeatedContacts) {
   std::vector<ContactPoint> contacts = s.right.points;
   contacts.push_back(contacts[0]);
   contacts.push_back(contacts[2]);
-  EXPECT_EQ(ContactCountError(PatchOf(s), contacts, kRounding), 2);
+  EXPECT_EQ(ContactCountError(PatchOf(s).least_contacts, contacts, kRounding), 2);
 }
 
 TEST(ContactTooDeep, CountsDeeperContactsOnly) {

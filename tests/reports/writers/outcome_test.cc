@@ -33,6 +33,55 @@ TEST(OutcomesOf, DecidesByTheSimplestProofNotTheLargestError) {
   EXPECT_EQ(outcome.worst->measure, MeasureKind::kConsistencyError);
 }
 
+TEST(OutcomesOf, DecidesByTheGravestFault) {
+  RunReport report = HandMadeReport();
+  report.findings[2].grade = Grade::kRounding;
+  report.findings[3].grade = Grade::kGross;
+  EXPECT_EQ(OutcomesOf(report)[2].decisive->measure, MeasureKind::kConsistencyError);
+  report.findings[3].grade = Grade::kRounding;
+  EXPECT_EQ(OutcomesOf(report)[2].decisive->measure, MeasureKind::kSeparationError);
+}
+
+// A false hit has no contacts to return: that it returns none is not the fault.
+TEST(OutcomesOf, DecidesByAFalseHitBeforeItsMissingContacts) {
+  RunReport report = HandMadeReport();
+  Finding& touching = report.findings[2];
+  touching.measure = MeasureKind::kTouching;
+  touching.grade = Grade::kWrongTouch;
+  Finding& missing = report.findings[3];
+  missing.measure = MeasureKind::kAnswering;
+  missing.verdict = Verdict::kInvalid;
+  EXPECT_EQ(OutcomesOf(report)[2].verdict, Verdict::kFail);
+  EXPECT_EQ(OutcomesOf(report)[2].decisive->measure, MeasureKind::kTouching);
+  touching.grade = Grade::kRounding;
+  EXPECT_EQ(OutcomesOf(report)[2].verdict, Verdict::kInvalid);
+}
+
+TEST(OutcomesOf, CountsTheReasonsOfUndecidableAnswersApart) {
+  RunReport report = HandMadeReport();
+  report.findings[5].undecided = Undecided::kOpposed;
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  ASSERT_EQ(outcomes[4].verdict, Verdict::kUndecidable);
+  EXPECT_EQ(VerdictInWords(outcomes[4]), "undecidable: sign known and opposed");
+  VerdictCounts counts;
+  for (const Outcome& outcome : outcomes) Count(outcome, counts);
+  EXPECT_EQ(counts[Undecided::kOpposed], 1);
+  EXPECT_EQ(UndecidedInWords(counts), "1 sign known and opposed");
+}
+
+TEST(Sentence, SaysThatAnErrorIsWithinTheFactorOfSafety) {
+  Finding finding = HandMadeReport().findings[2];
+  finding.grade = Grade::kLarge;
+  finding.tolerance = 1;
+  finding.safety = 1.5;
+  finding.value = 1.4;
+  EXPECT_THAT(Sentence(finding), testing::HasSubstr("1.4 m where 1 m is allowed"));
+  EXPECT_THAT(Sentence(finding), testing::HasSubstr("factor of 1.5 for safety"));
+  EXPECT_THAT(Sentence(finding), testing::HasSubstr("fail, over 0.001 in "));
+  finding.value = 1.6;
+  EXPECT_THAT(Sentence(finding), testing::Not(testing::HasSubstr("for safety")));
+}
+
 TEST(OutcomesOf, DoesNotCountAnotherLegalModelAsAnError) {
   RunReport report = HandMadeReport();
   Finding& recognised = report.findings[3];
