@@ -23,6 +23,10 @@ WorldState StateAtStart(const World& world);
 /** Returns the total mass of the subjects. [kg] */
 double MassOf(const World& world, const Subjects& subjects);
 
+/** Returns Σ m |g + F/m|² over the subjects: the square of the rate at which their loads
+ raise the root of twice their kinetic energy, at most. [J/s²] */
+double SquaredLoadsOf(const World& world, const Subjects& subjects);
+
 /** Returns the linear momentum Σ m v of the subjects. [N s] */
 Eigen::Vector3d MomentumOf(const World& world, const WorldState& state,
                            const Subjects& subjects);
