@@ -234,5 +234,20 @@ TEST(Energy, AClothHasTheEnergyOfItsSprings) {
               1e-9);
 }
 
+TEST(TurnsOnce, conserves_momentum) {
+  const World world = SpringPair();
+  EXPECT_TRUE(TurnsOnce(world, Swung(world), ClaimOf("conserves_momentum")));
+}
+
+TEST(TurnsOnce, conserves_energy) {
+  const World world = SpringPair();
+  EXPECT_TRUE(TurnsOnce(world, Swung(world), ClaimOf("conserves_energy")));
+}
+
+TEST(TurnsOnce, energy_never_rises) {
+  const World world = SpringPair(0.7);
+  EXPECT_TRUE(TurnsOnce(world, Swung(world), ClaimOf("energy_never_rises"), {0, 1, 0}));
+}
+
 }  // namespace
 }  // namespace touchstone
