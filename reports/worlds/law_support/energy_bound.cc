@@ -91,7 +91,9 @@ EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
       reflected.slack += more.slack;
     }
     along.energies.push_back(EnergyOf(world, state, subjects));
-    along.oscillations.push_back(kSafety * (world.dt * power + second_order) +
+    const double floor =
+        NoiseOfPositions(world, state, subjects, motion.oracle.unit_roundoff).energy;
+    along.oscillations.push_back(kSafety * (world.dt * power + second_order) + floor +
                                  RoundingOf(motion.oracle, StepsBefore(motion, s)) *
                                      size);
     along.drifts.push_back(kSafety * (gyroscopic[s] + rods[s]));

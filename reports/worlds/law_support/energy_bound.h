@@ -22,7 +22,8 @@ struct EnergyAlong {
    Lubich, Wanner, Geometric Numerical Integration, 2nd ed., IX.3). So E may differ from
    an earlier E by ½ h times the power dU/dt at both times; in free fall by exactly ½ m g
    h (v − v₀). The largest power so far stands for both, since a bounce changes its sign;
-   h² |F|²/m of each body bounds the next order. Both × 1.5, and 64 roundings per step. */
+   h² |F|²/m of each body bounds the next order. Both × 1.5, and 64 roundings per step; at
+   rest, the energy of velocities that are roundings of positions (NoiseOfPositions()). */
   std::vector<double> oscillations;
   /** The losses of the gyroscopic term and of rods from the start to each sample
    (law_support/scheme_drift.h), × 1.5. [J] */

@@ -341,5 +341,12 @@ TEST(TurnsOnce, penetration_score) {
   EXPECT_TRUE(TurnsOnce(world, Sunk(world, 1e-6), ClaimOf("penetration_score")));
 }
 
+TEST(MomentumBalance, GrantsEverySolverTheRoundingsOfItsIterations) {
+  const World world = Stack();
+  EXPECT_TRUE(Passes(Judge(world, Standing(world, 1e-13), ClaimOf("momentum_balance"))));
+  EXPECT_TRUE(Finds(Judge(world, Standing(world, 1e-10), ClaimOf("momentum_balance")),
+                    MeasureKind::kMomentumBalance));
+}
+
 }  // namespace
 }  // namespace touchstone
