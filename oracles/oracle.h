@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -69,6 +70,10 @@ struct OracleInfo {
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
   /** Whether it simulates worlds at all; see also AnswersContacts(). */
   bool simulates = false;
+  /** The engine's own documented relative error of the energy and of the angular momentum
+   of a body that rotates freely for a step. Absent: that of a first-order scheme for the
+   gyroscopic term. [-] */
+  std::optional<double> documented_rotation_error;
   bool steps_in_threads = false;  ///< Whether it has BeginInThreads().
   std::array<WorldCapability, kWorldFeatures> world_capabilities;
 

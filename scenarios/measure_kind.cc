@@ -40,6 +40,7 @@ constexpr std::array<MeasureNames, kMeasureKinds> kMeasures = {{
     {"energy_drift", "J"},
     {"momentum_balance", "N s"},
     {"penetration", "m"},
+    {"passage", "m"},
     {"rest_motion", "m"},
     {"restitution", ""},
     {"friction", ""},

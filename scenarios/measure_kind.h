@@ -40,6 +40,7 @@ enum class MeasureKind {
   kEnergyDrift,           ///< Energy gained, or lost where it is conserved. [J]
   kMomentumBalance,       ///< |ΔP − Σ J − h Σ F| over a step. [N s]
   kPenetration,           ///< Deepest overlap of two bodies. [m]
+  kPassage,               ///< Overlap on the way from one side to the other. [m]
   kRestMotion,     ///< Sinking, crawling and rising of a body that should rest. [m]
   kRestitution,    ///< |e − e*| of a bounce. [-]
   kFriction,       ///< |μ − μ*|, with μ inferred from the motion. [-]

@@ -89,6 +89,8 @@ CookbookOracle::CookbookOracle() {
     info_.settings.push_back(setting);
   }
   info_.simulates = true;
+  // IntegrateAngularMomentum(), engine/dynamics/body/rotation.h.
+  info_.documented_rotation_error = 1e-6;
   info_.steps_in_threads = true;
   info_.world_capabilities = CookbookWorldCapabilities();
 }

@@ -3,23 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/scheme_drift.h"
 
 namespace touchstone {
 namespace {
-
-/** Returns Σ m |g + F/m|² [N m/s²], which times h² is the scale of the second-order
- terms. */
-double SquaredForces(const World& world, const Subjects& subjects) {
-  double sum = MassOf(world, subjects) * world.gravity_W.squaredNorm();
-  for (const int i : subjects.bodies) {
-    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    sum += body.mass *
-           (AccelerationOf(world, body).squaredNorm() - world.gravity_W.squaredNorm());
-  }
-  return sum;
-}
 
 /** The energy that was reflected from one sample to the next, and its uncertainty. [J] */
 struct Reflected {
@@ -54,41 +43,61 @@ Reflected ReflectedGravity(const World& world, const WorldState& from,
 
 }  // namespace
 
+double EnergyAlong::Tolerance(std::size_t from, std::size_t to) const {
+  return oscillations[to] + std::min(drifts[to] - drifts[from], most_kinetic[to]);
+}
+
+std::vector<std::array<std::size_t, 2>> EnergyAlong::WorstEarlier(double sign) const {
+  std::vector<std::array<std::size_t, 2>> worst;
+  std::size_t extreme = 0;
+  std::size_t undrifted = 0;
+  const auto beyond_drift = [&](std::size_t s) { return sign * Earlier(s) - drifts[s]; };
+  for (std::size_t s = 0; s < energies.size(); ++s) {
+    worst.push_back({extreme, undrifted});
+    if (sign * Earlier(s) < sign * Earlier(extreme)) extreme = s;
+    if (beyond_drift(s) < beyond_drift(undrifted)) undrifted = s;
+  }
+  return worst;
+}
+
 bool EnergyAlong::ReflectsAfterGravity(double rise, std::size_t from,
                                        std::size_t to) const {
   const double gain = reflected_gravity[to] - reflected_gravity[from];
   return std::abs(rise - gain) <=
-         tolerances[to] + kSafety * (reflected_slack[to] - reflected_slack[from]);
+         Tolerance(from, to) + kSafety * (reflected_slack[to] - reflected_slack[from]);
 }
 
 EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
-  const double second_order = world.dt * world.dt * SquaredForces(world, subjects);
-  const std::vector<double> drift =
-      IntegralAlong(trajectory, [&](const WorldState& state) {
-        return GyroscopicPowerRate(world, state, subjects) +
-               JointPowerRate(world, state, subjects);
-      });
+  const AllowedMotion allowed(motion);
+  const double second_order = world.dt * world.dt * SquaredLoadsOf(world, subjects);
+  const std::vector<double> gyroscopic = GyroscopicEnergyDrift(motion, allowed, subjects);
+  const std::vector<double> rods = RodEnergyDrift(motion, allowed, subjects);
   EnergyAlong along;
+  along.at_start = EnergyOf(world, StateAtStart(world), subjects).total();
   double power = 0;
   double size = 0;
   Reflected reflected;
   for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
     const WorldState& state = trajectory.samples[s];
-    const Energy energy = EnergyOf(world, state, subjects);
-    power = std::max(power, std::abs(energy.power));
-    size = std::max(size, energy.size);
+    const Energy slowed = EnergyOf(world, allowed.At(s), subjects);
+    power = std::max(power, std::abs(slowed.power));
+    size = std::max(size, slowed.size);
     if (s > 0) {
       const Reflected more =
           ReflectedGravity(world, trajectory.samples[s - 1], state, subjects);
       reflected.energy += more.energy;
       reflected.slack += more.slack;
     }
-    along.energies.push_back(energy);
-    along.tolerances.push_back(
-        kSafety * (world.dt * power + second_order + world.dt * drift[s]) +
-        RoundingOf(motion.oracle, StepsBefore(motion, s)) * size);
+    along.energies.push_back(EnergyOf(world, state, subjects));
+    const double floor =
+        NoiseOfPositions(world, state, subjects, motion.oracle.unit_roundoff).energy;
+    along.oscillations.push_back(kSafety * (world.dt * power + second_order) + floor +
+                                 RoundingOf(motion.oracle, StepsBefore(motion, s)) *
+                                     size);
+    along.drifts.push_back(kSafety * (gyroscopic[s] + rods[s]));
+    along.most_kinetic.push_back(allowed.KineticEnergy(s));
     along.reflected_gravity.push_back(reflected.energy);
     along.reflected_slack.push_back(reflected.slack);
   }
@@ -97,7 +106,8 @@ EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
 
 std::string BecauseOfEnergy() {
   return "1.5 × the error of semi-implicit Euler: ½ h dU/dt at both ends, h² |F|²/m, and "
-         "½ h ∫ of the losses of the gyroscopic term and rods; and 64 roundings per step";
+         "½ h ∫ of the losses of the gyroscopic term and rods since the earlier sample; "
+         "64 roundings per step; all at speeds that the truth allows";
 }
 
 }  // namespace touchstone

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "reports/worlds/truth/mechanics.h"
 
@@ -52,60 +53,85 @@ void ForEachRod(const World& world, const WorldState& state, const Subjects& sub
   }
 }
 
+/** Returns the change of the angular momentum of a body in a step of `h` [s]. [N m s] */
+double MomentumChange(const Spin& spin, double h,
+                      const std::optional<double>& documented) {
+  if (documented) return *documented * spin.L.norm();
+  const Eigen::Vector3d torque = spin.w.cross(spin.L);
+  const Eigen::Vector3d w_dot = -torque.cwiseQuotient(spin.inertia);
+  const Eigen::Vector3d half = spin.w.cross(torque) / 2;
+  return h * h * std::max((w_dot.cross(spin.L) - half).norm(), half.norm());
+}
+
+/** Returns the change of the energy of a body in a step of `h` [s]. [J] */
+double EnergyChange(const Spin& spin, double h, const std::optional<double>& documented) {
+  if (documented) return *documented * spin.w.dot(spin.L) / 2;
+  const Eigen::Vector3d torque = spin.w.cross(spin.L);
+  return h * h * torque.dot(torque.cwiseQuotient(spin.inertia)) / 2;
+}
+
+template <typename Change>
+std::vector<double> GyroscopicDrift(const Motion& motion, const AllowedMotion& allowed,
+                                    const Subjects& subjects, const Change& change) {
+  const double h = motion.world.dt;
+  return IntegralAlong(allowed, [&](const WorldState& state) {
+    double sum = 0;
+    for (const int i : subjects.bodies) {
+      sum += change(SpinOf(motion.world, state, i), h,
+                    motion.oracle.documented_rotation_error) /
+             h;
+    }
+    return sum;
+  });
+}
+
 }  // namespace
 
-double GyroscopicMomentumRate(const World& world, const WorldState& state,
-                              const Subjects& subjects) {
-  double sum = 0;
-  for (const int i : subjects.bodies) {
-    const Spin spin = SpinOf(world, state, i);
-    const Eigen::Vector3d torque = spin.w.cross(spin.L);
-    const Eigen::Vector3d w_dot = -torque.cwiseQuotient(spin.inertia);
-    const Eigen::Vector3d half = spin.w.cross(torque) / 2;
-    sum += std::max((w_dot.cross(spin.L) - half).norm(), half.norm());
-  }
-  return sum;
+std::vector<double> GyroscopicMomentumDrift(const Motion& motion,
+                                            const AllowedMotion& allowed,
+                                            const Subjects& subjects) {
+  return GyroscopicDrift(motion, allowed, subjects, MomentumChange);
 }
 
-double GyroscopicPowerRate(const World& world, const WorldState& state,
-                           const Subjects& subjects) {
-  double sum = 0;
-  for (const int i : subjects.bodies) {
-    const Spin spin = SpinOf(world, state, i);
-    const Eigen::Vector3d torque = spin.w.cross(spin.L);
-    sum += torque.dot(torque.cwiseQuotient(spin.inertia)) / 2;
-  }
-  return sum;
+std::vector<double> GyroscopicEnergyDrift(const Motion& motion,
+                                          const AllowedMotion& allowed,
+                                          const Subjects& subjects) {
+  return GyroscopicDrift(motion, allowed, subjects, EnergyChange);
 }
 
-double JointMomentumRate(const World& world, const WorldState& state,
-                         const Subjects& subjects) {
-  double sum = 0;
-  ForEachRod(world, state, subjects, [&](const TurningRod& rod) {
-    sum += rod.mass * std::pow(rod.speed, 3) / (2 * rod.length);
+std::vector<double> RodMomentumDrift(const Motion& motion, const AllowedMotion& allowed,
+                                     const Subjects& subjects) {
+  return IntegralAlong(allowed, [&](const WorldState& state) {
+    double sum = 0;
+    ForEachRod(motion.world, state, subjects, [&](const TurningRod& rod) {
+      sum += motion.world.dt * rod.mass * std::pow(rod.speed, 3) / (2 * rod.length);
+    });
+    return sum;
   });
-  return sum;
 }
 
-double JointPowerRate(const World& world, const WorldState& state,
-                      const Subjects& subjects) {
-  double sum = 0;
-  ForEachRod(world, state, subjects, [&](const TurningRod& rod) {
-    sum += rod.mass * std::pow(rod.speed, 4) / (2 * rod.length * rod.length);
+std::vector<double> RodEnergyDrift(const Motion& motion, const AllowedMotion& allowed,
+                                   const Subjects& subjects) {
+  return IntegralAlong(allowed, [&](const WorldState& state) {
+    double sum = 0;
+    ForEachRod(motion.world, state, subjects, [&](const TurningRod& rod) {
+      sum += motion.world.dt * rod.mass * std::pow(rod.speed, 4) /
+             (2 * rod.length * rod.length);
+    });
+    return sum;
   });
-  return sum;
 }
 
-std::vector<double> IntegralAlong(const Trajectory& trajectory,
+std::vector<double> IntegralAlong(const AllowedMotion& allowed,
                                   const std::function<double(const WorldState&)>& rate) {
+  const std::vector<double>& times = allowed.times();
   std::vector<double> integral;
   double last_rate = 0;
-  for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
-    const double this_rate = rate(trajectory.samples[s]);
+  for (std::size_t s = 0; s < times.size(); ++s) {
+    const double this_rate = rate(allowed.At(s));
     integral.push_back(s == 0 ? 0
-                              : integral.back() +
-                                    (trajectory.times[s] - trajectory.times[s - 1]) *
-                                        std::max(last_rate, this_rate));
+                              : integral.back() + (times[s] - times[s - 1]) *
+                                                      std::max(last_rate, this_rate));
     last_rate = this_rate;
   }
   return integral;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
@@ -76,15 +77,17 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Eigen::Vector3d L_0 =
       AngularMomentumOf(world, start, subjects, CentreOf(world, start, subjects));
   const Eigen::Matrix3d kept = ProjectionOf(claim);
-  const std::vector<double> drift =
-      IntegralAlong(trajectory, [&](const WorldState& state) {
-        return GyroscopicMomentumRate(world, state, subjects) +
-               JointMomentumRate(world, state, subjects);
-      });
+  const AllowedMotion allowed(motion);
+  const std::vector<double> gyroscopic =
+      GyroscopicMomentumDrift(motion, allowed, subjects);
+  const std::vector<double> rods = RodMomentumDrift(motion, allowed, subjects);
   Worst worst(
       MeasureKind::kAngularMomentumDrift,
       "1.5 × the loss of first-order schemes: h ∫ |ω × (ω × L)| of the gyroscopic term, "
-      "½ h ∫ m v³/L of rods, V h J of contacts; and 64 roundings per step");
+      "½ h ∫ m v³/L of rods, V h J of contacts, at speeds that the truth allows and at "
+      "most |L|; "
+      "and 64 roundings per step");
+  double terms = 0;
   double size = 0;
   double levers = 0;  // Σ V h |J| of the contacts so far.
   double fastest = 0;
@@ -92,13 +95,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     const double t = trajectory.times[s];
     const WorldState& state = trajectory.samples[s];
     const Eigen::Vector3d c_W = CentreOf(world, state, subjects);
-    fastest = std::max(fastest, 2 * FastestOf(state, subjects));
+    const WorldState& slowed = allowed.At(s);
+    fastest = std::max(fastest, 2 * FastestOf(slowed, subjects));
     // Positions are rounded relative to their distance from the origin.
-    size = std::max(size, AngularMomentumSize(world, state, subjects, c_W) +
-                              c_W.norm() * MomentumSize(world, state, subjects));
+    terms = std::max(terms, AngularMomentumSize(world, slowed, subjects, c_W));
+    size = std::max(size, terms + c_W.norm() * MomentumSize(world, slowed, subjects));
     if (s > 0) {
       levers += fastest * world.dt *
-                ImpulsesBetween(world, trajectory.samples[s - 1], state,
+                ImpulsesBetween(world, allowed.At(s - 1), slowed,
                                 t - trajectory.times[s - 1], subjects) /
                 2;
     }
@@ -107,7 +111,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     const double contacts = levers > rounding ? levers : 0;
     const Eigen::Vector3d L = AngularMomentumOf(world, state, subjects, c_W);
     worst.Take((kept * (L - L_0)).norm(),
-               kSafety * (world.dt * drift[s] + contacts) + rounding, [&] {
+               kSafety * std::min(gyroscopic[s] + rods[s] + contacts, terms) + rounding,
+               [&] {
                  return fmt::format(
                      "{} has an angular momentum of {} N m s after {:.6g} s; it started "
                      "with {}",

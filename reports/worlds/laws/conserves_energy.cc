@@ -49,18 +49,27 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Subjects subjects = SubjectsOf(world, claim);
-  const double E_0 = EnergyOf(world, StateAtStart(world), subjects).total();
   const EnergyAlong along = EnergyAlongOf(motion, subjects);
   Worst worst(MeasureKind::kEnergyDrift, BecauseOfEnergy());
+  for (const double sign : {1.0, -1.0}) {
+    const auto earlier = along.WorstEarlier(sign);
+    for (std::size_t s = 0; s < along.energies.size(); ++s) {
+      const double E = along.energies[s].total();
+      for (const std::size_t from : earlier[s]) {
+        const double before = along.Earlier(from);
+        worst.Take(std::abs(E - before), along.Tolerance(from, s), [&] {
+          const ToldApart told = TellApart(E, before, 9);
+          return fmt::format("{} has {} J after {:.6g} s; it had {} J after {:.6g} s",
+                             motion.oracle.name, told.a, motion.trajectory.times[s],
+                             told.b, motion.trajectory.times[from]);
+        });
+      }
+    }
+  }
   bool reflects = true;
   for (std::size_t s = 0; s < along.energies.size(); ++s) {
-    const double E = along.energies[s].total();
-    worst.Take(std::abs(E - E_0), along.tolerances[s], [&] {
-      const ToldApart told = TellApart(E, E_0, 9);
-      return fmt::format("{} has {} J after {:.6g} s; it started with {} J",
-                         motion.oracle.name, told.a, motion.trajectory.times[s], told.b);
-    });
-    reflects = reflects && along.ReflectsAfterGravity(E - E_0, 0, s);
+    reflects = reflects && along.ReflectsAfterGravity(
+                               along.energies[s].total() - along.at_start, 0, s);
   }
   return FindingsOf({worst}, reflects ? kReflectsAfterGravity : "");
 }

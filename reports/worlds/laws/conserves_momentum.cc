@@ -35,7 +35,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
 
   Worst drift(MeasureKind::kMomentumDrift,
               "64 roundings per step: impulses are equal and opposite, and every scheme "
-              "integrates a constant force exactly");
+              "integrates a constant force exactly; and velocities that are roundings of "
+              "positions over a step");
   const Eigen::Matrix3d kept = ProjectionOf(claim);
   const Trajectory& trajectory = motion.trajectory;
   const Eigen::Vector3d P_0 = MomentumOf(world, StateAtStart(world), subjects);
@@ -53,7 +54,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     const Eigen::Vector3d P = MomentumOf(world, state, subjects);
     drift.Take((kept * (P - truth)).norm(),
                RoundingOf(motion.oracle, StepsBefore(motion, s)) *
-                   (size + force_W.norm() * t + kicks),
+                       (size + force_W.norm() * t + kicks) +
+                   NoiseOfPositions(world, state, subjects, motion.oracle.unit_roundoff)
+                       .momentum,
                [&] {
                  return fmt::format(
                      "{} has a momentum of {} N s after {:.6g} s; the start and the "

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/error_laws.h"
@@ -226,9 +227,7 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
   const double until = NextImpact(world, index, fall, rule);
   const Subjects subject{{index}, {}, {}};
   const std::vector<double> lost =
-      IntegralAlong(motion.trajectory, [&](const WorldState& state) {
-        return GyroscopicMomentumRate(world, state, subject);
-      });
+      GyroscopicMomentumDrift(motion, AllowedMotion(motion), subject);
   const double least_inertia = InertiaOf(body).minCoeff();
   const double lever = body.mass * fall.r_W.norm() / least_inertia;  // [1/m]
   const std::string because =
@@ -274,7 +273,7 @@ std::vector<Worst> JudgeBy(ImpactRule rule, const Motion& motion, int index) {
     const double behind = h * (inverse_inertia_W * L_W.cross(w_W)).norm();
     at.Compare(
         spin, is.w_WB, w_W,
-        kSafety * (errors.spin + gravity * lever + h * lost[s] / least_inertia + behind) +
+        kSafety * (errors.spin + gravity * lever + lost[s] / least_inertia + behind) +
             share * (speed * lever + w_W.norm()),
         "in this orientation the angular momentum after the impact is a spin of");
   }

@@ -47,22 +47,22 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Subjects subjects = SubjectsOf(world, claim);
   const EnergyAlong along = EnergyAlongOf(motion, subjects);
   Worst worst(MeasureKind::kEnergyDrift, BecauseOfEnergy());
-  double E_least = EnergyOf(world, StateAtStart(world), subjects).total();
-  std::size_t least = 0;
+  const auto earlier = along.WorstEarlier(1);
   bool reflects = true;
   for (std::size_t s = 0; s < along.energies.size(); ++s) {
     const double E = along.energies[s].total();
-    if (E < E_least) {
-      E_least = E;
-      least = s;
+    for (const std::size_t from : earlier[s]) {
+      const double before = along.Earlier(from);
+      const double tolerance = along.Tolerance(from, s);
+      worst.Take(std::max(0.0, E - before), tolerance, [&] {
+        const ToldApart told = TellApart(E, before, 9);
+        return fmt::format("{} has {} J after {:.6g} s; it had {} J after {:.6g} s",
+                           motion.oracle.name, told.a, motion.trajectory.times[s], told.b,
+                           motion.trajectory.times[from]);
+      });
+      reflects = reflects && (E - before <= tolerance ||
+                              along.ReflectsAfterGravity(E - before, from, s));
     }
-    worst.Take(E - E_least, along.tolerances[s], [&] {
-      const ToldApart told = TellApart(E, E_least, 9);
-      return fmt::format("{} has {} J after {:.6g} s; it had {} J before",
-                         motion.oracle.name, told.a, motion.trajectory.times[s], told.b);
-    });
-    reflects = reflects && (E - E_least <= along.tolerances[s] ||
-                            along.ReflectsAfterGravity(E - E_least, least, s));
   }
   return FindingsOf({worst}, reflects ? kReflectsAfterGravity : "");
 }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/scheme_drift.h"
@@ -53,9 +54,12 @@ std::string EndOf(const World& world, const Anchor& anchor) {
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
-  Worst worst(MeasureKind::kJointError,
-              "1.5 × ½ h ∫ v²/L dt, for steps along the tangent, 1e-5 of the ends' "
-              "motion for the solver, and 64 roundings per step");
+  Worst worst(
+      MeasureKind::kJointError,
+      "1.5 × ½ h ∫ v²/L dt, for steps along the tangent, 1e-5 of the ends' "
+      "motion for the solver, both at speeds that the truth allows, and 64 roundings "
+      "per step");
+  const AllowedMotion allowed(motion);
   for (const DistanceJoint* rod : RodsOf(world, SubjectsOf(world, claim))) {
     const auto across = [&](const WorldState& state) {
       const PointState A = StateOf(world, state, rod->A);
@@ -63,13 +67,13 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       return (B.v_W - A.v_W).norm();
     };
     const std::vector<double> stretched =
-        IntegralAlong(trajectory, [&](const WorldState& state) {
+        IntegralAlong(allowed, [&](const WorldState& state) {
           // At a sample, the velocity that gravity adds in a step may not be turned along
           // the tangent yet.
           const double v = across(state) + world.gravity_W.norm() * world.dt;
           return v * v / (2 * rod->length);
         });
-    const std::vector<double> relative_motion = IntegralAlong(trajectory, across);
+    const std::vector<double> relative_motion = IntegralAlong(allowed, across);
     double start = 0;
     for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
       const Eigen::Vector3d A = StateOf(world, trajectory.samples[s], rod->A).p_W;

@@ -9,7 +9,8 @@ namespace touchstone {
  A step along the tangent lengthens a rod by ½ v² h²/L, where v is the relative velocity
  of its ends across it. So an engine that corrects only velocities is off by ½ h ∫ v²/L
  dt, × 1.5. Added are 1e-5 of the relative motion of the ends for the solver, the error of
- the world at the start, and 64 roundings per step. An engine whose joints are elastic
+ the world at the start, and 64 roundings per step. No speed is larger than the truth
+ allows (law_support/allowed_motion.h). An engine whose joints are elastic
  fails.
 
  About: bodies and particles, with all rods attached to them. Numbers: none. */

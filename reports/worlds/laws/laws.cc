@@ -17,6 +17,7 @@
 #include "reports/worlds/laws/joint_length.h"
 #include "reports/worlds/laws/minimum_energy.h"
 #include "reports/worlds/laws/momentum_balance.h"
+#include "reports/worlds/laws/never_passes_through.h"
 #include "reports/worlds/laws/never_penetrates.h"
 #include "reports/worlds/laws/oblique_impact.h"
 #include "reports/worlds/laws/particle_bounce.h"
@@ -39,16 +40,37 @@ namespace touchstone {
 
 std::span<const Law> Laws() {
   static const std::array laws = {
-      kBallistic,       kBounceSeries,      kConservesAngularMomentum,
-      kConservesEnergy, kConservesMomentum, kCornerImpact,
-      kCoulombCone,     kDoublePendulum,    kEnergyNeverRises,
-      kHangsAsCatenary, kIncline,           kJointLength,
-      kMinimumEnergy,   kMomentumBalance,   kNeverPenetrates,
-      kObliqueImpact,   kParticleBounce,    kParticleFlight,
-      kPendulum,        kPenetrationScore,  kPushed,
-      kRests,           kRollingBox,        kRolls,
-      kRowImpact,       kSlideToStop,       kSlipToRoll,
-      kSphereImpact,    kSpringOscillation, kStackSupport,
+      kBallistic,
+      kBounceSeries,
+      kConservesAngularMomentum,
+      kConservesEnergy,
+      kConservesMomentum,
+      kCornerImpact,
+      kCoulombCone,
+      kDoublePendulum,
+      kEnergyNeverRises,
+      kHangsAsCatenary,
+      kIncline,
+      kJointLength,
+      kMinimumEnergy,
+      kMomentumBalance,
+      kNeverPassesThrough,
+      kNeverPenetrates,
+      kObliqueImpact,
+      kParticleBounce,
+      kParticleFlight,
+      kPendulum,
+      kPenetrationScore,
+      kPushed,
+      kRests,
+      kRollingBox,
+      kRolls,
+      kRowImpact,
+      kSlideToStop,
+      kSlipToRoll,
+      kSphereImpact,
+      kSpringOscillation,
+      kStackSupport,
       kTorqueFree,
   };
   return laws;

@@ -1,5 +1,7 @@
 #include "reports/worlds/laws/momentum_balance.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "reports/text/format_vector.h"
@@ -28,8 +30,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
   if (!trajectory.gives_impulses) return {};
-  Worst worst(MeasureKind::kMomentumBalance,
-              "64 roundings per step: every scheme sums the impulses that it applies");
+  Worst worst(
+      MeasureKind::kMomentumBalance,
+      "64 roundings per step: every scheme sums the impulses that it applies; and 3000 "
+      "roundings of the impulses for each contact of a step, for the solver");
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const std::vector<const ContactImpulse*> impulses = ImpulsesBetween(motion, s - 1, s);
     const double from = trajectory.times[s - 1];
@@ -46,15 +50,23 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         given_W += push->J_W;
         size += push->J_W.norm();
       }
+      double pushed = 0;
       for (const ContactImpulse* contact : impulses) {
-        given_W += ImpulseOn(*contact, index);
-        size += ImpulseOn(*contact, index).norm();
+        const Eigen::Vector3d J_W = ImpulseOn(*contact, index);
+        given_W += J_W;
+        pushed += J_W.norm();
       }
+      size += pushed;
+      // Each contact of a step rounds what all of them have given, through the bodies
+      // between them.
+      const double contacts = static_cast<double>(impulses.size());
+      const double solver = kRoundingsOfSolver * motion.oracle.unit_roundoff *
+                            std::max(1.0, contacts / world.sample_every) * pushed;
       const Eigen::Vector3d gained_W =
           body.mass * (trajectory.samples[s].bodies[i].v_WB -
                        trajectory.samples[s - 1].bodies[i].v_WB);
       worst.Take((gained_W - given_W).norm(),
-                 RoundingOf(motion.oracle, world.sample_every) * size, [&] {
+                 RoundingOf(motion.oracle, world.sample_every) * size + solver, [&] {
                    return fmt::format(
                        "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, "
                        "pushes and the reported contacts give {}",

@@ -7,15 +7,20 @@ namespace touchstone {
 /** Bodies that collide never penetrate deeper than they can move in one step. [m]
 
  A contact that is first detected at the end of a step is at most V h deep, where V is the
- speed at which the surfaces approach. Gravity may add g h² before the contact resists; an
- engine need not undo that. The tolerance is 1.5 times that depth, and 64 roundings per
- step. A penetration at the start is granted. The depth is the referee's, certified.
+ speed at which the surfaces approach there. A load adds up to 2 a h² before the contact
+ resists, with a = |g + F/m|; an engine need not undo that. The tolerance is 1.5 times
+ that depth, and 64 roundings per step. A penetration at the start is granted. The depth
+ is the referee's, certified.
 
- V is the largest speed of approach that the pair could have had since it was last apart,
- or so far if not every step is sampled. It is |v_A| + |v_B| + |ω_A| r_A + |ω_B| r_B at
- the samples, without a sphere's own spin, and what gravity adds between two samples. It
- is not |v_A − v_B|, since an impact may stop one of two bodies that fly together. For
- spheres and half-spaces |v| counts along the normal only, if every step is sampled.
+ V is taken at the deepest point and along the direction of the depth: |n·u_A| + |n·u_B|
+ with u = v + ω × r, at the sample and at the one before, and the largest since the pair
+ was apart. So sliding and spin about the normal grant nothing. Both speeds count by
+ themselves, since an impact may stop one of two bodies that fly together. No speed is
+ larger than the truth allows (law_support/allowed_motion.h).
+
+ Between samples that are further apart than a step, a body may turn: its |n × ω| |r|
+ counts in full, and gravity over that time. If it may also touch a third body meanwhile,
+ that may pass on its own speed, and the |v| + |ω| |r| of the fastest body counts.
 
  About: bodies; pairs of which at least one is named. Numbers: slack [m], granted on top,
  with its reason in the claim's `because`; parted_by [s], the time from which a

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/sphere.h"
@@ -88,7 +89,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   double allowed = 0;
   double deepest = 0;
   double reach = 0;
-  for (const WorldState& state : trajectory.samples) {
+  const AllowedMotion slowed(motion);
+  for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
+    const WorldState& state = slowed.At(s);
     for (Pair& pair : pairs) {
       const Nearness near = NearnessOf(world, state, pair);
       // The pair may touch before the next sample, or has touched since the last.
@@ -108,7 +111,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(MeasureKind::kPenetration,
               slope > 0
                   ? "1.5 √s h, the score s h² of hard solvers that the claim cites"
-                  : "1.5 √ of the mean Σ (V h + g h²)² over the pairs that overlap");
+                  : "1.5 √ of the mean Σ (V h + g h²)² over the pairs that overlap, V at "
+                    "most what the truth allows");
   worst.Take(std::sqrt(score / samples),
              kSafety * (slope > 0 ? std::sqrt(slope) * h : std::sqrt(allowed / samples)) +
                  RoundingOf(motion.oracle, 0) * reach,

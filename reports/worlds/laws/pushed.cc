@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
@@ -48,6 +49,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst spin(MeasureKind::kAngularMomentumDrift,
              "1.5 × the loss by the gyroscopic term, h ω × (ω × L) Δt; |ω| Δt |r| |J| if "
              "the push falls between samples; and 64 roundings per step");
+  const AllowedMotion allowed(motion);
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const double from = trajectory.times[s - 1];
     const double to = trajectory.times[s];
@@ -72,14 +74,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         size += push->J_W.norm();
         // An engine that takes a point in the world subtracts the centre from it.
         L_size += (push->p_BoP.norm() + before.p_WB.norm()) * push->J_W.norm();
-        turned += before.w_WB.norm() * std::max(0.0, push->time - from) *
-                  push->p_BoP.norm() * push->J_W.norm();
+        turned += allowed.At(s - 1).bodies[i].w_WB.norm() *
+                  std::max(0.0, push->time - from) * push->p_BoP.norm() *
+                  push->J_W.norm();
       }
       const Subjects subject{{index}, {}, {}};
-      const double lost =
-          (to - from) *
-          std::max(GyroscopicMomentumRate(world, trajectory.samples[s - 1], subject),
-                   GyroscopicMomentumRate(world, trajectory.samples[s], subject));
+      const std::vector<double> drift = GyroscopicMomentumDrift(motion, allowed, subject);
       const double rounding = RoundingOf(motion.oracle, world.sample_every);
       momentum.Take((body.mass * after.v_WB - P_W).norm(), rounding * size, [&] {
         return fmt::format("{} has {} at {} N s after {:.6g} s; the push leaves it {}",
@@ -88,7 +88,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                            FormatVector(P_W, 9));
       });
       spin.Take((L_after - L_W).norm(),
-                kSafety * (world.dt * lost + turned) + rounding * L_size, [&] {
+                kSafety * (drift[s] - drift[s - 1] + turned) + rounding * L_size, [&] {
                   return fmt::format(
                       "{} has {} at an angular momentum of {} after {:.6g} s; the push "
                       "leaves it {}",

@@ -53,7 +53,7 @@ std::vector<std::shared_ptr<Heap>> HeapsOf(const World& world) {
       const RigidBody& b = world.bodies[B];
       if (!a.collides || !b.collides || a.mass + b.mass == 0) continue;
       const double overlap =
-          OverlapOf(world, start, static_cast<int>(A), static_cast<int>(B));
+          OverlapOf(world, start, static_cast<int>(A), static_cast<int>(B)).depth;
       if (overlap == 0) continue;
       // A static body does not connect those that touch it.
       const std::shared_ptr<Heap> heap = heaps[a.mass > 0 ? A : B];
@@ -79,7 +79,7 @@ void FindParting(const World& world, const Trajectory& trajectory, std::size_t f
          ++s) {
       double left = 0;
       for (const auto& [A, B] : heap->pairs)
-        left += OverlapOf(world, trajectory.samples[s], A, B);
+        left += OverlapOf(world, trajectory.samples[s], A, B).depth;
       if (left <= slack) heap->parted = s;
     }
   }

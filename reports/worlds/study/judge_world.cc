@@ -147,12 +147,19 @@ class Judgement {
     const auto quarter = ValueOf(law, {quarter_world, study_.oracle, *study_.quarter},
                                  claim, finding.measure);
     if (!half || !quarter) return;
+    // The impulse of a step is F h: it halves with the step by itself, so forces are
+    // compared.
+    const bool is_of_step = finding.measure == MeasureKind::kConeViolation;
+    const double h = is_of_step ? study_.scenario.world.dt : 1;
+    const double at_step = finding.value / h;
+    const double at_half = *half / (is_of_step ? h / 2 : 1);
+    const double at_quarter = *quarter / (is_of_step ? h / 4 : 1);
     const double shrinks = std::exp2(-kLeastOrder);
-    const bool vanishes = *half <= shrinks * finding.value && *quarter <= shrinks * *half;
+    const bool vanishes = at_half <= shrinks * at_step && at_quarter <= shrinks * at_half;
     finding.cause = vanishes ? Cause::kDiscretisation : Cause::kDefect;
     finding.cause_because = fmt::format(
-        "{:.3g}, {:.3g} and {:.3g} at the step, a half and a quarter of it: {}",
-        finding.value, *half, *quarter,
+        "{:.3g}, {:.3g} and {:.3g}{} at the step, a half and a quarter of it: {}",
+        at_step, at_half, at_quarter, is_of_step ? " N" : "",
         vanishes
             ? "it vanishes with the step"
             : fmt::format("to vanish with the step it would have to fall to 1/{:.2g} "

@@ -89,6 +89,25 @@ double MassOf(const World& world, const Subjects& subjects) {
   return sum;
 }
 
+double SquaredLoadsOf(const World& world, const Subjects& subjects) {
+  double sum = 0;
+  ForEachMass(world, StateAtStart(world), subjects, [&](const Mass& mass) {
+    sum += mass.mass * (world.gravity_W + mass.force_W / mass.mass).squaredNorm();
+  });
+  return sum;
+}
+
+MotionOfNoise NoiseOfPositions(const World& world, const WorldState& state,
+                               const Subjects& subjects, double share) {
+  MotionOfNoise noise;
+  ForEachMass(world, state, subjects, [&](const Mass& mass) {
+    const double off = share * mass.at.p_W.norm() / world.dt;
+    noise.momentum += mass.mass * off;
+    noise.energy += mass.mass * off * off / 2;
+  });
+  return noise;
+}
+
 Eigen::Vector3d MomentumOf(const World& world, const WorldState& state,
                            const Subjects& subjects) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -23,6 +23,23 @@ WorldState StateAtStart(const World& world);
 /** Returns the total mass of the subjects. [kg] */
 double MassOf(const World& world, const Subjects& subjects);
 
+/** Returns Σ m |g + F/m|² over the subjects: the square of the rate at which their loads
+ raise the root of twice their kinetic energy, at most. [J/s²] */
+double SquaredLoadsOf(const World& world, const Subjects& subjects);
+
+/** What the subjects gain if each of their velocities is off. */
+struct MotionOfNoise {
+  double momentum = 0;  ///< Σ m δv. [N s]
+  double energy = 0;    ///< Σ ½ m δv². [J]
+};
+
+/** Returns the momentum and the energy of velocities δv = share |x|/h, with the step h of
+ `world`: an engine that takes a velocity from positions, or corrects positions by
+ velocities, cannot know it better than its positions, whose share is the unit roundoff.
+ */
+MotionOfNoise NoiseOfPositions(const World& world, const WorldState& state,
+                               const Subjects& subjects, double share);
+
 /** Returns the linear momentum Σ m v of the subjects. [N s] */
 Eigen::Vector3d MomentumOf(const World& world, const WorldState& state,
                            const Subjects& subjects);

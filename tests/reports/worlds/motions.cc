@@ -1,6 +1,7 @@
 #include "tests/reports/worlds/motions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/truth/mechanics.h"
@@ -14,6 +15,62 @@ OracleInfo EngineOf(std::string name, double unit_roundoff) {
   info.unit_roundoff = unit_roundoff;
   info.simulates = true;
   return info;
+}
+
+enum class ErrorKind { kPlace, kVelocity, kOrientation, kSpin, kImpulse };
+
+/** Returns `v` lengthened by `size`, or a vector of that length if it is zero. */
+Eigen::Vector3d Lengthened(const Eigen::Vector3d& v, double size) {
+  return v.isZero(0) ? Eigen::Vector3d(size, 0, 0)
+                     : Eigen::Vector3d(v + size * v.normalized());
+}
+
+void AddError(ErrorKind kind, double size, const Eigen::Vector3d& off_W,
+              BodyState& body) {
+  switch (kind) {
+    case ErrorKind::kPlace:
+      body.p_WB += off_W;
+      break;
+    case ErrorKind::kVelocity:
+      body.v_WB = Lengthened(body.v_WB, size);
+      break;
+    case ErrorKind::kOrientation:
+      // Beyond half a turn a larger error is a smaller one.
+      body.q_WB = Turned(body.q_WB, std::min(size, 3.0) * Eigen::Vector3d::UnitX());
+      break;
+    case ErrorKind::kSpin:
+      body.w_WB = Lengthened(body.w_WB, size);
+      break;
+    case ErrorKind::kImpulse:
+      break;
+  }
+}
+
+Trajectory WithError(const World& world, Trajectory motion, ErrorKind kind, double size,
+                     const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d off_W = size * direction.normalized();
+  for (std::size_t s = motion.samples.size() / 2 + 1; s < motion.samples.size(); ++s) {
+    WorldState& state = motion.samples[s];
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+      if (world.bodies[i].mass > 0) AddError(kind, size, off_W, state.bodies[i]);
+    }
+    for (std::vector<PointState>* points : {&state.particles, &state.nodes}) {
+      for (PointState& point : *points) {
+        if (kind == ErrorKind::kPlace) point.p_W += off_W;
+        if (kind == ErrorKind::kVelocity) point.v_W = Lengthened(point.v_W, size);
+      }
+    }
+  }
+  if (kind == ErrorKind::kImpulse) {
+    for (ContactImpulse& contact : motion.impulses) contact.J_B_W += off_W;
+  }
+  return motion;
+}
+
+bool Fails(const std::vector<LawFinding>& findings) {
+  return std::any_of(findings.begin(), findings.end(), [](const LawFinding& finding) {
+    return finding.recognised.empty() && !(finding.value <= finding.tolerance.value);
+  });
 }
 
 }  // namespace
@@ -124,6 +181,36 @@ testing::AssertionResult Finds(const std::vector<LawFinding>& findings,
   if (!finding.recognised.empty())
     return testing::AssertionFailure() << "recognised: " << finding.recognised;
   return testing::AssertionSuccess() << finding.proof;
+}
+
+testing::AssertionResult TurnsOnce(const World& world, const Trajectory& right,
+                                   const Claim& claim, const Eigen::Vector3d& direction,
+                                   const OracleInfo& oracle) {
+  const testing::AssertionResult passes = Passes(Judge(world, right, claim, oracle));
+  if (!passes) return passes;
+  bool any_fails = false;
+  for (const ErrorKind kind :
+       {ErrorKind::kPlace, ErrorKind::kVelocity, ErrorKind::kOrientation,
+        ErrorKind::kSpin, ErrorKind::kImpulse}) {
+    double failed_at = 0;
+    for (int halves = -30; halves <= 10; ++halves) {
+      const double size = std::pow(10, halves / 2.0);
+      const Trajectory wrong = WithError(world, right, kind, size, direction);
+      const std::vector<LawFinding> findings = Judge(world, wrong, claim, oracle);
+      const bool fails = Fails(findings);
+      if (fails && failed_at == 0) failed_at = size;
+      if (!fails && failed_at > 0) {
+        return testing::AssertionFailure()
+               << "an error of kind " << static_cast<int>(kind) << " fails at a size of "
+               << failed_at << " and passes at " << size << ": " << findings.front().value
+               << " of " << findings.front().tolerance.value << ", "
+               << findings.front().proof;
+      }
+    }
+    any_fails = any_fails || failed_at > 0;
+  }
+  if (!any_fails) return testing::AssertionFailure() << "no error fails";
+  return testing::AssertionSuccess();
 }
 
 }  // namespace touchstone

@@ -56,4 +56,16 @@ testing::AssertionResult Passes(const std::vector<LawFinding>& findings);
 testing::AssertionResult Finds(const std::vector<LawFinding>& findings,
                                MeasureKind measure);
 
+/** Adds one kind of error after another to the second half of a right motion: to the
+ place, velocity, orientation and spin of everything that moves, and to its impulses.
+ Places and impulses are off along `direction`, velocities and spins along themselves.
+
+ Succeeds if the law passes each error up to some size, and fails it at every larger size,
+ half a decade apart from 1e-15 to 1e5 in SI units; and if it fails at least one kind. So
+ no error grants itself its tolerance. */
+testing::AssertionResult TurnsOnce(const World& world, const Trajectory& right,
+                                   const Claim& claim,
+                                   const Eigen::Vector3d& direction = {0.2, -0.9, 0.3},
+                                   const OracleInfo& oracle = DoubleEngine());
+
 }  // namespace touchstone

@@ -127,5 +127,10 @@ TEST(Ballistic, RefusesNumbersItDoesNotKnow) {
             "numbers.expected_range");
 }
 
+TEST(TurnsOnce, ballistic) {
+  const World world = FlyingBox();
+  EXPECT_TRUE(TurnsOnce(world, Flown(world, 0.5), kClaim));
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -341,5 +341,15 @@ TEST(EnergyNeverRises, BouncesPassOrTheRuleIsRecognised) {
       "reflects the velocity after gravity");
 }
 
+TEST(TurnsOnce, bounce_series) {
+  const World world = DroppedBall(0.5, 1.0 / 240, 3);
+  EXPECT_TRUE(TurnsOnce(world, Exactly(world, 0.5), ClaimOf("bounce_series")));
+}
+
+TEST(TurnsOnce, energy_never_rises_of_a_bouncing_ball) {
+  const World world = DroppedBall(0.5);
+  EXPECT_TRUE(TurnsOnce(world, Exactly(world, 0.5), ClaimOf("energy_never_rises")));
+}
+
 }  // namespace
 }  // namespace touchstone

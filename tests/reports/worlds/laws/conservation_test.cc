@@ -234,5 +234,50 @@ TEST(Energy, AClothHasTheEnergyOfItsSprings) {
               1e-9);
 }
 
+TEST(TurnsOnce, conserves_momentum) {
+  const World world = SpringPair();
+  EXPECT_TRUE(TurnsOnce(world, Swung(world), ClaimOf("conserves_momentum")));
+}
+
+TEST(TurnsOnce, conserves_energy) {
+  const World world = SpringPair();
+  EXPECT_TRUE(TurnsOnce(world, Swung(world), ClaimOf("conserves_energy")));
+}
+
+TEST(TurnsOnce, energy_never_rises) {
+  const World world = SpringPair(0.7);
+  EXPECT_TRUE(TurnsOnce(world, Swung(world), ClaimOf("energy_never_rises"), {0, 1, 0}));
+}
+
+TEST(ConservesMomentum, AndEnergyHaveAFloorAtRest) {
+  // Two particles on a rod rest; an engine takes velocities from positions that are
+  // rounded, and they are gone after some steps.
+  World world;
+  world.particles = {{"a", {0, 0, 0}, {0, 0, 0}, 1.5},
+                     {"b", {0.3, 0.4, 0}, {0, 0, 0}, 0.5}};
+  world.joints = {{{AnchorKind::kParticle, 0, {0, 0, 0}},
+                   {AnchorKind::kParticle, 1, {0, 0, 0}},
+                   0.5}};
+  world.gravity_W.setZero();
+  world.dt = 1e-3;
+  world.steps = 100;
+  const auto trembling = [&](double noise) {
+    return Sampled(world, [&](double t) {
+      WorldState state = StateAtStart(world);
+      state.particles[1].v_W = Eigen::Vector3d(noise * std::exp(-100 * t), 0, 0);
+      if (t == 0) state.particles[1].v_W.setZero();
+      return state;
+    });
+  };
+  const double u_x_over_h = 0x1p-53 * 0.5 / world.dt;
+  for (const char* law : {"conserves_momentum", "conserves_energy"}) {
+    EXPECT_TRUE(Passes(Judge(world, trembling(0.5 * u_x_over_h), ClaimOf(law)))) << law;
+    EXPECT_TRUE(Passes(Judge(world, trembling(1e-22), ClaimOf(law)))) << law;
+    const std::vector<LawFinding> found =
+        Judge(world, trembling(4 * u_x_over_h), ClaimOf(law));
+    EXPECT_GT(found[0].value, found[0].tolerance.value) << law;
+  }
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -571,5 +571,37 @@ TEST(RollingBox, KnowsItsNumbersAndItsBalls) {
             2U);
 }
 
+TEST(TurnsOnce, slide_to_stop) {
+  const World world = SlidingBlock(30);
+  EXPECT_TRUE(TurnsOnce(world, Rubbed(world, FrictionCone::kCircle, 0.5),
+                        ClaimOf("slide_to_stop")));
+}
+
+TEST(TurnsOnce, incline) {
+  const World block = Slope(kBlock, 0.05, 45, 0.5);
+  EXPECT_TRUE(
+      TurnsOnce(block, Rubbed(block, FrictionCone::kCircle, 0.5), ClaimOf("incline")));
+  const World ball = Slope(kBall, 0.5, 30, 1);
+  EXPECT_TRUE(
+      TurnsOnce(ball, Rubbed(ball, FrictionCone::kCircle, 1), ClaimOf("incline")));
+}
+
+TEST(TurnsOnce, slip_to_roll) {
+  const World world = BowlingBall();
+  EXPECT_TRUE(TurnsOnce(world, Rubbed(world, FrictionCone::kCircle, 0.12),
+                        ClaimOf("slip_to_roll")));
+}
+
+TEST(TurnsOnce, rolls) {
+  const World world = RollingUp(15);
+  EXPECT_TRUE(
+      TurnsOnce(world, Rubbed(world, FrictionCone::kCircle, 0.6), ClaimOf("rolls")));
+}
+
+TEST(TurnsOnce, rolling_box) {
+  const World world = PulledBox(60);
+  EXPECT_TRUE(TurnsOnce(world, Pulled(world, FrictionCone::kCircle, 0.4, 200), kPulled));
+}
+
 }  // namespace
 }  // namespace touchstone

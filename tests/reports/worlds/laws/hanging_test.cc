@@ -382,5 +382,15 @@ TEST(MinimumEnergy, AClothRestsWhereTheMinimiserPutsIt) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("minimum_energy")).size(), 1U);
 }
 
+TEST(TurnsOnce, hangs_as_catenary) {
+  const World world = Chain(6);
+  EXPECT_TRUE(TurnsOnce(world, Settled(world), ClaimOf("hangs_as_catenary", Beads())));
+}
+
+TEST(TurnsOnce, minimum_energy) {
+  const World world = Chain(6);
+  EXPECT_TRUE(TurnsOnce(world, Settled(world), ClaimOf("minimum_energy")));
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -639,5 +639,26 @@ TEST(CornerImpact, RefusesFlatLandingsAndCornersWithFriction) {
   EXPECT_TRUE(FaultsOf(Tumbling(kOnEdge, 0.3), ClaimOf("corner_impact")).empty());
 }
 
+TEST(TurnsOnce, row_impact) {
+  const World world = Cradle(0.02);
+  EXPECT_TRUE(TurnsOnce(world, Struck(world, {}), ClaimOf("row_impact")));
+}
+
+TEST(TurnsOnce, oblique_impact) {
+  const World world = Oblique(0.8, 0.1, 50);
+  EXPECT_TRUE(TurnsOnce(world, Struck(world, {}), ClaimOf("oblique_impact")));
+}
+
+TEST(TurnsOnce, sphere_impact) {
+  const World world = TwoSpheres();
+  EXPECT_TRUE(TurnsOnce(world, Struck(world, {}), ClaimOf("sphere_impact")));
+}
+
+TEST(TurnsOnce, corner_impact) {
+  const World world = Tumbling(kOnEdge, 0.3);
+  EXPECT_TRUE(
+      TurnsOnce(world, Tumbled(world, ImpactRule::kNewton), ClaimOf("corner_impact")));
+}
+
 }  // namespace
 }  // namespace touchstone

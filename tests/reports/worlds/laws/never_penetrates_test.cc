@@ -139,5 +139,65 @@ TEST(NeverPenetrates, MeasuresPairsOfBoxesAndOfSpheres) {
               1e-12);
 }
 
+TEST(TurnsOnce, never_penetrates) {
+  const World world = FallingBall();
+  EXPECT_TRUE(TurnsOnce(world, StoppingAt(world, 0), ClaimOf("never_penetrates")));
+}
+
+TEST(NeverPenetrates, GrantsATileNoDepthForItsSlidingAndItsSpin) {
+  // A tile of 4 cm slides at 20 m/s, or spins about the normal, and sinks 3 mm a step.
+  World world;
+  world.bodies = {BodyOf("tile", Box{{0.3, 0.02, 0.3}}, 1, {0, 0.02, 0}), GroundOf()};
+  world.dt = 1.0 / 60;
+  world.steps = 10;
+  for (const bool slides : {true, false}) {
+    RigidBody& tile = world.bodies[0];
+    tile.v_WB = {slides ? 20.0 : 0.0, 0, 0};
+    tile.w_WB = {0, slides ? 0.0 : 40.0, 0};
+    for (const int sample_every : {1, 5}) {
+      world.sample_every = sample_every;
+      const auto sunk = [&](double each_step) {
+        return Sampled(world, [&](double t) {
+          WorldState state = StateAtStart(world);
+          BodyState& is = state.bodies[0];
+          is.p_WB += t * tile.v_WB - Eigen::Vector3d(0, each_step * t / world.dt, 0);
+          is.q_WB = Turned(is.q_WB, t * tile.w_WB);
+          return state;
+        });
+      };
+      EXPECT_TRUE(Passes(Judge(world, sunk(0), ClaimOf("never_penetrates"))));
+      EXPECT_TRUE(Finds(Judge(world, sunk(3e-3), ClaimOf("never_penetrates")),
+                        MeasureKind::kPenetration))
+          << slides << sample_every;
+    }
+  }
+}
+
+TEST(NeverPenetrates, GrantsTheSpeedOfACornerThatComesDown) {
+  // A plank turns about its far end; its near end comes down at 4 m/s.
+  World world;
+  const double tilt = 0.02;
+  RigidBody plank = BodyOf("plank", Box{{1, 0.02, 0.1}}, 1, {0, 0, 0});
+  const Eigen::Quaterniond q_WB = Turned(Eigen::Quaterniond::Identity(), {0, 0, -tilt});
+  const Eigen::Vector3d near_W = q_WB * Eigen::Vector3d(1, -0.02, 0);
+  plank.placed.X_WB = Pose::FromQuaternion({0, 1e-4 - near_W.y(), 0}, q_WB);
+  plank.w_WB = {0, 0, -2};
+  plank.v_WB = {0, -2, 0};
+  world.bodies = {plank, GroundOf()};
+  world.steps = 1;
+  const Trajectory landed = Stepped(world, [&](WorldState& state) {
+    BodyState& is = state.bodies[0];
+    is.p_WB += world.dt * plank.v_WB;
+    is.q_WB = Turned(is.q_WB, world.dt * plank.w_WB);
+    is.v_WB.setZero();
+    is.w_WB.setZero();
+  });
+  const LawFinding found =
+      Of(Judge(world, landed, ClaimOf("never_penetrates")), MeasureKind::kPenetration);
+  EXPECT_NEAR(found.value, 4 * world.dt, 0.02 * 4 * world.dt);
+  EXPECT_LE(found.value, found.tolerance.value);
+  EXPECT_LE(found.tolerance.value, 1.6 * found.value);
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -320,5 +320,29 @@ TEST(JointLength, FindsAnElasticRod) {
   EXPECT_EQ(FaultsOf(free, ClaimOf("joint_length")).size(), 1U);
 }
 
+TEST(TurnsOnce, spring_oscillation) {
+  const World world = Sprung(0);
+  EXPECT_TRUE(TurnsOnce(world, Sprung(world, kSymplecticSwings[0], 10, 0),
+                        ClaimOf("spring_oscillation")));
+}
+
+TEST(TurnsOnce, pendulum) {
+  const World world = Hung(1);
+  EXPECT_TRUE(TurnsOnce(world, Exactly(world), ClaimOf("pendulum")));
+}
+
+TEST(TurnsOnce, double_pendulum) {
+  const World world = Hung(2);
+  EXPECT_TRUE(
+      TurnsOnce(world, Exactly(world), ClaimOf("double_pendulum", {"mass0", "mass1"})));
+}
+
+TEST(TurnsOnce, joint_length) {
+  // Down, away from the hook that the rod hangs from: it only becomes longer.
+  const World world = Hung(1);
+  EXPECT_TRUE(TurnsOnce(world, Exactly(world), ClaimOf("joint_length"),
+                        -Eigen::Vector3d::UnitY()));
+}
+
 }  // namespace
 }  // namespace touchstone

@@ -139,5 +139,16 @@ TEST(ParticleBounce, KnowsItsNumbersAndRefusesDampedParticles) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("particle_bounce")).size(), 1U);
 }
 
+TEST(TurnsOnce, particle_flight) {
+  const World world = Thrown(0.8);
+  EXPECT_TRUE(TurnsOnce(world, Flown(world, FlightSchemes()[0], 0.8),
+                        ClaimOf("particle_flight")));
+}
+
+TEST(TurnsOnce, particle_bounce) {
+  const World world = Dropped(0.5);
+  EXPECT_TRUE(TurnsOnce(world, Bounced(world, 0.5), ClaimOf("particle_bounce")));
+}
+
 }  // namespace
 }  // namespace touchstone

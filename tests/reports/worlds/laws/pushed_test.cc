@@ -86,5 +86,10 @@ TEST(Pushed, KnowsItsNumbersAndRefusesBodiesWithoutAPush) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("pushed")).size(), 1U);
 }
 
+TEST(TurnsOnce, pushed) {
+  const World world = Struck();
+  EXPECT_TRUE(TurnsOnce(world, Moved(world, world.pushes[0].p_BoP), ClaimOf("pushed")));
+}
+
 }  // namespace
 }  // namespace touchstone

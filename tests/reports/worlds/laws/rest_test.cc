@@ -315,5 +315,38 @@ TEST(PenetrationScore, MayCiteAPublishedSlope) {
   EXPECT_TRUE(Finds(Judge(world, Sunk(world, 1.5e-2), claim), MeasureKind::kPenetration));
 }
 
+TEST(TurnsOnce, rests) {
+  const World world = Stack();
+  EXPECT_TRUE(TurnsOnce(world, Standing(world), ClaimOf("rests")));
+}
+
+TEST(TurnsOnce, stack_support) {
+  const World world = Stack();
+  EXPECT_TRUE(TurnsOnce(world, Standing(world), ClaimOf("stack_support")));
+}
+
+TEST(TurnsOnce, momentum_balance) {
+  const World world = Stack();
+  EXPECT_TRUE(TurnsOnce(world, Standing(world), ClaimOf("momentum_balance")));
+}
+
+TEST(TurnsOnce, coulomb_cone) {
+  const World world = Rubbed();
+  EXPECT_TRUE(TurnsOnce(world, Rubbing(world, {0.8, 0.6}), ClaimOf("coulomb_cone"),
+                        {0.8, 0, 0.6}));
+}
+
+TEST(TurnsOnce, penetration_score) {
+  const World world = Pile();
+  EXPECT_TRUE(TurnsOnce(world, Sunk(world, 1e-6), ClaimOf("penetration_score")));
+}
+
+TEST(MomentumBalance, GrantsEverySolverTheRoundingsOfItsIterations) {
+  const World world = Stack();
+  EXPECT_TRUE(Passes(Judge(world, Standing(world, 1e-13), ClaimOf("momentum_balance"))));
+  EXPECT_TRUE(Finds(Judge(world, Standing(world, 1e-10), ClaimOf("momentum_balance")),
+                    MeasureKind::kMomentumBalance));
+}
+
 }  // namespace
 }  // namespace touchstone

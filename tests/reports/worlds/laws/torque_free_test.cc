@@ -247,5 +247,22 @@ TEST(ConservesEnergy, ATumblingBoxPassesByTheTruthAndEveryScheme) {
   }
 }
 
+TEST(TurnsOnce, torque_free) {
+  World world = TumblingBox(1e-2);
+  world.steps = 100;
+  EXPECT_TRUE(TurnsOnce(world, TrueTurning(world), ClaimOf("torque_free")));
+}
+
+TEST(TurnsOnce, conserves_angular_momentum) {
+  const World world = TumblingBox(1e-2);
+  EXPECT_TRUE(
+      TurnsOnce(world, TrueTurning(world), ClaimOf("conserves_angular_momentum")));
+}
+
+TEST(TurnsOnce, conserves_energy_of_a_tumbling_box) {
+  const World world = TumblingBox(1e-2);
+  EXPECT_TRUE(TurnsOnce(world, TrueTurning(world), ClaimOf("conserves_energy")));
+}
+
 }  // namespace
 }  // namespace touchstone

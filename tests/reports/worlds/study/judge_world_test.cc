@@ -276,5 +276,29 @@ TEST(JudgeRepetition, FailsADifferenceOfOneBit) {
   EXPECT_THAT(finding.proof, HasSubstr("at 0.07 s body 1 position.x"));
 }
 
+TEST(JudgeWorld, ComparesTheImpulsesOfStepsAsForces) {
+  // Friction of 3 N or of 3 N times the step, without a normal force, in every step.
+  for (const bool is_force_of_step : {false, true}) {
+    const FakeSimulator rubs("rubs", [&](const World& world) {
+      Trajectory trajectory = FreeFlight(world);
+      trajectory.gives_impulses = true;
+      for (int step = 1; step <= world.steps; ++step) {
+        const double F = is_force_of_step ? 3 * world.dt : 3;
+        trajectory.impulses.push_back(
+            {step, 0, 1, {0, 0, 0}, {0, 1, 0}, {F * world.dt, 0, 0}, 0});
+      }
+      return trajectory;
+    });
+    WorldScenario scenario = TwoBallsInFlight();
+    scenario.claims = {{"coulomb_cone", {}, {}, ""}};
+    const Studied studied(scenario, rubs);
+    const std::vector<Finding> findings = JudgeWorld(studied.study());
+    const Finding* cone = Find(findings, MeasureKind::kConeViolation);
+    ASSERT_NE(cone, nullptr);
+    EXPECT_EQ(cone->verdict, Verdict::kFail);
+    EXPECT_EQ(cone->cause, is_force_of_step ? Cause::kDiscretisation : Cause::kDefect);
+  }
+}
+
 }  // namespace
 }  // namespace touchstone

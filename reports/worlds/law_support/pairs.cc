@@ -1,0 +1,30 @@
+#include "reports/worlds/law_support/pairs.h"
+
+#include <algorithm>
+
+namespace touchstone {
+
+bool Collide(const World& world, int A, int B) {
+  const RigidBody& body_A = world.bodies[static_cast<std::size_t>(A)];
+  const RigidBody& body_B = world.bodies[static_cast<std::size_t>(B)];
+  return A != B && body_A.collides && body_B.collides &&
+         !(std::holds_alternative<HalfSpace>(body_A.placed.shape) &&
+           std::holds_alternative<HalfSpace>(body_B.placed.shape));
+}
+
+std::vector<std::pair<int, int>> CollidingPairs(const World& world,
+                                                const Subjects& subjects) {
+  const auto is_subject = [&](int index) {
+    return std::find(subjects.bodies.begin(), subjects.bodies.end(), index) !=
+           subjects.bodies.end();
+  };
+  std::vector<std::pair<int, int>> pairs;
+  for (const int A : subjects.bodies) {
+    for (int B = 0; B < static_cast<int>(world.bodies.size()); ++B) {
+      if (Collide(world, A, B) && !(is_subject(B) && B < A)) pairs.emplace_back(A, B);
+    }
+  }
+  return pairs;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "reports/worlds/law_support/subjects.h"
+
+namespace touchstone {
+
+/** Returns whether two different bodies collide; two half-spaces never do. */
+bool Collide(const World& world, int A, int B);
+
+/** Returns the pairs of bodies that collide and of which at least one is a subject, each
+ once. The first of a pair moves. */
+std::vector<std::pair<int, int>> CollidingPairs(const World& world,
+                                                const Subjects& subjects);
+
+}  // namespace touchstone
