@@ -86,6 +86,7 @@ class CommandLine {
       return 2;
     }
     try {
+      GrantTolerance();
       const int code = command_();
       // Lost output, e.g. on a full disk, is a failure.
       if (std::cout.flush()) return code;
@@ -128,6 +129,28 @@ class CommandLine {
         ->type_name("ORACLE")
         ->delimiter(',')
         ->allow_extra_args(false);
+    app->add_option("--tolerance", selection.tolerance.length,
+                    "error of contact answers that is granted to the subject beyond "
+                    "rounding; the report says so")
+        ->check(NotNegative())
+        ->type_name("METRES");
+    app->add_option("--tolerance-share", selection.tolerance.share,
+                    "the same as a fraction of the size of the scene")
+        ->check(NotNegative())
+        ->type_name("SHARE");
+  }
+
+  /** Grants the subject the tolerance of the options, if one is given. */
+  void GrantTolerance() {
+    for (OracleSelection* selection :
+         {&run_.oracles, &ask_.oracles, &sweep_.oracles, &oracles_}) {
+      StatedTolerance& tolerance = selection->tolerance;
+      if (tolerance.IsZero()) continue;
+      tolerance.by = tolerance.share == 0    ? "--tolerance"
+                     : tolerance.length == 0 ? "--tolerance-share"
+                                             : "--tolerance and --tolerance-share";
+      session_.registry.State(selection->subject, tolerance);
+    }
   }
 
   static void AddJobs(CLI::App* app, int& jobs) {

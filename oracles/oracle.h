@@ -36,6 +36,13 @@ struct Capability {
   std::string reason;         ///< Why the pair is unsupported; empty when supported.
 };
 
+/** An error of lengths along the normal that a person states for an oracle, in addition
+ to the rounding of its arithmetic. Reports show it with its origin. */
+struct StatedTolerance {
+  double length = 0;    ///< [m]
+  double share = 0;     ///< As a fraction of SceneSize(). [-]
+  std::string by = {};
+
 /** Whether an oracle supports one feature of a world. */
 struct WorldCapability {
   bool supported = false;
@@ -60,6 +67,8 @@ struct OracleInfo {
   /** Whether contact queries are answered in a forked child with a deadline, because the
    engine can abort, crash or hang. */
   bool isolated = false;
+  /** What is granted to its contact answers; set by SetTolerance() only. */
+  StatedTolerance tolerance;
   std::vector<Setting> settings;
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
   /** Whether it simulates worlds at all; see also AnswersContacts(). */

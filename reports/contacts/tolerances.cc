@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "oracles/stated_tolerance.h"
+
 namespace touchstone {
 namespace {
 
@@ -58,6 +60,13 @@ Tolerance SeparationTolerance(const OracleInfo& oracle, const Scenario& scenario
         fmt::format("; {:.2g} m documented by {}", capability.documented_error + relative,
                     capability.documented_by);
   }
+  if (!oracle.tolerance.IsZero()) {
+    tolerance.value += StatedFor(oracle, scenario.contact);
+    tolerance.because +=
+        fmt::format("; {:.2g} m granted, {} stated by {}",
+                    StatedFor(oracle, scenario.contact), ToString(oracle.tolerance),
+                    oracle.tolerance.by);
+  }
   if (scenario.tolerance) {
     tolerance.value += scenario.tolerance->separation;
     tolerance.because +=
@@ -71,6 +80,13 @@ Tolerance SeparationTolerance(const OracleInfo& oracle, const Scenario& scenario
 
 double RoundingOf(const OracleInfo& oracle, const ContactQuery& query) {
   return kRoundings * oracle.unit_roundoff * SceneSize(query);
+}
+
+double StatedFor(const OracleInfo& oracle, const ContactQuery& query) {
+  // Without a share the product is skipped: a huge scene must not turn 0 into a NaN.
+  const double share =
+      oracle.tolerance.share > 0 ? oracle.tolerance.share * SceneSize(query) : 0;
+  return oracle.tolerance.length + share;
 }
 
 Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,

@@ -62,8 +62,12 @@ struct Tolerances {
 /** Returns the rounding of `oracle` on a scene: kRoundings u SceneSize(). [m] */
 double RoundingOf(const OracleInfo& oracle, const ContactQuery& query);
 
+/** Returns what OracleInfo::tolerance grants on a scene. [m] */
+double StatedFor(const OracleInfo& oracle, const ContactQuery& query);
+
 /** Returns the tolerances of `oracle` in `scenario`: its rounding, the rounding of the
- input, its documented error, and the tolerance that the scenario's author grants. */
+ input, its documented error, the tolerance that was stated for it, and the tolerance that
+ the scenario's author grants. */
 Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
                         const ContactTruth& truth);
 

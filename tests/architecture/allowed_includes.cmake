@@ -54,7 +54,7 @@ list(APPEND own_rules
   # The referee sees questions, never an answer.
   "reports/referee/ => scenarios/[a-z_]+[.]h"
   "reports/measures/ => reports/referee/|oracles/contact_answer[.]h|scenarios/[a-z_]+[.]h"
-  "reports/contacts/ => reports/(text|finding|referee|measures)/|oracles/(contact_answer|oracle)[.]h|scenarios/[a-z_]+[.]h"
+  "reports/contacts/ => reports/(text|finding|referee|measures)/|oracles/(contact_answer|oracle|stated_tolerance)[.]h|scenarios/[a-z_]+[.]h"
   # Closed forms know nothing of engines' names, laws or findings.
   "reports/worlds/truth/ => oracles/trajectory[.]h|scenarios/worlds/"
   "reports/worlds/law_support/ => reports/(text|finding|referee|worlds/truth)/|oracles/(oracle|trajectory)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
@@ -67,9 +67,9 @@ list(APPEND own_rules
   "reports/ledger/ => reports/((text|finding|referee|measures|contacts)/|run_report[.]h)|scenarios/(diagnostic|schema/nearest_name)[.]h"
   "reports/accuracy/ => reports/(ledger/|run_report[.]h)"
   "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
-  "reports/writers/ => reports/((text|referee|contacts|worlds/study)/|run_report[.]h)|oracles/(contact_answer|trajectory)[.]h|scenarios/(contact_query|worlds/world_scenario)[.]h"
+  "reports/writers/ => reports/((text|referee|contacts|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|worlds/world_scenario)[.]h"
   "reports/sweep/ => reports/((text|writers)/|run[.]h|run_report[.]h)|oracles/oracle[.]h|scenarios/(generators/|scenario_file[.]h)"
-  "reports/gtest/ => reports/sweep/"
+  "reports/gtest/ => reports/sweep/|oracles/stated_tolerance[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
   "cli/commands/ => cli/|reports/(accuracy|bench|ledger|referee|sweep|text|writers)/|scenarios/"
