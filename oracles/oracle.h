@@ -41,7 +41,10 @@ struct Capability {
 struct StatedTolerance {
   double length = 0;    ///< [m]
   double share = 0;     ///< As a fraction of SceneSize(). [-]
-  std::string by = {};
+  std::string by = {};  ///< Who states it, e.g. "--tolerance"; empty only if both are 0.
+
+  bool IsZero() const { return length == 0 && share == 0; }
+};
 
 /** Whether an oracle supports one feature of a world. */
 struct WorldCapability {
@@ -71,6 +74,10 @@ struct OracleInfo {
   StatedTolerance tolerance;
   std::vector<Setting> settings;
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
+  /** The depth that the engine documents as left between bodies in contact, and where.
+   [m] */
+  double slop = 0;
+  std::string slop_documented_by;  ///< Empty only if `slop` is 0.
   /** Whether it simulates worlds at all; see also AnswersContacts(). */
   bool simulates = false;
   bool steps_in_threads = false;  ///< Whether it has BeginInThreads().

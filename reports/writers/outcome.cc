@@ -178,8 +178,8 @@ std::string StatedTolerances(const RunReport& report) {
   std::string lines;
   for (const OracleInfo& oracle : report.oracles) {
     if (oracle.tolerance.IsZero()) continue;
-    lines += fmt::format("Granted to {} beyond rounding: {}, stated by {}\n",
-                         oracle.name, ToString(oracle.tolerance), oracle.tolerance.by);
+    lines += fmt::format("Granted to {} beyond rounding: {}, stated by {}\n", oracle.name,
+                         ToString(oracle.tolerance), oracle.tolerance.by);
   }
   return lines;
 }

@@ -69,7 +69,7 @@ list(APPEND own_rules
   "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
   "reports/writers/ => reports/((text|referee|contacts|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|worlds/world_scenario)[.]h"
   "reports/sweep/ => reports/((text|writers)/|run[.]h|run_report[.]h)|oracles/oracle[.]h|scenarios/(generators/|scenario_file[.]h)"
-  "reports/gtest/ => reports/sweep/|oracles/stated_tolerance[.]h"
+  "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
   "cli/commands/ => cli/|reports/(accuracy|bench|ledger|referee|sweep|text|writers)/|scenarios/"

@@ -11,6 +11,7 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/overlap.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
@@ -78,15 +79,18 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
   const Subjects subjects = SubjectsOf(world, claim);
-  const double slack = NumberOr(claim, "slack", 0);
+  const double slack = NumberOr(claim, "slack", 0) + motion.oracle.slop;
   // It is unknown how soon, if ever, an engine separates what overlaps at the start.
   const double parted_by =
       NumberOr(claim, "parted_by", std::numeric_limits<double>::infinity());
   const double g = world.gravity_W.norm();
-  Worst worst(MeasureKind::kPenetration,
-              fmt::format("1.5 × (V h + g h²), V the largest sum of both speeds since "
-                          "they were apart, or so far if not every step is sampled{}",
-                          slack > 0 ? ", and the slack that the claim grants" : ""));
+  Worst worst(
+      MeasureKind::kPenetration,
+      fmt::format("1.5 × (V h + g h²), V the largest sum of both speeds since "
+                  "they were apart, or so far if not every step is sampled{}",
+                  NumberOr(claim, "slack", 0) > 0
+                      ? WithSlop(", and the slack that the claim grants", motion.oracle)
+                      : WithSlop("", motion.oracle)));
   const WorldState start = StateAtStart(world);
   const auto hold = [&](int A, int B) {
     const double at_start = OverlapOf(world, start, A, B);
