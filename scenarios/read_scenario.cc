@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scenarios/scenario_file.h"
+#include "scenarios/toml/check_nesting.h"
 #include "scenarios/toml/check_structure.h"
 #include "scenarios/toml/places_from.h"
 #include "scenarios/toml/read_contact.h"
@@ -51,10 +52,12 @@ ReadResult ReadScenario(std::string_view text, std::string_view file_name) {
   FileLog log(file_name);
   ReadResult result;
   try {
-    Read(toml::parse(text, file_name), file_name, log, result);
+    if (CheckNesting(text, log))
+      Read(toml::parse(text, file_name), file_name, log, result);
   } catch (const toml::parse_error& error) {
     log.Add(error.source(), std::string(error.description()), "valid TOML 1.0");
   }
+  result.notes = log.notes();
   result.diagnostics = std::move(log).InOrderOfLines();
   if (!result.diagnostics.empty()) {
     result.scenario.reset();
