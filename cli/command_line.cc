@@ -143,7 +143,7 @@ class CommandLine {
   /** Grants the subject the tolerance of the options, if one is given. */
   void GrantTolerance() {
     for (OracleSelection* selection :
-         {&run_.oracles, &ask_.oracles, &sweep_.oracles, &oracles_}) {
+         {&run_.oracles, &ask_.oracles, &sweep_.oracles, &ledger_.oracles, &oracles_}) {
       StatedTolerance& tolerance = selection->tolerance;
       if (tolerance.IsZero()) continue;
       tolerance.by = tolerance.share == 0    ? "--tolerance"
@@ -355,7 +355,12 @@ class CommandLine {
   void AddLedger() {
     CLI::App* app =
         AddCommand("ledger", "Propose ledger entries for failures not yet known",
-                   [this] { return LedgerCommand(session_); });
+                   [this] { return LedgerCommand(session_, ledger_); });
+    AddScenarios(app, ledger_.scenarios);
+    AddOracleOptions(app, ledger_.oracles);
+    app->add_option("--ledger", ledger_.ledger,
+                    "ledger of what is known already (default: the built-in ledger)")
+        ->type_name("FILE");
     app->add_flag("--propose", propose_, "print the entries, for a person to complete")
         ->required();
     AddCommand("accuracy", "Print docs/accuracy.md, the worst error of each oracle",
@@ -375,6 +380,7 @@ class CommandLine {
   RunArguments run_;
   AskArguments ask_;
   SweepArguments sweep_;
+  LedgerArguments ledger_;
   BenchArguments bench_;
   BenchWorldsArguments bench_worlds_;
   std::string benched_;
