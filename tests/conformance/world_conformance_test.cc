@@ -143,7 +143,7 @@ World WorldWith(WorldFeature feature) {
       break;
     case kMovingBodies:
       world.bodies.push_back(Ball({1, 0, 0.31}));
-      world.bodies.back().name = "other ball";
+      world.bodies.back().name = "other";
       break;
     case kUnequalFriction:
       world.bodies.push_back(SlabOfBox());
