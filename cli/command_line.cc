@@ -26,6 +26,7 @@
 #include "cli/input_error.h"
 #include "cli/line_error.h"
 #include "reports/bench/scene.h"
+#include "reports/worlds/study/check_claims.h"
 #include "scenarios/schema/scenario_schema.h"
 
 namespace touchstone {
@@ -369,7 +370,7 @@ class CommandLine {
 
   void AddSchema() {
     AddCommand("schema", "Print the JSON Schema of scenario files", [] {
-      std::cout << ScenarioSchema();
+      std::cout << ScenarioSchema(ClaimNames());
       return 0;
     });
   }

@@ -1,9 +1,11 @@
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "scenarios/scenario_file.h"
+#include "scenarios/schema/scenario_keys.h"
 #include "scenarios/toml/check_nesting.h"
 #include "scenarios/toml/check_structure.h"
 #include "scenarios/toml/places_from.h"
@@ -17,13 +19,12 @@ namespace {
 /** Returns the kind of `file`: a world if it has [world], or if it has no [contact] but a
  table that only worlds have; else a contact query. */
 TableKind KindOf(const toml::table& file) {
-  constexpr std::array kOfWorlds = {"particles", "springs", "joints",   "cloths",
-                                    "pushes",    "claims",  "ensemble", "horizon"};
+  const std::span<const std::string_view> of_worlds = KeysOfWorldsOnly();
   const bool is_world =
       file.contains("world") ||
       (!file.contains("contact") &&
-       std::any_of(kOfWorlds.begin(), kOfWorlds.end(),
-                   [&file](const char* key) { return file.contains(key); }));
+       std::any_of(of_worlds.begin(), of_worlds.end(),
+                   [&file](std::string_view key) { return file.contains(key); }));
   return is_world ? TableKind::kWorldFile : TableKind::kContactFile;
 }
 

@@ -60,7 +60,7 @@ list(APPEND own_rules
   "reports/worlds/law_support/ => reports/(text|finding|referee|worlds/truth)/|oracles/(oracle|trajectory)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/worlds/laws/ => reports/(text|worlds/(truth|law_support))/"
   # The study finds a law by its name and includes no single law.
-  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/nearest_name[.]h|(generators|worlds)/)"
+  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/(nearest_name|scenario_schema)[.]h|(generators|worlds)/)"
   # Only the benchmark runs engines in child processes of its own.
   "reports/bench/ => reports/(text|referee|measures)/|oracles/(isolation/[a-z_]+|oracle|simulation|trajectory)[.]h|scenarios/([a-z_]+[.]h|(generators|worlds)/)"
   "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_result[.]h)|oracles/oracle[.]h"
@@ -74,7 +74,7 @@ list(APPEND own_rules
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
   "cli/commands/ => cli/|reports/(accuracy|bench|ledger|referee|sweep|text|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
-  "cli/command_line[.]cc => cli/|reports/bench/scene[.]h|scenarios/schema/")
+  "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")
 
 # The headers of a third-party library may be included only by the files that wrap it.
 set(library_rules
