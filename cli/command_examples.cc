@@ -127,10 +127,11 @@ Editors use the schema to complete and check scenario files.
      kShown},
     {"ledger", R"(
 
-Runs the whole catalogue and prints a ledger entry for each failure that no entry of the
-built-in ledger accepts. A person completes the reasons.
+Runs scenarios, the whole catalogue or your own, and prints a ledger entry for each failure
+that no entry of the ledger accepts. A person completes the reasons.
 )",
      R"(
+  touchstone ledger --propose my_scenarios/ > my_ledger.toml
   touchstone ledger --propose
 )",
      kShown},

@@ -26,6 +26,7 @@
 #include "cli/input_error.h"
 #include "cli/line_error.h"
 #include "reports/bench/scene.h"
+#include "reports/worlds/study/check_claims.h"
 #include "scenarios/schema/scenario_schema.h"
 
 namespace touchstone {
@@ -86,6 +87,7 @@ class CommandLine {
       return 2;
     }
     try {
+      GrantTolerance();
       const int code = command_();
       // Lost output, e.g. on a full disk, is a failure.
       if (std::cout.flush()) return code;
@@ -128,6 +130,28 @@ class CommandLine {
         ->type_name("ORACLE")
         ->delimiter(',')
         ->allow_extra_args(false);
+    app->add_option("--tolerance", selection.tolerance.length,
+                    "error of contact answers that is granted to the subject beyond "
+                    "rounding; the report says so")
+        ->check(NotNegative())
+        ->type_name("METRES");
+    app->add_option("--tolerance-share", selection.tolerance.share,
+                    "the same as a fraction of the size of the scene")
+        ->check(NotNegative())
+        ->type_name("SHARE");
+  }
+
+  /** Grants the subject the tolerance of the options, if one is given. */
+  void GrantTolerance() {
+    for (OracleSelection* selection :
+         {&run_.oracles, &ask_.oracles, &sweep_.oracles, &ledger_.oracles, &oracles_}) {
+      StatedTolerance& tolerance = selection->tolerance;
+      if (tolerance.IsZero()) continue;
+      tolerance.by = tolerance.share == 0    ? "--tolerance"
+                     : tolerance.length == 0 ? "--tolerance-share"
+                                             : "--tolerance and --tolerance-share";
+      session_.registry.State(selection->subject, tolerance);
+    }
   }
 
   static void AddJobs(CLI::App* app, int& jobs) {
@@ -332,7 +356,12 @@ class CommandLine {
   void AddLedger() {
     CLI::App* app =
         AddCommand("ledger", "Propose ledger entries for failures not yet known",
-                   [this] { return LedgerCommand(session_); });
+                   [this] { return LedgerCommand(session_, ledger_); });
+    AddScenarios(app, ledger_.scenarios);
+    AddOracleOptions(app, ledger_.oracles);
+    app->add_option("--ledger", ledger_.ledger,
+                    "ledger of what is known already (default: the built-in ledger)")
+        ->type_name("FILE");
     app->add_flag("--propose", propose_, "print the entries, for a person to complete")
         ->required();
     AddCommand("accuracy", "Print docs/accuracy.md, the worst error of each oracle",
@@ -341,7 +370,7 @@ class CommandLine {
 
   void AddSchema() {
     AddCommand("schema", "Print the JSON Schema of scenario files", [] {
-      std::cout << ScenarioSchema();
+      std::cout << ScenarioSchema(ClaimNames());
       return 0;
     });
   }
@@ -352,6 +381,7 @@ class CommandLine {
   RunArguments run_;
   AskArguments ask_;
   SweepArguments sweep_;
+  LedgerArguments ledger_;
   BenchArguments bench_;
   BenchWorldsArguments bench_worlds_;
   std::string benched_;

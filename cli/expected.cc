@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 #include <thread>
 
@@ -31,6 +32,17 @@ Expected NumberOfThreads() {
     return fmt::format(
         "'{}'; expected a whole number from 1 to {}, the number of processors", text,
         processors);
+  };
+}
+
+Expected NotNegative() {
+  return [](const std::string& text) -> std::string {
+    double number = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc() && stop == end && std::isfinite(number) && number >= 0)
+      return "";
+    return fmt::format("'{}'; expected a finite number >= 0", text);
   };
 }
 

@@ -18,6 +18,9 @@ Expected WholeNumber(std::uint64_t least = 0,
 /** Accepts whole numbers from 1 to the number of processors of this machine. */
 Expected NumberOfThreads();
 
+/** Accepts finite numbers >= 0. */
+Expected NotNegative();
+
 /** Accepts one of `names`. The error lists them and suggests the nearest. */
 Expected OneOf(const std::vector<std::string>& names);
 

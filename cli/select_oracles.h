@@ -9,7 +9,8 @@ namespace touchstone {
 
 /** The oracles that a command uses. */
 struct OracleSelection {
-  std::string subject;  ///< Name of one oracle.
+  std::string subject;        ///< Name of one oracle.
+  StatedTolerance tolerance;  ///< Replaces that of the subject, unless it is zero.
   std::vector<std::string>
       against;  ///< References, names or groups ("fcl"); empty: all others.
 };

@@ -1,6 +1,7 @@
 #include "cli/select_scenarios.h"
 
 #include <algorithm>
+#include <iostream>
 #include <iterator>
 #include <tuple>
 #include <utility>
@@ -45,6 +46,8 @@ bool IsPath(const std::string& pattern, const Ids& known) {
 
 Questions WithoutErrors(Catalogue catalogue) {
   std::vector<Diagnostic>& errors = catalogue.diagnostics;
+  for (const Diagnostic& note : catalogue.notes)
+    std::cerr << "touchstone: " << ToNote(note) << '\n';
   for (const WorldScenario& scenario : catalogue.worlds) {
     for (Diagnostic& error : ErrorsOfClaims(scenario)) errors.push_back(std::move(error));
   }

@@ -8,13 +8,18 @@ namespace touchstone {
 namespace {
 
 OracleInfo InfoOf(std::string name, const std::vector<ShapePair>& pairs,
-                  const Capability& gives) {
+                  const Promises& promises) {
   OracleInfo info;
   info.name = std::move(name);
   info.library = "user";
   info.version = "unversioned";  // Not empty, because ledger entries name a version.
   info.settings.push_back(
       {"conventions", "as the function returns them", "the function converts by itself"});
+  info.unit_roundoff =
+      promises.precision == Precision::kFloat ? kFloatRoundoff : kDoubleRoundoff;
+  StatedTolerance tolerance = promises.tolerance;
+  if (tolerance.by.empty()) tolerance.by = promises.documented_by;
+  SetTolerance(std::move(tolerance), info);
   for (auto& row : info.capabilities) {
     for (Capability& capability : row) {
       capability.reason = "the function of " + info.name + " does not handle this pair";
@@ -22,7 +27,7 @@ OracleInfo InfoOf(std::string name, const std::vector<ShapePair>& pairs,
   }
   for (const ShapePair& pair : pairs) {
     info.capabilities[static_cast<std::size_t>(pair.A)]
-                     [static_cast<std::size_t>(pair.B)] = gives;
+                     [static_cast<std::size_t>(pair.B)] = promises.gives;
   }
   return info;
 }
@@ -91,8 +96,8 @@ Capability DepthAndNormal() {
 }
 
 std::unique_ptr<Oracle> MakeOracle(std::string name, const std::vector<ShapePair>& pairs,
-                                   ContactFunction function, const Capability& gives) {
-  return std::make_unique<FunctionOracle>(InfoOf(std::move(name), pairs, gives),
+                                   ContactFunction function, const Promises& promises) {
+  return std::make_unique<FunctionOracle>(InfoOf(std::move(name), pairs, promises),
                                           std::move(function));
 }
 

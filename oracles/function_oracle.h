@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oracles/oracle.h"
+#include "oracles/stated_tolerance.h"
 
 namespace touchstone {
 
@@ -27,18 +28,37 @@ struct ShapePair {
  answer are judged too if present; a promised field that is absent is a fault. */
 Capability DepthAndNormal();
 
-/** Returns an oracle that answers `pairs` by calling `function`, which computes in
- double. Every other pair is unsupported. `gives` is what the function promises for each
- pair; set `gives.family` to take part in the consensus. */
+/** The arithmetic of a routine. Its rounding is what the routine is granted. */
+enum class Precision { kFloat, kDouble };
+
+/** What the author of a routine promises. */
+struct Promises {
+  /** What it gives for each pair; set `gives.family` to take part in the consensus. */
+  Capability gives = DepthAndNormal();
+  Precision precision = Precision::kDouble;
+  /** The error that it is meant to have beyond rounding. Its `by` is `documented_by`. */
+  StatedTolerance tolerance = {};
+  /** Where the tolerance is documented, e.g. "the header of my_box_box.h". */
+  std::string documented_by = {};
+};
+
+/** Returns an oracle that answers `pairs` by calling `function`. Every other pair is
+ unsupported.
+ @throws std::invalid_argument for a tolerance that is negative, not finite, or documented
+ nowhere. */
 std::unique_ptr<Oracle> MakeOracle(std::string name, const std::vector<ShapePair>& pairs,
                                    ContactFunction function,
-                                   const Capability& gives = DepthAndNormal());
+                                   const Promises& promises = {});
 
 /** Returns an oracle for one pair of shapes from `function(A, X_WA, B, X_WB) ->
- ContactAnswer`, e.g. MakeOracle<Box, Box>("mine", MyBoxBox). */
+ ContactAnswer`. A routine in float that is meant to be right to a tenth of a millimetre:
+      MakeOracle<Box, Box>("mine", MyBoxBox,
+                           {.precision = Precision::kFloat,
+                            .tolerance = {.length = 1e-4},
+                            .documented_by = "the header of my_box_box.h"}) */
 template <typename ShapeA, typename ShapeB, typename Function>
 std::unique_ptr<Oracle> MakeOracle(std::string name, Function function,
-                                   const Capability& gives = DepthAndNormal()) {
+                                   const Promises& promises = {}) {
   const ShapePair pair{static_cast<ShapeKind>(Shape(std::in_place_type<ShapeA>).index()),
                        static_cast<ShapeKind>(Shape(std::in_place_type<ShapeB>).index())};
   const ContactFunction ask = [function =
@@ -46,7 +66,7 @@ std::unique_ptr<Oracle> MakeOracle(std::string name, Function function,
     return function(std::get<ShapeA>(query.A.shape), query.A.X_WB,
                     std::get<ShapeB>(query.B.shape), query.B.X_WB);
   };
-  return MakeOracle(std::move(name), {pair}, ask, gives);
+  return MakeOracle(std::move(name), {pair}, ask, promises);
 }
 
 }  // namespace touchstone

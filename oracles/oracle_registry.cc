@@ -13,6 +13,7 @@
 #include "oracles/libccd/ccd_oracles.h"
 #include "oracles/mujoco/mujoco_oracles.h"
 #include "oracles/ode/ode_oracles.h"
+#include "oracles/stated_tolerance.h"
 
 namespace touchstone {
 namespace {
@@ -127,6 +128,19 @@ void OracleRegistry::Add(std::unique_ptr<Oracle> oracle) {
     throw std::invalid_argument("an oracle named \"" + name + "\" already exists");
   }
   oracles_.push_back(std::move(oracle));
+}
+
+void OracleRegistry::State(std::string_view name, const StatedTolerance& tolerance) {
+  const auto wrap = [&](std::unique_ptr<Oracle>& oracle) {
+    std::unique_ptr<Oracle> tolerant = WithTolerance(*oracle, tolerance);
+    wrapped_.push_back(std::exchange(oracle, std::move(tolerant)));
+  };
+  for (std::unique_ptr<Oracle>& oracle : oracles_) {
+    if (oracle->info().name == name) return wrap(oracle);
+  }
+  if (FindSpecimen(name) == nullptr) return;
+  const std::lock_guard lock(specimens_->mutex);
+  wrap(specimens_->by_name.find(name)->second);
 }
 
 const Oracle* OracleRegistry::Find(std::string_view name) const {

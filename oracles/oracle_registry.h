@@ -30,6 +30,11 @@ class OracleRegistry {
    @throws std::invalid_argument if the name exists already. */
   void Add(std::unique_ptr<Oracle> oracle);
 
+  /** Judges the oracle `name` with `tolerance` from now on, see WithTolerance(). Does
+   nothing if there is no such oracle. Pointers to it that Find() returned stay valid, but
+   keep the tolerance from before. */
+  void State(std::string_view name, const StatedTolerance& tolerance);
+
   /** Returns the oracle of that exact name, or null. It lives as long as the registry.
    Thread safe, like all const functions here. */
   const Oracle* Find(std::string_view name) const;
@@ -59,6 +64,8 @@ class OracleRegistry {
   const Oracle* FindSpecimen(std::string_view name) const;
 
   std::vector<std::unique_ptr<Oracle>> oracles_;
+  /** The oracles that State() has wrapped. */
+  std::vector<std::unique_ptr<Oracle>> wrapped_;
   std::unique_ptr<Specimens> specimens_;  // Null unless created by BuiltIn().
   std::vector<MissingOracle> missing_;
 };

@@ -94,6 +94,7 @@ class CatalogueReader {
     for (Diagnostic& diagnostic : read.diagnostics) {
       catalogue_.diagnostics.push_back(std::move(diagnostic));
     }
+    for (Diagnostic& note : read.notes) catalogue_.notes.push_back(std::move(note));
     if (read.stated_id) {
       // A copied file that kept its id is reported for its path only.
       const bool is_in_place =

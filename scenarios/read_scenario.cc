@@ -1,9 +1,12 @@
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "scenarios/scenario_file.h"
+#include "scenarios/schema/scenario_keys.h"
+#include "scenarios/toml/check_nesting.h"
 #include "scenarios/toml/check_structure.h"
 #include "scenarios/toml/places_from.h"
 #include "scenarios/toml/read_contact.h"
@@ -16,13 +19,12 @@ namespace {
 /** Returns the kind of `file`: a world if it has [world], or if it has no [contact] but a
  table that only worlds have; else a contact query. */
 TableKind KindOf(const toml::table& file) {
-  constexpr std::array kOfWorlds = {"particles", "springs", "joints",   "cloths",
-                                    "pushes",    "claims",  "ensemble", "horizon"};
+  const std::span<const std::string_view> of_worlds = KeysOfWorldsOnly();
   const bool is_world =
       file.contains("world") ||
       (!file.contains("contact") &&
-       std::any_of(kOfWorlds.begin(), kOfWorlds.end(),
-                   [&file](const char* key) { return file.contains(key); }));
+       std::any_of(of_worlds.begin(), of_worlds.end(),
+                   [&file](std::string_view key) { return file.contains(key); }));
   return is_world ? TableKind::kWorldFile : TableKind::kContactFile;
 }
 
@@ -51,10 +53,12 @@ ReadResult ReadScenario(std::string_view text, std::string_view file_name) {
   FileLog log(file_name);
   ReadResult result;
   try {
-    Read(toml::parse(text, file_name), file_name, log, result);
+    if (CheckNesting(text, log))
+      Read(toml::parse(text, file_name), file_name, log, result);
   } catch (const toml::parse_error& error) {
     log.Add(error.source(), std::string(error.description()), "valid TOML 1.0");
   }
+  result.notes = log.notes();
   result.diagnostics = std::move(log).InOrderOfLines();
   if (!result.diagnostics.empty()) {
     result.scenario.reset();

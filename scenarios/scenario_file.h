@@ -26,7 +26,9 @@ struct ReadResult {
   std::optional<Scenario> scenario;     ///< Set if the file has [contact].
   std::optional<WorldScenario> world;   ///< Set if the file has [world].
   std::vector<Diagnostic> diagnostics;  ///< Every error in the file, sorted by line.
-  std::optional<StatedId> stated_id;    ///< Set even if the rest of the file is wrong.
+  /** What was changed to make a value usable; these are not errors. */
+  std::vector<Diagnostic> notes;
+  std::optional<StatedId> stated_id;  ///< Set even if the rest of the file is wrong.
 };
 
 /** Reads a scenario from TOML; `file_name` is the name used in diagnostics. */
@@ -40,6 +42,7 @@ struct Catalogue {
   std::vector<Scenario> scenarios;      ///< Scenarios without errors, sorted by id.
   std::vector<WorldScenario> worlds;    ///< Worlds without errors, sorted by id.
   std::vector<Diagnostic> diagnostics;  ///< All errors, sorted by file and line.
+  std::vector<Diagnostic> notes;        ///< ReadResult::notes of all files.
 };
 
 /** Reads files, and folders with all `.toml` files below them.

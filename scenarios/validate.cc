@@ -6,6 +6,8 @@
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "scenarios/limits.h"
+
 namespace touchstone {
 namespace {
 
@@ -74,6 +76,11 @@ struct ShapeCheck {
   void operator()(const ConvexHull& hull) const {
     if (hull.vertices.empty()) {
       faults.push_back({"vertices", "is empty", "at least one vertex"});
+    }
+    if (hull.vertices.size() > kMostVertices) {
+      faults.push_back({"vertices", fmt::format("has {} points", hull.vertices.size()),
+                        fmt::format("at most {}", kMostVertices)});
+      return;
     }
     for (std::size_t i = 0; i < hull.vertices.size(); ++i) {
       CheckPlace(fmt::format("vertices[{}]", i), hull.vertices[i], faults);

@@ -2,33 +2,36 @@
 
 #include <iostream>
 
-#include "cli/select_oracles.h"
-#include "cli/select_scenarios.h"
 #include "reports/accuracy/accuracy.h"
 #include "reports/ledger/ledger_file.h"
 
 namespace touchstone {
 namespace {
 
-RunReport RunEverything(const Session& session) {
-  const OracleSelection every_oracle{.subject = session.defaults.subject, .against = {}};
+RunReport RunAll(const Session& session, const LedgerArguments& arguments) {
   const std::vector<const Oracle*> oracles =
-      SelectOracles(session.registry, every_oracle);
-  const ScenarioSelection all{.patterns = {}, .catalogues = {session.catalogue()}};
-  const Questions questions = SelectQuestions(all);
-  return RunSuite(session, questions, oracles, BuiltInLedger(session, all, questions),
-                  {});
+      SelectOracles(session.registry, arguments.oracles);
+  const Questions questions = SelectQuestions(arguments.scenarios);
+  const Ledger ledger = arguments.ledger
+                            ? ReadLedgerOf(*arguments.ledger)
+                            : BuiltInLedger(session, arguments.scenarios, questions);
+  return RunSuite(session, questions, oracles, ledger,
+                  {.partial = !arguments.scenarios.patterns.empty()});
 }
 
 }  // namespace
 
-int LedgerCommand(const Session& session) {
-  std::cout << ProposeLedger(RunEverything(session));
+int LedgerCommand(const Session& session, const LedgerArguments& arguments) {
+  std::cout << ProposeLedger(RunAll(session, arguments));
   return 0;
 }
 
 int AccuracyCommand(const Session& session) {
-  std::cout << AccuracyTable(RunEverything(session));
+  const LedgerArguments everything{
+      .scenarios = {.patterns = {}, .catalogues = {session.catalogue()}},
+      .oracles = {.subject = session.defaults.subject, .tolerance = {}, .against = {}},
+      .ledger = {}};
+  std::cout << AccuracyTable(RunAll(session, everything));
   return 0;
 }
 

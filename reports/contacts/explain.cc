@@ -18,7 +18,7 @@ namespace touchstone {
 namespace {
 
 /** Sets the cause `model` on a pass whose error is larger than rounding: only the
- documented error lets it pass. */
+ documented error, or a tolerance that a person stated, lets it pass. */
 void ExplainByModel(const ScenarioResult& result, const OracleInfo& oracle,
                     Finding& finding) {
   const ContactQuery& query = result.scenario.contact;
@@ -26,11 +26,15 @@ void ExplainByModel(const ScenarioResult& result, const OracleInfo& oracle,
   const bool documented =
       capability.documented_error > 0 || capability.documented_relative_error > 0;
   const double rounding = RoundingOf(oracle, query) + result.truth.input_rounding;
-  if (!documented || UnitOf(finding.measure) != "m" || finding.value <= rounding) return;
+  const bool stated = !oracle.tolerance.IsZero();
+  if (UnitOf(finding.measure) != "m" || finding.value <= rounding) return;
+  if (!documented && !stated) return;
   finding.cause = Cause::kModel;
   finding.cause_because =
-      fmt::format("{:.3g} m is more than rounding, and documented: {}", finding.value,
-                  capability.documented_by);
+      fmt::format("{:.3g} m is more than rounding, and {}{}{}", finding.value,
+                  documented ? "documented: " + capability.documented_by : "",
+                  documented && stated ? "; " : "",
+                  stated ? "granted as stated by " + oracle.tolerance.by : "");
 }
 
 }  // namespace

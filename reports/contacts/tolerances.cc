@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "oracles/stated_tolerance.h"
 #include "reports/contacts/body_size.h"
 
 namespace touchstone {
@@ -78,6 +79,12 @@ Tolerance LengthTolerance(const OracleInfo& oracle, const Scenario& scenario,
         "; {:.2g} m, {:.2g} of the smallest feature, documented by {}", documented,
         documented / SmallestFeature(scenario.contact), capability.documented_by);
   }
+  if (!oracle.tolerance.IsZero()) {
+    tolerance.value += StatedFor(oracle, scenario.contact);
+    tolerance.because += fmt::format("; {:.2g} m granted, {} stated by {}",
+                                     StatedFor(oracle, scenario.contact),
+                                     ToString(oracle.tolerance), oracle.tolerance.by);
+  }
   if (scenario.tolerance) {
     tolerance.value += scenario.tolerance->separation;
     tolerance.because +=
@@ -91,6 +98,13 @@ Tolerance LengthTolerance(const OracleInfo& oracle, const Scenario& scenario,
 
 double RoundingOf(const OracleInfo& oracle, const ContactQuery& query) {
   return kRoundings * oracle.unit_roundoff * RoundedSize(oracle, query);
+}
+
+double StatedFor(const OracleInfo& oracle, const ContactQuery& query) {
+  // Without a share the product is skipped: a huge scene must not turn 0 into a NaN.
+  const double share =
+      oracle.tolerance.share > 0 ? oracle.tolerance.share * SceneSize(query) : 0;
+  return oracle.tolerance.length + share;
 }
 
 Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,

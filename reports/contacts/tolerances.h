@@ -80,9 +80,12 @@ struct Tolerances {
  as large as the distance of the positions and the larger body. [m] */
 double RoundingOf(const OracleInfo& oracle, const ContactQuery& query);
 
+/** Returns what OracleInfo::tolerance grants on a scene. [m] */
+double StatedFor(const OracleInfo& oracle, const ContactQuery& query);
+
 /** Returns the tolerances of `oracle` in `scenario` for an answer that says `touching`:
- its rounding, the rounding of the input, its documented error, and the tolerance that the
- scenario's author grants. */
+ its rounding, the rounding of the input, its documented error, the tolerance that was
+ stated for it, and the tolerance that the scenario's author grants. */
 Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
                         const ContactTruth& truth, bool touching);
 

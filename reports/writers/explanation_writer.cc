@@ -384,6 +384,7 @@ void WriteExplanation(const RunReport& report, const ExplanationStyle& style,
     WriteWorld(report, report.worlds[w],
                std::span(outcomes).subspan(index * oracles, oracles), style, out);
   }
+  out << StatedTolerances(report);
 }
 
 void WriteExplanationTable(const RunReport& report, std::ostream& out) {
@@ -418,6 +419,7 @@ void WriteExplanationTable(const RunReport& report, std::ostream& out) {
         fmt::format("{}", std::count_if(asked.begin(), asked.end(), IsRight)),
         Names(report, asked, IsWrong));
   }
+  out << StatedTolerances(report);
 }
 
 }  // namespace touchstone

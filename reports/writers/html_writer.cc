@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "oracles/stated_tolerance.h"
 #include "reports/contacts/proof.h"
 #include "reports/text/counted.h"
 #include "reports/text/format_vector.h"
@@ -61,7 +62,10 @@ std::string ToLower(std::string text) {
 }
 
 std::string PrecisionOf(const OracleInfo& oracle) {
-  return oracle.unit_roundoff > 0x1p-40 ? "single" : "double";
+  const std::string precision = oracle.unit_roundoff > 0x1p-40 ? "single" : "double";
+  if (oracle.tolerance.IsZero()) return precision;
+  return fmt::format("{}; granted {} beyond rounding, stated by {}", precision,
+                     ToString(oracle.tolerance), oracle.tolerance.by);
 }
 
 std::string WorstOf(const Finding* worst) {
@@ -225,7 +229,7 @@ class Page {
           CountCell(counts[Verdict::kUndecidable], "undecidable"),
           CountCell(counts[Verdict::kUnsupported], "unsupported"),
           WorstOf(tallies[o].worst), XmlText(oracle.library), XmlText(oracle.version),
-          PrecisionOf(oracle));
+          XmlText(PrecisionOf(oracle)));
     }
     out_ << "</table></div>\n";
   }

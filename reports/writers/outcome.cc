@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "oracles/stated_tolerance.h"
 #include "reports/text/told_apart.h"
 
 namespace touchstone {
@@ -211,6 +212,16 @@ std::vector<Tally> TallyByOracle(const RunReport& report,
   std::vector<Tally> tallies(report.oracles.size());
   for (const Outcome& outcome : outcomes) tallies[outcome.oracle].Add(outcome);
   return tallies;
+}
+
+std::string StatedTolerances(const RunReport& report) {
+  std::string lines;
+  for (const OracleInfo& oracle : report.oracles) {
+    if (oracle.tolerance.IsZero()) continue;
+    lines += fmt::format("Granted to {} beyond rounding: {}, stated by {}\n", oracle.name,
+                         ToString(oracle.tolerance), oracle.tolerance.by);
+  }
+  return lines;
 }
 
 std::string Quantity(double value, std::string_view unit) {

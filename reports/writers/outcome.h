@@ -133,6 +133,10 @@ void Count(const Outcome& outcome, VerdictCounts& counts);
  measure, value, tolerance and its origin, proof, and cause. */
 std::string Sentence(const Finding& finding);
 
+/** Returns a line for each oracle whose answers are judged with a stated tolerance, and
+ who states it. Empty if there is none. */
+std::string StatedTolerances(const RunReport& report);
+
 /** Returns `value` with its unit, to three digits: "1.23e-05 m". */
 std::string Quantity(double value, std::string_view unit);
 

@@ -114,6 +114,13 @@ std::span<const Key> KeysOf(TableKind table) {
   }
 }
 
+std::span<const std::string_view> KeysOfWorldsOnly() {
+  static constexpr std::string_view kKeys[] = {"particles", "springs", "joints",
+                                               "cloths",    "pushes",  "claims",
+                                               "ensemble",  "horizon"};
+  return kKeys;
+}
+
 std::span<const Key> BodyKeys() {
   return kBodyKeys;
 }

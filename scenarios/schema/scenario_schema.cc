@@ -57,6 +57,11 @@ Json BodyOf(ShapeKind kind, bool may_move) {
   return body;
 }
 
+/** Returns a schema that applies `then` where the condition holds. */
+Json If(const Json& condition, const Json& then) {
+  return {{"if", condition}, {"then", then}};
+}
+
 /** Returns the schema of a table of named tables, each with the schema `value`. */
 Json NamedTables(const Json& value) {
   return {{"type", "object"},
@@ -65,11 +70,19 @@ Json NamedTables(const Json& value) {
 }
 
 Json Bodies(bool may_move) {
-  Json shapes = Json::array();
-  for (int kind = 0; kind < kShapeKinds; ++kind) {
-    shapes.push_back(BodyOf(static_cast<ShapeKind>(kind), may_move));
+  Json names = Json::array();
+  Json choices = Json::array();
+  for (int i = 0; i < kShapeKinds; ++i) {
+    const auto kind = static_cast<ShapeKind>(i);
+    names.push_back(NameOf(kind));
+    choices.push_back(If(
+        {{"properties", {{"shape", {{"const", NameOf(kind)}}}}}, {"required", {"shape"}}},
+        BodyOf(kind, may_move)));
   }
-  return NamedTables({{"oneOf", shapes}});
+  return NamedTables({{"type", "object"},
+                      {"properties", {{"shape", {{"enum", names}}}}},
+                      {"required", {"shape"}},
+                      {"allOf", choices}});
 }
 
 Json Two(Json bodies) {
@@ -179,16 +192,39 @@ Json TableOf(const std::vector<Key>& keys) {
           {"additionalProperties", false}};
 }
 
+/** Restricts the name of a law to `claims`. "enumDescriptions" and "x-taplo" are what
+ editors for JSON and for TOML show next to each name. */
+void NameLaws(std::span<const ClaimName> claims, Json& law) {
+  law.erase("pattern");
+  Json descriptions = Json::array();
+  for (const ClaimName& claim : claims) {
+    law["enum"].push_back(claim.name);
+    descriptions.push_back(claim.documentation);
+  }
+  law["enumDescriptions"] = descriptions;
+  law["x-taplo"] = {{"docs", {{"enumValues", descriptions}}}};
+}
+
 }  // namespace
 
-std::string ScenarioSchema() {
+std::string ScenarioSchema(std::span<const ClaimName> claims) {
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                 {"title", "Touchstone scenario"}};
+                 {"title", "Touchstone scenario"},
+                 {"type", "object"}};
   Json contact = TableOf(TableKind::kContactFile);
   contact["title"] = "contact query";
   Json world = TableOf(TableKind::kWorldFile);
   world["title"] = "world";
-  schema["oneOf"] = {contact, world};
+  NameLaws(claims, world["properties"]["claims"]["items"]["properties"]["law"]);
+  // As the reader tells them apart (scenarios/read_scenario.cc).
+  Json of_worlds = Json::array({{{"required", {"world"}}}});
+  Json any = Json::array();
+  for (const std::string_view key : KeysOfWorldsOnly())
+    any.push_back({{"required", {key}}});
+  of_worlds.push_back({{"not", {{"required", {"contact"}}}}, {"anyOf", any}});
+  schema["if"] = {{"anyOf", of_worlds}};
+  schema["then"] = world;
+  schema["else"] = contact;
   return schema.dump(2) + '\n';
 }
 

@@ -15,6 +15,11 @@ void FileLog::Add(const toml::source_region& at, std::string what,
                           std::string(expected)});
 }
 
+void FileLog::Note(const toml::source_region& at, std::string what) {
+  notes_.push_back({file_, static_cast<int>(at.begin.line),
+                    static_cast<int>(at.begin.column), std::move(what), ""});
+}
+
 void FileLog::Add(const std::vector<Fault>& faults, const toml::table& table,
                   std::string_view prefix) {
   for (const Fault& fault : faults) {

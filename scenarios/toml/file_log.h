@@ -23,6 +23,11 @@ class FileLog {
   void Add(const std::vector<Fault>& faults, const toml::table& table,
            std::string_view prefix);
 
+  /** Adds a note on something that is no error. */
+  void Note(const toml::source_region& at, std::string what);
+
+  const std::vector<Diagnostic>& notes() const { return notes_; }
+
   /** Returns the number of diagnostics. */
   std::size_t size() const { return diagnostics_.size(); }
 
@@ -31,6 +36,7 @@ class FileLog {
  private:
   std::string file_;
   std::vector<Diagnostic> diagnostics_;
+  std::vector<Diagnostic> notes_;
 };
 
 }  // namespace touchstone

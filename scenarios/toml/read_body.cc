@@ -1,6 +1,9 @@
 #include "scenarios/toml/read_body.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
 
 #include "scenarios/toml/values.h"
 
@@ -33,7 +36,22 @@ Shape ShapeFrom(const toml::table& body) {
   return Sphere{1};
 }
 
-Pose PoseFrom(const toml::table& body) {
+/** Returns the quaternion in `wxyz`. One that is off unit length by more than the
+ rounding of 16 digits, but no more than seven digits can be, is normalised with a note.
+ */
+Eigen::Quaterniond QuaternionFrom(const toml::array& wxyz, FileLog& log) {
+  const Eigen::Quaterniond q(NumberFrom(wxyz.get(0), 1), NumberFrom(wxyz.get(1), 0),
+                             NumberFrom(wxyz.get(2), 0), NumberFrom(wxyz.get(3), 0));
+  const double norm = q.coeffs().stableNorm();
+  const double off = std::abs(norm - 1);
+  // Written so that a NaN is left to the validation.
+  if (!(off > kQuaternionSlack && off <= kRotationSlack)) return q;
+  log.Note(wxyz.source(),
+           fmt::format("the quaternion has norm {}; it was divided by it", norm));
+  return Eigen::Quaterniond(Eigen::Vector4d(q.coeffs() / norm));
+}
+
+Pose PoseFrom(const toml::table& body, FileLog& log) {
   const Eigen::Vector3d p_WB = VectorFrom(body.get("position"), Eigen::Vector3d::Zero());
   const toml::array* rows = body["rotation"].as_array();
   if (rows && rows->size() == 3 &&
@@ -47,18 +65,16 @@ Pose PoseFrom(const toml::table& body) {
     return Pose::FromMatrix(p_WB, R_WB);
   }
   if (AreNumbers(body.get("quaternion"), 4)) {
-    const toml::array& wxyz = *body["quaternion"].as_array();
     return Pose::FromQuaternion(p_WB,
-                                {NumberFrom(wxyz.get(0), 1), NumberFrom(wxyz.get(1), 0),
-                                 NumberFrom(wxyz.get(2), 0), NumberFrom(wxyz.get(3), 0)});
+                                QuaternionFrom(*body["quaternion"].as_array(), log));
   }
   return Pose::FromQuaternion(p_WB, Eigen::Quaterniond::Identity());
 }
 
 }  // namespace
 
-Body BodyFrom(const toml::table& body) {
-  return {ShapeFrom(body), PoseFrom(body)};
+Body BodyFrom(const toml::table& body, FileLog& log) {
+  return {ShapeFrom(body), PoseFrom(body, log)};
 }
 
 }  // namespace touchstone

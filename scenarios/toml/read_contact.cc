@@ -68,7 +68,7 @@ class Build {
     for (const auto& [name, node] : *bodies) {
       const toml::table* table = node.as_table();
       if (!table) continue;
-      const Body body = BodyFrom(*table);
+      const Body body = BodyFrom(*table, log_);
       log_.Add(FaultsOf(body), *table, fmt::format("bodies.{}.", name.str()));
       if (table == A) scenario.contact.A = body;
       if (table == B) scenario.contact.B = body;

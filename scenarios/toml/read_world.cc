@@ -11,6 +11,7 @@
 #include "scenarios/toml/read_world_parts.h"
 #include "scenarios/toml/values.h"
 #include "scenarios/toml/world_names.h"
+#include "scenarios/worlds/magnitudes.h"
 #include "scenarios/worlds/validate_world.h"
 
 namespace touchstone {
@@ -40,6 +41,7 @@ class Build {
       return joint;
     });
     AddPushes();
+    log_.Add(FaultsOfMagnitudes(world_), file_, "");
     if (file_["world"].is_table() && !Moves(world_)) {
       log_.Add(file_["world"].node()->source(), "world has nothing that moves",
                "a body, a particle or a cloth that can move");
@@ -60,9 +62,9 @@ class Build {
  private:
   template <class Part>
   void AddNamed(std::string_view key, std::vector<Part>& parts,
-                Part (*from)(const toml::table&)) {
+                Part (*from)(const toml::table&, FileLog&)) {
     for (const auto& [name, table] : InFileOrder(file_, key)) {
-      Part part = table ? from(*table) : Part();
+      Part part = table ? from(*table, log_) : Part();
       part.name = name->str();
       if (table) {
         log_.Add(FaultsOf(part), *table, fmt::format("{}.{}.", key, part.name));

@@ -27,9 +27,9 @@ std::vector<std::pair<int, int>> NodesFrom(const toml::node* node) {
 
 }  // namespace
 
-RigidBody RigidBodyFrom(const toml::table& table) {
+RigidBody RigidBodyFrom(const toml::table& table, FileLog& log) {
   RigidBody body;
-  body.placed = BodyFrom(table);
+  body.placed = BodyFrom(table, log);
   body.mass = NumberFrom(table.get("mass"), body.mass);
   if (AreNumbers(table.get("inertia"), 3)) {
     body.inertia = VectorFrom(table.get("inertia"), Eigen::Vector3d::Ones());
@@ -43,7 +43,7 @@ RigidBody RigidBodyFrom(const toml::table& table) {
   return body;
 }
 
-Particle ParticleFrom(const toml::table& table) {
+Particle ParticleFrom(const toml::table& table, FileLog&) {
   Particle particle;
   particle.p_W = VectorFrom(table.get("position"), particle.p_W);
   particle.v_W = VectorFrom(table.get("velocity"), particle.v_W);
@@ -53,7 +53,7 @@ Particle ParticleFrom(const toml::table& table) {
   return particle;
 }
 
-Cloth ClothFrom(const toml::table& table) {
+Cloth ClothFrom(const toml::table& table, FileLog&) {
   Cloth cloth;
   cloth.n = IntegerFrom(table.get("n"), cloth.n);
   cloth.spacing = NumberFrom(table.get("spacing"), cloth.spacing);

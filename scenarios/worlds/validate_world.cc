@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "scenarios/validate_scenario.h"
+#include "scenarios/worlds/magnitudes.h"
 
 namespace touchstone {
 namespace {
@@ -37,6 +38,7 @@ class WorldCheck {
     for (std::size_t i = 0; i < world_.pushes.size(); ++i) {
       Add(fmt::format("pushes[{}]", i), world_.pushes[i], clock.empty());
     }
+    Append("", FaultsOfMagnitudes(world_), faults_);
     if (!Moves(world_)) {
       faults_.push_back({"world", "has nothing that moves",
                          "a body, a particle or a cloth that can move"});

@@ -12,8 +12,9 @@ namespace touchstone {
  below any intended difference. */
 inline constexpr double kStepSlack = 1e-6;
 
-/** Largest number of steps of a world, such that a few refinements still fit an int. */
-inline constexpr int kMostSteps = 100'000'000;
+/** Largest number of steps of a world: twice that of the longest in the catalogue, and a
+ minute of a slow engine with six bodies. */
+inline constexpr int kMostSteps = 1'000'000;
 
 // These functions check each part on its own: finite numbers in their ranges. They return
 // no faults for a valid part. `where` is the key that a file uses, e.g. "inertia[1]".

@@ -65,7 +65,9 @@ std::string_view NameOf(WorldFeature feature) {
       "static other shape",
       "stated inertia",
       "restitution",
+      "friction",
       "unequal friction",
+      "two moving bodies that may meet",
       "force",
       "particle",
       "spring",
@@ -82,16 +84,22 @@ std::vector<WorldFeature> FeaturesOf(const World& world) {
   };
   const RigidBody* first = nullptr;
   int bouncing = 0;
+  int rubbing = 0;
+  int moving = 0;
   for (const RigidBody& body : world.bodies) {
     ask(WorldFeature::kForce, !body.force_W.isZero(0));
     ask(WorldFeature::kStatedInertia, body.inertia.has_value() && body.mass != 0);
     if (!body.collides) continue;
     ask(FeatureOf(body));
     if (body.restitution > 0) ++bouncing;
+    if (body.friction > 0) ++rubbing;
+    if (body.mass > 0) ++moving;
     if (!first) first = &body;
     ask(WorldFeature::kUnequalFriction, body.friction != first->friction);
   }
   ask(WorldFeature::kRestitution, bouncing > 1);
+  ask(WorldFeature::kFriction, rubbing > 1);
+  ask(WorldFeature::kMovingBodies, moving > 1);
   ask(WorldFeature::kParticle, !world.particles.empty());
   ask(WorldFeature::kSpring, !world.springs.empty());
   ask(WorldFeature::kDistanceJoint, !world.joints.empty());

@@ -147,7 +147,9 @@ enum class WorldFeature {
   kStaticOtherShape,
   kStatedInertia,    ///< A moving body with an explicit inertia.
   kRestitution,      ///< At least two colliding bodies with e > 0.
+  kFriction,         ///< At least two colliding bodies with μ > 0.
   kUnequalFriction,  ///< Different friction, so that the mixing rule matters.
+  kMovingBodies,     ///< At least two moving bodies that collide, which may meet.
   kForce,
   kParticle,
   kSpring,  ///< A spring between bodies, particles or the world.

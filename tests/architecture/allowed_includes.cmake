@@ -54,27 +54,27 @@ list(APPEND own_rules
   # The referee sees questions, never an answer.
   "reports/referee/ => scenarios/[a-z_]+[.]h"
   "reports/measures/ => reports/referee/|oracles/contact_answer[.]h|scenarios/[a-z_]+[.]h"
-  "reports/contacts/ => reports/(text|finding|referee|measures)/|oracles/(contact_answer|oracle)[.]h|scenarios/[a-z_]+[.]h"
+  "reports/contacts/ => reports/(text|finding|referee|measures)/|oracles/(contact_answer|oracle|stated_tolerance)[.]h|scenarios/[a-z_]+[.]h"
   # Closed forms know nothing of engines' names, laws or findings.
   "reports/worlds/truth/ => oracles/trajectory[.]h|scenarios/worlds/"
   "reports/worlds/law_support/ => reports/(text|finding|referee|worlds/truth)/|oracles/(oracle|trajectory)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/worlds/laws/ => reports/(text|worlds/(truth|law_support))/"
   # The study finds a law by its name and includes no single law.
-  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/nearest_name[.]h|(generators|worlds)/)"
+  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/(nearest_name|scenario_schema)[.]h|(generators|worlds)/)"
   # Only the benchmark runs engines in child processes of its own.
   "reports/bench/ => reports/(text|referee|measures)/|oracles/(isolation/[a-z_]+|oracle|simulation|trajectory)[.]h|scenarios/([a-z_]+[.]h|(generators|worlds)/)"
   "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_result[.]h)|oracles/oracle[.]h"
   "reports/ledger/ => reports/((text|finding|referee|measures|contacts)/|run_report[.]h)|scenarios/(diagnostic|schema/nearest_name)[.]h"
   "reports/accuracy/ => reports/(ledger/|run_report[.]h)"
   "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
-  "reports/writers/ => reports/((text|referee|contacts|worlds/study)/|run_report[.]h)|oracles/(contact_answer|trajectory)[.]h|scenarios/(contact_query|worlds/world_scenario)[.]h"
+  "reports/writers/ => reports/((text|referee|contacts|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|worlds/world_scenario)[.]h"
   "reports/sweep/ => reports/((text|writers)/|run[.]h|run_report[.]h)|oracles/oracle[.]h|scenarios/(generators/|scenario_file[.]h)"
-  "reports/gtest/ => reports/sweep/"
+  "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
   "cli/commands/ => cli/|reports/(accuracy|bench|ledger|referee|sweep|text|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
-  "cli/command_line[.]cc => cli/|reports/bench/scene[.]h|scenarios/schema/")
+  "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")
 
 # The headers of a third-party library may be included only by the files that wrap it.
 set(library_rules

@@ -102,6 +102,31 @@ TEST_F(CommandLineTest, ExitsWithOneAndAProofIfTheSubjectIsWrong) {
                                HasSubstr("Proof: half_depth says")));
 }
 
+// The spheres are 0.1 m deep in each other, and half_depth says 0.05 m.
+TEST_F(CommandLineTest, GrantsTheSubjectAStatedToleranceAndNoMoreAndSaysSo) {
+  const std::string file = " --subject half_depth " + Path("mine/deep.toml");
+  const Ended granted = Touchstone("run --fail-on subject --tolerance 0.0501" + file);
+  EXPECT_EQ(granted.code, 0) << granted.out << granted.err;
+  EXPECT_THAT(granted.out, HasSubstr("Granted to half_depth beyond rounding: 0.0501 m, "
+                                     "stated by --tolerance"));
+  const Ended refused = Touchstone("run --tolerance 0.0499" + file);
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.out, HasSubstr("0.0499 m stated by --tolerance)"));
+  EXPECT_EQ(Touchstone("run --fail-on subject --tolerance-share 0.5" + file).code, 0);
+  EXPECT_EQ(Touchstone("run --fail-on subject --tolerance-share 0.001" + file).code, 1);
+  EXPECT_THAT(Touchstone("explain --tolerance 0.0501" + file).out,
+              AllOf(HasSubstr("Granted to half_depth"), Not(HasSubstr("Wrong: half"))));
+  EXPECT_THAT(Touchstone("run" + file).out, Not(HasSubstr("Granted")));
+}
+
+TEST_F(CommandLineTest, ExitsWithTwoIfAToleranceIsNoLength) {
+  for (const char* text : {"-1", "nan", "inf", "1e-4m"}) {
+    const Ended ended = Touchstone(std::string("run --tolerance=") + text);
+    EXPECT_EQ(ended.code, 2) << text;
+    EXPECT_THAT(ended.err, HasSubstr("expected a finite number >= 0")) << text;
+  }
+}
+
 TEST_F(CommandLineTest, CountsAReferencesFailureUnlessOnlyTheSubjectsCount) {
   const std::string run = "run --against half_depth " + Path("mine/deep.toml");
   const Ended ended = Touchstone(run);
@@ -219,6 +244,28 @@ TEST_F(CommandLineTest, RefusesABrokenLedger) {
   EXPECT_EQ(ended.code, 2);
   EXPECT_THAT(ended.err,
               AllOf(HasSubstr("ledger.toml:2:"), HasSubstr("errors in the ledger: ")));
+}
+
+TEST_F(CommandLineTest, ProposesALedgerForTheUsersFolderThatExcusesItsFailures) {
+  const std::string folder = Path("mine");
+  EXPECT_EQ(Touchstone("run " + folder).code, 1);
+  const Ended proposed = Touchstone("ledger --propose " + folder);
+  EXPECT_EQ(proposed.code, 0) << proposed.err;
+  EXPECT_THAT(proposed.out,
+              AllOf(HasSubstr("scenarios = \"mine/deep\"\noracle = \"half_depth\""),
+                    HasSubstr("oracle = \"thrower\""), Not(HasSubstr("\"right\""))));
+  // A person adds the reason and the date of each of the two entries.
+  std::string completed = proposed.out;
+  for (int entry = 0; entry < 2; ++entry) {
+    completed = Replaced(completed, "reason = \"\"", "reason = \"It is known.\"");
+    completed = Replaced(completed, "expires = \"\"", "expires = 9999-12-31");
+  }
+  Write("ledger.toml", completed);
+  const std::string known = " --ledger " + Path("ledger.toml") + " " + folder;
+  const Ended run = Touchstone("run" + known);
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(Touchstone("ledger --propose" + known).out.find("[[entry]]"),
+            std::string::npos);
 }
 
 TEST_F(CommandLineTest, AppliesTheBuiltInLedgerToTheBuiltInCatalogueOnly) {

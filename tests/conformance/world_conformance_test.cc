@@ -138,6 +138,13 @@ World WorldWith(WorldFeature feature) {
       world.bodies.push_back(SlabOfBox());
       world.bodies.back().restitution = 0.7;
       break;
+    case kFriction:
+      world.bodies.push_back(SlabOfBox());
+      break;
+    case kMovingBodies:
+      world.bodies.push_back(Ball({1, 0, 0.31}));
+      world.bodies.back().name = "other";
+      break;
     case kUnequalFriction:
       world.bodies.push_back(SlabOfBox());
       world.bodies.back().friction = 0.3;

@@ -2,6 +2,7 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -114,6 +115,61 @@ TEST(ReadScenario, KeepsARotationMatrixAsItIs) {
   const Pose& X_WB = result.scenario->contact.A.X_WB;
   EXPECT_FALSE(X_WB.q_WB);
   EXPECT_EQ(X_WB.R_WB * Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(3, 1, 2));
+}
+
+TEST(ReadScenario, NormalisesAQuaternionOfSevenDigitsWithANote) {
+  const auto with = [](std::string_view quaternion) {
+    return ReadScenario(With("[0.6, 0.0, 0.8, 0]", quaternion), "f.toml");
+  };
+  const ReadResult seven = with("[0.9486833, 0.3162277, 0, 0]");
+  ASSERT_TRUE(seven.scenario) << ToString(seven.diagnostics.at(0));
+  const Eigen::Quaterniond& q = *seven.scenario->contact.A.X_WB.q_WB;
+  EXPECT_NEAR(q.norm(), 1, 1e-15);
+  EXPECT_NEAR(q.x() / q.w(), 0.3162277 / 0.9486833, 1e-15);
+  ASSERT_EQ(seven.notes.size(), 1U);
+  EXPECT_EQ(ToNote(seven.notes[0]).substr(0, 50),
+            "f.toml:9:14: note: the quaternion has norm 0.99999");
+  // Off by 4e-6, so more than seven digits can be.
+  EXPECT_EQ(with("[0.9486833, 0.31624, 0, 0]").diagnostics.size(), 1U);
+  EXPECT_TRUE(with("[0.6, 0.0, 0.8, 0]").notes.empty());
+}
+
+TEST(ReadScenario, RefusesAKeyOfTooManyLevels) {
+  const auto key = [](int levels) {
+    std::string text = "\n[expect.more]\n\"a.b\"";  // A quoted name is one level.
+    for (int i = 1; i < levels; ++i) text += " . a";
+    return std::string(kGood) + text + " = 1.5 # a.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q.r\n";
+  };
+  EXPECT_THAT(ErrorsOf(key(50'000)),
+              ElementsAre("f.toml:36:68: the key has more than 16 levels; expected at "
+                          "most 16 names with dots between them"));
+  EXPECT_THAT(ErrorsOf(key(17)), ElementsAre(testing::HasSubstr("more than 16 levels")));
+  for (const std::string& error : ErrorsOf(key(16)))
+    EXPECT_THAT(error, testing::Not(testing::HasSubstr("levels")));
+}
+
+TEST(ReadScenario, DoesNotTakeDotsInStringsForLevels) {
+  const std::string dots(100, '.');
+  const std::string three(3, '\'');
+  for (const std::string& text :
+       {"\"a " + dots + "\"", "'a " + dots + "'", "\"\"\"a\n" + dots + "\"\"\"",
+        three + "a\n" + dots + three, "\"\\\"" + dots + "\""}) {
+    EXPECT_THAT(ErrorsOf(With("\"Derived by hand.\"", text)), ElementsAre()) << text;
+  }
+}
+
+TEST(ReadScenario, RefusesAHullOfTooManyPoints) {
+  const auto hull = [](int points) {
+    std::string vertices;
+    for (int i = 0; i < points; ++i) vertices += fmt::format("[{}, {}, 1.5],", i, i % 7);
+    return With("shape = \"sphere\"\nradius = 0.3333333333333333",
+                fmt::format("shape = \"convex_hull\"\nvertices = [{}]", vertices));
+  };
+  EXPECT_THAT(ErrorsOf(hull(1000)), ElementsAre());
+  EXPECT_THAT(
+      ErrorsOf(hull(160'000)),
+      ElementsAre("f.toml:13:12: bodies.ball.vertices has 160000 points; expected "
+                  "at most 1000"));
 }
 
 TEST(ReadScenario, SuggestsTheNearestKeyForAnUnknownOne) {

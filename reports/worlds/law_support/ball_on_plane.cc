@@ -5,6 +5,7 @@
 
 #include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/sphere.h"
 
 namespace touchstone {
@@ -24,9 +25,9 @@ BallOnPlane::BallOnPlane(const Motion& motion, int body, const OnPlane& on,
       body_(body),
       on_(on),
       how_(std::move(how)),
-      position_(MeasureKind::kPositionError, position_because),
-      velocity_(MeasureKind::kVelocityError, velocity_because),
-      spin_(MeasureKind::kSpinError, velocity_because) {}
+      position_(MeasureKind::kPositionError, WithSlop(position_because, motion.oracle)),
+      velocity_(MeasureKind::kVelocityError, WithSlop(velocity_because, motion.oracle)),
+      spin_(MeasureKind::kSpinError, WithSlop(velocity_because, motion.oracle)) {}
 
 void BallOnPlane::Take(std::size_t s, const BodyState& truth, const Errors& errors) {
   const auto i = static_cast<std::size_t>(body_);

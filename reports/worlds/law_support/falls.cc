@@ -9,6 +9,7 @@
 #include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/energy_bound.h"
 #include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
@@ -226,9 +227,10 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<int>&
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
   Worst position(MeasureKind::kPositionError,
-                 "1.5 × the largest error so far of engines that detect contacts once "
-                 "per step, stepped next to the truth, with V h for an impact one step "
-                 "late; and 64 roundings per step");
+                 WithSlop("1.5 × the largest error so far of engines that detect "
+                          "contacts once per step, stepped next to the truth, with V h "
+                          "for an impact one step late; and 64 roundings per step",
+                          motion.oracle));
   Worst restitution(MeasureKind::kRestitution,
                     "(2 + e) g h/V: gravity in the step of a bounce and in the time by "
                     "which depth correction moves it, or (2 + e) g (Δt + h)/V if the "
@@ -256,6 +258,7 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<int>&
       const Eigen::Vector3d p_W = fall.PlaceAt(t);
       const double late = t > truth.first_impact() - world.dt ? V * world.dt : 0;
       granted.push_back(kSafety * (errors[s] + late) +
+                        (late > 0 ? motion.oracle.slop : 0) +
                         RoundingOf(motion.oracle, StepsBefore(motion, s)) *
                             (reach + (V + fall.v_along_W.norm()) * t));
       AtSample{motion, s, fall.name}.Compare(position, is, p_W, granted.back(), falling);

@@ -6,6 +6,7 @@
 
 #include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/slop.h"
 
 namespace touchstone {
 namespace {
@@ -38,8 +39,9 @@ FlatBox::FlatBox(const Motion& motion, int body, const OnPlane& on)
           SoleOf(motion.world.bodies[static_cast<std::size_t>(body)], on).half_width),
       orientation_(
           MeasureKind::kOrientationError,
-          "1.5 × (1 + μ) of the settling distance, over the half width of the "
-          "sole; 1e-5 of the distance for the solver, and 64 roundings per step"),
+          WithSlop("1.5 × (1 + μ) of the settling distance, over the half width of the "
+                   "sole; 1e-5 of the distance for the solver, and 64 roundings per step",
+                   motion.oracle)),
       spin_(MeasureKind::kSpinError,
             "1.5 × (1 + μ) of the settling speed, over the half width of the sole; 1e-5 "
             "of the velocity for the solver, and 64 roundings per step") {

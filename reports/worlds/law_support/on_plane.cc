@@ -24,7 +24,7 @@ bool OnPlane::IsLevel() const {
 }
 
 double OnPlane::Settling(double dt) const {
-  return std::abs(plane.gap) + 2 * press * dt * dt;
+  return std::abs(plane.gap) + 2 * press * dt * dt + slop;
 }
 
 double OnPlane::SettlingSpeed(double dt) const {
@@ -44,6 +44,12 @@ OnPlane OnPlaneOf(const World& world, int index) {
   const double out = a_W.dot(plane.n_W);
   const double v_out = body.v_WB.dot(plane.n_W);
   return {plane, -out, a_W - out * plane.n_W, body.v_WB - v_out * plane.n_W, v_out};
+}
+
+OnPlane OnPlaneOf(const Motion& motion, int index) {
+  OnPlane on = OnPlaneOf(motion.world, index);
+  on.slop = motion.oracle.slop;
+  return on;
 }
 
 std::string WhyNotOnPlane(const World& world, int index) {

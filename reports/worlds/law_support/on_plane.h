@@ -3,6 +3,7 @@
 #include <string>
 
 #include "reports/worlds/law_support/landing.h"
+#include "reports/worlds/law_support/law.h"
 
 namespace touchstone {
 
@@ -13,14 +14,15 @@ struct OnPlane {
   Eigen::Vector3d along_W;    ///< Part of g + F/m along the plane. [m/s²]
   Eigen::Vector3d v_along_W;  ///< Initial velocity along the plane. [m/s]
   double v_out = 0;           ///< Initial velocity away from the plane. [m/s]
+  double slop = 0;            ///< OracleInfo::slop of the engine that is judged. [m]
 
   /** Returns whether the plane is level: gravity and force do not pull the body along
    it. */
   bool IsLevel() const;
 
   /** Returns the settling distance: the largest distance of the body from the plane in a
-   correct engine. It is the gap at the start plus g h² before the contact is detected and
-   g h² before it is resisted. [m] */
+   correct engine. It is the gap at the start, g h² before the contact is detected and
+   g h² before it is resisted, and the slop that the engine documents. [m] */
   double Settling(double dt) const;
 
   /** Returns the settling speed: the largest speed along the normal of a body that
@@ -35,8 +37,12 @@ struct OnPlane {
   double SpeedAcross(const Eigen::Vector3d& v_WB, double dt) const;
 };
 
-/** Returns how body `index` lies on a plane. @pre WhyNotOnPlane() is empty. */
+/** Returns how body `index` lies on a plane, without slop. @pre WhyNotOnPlane() is empty.
+ */
 OnPlane OnPlaneOf(const World& world, int index);
+
+/** The same with the slop of the engine that is judged. */
+OnPlane OnPlaneOf(const Motion& motion, int index);
 
 /** Returns the reason why body `index` does not start on a static plane, to within a
  thousandth of its size, with a face if it is a box; empty if it does. */

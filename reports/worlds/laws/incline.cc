@@ -13,6 +13,7 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/flat_box.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 
@@ -74,7 +75,7 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const double h = world.dt;
   const auto i = static_cast<std::size_t>(index);
   const RigidBody& body = world.bodies[i];
-  const OnPlane on = OnPlaneOf(world, index);
+  const OnPlane on = OnPlaneOf(motion, index);
   const double mu = on.plane.friction;
   const Start start = StartOf(body, on, cone);
   const double pull = on.along_W.norm() + mu * on.press;
@@ -82,15 +83,18 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   std::optional<FlatBox> flat;
   if (std::holds_alternative<Box>(body.placed.shape)) flat.emplace(motion, index, on);
   const std::string here = fmt::format("on this slope with μ = {:.6g} it ", mu);
-  const std::string because =
+  const std::string because = WithSlop(
       "1.5 × ((1 + μ) |v_n| of the body's own velocity along the normal, and δ/r of the "
       "velocity for a contact at depth δ), 1e-5 of the velocity from gravity and "
-      "friction for the solver, and 64 roundings per step";
+      "friction for the solver, and 64 roundings per step",
+      motion.oracle);
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   Worst position(MeasureKind::kPositionError,
-                 "1.5 × (½ a h t and the settling distance), 1e-5 of the distance from "
-                 "gravity and friction for the solver, and 64 roundings per step");
+                 WithSlop("1.5 × (½ a h t and the settling distance), 1e-5 of the "
+                          "distance from gravity and friction for the solver, and 64 "
+                          "roundings per step",
+                          motion.oracle));
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     const AtSample at{motion, s, body.name};

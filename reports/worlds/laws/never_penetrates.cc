@@ -13,6 +13,7 @@
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/overlap.h"
 #include "reports/worlds/law_support/pairs.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
@@ -136,7 +137,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
   const Subjects subjects = SubjectsOf(world, claim);
-  const double slack = NumberOr(claim, "slack", 0);
+  const double slack = NumberOr(claim, "slack", 0) + motion.oracle.slop;
   // It is unknown how soon, if ever, an engine separates what overlaps at the start.
   const double parted_by =
       NumberOr(claim, "parted_by", std::numeric_limits<double>::infinity());
@@ -152,7 +153,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       fmt::format("1.5 × (V h + 2 a h²), V the speed of approach along the normal "
                   "at the deepest points since the pair was apart, at most what "
                   "the truth allows{}",
-                  slack > 0 ? ", and the slack that the claim grants" : ""));
+                  WithSlop(NumberOr(claim, "slack", 0) > 0
+                               ? ", and the slack that the claim grants"
+                               : "",
+                           motion.oracle)));
   const WorldState start = StateAtStart(world);
   const auto hold = [&](int A, int B) {
     const auto a = static_cast<std::size_t>(A);

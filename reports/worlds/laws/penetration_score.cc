@@ -10,6 +10,7 @@
 #include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
@@ -86,7 +87,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const double h = world.dt;
   const double g = world.gravity_W.norm();
   double score = 0;
+  const double slop = motion.oracle.slop;
   double allowed = 0;
+  double left = 0;  // The score of pairs that are as deep as the slop. [m²]
   double deepest = 0;
   double reach = 0;
   const AllowedMotion slowed(motion);
@@ -100,7 +103,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       if (near.gap >= 0) continue;
       const double depth = -near.gap;
       score += depth * depth;
-      allowed += (pair.V * h + g * h * h) * (pair.V * h + g * h * h);
+      const double grants = pair.V * h + g * h * h + slop;
+      allowed += grants * grants;
+      left += slop * slop;
       deepest = std::max(deepest, depth);
     }
     for (const int i : spheres)
@@ -108,13 +113,15 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   }
   const auto samples = static_cast<double>(trajectory.samples.size());
   const double slope = NumberOr(claim, "slope", 0);
-  Worst worst(MeasureKind::kPenetration,
-              slope > 0
-                  ? "1.5 √s h, the score s h² of hard solvers that the claim cites"
-                  : "1.5 √ of the mean Σ (V h + g h²)² over the pairs that overlap, V at "
-                    "most what the truth allows");
+  Worst worst(
+      MeasureKind::kPenetration,
+      WithSlop(slope > 0 ? "1.5 √s h, the score s h² of hard solvers that the claim cites"
+                         : "1.5 √ of the mean Σ (V h + g h²)² over the pairs that "
+                           "overlap, V at most what the truth allows",
+               motion.oracle));
   worst.Take(std::sqrt(score / samples),
-             kSafety * (slope > 0 ? std::sqrt(slope) * h : std::sqrt(allowed / samples)) +
+             kSafety * (slope > 0 ? std::sqrt(slope) * h + std::sqrt(left / samples)
+                                  : std::sqrt(allowed / samples)) +
                  RoundingOf(motion.oracle, 0) * reach,
              [&] {
                return fmt::format(

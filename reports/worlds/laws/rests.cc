@@ -15,6 +15,7 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/overlap.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
@@ -85,6 +86,16 @@ void FindParting(const World& world, const Trajectory& trajectory, std::size_t f
   }
 }
 
+/** Returns how far the slop of one contact lets a body sink, plus how far it lets the
+ body turn, times its radius. One edge of the least face may sink by the slop and the
+ opposite edge not: the body turns by the slop over that width. [m] */
+double SinkOf(const RigidBody& body, const OracleInfo& oracle) {
+  const auto* box = std::get_if<Box>(&body.placed.shape);
+  if (!box) return oracle.slop;
+  const double width = 2 * box->half_extents.minCoeff();
+  return oracle.slop * (1 + BoundingRadius(*box) / width);
+}
+
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
@@ -108,8 +119,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   FindParting(world, trajectory, first, settling, heaps);
   Worst rest(
       MeasureKind::kRestMotion,
-      "1.5 × 2 g h² for each contact that may carry it, overlaps at the start until they "
-      "are resolved, 1e-5 of g h per step for the solver, and 64 roundings per step");
+      WithSlop("1.5 × 2 g h² for each contact that may carry it, overlaps at the start "
+               "until they are resolved, 1e-5 of g h per step for the solver, and 64 "
+               "roundings per step",
+               motion.oracle));
   Worst velocity(MeasureKind::kVelocityError,
                  "1.5 × 2 g h for each contact that may carry it, overlaps at the start "
                  "in a step until they are resolved, and 64 roundings per step");
@@ -118,9 +131,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
     const auto hold = [&](const std::string& name, const Eigen::Vector3d& was,
                           const Eigen::Vector3d& is, double turned, double speed,
-                          double granted) {
+                          double granted, double sunk = 0) {
       rest.Take((is - was).norm() + turned,
-                settling + granted + kSolverResidual * g * h * (t - from) +
+                settling + sunk + granted + kSolverResidual * g * h * (t - from) +
                     rounding * (1 + is.norm()),
                 [&] {
                   return fmt::format("{} has {} at {} after {:.6g} s; it rested at {}",
@@ -147,7 +160,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       hold(body.name, then.bodies[i].p_WB, now.bodies[i].p_WB,
            radius * now.bodies[i].q_WB.angularDistance(then.bodies[i].q_WB),
            now.bodies[i].v_WB.norm() + radius * now.bodies[i].w_WB.norm(),
-           slack + (parted ? 0 : heap.overlap));
+           slack + (parted ? 0 : heap.overlap), contacts * SinkOf(body, motion.oracle));
     }
     const WorldState& then = trajectory.samples[first];
     for (const int index : subjects.particles) {

@@ -11,6 +11,7 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 
@@ -133,10 +134,11 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
   const double g = -world.gravity_W.dot(n_W);
   const double mu = train.on.plane.friction;
   const double pull = (box.force_W.norm() + mu * train.mass * g) / train.moved;
-  const std::string because =
+  const std::string because = WithSlop(
       "1.5 × ((1 + μ) |v_n| of the bodies' own velocities along the normal, and δ/r of "
       "the velocity for a contact at depth δ in a ball), 1e-5 of the velocity from the "
-      "force and friction for the solver, and 64 roundings per step";
+      "force and friction for the solver, and 64 roundings per step",
+      motion.oracle);
   Worst velocity(MeasureKind::kVelocityError, because);
   Worst spin(MeasureKind::kSpinError, because);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
@@ -184,7 +186,9 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return JudgedByCone(motion, {TrainOf(motion.world, claim).box},
                       [&](const PlacedCone& cone, const Motion& judged, int) {
-                        return JudgeBy(cone, judged, TrainOf(judged.world, claim));
+                        Train train = TrainOf(judged.world, claim);
+                        train.on.slop = judged.oracle.slop;
+                        return JudgeBy(cone, judged, train);
                       });
 }
 

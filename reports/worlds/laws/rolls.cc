@@ -48,7 +48,7 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
   const double h = world.dt;
   const auto i = static_cast<std::size_t>(index);
   const RigidBody& body = world.bodies[i];
-  const OnPlane on = OnPlaneOf(world, index);
+  const OnPlane on = OnPlaneOf(motion, index);
   const Eigen::Vector3d& n_W = on.plane.n_W;
   const double r = RadiusOf(body);
   const double k = InertiaRatioOf(body);

@@ -13,6 +13,7 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/flat_box.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
@@ -51,13 +52,14 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
   const double h = world.dt;
   const auto i = static_cast<std::size_t>(index);
   const RigidBody& body = world.bodies[i];
-  const OnPlane on = OnPlaneOf(world, index);
+  const OnPlane on = OnPlaneOf(motion, index);
   const double brake = on.plane.friction * on.press;
   const double v_0 = on.v_along_W.norm();
   const double stop = v_0 / brake;
   Worst position(MeasureKind::kPositionError,
-                 "1.5 × (½ h (v₀ − v) and the settling distance), 1e-5 of the distance "
-                 "for the solver, and 64 roundings per step");
+                 WithSlop("1.5 × (½ h (v₀ − v) and the settling distance), 1e-5 of the "
+                          "distance for the solver, and 64 roundings per step",
+                          motion.oracle));
   Worst friction(
       MeasureKind::kFriction,
       "1.5 × h/t of the step in which friction begins, 1e-5 of the velocity for the "

@@ -81,7 +81,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int index) {
   const double h = motion.world.dt;
   const Slipping slipping = SlippingOf(motion.world, index);
-  const OnPlane& on = slipping.on;
+  const OnPlane on = OnPlaneOf(motion, index);
   // The largest terms of a velocity: the initial speed and that of the sphere's surface.
   const double speed = on.v_along_W.norm() + slipping.w_W.norm() * slipping.radius;
   BallOnPlane ball(

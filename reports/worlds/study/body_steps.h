@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scenarios/worlds/body_steps.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
@@ -7,9 +8,6 @@ namespace touchstone {
 /** The largest product of steps and the number of moving bodies, particles and cloth
  nodes at which a world is studied: about a second of the slowest engine. [body-steps] */
 inline constexpr double kStudiedBodySteps = 1e5;
-
-/** Returns the approximate cost of one simulation. [body-steps] */
-double BodySteps(const World& world);
 
 /** Returns whether a world is simulated at other steps and in variants too: it has at
  most kStudiedBodySteps body-steps. */

@@ -97,6 +97,18 @@ void AddErrors(const World& world, const Claim& claim, std::string_view path,
 
 }  // namespace
 
+std::vector<ClaimName> ClaimNames() {
+  std::vector<ClaimName> claims = {
+      {kDeterministic, "A second run of the same world gives the same bits."},
+      {kStable,
+       "The motion amplifies a change of its start at most gain times, a number of the "
+       "claim."}};
+  for (const Law& law : Laws()) claims.push_back({law.name, law.documentation});
+  std::sort(claims.begin(), claims.end(),
+            [](const ClaimName& a, const ClaimName& b) { return a.name < b.name; });
+  return claims;
+}
+
 std::vector<Diagnostic> ErrorsOfClaims(const WorldScenario& scenario) {
   FilePlaces places = scenario.places;
   if (places.file.empty()) places.file = scenario.id;

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "oracles/stated_tolerance.h"
 #include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/specimens.h"
@@ -504,6 +505,27 @@ TEST(Judge, CallsNothingRightWithinAToleranceAsLargeAsTheBodies) {
   EXPECT_EQ(judged(1.1e-3).verdict, Verdict::kUndecidable);
   EXPECT_EQ(judged(1.1e-3).undecided, Undecided::kCoarse);
   EXPECT_EQ(judged(0.11).verdict, Verdict::kFail);
+}
+
+TEST(Judge, GrantsAStatedToleranceAsALengthAndAShareOfTheSceneAndQuotesIt) {
+  Specimen s = SphereInBoxFace(kDepth);
+  const double size = SceneSize(s.query);
+  const auto judged = [&](double error, StatedTolerance tolerance) {
+    tolerance.by = "me";
+    s.right.separation = -kDepth - error;
+    FakeOracle oracle("mine");
+    SetTolerance(tolerance, oracle.info());
+    return Of(MeasureKind::kSeparationError, Judged(s.query, s.right, oracle));
+  };
+  EXPECT_EQ(judged(0.99e-6, {.length = 1e-6}).verdict, Verdict::kPass);
+  EXPECT_EQ(judged(1.01e-6, {.length = 1e-6}).verdict, Verdict::kFail);
+  EXPECT_EQ(judged(0.99e-6 * size, {.share = 1e-6}).verdict, Verdict::kPass);
+  EXPECT_EQ(judged(1.01e-6 * size, {.share = 1e-6}).verdict, Verdict::kFail);
+  const StatedTolerance both{.length = 1e-6, .share = 1e-6};
+  EXPECT_EQ(judged(0.99e-6 * (1 + size), both).verdict, Verdict::kPass);
+  EXPECT_EQ(judged(1.01e-6 * (1 + size), both).verdict, Verdict::kFail);
+  EXPECT_THAT(judged(0, both).tolerance_because,
+              HasSubstr("1e-06 m and 1e-06 of the scene's size stated by me"));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "json_schema.h"
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 namespace touchstone {
@@ -13,23 +14,14 @@ class Checker {
   explicit Checker(const json& root) : root_(root) {}
 
   void Check(const json& schema, const json& value, const std::string& path) {
-    static const std::set<std::string> kKnown = {"$schema",
-                                                 "$id",
-                                                 "$defs",
-                                                 "$ref",
-                                                 "title",
-                                                 "description",
-                                                 "type",
-                                                 "const",
-                                                 "enum",
-                                                 "anyOf",
-                                                 "required",
-                                                 "properties",
-                                                 "additionalProperties",
-                                                 "items",
-                                                 "minItems",
-                                                 "maxItems",
-                                                 "minimum"};
+    static const std::set<std::string> kKnown = {
+        "$schema", "$id", "$defs", "$ref", "title", "description", "type", "const",
+        "enum", "anyOf", "required", "properties", "additionalProperties", "items",
+        "minItems", "maxItems", "minimum", "if", "then", "else", "allOf", "oneOf", "not",
+        "pattern", "minLength", "maximum", "exclusiveMinimum", "minProperties",
+        "maxProperties", "propertyNames",
+        // Only shown by editors.
+        "enumDescriptions", "x-taplo"};
     for (const auto& [keyword, unused] : schema.items()) {
       if (!kKnown.contains(keyword)) Report(path, "schema keyword " + keyword);
     }
@@ -49,7 +41,8 @@ class Checker {
       Report(path, "type, expected " + schema["type"].dump());
       return;
     }
-    if (schema.contains("minimum") && value < schema["minimum"]) Report(path, "minimum");
+    CheckScalar(schema, value, path);
+    CheckChoices(schema, value, path);
     if (value.is_object()) CheckObject(schema, value, path);
     if (value.is_array()) CheckArray(schema, value, path);
   }
@@ -67,6 +60,44 @@ class Checker {
     return type == std::string(value.type_name());
   }
 
+  bool Fits(const json& schema, const json& value) const {
+    Checker attempt(root_);
+    attempt.Check(schema, value, "");
+    return attempt.faults.empty();
+  }
+
+  void CheckScalar(const json& schema, const json& value, const std::string& path) {
+    if (value.is_number()) {
+      if (schema.contains("minimum") && value < schema["minimum"])
+        Report(path, "minimum");
+      if (schema.contains("maximum") && value > schema["maximum"])
+        Report(path, "maximum");
+      if (schema.contains("exclusiveMinimum") && value <= schema["exclusiveMinimum"])
+        Report(path, "exclusiveMinimum");
+    }
+    if (!value.is_string()) return;
+    const std::string text = value.get<std::string>();
+    if (schema.contains("minLength") && text.size() < schema["minLength"])
+      Report(path, "minLength");
+    if (schema.contains("pattern") &&
+        !std::regex_search(text, std::regex(schema["pattern"].get<std::string>())))
+      Report(path, "pattern");
+  }
+
+  void CheckChoices(const json& schema, const json& value, const std::string& path) {
+    if (schema.contains("if")) {
+      const char* const then = Fits(schema["if"], value) ? "then" : "else";
+      if (schema.contains(then)) Check(schema[then], value, path);
+    }
+    for (const json& part : schema.value("allOf", json::array()))
+      Check(part, value, path);
+    if (schema.contains("not") && Fits(schema["not"], value)) Report(path, "not");
+    if (!schema.contains("oneOf")) return;
+    int fitting = 0;
+    for (const json& choice : schema["oneOf"]) fitting += Fits(choice, value);
+    if (fitting != 1) Report(path, "fits " + std::to_string(fitting) + " of oneOf");
+  }
+
   void CheckAnyOf(const json& choices, const json& value, const std::string& path) {
     for (const json& choice : choices) {
       Checker attempt(root_);
@@ -82,11 +113,19 @@ class Checker {
         if (!value.contains(name)) Report(path, "lacks " + name.dump());
       }
     }
+    if (schema.contains("minProperties") && value.size() < schema["minProperties"])
+      Report(path, "minProperties");
+    if (schema.contains("maxProperties") && value.size() > schema["maxProperties"])
+      Report(path, "maxProperties");
     const json properties = schema.value("properties", json::object());
+    const json others = schema.value("additionalProperties", json(true));
     for (const auto& [name, child] : value.items()) {
+      if (schema.contains("propertyNames")) Check(schema["propertyNames"], name, path);
       if (properties.contains(name)) {
         Check(properties[name], child, path + "/" + name);
-      } else if (!schema.value("additionalProperties", true)) {
+      } else if (others.is_object()) {
+        Check(others, child, path + "/" + name);
+      } else if (others == false) {
         Report(path, "unknown property " + name);
       }
     }

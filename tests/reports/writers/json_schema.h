@@ -8,8 +8,7 @@
 namespace touchstone {
 
 /** Returns the violations of `schema` by `value`, as "path: fault". Supports the part of
- JSON Schema that docs/report.schema.json uses: type, const, enum, anyOf, $ref to #/$defs,
- required, properties, additionalProperties, items, minItems, maxItems, minimum. Any other
+ JSON Schema that docs/report.schema.json and docs/scenario.schema.json use. Any other
  keyword is reported as a fault of the schema. */
 std::vector<std::string> SchemaFaults(const nlohmann::json& schema,
                                       const nlohmann::json& value);

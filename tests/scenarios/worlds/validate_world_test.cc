@@ -107,7 +107,7 @@ TEST(FaultsOfWorld, IncludeAStepOfZero) {
   world.pushes = {{0, 0.3}};
   EXPECT_THAT(Texts(FaultsOf(world)),
               ElementsAre("world.dt is 0; expected a finite number > 0",
-                          "world.steps is 0; expected a count from 1 to 100000000"));
+                          "world.steps is 0; expected a count from 1 to 1000000"));
 }
 
 TEST(FaultsOfWorld, IncludeAWorldWithoutMovingParts) {
@@ -117,6 +117,78 @@ TEST(FaultsOfWorld, IncludeAWorldWithoutMovingParts) {
   EXPECT_THAT(Texts(FaultsOf(world)),
               ElementsAre("world has nothing that moves; "
                           "expected a body, a particle or a cloth that can move"));
+}
+
+TEST(FaultsOfWorld, IncludeMagnitudesThatEnginesCannotHold) {
+  World world = TwoBalls();
+  world.bodies[0].mass = 1e-300;
+  world.bodies[1].placed.shape = Sphere{1e-40};
+  world.bodies[1].v_WB = {0, -1e10, 0};
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("bodies.ball.mass is 1e-300; expected a value from 1e-09 to "
+                          "1e+09 kg",
+                          "bodies.other.radius is 1e-40; expected a value from 1e-09 to "
+                          "1e+09 m",
+                          "bodies.other.velocity[1] is -10000000000; expected at most "
+                          "1e+09 m/s"));
+}
+
+TEST(FaultsOfWorld, IncludeAnInertiaAForceAndAnImpulseThatEnginesCannotHold) {
+  World world = TwoBalls();
+  world.bodies[0].inertia = Eigen::Vector3d(1e-30, 1e-30, 1e-30);
+  world.bodies[0].force_W = {0, 1e10, 0};
+  world.pushes = {{1, 0, {0, 0, 0}, {1e12, 0, 0}}};
+  const std::vector<std::string> texts = Texts(FaultsOf(world));
+  ASSERT_EQ(texts.size(), 5U);
+  EXPECT_EQ(
+      texts[0],
+      "bodies.ball.inertia[0] is 1e-30; expected a value from 1e-27 to 1e+27 kg m²");
+  EXPECT_EQ(texts[3],
+            "bodies.ball.force is 1e+10 N on 1 kg; expected at most 1e+09 m/s² times the "
+            "mass");
+  EXPECT_EQ(
+      texts[4],
+      "pushes[0].impulse is 1e+12 N s on 1 kg; expected at most 1e+09 m/s times the "
+      "mass");
+}
+
+TEST(FaultsOfWorld, AllowMagnitudesAtTheEndsOfTheirRanges) {
+  World world = TwoBalls();
+  world.bodies[0].mass = 1e-9;
+  world.bodies[1].mass = 1e9;
+  world.bodies[0].placed.shape = Sphere{1e-9};
+  world.bodies[1].v_WB = {0, -1e9, 0};
+  world.bodies[1].inertia = Eigen::Vector3d(1e27, 1e27, 1e27);
+  EXPECT_THAT(Texts(FaultsOf(world)), IsEmpty());
+}
+
+// A motion beyond 1e12 m counts as diverged, which would be the engine's fault.
+TEST(FaultsOfWorld, IncludeAMotionThatLeavesTheRangeByItself) {
+  World world = TwoBalls();
+  world.dt = 1;
+  world.steps = 1001;
+  world.gravity_W.setZero();
+  world.bodies[0].v_WB = {1e9, 0, 0};
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("bodies.ball.velocity and the acceleration of 0 m/s² may take "
+                          "it to 1e+12 m in 1e+03 s; expected a motion within 1e+12 m "
+                          "and 1e+12 m/s"));
+  world.steps = 999;
+  EXPECT_THAT(Texts(FaultsOf(world)), IsEmpty());
+}
+
+TEST(FaultsOfWorld, IncludeAWorldThatTakesMinutes) {
+  World world = TwoBalls();
+  world.steps = 1'000'000;
+  EXPECT_THAT(Texts(FaultsOf(world)), IsEmpty());
+  for (int i = 0; i < 5; ++i) {
+    world.bodies.push_back(world.bodies[0]);
+    world.bodies.back().name = "more" + std::to_string(i);
+  }
+  EXPECT_THAT(Texts(FaultsOf(world)),
+              ElementsAre("world.steps is 1000000 for 7 moving bodies, particles and "
+                          "nodes; expected at most 6e+06 steps times moving things, "
+                          "about a minute of the slowest engine"));
 }
 
 TEST(FaultsOfWorld, AllowTheRoundedMomentsOfAFlatBody) {

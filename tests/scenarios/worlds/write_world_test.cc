@@ -9,6 +9,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "scenarios/scenario_file.h"
+#include "scenarios/worlds/magnitudes.h"
 #include "scenarios/worlds/validate_world.h"
 #include "tests/scenarios/any_parts.h"
 #include "tests/scenarios/same_bits.h"
@@ -24,19 +25,61 @@ double AnyShare() {
   return *rc::gen::inRange(0, 998) / 997.0;
 }
 
+/** Returns any number that is at most `most` in magnitude. */
+double AnyUpTo(double most) {
+  const double value = AnyNumber();
+  return std::abs(value) <= most ? value : std::copysign(most / 3, value);
+}
+
 double AnyNotNegative() {
-  return std::abs(AnyNumber());
+  return std::abs(AnyUpTo(kMostMagnitude));
+}
+
+double AnySize() {
+  const double value = std::abs(AnyNumber());
+  return value >= kLeastMagnitude && value <= kMostMagnitude ? value : 1.0 / 3;
+}
+
+/** Returns a coordinate, velocity or acceleration vector. Free fall with them stays
+ within kMostReached for the longest world here. */
+Eigen::Vector3d AnyVector() {
+  constexpr double kMost = 1e4;
+  return {AnyUpTo(kMost), AnyUpTo(kMost), AnyUpTo(kMost)};
+}
+
+/** Returns a shape of any kind with sizes that a world may have. */
+Shape AnySizedShape() {
+  const Shape shape = AnyShape(false);
+  switch (KindOf(shape)) {
+    case ShapeKind::kSphere:
+      return Sphere{AnySize()};
+    case ShapeKind::kBox:
+      return Box{{AnySize(), AnySize(), AnySize()}};
+    case ShapeKind::kCapsule:
+      return Capsule{AnySize(), AnySize()};
+    case ShapeKind::kCylinder:
+      return Cylinder{AnySize(), AnySize()};
+    case ShapeKind::kCone:
+      return Cone{AnySize(), AnySize()};
+    case ShapeKind::kConvexHull:
+      return ConvexHull{{{0.1, 0.2, AnySize()}, {1, 0, 0}}};
+    case ShapeKind::kHalfSpace:
+      return shape;
+  }
+  return shape;
 }
 
 RigidBody AnyBody(const std::string& name) {
   RigidBody body;
   body.name = name;
-  body.placed = {AnyShape(false), AnyPose()};
+  body.placed = {AnySizedShape(), AnyPose()};
+  const auto is_place = [](double x) { return x == 0 || std::abs(x) >= kShortest; };
+  for (double& x : body.placed.X_WB.p_WB = AnyVector()) x = is_place(x) ? x : -0.0;
   body.mass = KindOf(body.placed.shape) == ShapeKind::kHalfSpace || Maybe() ? 0 : 2.5;
   if (body.mass != 0) {
-    body.v_WB = AnyPoint();
-    body.w_WB = Maybe() ? AnyPoint() : Eigen::Vector3d(0, -0.0, 0);
-    body.force_W = AnyPoint();
+    body.v_WB = AnyVector();
+    body.w_WB = Maybe() ? AnyVector() : Eigen::Vector3d(0, -0.0, 0);
+    body.force_W = AnyVector();
   }
   if (body.mass != 0 || Maybe()) body.inertia = Eigen::Vector3d(0.1, 0.2, 0.1 + 0.2);
   body.restitution = AnyShare();
@@ -48,9 +91,9 @@ RigidBody AnyBody(const std::string& name) {
 Particle AnyParticle(const std::string& name) {
   Particle particle;
   particle.name = name;
-  particle.p_W = AnyPoint();
-  particle.mass = AnyNotNegative();
-  if (particle.mass > 0) particle.v_W = AnyPoint();
+  particle.p_W = AnyVector();
+  particle.mass = Maybe() ? AnySize() : 0;
+  if (particle.mass > 0) particle.v_W = AnyVector();
   particle.damping = AnyNotNegative();
   particle.bounce = AnyShare();
   return particle;
@@ -64,9 +107,9 @@ Cloth AnyCloth(const std::string& name) {
   Cloth cloth;
   cloth.name = name;
   cloth.n = *rc::gen::inRange(3, 9);
-  cloth.spacing = AnyLength();
-  cloth.centre = AnyPoint();
-  cloth.node_mass = AnyLength();
+  cloth.spacing = AnySize();
+  cloth.centre = AnyVector();
+  cloth.node_mass = AnySize();
   cloth.damping = AnyNotNegative();
   cloth.bounce = AnyShare();
   cloth.structural = AnyClothSprings();
@@ -80,12 +123,12 @@ Anchor AnyAnchor(const World& world) {
   Anchor anchor;
   switch (*rc::gen::inRange(0, 3)) {
     case 0:
-      anchor.point = AnyPoint();
+      anchor.point = AnyVector();
       break;
     case 1:
       anchor.on = AnchorKind::kBody;
       anchor.index = *rc::gen::inRange(0, static_cast<int>(world.bodies.size()));
-      anchor.point = Maybe() ? AnyPoint() : Eigen::Vector3d(0, 0, Maybe() ? 0.0 : -0.0);
+      anchor.point = Maybe() ? AnyVector() : Eigen::Vector3d(0, 0, Maybe() ? 0.0 : -0.0);
       break;
     default:
       anchor.on = AnchorKind::kParticle;
@@ -119,19 +162,19 @@ WorldScenario AnyWorldScenario() {
     const Anchor B = AnyAnchor(world);
     if (!FaultsOfEnds(world, A, B).empty()) continue;
     if (Maybe()) {
-      world.joints.push_back({A, B, AnyLength()});
+      world.joints.push_back({A, B, AnySize()});
     } else {
       world.springs.push_back(
           {A, B, AnyNotNegative(), AnyNotNegative(), AnyNotNegative()});
     }
   }
-  world.gravity_W = AnyPoint();
+  world.gravity_W = AnyVector();
   world.dt = *rc::gen::element(1e-3, 1.0 / 240, 1.0 / 3);
   world.sample_every = *rc::gen::inRange(1, 9);
   world.steps = world.sample_every * *rc::gen::inRange(1, 999);
   if (world.bodies[1].mass != 0) {
     const int step = *rc::gen::inRange(0, world.steps);
-    world.pushes.push_back({1, step * world.dt, AnyPoint(), AnyPoint()});
+    world.pushes.push_back({1, step * world.dt, AnyVector(), AnyVector()});
   }
   const int claims = *rc::gen::inRange(0, 3);
   for (int i = 0; i < claims; ++i) scenario.claims.push_back(AnyClaim());
