@@ -87,7 +87,8 @@ class Suite {
         ledger_(ReadLedgerFile(std::filesystem::path(TOUCHSTONE_DATA_DIR) /
                                "known_discrepancies.toml")),
         registry_(OracleRegistry::BuiltIn()),
-        oracles_(SelectOracles(registry_, {.subject = "cookbook", .against = {}})) {}
+        oracles_(SelectOracles(
+            registry_, {.subject = "cookbook", .tolerance = {}, .against = {}})) {}
 
   Questions questions_;
   std::vector<Diagnostic> catalogue_diagnostics_;
