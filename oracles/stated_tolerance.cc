@@ -72,9 +72,9 @@ void SetTolerance(StatedTolerance tolerance, OracleInfo& info) {
   std::erase_if(info.settings,
                 [](const Setting& setting) { return setting.name == kSetting; });
   if (!tolerance.IsZero()) {
-    info.settings.push_back({kSetting, ToString(tolerance),
-                             fmt::format("granted beyond rounding, as stated by {}",
-                                         tolerance.by)});
+    info.settings.push_back(
+        {kSetting, ToString(tolerance),
+         fmt::format("granted beyond rounding, as stated by {}", tolerance.by)});
   }
   info.tolerance = std::move(tolerance);
 }

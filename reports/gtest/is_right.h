@@ -24,9 +24,10 @@ struct Granted {
  A wrong reference is shown as wrong, and does not make the subject fail. A routine that
  is meant to be right to a tenth of a millimetre:
       EXPECT_TRUE(IsRight(*mine, series, {fcl}, {.tolerance = {.length = 1e-4}})); */
-inline testing::AssertionResult IsRight(
-    const Oracle& subject, const QuestionSeries& series,
-    const std::vector<const Oracle*>& references = {}, const Granted& granted = {}) {
+inline testing::AssertionResult IsRight(const Oracle& subject,
+                                        const QuestionSeries& series,
+                                        const std::vector<const Oracle*>& references = {},
+                                        const Granted& granted = {}) {
   StatedTolerance tolerance = granted.tolerance;
   if (tolerance.by.empty()) tolerance.by = "the test";
   const std::string complaint =

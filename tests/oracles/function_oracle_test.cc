@@ -13,8 +13,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::unique_ptr<Oracle> Routine(const Promises& promises) {
-  return MakeOracle("mine", {{ShapeKind::kBox, ShapeKind::kBox}},
-                    [](const ContactQuery&) { return ContactAnswer(); }, promises);
+  return MakeOracle(
+      "mine", {{ShapeKind::kBox, ShapeKind::kBox}},
+      [](const ContactQuery&) { return ContactAnswer(); }, promises);
 }
 
 TEST(MakeOracle, ComputesInDoubleAndIsGrantedNothingUnlessItSaysSo) {
