@@ -215,10 +215,15 @@ class LedgerReader {
 
   double Bound(const toml::node& node, MeasureKind measure) {
     const double bound = node.value<double>().value_or(NAN);
-    if (!node.is_number() || !std::isfinite(bound) || bound <= 0) {
+    // A scene that touches exactly is missed by 0 m.
+    const bool may_be_zero = measure == MeasureKind::kTouching;
+    if (!node.is_number() || !std::isfinite(bound) || bound < 0 ||
+        (bound == 0 && !may_be_zero)) {
       Add(node.source(),
-          fmt::format("bound of {} is not a positive number", NameOf(measure)),
-          "a number > 0, relative to the size of the scene");
+          fmt::format("bound of {} is not a {}number", NameOf(measure),
+                      may_be_zero ? "" : "positive "),
+          fmt::format("a number {} 0, relative to the size of the scene",
+                      may_be_zero ? ">=" : ">"));
     }
     if (bound > 1 && IsShare(measure)) {
       Add(node.source(), fmt::format("bound is {}", bound),
