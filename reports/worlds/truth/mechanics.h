@@ -27,7 +27,7 @@ double MassOf(const World& world, const Subjects& subjects);
  raise the root of twice their kinetic energy, at most. [J/s²] */
 double SquaredLoadsOf(const World& world, const Subjects& subjects);
 
-/** What the subjects gain if each of their velocities is off. */
+/** The gains of the subjects if each of their velocities is off. */
 struct MotionOfNoise {
   double momentum = 0;  ///< Σ m δv. [N s]
   double energy = 0;    ///< Σ ½ m δv². [J]
