@@ -80,10 +80,9 @@ struct OracleInfo {
   StatedTolerance tolerance;
   std::vector<Setting> settings;
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
-  /** The depth that the engine documents as left between bodies in contact, and where.
-   [m] */
+  /** The documented depth at which the engine leaves bodies in contact. [m] */
   double slop = 0;
-  std::string slop_documented_by;  ///< Empty only if `slop` is 0.
+  std::string slop_documented_by;  ///< Source of `slop`; empty only if it is 0.
   /** Whether it simulates worlds at all; see also AnswersContacts(). */
   bool simulates = false;
   /** The engine's own documented relative error of the energy and of the angular momentum
