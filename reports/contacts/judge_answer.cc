@@ -135,6 +135,7 @@ class Judgement {
                              why.ends_with('.') ? "" : ".");
         });
     finding.verdict = verdict;
+    finding.grade = Grade::kNone;  // No answer is not wrong by any size.
   }
 
   bool Answered() {

@@ -306,6 +306,7 @@ TEST(Judge, QuotesTheReasonForAMissingAnswer) {
     ASSERT_EQ(findings.size(), 1U);
     EXPECT_EQ(findings[0].verdict, verdict);
     EXPECT_EQ(findings[0].proof, "mine: it said so.");
+    EXPECT_EQ(findings[0].grade, Grade::kNone);
   }
 }
 
