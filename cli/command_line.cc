@@ -150,7 +150,7 @@ class CommandLine {
       tolerance.by = tolerance.share == 0    ? "--tolerance"
                      : tolerance.length == 0 ? "--tolerance-share"
                                              : "--tolerance and --tolerance-share";
-      session_.registry.State(selection->subject, tolerance);
+      session_.registry.SetTolerance(selection->subject, tolerance);
     }
   }
 

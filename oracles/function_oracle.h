@@ -31,9 +31,10 @@ Capability DepthAndNormal();
 /** The arithmetic of a routine. Its rounding is what the routine is granted. */
 enum class Precision { kFloat, kDouble };
 
-/** What the author of a routine promises. */
+/** The promises of the author of a routine. */
 struct Promises {
-  /** What it gives for each pair; set `gives.family` to take part in the consensus. */
+  /** The fields that it gives for each pair; set `gives.family` to take part in the
+   * consensus. */
   Capability gives = DepthAndNormal();
   Precision precision = Precision::kDouble;
   /** The error that it is meant to have beyond rounding. Its `by` is `documented_by`. */

@@ -14,10 +14,10 @@ namespace touchstone {
  exception, here or in a step, becomes AnswerStatus::kCrashed. */
 using BeginFunction = std::function<std::unique_ptr<Simulation>(const World&)>;
 
-/** What the author of a world engine promises. */
+/** The promises of the author of a world engine. */
 struct SimulatorPromises {
-  /** What it simulates beyond gravity and free motion. A world that needs anything else
-   is unsupported. */
+  /** The features that it simulates beyond gravity and free motion. A world that needs
+   anything else is unsupported. */
   std::vector<WorldFeature> simulates = {};
   Precision precision = Precision::kDouble;
   /** The depth that the engine leaves between bodies in contact on purpose. Laws about

@@ -43,8 +43,8 @@ struct Capability {
  to the rounding of its arithmetic. Reports show it with its origin. */
 struct StatedTolerance {
   double length = 0;    ///< [m]
-  double share = 0;     ///< As a fraction of SceneSize(). [-]
-  std::string by = {};  ///< Who states it, e.g. "--tolerance"; empty only if both are 0.
+  double share = 0;     ///< A fraction of SceneSize(). [-]
+  std::string by = {};  ///< Its source, e.g. "--tolerance"; empty only if both are 0.
 
   bool IsZero() const { return length == 0 && share == 0; }
 };
@@ -76,14 +76,13 @@ struct OracleInfo {
   /** Whether contact queries are answered in a forked child with a deadline, because the
    engine can abort, crash or hang. */
   bool isolated = false;
-  /** What is granted to its contact answers; set by SetTolerance() only. */
+  /** The tolerance that its contact answers are granted; set by SetTolerance() only. */
   StatedTolerance tolerance;
   std::vector<Setting> settings;
   std::array<std::array<Capability, kShapeKinds>, kShapeKinds> capabilities;
-  /** The depth that the engine documents as left between bodies in contact, and where.
-   [m] */
+  /** The documented depth at which the engine leaves bodies in contact. [m] */
   double slop = 0;
-  std::string slop_documented_by;  ///< Empty only if `slop` is 0.
+  std::string slop_documented_by;  ///< Source of `slop`; empty only if it is 0.
   /** Whether it simulates worlds at all; see also AnswersContacts(). */
   bool simulates = false;
   /** The engine's own documented relative error of the energy and of the angular momentum

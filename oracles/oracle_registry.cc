@@ -130,7 +130,8 @@ void OracleRegistry::Add(std::unique_ptr<Oracle> oracle) {
   oracles_.push_back(std::move(oracle));
 }
 
-void OracleRegistry::State(std::string_view name, const StatedTolerance& tolerance) {
+void OracleRegistry::SetTolerance(std::string_view name,
+                                  const StatedTolerance& tolerance) {
   const auto wrap = [&](std::unique_ptr<Oracle>& oracle) {
     std::unique_ptr<Oracle> tolerant = WithTolerance(*oracle, tolerance);
     wrapped_.push_back(std::exchange(oracle, std::move(tolerant)));

@@ -30,10 +30,10 @@ class OracleRegistry {
    @throws std::invalid_argument if the name exists already. */
   void Add(std::unique_ptr<Oracle> oracle);
 
-  /** Judges the oracle `name` with `tolerance` from now on, see WithTolerance(). Does
+  /** Replaces the stated tolerance of the oracle `name`, see WithTolerance(). Does
    nothing if there is no such oracle. Pointers to it that Find() returned stay valid, but
    keep the tolerance from before. */
-  void State(std::string_view name, const StatedTolerance& tolerance);
+  void SetTolerance(std::string_view name, const StatedTolerance& tolerance);
 
   /** Returns the oracle of that exact name, or null. It lives as long as the registry.
    Thread safe, like all const functions here. */

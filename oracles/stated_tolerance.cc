@@ -64,10 +64,10 @@ void SetTolerance(StatedTolerance tolerance, OracleInfo& info) {
   CheckPart(tolerance.length, "length");
   CheckPart(tolerance.share, "share");
   if (!tolerance.IsZero() && tolerance.by.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "{} has a tolerance of {} that nobody states; expected its source, e.g. "
-        ".documented_by = \"its manual, section 4\"",
-        info.name, ToString(tolerance)));
+    throw std::invalid_argument(
+        fmt::format("{} has a tolerance of {} without a source; expected one, e.g. "
+                    ".documented_by = \"its manual, section 4\"",
+                    info.name, ToString(tolerance)));
   }
   std::erase_if(info.settings,
                 [](const Setting& setting) { return setting.name == kSetting; });

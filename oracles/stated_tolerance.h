@@ -14,7 +14,7 @@ inline constexpr double kDoubleRoundoff = 0x1p-53;
 /** Sets the tolerance of `info` and adds it to its settings, so that every report shows
  it with its origin. Replaces a tolerance that was stated before.
  @throws std::invalid_argument if a part is negative or not finite, or if a tolerance that
- is not 0 has nobody who states it. */
+ is not 0 has no source. */
 void SetTolerance(StatedTolerance tolerance, OracleInfo& info);
 
 /** Returns `oracle` under the same name, judged with `tolerance`. The answers are those

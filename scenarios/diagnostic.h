@@ -16,7 +16,7 @@ struct Diagnostic {
 /** Returns "file:line:column: what; expected what"; without a line, "file: what; …". */
 std::string ToString(const Diagnostic& diagnostic);
 
-/** Returns a diagnostic that is no error: "file:line:column: note: what". */
+/** Returns a diagnostic that is not an error: "file:line:column: note: what". */
 std::string ToNote(const Diagnostic& note);
 
 }  // namespace touchstone

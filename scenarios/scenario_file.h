@@ -26,7 +26,7 @@ struct ReadResult {
   std::optional<Scenario> scenario;     ///< Set if the file has [contact].
   std::optional<WorldScenario> world;   ///< Set if the file has [world].
   std::vector<Diagnostic> diagnostics;  ///< Every error in the file, sorted by line.
-  /** What was changed to make a value usable; these are not errors. */
+  /** Changes that made a value usable; these are not errors. */
   std::vector<Diagnostic> notes;
   std::optional<StatedId> stated_id;  ///< Set even if the rest of the file is wrong.
 };

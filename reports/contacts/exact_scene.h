@@ -15,8 +15,8 @@ namespace touchstone {
 bool IsExactScene(const ContactQuery& query, double u);
 
 /** Returns whether the shapes of an exact scene touch. Its separation is a root of a
- polynomial of few short integers: it is 0, or not as near to 0 as 2^-200 of the scene.
- Empty if the enclosure of the truth is wider than that.
+ polynomial of few short integers: its magnitude is 0 or more than 2^-200 of the scene's
+ size. Empty if the enclosure of the truth is wider than that.
  @pre IsExactScene(query, 2^-53). */
 std::optional<bool> TouchingInExactScene(const ContactQuery& query,
                                          const ContactTruth& truth);

@@ -6,10 +6,9 @@
 
 namespace touchstone {
 
-/** Returns the grade of a fault in the answer to `query`. The size of a length is that
- relative to the greatest extent of the smaller body. A wrong answer whether the bodies
- touch is as large as the certified distance from touching. A missing or repeated contact
- is gross. */
+/** Returns the grade of a fault in the answer to `query`. Lengths are relative to
+ the greatest extent of the smaller body. A wrong hit or miss is graded by the certified
+ |separation|. A missing or repeated contact is gross. */
 Grade GradeOf(const Finding& finding, const ContactQuery& query,
               const ContactTruth& truth);
 

@@ -103,10 +103,10 @@ class Judgement {
     if (finding.verdict != Verdict::kPass || finding.tolerance <= tolerances_.fine)
       return;
     const bool is_fine = finding.value <= tolerances_.fine;
-    finding.tolerance_because =
-        fmt::format("{} {:.2g} m, a hundredth of the smallest feature: {}",
-                    is_fine ? "narrowed to" : "wider than", tolerances_.fine,
-                    finding.tolerance_because);
+    finding.tolerance_because = fmt::format(
+        "{} {:.2g} m, a hundredth of the smallest feature and of the distance: {}",
+        is_fine ? "narrowed to" : "wider than", tolerances_.fine,
+        finding.tolerance_because);
     if (is_fine) {
       finding.tolerance = tolerances_.fine;
     } else {
@@ -145,7 +145,7 @@ class Judgement {
                              why.ends_with('.') ? "" : ".");
         });
     finding.verdict = verdict;
-    finding.grade = Grade::kNone;  // A missing answer has no size.
+    finding.grade = Grade::kNone;  // No answer is not wrong by any size.
     finding.safety = 1;
   }
 

@@ -21,7 +21,8 @@ struct Dispute {
 /** Each function below returns one sentence with numbers that a person can check by hand,
  given that the measure of that name found an error. Lengths are in m with nine digits, or
  with as many more as distinguish two of them. Points, directions and planes have all
- digits: they read back as the exact doubles. */
+ digits: they read back as the exact doubles. `n_W` is the unit normal of the answer, from
+ A to B. */
 std::string ProveTouching(const Dispute& dispute);
 std::string ProveSeparation(const Dispute& dispute, double separation);
 std::string ProveInconsistency(const Dispute& dispute, const Eigen::Vector3d& n_W,
@@ -36,8 +37,10 @@ std::string ProveSurfaceError(const Dispute& dispute, const Eigen::Vector3d& p_W
 /** @param n_W The normal of the answer; null if it has none. */
 std::string ProveWitnessError(const Dispute& dispute, const Eigen::Vector3d* n_W,
                               double separation);
+/** @param more How much deeper the bodies overlap at the contact than it says. [m] */
 std::string ProveContactTooShallow(const Dispute& dispute, const WitnessPoints& points,
                                    double more);
+/** @param gap The distance of its two points. [m] */
 std::string ProveSurplusContact(const Dispute& dispute, const WitnessPoints& points,
                                 double gap);
 std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,

@@ -45,8 +45,8 @@ inline constexpr double kFine = 0.01;
 
 /** The tolerances of one oracle in one scenario. */
 struct Tolerances {
-  /** Tolerance of every length along the normal: separations and overlaps. The least of
-   several overlaps is off no further than the worst of them. [m] */
+  /** Tolerance of every length along the normal: separations and overlaps. The error of
+   the least of several overlaps is at most the largest of their errors. [m] */
   Tolerance separation;
   /** Tolerance of the distance of a position from a surface. Equal to `separation`, but a
    position always rounds like the largest coordinate of the scene. [m] */
@@ -70,8 +70,8 @@ struct Tolerances {
   Tolerance angle;
   /** Tolerance of the length of a unit normal. [-] */
   double unit_normal = 0;
-  /** The largest length that still tells a right answer from a wrong one: kFine of the
-   smallest feature of the bodies, and of |separation| where they are apart. [m] */
+  /** The largest tolerance of a pass; within a larger one an answer is undecidable: kFine
+   of the smallest feature, plus kFine of |separation| of bodies that are apart. [m] */
   double fine = 0;
 };
 

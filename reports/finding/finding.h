@@ -15,7 +15,7 @@ enum class Verdict {
   kFail,         ///< Proved wrong.
   kDisagree,     ///< Differs from the others, unproved.
   kKnown,        ///< Proved wrong, and listed in the ledger.
-  kUndecidable,  ///< Inside the certified error band: no answer can be proved wrong.
+  kUndecidable,  ///< No answer can be proved right or wrong; see Undecided.
   kUnsupported,  ///< The oracle does not answer such a query.
   kCrashed,      ///< The engine crashed on the question.
   kTimedOut,     ///< The engine did not answer in time.
@@ -27,12 +27,12 @@ enum class Undecided {
   kAgreed,      ///< The sign is certified, and the answer agrees, within its rounding.
   kUnknown,     ///< The truth is not known well enough.
   kCoarse,      ///< Within a tolerance too wide to tell right from wrong.
-  kUnverified,  ///< The answer states a field without a claim that could be verified.
+  kUnverified,  ///< A field of the answer promises nothing that could be checked.
   kOpposed,     ///< The sign is certified, and the answer denies it, within its rounding.
 };
 
-/** The grade of a fault, from the mildest to the gravest. Lengths are relative to the
- smaller body; angles in rad, fractions and counts count as they are. */
+/** The grade of a fault, from the mildest to the gravest. Lengths are divided by the
+ extent of the smaller body. Angles [rad], fractions and counts are compared directly. */
 enum class Grade {
   kNone,        ///< No fault, or one without a size.
   kRounding,    ///< At most 1e-6.
@@ -86,7 +86,7 @@ struct Finding {
 bool IsFailure(Verdict verdict);
 
 /** Returns whether a value exceeds its tolerance by no more than the tolerance's factor
- of safety: it is a fault only if that factor is taken at its word. */
+ of safety. Such a fault rests on the choice of that factor. */
 bool IsWithinSafety(const Finding& finding);
 
 /** Returns whether the verdict is `fail`. Such a failure has a cause to look for. */

@@ -9,7 +9,7 @@
 
 namespace touchstone {
 
-/** What a test grants to the routine that it checks. */
+/** The tolerance that a test grants to the routine that it checks. */
 struct Granted {
   /** The error beyond rounding; it replaces a tolerance of the routine itself. Without
    `by`, the report says that the test states it. */

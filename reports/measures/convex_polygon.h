@@ -16,7 +16,7 @@ std::vector<Eigen::Vector2d> ConvexHullOf(std::span<const Eigen::Vector2d> point
  @pre `hull` was returned by ConvexHullOf() and is not empty. */
 double DistanceFrom(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p);
 
-/** Returns the distance of `p` from the rim of `hull`.
+/** Returns the distance of `p`, inside or outside, from the boundary of `hull`. [m]
  @pre `hull` was returned by ConvexHullOf() and is not empty. */
 double DistanceFromRim(std::span<const Eigen::Vector2d> hull, const Eigen::Vector2d& p);
 

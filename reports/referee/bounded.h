@@ -23,9 +23,9 @@ namespace touchstone::referee {
  rounding of its own result, u |result|. The bound itself is computed in double with a
  handful of roundings to nearest, each at most 2^-53 of a sum of positive terms:
  `kInflation` covers them. Products that underflow lose at most 2^-1075 each: `kUnderflow`
- covers those. An operation of `Precise` that MPFR finds exact adds nothing, so that
- bodies that touch exactly are known to. If doubles overflow, nothing is known: the error
- is infinite. It is never a NaN, which comparisons would drop. */
+ covers those. An operation of `Precise` that MPFR finds exact adds no error, so the
+ sign of an exactly zero separation is known. If doubles overflow, nothing is known: the
+ error is infinite. It is never a NaN, which comparisons would drop. */
 template <typename Real>
 class Bounded {
  public:
@@ -85,7 +85,7 @@ class Bounded {
     const Exactness<Real> exactness;
     const Real quotient = a.value_ / b.value_;
     const bool is_exact = exactness.Holds();
-    // Zero divided by whatever is not zero is zero.
+    // The quotient 0 is exact even if the divisor has an error, since that is not 0.
     if (is_exact && a.error_ == 0 && (b.error_ == 0 || quotient == 0))
       return Rounded(quotient, 0, true);
     const double carried =
@@ -127,8 +127,8 @@ class Bounded {
   static constexpr double kUnderflow = 4 * std::numeric_limits<double>::denorm_min();
 
   static Real abs(const Real& x) { return x < 0 ? Real(-x) : x; }
-  /** A bound below the smallest double is that double: a value of `Precise` can be
-   smaller than any double. */
+  /** Adds the rounding of the result to `carried`, with `kUnderflow`, because a value of
+   `Precise` can be smaller than any double. */
   static Bounded Rounded(const Real& value, double carried, bool is_exact) {
     const double magnitude = Magnitude(value);
     // An infinite value is no result, even of an operation without a rounding.

@@ -97,8 +97,12 @@ NearestTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex
 
 CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   const std::optional<CoreDepth> depth = ZonotopeDepth(M);
-  // The least overlap over all candidates is at least 0: the origin is in M.
-  if (depth && depth->depth.lo >= 0) {
+  const bool has_box =
+      std::holds_alternative<Box>(M.A().core) || std::holds_alternative<Box>(M.B().core);
+  // With a box the candidates are the normals of all faces of M: if the least overlap is
+  // at least 0, the origin is in M. Without one M is flat, and its only candidate proves
+  // no more than that the origin is in its plane.
+  if (has_box && depth && depth->depth.lo >= 0) {
     CoreTruth truth;
     truth.separation = Negated(depth->depth);
     truth.n_AB_W = depth->n_AB_W;

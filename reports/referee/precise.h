@@ -33,8 +33,8 @@ inline double Magnitude(const Precise& x) {
   return mpfr_zero_p(data) ? 0 : std::numeric_limits<double>::infinity();
 }
 
-/** Tells whether the operations in `Real` since its construction were all exact. Doubles
- do not tell: they count as rounded. */
+/** Tells whether the operations in `Real` since its construction were all exact. Always
+ false for doubles, whose inexact operations are not detected. */
 template <typename Real>
 class Exactness {
  public:

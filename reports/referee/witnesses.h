@@ -24,8 +24,8 @@ struct Witnesses {
  @pre Neither body is a half-space. */
 double ProvedSeparation(const ContactQuery& query, const Witnesses& witnesses);
 
-/** Returns the upper bound on the signed separation of the shapes that follows from
- `most`, one on that of their cores. [m] */
+/** Returns an upper bound on the signed separation of the shapes: `most`, an upper bound
+ on that of their cores [m], less the radii of both shapes. [m] */
 double LessRadii(const ContactQuery& query, double most);
 
 }  // namespace touchstone::referee

@@ -8,9 +8,9 @@ namespace touchstone::referee {
 
 /** The depth of the origin in M and the direction along which it is reached. */
 struct CoreDepth {
-  /** Signed overlap along the best candidate: the depth if `lo` > 0. Otherwise the origin
-   is outside M or on its boundary, and only −hi has a meaning: it is a lower bound on the
-   distance. [m] */
+  /** Signed overlap along the best candidate. If M has a volume and `lo` >= 0, it is the
+   depth. Otherwise the origin may be outside M, and only −hi has a meaning: it is a lower
+   bound on the distance. [m] */
   Enclosure depth;
   Eigen::Vector3d n_AB_W;  ///< Unit direction from A to B.
 };

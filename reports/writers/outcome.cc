@@ -296,9 +296,8 @@ std::string Sentence(const Finding& finding) {
       text += fmt::format(" ({})", finding.tolerance_because);
     }
     if (IsWithinSafety(finding)) {
-      text += fmt::format(
-          ", which is less than the factor of {:.2g} for safety in that tolerance",
-          finding.safety);
+      text += fmt::format(", within the factor of {:.2g} for safety in that tolerance",
+                          finding.safety);
     }
   }
   if (!finding.proof.empty()) text += fmt::format(". Proof: {}", finding.proof);

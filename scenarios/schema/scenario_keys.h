@@ -79,8 +79,8 @@ struct Key {
 /** Returns the keys of a table, in the order in which they are written. */
 std::span<const Key> KeysOf(TableKind table);
 
-/** Returns the keys that tell a file without [world] and [contact] to be about a world.
- */
+/** Returns the keys by which a file that has neither [world] nor [contact] is recognised
+ as one about a world. */
 std::span<const std::string_view> KeysOfWorldsOnly();
 
 /** Returns the keys that every body has, in the order in which they are written. */

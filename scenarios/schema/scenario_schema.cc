@@ -216,7 +216,7 @@ std::string ScenarioSchema(std::span<const ClaimName> claims) {
   Json world = TableOf(TableKind::kWorldFile);
   world["title"] = "world";
   NameLaws(claims, world["properties"]["claims"]["items"]["properties"]["law"]);
-  // As the reader tells them apart (scenarios/read_scenario.cc).
+  // The reader tells them apart in the same way (scenarios/read_scenario.cc).
   Json of_worlds = Json::array({{{"required", {"world"}}}});
   Json any = Json::array();
   for (const std::string_view key : KeysOfWorldsOnly())

@@ -23,7 +23,7 @@ class FileLog {
   void Add(const std::vector<Fault>& faults, const toml::table& table,
            std::string_view prefix);
 
-  /** Adds a note on something that is no error. */
+  /** Adds a note on something that is not an error. */
   void Note(const toml::source_region& at, std::string what);
 
   const std::vector<Diagnostic>& notes() const { return notes_; }

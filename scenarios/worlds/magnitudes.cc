@@ -69,7 +69,8 @@ class MagnitudeCheck {
     Add("world.steps",
         fmt::format("is {} for {:g} moving bodies, particles and nodes", world_.steps,
                     cost / world_.steps),
-        fmt::format("at most {:g} steps times moving things, about a minute of the "
+        fmt::format("at most {:g} steps × moving bodies, particles and nodes, about a "
+                    "minute of the "
                     "slowest engine",
                     kMostBodySteps));
   }

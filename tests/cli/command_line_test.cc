@@ -98,7 +98,7 @@ TEST_F(CommandLineTest, ExitsWithTwoIfItsOutputIsLost) {
 TEST_F(CommandLineTest, ExitsWithOneAndAProofIfTheSubjectIsWrong) {
   const Ended ended = Touchstone("run --subject half_depth " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 1) << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth: fail in "),
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("half_depth: fail, over 0.001 in "),
                                HasSubstr("Proof: half_depth says")));
 }
 
@@ -356,7 +356,7 @@ TEST_F(CommandLineTest, ExplainsWhichOraclesAreRightAndShowsTheFileOnRequest) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out,
               AllOf(Not(HasSubstr("[bodies.ball]")), HasSubstr("Right: right\n"),
-                    HasSubstr("Wrong: half_depth, thrower\n")));
+                    HasSubstr("Wrong: half_depth (over 0.001), thrower\n")));
   EXPECT_THAT(Touchstone(explain + " --all").out, HasSubstr("[bodies.ball]"));
 }
 
@@ -388,7 +388,8 @@ TEST_F(CommandLineTest, AnswersAQuestionFromTheCommandLine) {
   const Ended ended =
       Touchstone("ask --A 'sphere 0.5 @ 0.3 -0.2 0.7' --B 'sphere 0.5 @ 0.9 -0.5 1.3'");
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("Right: right\nWrong: half_depth, thrower"));
+  EXPECT_THAT(ended.out,
+              HasSubstr("Right: right\nWrong: half_depth (over 0.001), thrower\n"));
 }
 
 TEST_F(CommandLineTest, AnswersTheQuestionsThatItsHelpShows) {

@@ -17,12 +17,12 @@ namespace touchstone {
  Cauchy–Schwarz that is at most √(2H) A with A² = Σ m |g + F/m|². Hence √(2H) grows by at
  most A t, and by √(J·M⁻¹J) at a push J. Without pushes the kinetic energy is also at most
  E(0) − U, with the potential energy U at the places of the motion itself. The smaller
- bound counts, with one step of the loads more, since engines update velocities before
- positions. It bounds the sum over everything that moves.
+ bound counts. One more step of the loads is added, since engines update velocities before
+ positions. The bound is on the sum over everything that moves.
 
- A legal scheme may drift, and drifts faster the more it has gained; by no more than the
- energy itself, or it tells nothing. So a sample with more than twice the kinetic energy
- of the truth is slowed, as a whole, to twice that energy. */
+ A legal scheme may gain energy, and the gain grows with the energy. No gain above the
+ true kinetic energy is granted. So a sample with more than twice the kinetic energy of
+ the truth is slowed, as a whole, to twice that energy. */
 class AllowedMotion {
  public:
   explicit AllowedMotion(const Motion& motion);

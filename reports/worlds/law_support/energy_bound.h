@@ -16,7 +16,8 @@ namespace touchstone {
 struct EnergyAlong {
   std::vector<Energy> energies;
   double at_start = 0;  ///< Total energy of the start that the world specifies. [J]
-  /** The error between any two samples that is not a drift, indexed by the later. [J]
+  /** The error between any two samples that does not accumulate, indexed by the later.
+   [J]
 
    Semi-implicit Euler conserves H ∓ ½ h dU/dt + O(h²) instead of the energy H (Hairer,
    Lubich, Wanner, Geometric Numerical Integration, 2nd ed., IX.3). So E may differ from
@@ -28,8 +29,8 @@ struct EnergyAlong {
   /** The losses of the gyroscopic term and of rods from the start to each sample
    (law_support/scheme_drift.h), × 1.5. [J] */
   std::vector<double> drifts;
-  /** The most kinetic energy that the truth allows so far. No drift is larger: an
-   expansion in the step says nothing about an error as large as the energy itself. [J] */
+  /** The most kinetic energy that the truth allows so far: the upper bound on the drift,
+   because rates of leading order do not hold for larger errors. [J] */
   std::vector<double> most_kinetic;
   /** Σ m |g·v̂| h |v| over the reversals of a body's fall so far: the energy added by
    rules that reflect the velocity after gravity has acted. [J] */
@@ -48,7 +49,7 @@ struct EnergyAlong {
 
   /** Returns, for each sample, the two earlier samples that show its worst change of
    energy in the direction `sign` (1: a rise, −1: a fall): the extreme of the energy, and
-   that of the energy without the drift that is granted. */
+   the extreme of the energy less the granted drift. */
   std::vector<std::array<std::size_t, 2>> WorstEarlier(double sign) const;
 
   /** Returns whether a rise of the energy by `rise` [J] from sample `from` to sample `to`

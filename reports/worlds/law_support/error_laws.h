@@ -27,8 +27,8 @@ inline double RoundingOf(const OracleInfo& oracle, double steps) {
 }
 
 /** Roundings of an impulse that an iterative solver sums for each contact in a step: the
- three rows of a contact, as often as the most patient solver here iterates (Bullet and
- MuJoCo 1000 times). The same to every engine. [-] */
+ three constraints of a contact × 1000, the largest number of iterations of a solver here
+ (Bullet, MuJoCo). All engines are granted the same number. [-] */
 inline constexpr double kRoundingsOfSolver = 3 * 1000;
 
 /** Relative error of a velocity that an iterative contact solver may leave. Rigid solvers

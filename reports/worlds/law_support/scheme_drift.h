@@ -21,14 +21,14 @@ namespace touchstone {
  rotation by h ω' leaves L' − L = h² (ω̇ × L − ½ ω × (ω × L)) + O(h³). The implicit steps I
  (ω' − ω) = −h ω' × I ω' and I ω' = L − h ω' × L leave ±½ h² ω × (ω × L). The larger of
  the two magnitudes is taken and summed over the bodies. An engine with a
- documented_rotation_error loses that share of L per step instead. */
+ documented_rotation_error is granted that fraction of L per step instead. */
 std::vector<double> GyroscopicMomentumDrift(const Motion& motion,
                                             const AllowedMotion& allowed,
                                             const Subjects& subjects);
 
 /** Returns the drift of their energy: the same schemes change it by ±½ h² (ω × L)·I⁻¹(ω ×
  L) per step, exactly so for the explicit one. An engine with a documented_rotation_error
- changes it by that share per step. [J] */
+ is granted that fraction per step. [J] */
 std::vector<double> GyroscopicEnergyDrift(const Motion& motion,
                                           const AllowedMotion& allowed,
                                           const Subjects& subjects);
@@ -46,7 +46,7 @@ std::vector<double> RodEnergyDrift(const Motion& motion, const AllowedMotion& al
                                    const Subjects& subjects);
 
 /** Returns ∫ rate dt from the start to each sample of the allowed motion, with the larger
- of the rates at the two ends of an interval. */
+ of the rates at the two ends of an interval. [unit of the rate × s] */
 std::vector<double> IntegralAlong(const AllowedMotion& allowed,
                                   const std::function<double(const WorldState&)>& rate);
 

@@ -47,10 +47,10 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
-/** What may have bent the way of a body, summed from the start to each sample. */
+/** Causes that may have bent the path of a body, summed from the start to each sample. */
 struct Bends {
   std::vector<double> velocity = {0};  ///< Σ of the changes beyond the loads. [m/s]
-  std::vector<double> length = {0};    ///< Of the way, at most. [m]
+  std::vector<double> length = {0};    ///< Σ of the paths, at most. [m]
 };
 
 Bends BendsOf(const Motion& motion, const AllowedMotion& slowed, int body) {

@@ -14,13 +14,13 @@ namespace touchstone {
 
  V is taken at the deepest point and along the direction of the depth: |n·u_A| + |n·u_B|
  with u = v + ω × r, at the sample and at the one before, and the largest since the pair
- was apart. So sliding and spin about the normal grant nothing. Both speeds count by
- themselves, since an impact may stop one of two bodies that fly together. No speed is
- larger than the truth allows (law_support/allowed_motion.h).
+ was apart. So sliding and spin about the normal do not enlarge the tolerance. The two
+ speeds are added, not subtracted, since an impact may stop one of two bodies that move
+ together. No speed is larger than the truth allows (law_support/allowed_motion.h).
 
  Between samples that are further apart than a step, a body may turn: its |n × ω| |r|
  counts in full, and gravity over that time. If it may also touch a third body meanwhile,
- that may pass on its own speed, and the |v| + |ω| |r| of the fastest body counts.
+ that may transfer its own speed, so the |v| + |ω| |r| of the fastest body counts.
 
  About: bodies; pairs of which at least one is named. Numbers: slack [m], granted on top,
  with its reason in the claim's `because`; parted_by [s], the time from which a

@@ -23,20 +23,20 @@ WorldState StateAtStart(const World& world);
 /** Returns the total mass of the subjects. [kg] */
 double MassOf(const World& world, const Subjects& subjects);
 
-/** Returns Σ m |g + F/m|² over the subjects: the square of the rate at which their loads
- raise the root of twice their kinetic energy, at most. [J/s²] */
+/** Returns A² = Σ m |g + F/m|² over the subjects: with the kinetic energy E, their loads
+ raise √(2 E) by at most A per second. [J/s²] */
 double SquaredLoadsOf(const World& world, const Subjects& subjects);
 
-/** What the subjects gain if each of their velocities is off. */
+/** The errors of momentum and of energy that follow from errors δv of the velocities. */
 struct MotionOfNoise {
   double momentum = 0;  ///< Σ m δv. [N s]
   double energy = 0;    ///< Σ ½ m δv². [J]
 };
 
 /** Returns the momentum and the energy of velocities δv = share |x|/h, with the step h of
- `world`: an engine that takes a velocity from positions, or corrects positions by
- velocities, cannot know it better than its positions, whose share is the unit roundoff.
- */
+ `world`. An engine that takes a velocity from positions, or corrects positions by
+ velocities, cannot know it better than its positions. `share`: relative error of a
+ position, the unit roundoff. [-] */
 MotionOfNoise NoiseOfPositions(const World& world, const WorldState& state,
                                const Subjects& subjects, double share);
 

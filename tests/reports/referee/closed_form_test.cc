@@ -67,6 +67,22 @@ TEST(ClosedForm, CapsulesWithCrossingAxesAreAsDeepAsTheirRadiiTogether) {
   ExpectSeparation({A, Place(Capsule{0.1, 0.4}, {0.1, 0, 0.2}, along_x)}, -0.3);
 }
 
+// Both axes lie in the plane y = 0, exactly: the origin is in the plane of the flat
+// difference of the axes, and may be inside or outside it.
+TEST(ClosedForm, CapsulesWithAxesInOnePlaneAreJudgedWithinIt) {
+  Eigen::Matrix3d along_x;
+  along_x << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+  const Body A{Capsule{0.25, 0.75}, Pose{}};
+  const auto B = [&](double x, double z) {
+    return Body{Capsule{0.125, 0.5}, Pose::FromMatrix({x, 0, z}, along_x)};
+  };
+  ExpectSeparation({A, B(0.25, 0.5)}, -0.375);
+  ExpectSeparation({A, B(1.25, 0.5)}, 0.75 - 0.375);
+  ExpectSeparation({A, B(0.25, 1.5)}, 0.75 - 0.375);
+  // The end of B's axis is 0.75 to the side of the end of A's, and 1 above it.
+  ExpectSeparation({A, B(1.25, 1.75)}, 1.25 - 0.375);
+}
+
 TEST(ClosedForm, CollinearCapsulesAreApartEndToEnd) {
   const Body A = Place(Capsule{0.2, 0.7}, {0, 0, 0});
   ExpectSeparation({A, Place(Capsule{0.1, 0.4}, {0, 0, 1.5})}, 1.5 - 1.1 - 0.3);

@@ -185,10 +185,12 @@ TEST(FaultsOfWorld, IncludeAWorldThatTakesMinutes) {
     world.bodies.push_back(world.bodies[0]);
     world.bodies.back().name = "more" + std::to_string(i);
   }
-  EXPECT_THAT(Texts(FaultsOf(world)),
-              ElementsAre("world.steps is 1000000 for 7 moving bodies, particles and "
-                          "nodes; expected at most 6e+06 steps times moving things, "
-                          "about a minute of the slowest engine"));
+  EXPECT_THAT(
+      Texts(FaultsOf(world)),
+      ElementsAre(
+          "world.steps is 1000000 for 7 moving bodies, particles and "
+          "nodes; expected at most 6e+06 steps × moving bodies, particles and nodes, "
+          "about a minute of the slowest engine"));
 }
 
 TEST(FaultsOfWorld, AllowTheRoundedMomentsOfAFlatBody) {
