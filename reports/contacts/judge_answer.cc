@@ -308,10 +308,13 @@ class Judgement {
         3 * each.value,
         fmt::format("two points and a separation, each off by {:.2g} m: {}", each.value,
                     each.because)};
-    const bool by_across =
-        error.across * along.value > error.along * tolerances_.across.value;
+    // Both points and the direction between them are rounded, however small the bodies.
+    const Tolerance across = {
+        tolerances_.across.value + along.value,
+        fmt::format("{}; {}", along.because, tolerances_.across.because)};
+    const bool by_across = error.across * along.value > error.along * across.value;
     Add(MeasureKind::kWitnessError, by_across ? error.across : error.along,
-        by_across ? tolerances_.across : along, [&] {
+        by_across ? across : along, [&] {
           return ProveWitnessError(dispute_, vector ? &*n_W_ : nullptr, *separation_);
         });
   }
