@@ -138,11 +138,15 @@ int Main(std::uint64_t count, std::uint64_t seed) {
   std::vector<Tally> wrong(WrongAlterations().size());
   std::vector<Tally> legal(LegalAlterations().size());
   int complaints = 0;
-  constexpr std::size_t kBatch = 3024;
+  // Every 11th question of the series, so that a batch of a third of its period meets
+  // every pair, family and hardening.
+  constexpr std::size_t kBatch = 1008;
+  constexpr std::uint64_t kStride = 11;
   for (std::uint64_t first = 0; Total(wrong) < count || Total(legal) < count;
        first += kBatch) {
     std::vector<Judged> all(kBatch);
-    ParallelFor(kBatch, 0, [&](std::size_t i) { all[i] = Judge(seed, first + i); });
+    ParallelFor(kBatch, 0,
+                [&](std::size_t i) { all[i] = Judge(seed, kStride * (first + i)); });
     for (const Judged& judged : all) {
       for (std::size_t k = 0; k < wrong.size(); ++k) wrong[k].Add(judged.wrong[k]);
       for (std::size_t k = 0; k < legal.size(); ++k) legal[k].Add(judged.legal[k]);
