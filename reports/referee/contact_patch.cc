@@ -114,13 +114,23 @@ ContactPatch MovedBy(const Eigen::Vector3d& origin, ContactPatch patch) {
   return patch;
 }
 
+/** Returns the rounding of a feature. Transforming and projecting the corners costs a few
+ roundings of the scene. [m] */
+double FeatureRounding(const ContactQuery& query) {
+  return 32 * std::numeric_limits<double>::epsilon() * SceneSize(query);
+}
+
+/** Returns whether a disc of `body` lies flat along n to within `e`, but not to within
+ `flush`. [m] */
+bool IsDiscTilted(const Body& body, const Eigen::Vector3d& n, double flush, double e) {
+  return FeatureAlong(body, n, e).is_disc && !FeatureAlong(body, n, flush).is_disc;
+}
+
 /** Returns PatchAlong() of a query about its own origin.
  @pre `n` is a unit vector. */
 ContactPatch LocalPatch(const ContactQuery& query, const Eigen::Vector3d& n,
                         double separation, double slack) {
-  // Transforming and projecting the corners costs a few roundings of the scene.
-  const double rounding =
-      slack + 32 * std::numeric_limits<double>::epsilon() * SceneSize(query);
+  const double rounding = slack + FeatureRounding(query);
   const SupportFeature A = FeatureAlong(query.A, n, rounding);
   const SupportFeature B = FeatureAlong(query.B, -n, rounding);
 
@@ -169,7 +179,12 @@ ContactPatch CertainPatch(const ContactQuery& query, const Eigen::Vector3d& n_W,
   const ContactQuery local = About(origin, query);
   const Eigen::Vector3d n =
       is_known ? n_W.normalized() : FlatDirection(local, n_W.normalized(), e);
-  const ContactPatch patch = LocalPatch(local, n, separation, flush);
+  ContactPatch patch = LocalPatch(local, n, separation, flush);
+  const double flat = flush + FeatureRounding(local);
+  if (IsDiscTilted(local.A, n, flat, e) || IsDiscTilted(local.B, -n, flat, e)) {
+    patch.vertices_W.resize(1);
+    patch.least_contacts = 1;
+  }
   const Plane plane(n, patch.vertices_W.front());
   ContactPatch certain;
   for (const Eigen::Vector2d& p : HullOf(Project(plane, patch.vertices_W), kBlurred * e))
