@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "reports/contacts/body_size.h"
+#include "reports/contacts/exact_scene.h"
 #include "reports/measures/contact_surface_error.h"
 #include "reports/measures/patch_coverage.h"
 #include "reports/referee/referee.h"
@@ -20,6 +21,11 @@ using Altered = std::optional<ContactAnswer>;
 
 /** The ratio of an alteration to the tolerance of what it changes. */
 constexpr double kClearly = 10;
+
+bool HasHalfSpace(const ContactQuery& query) {
+  return KindOf(query.A.shape) == ShapeKind::kHalfSpace ||
+         KindOf(query.B.shape) == ShapeKind::kHalfSpace;
+}
 
 Eigen::Vector3d Middle(std::span<const Eigen::Vector3d> points) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -124,8 +130,7 @@ Altered RotatedNormal(const RightlyAnswered& q, RandomScene& random) {
   answer.n_AB_W = n.normalized();
   // A half-space is never left along another direction, but only a tilt that is not a
   // rounding counts.
-  const bool plane = KindOf(q.query.A.shape) == ShapeKind::kHalfSpace ||
-                     KindOf(q.query.B.shape) == ShapeKind::kHalfSpace;
+  const bool plane = HasHalfSpace(q.query);
   const double excess =
       plane ? angle * SmallerExtent(q.query)
             : static_cast<double>(-GapAlong(q.query, n) + Wide(q.truth.separation.lo));
@@ -139,8 +144,7 @@ Altered RotatedNormal(const RightlyAnswered& q, RandomScene& random) {
 Altered FlippedNormal(const RightlyAnswered& q, RandomScene&) {
   ContactAnswer answer = q.right;
   *answer.n_AB_W *= -1;
-  const bool plane = KindOf(q.query.A.shape) == ShapeKind::kHalfSpace ||
-                     KindOf(q.query.B.shape) == ShapeKind::kHalfSpace;
+  const bool plane = HasHalfSpace(q.query);
   if (plane && kClearly * q.tolerances.apart.value < SmallestFeature(q.query))
     return answer;
   if (plane) return std::nullopt;
@@ -187,7 +191,14 @@ Altered ContactOfOtherDepth(const RightlyAnswered& q, RandomScene& random) {
       ClearlyBeyond(2 * q.tolerances.position.value, q.tolerances.fine * 10, random);
   if (!by) return std::nullopt;
   ContactAnswer answer = q.right;
-  answer.points[Any(answer.points.size(), random)].separation += *by;
+  ContactPoint& contact = answer.points[Any(answer.points.size(), random)];
+  contact.separation += *by;
+  // Sides along the normal keep both points on the surfaces. Only the bodies' extent
+  // beyond them tells, which counts from the tolerance across the normal.
+  const WitnessPoints on = SurfacePointsOf(contact, *answer.n_AB_W);
+  if (SurfaceError(q.query, on) < kClearly * q.tolerances.position.value &&
+      std::abs(*by) < 2 * kClearly * q.tolerances.across.value)
+    return std::nullopt;
   return answer;
 }
 
@@ -385,7 +396,8 @@ Altered FieldsInContactsOnly(const RightlyAnswered& q, RandomScene&) {
 /** The answer along another direction that is as short: the opposite one, or one that the
  symmetry of a body offers. */
 Altered OtherTie(const RightlyAnswered& q, RandomScene& random) {
-  if (!q.right.touching) return std::nullopt;
+  // A half-space is left along its own normal only.
+  if (!q.right.touching || HasHalfSpace(q.query)) return std::nullopt;
   const Eigen::Matrix3d& R =
       (random.Uniform(0, 1) < 0.5 ? q.query.A : q.query.B).X_WB.R_WB;
   const Eigen::Vector3d n_B = R.transpose() * *q.right.n_AB_W;
@@ -438,7 +450,9 @@ std::optional<ContactAnswer> RightAnswerOf(const ContactQuery& query,
   ContactAnswer answer;
   answer.status = AnswerStatus::kAnswered;
   answer.separation = e.lo + (e.hi - e.lo) / 2;
-  answer.touching = *answer.separation <= 0;
+  const auto exact =
+      IsExactScene(query, 0x1p-53) ? TouchingInExactScene(query, truth) : std::nullopt;
+  answer.touching = exact.value_or(*answer.separation <= 0);
   answer.n_AB_W = truth.certificate.n_AB_W.normalized();
   answer.witnesses = {truth.certificate.p_WCa, truth.certificate.p_WCb};
   if (!answer.touching) return answer;
