@@ -216,7 +216,8 @@ TEST(Judge, FindsMissingContactsOfADisc) {
   s.right.touching = true;
   s.right.n_AB_W = X_WA.R_WB.col(2);
   s.right.separation = -kDepth;
-  for (const double angle : {0.0, 2.1, 4.2}) {
+  for (const double third : {0, 1, 2}) {
+    const double angle = third * 2 * M_PI / 3;
     const Eigen::Vector3d p_A(0.01 + 0.08 * std::cos(angle),
                               0.02 + 0.08 * std::sin(angle), 0.1 - kDepth / 2);
     s.right.points.push_back({X_WA * p_A, -kDepth, {}});
