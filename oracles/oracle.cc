@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oracles/no_answer.h"
+#include "oracles/standard_arithmetic.h"
 
 namespace touchstone {
 
@@ -41,6 +42,7 @@ Trajectory Oracle::Simulate(const World& world) const {
   Trajectory trajectory;
   trajectory.reason = info().CannotSimulate(world);
   if (!trajectory.reason.empty()) return trajectory;
+  const StandardArithmetic arithmetic;
   try {
     return RunToEnd(*Begin(world), world);
   } catch (...) {

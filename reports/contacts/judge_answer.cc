@@ -128,6 +128,16 @@ class Judgement {
         finding.tolerance_because);
   }
 
+  /** Withdraws a failure that only a polygon in doubles tells. */
+  static void Withdraw(Finding& finding, std::string_view why) {
+    finding.verdict = Verdict::kUndecidable;
+    finding.grade = Grade::kNone;
+    finding.safety = 1;
+    finding.proof.clear();
+    finding.tolerance_because = fmt::format("the patch is not certified here, and {}: {}",
+                                            why, finding.tolerance_because);
+  }
+
   void Unanswered(Verdict verdict, const std::string& why) {
     Finding& finding =
         Add(MeasureKind::kAnswering, 1, {0, "an answer is an answer"}, [&] {
@@ -136,6 +146,7 @@ class Judgement {
         });
     finding.verdict = verdict;
     finding.grade = Grade::kNone;  // No answer is not wrong by any size.
+    finding.safety = 1;
   }
 
   bool Answered() {
@@ -297,10 +308,13 @@ class Judgement {
         3 * each.value,
         fmt::format("two points and a separation, each off by {:.2g} m: {}", each.value,
                     each.because)};
-    const bool by_across =
-        error.across * along.value > error.along * tolerances_.across.value;
+    // Both points and the direction between them are rounded, however small the bodies.
+    const Tolerance across = {
+        tolerances_.across.value + along.value,
+        fmt::format("{}; {}", along.because, tolerances_.across.because)};
+    const bool by_across = error.across * along.value > error.along * across.value;
     Add(MeasureKind::kWitnessError, by_across ? error.across : error.along,
-        by_across ? tolerances_.across : along, [&] {
+        by_across ? across : along, [&] {
           return ProveWitnessError(dispute_, vector ? &*n_W_ : nullptr, *separation_);
         });
   }
@@ -343,8 +357,9 @@ class Judgement {
         Add(MeasureKind::kContactSurfaceError, surface, tolerances_.separation, [&] {
           return ProveSurfaceError(dispute_, worst->points.p_WCa, worst->points.p_WCb);
         });
+    points_are_right_ = finding.verdict == Verdict::kPass;
     // Points off their surfaces, or along a wrong normal, are wrong already.
-    if (finding.verdict == Verdict::kPass && normal_is_right_) JudgeSeparations(all);
+    if (points_are_right_ && normal_is_right_) JudgeSeparations(all);
   }
 
   /** Judges the own separation of every contact: neither may the bodies overlap there by
@@ -417,8 +432,12 @@ class Judgement {
       }
     }
     if (worst == nullptr) return;
-    Add(MeasureKind::kContactOffPatch, off, AcrossWithRims(),
-        [&] { return ProveOffPatch(dispute_, *worst, off); });
+    Finding& finding = Add(MeasureKind::kContactOffPatch, off, AcrossWithRims(),
+                           [&] { return ProveOffPatch(dispute_, *worst, off); });
+    // A contact at the greatest depth whose points lie on both surfaces is in the patch
+    // by definition. The polygon is computed in doubles, and proves nothing against it.
+    if (finding.verdict == Verdict::kFail && points_are_right_)
+      Withdraw(finding, "its points are certified to lie on both surfaces");
   }
 
   /** Returns the tolerance across the normal where a rim may be the deepest feature.
@@ -447,12 +466,12 @@ class Judgement {
     const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
     const ContactPatch patch =
         CertainPatch(query_, n, SeparationAlong(n), truth_.input_rounding, e);
-    bool is_spanned = false;
+    bool must_span = true;
     if (patch.vertices_W.size() > 1) {
       const double unspanned = PatchUnspanned(patch, n, answer_.points);
       const double legal = LegalUnspanned(patch, n, answer_.points);
       const double blur = PatchBlur(patch, n, e);
-      const Finding& finding =
+      Finding& finding =
           Add(MeasureKind::kPatchCoverage, unspanned,
               {legal + blur,
                fmt::format("{}, and sides off by {:.2g} m leave {:.2g} of it",
@@ -461,12 +480,46 @@ class Judgement {
                                  "diameter unspanned"
                                : "a sixteenth of its extent may be left unspanned",
                            e, blur)},
-              [&] { return ProveUnspanned(dispute_, patch, unspanned); });
-      is_spanned = finding.verdict == Verdict::kPass;
+              [] { return ""; });
+      must_span = finding.verdict == Verdict::kFail;
+      if (must_span) {
+        const auto missed = CertainlyMissed(patch, n, finding.tolerance);
+        must_span = missed.has_value();
+        if (missed) {
+          finding.proof = ProveUnspanned(dispute_, *missed, unspanned);
+        } else {
+          Withdraw(finding, "no point that is certified to belong to it is missed");
+        }
+      }
     }
-    const int least = is_spanned ? 0 : patch.least_contacts;
+    const int least = must_span ? patch.least_contacts : 0;
     Add(MeasureKind::kContactCount, ContactCountError(least, answer_.points, e),
         {0, "the patch needs that many"}, [&] { return ProveCount(dispute_, patch); });
+  }
+
+  /** Returns a point of the patch that lies farther from the hull of the contacts than
+   `legal` [-] and is certified to belong to the patch: a contact there, as deep as the
+   bodies, lies on both surfaces. Corners are tried first. The polygon around a disc is
+   2 % wider than the disc, so they are then drawn to the middle in such steps.
+
+   A corner is off by e where a face is flat to within e, and a contact may be off by e.
+   */
+  std::optional<Eigen::Vector3d> CertainlyMissed(const ContactPatch& patch,
+                                                 const Eigen::Vector3d& n_W,
+                                                 double legal) const {
+    const double separation = SeparationAlong(n_W);
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : patch.vertices_W)
+      middle += corner / static_cast<double>(patch.vertices_W.size());
+    for (const double drawn : {1.0, 0.98, 0.96, 0.94, 0.92, 0.9}) {
+      for (const Eigen::Vector3d& corner : patch.vertices_W) {
+        const Eigen::Vector3d p_W = middle + drawn * (corner - middle);
+        if (UnspannedAt(p_W, patch, n_W, answer_.points) <= legal) continue;
+        const WitnessPoints points = SurfacePointsOf({p_W, separation, {}}, n_W);
+        if (SurfaceError(query_, points) <= 2 * tolerances_.position.value) return p_W;
+      }
+    }
+    return std::nullopt;
   }
 
   void JudgeMixedNormals() {
@@ -489,6 +542,7 @@ class Judgement {
   const std::optional<Eigen::Vector3d> n_W_;
   const std::optional<double> separation_;
   bool normal_is_right_ = false;
+  bool points_are_right_ = false;
   std::vector<Finding> findings_;
 };
 

@@ -248,13 +248,13 @@ std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,
       dispute.oracle, -contact.separation, FormatVector(contact.p_WC), off);
 }
 
-std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
+std::string ProveUnspanned(const Dispute& dispute, const Eigen::Vector3d& p_W,
                            double unspanned) {
   return fmt::format(
-      "{} returns {}, which leaves {:.0f} % of the patch's extent unspanned; one of its "
-      "{} is {}.",
+      "{} returns {}, which leaves {:.0f} % of the patch's extent unspanned; both bodies "
+      "reach as deep at {}.",
       dispute.oracle, Counted(dispute.answer.points.size(), "contact"), 100 * unspanned,
-      Counted(patch.vertices_W.size(), "corner"), FormatVector(patch.vertices_W.front()));
+      FormatVector(p_W));
 }
 
 std::string ProveCount(const Dispute& dispute, const ContactPatch& patch) {

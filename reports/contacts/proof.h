@@ -45,7 +45,8 @@ std::string ProveSurplusContact(const Dispute& dispute, const WitnessPoints& poi
                                 double gap);
 std::string ProveOffPatch(const Dispute& dispute, const ContactPoint& contact,
                           double off);
-std::string ProveUnspanned(const Dispute& dispute, const ContactPatch& patch,
+/** @param p_W A point of the patch that the contacts leave out. */
+std::string ProveUnspanned(const Dispute& dispute, const Eigen::Vector3d& p_W,
                            double unspanned);
 std::string ProveCount(const Dispute& dispute, const ContactPatch& patch);
 std::string ProveTooDeep(const Dispute& dispute, const ContactPoint& contact);

@@ -54,35 +54,51 @@ double Diameter(std::span<const Eigen::Vector2d> points) {
   return diameter;
 }
 
-/** A patch and its contacts, seen along the normal and stretched to unit spread. */
+/** A patch, its contacts and some points, seen along the normal and stretched to unit
+ spread. */
 struct Stretched {
   std::vector<Eigen::Vector2d> corners;
   std::vector<Eigen::Vector2d> contacts;
+  std::vector<Eigen::Vector2d> points;
 };
 
 Stretched StretchedAlong(const Eigen::Vector3d& n_AB_W, const ContactPatch& patch,
-                         std::span<const ContactPoint> contacts) {
+                         std::span<const ContactPoint> contacts,
+                         std::span<const Eigen::Vector3d> points = {}) {
   std::vector<Eigen::Vector3d> positions;
   for (const ContactPoint& contact : contacts) positions.push_back(contact.p_WC);
   const std::vector<Eigen::Vector2d> plane = ProjectedAlong(n_AB_W, patch.vertices_W);
   const Eigen::Matrix2d map = Whitening(plane);
-  return {Mapped(map, plane), Mapped(map, ProjectedAlong(n_AB_W, positions))};
+  return {Mapped(map, plane), Mapped(map, ProjectedAlong(n_AB_W, positions)),
+          Mapped(map, ProjectedAlong(n_AB_W, points))};
+}
+
+/** Returns the largest distance of a point from the hull of the contacts, over the
+ diameter of the patch. */
+double LargestUnspanned(const Stretched& seen, std::span<const Eigen::Vector2d> points) {
+  if (seen.contacts.empty()) return 1;
+  const double diameter = Diameter(seen.corners);
+  if (diameter == 0) return 0;
+  const std::vector<Eigen::Vector2d> hull = ConvexHullOf(seen.contacts);
+  double unspanned = 0;
+  for (const Eigen::Vector2d& p : points)
+    unspanned = std::max(unspanned, DistanceFrom(hull, p));
+  return std::min(1.0, unspanned / diameter);
 }
 
 }  // namespace
 
 double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                       std::span<const ContactPoint> contacts) {
-  if (contacts.empty()) return 1;
   const Stretched seen = StretchedAlong(n_AB_W, patch, contacts);
-  const double diameter = Diameter(seen.corners);
-  if (diameter == 0) return 0;
-  const std::vector<Eigen::Vector2d> hull = ConvexHullOf(seen.contacts);
-  double unspanned = 0;
-  for (const Eigen::Vector2d& c : seen.corners) {
-    unspanned = std::max(unspanned, DistanceFrom(hull, c));
-  }
-  return std::min(1.0, unspanned / diameter);
+  return LargestUnspanned(seen, seen.corners);
+}
+
+double UnspannedAt(const Eigen::Vector3d& p_W, const ContactPatch& patch,
+                   const Eigen::Vector3d& n_AB_W,
+                   std::span<const ContactPoint> contacts) {
+  const Stretched seen = StretchedAlong(n_AB_W, patch, contacts, std::span(&p_W, 1));
+  return LargestUnspanned(seen, seen.points);
 }
 
 double PatchBlur(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W, double e) {

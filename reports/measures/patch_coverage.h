@@ -17,6 +17,12 @@ namespace touchstone {
 double PatchUnspanned(const ContactPatch& patch, const Eigen::Vector3d& n_AB_W,
                       std::span<const ContactPoint> contacts);
 
+/** Returns the same for the point `p_W` of the patch alone: its distance from the hull of
+ the contacts over the patch's diameter. [-]
+ @pre As for PatchUnspanned(). */
+double UnspannedAt(const Eigen::Vector3d& p_W, const ContactPatch& patch,
+                   const Eigen::Vector3d& n_AB_W, std::span<const ContactPoint> contacts);
+
 /** Returns the fraction of the patch's extent that a computation whose lengths are off by
  `e` [m] may leave unspanned. [-] When the sides of a convex set move inwards by e, the
  rest contains the set shrunk by e / r about the centre of its incircle. Its radius r is

@@ -134,9 +134,10 @@ std::optional<DepthProof> CoaxialDepth(const MinkowskiDifference& M) {
                            Nearest(a.z.value()));
   };
   const Eigen::Vector3d z_W = rounded(z);
-  // On the axis every radial direction is equally good.
-  Eigen::Vector3d out_W = rounded(radial);
-  out_W = out_W.isZero(0) ? z_W.unitOrthogonal() : out_W.stableNormalized();
+  // On the axis every radial direction is equally good. An offset that may be zero has no
+  // direction: that of its rounding need not even be radial.
+  const Eigen::Vector3d out_W =
+      out.enclosure().lo > 0 ? rounded(radial).stableNormalized() : z_W.unitOrthogonal();
   const Eigen::Vector3d n_W =
       Nearest(shallowest->out.value()) * out_W + Nearest(shallowest->up.value()) * z_W;
   return DepthProof{depth, n_W.normalized()};

@@ -94,14 +94,43 @@ Eigen::Vector3d FlatDirection(const ContactQuery& query, const Eigen::Vector3d& 
   return flat.normalized();
 }
 
-}  // namespace
+/** Returns the position of a bounded body of `query`. [m] */
+Eigen::Vector3d OriginOf(const ContactQuery& query) {
+  const bool plane_is_A = KindOf(query.A.shape) == ShapeKind::kHalfSpace;
+  return plane_is_A ? query.B.X_WB.p_WB : query.A.X_WB.p_WB;
+}
 
-ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
+/** Returns `query` moved by −`origin`. Far from the world's origin its features are then
+ not rounded like their coordinates there. */
+ContactQuery About(const Eigen::Vector3d& origin, const ContactQuery& query) {
+  ContactQuery moved = query;
+  moved.A.X_WB.p_WB -= origin;
+  moved.B.X_WB.p_WB -= origin;
+  return moved;
+}
+
+ContactPatch MovedBy(const Eigen::Vector3d& origin, ContactPatch patch) {
+  for (Eigen::Vector3d& p : patch.vertices_W) p += origin;
+  return patch;
+}
+
+/** Returns the rounding of a feature. Transforming and projecting the corners costs a few
+ roundings of the scene. [m] */
+double FeatureRounding(const ContactQuery& query) {
+  return 32 * std::numeric_limits<double>::epsilon() * SceneSize(query);
+}
+
+/** Returns whether a disc of `body` lies flat along n to within `e`, but not to within
+ `flush`. [m] */
+bool IsDiscTilted(const Body& body, const Eigen::Vector3d& n, double flush, double e) {
+  return FeatureAlong(body, n, e).is_disc && !FeatureAlong(body, n, flush).is_disc;
+}
+
+/** Returns PatchAlong() of a query about its own origin.
+ @pre `n` is a unit vector. */
+ContactPatch LocalPatch(const ContactQuery& query, const Eigen::Vector3d& n,
                         double separation, double slack) {
-  const Eigen::Vector3d n = n_W.normalized();
-  // Transforming and projecting the corners costs a few roundings of the scene.
-  const double rounding =
-      slack + 32 * std::numeric_limits<double>::epsilon() * SceneSize(query);
+  const double rounding = slack + FeatureRounding(query);
   const SupportFeature A = FeatureAlong(query.A, n, rounding);
   const SupportFeature B = FeatureAlong(query.B, -n, rounding);
 
@@ -132,21 +161,37 @@ ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
   return result;
 }
 
+}  // namespace
+
+ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
+                        double separation, double slack) {
+  const Eigen::Vector3d origin = OriginOf(query);
+  return MovedBy(origin,
+                 LocalPatch(About(origin, query), n_W.normalized(), separation, slack));
+}
+
 ContactPatch CertainPatch(const ContactQuery& query, const Eigen::Vector3d& n_W,
                           double separation, double flush, double e) {
   // A half-space has only one direction, which is known exactly.
   const bool is_known = KindOf(query.A.shape) == ShapeKind::kHalfSpace ||
                         KindOf(query.B.shape) == ShapeKind::kHalfSpace;
+  const Eigen::Vector3d origin = OriginOf(query);
+  const ContactQuery local = About(origin, query);
   const Eigen::Vector3d n =
-      is_known ? n_W.normalized() : FlatDirection(query, n_W.normalized(), e);
-  const ContactPatch patch = PatchAlong(query, n, separation, flush);
+      is_known ? n_W.normalized() : FlatDirection(local, n_W.normalized(), e);
+  ContactPatch patch = LocalPatch(local, n, separation, flush);
+  const double flat = flush + FeatureRounding(local);
+  if (IsDiscTilted(local.A, n, flat, e) || IsDiscTilted(local.B, -n, flat, e)) {
+    patch.vertices_W.resize(1);
+    patch.least_contacts = 1;
+  }
   const Plane plane(n, patch.vertices_W.front());
   ContactPatch certain;
   for (const Eigen::Vector2d& p : HullOf(Project(plane, patch.vertices_W), kBlurred * e))
     certain.vertices_W.push_back(plane.Lift(p, 0));
   certain.least_contacts =
       std::min(patch.least_contacts, static_cast<int>(certain.vertices_W.size()));
-  return certain;
+  return MovedBy(origin, certain);
 }
 
 }  // namespace touchstone

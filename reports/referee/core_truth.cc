@@ -189,6 +189,7 @@ CoreTruth ImprovedByPortal(const MinkowskiDifference& M, const CoreTruth& truth)
   if (n.isZero(0)) return improved;
   const Enclosure overlap = M.OverlapAlong(Exactly<Bounded<Precise>>(n)).enclosure();
   ImproveLower(-overlap.hi, n, &improved);
+  if (truth.is_deep) SetSupportingPoints(M, &improved);
   if (portal.simplex.count == 0 || truth.is_deep) return improved;
   return Best(improved, ProvedBy(M, FindNearest(M, NearestOnSimplex(portal.simplex))));
 }

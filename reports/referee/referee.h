@@ -43,6 +43,10 @@ ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
  rounding of the question and not of the answer. A tilt beyond it may be a real one, and
  the patch is then the lowest corner.
 
+ A disc that is tilted by more than `flush` and less than e is flat to a computation,
+ which may span it by a triangle. Only a point of it is certain, and not the arc that is
+ lowest.
+
  Corners that stick out by no more than kBlurred e are left out, since an engine may merge
  them: a sliver becomes a segment, a speck a point. */
 ContactPatch CertainPatch(const ContactQuery& query, const Eigen::Vector3d& n_W,

@@ -5,6 +5,8 @@
 #include <thread>
 #include <vector>
 
+#include "oracles/standard_arithmetic.h"
+
 namespace touchstone {
 
 void ParallelFor(std::size_t count, int jobs,
@@ -14,7 +16,10 @@ void ParallelFor(std::size_t count, int jobs,
       std::min(count, jobs > 0 ? static_cast<std::size_t>(jobs) : cores);
   std::atomic<std::size_t> next = 0;
   const auto take = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
+    for (std::size_t i = next++; i < count; i = next++) {
+      const StandardArithmetic arithmetic;
+      work(i);
+    }
   };
   if (threads <= 1) {
     take();

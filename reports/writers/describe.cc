@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/contacts/exact_scene.h"
 #include "reports/contacts/proof.h"
 #include "reports/text/counted.h"
 #include "reports/text/format_vector.h"
@@ -54,8 +55,13 @@ std::string Describe(const Body& body) {
                      FormatVector(body.X_WB.p_WB));
 }
 
-std::string Describe(const ContactTruth& truth) {
+std::string Describe(const ContactQuery& query, const ContactTruth& truth) {
   std::string state(NameOf(truth.touching));
+  // The numbers of an exact scene decide what rounded ones could not.
+  if (truth.touching == Touching::kUndecided && IsExactScene(query, 0x1p-53)) {
+    if (const auto touching = TouchingInExactScene(query, truth))
+      state = fmt::format("{}, exactly", *touching ? "touching" : "apart");
+  }
   state[0] = static_cast<char>(std::toupper(state[0]));
   const auto& [lo, hi] = truth.separation;
   const std::string separation =

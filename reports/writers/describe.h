@@ -14,8 +14,9 @@ std::string_view NameOf(Touching touching);
 /** Returns the shape, sizes and position: "sphere, radius 0.5 m at (1.2, 0, 0)". */
 std::string Describe(const Body& body);
 
-/** Returns the truth and its certificate as a sentence. */
-std::string Describe(const ContactTruth& truth);
+/** Returns the truth and its certificate as a sentence. A scene whose numbers need no
+ rounding is decided even where the bodies are flush, see contacts/exact_scene.h. */
+std::string Describe(const ContactQuery& query, const ContactTruth& truth);
 
 /** Returns the distance of `separation` from the enclosure of the truth: a lower bound of
  its error. NaN for NaN. [m] */

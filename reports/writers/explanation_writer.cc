@@ -234,7 +234,7 @@ void WriteScenario(const RunReport& report, const ScenarioResult& result,
   if (!scenario.source.empty()) out << "  source: " << OneLine(scenario.source) << '\n';
   out << "  A: " << Describe(scenario.contact.A)
       << "\n  B: " << Describe(scenario.contact.B) << "\n\nTruth. "
-      << Describe(result.truth) << "\n\n";
+      << Describe(result.scenario.contact, result.truth) << "\n\n";
   WriteVerdict(report, outcomes, out);
   out << '\n';
   WriteAnswers(report, result, outcomes, style, out);

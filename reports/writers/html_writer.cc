@@ -325,7 +325,7 @@ class Page {
          << "</div>\n";
     out_ << fmt::format("<p>A: {}<br>B: {}</p>\n<p><b>Truth.</b> {}</p>\n",
                         Describe(scenario.contact.A), Describe(scenario.contact.B),
-                        XmlText(Describe(result.truth)));
+                        XmlText(Describe(result.scenario.contact, result.truth)));
     if (!scenario.source.empty()) {
       out_ << fmt::format("<p class=\"soft\">Source: {}</p>\n", XmlText(scenario.source));
     }

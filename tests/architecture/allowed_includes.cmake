@@ -49,7 +49,7 @@ list(APPEND own_rules
 
   # The vocabulary of the reports.
   "reports/text/ => nothing"
-  "reports/threads/ => nothing"
+  "reports/threads/ => oracles/standard_arithmetic[.]h"
   "reports/finding/ => scenarios/measure_kind[.]h"
   # The referee sees questions, never an answer.
   "reports/referee/ => scenarios/[a-z_]+[.]h"

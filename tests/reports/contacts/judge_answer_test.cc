@@ -1,6 +1,7 @@
 #include "reports/contacts/judge_answer.h"
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include <gmock/gmock.h>
@@ -187,6 +188,45 @@ TEST(Judge, FindsMissingAndRepeatedContacts) {
   s.right.points.push_back(s.right.points[1]);
   EXPECT_THAT(Failed(Judged(s.query, s.right)),
               testing::ElementsAre(MeasureKind::kContactCount));
+}
+
+// The proof names a point that the contacts leave out and both bodies reach.
+TEST(Judge, ProvesAMissingContactByAPointOfBothBodies) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  const Eigen::Vector3d missed = s.right.points[2].p_WC;
+  s.right.points.erase(s.right.points.begin() + 2);
+  const Finding finding = Of(MeasureKind::kPatchCoverage, Judged(s.query, s.right));
+  const std::string before = "both bodies reach as deep at (";
+  const std::size_t at = finding.proof.find(before);
+  ASSERT_NE(at, std::string::npos) << finding.proof;
+  Eigen::Vector3d p_W;
+  ASSERT_EQ(std::sscanf(finding.proof.c_str() + at + before.size(), "%lf, %lf, %lf",
+                        &p_W.x(), &p_W.y(), &p_W.z()),
+            3);
+  EXPECT_LE((p_W - missed).norm(), 1e-13);
+}
+
+// The polygon around a disc has its corners outside the disc.
+TEST(Judge, FindsMissingContactsOfADisc) {
+  const Pose X_WA = AwkwardPose();
+  Specimen s;
+  s.query = {{Box{{0.3, 0.2, 0.1}}, X_WA},
+             {Cylinder{0.08, 0.2}, Placed(X_WA, {0.01, 0.02, 0.3 - kDepth})}};
+  s.right.status = AnswerStatus::kAnswered;
+  s.right.touching = true;
+  s.right.n_AB_W = X_WA.R_WB.col(2);
+  s.right.separation = -kDepth;
+  for (const double third : {0, 1, 2}) {
+    const double angle = third * 2 * M_PI / 3;
+    const Eigen::Vector3d p_A(0.01 + 0.08 * std::cos(angle),
+                              0.02 + 0.08 * std::sin(angle), 0.1 - kDepth / 2);
+    s.right.points.push_back({X_WA * p_A, -kDepth, {}});
+  }
+  EXPECT_THAT(Failed(Judged(s.query, s.right)), testing::IsEmpty());
+  s.right.points.pop_back();
+  EXPECT_THAT(
+      Failed(Judged(s.query, s.right)),
+      testing::ElementsAre(MeasureKind::kPatchCoverage, MeasureKind::kContactCount));
 }
 
 /** Returns the findings on a float engine's answer to `s`, whose normal is off by a

@@ -156,6 +156,18 @@ TEST(CertainPatch, OfFacesThatTheQuestionTiltsIsTheLowestCorner) {
   EXPECT_EQ(patch.vertices_W.size(), 1U);
 }
 
+// A float engine takes the end of the cylinder for flush, and may span it by a triangle:
+// the lowest arc, within the rounding of the question, is not required of it.
+TEST(CertainPatch, OfADiscThatTheQuestionTiltsIsAPoint) {
+  for (const double tilt : {1e-15, 1e-8}) {
+    const ContactPatch patch = CertainPatchOf(
+        {Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
+         Place(Cylinder{0.2, 0.1}, {0.1, 0.05, 0.39}, Turn(tilt, {1, 0.3, 0}))},
+        Up());
+    EXPECT_EQ(patch.least_contacts, tilt < 1e-12 ? 3 : 1);
+  }
+}
+
 TEST(CertainPatch, OnAHalfSpaceIsSeenAlongItsOwnNormal) {
   const auto tilted_by = [](double angle) {
     return CertainPatchOf(

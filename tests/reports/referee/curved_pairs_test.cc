@@ -189,6 +189,28 @@ TEST(CurvedPairs, NearTouchingAreKnownToATrillionthOfTheirSize) {
   EXPECT_LT(narrow, 300);
 }
 
+// A needle through a disc, both about one axis up to a rounding. The least overlap is the
+// sum of the radii, nearly all around.
+TEST(CurvedPairs, NearlyCoaxialCylindersAreAsDeepAsTheirRadiiTogether) {
+  const Eigen::Matrix3d R_WB =
+      (Eigen::Matrix3d() << -0.082967850105321261, 0.5425796420694472,
+       -0.83589692418425088, 0.59276222241524212, -0.64740313016598461,
+       -0.47906381070649434, -0.8010925561545581, -0.53523501292710218,
+       -0.2679070686090248)
+          .finished();
+  const double r_A = 0.0059696417557210885;
+  const double r_B = 0.2884463562315876;
+  const ContactQuery query{
+      {Cylinder{r_A, 1.0475631950174}, Pose::FromMatrix({0, 0, 0}, R_WB)},
+      {Cylinder{r_B, 0.0031311989286406461},
+       Pose::FromMatrix(0.125 * R_WB.col(2), R_WB)}};
+  const ContactTruth truth = ComputeContactTruth(query);
+  EXPECT_NEAR(truth.separation.lo, -(r_A + r_B), 1e-15);
+  EXPECT_GE(truth.separation.hi, truth.separation.lo);
+  EXPECT_LE(truth.separation.hi, truth.separation.lo + 1e-6);
+  EXPECT_EQ(0 - Overlap(query, truth.certificate.n_AB_W).hi, truth.separation.lo);
+}
+
 Body Scaled(const Body& body, int exponent) {
   Body scaled = body;
   scaled.shape = Resized(body.shape, std::ldexp(1, exponent));
