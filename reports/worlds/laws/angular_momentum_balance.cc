@@ -86,8 +86,16 @@ class Balance {
       if (moments > 0) legal += (end - start) * (spin * moments + change * largest);
       legal += std::min(corrected, 1.0) * largest;
     }
-    const double rounding = RoundingOf(motion_.oracle, world.sample_every) *
-                            (L_from.norm() + L_to.norm() + moments + reach * impulses);
+    // A rounding of the orientation turns I, by the largest moment even about the axis of
+    // the smallest.
+    const double spins =
+        InertiaOf(body_).maxCoeff() * (from.w_WB.norm() + to.w_WB.norm());
+    // The two momenta are themselves measured with the rounding of a step each: a
+    // quaternion is normalised (9) and made a matrix (10), which turns I (10) and meets
+    // the spin (5).
+    const double rounding =
+        RoundingOf(motion_.oracle, world.sample_every + 2) * spins +
+        RoundingOf(motion_.oracle, world.sample_every) * (moments + reach * impulses);
     worst.Take((L_to - L_from - given_W).norm(), kSafety * legal + rounding + solver,
                [&] {
                  return fmt::format(

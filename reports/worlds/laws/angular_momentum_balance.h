@@ -22,7 +22,8 @@ namespace touchstone {
  - position correction: it may turn the body by |s|/|p − c| and leave ω, which changes L
  by that share. Zero for the same bodies.
 
- Rounding is that of momentum_balance, with the levers. Judges only engines that report
+ Rounding is that of momentum_balance, with the levers; and 64 roundings of I |ω| for
+ the momentum at either sample. Judges only engines that report
  contact impulses. About: bodies that no spring or joint holds. Numbers: none. */
 extern const Law kAngularMomentumBalance;
 
