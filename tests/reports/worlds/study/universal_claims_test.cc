@@ -151,6 +151,25 @@ TEST(UniversalLaws, FailAMotionThatGainsEnergy) {
   }));
 }
 
+TEST(UniversalLaws, GrantTheWorkOfMovingApartWhatOverlapsAtTheStart) {
+  // A ball of 1 kg, 1 cm inside the ground, is lifted by 9.82 N times 1 cm.
+  WorldScenario scenario = TwoBalls();
+  scenario.world.bodies.erase(scenario.world.bodies.begin() + 1);
+  scenario.world.bodies[0].placed.X_WB.p_WB.y() -= 0.01;
+  for (const double rises_to : {0.2, 0.215}) {
+    const std::vector<Finding> findings = Judged(scenario, [&](const World& world) {
+      return Stepped(world,
+                     [&](WorldState& state) { state.bodies[0].p_WB.y() = rises_to; });
+    });
+    const auto energy =
+        std::find_if(findings.begin(), findings.end(), [](const Finding& finding) {
+          return finding.measure == MeasureKind::kEnergyDrift;
+        });
+    ASSERT_NE(energy, findings.end());
+    EXPECT_EQ(energy->verdict == Verdict::kPass, rises_to == 0.2) << energy->proof;
+  }
+}
+
 TEST(UniversalLaws, SayNothingOfAnEngineWithoutImpulses) {
   for (const Finding& finding : Judged(TwoBalls(), AtRest))
     EXPECT_NE(finding.verdict, Verdict::kUnsupported) << finding.proof;
