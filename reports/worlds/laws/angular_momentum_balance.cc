@@ -95,7 +95,8 @@ class Balance {
     // the spin (5).
     const double rounding =
         RoundingOf(motion_.oracle, world.sample_every + 2) * spins +
-        RoundingOf(motion_.oracle, world.sample_every) * (moments + reach * impulses);
+        RoundingOf(motion_.oracle, world.sample_every) * (moments + reach * impulses) +
+        InertiaOf(body_).maxCoeff() * motion_.oracle.unit_roundoff / world.dt;
     worst.Take((L_to - L_from - given_W).norm(), kSafety * legal + rounding + solver,
                [&] {
                  return fmt::format(

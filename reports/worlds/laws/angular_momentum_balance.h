@@ -23,8 +23,10 @@ namespace touchstone {
  by that share. Zero for the same bodies.
 
  Rounding is that of momentum_balance, with the levers; and 64 roundings of I |ω| for
- the momentum at either sample. Judges only engines that report
- contact impulses. About: bodies that no spring or joint holds. Numbers: none. */
+ the momentum at either sample. An engine that takes spins from orientations knows them to
+ u/h, so I u/h is granted at rest too, as NoiseOfPositions() (truth/mechanics.h) of
+ places. Judges only engines that report contact impulses. About: bodies that no spring or
+ joint holds. Numbers: none. */
 extern const Law kAngularMomentumBalance;
 
 }  // namespace touchstone

@@ -10,6 +10,7 @@
 #include "reports/worlds/law_support/reported_impulses.h"
 #include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
@@ -21,7 +22,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(
       MeasureKind::kMomentumBalance,
       "64 roundings per step: every scheme sums the impulses that it applies; and 3000 "
-      "roundings of the impulses for each contact of a step, for the solver");
+      "roundings of the impulses for each contact of a step, for the solver; and "
+      "velocities that are roundings of positions over a step");
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const ReportedImpulses reported = ReportedBefore(motion, s);
@@ -53,14 +55,19 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const Eigen::Vector3d gained_W =
           body.mass * (trajectory.samples[s].bodies[i].v_WB -
                        trajectory.samples[s - 1].bodies[i].v_WB);
-      worst.Take((gained_W - given_W).norm(),
-                 RoundingOf(motion.oracle, world.sample_every) * size + solver, [&] {
-                   return fmt::format(
-                       "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, "
-                       "pushes and the reported contacts give {}",
-                       motion.oracle.name, body.name, FormatVector(gained_W, 9), from, to,
-                       FormatVector(given_W, 9));
-                 });
+      worst.Take(
+          (gained_W - given_W).norm(),
+          RoundingOf(motion.oracle, world.sample_every) * size + solver +
+              NoiseOfPositions(world, trajectory.samples[s], Subjects{{index}, {}, {}},
+                               motion.oracle.unit_roundoff)
+                  .momentum,
+          [&] {
+            return fmt::format(
+                "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, "
+                "pushes and the reported contacts give {}",
+                motion.oracle.name, body.name, FormatVector(gained_W, 9), from, to,
+                FormatVector(given_W, 9));
+          });
     }
   }
   return FindingsOf({worst});
