@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,7 +34,7 @@ void Read(const toml::table& file, std::string_view file_name, FileLog& log,
   const TableKind kind = KindOf(file);
   CheckStructure(file, kind, log);
   if (kind == TableKind::kWorldFile) {
-    result.world = WorldFrom(file, log);
+    result.world = WorldFrom(file, std::filesystem::path(file_name).parent_path(), log);
     result.world->places = PlacesFrom(file, file_name);
   } else {
     result.scenario = ContactFrom(file, log);

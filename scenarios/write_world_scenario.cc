@@ -5,6 +5,7 @@
 #include "scenarios/scenario_file.h"
 #include "scenarios/toml/toml_text.h"
 #include "scenarios/toml/write_parts.h"
+#include "scenarios/worlds/validate_world.h"
 
 namespace touchstone {
 namespace {
@@ -119,6 +120,49 @@ std::string TableOf(const Claim& claim) {
   return table;
 }
 
+std::string NumbersOf(const Eigen::Quaterniond& q) {
+  return fmt::format("[{}, {}, {}, {}]", Number(q.w()), Number(q.x()), Number(q.y()),
+                     Number(q.z()));
+}
+
+/** Returns the line that states what is expected, with its direction. */
+struct StatementLines {
+  std::string_view key;
+
+  std::string operator()(const ExpectedVector& expected) const {
+    return Line(key, Vector(expected.value)) +
+           (expected.along ? Line("along", Vector(*expected.along)) : "");
+  }
+  std::string operator()(const ExpectedOrientation& expected) const {
+    return Line(key, NumbersOf(expected.q_WB));
+  }
+  std::string operator()(const ExpectedAngle& expected) const {
+    return Line(key, Number(expected.angle)) + Line("along", Vector(expected.axis));
+  }
+  std::string operator()(const ExpectedTouch& expected) const {
+    return Line(key, Text(expected.other));
+  }
+  std::string operator()(const ExpectedTopple& expected) const {
+    return Line(key, Truth(expected.topples));
+  }
+  std::string operator()(const ExpectedRest&) const { return Line(key, Truth(true)); }
+  std::string operator()(const ExpectedTrajectory& expected) const {
+    return Line(key, Text(expected.file));
+  }
+};
+
+std::string TableOf(const MotionExpectation& expectation) {
+  std::string table = "\n[[expect]]\n";
+  if (!expectation.body.empty()) table += Line("body", Text(expectation.body));
+  const std::string_view time = TimeKeyOf(expectation);
+  if (!time.empty()) table += Line(time, Number(expectation.time));
+  table += std::visit(StatementLines{KeyOf(expectation)}, expectation.what);
+  if (!std::holds_alternative<ExpectedTopple>(expectation.what))
+    table += Line("tolerance", Number(expectation.tolerance));
+  if (!expectation.because.empty()) table += Line("because", Text(expectation.because));
+  return table;
+}
+
 std::string TableOf(const Ensemble& ensemble) {
   return "\n[ensemble]\n" + Line("members", std::to_string(ensemble.members)) +
          Line("jitter", Number(ensemble.jitter)) +
@@ -139,6 +183,8 @@ std::string WriteScenario(const WorldScenario& scenario) {
   for (const Cloth& cloth : world.cloths) file += TableOf(cloth);
   for (const Push& push : world.pushes) file += TableOf(world, push);
   for (const Claim& claim : scenario.claims) file += TableOf(claim);
+  for (const MotionExpectation& expectation : scenario.expectations)
+    file += TableOf(expectation);
   if (scenario.ensemble) file += TableOf(*scenario.ensemble);
   return file + IndictmentTables(scenario.indicts);
 }

@@ -51,9 +51,11 @@ struct Row {
 
 using Rows = std::map<std::pair<std::string_view, MeasureKind>, Row>;
 
-/** Returns whether a finding compares a motion with the truth, not with itself. */
+/** Returns whether a finding compares a motion with the truth that its world claims, not
+ with itself or with laws that hold everywhere. */
 bool IsError(const Finding& finding) {
-  return finding.reference == "law" && finding.measure >= MeasureKind::kPositionError &&
+  return finding.reference == "law" && !finding.universal &&
+         finding.measure >= MeasureKind::kPositionError &&
          finding.measure <= MeasureKind::kForceError;
 }
 

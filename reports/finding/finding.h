@@ -63,6 +63,8 @@ struct Finding {
    reference, and for findings on a changed world. */
   std::string reference;
   std::string law;  ///< Name of the law that was measured; empty if there is none.
+  /** Whether that law is judged of every motion and the world does not claim it. */
+  bool universal = false;
   MeasureKind measure;
   double value = 0;
   double tolerance = 0;

@@ -17,6 +17,7 @@
 #include "reports/text/counted.h"
 #include "reports/text/format_vector.h"
 #include "reports/worlds/study/run_claims.h"
+#include "reports/worlds/study/universal_claims.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/world_words.h"
@@ -266,10 +267,11 @@ class Origins {
 };
 
 /** Returns the law or other reference that a number of a world is compared with. */
-std::string_view HeldAgainst(const Finding& finding) {
-  if (!finding.law.empty()) return finding.law;
-  if (finding.measure == MeasureKind::kDeterminism) return kDeterministic;
-  if (finding.measure == MeasureKind::kStability) return kStable;
+std::string HeldAgainst(const Finding& finding) {
+  if (!finding.law.empty())
+    return finding.universal ? finding.law + ", universal" : finding.law;
+  if (finding.measure == MeasureKind::kDeterminism) return std::string(kDeterministic);
+  if (finding.measure == MeasureKind::kStability) return std::string(kStable);
   return finding.reference == "law" ? "smaller steps" : "a transformed world";
 }
 
@@ -290,6 +292,8 @@ void WriteMotion(const RunReport& report, const WorldResult& world,
   out << parting << '\n';
   if (!trajectory.complaint.empty())
     out << "    it printed: " << OneLine(trajectory.complaint) << '\n';
+  out << fmt::format("    measured: {}\n",
+                     DriftsInWords(world, outcome.oracle, outcome.findings));
   const Finding* largest = nullptr;
   std::size_t within = 0;
   for (const Finding& finding : outcome.findings) {
@@ -414,7 +418,9 @@ void WriteExplanationTable(const RunReport& report, std::ostream& out) {
   for (std::size_t w = 0; w < report.worlds.size(); ++w) {
     const std::size_t index = report.scenarios.size() + w;
     const auto asked = std::span(outcomes).subspan(index * oracles, oracles);
-    row(IdOf(report, index), Counted(report.worlds[w].scenario.claims.size(), "law"), "-",
+    const WorldScenario& scenario = report.worlds[w].scenario;
+    row(IdOf(report, index),
+        Counted(scenario.claims.size() + UniversalClaims(scenario).size(), "law"), "-",
         NameOf(asked.front().verdict),
         fmt::format("{}", std::count_if(asked.begin(), asked.end(), IsRight)),
         Names(report, asked, IsWrong));

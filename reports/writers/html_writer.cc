@@ -361,12 +361,20 @@ class Page {
           model.empty() ? "" : fmt::format(", recognised: {}", XmlText(model)),
           WorstOf(outcomes[o].worst),
           XmlText(trajectory.status == AnswerStatus::kAnswered
-                      ? Parting(report_, world, o) + PrintedBy(trajectory)
+                      ? Strays(world, o, outcomes[o]) + PrintedBy(trajectory)
                       : trajectory.reason));
     }
     out_ << "</table></div>\n";
     WriteFindings(outcomes);
     out_ << "</div></details>\n";
+  }
+
+  /** Returns where a motion departs from the subject's, and its drifts. */
+  std::string Strays(const WorldResult& world, std::size_t o,
+                     const Outcome& outcome) const {
+    const std::string parting = Parting(report_, world, o);
+    return parting + (parting.empty() ? "" : "; ") +
+           DriftsInWords(world, o, outcome.findings);
   }
 
   /** Returns the tolerance of the subject's finding for the measure of the curves; 0 if

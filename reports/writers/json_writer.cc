@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "reports/worlds/study/judge_world.h"
+#include "reports/worlds/study/universal_claims.h"
 #include "reports/writers/describe.h"
 #include "reports/writers/outcome.h"
 
@@ -197,6 +199,7 @@ Json ToJson(const Finding& finding) {
   json["oracle"] = finding.oracle;
   json["reference"] = finding.reference;
   if (!finding.law.empty()) json["law"] = finding.law;
+  if (finding.universal) json["universal"] = true;
   json["measure"] = NameOf(finding.measure);
   json["unit"] = UnitOf(finding.measure);
   json["value"] = ToJson(finding.value);
@@ -255,6 +258,15 @@ Json MotionToJson(const RunReport& report, const Outcome& outcome,
   return json;
 }
 
+Json ToJson(const MotionDrifts& drifts) {
+  Json json;
+  json["energy_gained"] = ToJson(drifts.energy_gained);
+  json["energy_lost"] = ToJson(drifts.energy_lost);
+  json["momentum"] = ToJson(drifts.momentum);
+  json["angular_momentum"] = ToJson(drifts.angular_momentum);
+  return json;
+}
+
 Json ToJson(const Statistic& statistic) {
   Json json;
   json["mean"] = ToJson(statistic.mean);
@@ -284,12 +296,17 @@ Json WorldToJson(const RunReport& report, const std::vector<Outcome>& outcomes,
   json["steps"] = scenario.world.steps;
   json["laws"] = Json::array();
   for (const Claim& claim : scenario.claims) json["laws"].push_back(claim.law);
+  json["universal_laws"] = Json::array();
+  for (const Claim& claim : UniversalClaims(scenario))
+    json["universal_laws"].push_back(claim.law);
   json["motions"] = Json::array();
   const std::size_t oracles = report.oracles.size();
   for (std::size_t o = 0; o < oracles; ++o) {
     const Outcome& outcome = outcomes[(report.scenarios.size() + w) * oracles + o];
     if (!outcome.asked) continue;
     Json motion = MotionToJson(report, outcome, result.trajectories[o]);
+    motion["drifts"] =
+        IsWhole(result.trajectories[o]) ? ToJson(result.drifts[o]) : nullptr;
     motion["ensemble"] = ToJson(result.ensembles[o]);
     json["motions"].push_back(std::move(motion));
   }

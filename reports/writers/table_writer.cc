@@ -13,6 +13,7 @@
 
 #include "reports/text/counted.h"
 #include "reports/writers/outcome.h"
+#include "reports/writers/world_words.h"
 
 namespace touchstone {
 namespace {
@@ -241,6 +242,22 @@ void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
   WriteCounted(claims, out);
 }
 
+/** Writes the drifts and depths of a run that asks about a single world. */
+void WriteDrifts(const RunReport& report, std::span<const Outcome> outcomes,
+                 const Painter& paint, std::ostream& out) {
+  if (report.worlds.size() != 1 || QuestionCount(report) != 1) return;
+  out << '\n'
+      << paint(Colour::kBold, "Measured")
+      << ": drifts and depths of everything that moves, with what a law allows\n";
+  for (const Outcome& outcome : outcomes) {
+    if (!outcome.asked) continue;
+    const std::string drifts =
+        DriftsInWords(report.worlds.front(), outcome.oracle, outcome.findings);
+    if (!drifts.empty())
+      out << fmt::format("  {:<26} {}\n", report.oracles[outcome.oracle].name, drifts);
+  }
+}
+
 /** Writes the motions that follow another legal model than the truth's. This is not a
  failure. */
 void WriteRecognised(const RunReport& report, std::span<const Outcome> outcomes,
@@ -341,6 +358,7 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   const std::string stated = StatedTolerances(report);
   if (!stated.empty()) out << '\n' << stated;
   if (!style.quiet) {
+    WriteDrifts(report, outcomes, paint, out);
     WriteRecognised(report, outcomes, paint, out);
     WriteUnverified(outcomes, paint, out);
     WriteUnsupported(report, outcomes, paint, out);

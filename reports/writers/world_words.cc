@@ -1,10 +1,15 @@
 #include "reports/writers/world_words.h"
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/text/counted.h"
+#include "reports/worlds/study/judge_world.h"
+#include "reports/worlds/study/universal_claims.h"
 #include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
@@ -66,7 +71,44 @@ std::string ClaimsOf(const WorldScenario& scenario) {
     for (std::size_t i = 0; i < claim.about.size(); ++i)
       words += (i == 0 ? " of " : ", ") + claim.about[i];
   }
+  std::vector<std::string> universal;
+  for (const Claim& claim : UniversalClaims(scenario)) universal.push_back(claim.law);
+  if (!universal.empty())
+    words += fmt::format("{}of every motion {}", words.empty() ? "" : "; and ",
+                         fmt::join(universal, ", "));
+  if (!scenario.expectations.empty())
+    words += "; and " + Counted(scenario.expectations.size(), "expectation");
   return words;
+}
+
+std::string DriftsInWords(const WorldResult& world, std::size_t oracle,
+                          std::span<const Finding> findings) {
+  if (!IsWhole(world.trajectories[oracle])) return "";
+  const auto judged = [&](MeasureKind measure) -> const Finding* {
+    const auto found =
+        std::find_if(findings.begin(), findings.end(), [&](const Finding& finding) {
+          return finding.measure == measure && finding.reference == "law" &&
+                 !finding.law.starts_with("expect");
+        });
+    return found == findings.end() ? nullptr : &*found;
+  };
+  const auto words = [&](std::string_view what, double value, MeasureKind measure) {
+    const std::string_view unit = UnitOf(measure);
+    const Finding* finding = judged(measure);
+    return fmt::format(
+        "{} {:.3g} {}{}", what, value, unit,
+        finding ? fmt::format(" of {:.3g} {}", finding->tolerance, unit) : "");
+  };
+  const MotionDrifts& drifts = world.drifts[oracle];
+  std::string text =
+      words("energy gained", drifts.energy_gained, MeasureKind::kEnergyDrift) +
+      fmt::format(", lost {:.3g} J; ", drifts.energy_lost) +
+      words("momentum", drifts.momentum, MeasureKind::kMomentumDrift) + "; " +
+      words("angular momentum", drifts.angular_momentum,
+            MeasureKind::kAngularMomentumDrift);
+  if (const Finding* depth = judged(MeasureKind::kPenetration))
+    text += "; " + words("depth", depth->value, MeasureKind::kPenetration);
+  return text;
 }
 
 std::string Parting(const RunReport& report, const WorldResult& world, std::size_t o) {

@@ -64,6 +64,7 @@ enum class TableKind {
   kPush,
   kClaim,
   kEnsemble,
+  kMotionExpectation,
 };
 
 /** One key that a table may have. */

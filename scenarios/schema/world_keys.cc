@@ -26,6 +26,11 @@ constexpr Key kFileKeys[] = {
     {"claims", ValueType::kTables, false,
      "Statements that are true of the motion; every engine is checked against them.",
      TableKind::kClaim},
+    {"expect", ValueType::kTables, false,
+     "Plain statements about the motion, each with its tolerance; every engine is "
+     "checked "
+     "against them.",
+     TableKind::kMotionExpectation},
     {"ensemble", ValueType::kTable, false,
      "Many copies of the world, each perturbed a little.", TableKind::kEnsemble},
     {"indicts", ValueType::kTables, false,
@@ -153,6 +158,40 @@ constexpr Key kEnsembleKeys[] = {
     {"seed", ValueType::kSeed, false, "Seed of the random numbers; 1 by default."},
 };
 
+constexpr Key kMotionExpectationKeys[] = {
+    {"body", ValueType::kBodyName, false,
+     "The body or particle; only a trajectory does without."},
+    {"at", ValueType::kNotNegative, false,
+     "Time of a place, velocity, spin, orientation, angle or touch. [s]"},
+    {"by", ValueType::kNotNegative, false,
+     "Time by which it topples, or from which it rests. [s]"},
+    {"position", ValueType::kPoint, false, "Place of the centre, world frame. [m]"},
+    {"velocity", ValueType::kPoint, false, "Velocity of the centre, world frame. [m/s]"},
+    {"spin", ValueType::kPoint, false, "Angular velocity, world frame. [rad/s]"},
+    {"quaternion", ValueType::kQuaternion, false, "Orientation w x y z in the world."},
+    {"angle", ValueType::kNumber, false,
+     "Angle turned since the start about `along`, counter-clockwise seen from its tip, "
+     "up "
+     "to whole turns. [rad]"},
+    {"along", ValueType::kPoint, false,
+     "Direction of the axis of an angle; or the only direction in which a place, "
+     "velocity "
+     "or spin is expected, all three by default."},
+    {"touches", ValueType::kBodyName, false, "The body that it first touches then."},
+    {"topples", ValueType::kBool, false,
+     "Whether the direction that was up at the start tilts by more than 45 degrees."},
+    {"rests", ValueType::kBool, false,
+     "true: from then to the end no point of it is faster than the tolerance."},
+    {"trajectory", ValueType::kText, false,
+     "CSV file of the columns of `touchstone simulate`, relative to this file: no point "
+     "of "
+     "a body is farther off than the tolerance."},
+    {"tolerance", ValueType::kPositive, false,
+     "In the unit of what is expected; m/s for rest, m for a trajectory; none for a "
+     "topple. [m, m/s, rad, rad/s or s]"},
+    {"because", ValueType::kText, false, "The derivation or the citation."},
+};
+
 }  // namespace
 
 std::span<const Key> KeysOfWorldTable(TableKind table) {
@@ -179,6 +218,8 @@ std::span<const Key> KeysOfWorldTable(TableKind table) {
       return kClaimKeys;
     case TableKind::kEnsemble:
       return kEnsembleKeys;
+    case TableKind::kMotionExpectation:
+      return kMotionExpectationKeys;
     default:
       return {};
   }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scenarios/diagnostic.h"
@@ -22,6 +23,9 @@ class FileLog {
    `prefix` is the path of the table, e.g. "bodies.ball.". */
   void Add(const std::vector<Fault>& faults, const toml::table& table,
            std::string_view prefix);
+
+  /** Adds the error of another file that this one names. */
+  void Add(Diagnostic diagnostic) { diagnostics_.push_back(std::move(diagnostic)); }
 
   /** Adds a note on something that is not an error. */
   void Note(const toml::source_region& at, std::string what);

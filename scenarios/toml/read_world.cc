@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "scenarios/toml/read_expectations.h"
 #include "scenarios/toml/read_world_parts.h"
 #include "scenarios/toml/values.h"
 #include "scenarios/toml/world_names.h"
@@ -23,7 +24,13 @@ class Build {
   Build(const toml::table& file, FileLog& log)
       : file_(file), log_(log), names_(file, log) {}
 
-  World operator()() {
+  /** Reads the list [[expect]] of the world that was built. */
+  std::vector<MotionExpectation> Expectations(const std::filesystem::path& folder) {
+    return ExpectationsFrom(file_, {world_, clock_is_good_, folder}, names_, log_);
+  }
+
+  /** Builds the world, which the other functions read too. */
+  const World& operator()() {
     AddNamed("bodies", world_.bodies, RigidBodyFrom);
     AddNamed("particles", world_.particles, ParticleFrom);
     AddNamed("cloths", world_.cloths, ClothFrom);
@@ -46,7 +53,7 @@ class Build {
       log_.Add(file_["world"].node()->source(), "world has nothing that moves",
                "a body, a particle or a cloth that can move");
     }
-    return std::move(world_);
+    return world_;
   }
 
   std::vector<Claim> Claims() {
@@ -198,7 +205,8 @@ class Build {
 
 }  // namespace
 
-WorldScenario WorldFrom(const toml::table& file, FileLog& log) {
+WorldScenario WorldFrom(const toml::table& file, const std::filesystem::path& folder,
+                        FileLog& log) {
   WorldScenario scenario;
   scenario.id = TextFrom(file, "id");
   scenario.title = TextFrom(file, "title");
@@ -210,6 +218,7 @@ WorldScenario WorldFrom(const toml::table& file, FileLog& log) {
   Build build(file, log);
   scenario.world = build();
   scenario.claims = build.Claims();
+  scenario.expectations = build.Expectations(folder);
   if (const toml::table* table = file["ensemble"].as_table()) {
     Ensemble& ensemble = scenario.ensemble.emplace();
     ensemble.members = IntegerFrom(table->get("members"), 2);

@@ -149,6 +149,13 @@ std::vector<Fault> FaultsOf(const WorldScenario& scenario) {
            "the name of a body, a particle or a cloth"});
     }
   }
+  const bool clock_is_good = FaultsOfClock(scenario.world).empty();
+  for (std::size_t i = 0; i < scenario.expectations.size(); ++i) {
+    const MotionExpectation& expectation = scenario.expectations[i];
+    const std::string path = fmt::format("expect[{}].", i);
+    Append(path, FaultsOf(expectation), faults);
+    if (clock_is_good) Append(path, FaultsIn(scenario.world, expectation), faults);
+  }
   if (scenario.ensemble) Append("ensemble.", FaultsOf(*scenario.ensemble), faults);
   Append("", FaultsOf(scenario.indicts), faults);
   return faults;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "scenarios/validate.h"
@@ -41,6 +42,22 @@ std::vector<Fault> FaultsOfEnds(const World& world, const Anchor& A, const Ancho
 /** Returns the faults of a push in its world: a body that never moves, or a time that is
  not between two steps. @pre Its body exists in `world`, whose clock has no faults. */
 std::vector<Fault> FaultsIn(const World& world, const Push& push);
+
+/** Returns the faults of an expectation by itself: a number that is not finite, a
+ tolerance that is not positive, a direction of no length, a quaternion off unit length.
+ */
+std::vector<Fault> FaultsOf(const MotionExpectation& expectation);
+
+/** Returns the faults of an expectation in its world: a name that the world does not
+ have, or that never moves; a time that is not that of a sample, or after the end.
+ @pre The clock of `world` has no faults. */
+std::vector<Fault> FaultsIn(const World& world, const MotionExpectation& expectation);
+
+/** Returns the key under which a file states what is expected: "position", "angle", … */
+std::string_view KeyOf(const MotionExpectation& expectation);
+
+/** Returns the key of its time, "at" or "by"; empty for a trajectory. */
+std::string_view TimeKeyOf(const MotionExpectation& expectation);
 
 /** Returns the faults of WorldScenario::horizon. */
 std::vector<Fault> FaultsOfHorizon(double horizon);

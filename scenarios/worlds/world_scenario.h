@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenarios/scenario.h"
+#include "scenarios/worlds/motion_expectation.h"
 #include "scenarios/worlds/world.h"
 
 namespace touchstone {
@@ -38,6 +39,7 @@ struct WorldScenario {
   std::string source;  ///< A citation or a derivation.
   World world;
   std::vector<Claim> claims;
+  std::vector<MotionExpectation> expectations;  ///< The list [[expect]] of the file.
   /** The time from which trajectories of engines are not compared, because the motion is
    chaotic. [s] */
   std::optional<double> horizon;

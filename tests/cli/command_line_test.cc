@@ -582,6 +582,31 @@ TEST_F(CommandLineTest, RunsAWorldOfTheUsersOwn) {
   EXPECT_THAT(ended.out, HasSubstr("1 scenario × 3 oracles: 2 pass, 0 fail"));
 }
 
+TEST_F(CommandLineTest, AWorldWithoutAClaimGetsAVerdict) {
+  const std::string drop = std::string(kDrop).substr(0, kDrop.find("[[claims]]"));
+  Write("mine/drop.toml", drop);
+  const Ended ended = Itself("run --against bullet " + Path("mine/drop.toml"));
+  EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("2 pass, 0 fail"));
+  EXPECT_THAT(ended.out, HasSubstr("Measured: drifts and depths"));
+  const Ended told = Itself("explain " + Path("mine/drop.toml"));
+  EXPECT_THAT(told.out, HasSubstr("laws: of every motion "));
+}
+
+TEST_F(CommandLineTest, AnExpectationOfTheUsersOwnIsJudged) {
+  // It falls from 2 m for 0.5 s: 9.81/8 = 1.22625 m, and half a step less or more.
+  for (const bool right : {true, false}) {
+    Write("mine/drop.toml",
+          std::string(kDrop) +
+              "\n[[expect]]\nbody = \"ball\"\nat = 0.5\ntolerance = 0.03\nposition = " +
+              (right ? "[0, 0.77375, 0]\n" : "[0, 0.7, 0]\n"));
+    const Ended ended = Itself("run --against bullet " + Path("mine/drop.toml"));
+    EXPECT_EQ(ended.code, right ? 0 : 1) << ended.out << ended.err;
+    if (!right)
+      EXPECT_THAT(ended.out, HasSubstr("expect[0]: ball is expected a position of"));
+  }
+}
+
 TEST_F(CommandLineTest, RunsNothingIfALawIsUnknown) {
   Write("mine/drop.toml", Replaced(kDrop, "ballistic", "balistic"));
   const Ended ended = Itself("run " + Path("mine/drop.toml"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -63,6 +64,11 @@ struct Law {
    positions at a quarter of the step are judged by the tolerance at a quarter of the
    step. */
   bool has_impacts = false;
+  /** Returns the claim by which every motion of `world` is judged, although no file
+   states it; empty if the law does not apply to the world. A claim that names its
+   subjects is about each of them by itself. Null if the law is not universal: a file
+   claims it. */
+  std::optional<Claim> (*universal)(const World& world) = nullptr;
 };
 
 }  // namespace touchstone

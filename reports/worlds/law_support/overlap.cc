@@ -56,4 +56,11 @@ DeepestOverlap OverlapOf(const World& world, const WorldState& state, int A, int
           A_is_smaller ? truth.certificate.p_WCa : truth.certificate.p_WCb};
 }
 
+Gap GapBetween(const World& world, const WorldState& state, int A, int B) {
+  const ContactTruth truth =
+      ComputeContactTruth({PlacedAt(world, state, A), PlacedAt(world, state, B)});
+  return {std::max(0.0, truth.separation.hi), truth.certificate.n_AB_W,
+          truth.certificate.p_WCa, truth.certificate.p_WCb};
+}
+
 }  // namespace touchstone

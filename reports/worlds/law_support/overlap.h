@@ -23,6 +23,18 @@ struct DeepestOverlap {
  @pre Not both are half-spaces. */
 DeepestOverlap OverlapOf(const World& world, const WorldState& state, int A, int B);
 
+/** The nearest points of two bodies. */
+struct Gap {
+  double length = 0;  ///< A certified upper bound; 0 if they touch or penetrate. [m]
+  /** Its direction, unit, from A to B. World frame. */
+  Eigen::Vector3d n_W = Eigen::Vector3d::Zero();
+  Eigen::Vector3d p_WA = Eigen::Vector3d::Zero();  ///< On A. [m]
+  Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();  ///< On B. [m]
+};
+
+/** Returns the gap between bodies A and B. @pre Not both are half-spaces. */
+Gap GapBetween(const World& world, const WorldState& state, int A, int B);
+
 /** Returns whether the bounding spheres of two bodies are farther apart than `margin`
  [m]. */
 bool AreFarApart(const Body& A, const Body& B, double margin);

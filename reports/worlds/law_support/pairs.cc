@@ -1,7 +1,5 @@
 #include "reports/worlds/law_support/pairs.h"
 
-#include <algorithm>
-
 namespace touchstone {
 
 bool Collide(const World& world, int A, int B) {
@@ -14,14 +12,14 @@ bool Collide(const World& world, int A, int B) {
 
 std::vector<std::pair<int, int>> CollidingPairs(const World& world,
                                                 const Subjects& subjects) {
-  const auto is_subject = [&](int index) {
-    return std::find(subjects.bodies.begin(), subjects.bodies.end(), index) !=
-           subjects.bodies.end();
-  };
+  std::vector<bool> is_subject(world.bodies.size(), false);
+  for (const int index : subjects.bodies)
+    is_subject[static_cast<std::size_t>(index)] = true;
   std::vector<std::pair<int, int>> pairs;
   for (const int A : subjects.bodies) {
     for (int B = 0; B < static_cast<int>(world.bodies.size()); ++B) {
-      if (Collide(world, A, B) && !(is_subject(B) && B < A)) pairs.emplace_back(A, B);
+      if (Collide(world, A, B) && !(is_subject[static_cast<std::size_t>(B)] && B < A))
+        pairs.emplace_back(A, B);
     }
   }
   return pairs;

@@ -13,6 +13,7 @@
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/scheme_drift.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -122,6 +123,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst});
 }
 
+std::optional<Claim> Universal(const World& world) {
+  if (!TouchesNothingFixed(world)) return std::nullopt;
+  return ClaimAboutAll(kConservesAngularMomentum, world);
+}
+
 constexpr std::array<std::string_view, 4> kNumbers = {"expected_angular_momentum", "x",
                                                       "y", "z"};
 
@@ -136,6 +142,7 @@ constinit const Law kConservesAngularMomentum = {
     .numbers = kNumbers,
     .faults = Faults,
     .judge = Judge,
+    .universal = Universal,
 };
 
 }  // namespace touchstone

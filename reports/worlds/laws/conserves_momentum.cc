@@ -10,6 +10,7 @@
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -67,6 +68,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({drift});
 }
 
+std::optional<Claim> Universal(const World& world) {
+  if (!TouchesNothingFixed(world)) return std::nullopt;
+  return ClaimAboutAll(kConservesMomentum, world);
+}
+
 constexpr std::array<std::string_view, 4> kNumbers = {"expected_momentum", "x", "y", "z"};
 
 }  // namespace
@@ -80,6 +86,7 @@ constinit const Law kConservesMomentum = {
     .numbers = kNumbers,
     .faults = Faults,
     .judge = Judge,
+    .universal = Universal,
 };
 
 }  // namespace touchstone

@@ -9,6 +9,7 @@
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
@@ -74,6 +75,8 @@ constinit const Law kEnergyNeverRises = {
     .documentation = "Contacts, friction and damping only take energy.",
     .faults = Faults,
     .judge = Judge,
+    .universal =
+        [](const World& world) { return ClaimAboutAll(kEnergyNeverRises, world); },
 };
 
 }  // namespace touchstone

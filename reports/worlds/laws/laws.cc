@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "reports/worlds/laws/angular_momentum_balance.h"
 #include "reports/worlds/laws/ballistic.h"
 #include "reports/worlds/laws/bounce_series.h"
 #include "reports/worlds/laws/conserves_angular_momentum.h"
@@ -40,6 +41,7 @@ namespace touchstone {
 
 std::span<const Law> Laws() {
   static const std::array laws = {
+      kAngularMomentumBalance,
       kBallistic,
       kBounceSeries,
       kConservesAngularMomentum,

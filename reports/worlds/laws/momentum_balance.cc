@@ -1,30 +1,19 @@
 #include "reports/worlds/laws/momentum_balance.h"
 
-#include <algorithm>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/numbers.h"
-#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/reported_impulses.h"
+#include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
-
-std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
-  if (!faults.empty()) return faults;
-  for (const int i : SubjectsOf(world, claim).bodies) {
-    if (!IsHeld(world, AnchorKind::kBody, i)) continue;
-    const std::string& name = world.bodies[static_cast<std::size_t>(i)].name;
-    faults.push_back(FaultAbout(claim, name, "a spring or a joint holds",
-                                "a body that is held only by contacts"));
-  }
-  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
-}
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
@@ -33,12 +22,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(
       MeasureKind::kMomentumBalance,
       "64 roundings per step: every scheme sums the impulses that it applies; and 3000 "
-      "roundings of the impulses for each contact of a step, for the solver");
+      "roundings of the impulses for each contact of a step, for the solver; and "
+      "velocities that are roundings of positions over a step");
+  const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
-    const std::vector<const ContactImpulse*> impulses = ImpulsesBetween(motion, s - 1, s);
+    const ReportedImpulses reported = ReportedBefore(motion, s);
     const double from = trajectory.times[s - 1];
     const double to = trajectory.times[s];
-    for (const int index : SubjectsOf(world, claim).bodies) {
+    for (const int index : bodies) {
       const auto i = static_cast<std::size_t>(index);
       const RigidBody& body = world.bodies[i];
       const Eigen::Vector3d loads_W = ImpulseOfLoads(motion, index, s);
@@ -51,7 +42,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         size += push->J_W.norm();
       }
       double pushed = 0;
-      for (const ContactImpulse* contact : impulses) {
+      for (const ContactImpulse* contact : reported.on_body[i]) {
         const Eigen::Vector3d J_W = ImpulseOn(*contact, index);
         given_W += J_W;
         pushed += J_W.norm();
@@ -59,20 +50,24 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       size += pushed;
       // Each contact of a step rounds what all of them have given, through the bodies
       // between them.
-      const double contacts = static_cast<double>(impulses.size());
       const double solver = kRoundingsOfSolver * motion.oracle.unit_roundoff *
-                            std::max(1.0, contacts / world.sample_every) * pushed;
+                            reported.contacts_per_step * pushed;
       const Eigen::Vector3d gained_W =
           body.mass * (trajectory.samples[s].bodies[i].v_WB -
                        trajectory.samples[s - 1].bodies[i].v_WB);
-      worst.Take((gained_W - given_W).norm(),
-                 RoundingOf(motion.oracle, world.sample_every) * size + solver, [&] {
-                   return fmt::format(
-                       "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, "
-                       "pushes and the reported contacts give {}",
-                       motion.oracle.name, body.name, FormatVector(gained_W, 9), from, to,
-                       FormatVector(given_W, 9));
-                 });
+      worst.Take(
+          (gained_W - given_W).norm(),
+          RoundingOf(motion.oracle, world.sample_every) * size + solver +
+              NoiseOfPositions(world, trajectory.samples[s], Subjects{{index}, {}, {}},
+                               motion.oracle.unit_roundoff)
+                  .momentum,
+          [&] {
+            return fmt::format(
+                "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, "
+                "pushes and the reported contacts give {}",
+                motion.oracle.name, body.name, FormatVector(gained_W, 9), from, to,
+                FormatVector(given_W, 9));
+          });
     }
   }
   return FindingsOf({worst});
@@ -84,8 +79,10 @@ constinit const Law kMomentumBalance = {
     .name = "momentum_balance",
     .documentation =
         "A body's momentum changes by gravity, force, pushes and the reported contacts.",
-    .faults = Faults,
+    .faults = FaultsOfReported,
     .judge = Judge,
+    .universal =
+        [](const World& world) { return ClaimAboutEach(kMomentumBalance, world); },
 };
 
 }  // namespace touchstone

@@ -14,8 +14,11 @@
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/overlap.h"
 #include "reports/worlds/law_support/pairs.h"
+#include "reports/worlds/law_support/reach.h"
+#include "reports/worlds/law_support/reported_impulses.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/swept.h"
+#include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -49,30 +52,34 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 
 /** Causes that may have bent the path of a body, summed from the start to each sample. */
 struct Bends {
-  std::vector<double> velocity = {0};  ///< Σ of the changes beyond the loads. [m/s]
-  std::vector<double> length = {0};    ///< Σ of the paths, at most. [m]
+  std::vector<double> velocity;  ///< Σ of the changes beyond the loads. [m/s]
+  std::vector<double> length;    ///< Σ of the paths, at most. [m]
 };
 
-Bends BendsOf(const Motion& motion, const AllowedMotion& slowed, int body) {
-  const auto i = static_cast<std::size_t>(body);
-  const RigidBody& it = motion.world.bodies[i];
-  Bends bends;
-  for (std::size_t s = 1; s < motion.trajectory.samples.size(); ++s) {
-    double change = 0;
-    double way = 0;
-    if (it.mass > 0) {
+/** Returns the causes of each body. */
+std::vector<Bends> BendsOf(const Motion& motion, const AllowedMotion& slowed) {
+  const std::size_t count = motion.world.bodies.size();
+  const std::size_t samples = motion.trajectory.samples.size();
+  std::vector<Bends> bends(
+      count, {std::vector<double>(samples, 0), std::vector<double>(samples, 0)});
+  for (std::size_t s = 1; s < samples; ++s) {
+    const ReportedImpulses all = ReportedBefore(motion, s);
+    for (std::size_t i = 0; i < count; ++i) {
+      const RigidBody& it = motion.world.bodies[i];
+      if (it.mass == 0) continue;
+      const int body = static_cast<int>(i);
       const Eigen::Vector3d& before = slowed.At(s - 1).bodies[i].v_WB;
       const Eigen::Vector3d& after = slowed.At(s).bodies[i].v_WB;
       const Eigen::Vector3d by_loads = ImpulseOfLoads(motion, body, s) / it.mass;
       double reported = 0;
-      for (const ContactImpulse* contact : ImpulsesBetween(motion, s - 1, s))
+      for (const ContactImpulse* contact : all.on_body[i])
         reported += ImpulseOn(*contact, body).norm() / it.mass;
-      change = std::max((after - before - by_loads).norm(), reported);
-      way = (before.norm() + after.norm() + by_loads.norm()) *
-            (slowed.times()[s] - slowed.times()[s - 1]);
+      const double change = std::max((after - before - by_loads).norm(), reported);
+      const double way = (before.norm() + after.norm() + by_loads.norm()) *
+                         (slowed.times()[s] - slowed.times()[s - 1]);
+      bends[i].velocity[s] = bends[i].velocity[s - 1] + change;
+      bends[i].length[s] = bends[i].length[s - 1] + way;
     }
-    bends.velocity.push_back(bends.velocity.back() + change);
-    bends.length.push_back(bends.length.back() + way);
   }
   return bends;
 }
@@ -80,12 +87,12 @@ Bends BendsOf(const Motion& motion, const AllowedMotion& slowed, int body) {
 /** Follows one pair along the motion. */
 class Passage {
  public:
-  Passage(const Motion& motion, const AllowedMotion& slowed, int A, int B)
+  Passage(const Motion& motion, const std::vector<Bends>& bends, int A, int B)
       : motion_(motion),
         A_(A),
         B_(B),
-        bends_A_(BendsOf(motion, slowed, A)),
-        bends_B_(BendsOf(motion, slowed, B)) {}
+        bends_A_(bends[static_cast<std::size_t>(A)]),
+        bends_B_(bends[static_cast<std::size_t>(B)]) {}
 
   void Judge(Worst& worst) {
     for (std::size_t s = 0; s < motion_.trajectory.samples.size(); ++s) {
@@ -177,8 +184,8 @@ class Passage {
   const Motion& motion_;
   int A_;
   int B_;
-  Bends bends_A_;
-  Bends bends_B_;
+  const Bends& bends_A_;
+  const Bends& bends_B_;
   std::optional<std::size_t> seen_;   ///< The last sample that was looked at.
   bool seen_apart_ = false;           ///< Whether they were apart there.
   std::optional<std::size_t> apart_;  ///< The last sample at which they were apart.
@@ -193,8 +200,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
               "64 roundings per step");
   // Bodies that never come near each other pass nothing.
   worst.Take(0, 0, [] { return std::string(); });
+  const std::vector<Bends> bends = BendsOf(motion, slowed);
+  const Reach reach(motion);
   for (const auto& [A, B] : PairsOf(world, claim))
-    Passage(motion, slowed, A, B).Judge(worst);
+    if (reach.MayEverTouch(A, B)) Passage(motion, bends, A, B).Judge(worst);
   return FindingsOf({worst});
 }
 
@@ -205,6 +214,8 @@ constinit const Law kNeverPassesThrough = {
     .documentation = "Bodies that collide never pass through each other.",
     .faults = Faults,
     .judge = Judge,
+    .universal =
+        [](const World& world) { return ClaimAboutEach(kNeverPassesThrough, world); },
 };
 
 }  // namespace touchstone

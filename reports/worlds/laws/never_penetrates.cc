@@ -13,8 +13,10 @@
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/overlap.h"
 #include "reports/worlds/law_support/pairs.h"
+#include "reports/worlds/law_support/reach.h"
 #include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -158,6 +160,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                                : "",
                            motion.oracle)));
   const WorldState start = StateAtStart(world);
+  const Reach reach(motion);
   const auto hold = [&](int A, int B) {
     const auto a = static_cast<std::size_t>(A);
     const auto b = static_cast<std::size_t>(B);
@@ -169,7 +172,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
             std::max(acceleration, AccelerationOf(world, world.bodies[i]).norm());
     }
     double V = 0;
-    for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
+    const std::size_t end = reach.MayEverTouch(A, B) ? trajectory.samples.size() : 1;
+    for (std::size_t s = 0; s < end; ++s) {
+      if (s > 0 && !reach.MayTouch(s, A, B)) {
+        V = 0;
+        continue;
+      }
       const WorldState& state = trajectory.samples[s];
       const DeepestOverlap overlap = OverlapOf(world, state, A, B);
       if (overlap.depth == 0) {
@@ -181,10 +189,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const double granted =
           trajectory.times[s] < parted_by - world.dt / 2 ? at_start : 0;
       const double between = V + acceleration * SampleSpacing(world);
-      const double reach = state.bodies[a].p_WB.norm() + state.bodies[b].p_WB.norm();
+      const double size = state.bodies[a].p_WB.norm() + state.bodies[b].p_WB.norm();
       worst.Take(overlap.depth,
                  kSafety * world.dt * (between + acceleration * world.dt) + granted +
-                     slack + RoundingOf(motion.oracle, StepsBefore(motion, s)) * reach,
+                     slack + RoundingOf(motion.oracle, StepsBefore(motion, s)) * size,
                  [&] {
                    return fmt::format(
                        "{} has {} {:.6g} m deep in {} after {:.6g} s; they approached at "
@@ -212,6 +220,8 @@ constinit const Law kNeverPenetrates = {
     .numbers = kNumbers,
     .faults = Faults,
     .judge = Judge,
+    .universal =
+        [](const World& world) { return ClaimAboutEach(kNeverPenetrates, world); },
 };
 
 }  // namespace touchstone

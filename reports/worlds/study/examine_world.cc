@@ -95,6 +95,7 @@ std::vector<Finding> BrokenBy(const VariantMotion& moved, const Study& study,
   WorldScenario asked = study.scenario;
   asked.world = moved.variant.world;
   asked.claims = ClaimsOf(moved.variant, study.scenario.claims);
+  asked.expectations.clear();  // They are about places in the world itself.
   std::vector<Finding> broken;
   for (Finding& found : JudgeWorld({asked, study.oracle, moved.trajectory})) {
     if (found.verdict != Verdict::kFail) continue;
@@ -156,6 +157,7 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle) {
   const Trajectory& trajectory = examined.trajectory;
   Neighbours neighbours;
   if (IsWhole(trajectory)) {
+    examined.drifts = DriftsOf(scenario.world, trajectory);
     const double nudge = RoundingOf({scenario, oracle.info(), trajectory}, 1);
     neighbours = SimulateNeighbours(scenario, oracle, nudge);
   }

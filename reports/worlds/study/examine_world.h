@@ -5,6 +5,7 @@
 #include "oracles/oracle.h"
 #include "reports/finding/finding.h"
 #include "reports/worlds/study/ensemble_statistics.h"
+#include "reports/worlds/study/motion_drifts.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
@@ -12,6 +13,7 @@ namespace touchstone {
 /** The results of all simulations of one world by one oracle. */
 struct Examination {
   Trajectory trajectory;        ///< Motion of the world itself.
+  MotionDrifts drifts;          ///< Those of that motion.
   EnsembleStatistics ensemble;  ///< 0 members unless the world has an ensemble.
   std::vector<Finding> findings;
 };

@@ -49,6 +49,7 @@ EnsembleJudgement JudgeEnsemble(const WorldScenario& scenario, const Oracle& ora
     worlds.push_back(MemberOf(scenario, index));
   std::vector<Trajectory> trajectories = oracle.SimulateEach(worlds);
   WorldScenario member = scenario;
+  member.expectations.clear();  // They are about the world without jitter.
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     member.world = std::move(worlds[i]);
     auto more = JudgeWorldByClaim({member, oracle.info(), trajectories[i]});

@@ -11,8 +11,10 @@
 
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/laws/laws.h"
+#include "reports/worlds/study/judge_expectation.h"
 #include "reports/worlds/study/starting_state.h"
 #include "reports/worlds/study/trajectory_difference.h"
+#include "reports/worlds/study/universal_claims.h"
 #include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
@@ -91,6 +93,14 @@ class Judgement {
       // A claim with faults is an error of the file, not of an oracle.
       if (law && law->faults(study_.scenario.world, claim).empty()) Hold(*law, claim);
     }
+    for (const Claim& claim : UniversalClaims(study_.scenario)) {
+      groups_.emplace_back();
+      HoldUniversal(*FindLaw(claim.law), claim);
+    }
+    for (std::size_t i = 0; i < study_.scenario.expectations.size(); ++i) {
+      groups_.emplace_back();
+      Expect(i);
+    }
     return std::move(groups_);
   }
 
@@ -119,21 +129,46 @@ class Judgement {
       unverified.proof =
           fmt::format("{}: this motion gives the law nothing to judge", claim.law);
     }
-    for (const LawFinding& found : all) {
-      Finding& finding = Add(found.measure, found.value, found.tolerance);
-      finding.law = claim.law;
-      if (!found.recognised.empty()) {
-        finding.cause = Cause::kModel;
-        finding.cause_because = found.recognised;
-        finding.proof = found.proof;
-      } else if (!(found.value <= found.tolerance.value)) {
-        finding.verdict = Verdict::kFail;
-        finding.proof = fmt::format("{}: {}", claim.law, found.proof);
-        Attribute(finding, law, claim);
-      }
-    }
+    for (const LawFinding& found : all) Add(found, law, claim, law.name);
     if (law.smooth && study_.half && study_.quarter) JudgeConvergence();
     if (law.has_impacts && study_.quarter) JudgeNearLimit(law, claim);
+  }
+
+  /** Judges by a law that no claim of the file states. Engines that give it nothing to
+   judge promised nothing. */
+  void HoldUniversal(const Law& law, const Claim& claim) {
+    const std::string true_of_all = fmt::format("{}, true of every motion", law.name);
+    for (const LawFinding& found : law.judge(motion_, claim))
+      Add(found, law, claim, true_of_all).universal = true;
+  }
+
+  /** Judges by one plain expectation of the file. */
+  void Expect(std::size_t index) {
+    const LawFinding found =
+        JudgeExpectation(motion_, study_.scenario.expectations[index]);
+    Finding& finding = Add(found.measure, found.value, found.tolerance);
+    finding.law = fmt::format("expect[{}]", index);
+    if (found.value <= found.tolerance.value) return;
+    finding.verdict = Verdict::kFail;
+    finding.proof = fmt::format("{}: {}", finding.law, found.proof);
+    finding.cause = Cause::kDefect;
+  }
+
+  /** Adds what a law found; `name` is that of the law in its proof. */
+  Finding& Add(const LawFinding& found, const Law& law, const Claim& claim,
+               std::string_view name) {
+    Finding& finding = Add(found.measure, found.value, found.tolerance);
+    finding.law = claim.law;
+    if (!found.recognised.empty()) {
+      finding.cause = Cause::kModel;
+      finding.cause_because = found.recognised;
+      finding.proof = found.proof;
+    } else if (!(found.value <= found.tolerance.value)) {
+      finding.verdict = Verdict::kFail;
+      finding.proof = fmt::format("{}: {}", name, found.proof);
+      Attribute(finding, law, claim);
+    }
+    return finding;
   }
 
   /** Sets the cause of a failure: whether its error vanishes with the step. */
@@ -260,7 +295,8 @@ class Judgement {
   const Study& study_;
   Motion motion_;
   bool convergence_judged_ = false;
-  std::vector<std::vector<Finding>> groups_;  ///< Answering first, then one per claim.
+  /** Answering first, then one per claim, universal law and expectation. */
+  std::vector<std::vector<Finding>> groups_;
 };
 
 /** Turns recognised friction cones into failures if claims of one motion recognise two

@@ -12,8 +12,9 @@
 
 namespace touchstone {
 
-/** Judges the trajectory by every claim of the scenario. Returns one finding per claim
- and measure, in the order of the claims. A trajectory fails `answering` and is judged no
+/** Judges the trajectory by every claim of the scenario, by every universal law that it
+ does not claim (UniversalClaims()) and by its plain expectations. Returns one finding per
+ claim and measure, in that order. A trajectory fails `answering` and is judged no
  further if it diverged, crashed or timed out, or if it does not start in the state that
  the world gives. If the motions at half and a quarter of the step are available:
 
@@ -23,7 +24,8 @@ namespace touchstone {
    impacts on the motion at a quarter of the step. */
 std::vector<Finding> JudgeWorld(const Study& study);
 
-/** Returns the same findings in groups: first answering, then one group per claim. */
+/** Returns the same findings in groups: first answering, then one group per claim, per
+ universal law and per expectation. */
 std::vector<std::vector<Finding>> JudgeWorldByClaim(const Study& study);
 
 /** Returns the `answering` finding of `other`, a motion of a changed world with steps of

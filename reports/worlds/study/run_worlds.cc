@@ -65,6 +65,7 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
   WorldsReport report;
   for (const WorldScenario& scenario : worlds)
     report.worlds.push_back({scenario, std::vector<Trajectory>(oracles.size()),
+                             std::vector<MotionDrifts>(oracles.size()),
                              std::vector<EnsembleStatistics>(oracles.size())});
   const std::vector<Pair> pairs = PairsOf(worlds, oracles);
   std::vector<std::vector<Finding>> findings(pairs.size());
@@ -74,6 +75,7 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
     const auto [w, o] = pairs[i];
     Examination examined = ExamineWorld(worlds[w], *oracles[o]);
     report.worlds[w].trajectories[o] = std::move(examined.trajectory);
+    report.worlds[w].drifts[o] = examined.drifts;
     report.worlds[w].ensembles[o] = examined.ensemble;
     findings[i] = std::move(examined.findings);
     std::stable_sort(

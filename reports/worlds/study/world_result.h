@@ -4,6 +4,7 @@
 
 #include "oracles/trajectory.h"
 #include "reports/worlds/study/ensemble_statistics.h"
+#include "reports/worlds/study/motion_drifts.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
@@ -13,6 +14,8 @@ struct WorldResult {
   WorldScenario scenario;
   /** Indexed by oracle; kUnsupported for those that do not simulate. */
   std::vector<Trajectory> trajectories;
+  /** Indexed by oracle; all 0 for a motion that was not answered. */
+  std::vector<MotionDrifts> drifts;
   /** Statistics of the world's ensemble, indexed by oracle; 0 members without one. */
   std::vector<EnsembleStatistics> ensembles;
 };

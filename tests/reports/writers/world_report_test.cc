@@ -1,5 +1,8 @@
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +14,7 @@
 #include "reports/writers/json_writer.h"
 #include "reports/writers/junit_writer.h"
 #include "reports/writers/table_writer.h"
+#include "reports/writers/world_words.h"
 
 namespace touchstone {
 namespace {
@@ -82,6 +86,7 @@ RunReport OneWorld() {
   none.reason = "no balls";
   world.trajectories = {Fallen(9.82), Fallen(9), none, {}};
   world.trajectories[1].complaint = "ODE <Message> 3";
+  world.drifts = {{1e-3, 2e-3, 3e-3, 4e-3}, {0.5, 0, 0, 0}, {}, {}};
   world.scenario.ensemble = Ensemble{4, 1e-3, 1};
   world.ensembles = {{4, {48.2, 0.1}, {-2.91, 0.002}, {0.3, 0}},
                      {4, {40.5, 0.1}, {-2.912, 0.002}, {0.3, 0}},
@@ -113,11 +118,57 @@ TEST(WorldReport, ExplanationComparesTheStatisticsOfEnsembles) {
   EXPECT_THAT(text, ContainsRegex("light +40.5 ± 0.05 +≠ +-2.912 ± 0.001 +0.3 ± 0 "));
 }
 
+TEST(WorldReport, DriftsAreShownWhateverTheWorldClaims) {
+  constexpr std::string_view kMine =
+      "energy gained 0.001 J, lost 0.002 J; momentum 0.003 N s; angular momentum 0.004 N "
+      "m s";
+  EXPECT_THAT(Written([](const auto& r, auto& out) { WriteExplanation(r, {}, out); }),
+              HasSubstr("    measured: " + std::string(kMine) + "\n"));
+  EXPECT_THAT(Written([](const auto& r, auto& out) { WriteTable(r, TableStyle{}, out); }),
+              ContainsRegex("Measured: [^\n]*\n +mine +" + std::string(kMine)));
+  EXPECT_THAT(Written([](const auto& r, auto& out) { WriteHtml(r, out); }),
+              HasSubstr(kMine));
+  const auto json =
+      nlohmann::json::parse(Written([](const auto& r, auto& out) { WriteJson(r, out); }));
+  const auto& motions = json["worlds"][0]["motions"];
+  EXPECT_EQ(motions[0]["drifts"]["momentum"], 3e-3);
+  EXPECT_TRUE(motions[2]["drifts"].is_null());
+}
+
+TEST(WorldReport, DriftsHaveTheToleranceOfALawAndDepthsAreFindings) {
+  RunReport report = OneWorld();
+  Finding rise = FindingOf("mine", 1e-3);
+  rise.measure = MeasureKind::kEnergyDrift;
+  rise.law = "energy_never_rises";
+  Finding depth = rise;
+  depth.measure = MeasureKind::kPenetration;
+  depth.law = "never_penetrates";
+  const std::vector<Finding> findings = {rise, depth};
+  EXPECT_EQ(DriftsInWords(report.worlds[0], 0, findings),
+            "energy gained 0.001 J of 0.01 J, lost 0.002 J; momentum 0.003 N s; angular "
+            "momentum 0.004 N m s; depth 0.001 m of 0.01 m");
+  EXPECT_EQ(DriftsInWords(report.worlds[0], 2, {}), "");
+}
+
+TEST(WorldReport, AUniversalLawIsCalledSo) {
+  RunReport report = OneWorld();
+  report.findings[0].universal = true;
+  std::ostringstream text;
+  WriteExplanation(report, {}, text);
+  EXPECT_THAT(text.str(), HasSubstr("ballistic, universal"));
+  std::ostringstream json;
+  WriteJson(report, json);
+  EXPECT_EQ(nlohmann::json::parse(json.str())["findings"][0]["universal"], true);
+}
+
 TEST(WorldReport, ExplanationWritesEveryNumberNextToItsTolerance) {
   const std::string text =
       Written([](const auto& r, auto& out) { WriteExplanation(r, {}, out); });
-  EXPECT_THAT(text, HasSubstr("world/test/fall: A ball <falls>\n  source: Galilei\n  1 "
-                              "body; 10 steps of 100 ms\n  laws: ballistic of ball\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "world/test/fall: A ball <falls>\n  source: Galilei\n  1 "
+          "body; 10 steps of 100 ms\n  laws: ballistic of ball; and of every motion "));
   EXPECT_THAT(text, HasSubstr("departs from mine at 0.1 s: ball is 0.0041 m off"));
   EXPECT_THAT(text, HasSubstr("position_error"));
   EXPECT_THAT(text,

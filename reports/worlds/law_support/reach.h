@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "reports/worlds/law_support/law.h"
+
+namespace touchstone {
+
+/** Where the bodies of a motion may be, by their bounding spheres: a broad phase for laws
+ about pairs. What it rules out is certain, up to a rounding that it grants. */
+class Reach {
+ public:
+  explicit Reach(const Motion& motion);
+
+  /** Returns whether A and B may touch on the straight ways between samples. The bounding
+   boxes of their ways overlap, or a way comes as near to a half-space. */
+  bool MayEverTouch(int A, int B) const;
+
+  /** Returns whether A and B may touch at sample `s`. */
+  bool MayTouch(std::size_t s, int A, int B) const;
+
+ private:
+  struct Bounds {
+    bool is_half_space = false;
+    bool is_static = false;
+    double radius = 0;        ///< [m]
+    Eigen::Vector3d p_W;      ///< Of a static body. [m]
+    Eigen::Vector3d n_W;      ///< Of a half-space.
+    Eigen::AlignedBox3d way;  ///< All its points at all samples, except a half-space's.
+  };
+
+  const Eigen::Vector3d& CentreOf(std::size_t s, std::size_t body) const;
+
+  /** Returns whether `body` may touch the half-space at sample `s`. */
+  bool IsNearPlane(std::size_t s, const Bounds& plane, std::size_t body) const;
+
+  Motion motion_;
+  std::vector<Bounds> bounds_;  ///< Indexed by body.
+};
+
+}  // namespace touchstone
