@@ -33,7 +33,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(
       MeasureKind::kMomentumBalance,
       "64 roundings per step: every scheme sums the impulses that it applies; and 3000 "
-      "roundings of the impulses for each contact of a step, for the solver");
+      "roundings of the impulses for each contact of a step, for the solver",
+      Grants::kRounding);
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const std::vector<const ContactImpulse*> impulses = ImpulsesBetween(motion, s - 1, s);
     const double from = trajectory.times[s - 1];
