@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/cone_models.h"
+#include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/starting_state.h"
 #include "reports/worlds/study/trajectory_difference.h"
@@ -122,6 +123,7 @@ class Judgement {
     for (const LawFinding& found : all) {
       Finding& finding = Add(found.measure, found.value, found.tolerance);
       finding.law = claim.law;
+      if (found.grants == Grants::kStep) finding.safety = kSafety;
       if (!found.recognised.empty()) {
         finding.cause = Cause::kModel;
         finding.cause_because = found.recognised;
@@ -129,16 +131,21 @@ class Judgement {
       } else if (!(found.value <= found.tolerance.value)) {
         finding.verdict = Verdict::kFail;
         finding.proof = fmt::format("{}: {}", claim.law, found.proof);
-        Attribute(finding, law, claim);
+        Attribute(finding, found.grants, law, claim);
       }
     }
     if (law.smooth && study_.half && study_.quarter) JudgeConvergence();
     if (law.has_impacts && study_.quarter) JudgeNearLimit(law, claim);
   }
 
-  /** Sets the cause of a failure: whether its error vanishes with the step. */
-  void Attribute(Finding& finding, const Law& law, const Claim& claim) {
+  /** Sets the cause of a failure: whether its error vanishes with the step. An error that
+   no step excuses, since its tolerance is rounding alone, is a defect at any step. */
+  void Attribute(Finding& finding, Grants grants, const Law& law, const Claim& claim) {
     finding.cause = Cause::kDefect;
+    if (grants == Grants::kRounding) {
+      finding.cause_because = "it holds at any step to rounding";
+      return;
+    }
     if (!study_.half || !study_.quarter) return;
     const World half_world = Refined(study_.scenario.world, 2);
     const World quarter_world = Refined(study_.scenario.world, 4);
@@ -149,7 +156,7 @@ class Judgement {
     if (!half || !quarter) return;
     // The impulse of a step is F h: it halves with the step by itself, so forces are
     // compared.
-    const bool is_of_step = finding.measure == MeasureKind::kConeViolation;
+    const bool is_of_step = UnitOf(finding.measure) == "N s";
     const double h = is_of_step ? study_.scenario.world.dt : 1;
     const double at_step = finding.value / h;
     const double at_half = *half / (is_of_step ? h / 2 : 1);
@@ -231,6 +238,7 @@ class Judgement {
       Finding& finding = Add(MeasureKind::kLimitError, found.value,
                              {found.tolerance.value,
                               "at a quarter of the step: " + found.tolerance.because});
+      if (found.grants == Grants::kStep) finding.safety = kSafety;
       if (!found.recognised.empty()) {
         finding.cause = Cause::kModel;
         finding.cause_because = found.recognised;
