@@ -114,7 +114,7 @@ std::string WhatDecides(const Finding& finding, std::span<const Difference> diff
     if (found && found->verdict == Verdict::kPass) alone.push_back(difference.InWords());
   }
   if (!alone.empty())
-    return fmt::format("; the default {} is enough", fmt::join(alone, "; or "));
+    return fmt::format("; the default {}, is enough", fmt::join(alone, "; or "));
   if (all.empty()) return "";
   return fmt::format("; no default alone is enough, of {}", fmt::join(all, "; "));
 }
