@@ -22,12 +22,19 @@ A scenario is a question: two shapes at poses, or a small world to simulate. Eve
 answers it, and each answer is judged against the certified truth or the laws of the world.
 The subject is the oracle under examination; the other oracles are its references. A failure
 that the ledger of known discrepancies lists counts as known.
+
+In worlds, adapters set up their engines for accuracy. A world that an engine fails is asked
+again with the engine's shipped settings, and the finding says whether it fails both ways, as
+set here only (and which default lets it pass), or as shipped only. --as-shipped judges the
+shipped settings throughout, --set chooses single ones. The built-in ledger is about the
+settings of the adapters: it hides no failure in a world of an oracle that is set up otherwise.
 )",
      R"(
   touchstone run                                 run the whole catalogue on every engine
   touchstone run contact/box_box --subject ode   run one group with another subject
   touchstone run 'contact/zoo/fcl_*' --against fcl
   touchstone run mine.toml --out report          also write report/index.html
+  touchstone run mine.toml --as-shipped --set ode:contact_erp=0.1
 )",
      "0 all pass or known; 1 failures of the subject, a reference or a file\n"
      "(references do not count with --fail-on subject); 2 bad input, or nothing of the\n"
@@ -70,6 +77,9 @@ Prints the id and title of each scenario, then the number of scenarios per group
 Prints the library, version and precision of each oracle, the shape pairs that it supports
 with algorithm and parts of the answer, and the world features that it simulates. Oracles
 missing from this build come last, with instructions to install them.
+
+With --settings, prints how each adapter sets up its engine. Lines that start with --set are
+settings that may be chosen in worlds, with the value of the adapter and the shipped default.
 )",
      R"(
   touchstone oracles                             list shape pairs and algorithms
@@ -84,6 +94,7 @@ position, orientation, velocity and angular velocity, in SI units and the world 
      R"(
   touchstone simulate mine.toml --oracle cookbook,bullet --csv motion.csv
   touchstone simulate mine.toml --oracle ode | head
+  touchstone simulate mine.toml --oracle ode --set ode:contact_erp=0.2
 )",
      "0 every motion is complete, 1 a motion crashed, hung or diverged, 2 bad\n"
      "input or nothing simulated"},
@@ -107,7 +118,8 @@ it measures sphere-sphere, sphere-box and box-box.
 
 `bench worlds` measures the time per step and the quality of the final state: "deepest" is
 the deepest penetration, "fastest" the largest speed, "sideways" the largest horizontal
-displacement. Engines take turns. Times are medians over the turns, and "of best" is the
+displacement. Engines have their shipped settings, except for those that --set chooses, and
+they do not sleep. Engines take turns. Times are medians over the turns, and "of best" is the
 median of the ratios turn by turn; with --threads both are of the best turn.
 )",
      R"(

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cli/body_text.h"
+#include "cli/choose_setups.h"
 #include "cli/command_examples.h"
 #include "cli/commands/bench_command.h"
 #include "cli/commands/bench_worlds_command.h"
@@ -88,6 +89,7 @@ class CommandLine {
     }
     try {
       GrantTolerance();
+      ChooseSetups(setups_, session_.registry);
       const int code = command_();
       // Lost output, e.g. on a full disk, is a failure.
       if (std::cout.flush()) return code;
@@ -154,6 +156,20 @@ class CommandLine {
     }
   }
 
+  void AddSet(CLI::App* app) {
+    app->add_option("--set", setups_.set,
+                    "setting of an engine in worlds, e.g. ode:contact_erp=0.2; may be "
+                    "repeated (`touchstone oracles --settings` lists them)")
+        ->type_name("ORACLE:NAME=VALUE")
+        ->allow_extra_args(false);
+  }
+
+  void AddSetups(CLI::App* app) {
+    AddSet(app);
+    app->add_flag("--as-shipped", setups_.as_shipped,
+                  "simulate worlds with the default settings of every engine");
+  }
+
   static void AddJobs(CLI::App* app, int& jobs) {
     app->add_option("--jobs", jobs, "number of threads (default: one per core)")
         ->check(WholeNumber(1, std::numeric_limits<int>::max()))
@@ -183,6 +199,7 @@ class CommandLine {
                                [this] { return RunCommand(session_, run_); });
     AddScenarios(app, run_.scenarios);
     AddOracleOptions(app, run_.oracles);
+    AddSetups(app);
     app->add_option("--out", run_.out, "folder for index.html, report.json and junit.xml")
         ->type_name("DIR");
     app->add_option("--ledger", run_.ledger,
@@ -209,6 +226,7 @@ class CommandLine {
     AddScenarios(app, explained_);
     app->get_option("PATTERN")->required()->description(kPatterns);
     AddOracleOptions(app, oracles_);
+    AddSetups(app);
     app->add_flag(
         "--all", everything_,
         "print the scenario file, and every contact and number of every oracle");
@@ -240,7 +258,8 @@ class CommandLine {
     CLI::App* app = AddCommand("oracles", "List the oracles and their capabilities",
                                [this] { return OraclesCommand(session_, settings_); });
     app->add_flag("--settings", settings_,
-                  "print the settings and conversions of each adapter instead");
+                  "print the settings and conversions of each adapter instead, and those "
+                  "that --set chooses");
   }
 
   // The kind of question is an argument, although worlds have no sweep yet.
@@ -288,6 +307,7 @@ class CommandLine {
         ->check(OneOf({"contact", "worlds"}))
         ->type_name("");
     AddOracleList(app, bench_.oracles);
+    AddSet(app);
     AddPair(app, bench_.pair);
     AddNumber(app, "--count", bench_.questions.count, 1,
               "contact: number of random poses per pair");
@@ -331,7 +351,7 @@ class CommandLine {
 
   int Bench() {
     if (benched_ == "contact") {
-      RefuseBenchOptions({"--scene", "--steps", "--seconds", "--threads"});
+      RefuseBenchOptions({"--scene", "--steps", "--seconds", "--threads", "--set"});
       return BenchCommand(session_, bench_);
     }
     RefuseBenchOptions({"--pair", "--count", "--sample"});
@@ -348,6 +368,7 @@ class CommandLine {
     AddOracleList(app, simulate_.oracles)
         ->description(
             "oracles, e.g. cookbook,bullet (default: all that simulate worlds)");
+    AddSetups(app);
     app->add_option("--csv", simulate_.csv,
                     "file for the table, - for standard output (default: -)")
         ->type_name("FILE");
@@ -378,6 +399,7 @@ class CommandLine {
   Session session_;
   CLI::App app_;
   std::function<int()> command_;
+  SetupArguments setups_;
   RunArguments run_;
   AskArguments ask_;
   SweepArguments sweep_;

@@ -47,10 +47,15 @@ std::vector<const Oracle*> OraclesNamed(const OracleRegistry& registry,
   return oracles;
 }
 
+const Oracle& OracleNamed(const OracleRegistry& registry, const std::string& name) {
+  const Oracle* oracle = registry.Find(name);
+  if (oracle == nullptr) FailOnOracle(registry, name);
+  return *oracle;
+}
+
 std::vector<const Oracle*> SelectOracles(const OracleRegistry& registry,
                                          const OracleSelection& selection) {
-  const Oracle* subject = registry.Find(selection.subject);
-  if (subject == nullptr) FailOnOracle(registry, selection.subject);
+  const Oracle* subject = &OracleNamed(registry, selection.subject);
   std::vector<const Oracle*> oracles = {subject};
   const auto add = [&oracles](const Oracle* oracle) {
     if (std::find(oracles.begin(), oracles.end(), oracle) == oracles.end()) {

@@ -15,6 +15,9 @@ struct OracleSelection {
       against;  ///< References, names or groups ("fcl"); empty: all others.
 };
 
+/** Returns the oracle of that exact name. Throws the same errors as SelectOracles(). */
+const Oracle& OracleNamed(const OracleRegistry& registry, const std::string& name);
+
 /** Returns the subject, then the references. If `selection` names no references, they are
  all other oracles in the order of the registry, except specimens of faults ("printed").
  Throws InputError for an unknown name, with the nearest name, or with instructions to

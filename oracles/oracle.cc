@@ -26,12 +26,28 @@ std::string OracleInfo::CannotSimulate(const World& world) const {
   return "";
 }
 
-std::unique_ptr<Simulation> Oracle::Begin(const World&) const {
+std::string Oracle::CannotSimulate(const World& world) const {
+  return info().CannotSimulate(world);
+}
+
+std::unique_ptr<Simulation> Oracle::BeginWith(const World&,
+                                              std::span<const double>) const {
   return nullptr;
 }
 
+std::unique_ptr<Simulation> Oracle::Begin(const World& world) const {
+  return BeginWith(world, ValuesOf(info().parameters, info().setup));
+}
+
 std::unique_ptr<Simulation> Oracle::BeginAsShipped(const World& world) const {
-  return Begin(world);
+  if (info().parameters.empty()) return Begin(world);
+  WorldSetup setup = info().setup;
+  setup.as_shipped = true;
+  return BeginWith(world, ValuesOf(info().parameters, setup));
+}
+
+std::unique_ptr<Oracle> Oracle::SetUp(const WorldSetup& setup) const {
+  return WithSetup(*this, setup);
 }
 
 std::unique_ptr<Simulation> Oracle::BeginInThreads(const World&, int) const {
@@ -40,7 +56,7 @@ std::unique_ptr<Simulation> Oracle::BeginInThreads(const World&, int) const {
 
 Trajectory Oracle::Simulate(const World& world) const {
   Trajectory trajectory;
-  trajectory.reason = info().CannotSimulate(world);
+  trajectory.reason = CannotSimulate(world);
   if (!trajectory.reason.empty()) return trajectory;
   const StandardArithmetic arithmetic;
   try {

@@ -11,6 +11,7 @@
 #include "oracles/contact_answer.h"
 #include "oracles/simulation.h"
 #include "oracles/trajectory.h"
+#include "oracles/world_setup.h"
 #include "scenarios/contact_query.h"
 #include "scenarios/worlds/world.h"
 
@@ -90,6 +91,11 @@ struct OracleInfo {
    gyroscopic term. [-] */
   std::optional<double> documented_rotation_error;
   bool steps_in_threads = false;  ///< Whether it has BeginInThreads().
+  /** The numbers that may be chosen for its worlds; empty if the adapter offers none. */
+  std::vector<WorldParameter> parameters;
+  /** Whether BeginAsShipped() differs from Begin() in more than the parameters. */
+  bool ships_otherwise = false;
+  WorldSetup setup;  ///< The setup of its worlds; set by Oracle::SetUp() only.
   std::array<WorldCapability, kWorldFeatures> world_capabilities;
 
   /** Returns the capability for A of kind `a` and B of kind `b`. */
@@ -99,6 +105,9 @@ struct OracleInfo {
 
   /** Returns whether it answers contact queries for at least one pair of shapes. */
   bool AnswersContacts() const;
+
+  /** Returns whether Oracle::SetUp() can change how it simulates. */
+  bool HasSetups() const { return ships_otherwise || !parameters.empty(); }
 
   /** Returns the capability for a feature of a world. */
   const WorldCapability& For(WorldFeature feature) const {
@@ -160,15 +169,29 @@ class Oracle {
   virtual std::unique_ptr<PreparedBatch> Prepare(
       std::span<const ContactQuery> queries) const;
 
+  /** Returns why it cannot simulate `world`; empty if it can. The default is
+   info().CannotSimulate(world). */
+  virtual std::string CannotSimulate(const World& world) const;
+
+  /** Returns `world` at its start with `values` for info().parameters, in their order.
+   Null, the default, for an oracle without parameters.
+   @pre As for Begin(). */
+  virtual std::unique_ptr<Simulation> BeginWith(const World& world,
+                                                std::span<const double> values) const;
+
   /** Returns `world` at its start, ready to be stepped, or null if the oracle does not
-   simulate.
-   @pre The world is valid and info().CannotSimulate(world) is empty. */
+   simulate. The default is BeginWith() the values of info().setup.
+   @pre The world is valid and CannotSimulate(world) is empty. */
   virtual std::unique_ptr<Simulation> Begin(const World& world) const;
 
-  /** Like Begin(), but with the engine's default iterations and stabilisation, for
-   timing: Begin() is configured for accuracy at any cost. Equal to Begin() if there is no
-   difference. */
+  /** Like Begin(), but with the engine's default iterations and stabilisation, except for
+   the values that info().setup has chosen: Begin() is configured for accuracy at any
+   cost. Equal to Begin() if there is no difference. */
   virtual std::unique_ptr<Simulation> BeginAsShipped(const World& world) const;
+
+  /** Returns this oracle, which must live longer, with its worlds set up by `setup` in
+   place of info().setup. */
+  virtual std::unique_ptr<Oracle> SetUp(const WorldSetup& setup) const;
 
   /** Like BeginAsShipped() and bitwise identical to it, but `threads` >= 1 threads share
    each step, including the caller's. Null unless info().steps_in_threads. */

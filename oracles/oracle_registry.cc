@@ -130,18 +130,29 @@ void OracleRegistry::Add(std::unique_ptr<Oracle> oracle) {
   oracles_.push_back(std::move(oracle));
 }
 
-void OracleRegistry::SetTolerance(std::string_view name,
-                                  const StatedTolerance& tolerance) {
-  const auto wrap = [&](std::unique_ptr<Oracle>& oracle) {
-    std::unique_ptr<Oracle> tolerant = WithTolerance(*oracle, tolerance);
-    wrapped_.push_back(std::exchange(oracle, std::move(tolerant)));
+template <typename Change>
+void OracleRegistry::Replace(std::string_view name, Change change) {
+  const auto replace = [&](std::unique_ptr<Oracle>& oracle) {
+    std::unique_ptr<Oracle> changed = change(*oracle);
+    replaced_.push_back(std::exchange(oracle, std::move(changed)));
   };
   for (std::unique_ptr<Oracle>& oracle : oracles_) {
-    if (oracle->info().name == name) return wrap(oracle);
+    if (oracle->info().name == name) return replace(oracle);
   }
   if (FindSpecimen(name) == nullptr) return;
   const std::lock_guard lock(specimens_->mutex);
-  wrap(specimens_->by_name.find(name)->second);
+  replace(specimens_->by_name.find(name)->second);
+}
+
+void OracleRegistry::SetTolerance(std::string_view name,
+                                  const StatedTolerance& tolerance) {
+  Replace(name, [&](const Oracle& oracle) { return WithTolerance(oracle, tolerance); });
+}
+
+void OracleRegistry::SetUp(std::string_view name, const WorldSetup& setup) {
+  const Oracle* oracle = Find(name);
+  if (oracle == nullptr || !oracle->info().simulates) return;
+  Replace(name, [&](const Oracle& replaced) { return replaced.SetUp(setup); });
 }
 
 const Oracle* OracleRegistry::Find(std::string_view name) const {

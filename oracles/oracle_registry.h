@@ -35,6 +35,11 @@ class OracleRegistry {
    keep the tolerance from before. */
   void SetTolerance(std::string_view name, const StatedTolerance& tolerance);
 
+  /** Sets up the worlds of the oracle `name` by `setup` from now on, see Oracle::SetUp().
+   Does nothing if there is no such oracle, or if it simulates no worlds. Pointers to it
+   that Find() returned stay valid, but keep the setup from before. */
+  void SetUp(std::string_view name, const WorldSetup& setup);
+
   /** Returns the oracle of that exact name, or null. It lives as long as the registry.
    Thread safe, like all const functions here. */
   const Oracle* Find(std::string_view name) const;
@@ -64,8 +69,12 @@ class OracleRegistry {
   const Oracle* FindSpecimen(std::string_view name) const;
 
   std::vector<std::unique_ptr<Oracle>> oracles_;
-  /** The oracles that State() has wrapped. */
-  std::vector<std::unique_ptr<Oracle>> wrapped_;
+  /** Replaces the oracle `name` by `change(oracle)` and keeps it alive. */
+  template <typename Change>
+  void Replace(std::string_view name, Change change);
+
+  /** The oracles that State() and SetUp() have replaced. */
+  std::vector<std::unique_ptr<Oracle>> replaced_;
   std::unique_ptr<Specimens> specimens_;  // Null unless created by BuiltIn().
   std::vector<MissingOracle> missing_;
 };

@@ -18,6 +18,10 @@ class TolerantOracle final : public Oracle {
       : oracle_(oracle), info_(oracle.info()) {
     SetTolerance(std::move(tolerance), info_);
   }
+  TolerantOracle(std::unique_ptr<Oracle> oracle, StatedTolerance tolerance)
+      : TolerantOracle(*oracle, std::move(tolerance)) {
+    owned_ = std::move(oracle);
+  }
 
   const OracleInfo& info() const override { return info_; }
 
@@ -30,6 +34,13 @@ class TolerantOracle final : public Oracle {
       std::span<const ContactQuery> queries) const override {
     return oracle_.Prepare(queries);
   }
+  std::string CannotSimulate(const World& world) const override {
+    return oracle_.CannotSimulate(world);
+  }
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    return oracle_.BeginWith(world, values);
+  }
   std::unique_ptr<Simulation> Begin(const World& world) const override {
     return oracle_.Begin(world);
   }
@@ -40,6 +51,9 @@ class TolerantOracle final : public Oracle {
                                              int threads) const override {
     return oracle_.BeginInThreads(world, threads);
   }
+  std::unique_ptr<Oracle> SetUp(const WorldSetup& setup) const override {
+    return std::make_unique<TolerantOracle>(oracle_.SetUp(setup), info_.tolerance);
+  }
   Trajectory Simulate(const World& world) const override {
     return oracle_.Simulate(world);
   }
@@ -49,6 +63,7 @@ class TolerantOracle final : public Oracle {
 
  private:
   const Oracle& oracle_;
+  std::unique_ptr<Oracle> owned_;  ///< Null, or `oracle_`.
   OracleInfo info_;
 };
 

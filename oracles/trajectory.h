@@ -41,6 +41,10 @@ struct ContactImpulse {
   Eigen::Vector3d J_B_W;   ///< Impulse on B; A receives the opposite. [N s]
   /** Separation that the engine used when it solved the step: < 0 penetrating. [m] */
   double separation = 0;
+  /** The first of two orthogonal directions along each of which the engine bounds
+   friction on its own, unit; zero if the engine does not state it, or has another cone.
+ */
+  Eigen::Vector3d t_W = Eigen::Vector3d::Zero();
 };
 
 /** The motion of a world as an oracle computed it. */

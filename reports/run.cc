@@ -280,12 +280,20 @@ class Suite {
     round.Ask(oracles_, options_.jobs, nullptr);
     ParallelFor(findings_.size(), options_.jobs, [&](std::size_t s) {
       const ScenarioResult& result = report_.scenarios[s];
+      std::map<double, std::vector<ContactTruth>> truths;  // Keyed by unit roundoff.
       ForEachOracle(findings_[s], [&](std::size_t i, std::span<Finding> of_oracle) {
         const auto& [begin, end] = asked[s][i];
         if (begin == end) return;
-        ExplainByNeighbours(result, report_.oracles[i], result.answers[i],
-                            std::span(round.answers[i]).subspan(begin, end - begin),
-                            of_oracle);
+        const auto queries = std::span(round.queries[i]).subspan(begin, end - begin);
+        std::vector<ContactTruth>& of_neighbours =
+            truths[report_.oracles[i].unit_roundoff];
+        if (of_neighbours.empty()) {
+          for (const ContactQuery& query : queries)
+            of_neighbours.push_back(ComputeContactTruth(query));
+        }
+        ExplainByNeighbours(
+            result, report_.oracles[i], result.answers[i], queries, of_neighbours,
+            std::span(round.answers[i]).subspan(begin, end - begin), of_oracle);
       });
     });
   }

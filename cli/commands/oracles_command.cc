@@ -94,6 +94,12 @@ int OraclesCommand(const Session& session, bool settings) {
         std::cout << fmt::format("    {} = {}  ({})\n", setting.name, setting.value,
                                  setting.why);
       }
+      for (const WorldParameter& parameter : info.parameters) {
+        std::cout << fmt::format("    --set {}:{}={}  {} as shipped: {}.{}{}\n",
+                                 info.name, parameter.name, parameter.here,
+                                 parameter.shipped, parameter.what,
+                                 parameter.why.empty() ? "" : " ", parameter.why);
+      }
     } else {
       PrintCapabilities(info);
       PrintWorldCapabilities(info);

@@ -1,5 +1,6 @@
 #include "cli/commands/run_command.h"
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <string_view>
@@ -25,6 +26,10 @@ struct ReportFile {
 constexpr std::array<ReportFile, 3> kReportFiles = {
     {{"index.html", WriteHtml}, {"report.json", WriteJson}, {"junit.xml", WriteJUnit}}};
 
+bool IsSetUpByDefault(const Oracle* oracle) {
+  return oracle->info().setup.IsDefault();
+}
+
 }  // namespace
 
 int RunCommand(const Session& session, const RunArguments& arguments) {
@@ -36,9 +41,11 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
                             : BuiltInLedger(session, arguments.scenarios, questions);
   const SuiteOptions options{
       .jobs = arguments.jobs,
-      // The ledger covers the whole default catalogue and every reference.
+      // The ledger covers the whole default catalogue and every reference, all set up as
+      // the adapters do.
       .partial = !arguments.scenarios.patterns.empty() ||
                  !arguments.oracles.against.empty() ||
+                 !std::all_of(oracles.begin(), oracles.end(), IsSetUpByDefault) ||
                  arguments.scenarios.catalogues != std::vector{session.catalogue()},
       .quiet = arguments.quiet};
   std::optional<OutputFolder> out;

@@ -53,8 +53,8 @@ void Discard(void* prepared) {
 }
 
 BulletWorld* Begin(const World& world, const std::vector<Eigen::Vector3d>& inertias,
-                   BulletConstraints constraints) {
-  return std::make_unique<BulletWorld>(world, inertias, constraints).release();
+                   const std::vector<double>& values) {
+  return std::make_unique<BulletWorld>(world, inertias, values).release();
 }
 
 void PushBody(BulletWorld* world, int body, const Eigen::Vector3d& p_W,

@@ -15,10 +15,16 @@ namespace touchstone {
 /** The collision algorithm of Bullet that answers. */
 enum class BulletPath { kWorldDispatch, kClosestPoints };
 
-/** The solution and stabilisation of contacts in worlds. */
-enum class BulletConstraints {
-  kRigid,      ///< Solved until nothing changes; overlap is not pushed out.
-  kAsShipped,  ///< Bullet's defaults.
+/** Indices of the parameters of worlds. BulletOracleInfo() declares them. */
+enum BulletParameter : std::size_t {
+  kBulletIterations,
+  kBulletResidual,
+  kBulletErp,
+  kBulletSplitImpulse,
+  kBulletFrictionDirections,
+  kBulletProcessingThreshold,
+  kBulletRestitutionThreshold,
+  kBulletParameters,
 };
 
 class BulletWorld;  // Complete only inside the module.
@@ -53,10 +59,10 @@ struct BulletModule {
   /** Frees the result of prepare(). */
   void (*discard)(void* batch);
 
-  /** Returns `world` at its start. The next four correspond to the functions of
-   Simulation. */
+  /** Returns `world` at its start, with a value for each BulletParameter. The next four
+   correspond to the functions of Simulation. */
   BulletWorld* (*begin)(const World& world, const std::vector<Eigen::Vector3d>& inertias,
-                        BulletConstraints constraints);
+                        const std::vector<double>& values);
   void (*push)(BulletWorld* world, int body, const Eigen::Vector3d& p_W,
                const Eigen::Vector3d& J_W);
   void (*step)(BulletWorld* world);

@@ -124,24 +124,11 @@ std::vector<Setting> WorldSettings() {
        "One step of that length; by default Bullet divides it into steps of 1/60 s."},
       {"world: integrator", "semi-implicit Euler, rotation by the exponential map",
        "Bullet has no other."},
-      {"world: solver", "btSequentialImpulseConstraintSolver, up to 1000 iterations",
-       "Bullet's default of 10 leaves a residual that would hide its contact law. The "
-       "solver stops when no velocity changes by 4 roundings of 1 m/s."},
+      {"world: solver", "btSequentialImpulseConstraintSolver", "Bullet's default."},
       {"world: restitution", "min(e_A, e_B)",
        "gCalculateCombinedRestitutionCallback; Bullet's default is the product."},
-      {"world: restitution velocity threshold", "0",
-       "Bullet's default of 0.2 m/s ends a bounce early."},
       {"world: friction", "sqrt(mu_A mu_B)",
        "gCalculateCombinedFrictionCallback; Bullet's default is the product."},
-      {"world: friction directions", "2, the first along the slip",
-       "SOLVER_USE_2_FRICTION_DIRECTIONS: Coulomb's cone. Bullet's default of 1 leaves "
-       "the other direction without friction."},
-      {"world: contact processing threshold", "0",
-       "Contacts that are still apart are not solved early: "
-       "they would lose their restitution."},
-      {"world: error reduction", "erp = erp2 = 0, split impulse off",
-       "Overlap is not pushed out, which would add energy: bodies rest at the depth at "
-       "which they were found."},
       {"world: gyroscopic term", "implicit, body frame", "Bullet's default."},
       {"world: damping", "0", "Bullet's default."},
       {"world: sleeping", "off", "DISABLE_DEACTIVATION."},
@@ -150,6 +137,89 @@ std::vector<Setting> WorldSettings() {
       {"world: impulses", "those of the manifold points, normal and both lateral",
        "Applied midway between the positions on A and on B."},
   };
+}
+
+std::vector<WorldParameter> ParametersOf(BulletPrecision precision) {
+  const bool is_float = precision == BulletPrecision::kFloat;
+  std::vector<WorldParameter> parameters(kBulletParameters);
+  parameters[kBulletIterations] = {
+      .name = "iterations",
+      .here = 1000,
+      .shipped = 10,
+      .least = 1,
+      .most = 1'000'000,
+      .whole = true,
+      .what = "most iterations of the solver; m_numIterations",
+      .why = "Bullet's default leaves a residual that would hide its contact law."};
+  parameters[kBulletResidual] = {
+      .name = "residual",
+      .here = 4 * (is_float ? 0x1p-23 : 0x1p-52),
+      .shipped = 0,
+      .least = 0,
+      .most = 1,
+      .whole = false,
+      .what =
+          "change of velocity in m/s at which the solver stops, the root of "
+          "m_leastSquaresResidualThreshold",
+      .why = "4 roundings of 1 m/s: more iterations would only change rounding errors."};
+  parameters[kBulletErp] = {
+      .name = "erp",
+      .here = 0,
+      .shipped = 0.2,
+      .least = 0,
+      .most = 1,
+      .whole = false,
+      .what = "fraction of an overlap that a step removes; m_erp and m_erp2",
+      .why =
+          "Overlap is not pushed out, which would add energy: bodies rest at the "
+          "depth at which they were found."};
+  parameters[kBulletSplitImpulse] = {
+      .name = "split_impulse",
+      .here = 0,
+      .shipped = 1,
+      .least = 0,
+      .most = 1,
+      .whole = true,
+      .what =
+          "whether overlap beyond 0.04 m is removed without a change of velocity; "
+          "m_splitImpulse",
+      .why = "Overlap is not pushed out."};
+  parameters[kBulletFrictionDirections] = {
+      .name = "friction_directions",
+      .here = 2,
+      .shipped = 1,
+      .least = 1,
+      .most = 2,
+      .whole = true,
+      .what =
+          "directions of friction, the first along the slip; "
+          "SOLVER_USE_2_FRICTION_DIRECTIONS",
+      .why = "Bullet's default leaves the other direction without friction."};
+  parameters[kBulletProcessingThreshold] = {
+      .name = "processing_threshold",
+      .here = 0,
+      .shipped = 1e18,  // BT_LARGE_FLOAT of a build in single precision.
+      .least = 0,
+      .most = 1e18,
+      .whole = false,
+      .what =
+          "separation in m up to which a contact is solved; "
+          "setContactProcessingThreshold",
+      .why =
+          "Contacts that are still apart are not solved early: they would lose their "
+          "restitution."};
+  parameters[kBulletRestitutionThreshold] = {
+      .name = "restitution_threshold",
+      .here = 0,
+      .shipped = 0.2,
+      .least = 0,
+      .most = 1e3,
+      .whole = false,
+      .what =
+          "approach in m/s below which nothing bounces; "
+          "m_restitutionVelocityThreshold",
+      .why = "Bullet's default ends a bounce early."};
+  return parameters;
 }
 
 /* Returns why Bullet does not simulate `feature`; empty if it does. */
@@ -189,6 +259,7 @@ OracleInfo BulletOracleInfo(BulletPrecision precision, BulletPath path,
   info.simulates = dispatch;
   if (info.simulates) {
     for (Setting& setting : WorldSettings()) info.settings.push_back(std::move(setting));
+    info.parameters = ParametersOf(precision);
     for (int i = 0; i < kWorldFeatures; ++i) {
       const auto feature = static_cast<WorldFeature>(i);
       const std::string reason = WhyNot(feature);

@@ -65,20 +65,12 @@ class BulletOracle : public Oracle {
     return std::make_unique<BulletBatch>(module_, path_, queries);
   }
 
-  std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return Begin(world, BulletConstraints::kRigid);
-  }
-
-  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
-    return Begin(world, BulletConstraints::kAsShipped);
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    return info_.simulates ? BulletSimulation(module_, world, values) : nullptr;
   }
 
  private:
-  std::unique_ptr<Simulation> Begin(const World& world,
-                                    BulletConstraints constraints) const {
-    return info_.simulates ? BulletSimulation(module_, world, constraints) : nullptr;
-  }
-
   OracleInfo info_;
   BulletPath path_;
   const BulletModule& module_;

@@ -13,8 +13,9 @@ std::vector<Eigen::Vector3d> InertiasOf(const World& world) {
 class ModuleSimulation final : public Simulation {
  public:
   ModuleSimulation(const BulletModule& module, const World& world,
-                   BulletConstraints constraints)
-      : module_(module), world_(module.begin(world, InertiasOf(world), constraints)) {}
+                   std::span<const double> values)
+      : module_(module),
+        world_(module.begin(world, InertiasOf(world), {values.begin(), values.end()})) {}
   ~ModuleSimulation() override { module_.end(world_); }
   ModuleSimulation(const ModuleSimulation&) = delete;
   ModuleSimulation& operator=(const ModuleSimulation&) = delete;
@@ -38,8 +39,8 @@ class ModuleSimulation final : public Simulation {
 
 std::unique_ptr<Simulation> BulletSimulation(const BulletModule& module,
                                              const World& world,
-                                             BulletConstraints constraints) {
-  return std::make_unique<ModuleSimulation>(module, world, constraints);
+                                             std::span<const double> values) {
+  return std::make_unique<ModuleSimulation>(module, world, values);
 }
 
 }  // namespace touchstone

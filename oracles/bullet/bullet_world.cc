@@ -9,13 +9,6 @@
 namespace touchstone {
 namespace {
 
-// The maximum number of iterations. The solver stops earlier if an iteration changes no
-// velocity by more than kConverged.
-constexpr int kIterations = 1000;
-
-// [m/s] A few roundings of 1 m/s: more iterations would only change rounding errors.
-constexpr btScalar kConverged = 4 * SIMD_EPSILON;
-
 // Collision filter groups: static bodies do not collide with static bodies.
 enum Group { kNobody = 0, kMoving = 1, kStatic = 2 };
 
@@ -30,7 +23,7 @@ btScalar Friction(const btCollisionObject* A, const btCollisionObject* B) {
 }  // namespace
 
 BulletWorld::BulletWorld(const World& world, const std::vector<Eigen::Vector3d>& inertias,
-                         BulletConstraints constraints)
+                         const std::vector<double>& values)
     : dt_(ToBullet(world.dt)),
       dispatcher_(&configuration_),
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
@@ -38,21 +31,24 @@ BulletWorld::BulletWorld(const World& world, const std::vector<Eigen::Vector3d>&
   gCalculateCombinedRestitutionCallback = &Restitution;
   gCalculateCombinedFrictionCallback = &Friction;
 
-  world_.getSolverInfo().m_restitutionVelocityThreshold = 0;
   world_.setGravity(ToBullet(world.gravity_W));
   for (std::size_t i = 0; i < world.bodies.size(); ++i) Add(world.bodies[i], inertias[i]);
-  if (constraints == BulletConstraints::kRigid) MakeRigid();
+  SetUp(values);
 }
 
-void BulletWorld::MakeRigid() {
+void BulletWorld::SetUp(const std::vector<double>& values) {
+  const auto residual = ToBullet(values[kBulletResidual]);
   btContactSolverInfo& info = world_.getSolverInfo();
-  info.m_numIterations = kIterations;
-  info.m_leastSquaresResidualThreshold = kConverged * kConverged;
-  info.m_erp = 0;
-  info.m_erp2 = 0;
-  info.m_splitImpulse = 0;
-  info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
-  for (const auto& body : bodies_) body->setContactProcessingThreshold(0);
+  info.m_numIterations = static_cast<int>(values[kBulletIterations]);
+  info.m_leastSquaresResidualThreshold = residual * residual;
+  info.m_erp = ToBullet(values[kBulletErp]);
+  info.m_erp2 = ToBullet(values[kBulletErp]);
+  info.m_splitImpulse = values[kBulletSplitImpulse] != 0 ? 1 : 0;
+  if (values[kBulletFrictionDirections] == 2)
+    info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+  info.m_restitutionVelocityThreshold = ToBullet(values[kBulletRestitutionThreshold]);
+  const btScalar threshold = ToBullet(values[kBulletProcessingThreshold]);
+  for (const auto& body : bodies_) body->setContactProcessingThreshold(threshold);
 }
 
 void BulletWorld::Add(const RigidBody& body, const Eigen::Vector3d& inertia) {
@@ -122,6 +118,7 @@ void BulletWorld::ReadImpulses(std::vector<ContactImpulse>& impulses) const {
       impulse.n_AB_W = -FromBullet(point.m_normalWorldOnB);
       impulse.J_B_W = -FromBullet(J_0);
       impulse.separation = point.getDistance();
+      impulse.t_W = FromBullet(point.m_lateralFrictionDir1);
     }
   }
 }

@@ -21,10 +21,11 @@ namespace touchstone {
  of BulletOracleInfo(). */
 class BulletWorld {
  public:
-  /** `inertias` are the principal moments of each body (InertiaOf). [kg m²]
+  /** `inertias` are the principal moments of each body (InertiaOf). [kg m²] There
+   is one of `values` for each BulletParameter.
    @pre There are no particles, springs, joints, cloths or moving half-spaces. */
   BulletWorld(const World& world, const std::vector<Eigen::Vector3d>& inertias,
-              BulletConstraints constraints);
+              const std::vector<double>& values);
 
   // These have the same meaning as in Simulation.
   void Push(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W);
@@ -33,7 +34,7 @@ class BulletWorld {
   void ReadImpulses(std::vector<ContactImpulse>& impulses) const;
 
  private:
-  void MakeRigid();
+  void SetUp(const std::vector<double>& values);
   void Add(const RigidBody& body, const Eigen::Vector3d& inertia);
 
   btScalar dt_;

@@ -31,18 +31,14 @@ class DartOracle final : public Oracle {
     AnswerEach(info_, queries, answers, AnswerByDart);
   }
 
-  std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return DartWorld(world, DartContacts::kRigid);
+  std::string CannotSimulate(const World& world) const override {
+    const std::string reason = Oracle::CannotSimulate(world);
+    return reason.empty() ? DartSurfaces(world).why_not() : reason;
   }
 
-  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
-    return DartWorld(world, DartContacts::kAsShipped);
-  }
-
-  Trajectory Simulate(const World& world) const override {
-    Trajectory refused;
-    refused.reason = DartSurfaces(world).why_not();
-    return refused.reason.empty() ? Oracle::Simulate(world) : refused;
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    return DartWorld(world, values);
   }
 
  private:

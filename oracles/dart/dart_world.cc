@@ -27,14 +27,18 @@ using dart::dynamics::FreeJoint;
 using dart::dynamics::Skeleton;
 using Eigen::Vector3d;
 
-// The smallest value that DART allows. It is relative to the diagonal of its matrix,
-// unlike ODE's.
-constexpr double kConstraintForceMixing = 1e-9;
+// Indices of the parameters.
+enum Parameter : std::size_t {
+  kContactErp,
+  kMaxErrorReductionVelocity,
+  kConstraintForceMixing,
+  kParameters,
+};
 
 class DartSimulation final : public Simulation {
  public:
-  DartSimulation(const World& world, DartContacts contacts)
-      : question_(world), contacts_(contacts), surfaces_(world) {
+  DartSimulation(const World& world, std::span<const double> values)
+      : question_(world), values_(values.begin(), values.end()), surfaces_(world) {
     world_->setTimeStep(world.dt);
     world_->setGravity(world.gravity_W);
     dart::constraint::ConstraintSolver& solver = *world_->getConstraintSolver();
@@ -60,11 +64,10 @@ class DartSimulation final : public Simulation {
   }
 
   void Step() override {
-    const bool is_rigid = contacts_ == DartContacts::kRigid;
     // These are global variables: another simulation may have changed them.
-    ContactConstraint::setErrorReductionParameter(is_rigid ? 0 : 0.01);
-    ContactConstraint::setMaxErrorReductionVelocity(1e-3);
-    ContactConstraint::setConstraintForceMixing(is_rigid ? kConstraintForceMixing : 1e-5);
+    ContactConstraint::setErrorReductionParameter(values_[kContactErp]);
+    ContactConstraint::setMaxErrorReductionVelocity(values_[kMaxErrorReductionVelocity]);
+    ContactConstraint::setConstraintForceMixing(values_[kConstraintForceMixing]);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       if (joints_[i] != nullptr)
         joints_[i]->getChildBodyNode()->addExtForce(question_.bodies[i].force_W);
@@ -155,7 +158,7 @@ class DartSimulation final : public Simulation {
   }
 
   World question_;
-  DartContacts contacts_;
+  std::vector<double> values_;  // Values of the parameters.
   DartSurfaces surfaces_;
   dart::simulation::WorldPtr world_ = dart::simulation::World::create();
   std::vector<FreeJoint*> joints_;  // Indexed by body; null for static bodies.
@@ -182,10 +185,51 @@ std::string WhyNot(WorldFeature feature) {
   }
 }
 
+std::vector<WorldParameter> Parameters() {
+  std::vector<WorldParameter> parameters(kParameters);
+  parameters[kContactErp] = {
+      .name = "contact_erp",
+      .here = 0,
+      .shipped = 0.01,
+      .least = 0,
+      .most = 1,
+      .whole = false,
+      .what =
+          "fraction of an overlap that a step removes; "
+          "ContactConstraint::setErrorReductionParameter",
+      .why =
+          "Overlap is not pushed out, which would add energy: bodies rest at the "
+          "depth at which they were found."};
+  parameters[kMaxErrorReductionVelocity] = {
+      .name = "max_erv",
+      .here = 1e-3,
+      .shipped = 1e-3,
+      .least = 0,
+      .most = 1e3,
+      .whole = false,
+      .what =
+          "greatest speed in m/s at which overlap is removed; "
+          "ContactConstraint::setMaxErrorReductionVelocity",
+      .why = ""};
+  parameters[kConstraintForceMixing] = {
+      .name = "contact_cfm",
+      .here = 1e-9,
+      .shipped = 1e-5,
+      .least = 1e-9,
+      .most = 1,
+      .whole = false,
+      .what =
+          "softness of contacts as a fraction of the diagonal, unlike ODE's; "
+          "ContactConstraint::setConstraintForceMixing",
+      .why = "The smallest value that DART allows."};
+  return parameters;
+}
+
 }  // namespace
 
-std::unique_ptr<Simulation> DartWorld(const World& world, DartContacts contacts) {
-  return std::make_unique<DartSimulation>(world, contacts);
+std::unique_ptr<Simulation> DartWorld(const World& world,
+                                      std::span<const double> values) {
+  return std::make_unique<DartSimulation>(world, values);
 }
 
 void DescribeDartWorlds(OracleInfo& info) {
@@ -215,11 +259,6 @@ void DescribeDartWorlds(OracleInfo& info) {
        "friction up to 0.001 as 0."},
       {"world: friction cone", "box",
        "Coulomb's law along each of two fixed directions: a square, not a circle."},
-      {"world: error reduction of contacts", "0",
-       "Overlap is not pushed out, which would add energy: bodies rest at the depth at "
-       "which they were found."},
-      {"world: constraint force mixing", "1e-9 of the diagonal",
-       "The smallest value that DART allows."},
       {"world: push", "velocities set", "DART has no impulses."},
       {"world: gyroscopic term", "on, explicit", "BodyNode's default."},
       {"world: damping, sleeping", "0, none", "DART's default."},
@@ -227,6 +266,7 @@ void DescribeDartWorlds(OracleInfo& info) {
        "It acts on the first body: negated."},
   };
   info.settings.insert(info.settings.end(), settings.begin(), settings.end());
+  info.parameters = Parameters();
 }
 
 }  // namespace touchstone

@@ -29,7 +29,7 @@ constexpr std::size_t kSmallestPoint = 4 * sizeof(double) + 1;
 // Sizes of the encoded states and impulses. [bytes]
 constexpr std::size_t kBodyState = 13 * sizeof(double);
 constexpr std::size_t kPointState = 6 * sizeof(double);
-constexpr std::size_t kImpulse = 3 * sizeof(std::int32_t) + 10 * sizeof(double);
+constexpr std::size_t kImpulse = 3 * sizeof(std::int32_t) + 13 * sizeof(double);
 
 class Writer {
  public:
@@ -122,6 +122,7 @@ void Put(Writer& writer, const ContactImpulse& impulse) {
   for (const Vector3d* v : {&impulse.p_WC, &impulse.n_AB_W, &impulse.J_B_W})
     writer.Put(*v);
   writer.Put(impulse.separation);
+  writer.Put(impulse.t_W);
 }
 
 void Get(Reader& reader, BodyState& body) {
@@ -142,6 +143,7 @@ void Get(Reader& reader, ContactImpulse& impulse) {
   for (Vector3d* v : {&impulse.p_WC, &impulse.n_AB_W, &impulse.J_B_W})
     *v = reader.GetVector();
   impulse.separation = reader.Get<double>();
+  impulse.t_W = reader.GetVector();
 }
 
 }  // namespace

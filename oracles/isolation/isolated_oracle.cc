@@ -49,7 +49,10 @@ class IsolatedOracle final : public Oracle {
  public:
   IsolatedOracle(std::unique_ptr<Oracle> oracle, const IsolationLimits& limits,
                  IsolationScope scope)
-      : oracle_(std::move(oracle)), limits_(limits), info_(oracle_->info()) {
+      : oracle_(std::move(oracle)),
+        limits_(limits),
+        scope_(scope),
+        info_(oracle_->info()) {
     if (scope == IsolationScope::kEverything) {
       info_.isolated = true;
       info_.settings.push_back(
@@ -93,6 +96,15 @@ class IsolatedOracle final : public Oracle {
     return oracle_->Prepare(queries);
   }
 
+  std::string CannotSimulate(const World& world) const override {
+    return oracle_->CannotSimulate(world);
+  }
+
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    return oracle_->BeginWith(world, values);
+  }
+
   std::unique_ptr<Simulation> Begin(const World& world) const override {
     return oracle_->Begin(world);
   }
@@ -106,6 +118,10 @@ class IsolatedOracle final : public Oracle {
     return oracle_->BeginInThreads(world, threads);
   }
 
+  std::unique_ptr<Oracle> SetUp(const WorldSetup& setup) const override {
+    return std::make_unique<IsolatedOracle>(oracle_->SetUp(setup), limits_, scope_);
+  }
+
   Trajectory Simulate(const World& world) const override {
     return std::move(SimulateEach(std::span(&world, 1)).front());
   }
@@ -114,7 +130,7 @@ class IsolatedOracle final : public Oracle {
     std::vector<Trajectory> trajectories(worlds.size());
     std::vector<std::size_t> supported;
     for (std::size_t i = 0; i < worlds.size(); ++i) {
-      if (info_.CannotSimulate(worlds[i]).empty())
+      if (CannotSimulate(worlds[i]).empty())
         supported.push_back(i);
       else
         trajectories[i] = oracle_->Simulate(worlds[i]);
@@ -184,6 +200,7 @@ class IsolatedOracle final : public Oracle {
 
   std::unique_ptr<Oracle> oracle_;
   IsolationLimits limits_;
+  IsolationScope scope_;
   OracleInfo info_;
 };
 

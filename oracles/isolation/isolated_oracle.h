@@ -59,7 +59,8 @@ struct IsolationLimits {
  A world is also one question, and SimulateEach() one batch. The last line that the child
  prints to its standard error on a world becomes Trajectory::complaint.
 
- Prepare(), Begin(), BeginAsShipped() and BeginInThreads() call the inner oracle in this
+ An oracle that SetUp() returns is isolated with the same limits. Prepare(), Begin(),
+ BeginWith(), BeginAsShipped() and BeginInThreads() call the inner oracle in this
  process: the questions of a benchmark are benign. Linux only. Thread safe. */
 std::unique_ptr<Oracle> Isolate(std::unique_ptr<Oracle> oracle,
                                 const IsolationLimits& limits = {},

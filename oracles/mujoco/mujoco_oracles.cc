@@ -37,12 +37,9 @@ class MujocoOracle final : public Oracle {
     AnswerByMujoco(info_, queries, answers);
   }
 
-  std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return MujocoWorld(world, integrator_, MujocoContacts::kRigid);
-  }
-
-  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
-    return MujocoWorld(world, integrator_, MujocoContacts::kAsShipped);
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    return MujocoWorld(world, integrator_, values);
   }
 
  private:

@@ -20,19 +20,32 @@ using Eigen::Vector3d;
 // The fraction of its error that a rod corrects in a step, as in ODE.
 constexpr double kErrorReduction = 0.2;
 
+// Indices of the parameters.
+enum Parameter : std::size_t {
+  kContactTime,
+  kJointTime,
+  kLeastImpedance,
+  kImpedance,
+  kEllipticCone,
+  kIterations,
+  kSolverTolerance,
+  kParameters,
+};
+
 // The stiffness of a constraint. MuJoCo aims at the acceleration −b v − d k r and reaches
 // the fraction d of it, the impedance ("Solver parameters" in MuJoCo's documentation of
 // its computations). With the highest d, b = 1/h and k = 0, a contact stops an approach
 // in one step except for 1e-4 of it, and pushes nothing out. MuJoCo divides the given b
 // by d, and the given k by d².
-struct Stiffness {
+struct Reference {
   mjtNum solref[mjNREF];
-  mjtNum solimp[mjNIMP];
 };
 
-Stiffness Rigid(double dt, double error_reduction) {
-  constexpr double d = mjMAXIMP;
-  return {{-error_reduction * d / (dt * dt), -d / dt}, {d, d, 1, 0.5, 1}};
+// The damped spring with the time constant `time`, critically damped; with time 0, the
+// stiffest that a step of `dt` allows. [s]
+Reference ReferenceOf(double time, double impedance, double dt, double error_reduction) {
+  if (time > 0) return {{time, 1}};
+  return {{-error_reduction * impedance / (dt * dt), -impedance / dt}};
 }
 
 Vector3d FromMujoco(const mjtNum* v) {
@@ -42,10 +55,10 @@ Vector3d FromMujoco(const mjtNum* v) {
 class MujocoSimulation final : public Simulation {
  public:
   MujocoSimulation(const World& world, MujocoIntegrator integrator,
-                   MujocoContacts contacts)
+                   std::span<const double> values)
       : question_(world),
         integrator_(integrator),
-        contacts_(contacts),
+        values_(values.begin(), values.end()),
         room_(kFewContacts + kContactsOfBody * world.bodies.size()),
         bodies_(world.bodies.size()) {
     Make();
@@ -137,7 +150,7 @@ class MujocoSimulation final : public Simulation {
     option.timestep = question_.dt;
     Vector3d::Map(option.gravity) = question_.gravity_W;
     option.integrator = integrator_ == MujocoIntegrator::kEuler ? mjINT_EULER : mjINT_RK4;
-    if (contacts_ == MujocoContacts::kRigid) MakeRigid();
+    SetStiffness();
     for (std::size_t i = 0; i < question_.joints.size(); ++i) {
       const int tendon = Find(mjOBJ_TENDON, 'j', i);
       if (tendon < 0) continue;
@@ -183,20 +196,24 @@ class MujocoSimulation final : public Simulation {
     return {q[0], q[1], q[2], q[3]};
   }
 
-  void MakeRigid() {
+  void SetStiffness() {
     mjOption& option = model_->opt;
-    option.cone = mjCONE_ELLIPTIC;
-    option.tolerance = mjMINVAL;  // Iterates until nothing improves.
-    option.iterations = 1000;
+    option.cone = values_[kEllipticCone] != 0 ? mjCONE_ELLIPTIC : mjCONE_PYRAMIDAL;
+    option.tolerance = values_[kSolverTolerance];
+    option.iterations = static_cast<int>(values_[kIterations]);
     option.enableflags |= mjENBL_OVERRIDE;
     option.o_margin = 0;
-    const Stiffness of_contacts = Rigid(option.timestep, 0);
+    const double d = values_[kImpedance];
+    option.o_solimp[0] = values_[kLeastImpedance];  // The others keep MuJoCo's defaults.
+    option.o_solimp[1] = d;
+    const Reference of_contacts =
+        ReferenceOf(values_[kContactTime], d, option.timestep, 0);
     mju_copy(option.o_solref, of_contacts.solref, mjNREF);
-    mju_copy(option.o_solimp, of_contacts.solimp, mjNIMP);
-    const Stiffness of_rods = Rigid(option.timestep, kErrorReduction);
+    const Reference of_rods =
+        ReferenceOf(values_[kJointTime], d, option.timestep, kErrorReduction);
     for (std::ptrdiff_t i = 0; i < model_->neq; ++i) {
       mju_copy(model_->eq_solref + mjNREF * i, of_rods.solref, mjNREF);
-      mju_copy(model_->eq_solimp + mjNIMP * i, of_rods.solimp, mjNIMP);
+      mju_copy(model_->eq_solimp + mjNIMP * i, option.o_solimp, mjNIMP);
     }
   }
 
@@ -228,7 +245,7 @@ class MujocoSimulation final : public Simulation {
 
   World question_;
   MujocoIntegrator integrator_;
-  MujocoContacts contacts_;
+  std::vector<double> values_;  // Values of the parameters.
   std::size_t room_;
   bool was_reset_ = false;
   Saved saved_;
@@ -255,11 +272,89 @@ std::string WhyNot(WorldFeature feature) {
   }
 }
 
+std::vector<WorldParameter> Parameters() {
+  std::vector<WorldParameter> parameters(kParameters);
+  parameters[kContactTime] = {
+      .name = "contact_time",
+      .here = 0,
+      .shipped = 0.02,
+      .least = 0,
+      .most = 1e3,
+      .whole = false,
+      .what =
+          "time constant of contacts in s, critically damped, solref; 0: solref 0, "
+          "-d/h, the stiffest damper that a step allows",
+      .why =
+          "MuJoCo's contacts are damped springs. With 0 one step stops an approach "
+          "except for 1e-4 of it, and nothing is pushed out, which would add energy. "
+          "The default settles over 0.02 s at any step."};
+  parameters[kJointTime] = {
+      .name = "joint_time",
+      .here = 0,
+      .shipped = 0.02,
+      .least = 0,
+      .most = 1e3,
+      .whole = false,
+      .what =
+          "time constant of distance joints in s, critically damped, solref; 0: a "
+          "fifth of an error is removed in a step",
+      .why = "As for contacts."};
+  parameters[kLeastImpedance] = {.name = "least_impedance",
+                                 .here = mjMAXIMP,
+                                 .shipped = 0.9,
+                                 .least = mjMINIMP,
+                                 .most = mjMAXIMP,
+                                 .whole = false,
+                                 .what =
+                                     "impedance d of a constraint without error, "
+                                     "solimp[0]",
+                                 .why = "The highest that MuJoCo allows."};
+  parameters[kImpedance] = {.name = "impedance",
+                            .here = mjMAXIMP,
+                            .shipped = 0.95,
+                            .least = mjMINIMP,
+                            .most = mjMAXIMP,
+                            .whole = false,
+                            .what =
+                                "impedance d of a constraint that is violated by 1 mm "
+                                "or more, solimp[1]",
+                            .why = "The highest that MuJoCo allows."};
+  parameters[kEllipticCone] = {.name = "elliptic_cone",
+                               .here = 1,
+                               .shipped = 0,
+                               .least = 0,
+                               .most = 1,
+                               .whole = true,
+                               .what = "friction cone: 1 elliptic, 0 pyramidal",
+                               .why =
+                                   "Coulomb's circle. MuJoCo's default is a pyramid "
+                                   "inside it."};
+  parameters[kIterations] = {.name = "iterations",
+                             .here = 1000,
+                             .shipped = 100,
+                             .least = 1,
+                             .most = 1'000'000,
+                             .whole = true,
+                             .what = "most iterations of the solver",
+                             .why = "It iterates until nothing improves."};
+  parameters[kSolverTolerance] = {.name = "solver_tolerance",
+                                  .here = mjMINVAL,
+                                  .shipped = 1e-8,
+                                  .least = 0,
+                                  .most = 1,
+                                  .whole = false,
+                                  .what = "improvement at which the solver stops",
+                                  .why =
+                                      "The residual of MuJoCo's default would hide its "
+                                      "contact law."};
+  return parameters;
+}
+
 }  // namespace
 
 std::unique_ptr<Simulation> MujocoWorld(const World& world, MujocoIntegrator integrator,
-                                        MujocoContacts contacts) {
-  return std::make_unique<MujocoSimulation>(world, integrator, contacts);
+                                        std::span<const double> values) {
+  return std::make_unique<MujocoSimulation>(world, integrator, values);
 }
 
 void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info) {
@@ -269,17 +364,11 @@ void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info) {
     info.world_capabilities[static_cast<std::size_t>(i)] = {reason.empty(), reason};
   }
   const std::vector<Setting> settings = {
-      {"world: solver", "Newton, 1000 iterations, tolerance 1e-15",
-       "It iterates until nothing improves: the residual of MuJoCo's default 1e-8 would "
-       "hide its contact law."},
+      {"world: solver", "Newton", "MuJoCo's default."},
       integrator == MujocoIntegrator::kEuler
           ? Setting{"world: integrator", "Euler",
                     "Semi-implicit; rotation by the exponential map."}
           : Setting{"world: integrator", "RK4", "Fourth-order Runge-Kutta method."},
-      {"world: contact softness", "solref 0, -d/h; solimp d = 0.9999",
-       "MuJoCo's contacts are damped springs. These are so stiff that one step stops an "
-       "approach except for 1e-4 of it. Nothing is pushed out, which would add energy. "
-       "The default is a spring that settles over 0.02 s at any step."},
       {"world: contact law", "convex",
        "MuJoCo's relaxation of Coulomb's law: a sliding body also lifts off, at mu times "
        "its slip velocity."},
@@ -287,12 +376,12 @@ void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info) {
        "A world in which two bodies can bounce is unsupported."},
       {"world: friction", "sqrt(mu_A mu_B)",
        "Set by explicit pairs if bodies differ: MuJoCo's default is the larger one."},
-      {"world: friction cone", "elliptic",
-       "Coulomb's circle. MuJoCo's default is a pyramid inside it."},
       {"world: friction of spin and roll", "none", "condim 3; 1 where friction is 0."},
       {"world: contact margin", "0", "MuJoCo's default."},
       {"world: distance joint", "equality of a tendon's length",
-       "Between two sites; a fifth of its error is corrected in a step, as in ODE."},
+       "Between two sites; with joint_time 0 a fifth of its error is corrected in a "
+       "step, "
+       "as in ODE."},
       {"world: spring", "tendon with stiffness, damping and spring length",
        "An explicit force, evaluated at the start of a step."},
       {"world: push", "velocities set", "MuJoCo has no impulses."},
@@ -303,6 +392,7 @@ void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info) {
        "RK4 keeps the forces of its last stage only."},
   };
   info.settings.insert(info.settings.end(), settings.begin(), settings.end());
+  info.parameters = Parameters();
 }
 
 }  // namespace touchstone

@@ -190,12 +190,9 @@ class OdeOracle final : public Oracle {
     return std::make_unique<OdeBatch>(queries);
   }
 
-  std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return OdeWorld(world, OdeStepper::kStep, OdeConstraints::kRigid);
-  }
-
-  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
-    return OdeWorld(world, OdeStepper::kStep, OdeConstraints::kAsShipped);
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    return OdeWorld(world, OdeStepper::kStep, values);
   }
 
  private:
@@ -224,12 +221,9 @@ class QuickStepOracle final : public Oracle {
       answers[i] = UnsupportedAnswer(info_.capabilities[0][0].reason);
   }
 
-  std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return OdeWorld(world, OdeStepper::kQuickStep, OdeConstraints::kRigid);
-  }
-
-  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
-    return OdeWorld(world, OdeStepper::kQuickStep, OdeConstraints::kAsShipped);
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    return OdeWorld(world, OdeStepper::kQuickStep, values);
   }
 
  private:

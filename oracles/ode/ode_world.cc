@@ -19,11 +19,13 @@ using Eigen::Vector3d;
 // The maximum number of points that ODE returns for a pair of boxes.
 constexpr int kMaxContacts = 8;
 
-// [m/(N s)] The contacts of one face make the matrix of the direct solver singular. This
-// softness prevents that, and lets a kilogram at rest sink at 1e-11 m/s.
-constexpr double kConstraintForceMixing = 1e-12;
-
-constexpr int kQuickStepIterations = 200;
+// Indices of the parameters. Only QuickStep has kIterations.
+enum Parameter : std::size_t {
+  kContactErp,
+  kJointErp,
+  kConstraintForceMixing,
+  kIterations,
+};
 
 struct Destroy {
   void operator()(dxThreadingImplementation* x) const { dThreadingFreeImplementation(x); }
@@ -60,10 +62,10 @@ class OwnRandom {
 
 class OdeSimulation final : public Simulation {
  public:
-  OdeSimulation(const World& world, OdeStepper stepper, OdeConstraints constraints)
+  OdeSimulation(const World& world, OdeStepper stepper, std::span<const double> values)
       : question_(world),
         stepper_(stepper),
-        is_rigid_(constraints == OdeConstraints::kRigid),
+        contact_erp_(values[kContactErp]),
         threading_(dThreadingAllocateSelfThreadedImplementation()),
         world_(dWorldCreate()),
         contact_joints_(dJointGroupCreate(0)),
@@ -75,9 +77,11 @@ class OdeSimulation final : public Simulation {
     dSpaceSetCleanup(space_.get(), 0);  // geoms_ owns the geoms.
     const Vector3d& g = world.gravity_W;
     dWorldSetGravity(world_.get(), g.x(), g.y(), g.z());
-    if (is_rigid_) {
-      dWorldSetCFM(world_.get(), kConstraintForceMixing);
-      dWorldSetQuickStepNumIterations(world_.get(), kQuickStepIterations);
+    dWorldSetERP(world_.get(), values[kJointErp]);
+    dWorldSetCFM(world_.get(), values[kConstraintForceMixing]);
+    if (stepper == OdeStepper::kQuickStep) {
+      dWorldSetQuickStepNumIterations(world_.get(),
+                                      static_cast<int>(values[kIterations]));
     }
     geoms_.reserve(world.bodies.size());
     for (const RigidBody& body : world.bodies) Add(body);
@@ -245,12 +249,11 @@ class OdeSimulation final : public Simulation {
     const RigidBody& A = question_.bodies[static_cast<std::size_t>(IndexOf(a))];
     const RigidBody& B = question_.bodies[static_cast<std::size_t>(IndexOf(b))];
     dContact contact{};
-    contact.surface.mode = dContactBounce | dContactApprox1;
-    if (is_rigid_) contact.surface.mode |= dContactSoftERP;
+    contact.surface.mode = dContactBounce | dContactApprox1 | dContactSoftERP;
     contact.surface.mu = std::sqrt(A.friction * B.friction);
     contact.surface.bounce = std::min(A.restitution, B.restitution);
     contact.surface.bounce_vel = 0;
-    contact.surface.soft_erp = 0;
+    contact.surface.soft_erp = contact_erp_;
     for (int i = 0; i < count; ++i) {
       contact.geom = geoms[static_cast<std::size_t>(i)];
       const dJointID joint =
@@ -263,7 +266,7 @@ class OdeSimulation final : public Simulation {
 
   World question_;
   OdeStepper stepper_;
-  bool is_rigid_;
+  double contact_erp_;
   unsigned long seed_ = 0;
   Owned<dxThreadingImplementation> threading_;
   Owned<dxWorld> world_;
@@ -289,11 +292,59 @@ std::string WhyNot(WorldFeature feature) {
   }
 }
 
+std::vector<WorldParameter> ParametersOf(OdeStepper stepper) {
+  std::vector<WorldParameter> parameters(kIterations);
+  parameters[kContactErp] = {
+      .name = "contact_erp",
+      .here = 0,
+      .shipped = 0.2,
+      .least = 0,
+      .most = 1,
+      .whole = false,
+      .what = "fraction of an overlap that a step removes; dSurfaceParameters::soft_erp",
+      .why =
+          "Overlap is not pushed out, which would add energy: bodies rest at the "
+          "depth at which they were found. A body that starts one rounding away from "
+          "a contact may then make the direct solver fail; with ODE's default it "
+          "does not."};
+  parameters[kJointErp] = {
+      .name = "joint_erp",
+      .here = 0.2,
+      .shipped = 0.2,
+      .least = 0,
+      .most = 1,
+      .whole = false,
+      .what = "fraction of a joint's error that a step removes; dWorldSetERP",
+      .why = ""};
+  parameters[kConstraintForceMixing] = {
+      .name = "cfm",
+      .here = 1e-12,
+      .shipped = 1e-10,
+      .least = 0,
+      .most = 1,
+      .whole = false,
+      .what = "softness of contacts and joints in m/(N s); dWorldSetCFM",
+      .why =
+          "With 0, faces make the direct solver's matrix singular. A kilogram sinks "
+          "at 1e-11 m/s."};
+  if (stepper == OdeStepper::kStep) return parameters;
+  parameters.push_back({.name = "iterations",
+                        .here = 200,
+                        .shipped = 20,
+                        .least = 1,
+                        .most = 1'000'000,
+                        .whole = true,
+                        .what = "iterations a step; dWorldSetQuickStepNumIterations",
+                        .why = "ODE's default leaves a residual that would hide its "
+                               "contact law."});
+  return parameters;
+}
+
 }  // namespace
 
 std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper,
-                                     OdeConstraints constraints) {
-  return std::make_unique<OdeSimulation>(world, stepper, constraints);
+                                     std::span<const double> values) {
+  return std::make_unique<OdeSimulation>(world, stepper, values);
 }
 
 void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
@@ -305,9 +356,8 @@ void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
   const std::vector<Setting> settings = {
       stepper == OdeStepper::kStep
           ? Setting{"world: solver", "dWorldStep", "A direct solver, without iterations."}
-          : Setting{"world: solver", "dWorldQuickStep, 200 iterations",
-                    "ODE's default of 20 leaves a residual that would hide its contact "
-                    "law. The random order is reset for each world."},
+          : Setting{"world: solver", "dWorldQuickStep",
+                    "The random order is reset for each world."},
       {"world: integrator",
        "semi-implicit Euler, rotation by Euler's step of a quaternion",
        "ODE's finite rotation mode is off, as it is by default."},
@@ -319,15 +369,6 @@ void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
       {"world: friction", "sqrt(mu_A mu_B)", "Set per contact."},
       {"world: friction cone", "dContactApprox1",
        "Coulomb's law along each of two fixed directions: a square, not a circle."},
-      {"world: error reduction of contacts", "0",
-       "dContactSoftERP. Overlap is not pushed out, which would add energy: bodies rest "
-       "at the depth at which they were found. A body that starts one rounding away from "
-       "a contact may then make the direct solver fail; with "
-       "ODE's default of 0.2 it does not."},
-      {"world: error reduction of joints", "0.2", "ODE's default."},
-      {"world: constraint force mixing", "1e-12",
-       "With 0, faces make the direct solver's matrix singular. "
-       "A kilogram sinks at 1e-11 m/s."},
       {"world: distance joint", "dJointTypeDBall", "A rod between two points."},
       {"world: spring", "dJointTypeDBall, ERP = hk/(hk+b), CFM = 1/(hk+b)",
        "The formulas of ODE's manual: an implicit step."},
@@ -337,6 +378,7 @@ void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
       {"world: impulses", "force of dJointFeedback times the step", ""},
   };
   info.settings.insert(info.settings.end(), settings.begin(), settings.end());
+  info.parameters = ParametersOf(stepper);
 }
 
 }  // namespace touchstone

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -14,18 +15,14 @@ enum class OdeStepper {
   kQuickStep,  ///< dWorldQuickStep: successive over-relaxation.
 };
 
-/** The stabilisation of constraints, and the number of iterations of QuickStep. */
-enum class OdeConstraints {
-  kRigid,      ///< The most rigid that ODE allows; overlap is not pushed out.
-  kAsShipped,  ///< ODE's defaults.
-};
-
-/** Returns a simulation of `world` by ODE.
+/** Returns a simulation of `world` by ODE, with `values` for the parameters that
+ DescribeOdeWorlds() declares.
  @pre ODE can simulate it (DescribeOdeWorlds). ODE is initialised. */
 std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper,
-                                     OdeConstraints constraints);
+                                     std::span<const double> values);
 
-/** Adds ODE's capabilities for worlds, and the settings used in them, to `info`. */
+/** Adds ODE's capabilities for worlds, and the settings and parameters used in them, to
+ `info`. */
 void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info);
 
 }  // namespace touchstone

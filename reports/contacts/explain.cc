@@ -1,13 +1,11 @@
 #include "reports/contacts/explain.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 
 #include <fmt/format.h>
 
 #include "reports/contacts/causes/convention.h"
-#include "reports/contacts/causes/margin.h"
+#include "reports/contacts/causes/over_geometries.h"
 #include "reports/contacts/causes/precision.h"
 #include "reports/contacts/causes/tie.h"
 #include "reports/contacts/normal_claim.h"
@@ -68,13 +66,16 @@ void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
 
 void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
                          const ContactAnswer& answer,
-                         std::span<const ContactAnswer> neighbours,
+                         std::span<const ContactQuery> queries,
+                         std::span<const ContactTruth> truths,
+                         std::span<const ContactAnswer> answers,
                          std::span<Finding> findings) {
-  const double movement =
-      MovementOf(result.scenario.contact, result.truth, answer, neighbours);
+  const std::vector<JudgedNeighbour> neighbours =
+      Judged(result.scenario, oracle, queries, truths, answers);
   for (Finding& finding : findings) {
     if (!IsUnexplained(finding)) continue;
-    const auto why = PrecisionOf(finding, result.truth, movement, oracle.unit_roundoff);
+    const auto why = PrecisionOf(finding, result.scenario.contact, result.truth, answer,
+                                 neighbours, oracle.unit_roundoff);
     if (!why) continue;
     finding.cause = Cause::kPrecision;
     finding.cause_because = *why;
@@ -83,29 +84,9 @@ void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
 
 void ExplainTheRest(std::span<const ScenarioResult> results,
                     std::span<const OracleInfo> oracles, std::span<Finding> findings) {
-  std::map<std::string_view, std::size_t> scenarios;
-  for (std::size_t s = 0; s < results.size(); ++s) {
-    scenarios[results[s].scenario.id] = s;
-  }
-  std::map<std::string_view, std::size_t> places;
-  for (std::size_t i = 0; i < oracles.size(); ++i) places[oracles[i].name] = i;
-
-  std::map<std::tuple<std::string_view, ShapeKind, ShapeKind>, std::vector<SignedError>>
-      off;
-  for (Finding& finding : findings) {
-    if (finding.measure != MeasureKind::kSeparationError || !IsUnexplained(finding))
-      continue;
-    const ScenarioResult& result = results[scenarios.at(finding.scenario)];
-    const ContactQuery& query = result.scenario.contact;
-    const ContactAnswer& answer = result.answers[places.at(finding.oracle)];
-    const Enclosure& truth = result.truth.separation;
-    const double separation = SeparationOf(answer).value();
-    const double nearest = std::clamp(separation, truth.lo, truth.hi);
-    off[{finding.oracle, KindOf(query.A.shape), KindOf(query.B.shape)}].push_back(
-        {&finding, separation - nearest, nearest});
-  }
-  for (auto& [who, errors] : off) ExplainByMargin(errors);
-
+  ExplainByMargins(results, oracles, findings);
+  RefuseConventions(results, oracles, findings);
+  RefusePrecisionSharedWithDouble(results, oracles, findings);
   for (Finding& finding : findings) {
     if (IsUnexplained(finding)) {
       finding.cause = Cause::kDefect;

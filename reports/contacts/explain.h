@@ -19,16 +19,21 @@ void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
  find one. */
 bool IsUnexplained(const Finding& finding);
 
-/** Sets the cause `precision` on those failures of one scenario and one oracle whose
- error is no larger than the change that a few roundings of the input make to the answer.
- */
+/** Sets the cause `precision` on those failures of one scenario and one oracle that
+ rounding explains, see PrecisionOf(). `queries` are NeighboursOf() the question at the
+ precision of the oracle; `truths` and `answers` belong to them. */
 void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
                          const ContactAnswer& answer,
-                         std::span<const ContactAnswer> neighbours,
+                         std::span<const ContactQuery> queries,
+                         std::span<const ContactTruth> truths,
+                         std::span<const ContactAnswer> answers,
                          std::span<Finding> findings);
 
-/** Sets the cause of all remaining failures: a margin where many share one error,
- otherwise a defect. Unproved differences keep no cause. */
+/** Settles the causes by all questions of a run. A margin is found where many share one
+ error. A convention that only one geometry shows, or that another answer of the same
+ oracle contradicts, is a defect, and so is a fault of a float engine that the same engine
+ has in double. All failures without a cause are defects. Unproved differences keep no
+ cause. */
 void ExplainTheRest(std::span<const ScenarioResult> results,
                     std::span<const OracleInfo> oracles, std::span<Finding> findings);
 

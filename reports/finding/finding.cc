@@ -57,6 +57,12 @@ std::string_view NameOf(Grade grade) {
   return kNames[static_cast<std::size_t>(grade)];
 }
 
+std::string_view NameOf(Shipped shipped) {
+  constexpr std::array<std::string_view, 4> kNames = {
+      "", "both as set here and as shipped", "as set here only", "as shipped only"};
+  return kNames[static_cast<std::size_t>(shipped)];
+}
+
 std::string_view NameOf(Cause cause) {
   constexpr std::array<std::string_view, 7> kNames = {
       "", "convention", "tie", "precision", "discretisation", "model", "defect"};

@@ -54,6 +54,14 @@ enum class Cause {
   kDefect,  ///< None of these.
 };
 
+/** Whether a fault of a motion depends on the settings that an adapter has chosen. */
+enum class Shipped {
+  kNotAsked,     ///< Not asked again, or set up as the engine ships.
+  kBoth,         ///< It fails as the engine ships, too.
+  kHereOnly,     ///< It passes as the engine ships.
+  kShippedOnly,  ///< It passes here, and fails as the engine ships.
+};
+
 /** The value of one measure for one oracle in one scenario, and its meaning. */
 struct Finding {
   std::string scenario;
@@ -76,6 +84,10 @@ struct Finding {
   double safety = 1;
   Cause cause = Cause::kNone;
   std::string cause_because;  ///< E.g. "depth is half the overlap along its own normal".
+  Shipped shipped = Shipped::kNotAsked;
+  /** The value as shipped, and the setting that decides, as a sentence without a stop;
+   empty if `shipped` is kNotAsked. */
+  std::string shipped_because;
   /** The proof as a sentence, e.g. "fcl/collide says 0.0135 along n; moving B by 0.01341
    along m separates them." Empty for passes. */
   std::string proof;
@@ -113,6 +125,8 @@ std::string_view NameOf(Verdict verdict);
 std::string_view NameOf(Undecided undecided);
 /** Returns "wrong hit or miss", "over 10 %", …; "" for kNone. */
 std::string_view NameOf(Grade grade);
+/** Returns "both as set here and as shipped", "as set here only", …; "" for kNotAsked. */
+std::string_view NameOf(Shipped shipped);
 /** Returns "convention", "tie", …; "" for kNone. */
 std::string_view NameOf(Cause cause);
 

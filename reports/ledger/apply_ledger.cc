@@ -72,6 +72,18 @@ void Excuse(Finding& finding, const LedgerScale& scale, std::span<Rule> rules,
   if (!finding.ledger_entry) finding.proof += refused;
 }
 
+/** Returns whether `finding` is on a motion with other settings than those for which the
+ entries were written. */
+bool IsSetUpOtherwise(const RunReport& report, const Finding& finding) {
+  const auto oracle =
+      std::find_if(report.oracles.begin(), report.oracles.end(),
+                   [&](const OracleInfo& info) { return info.name == finding.oracle; });
+  if (oracle == report.oracles.end() || oracle->setup.IsDefault()) return false;
+  return std::any_of(
+      report.worlds.begin(), report.worlds.end(),
+      [&](const WorldResult& world) { return world.scenario.id == finding.scenario; });
+}
+
 std::string WhyNotNeeded(const Rule& rule) {
   if (rule.voided) return "";
   if (rule.use.candidates == 0) {
@@ -143,7 +155,8 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial,
   for (Finding& finding : report.findings) {
     const auto found = rules.find(finding.oracle);
     if (found == rules.end() ||
-        report.ledger.outside_catalogue.contains(finding.scenario))
+        report.ledger.outside_catalogue.contains(finding.scenario) ||
+        IsSetUpOtherwise(report, finding))
       continue;
     Excuse(finding, scales.at(finding.scenario), found->second, report.ledger);
   }

@@ -18,8 +18,9 @@ namespace touchstone {
  oracle, or `is_oracle` says that no build has an oracle of its name. An empty `is_oracle`
  accepts every name. Entries for oracles that took no part are otherwise ignored.
 
- An entry is void for any version of the library but its own, and does not apply to the
- ledger's scenarios `outside_catalogue`. Values and bounds are in units of SceneSize() for
+ An entry is void for any version of the library but its own. It does not apply to the
+ ledger's scenarios `outside_catalogue`, nor to worlds of an oracle whose setup is not the
+ default one. Values and bounds are in units of SceneSize() for
  lengths of contact queries and in units of 1 otherwise, see ValueForLedger(). Verdicts
  without a value (crashed, timed out, invalid) have no bound to exceed. */
 void ApplyLedger(RunReport& report, std::string_view today, bool partial,

@@ -116,14 +116,25 @@ bool IsWrong(const Outcome& outcome) {
   return IsFailure(outcome.verdict) || outcome.verdict == Verdict::kKnown;
 }
 
+/** Returns the grade of a finding and whether it shows as shipped, e.g. " (over 10 %, as
+ set here only)"; empty if neither is known. */
+std::string Bracketed(const Finding* finding) {
+  if (finding == nullptr) return "";
+  const std::string_view grade = NameOf(finding->grade);
+  const bool fails = finding->shipped != Shipped::kShippedOnly;
+  const std::string_view shipped = fails ? NameOf(finding->shipped) : "";
+  if (grade.empty() && shipped.empty()) return "";
+  return fmt::format(" ({}{}{})", grade, grade.empty() || shipped.empty() ? "" : ", ",
+                     shipped);
+}
+
 std::string Names(const RunReport& report, std::span<const Outcome> outcomes,
                   bool (*selects)(const Outcome&)) {
   std::string names;
   for (const Outcome& outcome : outcomes) {
     if (!selects(outcome)) continue;
     names += (names.empty() ? "" : ", ") + report.oracles[outcome.oracle].name;
-    const Grade grade = outcome.decisive ? outcome.decisive->grade : Grade::kNone;
-    if (grade != Grade::kNone) names += fmt::format(" ({})", NameOf(grade));
+    names += Bracketed(outcome.decisive);
   }
   return names.empty() ? "none" : names;
 }
@@ -148,7 +159,8 @@ std::string WithoutName(const std::string& text, std::string_view name) {
 
 bool IsRemarkable(const Finding& finding) {
   return finding.verdict != Verdict::kUnsupported &&
-         (finding.verdict != Verdict::kPass || !RecognisedModelOf(finding).empty());
+         (finding.verdict != Verdict::kPass || !RecognisedModelOf(finding).empty() ||
+          finding.shipped == Shipped::kShippedOnly);
 }
 
 /** Returns the findings against an answer: the simplest proof and the names of the other
@@ -306,9 +318,11 @@ void WriteMotion(const RunReport& report, const WorldResult& world,
     }
     const std::string_view unit = UnitOf(finding.measure);
     const std::string_view recognised = RecognisedModelOf(finding);
-    std::string_view mark =
-        finding.verdict == Verdict::kPass ? "" : NameOf(finding.verdict);
+    std::string mark(finding.verdict == Verdict::kPass ? "" : NameOf(finding.verdict));
     if (!recognised.empty()) mark = recognised;
+    if (finding.shipped != Shipped::kNotAsked)
+      mark +=
+          fmt::format("{}{}", mark.empty() ? "fails " : ", ", NameOf(finding.shipped));
     out << fmt::format("    {:<24} {:>16} of {:>14}  {:<28} [{}]{}{}\n",
                        NameOf(finding.measure), Quantity(finding.value, unit),
                        Quantity(finding.tolerance, unit), HeldAgainst(finding),
@@ -388,7 +402,7 @@ void WriteExplanation(const RunReport& report, const ExplanationStyle& style,
     WriteWorld(report, report.worlds[w],
                std::span(outcomes).subspan(index * oracles, oracles), style, out);
   }
-  out << StatedTolerances(report);
+  out << StatedTolerances(report) << WorldSetups(report);
 }
 
 void WriteExplanationTable(const RunReport& report, std::ostream& out) {
@@ -425,7 +439,7 @@ void WriteExplanationTable(const RunReport& report, std::ostream& out) {
         fmt::format("{}", std::count_if(asked.begin(), asked.end(), IsRight)),
         Names(report, asked, IsWrong));
   }
-  out << StatedTolerances(report);
+  out << StatedTolerances(report) << WorldSetups(report);
 }
 
 }  // namespace touchstone

@@ -62,10 +62,15 @@ std::string ToLower(std::string text) {
 }
 
 std::string PrecisionOf(const OracleInfo& oracle) {
-  const std::string precision = oracle.unit_roundoff > 0x1p-40 ? "single" : "double";
-  if (oracle.tolerance.IsZero()) return precision;
-  return fmt::format("{}; granted {} beyond rounding, stated by {}", precision,
-                     ToString(oracle.tolerance), oracle.tolerance.by);
+  std::string precision = oracle.unit_roundoff > 0x1p-40 ? "single" : "double";
+  if (!oracle.tolerance.IsZero()) {
+    precision += fmt::format("; granted {} beyond rounding, stated by {}",
+                             ToString(oracle.tolerance), oracle.tolerance.by);
+  }
+  if (!oracle.setup.IsDefault()) {
+    precision += fmt::format("; worlds {}", ToString(oracle.setup, oracle.parameters));
+  }
+  return precision;
 }
 
 std::string WorstOf(const Finding* worst) {
@@ -418,7 +423,8 @@ class Page {
     for (const Outcome& outcome : outcomes) {
       for (const Finding& finding : outcome.findings) {
         if (finding.verdict == Verdict::kUnsupported ||
-            (finding.verdict == Verdict::kPass && RecognisedModelOf(finding).empty())) {
+            (finding.verdict == Verdict::kPass && RecognisedModelOf(finding).empty() &&
+             finding.shipped != Shipped::kShippedOnly)) {
           continue;
         }
         items += fmt::format("<li><span class=\"{}\">{}</span> {}{}\n",

@@ -190,6 +190,18 @@ Json ToJson(const OracleInfo& oracle) {
     json["settings"].push_back(
         {{"name", setting.name}, {"value", setting.value}, {"why", setting.why}});
   }
+  const std::vector<double> values = ValuesOf(oracle.parameters, oracle.setup);
+  json["world_as_shipped"] = oracle.setup.as_shipped;
+  json["world_parameters"] = Json::array();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const WorldParameter& parameter = oracle.parameters[i];
+    json["world_parameters"].push_back({{"name", parameter.name},
+                                        {"value", ToJson(values[i])},
+                                        {"here", ToJson(parameter.here)},
+                                        {"shipped", ToJson(parameter.shipped)},
+                                        {"what", parameter.what},
+                                        {"why", parameter.why}});
+  }
   return json;
 }
 
@@ -213,6 +225,10 @@ Json ToJson(const Finding& finding) {
   if (finding.cause != Cause::kNone) {
     json["cause"] = NameOf(finding.cause);
     json["cause_because"] = finding.cause_because;
+  }
+  if (finding.shipped != Shipped::kNotAsked) {
+    json["shipped"] = NameOf(finding.shipped);
+    json["shipped_because"] = finding.shipped_because;
   }
   if (!finding.proof.empty()) json["proof"] = finding.proof;
   if (finding.ledger_entry) json["ledger_entry"] = *finding.ledger_entry;

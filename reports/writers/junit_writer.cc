@@ -41,7 +41,11 @@ std::string Message(const RunReport& report, const Outcome& outcome) {
   }
   const Finding& finding = *outcome.decisive;
   if (outcome.verdict == Verdict::kKnown && finding.ledger_entry) {
-    return report.ledger.entries[static_cast<std::size_t>(*finding.ledger_entry)].reason;
+    const auto entry = static_cast<std::size_t>(*finding.ledger_entry);
+    const std::string& reason = report.ledger.entries[entry].reason;
+    if (finding.shipped == Shipped::kNotAsked) return reason;
+    return fmt::format("{} ({}: {})", reason, NameOf(finding.shipped),
+                       finding.shipped_because);
   }
   return Sentence(finding);
 }

@@ -1,6 +1,7 @@
 #include "reports/writers/outcome.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -224,6 +225,16 @@ std::string StatedTolerances(const RunReport& report) {
   return lines;
 }
 
+std::string WorldSetups(const RunReport& report) {
+  std::string lines;
+  for (const OracleInfo& oracle : report.oracles) {
+    if (oracle.setup.IsDefault()) continue;
+    lines += fmt::format("Worlds of {}: {}\n", oracle.name,
+                         ToString(oracle.setup, oracle.parameters));
+  }
+  return lines;
+}
+
 std::string Quantity(double value, std::string_view unit) {
   return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
@@ -306,6 +317,12 @@ std::string Sentence(const Finding& finding) {
                         NameOf(finding.cause));
     if (!finding.cause_because.empty())
       text += fmt::format(", {}", finding.cause_because);
+  }
+  if (finding.shipped != Shipped::kNotAsked) {
+    std::string whose(NameOf(finding.shipped));
+    whose[0] = static_cast<char>(std::toupper(whose[0]));
+    text += fmt::format("{} {}: {}", text.ends_with('.') ? "" : ".", whose,
+                        finding.shipped_because);
   }
   if (!text.ends_with('.')) text += '.';
   return text;

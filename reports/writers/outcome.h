@@ -130,12 +130,17 @@ std::string UndecidedInWords(const VerdictCounts& counts);
 void Count(const Outcome& outcome, VerdictCounts& counts);
 
 /** Returns the finding as one line of text, without the scenario: oracle, verdict,
- measure, value, tolerance and its origin, proof, and cause. */
+ measure, value, tolerance and its origin, proof, cause, and whether it fails as shipped.
+ */
 std::string Sentence(const Finding& finding);
 
 /** Returns a line for each oracle whose answers are judged with a stated tolerance, and
  who states it. Empty if there is none. */
 std::string StatedTolerances(const RunReport& report);
+
+/** Returns a line for each oracle whose worlds are set up otherwise than its adapter
+ does, with the values. Empty if there is none. */
+std::string WorldSetups(const RunReport& report);
 
 /** Returns `value` with its unit, to three digits: "1.23e-05 m". */
 std::string Quantity(double value, std::string_view unit);

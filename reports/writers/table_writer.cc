@@ -355,7 +355,7 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   if (!style.quiet) WriteTallies(report, outcomes, paint, out);
   WriteFailures(report, outcomes, style, paint, out);
   WriteFaults(report, paint, out);
-  const std::string stated = StatedTolerances(report);
+  const std::string stated = StatedTolerances(report) + WorldSetups(report);
   if (!stated.empty()) out << '\n' << stated;
   if (!style.quiet) {
     WriteDrifts(report, outcomes, paint, out);

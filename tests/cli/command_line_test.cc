@@ -607,6 +607,74 @@ TEST_F(CommandLineTest, AnExpectationOfTheUsersOwnIsJudged) {
   }
 }
 
+TEST_F(CommandLineTest, SaysThatAFaultIsThatOfASettingAndWhichDefaultCuresIt) {
+  Write("mine/drop.toml", kDrop);
+  const std::string file = " --subject drifter --against right " + Path("mine/drop.toml");
+  const Ended ended = Touchstone("run" + file);
+  EXPECT_EQ(ended.code, 1) << ended.out << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("As set here only: "),
+                               HasSubstr("the default drift = 0, 0.5 here, is enough")));
+  EXPECT_THAT(Touchstone("explain" + file).out,
+              AllOf(HasSubstr("Wrong: drifter (as set here only)"),
+                    HasSubstr("fail, as set here only")));
+  ASSERT_EQ(Touchstone("run --out " + Path("out") + file).code, 1);
+  const auto text = [this](const std::string& name) {
+    std::ostringstream read;
+    read << std::ifstream(Path("out/" + name)).rdbuf();
+    return read.str();
+  };
+  EXPECT_THAT(text("report.json"), HasSubstr(R"("shipped":"as set here only")"));
+  EXPECT_THAT(text("junit.xml"), HasSubstr("As set here only: "));
+  EXPECT_THAT(text("index.html"), HasSubstr("As set here only: "));
+}
+
+TEST_F(CommandLineTest, JudgesEnginesAsShippedOrWithChosenSettingsAndSaysSo) {
+  Write("mine/drop.toml", kDrop);
+  const std::string file = " --subject drifter --against right " + Path("mine/drop.toml");
+  const Ended shipped = Touchstone("run --as-shipped" + file);
+  EXPECT_EQ(shipped.code, 0) << shipped.out << shipped.err;
+  EXPECT_THAT(shipped.out, HasSubstr("Worlds of drifter: as shipped"));
+  EXPECT_EQ(Touchstone("run --set drifter:drift=0" + file).code, 0);
+  const Ended chosen = Touchstone("run --as-shipped --set drifter:drift=1" + file);
+  EXPECT_EQ(chosen.code, 1);
+  EXPECT_THAT(chosen.out, HasSubstr("Worlds of drifter: as shipped, drift = 1 (0.5 as "
+                                    "set here, 0 as shipped)"));
+  EXPECT_THAT(Touchstone("explain --set drifter:drift=1" + file).out,
+              HasSubstr("Worlds of drifter: drift = 1"));
+  const std::string simulate = "simulate --oracle drifter " + Path("mine/drop.toml");
+  EXPECT_THAT(Touchstone(simulate).out, HasSubstr("drifter,0.5,ball,0.25,"));
+  EXPECT_THAT(Touchstone(simulate + " --as-shipped").out,
+              HasSubstr("drifter,0.5,ball,0,"));
+  EXPECT_THAT(Touchstone(simulate + " --set drifter:drift=2").out,
+              HasSubstr("drifter,0.5,ball,1,"));
+  EXPECT_THAT(Touchstone("oracles --settings").out,
+              HasSubstr("--set drifter:drift=0.5  0 as shipped: drift along x in m/s. To "
+                        "have a fault."));
+}
+
+TEST_F(CommandLineTest, RefusesASettingThatIsUnknownOrOutOfRange) {
+  Write("mine/drop.toml", kDrop);
+  const auto error = [this](const std::string& choice) {
+    const Ended ended = Touchstone("run --set " + choice + " " + Path("mine/drop.toml"));
+    EXPECT_EQ(ended.code, 2) << choice;
+    EXPECT_EQ(ended.out, "") << choice;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    return ended.err;
+  };
+  EXPECT_THAT(error("drfter:drift=1"),
+              HasSubstr("no oracle 'drfter' (did you mean drifter?)"));
+  EXPECT_THAT(error("drifter:drit=1"),
+              HasSubstr("drifter has no setting 'drit' (did you mean drift?)"));
+  EXPECT_THAT(error("right:drift=1"), HasSubstr("right has no settings to choose"));
+  for (const char* value : {"10", "-1", "nan", "1x", ""}) {
+    EXPECT_THAT(error(std::string("drifter:drift=") + value),
+                HasSubstr(std::string("--set drifter:drift=") + value +
+                          " is refused; expected a number from 0 to 9"));
+  }
+  for (const char* choice : {"drifter", "drifter=1", "drift=1"})
+    EXPECT_THAT(error(choice), HasSubstr("expected ORACLE:NAME=VALUE"));
+}
+
 TEST_F(CommandLineTest, RunsNothingIfALawIsUnknown) {
   Write("mine/drop.toml", Replaced(kDrop, "ballistic", "balistic"));
   const Ended ended = Itself("run " + Path("mine/drop.toml"));

@@ -1,4 +1,4 @@
-// The command line with three oracles of known behaviour, so that its output and exit
+// The command line with four oracles of known behaviour, so that its output and exit
 // code do not depend on the installed engines.
 #include <cmath>
 #include <cstdlib>
@@ -6,6 +6,7 @@
 
 #include "cli/command_line.h"
 #include "oracles/function_oracle.h"
+#include "oracles/simulation.h"
 
 namespace touchstone {
 namespace {
@@ -26,6 +27,60 @@ ContactAnswer Spheres(const Sphere& A, const Pose& X_WA, const Sphere& B,
   return answer;
 }
 
+// The free fall of the bodies of a world, with `drift` [m/s] along x added.
+class DriftingFall final : public Simulation {
+ public:
+  DriftingFall(const World& world, double drift) : world_(world), drift_W_(drift, 0, 0) {}
+  void Push(int, const Eigen::Vector3d&, const Eigen::Vector3d&) override {}
+  void Step() override { ++step_; }
+  void Read(WorldState& state) const override {
+    const double t = step_ * world_.dt;
+    const Eigen::Vector3d& g_W = world_.gravity_W;
+    state.bodies.clear();
+    for (const RigidBody& body : world_.bodies) {
+      const Pose& X_WB = body.placed.X_WB;
+      state.bodies.push_back({X_WB.p_WB + t * (body.v_WB + drift_W_) + 0.5 * t * t * g_W,
+                              Eigen::Quaterniond(X_WB.R_WB), body.v_WB + t * g_W,
+                              body.w_WB});
+    }
+  }
+
+ private:
+  World world_;
+  Eigen::Vector3d drift_W_;
+  int step_ = 0;
+};
+
+// Right as it ships: only its adapter makes it drift.
+class Drifter final : public Oracle {
+ public:
+  Drifter() {
+    info_.name = "drifter";
+    info_.library = "Drifter";
+    info_.version = "1.0";
+    info_.simulates = true;
+    info_.world_capabilities.fill({true, ""});
+    info_.parameters = {{.name = "drift",
+                         .here = 0.5,
+                         .shipped = 0,
+                         .least = 0,
+                         .most = 9,
+                         .whole = false,
+                         .what = "drift along x in m/s",
+                         .why = "To have a fault."}};
+  }
+  const OracleInfo& info() const override { return info_; }
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery>, std::span<ContactAnswer>) const override {}
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    return std::make_unique<DriftingFall>(world, values.front());
+  }
+
+ private:
+  OracleInfo info_;
+};
+
 OracleRegistry Registry() {
   OracleRegistry registry;
   registry.Add(MakeOracle<Sphere, Sphere>(
@@ -40,6 +95,7 @@ OracleRegistry Registry() {
       [](const Sphere&, const Pose&, const Sphere&, const Pose&) -> ContactAnswer {
         throw std::runtime_error("out of spheres");
       }));
+  registry.Add(std::make_unique<Drifter>());
   return registry;
 }
 

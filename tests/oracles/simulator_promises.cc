@@ -143,6 +143,19 @@ void ExpectPushesOverlapOutOnlyAsShipped(const Oracle& oracle, double speed,
     simulation->Read(state);
     EXPECT_NEAR(state.bodies[0].v_WB.y(), as_shipped ? speed : 0, allowed);
   }
+  WorldSetup chosen;
+  for (const WorldParameter& parameter : oracle.info().parameters) {
+    EXPECT_EQ(Refusal(parameter, parameter.here), "") << parameter.name;
+    EXPECT_EQ(Refusal(parameter, parameter.shipped), "") << parameter.name;
+    chosen.chosen[parameter.name] = parameter.shipped;
+  }
+  for (const WorldSetup& setup : {chosen, WorldSetup{.as_shipped = true, .chosen = {}}}) {
+    world.steps = 1;
+    world.sample_every = 1;
+    const Trajectory trajectory = oracle.SetUp(setup)->Simulate(world);
+    ASSERT_EQ(trajectory.status, AnswerStatus::kAnswered) << trajectory.reason;
+    EXPECT_EQ(trajectory.samples.back().bodies[0].v_WB, state.bodies[0].v_WB);
+  }
 }
 
 }  // namespace touchstone

@@ -41,7 +41,8 @@ void ExpectJointHoldsEitherWayRound(const Oracle& oracle, double allowed);
 
 /** Expects that a ball 1 mm deep in the slab stays there, and that the engine with its
  default settings pushes it out at `speed` in the first step, both to within `allowed`
- [m/s]. */
+ [m/s]. It is asked in three ways to use its defaults: to begin as shipped, set up as
+ shipped, and with the default of every parameter chosen; the three start alike. */
 void ExpectPushesOverlapOutOnlyAsShipped(const Oracle& oracle, double speed,
                                          double allowed);
 

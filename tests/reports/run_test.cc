@@ -247,32 +247,73 @@ TEST(ExitCode, CountsTheReferencesOnlyOnRequest) {
   EXPECT_EQ(ExitCode(RunAll(scenarios, {&wrong, &right}), FailOn::kSubject), 1);
 }
 
-/** Returns the causes of the failures against the referee of one oracle, whose answers
- `plant` spoils. */
-std::vector<Cause> CausesOf(
-    std::function<void(const ContactQuery&, ContactAnswer&)> plant) {
+/** Returns the radius of the sphere of a question. [m] */
+double RadiusOf(const ContactQuery& query) {
+  return std::get<Sphere>(query.B.shape).radius;
+}
+
+/** Returns the failures against the referee of one oracle, whose answers `plant` spoils,
+ to spheres of `radii` [m] that are 1, 2, … mm deep in a face of a box. */
+std::vector<Finding> FailuresOf(
+    std::function<void(const ContactQuery&, ContactAnswer&)> plant,
+    const std::vector<double>& radii = {0.2, 0.3, 0.4}) {
   const FakeOracle wrong = FakeOracle::Wrong("wrong", std::move(plant));
   std::vector<Scenario> scenarios;
-  for (const double depth : {1e-3, 3e-3, 7e-3}) {
-    const std::string id = "contact/" + std::to_string(depth);
-    scenarios.push_back(ScenarioOf(id, SphereInBoxFace(depth).query));
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const double depth = 1e-3 * static_cast<double>(i + 1);
+    ContactQuery query = SphereInBoxFace(depth).query;
+    Pose& X_WB = query.B.X_WB;
+    X_WB.p_WB += (radii[i] - RadiusOf(query)) * query.A.X_WB.R_WB.col(2);
+    query.B.shape = Sphere{radii[i]};
+    scenarios.push_back(ScenarioOf("contact/" + std::to_string(i), query));
   }
-  std::vector<Cause> causes;
+  std::vector<Finding> failures;
   for (const Finding& finding : RunAll(scenarios, {&wrong}).findings) {
-    if (finding.verdict == Verdict::kFail && finding.reference == "referee") {
-      causes.push_back(finding.cause);
-    }
+    if (finding.verdict == Verdict::kFail && finding.reference == "referee")
+      failures.push_back(finding);
   }
-  EXPECT_FALSE(causes.empty());
+  EXPECT_FALSE(failures.empty());
+  return failures;
+}
+
+/** Returns the causes of these failures. */
+std::vector<Cause> CausesOf(
+    std::function<void(const ContactQuery&, ContactAnswer&)> plant,
+    const std::vector<double>& radii = {0.2, 0.3, 0.4}) {
+  std::vector<Cause> causes;
+  for (const Finding& finding : FailuresOf(std::move(plant), radii))
+    causes.push_back(finding.cause);
   return causes;
 }
 
+void HalveTheDepth(ContactAnswer& answer) {
+  *answer.separation *= 0.5;
+  for (ContactPoint& contact : answer.points) contact.separation *= 0.5;
+}
+
 TEST(Run, CallsAHalvedDepthAConvention) {
-  EXPECT_THAT(CausesOf([](const ContactQuery&, ContactAnswer& answer) {
-                *answer.separation *= 0.5;
-                for (ContactPoint& contact : answer.points) contact.separation *= 0.5;
-              }),
-              testing::Each(Cause::kConvention));
+  EXPECT_THAT(
+      CausesOf([](const ContactQuery&, ContactAnswer& answer) { HalveTheDepth(answer); }),
+      testing::Each(Cause::kConvention));
+}
+
+TEST(Run, CallsNothingAConventionThatOneGeometryShows) {
+  for (const Finding& finding : FailuresOf(
+           [](const ContactQuery&, ContactAnswer& answer) { HalveTheDepth(answer); },
+           {0.3})) {
+    EXPECT_EQ(finding.cause, Cause::kDefect);
+    EXPECT_THAT(finding.cause_because, HasSubstr("one geometry shows no convention"));
+  }
+}
+
+TEST(Run, CallsNothingAConventionThatAnotherAnswerContradicts) {
+  const auto halve_two = [](const ContactQuery& query, ContactAnswer& answer) {
+    if (RadiusOf(query) < 0.35) HalveTheDepth(answer);
+  };
+  for (const Finding& finding : FailuresOf(halve_two)) {
+    EXPECT_EQ(finding.cause, Cause::kDefect);
+    EXPECT_THAT(finding.cause_because, HasSubstr("contact/2 contradicts"));
+  }
 }
 
 TEST(Run, CallsAnErrorOfTheSameLengthEverywhereAMargin) {
@@ -283,12 +324,47 @@ TEST(Run, CallsAnErrorOfTheSameLengthEverywhereAMargin) {
 }
 
 TEST(Run, CallsNoiseFromRoundingPrecision) {
-  // The answer depends on the last bits of the question.
+  // The last bits of the question decide whether the answer is right.
+  EXPECT_THAT(CausesOf([](const ContactQuery& query, ContactAnswer& answer) {
+                const double bits = std::sin(3e17 * query.B.X_WB.p_WB.sum());
+                if (bits < 0.8) *answer.separation *= 1.5 + 0.4 * bits;
+              }),
+              testing::Contains(Cause::kPrecision));
+}
+
+TEST(Run, CallsNoiseThatIsNeverRightADefect) {
   EXPECT_THAT(CausesOf([](const ContactQuery& query, ContactAnswer& answer) {
                 const double bits = std::sin(3e17 * query.B.X_WB.p_WB.sum());
                 *answer.separation *= 1.5 + 0.4 * bits;
               }),
-              testing::Contains(Cause::kPrecision));
+              testing::Each(Cause::kDefect));
+}
+
+TEST(Run, CallsAFaultOfAFloatThatItsDoubleHasTooADefect) {
+  const auto is_unlucky = [](const ContactQuery& query) {
+    return std::sin(3e8 * query.B.X_WB.p_WB.sum()) < 0.8;
+  };
+  const auto spoil = [&](const ContactQuery& query, ContactAnswer& answer) {
+    if (is_unlucky(query)) *answer.separation *= 1.5;
+  };
+  FakeOracle in_float = FakeOracle::Wrong("float", spoil);
+  in_float.info().unit_roundoff = 0x1p-24;
+  const FakeOracle in_double = FakeOracle::Wrong(
+      "double",
+      [](const ContactQuery&, ContactAnswer& answer) { *answer.separation *= 1.5; });
+  const FakeOracle right("right");
+  const std::vector<Scenario> scenarios = {
+      ScenarioOf("contact/x", SphereInBoxFace(0.05).query)};
+  const auto cause_of_float = [&](const Oracle& other) {
+    for (const Finding& finding : RunAll(scenarios, {&in_float, &other}).findings) {
+      if (finding.oracle == "float" && finding.measure == MeasureKind::kSeparationError)
+        return finding.cause;
+    }
+    return Cause::kNone;
+  };
+  ASSERT_TRUE(is_unlucky(scenarios[0].contact));
+  EXPECT_EQ(cause_of_float(right), Cause::kPrecision);
+  EXPECT_EQ(cause_of_float(in_double), Cause::kDefect);
 }
 
 TEST(Run, CallsTheRestADefect) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -38,20 +40,40 @@ int DifferentTruths(std::span<const SignedError> run) {
   return different;
 }
 
+bool HasSeveralSizes(std::span<const SignedError> run) {
+  return std::any_of(run.begin(), run.end(),
+                     [&](const SignedError& e) { return e.sizes != run.front().sizes; });
+}
+
+/** Returns whether an answer is too exact to have a margin of `margin`. [m] */
+bool Contradicts(const SignedError& pass, double margin, double tolerance) {
+  return std::abs(pass.error - margin) > pass.finding->tolerance + tolerance;
+}
+
+constexpr std::string_view kMargin = ": a margin";
+
 }  // namespace
 
-void ExplainByMargin(std::span<SignedError> errors) {
+bool IsMargin(const Finding& finding) {
+  return finding.cause == Cause::kConvention && finding.cause_because.ends_with(kMargin);
+}
+
+void ExplainByMargin(std::span<SignedError> errors, std::span<const SignedError> passes) {
   std::sort(errors.begin(), errors.end(),
             [](const SignedError& a, const SignedError& b) { return a.error < b.error; });
   for (std::size_t begin = 0; begin < errors.size();) {
     const std::size_t end = EndOfRun(errors, begin);
     const std::span<SignedError> run = errors.subspan(begin, end - begin);
-    if (DifferentTruths(run) >= kMarginWitnesses) {
+    const auto contradicts = [&](const SignedError& pass) {
+      return Contradicts(pass, run.front().error, run.front().finding->tolerance);
+    };
+    if (DifferentTruths(run) >= kMarginWitnesses && HasSeveralSizes(run) &&
+        std::none_of(passes.begin(), passes.end(), contradicts)) {
       for (SignedError& e : run) {
         e.finding->cause = Cause::kConvention;
-        e.finding->cause_because = fmt::format(
-            "its separation is off by the same {:.6g} m in {} questions: a margin",
-            e.error, run.size());
+        e.finding->cause_because =
+            fmt::format("its separation is off by the same {:.6g} m in {} questions{}",
+                        e.error, run.size(), kMargin);
       }
     }
     begin = end;

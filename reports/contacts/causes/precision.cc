@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "reports/contacts/judge_answer.h"
 #include "reports/measures/answer_change.h"
 #include "reports/measures/outside.h"
 
@@ -50,6 +52,16 @@ struct RoundShape {
   void operator()(HalfSpace&) const {}
 };
 
+/** Returns the distance between two enclosures; 0 if they meet. [m] */
+double GapOf(const Enclosure& a, const Enclosure& b) {
+  return std::max({0.0, a.lo - b.hi, b.lo - a.hi});
+}
+
+/** Returns whether the answer that a finding is about has a fault. */
+bool HasFailed(const Finding& finding) {
+  return IsFailure(finding.verdict);
+}
+
 Body Rounded(Body body) {
   std::visit(RoundShape{}, body.shape);
   Eigen::Vector3d p = body.X_WB.p_WB;
@@ -82,37 +94,64 @@ std::vector<ContactQuery> NeighboursOf(const ContactQuery& query, double u) {
   return neighbours;
 }
 
-double MovementOf(const ContactQuery& query, const ContactTruth& truth,
-                  const ContactAnswer& answer,
-                  std::span<const ContactAnswer> neighbours) {
-  double movement = 0;
-  for (const ContactAnswer& neighbour : neighbours) {
-    if (neighbour.status != AnswerStatus::kAnswered) continue;
-    // A neighbour without a usable normal or separation gives no distance.
-    if (neighbour.n_AB_W && !(neighbour.n_AB_W->norm() > 0)) continue;
-    if (neighbour.separation && !std::isfinite(*neighbour.separation)) continue;
-    movement =
-        std::max(movement, AnswerChange(query, truth, answer, neighbour).Largest());
+std::vector<JudgedNeighbour> Judged(const Scenario& scenario, const OracleInfo& oracle,
+                                    std::span<const ContactQuery> queries,
+                                    std::span<const ContactTruth> truths,
+                                    std::span<const ContactAnswer> answers) {
+  std::vector<JudgedNeighbour> judged;
+  Scenario moved = scenario;
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    if (answers[i].status != AnswerStatus::kAnswered) continue;
+    moved.contact = queries[i];
+    judged.push_back(
+        {truths[i], answers[i], JudgeAnswer(moved, truths[i], oracle, answers[i])});
   }
-  return movement;
+  return judged;
 }
 
-std::optional<std::string> PrecisionOf(const Finding& finding, const ContactTruth& truth,
-                                       double movement, double u) {
-  double error = 0;
+std::optional<std::string> PrecisionOf(const Finding& finding, const ContactQuery& query,
+                                       const ContactTruth& truth,
+                                       const ContactAnswer& answer,
+                                       std::span<const JudgedNeighbour> neighbours,
+                                       double u) {
+  const bool by_referee = finding.reference == "referee";
+  double error = std::numeric_limits<double>::infinity();
   if (finding.measure == MeasureKind::kTouching) {
     error = Outside(0, truth.separation);
   } else if (UnitOf(finding.measure) == "m") {
     error = finding.value;
-  } else {
-    return std::nullopt;
   }
   // An error without a size, in a scene that is exactly flush, has no rounding to
   // explain.
-  if (!(error > 0) || !(movement >= kExplains * error)) return std::nullopt;
+  if (!(error > 0)) return std::nullopt;
+  const auto is_pass = [&](const Finding& other) {
+    return other.measure == finding.measure && other.verdict == Verdict::kPass;
+  };
+  double truth_moves = 0;
+  double answer_moves = 0;
+  for (const JudgedNeighbour& neighbour : neighbours) {
+    truth_moves =
+        std::max(truth_moves, GapOf(truth.separation, neighbour.truth.separation));
+    const std::vector<Finding>& findings = neighbour.findings;
+    if (by_referee && std::any_of(findings.begin(), findings.end(), is_pass)) {
+      return fmt::format(
+          "{:.0f} roundings of 2^{:.0f} on its input make its answer right", kAway,
+          std::log2(u));
+    }
+    if (std::none_of(findings.begin(), findings.end(), HasFailed))
+      answer_moves = std::max(
+          answer_moves, AnswerChange(query, truth, answer, neighbour.answer).Largest());
+  }
+  if (truth_moves >= kExplains * error) {
+    return fmt::format(
+        "{:.0f} roundings of 2^{:.0f} on the input move the truth by {:.3g} m", kAway,
+        std::log2(u), truth_moves);
+  }
+  if (by_referee || !(answer_moves >= kExplains * error)) return std::nullopt;
   return fmt::format(
-      "{:.0f} roundings of 2^{:.0f} on its input move its answer by {:.3g} m", kAway,
-      std::log2(u), movement);
+      "{:.0f} roundings of 2^{:.0f} on its input move its answer by {:.3g} m, to a right "
+      "one",
+      kAway, std::log2(u), answer_moves);
 }
 
 }  // namespace touchstone

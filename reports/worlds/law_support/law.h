@@ -22,11 +22,19 @@ struct Motion {
   const Trajectory& trajectory;  ///< Answered; its samples end early if it diverged.
 };
 
+/** The errors that a tolerance of a law grants. */
+enum class Grants {
+  kRounding,  ///< Rounding alone, whatever the step.
+  kSolver,    ///< Rounding, and the residual of a solver.
+  kStep,      ///< The error law of the step too, with the factor of safety kSafety.
+};
+
 /** One number of a motion, judged by a law. */
 struct LawFinding {
   MeasureKind measure;
   double value = 0;
   Tolerance tolerance;  ///< Derived from rounding or from the error law of the step.
+  Grants grants = Grants::kStep;
   /** The reason for the value: "drop says y = 0.493 of ball at 1.2 s; ½ g t² from 1 m
    says 0.5". Shown if the value exceeds the tolerance, and with `recognised`. */
   std::string proof;

@@ -15,8 +15,9 @@ namespace touchstone {
  with time, so the largest number need not be the worst one. */
 class Worst {
  public:
-  Worst(MeasureKind measure, std::string because) {
+  Worst(MeasureKind measure, std::string because, Grants grants = Grants::kStep) {
     finding_.measure = measure;
+    finding_.grants = grants;
     finding_.tolerance.because = std::move(because);
   }
 

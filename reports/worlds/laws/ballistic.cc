@@ -79,7 +79,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       "1.5 × ½ |a| h t, the error of semi-implicit Euler, and 64 roundings per step");
   Worst velocity(
       MeasureKind::kVelocityError,
-      "64 roundings per step: every scheme integrates a constant force exactly");
+      "64 roundings per step: every scheme integrates a constant force exactly",
+      Grants::kRounding);
   const std::vector<Flight> flights = FlightsOf(world, claim);
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];

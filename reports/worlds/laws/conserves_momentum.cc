@@ -37,7 +37,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst drift(MeasureKind::kMomentumDrift,
               "64 roundings per step: impulses are equal and opposite, and every scheme "
               "integrates a constant force exactly; and velocities that are roundings of "
-              "positions over a step");
+              "positions over a step",
+              Grants::kRounding);
   const Eigen::Matrix3d kept = ProjectionOf(claim);
   const Trajectory& trajectory = motion.trajectory;
   const Eigen::Vector3d P_0 = MomentumOf(world, StateAtStart(world), subjects);

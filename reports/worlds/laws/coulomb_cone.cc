@@ -33,7 +33,8 @@ double Violation(const ContactImpulse& contact, double friction, double tangenti
 /** Tests whether impulses follow the box cone, which bounds the larger tangential
  component instead of the tangential magnitude.
 
- The friction directions follow from the normal by one rule for a whole motion: the
+ The engine states its friction directions, as Bullet does, which turns them into the
+ slip. Or they follow from the normal by one rule for a whole motion: the
  projection of one world axis. Which axis that is depends on which component of the normal
  exceeds √½, if any. At least one impulse must be beyond the circle and as large as the
  box allows. Impulses inside the box alone only show too much friction. */
@@ -41,25 +42,29 @@ class BoxCone {
  public:
   void Take(const ContactImpulse& contact, double friction, bool beyond_circle,
             double tolerance) {
+    if (!contact.t_W.isZero()) {
+      TangentFrame frame;
+      frame << contact.t_W, contact.n_AB_W.cross(contact.t_W);
+      Take(contact, friction, beyond_circle, tolerance, frame, stated_);
+      if (!IsOrthonormal(contact)) stated_.fits = false;
+      return;
+    }
     Eigen::Index largest = 0;
     const double component = contact.n_AB_W.cwiseAbs().maxCoeff(&largest);
     auto& axes =
         axes_[component > std::sqrt(0.5) ? static_cast<std::size_t>(largest) : 3];
-    const double bound = friction * std::max(0.0, contact.J_B_W.dot(contact.n_AB_W));
     for (std::size_t i = 0; i < axes.size(); ++i) {
       const auto frame = TangentFrameAlong(contact.n_AB_W, static_cast<int>(i));
-      if (!frame) {
+      if (frame)
+        Take(contact, friction, beyond_circle, tolerance, *frame, axes[i]);
+      else
         axes[i].fits = false;
-        continue;
-      }
-      const double larger = (frame->transpose() * contact.J_B_W).cwiseAbs().maxCoeff();
-      if (!(Violation(contact, friction, larger) <= tolerance)) axes[i].fits = false;
-      if (beyond_circle && std::abs(larger - bound) <= tolerance) axes[i].shows = true;
     }
   }
 
   bool IsFollowed() const {
-    bool shows = false;
+    if (!stated_.fits) return false;
+    bool shows = stated_.shows;
     for (const auto& axes : axes_) {
       const auto fits = [](const Axis& axis) { return axis.fits; };
       if (std::none_of(axes.begin(), axes.end(), fits)) return false;
@@ -71,11 +76,29 @@ class BoxCone {
   }
 
  private:
-  /** A world axis from which the friction directions may be derived. */
+  /** A rule for the friction directions: one world axis, or what the engine states. */
   struct Axis {
     bool fits = true;    ///< Every impulse is inside the box.
     bool shows = false;  ///< An impulse beyond the circle is on the box's boundary.
   };
+
+  /** Tells whether the stated direction is a unit vector in the plane of the contact, to
+   the rounding of a float. */
+  static bool IsOrthonormal(const ContactImpulse& contact) {
+    constexpr double kStated = 1e-5;
+    return std::abs(contact.t_W.squaredNorm() - 1) <= kStated &&
+           std::abs(contact.t_W.dot(contact.n_AB_W)) <= kStated;
+  }
+
+  static void Take(const ContactImpulse& contact, double friction, bool beyond_circle,
+                   double tolerance, const TangentFrame& frame, Axis& axis) {
+    const double bound = friction * std::max(0.0, contact.J_B_W.dot(contact.n_AB_W));
+    const double larger = (frame.transpose() * contact.J_B_W).cwiseAbs().maxCoeff();
+    if (!(Violation(contact, friction, larger) <= tolerance)) axis.fits = false;
+    if (beyond_circle && std::abs(larger - bound) <= tolerance) axis.shows = true;
+  }
+
+  Axis stated_;  ///< For contacts with directions that the engine states.
   /** Indexed by the normal's component above √½, or 3 if there is none. */
   std::array<std::array<Axis, 3>, 4> axes_;
 };
@@ -89,7 +112,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   };
   Worst worst(MeasureKind::kConeViolation,
               "1e-5 of the impulse and of the pair's gravity impulse in a step, for the "
-              "solver, and 64 roundings");
+              "solver, and 64 roundings",
+              Grants::kSolver);
   BoxCone box;
   for (const ContactImpulse& contact : motion.trajectory.impulses) {
     if (!is_subject(contact.A) && !is_subject(contact.B)) continue;

@@ -23,7 +23,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       MeasureKind::kMomentumBalance,
       "64 roundings per step: every scheme sums the impulses that it applies; and 3000 "
       "roundings of the impulses for each contact of a step, for the solver; and "
-      "velocities that are roundings of positions over a step");
+      "velocities that are roundings of positions over a step",
+      Grants::kRounding);
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
     const ReportedImpulses reported = ReportedBefore(motion, s);

@@ -45,7 +45,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
-  Worst momentum(MeasureKind::kMomentumDrift, "64 roundings per step");
+  Worst momentum(MeasureKind::kMomentumDrift, "64 roundings per step", Grants::kRounding);
   Worst spin(MeasureKind::kAngularMomentumDrift,
              "1.5 × the loss by the gyroscopic term, h ω × (ω × L) Δt; |ω| Δt |r| |J| if "
              "the push falls between samples; and 64 roundings per step");

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/law_support/cone_models.h"
+#include "reports/worlds/law_support/late_contacts.h"
 #include "reports/worlds/study/body_steps.h"
 #include "reports/worlds/study/judge_ensemble.h"
 #include "reports/worlds/study/judge_stability.h"
@@ -113,6 +115,39 @@ std::vector<Finding> BrokenBy(const VariantMotion& moved, const Study& study,
   return broken;
 }
 
+/** Sets the cause of a variant that moves differently: a model if the motion follows a
+ friction cone with directions that are fixed in the world. The cone is then not the same
+ in the world turned or mirrored. */
+void AttributeToCone(std::span<const Finding> of_world, Finding& finding) {
+  if (finding.verdict != Verdict::kFail) return;
+  if (finding.measure != MeasureKind::kHeading && finding.measure != MeasureKind::kMirror)
+    return;
+  for (const Finding& shown : of_world) {
+    const std::string_view model = RecognisedModelOf(shown);
+    if (!IsFrictionCone(model)) continue;
+    finding.cause = Cause::kModel;
+    finding.cause_because =
+        fmt::format("{} has directions that are fixed in the world", model);
+  }
+}
+
+/** Turns models into defects in a motion that breaks a law by a defect: a legal model
+ breaks no law. */
+void RefuseModelsOfDefects(std::span<Finding> findings) {
+  const auto is_defect = [](const Finding& finding) {
+    return finding.verdict == Verdict::kFail && finding.cause == Cause::kDefect;
+  };
+  const auto defect = std::find_if(findings.begin(), findings.end(), is_defect);
+  if (defect == findings.end()) return;
+  const std::string broken =
+      defect->law.empty() ? std::string(NameOf(defect->measure)) : defect->law;
+  for (Finding& finding : findings) {
+    if (finding.verdict != Verdict::kFail || finding.cause != Cause::kModel) continue;
+    finding.cause = Cause::kDefect;
+    finding.cause_because += fmt::format("; a model would not break {} too", broken);
+  }
+}
+
 /** Returns the findings of one variant: a failure to answer, or its difference from the
  world after the claims that it breaks. */
 std::vector<Finding> FindingsOfVariant(const Study& study, const RoundingGrowth& growth,
@@ -126,6 +161,7 @@ std::vector<Finding> FindingsOfVariant(const Study& study, const RoundingGrowth&
   if (!study.half || !IsWhole(trajectory)) return findings;
   Finding finding =
       JudgeVariant(study, growth, variant.measure, SeenInWorld(variant, trajectory));
+  AttributeToCone(of_world, finding);
   if (finding.verdict != Verdict::kFail)
     Append(findings, BrokenBy(moved, study, of_world));
   findings.push_back(std::move(finding));
@@ -143,6 +179,8 @@ std::vector<Finding> WithNeighbours(const Study& study, const Neighbours& neighb
     of_world.push_back(JudgeStable(study, most, neighbours.nudged));
     growth = GrowthIfStable(study, growth.gain, most, of_world.back());
   }
+  growth.late = std::max(
+      growth.late, LatenessOfFlushContacts(study.scenario.world, RoundingOf(study, 1)));
   std::vector<Finding> findings = of_world;
   for (const VariantMotion& moved : neighbours.variants)
     Append(findings, FindingsOfVariant(study, growth, moved, of_world));
@@ -181,6 +219,7 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle) {
     findings.push_back(JudgeRepetition(study, neighbours.again));
   if (answered && studied)
     findings = WithNeighbours(study, neighbours, std::move(findings));
+  RefuseModelsOfDefects(findings);
   examined.findings = std::move(findings);
   return examined;
 }

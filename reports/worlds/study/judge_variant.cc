@@ -92,9 +92,9 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
     }
   }
   finding.verdict = Verdict::kFail;
-  finding.cause = Cause::kModel;
+  finding.cause = Cause::kDefect;
   finding.cause_because =
-      fmt::format("the world {} moves differently", ChangeOf(measure));
+      fmt::format("no law of motion tells the world {} apart", ChangeOf(measure));
   finding.proof += fmt::format(
       ": {}, in the world itself and in the variant mapped back",
       LargestDifference(study.scenario.world, study.trajectory, seen_in_world,

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/cone_models.h"
+#include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/judge_expectation.h"
 #include "reports/worlds/study/starting_state.h"
@@ -159,6 +160,7 @@ class Judgement {
                std::string_view name) {
     Finding& finding = Add(found.measure, found.value, found.tolerance);
     finding.law = claim.law;
+    if (found.grants == Grants::kStep) finding.safety = kSafety;
     if (!found.recognised.empty()) {
       finding.cause = Cause::kModel;
       finding.cause_because = found.recognised;
@@ -166,14 +168,19 @@ class Judgement {
     } else if (!(found.value <= found.tolerance.value)) {
       finding.verdict = Verdict::kFail;
       finding.proof = fmt::format("{}: {}", name, found.proof);
-      Attribute(finding, law, claim);
+      Attribute(finding, found.grants, law, claim);
     }
     return finding;
   }
 
-  /** Sets the cause of a failure: whether its error vanishes with the step. */
-  void Attribute(Finding& finding, const Law& law, const Claim& claim) {
+  /** Sets the cause of a failure: whether its error vanishes with the step. An error that
+   no step excuses, since its tolerance is rounding alone, is a defect at any step. */
+  void Attribute(Finding& finding, Grants grants, const Law& law, const Claim& claim) {
     finding.cause = Cause::kDefect;
+    if (grants == Grants::kRounding) {
+      finding.cause_because = "it holds at any step to rounding";
+      return;
+    }
     if (!study_.half || !study_.quarter) return;
     const World half_world = Refined(study_.scenario.world, 2);
     const World quarter_world = Refined(study_.scenario.world, 4);
@@ -182,9 +189,13 @@ class Judgement {
     const auto quarter = ValueOf(law, {quarter_world, study_.oracle, *study_.quarter},
                                  claim, finding.measure);
     if (!half || !quarter) return;
-    // The impulse of a step is F h: it halves with the step by itself, so forces are
-    // compared.
-    const bool is_of_step = finding.measure == MeasureKind::kConeViolation;
+    // The impulse of a step is F h: it halves with the step by itself, so forces and
+    // moments are compared.
+    const std::string_view unit =
+        UnitOf(finding.measure) == "N s"                          ? " N"
+        : finding.measure == MeasureKind::kAngularMomentumBalance ? " N m"
+                                                                  : "";
+    const bool is_of_step = !unit.empty();
     const double h = is_of_step ? study_.scenario.world.dt : 1;
     const double at_step = finding.value / h;
     const double at_half = *half / (is_of_step ? h / 2 : 1);
@@ -194,7 +205,7 @@ class Judgement {
     finding.cause = vanishes ? Cause::kDiscretisation : Cause::kDefect;
     finding.cause_because = fmt::format(
         "{:.3g}, {:.3g} and {:.3g}{} at the step, a half and a quarter of it: {}",
-        at_step, at_half, at_quarter, is_of_step ? " N" : "",
+        at_step, at_half, at_quarter, unit,
         vanishes
             ? "it vanishes with the step"
             : fmt::format("to vanish with the step it would have to fall to 1/{:.2g} "
@@ -266,6 +277,7 @@ class Judgement {
       Finding& finding = Add(MeasureKind::kLimitError, found.value,
                              {found.tolerance.value,
                               "at a quarter of the step: " + found.tolerance.because});
+      if (found.grants == Grants::kStep) finding.safety = kSafety;
       if (!found.recognised.empty()) {
         finding.cause = Cause::kModel;
         finding.cause_because = found.recognised;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reports/threads/parallel_for.h"
+#include "reports/worlds/study/as_shipped.h"
 #include "reports/worlds/study/body_steps.h"
 #include "reports/worlds/study/examine_world.h"
 
@@ -78,6 +79,7 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
     report.worlds[w].drifts[o] = examined.drifts;
     report.worlds[w].ensembles[o] = examined.ensemble;
     findings[i] = std::move(examined.findings);
+    CompareWithShipped(worlds[w], *oracles[o], findings[i]);
     std::stable_sort(
         findings[i].begin(), findings[i].end(),
         [](const Finding& a, const Finding& b) { return a.measure < b.measure; });

@@ -23,7 +23,8 @@ struct WorldsReport {
 /** Simulates every world with every oracle that can simulate, and judges the motions.
  Each world is simulated at its step; if IsStudied(), also at half and a quarter of it,
  with a moved start and in its variants. Each member of an ensemble is simulated once, and
- the worst finding per claim and measure is kept. Larger worlds are simulated once only.
+ the worst finding per claim and measure is kept. Larger worlds are simulated once only. A
+ world with a failure is asked again as shipped, see CompareWithShipped().
 
  The report does not depend on the number of jobs. `on_done` is called after each pair of
  world and oracle, from any thread. */

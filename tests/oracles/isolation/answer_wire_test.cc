@@ -131,8 +131,9 @@ Trajectory FullTrajectory() {
     state.particles = {{{t, 1, 2}, {3, 4, 5}}};
     state.nodes = {{{5, 4, t}, {2, 1, 0}}, {{7, t, 8}, {9, 1, 0}}};
   }
-  trajectory.impulses = {{2, 0, 1, {1, 2, 3}, {0, 0, 1}, {4, -0.0, 6}, -1e-3},
-                         {3, 1, 0, {3, 2, 1}, {0, 1, 0}, {6, 5, 4}, 0}};
+  trajectory.impulses = {
+      {2, 0, 1, {1, 2, 3}, {0, 0, 1}, {4, -0.0, 6}, -1e-3, {0.6, -0.0, 0.8}},
+      {3, 1, 0, {3, 2, 1}, {0, 1, 0}, {6, 5, 4}, 0}};
   return trajectory;
 }
 
@@ -175,6 +176,7 @@ TEST(TrajectoryWire, KeepsEveryFieldBitForBit) {
     EXPECT_TRUE(SameBits(a.n_AB_W, b.n_AB_W));
     EXPECT_TRUE(SameBits(a.J_B_W, b.J_B_W));
     EXPECT_EQ(a.separation, b.separation);
+    EXPECT_TRUE(SameBits(a.t_W, b.t_W));
   }
 }
 

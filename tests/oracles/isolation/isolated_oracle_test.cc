@@ -225,6 +225,36 @@ void ExpectCrash(Deed deed, const std::string& reason) {
   EXPECT_EQ(answer.reason, reason);
 }
 
+// An oracle whose parameter decides what it does in a world.
+class ParameterOracle final : public Oracle {
+ public:
+  ParameterOracle() {
+    info_.name = "with_parameter";
+    info_.simulates = true;
+    info_.world_capabilities.fill({true, ""});
+    info_.parameters = {{.name = "deed",
+                         .here = kAnswer,
+                         .shipped = kAbort,
+                         .least = 0,
+                         .most = 100,
+                         .whole = true,
+                         .what = "deed",
+                         .why = ""}};
+  }
+  const OracleInfo& info() const override { return info_; }
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery>, std::span<ContactAnswer>) const override {}
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override {
+    World asked = world;
+    asked.bodies.front().placed.shape = Sphere{values.front()};
+    return std::make_unique<PlantedSimulation>(asked);
+  }
+
+ private:
+  OracleInfo info_;
+};
+
 bool HasNoChildren() {
   return waitpid(-1, nullptr, WNOHANG) == -1 && errno == ECHILD;
 }
@@ -496,6 +526,23 @@ TEST(RunToEnd, TreatsANaNImpulseAsADivergedWorld) {
 
 TEST(IsolatedOracle, AnswersAnEmptyBatch) {
   Isolated()->Answer(std::span<const ContactQuery>(), std::span<ContactAnswer>());
+  EXPECT_TRUE(HasNoChildren());
+}
+
+TEST(IsolatedOracle, SimulatesInAChildWithTheSetupThatIsChosen) {
+  const std::unique_ptr<Oracle> isolated =
+      Isolate(std::make_unique<ParameterOracle>(), Limits());
+  const World world = WorldOf(kAnswer);
+  EXPECT_EQ(isolated->Simulate(world).status, AnswerStatus::kAnswered);
+  const auto chosen =
+      isolated->SetUp({.as_shipped = false, .chosen = {{"deed", kAbort}}});
+  EXPECT_EQ(chosen->info().setup.chosen.at("deed"), kAbort);
+  EXPECT_EQ(chosen->info().settings.size(), isolated->info().settings.size());
+  EXPECT_EQ(chosen->Simulate(world).status, AnswerStatus::kCrashed);
+  const auto shipped = isolated->SetUp({.as_shipped = true, .chosen = {}});
+  EXPECT_EQ(shipped->Simulate(world).status, AnswerStatus::kCrashed);
+  const auto back = shipped->SetUp({.as_shipped = true, .chosen = {{"deed", kAnswer}}});
+  EXPECT_EQ(back->Simulate(world).status, AnswerStatus::kAnswered);
   EXPECT_TRUE(HasNoChildren());
 }
 

@@ -163,61 +163,118 @@ Finding Failure(MeasureKind measure, double value) {
   return finding;
 }
 
-TEST(Precision, ExplainsAnErrorThatTheNeighboursShowToo) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  ContactAnswer jumped = s.right;
-  *jumped.separation -= 3e-4;
-  const std::vector<ContactAnswer> neighbours = {s.right, jumped};
-  const double movement = MovementOf(s.query, s.truth, s.right, neighbours);
-  EXPECT_NEAR(movement, 3e-4, 1e-12);
-  const Finding finding = Failure(MeasureKind::kSeparationError, 5e-4);
-  EXPECT_THAT(PrecisionOf(finding, s.truth, movement, 0x1p-53).value(),
-              HasSubstr("4 roundings of 2^-53 on its input move its answer by 0.0003 m"));
+/** Returns why rounding explains the failure `measure` of an answer to a specimen, if its
+ neighbours are answered by `neighbours` and have the truth of the specimen moved by
+ `truth_moves`. [m] */
+std::optional<std::string> Precision(const Specimen& s, const ContactAnswer& answer,
+                                     MeasureKind measure, std::string reference,
+                                     const std::vector<ContactAnswer>& neighbours,
+                                     double truth_moves = 0) {
+  const FakeOracle oracle("mine");
+  Scenario scenario;
+  scenario.id = "contact/specimen";
+  scenario.contact = s.query;
+  ContactTruth moved = s.truth;
+  moved.separation.lo += truth_moves;
+  moved.separation.hi += truth_moves;
+  const std::vector<ContactQuery> queries(neighbours.size(), s.query);
+  const std::vector<ContactTruth> truths(neighbours.size(), moved);
+  Finding finding = Failure(measure, 3e-4);
+  finding.reference = std::move(reference);
+  return PrecisionOf(finding, s.query, s.truth, answer,
+                     Judged(scenario, oracle.info(), queries, truths, neighbours),
+                     0x1p-53);
 }
 
-TEST(Precision, DoesNotExplainAnErrorThatStaysPut) {
+TEST(Precision, ExplainsAnErrorIfANeighbourIsAnsweredRightly) {
   const Specimen s = BoxOnBoxFace(kDepth);
-  const std::vector<ContactAnswer> neighbours = {s.right, s.right};
-  const double movement = MovementOf(s.query, s.truth, s.right, neighbours);
-  const Finding finding = Failure(MeasureKind::kSeparationError, 5e-4);
-  EXPECT_EQ(PrecisionOf(finding, s.truth, movement, 0x1p-53), std::nullopt);
+  ContactAnswer wrong = s.right;
+  *wrong.separation -= 3e-4;
+  const auto why =
+      Precision(s, wrong, MeasureKind::kSeparationError, "referee", {wrong, s.right});
+  EXPECT_THAT(why.value(),
+              HasSubstr("4 roundings of 2^-53 on its input make its answer right"));
 }
 
-TEST(Precision, ExplainsATouchingVerdictThatFlips) {
+TEST(Precision, DoesNotExplainAnErrorThatStaysOrOneThatMovesToAnother) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  ContactAnswer wrong = s.right;
+  *wrong.separation -= 3e-4;
+  ContactAnswer as_wrong = s.right;
+  *as_wrong.separation += 3e-4;
+  for (const ContactAnswer& neighbour : {wrong, as_wrong}) {
+    EXPECT_EQ(Precision(s, wrong, MeasureKind::kSeparationError, "referee", {neighbour}),
+              std::nullopt);
+  }
+}
+
+TEST(Precision, ExplainsAnErrorIfRoundingMovesTheTruthAsFar) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  ContactAnswer wrong = s.right;
+  *wrong.separation -= 3e-4;
+  const auto why =
+      Precision(s, wrong, MeasureKind::kSeparationError, "referee", {wrong}, 2e-4);
+  EXPECT_THAT(why.value(), HasSubstr("move the truth by 0.0002 m"));
+  EXPECT_EQ(Precision(s, wrong, MeasureKind::kSeparationError, "referee", {wrong}, 1e-4),
+            std::nullopt);
+}
+
+TEST(Precision, ExplainsATouchingVerdictThatBecomesRight) {
   const Specimen s = BoxOnBoxFace(kDepth);
   ContactAnswer missed = s.right;
   missed.touching = false;
-  const std::vector<ContactAnswer> neighbours = {missed};
-  const double movement = MovementOf(s.query, s.truth, s.right, neighbours);
-  const Finding finding = Failure(MeasureKind::kTouching, 1);
-  EXPECT_NE(PrecisionOf(finding, s.truth, movement, 0x1p-53), std::nullopt);
+  EXPECT_NE(Precision(s, missed, MeasureKind::kTouching, "referee", {s.right}),
+            std::nullopt);
+  EXPECT_EQ(Precision(s, missed, MeasureKind::kTouching, "referee", {missed}),
+            std::nullopt);
 }
 
-TEST(Precision, LearnsNothingFromNeighboursWithoutAnAnswer) {
+TEST(Precision, ExplainsAVariantIfTheAnswerMovesAsFarToARightOne) {
   const Specimen s = BoxOnBoxFace(kDepth);
+  ContactAnswer off = s.right;
+  *off.separation -= 3e-4;
+  EXPECT_THAT(Precision(s, off, MeasureKind::kSwap, "", {s.right}).value(),
+              HasSubstr("move its answer by 0.0003 m, to a right one"));
+  EXPECT_EQ(Precision(s, s.right, MeasureKind::kSwap, "", {off}), std::nullopt);
+}
+
+TEST(Precision, LearnsNothingFromNeighboursWithoutAUsableAnswer) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  ContactAnswer wrong = s.right;
+  *wrong.separation -= 3e-4;
   ContactAnswer broken = s.right;
   broken.n_AB_W->setZero();
   ContactAnswer crashed;
   crashed.status = AnswerStatus::kCrashed;
   ContactAnswer nan = s.right;
   nan.separation = NAN;
-  const std::vector<ContactAnswer> neighbours = {broken, crashed, nan};
-  EXPECT_EQ(MovementOf(s.query, s.truth, s.right, neighbours), 0);
+  for (const std::string reference : {"referee", ""}) {
+    EXPECT_EQ(Precision(s, wrong, MeasureKind::kSeparationError, reference,
+                        {broken, crashed, nan}),
+              std::nullopt);
+  }
 }
 
-/** Returns the causes found for separations that are off by `errors` in questions with
- `truths`. */
-std::vector<Cause> Margins(std::vector<double> errors, std::vector<double> truths) {
-  std::vector<Finding> findings(errors.size());
+/** Returns the causes found for separations of shapes of different sizes that are off by
+ `errors` in questions with `truths`; `passes` are errors of passing ones. */
+std::vector<Cause> Margins(std::vector<double> errors, std::vector<double> truths,
+                           const std::vector<double>& passes = {},
+                           bool one_size = false) {
+  std::vector<Finding> findings(errors.size() + passes.size());
   std::vector<SignedError> off;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    findings[i] = Failure(MeasureKind::kSeparationError, std::abs(errors[i]));
+  std::vector<SignedError> passed;
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const bool fails = i < errors.size();
+    const double error = fails ? errors[i] : passes[i - errors.size()];
+    findings[i] = Failure(MeasureKind::kSeparationError, std::abs(error));
     findings[i].tolerance = 1e-12;
-    off.push_back({&findings[i], errors[i], truths[i]});
+    (fails ? off : passed)
+        .push_back({&findings[i], error, fails ? truths[i] : 0.5,
+                    one_size ? "1" : std::to_string(i)});
   }
-  ExplainByMargin(off);
+  ExplainByMargin(off, passed);
   std::vector<Cause> causes;
-  for (const Finding& finding : findings) causes.push_back(finding.cause);
+  for (std::size_t i = 0; i < errors.size(); ++i) causes.push_back(findings[i].cause);
   return causes;
 }
 
@@ -236,6 +293,14 @@ TEST(Margin, IsNotSeenInTwoQuestionsOrInOneAskedThrice) {
 TEST(Margin, IsNotSeenInErrorsThatDiffer) {
   EXPECT_THAT(Margins({-0.04, -0.0401, -0.0402}, {-0.1, 0.2, 0.3}),
               testing::Each(Cause::kNone));
+}
+
+TEST(Margin, IsNotSeenInShapesOfOneSizeOrIfAnExactAnswerContradictsIt) {
+  const std::vector<double> errors = {-0.04, -0.04, -0.04};
+  const std::vector<double> truths = {-0.1, 0.2, 0.7};
+  EXPECT_THAT(Margins(errors, truths, {}, true), testing::Each(Cause::kNone));
+  EXPECT_THAT(Margins(errors, truths, {1e-13}), testing::Each(Cause::kNone));
+  EXPECT_THAT(Margins(errors, truths), testing::Each(Cause::kConvention));
 }
 
 }  // namespace

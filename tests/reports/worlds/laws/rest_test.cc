@@ -258,6 +258,30 @@ TEST(CoulombCone, UsesOneFrameForAMotion) {
   EXPECT_EQ(rubbing(0, 1), "");
 }
 
+TEST(CoulombCone, RecognisesABoxThatTurnsWithTheSlipIfTheEngineStatesItsDirections) {
+  // The impulse is at the corner of a box that turns from step to step.
+  const World world = Rubbed();
+  const auto rubbing = [&](double stated_off, double stated_length) {
+    Trajectory trajectory = Rubbing(world, {0, 0});
+    for (ContactImpulse& contact : trajectory.impulses) {
+      const auto along = [&](double angle) {
+        return Eigen::Vector3d(std::cos(angle), 0, std::sin(angle));
+      };
+      const double angle = 0.3 * contact.step;
+      contact.J_B_W =
+          2 * contact.n_AB_W + along(angle) + contact.n_AB_W.cross(along(angle));
+      contact.t_W = stated_length * along(angle + stated_off);
+    }
+    return Of(Judge(world, trajectory, ClaimOf("coulomb_cone")),
+              MeasureKind::kConeViolation)
+        .recognised;
+  };
+  EXPECT_EQ(rubbing(0, 1), "L∞ friction cone");
+  EXPECT_EQ(rubbing(0.3, 1), "");  // Then it is outside the box that is stated.
+  EXPECT_EQ(rubbing(0, 0.9), "");  // A short direction would shrink the impulse.
+  EXPECT_EQ(rubbing(0, 0), "");    // Without a statement, no fixed directions fit.
+}
+
 TEST(CoulombCone, FindsAContactThatPulls) {
   const World world = Rubbed();
   Trajectory pulling = Rubbing(world, {0, 0});

@@ -301,5 +301,34 @@ TEST(JudgeWorld, ComparesTheImpulsesOfStepsAsForces) {
   }
 }
 
+TEST(JudgeWorld, ExcusesNoErrorByTheStepThatIsGrantedRoundingAlone) {
+  // The engine reports impulses of h² that it does not apply.
+  const FakeSimulator invents("invents", [&](const World& world) {
+    Trajectory trajectory = FreeFlight(world);
+    trajectory.gives_impulses = true;
+    for (int step = 1; step <= world.steps; ++step) {
+      trajectory.impulses.push_back(
+          {step, 0, 1, {0, 0, 0}, {0, 1, 0}, {0, world.dt * world.dt, 0}, 0});
+    }
+    return trajectory;
+  });
+  WorldScenario scenario = TwoBallsInFlight();
+  scenario.claims = {{"momentum_balance", {}, {}, ""}};
+  const Studied studied(scenario, invents);
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* balance = Find(findings, MeasureKind::kMomentumBalance);
+  ASSERT_NE(balance, nullptr);
+  EXPECT_EQ(balance->verdict, Verdict::kFail);
+  EXPECT_EQ(balance->cause, Cause::kDefect);
+  EXPECT_EQ(balance->safety, 1);
+}
+
+TEST(JudgeWorld, StatesTheFactorOfSafetyOfAnErrorLaw) {
+  const Studied studied(TwoBallsInFlight(), OffBy(1, 0));
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  EXPECT_EQ(Find(findings, MeasureKind::kPositionError)->safety, 1.5);
+  EXPECT_EQ(Find(findings, MeasureKind::kVelocityError)->safety, 1);
+}
+
 }  // namespace
 }  // namespace touchstone

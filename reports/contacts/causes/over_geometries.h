@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+
+#include "oracles/oracle.h"
+#include "reports/contacts/contact_result.h"
+#include "reports/finding/finding.h"
+
+namespace touchstone {
+
+// Causes that one answer cannot show, settled by all answers of a run. `findings` are
+// those of all oracles to all questions.
+
+/** Sets the cause of failed separations that a margin explains, see ExplainByMargin(). */
+void ExplainByMargins(std::span<const ScenarioResult> results,
+                      std::span<const OracleInfo> oracles, std::span<Finding> findings);
+
+/** Turns conventions into defects that only one geometry shows, or that the same oracle
+ contradicts: in a question with the same kinds of shapes, apart or penetrating alike, the
+ same measure passes as it is. */
+void RefuseConventions(std::span<const ScenarioResult> results,
+                       std::span<const OracleInfo> oracles, std::span<Finding> findings);
+
+/** Turns `precision` into `defect` where the same algorithm of the same library fails the
+ same measure of the same question in a finer arithmetic, too, and not by rounding. */
+void RefusePrecisionSharedWithDouble(std::span<const ScenarioResult> results,
+                                     std::span<const OracleInfo> oracles,
+                                     std::span<Finding> findings);
+
+}  // namespace touchstone
