@@ -136,7 +136,7 @@ bounds of all cells to the file next to the ledger, with the extension .bounds.
   touchstone ledger --update --ledger my_ledger.toml my_scenarios/
   touchstone ledger --audit
 )",
-     kShown},
+     "0 success, 1 not in order, 2 bad input"},
     {"accuracy", R"(
 
 Runs the whole catalogue. The tables state the worst error of each oracle on each pair of

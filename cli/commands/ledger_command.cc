@@ -22,6 +22,12 @@
 namespace touchstone {
 namespace {
 
+/** Returns whether a run leaves out scenarios or oracles. */
+bool IsPartial(const Session& session, const LedgerArguments& arguments) {
+  return !arguments.scenarios.patterns.empty() || !arguments.oracles.against.empty() ||
+         arguments.scenarios.catalogues != std::vector{session.catalogue()};
+}
+
 RunReport RunAll(const Session& session, const LedgerArguments& arguments) {
   const std::vector<const Oracle*> oracles =
       SelectOracles(session.registry, arguments.oracles);
@@ -29,11 +35,8 @@ RunReport RunAll(const Session& session, const LedgerArguments& arguments) {
   const Ledger ledger = arguments.ledger
                             ? ReadLedgerOf(*arguments.ledger)
                             : BuiltInLedger(session, arguments.scenarios, questions);
-  return RunSuite(
-      session, questions, oracles, ledger,
-      {.partial = !arguments.scenarios.patterns.empty() ||
-                  !arguments.oracles.against.empty() ||
-                  arguments.scenarios.catalogues != std::vector{session.catalogue()}});
+  return RunSuite(session, questions, oracles, ledger,
+                  {.partial = IsPartial(session, arguments)});
 }
 
 void WriteFile(const std::filesystem::path& file, const std::string& text) {
@@ -78,8 +81,8 @@ int Update(RunReport report, bool causes) {
   return 1;
 }
 
-int Audit(const RunReport& report) {
-  const LedgerAudit audit = AuditLedger(report);
+int Audit(const RunReport& report, bool partial) {
+  const LedgerAudit audit = AuditLedger(report, partial);
   WriteAudit(report, audit, std::cout);
   const auto failures = std::ranges::count_if(
       report.findings, [](const Finding& finding) { return IsFailure(finding.verdict); });
@@ -103,7 +106,7 @@ int LedgerCommand(const Session& session, const LedgerArguments& arguments) {
     case LedgerAction::kUpdate:
       return Update(report, arguments.causes);
     case LedgerAction::kAudit:
-      return Audit(report);
+      return Audit(report, IsPartial(session, arguments));
   }
   return 0;
 }

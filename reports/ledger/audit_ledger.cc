@@ -23,7 +23,7 @@ bool WouldExcuse(const RunReport& report, const LedgerCell& cell, double value) 
          EntryFor(report, cell, Verdict::kFail).has_value();
 }
 
-void AddContradictions(const RunReport& report, std::size_t entry,
+void AddContradictions(const RunReport& report, std::size_t entry, bool partial,
                        std::vector<LedgerAudit::Contradiction>& contradictions) {
   // A finding without a cause contradicts none.
   std::map<Cause, int> found = report.ledger_use[entry].causes;
@@ -35,7 +35,7 @@ void AddContradictions(const RunReport& report, std::size_t entry,
       contradictions.push_back({entry, cause, findings});
   }
   for (const Cause cause : said) {
-    if (!found.contains(cause)) contradictions.push_back({entry, cause, 0});
+    if (!partial && !found.contains(cause)) contradictions.push_back({entry, cause, 0});
   }
 }
 
@@ -84,6 +84,7 @@ void WriteEntries(const RunReport& report, std::ostream& out) {
   out << "\nFindings hidden by each entry\n";
   for (const std::size_t i : order) {
     const LedgerEntry& entry = report.ledger.entries[i];
+    if (report.ledger_use[i].candidates == 0 && !report.ledger_use[i].voided) continue;
     out << fmt::format("  {:>5}  {} {} {} in {}{}\n", report.ledger_use[i].findings(),
                        PlaceOf(report, i), entry.oracle, NameOf(entry.verdict),
                        fmt::join(entry.scenarios, ", "),
@@ -93,7 +94,7 @@ void WriteEntries(const RunReport& report, std::ostream& out) {
 
 }  // namespace
 
-LedgerAudit AuditLedger(const RunReport& report) {
+LedgerAudit AuditLedger(const RunReport& report, bool partial) {
   const std::map<std::string_view, LedgerScale> scales = LedgerScalesOf(report);
   LedgerAudit audit;
   for (const Finding& finding : report.findings) {
@@ -108,7 +109,7 @@ LedgerAudit AuditLedger(const RunReport& report) {
   }
   for (std::size_t i = 0; i < report.ledger_use.size(); ++i) {
     audit.hidden += report.ledger_use[i].findings();
-    AddContradictions(report, i, audit.contradictions);
+    AddContradictions(report, i, partial, audit.contradictions);
   }
   for (const auto& [cell, bound] : report.ledger.bounds) {
     const auto scale = scales.find(cell.scenario);

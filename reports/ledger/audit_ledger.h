@@ -47,11 +47,12 @@ struct LedgerAudit {
   double Seen() const { return passing == 0 ? 1 : 1 - double(excusable) / passing; }
 };
 
-/** Audits the ledger of a report to which it has been applied. */
-LedgerAudit AuditLedger(const RunReport& report);
+/** Audits the ledger of a report to which it has been applied. In a `partial` run an
+ entry may name causes that only the findings left out have. */
+LedgerAudit AuditLedger(const RunReport& report, bool partial = false);
 
 /** Writes an audit: the share of Seen(), large bounds, contradictions of causes, the
- oldest date of expiry, and the findings that each entry hides. */
+ oldest date of expiry, and the findings that each entry hides, if the run tested it. */
 void WriteAudit(const RunReport& report, const LedgerAudit& audit, std::ostream& out);
 
 /** Returns whether an audit is in order: enough is seen, and no cause contradicts. */

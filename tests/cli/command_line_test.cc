@@ -275,8 +275,21 @@ TEST_F(CommandLineTest, ProposesALedgerForTheUsersFolderThatExcusesItsFailures) 
   EXPECT_THAT(updated.out, HasSubstr("ledger.bounds: "));
   const Ended run = Touchstone("run" + known);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_THAT(Touchstone("ledger --audit" + known).out,
-              HasSubstr("An error of 0.001 of the scene would be seen in 100.00 %"));
+  const Ended audit = Touchstone("ledger --audit" + known);
+  EXPECT_EQ(audit.code, 0) << audit.out << audit.err;
+  EXPECT_THAT(audit.out,
+              AllOf(HasSubstr("An error of 0.001 of the scene would be seen in "
+                              "100.00 % of "),
+                    HasSubstr("\n0 contradictions of causes\n"),
+                    HasSubstr("\n0 failures outside the ledger\n")));
+  // The causes are those of the findings, and the program can write them.
+  std::string ledger = TextOf(Path("ledger.toml"));
+  const std::size_t cause = ledger.find("cause = ");  // That of half_depth.
+  ledger.replace(cause, ledger.find('\n', cause) - cause, "cause = \"tie\"");
+  Write("ledger.toml", ledger);
+  EXPECT_EQ(Touchstone("ledger --audit" + known).code, 1);
+  EXPECT_EQ(Touchstone("ledger --update --causes" + known).code, 0);
+  EXPECT_EQ(Touchstone("ledger --audit" + known).code, 0);
   EXPECT_EQ(Touchstone("ledger --propose" + known).out.find("[[entry]]"),
             std::string::npos);
 }

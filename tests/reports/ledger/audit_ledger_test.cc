@@ -80,6 +80,7 @@ TEST(AuditLedger, FindsCausesThatContradictTheirFindings) {
   report.findings[0].cause = Cause::kDefect;
   EXPECT_FALSE(IsInOrder(AuditOf(report)));
   EXPECT_THAT(TextOf(report), HasSubstr("says precision, defect, but none is precision"));
+  EXPECT_TRUE(IsInOrder(AuditLedger(report, true)));
   report = ReportOfFailures({0.04, 0.04}, 0.05);
   report.ledger.entries[0].causes = {Cause::kPrecision, Cause::kDefect};
   report.findings[0].cause = Cause::kDefect;
