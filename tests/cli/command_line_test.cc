@@ -347,9 +347,9 @@ reason = "It gives half the depth."
 upstream = "unreported"
 expires = 9999-12-31
 )");
-  Write("data/known_discrepancies.bounds",
-        "mine/known half_depth separation_error=0.1 consistency_error=0.1\n"
-        "mine/deep half_depth separation_error=0.1 consistency_error=0.1\n");
+  const std::string bounds =
+      "mine/known half_depth separation_error=0.1 consistency_error=0.1\n";
+  Write("data/known_discrepancies.bounds", bounds);
   const auto run = [this](const std::string& what) {
     return InPipe("TOUCHSTONE_TEST_DATA=" + Path("data") + " " +
                   Command("run --fail-on subject --subject half_depth " + what))
@@ -358,6 +358,8 @@ expires = 9999-12-31
   EXPECT_EQ(run(""), 0);
   EXPECT_EQ(run("mine/known"), 0);
   EXPECT_EQ(run(Path("data/catalogue/mine/known.toml")), 0);
+  Write("data/known_discrepancies.bounds",
+        bounds + Replaced(bounds, "mine/known", "mine/deep"));
   // These ids match the entry, but the files are not part of the built-in catalogue.
   EXPECT_EQ(run(Path("mine/deep.toml")), 1);
   EXPECT_EQ(run(Path("mine/deep.toml") + " mine/known"), 1);
