@@ -56,9 +56,10 @@ TEST(WriteTable, ListsWhatGotWorseAndCountsIt) {
   EXPECT_THAT(Table(report), Not(HasSubstr("baseline")));
   report.regressions = {{"theirs/float", "a: theirs/float excess: was 1, is 3 m"}};
   EXPECT_THAT(Table(report),
-              testing::AllOf(HasSubstr("Worse than in the baseline\n  ✗ a: theirs/float excess: was "
-                              "1, is 3 m\n"),
-                    HasSubstr(", 1 finding worse than in the baseline\n")));
+              testing::AllOf(
+                  HasSubstr("Worse than in the baseline\n  ✗ a: theirs/float excess: was "
+                            "1, is 3 m\n"),
+                  HasSubstr(", 1 finding worse than in the baseline\n")));
   EXPECT_THAT(Table(report, {.fail_on = FailOn::kSubject}),
               Not(HasSubstr("was 1, is 3 m")));
 }
