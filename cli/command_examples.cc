@@ -139,14 +139,16 @@ Editors use the schema to complete and check scenario files.
      kShown},
     {"ledger", R"(
 
-Runs scenarios, the whole catalogue or your own, and prints a ledger entry for each failure
-that no entry of the ledger accepts. A person completes the reasons.
+Runs scenarios, the whole catalogue or your own. --propose prints a ledger entry for each
+failure that no entry covers; a person completes the reasons. --update then writes the
+bounds of all cells to the file next to the ledger, with the extension .bounds.
 )",
      R"(
   touchstone ledger --propose my_scenarios/ > my_ledger.toml
-  touchstone ledger --propose
+  touchstone ledger --update --ledger my_ledger.toml my_scenarios/
+  touchstone ledger --audit
 )",
-     kShown},
+     "0 success, 1 not in order, 2 bad input"},
     {"accuracy", R"(
 
 Runs the whole catalogue. The tables state the worst error of each oracle on each pair of

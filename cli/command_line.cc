@@ -205,6 +205,10 @@ class CommandLine {
     app->add_option("--ledger", run_.ledger,
                     "ledger of known discrepancies (default: the built-in ledger)")
         ->type_name("FILE");
+    app->add_option("--baseline", run_.baseline,
+                    "report.json of an earlier run: a finding with a worse verdict or "
+                    "twice its error fails this run")
+        ->type_name("FILE");
     app->add_option_function<std::string>(
            "--fail-on",
            [this](const std::string& whose) {
@@ -376,15 +380,29 @@ class CommandLine {
 
   void AddLedger() {
     CLI::App* app =
-        AddCommand("ledger", "Propose ledger entries for failures not yet known",
+        AddCommand("ledger", "Propose, bound or audit the known discrepancies",
                    [this] { return LedgerCommand(session_, ledger_); });
     AddScenarios(app, ledger_.scenarios);
     AddOracleOptions(app, ledger_.oracles);
     app->add_option("--ledger", ledger_.ledger,
                     "ledger of what is known already (default: the built-in ledger)")
         ->type_name("FILE");
-    app->add_flag("--propose", propose_, "print the entries, for a person to complete")
-        ->required();
+    auto* action = app->add_option_group("action");
+    const auto add = [&](const char* name, LedgerAction what, const char* description) {
+      action->add_flag_callback(
+          name, [this, what] { ledger_.action = what; }, description);
+    };
+    add("--propose", LedgerAction::kPropose,
+        "print entries for failures that no entry covers, for a person to complete");
+    add("--update", LedgerAction::kUpdate,
+        "write the bounds of all findings that an entry covers to the file next to the "
+        "ledger, FILE.bounds");
+    add("--audit", LedgerAction::kAudit,
+        "print how large an error the ledger could hide, and what it hides");
+    action->require_option(1);
+    app->add_flag("--causes", ledger_.causes,
+                  "with --update: also write the causes that were found into the ledger")
+        ->needs("--update");
     AddCommand("accuracy", "Print docs/accuracy.md, the worst error of each oracle",
                [this] { return AccuracyCommand(session_); });
   }
@@ -413,7 +431,6 @@ class CommandLine {
   ScenarioSelection listed_;
   bool everything_ = false;
   bool settings_ = false;
-  bool propose_ = false;
 };
 
 }  // namespace

@@ -24,5 +24,6 @@ install(FILES
 
 install(TARGETS touchstone)
 install(DIRECTORY scenarios/catalogue DESTINATION share/touchstone)
-install(FILES scenarios/known_discrepancies.toml DESTINATION share/touchstone OPTIONAL)
+install(FILES scenarios/known_discrepancies.toml scenarios/known_discrepancies.bounds
+  DESTINATION share/touchstone OPTIONAL)
 install(FILES docs/report.schema.json DESTINATION share/touchstone)

@@ -46,11 +46,17 @@ int ExitCode(const RunReport& report, FailOn fail_on) {
   const auto subject_fails = [&](const Finding& f) {
     return fails(f) && f.oracle == report.subject;
   };
-  if (std::ranges::any_of(report.findings, subject_fails)) return 1;
+  const auto subject_got_worse = [&](const Regression& r) {
+    return r.oracle == report.subject;
+  };
+  if (std::ranges::any_of(report.findings, subject_fails) ||
+      std::ranges::any_of(report.regressions, subject_got_worse))
+    return 1;
   if (!IsSubjectExamined(report)) return 2;
   if (!report.faults.empty()) return 1;
-  return fail_on == FailOn::kAnything && std::ranges::any_of(report.findings, fails) ? 1
-                                                                                     : 0;
+  if (fail_on == FailOn::kSubject) return 0;
+  return std::ranges::any_of(report.findings, fails) || !report.regressions.empty() ? 1
+                                                                                    : 0;
 }
 
 }  // namespace touchstone

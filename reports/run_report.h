@@ -12,6 +12,12 @@
 
 namespace touchstone {
 
+/** A finding that is worse than in an earlier run. */
+struct Regression {
+  std::string oracle;
+  std::string what;  ///< The finding, and what it was and is.
+};
+
 /** The outcome of a run: all data that the writers show. */
 struct RunReport {
   std::string subject;                    ///< Name of the oracle under examination.
@@ -30,6 +36,9 @@ struct RunReport {
    has improved or matches nothing. One sentence each. It starts with the place in the
    file, or with the id of a scenario that has no file, and says what to do. */
   std::vector<std::string> faults;
+  /** What is worse than in a baseline, see CompareWithBaseline(). Fails the run as the
+   failures of its oracle do. */
+  std::vector<Regression> regressions;
 };
 
 /** Returns the number of questions of either kind. */
@@ -52,9 +61,10 @@ enum class FailOn {
 /** Returns whether any answer of the subject was verified, see IsVerified(). */
 bool IsSubjectExamined(const RunReport& report);
 
-/** Returns the exit code of a run. It is 1 if the subject fails; otherwise 2 if none of
- its answers was verified, whatever the references do. It is otherwise 1 for a fault of
- the files, and for a reference that fails where that counts; otherwise 0. */
+/** Returns the exit code of a run. It is 1 if the subject fails or got worse than in a
+ baseline; otherwise 2 if none of its answers was verified, whatever the references do. It
+ is otherwise 1 for a fault of the files, and for a reference that fails where that
+ counts; otherwise 0. */
 int ExitCode(const RunReport& report, FailOn fail_on);
 
 }  // namespace touchstone

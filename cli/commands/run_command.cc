@@ -4,12 +4,15 @@
 #include <array>
 #include <iostream>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/input_error.h"
 #include "cli/output_folder.h"
+#include "reports/baseline/baseline.h"
 #include "reports/writers/html_writer.h"
 #include "reports/writers/json_writer.h"
 #include "reports/writers/junit_writer.h"
@@ -28,6 +31,13 @@ constexpr std::array<ReportFile, 3> kReportFiles = {
 
 bool IsSetUpByDefault(const Oracle* oracle) {
   return oracle->info().setup.IsDefault();
+}
+
+/** Reads a baseline. Throws InputError. */
+Baseline BaselineIn(const std::filesystem::path& file) {
+  BaselineResult result = ReadBaselineFile(file);
+  if (!result.baseline) throw InputError(ToString(result.diagnostics.front()));
+  return std::move(*result.baseline);
 }
 
 }  // namespace
@@ -53,7 +63,10 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
   for (const ReportFile& file : kReportFiles) {
     if (out) out->Check(file.name);
   }
-  const RunReport report = RunSuite(session, questions, oracles, ledger, options);
+  std::optional<Baseline> baseline;
+  if (arguments.baseline) baseline = BaselineIn(*arguments.baseline);
+  RunReport report = RunSuite(session, questions, oracles, ledger, options);
+  if (baseline) CompareWithBaseline(report, *baseline);
 
   WriteTable(report,
              {.colours = session.terminal.colours,

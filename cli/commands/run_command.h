@@ -14,6 +14,8 @@ struct RunArguments {
   ScenarioSelection scenarios;
   OracleSelection oracles;
   std::optional<std::filesystem::path> ledger;  ///< Replaces the built-in ledger.
+  /** The report.json of an earlier run. What got worse fails this one. */
+  std::optional<std::filesystem::path> baseline;
   std::optional<std::filesystem::path>
       out;  ///< Folder for the page, the JSON and the JUnit file.
   FailOn fail_on = FailOn::kAnything;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "reports/ledger/apply_ledger.h"
-#include "reports/ledger/ledger_file.h"
+#include "reports/ledger/update_bounds.h"
 
 namespace touchstone {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,48 +14,74 @@
 
 namespace touchstone {
 
-/** The accepted difference of one measure. */
-struct Accepted {
+/** The findings that one bound is about: those of one measure of one oracle in one
+ scenario. */
+struct LedgerCell {
+  std::string scenario;
+  std::string oracle;
   MeasureKind measure;
-  /** Largest accepted value, relative to SceneSize(); absolute for dimensionless
-   measures. For `touching` it is the largest accepted |separation|, relative to
-   SceneSize(). A worse value fails the run. 0 where the verdict has no value. */
-  double bound = 0;
+  std::string law;  ///< Law of the findings; empty where no law is measured.
+
+  friend auto operator<=>(const LedgerCell&, const LedgerCell&) = default;
 };
+
+/** The accepted findings of one cell. */
+struct LedgerBound {
+  /** kFail for the verdicts with a value; otherwise the only accepted verdict: kInvalid,
+   kCrashed or kTimedOut. */
+  Verdict verdict = Verdict::kFail;
+  /** Largest accepted value, in the unit of ValueForLedger(). 0 without a value. */
+  double value = 0;
+  int line = 0;  ///< Line in the file of bounds.
+};
+
+/** The bounds of a ledger, sorted. */
+using LedgerBounds = std::map<LedgerCell, LedgerBound>;
 
 /** A known and accepted difference. */
 struct LedgerEntry {
-  /** Glob over scenario ids: '*' within a level, '**' across levels. */
-  std::string scenarios;
+  /** Globs over scenario ids: '*' within a level, '**' across levels. */
+  std::vector<std::string> scenarios;
   std::string oracle;  ///< Exact oracle name.
   /** Library version it was seen in. Another version voids the entry. */
   std::string version;
-  std::vector<Accepted> accepted;  ///< Each measure at most once.
+  std::vector<MeasureKind> measures;  ///< In the order of the enumeration, each once.
   /** The verdict it excuses: kFail, kDisagree, kInvalid, kCrashed or kTimedOut. */
   Verdict verdict = Verdict::kFail;
-  Cause cause = Cause::kDefect;
-  std::string reason;  ///< One or two sentences: what goes wrong and why.
+  std::vector<Cause> causes;  ///< Those of its findings, each once.
+  std::string reason;         ///< One or two sentences: what goes wrong and why.
   /** Link or issue "owner/repo#123"; "unreported" if there is none. */
   std::string upstream;
   std::string expires;  ///< ISO date after which the entry must be reviewed.
   /** Whether the engine shows it in some runs and not in others, on one question. A run
    in which the entry hides little or nothing is then no improvement. */
   bool intermittent = false;
+  /** Whether a length may be wrong by the size of the scene or more. */
+  bool beyond_scene = false;
   int line = 0;  ///< Line of the entry in its file.
 };
 
-/** The use of an entry in a run. A run fails both where an entry is exceeded and where it
- is no longer reproduced. */
+/** Returns the causes of an entry in words, e.g. "precision, defect". */
+std::string CausesOf(const LedgerEntry& entry);
+
+/** The use of an entry in a run. */
 struct LedgerUse {
   /** The findings of one measure that the entry hides. */
   struct Hidden {
     int findings = 0;  ///< Number of findings made `known`.
-    double worst = 0;  ///< Largest hidden value, in the unit of the bound.
+    double worst = 0;  ///< Largest hidden value, in the unit of its bound.
+    double bound = 0;  ///< Bound of the worst. [as `worst`]
   };
-  std::vector<Hidden> hidden;  ///< In the order of `accepted`.
+  std::vector<Hidden> hidden;  ///< In the order of the entry's measures.
+  /** Number of hidden findings of each cause. */
+  std::map<Cause, int> causes;
   /** Number of findings in its scenarios, for its oracle and measures, whatever the
    verdict. An entry without candidates was not put to the test. */
   int candidates = 0;
+  /** Whether the library has another version than the entry, so that the entry excuses
+   nothing. */
+  bool voided = false;
+  bool beyond_scene = false;  ///< Whether a bound that hid something is that large.
 
   /** Returns the number of all findings that it made `known`. */
   int findings() const {
@@ -64,10 +90,13 @@ struct LedgerUse {
   }
 };
 
-/** The known discrepancies, scenarios/known_discrepancies.toml. */
+/** The known discrepancies. Their texts, scenarios/known_discrepancies.toml, are written
+ by hand, their bounds, the file next to it, by `touchstone ledger --update`. A finding is
+ known if an entry covers it and it keeps within the bound of its cell. */
 struct Ledger {
   std::filesystem::path file;
   std::vector<LedgerEntry> entries;
+  LedgerBounds bounds;
   /** Ids of scenarios outside the catalogue that the ledger was written for: no entry
    applies to them, even if its glob matches. */
   std::set<std::string, std::less<>> outside_catalogue;

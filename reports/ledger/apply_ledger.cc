@@ -7,69 +7,34 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reports/ledger/bounds_file.h"
 #include "reports/ledger/glob.h"
+#include "reports/text/counted.h"
 
 namespace touchstone {
 namespace {
 
-/** A ledger entry as this run applies it. */
-struct Rule {
-  const LedgerEntry& entry;
-  LedgerUse& use;
-  int index;
-  bool voided;  ///< Whether the library has another version than the entry.
+/** A bound as this run uses it. */
+struct UsedBound {
+  const LedgerCell* cell;
+  const LedgerBound* bound;
+  std::optional<std::size_t> entry;  ///< The last entry that concerns it.
+  bool intermittent = false;         ///< Whether an intermittent entry concerns it.
+  bool needed = false;               ///< Whether a finding needs it.
+};
+
+/** An oracle of the run, as the ledger sees it. */
+struct Rules {
+  std::vector<std::size_t> entries;  ///< Those for its name.
+  std::map<LedgerCell, UsedBound> bounds;
 };
 
 std::string PlaceOf(const Ledger& ledger, const LedgerEntry& entry) {
   return fmt::format("{}:{}", ledger.file.filename().string(), entry.line);
 }
 
-/** Returns what `entry` accepts for the measure of `finding`, or nullptr where the entry
- does not concern it. */
-const Accepted* Concerned(const LedgerEntry& entry, const Finding& finding) {
-  if (entry.oracle != finding.oracle) return nullptr;
-  const auto found =
-      std::find_if(entry.accepted.begin(), entry.accepted.end(),
-                   [&](const Accepted& of) { return of.measure == finding.measure; });
-  if (found == entry.accepted.end()) return nullptr;
-  return MatchesGlob(entry.scenarios, finding.scenario) ? &*found : nullptr;
-}
-
-bool HasValue(Verdict verdict) {
-  return verdict == Verdict::kFail || verdict == Verdict::kDisagree;
-}
-
-/** Excuses `finding` by the first rule that covers it. */
-void Excuse(Finding& finding, const LedgerScale& scale, std::span<Rule> rules,
-            const Ledger& ledger) {
-  std::string refused;
-  const Verdict verdict = finding.verdict;
-  for (Rule& rule : rules) {
-    const Accepted* accepted = Concerned(rule.entry, finding);
-    if (accepted == nullptr || verdict == Verdict::kUnsupported) continue;
-    if (!rule.voided) ++rule.use.candidates;
-    if (finding.ledger_entry || verdict != rule.entry.verdict) continue;
-    const std::string place = PlaceOf(ledger, rule.entry);
-    if (rule.voided) {
-      refused =
-          fmt::format(" {} is void: it is for version {}.", place, rule.entry.version);
-      continue;
-    }
-    const double value = HasValue(verdict) ? ValueForLedger(finding, scale) : 0;
-    // Written so that a NaN is refused.
-    if (!(value <= accepted->bound)) {
-      refused = fmt::format(" {} allows {:.3g}; {:.3g} exceeds it by {:.3g}.", place,
-                            accepted->bound, value, value - accepted->bound);
-      continue;
-    }
-    finding.verdict = Verdict::kKnown;
-    finding.ledger_entry = rule.index;
-    LedgerUse::Hidden& hidden =
-        rule.use.hidden[static_cast<std::size_t>(accepted - rule.entry.accepted.data())];
-    ++hidden.findings;
-    hidden.worst = std::max(hidden.worst, value);
-  }
-  if (!finding.ledger_entry) finding.proof += refused;
+std::string PlaceOf(const Ledger& ledger, const LedgerBound& bound) {
+  return fmt::format("{}:{}", BoundsFileOf(ledger.file).filename().string(), bound.line);
 }
 
 /** Returns whether `finding` is on a motion with other settings than those for which the
@@ -84,30 +49,193 @@ bool IsSetUpOtherwise(const RunReport& report, const Finding& finding) {
       [&](const WorldResult& world) { return world.scenario.id == finding.scenario; });
 }
 
-std::string WhyNotNeeded(const Rule& rule) {
-  if (rule.voided) return "";
-  if (rule.use.candidates == 0) {
-    return "matches no finding of the run: correct or remove this entry";
-  }
-  if (rule.entry.intermittent) return "";
-  if (rule.use.findings() == 0) return "improved: remove this entry, it hides nothing";
-  std::vector<std::string> improvements;
-  for (std::size_t i = 0; i < rule.use.hidden.size(); ++i) {
-    const Accepted& accepted = rule.entry.accepted[i];
-    const LedgerUse::Hidden& hidden = rule.use.hidden[i];
-    if (hidden.findings == 0) {
-      improvements.push_back(
-          fmt::format("remove {}, the entry hides none of it", NameOf(accepted.measure)));
-    } else if (HasValue(rule.entry.verdict) &&
-               hidden.worst < accepted.bound * kImproved) {
-      improvements.push_back(
-          fmt::format("lower the bound {:.3g} of {}, the worst hidden value is {:.3g}",
-                      accepted.bound, NameOf(accepted.measure), hidden.worst));
+/** A ledger that is being applied to a report. */
+class Application {
+ public:
+  explicit Application(RunReport& report)
+      : report_(report), ledger_(report.ledger), scales_(LedgerScalesOf(report)) {
+    report_.ledger_use.assign(ledger_.entries.size(), {});
+    for (const OracleInfo& info : report.oracles) rules_[info.name];
+    for (std::size_t i = 0; i < ledger_.entries.size(); ++i) {
+      const LedgerEntry& entry = ledger_.entries[i];
+      LedgerUse& use = report_.ledger_use[i];
+      use.hidden.resize(entry.measures.size());
+      const auto oracle =
+          std::find_if(report.oracles.begin(), report.oracles.end(),
+                       [&](const OracleInfo& info) { return info.name == entry.oracle; });
+      if (oracle == report.oracles.end()) continue;
+      use.voided = oracle->version != entry.version;
+      rules_[entry.oracle].entries.push_back(i);
+    }
+    for (const auto& [cell, bound] : ledger_.bounds) {
+      const auto rules = rules_.find(cell.oracle);
+      if (rules == rules_.end()) continue;
+      UsedBound used{&cell, &bound, {}};
+      for (const std::size_t i : rules->second.entries) {
+        const LedgerEntry& entry = ledger_.entries[i];
+        if (!Concerns(entry, cell)) continue;
+        used.entry = i;
+        used.intermittent = used.intermittent || entry.intermittent;
+      }
+      rules->second.bounds.emplace(cell, used);
     }
   }
-  if (improvements.empty()) return "";
-  return fmt::format("improved: {}", fmt::join(improvements, "; "));
-}
+
+  /** Excuses a finding that an entry covers and that keeps within its bound. */
+  void Excuse(Finding& finding) {
+    const auto found = rules_.find(finding.oracle);
+    if (found == rules_.end() || finding.verdict == Verdict::kUnsupported) return;
+    const LedgerCell cell = CellOf(finding);
+    const LedgerScale& scale = scales_.at(finding.scenario);
+    const double value = ValueForLedger(finding, scale);
+    const auto used = found->second.bounds.find(cell);
+    UsedBound* bound = used == found->second.bounds.end() ? nullptr : &used->second;
+    if (bound != nullptr && !IsImproved(*bound->bound, finding, finding.verdict, value))
+      bound->needed = true;
+    std::optional<std::size_t> covering;
+    for (const std::size_t i : found->second.entries) {
+      const LedgerEntry& entry = ledger_.entries[i];
+      if (!Concerns(entry, cell)) continue;
+      LedgerUse& use = report_.ledger_use[i];
+      if (!use.voided) ++use.candidates;
+      if (entry.verdict != finding.verdict) continue;
+      if (!use.voided) {
+        covering = i;
+      } else if (!covering) {
+        finding.proof += fmt::format(" {} is void: it is for version {}.",
+                                     PlaceOf(ledger_, entry), entry.version);
+      }
+    }
+    if (!covering) return;
+    const LedgerEntry& entry = ledger_.entries[*covering];
+    const std::string refused = Refusal(entry, bound, finding.verdict, value, scale);
+    if (!refused.empty()) {
+      finding.proof += refused;
+      return;
+    }
+    LedgerUse& use = report_.ledger_use[*covering];
+    const double allowed = bound == nullptr ? 0 : bound->bound->value;
+    use.beyond_scene = use.beyond_scene || IsLengthOf(1, finding.measure, allowed, scale);
+    Hide(finding, *covering, value, allowed);
+  }
+
+  /** Faults entries that have expired, and, in a complete run, all that is not needed. */
+  void CheckUse(std::string_view today, bool partial) {
+    for (std::size_t i = 0; i < ledger_.entries.size(); ++i) {
+      const LedgerEntry& entry = ledger_.entries[i];
+      const LedgerUse& use = report_.ledger_use[i];
+      if (!rules_.contains(entry.oracle)) continue;
+      // ISO dates compare as strings.
+      const bool looked_at = !partial || use.candidates > 0;
+      if (!today.empty() && entry.expires < today && looked_at) {
+        report_.faults.push_back(
+            fmt::format("{}: expired on {}: review it and set a new date, or remove it.",
+                        PlaceOf(ledger_, entry), entry.expires));
+      }
+      if (partial || use.voided) continue;
+      const std::string why = WhyNotNeeded(entry, use);
+      if (!why.empty()) {
+        report_.faults.push_back(fmt::format("{}: {} ({} in {}).",
+                                             PlaceOf(ledger_, entry), why, entry.oracle,
+                                             fmt::join(entry.scenarios, ", ")));
+      }
+    }
+    if (!partial) CheckBounds();
+  }
+
+ private:
+  /** Returns why a finding that `entry` covers is not excused; "" if it is. */
+  std::string Refusal(const LedgerEntry& entry, const UsedBound* bound, Verdict verdict,
+                      double value, const LedgerScale& scale) const {
+    // A crash now and then has nothing to bound.
+    if (entry.intermittent && !HasValue(verdict)) return "";
+    if (bound == nullptr) {
+      return fmt::format(" {} covers it, but {} has no bound for it.",
+                         PlaceOf(ledger_, entry),
+                         BoundsFileOf(ledger_.file).filename().string());
+    }
+    const std::string place = PlaceOf(ledger_, *bound->bound);
+    if (!entry.beyond_scene &&
+        IsLengthOf(1, bound->cell->measure, bound->bound->value, scale)) {
+      return fmt::format(" {} allows {:.3g} of the scene, but {} lacks beyond_scene.",
+                         place, bound->bound->value, PlaceOf(ledger_, entry));
+    }
+    if (IsWithin(*bound->bound, verdict, value)) return "";
+    if (HasValue(verdict) && HasValue(bound->bound->verdict)) {
+      return fmt::format(" {} allows {:.3g}; {:.3g} exceeds it by {:.3g}.", place,
+                         bound->bound->value, value, value - bound->bound->value);
+    }
+    return fmt::format(" {} is for another verdict.", place);
+  }
+
+  void Hide(Finding& finding, std::size_t entry, double value, double bound) {
+    const std::vector<MeasureKind>& measures = ledger_.entries[entry].measures;
+    const auto measure = std::find(measures.begin(), measures.end(), finding.measure);
+    LedgerUse& use = report_.ledger_use[entry];
+    LedgerUse::Hidden& hidden =
+        use.hidden[static_cast<std::size_t>(measure - measures.begin())];
+    if (HasValue(finding.verdict) && (hidden.findings == 0 || value > hidden.worst)) {
+      hidden.worst = value;
+      hidden.bound = bound;
+    }
+    ++hidden.findings;
+    ++use.causes[finding.cause];
+    finding.verdict = Verdict::kKnown;
+    finding.ledger_entry = static_cast<int>(entry);
+  }
+
+  static std::string WhyNotNeeded(const LedgerEntry& entry, const LedgerUse& use) {
+    if (use.candidates == 0) {
+      return "matches no finding of the run: correct or remove this entry";
+    }
+    if (entry.intermittent) return "";
+    if (use.findings() == 0) return "improved: remove this entry, it hides nothing";
+    std::vector<std::string_view> unneeded;
+    for (std::size_t i = 0; i < use.hidden.size(); ++i) {
+      if (use.hidden[i].findings == 0) unneeded.push_back(NameOf(entry.measures[i]));
+    }
+    if (unneeded.empty()) {
+      return entry.beyond_scene && !use.beyond_scene
+                 ? "improved: remove beyond_scene, no bound is as large as the scene"
+                 : "";
+    }
+    return fmt::format("improved: remove {}, the entry hides none of it",
+                       fmt::join(unneeded, ", "));
+  }
+
+  /** Adds a fault for each entry with bounds that are not needed, and one for the bounds
+   that no entry concerns. */
+  void CheckBounds() {
+    std::map<std::optional<std::size_t>, std::vector<const UsedBound*>> unneeded;
+    for (const auto& [oracle, rules] : rules_) {
+      for (const auto& [cell, used] : rules.bounds) {
+        if (used.entry && report_.ledger_use[*used.entry].voided) continue;
+        if (!used.entry || (!used.needed && !used.intermittent))
+          unneeded[used.entry].push_back(&used);
+      }
+    }
+    for (const auto& [entry, bounds] : unneeded) {
+      const UsedBound& first = *bounds.front();
+      const std::string what =
+          entry ? fmt::format(
+                      "{}: improved: {} of its bounds hide{} nothing above a twelfth",
+                      PlaceOf(ledger_, ledger_.entries[*entry]), bounds.size(),
+                      bounds.size() == 1 ? "s" : "")
+                : fmt::format("{}: {} that no entry covers",
+                              BoundsFileOf(ledger_.file).filename().string(),
+                              Counted(bounds.size(), "bound"));
+      report_.faults.push_back(
+          fmt::format("{}, e.g. {} {} {} ({}): run `touchstone ledger --update`.", what,
+                      first.cell->scenario, first.cell->oracle,
+                      NameOf(first.cell->measure), PlaceOf(ledger_, *first.bound)));
+    }
+  }
+
+  RunReport& report_;
+  const Ledger& ledger_;
+  const std::map<std::string_view, LedgerScale> scales_;
+  std::map<std::string_view, Rules> rules_;  ///< Keyed by oracle of the run.
+};
 
 }  // namespace
 
@@ -121,62 +249,82 @@ std::map<std::string_view, LedgerScale> LedgerScalesOf(const RunReport& report) 
   for (const ScenarioResult& result : report.scenarios) {
     const Enclosure& truth = result.truth.separation;
     scales[result.scenario.id] = {SceneSize(result.scenario.contact),
-                                  std::max(std::abs(truth.lo), std::abs(truth.hi))};
+                                  std::max(std::abs(truth.lo), std::abs(truth.hi)), true};
   }
   for (const WorldResult& result : report.worlds) scales[result.scenario.id] = {};
   return scales;
 }
 
+bool IsLengthOf(double share, MeasureKind measure, double bound,
+                const LedgerScale& scale) {
+  return scale.is_relative && UnitOf(measure) == "m" && bound >= share;
+}
+
+LedgerCell CellOf(const Finding& finding) {
+  return {finding.scenario, finding.oracle, finding.measure, finding.law};
+}
+
+bool Concerns(const LedgerEntry& entry, const LedgerCell& cell) {
+  return entry.oracle == cell.oracle &&
+         std::ranges::find(entry.measures, cell.measure) != entry.measures.end() &&
+         std::ranges::any_of(entry.scenarios, [&](const std::string& glob) {
+           return MatchesGlob(glob, cell.scenario);
+         });
+}
+
+Verdict VerdictBefore(const Finding& finding, std::span<const LedgerEntry> entries) {
+  return finding.ledger_entry
+             ? entries[static_cast<std::size_t>(*finding.ledger_entry)].verdict
+             : finding.verdict;
+}
+
+std::optional<std::size_t> EntryFor(const RunReport& report, const LedgerCell& cell,
+                                    Verdict verdict) {
+  if (report.ledger.outside_catalogue.contains(cell.scenario)) return std::nullopt;
+  for (std::size_t i = report.ledger.entries.size(); i-- > 0;) {
+    const LedgerEntry& entry = report.ledger.entries[i];
+    if (entry.verdict == verdict && !report.ledger_use[i].voided && Concerns(entry, cell))
+      return i;
+  }
+  return std::nullopt;
+}
+
+bool IsWithin(const LedgerBound& bound, Verdict verdict, double value) {
+  if (!HasValue(verdict)) return bound.verdict == verdict;
+  // Written so that a NaN is refused.
+  return HasValue(bound.verdict) && value <= bound.value;
+}
+
+bool IsImproved(const LedgerBound& bound, const Finding& finding, Verdict verdict,
+                double value) {
+  if (!HasValue(bound.verdict)) return verdict != bound.verdict;
+  // The value of `touching` is the truth's, whatever was answered.
+  return finding.value == 0 || value < bound.value * kImproved;
+}
+
 void ApplyLedger(RunReport& report, std::string_view today, bool partial,
                  const std::function<bool(std::string_view)>& is_oracle) {
-  const std::vector<LedgerEntry>& entries = report.ledger.entries;
-  report.ledger_use.assign(entries.size(), {});
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    report.ledger_use[i].hidden.resize(entries[i].accepted.size());
+  for (const LedgerEntry& entry : report.ledger.entries) {
+    if (!is_oracle || is_oracle(entry.oracle)) continue;
+    report.faults.push_back(
+        fmt::format("{}: no build has an oracle \"{}\": correct or remove this entry.",
+                    PlaceOf(report.ledger, entry), entry.oracle));
   }
-  std::map<std::string, std::vector<Rule>> rules;  // Keyed by oracle.
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const auto oracle = std::find_if(
-        report.oracles.begin(), report.oracles.end(),
-        [&](const OracleInfo& info) { return info.name == entries[i].oracle; });
-    if (oracle == report.oracles.end()) {
-      if (!partial && is_oracle && !is_oracle(entries[i].oracle)) {
-        report.faults.push_back(fmt::format(
-            "{}: no build has an oracle \"{}\": correct or remove this entry.",
-            PlaceOf(report.ledger, entries[i]), entries[i].oracle));
-      }
-      continue;
-    }
-    rules[entries[i].oracle].push_back({entries[i], report.ledger_use[i],
-                                        static_cast<int>(i),
-                                        oracle->version != entries[i].version});
-  }
-  const std::map<std::string_view, LedgerScale> scales = LedgerScalesOf(report);
+  Application application(report);
   for (Finding& finding : report.findings) {
-    const auto found = rules.find(finding.oracle);
-    if (found == rules.end() ||
-        report.ledger.outside_catalogue.contains(finding.scenario) ||
-        IsSetUpOtherwise(report, finding))
-      continue;
-    Excuse(finding, scales.at(finding.scenario), found->second, report.ledger);
+    if (!report.ledger.outside_catalogue.contains(finding.scenario) &&
+        !IsSetUpOtherwise(report, finding))
+      application.Excuse(finding);
   }
-  for (const auto& [oracle, of_oracle] : rules) {
-    for (const Rule& rule : of_oracle) {
-      const std::string place = PlaceOf(report.ledger, rule.entry);
-      // ISO dates compare as strings.
-      const bool looked_at = !partial || rule.use.candidates > 0;
-      if (!today.empty() && rule.entry.expires < today && looked_at) {
-        report.faults.push_back(
-            fmt::format("{}: expired on {}: review it and set a new date, or remove it.",
-                        place, rule.entry.expires));
-      }
-      const std::string why = partial ? "" : WhyNotNeeded(rule);
-      if (!why.empty()) {
-        report.faults.push_back(
-            fmt::format("{}: {} ({} in {}).", place, why, oracle, rule.entry.scenarios));
-      }
-    }
+  application.CheckUse(today, partial);
+}
+
+void ApplyAgain(RunReport& report) {
+  for (Finding& finding : report.findings) {
+    finding.verdict = VerdictBefore(finding, report.ledger.entries);
+    finding.ledger_entry.reset();
   }
+  ApplyLedger(report, "", true);
 }
 
 }  // namespace touchstone

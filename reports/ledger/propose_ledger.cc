@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -7,15 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "reports/ledger/apply_ledger.h"
 #include "reports/ledger/ledger_file.h"
 
 namespace touchstone {
 namespace {
-
-bool HasValue(Verdict verdict) {
-  return verdict == Verdict::kFail || verdict == Verdict::kDisagree;
-}
 
 std::string FolderOf(const std::string& id) {
   return id.substr(0, id.rfind('/'));
@@ -31,15 +25,9 @@ struct Kind {
 
 /** The failures of one kind in one scenario. */
 struct Shown {
-  std::map<MeasureKind, double> worst;
+  std::set<MeasureKind> measures;
   double tolerances = 0;  ///< The worst failure, as a multiple of its tolerance.
   std::string proof;      ///< Proof of the worst failure.
-
-  std::set<MeasureKind> Measures() const {
-    std::set<MeasureKind> measures;
-    for (const auto& [measure, value] : worst) measures.insert(measure);
-    return measures;
-  }
 };
 
 /** A proposed entry, and the scenarios it covers. */
@@ -51,10 +39,7 @@ struct Proposal {
 };
 
 void Include(Shown& all, const Shown& one) {
-  for (const auto& [measure, value] : one.worst) {
-    double& worst = all.worst[measure];
-    worst = std::max(worst, value);
-  }
+  all.measures.insert(one.measures.begin(), one.measures.end());
   if (!all.proof.empty() && one.tolerances <= all.tolerances) return;
   all.tolerances = one.tolerances;
   all.proof = one.proof;
@@ -83,15 +68,12 @@ Folders AnsweredFolders(const RunReport& report) {
 }
 
 std::map<Kind, std::map<std::string, Shown>> FailuresOf(const RunReport& report) {
-  const std::map<std::string_view, LedgerScale> scales = LedgerScalesOf(report);
   std::map<Kind, std::map<std::string, Shown>> failures;
   for (const Finding& finding : report.findings) {
     if (!IsFailure(finding.verdict)) continue;
     const Kind kind{finding.oracle, finding.verdict, finding.cause};
-    const double value = ValueForLedger(finding, scales.at(finding.scenario));
-    Include(
-        failures[kind][finding.scenario],
-        {{{finding.measure, value}}, finding.value / finding.tolerance, finding.proof});
+    Include(failures[kind][finding.scenario],
+            {{finding.measure}, finding.value / finding.tolerance, finding.proof});
   }
   return failures;
 }
@@ -103,7 +85,7 @@ std::vector<Proposal> Grouped(const Kind& kind,
                               const Folders& folders) {
   std::map<std::pair<std::string, std::set<MeasureKind>>, std::vector<std::string>> alike;
   for (const auto& [scenario, shown] : failures) {
-    alike[{FolderOf(scenario), shown.Measures()}].push_back(scenario);
+    alike[{FolderOf(scenario), shown.measures}].push_back(scenario);
   }
   std::vector<Proposal> proposals;
   for (const auto& [key, scenarios] : alike) {
@@ -126,18 +108,14 @@ LedgerEntry EntryOf(const Proposal& proposal, const RunReport& report,
       report.oracles.begin(), report.oracles.end(),
       [&](const OracleInfo& info) { return info.name == proposal.kind.oracle; });
   LedgerEntry entry;
-  entry.scenarios = proposal.scenarios;
+  entry.scenarios = {proposal.scenarios};
   entry.oracle = proposal.kind.oracle;
   entry.version = oracle->version;
   entry.verdict = proposal.kind.verdict;
-  for (const auto& [measure, worst] : proposal.shown.worst) {
-    const double bound =
-        HasValue(entry.verdict) ? RoundedUp(kProposedBound * worst) : 0.0;
-    entry.accepted.push_back({measure, IsShare(measure) ? std::min(bound, 1.0) : bound});
-  }
+  entry.measures.assign(proposal.shown.measures.begin(), proposal.shown.measures.end());
   // An unproved difference has no cause yet: it is a defect until somebody knows better.
-  entry.cause =
-      proposal.kind.cause == Cause::kNone ? Cause::kDefect : proposal.kind.cause;
+  entry.causes = {proposal.kind.cause == Cause::kNone ? Cause::kDefect
+                                                      : proposal.kind.cause};
   entry.upstream = "unreported";
   entry.expires = expires;
   return entry;
@@ -145,37 +123,33 @@ LedgerEntry EntryOf(const Proposal& proposal, const RunReport& report,
 
 }  // namespace
 
-bool IsShare(MeasureKind measure) {
-  return measure == MeasureKind::kPatchCoverage || measure == MeasureKind::kAnswering ||
-         measure == MeasureKind::kDeterminism;
-}
-
-double RoundedUp(double value) {
-  if (!(value > 0)) return 0;
-  const double digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-  return std::ceil(value / digit) * digit;
+std::string CauseLine(std::span<const Cause> causes) {
+  std::vector<std::string> names;
+  for (const Cause cause : causes) names.push_back(Quoted(NameOf(cause)));
+  return names.size() == 1 ? fmt::format("cause = {}", names[0])
+                           : fmt::format("cause = [{}]", fmt::join(names, ", "));
 }
 
 std::string WriteLedgerEntry(const LedgerEntry& entry, std::string_view comment) {
-  std::vector<std::string> accepted;
-  for (const Accepted& of : entry.accepted) {
-    accepted.push_back(HasValue(entry.verdict)
-                           ? fmt::format("{} = {:.6g}", NameOf(of.measure), of.bound)
-                           : Quoted(NameOf(of.measure)));
-  }
+  std::vector<std::string> globs;
+  for (const std::string& glob : entry.scenarios) globs.push_back(Quoted(glob));
+  std::vector<std::string> measures;
+  for (const MeasureKind measure : entry.measures)
+    measures.push_back(Quoted(NameOf(measure)));
   std::string text;
   if (!comment.empty()) text += fmt::format("# {}\n", comment);
+  text += globs.size() == 1
+              ? fmt::format("[[entry]]\nscenarios = {}\n", globs[0])
+              : fmt::format("[[entry]]\nscenarios = [{}]\n", fmt::join(globs, ", "));
+  text += fmt::format("oracle = {}\nversion = {}\nverdict = {}\nmeasures = [{}]\n",
+                      Quoted(entry.oracle), Quoted(entry.version),
+                      Quoted(NameOf(entry.verdict)), fmt::join(measures, ", "));
   text +=
-      fmt::format("[[entry]]\nscenarios = {}\noracle = {}\nversion = {}\n",
-                  Quoted(entry.scenarios), Quoted(entry.oracle), Quoted(entry.version));
-  text += fmt::format("verdict = {}\n", Quoted(NameOf(entry.verdict)));
-  text += HasValue(entry.verdict)
-              ? fmt::format("bounds = {{ {} }}\n", fmt::join(accepted, ", "))
-              : fmt::format("measures = [{}]\n", fmt::join(accepted, ", "));
-  text +=
-      fmt::format("cause = {}\nreason = {}\nupstream = {}\nexpires = {}\n",
-                  Quoted(NameOf(entry.cause)), Quoted(entry.reason),
-                  Quoted(entry.upstream), entry.expires.empty() ? "\"\"" : entry.expires);
+      fmt::format("{}\nreason = {}\nupstream = {}\nexpires = {}\n",
+                  CauseLine(entry.causes), Quoted(entry.reason), Quoted(entry.upstream),
+                  entry.expires.empty() ? "\"\"" : entry.expires);
+  if (entry.intermittent) text += "intermittent = true\n";
+  if (entry.beyond_scene) text += "beyond_scene = true\n";
   return text;
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 #include <toml++/toml.h>
 
+#include "reports/ledger/bounds_file.h"
 #include "reports/ledger/ledger_file.h"
 #include "scenarios/schema/nearest_name.h"
 
@@ -17,8 +18,8 @@ namespace touchstone {
 namespace {
 
 constexpr std::array<std::string_view, 11> kKeys = {
-    "scenarios", "oracle", "version",  "verdict", "bounds",      "measures",
-    "cause",     "reason", "upstream", "expires", "intermittent"};
+    "scenarios", "oracle",   "version", "verdict",      "measures",    "cause",
+    "reason",    "upstream", "expires", "intermittent", "beyond_scene"};
 
 constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::kInvalid,
                                   Verdict::kCrashed, Verdict::kTimedOut};
@@ -86,6 +87,11 @@ class LedgerReader {
   void ReadEntry(const toml::table& table) {
     for (const auto& [key, node] : table) {
       if (std::find(kKeys.begin(), kKeys.end(), key.str()) != kKeys.end()) continue;
+      if (key == "bounds") {
+        Add(key.source(), "bounds are not written here",
+            "measures = [...]; `touchstone ledger --update` writes the bounds");
+        continue;
+      }
       const std::string_view nearest = NearestName(key.str(), kKeys);
       Add(key.source(), fmt::format("unknown key \"{}\"", key.str()),
           nearest.empty() ? fmt::format("one of {}", fmt::join(kKeys, ", "))
@@ -93,17 +99,18 @@ class LedgerReader {
     }
     LedgerEntry entry;
     entry.line = static_cast<int>(table.source().begin.line);
-    entry.scenarios = Text(table, "scenarios", "a glob over scenario ids");
+    entry.scenarios = Globs(table);
     entry.oracle = Text(table, "oracle", "the name of an oracle");
     entry.version = Text(table, "version", "the library version it was seen in");
     entry.verdict = OneOf(table, "verdict", kVerdicts, Verdict::kFail);
-    entry.accepted = WhatIsAccepted(table, entry.verdict);
-    entry.cause = OneOf(table, "cause", kCauses, Cause::kDefect);
+    entry.measures = Measures(table);
+    entry.causes = Causes(table);
     entry.reason = Text(table, "reason", "one or two sentences: what goes wrong and why");
     entry.upstream =
         Text(table, "upstream", "a link, an issue \"owner/repo#123\", or \"unreported\"");
     entry.expires = Date(table, "expires");
-    entry.intermittent = Intermittent(table);
+    entry.intermittent = Flag(table, "intermittent");
+    entry.beyond_scene = Flag(table, "beyond_scene");
     ledger_.entries.push_back(std::move(entry));
   }
 
@@ -151,94 +158,90 @@ class LedgerReader {
     return node == nullptr ? otherwise : Named(*node, key, values).value_or(otherwise);
   }
 
-  std::vector<Accepted> WhatIsAccepted(const toml::table& table, Verdict verdict) {
-    const bool has_value = verdict == Verdict::kFail || verdict == Verdict::kDisagree;
-    const char* other = has_value ? "measures" : "bounds";
-    if (const toml::node* node = table.get(other)) {
-      Add(node->source(),
-          fmt::format("{} for the verdict \"{}\"", other, NameOf(verdict)),
-          has_value ? "bounds" : "measures, since it has no value");
+  /** Reads a glob or a list of globs. */
+  std::vector<std::string> Globs(const toml::table& table) {
+    const std::string expected = "a glob over scenario ids, or a list of globs";
+    const toml::node* node = Required(table, "scenarios", expected);
+    if (node == nullptr) return {};
+    std::vector<std::string> globs;
+    const auto add = [&](const toml::node& glob) {
+      const auto text = glob.value_exact<std::string>();
+      if (text && !text->empty()) {
+        globs.push_back(*text);
+      } else {
+        Add(glob.source(),
+            text ? "scenarios is empty" : "scenarios is not a string or a list of them",
+            expected);
+      }
+    };
+    const toml::array* array = node->as_array();
+    if (array == nullptr) {
+      add(*node);
+    } else if (array->empty()) {
+      Add(node->source(), "scenarios is empty", expected);
+    } else {
+      for (const toml::node& glob : *array) add(glob);
     }
-    std::vector<Accepted> accepted = has_value ? Bounds(table) : Measures(table);
-    std::sort(accepted.begin(), accepted.end(),
-              [](const Accepted& a, const Accepted& b) { return a.measure < b.measure; });
-    return accepted;
+    return globs;
   }
 
-  std::vector<Accepted> Measures(const toml::table& table) {
-    const std::string expected = "a list of measures, e.g. [\"answering\"]";
-    std::vector<Accepted> accepted;
+  /** Reads a cause or a list of causes. */
+  std::vector<Cause> Causes(const toml::table& table) {
+    const std::string expected =
+        fmt::format("one of {}", fmt::join(NamesOf(kCauses), ", "));
+    const toml::node* node = Required(table, "cause", expected);
+    if (node == nullptr) return {};
+    const toml::array* array = node->as_array();
+    if (array == nullptr) {
+      const auto cause = Named(*node, "cause", kCauses);
+      return cause ? std::vector{*cause} : std::vector<Cause>();
+    }
+    if (array->empty()) Add(node->source(), "cause is empty", expected);
+    std::vector<Cause> causes;
+    for (const toml::node& element : *array) {
+      const auto cause = Named(element, "cause", kCauses);
+      if (!cause) continue;
+      if (std::ranges::find(causes, *cause) != causes.end()) {
+        Add(element.source(), fmt::format("{} is named twice", NameOf(*cause)),
+            "each cause once");
+      } else {
+        causes.push_back(*cause);
+      }
+    }
+    return causes;
+  }
+
+  std::vector<MeasureKind> Measures(const toml::table& table) {
+    const std::string expected = "a list of measures, e.g. [\"separation_error\"]";
+    std::vector<MeasureKind> measures;
     const toml::node* node = Required(table, "measures", expected);
-    if (node == nullptr) return accepted;
+    if (node == nullptr) return measures;
     const toml::array* array = node->as_array();
     if (array == nullptr || array->empty()) {
       Add(node->source(), "measures names no measure", expected);
-      return accepted;
+      return measures;
     }
     for (const toml::node& element : *array) {
       const auto measure = Named(element, "measure", AllMeasures());
       if (!measure) continue;
-      const bool again =
-          std::any_of(accepted.begin(), accepted.end(),
-                      [&](const Accepted& of) { return of.measure == *measure; });
-      if (again) {
+      if (std::ranges::find(measures, *measure) != measures.end()) {
         Add(element.source(), fmt::format("{} is named twice", NameOf(*measure)),
             "each measure once");
       } else {
-        accepted.push_back({*measure});
+        measures.push_back(*measure);
       }
     }
-    return accepted;
+    std::ranges::sort(measures);
+    return measures;
   }
 
-  std::vector<Accepted> Bounds(const toml::table& table) {
-    const std::string expected = "a table of measures, e.g. { separation_error = 0.05 }";
-    std::vector<Accepted> accepted;
-    const toml::node* node = Required(table, "bounds", expected);
-    if (node == nullptr) return accepted;
-    const toml::table* bounds = node->as_table();
-    if (bounds == nullptr || bounds->empty()) {
-      Add(node->source(), "bounds names no measure", expected);
-      return accepted;
-    }
-    for (const auto& [key, value] : *bounds) {
-      const std::optional<MeasureKind> measure = MeasureNamed(key.str());
-      if (!measure) {
-        Add(key.source(), fmt::format("measure is \"{}\"", key.str()),
-            fmt::format("one of {}", fmt::join(NamesOf(AllMeasures()), ", ")));
-        continue;
-      }
-      accepted.push_back({*measure, Bound(value, *measure)});
-    }
-    return accepted;
-  }
-
-  double Bound(const toml::node& node, MeasureKind measure) {
-    const double bound = node.value<double>().value_or(NAN);
-    // A scene that touches exactly is missed by 0 m.
-    const bool may_be_zero = measure == MeasureKind::kTouching;
-    if (!node.is_number() || !std::isfinite(bound) || bound < 0 ||
-        (bound == 0 && !may_be_zero)) {
-      Add(node.source(),
-          fmt::format("bound of {} is not a {}number", NameOf(measure),
-                      may_be_zero ? "" : "positive "),
-          fmt::format("a number {} 0, relative to the size of the scene",
-                      may_be_zero ? ">=" : ">"));
-    }
-    if (bound > 1 && IsShare(measure)) {
-      Add(node.source(), fmt::format("bound is {}", bound),
-          fmt::format("at most 1, which {} cannot exceed", NameOf(measure)));
-    }
-    return bound;
-  }
-
-  bool Intermittent(const toml::table& table) {
-    const toml::node* node = table.get("intermittent");
+  bool Flag(const toml::table& table, std::string_view key) {
+    const toml::node* node = table.get(key);
     if (node == nullptr) return false;
-    const auto intermittent = node->value_exact<bool>();
-    if (!intermittent)
-      Add(node->source(), "intermittent is not a boolean", "true or false");
-    return intermittent.value_or(false);
+    const auto flag = node->value_exact<bool>();
+    if (!flag)
+      Add(node->source(), fmt::format("{} is not a boolean", key), "true or false");
+    return flag.value_or(false);
   }
 
   std::string Date(const toml::table& table, std::string_view key) {
@@ -271,7 +274,16 @@ LedgerResult ReadLedgerFile(const std::filesystem::path& file) {
   }
   std::ostringstream text;
   text << stream.rdbuf();
-  return ReadLedger(text.str(), file);
+  LedgerResult result = ReadLedger(text.str(), file);
+  BoundsResult bounds = ReadBoundsFile(BoundsFileOf(file));
+  std::move(bounds.diagnostics.begin(), bounds.diagnostics.end(),
+            std::back_inserter(result.diagnostics));
+  if (result.diagnostics.empty()) {
+    result.ledger->bounds = std::move(*bounds.bounds);
+  } else {
+    result.ledger.reset();
+  }
+  return result;
 }
 
 }  // namespace touchstone

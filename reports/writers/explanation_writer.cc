@@ -196,7 +196,7 @@ void WriteLedgerReasons(const RunReport& report, const Outcome& outcome,
     reasons.push_back(reason);
     out << fmt::format("    Ledger entry for {} ({}): {}\n",
                        report.oracles[outcome.oracle].name,
-                       NameOf(report.ledger.entries[index].cause), reason);
+                       CausesOf(report.ledger.entries[index]), reason);
   }
 }
 

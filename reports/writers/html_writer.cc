@@ -167,6 +167,7 @@ class Page {
     WriteSummary();
     WriteOracles();
     WriteFaults();
+    WriteRegressions();
     WriteScenarios();
     WriteLedger();
     out_ << "<script>\n" << kPageJs << "</script>\n</body>\n</html>\n";
@@ -246,6 +247,14 @@ class Page {
     for (const std::string& fault : report_.faults) {
       out_ << fmt::format("<li class=\"fail\">{}\n", XmlText(fault));
     }
+    out_ << "</ul>\n";
+  }
+
+  void WriteRegressions() {
+    if (report_.regressions.empty()) return;
+    out_ << "<h2>Worse than in the baseline</h2>\n<ul>\n";
+    for (const Regression& regression : report_.regressions)
+      out_ << fmt::format("<li class=\"fail\">{}\n", XmlText(regression.what));
     out_ << "</ul>\n";
   }
 
@@ -445,12 +454,11 @@ class Page {
 
   static std::string WorstOfAccepted(const LedgerEntry& entry, const LedgerUse& use) {
     std::vector<std::string> lines;
-    for (std::size_t i = 0; i < entry.accepted.size(); ++i) {
-      const Accepted& accepted = entry.accepted[i];
-      std::string line(NameOf(accepted.measure));
-      if (accepted.bound > 0) {
-        line += fmt::format(" {:.3g} of {:.3g}", use.hidden[i].worst, accepted.bound);
-      }
+    for (std::size_t i = 0; i < entry.measures.size(); ++i) {
+      std::string line(NameOf(entry.measures[i]));
+      const LedgerUse::Hidden& hidden = use.hidden[i];
+      if (hidden.bound > 0)
+        line += fmt::format(" {:.3g} of {:.3g}", hidden.worst, hidden.bound);
       lines.push_back(std::move(line));
     }
     return fmt::format("{}", fmt::join(lines, "<br>"));
@@ -474,10 +482,10 @@ class Page {
       out_ << fmt::format(
           "<tr id=\"ledger-{}\"><td>{} {}<td>{}<td class=\"n\">{}<td class=\"n\">{}"
           "<td>{}<td>{}<td>{}<td>{}<td>{}</tr>\n",
-          i, XmlText(entry.oracle), XmlText(entry.version), XmlText(entry.scenarios),
-          use.findings(), use.candidates, WorstOfAccepted(entry, use),
-          NameOf(entry.cause), XmlText(entry.reason), XmlText(entry.upstream),
-          XmlText(entry.expires));
+          i, XmlText(entry.oracle), XmlText(entry.version),
+          XmlText(fmt::format("{}", fmt::join(entry.scenarios, ", "))), use.findings(),
+          use.candidates, WorstOfAccepted(entry, use), CausesOf(entry),
+          XmlText(entry.reason), XmlText(entry.upstream), XmlText(entry.expires));
     }
     out_ << "</table></div>\n";
     if (untested > 0) {

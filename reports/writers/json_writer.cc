@@ -338,18 +338,21 @@ Json LedgerEntryToJson(const RunReport& report, std::size_t index) {
   json["verdict"] = NameOf(entry.verdict);
   json["accepted"] = Json::array();
   const LedgerUse& use = report.ledger_use[index];
-  for (std::size_t i = 0; i < entry.accepted.size(); ++i) {
+  for (std::size_t i = 0; i < entry.measures.size(); ++i) {
     Json accepted;
-    accepted["measure"] = NameOf(entry.accepted[i].measure);
-    accepted["bound"] = ToJson(entry.accepted[i].bound);
+    accepted["measure"] = NameOf(entry.measures[i]);
     accepted["hidden"] = use.hidden[i].findings;
     accepted["worst"] = ToJson(use.hidden[i].worst);
+    accepted["bound"] = ToJson(use.hidden[i].bound);
     json["accepted"].push_back(std::move(accepted));
   }
-  json["cause"] = NameOf(entry.cause);
+  json["causes"] = Json::array();
+  for (const Cause cause : entry.causes) json["causes"].push_back(NameOf(cause));
   json["reason"] = entry.reason;
   json["upstream"] = entry.upstream;
   json["intermittent"] = entry.intermittent;
+  json["beyond_scene"] = entry.beyond_scene;
+  json["void"] = use.voided;
   json["expires"] = entry.expires;
   json["hidden"] = use.findings();
   json["candidates"] = use.candidates;
@@ -420,6 +423,10 @@ void WriteJson(const RunReport& report, std::ostream& out) {
   WriteArray(
       "faults", report.faults.size(),
       [&](std::size_t i) { return Json(report.faults[i]); }, out);
+  out << ",\n";
+  WriteArray(
+      "regressions", report.regressions.size(),
+      [&](std::size_t i) { return Json(report.regressions[i].what); }, out);
   out << "\n}\n";
 }
 

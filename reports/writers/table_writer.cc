@@ -167,7 +167,40 @@ void WriteFaults(const RunReport& report, const Painter& paint, std::ostream& ou
   }
 }
 
+/** Writes what got worse; in a quiet table only what counts. */
+void WriteRegressions(const RunReport& report, const TableStyle& style,
+                      const Painter& paint, std::ostream& out) {
+  bool first = true;
+  for (const Regression& regression : report.regressions) {
+    if (style.fail_on == FailOn::kSubject && regression.oracle != report.subject)
+      continue;
+    if (first) out << '\n' << paint(Colour::kBold, "Worse than in the baseline") << '\n';
+    first = false;
+    out << "  " << paint(Colour::kBad, "✗") << ' ' << regression.what << '\n';
+  }
+}
+
+/** Writes the entries that excuse nothing because they are for another version of their
+ library, one line per oracle and version. */
+void WriteVoidEntries(const RunReport& report, const Painter& paint, std::ostream& out) {
+  std::map<std::pair<std::string_view, std::string_view>, std::size_t> voided;
+  for (std::size_t i = 0; i < report.ledger.entries.size(); ++i) {
+    const LedgerEntry& entry = report.ledger.entries[i];
+    if (report.ledger_use[i].voided) ++voided[{entry.oracle, entry.version}];
+  }
+  for (const auto& [which, count] : voided) {
+    const auto& [oracle, version] = which;
+    const auto info = std::ranges::find(report.oracles, oracle, &OracleInfo::name);
+    out << '\n'
+        << paint(Colour::kBold, "Ledger")
+        << fmt::format(": {} for {} {} excuse{} nothing: its version here is {}\n",
+                       Counted(count, "entry", "entries"), oracle, version,
+                       count == 1 ? "s" : "", info->version);
+  }
+}
+
 void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& out) {
+  WriteVoidEntries(report, paint, out);
   int hidden = 0;
   std::size_t hiding = 0;
   std::size_t untested = 0;
@@ -319,16 +352,21 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   const int unsupported = of_subject[Verdict::kUnsupported];
   const std::string not_examined =
       unsupported > 0 ? fmt::format(", was not examined in {}", unsupported) : "";
+  const std::string worse =
+      report.regressions.empty()
+          ? ""
+          : fmt::format(", {} worse than in the baseline",
+                        Counted(report.regressions.size(), "finding"));
   const int code = ExitCode(report, style.fail_on);
   out << paint(
              code == 0 ? Colour::kGood : Colour::kBad,
              fmt::format("{}: {} failed in {}{}, references in {}{}, {} in the scenario "
-                         "files and the ledger",
+                         "files and the ledger{}",
                          Headline(code), report.subject,
                          Counted(of_subject.failed(), "scenario"), not_examined,
                          Counted(counts.failed() - of_subject.failed(), "answer"),
                          failed.empty() ? "" : fmt::format(" ({})", failed),
-                         Counted(report.faults.size(), "fault")))
+                         Counted(report.faults.size(), "fault"), worse))
       << '\n';
   if (counts[Verdict::kKnown] > 0) {
     out << paint(Colour::kKnown,
@@ -355,6 +393,7 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   if (!style.quiet) WriteTallies(report, outcomes, paint, out);
   WriteFailures(report, outcomes, style, paint, out);
   WriteFaults(report, paint, out);
+  WriteRegressions(report, style, paint, out);
   const std::string stated = StatedTolerances(report) + WorldSetups(report);
   if (!stated.empty()) out << '\n' << stated;
   if (!style.quiet) {

@@ -50,6 +50,12 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
+std::string TextOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
 class CommandLineTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -262,10 +268,69 @@ TEST_F(CommandLineTest, ProposesALedgerForTheUsersFolderThatExcusesItsFailures) 
   }
   Write("ledger.toml", completed);
   const std::string known = " --ledger " + Path("ledger.toml") + " " + folder;
+  // Without bounds nothing is excused.
+  EXPECT_EQ(Touchstone("run" + known).code, 1);
+  const Ended updated = Touchstone("ledger --update" + known);
+  EXPECT_EQ(updated.code, 0) << updated.out << updated.err;
+  EXPECT_THAT(updated.out, HasSubstr("ledger.bounds: "));
   const Ended run = Touchstone("run" + known);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const Ended audit = Touchstone("ledger --audit" + known);
+  EXPECT_EQ(audit.code, 0) << audit.out << audit.err;
+  EXPECT_THAT(audit.out,
+              AllOf(HasSubstr("An error of 0.001 of the scene would be seen in "
+                              "100.00 % of "),
+                    HasSubstr("\n0 contradictions of causes\n"),
+                    HasSubstr("\n0 failures outside the ledger\n")));
+  // The causes are those of the findings, and the program can write them.
+  std::string ledger = TextOf(Path("ledger.toml"));
+  const std::size_t cause = ledger.find("cause = ");  // That of half_depth.
+  ledger.replace(cause, ledger.find('\n', cause) - cause, "cause = \"tie\"");
+  Write("ledger.toml", ledger);
+  EXPECT_EQ(Touchstone("ledger --audit" + known).code, 1);
+  EXPECT_EQ(Touchstone("ledger --update --causes" + known).code, 0);
+  EXPECT_EQ(Touchstone("ledger --audit" + known).code, 0);
   EXPECT_EQ(Touchstone("ledger --propose" + known).out.find("[[entry]]"),
             std::string::npos);
+}
+
+TEST_F(CommandLineTest, RefusesABrokenFileOfBounds) {
+  Write("ledger.toml", "");
+  Write("ledger.bounds", "mine/deep half_depth depth=1\n");
+  const Ended ended =
+      Touchstone("run --ledger " + Path("ledger.toml") + " " + Path("mine/deep.toml"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("ledger.bounds:1:22: bound is \"depth=1\""));
+}
+
+TEST_F(CommandLineTest, RequiresOneActionOfTheLedger) {
+  for (const std::string options :
+       {"", " --propose --audit", " --audit --update", " --audit --causes"}) {
+    const Ended ended = Touchstone("ledger" + options);
+    EXPECT_EQ(ended.code, 2) << options;
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+  }
+}
+
+TEST_F(CommandLineTest, NamesWhatGotWorseThanInABaseline) {
+  const std::string file = " --against thrower " + Path("mine/deep.toml");
+  EXPECT_EQ(Touchstone("run --out " + Path("before") + file).code, 1);
+  const std::string baseline = " --baseline " + Path("before/report.json");
+  EXPECT_THAT(Touchstone("run" + baseline + file).out,
+              Not(HasSubstr("Worse than in the baseline")));
+  // Yesterday half_depth gave the whole depth.
+  std::string yesterday = TextOf(Path("before/report.json"));
+  for (std::size_t at = 0; (at = yesterday.find("\"right\"", at)) != std::string::npos;)
+    yesterday.replace(at, 7, "\"half_depth\"");
+  Write("before/report.json", yesterday);
+  const Ended worse = Touchstone("run --subject half_depth" + baseline + file);
+  EXPECT_EQ(worse.code, 1);
+  EXPECT_THAT(worse.out, HasSubstr("mine/deep: half_depth separation_error: was pass, is "
+                                   "fail\n"));
+  const Ended missing = Touchstone("run --baseline " + Path("nowhere.json") + file);
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("nowhere.json:1:1: cannot be read; expected a "
+                                     "report.json of `touchstone run --out DIR`"));
 }
 
 TEST_F(CommandLineTest, AppliesTheBuiltInLedgerToTheBuiltInCatalogueOnly) {
@@ -276,12 +341,15 @@ scenarios = "mine/*"
 oracle = "half_depth"
 version = "unversioned"
 verdict = "fail"
-bounds = { separation_error = 0.1, consistency_error = 0.1 }
+measures = ["separation_error", "consistency_error"]
 cause = "defect"
 reason = "It gives half the depth."
 upstream = "unreported"
 expires = 9999-12-31
 )");
+  const std::string bounds =
+      "mine/known half_depth separation_error=0.1 consistency_error=0.1\n";
+  Write("data/known_discrepancies.bounds", bounds);
   const auto run = [this](const std::string& what) {
     return InPipe("TOUCHSTONE_TEST_DATA=" + Path("data") + " " +
                   Command("run --fail-on subject --subject half_depth " + what))
@@ -290,6 +358,8 @@ expires = 9999-12-31
   EXPECT_EQ(run(""), 0);
   EXPECT_EQ(run("mine/known"), 0);
   EXPECT_EQ(run(Path("data/catalogue/mine/known.toml")), 0);
+  Write("data/known_discrepancies.bounds",
+        bounds + Replaced(bounds, "mine/known", "mine/deep"));
   // These ids match the entry, but the files are not part of the built-in catalogue.
   EXPECT_EQ(run(Path("mine/deep.toml")), 1);
   EXPECT_EQ(run(Path("mine/deep.toml") + " mine/known"), 1);
@@ -705,12 +775,6 @@ numbers = { expected_energy = )";
   EXPECT_THAT(error(kDrop + claim + "39 }\n"),
               HasSubstr("drop.toml:23:31: claims[1].numbers.expected_energy is 39 "
                         "(conserves_energy); expected 39.24, which"));
-}
-
-std::string TextOf(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 // Returns the contents of the fenced TOML blocks of a page, in order.

@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <span>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,7 @@
 
 #include "cli/select_oracles.h"
 #include "reports/accuracy/accuracy.h"
+#include "reports/ledger/audit_ledger.h"
 #include "reports/ledger/ledger_file.h"
 #include "reports/run.h"
 #include "reports/writers/outcome.h"
@@ -139,6 +141,12 @@ class CatalogueTest : public testing::Test {
     }
     EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
     for (const std::string& fault : report.faults) ADD_FAILURE() << fault;
+    const LedgerAudit audit = AuditLedger(report);
+    if (!IsInOrder(audit)) {
+      std::ostringstream text;
+      WriteAudit(report, audit, text);
+      ADD_FAILURE() << text.str();
+    }
     std::ifstream table(TOUCHSTONE_DATA_DIR "/../docs/accuracy.md");
     const std::string published(std::istreambuf_iterator<char>(table), {});
     for (const std::string& fault : CheckAccuracy(report, published)) {

@@ -125,17 +125,18 @@ RunReport HandMadeReport() {
                                      Verdict::kUnsupported));
 
   LedgerEntry entry;
-  entry.scenarios = "contact/box_sphere/*";
+  entry.scenarios = {"contact/box_sphere/*"};
   entry.oracle = "theirs/float";
   entry.version = "1.2";
-  entry.accepted = {{MeasureKind::kSeparationError, 1e-6}};
-  entry.cause = Cause::kPrecision;
+  entry.measures = {MeasureKind::kSeparationError};
+  entry.causes = {Cause::kPrecision};
   entry.reason = "Float build";
   entry.upstream = "unreported";
   entry.expires = "2027-01-01";
   report.ledger.entries = {entry, entry};
-  report.ledger.entries[1].scenarios = "contact/hull_hull/*";
-  report.ledger_use = {{{{1, 1e-7}}, 2}, {{{}}, 0}};
+  report.ledger.entries[1].scenarios = {"contact/hull_hull/*"};
+  report.ledger_use = {{.hidden = {{1, 1e-7, 1e-6}}, .causes = {}, .candidates = 2},
+                       {.hidden = {{}}, .causes = {}}};
   report.faults = {
       "contact/box_sphere/deep: the author expects \"apart\", the truth is not"};
   return report;

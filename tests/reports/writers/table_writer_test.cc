@@ -42,6 +42,28 @@ TEST(WriteTable, ShowsTheFindingsThatTheLedgerHides) {
   EXPECT_THAT(table, HasSubstr("    1  theirs/float 1.2: Float build (unreported)"));
 }
 
+TEST(WriteTable, SaysWhichEntriesAreForAnotherVersion) {
+  RunReport report = HandMadeReport();
+  EXPECT_THAT(Table(report), Not(HasSubstr("excuse")));
+  report.ledger.entries[1].version = "0.9";
+  report.ledger_use[1].voided = true;
+  EXPECT_THAT(Table(report), HasSubstr("Ledger: 1 entry for theirs/float 0.9 excuses "
+                                       "nothing: its version here is 1.2\n"));
+}
+
+TEST(WriteTable, ListsWhatGotWorseAndCountsIt) {
+  RunReport report = HandMadeReport();
+  EXPECT_THAT(Table(report), Not(HasSubstr("baseline")));
+  report.regressions = {{"theirs/float", "a: theirs/float excess: was 1, is 3 m"}};
+  EXPECT_THAT(Table(report),
+              testing::AllOf(
+                  HasSubstr("Worse than in the baseline\n  ✗ a: theirs/float excess: was "
+                            "1, is 3 m\n"),
+                  HasSubstr(", 1 finding worse than in the baseline\n")));
+  EXPECT_THAT(Table(report, {.fail_on = FailOn::kSubject}),
+              Not(HasSubstr("was 1, is 3 m")));
+}
+
 TEST(WriteTable, CountsUnverifiedClaims) {
   RunReport report = HandMadeReport();
   EXPECT_THAT(Table(report), Not(HasSubstr("Unverified")));
@@ -60,7 +82,7 @@ TEST(WriteTable, ShowsFaultsInTheCatalogue) {
 
 TEST(WriteTable, OmitsALedgerThatAppliesToOtherQuestions) {
   RunReport report = HandMadeReport();
-  report.ledger_use = {{{{0, 0}}, 0}, {{{}}, 0}};
+  report.ledger_use = {{.hidden = {{}}, .causes = {}}, {.hidden = {{}}, .causes = {}}};
   EXPECT_THAT(Table(report), Not(HasSubstr("Ledger")));
 }
 

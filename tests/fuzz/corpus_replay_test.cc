@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/ledger/bounds_file.h"
 #include "scenarios/scenario_file.h"
+#include "tests/fuzz/bounds_file_property.h"
 #include "tests/fuzz/scenario_file_property.h"
 
 namespace touchstone {
@@ -30,6 +32,21 @@ TEST(ScenarioFileCorpus, IsReadWithoutFault) {
   }
   EXPECT_GE(accepted, 5);
   EXPECT_GE(files - accepted, 5);
+}
+
+TEST(BoundsFileCorpus, IsReadWithoutFault) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(TOUCHSTONE_CORPUS "/bounds_file")) {
+    std::ostringstream text;
+    text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    EXPECT_EQ(FaultOfReadingBounds(text.str()), "") << entry.path();
+    const std::string name = entry.path().filename().string();
+    EXPECT_EQ(ReadBounds(text.str(), name).diagnostics.empty(), name.starts_with("good_"))
+        << name;
+    ++files;
+  }
+  EXPECT_GE(files, 7);
 }
 
 }  // namespace

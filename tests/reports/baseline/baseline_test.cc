@@ -1,0 +1,148 @@
+#include "reports/baseline/baseline.h"
+
+#include <cmath>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/writers/json_writer.h"
+#include "tests/reports/ledger/report_of_failures.h"
+
+namespace touchstone {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/** Returns a report of three scenarios in which `excess` is 0.04 of the scene's size. */
+RunReport Report() {
+  RunReport report = ReportOfFailures({0.04, 0.04, 0.04}, 0.05);
+  for (ScenarioResult& result : report.scenarios) result.answers.resize(1);
+  report.ledger_use.resize(1);
+  report.ledger_use[0].hidden.resize(1);
+  return report;
+}
+
+Baseline BaselineOf(const RunReport& report) {
+  std::ostringstream text;
+  WriteJson(report, text);
+  return ReadBaseline(text.str(), "report.json").baseline.value();
+}
+
+/** Returns what got worse from one report to another. */
+std::vector<std::string> Worse(const RunReport& before, RunReport after) {
+  CompareWithBaseline(after, BaselineOf(before));
+  std::vector<std::string> worse;
+  for (const Regression& regression : after.regressions) worse.push_back(regression.what);
+  return worse;
+}
+
+TEST(Baseline, IsReadFromTheReportThatARunWrites) {
+  RunReport report = Report();
+  report.findings[1].value = std::nan("");
+  report.findings[2].law = "rolls";
+  const Baseline baseline = BaselineOf(report);
+  ASSERT_EQ(baseline.cells.size(), 3U);
+  EXPECT_EQ(baseline.cells.at(CellOfFailure(0)).value, report.findings[0].value);
+  EXPECT_EQ(baseline.cells.at(CellOfFailure(0)).verdict, Verdict::kFail);
+  EXPECT_TRUE(std::isnan(baseline.cells.at(CellOfFailure(1)).value));
+  LedgerCell of_law = CellOfFailure(2);
+  of_law.law = "rolls";
+  EXPECT_TRUE(baseline.cells.contains(of_law));
+}
+
+TEST(Baseline, RefusesWhatIsNoReport) {
+  for (const std::string_view text :
+       {"", "{", "[]", "3", "{\"format\": \"touchstone report\", \"version\": 1}",
+        "{\"format\": \"touchstone report\", \"version\": 2, \"findings\": []}",
+        "{\"format\": \"touchstone report\", \"version\": 1, \"findings\": [3]}",
+        "{\"format\": \"touchstone report\", \"version\": 1, \"findings\": "
+        "[{\"measure\": \"excess\", \"verdict\": \"good\", \"value\": 1}]}"}) {
+    const BaselineResult result = ReadBaseline(text, "r.json");
+    EXPECT_FALSE(result.baseline) << text;
+    EXPECT_EQ(result.diagnostics.size(), 1U) << text;
+  }
+  EXPECT_EQ(ToString(ReadBaseline("{\n  x", "r.json").diagnostics.at(0)),
+            "r.json:2:3: is not JSON; expected a report.json of `touchstone run --out "
+            "DIR`");
+  EXPECT_FALSE(ReadBaselineFile("nowhere.json").baseline);
+}
+
+TEST(CompareWithBaseline, FindsNothingInTheSameRun) {
+  EXPECT_THAT(Worse(Report(), Report()), IsEmpty());
+}
+
+TEST(CompareWithBaseline, NamesAValueThatMoreThanDoubled) {
+  RunReport after = Report();
+  after.findings[0].value *= 1.99;
+  after.findings[1].value *= 2.01;
+  const double old = Report().findings[1].value;
+  EXPECT_THAT(
+      Worse(Report(), after),
+      ElementsAre(fmt::format("contact/box_box/1: ode excess: was {:.3g}, is {:.3g} m",
+                              old, 2.01 * old)));
+  after = Report();
+  after.findings[2].value = std::nan("");
+  EXPECT_THAT(Worse(Report(), after), testing::SizeIs(1));
+}
+
+// An answer that was right to the last digit may be two digits off today.
+TEST(CompareWithBaseline, LeavesRoundingAlone) {
+  RunReport before = Report();
+  RunReport after = Report();
+  for (std::size_t i = 0; i < 3; ++i) {
+    before.findings[i].value = 1e-20;
+    before.findings[i].verdict = after.findings[i].verdict = Verdict::kPass;
+    before.oracles[0].unit_roundoff = after.oracles[0].unit_roundoff = 0x1p-53;
+  }
+  after.findings[0].value = 1e-16;
+  after.findings[1].value = 1e-11;  // Passes, but no rounding causes it.
+  after.findings[2].value = 1e-11;
+  after.findings[2].tolerance = 1e-8;  // Less than 1 % of it.
+  EXPECT_THAT(Worse(before, after),
+              ElementsAre(testing::StartsWith("contact/box_box/1: ")));
+}
+
+TEST(CompareWithBaseline, NamesAWorseVerdict) {
+  RunReport before = Report();
+  RunReport after = Report();
+  before.findings[0].verdict = Verdict::kPass;
+  after.findings[0].verdict = Verdict::kKnown;  // The ledger was lenient.
+  before.findings[1].verdict = Verdict::kFail;
+  after.findings[1].verdict = Verdict::kKnown;
+  after.findings[2].verdict = Verdict::kCrashed;
+  EXPECT_THAT(Worse(before, after),
+              ElementsAre("contact/box_box/0: ode excess: was pass, is known",
+                          "contact/box_box/2: ode excess: was fail, is crashed"));
+  std::swap(before, after);
+  EXPECT_THAT(Worse(before, after), IsEmpty());
+}
+
+TEST(CompareWithBaseline, LeavesOutWhatOnlyOneRunHas) {
+  RunReport before = Report();
+  RunReport after = Report();
+  before.findings.erase(before.findings.begin());
+  after.findings.pop_back();
+  EXPECT_THAT(Worse(before, after), IsEmpty());
+}
+
+TEST(ExitCode, FailsForARegressionOfTheSubjectAndOfAReferenceWhereItCounts) {
+  RunReport report;
+  report.subject = "mine";
+  Finding finding{};
+  finding.oracle = "mine";
+  finding.reference = "referee";
+  finding.measure = MeasureKind::kExcess;
+  report.findings = {finding};
+  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
+  report.regressions = {{"ode", "worse"}};
+  EXPECT_EQ(ExitCode(report, FailOn::kAnything), 1);
+  EXPECT_EQ(ExitCode(report, FailOn::kSubject), 0);
+  report.regressions = {{"mine", "worse"}};
+  EXPECT_EQ(ExitCode(report, FailOn::kSubject), 1);
+}
+
+}  // namespace
+}  // namespace touchstone
