@@ -107,16 +107,12 @@ std::unique_ptr<PreparedBatch> CookbookOracle::Prepare(
 }
 
 std::unique_ptr<Simulation> CookbookOracle::Begin(const World& world) const {
-  return BeginCookbookWorld(world, Care::kAll);
-}
-
-std::unique_ptr<Simulation> CookbookOracle::BeginAsShipped(const World& world) const {
-  return BeginCookbookWorld(world, Care::kAsShipped);
+  return BeginCookbookWorld(world);
 }
 
 std::unique_ptr<Simulation> CookbookOracle::BeginInThreads(const World& world,
                                                            int threads) const {
-  return BeginCookbookWorld(world, Care::kAsShipped, threads);
+  return BeginCookbookWorld(world, threads);
 }
 
 }  // namespace touchstone

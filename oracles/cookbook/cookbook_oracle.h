@@ -21,7 +21,6 @@ class CookbookOracle final : public Oracle {
   std::unique_ptr<PreparedBatch> Prepare(
       std::span<const ContactQuery> queries) const override;
   std::unique_ptr<Simulation> Begin(const World& world) const override;
-  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override;
   std::unique_ptr<Simulation> BeginInThreads(const World& world,
                                              int threads) const override;
 

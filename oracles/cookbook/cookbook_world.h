@@ -13,16 +13,9 @@ decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities();
 /** Returns the settings of the corrected engine for worlds. */
 std::vector<Setting> CookbookWorldSettings();
 
-/** The iteration budget of the corrected engine. */
-enum class Care {
-  kAll,        ///< Ten times the default: solves most steps to rounding.
-  kAsShipped,  ///< The default of the engine.
-};
-
-/** Returns `world` at its start, in the corrected engine. Its steps use `threads`
- threads; the results are bitwise identical for any number.
+/** Returns `world` at its start, in the corrected engine with its default settings. Its
+ steps use `threads` threads; the results are bitwise identical for any number.
  @pre The world is valid and within CookbookWorldCapabilities(). */
-std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, Care care,
-                                               int threads = 1);
+std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, int threads = 1);
 
 }  // namespace touchstone

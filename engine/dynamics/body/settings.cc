@@ -34,6 +34,10 @@ void Validate(const Settings& s) {
              std::isfinite(s.restitution_threshold_factor),
          "restitution_threshold_factor", s.restitution_threshold_factor,
          "a finite number >= 0");
+  Expect(s.contact_frequency > 0, "contact_frequency", s.contact_frequency,
+         "a positive number or infinity");
+  Expect(s.contact_retardation > 0 && std::isfinite(s.contact_retardation),
+         "contact_retardation", s.contact_retardation, "a positive finite number");
   Expect(s.position_correction_fraction > 0 && s.position_correction_fraction <= 1,
          "position_correction_fraction", s.position_correction_fraction,
          "a number in (0, 1]");

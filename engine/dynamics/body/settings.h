@@ -79,6 +79,17 @@ struct Settings {
    the start of the step that finds them in penetration. */
   bool continuous_collision = true;
 
+  /** A contact at rest yields when its load deviates from its mean: a spring of stiffness
+   (2π f)² m, with the effective mass m of the contact, in parallel to a damper. It takes
+   the energy of piles that rock; under a constant load the contact is rigid. Greater than
+   0; infinite: contacts are always rigid. Not used with Stabilisation::kSoft, for
+   impacts, or without warm starting. [Hz]
+   docs/decisions/0050-contacts-yield-under-varying-loads.md */
+  double contact_frequency = 85;
+  /** Retardation time of that spring and damper: stiffness × this is the damping. > 0 [s]
+   */
+  double contact_retardation = 0.28;
+
   Stabilisation stabilisation = Stabilisation::kSplitImpulse;
   /** Fraction of the excess depth that is removed per step, in (0, 1]. A large world, see
    IsSmall(), removes at most a fifth. */

@@ -37,13 +37,17 @@ bool HasSameFeatures(const OldManifold& old, const Manifold& now) {
 void TransferImpulses(const OldManifold& old, double reach, ContactPair& pair) {
   const Manifold& now = pair.manifold;
   const std::array<Eigen::Vector3d, 8> old_J_W = pair.J_W;
+  const std::array<double, 8> old_mean_load = pair.mean_load;
+  if (old.count == 0) pair.loaded_steps = 0;
   unsigned used = 0;     // Old contact points whose impulse is transferred.
   unsigned matched = 0;  // New contact points that have an impulse.
   for (std::size_t i = 0; i < now.points().size(); ++i) {
     pair.J_W[i].setZero();
+    pair.mean_load[i] = 0;
     for (std::size_t k = 0; k < old.count; ++k) {
       if (old.contacts[k].feature != now.contacts[i].feature) continue;
       pair.J_W[i] = old_J_W[k];
+      pair.mean_load[i] = old_mean_load[k];
       used |= 1u << k;
       matched |= 1u << i;
       break;
@@ -57,6 +61,7 @@ void TransferImpulses(const OldManifold& old, double reach, ContactPair& pair) {
       const Eigen::Vector3d offset = now.contacts[i].p_WC - old.contacts[k].p_WC;
       if (offset.squaredNorm() > reach * reach) continue;
       pair.J_W[i] = old_J_W[k];
+      pair.mean_load[i] = old_mean_load[k];
       used |= 1u << k;
       break;
     }

@@ -20,6 +20,10 @@ struct alignas(64) ContactPair {
   Manifold manifold;     ///< See CollideSpeculative().
   /** Impulse on B at each contact point of the manifold. World frame. [N s] */
   alignas(64) std::array<Eigen::Vector3d, 8> J_W;
+  /** Mean normal impulse of a sub-step at each contact point, see
+   Settings::contact_frequency. [N s] */
+  std::array<double, 8> mean_load{};
+  int loaded_steps = 0;  ///< Sub-steps since the pair first was at rest under a load.
 };
 
 /** The most used members of a ContactPair, which is large. */

@@ -36,6 +36,7 @@ void Impact::AddContacts(const ContactPair& pair) {
   added.A = local_index_[static_cast<std::size_t>(pair.A)];
   added.B = local_index_[static_cast<std::size_t>(pair.B)];
   added.J_W.fill(Eigen::Vector3d::Zero());
+  added.mean_load.fill(0);  // Rigid: an impact takes no time.
   for (ContactPoint& contact : added.manifold.contacts) contact.separation = 0;
   summaries_.push_back({added.A, added.B, added.manifold.count});
 }

@@ -182,7 +182,7 @@ void ConstraintGroup<Real>::StoreImpulses(std::span<ContactPair> pairs,
                                           std::span<ContactFlags> contact_flags,
                                           ThreadPool& pool) {
   ForEachColour(pool, [&](const ConstraintView<Real>& constraints) {
-    StoreContactImpulses(constraints, pairs, contact_flags);
+    StoreContactImpulses(constraints, parameters_, pairs, contact_flags);
   });
 }
 

@@ -52,8 +52,9 @@ struct alignas(kAlignment<Real>) ContactConstraintLanes {
   Lanes<Real> friction_impulse1;  ///< Accumulated λ_t, along t1. [N s]
   Lanes<Real> friction_impulse2;  ///< The same along t2. [N s]
   Lanes<Real> target;  ///< Least allowed u·n; −∞ turns the contact off. [m/s]
-  Lanes<Real> effective_mass;  ///< 1 / k(n); less if the contact is soft. [kg]
-  Lanes<Real> impulse_scale;   ///< Softness; 0 if the contact is hard.
+  Lanes<Real> effective_mass;  ///< 1 / k(n); less if the contact is soft or yields. [kg]
+  Lanes<Real> mean_load;       ///< Impulse at which it does not yield. [N s]
+  Lanes<Real> impulse_scale;   ///< Softness or yield; 0 if the contact is rigid.
   Lanes<Real> response_n1;     ///< Slip along t1 per unit impulse along n. [1/kg]
   Lanes<Real> response_n2;     ///< Slip along t2 per unit impulse along n. [1/kg]
   Lanes<Real> tangent_mass11;  ///< Inverse of the 2 × 2 response along t1, t2. [kg]
@@ -101,6 +102,9 @@ struct alignas(kAlignment<Real>) ConstraintBatch {
   Lanes<Real> restitution;
   Lanes<Real> load_speed;  ///< h LoadAccelerationOn(): loads add it in a step. [m/s]
   Lanes<Real> slop;        ///< Depth that is tolerated. [m]
+  /** Greatest deviation from the mean load to which contacts yield. 0 if the pair has no
+   mean load yet; ∞ with Stabilisation::kSoft. [N s] */
+  Lanes<Real> max_deviation;
 };
 
 /** Parameters that all contact constraints of a step share. */
@@ -112,8 +116,12 @@ struct ContactParameters {
   double soft_rate;                     ///< Speed per depth beyond the slop, or 0. [1/s]
   double soft_mass_scale;               ///< 1 for hard contacts.
   double soft_impulse_scale;            ///< 0 for hard contacts.
-  bool accumulated;                     ///< See Settings::accumulated_impulses.
-  bool warm_starting;  ///< Whether to start from the impulses of the pairs.
+  /** Fraction of the deviation from its mean load that a contact gives up: 0 if it is
+   rigid. The damper (1 − yield)/yield m/h, stepped implicitly. */
+  double yield;
+  double mean_load_fraction;  ///< By which the mean load follows the load.
+  bool accumulated;           ///< See Settings::accumulated_impulses.
+  bool warm_starting;         ///< Whether to start from the impulses of the pairs.
 };
 
 /** Contact constraints and their batches. */
@@ -167,9 +175,11 @@ VelocityChanges SolveContacts(const ConstraintView<Real>& constraints,
                               const ContactParameters& parameters, double relaxation,
                               std::span<SolverVelocity<Real>> velocities);
 
-/** Writes the impulses to the pairs, and the flags of the bodies that move. */
+/** Writes the impulses and mean loads to the pairs, and the flags of the bodies that
+ move. */
 template <class Real>
 void StoreContactImpulses(const ConstraintView<Real>& constraints,
+                          const ContactParameters& parameters,
                           std::span<ContactPair> pairs,
                           std::span<ContactFlags> contact_flags);
 

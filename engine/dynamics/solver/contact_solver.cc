@@ -36,6 +36,12 @@ ContactParameters MakeContactParameters(const Settings& settings, double h) {
   parameters.soft_mass_scale = 1;
   parameters.accumulated = settings.accumulated_impulses;
   parameters.warm_starting = settings.warm_starting && settings.accumulated_impulses;
+  const bool may_yield =
+      parameters.warm_starting && settings.stabilisation != Stabilisation::kSoft;
+  const double yield_omega = 2 * std::numbers::pi * settings.contact_frequency;
+  const double damping = yield_omega * yield_omega * settings.contact_retardation;
+  parameters.yield = may_yield ? 1 / (1 + damping * h) : 0;
+  parameters.mean_load_fraction = h / (h + settings.contact_retardation);
   if (settings.stabilisation == Stabilisation::kBaumgarte) {
     parameters.baumgarte = settings.position_correction_fraction / h;
   } else if (settings.stabilisation == Stabilisation::kSoft) {

@@ -61,6 +61,8 @@ bool FitsSinglePrecision(const RigidBody& body);
    energy; a small world then has less restitution, see RestitutionLimit.
  - *Friction.* The two tangential impulses are solved together, on the circular cone,
    from the slip after the normal impulse.
+ - *Yield.* A contact whose load deviates from its mean yields, see
+   Settings::contact_frequency.
  - *Warm starting.* The loads of a face are first redistributed, see PrepareContacts().
  - *Batches.* Graph colouring finds pairs that share no moving body: four of them are
    solved at once in double precision, sixteen in single precision.

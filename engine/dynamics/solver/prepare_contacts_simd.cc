@@ -19,6 +19,15 @@ namespace {
  slip was faster than that. */
 constexpr double kSteadyFraction = 1.0 / 16;
 
+/** Greatest deviation to which a contact yields, in multiples of the mean load of the
+ contacts of its pair. Loads of bodies that rock deviate by a few, impacts by hundreds:
+ a contact that passes on an impact is nearly rigid. */
+constexpr double kMaxDeviation = 20;
+
+/** Number of sub-steps for which a pair is rigid after it came to rest. New contacts have
+ no impulses for warm starting: their loads vary until the solver has found them. */
+constexpr int kRigidSteps = 24;
+
 /** Relative rounding error of a sum. */
 template <class Real>
 constexpr double kRounding = std::is_same_v<Real, float> ? 1e-6 : 1e-14;
@@ -62,11 +71,23 @@ HWY_INLINE Vec3<double> UnitOrthogonal(const Vec3<double>& n) {
           Select(level, zero, along_b)};
 }
 
-/** Redistributes the normal impulses of each face as a rigid body on a uniform elastic
- foundation would: linearly in position, with the same sum and the same moments. The load
- of a face with four or more contacts is statically indeterminate. Which solution the
- iterations find, and warm starting passes on, depends on their order, and the friction of
- a sliding face depends on the solution.
+/** A linear distribution of loads over a face: mean + gradient · (x − x̄). [N s] */
+template <class Real>
+struct LinearLoad {
+  Vec<Real> mean;
+  Vec<Real> gradient_x;
+  Vec<Real> gradient_y;
+
+  HWY_INLINE Vec<Real> At(Vec<Real> x, Vec<Real> y) const {
+    return mean + gradient_x * x + gradient_y * y;
+  }
+};
+
+/** Redistributes the normal impulses of each face, and their mean loads, as a rigid body
+ on a uniform elastic foundation would: linearly in position, with the same sum and the
+ same moments. The load of a face with four or more contacts is statically indeterminate.
+ Which solution the iterations find, and warm starting passes on, depends on their order,
+ and the friction of a sliding face depends on the solution.
 
  λ' = λ̄ + g·(x − x̄), where g is the least-squares gradient of λ − λ̄: of all λ with these
  sums this one has the least Σ λ². The impulses stay as they are if there are fewer than
@@ -78,23 +99,20 @@ HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch,
                            const ContactColdLanes<Real>* cold) {
   using V = Vec<Real>;
   const V zero{};
+  const V one = Splat<Real>(1);
   const V largest = Splat<Real>(std::numeric_limits<Real>::max());
   V count{};
-  V load{};
   V least = largest;
   Vec3<Real> centre{};
   for (int k = 0; k < batch.count; ++k) {
     const V used = Load(cold[k].used);
-    const V impulse = Load(contacts[k].impulse);
     count = count + used;
-    load = load + impulse;
-    least = Select(used > zero, Min(least, impulse), least);
+    least = Select(used > zero, Min(least, Load(contacts[k].impulse)), least);
     centre = Plus(centre, Times(used, PositionOf(contacts[0], contacts[k])));
   }
   VecBits<Real> can_spread = (count > Splat<Real>(3.5)) & (least > zero);
   if (Bits(can_spread) == 0) return;
-  const V inverse_count = Splat<Real>(1) / Max(count, Splat<Real>(1));
-  const V mean = load * inverse_count;
+  const V inverse_count = one / Max(count, one);
   centre = Times(inverse_count, centre);
   const Vec3<Real> t1 = Load(batch.t1);
   const Vec3<Real> t2 = Load(batch.t2);
@@ -103,8 +121,6 @@ HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch,
   V xx{};
   V xy{};
   V yy{};
-  V moment_x{};
-  V moment_y{};
   for (int k = 0; k < batch.count; ++k) {
     const Vec3<Real> arm =
         Times(Load(cold[k].used), Minus(PositionOf(contacts[0], contacts[k]), centre));
@@ -113,30 +129,63 @@ HWY_INLINE void SpreadLoad(const ConstraintBatch<Real>& batch,
     xx = xx + x[k] * x[k];
     xy = xy + x[k] * y[k];
     yy = yy + y[k] * y[k];
-    const V deviation = Load(contacts[k].impulse) - mean;
-    moment_x = moment_x + deviation * x[k];
-    moment_y = moment_y + deviation * y[k];
   }
   // The gradient across a line of contacts is undefined.
   const V determinant = xx * yy - xy * xy;
   const V trace = xx + yy;
   can_spread &= determinant > Splat<Real>(kLineFraction<Real>) * trace * trace;
-  const V inverse_determinant =
-      Splat<Real>(1) / Select(can_spread, determinant, Splat<Real>(1));
-  const V gradient_x = inverse_determinant * (yy * moment_x - xy * moment_y);
-  const V gradient_y = inverse_determinant * (xx * moment_y - xy * moment_x);
-  V linear[8];
+  const V inverse_determinant = one / Select(can_spread, determinant, one);
+  const auto fit = [&](Lanes<Real> ContactConstraintLanes<Real>::*load) HWY_ATTR {
+    V sum{};
+    for (int k = 0; k < batch.count; ++k) sum = sum + Load(contacts[k].*load);
+    const V mean = sum * inverse_count;
+    V moment_x{};
+    V moment_y{};
+    for (int k = 0; k < batch.count; ++k) {
+      const V deviation = Load(contacts[k].*load) - mean;
+      moment_x = moment_x + deviation * x[k];
+      moment_y = moment_y + deviation * y[k];
+    }
+    return LinearLoad<Real>{mean, inverse_determinant * (yy * moment_x - xy * moment_y),
+                            inverse_determinant * (xx * moment_y - xy * moment_x)};
+  };
+  const LinearLoad<Real> impulse = fit(&ContactConstraintLanes<Real>::impulse);
+  const LinearLoad<Real> mean_load = fit(&ContactConstraintLanes<Real>::mean_load);
   V least_linear = largest;
   for (int k = 0; k < batch.count; ++k) {
-    linear[k] = mean + gradient_x * x[k] + gradient_y * y[k];
-    least_linear =
-        Select(Load(cold[k].used) > zero, Min(least_linear, linear[k]), least_linear);
+    least_linear = Select(Load(cold[k].used) > zero,
+                          Min(least_linear, impulse.At(x[k], y[k])), least_linear);
   }
   can_spread &= least_linear > zero;
   for (int k = 0; k < batch.count; ++k) {
     const VecBits<Real> changes = can_spread & (Load(cold[k].used) > zero);
-    Store(Select(changes, linear[k], Load(contacts[k].impulse)), contacts[k].impulse);
+    Store(Select(changes, impulse.At(x[k], y[k]), Load(contacts[k].impulse)),
+          contacts[k].impulse);
+    Store(Select(changes, mean_load.At(x[k], y[k]), Load(contacts[k].mean_load)),
+          contacts[k].mean_load);
   }
+}
+
+/** Sets `max_deviation` of a batch, which is 1 for pairs that yield and 0 for others. */
+template <class Real>
+HWY_INLINE void SetMaxDeviation(const ContactParameters& parameters,
+                                const ContactConstraintLanes<Real>* contacts,
+                                const ContactColdLanes<Real>* cold,
+                                ConstraintBatch<Real>& batch) {
+  using V = Vec<Real>;
+  if (parameters.soft_impulse_scale > 0) {
+    batch.max_deviation.fill(std::numeric_limits<Real>::infinity());
+    return;
+  }
+  V load{};
+  V count{};
+  for (int k = 0; k < batch.count; ++k) {
+    load = load + Load(contacts[k].mean_load);
+    count = count + Load(cold[k].used);
+  }
+  const V yields = Load(batch.max_deviation);
+  Store(yields * Splat<Real>(kMaxDeviation) * load / Max(count, Splat<Real>(1)),
+        batch.max_deviation);
 }
 
 /** Redistributes the friction impulses of each sticking face in proportion to its load,
@@ -256,6 +305,7 @@ HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
       inertia_A[k] = inertia_B[k] = &kImmovable;
       friction[k] = 0;
       batch.restitution[lane] = batch.load_speed[lane] = batch.slop[lane] = 0;
+      batch.max_deviation[lane] = 0;
       if (!is_pair) continue;
       const auto a = static_cast<std::size_t>(batch.A[lane]);
       const auto b = static_cast<std::size_t>(batch.B[lane]);
@@ -271,6 +321,7 @@ HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
       batch.load_speed[lane] =
           static_cast<Real>(parameters.h * LoadAccelerationOn(*pair[k], A, B));
       batch.slop[lane] = static_cast<Real>(SlopBetween(A, B));
+      if (pair[k]->loaded_steps >= kRigidSteps) batch.max_deviation[lane] = 1;
     }
     const auto load_inertias = [&](const std::array<const InverseInertia*, 4>& from,
                                    Lanes<Real>& mass,
@@ -312,6 +363,12 @@ HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
         points[k] = is_used ? pair[k]->manifold.contacts[at].p_WC.data() : kZeros.data();
         J[k] = is_used && parameters.warm_starting ? Load3(pair[k]->J_W[at].data(), 0)
                                                    : zero;
+      }
+      for (std::size_t k = 0; k < 4; ++k) {
+        const bool is_used = i < counts[k];
+        contact.mean_load[4 * four + k] =
+            is_used ? static_cast<Real>(pair[k]->mean_load[static_cast<std::size_t>(i)])
+                    : Real{0};
       }
       LoadTransposed(points, lanes);
       const Vec3<double> p{lanes[0], lanes[1], lanes[2]};
@@ -374,6 +431,8 @@ double Prepare(const ConstraintView<Real>& constraints,
     const Vec3<Real> n = Load(batch.n);
     const Vec3<Real> t1 = Load(batch.t1);
     const Vec3<Real> t2 = Load(batch.t2);
+    SetMaxDeviation(parameters, contacts, cold, batch);
+    const V max_deviation = Load(batch.max_deviation);
     const V restitution = Load(batch.restitution);
     for (int k = 0; k < batch.count; ++k) {
       ContactConstraintLanes<Real>& contact = contacts[k];
@@ -452,8 +511,13 @@ double Prepare(const ConstraintView<Real>& constraints,
       const V max_slip_response =
           Splat<Real>(0.5) *
           (k11 + k22 + Sqrt(difference * difference + Splat<Real>(4) * k12 * k12));
-      const V soft = Select(is_deep, Splat<Real>(parameters.soft_mass_scale), one);
-      const V scale = Select(is_deep, Splat<Real>(parameters.soft_impulse_scale), zero);
+      // A contact that rests in a pair with a mean load yields.
+      const VecBits<Real> yields = (max_deviation > zero) & ~would_bounce & ~is_apart;
+      const V yield = Select(yields, Splat<Real>(parameters.yield), zero);
+      const V soft =
+          Select(is_deep, Splat<Real>(parameters.soft_mass_scale), one) * (one - yield);
+      const V scale =
+          Select(is_deep, Splat<Real>(parameters.soft_impulse_scale), zero) + yield;
 
       if constexpr (std::is_same_v<Real, float>) {
         Store(Select(used, target - Dot(u_free, n), zero), contact.target);

@@ -159,16 +159,16 @@ HWY_INLINE BatchState<Real> Begin(ConstraintBatch<Real>& batch,
 
 /** The contact model of a world. */
 enum class ContactModel {
-  kHardAccumulated,      ///< Hard contacts, accumulated impulses.
-  kSoftOrUnaccumulated,  ///< Soft contacts, or impulses that do not accumulate.
+  kRigid,           ///< Rigid contacts, accumulated impulses.
+  kYieldingOrSoft,  ///< Contacts that yield or are soft, accumulated impulses.
+  kUnaccumulated,   ///< Rigid or soft contacts, impulses that do not accumulate.
 };
 
-/** Solves one contact of each pair. `accumulated` is 1 if impulses accumulate, else 0. */
+/** Solves one contact of each pair. */
 template <ContactModel model, class Real>
-HWY_INLINE void SolveContactLanes(int index, Vec<Real> accumulated,
-                                  BatchState<Real>& state) {
+HWY_INLINE void SolveContactLanes(int index, BatchState<Real>& state) {
   using V = Vec<Real>;
-  constexpr bool kIsHardAccumulated = model == ContactModel::kHardAccumulated;
+  constexpr bool kAccumulates = model != ContactModel::kUnaccumulated;
   ContactConstraintLanes<Real>& contact = state.contacts[index];
   const V zero{};
   const Vec3<Real> r_A = Load(contact.r_A);
@@ -179,17 +179,20 @@ HWY_INLINE void SolveContactLanes(int index, Vec<Real> accumulated,
   // Normal impulse: clamp the sum of the old impulse and the change that attains the
   // target. If impulses do not accumulate, `old_impulse` is 0, so that each change alone
   // is clamped; `stored_impulse` then is the sum of the changes. `softened` is the old
-  // impulse less the part that the softness of the contact takes away.
+  // impulse less the part that the contact gives up because it is soft or yields.
   const V stored_impulse = Load(contact.impulse);
-  const V old_impulse =
-      kIsHardAccumulated ? stored_impulse : accumulated * stored_impulse;
-  const V softened = kIsHardAccumulated
-                         ? old_impulse
-                         : old_impulse - Load(contact.impulse_scale) * stored_impulse;
+  const V old_impulse = kAccumulates ? stored_impulse : zero;
+  V softened = old_impulse;
+  if constexpr (model != ContactModel::kRigid) {
+    const V most = Load(state.batch.max_deviation);
+    const V deviation = stored_impulse - Load(contact.mean_load);
+    softened = old_impulse -
+               Load(contact.impulse_scale) * Max(zero - most, Min(most, deviation));
+  }
   const V mass = state.relaxation * Load(contact.effective_mass);
   const V impulse = Max(zero, softened + mass * (Load(contact.target) - Dot(u, state.n)));
   const V change = impulse - old_impulse;
-  Store(kIsHardAccumulated ? impulse : stored_impulse + change, contact.impulse);
+  Store(kAccumulates ? impulse : stored_impulse + change, contact.impulse);
 
   // Slip after the normal impulse.
   V slip1 = Dot(u, state.t1) + change * Load(contact.response_n1);
@@ -206,8 +209,8 @@ HWY_INLINE void SolveContactLanes(int index, Vec<Real> accumulated,
   const V max_squared = max_friction * max_friction;
   const V stored1 = Load(contact.friction_impulse1);
   const V stored2 = Load(contact.friction_impulse2);
-  const V old1 = kIsHardAccumulated ? stored1 : accumulated * stored1;
-  const V old2 = kIsHardAccumulated ? stored2 : accumulated * stored2;
+  const V old1 = kAccumulates ? stored1 : zero;
+  const V old2 = kAccumulates ? stored2 : zero;
   const V tangent_mass12 = Load(contact.tangent_mass12);
   const V stick1 = old1 - (Load(contact.tangent_mass11) * slip1 + tangent_mass12 * slip2);
   const V stick2 = old2 - (tangent_mass12 * slip1 + Load(contact.tangent_mass22) * slip2);
@@ -252,10 +255,9 @@ HWY_INLINE void End(const BatchState<Real>& state, SolverVelocity<Real>* velocit
 }
 
 template <ContactModel model, class Real>
-VelocityChanges SolveModel(const ConstraintView<Real>& constraints, bool accumulated,
-                           double relaxation, SolverVelocity<Real>* velocities) {
+VelocityChanges SolveModel(const ConstraintView<Real>& constraints, double relaxation,
+                           SolverVelocity<Real>* velocities) {
   using V = Vec<Real>;
-  const V is_accumulated = Splat<Real>(accumulated ? 1 : 0);
   const V relaxation_lanes = Splat<Real>(relaxation);
   V max{};
   V min = Splat<Real>(std::numeric_limits<Real>::infinity());
@@ -272,7 +274,7 @@ VelocityChanges SolveModel(const ConstraintView<Real>& constraints, bool accumul
         Begin<Real>(constraints.batches[k], constraints, relaxation_lanes, velocities);
     if (next == count) {
       for (int i = 0; i < first.batch.count; ++i)
-        SolveContactLanes<model, Real>(i, is_accumulated, first);
+        SolveContactLanes<model, Real>(i, first);
       End(first, velocities);
       max = Max(max, first.max_change);
       min = Min(min, first.ChangeOfPairs());
@@ -282,13 +284,13 @@ VelocityChanges SolveModel(const ConstraintView<Real>& constraints, bool accumul
         Begin<Real>(constraints.batches[next], constraints, relaxation_lanes, velocities);
     const int both = std::min(first.batch.count, second.batch.count);
     for (int i = 0; i < both; ++i) {
-      SolveContactLanes<model, Real>(i, is_accumulated, first);
-      SolveContactLanes<model, Real>(i, is_accumulated, second);
+      SolveContactLanes<model, Real>(i, first);
+      SolveContactLanes<model, Real>(i, second);
     }
     for (int i = both; i < first.batch.count; ++i)
-      SolveContactLanes<model, Real>(i, is_accumulated, first);
+      SolveContactLanes<model, Real>(i, first);
     for (int i = both; i < second.batch.count; ++i)
-      SolveContactLanes<model, Real>(i, is_accumulated, second);
+      SolveContactLanes<model, Real>(i, second);
     End(first, velocities);
     End(second, velocities);
     max = Max(max, Max(first.max_change, second.max_change));
@@ -307,18 +309,42 @@ template <class Real>
 VelocityChanges SolveAll(const ConstraintView<Real>& constraints,
                          const ContactParameters& parameters, double relaxation,
                          SolverVelocity<Real>* velocities) {
-  const bool is_hard_accumulated =
-      parameters.accumulated && parameters.soft_impulse_scale == 0;
-  return (
-      is_hard_accumulated
-          ? SolveModel<ContactModel::kHardAccumulated, Real>
-          : SolveModel<ContactModel::kSoftOrUnaccumulated, Real>)(constraints,
-                                                                  parameters.accumulated,
-                                                                  relaxation, velocities);
+  const bool is_rigid = parameters.soft_impulse_scale == 0 && parameters.yield == 0;
+  const auto solve = !parameters.accumulated
+                         ? SolveModel<ContactModel::kUnaccumulated, Real>
+                     : is_rigid ? SolveModel<ContactModel::kRigid, Real>
+                                : SolveModel<ContactModel::kYieldingOrSoft, Real>;
+  return solve(constraints, relaxation, velocities);
+}
+
+/** Updates the mean loads of a pair, lane `lane` of `batch`, after a step. While the pair
+ is rigid they are the loads of the last step in which it was at rest. */
+template <class Real>
+void UpdateMeanLoads(const ConstraintView<Real>& constraints,
+                     const ConstraintBatch<Real>& batch, std::size_t lane,
+                     double mean_load_fraction, ContactPair& pair) {
+  const double max_deviation = double{batch.max_deviation[lane]};
+  const auto first = static_cast<std::size_t>(batch.first);
+  bool is_loaded = false;
+  for (std::size_t k = 0; k < pair.manifold.points().size(); ++k) {
+    const ContactConstraintLanes<Real>& contact = constraints.contacts[first + k];
+    const ContactColdLanes<Real>& cold = constraints.cold[first + k];
+    const double load = double{contact.impulse[lane]};
+    const double old = double{contact.mean_load[lane]};
+    if (max_deviation > 0) {
+      pair.mean_load[k] = old + mean_load_fraction *
+                                    std::clamp(load - old, -max_deviation, max_deviation);
+    } else if (cold.steady[lane] != 0 && cold.bounces[lane] == 0) {
+      pair.mean_load[k] = load;
+      is_loaded = is_loaded || load > 0;
+    }
+  }
+  if (is_loaded) ++pair.loaded_steps;
 }
 
 template <class Real>
-void StoreAll(const ConstraintView<Real>& constraints, std::span<ContactPair> pairs,
+void StoreAll(const ConstraintView<Real>& constraints,
+              const ContactParameters& parameters, std::span<ContactPair> pairs,
               ContactFlags* contact_flags) {
   using V = Vec<Real>;
   const V zero{};
@@ -329,6 +355,10 @@ void StoreAll(const ConstraintView<Real>& constraints, std::span<ContactPair> pa
       if (batch.pair[lane] < 0) continue;
       pair[lane] = &pairs[static_cast<std::size_t>(batch.pair[lane])];
       counts[lane] = pair[lane]->manifold.count;
+      if (parameters.yield > 0) {
+        UpdateMeanLoads(constraints, batch, lane, parameters.mean_load_fraction,
+                        *pair[lane]);
+      }
     }
     VecBits<Real> bounced{};
     VecBits<Real> rested{};
@@ -401,9 +431,11 @@ COOKBOOK_INSTANTIATE(SolveContacts);
 
 template <class Real>
 void StoreContactImpulses(const ConstraintView<Real>& constraints,
+                          const ContactParameters& parameters,
                           std::span<ContactPair> pairs,
                           std::span<ContactFlags> contact_flags) {
-  COOKBOOK_DISPATCH(StoreAll<Real>)(constraints, pairs, contact_flags.data());
+  COOKBOOK_DISPATCH(StoreAll<Real>)
+  (constraints, parameters, pairs, contact_flags.data());
 }
 COOKBOOK_INSTANTIATE(StoreContactImpulses);
 }  // namespace cookbook
