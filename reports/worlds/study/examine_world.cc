@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/cone_models.h"
-#include "reports/worlds/law_support/late_contacts.h"
 #include "reports/worlds/study/body_steps.h"
 #include "reports/worlds/study/judge_ensemble.h"
 #include "reports/worlds/study/judge_stability.h"
@@ -179,8 +178,6 @@ std::vector<Finding> WithNeighbours(const Study& study, const Neighbours& neighb
     of_world.push_back(JudgeStable(study, most, neighbours.nudged));
     growth = GrowthIfStable(study, growth.gain, most, of_world.back());
   }
-  growth.late = std::max(
-      growth.late, LatenessOfFlushContacts(study.scenario.world, RoundingOf(study, 1)));
   std::vector<Finding> findings = of_world;
   for (const VariantMotion& moved : neighbours.variants)
     Append(findings, FindingsOfVariant(study, growth, moved, of_world));

@@ -16,8 +16,7 @@ struct RoundingGrowth {
    exceeds kLargestGain, and amplified rounding exceeds the discretisation error. Infinity
    if there is none. [s] */
   double horizon = std::numeric_limits<double>::infinity();
-  /** Tolerance for events that come a step late because rounding decides: contacts that
-   are flush at the start, and others in a world claimed to be stable. [m] */
+  /** Tolerance for events that come a step late, in a world claimed to be stable. [m] */
   double late = 0;
 };
 
