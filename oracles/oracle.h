@@ -93,8 +93,6 @@ struct OracleInfo {
   bool steps_in_threads = false;  ///< Whether it has BeginInThreads().
   /** The numbers that may be chosen for its worlds; empty if the adapter offers none. */
   std::vector<WorldParameter> parameters;
-  /** Whether BeginAsShipped() differs from Begin() in more than the parameters. */
-  bool ships_otherwise = false;
   WorldSetup setup;  ///< The setup of its worlds; set by Oracle::SetUp() only.
   std::array<WorldCapability, kWorldFeatures> world_capabilities;
 
@@ -107,7 +105,7 @@ struct OracleInfo {
   bool AnswersContacts() const;
 
   /** Returns whether Oracle::SetUp() can change how it simulates. */
-  bool HasSetups() const { return ships_otherwise || !parameters.empty(); }
+  bool HasSetups() const { return !parameters.empty(); }
 
   /** Returns the capability for a feature of a world. */
   const WorldCapability& For(WorldFeature feature) const {

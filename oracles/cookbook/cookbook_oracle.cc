@@ -92,7 +92,6 @@ CookbookOracle::CookbookOracle() {
   // IntegrateAngularMomentum(), engine/dynamics/body/rotation.h.
   info_.documented_rotation_error = 1e-6;
   info_.steps_in_threads = true;
-  info_.ships_otherwise = true;  // With a smaller iteration budget.
   info_.world_capabilities = CookbookWorldCapabilities();
 }
 
