@@ -22,6 +22,10 @@ std::string Today() {
                      static_cast<unsigned>(today.day()));
 }
 
+std::filesystem::path BuiltInLedgerFile(const Session& session) {
+  return session.defaults.data / "known_discrepancies.toml";
+}
+
 }  // namespace
 
 Ledger ReadLedgerOf(const std::filesystem::path& file) {
@@ -36,7 +40,7 @@ Ledger ReadLedgerOf(const std::filesystem::path& file) {
 
 Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
                      const Questions& questions) {
-  const std::filesystem::path file = session.defaults.data / "known_discrepancies.toml";
+  const std::filesystem::path file = BuiltInLedgerFile(session);
   if (!std::filesystem::exists(file)) return {};
   Ledger ledger = ReadLedgerOf(file);
   ledger.outside_catalogue = OutsideCatalogue(selection, questions, session.catalogue());
@@ -51,9 +55,12 @@ RunReport RunSuite(const Session& session, const Questions& questions,
   run.jobs = options.jobs;
   run.today = Today();
   run.partial = options.partial;
-  run.is_oracle = [&session](std::string_view name) {
-    return session.registry.MayExist(name);
-  };
+  // A program need not have all engines of the built-in ledger.
+  if (!options.partial || ledger.file != BuiltInLedgerFile(session)) {
+    run.is_oracle = [&session](std::string_view name) {
+      return session.registry.MayExist(name);
+    };
+  }
   run.on_progress = [&bar](std::size_t done, std::size_t total) {
     bar.Show(done, total);
   };

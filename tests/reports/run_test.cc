@@ -249,7 +249,8 @@ TEST(ExitCode, CountsTheReferencesOnlyOnRequest) {
 
 /** Returns the radius of the sphere of a question. [m] */
 double RadiusOf(const ContactQuery& query) {
-  return std::get<Sphere>(query.B.shape).radius;
+  const Sphere* B = std::get_if<Sphere>(&query.B.shape);
+  return B ? B->radius : std::get<Sphere>(query.A.shape).radius;
 }
 
 /** Returns the failures against the referee of one oracle, whose answers `plant` spoils,
@@ -326,7 +327,8 @@ TEST(Run, CallsAnErrorOfTheSameLengthEverywhereAMargin) {
 TEST(Run, CallsNoiseFromRoundingPrecision) {
   // The last bits of the question decide whether the answer is right.
   EXPECT_THAT(CausesOf([](const ContactQuery& query, ContactAnswer& answer) {
-                const double bits = std::sin(3e17 * query.B.X_WB.p_WB.sum());
+                const Eigen::Vector3d& p_WB = query.B.X_WB.p_WB;
+                const double bits = std::sin(p_WB.dot(Eigen::Vector3d(3e17, 5e17, 7e17)));
                 if (bits < 0.8) *answer.separation *= 1.5 + 0.4 * bits;
               }),
               testing::Contains(Cause::kPrecision));

@@ -196,17 +196,16 @@ TEST(UnstableMotion, DoesNotFailARightEngineForASpinAboutTheMiddleAxis) {
       const Eigen::Matrix3d R_WB = body.placed.X_WB.R_WB;
       const Eigen::Vector3d tilt_W = (R_WB.col(0)).cross(body.w_WB.normalized());
       WorldState state;
-      state.bodies = {{body.placed.X_WB.p_WB,
+      state.bodies = {{body.placed.X_WB.p_WB + t * t / 2 * world.gravity_W,
                        Turned(Eigen::Quaterniond(R_WB),
                               t * body.w_WB + (std::cosh(7.07 * t) - 1) * tilt_W),
-                       {0, 0, 0},
-                       body.w_WB}};
+                       t * world.gravity_W, body.w_WB}};
       return state;
     });
   });
   WorldScenario scenario;
   scenario.id = "world/test/handle";
-  scenario.world.gravity_W = {0.3, -9.7, 1.1};  // It has no effect: the body is held.
+  scenario.world.gravity_W = {0.3, -9.7, 1.1};
   RigidBody handle = BodyOf("handle", Sphere{0.3}, 3, {0, 0, 0});
   handle.placed.X_WB = Pose::FromQuaternion({0, 0, 0}, {1, 0, 0, 0});
   handle.w_WB = {10, 0, 0};
