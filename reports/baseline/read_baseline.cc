@@ -84,6 +84,8 @@ BaselineResult ReadBaseline(std::string_view text, const std::filesystem::path& 
     return {std::nullopt,
             {At(file, static_cast<int>(line) + 1, std::max(1, static_cast<int>(column)),
                 "is not JSON")}};
+  } catch (const Json::exception&) {
+    return {std::nullopt, {At(file, 1, 1, "has a number that no double holds")}};
   }
   if (!json.is_object() || TextOf(json, "format") != "touchstone report" ||
       !json.contains("findings") || !json["findings"].is_array()) {

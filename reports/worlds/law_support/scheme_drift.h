@@ -12,7 +12,8 @@ namespace touchstone {
 
 // The drift that schemes cause in quantities that the true motion conserves, from the
 // start to each sample: rates to leading order at the states of the allowed motion. So
-// they need no truth and also hold for chaotic motion.
+// they need no truth and also hold for chaotic motion. Where a body may tumble between
+// two samples, the rate is the largest of a free rotation with its energy.
 
 /** Returns the drift of the angular momentum of free bodies by the gyroscopic term.
  [N m s]

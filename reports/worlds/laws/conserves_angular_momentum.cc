@@ -123,8 +123,21 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst});
 }
 
+/** Returns whether a body that hangs on a spring or a rod may also hit another. What it
+ gets from either is not told apart, so a contact has no tolerance there. */
+bool MayHitOnASpring(const World& world) {
+  int colliding = 0;
+  bool is_held = false;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    if (!world.bodies[i].collides) continue;
+    ++colliding;
+    is_held = is_held || IsHeld(world, AnchorKind::kBody, static_cast<int>(i));
+  }
+  return is_held && colliding > 1;
+}
+
 std::optional<Claim> Universal(const World& world) {
-  if (!TouchesNothingFixed(world)) return std::nullopt;
+  if (!TouchesNothingFixed(world) || MayHitOnASpring(world)) return std::nullopt;
   return ClaimAboutAll(kConservesAngularMomentum, world);
 }
 

@@ -131,10 +131,11 @@ void AttributeToCone(std::span<const Finding> of_world, Finding& finding) {
 }
 
 /** Turns models into defects in a motion that breaks a law by a defect: a legal model
- breaks no law. */
+ breaks no law. It may break what an author expects. */
 void RefuseModelsOfDefects(std::span<Finding> findings) {
   const auto is_defect = [](const Finding& finding) {
-    return finding.verdict == Verdict::kFail && finding.cause == Cause::kDefect;
+    return finding.verdict == Verdict::kFail && finding.cause == Cause::kDefect &&
+           !finding.law.starts_with("expect[");
   };
   const auto defect = std::find_if(findings.begin(), findings.end(), is_defect);
   if (defect == findings.end()) return;

@@ -142,6 +142,11 @@ TEST(JudgeExpectation, ATopplingBodyTiltsByMoreThanAnEighthOfATurn) {
   EXPECT_FALSE(Holds(judged(true, 0.2)));
   EXPECT_TRUE(Holds(judged(false, 0.2)));
   EXPECT_FALSE(Holds(judged(false, 0.4)));
+  // The samples on both sides of the event, 0.01 s apart, decide.
+  EXPECT_FALSE(Holds(judged(true, 0.26)));
+  EXPECT_TRUE(Holds(judged(false, 0.26)));
+  EXPECT_TRUE(Holds(judged(true, 0.27)));
+  EXPECT_FALSE(Holds(judged(false, 0.27)));
   World upright = Flight();
   upright.bodies[0].w_WB = {0, 3, 0};
   const auto still = [&](bool topples) {
