@@ -75,10 +75,6 @@ struct Settings {
    ExternalLoads. For a body on a floor under gravity g that threshold is 2 g h, with the
    sub-step h. A bounce from a lower speed lasts less than 4 h. [-] */
   double restitution_threshold_factor = 1;
-  /** Continuous collision: bodies in free flight collide at their time of impact, not at
-   the start of the step that finds them in penetration. */
-  bool continuous_collision = true;
-
   /** A contact at rest yields when its load deviates from its mean: a spring of stiffness
    (2π f)² m, with the effective mass m of the contact, in parallel to a damper. It takes
    the energy of piles that rock; under a constant load the contact is rigid. Greater than
@@ -89,6 +85,9 @@ struct Settings {
   /** Retardation time of that spring and damper: stiffness × this is the damping. > 0 [s]
    */
   double contact_retardation = 0.28;
+  /** Continuous collision: bodies in free flight collide at their time of impact, not at
+   the start of the step that finds them in penetration. */
+  bool continuous_collision = true;
 
   Stabilisation stabilisation = Stabilisation::kSplitImpulse;
   /** Fraction of the excess depth that is removed per step, in (0, 1]. A large world, see

@@ -48,7 +48,8 @@ Trajectory Sunk(const World& world, double depth) {
 class Slop : public testing::TestWithParam<std::pair<const char*, MeasureKind>> {};
 
 TEST_P(Slop, IsGrantedAndNoMore) {
-  const auto& [law, measure] = GetParam();
+  const char* law = GetParam().first;
+  const MeasureKind measure = GetParam().second;
   const World world = BallOnGround();
   const auto judged = [&](double depth, double slop) {
     return Judge(world, Sunk(world, depth), ClaimOf(law, {"ball"}), WithSlop(slop));
@@ -61,7 +62,8 @@ TEST_P(Slop, IsGrantedAndNoMore) {
 }
 
 TEST_P(Slop, IsQuotedWithItsOrigin) {
-  const auto& [law, measure] = GetParam();
+  const char* law = GetParam().first;
+  const MeasureKind measure = GetParam().second;
   const World world = BallOnGround();
   const auto because = [&](double slop) {
     return Of(Judge(world, Sunk(world, 0), ClaimOf(law, {"ball"}), WithSlop(slop)),
