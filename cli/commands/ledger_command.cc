@@ -104,10 +104,10 @@ int LedgerCommand(const Session& session, const LedgerArguments& arguments) {
       std::cout << ProposeLedger(report);
       return 0;
     case LedgerAction::kUpdate:
-      if (arguments.causes && IsPartial(session, arguments)) {
+      if (arguments.causes && !arguments.ledger && IsPartial(session, arguments)) {
         throw InputError(
-            "--causes of a part of the catalogue would drop those of the "
-            "rest; expected no patterns and no --against");
+            "--causes of a part of the catalogue would drop those of the rest of the "
+            "built-in ledger; expected no patterns and no --against");
       }
       return Update(report, arguments.causes);
     case LedgerAction::kAudit:
