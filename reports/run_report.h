@@ -36,8 +36,8 @@ struct RunReport {
    has improved or matches nothing. One sentence each. It starts with the place in the
    file, or with the id of a scenario that has no file, and says what to do. */
   std::vector<std::string> faults;
-  /** What is worse than in a baseline, see CompareWithBaseline(). Fails the run as the
-   failures of its oracle do. */
+  /** Findings that are worse than in a baseline, see CompareWithBaseline(). Fails the run
+   as the failures of its oracle do. */
   std::vector<Regression> regressions;
 };
 

@@ -9,7 +9,7 @@
 
 namespace touchstone {
 
-/** What `touchstone ledger` does. */
+/** The action of `touchstone ledger`. */
 enum class LedgerAction {
   kPropose,  ///< Prints entries for failures that no entry covers.
   kUpdate,   ///< Writes the file of bounds.

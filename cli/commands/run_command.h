@@ -14,7 +14,7 @@ struct RunArguments {
   ScenarioSelection scenarios;
   OracleSelection oracles;
   std::optional<std::filesystem::path> ledger;  ///< Replaces the built-in ledger.
-  /** The report.json of an earlier run. What got worse fails this one. */
+  /** The report.json of an earlier run. A finding that got worse fails this run. */
   std::optional<std::filesystem::path> baseline;
   std::optional<std::filesystem::path>
       out;  ///< Folder for the page, the JSON and the JUnit file.

@@ -17,7 +17,7 @@ inline constexpr double kLeastSeen = 0.995;
 /** The fraction of the scene above which a bound is listed. [-] */
 inline constexpr double kLargeBound = 0.1;
 
-/** What a ledger hides in a run, and what it could hide. */
+/** The faults that a ledger hides in a run, and the errors that it could hide. */
 struct LedgerAudit {
   /** A cause that an entry does not name although findings have it, or names although
    none has it. */
@@ -37,7 +37,8 @@ struct LedgerAudit {
   int passing = 0;
   /** Those in which the ledger would excuse an error of kSoughtError of the scene. */
   int excusable = 0;
-  /** Those whose own tolerance allows such an error. That is no matter of the ledger. */
+  /** Those whose own tolerance allows such an error. The ledger
+   excuses none of them. */
   int tolerated = 0;
   std::vector<Contradiction> contradictions;
   std::vector<Large> large;  ///< The largest first.

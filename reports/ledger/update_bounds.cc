@@ -20,7 +20,7 @@ namespace {
 /** The findings of one cell. */
 struct Found {
   bool fails = false;                ///< Whether one is a failure that an entry covers.
-  Verdict verdict = Verdict::kPass;  ///< Of a covered failure.
+  Verdict verdict = Verdict::kPass;  ///< Verdict of a covered failure.
   double worst = 0;                  ///< Largest value of a covered failure.
   bool needed = false;               ///< Whether one needs the bound that the cell has.
   bool exceeded = false;             ///< Whether one exceeds it.

@@ -28,7 +28,7 @@ struct ExpectedOrientation {
  seen from its tip, up to whole turns. */
 struct ExpectedAngle {
   double angle = 0;                                 ///< [rad]
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Of any length. World frame.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Any length. World frame.
 };
 
 /** The first contact with another body. */
@@ -47,7 +47,7 @@ struct ExpectedRest {};
 /** A state of a reference trajectory. */
 struct ReferenceState {
   double time = 0;                                ///< [s]
-  std::string name;                               ///< Of a body or a particle.
+  std::string name;                               ///< Name of a body or a particle.
   Eigen::Vector3d p_W = Eigen::Vector3d::Zero();  ///< [m]
   std::optional<Eigen::Quaterniond> q_WB;         ///< Absent for a particle.
   int line = 0;                                   ///< In the file.
@@ -55,7 +55,7 @@ struct ReferenceState {
 
 /** A trajectory from a file of the columns that `touchstone simulate` writes. */
 struct ExpectedTrajectory {
-  std::string file;  ///< As the scenario states it: relative to the scenario's own file.
+  std::string file;  ///< Path as stated: relative to the scenario's own file.
   std::vector<ReferenceState> states;
 };
 

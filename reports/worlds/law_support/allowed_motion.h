@@ -13,12 +13,12 @@ namespace touchstone {
  is judged: an engine that gains energy must not grant itself a tolerance for it.
 
  Contacts, friction, rods and damping only take energy. So with H the kinetic energy plus
- that of springs, dH/dt is at most the power Σ (m g + F)·v of the loads. By
- Cauchy–Schwarz that is at most √(2H) A with A² = Σ m |g + F/m|². Hence √(2H) grows by at
- most A t, and by √(J·M⁻¹J) at a push J. Without pushes the kinetic energy is also at most
- E(0) − U, with the potential energy U at the places of the motion itself. The smaller
- bound counts. One more step of the loads is added, since engines update velocities before
- positions. The bound is on the sum over everything that moves.
+ that of springs, dH/dt is at most the power Σ (m g + F)·v of the loads. It is
+ at most √(2H) A with A² = Σ m |g + F/m|², by the inequality of Cauchy and Schwarz. Hence
+ √(2H) grows by at most A t, and by √(J·M⁻¹J) at a push J. Without pushes the kinetic
+ energy is also at most E(0) − U, with the potential energy U at the places of the motion
+ itself. The smaller bound counts. One more step of the loads is added, since engines
+ update velocities before positions. The bound is on the sum over everything that moves.
 
  A legal scheme may gain energy, and the gain grows with the energy. No gain above the
  true kinetic energy is granted. So a sample with more than twice the kinetic energy of

@@ -9,7 +9,8 @@
 namespace touchstone {
 
 /** Where the bodies of a motion may be, by their bounding spheres: a broad phase for laws
- about pairs. What it rules out is certain, up to a rounding that it grants. */
+ about pairs. It rules a pair out only
+ if the two certainly never meet, up to a rounding. */
 class Reach {
  public:
   explicit Reach(const Motion& motion);
@@ -26,8 +27,8 @@ class Reach {
     bool is_half_space = false;
     bool is_static = false;
     double radius = 0;        ///< [m]
-    Eigen::Vector3d p_W;      ///< Of a static body. [m]
-    Eigen::Vector3d n_W;      ///< Of a half-space.
+    Eigen::Vector3d p_W;      ///< Position of a static body. [m]
+    Eigen::Vector3d n_W;      ///< Normal of a half-space.
     Eigen::AlignedBox3d way;  ///< All its points at all samples, except a half-space's.
   };
 

@@ -123,8 +123,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   return FindingsOf({worst});
 }
 
-/** Returns whether a body that hangs on a spring or a rod may also hit another. What it
- gets from either is not told apart, so a contact has no tolerance there. */
+/** Returns whether a body that hangs on a spring or a rod may also hit another. Its
+ angular momentum shows only the sum of both, so a contact has no tolerance there. */
 bool MayHitOnASpring(const World& world) {
   int colliding = 0;
   bool is_held = false;

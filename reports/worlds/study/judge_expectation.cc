@@ -33,7 +33,7 @@ struct At {
   Eigen::Vector3d v_W;
   Eigen::Vector3d w_W = Eigen::Vector3d::Zero();
   std::optional<Eigen::Quaterniond> q_WB = std::nullopt;
-  double radius = 0;  ///< Of the bounding sphere. [m]
+  double radius = 0;  ///< Radius of the bounding sphere. [m]
 };
 
 At StateNamed(const World& world, const WorldState& state, std::string_view name) {

@@ -16,7 +16,7 @@ struct RightlyAnswered {
   const ContactTruth& truth;
   const Tolerances& tolerances;
   const ContactAnswer& right;
-  double unit_roundoff;  ///< Of the arithmetic that the answer comes from.
+  double unit_roundoff;  ///< Unit roundoff of the engine that answers.
 };
 
 /** Returns the right answer to `query`, with every field. Contacts lie at the corners of

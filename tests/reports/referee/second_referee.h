@@ -26,7 +26,7 @@ struct WideEnclosure {
  directions between three of them, n·p of any point p of A − B is linear, and at most the
  support function: the least value at the three corners of the best mixture of their
  support points bounds the cone from below. The search is made in 64 bits, of which 58 are
- trusted. What it finds is evaluated again in 700 bits: the best direction, the normals of
+ trusted. The result is evaluated again in 700 bits: the best direction, the normals of
  the planes through the last support points, and the nearest points of their triangles.
 
  Its width is about 2^-57 of the scene. It is wider, and still an enclosure, where the
