@@ -120,10 +120,13 @@ double FeatureRounding(const ContactQuery& query) {
   return 32 * std::numeric_limits<double>::epsilon() * SceneSize(query);
 }
 
-/** Returns whether a disc of `body` lies flat along n to within `e`, but not to within
+/** Returns whether a feature of `body` lies flat along n to within `e`, but not to within
  `flush`. [m] */
-bool IsDiscTilted(const Body& body, const Eigen::Vector3d& n, double flush, double e) {
-  return FeatureAlong(body, n, e).is_disc && !FeatureAlong(body, n, flush).is_disc;
+bool IsTilted(const Body& body, const Eigen::Vector3d& n, double flush, double e) {
+  const SupportFeature nearly = FeatureAlong(body, n, e);
+  const SupportFeature exactly = FeatureAlong(body, n, flush);
+  return nearly.is_disc != exactly.is_disc ||
+         nearly.points_W.size() != exactly.points_W.size();
 }
 
 /** Returns PatchAlong() of a query about its own origin.
@@ -181,7 +184,7 @@ ContactPatch CertainPatch(const ContactQuery& query, const Eigen::Vector3d& n_W,
       is_known ? n_W.normalized() : FlatDirection(local, n_W.normalized(), e);
   ContactPatch patch = LocalPatch(local, n, separation, flush);
   const double flat = flush + FeatureRounding(local);
-  if (IsDiscTilted(local.A, n, flat, e) || IsDiscTilted(local.B, -n, flat, e)) {
+  if (IsTilted(local.A, n, flat, e) || IsTilted(local.B, -n, flat, e)) {
     patch.vertices_W.resize(1);
     patch.least_contacts = 1;
   }

@@ -40,12 +40,11 @@ ContactPatch PatchAlong(const ContactQuery& query, const Eigen::Vector3d& n_W,
  If features within e of their supporting planes lie flat along a direction near n_W, then
  n_W is a rounding of that direction, and the patch is taken along it: along n_W itself a
  face would appear tilted. Then only features within `flush` [m] count, which is the
- rounding of the question and not of the answer. A tilt beyond it may be a real one, and
- the patch is then the lowest corner.
+ rounding of the question and not of the answer.
 
- A disc that is tilted by more than `flush` and less than e is flat to a computation,
- which may span it by a triangle. Only a point of it is certain, and not the arc that is
- lowest.
+ A feature that is tilted by more than `flush` and less than e is flat to a computation,
+ any point of which is then as deep as the lowest corner, edge or arc. One point of the
+ patch is certain.
 
  Corners that stick out by no more than kBlurred e are left out, since an engine may merge
  them: a sliver becomes a segment, a speck a point. */

@@ -148,12 +148,17 @@ TEST(CertainPatch, AlongARoundedNormalIsStillTheSegmentOfParallelCapsules) {
   EXPECT_EQ(patch.least_contacts, 2);
 }
 
-TEST(CertainPatch, OfFacesThatTheQuestionTiltsIsTheLowestCorner) {
-  const ContactPatch patch =
-      CertainPatchOf({Place(Box{{0.5, 0.4, 0.3}}, {0, 0, 0}),
-                      Place(Box{{0.1, 0.2, 0.1}}, {0, 0, 0.39}, Turn(1e-8, {1, 2, 0}))},
-                     RoundedUp());
-  EXPECT_EQ(patch.vertices_W.size(), 1U);
+// About a slanting axis the lowest feature is a corner, about an axis of the boxes it is
+// an edge. To a float engine the whole face is as low.
+TEST(CertainPatch, OfFacesThatTheQuestionTiltsIsAPoint) {
+  for (const Eigen::Vector3d& axis :
+       {Eigen::Vector3d(1, 2, 0), Eigen::Vector3d(0, 1, 0)}) {
+    const ContactPatch patch =
+        CertainPatchOf({Place(Box{{0.9, 0.4, 0.3}}, {0, 0, 0}),
+                        Place(Box{{0.4, 0.3, 0.1}}, {-0.3, 0, 0.39}, Turn(1e-8, axis))},
+                       RoundedUp());
+    EXPECT_EQ(patch.vertices_W.size(), 1U);
+  }
 }
 
 // A float engine takes the end of the cylinder for flush, and may span it by a triangle:
