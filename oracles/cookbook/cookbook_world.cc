@@ -173,7 +173,7 @@ std::vector<Setting> CookbookWorldSettings() {
       {"impacts",
        "impact of a body in free flight at its time of impact, to 1e-10 of its size",
        "a bounce is not a step late; an impact on an island of more than 32 bodies is "
-       "left to the next step (of more than 4 in a large world, unless it may tunnel)"},
+       "left to the next step"},
       {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
       {"contacts",
        "rigid under a constant load, else a spring and damper (85 Hz, 0.28 s)",
