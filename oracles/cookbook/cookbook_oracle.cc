@@ -92,6 +92,7 @@ CookbookOracle::CookbookOracle() {
   // IntegrateAngularMomentum(), engine/dynamics/body/rotation.h.
   info_.documented_rotation_error = 1e-6;
   info_.steps_in_threads = true;
+  info_.parameters = CookbookWorldParameters();
   info_.world_capabilities = CookbookWorldCapabilities();
 }
 
@@ -105,13 +106,21 @@ std::unique_ptr<PreparedBatch> CookbookOracle::Prepare(
   return std::make_unique<PreparedManifolds>(queries);
 }
 
-std::unique_ptr<Simulation> CookbookOracle::Begin(const World& world) const {
-  return BeginCookbookWorld(world);
+std::unique_ptr<Simulation> CookbookOracle::BeginWith(
+    const World& world, std::span<const double> values) const {
+  return BeginCookbookWorld(world, values);
 }
 
 std::unique_ptr<Simulation> CookbookOracle::BeginInThreads(const World& world,
                                                            int threads) const {
-  return BeginCookbookWorld(world, threads);
+  return BeginCookbookWorldInThreads(world, threads,
+                                     ValuesOf(info_.parameters, info_.setup));
+}
+
+std::unique_ptr<Oracle> CookbookOracle::SetUp(const WorldSetup& setup) const {
+  auto oracle = std::make_unique<CookbookOracle>(*this);
+  oracle->info_.setup = setup;
+  return oracle;
 }
 
 }  // namespace touchstone

@@ -20,9 +20,12 @@ class CookbookOracle final : public Oracle {
               std::span<ContactAnswer> answers) const override;
   std::unique_ptr<PreparedBatch> Prepare(
       std::span<const ContactQuery> queries) const override;
-  std::unique_ptr<Simulation> Begin(const World& world) const override;
+  std::unique_ptr<Simulation> BeginWith(const World& world,
+                                        std::span<const double> values) const override;
   std::unique_ptr<Simulation> BeginInThreads(const World& world,
                                              int threads) const override;
+  /** Unlike the default, the threads of BeginInThreads() have the setup, too. */
+  std::unique_ptr<Oracle> SetUp(const WorldSetup& setup) const override;
 
  private:
   OracleInfo info_;

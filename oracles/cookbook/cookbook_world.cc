@@ -65,10 +65,20 @@ cookbook::Cloth ToCookbook(const Cloth& cloth) {
   return net;
 }
 
+// Indices of the parameters.
+enum : std::size_t {
+  kImpulseIterations,
+  kIterationBudget,
+  kSinglePrecision,
+  kSleepAfter,
+  kThreads,
+  kParameters
+};
+
 class CookbookSimulation final : public Simulation {
  public:
-  CookbookSimulation(const World& world, int threads)
-      : world_(SettingsFor(world, threads)),
+  CookbookSimulation(const World& world, std::span<const double> values)
+      : world_(SettingsFor(world, values)),
         dt_(world.dt),
         bodies_(static_cast<int>(world.bodies.size())),
         particles_(static_cast<int>(world.particles.size())) {
@@ -120,10 +130,15 @@ class CookbookSimulation final : public Simulation {
   bool GivesImpulses() const override { return true; }
 
  private:
-  static cookbook::Settings SettingsFor(const World& world, int threads) {
+  static cookbook::Settings SettingsFor(const World& world,
+                                        std::span<const double> values) {
     cookbook::Settings settings;
     settings.gravity_W = world.gravity_W;
-    settings.threads = threads;
+    settings.impulse_iterations = static_cast<int>(values[kImpulseIterations]);
+    settings.iteration_budget = static_cast<int>(values[kIterationBudget]);
+    settings.single_precision = values[kSinglePrecision] != 0;
+    if (values[kSleepAfter] > 0) settings.sleep_after = values[kSleepAfter];
+    settings.threads = static_cast<int>(values[kThreads]);
     return settings;
   }
 
@@ -173,18 +188,47 @@ std::vector<Setting> CookbookWorldSettings() {
       {"impacts",
        "impact of a body in free flight at its time of impact, to 1e-10 of its size",
        "a bounce is not a step late; an impact on an island of more than 32 bodies is "
-       "left to the next step (of more than 4 in a large world, unless it may tunnel)"},
+       "left to the next step"},
       {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
       {"contacts",
        "rigid under a constant load, else a spring and damper (85 Hz, 0.28 s)",
        "piles come to rest; a contact that has carried its load for 24 steps yields when "
        "the load changes"},
       {"damping", "none", "only damping that the world states is applied"},
-      {"sleeping", "none", "bodies never sleep"}};
+      {"sleeping", "none", "bodies never sleep unless sleep_after is chosen"}};
 }
 
-std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, int threads) {
-  return std::make_unique<CookbookSimulation>(world, threads);
+std::vector<WorldParameter> CookbookWorldParameters() {
+  const cookbook::Settings shipped;
+  std::vector<WorldParameter> parameters(kParameters);
+  const auto set = [&](std::size_t index, const char* name, double value, double least,
+                       double most, bool whole, const char* what) {
+    parameters[index] = {name, value, value, least, most, whole, what, ""};
+  };
+  set(kImpulseIterations, "iterations", shipped.impulse_iterations, 1, 100'000, true,
+      "iterations of every step; Settings::impulse_iterations");
+  set(kIterationBudget, "iteration_budget", shipped.iteration_budget, 0, 10'000'000, true,
+      "iterations times contacts of a step, until convergence; "
+      "Settings::iteration_budget");
+  set(kSinglePrecision, "single_precision", shipped.single_precision ? 1 : 0, 0, 1, true,
+      "1: floats where no budget is left to converge; Settings::single_precision");
+  set(kSleepAfter, "sleep_after", shipped.sleep_after.value_or(0), 0, 1e6, false,
+      "time at rest after which islands sleep in s, 0: never; Settings::sleep_after");
+  set(kThreads, "threads", shipped.threads, 1, 64, true,
+      "threads of a step; Settings::threads");
+  return parameters;
+}
+
+std::unique_ptr<Simulation> BeginCookbookWorld(const World& world,
+                                               std::span<const double> values) {
+  return std::make_unique<CookbookSimulation>(world, values);
+}
+
+std::unique_ptr<Simulation> BeginCookbookWorldInThreads(const World& world, int threads,
+                                                        std::span<const double> values) {
+  std::vector<double> with_threads(values.begin(), values.end());
+  with_threads[kThreads] = threads;
+  return BeginCookbookWorld(world, with_threads);
 }
 
 }  // namespace touchstone

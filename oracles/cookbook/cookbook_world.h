@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "oracles/oracle.h"
 #include "oracles/simulation.h"
@@ -13,9 +15,19 @@ decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities();
 /** Returns the settings of the corrected engine for worlds. */
 std::vector<Setting> CookbookWorldSettings();
 
-/** Returns `world` at its start, in the corrected engine with its default settings. Its
- steps use `threads` threads; the results are bitwise identical for any number.
+/** The settings of the corrected engine that may be chosen for worlds. The values here
+ are its defaults. */
+std::vector<WorldParameter> CookbookWorldParameters();
+
+/** Returns `world` at its start, in the corrected engine. `values` are those of
+ CookbookWorldParameters(), in their order.
  @pre The world is valid and within CookbookWorldCapabilities(). */
-std::unique_ptr<Simulation> BeginCookbookWorld(const World& world, int threads = 1);
+std::unique_ptr<Simulation> BeginCookbookWorld(const World& world,
+                                               std::span<const double> values);
+
+/** The same with `threads` threads in place of the value of that parameter; the results
+ are bitwise identical for any number. */
+std::unique_ptr<Simulation> BeginCookbookWorldInThreads(const World& world, int threads,
+                                                        std::span<const double> values);
 
 }  // namespace touchstone

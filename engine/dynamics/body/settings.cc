@@ -17,10 +17,6 @@ void Expect(bool holds, const char* setting, double value, const char* expected)
 
 }  // namespace
 
-bool IsSmall(const Settings& settings, int contacts) {
-  return (settings.impulse_iterations + 1) * contacts <= settings.iteration_budget;
-}
-
 void Validate(const Settings& s) {
   for (const double g : s.gravity_W) {
     Expect(std::isfinite(g), "gravity_W", g, "finite numbers");

@@ -19,10 +19,6 @@ constexpr int kMaxImpacts = 8;
 /** Maximum number of bodies of an island that takes part in an impact. The impact costs
  as much as a step of the island. */
 constexpr int kMaxIslandSize = 32;
-/** The same in a large world, which has too many impacts to solve each to convergence. A
- partly solved impact leaves more penetration than a postponed one. Bodies that would
- tunnel through the island until the next step are exempt. */
-constexpr int kMaxIslandSizeInLargeWorld = 4;
 
 /** Normal velocity after an inelastic impact, as a fraction of the greatest approach
  speed: rounding and the residual of the solver. */
@@ -219,7 +215,6 @@ bool ImpactSolver::FindFreeBodies(const StepStart& start, ContactCache& cache,
       islands_.Unite(pair.A, pair.B);
     }
   }
-  max_island_size_ = start.is_large ? kMaxIslandSizeInLargeWorld : kMaxIslandSize;
   if (!impacting_pairs_.empty()) ConstrainBodiesHittingLargeIslands();
   island_root_ = islands_.Roots();
   is_constrained_island_.assign(in_free_flight_.size(), 0);
@@ -244,7 +239,7 @@ void ImpactSolver::ConstrainBodiesHittingLargeIslands() {
   island_root_ = impact_islands_.Roots();
   CountIslandBodies();
   for (const auto& [A, B] : impacting_pairs_) {
-    if (island_size_[Index(island_root_[Index(A)])] > max_island_size_)
+    if (island_size_[Index(island_root_[Index(A)])] > kMaxIslandSize)
       islands_.Unite(A, B);
   }
 }
@@ -378,12 +373,7 @@ bool ImpactSolver::IsEligible(const ImpactCandidate& candidate) const {
     if (IsInFreeFlight(body) && impact_count_[Index(body)] >= kMaxImpacts) return false;
     island_size = std::max(island_size, IslandSizeOf(body));
   }
-  const Eigen::Vector3d v_AB_W = flights_[Index(candidate.B)].start.state.v_WB -
-                                 flights_[Index(candidate.A)].start.state.v_WB;
-  return island_size <= max_island_size_ ||
-         (island_size <= kMaxIslandSize &&
-          MayTunnel(flights_[Index(candidate.A)].start,
-                    flights_[Index(candidate.B)].start, rules_.h * v_AB_W.norm()));
+  return island_size <= kMaxIslandSize;
 }
 
 double ImpactSolver::NextTimeOfImpact(double from,

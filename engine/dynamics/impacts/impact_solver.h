@@ -35,9 +35,7 @@ namespace cookbook {
   - of a body in free flight after its eighth impact in the step;
   - between two constrained bodies;
   - between a body sped up by an impact and a sleeping body it could not otherwise reach.
- Thin bodies may tunnel there, and in the cases that TimeOfImpact() names. In a large
- world, impacts on an island of more than 4 bodies are left to the next step as well,
- unless the bodies may tunnel before it. */
+ Thin bodies may tunnel there. */
 class ImpactSolver {
  public:
   ImpactSolver();
@@ -49,7 +47,6 @@ class ImpactSolver {
     std::span<const Velocity> free;    ///< At the end of the step, without impulses.
     const std::vector<bool>& asleep;
     const std::vector<bool>& linked;
-    bool is_large;  ///< ContactSolver::is_large() of the previous step.
   };
 
   /** Begins a step: finds the bodies in free flight and the candidates for
@@ -201,7 +198,6 @@ class ImpactSolver {
   std::vector<std::pair<int, int>> impacting_pairs_;
   std::vector<char> is_constrained_island_;  ///< Indexed by root: 1 if any body is.
   std::vector<int> island_size_;             ///< Indexed by root: number of bodies.
-  int max_island_size_ = 0;  ///< Maximum number of bodies of an island in an impact.
   // The contact pairs of each island of constrained bodies, as linked lists.
   std::vector<int> first_contact_of_island_;  ///< Indexed by root; −1: none.
   std::vector<int> next_contact_;  ///< Indexed by contact pair; −1: the last.

@@ -188,11 +188,13 @@ void ConstraintGroup<Real>::StoreImpulses(std::span<ContactPair> pairs,
 
 template <class Real>
 void ConstraintGroup<Real>::ApplyToBodies(const SolverBodies& bodies, ThreadPool& pool) {
-  if constexpr (std::is_same_v<Real, float>) {
-    ForEachColour(pool, [&](const ConstraintView<float>& constraints) {
+  ForEachColour(pool, [&](const ConstraintView<Real>& constraints) {
+    if constexpr (std::is_same_v<Real, float>) {
       ApplyImpulsesInDouble(constraints, bodies);
-    });
-  }
+    } else {
+      WarmStartContacts(constraints, bodies.velocities);
+    }
+  });
 }
 
 template class ConstraintGroup<double>;

@@ -61,11 +61,9 @@ class ConstraintGroup {
    `rotates`: whether a correction may rotate bodies, not only translate them. */
   void CollectPositionConstraints(bool rotates, PositionConstraints<Real>& constraints);
 
-  /** Applies the impulses to `velocities`, which have none. */
-  void ApplyImpulses(Velocities velocities, ThreadPool& pool);
-
-  /** In single precision, applies the impulses to the velocities of the bodies. In double
-   precision Iterate() has done so. */
+  /** Adds the effect of all impulses to the velocities of the bodies, in double
+   precision.
+   @pre These have no impulses yet: the velocities of the iterations are others. */
   void ApplyToBodies(const SolverBodies& bodies, ThreadPool& pool);
 
   /** Greatest relative speed at a contact before it is solved. [m/s] */
@@ -74,6 +72,8 @@ class ConstraintGroup {
   int constraint_count() const { return constraint_count_; }
 
  private:
+  /** Adds the effect of all impulses to the velocities of the iterations. */
+  void ApplyImpulses(Velocities velocities, ThreadPool& pool);
   /** Puts the pairs into batches. `null_body` fills the lanes without a pair. */
   void BuildBatches(std::span<const ColouredPair> ordered, int null_body);
   /** Calls `work(constraints)` for all batches: one colour after the other, each in

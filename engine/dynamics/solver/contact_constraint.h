@@ -111,7 +111,7 @@ struct alignas(kAlignment<Real>) ConstraintBatch {
 struct ContactParameters {
   double h;                             ///< Time step. [s]
   double restitution_threshold_factor;  ///< See Settings.
-  double restitution_factor;            ///< On the restitution of all pairs: 1 or 0.
+  double restitution_factor;            ///< 1, or 0 to solve without restitution.
   double baumgarte;                     ///< Speed per depth beyond the slop, or 0. [1/s]
   double soft_rate;                     ///< Speed per depth beyond the slop, or 0. [1/s]
   double soft_mass_scale;               ///< 1 for hard contacts.

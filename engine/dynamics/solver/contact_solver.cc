@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <type_traits>
 
 #include "engine/dynamics/solver/position_correction.h"
 
@@ -19,20 +20,19 @@ constexpr int kMaxContactsPerPair = 8;
 constexpr int kGroupContacts = 1000;
 /** A group of more contacts is solved by all threads together, colour after colour. */
 constexpr int kSharedGroupContacts = 2 * kGroupContacts;
-/** Over-relaxation of the normal impulses in a large world. A stack passes on loads
- faster: seven such iterations leave less error than eight without over-relaxation. */
+/** Over-relaxation of the normal impulses in the first iterations. A stack passes on
+ loads faster: seven such iterations leave less error than eight without over-relaxation.
+ */
 constexpr double kRelaxation = 1.4;
 /** Number of contacts from which solving groups in parallel pays. */
 constexpr int kMinParallelContacts = 200;
-/** Number of contacts from which single precision pays. With fewer, most of the sixteen
- lanes are empty. */
-constexpr int kMinSinglePrecisionContacts = 100;
 
-ContactParameters MakeContactParameters(const Settings& settings, double h) {
+ContactParameters MakeContactParameters(const Settings& settings, double h,
+                                        double restitution_factor) {
   ContactParameters parameters{};
   parameters.h = h;
   parameters.restitution_threshold_factor = settings.restitution_threshold_factor;
-  parameters.restitution_factor = 1;
+  parameters.restitution_factor = restitution_factor;
   parameters.soft_mass_scale = 1;
   parameters.accumulated = settings.accumulated_impulses;
   parameters.warm_starting = settings.warm_starting && settings.accumulated_impulses;
@@ -95,8 +95,7 @@ ContactSolver::ContactSolver(int threads)
       float_groups_(static_cast<std::size_t>(threads)) {}
 
 void ContactSolver::BuildConstraintGraph(std::span<const PairSummary> summaries,
-                                         std::span<const char> is_static,
-                                         const Settings& settings) {
+                                         std::span<const char> is_static) {
   body_colours_.assign(is_static.size(), 0);
   islands_.Reset(is_static.size());
   coloured_pairs_.clear();
@@ -118,7 +117,6 @@ void ContactSolver::BuildConstraintGraph(std::span<const PairSummary> summaries,
     if (!is_static[a] && !is_static[b]) islands_.Unite(pair.A, pair.B);
   }
   island_roots_ = islands_.Roots();
-  is_large_ = !IsSmall(settings, is_large_ ? 2 * contact_count_ : contact_count_);
 }
 
 void ContactSolver::DivideIntoGroups(std::span<const char> is_static, int min_contacts) {
@@ -185,38 +183,43 @@ void ContactSolver::Solve(std::span<ContactPair> pairs,
                           const SolverBodies& bodies, const StepContext& step,
                           std::span<ContactFlags> contact_flags) {
   ClearPositionConstraints();
-  BuildConstraintGraph(summaries, bodies.is_static, step.settings);
+  BuildConstraintGraph(summaries, bodies.is_static);
   // ImpactSolver may have taken all contacts.
   if (contact_count_ == 0) return;
-  if (!is_large_) {
-    free_velocities_.assign(bodies.velocities.begin(), bodies.velocities.end());
-    BeginWholeWorld(pairs, bodies, step, 1);
-    IterateUntilConverged(bodies, step);
-    const Problem problem{pairs, bodies, step, contact_flags};
-    if (Finish(problem, free_velocities_)) {
-      IterateUntilConverged(bodies, step);
-      FinishWithLessRestitution(problem, free_velocities_);
-    }
-    return;
-  }
-  DivideIntoGroups(bodies.is_static, kGroupContacts);
-  SortPairs();
-  is_single_precision_ = step.settings.single_precision &&
-                         contact_count_ >= kMinSinglePrecisionContacts &&
-                         bodies.fit_single_precision;
   const Problem problem{pairs, bodies, step, contact_flags};
-  if (is_single_precision_) {
-    single_velocities_.assign(bodies.velocities.size(), {});
-    SolveLarge<float>(problem, single_velocities_, float_groups_);
-  } else {
-    SolveLarge<double>(problem, bodies.velocities, double_groups_);
+  free_velocities_.assign(bodies.velocities.begin(), bodies.velocities.end());
+  const long extra_work = iteration_budget_.Remaining(step.settings, contact_count_);
+  const bool may_converge = extra_work >= contact_count_;
+  // One group if they may converge: iterations that one island does not need are
+  // available to the others.
+  DivideIntoGroups(bodies.is_static, may_converge ? contact_count_ : kGroupContacts);
+  SortPairs();
+  is_single_precision_ =
+      step.settings.single_precision && !may_converge && bodies.fit_single_precision;
+  const long work_spent = SolveGroups(problem, 1, extra_work);
+  if (AddsEnergy(problem, free_velocities_)) {
+    SolveGroups(problem, 0, extra_work);
+    BlendRestitution(problem);
   }
+  iteration_budget_.Spend(work_spent, step.settings, contact_count_);
+}
+
+long ContactSolver::SolveGroups(const Problem& problem, double restitution_factor,
+                                long extra_work) {
+  if (is_single_precision_) {
+    single_velocities_.assign(problem.bodies.velocities.size(), {});
+    return SolveGroups<float>(problem, restitution_factor, extra_work, single_velocities_,
+                              float_groups_);
+  }
+  double_velocities_.assign(free_velocities_.begin(), free_velocities_.end());
+  return SolveGroups<double>(problem, restitution_factor, extra_work, double_velocities_,
+                             double_groups_);
 }
 
 void ContactSolver::Begin(std::span<const ContactPair> pairs,
                           std::span<const PairSummary> summaries,
                           const SolverBodies& bodies, const StepContext& step) {
-  BuildConstraintGraph(summaries, bodies.is_static, step.settings);
+  BuildConstraintGraph(summaries, bodies.is_static);
   BeginWholeWorld(pairs, bodies, step, 1);
 }
 
@@ -224,43 +227,15 @@ void ContactSolver::BeginWholeWorld(std::span<const ContactPair> pairs,
                                     const SolverBodies& bodies, const StepContext& step,
                                     double restitution_factor) {
   is_single_precision_ = false;
-  // One group: iterations that one island does not need are available to the others.
   DivideIntoGroups(bodies.is_static, contact_count_);
   SortPairs();
-  ContactParameters parameters = MakeContactParameters(step.settings, step.h);
-  parameters.restitution_factor = restitution_factor;
-  whole_world_.Begin(sorted_pairs_, pairs, bodies, parameters, bodies.velocities,
-                     step.pool);
+  whole_world_.Begin(sorted_pairs_, pairs, bodies,
+                     MakeContactParameters(step.settings, step.h, restitution_factor),
+                     bodies.velocities, step.pool);
 }
 
 double ContactSolver::Iterate(std::span<Velocity> velocities, ThreadPool& pool) {
   return whole_world_.Iterate(1, velocities, pool);
-}
-
-void ContactSolver::IterateUntilConverged(const SolverBodies& bodies,
-                                          const StepContext& step) {
-  const Settings& settings = step.settings;
-  island_changes_.resize(bodies.rigid_bodies.size());
-  const double solved = settings.residual * whole_world_.max_speed();
-  const long iteration_budget = iteration_budget_.Remaining(settings);
-  const ContactParameters parameters = MakeContactParameters(settings, step.h);
-  const bool may_rest = settings.static_equilibrium && parameters.accumulated &&
-                        parameters.soft_impulse_scale == 0 && parameters.baumgarte == 0;
-  long spent = 0;
-  for (int k = 0;; ++k) {
-    // Islands that have not converged yet may be in static equilibrium.
-    if (k == settings.impulse_iterations && may_rest) {
-      static_equilibrium_.Solve(whole_world_.view(), island_roots_, solved, bodies);
-    }
-    // Spend the budget on the islands that have not converged.
-    if (k >= settings.impulse_iterations) {
-      whole_world_.FreezeConvergedIslands(solved, island_roots_, island_changes_);
-    }
-    spent += std::max(1, whole_world_.constraint_count());
-    if (k >= settings.impulse_iterations && spent > iteration_budget) break;
-    if (Iterate(bodies.velocities, step.pool) <= solved) break;
-  }
-  iteration_budget_.Spend(spent, settings);
 }
 
 void ContactSolver::StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
@@ -273,14 +248,25 @@ void ContactSolver::StoreImpulses(std::span<ContactPair> pairs, const StepContex
 
 void ContactSolver::StoreSolution(const Problem& problem,
                                   std::span<const Velocity> free) {
-  const std::span<Velocity> velocities = problem.bodies.velocities;
-  std::copy(free.begin(), free.end(), velocities.begin());
-  whole_world_.ApplyImpulses(velocities, problem.step.pool);
+  std::copy(free.begin(), free.end(), problem.bodies.velocities.begin());
+  whole_world_.ApplyToBodies(problem.bodies, problem.step.pool);
   StoreImpulses(problem.pairs, problem.step, problem.contact_flags);
 }
 
 bool ContactSolver::Finish(const Problem& problem, std::span<const Velocity> free) {
   StoreSolution(problem, free);
+  if (!AddsEnergy(problem, free)) return false;
+  BeginWholeWorld(problem.pairs, problem.bodies, problem.step, 0);
+  return true;
+}
+
+void ContactSolver::FinishWithLessRestitution(const Problem& problem,
+                                              std::span<const Velocity> free) {
+  StoreSolution(problem, free);
+  BlendRestitution(problem);
+}
+
+bool ContactSolver::AddsEnergy(const Problem& problem, std::span<const Velocity> free) {
   const std::span<const ContactFlags> flags = problem.contact_flags;
   const auto bounced = [](const ContactFlags& body) { return body.bounced; };
   if (std::none_of(flags.begin(), flags.end(), bounced)) return false;
@@ -289,35 +275,65 @@ bool ContactSolver::Finish(const Problem& problem, std::span<const Velocity> fre
     return false;
   bounce_flags_.assign(flags.begin(), flags.end());
   std::copy(free.begin(), free.end(), bodies.velocities.begin());
-  BeginWholeWorld(problem.pairs, bodies, problem.step, 0);
+  ClearPositionConstraints();
   return true;
 }
 
-void ContactSolver::FinishWithLessRestitution(const Problem& problem,
-                                              std::span<const Velocity> free) {
-  StoreSolution(problem, free);
+void ContactSolver::BlendRestitution(const Problem& problem) {
   std::copy(bounce_flags_.begin(), bounce_flags_.end(), problem.contact_flags.begin());
   restitution_limit_.Blend(problem.pairs, problem.bodies, island_roots_);
 }
 
 template <class Real>
-void ContactSolver::SolveLarge(const Problem& problem,
-                               std::span<SolverVelocity<Real>> velocities,
-                               ThreadGroups<Real>& groups) {
+long ContactSolver::IterateGroup(ConstraintGroup<Real>& group, const Problem& problem,
+                                 const ContactParameters& parameters, long extra_work,
+                                 std::span<SolverVelocity<Real>> velocities,
+                                 ThreadPool& pool) {
+  const Settings& settings = problem.step.settings;
+  const double solved = settings.residual * group.max_speed();
+  for (int k = 1; k <= settings.impulse_iterations; ++k) {
+    // No overshoot in the last iteration.
+    const double relaxation = k < settings.impulse_iterations ? kRelaxation : 1;
+    if (group.Iterate(relaxation, velocities, pool) <= solved) return 0;
+  }
+  long spent = 0;
+  if constexpr (std::is_same_v<Real, double>) {
+    if (extra_work < group.constraint_count()) return 0;
+    // Islands that have not converged yet may be in static equilibrium.
+    if (settings.static_equilibrium && parameters.accumulated &&
+        parameters.soft_impulse_scale == 0 && parameters.baumgarte == 0) {
+      static_equilibrium_.Solve(group.view(), island_roots_, solved, problem.bodies,
+                                velocities);
+    }
+    island_changes_.resize(velocities.size());
+    for (;;) {
+      // Spend the work on the islands that have not converged.
+      group.FreezeConvergedIslands(solved, island_roots_, island_changes_);
+      spent += std::max(1, group.constraint_count());
+      if (spent > extra_work || group.Iterate(1, velocities, pool) <= solved) break;
+    }
+  }
+  return spent;
+}
+
+template <class Real>
+long ContactSolver::SolveGroups(const Problem& problem, double restitution_factor,
+                                long extra_work,
+                                std::span<SolverVelocity<Real>> velocities,
+                                ThreadGroups<Real>& groups) {
   const Settings& settings = problem.step.settings;
   ThreadPool& pool = problem.step.pool;
-  const ContactParameters parameters = MakeContactParameters(settings, problem.step.h);
-  const int iterations = settings.impulse_iterations - settings.impulse_iterations / 8;
+  const ContactParameters parameters =
+      MakeContactParameters(settings, problem.step.h, restitution_factor);
+  long work_spent = 0;
   const auto solve = [&](const GroupRange& range, ConstraintGroup<Real>& group,
                          PositionConstraints<Real>& deep, ThreadPool& group_pool) {
     group.Begin(std::span(sorted_pairs_).subspan(range.begin, range.end - range.begin),
                 problem.pairs, problem.bodies, parameters, velocities, group_pool);
-    const double solved = settings.residual * group.max_speed();
-    for (int k = 1; k <= iterations; ++k) {
-      // No overshoot in the last iteration.
-      const double relaxation = k < iterations ? kRelaxation : 1;
-      if (group.Iterate(relaxation, velocities, group_pool) <= solved) break;
-    }
+    const long spent =
+        IterateGroup(group, problem, parameters, extra_work, velocities, group_pool);
+    // Only a single group has extra work.
+    if (spent > 0) work_spent = spent;
     group.ApplyToBodies(problem.bodies, group_pool);
     group.StoreImpulses(problem.pairs, problem.contact_flags, group_pool);
     CollectPositionConstraints(group, settings, deep);
@@ -354,17 +370,18 @@ void ContactSolver::SolveLarge(const Problem& problem,
       }
     }
   });
+  return work_spent;
 }
 
 bool ContactSolver::FindPositionCorrections(const StepMotion& motion,
                                             const StepContext& step,
                                             std::span<Velocity> corrections) {
   if (!is_single_precision_) {
-    return cookbook::FindPositionCorrections<double>(
-        double_groups_.position_constraints, is_large_, motion, step, corrections);
+    return cookbook::FindPositionCorrections<double>(double_groups_.position_constraints,
+                                                     motion, step, corrections);
   }
   const bool corrected = cookbook::FindPositionCorrections<float>(
-      float_groups_.position_constraints, is_large_, motion, step, single_velocities_);
+      float_groups_.position_constraints, motion, step, single_velocities_);
   if (corrected)
     std::transform(single_velocities_.begin(), single_velocities_.end(),
                    corrections.begin(), ToDouble);

@@ -58,7 +58,7 @@ bool FitsSinglePrecision(const RigidBody& body);
    Then impacts of equal e without friction never add energy: with u = −e u₀ where
    λ > 0, and W the response, the change of energy is
    ½ λ·(u + u₀) = −½ (1 − e)/(1 + e) λ·W λ. With friction an eccentric impact may add
-   energy; a small world then has less restitution, see RestitutionLimit.
+   energy; the restitution of its island is then reduced, see RestitutionLimit.
  - *Friction.* The two tangential impulses are solved together, on the circular cone,
    from the slip after the normal impulse.
  - *Yield.* A contact whose load deviates from its mean yields, see
@@ -66,11 +66,13 @@ bool FitsSinglePrecision(const RigidBody& body);
  - *Warm starting.* The loads of a face are first redistributed, see PrepareContacts().
  - *Batches.* Graph colouring finds pairs that share no moving body: four of them are
    solved at once in double precision, sixteen in single precision.
- - *Small worlds* (see IsSmall()) are solved until they converge. Converged islands are
-   frozen, which leaves the iteration budget to the others. Islands that do not converge
-   soon are solved directly if possible, see StaticEquilibrium.
- - *Large worlds* get a few over-relaxed iterations, in single precision where possible.
-   Groups of islands, each small enough for a processor's cache, are solved one after
+ - *Iterations.* All contacts get the first few iterations, over-relaxed. More follow
+   until convergence while the iteration budget lasts, see IterationBudget. Islands that
+   have converged are frozen, which leaves the budget to the others. Islands that have
+   not are solved directly if possible, see StaticEquilibrium.
+ - *Precision.* Steps without a budget for more iterations use single precision where
+   possible. The results differ by rounding.
+ - *Groups* of islands, each small enough for a processor's cache, are solved one after
    the other, or by different threads. */
 class ContactSolver {
  public:
@@ -78,8 +80,7 @@ class ContactSolver {
   explicit ContactSolver(int threads);
 
   /** Finds the impulses; writes them to the pairs, and sets the flags of the bodies.
-   `summaries`: the summary of each pair. A small world is solved by Begin(), Iterate()
-   until it has converged, and StoreImpulses(); a large world in groups. */
+   `summaries`: the summary of each pair. */
   void Solve(std::span<ContactPair> pairs, std::span<const PairSummary> summaries,
              const SolverBodies& bodies, const StepContext& step,
              std::span<ContactFlags> contact_flags);
@@ -94,7 +95,7 @@ class ContactSolver {
 
   // The parts of Solve(), for a caller that solves other constraints in the same
   // iterations (joints and springs) or has a budget of its own (impacts). The world is
-  // solved as a whole in double precision, whatever its size.
+  // solved as a whole, in double precision.
 
   /** Prepares the constraints of all pairs with contacts, and warm starts the velocities.
    */
@@ -107,24 +108,21 @@ class ContactSolver {
    again after further iterations. */
   void StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
                      std::span<ContactFlags> contact_flags);
-  /** Ends the solution of a world without joints and springs: sums the velocities from
-   the impulses, because each iteration has added a rounding to them, and stores the
-   impulses. `free`: velocities with the loads and without impulses.
+  /** Ends the iterations of a world without joints and springs. Stores the impulses, and
+   the velocities `free` + their effect, which have less rounding error than the
+   velocities of the iterations. `free`: with the loads and without impulses.
 
-   Returns whether the impulses add energy to an island, see RestitutionLimit. Then the
-   world has been begun again without restitution: repeat the iterations, and call
-   FinishWithLessRestitution(). */
+   Returns false if this is the solution. Returns true if it adds energy to an island,
+   see RestitutionLimit. In this case the constraints are those without restitution, ready
+   for Iterate(); iterate again, then call FinishWithLessRestitution(). */
   [[nodiscard]] bool Finish(const Problem& problem, std::span<const Velocity> free);
+  /** Ends the iterations without restitution. Stores the mean of this solution and the
+   one with restitution that Finish() has kept, with the weights of RestitutionLimit. */
   void FinishWithLessRestitution(const Problem& problem, std::span<const Velocity> free);
   /** Greatest relative speed at a contact before it is solved. [m/s] */
   double max_speed() const { return whole_world_.max_speed(); }
   /** Number of active contacts. */
   int constraint_count() const { return whole_world_.constraint_count(); }
-
-  /** Whether the last world solved was large, see IsSmall(). A large world stays large
-   until twice its number of contact points is small, because the choice of the points
-   that are kept depends on it. */
-  bool is_large() const { return is_large_; }
 
   /** Fills `corrections` with the displacements and rotations that remove penetration of
    the pairs solved last. Returns whether there is any to remove; otherwise `corrections`
@@ -140,7 +138,7 @@ class ContactSolver {
     int contacts = 0;
   };
 
-  /** The constraint groups that solve a large world. */
+  /** The constraint groups of Solve(). */
   template <class Real>
   struct ThreadGroups {
     ConstraintGroup<Real> shared;            ///< Solved by all threads together.
@@ -158,18 +156,32 @@ class ContactSolver {
   /** Begin() after BuildConstraintGraph(). */
   void BeginWholeWorld(std::span<const ContactPair> pairs, const SolverBodies& bodies,
                        const StepContext& step, double restitution_factor);
-  /** Iterates until the world has converged or the iteration budget is spent. After the
-   first iterations it solves the islands that can rest directly. */
-  void IterateUntilConverged(const SolverBodies& bodies, const StepContext& step);
-  /** Solves one group after the other with a few iterations each. */
+  /** Solves the groups one after the other or by different threads, and stores velocities
+   and impulses. `restitution_factor`: see ContactParameters. `extra_work`: see
+   IterateGroup(). Returns the part of it that was spent. */
+  long SolveGroups(const Problem& problem, double restitution_factor, long extra_work);
   template <class Real>
-  void SolveLarge(const Problem& problem, std::span<SolverVelocity<Real>> velocities,
-                  ThreadGroups<Real>& groups);
+  long SolveGroups(const Problem& problem, double restitution_factor, long extra_work,
+                   std::span<SolverVelocity<Real>> velocities,
+                   ThreadGroups<Real>& groups);
+  /** Settings::impulse_iterations iterations. In double precision, islands that have not
+   converged then are brought to rest directly if possible, and are iterated until they
+   converge or `extra_work`, iterations × contacts, is spent. Returns the extra work that
+   was spent. */
+  template <class Real>
+  long IterateGroup(ConstraintGroup<Real>& group, const Problem& problem,
+                    const ContactParameters& parameters, long extra_work,
+                    std::span<SolverVelocity<Real>> velocities, ThreadPool& pool);
+  /** Whether the stored solution adds energy, see RestitutionLimit. If so, keeps it and
+   resets the velocities to `free`. */
+  bool AddsEnergy(const Problem& problem, std::span<const Velocity> free);
+  /** Blends the stored solution, without restitution, with the one that was kept. */
+  void BlendRestitution(const Problem& problem);
 
   void ClearPositionConstraints();
   /** Colours the pairs with contacts, and finds the islands. */
   void BuildConstraintGraph(std::span<const PairSummary> summaries,
-                            std::span<const char> is_static, const Settings& settings);
+                            std::span<const char> is_static);
   /** Divides the islands into groups of at least `min_contacts` contacts each; the last
    may have fewer. */
   void DivideIntoGroups(std::span<const char> is_static, int min_contacts);
@@ -189,18 +201,18 @@ class ContactSolver {
   std::span<const int> island_roots_;    ///< Indexed by body.
   std::vector<int> group_of_island_;     ///< Indexed by the root of the island.
   std::vector<double> island_changes_;   ///< Scratch, see FreezeConvergedIslands().
-  ConstraintGroup<double> whole_world_;  ///< All contacts of a small world.
+  ConstraintGroup<double> whole_world_;  ///< See Begin().
   StaticEquilibrium static_equilibrium_;
   RestitutionLimit restitution_limit_;
-  std::vector<Velocity> free_velocities_;   ///< Without impulses; of a small world.
+  std::vector<Velocity> free_velocities_;   ///< With the loads and without impulses.
   std::vector<ContactFlags> bounce_flags_;  ///< Those with the whole restitution.
-  /** Also holds the position constraints of a small world. */
+  /** Also holds the position constraints of whole_world_. */
   ThreadGroups<double> double_groups_;
   ThreadGroups<float> float_groups_;
-  bool is_large_ = false;
   bool is_single_precision_ = false;  ///< Whether float_groups_ were used last.
   /** Changes of velocities by impulses, later position corrections. */
   std::vector<SingleVelocity> single_velocities_;
+  std::vector<Velocity> double_velocities_;  ///< As the iterations change them.
   IterationBudget iteration_budget_;
   ThreadPool one_thread_{1};  ///< For a group that a single thread solves.
 };

@@ -6,25 +6,31 @@
 
 namespace cookbook {
 
-/** The number of iterations × constraints that the solves of a small world may spend:
- Settings::iteration_budget on average. A solve may overdraw the budget by up to 20 times
- that, which later solves save again. */
+/** The extra work, iterations × constraints, that solves may spend beyond their first
+ Settings::impulse_iterations iterations. On average it is what these leave of
+ Settings::iteration_budget. A solve may overdraw that by up to 30 times, which later
+ solves save again. With more constraints the extra work falls continuously to 0. */
 class IterationBudget {
  public:
-  /** Returns the amount that the next solve may spend. */
-  long Remaining(const Settings& settings) const {
-    return settings.iteration_budget +
-           std::max(0L, kMaxOverdraft * settings.iteration_budget - overdraft_);
+  /** Returns the extra work that the next solve may spend. */
+  long Remaining(const Settings& settings, int constraints) const {
+    const long average = Average(settings, constraints);
+    return average + std::max(0L, kMaxOverdraft * average - overdraft_);
   }
 
-  /** Records the amount that a solve spent. */
-  void Spend(long spent, const Settings& settings) {
-    overdraft_ = std::max(0L, overdraft_ + spent - settings.iteration_budget);
+  /** Records the extra work that a solve spent. */
+  void Spend(long spent, const Settings& settings, int constraints) {
+    overdraft_ = std::max(0L, overdraft_ + spent - Average(settings, constraints));
   }
 
  private:
-  /** In multiples of Settings::iteration_budget. */
-  static constexpr long kMaxOverdraft = 20;
+  /** In multiples of the average. */
+  static constexpr long kMaxOverdraft = 30;
+
+  static long Average(const Settings& settings, int constraints) {
+    return std::max(
+        0L, settings.iteration_budget - long{settings.impulse_iterations} * constraints);
+  }
 
   long overdraft_ = 0;  ///< Amount spent beyond the average and not saved yet.
 };

@@ -8,29 +8,18 @@ namespace {
 /** Number of batches from which a parallel loop pays, see ConstraintGroup. */
 constexpr std::size_t kMinParallelBatches = 12;
 
-/** Greatest fraction of the depth beyond the slop that a large world removes in a step. A
- few iterations lift one body before the bodies on it. A body that is lifted off another
- by more than the speculative margin loses the contacts, and with them the impulses for
- warm starting: all that rests on it sinks in. A pile of 30 layers, in which each step
- removed 0.45, was up to 96 mm deep in itself. */
-constexpr double kMaxFractionOfLargeWorld = 0.2;
-
 }  // namespace
 
 template <class Real>
 bool FindPositionCorrections(std::span<PositionConstraints<Real>> constraints,
-                             bool is_large, const StepMotion& motion,
-                             const StepContext& step,
+                             const StepMotion& motion, const StepContext& step,
                              std::span<SolverVelocity<Real>> corrections) {
   const Settings& settings = step.settings;
   const auto is_empty = [](const PositionConstraints<Real>& list) {
     return list.batches.empty();
   };
   if (std::all_of(constraints.begin(), constraints.end(), is_empty)) return false;
-  const double fraction =
-      is_large ? std::min(settings.position_correction_fraction, kMaxFractionOfLargeWorld)
-               : settings.position_correction_fraction;
-  const PositionParameters parameters{step.h, fraction};
+  const PositionParameters parameters{step.h, settings.position_correction_fraction};
 
   std::fill(corrections.begin(), corrections.end(), SolverVelocity<Real>{});
   const auto iterate = [&](const auto& solve) {
@@ -85,9 +74,9 @@ bool FindPositionCorrections(std::span<PositionConstraints<Real>> constraints,
 }
 
 template bool FindPositionCorrections<double>(std::span<PositionConstraints<double>>,
-                                              bool, const StepMotion&, const StepContext&,
+                                              const StepMotion&, const StepContext&,
                                               std::span<Velocity>);
-template bool FindPositionCorrections<float>(std::span<PositionConstraints<float>>, bool,
+template bool FindPositionCorrections<float>(std::span<PositionConstraints<float>>,
                                              const StepMotion&, const StepContext&,
                                              std::span<SingleVelocity>);
 

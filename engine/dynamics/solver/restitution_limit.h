@@ -8,29 +8,29 @@
 
 namespace cookbook {
 
-/** Restitution that adds no energy.
+/** A limit on restitution, so that impacts add no energy.
 
  Newton's restitution with Coulomb friction may add energy if an impact is eccentric (Kane
- & Levinson, Dynamics: Theory and Applications, 1985). Then an island has the greatest
- fraction of its restitution that adds none: its impulses are on the line from the
- solution for e to that for 0. They are within the friction cones, which are convex.
- Contacts without restitution add no energy: their impulses do no positive work at the
- velocities after the impact.
+ & Levinson, Dynamics: Theory and Applications, 1985). The limit takes two solutions for
+ an island: J_e with restitution, and J_0 with e = 0. It uses (1 − s) J_e + s J_0 with the
+ least s at which no energy is added. These impulses are within the friction cones, which
+ are convex. At s = 1 no energy is added, because impulses without restitution do no
+ positive work at the velocities after the impact.
 
  Impulses J change the energy by ½ Σ J·(u₀ + u₁), where u₀ and u₁ are the relative
- velocities at a contact before and after the step. Contacts that resist loads may do work
- up to that of the loads, ½ |J·(u_f − u₀)|, where u_f is the relative velocity with the
- loads and without impulses. Without loads nothing is allowed. */
+ velocities at a contact before and after the step. Loads do work on a contact that
+ resists them: ½ |J·(u_f − u₀)| is allowed, where u_f is the relative velocity with the
+ loads and without impulses. */
 class RestitutionLimit {
  public:
-  /** Finds the islands whose impulses add energy. Returns whether there are any; then
-   keeps the solution for Blend(). `free`: velocities with the loads and without impulses;
+  /** Returns whether the impulses of `pairs` add energy to an island. If so, keeps this
+   solution for Blend(). `free`: velocities with the loads and without impulses;
    `island_roots`: indexed by body. */
   bool Exceeds(std::span<const ContactPair> pairs, const SolverBodies& bodies,
                std::span<const Velocity> free, std::span<const int> island_roots);
 
-  /** Blends the solution without restitution, which `pairs` and `bodies` have now, with
-   the solution that was kept. */
+  /** Replaces the solution of `pairs` and `bodies`, J_0, by the mean above; J_e is the
+   solution that was kept. */
   void Blend(std::span<ContactPair> pairs, const SolverBodies& bodies,
              std::span<const int> island_roots);
 

@@ -186,8 +186,8 @@ HWY_INLINE void SolveContactLanes(int index, BatchState<Real>& state) {
   if constexpr (model != ContactModel::kRigid) {
     const V most = Load(state.batch.max_deviation);
     const V deviation = stored_impulse - Load(contact.mean_load);
-    softened = old_impulse -
-               Load(contact.impulse_scale) * Max(zero - most, Min(most, deviation));
+    softened = old_impulse - state.relaxation * Load(contact.impulse_scale) *
+                                 Max(zero - most, Min(most, deviation));
   }
   const V mass = state.relaxation * Load(contact.effective_mass);
   const V impulse = Max(zero, softened + mass * (Load(contact.target) - Dot(u, state.n)));

@@ -211,7 +211,8 @@ bool DistributeImpulse(const ContactPatch& patch, const Eigen::Vector3d& linear,
 
 void StaticEquilibrium::Solve(const ConstraintView<double>& constraints,
                               std::span<const int> islands, double solved,
-                              const SolverBodies& bodies) {
+                              const SolverBodies& bodies,
+                              std::span<Velocity> velocities) {
   if (!FindTrees(constraints, islands, solved)) return;
   RemoveLeaves(constraints, islands, bodies);
   for (const SupportingPair& support : supports_) {
@@ -225,8 +226,8 @@ void StaticEquilibrium::Solve(const ConstraintView<double>& constraints,
       contact.friction_impulse1[lane] = support.impulses[k][1];
       contact.friction_impulse2[lane] = support.impulses[k][2];
     }
-    if (batch.inverse_mass_A[lane] != 0) bodies.velocities[At(batch.A[lane])] = {};
-    if (batch.inverse_mass_B[lane] != 0) bodies.velocities[At(batch.B[lane])] = {};
+    if (batch.inverse_mass_A[lane] != 0) velocities[At(batch.A[lane])] = {};
+    if (batch.inverse_mass_B[lane] != 0) velocities[At(batch.B[lane])] = {};
   }
 }
 
@@ -311,21 +312,10 @@ void StaticEquilibrium::RemoveLeaves(const ConstraintView<double>& constraints,
       island.may_rest = false;
       continue;
     }
-    // Total impulse on B: the required one, and that which the contacts already have.
+    // The required impulse as one on B.
     const double sign = side.is_B ? 1 : -1;
-    SpatialImpulse total{sign * required_[At(body)].linear,
-                         sign * required_[At(body)].angular};
-    for (std::size_t k = 0; k < patch->count; ++k) {
-      const std::size_t index = static_cast<std::size_t>(batch.first) + k;
-      const ContactConstraintLanes<double>& contact = constraints.contacts[index];
-      const Eigen::Vector3d J_W =
-          patch->axes_W * Eigen::Vector3d(contact.impulse[position.lane],
-                                          contact.friction_impulse1[position.lane],
-                                          contact.friction_impulse2[position.lane]);
-      total.linear += J_W;
-      total.angular +=
-          VectorAt(side.is_B ? contact.r_B : contact.r_A, position.lane).cross(J_W);
-    }
+    const SpatialImpulse total{sign * required_[At(body)].linear,
+                               sign * required_[At(body)].angular};
     SupportingPair& support = supports_.emplace_back();
     support.position = position;
     support.island = islands[At(body)];

@@ -32,10 +32,11 @@ class StaticEquilibrium {
   /** Brings to rest each island of `constraints` that can be, among those in which the
    last iteration changed a relative velocity by more than `solved` [m/s]: sets its
    impulses, and the velocities of its bodies to 0. Other islands do not change.
-   `islands`, indexed by body, is the root of the body's island.
+   `islands`, indexed by body, is the root of the body's island. `bodies` have their
+   velocities without impulses, `velocities` are those of the iterations.
    @pre Contacts are hard and impulses accumulate. */
   void Solve(const ConstraintView<double>& constraints, std::span<const int> islands,
-             double solved, const SolverBodies& bodies);
+             double solved, const SolverBodies& bodies, std::span<Velocity> velocities);
 
  private:
   /** An impulse and its moment. */

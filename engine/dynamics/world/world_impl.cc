@@ -196,9 +196,8 @@ void World::Impl::Advance(double h, bool with_impacts) {
   ApplyForces(h);
   impact_solver_.Clear();
   if (with_impacts) {
-    impact_solver_.Begin(
-        {bodies_, before_, free_, sleep_.asleep(), linked_, contact_solver_.is_large()},
-        contact_cache_, step);
+    impact_solver_.Begin({bodies_, before_, free_, sleep_.asleep(), linked_},
+                         contact_cache_, step);
   }
   Solve(h);
   IntegrateAll(h);
@@ -261,7 +260,7 @@ void World::Impl::UpdateLoads(double h) {
 bool World::Impl::UpdateContacts(double h) {
   UpdateLoads(h);
   contact_cache_.Update(bodies_,
-                        {loads_.max_speculative_margin(), contact_solver_.is_large()},
+                        {loads_.max_speculative_margin(), settings_.reduce_manifolds},
                         settings_.continuous_collision ? h : 0, pool_);
   // Again, because new contacts change the islands.
   UpdateLoads(h);
@@ -385,20 +384,18 @@ void World::Impl::SolveJointsUntilConverged() {
   const double tolerance = settings_.residual * speed;
   const int constraints = contact_solver_.constraint_count() +
                           static_cast<int>(joints_.size() + springs_.size());
-  const bool is_small = IsSmall(settings_, constraints);
-  const long iteration_budget =
-      is_small ? iteration_budget_.Remaining(settings_) : settings_.iteration_budget;
+  const long extra_work = iteration_budget_.Remaining(settings_, constraints);
   long spent = 0;
   for (int k = 0;; ++k) {
-    spent += constraints;
-    if (k >= settings_.impulse_iterations && spent > iteration_budget) break;
+    if (k >= settings_.impulse_iterations) spent += constraints;
+    if (spent > extra_work) break;
     const double joint_change = joint_solver_.Iterate(solved_);
     const double spring_change = spring_solver_.Iterate(solved_);
     if (std::max({joint_change, spring_change,
                   contact_solver_.Iterate(solved_, pool_)}) <= tolerance)
       break;
   }
-  if (is_small) iteration_budget_.Spend(spent, settings_);
+  iteration_budget_.Spend(spent, settings_, constraints);
 }
 
 void World::Impl::Solve(double h) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,7 +51,9 @@ double CreepSpeedOfPlate(int others) {
 TEST(Sliding, CreepOfAPlateDoesNotDependOnTheNumberOfOtherPlates) {
   const double alone = CreepSpeedOfPlate(0);
   EXPECT_GT(alone, 0);
-  EXPECT_LT(CreepSpeedOfPlate(30), 2 * alone);
+  // A plate that rests keeps a rounding of the speed that gravity adds in a step.
+  const double rounding = 0x1p-53 * 9.81 / 240;
+  EXPECT_LT(CreepSpeedOfPlate(30), 2 * std::max(alone, rounding));
 }
 
 /** Returns the final state of a block that spins while it slides down a slope.

@@ -12,8 +12,9 @@ constexpr double kH = 1.0 / 120;
 constexpr double kApproach = 2;  // [m/s]
 constexpr int kBricksPerRow = 6;
 
-/** Settings without an iteration budget, under which every world is large. */
-Settings LargeWorldSettings() {
+/** Settings without an iteration budget, under which every world may be solved in single
+ precision. */
+Settings WithoutBudget() {
   Settings settings;
   settings.gravity_W.setZero();
   settings.iteration_budget = 0;
@@ -91,7 +92,7 @@ Eigen::Vector3d AngularMomentumOf(const World& world, const World& start) {
 
 // The two bodies of a contact receive exactly opposite impulses, however rounded.
 TEST(SinglePrecision, KeepsMomentumToTheRoundingOfADouble) {
-  World world(LargeWorldSettings());
+  World world(WithoutBudget());
   AddTwoWalls(world);
   const Eigen::Vector3d before = MomentumOf(world);
   for (int k = 0; k < 30; ++k) world.Step(kH);
@@ -101,7 +102,7 @@ TEST(SinglePrecision, KeepsMomentumToTheRoundingOfADouble) {
 
 // The two impulses act at exactly the same point.
 TEST(SinglePrecision, KeepsAngularMomentumToTheRoundingOfADouble) {
-  Settings settings = LargeWorldSettings();
+  Settings settings = WithoutBudget();
   settings.gyroscopic = Gyroscopic::kOff;
   settings.stabilisation = Stabilisation::kNone;
   World start(settings);
@@ -118,9 +119,9 @@ TEST(SinglePrecision, KeepsAngularMomentumToTheRoundingOfADouble) {
 
 /** Expects that a step differs from one in double precision by rounding only. */
 void ExpectOnlyRounding(const Eigen::Vector3d& frame) {
-  World single(LargeWorldSettings());
+  World single(WithoutBudget());
   AddTwoWalls(single, frame);
-  Settings settings = LargeWorldSettings();
+  Settings settings = WithoutBudget();
   settings.single_precision = false;
   World exact(settings);
   AddTwoWalls(exact, frame);
@@ -145,7 +146,7 @@ TEST(SinglePrecision, IsAsAccurateInAFastFrame) {
 
 /** Returns whether a world with that body is solved in double precision. */
 bool ForcesDoublePrecision(const BodyDefinition& body, bool comes_first = false) {
-  Settings settings = LargeWorldSettings();
+  Settings settings = WithoutBudget();
   World world_of_default(settings);
   settings.single_precision = false;
   World world_of_doubles(settings);
@@ -180,7 +181,7 @@ TEST(SinglePrecision, IsNotUsedForBodiesWhoseResponsesItCannotRepresent) {
 }
 
 /** Adds a row of boxes that penetrate a floor by `depth` [m]. The floor is 200 km wide,
- and its centre is 50 km away. There are enough contacts for single precision. */
+ and its centre is 50 km away. */
 void AddBoxesOnWideFloor(World& world, double depth) {
   BodyDefinition floor;
   floor.shape = Box{{1e5, 1, 1e5}};
@@ -197,7 +198,7 @@ void AddBoxesOnWideFloor(World& world, double depth) {
 }
 
 TEST(SinglePrecision, BodiesFarFromTheCentreOfTheGroundStayAtRest) {
-  Settings settings = LargeWorldSettings();
+  Settings settings = WithoutBudget();
   settings.gravity_W = {0, -9.82, 0};
   World world(settings);
   AddBoxesOnWideFloor(world, 0);
@@ -210,7 +211,7 @@ TEST(SinglePrecision, BodiesFarFromTheCentreOfTheGroundStayAtRest) {
 }
 
 TEST(SinglePrecision, RemovesOverlapDownToTheSlop) {
-  Settings settings = LargeWorldSettings();
+  Settings settings = WithoutBudget();
   settings.gravity_W = {0, -9.82, 0};
   World world(settings);
   const double slop = 2 * 9.82 * kH * kH;
@@ -225,7 +226,7 @@ TEST(SinglePrecision, RemovesOverlapDownToTheSlop) {
 
 // In single precision, colliding wires would gain 1e12 times their energy.
 TEST(SinglePrecision, CrossingWiresGainNoEnergy) {
-  World world(LargeWorldSettings());
+  World world(WithoutBudget());
   const auto add = [&](double x, double y, double v) {
     BodyDefinition wire;
     wire.shape = v > 0 ? Box{{0.5, 1e-5, 1e-5}} : Box{{1e-5, 1e-5, 0.5}};
@@ -249,7 +250,7 @@ TEST(SinglePrecision, CrossingWiresGainNoEnergy) {
 
 // The walls are wide enough for the threads to share each colour.
 TEST(SinglePrecision, TheBitsOfALargeIslandDoNotDependOnTheNumberOfThreads) {
-  Settings settings = LargeWorldSettings();
+  Settings settings = WithoutBudget();
   World one(settings);
   settings.threads = 3;
   World three(settings);

@@ -249,8 +249,10 @@ class Island {
     const std::vector<Velocity> velocities_before = velocities_;
     const std::vector<double> impulses_before = Impulses();
     StaticEquilibrium static_equilibrium;
+    SolverBodies without_impulses = Bodies();
+    without_impulses.velocities = free;
     static_equilibrium.Solve(group_.view(), islands_, 1e-14 * group_.max_speed(),
-                             Bodies());
+                             without_impulses, velocities_);
     bool rests = true;
     bool same = impulses_before == Impulses();
     for (std::size_t i = 1; i < bodies.size(); ++i) {

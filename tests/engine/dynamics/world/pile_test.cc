@@ -52,51 +52,24 @@ void AddRotatedStack(World& world) {
   AddBox(world, {0, 1.5, 0}, AboutY(std::numbers::pi / 4));
 }
 
-/** Returns settings under which a world with more contacts is large. */
-Settings SmallUpTo(int contacts) {
+/** Returns the number of contacts between the two boxes of a rotated stack at rest. */
+int ContactsOfRotatedStack(bool reduce_manifolds) {
   Settings settings;
-  settings.iteration_budget = (settings.impulse_iterations + 1) * contacts;
-  return settings;
+  settings.reduce_manifolds = reduce_manifolds;
+  World world(settings);
+  AddRotatedStack(world);
+  for (int k = 0; k < 5; ++k) world.Step(kH);
+  return ContactsOfPairs(world)[{1, 2}];
 }
 
-TEST(LargeWorld, ASmallWorldKeepsAllContactsOfAFace) {
-  World world(SmallUpTo(12));
-  AddRotatedStack(world);
-  for (int k = 0; k < 5; ++k) {
-    world.Step(kH);
-    EXPECT_EQ((ContactsOfPairs(world)[{1, 2}]), 8);
-  }
-}
-
-// With four contacts per face it would be small. It stays large, because it would
-// alternate between the two otherwise.
-TEST(LargeWorld, KeepsFourContactsPerFaceFromTheSecondStepOn) {
-  World world(SmallUpTo(11));
-  AddRotatedStack(world);
-  world.Step(kH);
-  for (int k = 0; k < 5; ++k) {
-    world.Step(kH);
-    EXPECT_EQ((ContactsOfPairs(world)[{1, 2}]), 4);
-    EXPECT_EQ((ContactsOfPairs(world)[{0, 1}]), 4);
-  }
-}
-
-TEST(LargeWorld, BecomesSmallAgainWithHalfTheContacts) {
-  World world(SmallUpTo(11));
-  AddRotatedStack(world);
-  for (int k = 0; k < 3; ++k) world.Step(kH);
-  ASSERT_EQ((ContactsOfPairs(world)[{1, 2}]), 4);
-  world.ApplyImpulse(2, world.state(2).p_WB, {0, 3, 0});
-  for (int k = 0; k < 3; ++k) world.Step(kH);
-  ASSERT_EQ((ContactsOfPairs(world)[{1, 2}]), 0);
-  // The box lands in a small world, which keeps all its contacts.
-  for (int k = 0; k < 200 && ContactsOfPairs(world)[{1, 2}] == 0; ++k) world.Step(kH);
-  EXPECT_GT((ContactsOfPairs(world)[{1, 2}]), 4);
+TEST(Pile, AFaceKeepsFourContactsUnlessManifoldsAreNotReduced) {
+  EXPECT_EQ(ContactsOfRotatedStack(true), 4);
+  EXPECT_EQ(ContactsOfRotatedStack(false), 8);
 }
 
 // The tiles are thinner than the speculative margin: all eight corners are contacts, and
 // the four widest might be the upper ones.
-TEST(LargeWorld, TilesLieFlatOnAHalfSpace) {
+TEST(Pile, TilesLieFlatOnAHalfSpace) {
   World world;
   BodyDefinition ground;
   ground.shape = HalfSpace{};
@@ -131,7 +104,7 @@ double KineticEnergy(const World& world) {
 
 // A hundred boxes of 1 kg fall on each other in columns, which rock. With all contacts of
 // a face they never came to rest, with thousands of times the kinetic energy.
-TEST(LargeWorld, APileOfBoxesComesToRest) {
+TEST(Pile, OfAHundredBoxesComesToRest) {
   World world;
   AddFloor(world);
   const auto number_of = [](int k) {  // In [-1, 1), evenly distributed.
@@ -185,7 +158,7 @@ double SpeedOfColumnsAfterTenSeconds(double contact_frequency) {
 
 // A column that rocks as a block of 1 : 10 loses 3 % of its energy in an impact (Housner
 // 1963), and what seven iterations leave swings like a spring.
-TEST(LargeWorld, ColumnsThatRockComeToRestBecauseContactsYield) {
+TEST(Pile, ColumnsThatRockComeToRestBecauseContactsYield) {
   EXPECT_LT(SpeedOfColumnsAfterTenSeconds(Settings().contact_frequency), 0.01);
   EXPECT_GT(SpeedOfColumnsAfterTenSeconds(std::numeric_limits<double>::infinity()), 0.05);
 }
