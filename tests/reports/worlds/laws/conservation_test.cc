@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -232,6 +233,48 @@ TEST(Energy, AClothHasTheEnergyOfItsSprings) {
   for (PointState& node : state.nodes) node.p_W *= 2;
   EXPECT_NEAR(EnergyOf(world, state, all).total(), 12 * 5 + 8 * 10 * 2.0 + 6 * 15 * 4.0,
               1e-9);
+}
+
+/** Returns the tolerance of the energy of a world that starts at rest and stays so. */
+double GrantedAtRest(const World& world) {
+  const Trajectory rests = Sampled(world, [&](double) { return StateAtStart(world); });
+  return Of(Judge(world, rests, ClaimOf("energy_never_rises")), MeasureKind::kEnergyDrift)
+      .tolerance.value;
+}
+
+/** Balls of 1 kg and radius 0.5 m above the ground, with their centres at `places`. */
+World Sunk(const std::vector<Eigen::Vector3d>& places) {
+  World world;
+  world.bodies = {GroundOf()};
+  for (std::size_t i = 0; i < places.size(); ++i)
+    world.bodies.push_back(BodyOf(fmt::format("ball {}", i), Sphere{0.5}, 1, places[i]));
+  world.dt = 1e-6;
+  world.steps = 5;
+  return world;
+}
+
+TEST(Energy, PartingOverlapsLiftsEachClusterByItsOwnDepths) {
+  constexpr double kWork = 0.01 * 9.82;  // Of one ball. [J]
+  for (const double apart : {1.0, 1.1}) {
+    std::vector<Eigen::Vector3d> row;
+    for (int i = 0; i < 50; ++i) row.emplace_back(i * apart, 0.49, 0);
+    EXPECT_NEAR(GrantedAtRest(Sunk(row)), 50 * kWork, 1e-3) << apart;
+  }
+}
+
+TEST(Energy, PartingOverlapsLiftsWhatRestsOnTheClusterOrHangsOnIt) {
+  constexpr double kWork = 0.01 * 9.82;
+  const World two = Sunk({{0, 0.49, 0}, {0, 1.49, 0}});
+  EXPECT_NEAR(GrantedAtRest(two), 2 * kWork, 1e-4);
+  const World near = Sunk({{0, 0.49, 0}, {0, 1.495, 0}});
+  EXPECT_NEAR(GrantedAtRest(near), 2 * kWork, 1e-4);
+  const World above = Sunk({{0, 0.49, 0}, {0, 1.6, 0}});
+  EXPECT_NEAR(GrantedAtRest(above), kWork, 1e-4);
+  World held = Sunk({{0, 0.49, 0}, {3, 4, 0}});
+  held.joints = {{{AnchorKind::kBody, 1, {0, 0, 0}},
+                  {AnchorKind::kBody, 2, {0, 0, 0}},
+                  Eigen::Vector3d(3, 3.51, 0).norm()}};
+  EXPECT_NEAR(GrantedAtRest(held), 2 * kWork, 1e-4);
 }
 
 TEST(TurnsOnce, conserves_momentum) {
