@@ -1,10 +1,10 @@
 #include "reports/worlds/law_support/parting_work.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "reports/worlds/law_support/clusters.h"
 #include "reports/worlds/law_support/overlap.h"
 #include "reports/worlds/law_support/pairs.h"
 #include "reports/worlds/law_support/reach.h"
@@ -16,37 +16,6 @@ namespace {
 /** A normal is level if its share along the load is at most this, for the rounding of a
  pose and of its normal. [-] */
 constexpr double kLevel = 1e-9;
-
-/** A union-find over the bodies of a world: the clusters that are lifted together. */
-class Clusters {
- public:
-  explicit Clusters(std::size_t count) : parents_(count), depths_(count, 0) {
-    std::iota(parents_.begin(), parents_.end(), 0);
-  }
-
-  std::size_t Of(int body) {
-    auto root = static_cast<std::size_t>(body);
-    while (parents_[root] != root) root = parents_[root] = parents_[parents_[root]];
-    return root;
-  }
-
-  void Join(int A, int B) {
-    const std::size_t a = Of(A);
-    const std::size_t b = Of(B);
-    if (a == b) return;
-    parents_[b] = a;
-    depths_[a] += std::exchange(depths_[b], 0);
-  }
-
-  void Deepen(int body, double depth) { depths_[Of(body)] += depth; }
-
-  /** Returns the sum of the depths in the cluster of `body`. [m] */
-  double DepthAt(int body) { return depths_[Of(body)]; }
-
- private:
-  std::vector<std::size_t> parents_;
-  std::vector<double> depths_;  ///< Indexed by root. [m]
-};
 
 /** Returns whether a push along `n_AB_W` lifts B, or its reaction lifts A. */
 bool Lifts(const World& world, const Eigen::Vector3d& n_AB_W, int A, int B) {
@@ -69,14 +38,14 @@ double WorkOfParting(const Motion& motion, const Subjects& subjects) {
   const WorldState start = StateAtStart(world);
   const Reach reach(motion);
   const std::vector<std::pair<int, int>> pairs = CollidingPairs(world, subjects);
-  Clusters clusters(world.bodies.size());
+  Clusters clusters(world.bodies.size());  // With the sum of the depths. [m]
   double deepest = 0;
   for (const auto& [A, B] : pairs) {
     if (!reach.MayTouch(0, A, B)) continue;
     const double depth = OverlapOf(world, start, A, B).depth;
     if (depth == 0) continue;
     // The first of a pair moves.
-    clusters.Deepen(A, depth);
+    clusters.Add(A, depth);
     if (BothMove(world, A, B)) clusters.Join(A, B);
     deepest = std::max(deepest, depth);
   }
@@ -90,7 +59,7 @@ double WorkOfParting(const Motion& motion, const Subjects& subjects) {
   for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
     placed.push_back(PlacedAt(world, start, i));
   const auto rests = [&](int A, int B) {
-    const double lift = clusters.DepthAt(A) + clusters.DepthAt(B);
+    const double lift = clusters.SumAt(A) + clusters.SumAt(B);
     if (lift == 0 || clusters.Of(A) == clusters.Of(B) || !BothMove(world, A, B) ||
         AreFarApart(placed[static_cast<std::size_t>(A)],
                     placed[static_cast<std::size_t>(B)], lift))
@@ -110,7 +79,7 @@ double WorkOfParting(const Motion& motion, const Subjects& subjects) {
   double work = 0;
   for (const int i : subjects.bodies) {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    work += clusters.DepthAt(i) * body.mass * AccelerationOf(world, body).norm();
+    work += clusters.SumAt(i) * body.mass * AccelerationOf(world, body).norm();
   }
   return work;
 }
