@@ -109,16 +109,17 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
                      MeasureKind measure, const Trajectory& seen_in_world) {
   Finding finding = JudgeWithoutEvents(study, growth, measure, seen_in_world);
   if (finding.verdict != Verdict::kFail) return finding;
-  const std::vector<Eigen::Vector3d> falls = LateFallsOf(study);
+  const std::vector<LateFall> falls = LateFallsOf(study);
   double longest = 0;
-  for (const Eigen::Vector3d& fall : falls) longest = std::max(longest, fall.norm());
+  for (const LateFall& fall : falls)
+    longest = std::max(longest, fall.most * fall.each_W.norm());
   if (longest == 0) return finding;
   Finding without = JudgeWithoutEvents(
       study, growth, measure, WithoutLateFalls(seen_in_world, study.trajectory, falls));
   if (without.verdict == Verdict::kFail) return finding;
   without.tolerance_because += fmt::format(
-      "; besides {:.3g} m along the load, which a body falls in a step in "
-      "which rounding leaves out a contact of the start",
+      "; besides up to {:.3g} m along the load in half falls a h², in a step in which "
+      "rounding leaves out a contact of the start",
       longest);
   return without;
 }

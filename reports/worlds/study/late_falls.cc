@@ -1,6 +1,7 @@
 #include "reports/worlds/study/late_falls.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/worlds/law_support/clusters.h"
 #include "reports/worlds/law_support/overlap.h"
@@ -21,7 +22,7 @@ bool JustTouch(const World& world, const WorldState& start, int A, int B,
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> LateFallsOf(const Study& study) {
+std::vector<LateFall> LateFallsOf(const Study& study) {
   const World& world = study.scenario.world;
   const WorldState start = StateAtStart(world);
   const double rounding = RoundingOf(study, 1);
@@ -31,26 +32,26 @@ std::vector<Eigen::Vector3d> LateFallsOf(const Study& study) {
     clusters.Add(A, 1);
     if (world.bodies[static_cast<std::size_t>(B)].mass > 0) clusters.Join(A, B);
   }
-  std::vector<Eigen::Vector3d> falls;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+  std::vector<LateFall> falls(world.bodies.size());
+  for (std::size_t i = 0; i < falls.size(); ++i) {
     const double contacts = clusters.SumAt(static_cast<int>(i));
-    falls.push_back(contacts > 0 ? Eigen::Vector3d(contacts * world.dt * world.dt *
-                                                   AccelerationOf(world, world.bodies[i]))
-                                 : Eigen::Vector3d(Eigen::Vector3d::Zero()));
+    if (contacts == 0) continue;
+    falls[i] = {world.dt * world.dt * AccelerationOf(world, world.bodies[i]), contacts};
   }
   return falls;
 }
 
 Trajectory WithoutLateFalls(Trajectory motion, const Trajectory& reference,
-                            const std::vector<Eigen::Vector3d>& falls) {
+                            const std::vector<LateFall>& falls) {
   const std::size_t samples = std::min(motion.samples.size(), reference.samples.size());
   for (std::size_t s = 0; s < samples; ++s) {
     for (std::size_t i = 0; i < falls.size(); ++i) {
-      if (falls[i].isZero(0)) continue;
+      const Eigen::Vector3d& fall_W = falls[i].each_W;
+      if (fall_W.isZero(0)) continue;
       Eigen::Vector3d& p_W = motion.samples[s].bodies[i].p_WB;
       const Eigen::Vector3d off_W = p_W - reference.samples[s].bodies[i].p_WB;
-      const double share = off_W.dot(falls[i]) / falls[i].squaredNorm();
-      p_W -= std::clamp(share, -1.0, 1.0) * falls[i];
+      const double whole = std::round(2 * off_W.dot(fall_W) / fall_W.squaredNorm()) / 2;
+      p_W -= std::clamp(whole, -falls[i].most, falls[i].most) * fall_W;
     }
   }
   return motion;

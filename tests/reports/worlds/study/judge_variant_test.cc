@@ -173,6 +173,8 @@ TEST(JudgeVariant, GrantsTheFallOfAStepToAContactThatRoundingDecides) {
   EXPECT_EQ(OffInAMovedWorld(StandingBox(0), {0, -kFall, 0}), Verdict::kPass);
   EXPECT_EQ(OffInAMovedWorld(StandingBox(0), {0, -1.1 * kFall, 0}), Verdict::kFail);
   EXPECT_EQ(OffInAMovedWorld(StandingBox(0), {1e-6, 0, 0}), Verdict::kFail) << "across";
+  EXPECT_EQ(OffInAMovedWorld(StandingBox(0), {0, -0.3 * kFall, 0}), Verdict::kFail)
+      << "no step falls so far";
   EXPECT_EQ(OffInAMovedWorld(StandingBox(1e-9), {0, -kFall, 0}), Verdict::kFail)
       << "no contact at the start";
 }
