@@ -7,15 +7,17 @@
 
 #include <fmt/format.h>
 
+#include "oracles/forwarding_oracle.h"
+
 namespace touchstone {
 namespace {
 
 constexpr const char* kSetting = "tolerance";
 
-class TolerantOracle final : public Oracle {
+class TolerantOracle final : public ForwardingOracle {
  public:
   TolerantOracle(const Oracle& oracle, StatedTolerance tolerance)
-      : oracle_(oracle), info_(oracle.info()) {
+      : ForwardingOracle(oracle) {
     SetTolerance(std::move(tolerance), info_);
   }
   TolerantOracle(std::unique_ptr<Oracle> oracle, StatedTolerance tolerance)
@@ -23,48 +25,12 @@ class TolerantOracle final : public Oracle {
     owned_ = std::move(oracle);
   }
 
-  const OracleInfo& info() const override { return info_; }
-
-  using Oracle::Answer;
-  void Answer(std::span<const ContactQuery> queries,
-              std::span<ContactAnswer> answers) const override {
-    oracle_.Answer(queries, answers);
-  }
-  std::unique_ptr<PreparedBatch> Prepare(
-      std::span<const ContactQuery> queries) const override {
-    return oracle_.Prepare(queries);
-  }
-  std::string CannotSimulate(const World& world) const override {
-    return oracle_.CannotSimulate(world);
-  }
-  std::unique_ptr<Simulation> BeginWith(const World& world,
-                                        std::span<const double> values) const override {
-    return oracle_.BeginWith(world, values);
-  }
-  std::unique_ptr<Simulation> Begin(const World& world) const override {
-    return oracle_.Begin(world);
-  }
-  std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
-    return oracle_.BeginAsShipped(world);
-  }
-  std::unique_ptr<Simulation> BeginInThreads(const World& world,
-                                             int threads) const override {
-    return oracle_.BeginInThreads(world, threads);
-  }
   std::unique_ptr<Oracle> SetUp(const WorldSetup& setup) const override {
     return std::make_unique<TolerantOracle>(oracle_.SetUp(setup), info_.tolerance);
   }
-  Trajectory Simulate(const World& world) const override {
-    return oracle_.Simulate(world);
-  }
-  std::vector<Trajectory> SimulateEach(std::span<const World> worlds) const override {
-    return oracle_.SimulateEach(worlds);
-  }
 
  private:
-  const Oracle& oracle_;
   std::unique_ptr<Oracle> owned_;  ///< Null, or `oracle_`.
-  OracleInfo info_;
 };
 
 void CheckPart(double part, const char* name) {

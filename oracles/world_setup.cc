@@ -5,58 +5,31 @@
 
 #include <fmt/format.h>
 
-#include "oracles/oracle.h"
+#include "oracles/forwarding_oracle.h"
 
 namespace touchstone {
 namespace {
 
-class SetUpOracle final : public Oracle {
+class SetUpOracle final : public ForwardingOracle {
  public:
-  SetUpOracle(const Oracle& oracle, const WorldSetup& setup)
-      : oracle_(oracle), info_(oracle.info()) {
+  SetUpOracle(const Oracle& oracle, const WorldSetup& setup) : ForwardingOracle(oracle) {
     info_.setup = setup;
   }
 
-  const OracleInfo& info() const override { return info_; }
-
-  using Oracle::Answer;
-  void Answer(std::span<const ContactQuery> queries,
-              std::span<ContactAnswer> answers) const override {
-    oracle_.Answer(queries, answers);
-  }
-  std::unique_ptr<PreparedBatch> Prepare(
-      std::span<const ContactQuery> queries) const override {
-    return oracle_.Prepare(queries);
-  }
-  std::string CannotSimulate(const World& world) const override {
-    return oracle_.CannotSimulate(world);
-  }
-  std::unique_ptr<Simulation> BeginWith(const World& world,
-                                        std::span<const double> values) const override {
-    return oracle_.BeginWith(world, values);
-  }
   std::unique_ptr<Simulation> Begin(const World& world) const override {
-    if (!info_.parameters.empty()) return Oracle::Begin(world);
+    if (info_.HasSetups()) return Oracle::Begin(world);
     return info_.setup.as_shipped ? oracle_.BeginAsShipped(world) : oracle_.Begin(world);
   }
   std::unique_ptr<Simulation> BeginAsShipped(const World& world) const override {
-    return info_.parameters.empty() ? oracle_.BeginAsShipped(world)
-                                    : Oracle::BeginAsShipped(world);
-  }
-  std::unique_ptr<Simulation> BeginInThreads(const World& world,
-                                             int threads) const override {
-    return oracle_.BeginInThreads(world, threads);
+    return info_.HasSetups() ? Oracle::BeginAsShipped(world)
+                             : oracle_.BeginAsShipped(world);
   }
   Trajectory Simulate(const World& world) const override {
     return info_.HasSetups() ? Oracle::Simulate(world) : oracle_.Simulate(world);
   }
-  std::unique_ptr<Oracle> SetUp(const WorldSetup& setup) const override {
-    return oracle_.SetUp(setup);
+  std::vector<Trajectory> SimulateEach(std::span<const World> worlds) const override {
+    return Oracle::SimulateEach(worlds);
   }
-
- private:
-  const Oracle& oracle_;
-  OracleInfo info_;
 };
 
 }  // namespace

@@ -122,7 +122,10 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
                  [&](const Oracle* oracle) {
                    return oracle->info().CannotSimulate(world).empty();
                  });
-    if (able.empty()) throw InputError("none of these oracles simulates worlds");
+    if (able.empty()) {
+      std::cout << scene.name << ": none of these oracles simulates it\n\n";
+      continue;
+    }
     const std::vector<TimedSteps> rows = Time(able, world, arguments.turns);
     PrintTable(scene, world, arguments.turns, rows);
     PrintSpeedUps(rows);
@@ -137,8 +140,8 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
   }
   if (times.empty()) {
     throw InputError(
-        "nothing was measured: every engine was stopped or crashed; expected "
-        "more --seconds, fewer --steps or a smaller --scene");
+        "nothing was measured: every engine was stopped, crashed or does not simulate "
+        "these scenes; expected more --seconds, fewer --steps or another --scene");
   }
   for (const auto& [bodies, of_sizes] : times) std::cout << GrowthTable(bodies, of_sizes);
   return 0;

@@ -14,7 +14,7 @@ namespace touchstone {
 
 /** The findings of an earlier run. */
 struct Baseline {
-  /** The worst of a cell. */
+  /** The worst value and the worst verdict of a cell; NaN is worse than any number. */
   struct Measured {
     double value = 0;
     Verdict verdict = Verdict::kPass;
@@ -42,8 +42,7 @@ inline constexpr double kWorse = 2;
 
 /** Adds a regression to `report` for each cell that is worse than in the baseline:
 
- - its verdict is: pass, then undecidable, then proved wrong or differing, whether the
-   ledger knows it or not, then invalid, crashed or timed out, then unsupported;
+ - its verdict is, by SeverityOf();
  - or its value is more than kWorse times the larger of the earlier one and what rounding
    can cause. For a length that is what an answer or a motion may be off by rounding
  alone, and for each measure it is at least 1 % of its tolerance: below, an error has no

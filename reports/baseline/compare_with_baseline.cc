@@ -9,6 +9,7 @@
 
 #include "reports/baseline/baseline.h"
 #include "reports/contacts/tolerances.h"
+#include "reports/finding/severity.h"
 #include "reports/ledger/apply_ledger.h"
 #include "reports/worlds/study/world_size.h"
 
@@ -17,27 +18,6 @@ namespace {
 
 /** The part of its tolerance below which a value has no cause but chance. [-] */
 constexpr double kChance = 0.01;
-
-/** Returns the rank of a verdict; the larger, the worse. */
-int RankOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kPass:
-      return 0;
-    case Verdict::kUndecidable:
-      return 1;
-    case Verdict::kFail:
-    case Verdict::kDisagree:
-    case Verdict::kKnown:
-      return 2;
-    case Verdict::kInvalid:
-    case Verdict::kCrashed:
-    case Verdict::kTimedOut:
-      return 3;
-    case Verdict::kUnsupported:
-      return 4;
-  }
-  return 4;
-}
 
 /** The lengths by which rounding alone may change an answer, keyed by scenario and
  oracle. For a motion that is 64 roundings in each step, as the laws grant. [m] */
@@ -72,7 +52,7 @@ double FloorOf(const Finding& finding, const Roundings& roundings) {
 /** Returns why a finding is worse than a baseline; "" if it is not. */
 std::string WhyWorse(const Finding& finding, const Baseline::Measured& before,
                      const Roundings& roundings) {
-  if (RankOf(finding.verdict) > RankOf(before.verdict))
+  if (SeverityOf(finding.verdict) > SeverityOf(before.verdict))
     return fmt::format("was {}, is {}", NameOf(before.verdict), NameOf(finding.verdict));
   const double floor = FloorOf(finding, roundings);
   // Written so that a number that becomes a NaN is worse.

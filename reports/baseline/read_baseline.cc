@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "reports/baseline/baseline.h"
+#include "reports/finding/severity.h"
 
 namespace touchstone {
 namespace {
@@ -57,8 +58,8 @@ bool Add(const Json& json, Baseline& baseline) {
   Baseline::Measured& worst =
       baseline.cells.try_emplace(cell, Baseline::Measured{number, *verdict})
           .first->second;
-  worst.value = std::fmax(worst.value, number);
-  worst.verdict = std::max(worst.verdict, *verdict);
+  if (std::isnan(number) || number > worst.value) worst.value = number;
+  worst.verdict = Worse(worst.verdict, *verdict);
   return true;
 }
 

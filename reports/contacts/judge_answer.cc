@@ -467,6 +467,7 @@ class Judgement {
     const ContactPatch patch =
         CertainPatch(query_, n, SeparationAlong(n), truth_.input_rounding, e);
     bool must_span = true;
+    bool is_certain = true;
     if (patch.vertices_W.size() > 1) {
       const double unspanned = PatchUnspanned(patch, n, answer_.points);
       const double legal = LegalUnspanned(patch, n, answer_.points);
@@ -484,7 +485,7 @@ class Judgement {
       must_span = finding.verdict == Verdict::kFail;
       if (must_span) {
         const auto missed = CertainlyMissed(patch, n, finding.tolerance);
-        must_span = missed.has_value();
+        is_certain = missed.has_value();
         if (missed) {
           finding.proof = ProveUnspanned(dispute_, *missed, unspanned);
         } else {
@@ -493,8 +494,13 @@ class Judgement {
       }
     }
     const int least = must_span ? patch.least_contacts : 0;
-    Add(MeasureKind::kContactCount, ContactCountError(least, answer_.points, e),
+    Finding& count = Add(
+        MeasureKind::kContactCount, ContactCountError(least, answer_.points, e),
         {0, "the patch needs that many"}, [&] { return ProveCount(dispute_, patch); });
+    // Contacts that are repeated are too many of any patch.
+    if (count.verdict == Verdict::kFail && !is_certain &&
+        ContactCountError(0, answer_.points, e) == 0)
+      Withdraw(count, "no point that is certified to belong to it is missed");
   }
 
   /** Returns a point of the patch that lies farther from the hull of the contacts than

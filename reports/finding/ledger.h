@@ -14,8 +14,8 @@
 
 namespace touchstone {
 
-/** The findings that one bound is about: those of one measure of one oracle in one
- scenario. */
+/** The findings that one bound is about: those of one measure, by one law, of one oracle
+ in one scenario. */
 struct LedgerCell {
   std::string scenario;
   std::string oracle;

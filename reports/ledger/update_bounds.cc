@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/finding/severity.h"
 #include "reports/ledger/apply_ledger.h"
 #include "reports/ledger/bounds_file.h"
 
@@ -20,7 +21,7 @@ namespace {
 /** The findings of one cell. */
 struct Found {
   bool fails = false;                ///< Whether one is a failure that an entry covers.
-  Verdict verdict = Verdict::kPass;  ///< Verdict of a covered failure.
+  Verdict verdict = Verdict::kPass;  ///< Worst verdict of the covered failures.
   double worst = 0;                  ///< Largest value of a covered failure.
   bool needed = false;               ///< Whether one needs the bound that the cell has.
   bool exceeded = false;             ///< Whether one exceeds it.
@@ -76,7 +77,7 @@ UpdatedBounds UpdateBounds(const RunReport& report) {
     }
     if (!covered) continue;
     found.fails = true;
-    found.verdict = verdict;
+    found.verdict = Worse(found.verdict, verdict);
     found.worst = std::max(found.worst, value);
   }
   std::set<std::string_view> scenarios;

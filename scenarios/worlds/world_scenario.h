@@ -22,6 +22,9 @@ struct Claim {
   /** Numbers that the author supplies to the law by name, e.g. {"length", 1.0}. */
   std::map<std::string, double> numbers;
   std::string because;  ///< The derivation or the citation; may be empty.
+  /** Things whose pairs with the subjects other claims of the law judge already; never in
+   a file. Laws about pairs leave these out. */
+  std::vector<std::string> claimed = {};
 };
 
 /** Many slightly different copies of a world, for chaotic motion. Each coordinate of the

@@ -5,9 +5,7 @@
 
 #include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/error_laws.h"
-#include "reports/worlds/law_support/overlap.h"
-#include "reports/worlds/law_support/pairs.h"
-#include "reports/worlds/law_support/reach.h"
+#include "reports/worlds/law_support/parting_work.h"
 #include "reports/worlds/law_support/scheme_drift.h"
 
 namespace touchstone {
@@ -44,23 +42,6 @@ Reflected ReflectedGravity(const World& world, const WorldState& from,
   return sum;
 }
 
-/** Returns the most energy that an engine may add when it moves bodies apart that overlap
- at the start: each overlap may lift everything by its depth, against the loads. [J] */
-double WorkOfOverlaps(const Motion& motion, const Subjects& subjects) {
-  const World& world = motion.world;
-  const WorldState start = StateAtStart(world);
-  const Reach reach(motion);
-  double depths = 0;
-  for (const auto& [A, B] : CollidingPairs(world, subjects))
-    if (reach.MayTouch(0, A, B)) depths += OverlapOf(world, start, A, B).depth;
-  double loads = 0;
-  for (const int i : subjects.bodies) {
-    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
-    loads += body.mass * AccelerationOf(world, body).norm();
-  }
-  return depths * loads;
-}
-
 }  // namespace
 
 double EnergyAlong::Tolerance(std::size_t from, std::size_t to) const {
@@ -94,7 +75,7 @@ EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
   const double second_order = world.dt * world.dt * SquaredLoadsOf(world, subjects);
   const std::vector<double> gyroscopic = GyroscopicEnergyDrift(motion, allowed, subjects);
   const std::vector<double> rods = RodEnergyDrift(motion, allowed, subjects);
-  const double overlaps = WorkOfOverlaps(motion, subjects);
+  const double overlaps = WorkOfParting(motion, subjects);
   EnergyAlong along;
   along.at_start = EnergyOf(world, StateAtStart(world), subjects).total();
   double power = 0;
@@ -129,8 +110,7 @@ std::string BecauseOfEnergy() {
   return "1.5 × the error of semi-implicit Euler: ½ h dU/dt at both ends, h² |F|²/m, and "
          "½ h ∫ of the losses of the gyroscopic term and rods since the earlier sample; "
          "64 roundings per step; the work of moving apart what overlaps at the start; "
-         "all "
-         "at speeds that the truth allows";
+         "all at speeds that the truth allows";
 }
 
 }  // namespace touchstone

@@ -25,8 +25,7 @@ struct EnergyAlong {
    h (v − v₀). The largest power so far stands for both, since a bounce changes its sign;
    h² |F|²/m of each body bounds the next order. Both × 1.5, and 64 roundings per step; at
    rest, the energy of velocities that are roundings of positions (NoiseOfPositions()).
-   Moving apart bodies that overlap at the start by d lifts them by d, so d Σ |m g + F| is
-   granted. */
+   Moving apart what overlaps at the start does work (WorkOfParting()). */
   std::vector<double> oscillations;
   /** The losses of the gyroscopic term and of rods from the start to each sample
    (law_support/scheme_drift.h), × 1.5. [J] */

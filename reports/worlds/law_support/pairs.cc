@@ -1,5 +1,7 @@
 #include "reports/worlds/law_support/pairs.h"
 
+#include <algorithm>
+
 namespace touchstone {
 
 bool Collide(const World& world, int A, int B) {
@@ -22,6 +24,20 @@ std::vector<std::pair<int, int>> CollidingPairs(const World& world,
         pairs.emplace_back(A, B);
     }
   }
+  return pairs;
+}
+
+std::vector<std::pair<int, int>> CollidingPairs(const World& world, const Claim& claim) {
+  std::vector<std::pair<int, int>> pairs =
+      CollidingPairs(world, SubjectsOf(world, claim));
+  const auto is_claimed = [&](int body) {
+    return std::find(claim.claimed.begin(), claim.claimed.end(),
+                     world.bodies[static_cast<std::size_t>(body)].name) !=
+           claim.claimed.end();
+  };
+  std::erase_if(pairs, [&](const std::pair<int, int>& pair) {
+    return is_claimed(pair.first) || is_claimed(pair.second);
+  });
   return pairs;
 }
 

@@ -15,4 +15,8 @@ bool Collide(const World& world, int A, int B);
 std::vector<std::pair<int, int>> CollidingPairs(const World& world,
                                                 const Subjects& subjects);
 
+/** Returns the pairs of the subjects of `claim`, except those that another claim of the
+ law judges. */
+std::vector<std::pair<int, int>> CollidingPairs(const World& world, const Claim& claim);
+
 }  // namespace touchstone

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -43,9 +44,7 @@ class BoxCone {
   void Take(const ContactImpulse& contact, double friction, bool beyond_circle,
             double tolerance) {
     if (!contact.t_W.isZero()) {
-      TangentFrame frame;
-      frame << contact.t_W, contact.n_AB_W.cross(contact.t_W);
-      Take(contact, friction, beyond_circle, tolerance, frame, stated_);
+      Take(contact, friction, beyond_circle, tolerance, StatedFrame(contact), stated_);
       if (!IsOrthonormal(contact)) stated_.fits = false;
       return;
     }
@@ -75,12 +74,28 @@ class BoxCone {
     return shows;
   }
 
+  /** Returns whether an impulse beyond the circle is on the boundary of the box that the
+   engine states. */
+  bool IsShownAsStated() const { return stated_.shows; }
+
+  /** Returns the larger component of friction along the directions that the engine states
+   for `contact`. [N s] */
+  static double LargerAsStated(const ContactImpulse& contact) {
+    return (StatedFrame(contact).transpose() * contact.J_B_W).cwiseAbs().maxCoeff();
+  }
+
  private:
   /** A rule for the friction directions: one world axis, or what the engine states. */
   struct Axis {
     bool fits = true;    ///< Every impulse is inside the box.
     bool shows = false;  ///< An impulse beyond the circle is on the box's boundary.
   };
+
+  static TangentFrame StatedFrame(const ContactImpulse& contact) {
+    TangentFrame frame;
+    frame << contact.t_W, contact.n_AB_W.cross(contact.t_W);
+    return frame;
+  }
 
   /** Tells whether the stated direction is a unit vector in the plane of the contact, to
    the rounding of a float. */
@@ -110,10 +125,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const auto is_subject = [&](int index) {
     return std::find(subjects.begin(), subjects.end(), index) != subjects.end();
   };
-  Worst worst(MeasureKind::kConeViolation,
-              "1e-5 of the impulse and of the pair's gravity impulse in a step, for the "
-              "solver, and 64 roundings",
-              Grants::kSolver);
+  const std::string because =
+      "1e-5 of the impulse and of the pair's gravity impulse in a step, for the solver, "
+      "and 64 roundings";
+  Worst worst(MeasureKind::kConeViolation, because, Grants::kSolver);
+  // An engine that shows the box it states is judged by that box.
+  Worst beyond_box(MeasureKind::kConeViolation, because, Grants::kSolver);
   BoxCone box;
   for (const ContactImpulse& contact : motion.trajectory.impulses) {
     if (!is_subject(contact.A) && !is_subject(contact.B)) continue;
@@ -134,8 +151,19 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           "is {:.6g}",
           motion.oracle.name, B.name, A.name, contact.step, J_n, J_t, friction * J_n);
     });
+    if (contact.t_W.isZero()) continue;
+    const double larger = BoxCone::LargerAsStated(contact);
+    beyond_box.Take(Violation(contact, friction, larger), tolerance, [&] {
+      return fmt::format(
+          "{} shows the {}, but gives {} at {} in step {} J_n = {:.6g} N s and {:.6g} N "
+          "s "
+          "along one of its directions; μ J_n is {:.6g}",
+          motion.oracle.name, NameOf(FrictionCone::kBox), B.name, A.name, contact.step,
+          J_n, larger, friction * J_n);
+    });
   }
   if (!worst.IsTaken()) return {};
+  if (box.IsShownAsStated() && beyond_box.IsBeyond()) return {beyond_box.finding()};
   return {box.IsFollowed() ? worst.RecognisedAs(NameOf(FrictionCone::kBox))
                            : worst.finding()};
 }

@@ -36,7 +36,7 @@ std::vector<std::pair<int, int>> PairsOf(const World& world, const Claim& claim)
         world.bodies[static_cast<std::size_t>(body)].placed.shape);
   };
   std::vector<std::pair<int, int>> pairs;
-  for (const auto& [A, B] : CollidingPairs(world, SubjectsOf(world, claim)))
+  for (const auto& [A, B] : CollidingPairs(world, claim))
     if (is_bounded(A) && is_bounded(B)) pairs.emplace_back(A, B);
   return pairs;
 }

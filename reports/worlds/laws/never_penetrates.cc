@@ -138,7 +138,6 @@ double ApproachSpeed(const World& world, const AllowedMotion& slowed, std::size_
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const Trajectory& trajectory = motion.trajectory;
-  const Subjects subjects = SubjectsOf(world, claim);
   const double slack = NumberOr(claim, "slack", 0) + motion.oracle.slop;
   // It is unknown how soon, if ever, an engine separates what overlaps at the start.
   const double parted_by =
@@ -202,7 +201,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                  });
     }
   };
-  for (const auto& [A, B] : CollidingPairs(world, subjects)) hold(A, B);
+  for (const auto& [A, B] : CollidingPairs(world, claim)) hold(A, B);
   return FindingsOf({worst});
 }
 

@@ -59,14 +59,23 @@ class Asking {
   bool one_motion_;
 };
 
-/** Returns the finding of the same law and measure, or null. */
-const Finding* Find(const Findings& findings, const Finding& same) {
-  const auto found =
-      std::find_if(findings.begin(), findings.end(), [&](const Finding& finding) {
-        return finding.law == same.law && finding.measure == same.measure &&
-               finding.reference == same.reference;
-      });
-  return found == findings.end() ? nullptr : &*found;
+bool IsSame(const Finding& a, const Finding& b) {
+  return a.law == b.law && a.measure == b.measure && a.reference == b.reference;
+}
+
+/** Returns the counterpart in `findings` of `all[index]`, or null: of the findings of the
+ same law and measure, the one in the same place. Several claims of one law have several.
+ */
+const Finding* Find(const Findings& findings, std::span<const Finding> all,
+                    std::size_t index) {
+  const auto is_same = [&](const Finding& finding) {
+    return IsSame(finding, all[index]);
+  };
+  const auto before = all.first(index);
+  auto left = std::count_if(before.begin(), before.end(), is_same);
+  for (const Finding& finding : findings)
+    if (is_same(finding) && left-- == 0) return &finding;
+  return nullptr;
 }
 
 /** Returns whether a world gave no motion to judge. */
@@ -103,14 +112,17 @@ std::vector<Difference> DifferencesOf(const OracleInfo& info) {
   return differences;
 }
 
-/** Returns the parameters whose default lets `finding` pass, as the end of a sentence. */
-std::string WhatDecides(const Finding& finding, std::span<const Difference> differences) {
+/** Returns the parameters whose default lets `findings[index]` pass, as the end of a
+ * sentence.
+ */
+std::string WhatDecides(std::span<const Finding> findings, std::size_t index,
+                        std::span<const Difference> differences) {
   std::vector<std::string> all;
   std::vector<std::string> alone;
   for (const Difference& difference : differences) {
     all.push_back(difference.InWords());
     if (FailureToAnswer(difference.shipped)) continue;
-    const Finding* found = Find(difference.shipped, finding);
+    const Finding* found = Find(difference.shipped, findings, index);
     if (found && found->verdict == Verdict::kPass) alone.push_back(difference.InWords());
   }
   if (!alone.empty())
@@ -133,8 +145,9 @@ void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
   const Findings shipped = asking.With({.as_shipped = true, .chosen = {}});
   const Finding* silent = FailureToAnswer(shipped);
   if (silent && silent->verdict == Verdict::kUnsupported) return;
-  for (Finding& finding : findings) {
-    const Finding* found = silent ? silent : Find(shipped, finding);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    Finding& finding = findings[i];
+    const Finding* found = silent ? silent : Find(shipped, findings, i);
     if (found == nullptr || (!fails(finding) && (silent || !fails(*found)))) continue;
     finding.shipped = !fails(finding) ? Shipped::kShippedOnly
                       : fails(*found) ? Shipped::kBoth
@@ -152,8 +165,9 @@ void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
     setup.chosen[difference.parameter->name] = difference.parameter->shipped;
     difference.shipped = asking.With(setup);
   }
-  for (Finding& finding : findings) {
-    if (here_only(finding)) finding.shipped_because += WhatDecides(finding, differences);
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    if (here_only(findings[i]))
+      findings[i].shipped_because += WhatDecides(findings, i, differences);
   }
 }
 

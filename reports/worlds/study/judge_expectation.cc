@@ -145,7 +145,8 @@ class Expected {
     for (std::size_t s = SampleOf(expectation_.time); s < Count(); ++s) {
       const At at = AtSample(s);
       const double speed = at.v_W.norm() + at.w_W.norm() * at.radius;
-      if (speed <= fastest) continue;
+      // Written so that a NaN is the fastest of all.
+      if (speed <= fastest || std::isnan(fastest)) continue;
       fastest = speed;
       when = motion_.trajectory.times[s];
     }
@@ -163,15 +164,14 @@ class Expected {
       double apart = (at.p_W - state.p_W).norm();
       if (at.q_WB && state.q_WB)
         apart += at.radius * at.q_WB->angularDistance(state.q_WB->normalized());
-      if (apart <= farthest) continue;
+      if (apart <= farthest || std::isnan(farthest)) continue;
       farthest = apart;
       worst = &state;
     }
     finding_.value = farthest;
     finding_.proof = fmt::format(
-        "{}:{} expects {} at {} after {:.6g} s; {} has it elsewhere, a point of it "
-        "{:.6g} "
-        "m off",
+        "{}:{} expects {} at {} after {:.6g} s; {} has it elsewhere, each "
+        "point of it at most {:.6g} m off",
         expected.file, worst->line, worst->name, FormatVector(worst->p_W, 9), worst->time,
         motion_.oracle.name, farthest);
     return finding_;

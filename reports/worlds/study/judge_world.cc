@@ -158,8 +158,16 @@ class Judgement {
   /** Adds what a law found; `name` is that of the law in its proof. */
   Finding& Add(const LawFinding& found, const Law& law, const Claim& claim,
                std::string_view name) {
-    Finding& finding = Add(found.measure, found.value, found.tolerance);
+    Finding& finding = Add(found, found.measure, name);
     finding.law = claim.law;
+    if (finding.verdict == Verdict::kFail) Attribute(finding, found.grants, law, claim);
+    return finding;
+  }
+
+  /** Adds what a law found, as a finding of `measure`, without law and cause of failure.
+   `what` starts the proof of a failure. */
+  Finding& Add(const LawFinding& found, MeasureKind measure, std::string_view what) {
+    Finding& finding = Add(measure, found.value, found.tolerance);
     if (found.grants == Grants::kStep) finding.safety = kSafety;
     if (!found.recognised.empty()) {
       finding.cause = Cause::kModel;
@@ -167,8 +175,7 @@ class Judgement {
       finding.proof = found.proof;
     } else if (!(found.value <= found.tolerance.value)) {
       finding.verdict = Verdict::kFail;
-      finding.proof = fmt::format("{}: {}", name, found.proof);
-      Attribute(finding, found.grants, law, claim);
+      finding.proof = fmt::format("{}: {}", what, found.proof);
     }
     return finding;
   }
@@ -274,21 +281,13 @@ class Judgement {
     const Motion motion{world, study_.oracle, *study_.quarter};
     for (const LawFinding& found : law.judge(motion, claim)) {
       if (found.measure != MeasureKind::kPositionError) continue;
-      Finding& finding = Add(MeasureKind::kLimitError, found.value,
-                             {found.tolerance.value,
-                              "at a quarter of the step: " + found.tolerance.because});
-      if (found.grants == Grants::kStep) finding.safety = kSafety;
-      if (!found.recognised.empty()) {
-        finding.cause = Cause::kModel;
-        finding.cause_because = found.recognised;
-        finding.proof = found.proof;
-      } else if (!(found.value <= found.tolerance.value)) {
-        finding.verdict = Verdict::kFail;
-        finding.cause = Cause::kDefect;
-        finding.cause_because = "it does not approach the truth as the step shrinks";
-        finding.proof =
-            fmt::format("{}: at a quarter of the step, {}", claim.law, found.proof);
-      }
+      LawFinding near = found;
+      near.tolerance.because = "at a quarter of the step: " + near.tolerance.because;
+      Finding& finding =
+          Add(near, MeasureKind::kLimitError, claim.law + ": at a quarter of the step");
+      if (finding.verdict != Verdict::kFail) continue;
+      finding.cause = Cause::kDefect;
+      finding.cause_because = "it does not approach the truth as the step shrinks";
     }
   }
 

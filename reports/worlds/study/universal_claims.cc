@@ -1,19 +1,15 @@
 #include "reports/worlds/study/universal_claims.h"
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "reports/worlds/law_support/isolated_system.h"
-#include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/laws/laws.h"
 
 namespace touchstone {
 namespace {
-
-constexpr std::string_view kSlack = "slack";
 
 /** Returns whether a motion that obeys the law `claimed` obeys `universal` too. */
 bool Implies(std::string_view claimed, std::string_view universal) {
@@ -28,10 +24,10 @@ std::optional<Claim> BesideClaimed(Claim universal, const std::vector<Claim>& cl
     if (!Implies(claim.law, universal.law)) continue;
     if (claim.about.empty() && ProjectionOf(claim).isIdentity(0)) return std::nullopt;
     if (!of_each) continue;
-    for (const std::string& name : claim.about) std::erase(universal.about, name);
-    const double slack =
-        std::max(NumberOr(claim, kSlack, 0), NumberOr(universal, kSlack, 0));
-    if (slack > 0) universal.numbers[std::string(kSlack)] = slack;
+    for (const std::string& name : claim.about) {
+      std::erase(universal.about, name);
+      universal.claimed.push_back(name);
+    }
   }
   if (of_each && universal.about.empty()) return std::nullopt;
   return universal;

@@ -12,8 +12,8 @@ namespace touchstone {
 
  - a claim about everything replaces that of its law, unless it speaks of one direction
    alone; conserves_energy replaces energy_never_rises too;
- - a claim about some things replaces it for those, if the law judges each by itself. The
-   `slack` that the file grants them is granted the others too: they may touch. */
+ - a claim about some things replaces it for those, if the law judges each by itself, and
+   for their pairs with the others (Claim::claimed). */
 std::vector<Claim> UniversalClaims(const WorldScenario& scenario);
 
 }  // namespace touchstone

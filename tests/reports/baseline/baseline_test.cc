@@ -53,6 +53,18 @@ TEST(Baseline, IsReadFromTheReportThatARunWrites) {
   EXPECT_TRUE(baseline.cells.contains(of_law));
 }
 
+TEST(Baseline, KeepsTheWorstOfSeveralFindingsOfACell) {
+  RunReport report = Report();
+  for (Finding& finding : report.findings) finding.scenario = report.findings[0].scenario;
+  report.findings[1].verdict = Verdict::kUndecidable;
+  report.findings[1].value = std::nan("");
+  report.findings[2].verdict = Verdict::kPass;
+  const Baseline baseline = BaselineOf(report);
+  ASSERT_EQ(baseline.cells.size(), 1U);
+  EXPECT_EQ(baseline.cells.begin()->second.verdict, Verdict::kFail);
+  EXPECT_TRUE(std::isnan(baseline.cells.begin()->second.value));
+}
+
 TEST(Baseline, RefusesWhatIsNoReport) {
   for (const std::string_view text :
        {"", "{", "[]", "3", "{\"format\": \"touchstone report\", \"version\": 1}",

@@ -19,7 +19,7 @@ namespace {
 
 using Altered = std::optional<ContactAnswer>;
 
-/** The ratio of an alteration to the tolerance of what it changes. */
+/** The ratio of an alteration to the accuracy of what it changes. */
 constexpr double kClearly = 10;
 
 bool HasHalfSpace(const ContactQuery& query) {
@@ -51,8 +51,8 @@ double Extent(std::span<const Eigen::Vector3d> points) {
  until both bodies reach there. */
 std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
                                          const Eigen::Vector3d& n_W, double separation,
-                                         const Tolerances& tolerances) {
-  const double e = tolerances.position.value;
+                                         const Accuracy& accuracy) {
+  const double e = accuracy.length;
   const ContactPatch patch = PatchAlong(query, n_W, separation, e);
   const Eigen::Vector3d middle = Middle(patch.vertices_W);
   std::vector<Eigen::Vector3d> points;
@@ -68,10 +68,15 @@ std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
   return points;
 }
 
+/** Roundings of the scene's size that a right answer may be off by: a separating-axis
+ test in the frame of a body costs 54.5 (reports/contacts/tolerances.h has the sum),
+ stated here again so that a change there is seen. [-] */
+constexpr double kAccurateRoundings = 64;
+
 /** Returns a number of either sign whose magnitude is log-uniform from kClearly times
- `tolerance` to `most`; empty if there is none. */
-std::optional<double> ClearlyBeyond(double tolerance, double most, RandomScene& random) {
-  const double least = kClearly * tolerance;
+ `accuracy` to `most`; empty if there is none. */
+std::optional<double> ClearlyBeyond(double accuracy, double most, RandomScene& random) {
+  const double least = kClearly * accuracy;
   if (!(least < most)) return std::nullopt;
   const double amount = least * std::pow(most / least, random.Uniform(0, 1));
   return random.Uniform(0, 1) < 0.5 ? -amount : amount;
@@ -89,23 +94,21 @@ std::size_t Any(std::size_t count, RandomScene& random) {
 }
 
 /** Returns whether the patch is so wide that leaving half of it out must be seen: its
- extent and its blur are far beyond the tolerances, see PatchBlur(). */
+ extent and its blur are far beyond the accuracy, see PatchBlur(). */
 bool MustSpan(const RightlyAnswered& q) {
   if (!q.right.touching || q.right.points.size() < 2) return false;
   // Shallower patches need not be covered.
-  if (*q.right.separation > -kClearly * q.tolerances.position.value) return false;
-  const ContactPatch patch =
-      CertainPatch(q.query, *q.right.n_AB_W, *q.right.separation, q.truth.input_rounding,
-                   q.tolerances.position.value);
+  if (*q.right.separation > -kClearly * q.accuracy.length) return false;
+  const ContactPatch patch = CertainPatch(q.query, *q.right.n_AB_W, *q.right.separation,
+                                          q.truth.input_rounding, q.accuracy.length);
   return patch.vertices_W.size() > 1 &&
-         Extent(patch.vertices_W) > kClearly * q.tolerances.across.value &&
-         PatchBlur(patch, *q.right.n_AB_W, q.tolerances.position.value) < 0.01;
+         Extent(patch.vertices_W) > kClearly * q.accuracy.across &&
+         PatchBlur(patch, *q.right.n_AB_W, q.accuracy.length) < 0.01;
 }
 
 Altered OtherTouching(const RightlyAnswered& q, RandomScene&) {
   const double s = std::abs(*q.right.separation);
-  if (q.truth.touching == Touching::kUndecided ||
-      s < kClearly * q.tolerances.separation.value)
+  if (q.truth.touching == Touching::kUndecided || s < kClearly * q.accuracy.length)
     return std::nullopt;
   ContactAnswer answer = q.right;
   answer.touching = !answer.touching;
@@ -113,8 +116,7 @@ Altered OtherTouching(const RightlyAnswered& q, RandomScene&) {
 }
 
 Altered OtherSeparation(const RightlyAnswered& q, RandomScene& random) {
-  const auto by =
-      ClearlyBeyond(q.tolerances.separation.value, q.tolerances.fine * 100, random);
+  const auto by = ClearlyBeyond(q.accuracy.length, q.accuracy.fine * 100, random);
   if (!by) return std::nullopt;
   ContactAnswer answer = q.right;
   *answer.separation += *by;
@@ -134,7 +136,7 @@ Altered RotatedNormal(const RightlyAnswered& q, RandomScene& random) {
   const double excess =
       plane ? angle * SmallerExtent(q.query)
             : static_cast<double>(-GapAlong(q.query, n) + Wide(q.truth.separation.lo));
-  const double tolerance = std::max(q.tolerances.excess.value, q.tolerances.apart.value);
+  const double tolerance = std::max(q.accuracy.excess, q.accuracy.apart);
   if (excess < kClearly * tolerance) return std::nullopt;
   if (plane && angle < kClearly * tolerance / SmallestFeature(q.query))
     return std::nullopt;
@@ -145,19 +147,17 @@ Altered FlippedNormal(const RightlyAnswered& q, RandomScene&) {
   ContactAnswer answer = q.right;
   *answer.n_AB_W *= -1;
   const bool plane = HasHalfSpace(q.query);
-  if (plane && kClearly * q.tolerances.apart.value < SmallestFeature(q.query))
-    return answer;
+  if (plane && kClearly * q.accuracy.apart < SmallestFeature(q.query)) return answer;
   if (plane) return std::nullopt;
   const double excess = static_cast<double>(-GapAlong(q.query, *answer.n_AB_W) +
                                             Wide(q.truth.separation.lo));
-  if (excess < kClearly * q.tolerances.excess.value) return std::nullopt;
+  if (excess < kClearly * q.accuracy.excess) return std::nullopt;
   return answer;
 }
 
 Altered ContactOffTheSurfaces(const RightlyAnswered& q, RandomScene& random) {
   if (!q.right.touching) return std::nullopt;
-  const auto by =
-      ClearlyBeyond(q.tolerances.position.value, q.tolerances.fine * 10, random);
+  const auto by = ClearlyBeyond(q.accuracy.length, q.accuracy.fine * 10, random);
   if (!by) return std::nullopt;
   ContactAnswer answer = q.right;
   ContactPoint& contact = answer.points[Any(answer.points.size(), random)];
@@ -167,8 +167,7 @@ Altered ContactOffTheSurfaces(const RightlyAnswered& q, RandomScene& random) {
 
 Altered ContactOffThePatch(const RightlyAnswered& q, RandomScene& random) {
   if (!q.right.touching) return std::nullopt;
-  const auto by =
-      ClearlyBeyond(q.tolerances.across.value, q.tolerances.fine * 50, random);
+  const auto by = ClearlyBeyond(q.accuracy.across, q.accuracy.fine * 50, random);
   if (!by) return std::nullopt;
   ContactAnswer answer = q.right;
   const Eigen::Vector3d middle = Middle(PositionsOf(answer));
@@ -179,16 +178,14 @@ Altered ContactOffThePatch(const RightlyAnswered& q, RandomScene& random) {
   contact.p_WC += std::abs(*by) * direction;
   // Another place may be as deep: a curved body, or a patch without corners there.
   const WitnessPoints on = SurfacePointsOf(contact, *answer.n_AB_W);
-  if (SurfaceError(q.query, on) < kClearly * q.tolerances.position.value)
-    return std::nullopt;
+  if (SurfaceError(q.query, on) < kClearly * q.accuracy.length) return std::nullopt;
   return answer;
 }
 
 Altered ContactOfOtherDepth(const RightlyAnswered& q, RandomScene& random) {
   if (!q.right.touching) return std::nullopt;
   // Half of the change appears at either body.
-  const auto by =
-      ClearlyBeyond(2 * q.tolerances.position.value, q.tolerances.fine * 10, random);
+  const auto by = ClearlyBeyond(2 * q.accuracy.length, q.accuracy.fine * 10, random);
   if (!by) return std::nullopt;
   ContactAnswer answer = q.right;
   ContactPoint& contact = answer.points[Any(answer.points.size(), random)];
@@ -196,23 +193,21 @@ Altered ContactOfOtherDepth(const RightlyAnswered& q, RandomScene& random) {
   // Sides along the normal keep both points on the surfaces. Only the bodies' extent
   // beyond them tells, which counts from the tolerance across the normal.
   const WitnessPoints on = SurfacePointsOf(contact, *answer.n_AB_W);
-  if (SurfaceError(q.query, on) < kClearly * q.tolerances.position.value &&
-      std::abs(*by) < 2 * kClearly * q.tolerances.across.value)
+  if (SurfaceError(q.query, on) < kClearly * q.accuracy.length &&
+      std::abs(*by) < 2 * kClearly * q.accuracy.across)
     return std::nullopt;
   return answer;
 }
 
 Altered ExchangedWitnesses(const RightlyAnswered& q, RandomScene&) {
-  if (std::abs(*q.right.separation) < kClearly * q.tolerances.apart.value)
-    return std::nullopt;
+  if (std::abs(*q.right.separation) < kClearly * q.accuracy.apart) return std::nullopt;
   ContactAnswer answer = q.right;
   std::swap(answer.witnesses->p_WCa, answer.witnesses->p_WCb);
   return answer;
 }
 
 Altered WitnessMovedAlong(const RightlyAnswered& q, RandomScene& random) {
-  const auto by =
-      ClearlyBeyond(3 * q.tolerances.position.value, q.tolerances.fine * 10, random);
+  const auto by = ClearlyBeyond(3 * q.accuracy.length, q.accuracy.fine * 10, random);
   if (!by) return std::nullopt;
   ContactAnswer answer = q.right;
   answer.witnesses->p_WCb += *by * *answer.n_AB_W;
@@ -246,9 +241,8 @@ Altered DroppedContacts(const RightlyAnswered& q, RandomScene& random) {
               answer.points.end());
   answer.points.erase(answer.points.begin() + keep, answer.points.end());
   // A corner may be so near to its neighbours that nothing is lost.
-  const ContactPatch patch =
-      CertainPatch(q.query, *q.right.n_AB_W, *q.right.separation, q.truth.input_rounding,
-                   q.tolerances.position.value);
+  const ContactPatch patch = CertainPatch(q.query, *q.right.n_AB_W, *q.right.separation,
+                                          q.truth.input_rounding, q.accuracy.length);
   if (PatchUnspanned(patch, *q.right.n_AB_W, answer.points) < 0.2) return std::nullopt;
   return answer;
 }
@@ -262,8 +256,7 @@ Altered AllContactsDropped(const RightlyAnswered& q, RandomScene&) {
 
 Altered SurplusContact(const RightlyAnswered& q, RandomScene& random) {
   if (!q.right.touching) return std::nullopt;
-  const auto by =
-      ClearlyBeyond(q.tolerances.position.value, q.tolerances.fine * 50, random);
+  const auto by = ClearlyBeyond(q.accuracy.length, q.accuracy.fine * 50, random);
   if (!by) return std::nullopt;
   ContactAnswer answer = q.right;
   ContactPoint added = answer.points[Any(answer.points.size(), random)];
@@ -273,7 +266,7 @@ Altered SurplusContact(const RightlyAnswered& q, RandomScene& random) {
 }
 
 Altered RepeatedContact(const RightlyAnswered& q, RandomScene& random) {
-  if (!q.right.touching || *q.right.separation > -kClearly * q.tolerances.position.value)
+  if (!q.right.touching || *q.right.separation > -kClearly * q.accuracy.length)
     return std::nullopt;
   ContactAnswer answer = q.right;
   answer.points.push_back(answer.points[Any(answer.points.size(), random)]);
@@ -353,7 +346,7 @@ Altered Reordered(const RightlyAnswered& q, RandomScene& random) {
 
 Altered MoreContacts(const RightlyAnswered& q, RandomScene& random) {
   if (q.right.points.size() < 2 ||
-      Extent(PositionsOf(q.right)) < kClearly * q.tolerances.across.value)
+      Extent(PositionsOf(q.right)) < kClearly * q.accuracy.across)
     return std::nullopt;
   ContactAnswer answer = q.right;
   ContactPoint added = answer.points[0];
@@ -375,7 +368,7 @@ Altered DrawnInByLittle(const RightlyAnswered& q, RandomScene& random) {
 Altered OtherWitnesses(const RightlyAnswered& q, RandomScene& random) {
   const Eigen::Vector3d& n_W = *q.right.n_AB_W;
   const std::vector<Eigen::Vector3d> points =
-      PatchPoints(q.query, n_W, *q.right.separation, q.tolerances);
+      PatchPoints(q.query, n_W, *q.right.separation, q.accuracy);
   if (points.size() < 2) return std::nullopt;
   Eigen::Vector3d p_W = points[0];
   for (const Eigen::Vector3d& p : points) p_W += random.Uniform(0, 1) * (p - p_W);
@@ -416,12 +409,11 @@ Altered OtherTie(const RightlyAnswered& q, RandomScene& random) {
   const Eigen::Vector3d m_W = (R * m_B).normalized();
   if ((m_W - *q.right.n_AB_W).norm() < 1e-6) return std::nullopt;
   const Enclosure overlap = Overlap(q.query, m_W);
-  if (!(overlap.hi + q.truth.separation.hi < q.tolerances.separation.value / 8))
-    return std::nullopt;
+  if (!(overlap.hi + q.truth.separation.hi < q.accuracy.length / 8)) return std::nullopt;
   ContactAnswer answer = q.right;
   answer.n_AB_W = m_W;
   answer.points.clear();
-  for (const Eigen::Vector3d& p_W : PatchPoints(q.query, m_W, -overlap.lo, q.tolerances))
+  for (const Eigen::Vector3d& p_W : PatchPoints(q.query, m_W, -overlap.lo, q.accuracy))
     answer.points.push_back({p_W, *answer.separation, {}});
   if (answer.points.empty()) return std::nullopt;
   answer.witnesses = SurfacePointsOf(answer.points.front(), m_W);
@@ -441,12 +433,29 @@ constexpr std::array kLegal = {
 
 }  // namespace
 
+Accuracy AccuracyOf(const ContactQuery& query, const ContactTruth& truth,
+                    double unit_roundoff) {
+  Accuracy accuracy;
+  const double e =
+      kAccurateRoundings * unit_roundoff * SceneSize(query) + truth.input_rounding;
+  accuracy.length = e;
+  const double distance = truth.separation.lo;
+  const double extents =
+      SumOfExtents(query) + (HasHalfSpace(query) ? 2 * SceneSize(query) : 0);
+  accuracy.apart = distance > 0 ? e + extents * std::min(1.0, e / distance) : e;
+  accuracy.excess = accuracy.apart + e;
+  const double extent = SmallerExtent(query);
+  accuracy.across = std::min(std::sqrt(8 * e * extent), extent);
+  accuracy.fine = 0.01 * (SmallestFeature(query) + std::max(0.0, distance));
+  return accuracy;
+}
+
 std::optional<ContactAnswer> RightAnswerOf(const ContactQuery& query,
                                            const ContactTruth& truth,
-                                           const Tolerances& tolerances) {
+                                           const Accuracy& accuracy) {
   const Enclosure& e = truth.separation;
-  if (e.hi - e.lo > tolerances.separation.value / 8) return std::nullopt;
-  if (tolerances.position.value > tolerances.fine) return std::nullopt;
+  if (e.hi - e.lo > accuracy.length / 8) return std::nullopt;
+  if (accuracy.length > accuracy.fine) return std::nullopt;
   ContactAnswer answer;
   answer.status = AnswerStatus::kAnswered;
   answer.separation = e.lo + (e.hi - e.lo) / 2;
@@ -457,7 +466,7 @@ std::optional<ContactAnswer> RightAnswerOf(const ContactQuery& query,
   answer.witnesses = {truth.certificate.p_WCa, truth.certificate.p_WCb};
   if (!answer.touching) return answer;
   for (const Eigen::Vector3d& p_W :
-       PatchPoints(query, *answer.n_AB_W, *answer.separation, tolerances)) {
+       PatchPoints(query, *answer.n_AB_W, *answer.separation, accuracy)) {
     answer.points.push_back({p_W, *answer.separation, {}});
   }
   if (answer.points.empty()) return std::nullopt;

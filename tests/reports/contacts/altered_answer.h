@@ -5,27 +5,46 @@
 #include <string_view>
 
 #include "oracles/contact_answer.h"
-#include "reports/contacts/tolerances.h"
+#include "reports/referee/contact_truth.h"
+#include "scenarios/contact_query.h"
 #include "tests/reports/referee/random_scene.h"
 
 namespace touchstone {
+
+/** The errors that an engine may make, by the size of the question and the engine's unit
+ roundoff alone. The judge's tolerances are not asked: if one of them grew too wide, an
+ alteration that grew with it would never show it. */
+struct Accuracy {
+  double length = 0;  ///< Of a length or a position along the normal. [m]
+  double apart = 0;   ///< Of the overlap along a normal between two nearest points. [m]
+  double excess = 0;  ///< Of the excess of a normal that was chosen among others. [m]
+  double across = 0;  ///< Of a deepest point across the normal. [m]
+  double fine = 0;    ///< A hundredth of the smallest feature and of the distance. [m]
+};
+
+/** Returns the accuracy of a right answer in arithmetic of that unit roundoff: 64
+ roundings of the scene and the rounding of its input for a length e; with the distance d
+ and both extents E, e + E min(1, e/d) for a normal of bodies that are apart; √(8 e D)
+ across a body of extent D. */
+Accuracy AccuracyOf(const ContactQuery& query, const ContactTruth& truth,
+                    double unit_roundoff);
 
 /** A question with its right answer, which an alteration changes. */
 struct RightlyAnswered {
   const ContactQuery& query;
   const ContactTruth& truth;
-  const Tolerances& tolerances;
+  const Accuracy& accuracy;
   const ContactAnswer& right;
   double unit_roundoff;  ///< Unit roundoff of the engine that answers.
 };
 
 /** Returns the right answer to `query`, with every field. Contacts lie at the corners of
  the patch, drawn to its middle until both bodies reach as deep there; witness points at
- the first contact. Empty where the truth is too wide to know it, or the tolerance too
+ the first contact. Empty where the truth is too wide to know it, or the accuracy too
  coarse to tell right from wrong. */
 std::optional<ContactAnswer> RightAnswerOf(const ContactQuery& query,
                                            const ContactTruth& truth,
-                                           const Tolerances& tolerances);
+                                           const Accuracy& accuracy);
 
 /** An alteration of a right answer. */
 struct Alteration {
@@ -36,7 +55,7 @@ struct Alteration {
 };
 
 /** Returns the alterations that make a right answer wrong, each by at least ten times the
- tolerance of what it changes. */
+ accuracy of what it changes. */
 std::span<const Alteration> WrongAlterations();
 
 /** Returns the alterations that leave an answer right. */

@@ -229,6 +229,35 @@ TEST(Judge, FindsMissingContactsOfADisc) {
       testing::ElementsAre(MeasureKind::kPatchCoverage, MeasureKind::kContactCount));
 }
 
+// The patch is a lens between two discs. The polygons around them are 2 % wider than the
+// discs, so a narrow lens has no corner between its tips that both bodies reach.
+TEST(Judge, LeavesACountOpenWhereNoCertifiedPointIsMissed) {
+  constexpr double r = 0.1;
+  const Pose X_WA = AwkwardPose();
+  int open = 0;
+  for (const double half_width : {0.06 * r, 0.08 * r, 0.1 * r, 0.12 * r}) {
+    Specimen s;
+    s.query = {{Cylinder{r, 0.2}, X_WA},
+               {Cylinder{r, 0.2}, Placed(X_WA, {2 * (r - half_width), 0, 0.4 - kDepth})}};
+    s.right.status = AnswerStatus::kAnswered;
+    s.right.touching = true;
+    s.right.n_AB_W = X_WA.R_WB.col(2);
+    s.right.separation = -kDepth;
+    const double x = r - half_width;
+    for (const double sign : {-1, 1}) {
+      const Eigen::Vector3d tip(x, sign * std::sqrt(r * r - x * x), 0.2 - kDepth / 2);
+      s.right.points.push_back({X_WA * tip, -kDepth, {}});
+    }
+    const std::vector<Finding> findings = Judged(s.query, s.right);
+    if (Of(MeasureKind::kPatchCoverage, findings).verdict != Verdict::kUndecidable)
+      continue;
+    ++open;
+    EXPECT_EQ(Of(MeasureKind::kContactCount, findings).verdict, Verdict::kUndecidable)
+        << half_width;
+  }
+  EXPECT_GT(open, 0);
+}
+
 /** Returns the findings on a float engine's answer to `s`, whose normal is off by a
  rounding or two. */
 std::vector<Finding> JudgedAsFloat(const Specimen& s) {

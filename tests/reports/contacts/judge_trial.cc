@@ -1,7 +1,10 @@
 // Gives the judge right answers to hard questions, each altered in one field. Half of
 // them are those of a double engine, half those of a float engine.
 //
-//     judge_trial [COUNT [SEED]]
+//     judge_trial [COUNT [SEED [WIDER]]]
+//
+// The alterations are sized by the question and the arithmetic alone. WIDER gives the
+// judge tolerances that are wider by so many times the roundings: the trial must notice.
 //
 // Asks until COUNT answers were made wrong and COUNT were altered legally, each counted
 // by kind. Returns 1 if the judge passes a wrong answer or fails a right one, or if a
@@ -15,6 +18,7 @@
 
 #include <fmt/format.h>
 
+#include "oracles/stated_tolerance.h"
 #include "reports/contacts/judge_answer.h"
 #include "reports/referee/referee.h"
 #include "reports/threads/parallel_for.h"
@@ -34,17 +38,21 @@ struct Judged {
   std::string complaint;  ///< The first wrong verdict; empty if there is none.
 };
 
-OracleInfo PromisesEverything(double unit_roundoff) {
+OracleInfo PromisesEverything(double unit_roundoff, double wider) {
   FakeOracle oracle("mine");
   oracle.info().unit_roundoff = unit_roundoff;
+  if (wider > 0) {
+    SetTolerance({.length = 0, .share = wider * 64 * unit_roundoff, .by = "the trial"},
+                 oracle.info());
+  }
   oracle.ForEachPair(
       [](Capability& capability) { capability.penetrating_witnesses = true; });
   return oracle.info();
 }
 
-Judged Judge(std::uint64_t seed, std::uint64_t index) {
-  static const OracleInfo in_double = PromisesEverything(0x1p-53);
-  static const OracleInfo in_float = PromisesEverything(0x1p-24);
+Judged Judge(std::uint64_t seed, std::uint64_t index, double wider) {
+  static const OracleInfo in_double = PromisesEverything(0x1p-53, wider);
+  static const OracleInfo in_float = PromisesEverything(0x1p-24, wider);
   // Each arithmetic meets every pair of shapes, family and hardening.
   const OracleInfo& oracle = (index / 48 + index / 432) % 2 == 0 ? in_double : in_float;
   Judged judged{std::vector(WrongAlterations().size(), Outcome::kNotMade),
@@ -54,11 +62,10 @@ Judged Judge(std::uint64_t seed, std::uint64_t index) {
   scenario.id = fmt::format("trial/{}/{}", seed, index);
   scenario.contact = HardQuestionAt(seed, index).query;
   const ContactTruth truth = ComputeContactTruth(scenario.contact);
-  const Tolerances tolerances =
-      TolerancesOf(oracle, scenario, truth, truth.separation.hi <= 0);
-  const auto right = RightAnswerOf(scenario.contact, truth, tolerances);
+  const Accuracy accuracy = AccuracyOf(scenario.contact, truth, oracle.unit_roundoff);
+  const auto right = RightAnswerOf(scenario.contact, truth, accuracy);
   if (!right) return judged;
-  const RightlyAnswered question{scenario.contact, truth, tolerances, *right,
+  const RightlyAnswered question{scenario.contact, truth, accuracy, *right,
                                  oracle.unit_roundoff};
   RandomScene random(seed * 1000003 + index);
 
@@ -134,7 +141,7 @@ std::size_t Print(std::string_view title, std::span<const Alteration> alteration
   return faults;
 }
 
-int Main(std::uint64_t count, std::uint64_t seed) {
+int Main(std::uint64_t count, std::uint64_t seed, double wider) {
   std::vector<Tally> wrong(WrongAlterations().size());
   std::vector<Tally> legal(LegalAlterations().size());
   int complaints = 0;
@@ -145,8 +152,9 @@ int Main(std::uint64_t count, std::uint64_t seed) {
   for (std::uint64_t first = 0; Total(wrong) < count || Total(legal) < count;
        first += kBatch) {
     std::vector<Judged> all(kBatch);
-    ParallelFor(kBatch, 0,
-                [&](std::size_t i) { all[i] = Judge(seed, kStride * (first + i)); });
+    ParallelFor(kBatch, 0, [&](std::size_t i) {
+      all[i] = Judge(seed, kStride * (first + i), wider);
+    });
     for (const Judged& judged : all) {
       for (std::size_t k = 0; k < wrong.size(); ++k) wrong[k].Add(judged.wrong[k]);
       for (std::size_t k = 0; k < legal.size(); ++k) legal[k].Add(judged.legal[k]);
@@ -165,5 +173,6 @@ int Main(std::uint64_t count, std::uint64_t seed) {
 int main(int argc, char** argv) {
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 2000;
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-  return touchstone::Main(count, seed);
+  const double wider = argc > 3 ? std::strtod(argv[3], nullptr) : 0;
+  return touchstone::Main(count, seed, wider);
 }

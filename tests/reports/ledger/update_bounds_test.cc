@@ -104,6 +104,20 @@ TEST(UpdateBounds, NamesTheVerdictWithoutAValue) {
   EXPECT_EQ(Updated(report).bounds.at(CellOfFailure(0)).verdict, Verdict::kCrashed);
 }
 
+TEST(UpdateBounds, NamesTheWorstVerdictOfACell) {
+  for (const bool last : {false, true}) {
+    RunReport report = ReportOfFailures({0.01, 0.01}, 0.05);
+    report.ledger.bounds.clear();
+    report.findings[1].scenario = report.findings[0].scenario;
+    report.findings[last ? 1 : 0].verdict = Verdict::kInvalid;
+    LedgerEntry invalid = report.ledger.entries[0];
+    invalid.verdict = Verdict::kInvalid;
+    report.ledger.entries.push_back(invalid);
+    EXPECT_EQ(Updated(report).bounds.at(CellOfFailure(0)).verdict, Verdict::kInvalid)
+        << last;
+  }
+}
+
 TEST(ProposedBound, IsAWholeNumberForACountAndAtMostOneForAShare) {
   EXPECT_EQ(ProposedBound(MeasureKind::kContactCount, 3), 3);
   EXPECT_EQ(ProposedBound(MeasureKind::kPatchCoverage, 0.9), 1);

@@ -76,6 +76,7 @@ Comparison Compare(std::uint64_t seed, std::uint64_t index) {
   return result;
 }
 
+/** @pre `sorted` is not empty. */
 double Quantile(const std::vector<double>& sorted, double share) {
   const double last = static_cast<double>(sorted.size() - 1);
   return sorted[static_cast<std::size_t>(share * last)];
@@ -208,5 +209,9 @@ int Main(std::uint64_t count, std::uint64_t seed) {
 int main(int argc, char** argv) {
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 3024;
   const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  if (count == 0) {
+    fmt::print(stderr, "referee_trial: COUNT is {}; expected a number > 0\n", argv[1]);
+    return 2;
+  }
   return touchstone::Main(count, seed);
 }

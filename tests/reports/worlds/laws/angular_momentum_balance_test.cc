@@ -101,6 +101,65 @@ TEST(AngularMomentumBalance, JudgesNoEngineWithoutImpulsesAndNoHeldBody) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("angular_momentum_balance")).size(), 1U);
 }
 
+TEST(AngularMomentumBalance, GrantsNoSeparationThatTheBodiesDoNotHave) {
+  const World world = Slipping();
+  for (const double lie : {-0.5, 0.5}) {
+    Trajectory trajectory = Slipped(world, 0.9);
+    for (ContactImpulse& contact : trajectory.impulses) contact.separation = lie;
+    EXPECT_TRUE(Finds(Judge(world, trajectory, ClaimOf("angular_momentum_balance")),
+                      MeasureKind::kAngularMomentumBalance))
+        << lie;
+  }
+}
+
+TEST(AngularMomentumBalance, GrantsTheDepthThatTheBodiesHave) {
+  // Impulses that act at the bottom of the ball, or at the surface of the ground above
+  // it.
+  World world = Slipping();
+  constexpr double kDepth = 0.01;
+  world.bodies[0].placed.X_WB.p_WB.y() -= kDepth;
+  Trajectory trajectory = Slipped(world);
+  for (ContactImpulse& contact : trajectory.impulses) {
+    contact.separation = -kDepth;
+    contact.p_WC.y() += kDepth;
+  }
+  EXPECT_TRUE(Passes(Judge(world, trajectory, ClaimOf("angular_momentum_balance"))));
+}
+
+TEST(AngularMomentumBalance, GrantsNoLeverBeyondTheBody) {
+  // Moving the point along the impulse changes no moment. The body is not isotropic, so a
+  // long lever would be granted as turning with the body.
+  World world = Slipping();
+  world.bodies[0].inertia = Eigen::Vector3d(0.02, 0.03, 0.032);
+  const auto judged = [&](double share, double along) {
+    Trajectory trajectory = Slipped(world, share);
+    for (ContactImpulse& contact : trajectory.impulses)
+      contact.p_WC += along * contact.J_B_W.normalized();
+    return Judge(world, trajectory, ClaimOf("angular_momentum_balance"));
+  };
+  EXPECT_TRUE(Passes(judged(1, 0)));
+  EXPECT_TRUE(Finds(judged(0.9, 1000), MeasureKind::kAngularMomentumBalance));
+}
+
+TEST(AngularMomentumBalance, GrantsPositionCorrectionTheTurnOfItsDepthAndNoMore) {
+  // A contact at the centre has no lever: correcting it turns nothing.
+  World world = Slipping();
+  world.bodies[0].inertia = Eigen::Vector3d(0.02, 0.03, 0.032);
+  world.bodies[0].w_WB.z() = 5;
+  Trajectory trajectory = Slipped(world, 0);
+  for (std::size_t i = 0; i < trajectory.impulses.size(); ++i) {
+    ContactImpulse& contact = trajectory.impulses[i];
+    contact.p_WC = (trajectory.samples[i].bodies[0].p_WB +
+                    trajectory.samples[i + 1].bodies[0].p_WB) /
+                   2;
+    contact.separation = -1e-9;
+  }
+  for (std::size_t s = 0; s < trajectory.samples.size(); ++s)
+    trajectory.samples[s].bodies[0].w_WB.z() = s % 2 == 0 ? 5 : 4.8;
+  EXPECT_TRUE(Finds(Judge(world, trajectory, ClaimOf("angular_momentum_balance")),
+                    MeasureKind::kAngularMomentumBalance));
+}
+
 TEST(TurnsOnce, angular_momentum_balance) {
   const World world = Slipping();
   EXPECT_TRUE(TurnsOnce(world, Slipped(world), ClaimOf("angular_momentum_balance")));

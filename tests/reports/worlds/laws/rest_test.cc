@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "reports/worlds/truth/mechanics.h"
@@ -280,6 +281,23 @@ TEST(CoulombCone, RecognisesABoxThatTurnsWithTheSlipIfTheEngineStatesItsDirectio
   EXPECT_EQ(rubbing(0.3, 1), "");  // Then it is outside the box that is stated.
   EXPECT_EQ(rubbing(0, 0.9), "");  // A short direction would shrink the impulse.
   EXPECT_EQ(rubbing(0, 0), "");    // Without a statement, no fixed directions fit.
+}
+
+TEST(CoulombCone, JudgesAnEngineThatShowsItsBoxByThatBox) {
+  // At the corner of the box the friction is 0.41 N s beyond the circle. One contact
+  // keeps a friction of 0.3 N s without a normal impulse.
+  const World world = Rubbed();
+  Trajectory trajectory = Rubbing(world, {0, 0});
+  for (ContactImpulse& contact : trajectory.impulses) {
+    contact.t_W = Eigen::Vector3d::UnitX();
+    contact.J_B_W = 2 * contact.n_AB_W + contact.t_W + contact.n_AB_W.cross(contact.t_W);
+  }
+  trajectory.impulses[5].J_B_W = 0.3 * trajectory.impulses[5].t_W;
+  const LawFinding finding =
+      Of(Judge(world, trajectory, ClaimOf("coulomb_cone")), MeasureKind::kConeViolation);
+  EXPECT_NEAR(finding.value, 0.3, 1e-12);
+  EXPECT_EQ(finding.recognised, "");
+  EXPECT_THAT(finding.proof, testing::HasSubstr("shows the L∞ friction cone, but gives"));
 }
 
 TEST(CoulombCone, FindsAContactThatPulls) {

@@ -18,16 +18,19 @@ using testing::HasSubstr;
 // Two balls in exact flight, to which a parameter may add a constant drift.
 class Drifting final : public Simulation {
  public:
-  Drifting(const World& world, double drift) : world_(world), drift_(drift) {}
+  /** The bodies before `first` do not drift. */
+  Drifting(const World& world, double drift, std::size_t first = 0)
+      : world_(world), drift_(drift), first_(first) {}
   void Push(int, const Eigen::Vector3d&, const Eigen::Vector3d&) override {}
   void Step() override { ++step_; }
   void Read(WorldState& state) const override {
     const double t = step_ * world_.dt;
     state.bodies.clear();
-    for (const RigidBody& body : world_.bodies) {
+    for (std::size_t i = 0; i < world_.bodies.size(); ++i) {
+      const RigidBody& body = world_.bodies[i];
       state.bodies.push_back(
           {body.placed.X_WB.p_WB + t * body.v_WB + 0.5 * t * t * world_.gravity_W +
-               Eigen::Vector3d(drift_ * t, 0, 0),
+               Eigen::Vector3d(i < first_ ? 0 : drift_ * t, 0, 0),
            Turned(Eigen::Quaterniond(body.placed.X_WB.R_WB), t * body.w_WB),
            body.v_WB + t * world_.gravity_W, body.w_WB});
     }
@@ -36,6 +39,7 @@ class Drifting final : public Simulation {
  private:
   World world_;
   double drift_;
+  std::size_t first_;
   int step_ = 0;
 };
 
@@ -156,6 +160,33 @@ TEST(CompareWithShipped, MarksAPassThatFailsAsShippedIfAnotherFaultHasItAskedAga
     EXPECT_EQ(finding.verdict, Verdict::kPass);
   }
   EXPECT_GE(marked, 1);
+}
+
+TEST(CompareWithShipped, ComparesEachOfSeveralClaimsOfOneLawWithItself) {
+  // The far ball drifts either way, the near one never.
+  class FarDrifts final : public Oracle {
+   public:
+    FarDrifts() : info_(DriftingOracle({1, 1}, {2, 1}).info()) {}
+    const OracleInfo& info() const override { return info_; }
+    using Oracle::Answer;
+    void Answer(std::span<const ContactQuery>, std::span<ContactAnswer>) const override {}
+    std::unique_ptr<Simulation> BeginWith(const World& world,
+                                          std::span<const double> values) const override {
+      return std::make_unique<Drifting>(world, values[0], 1);
+    }
+
+   private:
+    OracleInfo info_;
+  };
+  const FarDrifts oracle;
+  WorldScenario scenario = TwoBallsInFlight();
+  scenario.claims = {ClaimOf("ballistic", {"near"}), ClaimOf("ballistic", {"far"})};
+  std::vector<Finding> findings = ExamineWorld(scenario, oracle).findings;
+  CompareWithShipped(scenario, oracle, findings);
+  std::vector<Shipped> places;
+  for (const Finding& finding : findings)
+    if (finding.measure == MeasureKind::kPositionError) places.push_back(finding.shipped);
+  EXPECT_THAT(places, testing::ElementsAre(Shipped::kNotAsked, Shipped::kBoth));
 }
 
 TEST(CompareWithShipped, AsksNobodyTwiceWhoIsSetUpAsShipped) {

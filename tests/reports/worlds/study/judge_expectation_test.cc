@@ -1,5 +1,6 @@
 #include "reports/worlds/study/judge_expectation.h"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -171,6 +172,19 @@ TEST(JudgeExpectation, RestIsJudgedFromItsTimeToTheEnd) {
   EXPECT_TRUE(Holds(judged(0.3)));
   EXPECT_FALSE(Holds(judged(0.29)));
   EXPECT_EQ(judged(0.29).measure, MeasureKind::kVelocityError);
+}
+
+TEST(JudgeExpectation, ASpeedThatIsNoNumberIsNoRest) {
+  const World world = Flight();
+  const Trajectory lost = Sampled(world, [&](double t) {
+    WorldState state = FreeFlight(world).samples.front();
+    state.bodies[0].v_WB.setZero();
+    state.bodies[0].w_WB.setZero();
+    if (t > 0.245 && t < 0.255) state.bodies[0].w_WB.x() = std::nan("");
+    return state;
+  });
+  EXPECT_FALSE(Holds(JudgeExpectation({world, DoubleEngine(), lost},
+                                      {"ball", 0.1, 0.01, ExpectedRest{}, ""})));
 }
 
 TEST(JudgeExpectation, AReferenceTrajectoryHoldsEveryPointOfABody) {

@@ -135,6 +135,50 @@ const Finding& Heading(const std::vector<Finding>& findings) {
   });
 }
 
+/** A box that stands on the ground, exactly or `above` it. */
+WorldScenario StandingBox(double above) {
+  WorldScenario scenario;
+  scenario.id = "world/test/standing";
+  scenario.world.bodies = {
+      BodyOf("box", Box{{0.1, 0.2, 0.3}}, 1, {0.3, 0.2 + above, 0.1}), GroundOf()};
+  scenario.world.dt = 0.01;
+  scenario.world.steps = 100;
+  return scenario;
+}
+
+/** The verdict of an engine whose box is `off` its place from 0.5 s on, but only in a
+ world that was moved. */
+Verdict OffInAMovedWorld(const WorldScenario& scenario, const Eigen::Vector3d& off) {
+  const double x = scenario.world.bodies[0].placed.X_WB.p_WB.x();
+  const FakeSimulator engine("engine", [&](const World& world) {
+    const bool is_moved = std::abs(world.bodies[0].placed.X_WB.p_WB.x() - x) > 1e-9 &&
+                          world.bodies[0].placed.X_WB.R_WB.isIdentity(0);
+    return Sampled(world, [&](double t) {
+      WorldState state = FreeFlight(world).samples.front();
+      if (is_moved && t > 0.495) state.bodies[0].p_WB += off;
+      return state;
+    });
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  const std::vector<WorldScenario> worlds = {scenario};
+  for (const Finding& finding : RunWorlds(worlds, oracles, 1, {}).findings) {
+    if (finding.measure == MeasureKind::kTranslation) return finding.verdict;
+  }
+  ADD_FAILURE() << "no translation was judged";
+  return Verdict::kUnsupported;
+}
+
+TEST(JudgeVariant, GrantsTheFallOfAStepToAContactThatRoundingDecides) {
+  constexpr double kFall = 9.82 * 0.01 * 0.01;  // [m]
+  EXPECT_EQ(OffInAMovedWorld(StandingBox(0), {0, -kFall, 0}), Verdict::kPass);
+  EXPECT_EQ(OffInAMovedWorld(StandingBox(0), {0, -1.1 * kFall, 0}), Verdict::kFail);
+  EXPECT_EQ(OffInAMovedWorld(StandingBox(0), {1e-6, 0, 0}), Verdict::kFail) << "across";
+  EXPECT_EQ(OffInAMovedWorld(StandingBox(0), {0, -0.3 * kFall, 0}), Verdict::kFail)
+      << "no step falls so far";
+  EXPECT_EQ(OffInAMovedWorld(StandingBox(1e-9), {0, -kFall, 0}), Verdict::kFail)
+      << "no contact at the start";
+}
+
 TEST(UnstableMotion, DoesNotFailARightEngineForAmplifiedRounding) {
   const std::vector<Finding> findings = FindingsOnTheHump([](double) { return 0.0; });
   for (const Finding& finding : findings) {

@@ -83,12 +83,13 @@ TEST(UniversalClaims, AClaimOfTheFileIsNotJudgedTwice) {
   EXPECT_EQ(Find(UniversalClaims(scenario), "momentum_balance"), nullptr);
 }
 
-TEST(UniversalClaims, GrantTheSlackOfAClaimToWhatItMayTouch) {
+TEST(UniversalClaims, GrantTheSlackOfAClaimToItsOwnPairsOnly) {
   WorldScenario scenario = TwoBalls();
   scenario.claims = {ClaimOf("never_penetrates", {"near"}, {{"slack", 0.01}})};
   const std::vector<Claim> claims = UniversalClaims(scenario);
   EXPECT_THAT(Find(claims, "never_penetrates")->about, ElementsAre("far"));
-  EXPECT_EQ(Find(claims, "never_penetrates")->numbers.at("slack"), 0.01);
+  EXPECT_THAT(Find(claims, "never_penetrates")->claimed, ElementsAre("near"));
+  EXPECT_THAT(Find(claims, "never_penetrates")->numbers, IsEmpty());
 }
 
 TEST(UniversalClaims, EnergyThatIsConservedNeverRises) {
@@ -140,6 +141,23 @@ TEST(UniversalLaws, FailAMotionThatSinksAndSayThatNoFileClaimsIt) {
   ASSERT_NE(found, findings.end());
   EXPECT_EQ(found->verdict, Verdict::kFail);
   EXPECT_THAT(found->proof, HasSubstr("never_penetrates, true of every motion: mine"));
+}
+
+TEST(UniversalLaws, JudgeThePairsThatNoClaimJudges) {
+  WorldScenario scenario = TwoBalls();
+  scenario.claims = {ClaimOf("never_penetrates", {"near"}, {{"slack", 0.01}})};
+  const auto penetration_fails = [&](const Eigen::Vector3d& far) {
+    const std::vector<Finding> findings = Judged(scenario, [&](const World& world) {
+      return Stepped(world, [&](WorldState& state) { state.bodies[1].p_WB = far; });
+    });
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+      return finding.measure == MeasureKind::kPenetration &&
+             finding.verdict == Verdict::kFail;
+    });
+  };
+  EXPECT_FALSE(penetration_fails({0.395, 0.2, 0})) << "5 mm in near";
+  EXPECT_TRUE(penetration_fails({0.385, 0.2, 0})) << "15 mm in near";
+  EXPECT_TRUE(penetration_fails({2, 0.195, 0})) << "5 mm in the ground";
 }
 
 TEST(UniversalLaws, FailAMotionThatGainsEnergy) {
