@@ -16,6 +16,7 @@
 #include "reports/writers/html_writer.h"
 #include "reports/writers/json_writer.h"
 #include "reports/writers/junit_writer.h"
+#include "reports/writers/report_data.h"
 #include "reports/writers/table_writer.h"
 
 namespace touchstone {
@@ -82,6 +83,13 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
   }
   for (const ReportFile& file : kReportFiles) {
     if (out) out->Write(file.name, [&](std::ostream& to) { file.write(report, to); });
+  }
+  if (out) {
+    out->Write("report.data", [&](std::ostream& to) {
+      to << ReportData(report, {.program = "touchstone 0.1.0",
+                                .command = "touchstone run",
+                                .fail_on = arguments.fail_on});
+    });
   }
   return ExitCode(report, arguments.fail_on);
 }

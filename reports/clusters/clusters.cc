@@ -35,7 +35,8 @@ Key KeyOf(const RunReport& report, const Finding& finding) {
 
 /** Returns the reason of a cluster outside the ledger. */
 std::string ReasonOf(const Finding& finding) {
-  std::string reason = fmt::format("{} {}", finding.oracle, FaultInWords(finding.measure));
+  std::string reason =
+      fmt::format("{} {}", finding.oracle, FaultInWords(finding.measure));
   switch (finding.verdict) {
     case Verdict::kCrashed:
     case Verdict::kTimedOut:
@@ -69,8 +70,8 @@ double Comparable(double share) {
 }
 
 /** Fills a cluster from its findings. */
-void Sum(const RunReport& report, const Clusters& all, const std::vector<double>& ordinary,
-         Cluster& cluster) {
+void Sum(const RunReport& report, const Clusters& all,
+         const std::vector<double>& ordinary, Cluster& cluster) {
   std::map<std::size_t, std::size_t> oracles;
   std::map<std::size_t, std::pair<Band, double>> questions;
   std::pair<Band, double> worst{Band::kNone, -1};
@@ -97,8 +98,9 @@ void Sum(const RunReport& report, const Clusters& all, const std::vector<double>
   const bool is_touch = finding.measure == MeasureKind::kTouching;
   cluster.unit = is_touch ? "m" : UnitOf(finding.measure);
   cluster.error =
-      is_touch ? cluster.share * SizeOfQuestion(report, all.places[cluster.worst].question)
-               : finding.value;
+      is_touch
+          ? cluster.share * SizeOfQuestion(report, all.places[cluster.worst].question)
+          : finding.value;
   for (const auto& [oracle, count] : oracles) cluster.oracles.push_back(oracle);
   std::ranges::stable_sort(cluster.oracles, std::greater{},
                            [&](std::size_t o) { return oracles.at(o); });

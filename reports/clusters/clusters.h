@@ -33,19 +33,19 @@ Band BandOf(const Finding& finding, double share);
 /** Faults with one cause: those that one reason of the ledger explains, or those of one
  oracle, measure and cause outside it. */
 struct Cluster {
-  std::string reason;    ///< The ledger's text, or the fault and its cause in words.
-  std::string upstream;  ///< A link, "unreported", or "" outside the ledger.
-  bool is_new = false;   ///< Whether it is not in the ledger.
-  Band band = Band::kNone;              ///< The gravest.
-  Cause cause = Cause::kNone;           ///< That of the worst finding.
-  std::vector<std::size_t> findings;    ///< Indices, in the order of the report.
-  std::vector<std::size_t> oracles;     ///< Those that share it, most findings first.
-  std::vector<std::size_t> questions;   ///< Gravest first, then the most ordinary.
-  std::size_t worst = 0;                ///< Finding of the gravest band and largest share.
-  double error = 0;                     ///< Of the worst. [unit]
-  std::string unit;                     ///< "m" for a wrong hit or miss.
-  double share = 0;                     ///< Of the worst. [-]
-  double ordinary = 0;                  ///< Of its most ordinary question, see OrdinaryOf().
+  std::string reason;       ///< The ledger's text, or the fault and its cause in words.
+  std::string upstream;     ///< A link, "unreported", or "" outside the ledger.
+  bool is_new = false;      ///< Whether it is not in the ledger.
+  Band band = Band::kNone;  ///< The gravest.
+  Cause cause = Cause::kNone;          ///< That of the worst finding.
+  std::vector<std::size_t> findings;   ///< Indices, in the order of the report.
+  std::vector<std::size_t> oracles;    ///< Those that share it, most findings first.
+  std::vector<std::size_t> questions;  ///< Gravest first, then the most ordinary.
+  std::size_t worst = 0;               ///< Finding of the gravest band and largest share.
+  double error = 0;                    ///< Of the worst. [unit]
+  std::string unit;                    ///< "m" for a wrong hit or miss.
+  double share = 0;                    ///< Of the worst. [-]
+  double ordinary = 0;  ///< Of its most ordinary question, see OrdinaryOf().
   /** What it does to a user: the largest band · (1 + ordinary) / 2 of its findings, with
    bands numbered from 0. A gross error in an everyday question precedes a wrong hit in a
    contrived one. [-] */
@@ -65,8 +65,8 @@ struct Clusters {
 /** Returns the clusters of everything that fails or is known. */
 Clusters ClustersOf(const RunReport& report);
 
-/** Returns a cluster as one plain sentence without a stop: "dBoxBox prefers a face by 5 %:
- Bullet and ODE; 41 scenarios; up to 4.8 cm, 5 % of the size". */
+/** Returns a cluster as one plain sentence without a stop: "dBoxBox prefers a face by 5
+ %: Bullet and ODE; 41 scenarios; up to 4.8 cm, 5 % of the size". */
 std::string SentenceOf(const RunReport& report, const Cluster& cluster);
 
 /** Returns the oracles of a cluster in words: the libraries, or the oracles if all are of

@@ -37,9 +37,8 @@ double OrdinaryOf(const ContactQuery& query, const ContactTruth& truth) {
   constexpr double kNearestDecades = 3;
   const double extent = SmallerExtent(query);
   const double thickness = 2 * SmallestFeature(query);
-  const double nearness =
-      std::min(kNearestDecades,
-               DecadesAbove(extent / 1000, LeastSeparation(truth.separation)));
+  const double nearness = std::min(
+      kNearestDecades, DecadesAbove(extent / 1000, LeastSeparation(truth.separation)));
   return 1 / (1 + DecadesOfExtent(extent) + DecadesAbove(extent / thickness, 10) +
               DecadesAbove(SceneSize(query) / extent, 100) + nearness);
 }
@@ -63,7 +62,8 @@ double OrdinaryOf(const World& world) {
     fastest = std::max(fastest, body.v_WB.norm());
   }
   for (const Particle& particle : world.particles) weigh(particle.mass);
-  double decades = DecadesAbove(heaviest / lightest, 100) + DecadesAbove(world.dt, 1.0 / 30);
+  double decades =
+      DecadesAbove(heaviest / lightest, 100) + DecadesAbove(world.dt, 1.0 / 30);
   if (extent < kInfinity) {
     decades += DecadesOfExtent(extent) + DecadesAbove(farthest / extent, 1000) +
                DecadesAbove(fastest * world.dt / extent, 1);

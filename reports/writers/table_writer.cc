@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "reports/text/counted.h"
+#include "reports/writers/conclusion.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/world_words.h"
 
@@ -320,17 +321,6 @@ void WriteUnsupported(const RunReport& report, std::span<const Outcome> outcomes
   WriteCounted(reasons, out);
 }
 
-std::string_view Headline(int code) {
-  switch (code) {
-    case 0:
-      return "OK";
-    case 1:
-      return "FAILED";
-    default:
-      return "NOTHING VERIFIED";
-  }
-}
-
 void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
                  const TableStyle& style, const Painter& paint, std::ostream& out) {
   VerdictCounts counts;
@@ -348,25 +338,9 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   }
   out << fmt::format("\n{} × {}: {}\n", Counted(QuestionCount(report), "scenario"),
                      Counted(report.oracles.size(), "oracle"), list);
-  const std::string failed = FailedReferences(report, outcomes);
-  const int unsupported = of_subject[Verdict::kUnsupported];
-  const std::string not_examined =
-      unsupported > 0 ? fmt::format(", was not examined in {}", unsupported) : "";
-  const std::string worse =
-      report.regressions.empty()
-          ? ""
-          : fmt::format(", {} worse than in the baseline",
-                        Counted(report.regressions.size(), "finding"));
   const int code = ExitCode(report, style.fail_on);
-  out << paint(
-             code == 0 ? Colour::kGood : Colour::kBad,
-             fmt::format("{}: {} failed in {}{}, references in {}{}, {} in the scenario "
-                         "files and the ledger{}",
-                         Headline(code), report.subject,
-                         Counted(of_subject.failed(), "scenario"), not_examined,
-                         Counted(counts.failed() - of_subject.failed(), "answer"),
-                         failed.empty() ? "" : fmt::format(" ({})", failed),
-                         Counted(report.faults.size(), "fault"), worse))
+  out << paint(code == 0 ? Colour::kGood : Colour::kBad,
+               ConclusionOf(report, outcomes, style.fail_on))
       << '\n';
   if (counts[Verdict::kKnown] > 0) {
     out << paint(Colour::kKnown,

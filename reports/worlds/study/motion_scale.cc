@@ -39,19 +39,19 @@ double FastestOf(const World& world, const WorldState& state) {
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     if (world.bodies[i].mass == 0) continue;
     const double radius = BoundingRadius(world.bodies[i].placed.shape);
-    fastest = std::max(fastest,
-                       state.bodies[i].v_WB.norm() + state.bodies[i].w_WB.norm() * radius);
+    fastest = std::max(
+        fastest, state.bodies[i].v_WB.norm() + state.bodies[i].w_WB.norm() * radius);
   }
   for (const PointState& point : state.particles)
     fastest = std::max(fastest, point.v_W.norm());
-  for (const PointState& point : state.nodes) fastest = std::max(fastest, point.v_W.norm());
+  for (const PointState& point : state.nodes)
+    fastest = std::max(fastest, point.v_W.norm());
   return fastest;
 }
 
 double LargestLoadOf(const World& world) {
-  double largest = world.particles.empty() && world.cloths.empty()
-                       ? 0
-                       : world.gravity_W.norm();
+  double largest =
+      world.particles.empty() && world.cloths.empty() ? 0 : world.gravity_W.norm();
   for (const RigidBody& body : world.bodies) {
     if (body.mass > 0) largest = std::max(largest, AccelerationOf(world, body).norm());
   }
