@@ -20,17 +20,28 @@
 namespace touchstone {
 namespace {
 
-/** What the findings of one cluster share. */
-using Key = std::tuple<std::string, std::string, Verdict, MeasureKind, Cause>;
+/** Returns the start of a reason up to its first colon or stop. */
+std::string HeadlineOf(const std::string& reason) {
+  const std::size_t end = std::min(reason.find(": "), reason.find(". "));
+  std::string headline = reason.substr(0, end);
+  while (headline.ends_with('.')) headline.pop_back();
+  return headline;
+}
+
+const LedgerEntry& EntryOf(const RunReport& report, const Finding& finding) {
+  return report.ledger.entries[static_cast<std::size_t>(*finding.ledger_entry)];
+}
+
+/** What the findings of one cluster share: the headline of a reason; or the oracle,
+ verdict, measure and cause. */
+using Key = std::tuple<std::string, Verdict, MeasureKind, Cause>;
 
 Key KeyOf(const RunReport& report, const Finding& finding) {
   if (finding.ledger_entry) {
-    const LedgerEntry& entry =
-        report.ledger.entries[static_cast<std::size_t>(*finding.ledger_entry)];
-    return {entry.reason, entry.upstream, Verdict::kKnown, MeasureKind::kTouching,
-            Cause::kNone};
+    return {HeadlineOf(EntryOf(report, finding).reason), Verdict::kKnown,
+            MeasureKind::kTouching, Cause::kNone};
   }
-  return {finding.oracle, "", finding.verdict, finding.measure, finding.cause};
+  return {finding.oracle, finding.verdict, finding.measure, finding.cause};
 }
 
 /** Returns the reason of a cluster outside the ledger. */
@@ -92,6 +103,9 @@ void Sum(const RunReport& report, const Clusters& all,
     }
   }
   const Finding& finding = report.findings[cluster.worst];
+  cluster.is_new = !finding.ledger_entry;
+  cluster.reason = cluster.is_new ? ReasonOf(finding) : EntryOf(report, finding).reason;
+  if (!cluster.is_new) cluster.upstream = EntryOf(report, finding).upstream;
   cluster.band = worst.first;
   cluster.cause = finding.cause;
   cluster.share = all.shares[cluster.worst];
@@ -102,6 +116,8 @@ void Sum(const RunReport& report, const Clusters& all,
           ? cluster.share * SizeOfQuestion(report, all.places[cluster.worst].question)
           : finding.value;
   for (const auto& [oracle, count] : oracles) cluster.oracles.push_back(oracle);
+  cluster.gravity += std::log2(static_cast<double>(oracles.size())) / 2 +
+                     std::log10(static_cast<double>(questions.size())) / 2;
   std::ranges::stable_sort(cluster.oracles, std::greater{},
                            [&](std::size_t o) { return oracles.at(o); });
   for (const auto& [question, size] : questions) cluster.questions.push_back(question);
@@ -111,19 +127,11 @@ void Sum(const RunReport& report, const Clusters& all,
   });
 }
 
-/** Returns the start of a reason up to its first colon or stop, if that is a sentence of
- its own. */
-std::string HeadlineOf(const std::string& reason) {
-  const std::size_t end = std::min(reason.find(": "), reason.find(". "));
-  std::string headline = reason.substr(0, end);
-  while (headline.ends_with('.')) headline.pop_back();
-  return headline;
-}
-
 /** Returns the size of the worst fault in words, after "; "; "" without one. */
 std::string SizeInWords(const Finding& worst, const Cluster& cluster) {
   if (worst.verdict == Verdict::kCrashed || worst.verdict == Verdict::kTimedOut ||
-      worst.verdict == Verdict::kInvalid || cluster.band == Band::kNone) {
+      worst.verdict == Verdict::kInvalid || worst.measure == MeasureKind::kAnswering ||
+      cluster.band == Band::kNone) {
     return "";
   }
   const std::string size = SiQuantity(cluster.error, cluster.unit);
@@ -178,13 +186,6 @@ Clusters ClustersOf(const RunReport& report) {
     const Finding& finding = report.findings[f];
     if (!IsFailure(finding.verdict) && finding.verdict != Verdict::kKnown) continue;
     Cluster& cluster = clusters[KeyOf(report, finding)];
-    if (cluster.findings.empty()) {
-      cluster.is_new = !finding.ledger_entry;
-      const auto entry = static_cast<std::size_t>(finding.ledger_entry.value_or(0));
-      cluster.reason =
-          cluster.is_new ? ReasonOf(finding) : report.ledger.entries[entry].reason;
-      if (!cluster.is_new) cluster.upstream = report.ledger.entries[entry].upstream;
-    }
     cluster.findings.push_back(f);
   }
   const std::vector<double> ordinary = OrdinaryOfAll(report);

@@ -30,13 +30,14 @@ std::string_view NameOf(Band band);
  `share`: see SharesOf(). A known finding keeps the grade of its failure. */
 Band BandOf(const Finding& finding, double share);
 
-/** Faults with one cause: those that one reason of the ledger explains, or those of one
- oracle, measure and cause outside it. */
+/** Faults with one cause: those that the ledger explains by reasons with one headline,
+ the text up to the first colon or stop; or those of one oracle, verdict, measure and
+ cause outside it. */
 struct Cluster {
-  std::string reason;       ///< The ledger's text, or the fault and its cause in words.
-  std::string upstream;     ///< A link, "unreported", or "" outside the ledger.
-  bool is_new = false;      ///< Whether it is not in the ledger.
-  Band band = Band::kNone;  ///< The gravest.
+  std::string reason;    ///< The ledger's for the worst finding, or the fault in words.
+  std::string upstream;  ///< A link, "unreported", or "" outside the ledger.
+  bool is_new = false;   ///< Whether it is not in the ledger.
+  Band band = Band::kNone;             ///< The gravest.
   Cause cause = Cause::kNone;          ///< That of the worst finding.
   std::vector<std::size_t> findings;   ///< Indices, in the order of the report.
   std::vector<std::size_t> oracles;    ///< Those that share it, most findings first.
@@ -46,9 +47,10 @@ struct Cluster {
   std::string unit;                    ///< "m" for a wrong hit or miss.
   double share = 0;                    ///< Of the worst. [-]
   double ordinary = 0;  ///< Of its most ordinary question, see OrdinaryOf().
-  /** What it does to a user: the largest band · (1 + ordinary) / 2 of its findings, with
-   bands numbered from 0. A gross error in an everyday question precedes a wrong hit in a
-   contrived one. [-] */
+  /** What it does to users: the largest band · (1 + ordinary) / 2 of its findings, with
+   bands numbered from 0, plus log2(oracles) / 2 and log10(questions) / 2. A gross error
+   in an everyday question precedes a wrong hit in a contrived one; and a fault that four
+   engines share, or that a hundred questions show, counts one band more. [-] */
   double gravity = 0;
 };
 

@@ -1,18 +1,17 @@
 #include "reports/writers/report_data.h"
 
-#include <array>
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "reports/baseline/baseline.h"
 #include "reports/clusters/clusters.h"
 #include "reports/text/counted.h"
 #include "reports/writers/conclusion.h"
 #include "reports/writers/data/contact_data.h"
-#include "reports/writers/data/deflate.h"
+#include "reports/writers/data/data_file.h"
 #include "reports/writers/data/findings_data.h"
 #include "reports/writers/data/json_values.h"
 #include "reports/writers/data/texts.h"
@@ -59,6 +58,9 @@ DataJson QuestionData(const RunReport& report, std::size_t i) {
   data["toml"] = i < contacts ? WriteScenario(report.scenarios[i].scenario)
                               : WriteScenario(report.worlds[i - contacts].scenario);
   data["size"] = ToData(SizeOfQuestion(report, i), 6);
+  data["rounding"] = DataJson::array();
+  for (std::size_t o = 0; o < report.oracles.size(); ++o)
+    data["rounding"].push_back(ToData(RoundingLength(report, i, o), 2));
   return data;
 }
 
@@ -162,11 +164,6 @@ class Scenes {
   std::vector<WorldData::Moment> moments_;
 };
 
-void AppendU32(std::size_t number, std::string& bytes) {
-  for (int shift = 0; shift < 32; shift += 8)
-    bytes += static_cast<char>(number >> shift & 0xff);
-}
-
 }  // namespace
 
 std::string ReportData(const RunReport& report, const RunFacts& facts) {
@@ -206,14 +203,7 @@ std::string ReportData(const RunReport& report, const RunFacts& facts) {
         {{"oracle", regression.oracle}, {"what", regression.what}});
   }
   data["texts"] = texts.all();
-  // Text from a third-party engine may not be valid UTF-8.
-  const std::string json = data.dump(-1, ' ', false, DataJson::error_handler_t::replace);
-  std::string bytes(kReportDataMagic);
-  AppendU32(kReportDataVersion, bytes);
-  AppendU32(json.size(), bytes);
-  bytes += json;
-  bytes += blob;
-  return Deflated(bytes);
+  return PackData({std::move(data), std::move(blob)});
 }
 
 }  // namespace touchstone

@@ -1,17 +1,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "reports/run_report.h"
 
 namespace touchstone {
-
-/** The first bytes of inflated report data. */
-inline constexpr std::string_view kReportDataMagic = "TSRD";
-
-/** The version of the format that ReportData() writes. */
-inline constexpr int kReportDataVersion = 1;
 
 /** What a page says of the run itself. */
 struct RunFacts {

@@ -69,7 +69,7 @@ list(APPEND own_rules
   "reports/clusters/ => reports/((text|finding|contacts)/|worlds/study/motion_scale[.]h|run_report[.]h|referee/contact_truth[.]h)|scenarios/(contact_query|measure_kind|worlds/world)[.]h"
   "reports/baseline/ => reports/((finding|ledger|contacts|worlds/study)/|run_report[.]h)|scenarios/diagnostic[.]h"
   "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
-  "reports/writers/ => reports/((text|referee|contacts|clusters|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|scenario_file|worlds/world_scenario)[.]h"
+  "reports/writers/ => scenarios/diagnostic[.]h|reports/((baseline|text|finding|referee|contacts|clusters|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|scenario_file|worlds/world_scenario)[.]h"
   "reports/sweep/ => reports/((text|writers)/|run[.]h|run_report[.]h)|oracles/oracle[.]h|scenarios/(generators/|scenario_file[.]h)"
   "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 

@@ -11,8 +11,8 @@
 namespace touchstone {
 namespace {
 
-constexpr int kDigits = 9;
-constexpr int kDirectionDigits = 7;
+/** All of a double: depths of 1e-12 m decide between answers at 1 m. */
+constexpr int kDigits = 17;
 
 struct ShapeToData {
   DataJson operator()(const Sphere& sphere) const {
@@ -57,7 +57,7 @@ DataJson TruthData(const ContactQuery& query, const ContactTruth& truth) {
   data["lo"] = ToData(truth.separation.lo, kDigits);
   data["hi"] = ToData(truth.separation.hi, kDigits);
   data["method"] = truth.method;
-  data["n"] = ToData(truth.certificate.n_AB_W, kDirectionDigits);
+  data["n"] = ToData(truth.certificate.n_AB_W, kDigits);
   data["pA"] = ToData(truth.certificate.p_WCa, kDigits);
   data["pB"] = ToData(truth.certificate.p_WCb, kDigits);
   data["patch"] = DataJson::array();
@@ -70,7 +70,7 @@ DataJson TruthData(const ContactQuery& query, const ContactTruth& truth) {
   const ContactPatch patch =
       PatchAlong(query, truth.certificate.n_AB_W, middle, truth.input_rounding);
   for (const Eigen::Vector3d& vertex : patch.vertices_W)
-    data["patch"].push_back(ToData(vertex, kDirectionDigits));
+    data["patch"].push_back(ToData(vertex, kDigits));
   return data;
 }
 
@@ -80,14 +80,14 @@ DataJson AnswerData(const ContactAnswer& answer, bool asked) {
   data["reason"] = answer.reason;
   if (!asked || answer.status != AnswerStatus::kAnswered) return data;
   data["touching"] = answer.touching;
-  if (answer.n_AB_W) data["n"] = ToData(*answer.n_AB_W, kDirectionDigits);
+  if (answer.n_AB_W) data["n"] = ToData(*answer.n_AB_W, kDigits);
   if (answer.separation) data["separation"] = ToData(*answer.separation, kDigits);
   if (!answer.points.empty()) {
     DataJson points = DataJson::array();
     for (const ContactPoint& point : answer.points) {
       DataJson of_point = {{"p", ToData(point.p_WC, kDigits)},
                            {"s", ToData(point.separation, kDigits)}};
-      if (point.n_AB_W) of_point["n"] = ToData(*point.n_AB_W, kDirectionDigits);
+      if (point.n_AB_W) of_point["n"] = ToData(*point.n_AB_W, kDigits);
       points.push_back(std::move(of_point));
     }
     data["points"] = std::move(points);

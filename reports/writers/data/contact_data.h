@@ -13,7 +13,7 @@ namespace touchstone {
 DataJson ShapeData(const Shape& shape);
 
 /** Returns a contact question with its truth and its answers, as `Contact`. `asked[o]`:
- whether oracle o answers contact queries at all. Lengths have nine digits. */
+ whether oracle o answers contact queries at all. Numbers round trip. */
 DataJson ContactData(const ScenarioResult& result, const std::vector<bool>& asked);
 
 /** Returns "answered", "unsupported", "crashed" or "timed out". */
