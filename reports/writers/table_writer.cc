@@ -138,14 +138,16 @@ void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
   }
 }
 
-void WriteFaults(const RunReport& report, const Painter& paint, std::ostream& out) {
+void WriteFaults(const RunReport& report, const TableStyle& style, const Painter& paint,
+                 std::ostream& out) {
   if (report.faults.empty()) return;
   out << '\n'
       << paint(Colour::kBold,
                "Faults in the scenario files and the ledger, not in an engine")
       << '\n';
   for (const std::string& fault : report.faults) {
-    out << "  " << paint(Colour::kBad, "✗") << ' ' << fault << '\n';
+    out << "  " << paint(Colour::kBad, "✗") << ' '
+        << Wrapped(fault, WidthWithin(style), 4) << '\n';
   }
 }
 
@@ -158,7 +160,8 @@ void WriteRegressions(const RunReport& report, const TableStyle& style,
       continue;
     if (first) out << '\n' << paint(Colour::kBold, "Worse than in the baseline") << '\n';
     first = false;
-    out << "  " << paint(Colour::kBad, "✗") << ' ' << regression.what << '\n';
+    out << "  " << paint(Colour::kBad, "✗") << ' '
+        << Wrapped(regression.what, WidthWithin(style), 4) << '\n';
   }
 }
 
@@ -197,7 +200,7 @@ void WriteClusters(const RunReport& report, std::span<const Outcome> outcomes,
   const auto is_new = std::ranges::count(clusters, true, &Cluster::is_new);
   out << '\n'
       << paint(Colour::kBold, "Faults")
-      << fmt::format(": {}, {} new, {} known to the ledger\n", clusters.size(), is_new,
+      << fmt::format(": {}, {} new, {} in the ledger\n", clusters.size(), is_new,
                      clusters.size() - static_cast<std::size_t>(is_new));
   for (std::size_t c = 0; c < std::min(kMost, clusters.size()); ++c) {
     const Cluster& cluster = clusters[c];
@@ -354,7 +357,7 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   if (!style.quiet) WriteTallies(report, outcomes, paint, out);
   WriteFailures(report, outcomes, style, paint, out);
-  WriteFaults(report, paint, out);
+  WriteFaults(report, style, paint, out);
   WriteRegressions(report, style, paint, out);
   const std::string stated = StatedTolerances(report) + WorldSetups(report);
   if (!stated.empty()) out << '\n' << stated;
