@@ -33,12 +33,36 @@ settings of the adapters: it hides no failure in a world of an oracle that is se
   touchstone run                                 run the whole catalogue on every engine
   touchstone run contact/box_box --subject ode   run one group with another subject
   touchstone run 'contact/zoo/fcl_*' --against fcl
-  touchstone run mine.toml --out report          also write report/index.html
+  touchstone run mine.toml --out report          also write report/report.html
+  touchstone run --open                          show the page in the browser
   touchstone run mine.toml --as-shipped --set ode:contact_erp=0.1
 )",
      "0 all pass or known; 1 failures of the subject, a reference or a file\n"
      "(references do not count with --fail-on subject); 2 bad input, or nothing of the\n"
      "subject was verified, even if references fail"},
+    {"report", R"(
+
+The page of a run holds its data and the viewer of the program that wrote it. This command
+puts the data of an earlier run, report.data, into the viewer of this program.
+)",
+     R"(
+  touchstone report yesterday -o yesterday.html
+  touchstone report yesterday/report.data -o yesterday.html
+)",
+     kShown},
+    {"compare", R"(
+
+Compares the findings of two runs, one by one: a measure (and law) of one oracle in one
+scenario. It is worse if its verdict is, or if its error has more than doubled and is beyond
+what rounding can cause. New are faults that only NEW has, gone those that only OLD has.
+Run both on the same machine, and let the exit code guard your own CI.
+)",
+     R"(
+  touchstone run --out yesterday                 run, keep the data
+  touchstone compare yesterday today             print what changed
+  touchstone compare yesterday today --html changes.html --junit changes.xml
+)",
+     "0 nothing is worse; 1 something is worse; 2 bad input"},
     {"explain", R"(
 
 For one scenario, prints the certified truth, the oracles that are right and wrong, all

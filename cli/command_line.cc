@@ -20,6 +20,7 @@
 #include "cli/commands/ledger_command.h"
 #include "cli/commands/list_command.h"
 #include "cli/commands/oracles_command.h"
+#include "cli/commands/report_command.h"
 #include "cli/commands/run_command.h"
 #include "cli/commands/simulate_command.h"
 #include "cli/commands/sweep_command.h"
@@ -39,7 +40,9 @@ constexpr const char* kIntroduction =
     "  touchstone run                          run the whole catalogue on every engine\n"
     "  touchstone run contact/box_box          run one group of scenarios\n"
     "  touchstone run mine.toml --out report   run your own scenario, write "
-    "report/index.html\n"
+    "report/report.html\n"
+    "  touchstone compare yesterday today      say what got worse, exit code 1 if "
+    "anything did\n"
     "  touchstone explain contact/zoo/fcl_395  show every answer to one scenario\n"
     "  touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0'\n"
     "  touchstone sweep contact --pair box box --count 100000\n"
@@ -62,6 +65,8 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.set_version_flag("--version", TOUCHSTONE_VERSION);
     AddRun();
+    AddReport();
+    AddCompare();
     AddExplain();
     AddAsk();
     AddList();
@@ -200,13 +205,17 @@ class CommandLine {
     AddScenarios(app, run_.scenarios);
     AddOracleOptions(app, run_.oracles);
     AddSetups(app);
-    app->add_option("--out", run_.out, "folder for index.html, report.json and junit.xml")
+    app->add_option("--out", run_.out,
+                    "folder for report.html, report.data, report.jsonl and junit.xml")
         ->type_name("DIR");
+    app->add_flag(
+        "--open", run_.open,
+        "show the page in the browser (without --out, from touchstone-report/)");
     app->add_option("--ledger", run_.ledger,
                     "ledger of known discrepancies (default: the built-in ledger)")
         ->type_name("FILE");
     app->add_option("--baseline", run_.baseline,
-                    "report.json of an earlier run: a finding with a worse verdict or "
+                    "report.jsonl of an earlier run: a finding with a worse verdict or "
                     "twice its error fails this run")
         ->type_name("FILE");
     app->add_option_function<std::string>(
@@ -221,6 +230,34 @@ class CommandLine {
     AddJobs(app, run_.jobs);
     app->add_flag("--quiet", run_.quiet,
                   "print only the failures that count and the last line");
+  }
+
+  void AddReport() {
+    CLI::App* app = AddCommand("report", "Write the page of an earlier run again",
+                               [this] { return ReportCommand(report_); });
+    app->add_option("RUN", report_.run,
+                    "folder that `touchstone run --out` wrote, or its report.data")
+        ->required()
+        ->type_name("");
+    app->add_option("-o,--out", report_.out, "the page")->required()->type_name("FILE");
+  }
+
+  void AddCompare() {
+    CLI::App* app = AddCommand("compare", "Say what changed from one run to another",
+                               [this] { return CompareCommand(compare_); });
+    app->add_option("OLD", compare_.before,
+                    "folder that `touchstone run --out` wrote, or its report.data")
+        ->required()
+        ->type_name("");
+    app->add_option("NEW", compare_.after, "the same of the later run")
+        ->required()
+        ->type_name("");
+    app->add_option("--json", compare_.json, "file for all changes as JSON")
+        ->type_name("FILE");
+    app->add_option("--junit", compare_.junit, "file for all changes as JUnit XML")
+        ->type_name("FILE");
+    app->add_option("--html", compare_.html, "file for the page of NEW with all changes")
+        ->type_name("FILE");
   }
 
   void AddExplain() {
@@ -419,6 +456,8 @@ class CommandLine {
   std::function<int()> command_;
   SetupArguments setups_;
   RunArguments run_;
+  ReportArguments report_;
+  CompareArguments compare_;
   AskArguments ask_;
   SweepArguments sweep_;
   LedgerArguments ledger_;

@@ -11,23 +11,23 @@
 #include <fmt/ranges.h>
 
 #include "cli/input_error.h"
+#include "cli/open_page.h"
 #include "cli/output_folder.h"
 #include "reports/baseline/baseline.h"
 #include "reports/writers/html_writer.h"
 #include "reports/writers/json_writer.h"
 #include "reports/writers/junit_writer.h"
+#include "reports/writers/report_data.h"
 #include "reports/writers/table_writer.h"
 
 namespace touchstone {
 namespace {
 
-struct ReportFile {
-  const char* name;
-  void (*write)(const RunReport&, std::ostream&);
-};
+constexpr std::array kReportFiles = {"report.html", "report.data", "report.jsonl",
+                                     "junit.xml"};
 
-constexpr std::array<ReportFile, 3> kReportFiles = {
-    {{"index.html", WriteHtml}, {"report.json", WriteJson}, {"junit.xml", WriteJUnit}}};
+/** The folder of `--open` without `--out`. */
+constexpr const char* kFolderToOpen = "touchstone-report";
 
 bool IsSetUpByDefault(const Oracle* oracle) {
   return oracle->info().setup.IsDefault();
@@ -38,6 +38,27 @@ Baseline BaselineIn(const std::filesystem::path& file) {
   BaselineResult result = ReadBaselineFile(file);
   if (!result.baseline) throw InputError(ToString(result.diagnostics.front()));
   return std::move(*result.baseline);
+}
+
+/** Returns the command that asks the same again, without what it does with the answers.
+ */
+std::string CommandOf(const RunArguments& arguments) {
+  std::string command = "touchstone run";
+  for (const std::string& pattern : arguments.scenarios.patterns)
+    command += " " + pattern;
+  command += " --subject " + arguments.oracles.subject;
+  if (!arguments.oracles.against.empty())
+    command += fmt::format(" --against {}", fmt::join(arguments.oracles.against, ","));
+  return command;
+}
+
+void WriteReports(const RunReport& report, const RunFacts& facts,
+                  const OutputFolder& out) {
+  const std::string data = ReportData(report, facts);
+  out.Write("report.data", [&](std::ostream& to) { to << data; });
+  out.Write("report.html", [&](std::ostream& to) { WritePage(data, to); });
+  out.Write("report.jsonl", [&](std::ostream& to) { WriteJson(report, to); });
+  out.Write("junit.xml", [&](std::ostream& to) { WriteJUnit(report, to); });
 }
 
 }  // namespace
@@ -58,10 +79,12 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
                  !std::all_of(oracles.begin(), oracles.end(), IsSetUpByDefault) ||
                  arguments.scenarios.catalogues != std::vector{session.catalogue()},
       .quiet = arguments.quiet};
+  std::optional<std::filesystem::path> folder = arguments.out;
+  if (!folder && arguments.open) folder = kFolderToOpen;
   std::optional<OutputFolder> out;
-  if (arguments.out) out.emplace(*arguments.out);
-  for (const ReportFile& file : kReportFiles) {
-    if (out) out->Check(file.name);
+  if (folder) out.emplace(*folder);
+  for (const char* file : kReportFiles) {
+    if (out) out->Check(file);
   }
   std::optional<Baseline> baseline;
   if (arguments.baseline) baseline = BaselineIn(*arguments.baseline);
@@ -71,6 +94,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
   WriteTable(report,
              {.colours = session.terminal.colours,
               .quiet = arguments.quiet,
+              .width = session.terminal.width,
               .fail_on = arguments.fail_on},
              std::cout);
   if (!session.registry.missing().empty() && arguments.oracles.against.empty()) {
@@ -80,9 +104,15 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
     std::cout << fmt::format("not installed: {}; see `touchstone oracles`\n",
                              fmt::join(names, ", "));
   }
-  for (const ReportFile& file : kReportFiles) {
-    if (out) out->Write(file.name, [&](std::ostream& to) { file.write(report, to); });
+  if (out) {
+    WriteReports(report,
+                 {.program = "touchstone " TOUCHSTONE_VERSION,
+                  .command = CommandOf(arguments),
+                  .fail_on = arguments.fail_on},
+                 *out);
+    std::cout << fmt::format("page: {}\n", (*folder / "report.html").string());
   }
+  if (arguments.open) OpenPage(*folder / "report.html");
   return ExitCode(report, arguments.fail_on);
 }
 

@@ -14,10 +14,11 @@ struct RunArguments {
   ScenarioSelection scenarios;
   OracleSelection oracles;
   std::optional<std::filesystem::path> ledger;  ///< Replaces the built-in ledger.
-  /** The report.json of an earlier run. A finding that got worse fails this run. */
+  /** The report.jsonl of an earlier run. A finding that got worse fails this run. */
   std::optional<std::filesystem::path> baseline;
   std::optional<std::filesystem::path>
-      out;  ///< Folder for the page, the JSON and the JUnit file.
+      out;  ///< Folder for the page, its data, the JSON Lines and the JUnit file.
+  bool open = false;  ///< Whether to show the page in the browser.
   FailOn fail_on = FailOn::kAnything;
   int jobs = 0;
   bool quiet = false;

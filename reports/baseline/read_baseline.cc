@@ -16,16 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* kExpected = "a report.json of `touchstone run --out DIR`";
-
-/** Returns the verdict of that name; empty if there is none. */
-std::optional<Verdict> VerdictNamed(const std::string& name) {
-  for (int i = 0; i <= static_cast<int>(Verdict::kInvalid); ++i) {
-    const auto verdict = static_cast<Verdict>(i);
-    if (NameOf(verdict) == name) return verdict;
-  }
-  return std::nullopt;
-}
+constexpr const char* kExpected = "a report.jsonl of `touchstone run --out DIR`";
 
 /** Returns whether `json` is a number as WriteJson() writes it. */
 bool IsNumber(const Json& json) {
@@ -46,20 +37,14 @@ std::string TextOf(const Json& finding, const char* key) {
 }
 
 /** Adds a finding to a baseline. Returns whether it is one. */
-bool Add(const Json& json, Baseline& baseline) {
-  if (!json.is_object()) return false;
+bool AddFinding(const Json& json, Baseline& baseline) {
   const std::optional<MeasureKind> measure = MeasureNamed(TextOf(json, "measure"));
   const std::optional<Verdict> verdict = VerdictNamed(TextOf(json, "verdict"));
   const auto value = json.find("value");
   if (!measure || !verdict || value == json.end() || !IsNumber(*value)) return false;
-  const double number = NumberOf(*value);
-  const LedgerCell cell{TextOf(json, "scenario"), TextOf(json, "oracle"), *measure,
-                        TextOf(json, "law")};
-  Baseline::Measured& worst =
-      baseline.cells.try_emplace(cell, Baseline::Measured{number, *verdict})
-          .first->second;
-  if (std::isnan(number) || number > worst.value) worst.value = number;
-  worst.verdict = Worse(worst.verdict, *verdict);
+  baseline.Add(
+      {TextOf(json, "scenario"), TextOf(json, "oracle"), *measure, TextOf(json, "law")},
+      {.value = NumberOf(*value), .verdict = *verdict});
   return true;
 }
 
@@ -69,41 +54,48 @@ Diagnostic At(const std::filesystem::path& file, int line, int column, std::stri
 
 }  // namespace
 
+void Baseline::Add(const LedgerCell& cell, const Measured& measured) {
+  Measured& worst = cells.try_emplace(cell, measured).first->second;
+  if (std::isnan(measured.value) || measured.value > worst.value)
+    worst.value = measured.value;
+  worst.verdict = Worse(worst.verdict, measured.verdict);
+  worst.floor = std::fmax(worst.floor, measured.floor);
+}
+
+std::optional<Verdict> VerdictNamed(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(Verdict::kInvalid); ++i) {
+    const auto verdict = static_cast<Verdict>(i);
+    if (NameOf(verdict) == name) return verdict;
+  }
+  return std::nullopt;
+}
+
 BaselineResult ReadBaseline(std::string_view text, const std::filesystem::path& file) {
-  // A report has more to say than its findings, much of it per scenario.
-  const auto keep = [](int depth, Json::parse_event_t event, const Json& key) {
-    return depth != 1 || event != Json::parse_event_t::key || key == "findings" ||
-           key == "format" || key == "version";
+  const auto refused = [&](int line, int column, std::string what) {
+    return BaselineResult{std::nullopt, {At(file, line, column, std::move(what))}};
   };
-  Json json;
-  try {
-    json = Json::parse(text, keep);
-  } catch (const Json::parse_error& error) {
-    const std::string_view before = text.substr(0, std::min(error.byte, text.size()));
-    const auto line = std::ranges::count(before, '\n');
-    const auto column = before.size() - (before.rfind('\n') + 1);
-    return {std::nullopt,
-            {At(file, static_cast<int>(line) + 1, std::max(1, static_cast<int>(column)),
-                "is not JSON")}};
-  } catch (const Json::exception&) {
-    return {std::nullopt, {At(file, 1, 1, "has a number that no double holds")}};
-  }
-  if (!json.is_object() || TextOf(json, "format") != "touchstone report" ||
-      !json.contains("findings") || !json["findings"].is_array()) {
-    return {std::nullopt, {At(file, 1, 1, "is no report")}};
-  }
-  if (json["version"] != 1) {
-    return {std::nullopt, {At(file, 1, 1, "is a report of another version")}};
-  }
   Baseline baseline;
-  int index = 0;
-  for (const Json& finding : json["findings"]) {
-    if (!Add(finding, baseline)) {
-      return {std::nullopt,
-              {At(file, 1, 1, fmt::format("finding {} cannot be read", index))}};
+  int line = 0;
+  for (std::size_t begin = 0; begin < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    Json json;
+    try {
+      json = Json::parse(text.substr(begin, end - begin));
+    } catch (const Json::parse_error& error) {
+      return refused(line + 1, std::max(1, static_cast<int>(error.byte)), "is not JSON");
+    } catch (const Json::exception&) {
+      return refused(line + 1, 1, "has a number that no double holds");
     }
-    ++index;
+    begin = end + 1;
+    if (!json.is_object()) return refused(line + 1, 1, "is no report");
+    if (line == 0 && TextOf(json, "format") != "touchstone report")
+      return refused(1, 1, "is no report");
+    if (line == 0 && json["version"] != 2)
+      return refused(1, 1, "is a report of another version");
+    if (TextOf(json, "kind") == "finding" && !AddFinding(json, baseline))
+      return refused(line + 1, 1, "is no finding that can be read");
   }
+  if (line == 0) return refused(1, 1, "is no report");
   return {std::move(baseline), {}};
 }
 

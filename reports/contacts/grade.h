@@ -6,9 +6,14 @@
 
 namespace touchstone {
 
-/** Returns the grade of a fault in the answer to `query`. Lengths are relative to
- the greatest extent of the smaller body. A wrong hit or miss is graded by the certified
- |separation|. A missing or repeated contact is gross. */
+/** Returns the value of a finding on `query` as a share of its size. Lengths are divided
+ by the greatest extent of the smaller body. A wrong hit or miss has the certified
+ |separation|, divided likewise. Angles [rad], fractions and counts are unchanged. [-] */
+double ShareOf(const Finding& finding, const ContactQuery& query,
+               const ContactTruth& truth);
+
+/** Returns the grade of a fault in the answer to `query`, by its share. A wrong hit or
+ miss beyond rounding has a grade of its own. A missing or repeated contact is gross. */
 Grade GradeOf(const Finding& finding, const ContactQuery& query,
               const ContactTruth& truth);
 

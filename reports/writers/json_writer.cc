@@ -374,18 +374,12 @@ Json ToJson(const VerdictCounts& counts) {
   return json;
 }
 
-// Writes one element per line, so that two reports can be compared line by line.
-template <typename ElementAt>
-void WriteArray(std::string_view name, std::size_t size, ElementAt element_at,
-                std::ostream& out) {
-  out << '"' << name << "\": [";
-  for (std::size_t i = 0; i < size; ++i) {
-    const Json element = element_at(i);
-    // Text from a third-party engine may not be valid UTF-8.
-    out << (i == 0 ? "\n" : ",\n")
-        << element.dump(-1, ' ', false, Json::error_handler_t::replace);
-  }
-  out << (size == 0 ? "]" : "\n]");
+// Writes an object as one line that names its kind first.
+void WriteLine(std::string_view kind, const Json& object, std::ostream& out) {
+  Json line = {{"kind", kind}};
+  line.update(object);
+  // Text from a third-party engine may not be valid UTF-8.
+  out << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace
@@ -396,38 +390,28 @@ void WriteJson(const RunReport& report, std::ostream& out) {
   for (const Outcome& outcome : outcomes) {
     if (outcome.asked) Count(outcome, counts);
   }
-
-  out << "{\"format\": \"touchstone report\", \"version\": 1,\n";
-  out << "\"subject\": " << Json(report.subject).dump() << ",\n";
-  out << "\"outcomes\": " << ToJson(counts).dump() << ",\n";
-  WriteArray(
-      "oracles", report.oracles.size(),
-      [&](std::size_t i) { return ToJson(report.oracles[i]); }, out);
-  out << ",\n";
-  WriteArray(
-      "scenarios", report.scenarios.size(),
-      [&](std::size_t i) { return ScenarioToJson(report, outcomes, i); }, out);
-  out << ",\n";
-  WriteArray(
-      "worlds", report.worlds.size(),
-      [&](std::size_t i) { return WorldToJson(report, outcomes, i); }, out);
-  out << ",\n";
-  WriteArray(
-      "findings", report.findings.size(),
-      [&](std::size_t i) { return ToJson(report.findings[i]); }, out);
-  out << ",\n";
-  WriteArray(
-      "ledger", report.ledger.entries.size(),
-      [&](std::size_t i) { return LedgerEntryToJson(report, i); }, out);
-  out << ",\n";
-  WriteArray(
-      "faults", report.faults.size(),
-      [&](std::size_t i) { return Json(report.faults[i]); }, out);
-  out << ",\n";
-  WriteArray(
-      "regressions", report.regressions.size(),
-      [&](std::size_t i) { return Json(report.regressions[i].what); }, out);
-  out << "\n}\n";
+  WriteLine("run",
+            {{"format", "touchstone report"},
+             {"version", 2},
+             {"subject", report.subject},
+             {"outcomes", ToJson(counts)}},
+            out);
+  for (const OracleInfo& oracle : report.oracles)
+    WriteLine("oracle", ToJson(oracle), out);
+  for (std::size_t i = 0; i < report.scenarios.size(); ++i)
+    WriteLine("scenario", ScenarioToJson(report, outcomes, i), out);
+  for (std::size_t i = 0; i < report.worlds.size(); ++i)
+    WriteLine("world", WorldToJson(report, outcomes, i), out);
+  for (const Finding& finding : report.findings)
+    WriteLine("finding", ToJson(finding), out);
+  for (std::size_t i = 0; i < report.ledger.entries.size(); ++i)
+    WriteLine("ledger", LedgerEntryToJson(report, i), out);
+  for (const std::string& fault : report.faults)
+    WriteLine("fault", {{"what", fault}}, out);
+  for (const Regression& regression : report.regressions) {
+    WriteLine("regression", {{"oracle", regression.oracle}, {"what", regression.what}},
+              out);
+  }
 }
 
 }  // namespace touchstone

@@ -6,9 +6,10 @@
 
 namespace touchstone {
 
-/** Writes all of `report` as JSON that follows docs/report.schema.json. Numbers round
- trip; non-finite numbers are the strings "NaN", "Infinity" and "-Infinity". The same
- report gives the same bytes. */
+/** Writes all of `report` as JSON Lines, each of which follows docs/report.schema.json: a
+ line "run", then one for each oracle, scenario, world, finding, ledger entry, fault and
+ regression. Numbers round trip; non-finite numbers are the strings "NaN", "Infinity" and
+ "-Infinity". The same report gives the same bytes. */
 void WriteJson(const RunReport& report, std::ostream& out);
 
 }  // namespace touchstone

@@ -4,8 +4,7 @@
 
 namespace touchstone {
 
-/** Contents of page.css and page.js, the style sheet and the script of the page. */
-extern const std::string_view kPageCss;
-extern const std::string_view kPageJs;
+/** Contents of reports/viewer/dist/viewer.html: the page of a report without data. */
+extern const std::string_view kViewerHtml;
 
 }  // namespace touchstone

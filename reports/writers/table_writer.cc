@@ -10,8 +10,12 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "reports/clusters/clusters.h"
 #include "reports/text/counted.h"
+#include "reports/text/wrapped.h"
+#include "reports/writers/conclusion.h"
 #include "reports/writers/outcome.h"
 #include "reports/writers/world_words.h"
 
@@ -86,44 +90,16 @@ std::string Heading(const Painter& paint, std::string_view title) {
                                           "unsupported", "worst/tol", "measure"));
 }
 
-// References without failures and known discrepancies share one row.
-bool IsWorthARow(std::size_t oracle, const Tally& tally) {
-  return oracle == 0 || tally.outcomes.failed() > 0 ||
-         tally.outcomes[Verdict::kKnown] > 0;
-}
-
-void WriteGroup(const RunReport& report, const GroupTally& group, const Painter& paint,
-                std::ostream& out) {
-  out << Heading(paint, fmt::format("{} ({})", group.group, group.scenarios));
-  Tally folded;
-  int others = 0;
-  for (std::size_t o = 0; o < group.oracles.size(); ++o) {
-    if (IsWorthARow(o, group.oracles[o])) {
-      out << Row(paint, report.oracles[o].name, group.oracles[o]);
-    } else {
-      folded.Add(group.oracles[o]);
-      ++others;
-    }
-  }
-  if (others > 0) out << Row(paint, Counted(others, "other"), folded);
-}
-
 void WriteTallies(const RunReport& report, std::span<const Outcome> outcomes,
                   const Painter& paint, std::ostream& out) {
   const std::vector<GroupTally> groups = TallyByGroup(report, outcomes);
-  // The table of a single group is also the table of all scenarios.
-  std::string all = fmt::format("all scenarios ({})", QuestionCount(report));
-  if (groups.size() == 1) {
-    all = fmt::format("{} ({})", groups.front().group, groups.front().scenarios);
-  } else {
-    for (const GroupTally& group : groups) WriteGroup(report, group, paint, out);
-    out << '\n';
-  }
-  out << Heading(paint, all);
+  out << Heading(
+      paint, groups.size() == 1
+                 ? fmt::format("{} ({})", groups.front().group, groups.front().scenarios)
+                 : fmt::format("all scenarios ({})", QuestionCount(report)));
   const std::vector<Tally> tallies = TallyByOracle(report, outcomes);
-  for (std::size_t o = 0; o < tallies.size(); ++o) {
+  for (std::size_t o = 0; o < tallies.size(); ++o)
     out << Row(paint, report.oracles[o].name, tallies[o]);
-  }
 }
 
 // Returns the other measures that fail next to the decisive one, so that one wrong answer
@@ -136,6 +112,11 @@ std::string AlsoFailing(const Outcome& outcome) {
                          RelativeInWords(finding));
   }
   return names.empty() ? "" : fmt::format("      also: {}\n", names);
+}
+
+/** Returns the width of a text that starts in column 4; 0 wraps nothing. */
+std::size_t WidthWithin(const TableStyle& style) {
+  return style.width > 4 ? style.width - 4 : 0;
 }
 
 void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
@@ -151,19 +132,22 @@ void WriteFailures(const RunReport& report, std::span<const Outcome> outcomes,
           << paint(Colour::kBold, IdOf(report, last))
           << fmt::format(": {}\n", TitleOf(report, last));
     }
-    out << "  " << paint(Colour::kBad, "✗") << ' ' << Sentence(*outcome.decisive) << '\n'
+    out << "  " << paint(Colour::kBad, "✗") << ' '
+        << Wrapped(Sentence(*outcome.decisive), WidthWithin(style), 4) << '\n'
         << AlsoFailing(outcome);
   }
 }
 
-void WriteFaults(const RunReport& report, const Painter& paint, std::ostream& out) {
+void WriteFaults(const RunReport& report, const TableStyle& style, const Painter& paint,
+                 std::ostream& out) {
   if (report.faults.empty()) return;
   out << '\n'
       << paint(Colour::kBold,
                "Faults in the scenario files and the ledger, not in an engine")
       << '\n';
   for (const std::string& fault : report.faults) {
-    out << "  " << paint(Colour::kBad, "✗") << ' ' << fault << '\n';
+    out << "  " << paint(Colour::kBad, "✗") << ' '
+        << Wrapped(fault, WidthWithin(style), 4) << '\n';
   }
 }
 
@@ -176,7 +160,8 @@ void WriteRegressions(const RunReport& report, const TableStyle& style,
       continue;
     if (first) out << '\n' << paint(Colour::kBold, "Worse than in the baseline") << '\n';
     first = false;
-    out << "  " << paint(Colour::kBad, "✗") << ' ' << regression.what << '\n';
+    out << "  " << paint(Colour::kBad, "✗") << ' '
+        << Wrapped(regression.what, WidthWithin(style), 4) << '\n';
   }
 }
 
@@ -199,60 +184,73 @@ void WriteVoidEntries(const RunReport& report, const Painter& paint, std::ostrea
   }
 }
 
-void WriteLedger(const RunReport& report, const Painter& paint, std::ostream& out) {
-  WriteVoidEntries(report, paint, out);
-  int hidden = 0;
-  std::size_t hiding = 0;
-  std::size_t untested = 0;
-  for (const LedgerUse& use : report.ledger_use) {
-    hidden += use.findings();
-    if (use.findings() > 0) ++hiding;
-    if (use.candidates == 0) ++untested;
-  }
-  // No entry applies to the questions of this run.
-  const std::size_t entries = report.ledger.entries.size();
-  if (untested == entries) return;
-  out << '\n'
-      << paint(Colour::kBold, "Ledger")
-      << fmt::format(": {} of {} hide{} {}; {} tested by this run\n", hiding,
-                     Counted(entries, "entry", "entries"), hiding == 1 ? "s" : "",
-                     Counted(hidden, "finding"),
-                     untested == 1 ? "1 was not" : fmt::format("{} were not", untested));
-  if (hidden == 0) return;
-  // One line per reason: an entry covers one pair of shapes, a reason often several.
-  struct Hidden {
-    const LedgerEntry* entry;
-    int findings = 0;
-  };
-  std::vector<Hidden> reasons;
-  for (std::size_t i = 0; i < report.ledger.entries.size(); ++i) {
-    const LedgerEntry& entry = report.ledger.entries[i];
-    const int hidden_by_it = report.ledger_use[i].findings();
-    if (hidden_by_it == 0) continue;
-    auto same = std::find_if(reasons.begin(), reasons.end(), [&](const Hidden& other) {
-      return other.entry->oracle == entry.oracle && other.entry->reason == entry.reason;
-    });
-    if (same == reasons.end()) same = reasons.insert(same, {&entry});
-    same->findings += hidden_by_it;
-  }
-  for (const auto& [entry, findings] : reasons) {
-    out << fmt::format("  {:>5}  {} {}: {} ({})\n", findings, entry->oracle,
-                       entry->version, entry->reason, entry->upstream);
-  }
-  out << "  For the proof of each: touchstone explain ID, or the page of --out DIR.\n";
+/** Returns the colour of a band. */
+Colour ColourOf(Band band) {
+  if (band >= Band::kGross) return Colour::kBad;
+  return band >= Band::kSmall ? Colour::kKnown : Colour::kDim;
 }
 
-/** Writes a line for each pair of oracle and text, with its count. */
-void WriteCounted(const std::map<std::pair<std::string_view, std::string_view>, int>& of,
+/** Writes the gravest clusters, and who was never wrong. */
+void WriteClusters(const RunReport& report, std::span<const Outcome> outcomes,
+                   const TableStyle& style, const Painter& paint, std::ostream& out) {
+  constexpr std::size_t kMost = 10;
+  constexpr std::size_t kIndent = 16;
+  const std::vector<Cluster> clusters = ClustersOf(report).ranked;
+  if (clusters.empty()) return;
+  const auto is_new = std::ranges::count(clusters, true, &Cluster::is_new);
+  out << '\n'
+      << paint(Colour::kBold, "Faults")
+      << fmt::format(": {}, {} new, {} in the ledger\n", clusters.size(), is_new,
+                     clusters.size() - static_cast<std::size_t>(is_new));
+  for (std::size_t c = 0; c < std::min(kMost, clusters.size()); ++c) {
+    const Cluster& cluster = clusters[c];
+    std::string sentence = SentenceOf(report, cluster);
+    if (cluster.is_new) sentence += " (new)";
+    out << "  "
+        << paint(ColourOf(cluster.band), fmt::format("{:<14}", NameOf(cluster.band)))
+        << Wrapped(std::string(kIndent, ' ') + sentence, style.width, kIndent)
+               .substr(kIndent)
+        << '\n';
+  }
+  if (clusters.size() > kMost) {
+    out << fmt::format("  and {} more, in the page of --out DIR or --open\n",
+                       clusters.size() - kMost);
+  }
+  std::vector<std::string_view> right;
+  const std::vector<Tally> tallies = TallyByOracle(report, outcomes);
+  for (std::size_t o = 0; o < tallies.size(); ++o) {
+    const VerdictCounts& counts = tallies[o].outcomes;
+    if (counts[Verdict::kPass] > 0 && counts.failed() + counts[Verdict::kKnown] == 0)
+      right.push_back(report.oracles[o].name);
+  }
+  if (!right.empty())
+    out << fmt::format("Never proved wrong: {}\n", fmt::join(right, ", "));
+}
+
+/** Writes a title and a line for each pair of oracle and text, with its count; the sum
+ alone in a run of many questions. */
+void WriteCounted(const RunReport& report, const Painter& paint, std::string_view title,
+                  const std::string& meaning,
+                  const std::map<std::pair<std::string_view, std::string_view>, int>& of,
                   std::ostream& out) {
+  if (of.empty()) return;
+  out << '\n' << paint(Colour::kBold, std::string(title)) << meaning;
+  constexpr std::size_t kFew = 20;
+  if (QuestionCount(report) > kFew) {
+    int all = 0;
+    for (const auto& [what, times] : of) all += times;
+    out << fmt::format(" {} times, for {}\n", all, Counted(of.size(), "reason"));
+    return;
+  }
+  out << '\n';
   for (const auto& [what, times] : of)
     out << fmt::format("  {:>5}  {}: {}\n", times, what.first, what.second);
 }
 
 /** Writes the claims that could not be verified although the oracle simulated the world.
  */
-void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
-                     std::ostream& out) {
+void WriteUnverified(const RunReport& report, std::span<const Outcome> outcomes,
+                     const Painter& paint, std::ostream& out) {
   std::map<std::pair<std::string_view, std::string_view>, int> claims;
   int all = 0;
   for (const Outcome& outcome : outcomes) {
@@ -268,11 +266,8 @@ void WriteUnverified(std::span<const Outcome> outcomes, const Painter& paint,
       ++all;
     }
   }
-  if (all == 0) return;
-  out << '\n'
-      << paint(Colour::kBold, "Unverified")
-      << fmt::format(": {} of worlds\n", Counted(all, "claim"));
-  WriteCounted(claims, out);
+  WriteCounted(report, paint, "Unverified",
+               fmt::format(": {} of worlds", Counted(all, "claim")), claims, out);
 }
 
 /** Writes the drifts and depths of a run that asks about a single world. */
@@ -300,11 +295,10 @@ void WriteRecognised(const RunReport& report, std::span<const Outcome> outcomes,
     const std::string_view model = RecognisedModelOf(outcome);
     if (!model.empty()) ++models[{report.oracles[outcome.oracle].name, model}];
   }
-  if (models.empty()) return;
-  out << '\n'
-      << paint(Colour::kBold, "Recognised")
-      << ": motions beyond the tolerance of the truth that follow another legal model\n";
-  WriteCounted(models, out);
+  WriteCounted(
+      report, paint, "Recognised",
+      ": motions beyond the tolerance of the truth that follow another legal model",
+      models, out);
 }
 
 /** Writes the reasons of unsupported outcomes. */
@@ -315,20 +309,7 @@ void WriteUnsupported(const RunReport& report, std::span<const Outcome> outcomes
     const std::string_view reason = ReasonOf(report, outcome);
     if (!reason.empty()) ++reasons[{report.oracles[outcome.oracle].name, reason}];
   }
-  if (reasons.empty()) return;
-  out << '\n' << paint(Colour::kBold, "Unsupported") << '\n';
-  WriteCounted(reasons, out);
-}
-
-std::string_view Headline(int code) {
-  switch (code) {
-    case 0:
-      return "OK";
-    case 1:
-      return "FAILED";
-    default:
-      return "NOTHING VERIFIED";
-  }
+  WriteCounted(report, paint, "Unsupported", "", reasons, out);
 }
 
 void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
@@ -348,25 +329,9 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   }
   out << fmt::format("\n{} × {}: {}\n", Counted(QuestionCount(report), "scenario"),
                      Counted(report.oracles.size(), "oracle"), list);
-  const std::string failed = FailedReferences(report, outcomes);
-  const int unsupported = of_subject[Verdict::kUnsupported];
-  const std::string not_examined =
-      unsupported > 0 ? fmt::format(", was not examined in {}", unsupported) : "";
-  const std::string worse =
-      report.regressions.empty()
-          ? ""
-          : fmt::format(", {} worse than in the baseline",
-                        Counted(report.regressions.size(), "finding"));
   const int code = ExitCode(report, style.fail_on);
-  out << paint(
-             code == 0 ? Colour::kGood : Colour::kBad,
-             fmt::format("{}: {} failed in {}{}, references in {}{}, {} in the scenario "
-                         "files and the ledger{}",
-                         Headline(code), report.subject,
-                         Counted(of_subject.failed(), "scenario"), not_examined,
-                         Counted(counts.failed() - of_subject.failed(), "answer"),
-                         failed.empty() ? "" : fmt::format(" ({})", failed),
-                         Counted(report.faults.size(), "fault"), worse))
+  out << paint(code == 0 ? Colour::kGood : Colour::kBad,
+               ConclusionOf(report, outcomes, style.fail_on))
       << '\n';
   if (counts[Verdict::kKnown] > 0) {
     out << paint(Colour::kKnown,
@@ -392,16 +357,17 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   const std::vector<Outcome> outcomes = OutcomesOf(report);
   if (!style.quiet) WriteTallies(report, outcomes, paint, out);
   WriteFailures(report, outcomes, style, paint, out);
-  WriteFaults(report, paint, out);
+  WriteFaults(report, style, paint, out);
   WriteRegressions(report, style, paint, out);
   const std::string stated = StatedTolerances(report) + WorldSetups(report);
   if (!stated.empty()) out << '\n' << stated;
   if (!style.quiet) {
     WriteDrifts(report, outcomes, paint, out);
     WriteRecognised(report, outcomes, paint, out);
-    WriteUnverified(outcomes, paint, out);
+    WriteUnverified(report, outcomes, paint, out);
     WriteUnsupported(report, outcomes, paint, out);
-    WriteLedger(report, paint, out);
+    WriteVoidEntries(report, paint, out);
+    WriteClusters(report, outcomes, style, paint, out);
   }
   WriteCounts(report, outcomes, style, paint, out);
 }

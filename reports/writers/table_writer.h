@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <ostream>
 
 #include "reports/run_report.h"
@@ -8,16 +9,18 @@ namespace touchstone {
 
 /** Options of the terminal table. */
 struct TableStyle {
-  bool colours = false;  ///< ANSI colours; only for a terminal.
-  bool quiet = false;    ///< Only the failures that count and the last line.
+  bool colours = false;   ///< ANSI colours; only for a terminal.
+  bool quiet = false;     ///< Only the failures that count and the last line.
+  std::size_t width = 0;  ///< Characters of a line of the terminal; 0: wraps nothing.
   /** Failures that count. The last line agrees with the exit code. */
   FailOn fail_on = FailOn::kAnything;
 };
 
-/** Writes `report` for a terminal. Per group of scenarios and oracle, it writes the
- outcomes and the worst measure relative to its tolerance. Then follow the sum per oracle,
- every failure as a sentence with its proof, the findings that the ledger hides with their
- reasons, and the counts of all verdicts. */
+/** Writes `report` for a terminal: a row of counts and the worst measure relative to its
+ tolerance for each oracle; every failure as a sentence with its proof; the ten gravest
+ clusters of faults, known ones included; and the counts of all verdicts. A run of at most
+ 20 questions also gets the reasons of what was recognised, unverified and unsupported;
+ a larger one their numbers, so that it fits a screen. */
 void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& out);
 
 }  // namespace touchstone

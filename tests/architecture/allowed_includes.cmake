@@ -66,9 +66,10 @@ list(APPEND own_rules
   "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_result[.]h)|oracles/oracle[.]h"
   "reports/ledger/ => reports/((text|finding|referee|measures|contacts)/|run_report[.]h)|scenarios/(diagnostic|validate_scenario|schema/nearest_name)[.]h"
   "reports/accuracy/ => reports/(ledger/|run_report[.]h)"
+  "reports/clusters/ => reports/((text|finding|contacts)/|worlds/study/motion_scale[.]h|run_report[.]h|referee/contact_truth[.]h)|scenarios/(contact_query|measure_kind|worlds/world)[.]h"
   "reports/baseline/ => reports/((finding|ledger|contacts|worlds/study)/|run_report[.]h)|scenarios/diagnostic[.]h"
   "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
-  "reports/writers/ => reports/((text|referee|contacts|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|worlds/world_scenario)[.]h"
+  "reports/writers/ => scenarios/diagnostic[.]h|reports/((baseline|text|finding|referee|contacts|clusters|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|scenario_file|worlds/world_scenario)[.]h"
   "reports/sweep/ => reports/((text|writers)/|run[.]h|run_report[.]h)|oracles/oracle[.]h|scenarios/(generators/|scenario_file[.]h)"
   "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
@@ -89,7 +90,8 @@ set(library_rules
   "toml[+][+]/ => scenarios/toml/parser[.]h|reports/.*[.]cc"
   "(boost/multiprecision|mpfr) => reports/referee/"
   "boost/math => reports/worlds/.*[.]cc"
-  "nlohmann/ => (reports|scenarios|cli)/.*[.]cc"
+  "zlib[.]h => reports/writers/data/deflate[.]cc"
+  "nlohmann/ => ((reports|scenarios|cli)/.*[.]cc|reports/writers/data/json_values[.]h)"
   "CLI/ => cli/.*[.]cc"
   "CGAL/ => tests/")
 

@@ -236,7 +236,7 @@ TEST_F(CommandLineTest, RefusesAPathThatCannotBeResolved) {
   EXPECT_EQ(Touchstone("run " + Path("ring")).code, 2);
   EXPECT_EQ(Touchstone("explain " + std::string(300, 'x')).code, 2);
   std::filesystem::create_directories(folder_ / "ringed");
-  std::filesystem::create_symlink("index.html", folder_ / "ringed/index.html");
+  std::filesystem::create_symlink("report.html", folder_ / "ringed/report.html");
   const Ended ended =
       Touchstone("run --out " + Path("ringed") + " " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 2);
@@ -315,14 +315,14 @@ TEST_F(CommandLineTest, RequiresOneActionOfTheLedger) {
 TEST_F(CommandLineTest, NamesWhatGotWorseThanInABaseline) {
   const std::string file = " --against thrower " + Path("mine/deep.toml");
   EXPECT_EQ(Touchstone("run --out " + Path("before") + file).code, 1);
-  const std::string baseline = " --baseline " + Path("before/report.json");
+  const std::string baseline = " --baseline " + Path("before/report.jsonl");
   EXPECT_THAT(Touchstone("run" + baseline + file).out,
               Not(HasSubstr("Worse than in the baseline")));
   // Yesterday half_depth gave the whole depth.
-  std::string yesterday = TextOf(Path("before/report.json"));
+  std::string yesterday = TextOf(Path("before/report.jsonl"));
   for (std::size_t at = 0; (at = yesterday.find("\"right\"", at)) != std::string::npos;)
     yesterday.replace(at, 7, "\"half_depth\"");
-  Write("before/report.json", yesterday);
+  Write("before/report.jsonl", yesterday);
   const Ended worse = Touchstone("run --subject half_depth" + baseline + file);
   EXPECT_EQ(worse.code, 1);
   EXPECT_THAT(worse.out, HasSubstr("mine/deep: half_depth separation_error: was pass, is "
@@ -330,7 +330,39 @@ TEST_F(CommandLineTest, NamesWhatGotWorseThanInABaseline) {
   const Ended missing = Touchstone("run --baseline " + Path("nowhere.json") + file);
   EXPECT_EQ(missing.code, 2);
   EXPECT_THAT(missing.err, HasSubstr("nowhere.json:1:1: cannot be read; expected a "
-                                     "report.json of `touchstone run --out DIR`"));
+                                     "report.jsonl of `touchstone run --out DIR`"));
+}
+
+TEST_F(CommandLineTest, ComparesTwoRunsAndFailsWhatGotWorse) {
+  const std::string file = " --against thrower " + Path("mine/deep.toml");
+  Touchstone("run --subject right --out " + Path("right") + file);
+  Touchstone("run --subject half_depth --out " + Path("wrong") + file);
+  const Ended same = Touchstone("compare " + Path("right") + " " + Path("right"));
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_THAT(same.out, HasSubstr("0 worse, 0 new, 0 gone, 0 better\n"));
+  const Ended other = Touchstone(
+      "compare " + Path("right") + " " + Path("wrong/report.data") + " --json " +
+      Path("c.json") + " --junit " + Path("c.xml") + " --html " + Path("c.html"));
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_THAT(other.out, HasSubstr("mine/deep: half_depth separation_error: is fail"));
+  EXPECT_THAT(TextOf(Path("c.json")), HasSubstr("\"kind\": \"new\""));
+  EXPECT_THAT(TextOf(Path("c.xml")), HasSubstr("failures=\"0\""));
+  EXPECT_THAT(TextOf(Path("c.html")), HasSubstr("id=\"report-data\">"));
+  const Ended missing = Touchstone("compare " + Path("right") + " " + Path("nowhere"));
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_EQ(missing.err, "touchstone: " + Path("nowhere") +
+                             ":1:1: cannot be read; expected report.data of `touchstone "
+                             "run --out DIR`, or that folder\n");
+}
+
+TEST_F(CommandLineTest, WritesThePageOfAnEarlierRunAgain) {
+  Touchstone("run --out " + Path("out") + " " + Path("mine/deep.toml"));
+  const Ended ended = Touchstone("report " + Path("out") + " -o " + Path("page.html"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(TextOf(Path("page.html")), TextOf(Path("out/report.html")));
+  Write("out/report.data", "no data");
+  EXPECT_EQ(Touchstone("report " + Path("out") + " -o " + Path("page.html")).code, 2);
+  EXPECT_EQ(Touchstone("report " + Path("out")).code, 2);
 }
 
 TEST_F(CommandLineTest, AppliesTheBuiltInLedgerToTheBuiltInCatalogueOnly) {
@@ -389,7 +421,8 @@ TEST_F(CommandLineTest, WritesTheSameReportsWhateverTheNumberOfThreads) {
   const std::string run = "run --subject half_depth " + Path("mine/deep.toml");
   EXPECT_EQ(Touchstone(run + " --jobs 1 --out " + Path("one")).code, 1);
   EXPECT_EQ(Touchstone(run + " --jobs 4 --out " + Path("four")).code, 1);
-  for (const std::string file : {"index.html", "report.json", "junit.xml"}) {
+  for (const std::string file :
+       {"report.html", "report.data", "report.jsonl", "junit.xml"}) {
     EXPECT_NE(contents("one/" + file), "");
     EXPECT_EQ(contents("one/" + file), contents("four/" + file)) << file;
   }
@@ -405,7 +438,7 @@ TEST_F(CommandLineTest, ReportsBeforeTheRunThatAReportCannotBeWritten) {
   };
   const std::string run = "run " + Path("mine/deep.toml") + " --out ";
   EXPECT_THAT(error(run + Path("file")), HasSubstr("cannot create the folder"));
-  std::filesystem::create_directories(folder_ / "taken/report.json");
+  std::filesystem::create_directories(folder_ / "taken/report.jsonl");
   EXPECT_THAT(error(run + Path("taken")), HasSubstr("cannot write"));
   EXPECT_THAT(error("sweep contact --pair sphere sphere --out " + Path("file")),
               HasSubstr("cannot create the folder"));
@@ -697,9 +730,8 @@ TEST_F(CommandLineTest, SaysThatAFaultIsThatOfASettingAndWhichDefaultCuresIt) {
     read << std::ifstream(Path("out/" + name)).rdbuf();
     return read.str();
   };
-  EXPECT_THAT(text("report.json"), HasSubstr(R"("shipped":"as set here only")"));
+  EXPECT_THAT(text("report.jsonl"), HasSubstr(R"("shipped":"as set here only")"));
   EXPECT_THAT(text("junit.xml"), HasSubstr("As set here only: "));
-  EXPECT_THAT(text("index.html"), HasSubstr("As set here only: "));
 }
 
 TEST_F(CommandLineTest, JudgesEnginesAsShippedOrWithChosenSettingsAndSaysSo) {

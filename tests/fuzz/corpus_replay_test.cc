@@ -7,8 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "reports/ledger/bounds_file.h"
+#include "reports/writers/data/deflate.h"
+#include "reports/writers/read_report_data.h"
 #include "scenarios/scenario_file.h"
 #include "tests/fuzz/bounds_file_property.h"
+#include "tests/fuzz/report_data_property.h"
 #include "tests/fuzz/scenario_file_property.h"
 
 namespace touchstone {
@@ -47,6 +50,24 @@ TEST(BoundsFileCorpus, IsReadWithoutFault) {
     ++files;
   }
   EXPECT_GE(files, 7);
+}
+
+TEST(ReportDataCorpus, IsReadWithoutFault) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(TOUCHSTONE_CORPUS "/report_data")) {
+    std::ostringstream bytes;
+    bytes << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    EXPECT_EQ(FaultOfReadingReportData(bytes.str()), "") << entry.path();
+    // *.bin are the contents of a file before they are deflated.
+    const std::string name = entry.path().filename().string();
+    const bool is_deflated = name.ends_with(".data");
+    const std::string file = is_deflated ? bytes.str() : Deflated(bytes.str());
+    EXPECT_EQ(ReadReport(file, name, 1 << 20).data.has_value(), name.starts_with("good_"))
+        << name;
+    ++files;
+  }
+  EXPECT_GE(files, 12);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "reports/worlds/study/as_shipped.h"
 #include "reports/worlds/study/body_steps.h"
 #include "reports/worlds/study/examine_world.h"
+#include "reports/worlds/study/motion_scale.h"
 
 namespace touchstone {
 namespace {
@@ -53,6 +54,15 @@ std::vector<std::size_t> LongestFirst(std::span<const Pair> pairs,
   return order;
 }
 
+/** Sets the grade of every finding that is proved wrong. */
+void GradeFaults(const World& world, const Trajectory& trajectory,
+                 std::span<Finding> findings) {
+  const MotionScale scale = ScaleOf(world, trajectory);
+  for (Finding& finding : findings) {
+    if (IsProvedWrong(finding)) finding.grade = GradeOf(finding, scale);
+  }
+}
+
 }  // namespace
 
 std::size_t CountOfWorldRuns(std::span<const WorldScenario> worlds,
@@ -80,6 +90,7 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
     report.worlds[w].ensembles[o] = examined.ensemble;
     findings[i] = std::move(examined.findings);
     CompareWithShipped(worlds[w], *oracles[o], findings[i]);
+    GradeFaults(worlds[w].world, report.worlds[w].trajectories[o], findings[i]);
     std::stable_sort(
         findings[i].begin(), findings[i].end(),
         [](const Finding& a, const Finding& b) { return a.measure < b.measure; });

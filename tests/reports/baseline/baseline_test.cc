@@ -28,7 +28,7 @@ RunReport Report() {
 Baseline BaselineOf(const RunReport& report) {
   std::ostringstream text;
   WriteJson(report, text);
-  return ReadBaseline(text.str(), "report.json").baseline.value();
+  return ReadBaseline(text.str(), "report.jsonl").baseline.value();
 }
 
 /** Returns what got worse from one report to another. */
@@ -66,20 +66,47 @@ TEST(Baseline, KeepsTheWorstOfSeveralFindingsOfACell) {
 }
 
 TEST(Baseline, RefusesWhatIsNoReport) {
-  for (const std::string_view text :
-       {"", "{", "[]", "3", "{\"format\": \"touchstone report\", \"version\": 1}",
-        "{\"format\": \"touchstone report\", \"version\": 2, \"findings\": []}",
-        "{\"format\": \"touchstone report\", \"version\": 1, \"findings\": [3]}",
-        "{\"format\": \"touchstone report\", \"version\": 1, \"findings\": "
-        "[{\"measure\": \"excess\", \"verdict\": \"good\", \"value\": 1}]}"}) {
-    const BaselineResult result = ReadBaseline(text, "r.json");
+  const std::string head =
+      R"({"kind": "run", "format": "touchstone report", "version": )";
+  for (const std::string& text :
+       {std::string(), std::string("{"), std::string("[]"), std::string("3"), head + "1}",
+        head + "2}\n[3]", head + "2}\n{\"kind\": \"finding\"}",
+        head + "2}\n{\"kind\": \"finding\", \"measure\": \"excess\", "
+               "\"verdict\": \"good\", \"value\": 1}"}) {
+    const BaselineResult result = ReadBaseline(text, "r.jsonl");
     EXPECT_FALSE(result.baseline) << text;
     EXPECT_EQ(result.diagnostics.size(), 1U) << text;
   }
-  EXPECT_EQ(ToString(ReadBaseline("{\n  x", "r.json").diagnostics.at(0)),
-            "r.json:2:3: is not JSON; expected a report.json of `touchstone run --out "
+  EXPECT_EQ(ToString(ReadBaseline(head + "2}\n  x", "r.jsonl").diagnostics.at(0)),
+            "r.jsonl:2:3: is not JSON; expected a report.jsonl of `touchstone run --out "
             "DIR`");
-  EXPECT_FALSE(ReadBaselineFile("nowhere.json").baseline);
+  EXPECT_FALSE(ReadBaselineFile("nowhere.jsonl").baseline);
+}
+
+TEST(Compare, TellsWorseNewGoneAndBetterApart) {
+  const auto cell = [](const char* oracle) {
+    return LedgerCell{"s", oracle, MeasureKind::kExcess, ""};
+  };
+  const Baseline before{{{cell("a"), {1e-3, Verdict::kFail, 1e-9}},
+                         {cell("b"), {1e-3, Verdict::kKnown, 1e-9}},
+                         {cell("c"), {0, Verdict::kPass, 1e-9}},
+                         {cell("d"), {1e-12, Verdict::kPass, 1e-9}},
+                         {cell("gone"), {1, Verdict::kFail, 1e-9}},
+                         {cell("gone and right"), {0, Verdict::kPass, 1e-9}}}};
+  const Baseline after{{{cell("a"), {2.1e-3, Verdict::kFail, 1e-9}},
+                        {cell("b"), {0.4e-3, Verdict::kKnown, 1e-9}},
+                        {cell("c"), {0, Verdict::kUndecidable, 1e-9}},
+                        {cell("d"), {1e-9, Verdict::kPass, 1e-9}},
+                        {cell("new"), {1, Verdict::kCrashed, 1e-9}},
+                        {cell("new and right"), {0, Verdict::kPass, 1e-9}}}};
+  std::vector<std::string> told;
+  for (const Change& change : Compare(before, after))
+    told.push_back(
+        fmt::format("{} {}: {}", NameOf(change.kind), change.cell.oracle, change.what));
+  EXPECT_THAT(
+      told, ElementsAre("worse a: was 0.001, is 0.0021 m",
+                        "worse c: was pass, is undecidable", "new new: is crashed, 1 m",
+                        "gone gone: was fail, 1 m", "better b: was 0.001, is 0.0004 m"));
 }
 
 TEST(CompareWithBaseline, FindsNothingInTheSameRun) {

@@ -7,15 +7,16 @@
 #include <nlohmann/json.hpp>
 
 #include "hand_made_report.h"
+#include "json_lines.h"
 #include "json_schema.h"
 
 namespace touchstone {
 namespace {
 
-nlohmann::json Written(const RunReport& report) {
+std::string Written(const RunReport& report) {
   std::ostringstream out;
   WriteJson(report, out);
-  return nlohmann::json::parse(out.str());
+  return out.str();
 }
 
 nlohmann::json Schema() {
@@ -23,34 +24,42 @@ nlohmann::json Schema() {
   return nlohmann::json::parse(file);
 }
 
-TEST(WriteJson, FollowsThePublishedSchema) {
-  EXPECT_EQ(SchemaFaults(Schema(), Written(HandMadeReport())),
-            std::vector<std::string>{});
+TEST(WriteJson, EveryLineFollowsThePublishedSchema) {
+  const std::vector<nlohmann::json> lines = LinesOf(Written(HandMadeReport()));
+  // The run, 2 oracles, 3 scenarios, 7 findings, 2 entries of the ledger, 1 fault.
+  EXPECT_EQ(lines.size(), 16U);
+  EXPECT_EQ(lines.front()["kind"], "run");
+  for (const nlohmann::json& line : lines)
+    EXPECT_EQ(SchemaFaults(Schema(), line), std::vector<std::string>{}) << line;
 }
 
 TEST(WriteJson, FollowsASchemaThatForbidsUnknownProperties) {
-  nlohmann::json report = Written(HandMadeReport());
-  report["findings"][0]["surprise"] = 1;
-  report["scenarios"][0]["truth"].erase("method");
-  report["oracles"][0]["unit_roundoff"] = "tiny";
-  EXPECT_EQ(SchemaFaults(Schema(), report).size(), 3u);
+  const std::string text = Written(HandMadeReport());
+  nlohmann::json finding = LinesOf(text, "finding")[0];
+  finding["surprise"] = 1;
+  nlohmann::json scenario = LinesOf(text, "scenario")[0];
+  scenario["truth"].erase("method");
+  nlohmann::json oracle = LinesOf(text, "oracle")[0];
+  oracle["unit_roundoff"] = "tiny";
+  for (const nlohmann::json& line : {finding, scenario, oracle})
+    EXPECT_FALSE(SchemaFaults(Schema(), line).empty()) << line["kind"];
 }
 
 TEST(WriteJson, RoundTripsEveryBitOfANumber) {
   const RunReport report = HandMadeReport();
-  const nlohmann::json json = Written(report);
-  EXPECT_EQ(json["scenarios"][0]["A"]["rotation"][1][2].get<double>(),
+  EXPECT_EQ(LinesOf(Written(report), "scenario")[0]["A"]["rotation"][1][2].get<double>(),
             report.scenarios[0].scenario.contact.A.X_WB.R_WB(1, 2));
 }
 
 TEST(WriteJson, WritesNanAsAString) {
-  EXPECT_EQ(Written(HandMadeReport())["scenarios"][1]["answers"][1]["separation"], "NaN");
+  EXPECT_EQ(LinesOf(Written(HandMadeReport()), "scenario")[1]["answers"][1]["separation"],
+            "NaN");
 }
 
 TEST(WriteJson, CountsOutcomesPerVerdict) {
-  const nlohmann::json json = Written(HandMadeReport());
-  EXPECT_EQ(json["outcomes"]["known"], 1);
-  EXPECT_EQ(json["outcomes"]["timed out"], 0);
+  const nlohmann::json run = LinesOf(Written(HandMadeReport())).front();
+  EXPECT_EQ(run["outcomes"]["known"], 1);
+  EXPECT_EQ(run["outcomes"]["timed out"], 0);
 }
 
 }  // namespace

@@ -35,11 +35,51 @@ TEST(WriteTable, CountsEveryVerdict) {
                         "timed out, 1 invalid"));
 }
 
-TEST(WriteTable, ShowsTheFindingsThatTheLedgerHides) {
+TEST(WriteTable, RanksFaultsAndSaysWhichTheLedgerKnows) {
   const std::string table = Table(HandMadeReport());
-  EXPECT_THAT(table,
-              HasSubstr("1 of 2 entries hides 1 finding; 1 was not tested by this run"));
-  EXPECT_THAT(table, HasSubstr("    1  theirs/float 1.2: Float build (unreported)"));
+  EXPECT_THAT(table, HasSubstr("Faults: 4, 3 new, 1 in the ledger\n  wrong answer  "
+                               "theirs/float answers with invalid numbers; 1 scenario "
+                               "(new)\n"));
+  EXPECT_THAT(table, HasSubstr("Float build: theirs/float; 1 scenario"));
+}
+
+TEST(WriteTable, ShowsTenFaultsAtMost) {
+  RunReport report = HandMadeReport();
+  report.findings[0].verdict = Verdict::kFail;
+  Finding fault = report.findings[0];
+  report.findings.clear();
+  for (int m = 0; m < 12; ++m) {
+    fault.measure = static_cast<MeasureKind>(m);
+    report.findings.push_back(fault);
+  }
+  EXPECT_THAT(Table(report), HasSubstr("  and 2 more, in the page of --out DIR"));
+}
+
+TEST(WriteTable, NamesWhoIsNeverWrong) {
+  RunReport report = HandMadeReport();
+  EXPECT_THAT(Table(report), Not(HasSubstr("Never proved wrong")));
+  for (Finding& finding : report.findings) {
+    if (finding.oracle == "mine") finding.verdict = Verdict::kPass;
+  }
+  EXPECT_THAT(Table(report), HasSubstr("Never proved wrong: mine\n"));
+}
+
+TEST(WriteTable, WrapsSentencesToTheWidthOfTheTerminal) {
+  const std::string table = Table(HandMadeReport(), {.quiet = true, .width = 60});
+  EXPECT_THAT(table, HasSubstr("\n    "));
+  std::istringstream lines(table);
+  std::string line;
+  while (std::getline(lines, line) && line.find("scenarios ×") == std::string::npos)
+    EXPECT_LE(line.size(), line.starts_with("contact") ? 100U : 62U) << line;
+}
+
+TEST(WriteTable, CountsReasonsOfLargeRunsOnly) {
+  RunReport report = HandMadeReport();
+  while (report.scenarios.size() < 21) {
+    report.scenarios.push_back(report.scenarios.back());
+    report.scenarios.back().scenario.id += 'z';
+  }
+  EXPECT_THAT(Table(report), HasSubstr("Unsupported 19 times, for 1 reason\n"));
 }
 
 TEST(WriteTable, SaysWhichEntriesAreForAnotherVersion) {
@@ -78,12 +118,6 @@ TEST(WriteTable, CountsUnverifiedClaims) {
 
 TEST(WriteTable, ShowsFaultsInTheCatalogue) {
   EXPECT_THAT(Table(HandMadeReport()), HasSubstr("the author expects \"apart\""));
-}
-
-TEST(WriteTable, OmitsALedgerThatAppliesToOtherQuestions) {
-  RunReport report = HandMadeReport();
-  report.ledger_use = {{.hidden = {{}}, .causes = {}}, {.hidden = {{}}, .causes = {}}};
-  EXPECT_THAT(Table(report), Not(HasSubstr("Ledger")));
 }
 
 TEST(WriteTable, WritesTheReasonsOfUnsupportedOutcomes) {

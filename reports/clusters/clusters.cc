@@ -1,0 +1,226 @@
+#include "reports/clusters/clusters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "reports/clusters/measure_words.h"
+#include "reports/clusters/ordinary.h"
+#include "reports/finding/grade.h"
+#include "reports/text/counted.h"
+#include "reports/text/si_quantity.h"
+
+namespace touchstone {
+namespace {
+
+/** Returns the start of a reason up to its first colon or stop. */
+std::string HeadlineOf(const std::string& reason) {
+  const std::size_t end = std::min(reason.find(": "), reason.find(". "));
+  std::string headline = reason.substr(0, end);
+  while (headline.ends_with('.')) headline.pop_back();
+  return headline;
+}
+
+const LedgerEntry& EntryOf(const RunReport& report, const Finding& finding) {
+  return report.ledger.entries[static_cast<std::size_t>(*finding.ledger_entry)];
+}
+
+/** What the findings of one cluster share: the headline of a reason; or the oracle,
+ verdict, measure and cause. */
+using Key = std::tuple<std::string, Verdict, MeasureKind, Cause>;
+
+Key KeyOf(const RunReport& report, const Finding& finding) {
+  if (finding.ledger_entry) {
+    return {HeadlineOf(EntryOf(report, finding).reason), Verdict::kKnown,
+            MeasureKind::kTouching, Cause::kNone};
+  }
+  return {finding.oracle, finding.verdict, finding.measure, finding.cause};
+}
+
+/** Returns the reason of a cluster outside the ledger. */
+std::string ReasonOf(const Finding& finding) {
+  std::string reason =
+      fmt::format("{} {}", finding.oracle, FaultInWords(finding.measure));
+  switch (finding.verdict) {
+    case Verdict::kCrashed:
+    case Verdict::kTimedOut:
+      return fmt::format("{} {}", finding.oracle,
+                         finding.verdict == Verdict::kCrashed ? "crashes" : "hangs");
+    case Verdict::kInvalid:
+      return finding.oracle + " answers with invalid numbers";
+    case Verdict::kDisagree:
+      return finding.oracle + " differs from the others, and nobody is proved right";
+    default:
+      break;
+  }
+  if (finding.cause != Cause::kNone)
+    reason += fmt::format(" ({})", NameOf(finding.cause));
+  return reason;
+}
+
+/** Returns how ordinary each question is. */
+std::vector<double> OrdinaryOfAll(const RunReport& report) {
+  std::vector<double> ordinary;
+  for (const ScenarioResult& result : report.scenarios)
+    ordinary.push_back(OrdinaryOf(result.scenario.contact, result.truth));
+  for (const WorldResult& result : report.worlds)
+    ordinary.push_back(OrdinaryOf(result.scenario.world));
+  return ordinary;
+}
+
+/** Returns `share`, with a NaN as the largest of all. */
+double Comparable(double share) {
+  return std::isnan(share) ? std::numeric_limits<double>::infinity() : share;
+}
+
+/** Fills a cluster from its findings. */
+void Sum(const RunReport& report, const Clusters& all,
+         const std::vector<double>& ordinary, Cluster& cluster) {
+  std::map<std::size_t, std::size_t> oracles;
+  std::map<std::size_t, std::pair<Band, double>> questions;
+  std::pair<Band, double> worst{Band::kNone, -1};
+  for (const std::size_t f : cluster.findings) {
+    const Finding& finding = report.findings[f];
+    const auto [question, oracle] = all.places[f];
+    const std::pair<Band, double> size{BandOf(finding, all.shares[f]),
+                                       Comparable(all.shares[f])};
+    ++oracles[oracle];
+    auto& of_question = questions.try_emplace(question, size).first->second;
+    of_question = std::max(of_question, size);
+    cluster.ordinary = std::max(cluster.ordinary, ordinary[question]);
+    cluster.gravity = std::max(
+        cluster.gravity, static_cast<double>(size.first) * (1 + ordinary[question]) / 2);
+    if (size > worst) {
+      worst = size;
+      cluster.worst = f;
+    }
+  }
+  const Finding& finding = report.findings[cluster.worst];
+  cluster.is_new = !finding.ledger_entry;
+  cluster.reason = cluster.is_new ? ReasonOf(finding) : EntryOf(report, finding).reason;
+  if (!cluster.is_new) cluster.upstream = EntryOf(report, finding).upstream;
+  cluster.band = worst.first;
+  cluster.cause = finding.cause;
+  cluster.share = all.shares[cluster.worst];
+  const bool is_touch = finding.measure == MeasureKind::kTouching;
+  cluster.unit = is_touch ? "m" : UnitOf(finding.measure);
+  cluster.error =
+      is_touch
+          ? cluster.share * SizeOfQuestion(report, all.places[cluster.worst].question)
+          : finding.value;
+  for (const auto& [oracle, count] : oracles) cluster.oracles.push_back(oracle);
+  cluster.gravity += std::log2(static_cast<double>(oracles.size())) / 2 +
+                     std::log10(static_cast<double>(questions.size())) / 2;
+  std::ranges::stable_sort(cluster.oracles, std::greater{},
+                           [&](std::size_t o) { return oracles.at(o); });
+  for (const auto& [question, size] : questions) cluster.questions.push_back(question);
+  std::ranges::stable_sort(cluster.questions, std::greater{}, [&](std::size_t q) {
+    const auto& [band, share] = questions.at(q);
+    return std::tuple(band, ordinary[q], share);
+  });
+}
+
+/** Returns the size of the worst fault in words, after "; "; "" without one. */
+std::string SizeInWords(const Finding& worst, const Cluster& cluster) {
+  if (worst.verdict == Verdict::kCrashed || worst.verdict == Verdict::kTimedOut ||
+      worst.verdict == Verdict::kInvalid || worst.measure == MeasureKind::kAnswering ||
+      cluster.band == Band::kNone) {
+    return "";
+  }
+  const std::string size = SiQuantity(cluster.error, cluster.unit);
+  const std::string share = cluster.unit == "m" ? ShareInWords(cluster.share) : "";
+  return fmt::format("; up to {}{}{}", size, share.empty() ? "" : ", ", share);
+}
+
+/** Joins "a", "b" and "c" to "a, b and c". */
+std::string InARow(const std::vector<std::string>& names) {
+  std::string row;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) row += i + 1 == names.size() ? " and " : ", ";
+    row += names[i];
+  }
+  return row;
+}
+
+}  // namespace
+
+std::string_view NameOf(Band band) {
+  constexpr std::array<std::string_view, kBands> kNames = {
+      "", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong answer"};
+  return kNames[static_cast<std::size_t>(band)];
+}
+
+Band BandOf(const Finding& finding, double share) {
+  switch (finding.verdict) {
+    case Verdict::kCrashed:
+    case Verdict::kTimedOut:
+    case Verdict::kInvalid:
+      return Band::kWrong;
+    case Verdict::kFail:
+    case Verdict::kKnown:
+      break;
+    case Verdict::kDisagree:
+      return static_cast<Band>(GradeOfShare(share));
+    default:
+      return Band::kNone;
+  }
+  const bool has_no_answer =
+      finding.measure == MeasureKind::kAnswering && finding.value > 0;
+  return has_no_answer ? Band::kWrong : static_cast<Band>(finding.grade);
+}
+
+Clusters ClustersOf(const RunReport& report) {
+  Clusters all;
+  all.places = PlacesOf(report);
+  all.shares = SharesOf(report, all.places);
+  all.of_finding.assign(report.findings.size(), -1);
+  std::map<Key, Cluster> clusters;
+  for (std::size_t f = 0; f < report.findings.size(); ++f) {
+    const Finding& finding = report.findings[f];
+    if (!IsFailure(finding.verdict) && finding.verdict != Verdict::kKnown) continue;
+    Cluster& cluster = clusters[KeyOf(report, finding)];
+    cluster.findings.push_back(f);
+  }
+  const std::vector<double> ordinary = OrdinaryOfAll(report);
+  for (auto& [key, cluster] : clusters) {
+    Sum(report, all, ordinary, cluster);
+    all.ranked.push_back(std::move(cluster));
+  }
+  std::ranges::stable_sort(all.ranked, std::greater{}, [](const Cluster& cluster) {
+    return std::tuple(cluster.gravity, Comparable(cluster.share), cluster.oracles.size(),
+                      cluster.findings.size());
+  });
+  for (std::size_t c = 0; c < all.ranked.size(); ++c) {
+    for (const std::size_t f : all.ranked[c].findings)
+      all.of_finding[f] = static_cast<int>(c);
+  }
+  return all;
+}
+
+std::string NamesOf(const RunReport& report, const std::vector<std::size_t>& oracles) {
+  std::vector<std::string> names;
+  std::vector<std::string> libraries;
+  for (const std::size_t o : oracles) {
+    names.push_back(report.oracles[o].name);
+    if (std::ranges::find(libraries, report.oracles[o].library) == libraries.end())
+      libraries.push_back(report.oracles[o].library);
+  }
+  return InARow(libraries.size() > 1 ? libraries : names);
+}
+
+std::string SentenceOf(const RunReport& report, const Cluster& cluster) {
+  const Finding& worst = report.findings[cluster.worst];
+  return fmt::format("{}{}; {}{}", HeadlineOf(cluster.reason),
+                     cluster.is_new ? "" : ": " + NamesOf(report, cluster.oracles),
+                     Counted(cluster.questions.size(), "scenario"),
+                     SizeInWords(worst, cluster));
+}
+
+}  // namespace touchstone

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/clusters/shares.h"
+#include "reports/run_report.h"
+
+namespace touchstone {
+
+/** The size of a fault to a user, from the mildest to the gravest. The order is that of
+ Grade; an answer that crashed, timed out or is invalid counts as a wrong one. */
+enum class Band {
+  kNone,      ///< No fault, or one without a size.
+  kRounding,  ///< At most 1e-6 of the size.
+  kSmall,     ///< Over 1e-6.
+  kLarge,     ///< Over 1e-3.
+  kGross,     ///< Over 10 %.
+  kWrong,     ///< A wrong hit or miss, a body passed through, or no usable answer.
+};
+
+inline constexpr int kBands = static_cast<int>(Band::kWrong) + 1;
+
+/** Returns "wrong answer", "over 10 %", …; "" for kNone. */
+std::string_view NameOf(Band band);
+
+/** Returns the band of a finding; kNone unless its verdict is a failure or known.
+ `share`: see SharesOf(). A known finding keeps the grade of its failure. */
+Band BandOf(const Finding& finding, double share);
+
+/** Faults with one cause: those that the ledger explains by reasons with one headline,
+ the text up to the first colon or stop; or those of one oracle, verdict, measure and
+ cause outside it. */
+struct Cluster {
+  std::string reason;    ///< The ledger's for the worst finding, or the fault in words.
+  std::string upstream;  ///< A link, "unreported", or "" outside the ledger.
+  bool is_new = false;   ///< Whether it is not in the ledger.
+  Band band = Band::kNone;             ///< The gravest.
+  Cause cause = Cause::kNone;          ///< That of the worst finding.
+  std::vector<std::size_t> findings;   ///< Indices, in the order of the report.
+  std::vector<std::size_t> oracles;    ///< Those that share it, most findings first.
+  std::vector<std::size_t> questions;  ///< Gravest first, then the most ordinary.
+  std::size_t worst = 0;               ///< Finding of the gravest band and largest share.
+  double error = 0;                    ///< Of the worst. [unit]
+  std::string unit;                    ///< "m" for a wrong hit or miss.
+  double share = 0;                    ///< Of the worst. [-]
+  double ordinary = 0;  ///< Of its most ordinary question, see OrdinaryOf().
+  /** What it does to users: the largest band · (1 + ordinary) / 2 of its findings, with
+   bands numbered from 0, plus log2(oracles) / 2 and log10(questions) / 2. A gross error
+   in an everyday question precedes a wrong hit in a contrived one; and a fault that four
+   engines share, or that a hundred questions show, counts one band more. [-] */
+  double gravity = 0;
+};
+
+/** The clusters of a run. */
+struct Clusters {
+  /** By gravity, then share, then number of oracles, then number of findings, each the
+   largest first. */
+  std::vector<Cluster> ranked;
+  std::vector<FindingPlace> places;  ///< Of every finding.
+  std::vector<double> shares;        ///< Of every finding, see SharesOf().
+  std::vector<int> of_finding;       ///< Index into `ranked`, or −1.
+};
+
+/** Returns the clusters of everything that fails or is known. */
+Clusters ClustersOf(const RunReport& report);
+
+/** Returns a cluster as one plain sentence without a stop: "dBoxBox prefers a face by 5
+ %: Bullet and ODE; 41 scenarios; up to 4.8 cm, 5 % of the size". */
+std::string SentenceOf(const RunReport& report, const Cluster& cluster);
+
+/** Returns the oracles of a cluster in words: the libraries, or the oracles if all are of
+ one library. */
+std::string NamesOf(const RunReport& report, const std::vector<std::size_t>& oracles);
+
+}  // namespace touchstone

@@ -1,0 +1,47 @@
+#include "reports/text/si_quantity.h"
+
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace touchstone {
+namespace {
+
+struct Prefix {
+  double size;
+  std::string_view unit;
+};
+
+/** Returns two digits without an exponent where that is short. */
+std::string TwoDigits(double value) {
+  const double size = std::abs(value);
+  if (size >= 99.5 && size < 1e6) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.2g}", value);
+}
+
+}  // namespace
+
+std::string SiQuantity(double value, std::string_view unit) {
+  if (std::isnan(value)) return "not a number";
+  if (std::isinf(value)) return "infinite";
+  if (unit != "m")
+    return fmt::format("{}{}{}", TwoDigits(value), unit.empty() ? "" : " ", unit);
+  constexpr std::array<Prefix, 4> kPrefixes = {
+      {{1, "m"}, {1e-2, "cm"}, {1e-3, "mm"}, {1e-6, "µm"}}};
+  for (const auto& [size, name] : kPrefixes) {
+    // What rounds to two digits below 1 belongs to the next prefix.
+    if (std::abs(value) >= 0.995 * size)
+      return fmt::format("{} {}", TwoDigits(value / size), name);
+  }
+  return fmt::format("{:.2g} m", value);
+}
+
+std::string ShareInWords(double share) {
+  if (!std::isfinite(share)) return "";
+  if (share >= 9.95) return fmt::format("{} × the size", TwoDigits(share));
+  if (share >= 1e-3) return fmt::format("{} % of the size", TwoDigits(share * 100));
+  return fmt::format("{:.1g} of the size", share);
+}
+
+}  // namespace touchstone

@@ -1,0 +1,107 @@
+#include "reports/worlds/study/motion_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "reports/finding/grade.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+/** Returns the largest distance of any particle or node from where it starts. [m] */
+double FarthestPoint(const Trajectory& trajectory) {
+  double farthest = 0;
+  const auto reach = [&](const std::vector<PointState>& now,
+                         const std::vector<PointState>& start) {
+    for (std::size_t i = 0; i < now.size(); ++i)
+      farthest = std::max(farthest, (now[i].p_W - start[i].p_W).norm());
+  };
+  for (const WorldState& state : trajectory.samples) {
+    reach(state.particles, trajectory.samples.front().particles);
+    reach(state.nodes, trajectory.samples.front().nodes);
+  }
+  return farthest;
+}
+
+double LengthOf(const World& world, const Trajectory& trajectory) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const RigidBody& body : world.bodies) {
+    if (body.mass > 0) least = std::min(least, 2 * BoundingRadius(body.placed.shape));
+  }
+  return std::isinf(least) ? FarthestPoint(trajectory) : least;
+}
+
+double FastestOf(const World& world, const WorldState& state) {
+  double fastest = 0;
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    if (world.bodies[i].mass == 0) continue;
+    const double radius = BoundingRadius(world.bodies[i].placed.shape);
+    fastest = std::max(
+        fastest, state.bodies[i].v_WB.norm() + state.bodies[i].w_WB.norm() * radius);
+  }
+  for (const PointState& point : state.particles)
+    fastest = std::max(fastest, point.v_W.norm());
+  for (const PointState& point : state.nodes)
+    fastest = std::max(fastest, point.v_W.norm());
+  return fastest;
+}
+
+double LargestLoadOf(const World& world) {
+  double largest =
+      world.particles.empty() && world.cloths.empty() ? 0 : world.gravity_W.norm();
+  for (const RigidBody& body : world.bodies) {
+    if (body.mass > 0) largest = std::max(largest, AccelerationOf(world, body).norm());
+  }
+  return largest;
+}
+
+double MovingMassOf(const World& world) {
+  double mass = 0;
+  for (const RigidBody& body : world.bodies) mass += body.mass;
+  for (const Particle& particle : world.particles) mass += particle.mass;
+  for (const Cloth& cloth : world.cloths) mass += cloth.node_mass * cloth.n * cloth.n;
+  return mass;
+}
+
+double SizeFor(std::string_view unit, const MotionScale& of) {
+  if (unit == "m") return of.length;
+  if (unit == "m/s") return of.speed;
+  if (unit == "rad/s") return of.speed / of.length;
+  if (unit == "N s") return of.mass * of.speed;
+  if (unit == "N m s") return of.mass * of.speed * of.length;
+  if (unit == "J") return of.mass * of.speed * of.speed / 2;
+  if (unit == "N") return of.mass * of.speed * of.speed / of.length;
+  if (unit == "s") return of.length / of.speed;
+  return 1;
+}
+
+}  // namespace
+
+MotionScale ScaleOf(const World& world, const Trajectory& trajectory) {
+  MotionScale scale{.length = LengthOf(world, trajectory), .mass = MovingMassOf(world)};
+  scale.speed = std::sqrt(LargestLoadOf(world) * scale.length);
+  for (const WorldState& state : trajectory.samples)
+    scale.speed = std::max(scale.speed, FastestOf(world, state));
+  return scale;
+}
+
+double ShareOf(const Finding& finding, const MotionScale& scale) {
+  return finding.value == 0 ? 0 : finding.value / SizeFor(UnitOf(finding.measure), scale);
+}
+
+Grade GradeOf(const Finding& finding, const MotionScale& scale) {
+  if (finding.measure == MeasureKind::kAnswering ||
+      finding.measure == MeasureKind::kDeterminism ||
+      finding.measure == MeasureKind::kObservedOrder) {
+    return Grade::kNone;
+  }
+  const Grade grade = GradeOfShare(ShareOf(finding, scale));
+  return finding.measure == MeasureKind::kPassage && grade != Grade::kRounding
+             ? Grade::kWrongTouch
+             : grade;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "oracles/trajectory.h"
+#include "reports/finding/finding.h"
+#include "scenarios/worlds/world.h"
+
+namespace touchstone {
+
+/** The sizes by which the errors of a motion are divided.
+
+ The length L is the greatest extent of the smallest body that moves: twice its bounding
+ radius. A world without moving bodies has particles and nodes, which are points: L is
+ then the largest distance of any of them from its start.
+
+ The speed V is the greatest |v| + |ω| r of the motion, r the bounding radius, but at
+ least √(a L), with a the greatest |g + F/m|: the speed that its load gives to a body over
+ its own size. A body at rest under gravity is thus graded by what it could fall.
+
+ Everything else follows for a single body of the whole moving mass M at that speed:
+ energy ½ M V², momentum M V, angular momentum M V L, force M V² / L, time L / V, spin V /
+ L. */
+struct MotionScale {
+  double length = 0;  ///< L. [m]
+  double speed = 0;   ///< V. [m/s]
+  double mass = 0;    ///< M. [kg]
+};
+
+/** Returns the scale of a motion of `world`. A motion that explodes has a large V, yet
+ the errors that it explodes by are as large, so their share is about 1. */
+MotionScale ScaleOf(const World& world, const Trajectory& trajectory);
+
+/** Returns the value of a finding of a motion as a share of its scale, by the unit of the
+ measure. Angles [rad] and dimensionless numbers are unchanged. 0 for 0; infinite for a
+ positive value whose scale is 0. [-] */
+double ShareOf(const Finding& finding, const MotionScale& scale);
+
+/** Returns the grade of a fault of a motion, by its share. A body that passes through
+ another is a wrong hit or miss. kNone for measures without a size: whether the oracle
+ answers, whether it repeats itself, and the order of convergence. */
+Grade GradeOf(const Finding& finding, const MotionScale& scale);
+
+}  // namespace touchstone

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "reports/run_report.h"
+#include "reports/writers/outcome.h"
+
+namespace touchstone {
+
+/** Returns the last line of a run, which agrees with its exit code: "OK: cookbook failed
+ in 0 scenarios, …". */
+std::string ConclusionOf(const RunReport& report, std::span<const Outcome> outcomes,
+                         FailOn fail_on);
+
+}  // namespace touchstone

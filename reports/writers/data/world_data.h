@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reports/finding/finding.h"
+#include "reports/worlds/study/world_result.h"
+#include "reports/writers/data/json_values.h"
+
+namespace touchstone {
+
+/** What the data of a world are made from. */
+struct WorldDataInput {
+  const WorldResult& result;
+  double size;  ///< Extent of the smallest moving body, or of the motion. [m]
+  std::vector<bool> simulates;                     ///< Indexed by oracle.
+  std::vector<std::span<const Finding>> findings;  ///< Of this world, indexed by oracle.
+  /** Index of the first finding of each oracle in RunReport::findings. */
+  std::vector<std::size_t> first_finding;
+};
+
+/** The data of a world, and what its curves tell about its findings. */
+struct WorldData {
+  DataJson json;  ///< `World` of docs/report_data.md.
+  struct Moment {
+    std::size_t finding;  ///< Index into RunReport::findings.
+    double time;          ///< The moment at which the motion leaves the tolerance. [s]
+  };
+  std::vector<Moment> moments;
+};
+
+/** Returns the data of a world, and appends its tracks to `blob`.
+
+ Motions: every n-th sample is kept, so that no world keeps more than 240 samples and
+ 3,000 samples of bodies and points, but 48 samples at least. Positions are rounded to a
+ tenth of the tolerance of the oracle's position error, within 1e-6 to 1e-4 of `size`, and
+ to 1e-5 of it without one. Rotations are rounded to 1e-4, velocities to 1e-3 of the
+ largest of their motion.
+
+ Curves are rounded to a tenth of their tolerance, without one to 1e-4 of their range. */
+WorldData DataOf(const WorldDataInput& world, std::string& blob);
+
+}  // namespace touchstone

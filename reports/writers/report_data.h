@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "reports/run_report.h"
+
+namespace touchstone {
+
+/** What a page says of the run itself. */
+struct RunFacts {
+  std::string program;  ///< "touchstone 0.1.0".
+  std::string command;  ///< The command that made the run, without its output.
+  FailOn fail_on = FailOn::kAnything;
+};
+
+/** Returns the data of a report page in the format of docs/report_data.md, deflated. The
+ same report and facts give the same bytes. */
+std::string ReportData(const RunReport& report, const RunFacts& facts);
+
+}  // namespace touchstone

@@ -1,0 +1,207 @@
+#include "reports/clusters/clusters.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/clusters/measure_words.h"
+#include "reports/clusters/ordinary.h"
+#include "reports/finding/grade.h"
+#include "reports/text/si_quantity.h"
+
+namespace touchstone {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/** Two unit cubes, B at `x` along the x axis. */
+ContactQuery Cubes(double x, double half = 0.5) {
+  ContactQuery query;
+  query.A = {Box{{half, half, half}}, {}};
+  query.B = {Box{{half, half, half}}, {}};
+  query.B.X_WB.p_WB.x() = x;
+  return query;
+}
+
+ScenarioResult Question(const std::string& id, double x) {
+  ScenarioResult result;
+  result.scenario.id = id;
+  result.scenario.contact = Cubes(x);
+  result.truth.touching = x < 1 ? Touching::kTouching : Touching::kApart;
+  result.truth.separation = {x - 1, x - 1};
+  return result;
+}
+
+Finding Fault(const std::string& scenario, const std::string& oracle, double value) {
+  Finding finding;
+  finding.scenario = scenario;
+  finding.oracle = oracle;
+  finding.reference = "referee";
+  finding.measure = MeasureKind::kSeparationError;
+  finding.value = value;
+  finding.verdict = Verdict::kFail;
+  finding.cause = Cause::kDefect;
+  finding.grade = GradeOfShare(value / std::sqrt(3.0));
+  return finding;
+}
+
+/** Three questions to two engines. */
+RunReport Report() {
+  RunReport report;
+  report.oracles.resize(2);
+  report.oracles[0].name = "ode";
+  report.oracles[0].library = "ODE";
+  report.oracles[1].name = "bullet";
+  report.oracles[1].library = "Bullet";
+  report.subject = "ode";
+  report.scenarios = {Question("a", 0.9), Question("b", 0.9), Question("c", 1 + 1e-9)};
+  LedgerEntry faces;
+  faces.reason = "dBoxBox prefers a face by 5 %: depths are too large.";
+  faces.upstream = "unreported";
+  LedgerEntry edges = faces;
+  edges.reason = "dBoxBox prefers a face by 5 %. And edges are lost.";
+  report.ledger.entries = {faces, edges};
+  return report;
+}
+
+Finding Known(Finding finding, int entry) {
+  finding.verdict = Verdict::kKnown;
+  finding.ledger_entry = entry;
+  return finding;
+}
+
+TEST(ClustersOf, GroupsKnownFaultsByTheHeadlineOfTheirReason) {
+  RunReport report = Report();
+  report.findings = {Known(Fault("a", "ode", 0.01), 0),
+                     Known(Fault("a", "bullet", 0.02), 1),
+                     Known(Fault("b", "ode", 0.03), 0)};
+  const Clusters clusters = ClustersOf(report);
+  ASSERT_EQ(clusters.ranked.size(), 1U);
+  const Cluster& cluster = clusters.ranked[0];
+  EXPECT_EQ(SentenceOf(report, cluster),
+            "dBoxBox prefers a face by 5 %: ODE and Bullet; 2 scenarios; up to 3 cm, 1.7 "
+            "% of the size");
+  EXPECT_THAT(cluster.oracles, ElementsAre(0, 1));
+  EXPECT_THAT(cluster.questions, ElementsAre(1, 0));  // The larger error first.
+  EXPECT_EQ(cluster.worst, 2U);
+  EXPECT_EQ(cluster.band, Band::kLarge);
+  EXPECT_FALSE(cluster.is_new);
+  EXPECT_EQ(cluster.upstream, "unreported");
+  EXPECT_NEAR(cluster.share, 0.03 / std::sqrt(3.0), 1e-12);
+  EXPECT_THAT(clusters.of_finding, ElementsAre(0, 0, 0));
+}
+
+TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
+  RunReport report = Report();
+  Finding tie = Fault("b", "ode", 0.02);
+  tie.cause = Cause::kTie;
+  Finding crash = Fault("c", "bullet", 1);
+  crash.measure = MeasureKind::kAnswering;
+  crash.verdict = Verdict::kCrashed;
+  crash.grade = Grade::kNone;
+  crash.cause = Cause::kNone;
+  Finding right = Fault("c", "ode", 0);
+  right.verdict = Verdict::kPass;
+  report.findings = {Fault("a", "ode", 0.01), Fault("b", "ode", 0.03), tie, right, crash};
+  const Clusters clusters = ClustersOf(report);
+  std::vector<std::string> sentences;
+  for (const Cluster& cluster : clusters.ranked) {
+    EXPECT_TRUE(cluster.is_new);
+    sentences.push_back(SentenceOf(report, cluster));
+  }
+  // The contrived crash, 5 · (1 + 1/4) / 2 = 3.1, precedes errors of 1 %, 3.
+  EXPECT_THAT(
+      sentences,
+      ElementsAre(
+          "ode states a wrong distance or depth (defect); 2 scenarios; up to 3 cm, 1.7 % "
+          "of the size",
+          "bullet crashes; 1 scenario",
+          "ode states a wrong distance or depth (tie); 1 scenario; up to 2 cm, 1.2 % of "
+          "the size"));
+  EXPECT_THAT(clusters.of_finding, ElementsAre(0, 0, 2, -1, 1));
+}
+
+TEST(ClustersOf, FindsNothingWhereNothingFails) {
+  RunReport report = Report();
+  report.findings = {Fault("a", "ode", 0)};
+  report.findings[0].verdict = Verdict::kPass;
+  EXPECT_THAT(ClustersOf(report).ranked, IsEmpty());
+}
+
+TEST(BandOf, CountsAnAnswerThatIsNoneAsWrong) {
+  Finding finding = Fault("a", "ode", 1e-9);
+  EXPECT_EQ(BandOf(finding, 1e-9), Band::kRounding);
+  finding.verdict = Verdict::kInvalid;
+  EXPECT_EQ(BandOf(finding, NAN), Band::kWrong);
+  finding.verdict = Verdict::kPass;
+  EXPECT_EQ(BandOf(finding, 1e-9), Band::kNone);
+  finding.verdict = Verdict::kDisagree;
+  EXPECT_EQ(BandOf(finding, 0.01), Band::kLarge);
+}
+
+ContactTruth Separated(double separation) {
+  ContactTruth truth;
+  truth.separation = {separation, separation};
+  return truth;
+}
+
+TEST(OrdinaryOf, IsOneForEverydayQuestionsAndFallsWithEachDecadeBeyond) {
+  EXPECT_EQ(OrdinaryOf(Cubes(0.9), Separated(-0.1)), 1);
+  // An extent of 100 √3 m: log10(17.32) decades above 10 m.
+  EXPECT_NEAR(OrdinaryOf(Cubes(90, 50), Separated(-10)), 1 / (1 + std::log10(17.32)),
+              1e-3);
+  // A gap of a thousandth of a thousandth of √3 m.
+  EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(std::sqrt(3.0) * 1e-5)), 1.0 / 3, 1e-12);
+  EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(0)), 1.0 / 4, 1e-12);  // At most three.
+  // A plate a hundredth as thick as it is long.
+  ContactQuery plate = Cubes(0.9);
+  plate.A.shape = Box{{0.5, 0.5, 0.005}};
+  EXPECT_NEAR(OrdinaryOf(plate, Separated(-0.1)), 1 / (1 + std::log10(17.32)), 1e-3);
+}
+
+TEST(OrdinaryOf, OfAWorldLooksAtMassesSpeedsAndTheStep) {
+  World world;
+  RigidBody body;
+  body.placed.shape = Sphere{0.5};
+  world.bodies = {body, body};
+  EXPECT_EQ(OrdinaryOf(world), 1);
+  world.bodies[1].mass = 1000;
+  EXPECT_NEAR(OrdinaryOf(world), 0.5, 1e-12);
+  world.bodies[1].mass = 1;
+  world.bodies[0].v_WB.x() = 2400;  // Ten times its extent in a step of 1/240 s.
+  EXPECT_NEAR(OrdinaryOf(world), 0.5, 1e-12);
+  world.bodies[0].v_WB.x() = 0;
+  world.dt = 1.0 / 3;
+  EXPECT_NEAR(OrdinaryOf(world), 0.5, 1e-12);
+  EXPECT_EQ(OrdinaryOf(World{}), 1);
+}
+
+TEST(FaultInWords, HasWordsForEveryMeasure) {
+  for (const MeasureKind measure : AllMeasures())
+    EXPECT_NE(FaultInWords(measure), "") << NameOf(measure);
+}
+
+TEST(SiQuantity, ChoosesThePrefixOfALength) {
+  EXPECT_EQ(SiQuantity(0.048, "m"), "4.8 cm");
+  EXPECT_EQ(SiQuantity(0.0099999, "m"), "1 cm");
+  EXPECT_EQ(SiQuantity(1.3e-5, "m"), "13 µm");
+  EXPECT_EQ(SiQuantity(0.0021, "m"), "2.1 mm");
+  EXPECT_EQ(SiQuantity(659.2, "m"), "659 m");
+  EXPECT_EQ(SiQuantity(2e-16, "m"), "2e-16 m");
+  EXPECT_EQ(SiQuantity(0.3, "rad"), "0.3 rad");
+  EXPECT_EQ(SiQuantity(2, ""), "2");
+  EXPECT_EQ(SiQuantity(NAN, "m"), "not a number");
+}
+
+TEST(ShareInWords, SaysPerCentWhereThatIsShort) {
+  EXPECT_EQ(ShareInWords(0.05), "5 % of the size");
+  EXPECT_EQ(ShareInWords(1.5), "150 % of the size");
+  EXPECT_EQ(ShareInWords(12), "12 × the size");
+  EXPECT_EQ(ShareInWords(2e-5), "2e-05 of the size");
+  EXPECT_EQ(ShareInWords(INFINITY), "");
+}
+
+}  // namespace
+}  // namespace touchstone
