@@ -1,0 +1,172 @@
+import * as three from "three";
+import type { Answer, Contact, Placed, Vec3 } from "../data";
+import { colourOf, prefersDark, type Look } from "../engines";
+import { add, dot, isFinite3, middle, norm, rotate, sub, times, unit } from "../vector";
+import { arrow, ball, disc, hatched, planePatch, quaternion, rod, solid, toScene, type Frame } from "./parts";
+import { formOf } from "./shapes";
+import { overlapAlong, reach } from "./support";
+
+/** What the proof shows at a moment: how far B has moved, and the gap that is then between A and B; negative while they overlap. */
+export interface ProofState { moved: number; gap: number; claimMoved?: number; claimGap?: number }
+
+export interface ContactScene {
+  root: three.Group;
+  frame: Frame;
+  /** Radius of what is worth seeing, in units of the scene. */
+  radius: number;
+  /** Where A and B are, for their labels. */
+  A: () => three.Vector3;
+  B: () => three.Vector3;
+  /** Whether there is a certificate that can be performed. */
+  provable: boolean;
+  /** Performs the proof up to `part`, from 0 to 1. */
+  prove(part: number): ProofState;
+  show(oracle: number, visible: boolean): void;
+  /** Chooses the claimed direction that is performed beside the shortest; -1 for none. */
+  explain(oracle: number): void;
+}
+
+export const hasNormal = (n: Vec3 | undefined): n is Vec3 => n !== undefined && isFinite3(n) && norm(n) > 0.5;
+
+/** The point around which a contact question is drawn. */
+export function contactCentre({ A, B, truth }: Contact): Vec3 {
+  if (isFinite3(truth.pA) && isFinite3(truth.pB) && hasNormal(truth.n)) return middle(truth.pA, truth.pB);
+  return A.shape.type === "half_space" ? B.p : B.shape.type === "half_space" ? A.p : middle(A.p, B.p);
+}
+
+function chooseFrame(contact: Contact): { frame: Frame; all: number } {
+  const centre = contactCentre(contact);
+  const extents = [contact.A, contact.B].filter((b) => b.shape.type !== "half_space").map((b) => ({ far: norm(sub(b.p, centre)) + reach(b.shape), size: reach(b.shape) }));
+  const all = Math.max(...extents.map((e) => e.far));
+  const least = Math.min(...extents.map((e) => e.far));
+  // Beside something a hundred times its size, the small body is what the question is about.
+  const radius = all > 12 * least ? 4 * least : all;
+  return { frame: { centre, scale: 1 / radius }, all };
+}
+
+/** The place of a body in the scene. A half-space is shown as the patch of its face that is nearest to the centre. */
+function place(body: Placed, { centre, scale }: Frame): three.Group {
+  const group = new three.Group();
+  let at = body.p;
+  if (body.shape.type === "half_space") {
+    const n = rotate(body.q, [0, 0, 1]);
+    at = sub(centre, times(dot(n, sub(centre, body.p)), n));
+  }
+  group.position.copy(toScene({ centre, scale }, at));
+  group.quaternion.copy(quaternion(body.q));
+  return group;
+}
+
+function answerParts(answer: Answer, contact: Contact, frame: Frame, look: Look): three.Group {
+  const group = new three.Group();
+  const colour = colourOf(look);
+  const points = (answer.points ?? []).filter((point) => isFinite3(point.p));
+  const n0 = hasNormal(answer.n) ? unit(answer.n) : undefined;
+  for (const { p, s, n } of points) {
+    const along = hasNormal(n) ? unit(n) : n0 ?? contact.truth.n;
+    if (!hasNormal(along)) continue;
+    const at = toScene(frame, p);
+    const half = new three.Vector3(...along).multiplyScalar((Number.isFinite(s) ? Math.max(-1, Math.min(1, s * frame.scale)) : 0) / 2);
+    group.add(disc(at, along, 0.028, look, colour), rod(at.clone().sub(half), at.clone().add(half), 0.005, colour));
+  }
+  if (n0) {
+    const from = points.length ? points.reduce<Vec3>((sum, { p }) => add(sum, times(1 / points.length, p)), [0, 0, 0])
+      : answer.witnesses ? middle(...answer.witnesses) : contactCentre(contact);
+    if (isFinite3(from)) group.add(arrow(toScene(frame, from), new three.Vector3(...n0).multiplyScalar(0.42), 0.008, colour));
+  }
+  for (const w of answer.witnesses ?? []) if (isFinite3(w)) group.add(ball(toScene(frame, w), 0.014, colour));
+  return group;
+}
+
+export function buildContact(contact: Contact, looks: Look[]): ContactScene {
+  const { A, B, truth } = contact;
+  const { frame } = chooseFrame(contact);
+  const dark = prefersDark();
+  const root = new three.Group();
+  const bodies = [A, B].map((body, i) => {
+    const group = place(body, frame);
+    const colour = i === 0 ? (dark ? "#7f93b8" : "#8fa3c9") : (dark ? "#b59a74" : "#cbb38c");
+    const edge = i === 0 ? (dark ? "#b9c8e6" : "#3d5179") : (dark ? "#e3cda9" : "#73572a");
+    group.add(solid(formOf(body.shape, frame.scale, 1.5), { colour, edge, opacity: body.shape.type === "half_space" ? 0.22 : 0.36, edgeOpacity: body.shape.type === "half_space" ? 0.35 : 0.85 }));
+    root.add(group);
+    return group;
+  });
+  const truthColour = dark ? "#f5f5f5" : "#111111";
+  const n = hasNormal(truth.n) ? unit(truth.n) : null;
+  const certificate = new three.Group();
+  root.add(certificate);
+  if (n && truth.patch.length > 1) certificate.add(hatched(truth.patch.map((p) => toScene(frame, p)), n, truthColour, 0.05));
+  const plane = n && isFinite3(truth.pA) ? planePatch(toScene(frame, truth.pA), n, 0.75, dark ? "#ff9ecf" : "#b3006b") : null;
+  if (n && plane && isFinite3(truth.pB)) {
+    certificate.add(ball(toScene(frame, truth.pA), 0.018, truthColour), ball(toScene(frame, truth.pB), 0.018, truthColour), plane);
+  }
+
+  const layers = contact.answers.map((answer, o) => {
+    const layer = answer.status === "answered" ? answerParts(answer, contact, frame, looks[o]) : new three.Group();
+    layer.visible = false;
+    root.add(layer);
+    return layer;
+  });
+
+  const home = bodies[1].position.clone();
+  const depth = n ? overlapAlong(A, B, n) : NaN;
+  const apart = truth.touching === "apart";
+  const opened = 0.12 / frame.scale;
+  let claim: { n: Vec3; overlap: number; ghost: three.Group } | null = null;
+  const rulers = new three.Group();
+  root.add(rulers);
+
+  const drawRuler = (along: Vec3, size: number, colour: string): void => {
+    const start = toScene(frame, truth.pA);
+    const way = new three.Vector3(...along).multiplyScalar(size * frame.scale);
+    rulers.add(arrow(start, way, 0.011, colour));
+  };
+
+  return {
+    root, frame, radius: 1,
+    A: () => (A.shape.type === "half_space" ? bodies[0].position.clone().add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[0].quaternion)) : bodies[0].position),
+    B: () => (B.shape.type === "half_space" ? bodies[1].position.clone().add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[1].quaternion)) : bodies[1].position),
+    provable: n !== null && Number.isFinite(depth),
+    prove(part) {
+      for (const ruler of [...rulers.children]) ruler.removeFromParent();
+      if (!n || !Number.isFinite(depth)) return { moved: 0, gap: NaN };
+      if (apart) {
+        // The plane sweeps the gap from A to B: it touches both only at the ends.
+        plane?.position.copy(toScene(frame, add(truth.pA, times(-depth * part, n))));
+        return { moved: 0, gap: -depth };
+      }
+      // The certified depth first, then an opening that can be seen.
+      const travel = (overlap: number): number => (Math.max(overlap, 0) + opened) * part;
+      const moved = travel(depth);
+      bodies[1].position.copy(home).addScaledVector(new three.Vector3(...n), moved * frame.scale);
+      const state: ProofState = { moved, gap: -overlapAlong(A, { ...B, p: add(B.p, times(moved, n)) }, n) };
+      if (part > 0 && isFinite3(truth.pA)) drawRuler(n, Math.min(moved, Math.max(depth, 0)), truthColour);
+      if (claim) {
+        const claimMoved = travel(claim.overlap);
+        claim.ghost.visible = part > 0;
+        claim.ghost.position.copy(home).addScaledVector(new three.Vector3(...claim.n), claimMoved * frame.scale);
+        state.claimMoved = claimMoved;
+        state.claimGap = -overlapAlong(A, { ...B, p: add(B.p, times(claimMoved, claim.n)) }, claim.n);
+        if (part > 0 && isFinite3(truth.pA)) drawRuler(claim.n, Math.min(claimMoved, Math.max(claim.overlap, 0)), (claim.ghost.userData.colour as string));
+      }
+      return state;
+    },
+    show(oracle, visible) { layers[oracle].visible = visible; },
+    explain(oracle) {
+      claim?.ghost.removeFromParent();
+      claim = null;
+      const said = contact.answers[oracle]?.n;
+      if (!n || !hasNormal(said)) return;
+      const along = unit(said);
+      const overlap = overlapAlong(A, B, along);
+      if (!Number.isFinite(overlap) || dot(along, n) > 1 - 1e-9) return;
+      const ghost = place(B, frame);
+      const colour = colourOf(looks[oracle]);
+      ghost.userData.colour = colour;
+      ghost.add(solid(formOf(B.shape, frame.scale, 1.5), { colour, opacity: 0.12, edgeOpacity: 0.8 }));
+      ghost.visible = false;
+      root.add(ghost);
+      claim = { n: along, overlap, ghost };
+    },
+  };
+}
