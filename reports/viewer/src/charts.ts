@@ -19,6 +19,6 @@ export function barChart(counts: number[], low: number, high: number, name: stri
     svg("line", { x1: 0, x2: width, y1: height, y2: height }),
     decades(low, high, 6).map((e) => {
       const x = ((e - low) / (high - low)) * width;
-      return svg("text", { x: Math.max(10, Math.min(width - 12, x)), y: height + 13, "text-anchor": "middle" }, powerOfTen(e));
+      return svg("text", { x, y: height + 13, "text-anchor": e === low ? "start" : e === high ? "end" : "middle" }, powerOfTen(e));
     }));
 }

@@ -4,7 +4,7 @@ import { numberOf } from "./format";
 import type { Run } from "./run";
 
 /** Filters of the list of findings, as in its address. Several values of a key are alternatives; keys add up. */
-export const filterKeys = ["verdict", "oracle", "group", "pair", "measure", "law", "cause", "cluster", "question"] as const;
+export const filterKeys = ["verdict", "oracle", "group", "pair", "measure", "law", "cause", "cluster", "entry", "question"] as const;
 export type FilterKey = (typeof filterKeys)[number];
 
 export const sortKeys = ["gravity", "question", "oracle", "measure", "value", "share"] as const;
@@ -27,7 +27,7 @@ export function optionsOf({ report, text }: Run, key: FilterKey): string[] {
     case "measure": return report.names.measure.map((m) => m.name).sort();
     case "law": return [...new Set(report.findings.law)].filter((l) => l >= 0).map(text).sort();
     case "cause": return report.names.cause.filter((c) => c !== "");
-    case "cluster": case "question": return [];
+    case "cluster": case "entry": case "question": return [];
   }
 }
 
@@ -52,6 +52,7 @@ function testOf(run: Run, key: FilterKey, values: string[]): Test {
     case "measure": return columnTest(f.measure, names.measure.length, (i) => has(names.measure[i].name));
     case "cause": return columnTest(f.cause, names.cause.length, (i) => has(names.cause[i]));
     case "law": return columnTest(f.law, report.texts.length, (i) => has(report.texts[i]));
+    case "entry": return columnTest(f.ledger, report.ledger.length, (i) => has(String(i)));
     case "cluster": return columnTest(f.cluster, report.clusters.length, (i) => has(String(i)));
   }
 }

@@ -3,7 +3,7 @@ import { bands } from "./bands";
 import { h, type Child } from "./dom";
 import { downloadCsv } from "./download";
 import type { SortKey } from "./filter";
-import { quantity, share, spaced } from "./format";
+import { quantity, ratio, spaced } from "./format";
 import type { Run } from "./run";
 import { virtualList, type VirtualList } from "./virtual";
 import { badge, engine } from "./widgets";
@@ -36,7 +36,7 @@ export function valueOf(run: Run, finding: number): string {
 /** The share of the size, where the measure is a length. */
 export function shareOf(run: Run, finding: number): string {
   const { findings, names } = run.report;
-  return names.measure[findings.measure[finding]]?.kind === "length" ? share(findings.share[finding]) : "";
+  return names.measure[findings.measure[finding]]?.kind === "length" ? ratio(findings.share[finding]) : "";
 }
 
 /** The address of a finding: its question, with its oracle explained. */

@@ -31,13 +31,14 @@ export function numberOf(value: number | string): number {
   return value === "inf" ? Infinity : value === "-inf" ? -Infinity : NaN;
 }
 
-/** Writes a share of the size: "5 %", "0.02 %", "2e-16 of the size". */
-export function share(value: number): string {
+/** Writes a share: "5 %", "0.02 %", "2e-16". */
+export function ratio(value: number): string {
   const size = Math.abs(value);
-  if (size === 0) return "0";
-  if (size >= 1e-4 && size < 1e3) return `${digits(value * 100, 2)} %`;
-  return `${digits(value, 2)} of the size`;
+  return size >= 1e-4 && size < 1e3 ? `${digits(value * 100, 2)} %` : digits(value, 2);
 }
+
+/** Writes a share of the size of a question: "5 % of the size". */
+export const share = (value: number): string => `${ratio(value)} of the size`;
 
 export const seconds = (time: number): string => `${time.toFixed(3)} s`;
 

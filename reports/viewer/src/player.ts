@@ -30,6 +30,7 @@ export function makePlayer(start: number, end: number, tell: (time: number, play
       tell(now, true);
     },
     stop() {
+      if (!frame) return;
       cancelAnimationFrame(frame);
       frame = 0;
       tell(now, false);

@@ -42,10 +42,28 @@ export function makePlot(name: string, seek: (time: number) => void, empty: stri
     ctx.save();
     ctx.strokeStyle = prefersDark() ? "#f5f5f5" : "#111";
     ctx.lineWidth = devicePixelRatio;
+    ctx.setLineDash([]);
     ctx.beginPath();
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);
     ctx.stroke();
+    ctx.restore();
+  };
+  /** The tolerance around the truth. */
+  const drawBand = (u: uPlot): void => {
+    if (!data?.truth || data.logarithmic || !(data.truth.tolerance > 0)) return;
+    const { times, truth: { values: list, tolerance } } = data;
+    const known = list.map((v, i) => [times[i], v] as const).filter((pair): pair is readonly [number, number] => pair[1] !== null);
+    const { ctx, bbox } = u;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    ctx.beginPath();
+    for (const [t, v] of known) ctx.lineTo(u.valToPos(t, "x", true), u.valToPos(v + tolerance, "y", true));
+    for (const [t, v] of known.reverse()) ctx.lineTo(u.valToPos(t, "x", true), u.valToPos(v - tolerance, "y", true));
+    ctx.fillStyle = prefersDark() ? "rgba(255,255,255,0.17)" : "rgba(0,0,0,0.13)";
+    ctx.fill();
     ctx.restore();
   };
   const tell = (): void => {
@@ -71,19 +89,14 @@ export function makePlot(name: string, seek: (time: number) => void, empty: stri
     const columns: (number | null)[][] = [];
     const series: uPlot.Series[] = [{}];
     const plain = { points: { show: false }, spanGaps: false };
-    const bands: uPlot.Band[] = [];
-    if (truth) {
-      if (truth.tolerance > 0 && !logarithmic) {
-        columns.push(truth.values.map((v) => (v === null ? null : v + truth.tolerance)), truth.values.map((v) => (v === null ? null : v - truth.tolerance)));
-        series.push({ ...plain, width: 0 }, { ...plain, width: 0 });
-        bands.push({ series: [1, 2], fill: dark ? "rgba(255,255,255,0.13)" : "rgba(0,0,0,0.09)" });
-      }
-      columns.push(positive(truth.values));
-      series.push({ ...plain, stroke: dark ? "#fff" : "#000", dash: [6, 5], width: 1.5 });
-    }
     for (const { look, values: list, solid } of lines) {
       columns.push(positive(list));
       series.push({ ...plain, stroke: look ? colourOf(look) : ink, width: solid ? 2.5 : 1.4, dash: look?.dash });
+    }
+    // Last, so that the engine that keeps to it does not hide it.
+    if (truth) {
+      columns.push(positive(truth.values));
+      series.push({ ...plain, stroke: dark ? "#fff" : "#000", dash: [6, 5], width: 1.5 });
     }
     if (bound !== undefined && (!logarithmic || bound > 0)) {
       columns.push(times.map(() => bound));
@@ -96,8 +109,8 @@ export function makePlot(name: string, seek: (time: number) => void, empty: stri
       cursor: { drag: { x: true, y: false }, points: { show: false } },
       scales: { x: { time: false }, y: logarithmic ? { distr: 3 } : { range: (_u, low, high) => padded(low, high) } },
       axes: [{ ...axis, values: (_u, ticks) => ticks.map((t) => `${t} s`), size: 28 }, { ...axis, size: 66, values: (_u, ticks) => ticks.map((t, i) => (t === null || (logarithmic && ticks.length > 12 && i % 9 !== 0) ? "" : `${digits(t)} ${unit}`)) }],
-      series, bands,
-      hooks: { draw: [drawCursor] },
+      series,
+      hooks: { drawAxes: [drawBand], draw: [drawCursor] },
     }, [times, ...columns] as uPlot.AlignedData, place);
     plot.over.addEventListener("click", () => {
       const left = plot?.cursor.left;

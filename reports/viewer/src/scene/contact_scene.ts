@@ -96,7 +96,7 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   const certificate = new three.Group();
   root.add(certificate);
   if (n && truth.patch.length > 1) certificate.add(hatched(truth.patch.map((p) => toScene(frame, p)), n, truthColour, 0.05));
-  const plane = n && isFinite3(truth.pA) ? planePatch(toScene(frame, truth.pA), n, 0.75, dark ? "#ff9ecf" : "#b3006b") : null;
+  const plane = n && isFinite3(truth.pA) ? planePatch(toScene(frame, truth.pA), n, 0.6, dark ? "#ff9ecf" : "#b3006b") : null;
   if (n && plane && isFinite3(truth.pB)) {
     certificate.add(ball(toScene(frame, truth.pA), 0.018, truthColour), ball(toScene(frame, truth.pB), 0.018, truthColour), plane);
   }

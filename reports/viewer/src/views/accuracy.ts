@@ -5,7 +5,7 @@ import { h } from "../dom";
 import { downloadCsv } from "../download";
 import { colourOf, prefersDark } from "../engines";
 import { findingAddress } from "../findings_table";
-import { counted, share, spaced } from "../format";
+import { counted, ratio, spaced } from "../format";
 import { logHistogram, quantile } from "../histogram";
 import type { MakeView } from "../view";
 import { button, engine } from "../widgets";
@@ -72,8 +72,8 @@ export const accuracyView: MakeView = (run, at) => {
       h("tbody", {}, full.map((row) => h("tr", {},
         h("th", { scope: "row" }, engine(run, row.oracle)), h("td", {}, strip(row)),
         h("td", { class: "number" }, (row.values.length + row.zeros).toLocaleString("en")), h("td", { class: "number" }, row.zeros.toLocaleString("en")),
-        h("td", { class: "number" }, share(quantile(all(row), 0.5))), h("td", { class: "number" }, share(quantile(all(row), 0.9))),
-        h("td", { class: "number" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, share(f.share[row.worst])))))))),
+        h("td", { class: "number" }, ratio(quantile(all(row), 0.5))), h("td", { class: "number" }, ratio(quantile(all(row), 0.9))),
+        h("td", { class: "number" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, ratio(f.share[row.worst])))))))),
     h("p", { class: "quiet" }, `${counted(full.reduce((sum, r) => sum + r.values.length + r.zeros, 0), "measurement")} in ${counted(full.length, "engine")}. The black mark is the median.`));
   return { title: "Accuracy", element };
 };

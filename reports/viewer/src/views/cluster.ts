@@ -1,7 +1,7 @@
 import { address, questionAddress } from "../address";
 import { h } from "../dom";
 import { downloadFindings, findingsAddress, findingsTable } from "../findings_table";
-import { capital, counted, digits, quantity, share } from "../format";
+import { counted, digits, quantity, share } from "../format";
 import { logHistogram } from "../histogram";
 import { barChart } from "../charts";
 import { orderBy } from "../filter";
@@ -26,13 +26,13 @@ export const clusterView: MakeView = (run, at) => {
   const cause = report.names.cause[cluster.cause];
   const element = h("section", { class: "cluster" },
     h("p", { class: "card-head" }, badge(band), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new: not in the ledger" : "known: in the ledger"), upstreamLink(cluster.upstream)),
-    h("h1", { dir: "auto" }, capital(cluster.sentence)),
+    h("h1", { dir: "auto" }, cluster.sentence),
     h("div", { class: "columns" },
       h("div", { class: "main-column" },
         question && h("a", { href: questionAddress(question.id, { o: report.oracles[cluster.oracles[0]]?.name ?? "" }), class: "large-picture", "aria-label": `Open ${question.id}` },
-          thumbnail(run, question, cluster.oracles, f.time?.[cluster.worst] ?? -1, 560, 360)),
+          thumbnail(run, question, cluster.oracles, f.time?.[cluster.worst] ?? -1, 840, 420)),
         question && h("p", {}, "Its worst question: ", h("a", { href: questionAddress(question.id, { o: report.oracles[f.oracle[cluster.worst]]?.name ?? "" }), dir: "auto" }, question.title), ".")),
-      h("aside", { class: "side-column" },
+      h("div", { class: "side-column" },
         h("h2", {}, "Engines"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
         h("h2", {}, "How large"),
         h("p", {}, `At worst ${quantity(cluster.error, cluster.unit)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `, in ${counted(cluster.questions.length, "question")}.`),

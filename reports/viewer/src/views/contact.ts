@@ -15,7 +15,13 @@ import { badge, button, command, engine, tabs } from "../widgets";
 import { faultsOf, measuresTable, oraclesOf } from "./verdicts";
 import * as three from "three";
 
+const hidden = (text: string): HTMLElement => h("span", { class: "visually-hidden" }, text);
 const vector = (v: Vec3): string => `(${v.map((x) => digits(x, 6)).join(", ")})`;
+
+/** How long the proof plays [s]. */
+const proofTime = 2;
+
+const middleOf = (lo: number, hi: number): number => lo / 2 + hi / 2;
 
 /** Separations that would be written alike are told apart by more digits; a dash where an engine gives none. */
 const separationText = (s: number | undefined): string => (s === undefined ? "–" : Number.isFinite(s) ? length(s) : digits(s));
@@ -36,12 +42,12 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
   stage.fit(new three.Vector3(), view.radius);
   stage.label("A", view.A);
   stage.label("B", view.B);
-  const inset = closeUp(contact, run.looks);
+  // Where the depth is seen in the large view, a close-up would only cover it.
+  const inset = Math.max(Math.abs(truth.lo), Math.abs(truth.hi)) < 0.04 * question.size ? closeUp(contact, run.looks) : null;
   const reading = h("output", { class: "reading", "aria-live": "polite" });
   const playButton = button("▶ Play the proof", () => player.toggle(), { class: "primary" });
-  const slider = h("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Progress of the proof", on: { input: () => { player.stop(); player.seek(Number(slider.value) / 1000 * 2); } } });
+  const slider = h("input", { type: "range", min: 0, max: 1000, value: 0, "aria-label": "Progress of the proof", on: { input: () => { const time = (Number(slider.value) / 1000) * proofTime; player.stop(); player.seek(time); } } });
 
-  const proofTime = 2;  // Seconds.
   const player = makePlayer(0, proofTime, (time, playing) => {
     const state = view.prove(time / proofTime);
     slider.value = String(Math.round((time / proofTime) * 1000));
@@ -93,16 +99,15 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
   };
 
   const truthLine = (): string => {
-    const [lo, hi] = [truth.lo, truth.hi];
-    const sure = lo === hi ? digits(lo, 8) : `${digits(lo, 8)} … ${digits(hi, 8)}`;
-    if (truth.touching === "apart") return `A and B are apart by ${length(lo)} (certified: ${sure} m).`;
-    if (truth.touching === "undecided") return `Whether A and B touch is within the rounding of the input (separation ${sure} m).`;
-    return `A and B touch: the shortest way out is ${length(Math.max(-lo, 0))}, ${share(Math.max(-lo, 0) / question.size)} (certified separation: ${sure} m).`;
+    if (truth.touching === "apart") return `A and B are apart by ${length(truth.lo)}.`;
+    if (truth.touching === "undecided") return "Whether A and B touch is within the rounding of the input.";
+    const depth = Math.max(-truth.lo, 0);
+    return `A and B overlap: the shortest way out is ${length(depth)}, ${share(depth / question.size)}.`;
   };
+  const certified = (): string => `Certified separation: ${digits(middleOf(truth.lo, truth.hi), 9)} m, known to ${length((truth.hi - truth.lo) / 2)}. Method: ${truth.method}.`;
   const tabList = tabs([
     { key: "proof", name: "Proof", make: () => [
-      h("p", {}, truthLine(), " ", h("span", { class: "quiet" }, `Method: ${truth.method}.`)),
-      hasNormal(truth.n) && h("p", { class: "numbers" }, `n = ${vector(truth.n)}`),
+      h("p", { class: "numbers" }, certified(), hasNormal(truth.n) && ` The shortest way out is along n = ${vector(truth.n)}.`),
       explained >= 0 && h("h2", {}, engine(run, explained)),
       explained >= 0 && faultsOf(run, q, explained)] },
     { key: "measures", name: "Measures", make: () => [
@@ -146,7 +151,8 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
       h("div", { class: "side-panel" },
         h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Answers" },
           h("table", { class: "plain verdicts" },
-            h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "show"), h("th", { scope: "col" }, "explain"), h("th", { scope: "col" }, "engine"), h("th", { scope: "col" }, "worst"), h("th", { scope: "col", class: "number" }, "separation"), h("th", { scope: "col", class: "number" }, "error"))),
+            h("caption", {}, "Tick: its contacts are shown. Dot: it is explained below, and its direction performed with the proof."),
+            h("thead", {}, h("tr", {}, h("th", { scope: "col" }, hidden("show")), h("th", { scope: "col" }, hidden("explain")), h("th", { scope: "col" }, "engine"), h("th", { scope: "col" }, "worst"), h("th", { scope: "col", class: "number" }, "separation"), h("th", { scope: "col", class: "number" }, "error"))),
             list)),
         tabList.element)));
   view.explain(explained);

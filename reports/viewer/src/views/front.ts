@@ -2,7 +2,7 @@ import { address, toggled, valuesOf, type Address } from "../address";
 import { bands, bandTexts, faultBands, type Band } from "../bands";
 import { fill, h } from "../dom";
 import { findingsAddress } from "../findings_table";
-import { capital, counted } from "../format";
+import { counted } from "../format";
 import { bandOfCluster } from "../run";
 import { thumbnail } from "../scene/thumbnail";
 import type { MakeView } from "../view";
@@ -21,13 +21,14 @@ export const frontView: MakeView = (run, start) => {
     const cluster = report.clusters[c];
     const question = report.questions[cluster.questions[0]];
     const faults = report.clusters[c].worst;
-    return h("article", { role: "listitem", class: "card" },
+    return h("div", { role: "listitem", class: "card" },
       h("a", { href: address(["f", String(c)]), class: "card-picture", tabindex: "-1", "aria-hidden": "true" },
         question && thumbnail(run, question, cluster.oracles, report.findings.time?.[faults] ?? -1)),
       h("div", { class: "card-text" },
         h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
           h("span", { class: "quiet" }, counted(cluster.questions.length, "question"))),
-        h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto" }, capital(cluster.sentence))),
+        h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto" }, cluster.sentence)),
+        cluster.reason !== "" && !cluster.sentence.includes(cluster.reason) && h("p", { class: "why", dir: "auto" }, cluster.reason),
         h("p", { class: "engines" }, cluster.oracles.slice(0, 8).map((o) => engine(run, o)), cluster.oracles.length > 8 && h("span", { class: "quiet" }, `and ${cluster.oracles.length - 8} more`))));
   };
   const list = virtualList("list", () => (innerWidth < 760 ? 236 : 152), card);
@@ -58,7 +59,7 @@ export const frontView: MakeView = (run, start) => {
     report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),
     h("div", { class: "columns" },
       h("div", { class: "main-column" }, chips, list.element),
-      h("aside", { class: "side-column" },
+      h("div", { class: "side-column" },
         h("h2", {}, h("a", { href: "#/matrix" }, "Groups × engines")), smallMatrix(run),
         h("h2", {}, "Measurements by verdict"),
         h("table", { class: "plain" }, h("tbody", {}, report.names.verdict.map((verdict, v) => perVerdict[v] > 0 && h("tr", {},

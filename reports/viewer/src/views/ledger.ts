@@ -38,7 +38,7 @@ export const ledgerView: MakeView = (run, at) => {
       return h("details", { on: { toggle: (event: Event) => { if ((event.target as HTMLDetailsElement).open && !body.hasChildNodes()) fill(body, entriesOf(entries)); } } },
         h("summary", {}, h("span", { class: "reason", dir: "auto" }, reason),
           h("span", { class: "quiet" }, ` ${[...new Set(entries.map((e) => e.oracle))].join(", ")} · ${counted(entries.length, "entry", "entries")} · ${counted(uses(entries), "finding")}`)),
-        upstreams.length > 0 && h("p", {}, upstreams.map((u) => [upstreamLink(u), " "])), body);
+        h("p", {}, upstreams.map((u) => [upstreamLink(u), " · "]), h("a", { href: findingsAddress({ entry: entries.map((e) => ledger.indexOf(e)).join(","), band: "all" }) }, "the findings that it hides")), body);
     }),
     matching.length > pageSize && h("p", { class: "toolbar" },
       page > 0 && h("a", { href: address(["ledger"], withValue(query, "page", String(page - 1))) }, "← before"),
@@ -47,7 +47,7 @@ export const ledgerView: MakeView = (run, at) => {
   };
   const entriesOf = (entries: LedgerEntry[]): HTMLElement[] => entries.slice(0, pageSize).map((e) => h("dl", { class: "entry" },
     [["Engine", h("a", { href: address(["oracles", e.oracle]) }, e.oracle)], ["Version", e.version], ["Scenarios", h("span", { class: "id" }, e.scenarios.join(", "))], ["Measures", e.measures.map(spaced).join(", ")],
-      ["Verdict", e.verdict], ["Cause", e.cause], ["Expires", e.expires], ["Hides", h("a", { href: findingsAddress({ oracle: e.oracle, verdict: "known" }) }, counted(e.uses, "finding"))]]
+      ["Verdict", e.verdict], ["Cause", e.cause], ["Expires", e.expires], ["Hides", h("a", { href: findingsAddress({ entry: String(ledger.indexOf(e)), band: "all" }) }, counted(e.uses, "finding"))]]
       .filter(([, value]) => value !== "").map(([name, value]) => [h("dt", {}, name), h("dd", {}, value)])));
   const save = (): void => downloadCsv("ledger.csv", [["reason", "oracle", "version", "scenarios", "measures", "verdict", "cause", "upstream", "expires", "findings"],
     ...ledger.map((e) => [e.reason, e.oracle, e.version, e.scenarios.join(" "), e.measures.join(" "), e.verdict, e.cause, e.upstream, e.expires, e.uses])]);

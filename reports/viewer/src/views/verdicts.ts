@@ -26,7 +26,7 @@ export function faultsOf(run: Run, question: number, oracle: number): Child {
     if (entry) reasons.add(f.ledger[i]);
     const shipped = names.shipped[f.shipped[i]] ?? "";
     return h("article", { class: "fault" },
-      h("h3", {}, badge(bands[run.band[i]], names.verdict[f.verdict[i]]), " ", measureOf(run, i), " ", h("b", {}, valueOf(run, i)), shareOf(run, i) && ` (${shareOf(run, i)})`),
+      h("h3", {}, badge(bands[run.band[i]], names.verdict[f.verdict[i]]), " ", measureOf(run, i), " ", h("b", {}, valueOf(run, i)), shareOf(run, i) && ` (${shareOf(run, i)} of the size)`),
       run.text(f.proof[i]) && h("p", { class: "proof", dir: "auto" }, run.text(f.proof[i])),
       f.cause[i] >= 0 && names.cause[f.cause[i]] && h("p", {}, h("b", {}, "Cause: "), names.cause[f.cause[i]], run.text(f.cause_because[i]) && `: ${run.text(f.cause_because[i])}`),
       shipped && run.text(f.shipped_because[i]) && h("p", {}, h("b", {}, `Fails ${shipped}: `), run.text(f.shipped_because[i])),

@@ -40,7 +40,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
   const first = world.times[0] ?? 0;
   const end = world.times[world.times.length - 1] ?? 0;
   const clock = h("output", { class: "clock" });
-  const slider = h("input", { type: "range", min: 0, max: Math.max(1, world.times.length - 1), step: "any", value: 0, "aria-label": "Time", on: { input: () => { player.stop(); player.seek(timeAt(Number(slider.value))); } } });
+  const slider = h("input", { type: "range", min: 0, max: Math.max(1, world.times.length - 1), step: "any", value: 0, "aria-label": "Time", on: { input: () => { const time = timeAt(Number(slider.value)); player.stop(); player.seek(time); } } });
   const playButton = button("▶ Play", () => player.toggle(), { class: "primary" });
   const timeAt = (sample: number): number => {
     const i = Math.floor(sample);
@@ -167,7 +167,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
       h("h1", { dir: "auto" }, question.title),
       world.claims.length > 0 && h("p", {}, h("b", {}, "Claimed: "), world.claims.join("; "), "."),
       h("p", { class: "quiet" }, `${counted(world.steps, "step")} of ${digits(world.dt, 6)} s, gravity (${world.gravity.map((g) => digits(g, 4)).join(", ")}) m/s²`,
-        world.thinned > 1 && `; every ${world.thinned}th sample is kept here`, ".")),
+        world.thinned > 1 && `; one in ${world.thinned} samples of the run is kept here`, ".")),
     h("div", { class: "stage-and-panel" },
       h("div", { class: "stage-column" },
         stage.element,
@@ -185,10 +185,11 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
             h("span", { class: "quiet" }, "Dashed and uncoloured: the truth, in its tolerance. Drag to zoom, double-click to zoom out, click to go there.")),
           plots.map((plot, i) => [selects[i], plot.element]))),
       h("div", { class: "side-panel" },
-        h("p", { class: "toolbar" }, button("All", all, { class: "small" }), " ", h("span", { class: "quiet" }, "One engine is solid, the others are ghosts.")),
+        h("p", { class: "toolbar" }, button("Show all", all, { class: "small" })),
         h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Engines" },
           h("table", { class: "plain verdicts" },
-            h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "show"), h("th", { scope: "col" }, "solid"), h("th", { scope: "col" }, "engine"), h("th", { scope: "col" }, "worst"), h("th", { scope: "col", class: "number" }, "error"), h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "explain")))),
+            h("caption", {}, "Tick: it is shown. Dot: it is solid, the others are ghosts."),
+            h("thead", {}, h("tr", {}, h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "show")), h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "solid")), h("th", { scope: "col" }, "engine"), h("th", { scope: "col" }, "worst"), h("th", { scope: "col", class: "number" }, "error"), h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "explain")))),
             list)),
         tabList.element)));
   apply();

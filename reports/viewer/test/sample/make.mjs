@@ -76,11 +76,11 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   const ledger = reasons.map((reason, i) => ({ scenarios: [`contact/box_box/*`, hostile[i % 4]], oracle: oracleNames[1 + (i % 9)][0], version: "1", verdict: "fail", measures: ["separation_error"], cause: "defect", reason, upstream: i % 3 ? "unreported" : i === 0 ? "javascript:window.attacked=1" : "https://example.org/issues/1", expires: "2027-11-21", uses: 10 * i }));
   const columns = ["question", "oracle", "measure", "law", "reference", "verdict", "undecided", "grade", "cause", "shipped", "value", "tolerance", "share", "because", "cause_because", "shipped_because", "proof", "ledger", "cluster", "time"];
   const f = Object.fromEntries(columns.map((c) => [c, []]));
-  const per = Math.max(1, Math.ceil(findings / (questions.length * oracles.length)));
+  const per = Math.max(1, Math.round(findings / (questions.length * oracles.length)));
   const perCluster = Array.from({ length: 30 }, () => ({ oracles: new Set(), questions: new Set(), worst: -1, share: -1, findings: 0 }));
   let n = 0;
   questions.forEach((question, q) => oracles.forEach((_, o) => {
-    for (let k = 0; k < per && n < findings; ++k, ++n) {
+    for (let k = 0; k < per; ++k, ++n) {
       const world = question.kind === "world";
       const verdict = o === 8 && !world ? 5 : world && !question.world.motions[o].bodies.length ? 5 : o % 3 === 1 && k === 0 ? (n % 7 ? 3 : 1) : random() < 0.04 ? 4 : 0;
       const fault = verdict === 3 || verdict === 1;
