@@ -12,7 +12,7 @@ export interface Look {
 }
 
 const looks: Record<string, [light: string, dark: string]> = {
-  touchstone: ["#1b1b1b", "#f2f2f2"], bullet: ["#d08700", "#f0a830"], ode: ["#2f94c9", "#56b4e9"], fcl: ["#009e73", "#1fc495"],
+  touchstone: ["#33383f", "#f2f2f2"], bullet: ["#d08700", "#f0a830"], ode: ["#2f94c9", "#56b4e9"], fcl: ["#009e73", "#1fc495"],
   libccd: ["#9a8f00", "#f0e442"], mujoco: ["#d55e00", "#f2813a"], dart: ["#b5618f", "#dd92bd"],
 };
 const spare: [string, string][] = [["#0072b2", "#5aa9dd"], ["#7a5195", "#b18ccf"], ["#6b6b6b", "#a9a9a9"], ["#8c564b", "#c99a8f"]];

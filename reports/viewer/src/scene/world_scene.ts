@@ -206,9 +206,14 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
         for (const object of bodies) {
           object?.traverse((part) => {
             const { material } = part as Partial<three.Mesh>;
-            if (!(material instanceof three.MeshStandardMaterial)) return;
-            material.opacity = how === "solid" ? 0.8 : 0.13;
-            material.depthWrite = how === "solid";
+            if (material instanceof three.MeshStandardMaterial) {
+              material.opacity = how === "solid" ? 0.85 : 0.13;
+              material.depthWrite = how === "solid";
+            } else if (material instanceof three.LineBasicMaterial) {
+              // The edges of a solid would not be seen on it in its own colour.
+              material.color.set(colour);
+              if (how === "solid") material.color.lerp(new three.Color(material.color.getHSL({ h: 0, s: 0, l: 0 }).l > 0.5 ? "#000000" : "#ffffff"), 0.55);
+            }
           });
         }
       },

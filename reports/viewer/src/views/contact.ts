@@ -5,7 +5,7 @@ import type { Question, Vec3 } from "../data";
 import { fill, h } from "../dom";
 import { downloadCsv, downloadPicture, fileName } from "../download";
 import { findingsAddress, valueOf } from "../findings_table";
-import { digits, length, share } from "../format";
+import { digits, length, numberOf, share } from "../format";
 import { makePlayer } from "../player";
 import type { Run } from "../run";
 import { buildContact, hasNormal } from "../scene/contact_scene";
@@ -23,8 +23,8 @@ const proofTime = 2;
 
 const middleOf = (lo: number, hi: number): number => lo / 2 + hi / 2;
 
-/** Separations that would be written alike are told apart by more digits; a dash where an engine gives none. */
-const separationText = (s: number | undefined): string => (s === undefined ? "–" : Number.isFinite(s) ? length(s) : digits(s));
+/** A separation that an engine gives; a dash where it gives none. */
+const separationText = (s: number | string | undefined): string => (s === undefined ? "–" : length(numberOf(s)));
 
 export function contactView(run: Run, q: number, question: Question, start: Address): View {
   const contact = question.contact!;
