@@ -31,14 +31,15 @@ export function numberOf(value: number | string): number {
   return value === "inf" ? Infinity : value === "-inf" ? -Infinity : NaN;
 }
 
-/** Writes a share: "5 %", "0.02 %", "2e-16". */
+/** Writes a share: "5 %", "0.02 %", "2e-16", "51 ×". */
 export function ratio(value: number): string {
   const size = Math.abs(value);
-  return size >= 1e-4 && size < 1e3 ? `${digits(value * 100, 2)} %` : digits(value, 2);
+  if (size >= 10) return `${digits(value, 2)} ×`;
+  return size >= 1e-4 ? `${digits(value * 100, 2)} %` : digits(value, 2);
 }
 
-/** Writes a share of the size of a question: "5 % of the size". */
-export const share = (value: number): string => `${ratio(value)} of the size`;
+/** Writes a share of the size of a question: "5 % of the size", "51 × the size". */
+export const share = (value: number): string => (Math.abs(value) >= 10 ? `${ratio(value)} the size` : `${ratio(value)} of the size`);
 
 export const seconds = (time: number): string => `${time.toFixed(3)} s`;
 

@@ -12,14 +12,16 @@ export function badge(band: Band, text = bandTexts[band].name): HTMLElement {
 /** An engine as its marker and name, which links to its page. */
 export function engine(run: Run, oracle: number): HTMLElement {
   const { name } = run.report.oracles[oracle];
-  return h("a", { class: "engine", href: address(["oracles", name]) }, marker(run.looks[oracle]), name);
+  return h("a", { class: "engine", title: name, href: address(["oracles", name]) }, marker(run.looks[oracle]), name);
 }
 
-/** A link to the web if it is one; whatever else an upstream says is shown as text. */
+/** A link to the web if it is one, also as "owner/repository#number"; whatever else an upstream says is shown as text. */
 export function upstreamLink(upstream: string): HTMLElement | null {
   if (upstream === "") return null;
-  if (!/^https?:\/\//.test(upstream)) return h("span", { class: "quiet" }, upstream === "unreported" ? "not reported upstream" : upstream);
-  return h("a", { href: upstream, rel: "noreferrer noopener", target: "_blank" }, "reported upstream ↗");
+  const issue = /^([\w.-]+\/[\w.-]+)#(\d+)$/.exec(upstream);
+  const href = issue ? `https://github.com/${issue[1]}/issues/${issue[2]}` : upstream;
+  if (!/^https?:\/\//.test(href)) return h("span", { class: "quiet" }, upstream === "unreported" ? "not reported upstream" : upstream);
+  return h("a", { href, rel: "noreferrer noopener", target: "_blank" }, issue ? upstream : "reported upstream", " ↗");
 }
 
 /** A command with a button that copies it. */

@@ -14,6 +14,9 @@ export interface ContactScene {
   frame: Frame;
   /** Radius of what is worth seeing, in units of the scene. */
   radius: number;
+  /** The ball around all of both bodies, in the scene. */
+  allCentre: three.Vector3;
+  allRadius: number;
   /** Where A and B are, for their labels. */
   A: () => three.Vector3;
   B: () => three.Vector3;
@@ -34,14 +37,15 @@ export function contactCentre({ A, B, truth }: Contact): Vec3 {
   return A.shape.type === "half_space" ? B.p : B.shape.type === "half_space" ? A.p : middle(A.p, B.p);
 }
 
-function chooseFrame(contact: Contact): { frame: Frame; all: number } {
-  const centre = contactCentre(contact);
-  const extents = [contact.A, contact.B].filter((b) => b.shape.type !== "half_space").map((b) => ({ far: norm(sub(b.p, centre)) + reach(b.shape), size: reach(b.shape) }));
-  const all = Math.max(...extents.map((e) => e.far));
-  const least = Math.min(...extents.map((e) => e.far));
-  // Beside something a hundred times its size, the small body is what the question is about.
-  const radius = all > 12 * least ? 4 * least : all;
-  return { frame: { centre, scale: 1 / radius }, all };
+function chooseFrame(contact: Contact): { frame: Frame; all: { centre: Vec3; radius: number } } {
+  const finite = [contact.A, contact.B].filter((b) => b.shape.type !== "half_space").sort((a, b) => reach(a.shape) - reach(b.shape));
+  const around = (centre: Vec3, bodies: Placed[]): number => Math.max(...bodies.map((b) => norm(sub(b.p, centre)) + reach(b.shape)));
+  const middleOfAll = contactCentre(contact);
+  const all = { centre: middleOfAll, radius: around(middleOfAll, finite) };
+  const small = finite[0];
+  // Beside something ten times its size, the small body is what the question is about.
+  if (all.radius > 10 * reach(small.shape)) return { frame: { centre: small.p, scale: 1 / (4 * reach(small.shape)) }, all };
+  return { frame: { centre: middleOfAll, scale: 1 / all.radius }, all };
 }
 
 /** The place of a body in the scene. A half-space is shown as the patch of its face that is nearest to the centre. */
@@ -80,7 +84,7 @@ function answerParts(answer: Answer, contact: Contact, frame: Frame, look: Look)
 
 export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   const { A, B, truth } = contact;
-  const { frame } = chooseFrame(contact);
+  const { frame, all } = chooseFrame(contact);
   const dark = prefersDark();
   const root = new three.Group();
   const bodies = [A, B].map((body, i) => {
@@ -123,7 +127,7 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   };
 
   return {
-    root, frame, radius: 1,
+    root, frame, radius: 1, allRadius: all.radius * frame.scale, allCentre: toScene(frame, all.centre),
     A: () => (A.shape.type === "half_space" ? bodies[0].position.clone().add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[0].quaternion)) : bodies[0].position),
     B: () => (B.shape.type === "half_space" ? bodies[1].position.clone().add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[1].quaternion)) : bodies[1].position),
     provable: n !== null && Number.isFinite(depth),

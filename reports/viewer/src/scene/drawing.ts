@@ -24,16 +24,17 @@ export function drawScene(canvas: HTMLCanvasElement, scene: three.Object3D, came
     if (!place || place.count === 0) return;
     const points: [number, number][] = [];
     const v = new three.Vector3();
-    let behind = false;
+    const behind: boolean[] = [];
     centre.set(0, 0, 0);
     for (let i = 0; i < place.count; ++i) {
       v.fromBufferAttribute(place, i).applyMatrix4(part.matrixWorld);
       centre.addScaledVector(v, 1 / place.count);
       const inView = v.clone().applyMatrix4(camera.matrixWorldInverse);
-      if (inView.z > -camera.near) behind = true;
+      behind.push(inView.z > -camera.near);
       points.push(project(v));
     }
-    if (behind) return;
+    // A solid that reaches behind the camera has no outline; its edges before the camera still help.
+    if (behind.includes(true) && !(part instanceof three.LineSegments)) return;
     const colour = (material as three.MeshBasicMaterial).color.getStyle();
     const depth = -centre.applyMatrix4(camera.matrixWorldInverse).z;
     const line = part instanceof three.Line;
@@ -43,7 +44,7 @@ export function drawScene(canvas: HTMLCanvasElement, scene: three.Object3D, came
         context.globalAlpha = material.opacity;
         context.beginPath();
         if (part instanceof three.LineSegments) {
-          for (let i = 0; i + 1 < points.length; i += 2) { context.moveTo(...points[i]); context.lineTo(...points[i + 1]); }
+          for (let i = 0; i + 1 < points.length; i += 2) { if (behind[i] || behind[i + 1]) continue; context.moveTo(...points[i]); context.lineTo(...points[i + 1]); }
         } else if (line) {
           points.forEach((p, i) => (i ? context.lineTo(...p) : context.moveTo(...p)));
         } else {

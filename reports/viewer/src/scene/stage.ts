@@ -29,7 +29,7 @@ export interface Stage {
 
 const fieldOfView = 28;
 
-export const cameraFor = (aspect: number): three.PerspectiveCamera => new three.PerspectiveCamera(fieldOfView, aspect, 0.01, 200);
+export const cameraFor = (aspect: number): three.PerspectiveCamera => new three.PerspectiveCamera(fieldOfView, aspect, 0.02, 2000);
 
 export function placeCamera(camera: three.PerspectiveCamera, centre: three.Vector3, radius: number, direction: three.Vector3): void {
   const narrow = Math.min(1, camera.aspect);

@@ -104,7 +104,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
     const depth = Math.max(-truth.lo, 0);
     return `A and B overlap: the shortest way out is ${length(depth)}, ${share(depth / question.size)}.`;
   };
-  const certified = (): string => `Certified separation: ${digits(middleOf(truth.lo, truth.hi), 9)} m, known to ${length((truth.hi - truth.lo) / 2)}. Method: ${truth.method}.`;
+  const certified = (): string => `Certified separation: ${digits(middleOf(truth.lo, truth.hi), 9)} m${truth.hi > truth.lo ? `, known to ${length((truth.hi - truth.lo) / 2)}` : ""}. Method: ${truth.method}.`;
   const tabList = tabs([
     { key: "proof", name: "Proof", make: () => [
       h("p", { class: "numbers" }, certified(), hasNormal(truth.n) && ` The shortest way out is along n = ${vector(truth.n)}.`),
@@ -130,7 +130,13 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
   }
 
   const look = (direction: Vec3): void => stage.lookFrom(direction);
-  const fit = (): void => stage.fit(new three.Vector3(), view.radius);
+  // Beside something much larger, the fit goes to and fro between the small body and all.
+  let seesAll = false;
+  const fit = (): void => {
+    seesAll = !seesAll;
+    if (seesAll) stage.fit(view.allCentre, view.allRadius);
+    else stage.fit(new three.Vector3(), view.radius);
+  };
   const picture = async (): Promise<void> => downloadPicture(fileName(question.id, "png"), await stage.picture());
   const axes: [string, Vec3][] = [["x", [1, 0, 0]], ["y", [0, -1, 0]], ["z", [0, 0, 1]]];
   const element = h("section", { class: "question" },

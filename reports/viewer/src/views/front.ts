@@ -28,7 +28,7 @@ export const frontView: MakeView = (run, start) => {
         h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
           h("span", { class: "quiet" }, counted(cluster.questions.length, "question"))),
         h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto" }, cluster.sentence)),
-        cluster.reason !== "" && !cluster.sentence.includes(cluster.reason) && h("p", { class: "why", dir: "auto" }, cluster.reason),
+        h("p", { class: "why", dir: "auto" }, untold(cluster.reason, cluster.sentence)),
         h("p", { class: "engines" }, cluster.oracles.slice(0, 8).map((o) => engine(run, o)), cluster.oracles.length > 8 && h("span", { class: "quiet" }, `and ${cluster.oracles.length - 8} more`))));
   };
   const list = virtualList("list", () => (innerWidth < 760 ? 236 : 152), card);
@@ -85,3 +85,9 @@ export const frontView: MakeView = (run, start) => {
     dispose: () => list.dispose(),
   };
 };
+
+/** What a reason says beyond the beginning of a sentence that quotes it. */
+function untold(reason: string, sentence: string): string {
+  const quoted = sentence.slice(0, sentence.lastIndexOf(":"));
+  return quoted !== "" && reason.startsWith(quoted) ? reason.slice(quoted.length).replace(/^[\s.:;]+/, "") : reason;
+}

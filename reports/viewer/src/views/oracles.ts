@@ -1,5 +1,5 @@
 import { address } from "../address";
-import { bands, faultBands } from "../bands";
+import { bands, bandTexts, faultBands } from "../bands";
 import { h } from "../dom";
 import { findingsAddress } from "../findings_table";
 import { counted, digits } from "../format";
@@ -28,7 +28,7 @@ export const oraclesView: MakeView = (run, at) => {
   const mine = clusters.map((c, i) => ({ c, i })).filter(({ c }) => c.oracles.includes(index)).slice(0, 30);
   const element = h("section", {}, h("h1", {}, engine(run, index)),
     h("p", {}, `${oracle.library} ${oracle.version}, ${arithmetic(oracle.unit_roundoff)}; answers ${kinds(oracle)}`, oracle.isolated && ", in a process of its own", index === subject && "; the subject of this run", "."),
-    h("p", { class: "chips" }, bands.map((band, b) => per[b] > 0 && h("a", { class: `chip ${band}`, href: findingsAddress({ oracle: oracle.name, band }) }, badge(band), " ", h("b", {}, per[b].toLocaleString("en"))))),
+    h("p", { class: "chips" }, bands.map((band, b) => per[b] > 0 && h("a", { class: `chip ${band}`, href: findingsAddress({ oracle: oracle.name, band }) }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, per[b].toLocaleString("en"))))),
     mine.length > 0 && [h("h2", {}, "Its faults, the gravest first"), h("ol", {}, mine.map(({ c, i }) => h("li", { dir: "auto" }, h("a", { href: address(["f", String(i)]) }, c.sentence))))],
     h("h2", {}, "Settings of the adapter"),
     oracle.settings.length === 0 ? h("p", { class: "quiet" }, "None.") : h("table", { class: "plain" },

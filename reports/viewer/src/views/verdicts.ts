@@ -1,7 +1,7 @@
 import { bands } from "../bands";
 import { fill, h, type Child } from "../dom";
-import { measureOf, shareOf, valueOf } from "../findings_table";
-import { quantity, spaced } from "../format";
+import { measureOf, valueOf } from "../findings_table";
+import { quantity, share, spaced } from "../format";
 import type { Run } from "../run";
 import { badge, engine, upstreamLink } from "../widgets";
 
@@ -19,6 +19,7 @@ export function faultsOf(run: Run, question: number, oracle: number): Child {
   const faults = all.filter((i) => run.band[i] < bands.indexOf("undecidable"));
   const told = faults.length ? faults : all.filter((i) => run.text(f.proof[i]) !== "").slice(0, 3);
   if (told.length === 0) return h("p", {}, `Nothing is wrong with the answer of ${oracles[oracle].name}: ${all.length === 1 ? "its one measurement is" : `its ${all.length} measurements are`} within tolerance.`);
+  const undecided = (i: number): string => (run.band[i] === bands.indexOf("undecidable") ? names.undecided[f.undecided[i]] ?? "" : "");
   const reasons = new Set<number>();
   return told.slice(0, 30).map((i) => {
     const entry = ledger[f.ledger[i]];
@@ -26,7 +27,7 @@ export function faultsOf(run: Run, question: number, oracle: number): Child {
     if (entry) reasons.add(f.ledger[i]);
     const shipped = names.shipped[f.shipped[i]] ?? "";
     return h("article", { class: "fault" },
-      h("h3", {}, badge(bands[run.band[i]], names.verdict[f.verdict[i]]), " ", measureOf(run, i), " ", h("b", {}, valueOf(run, i)), shareOf(run, i) && ` (${shareOf(run, i)} of the size)`),
+      h("h3", {}, badge(bands[run.band[i]], names.verdict[f.verdict[i]]), " ", measureOf(run, i), " ", h("b", {}, valueOf(run, i)), names.measure[f.measure[i]]?.kind === "length" && ` (${share(f.share[i])})`, undecided(i) && `: ${undecided(i)}`),
       run.text(f.proof[i]) && h("p", { class: "proof", dir: "auto" }, run.text(f.proof[i])),
       f.cause[i] >= 0 && names.cause[f.cause[i]] && h("p", {}, h("b", {}, "Cause: "), names.cause[f.cause[i]], run.text(f.cause_because[i]) && `: ${run.text(f.cause_because[i])}`),
       shipped && run.text(f.shipped_because[i]) && h("p", {}, h("b", {}, `Fails ${shipped}: `), run.text(f.shipped_because[i])),

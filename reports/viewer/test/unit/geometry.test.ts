@@ -57,7 +57,7 @@ describe("a section", () => {
 describe("formats", () => {
   it("say lengths with a prefix that suits them, and shares in per cent", () => {
     expect([length(0.0481), length(1.3e-5), length(-2e-16), length(12), length(0)]).toEqual(["4.81 cm", "13 µm", "−2e-16 m", "12 m", "0 m"]);
-    expect([ratio(0.05), ratio(2e-16), digits(NaN), digits(Infinity)]).toEqual(["5 %", "2e-16", "not a number", "∞"]);
+    expect([ratio(0.05), ratio(2e-16), ratio(51), digits(NaN), digits(Infinity)]).toEqual(["5 %", "2e-16", "51 ×", "not a number", "∞"]);
   });
 });
 
