@@ -65,8 +65,17 @@ function start(run: Run, main: HTMLElement, bar: HTMLElement): void {
     }
     document.title = `${current.title} – Touchstone`;
     fill(main, current.element);
-    scrollTo(0, 0);
+    // An address that the reader comes back to has its place; a new one starts at the top, and a screen reader with it.
+    const place: unknown = (history.state as { place?: unknown } | null)?.place;
+    if (typeof place === "number") requestAnimationFrame(() => scrollTo(0, place));
+    else scrollTo(0, 0);
+    if (document.body.dataset.ready && document.activeElement !== search) main.focus({ preventScroll: true });
   };
+  let settled = 0;
+  addEventListener("scroll", () => {
+    clearTimeout(settled);
+    settled = window.setTimeout(() => history.replaceState({ place: scrollY }, ""), 100);
+  }, { passive: true });
   const pageKeys: Key[] = [
     { keys: ["/"], does: "search", run: () => search.focus() },
     { keys: ["?"], does: "this list of keys", run: () => showKeys(keys()) },
@@ -77,7 +86,10 @@ function start(run: Run, main: HTMLElement, bar: HTMLElement): void {
   ];
   const keys = (): Key[] => [...(current?.keys ?? []), ...pageKeys];
   listenToKeys(keys);
-  addEventListener("hashchange", show);
+  addEventListener("hashchange", () => {
+    clearTimeout(settled);
+    show();
+  });
   // Canvases and plots have the colours of the theme in them.
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { name = "\0"; show(); });
   document.querySelector<HTMLAnchorElement>(".skip")?.addEventListener("click", (event) => { event.preventDefault(); main.focus(); });

@@ -95,7 +95,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
   }));
   const remember = (key: string, value: string): void => {
     query = withValue(query, key, value);
-    history.replaceState(null, "", address(["s", question.id], query));
+    history.replaceState(history.state, "", address(["s", question.id], query));
   };
 
   const truthLine = (): string => {

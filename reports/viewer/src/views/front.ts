@@ -26,7 +26,7 @@ export const frontView: MakeView = (run, start) => {
         question && thumbnail(run, question, cluster.oracles, report.findings.time?.[faults] ?? -1)),
       h("div", { class: "card-text" },
         h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
-          h("span", { class: "quiet" }, counted(cluster.questions.length, "question"))),
+          h("a", { href: findingsAddress({ cluster: String(c) }) }, counted(cluster.questions.length, "question"))),
         h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto" }, cluster.sentence)),
         h("p", { class: "why", dir: "auto" }, untold(cluster.reason, cluster.sentence)),
         h("p", { class: "engines" }, cluster.oracles.slice(0, 8).map((o) => engine(run, o)), cluster.oracles.length > 8 && h("span", { class: "quiet" }, `and ${cluster.oracles.length - 8} more`))));

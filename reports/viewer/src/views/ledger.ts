@@ -24,7 +24,7 @@ export const ledgerView: MakeView = (run, at) => {
   const words = h("p", { class: "count", role: "status" });
   const input = h("input", { type: "search", placeholder: "words of a reason, an engine or a scenario", "aria-label": "Search the ledger", value: query.get("q") ?? "", on: { input: () => {
     query = withValue(withValue(query, "q", input.value), "page", "");
-    history.replaceState(null, "", address(["ledger"], query));
+    history.replaceState(history.state, "", address(["ledger"], query));
     draw();
   } } });
   const draw = (): void => {

@@ -105,7 +105,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
   };
   const remember = (key: string, value: string): void => {
     query = withValue(query, key, value);
-    history.replaceState(null, "", address(["s", question.id], query));
+    history.replaceState(history.state, "", address(["s", question.id], query));
   };
   const explain = (o: number): void => {
     explained = o;

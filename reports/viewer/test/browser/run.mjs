@@ -134,6 +134,18 @@ test("search finds words, keeps the focus, and is in the address", () => withPag
   assert.match(await page.textContent(".count"), /^0 findings/);
 }));
 
+test("coming back to a list finds the place where it was left", () => withPage({}, async (page) => {
+  await go(page, "#/findings");
+  await page.evaluate(() => scrollTo(0, 3000));
+  await page.waitForTimeout(300);
+  await page.locator(".virtual .c-question a").nth(9).click();
+  await page.waitForSelector(".stage");
+  assert.equal(await page.evaluate(() => scrollY), 0);
+  await page.goBack();
+  await page.waitForFunction(() => scrollY > 2500);
+  assert.ok(await page.locator(".virtual [role=row]").count() > 5);
+}));
+
 test("columns sort", () => withPage({}, async (page) => {
   await go(page, "#/findings");
   await page.click(".head a:has-text('Engine')");
