@@ -33,17 +33,8 @@ export interface Report {
   ledger: LedgerEntry[];
   faults: string[];               // of the scenario files and the ledger
   regressions: { oracle: string; what: string }[];
-  compare?: Comparison;           // of a page of `touchstone compare`
-}
-
-/** What changed from one run to another. */
-export interface Comparison { old: string; new: string; rows: ComparedRow[] }
-
-export interface ComparedRow {
-  kind: "better" | "worse" | "new" | "gone";
-  question: string; oracle: string; measure: string; law: string;
-  before: number | string | null; after: number | string | null; unit: string;
-  what: string;                   // in words
+  compare?: { old: string; new: string; rows: { kind: "worse" | "new" | "gone" | "better"; question: string; oracle: string; measure: string; law: string;
+    before: number | string | null; after: number | string | null; unit: string; what: string }[] };
 }
 
 export interface Oracle {
@@ -58,6 +49,7 @@ export interface Question {
   pair?: string;                  // "box–box", contact questions only
   toml: string;                   // the scenario file that asks it again
   size: number;                   // extent of the smaller body (contact) or of the motion's smallest moving body (world) [m]
+  rounding: (number | string)[];  // length by which rounding alone may change the answer of each oracle [m]
   contact?: Contact;
   world?: World;
 }
@@ -88,7 +80,7 @@ export interface World {
   dt: number; steps: number; gravity: Vec3;
   bodies: { name: string; shape: Shape; fixed: boolean; start: { p: Vec3; q: Quat } }[];
   particles: { name: string; radius: number }[];
-  springs: { A: number; B: number; pA: Vec3; pB: Vec3 }[];  // body or particle index (-1 world) as in the scenario; anchors in body frames
+  springs: { A: number; B: number; pA: Vec3; pB: Vec3 }[];  // body index; particle index + bodies.length; -1 world; anchors in body frames
   joints: { A: number; B: number; pA: Vec3; pB: Vec3; kind: string }[];
   cloths: { rows: number; columns: number }[];
   claims: string[];               // laws that the file claims, in words
@@ -104,7 +96,7 @@ export interface Motion {
   /** Per body, in the order of `bodies`: channels x y z qw qx qy qz vx vy vz wx wy wz. A fixed body has none (null). */
   bodies: (Track | null)[];
   points?: Track;                 // particles then nodes of cloths: channels x y z of each
-  /** Contact impulses summed over each kept interval: channels sample, A, B, px py pz, nx ny nz, Jx Jy Jz, separation; one "sample" each. */
+  /** Contact impulses summed over each pair of bodies and kept interval (sample k: the interval before kept sample k): channels sample, A, B, px py pz, nx ny nz, Jx Jy Jz, separation; one "sample" each. */
   impulses?: Track;
 }
 

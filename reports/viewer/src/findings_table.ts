@@ -39,10 +39,11 @@ export function shareOf(run: Run, finding: number): string {
   return names.measure[findings.measure[finding]]?.kind === "length" ? ratio(findings.share[finding]) : "";
 }
 
-/** The address of a finding: its question, with its oracle explained. */
+/** The address of a finding: its question, with its oracle explained, and a world at the moment of the fault. */
 export function findingAddress(run: Run, finding: number): string {
   const { findings, questions, oracles } = run.report;
-  return questionAddress(questions[findings.question[finding]].id, { o: oracles[findings.oracle[finding]].name });
+  const time = findings.time?.[finding] ?? -1;
+  return questionAddress(questions[findings.question[finding]].id, { o: oracles[findings.oracle[finding]].name, t: time >= 0 ? String(time) : "" });
 }
 
 export function downloadFindings(run: Run, found: number[]): void {

@@ -207,10 +207,17 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
           object?.traverse((part) => {
             const { material } = part as Partial<three.Mesh>;
             if (material instanceof three.MeshStandardMaterial) {
-              material.opacity = how === "solid" ? 0.85 : 0.13;
+              material.opacity = how === "solid" ? 1 : 0.1;
+              if (material.transparent !== (how === "ghost")) {
+                material.transparent = how === "ghost";
+                material.needsUpdate = true;
+              }
               material.depthWrite = how === "solid";
+              // Where a ghost is at the same place, the solid is seen.
+              material.polygonOffsetFactor = material.polygonOffsetUnits = how === "solid" ? 1 : 4;
             } else if (material instanceof three.LineBasicMaterial) {
               // The edges of a solid would not be seen on it in its own colour.
+              part.renderOrder = how === "solid" ? 2 : 1;
               material.color.set(colour);
               if (how === "solid") material.color.lerp(new three.Color(material.color.getHSL({ h: 0, s: 0, l: 0 }).l > 0.5 ? "#000000" : "#ffffff"), 0.55);
             }

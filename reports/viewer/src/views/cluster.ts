@@ -1,6 +1,6 @@
-import { address, questionAddress } from "../address";
+import { address } from "../address";
 import { h } from "../dom";
-import { downloadFindings, findingsAddress, findingsTable } from "../findings_table";
+import { downloadFindings, findingAddress, findingsAddress, findingsTable } from "../findings_table";
 import { counted, digits, quantity, share } from "../format";
 import { logHistogram } from "../histogram";
 import { barChart } from "../charts";
@@ -18,9 +18,10 @@ export const clusterView: MakeView = (run, at) => {
   const cluster = report.clusters[number];
   if (!cluster) return notFound(`There is no fault number ${at.path[1] ?? ""}`);
   const found = [...orderBy(run, "gravity")].filter((i) => f.cluster[i] === number);
-  const question = report.questions[cluster.questions[0]];
+  const question = report.questions[f.question[cluster.worst] ?? cluster.questions[0]];
+  const worst = findingAddress(run, cluster.worst);
   const band = bandOfCluster(run, cluster);
-  const shares = found.map((i) => Math.abs(f.share[i])).filter((s) => s > 0);
+  const shares = found.filter((i) => report.names.measure[f.measure[i]]?.kind === "length").map((i) => Math.abs(f.share[i])).filter((s) => s > 0);
   const table = findingsTable(run);
   const proof = run.text(f.proof[cluster.worst] ?? -1);
   const cause = report.names.cause[cluster.cause];
@@ -29,9 +30,9 @@ export const clusterView: MakeView = (run, at) => {
     h("h1", { dir: "auto" }, cluster.sentence),
     h("div", { class: "columns" },
       h("div", { class: "main-column" },
-        question && h("a", { href: questionAddress(question.id, { o: report.oracles[cluster.oracles[0]]?.name ?? "" }), class: "large-picture", "aria-label": `Open ${question.id}` },
+        question && h("a", { href: worst, class: "large-picture", "aria-label": `Open ${question.id}` },
           thumbnail(run, question, cluster.oracles, f.time?.[cluster.worst] ?? -1, 840, 420)),
-        question && h("p", {}, "Its worst question: ", h("a", { href: questionAddress(question.id, { o: report.oracles[f.oracle[cluster.worst]]?.name ?? "" }), dir: "auto" }, question.title), ".")),
+        question && h("p", {}, "Its worst question: ", h("a", { href: worst, dir: "auto" }, question.title), ".")),
       h("div", { class: "side-column" },
         h("h2", {}, "Engines"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
         h("h2", {}, "How large"),
@@ -51,7 +52,7 @@ export const clusterView: MakeView = (run, at) => {
       { keys: ["j"], does: "next fault", run: () => step(1) },
       { keys: ["k"], does: "previous fault", run: () => step(-1) },
       { keys: ["u"], does: "up to all faults", run: () => { location.hash = "#/"; } },
-      { keys: ["o"], does: "open its worst question", run: () => { if (question) location.hash = questionAddress(question.id); } },
+      { keys: ["o"], does: "open its worst question", run: () => { location.hash = worst; } },
     ],
     dispose: () => table.dispose(),
   };

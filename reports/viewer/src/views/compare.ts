@@ -1,5 +1,5 @@
 import { questionAddress, address, valuesOf, toggled } from "../address";
-import type { ComparedRow } from "../data";
+import type { Report } from "../data";
 import { fill, h } from "../dom";
 import { downloadCsv } from "../download";
 import { capital, counted, quantity, spaced } from "../format";
@@ -7,6 +7,8 @@ import type { MakeView } from "../view";
 import { virtualList } from "../virtual";
 import { button } from "../widgets";
 import { notFound } from "./not_found";
+
+type ComparedRow = NonNullable<Report["compare"]>["rows"][number];
 
 const kinds: { kind: ComparedRow["kind"]; glyph: string; band: string }[] = [
   { kind: "worse", glyph: "▲", band: "grave" }, { kind: "new", glyph: "◆", band: "large" }, { kind: "better", glyph: "▼", band: "passed" }, { kind: "gone", glyph: "–", band: "unasked" },

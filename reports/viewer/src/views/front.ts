@@ -19,11 +19,10 @@ export const frontView: MakeView = (run, start) => {
   const card = (place: number): HTMLElement => {
     const c = shown[place];
     const cluster = report.clusters[c];
-    const question = report.questions[cluster.questions[0]];
-    const faults = report.clusters[c].worst;
+    const question = report.questions[report.findings.question[cluster.worst] ?? cluster.questions[0]];
     return h("div", { role: "listitem", class: "card" },
       h("a", { href: address(["f", String(c)]), class: "card-picture", tabindex: "-1", "aria-hidden": "true" },
-        question && thumbnail(run, question, cluster.oracles, report.findings.time?.[faults] ?? -1)),
+        question && thumbnail(run, question, cluster.oracles, report.findings.time?.[cluster.worst] ?? -1)),
       h("div", { class: "card-text" },
         h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
           h("a", { href: findingsAddress({ cluster: String(c) }) }, counted(cluster.questions.length, "question"))),

@@ -4,7 +4,7 @@ import type { Question } from "../data";
 import { fill, h } from "../dom";
 import { downloadCsv, downloadPicture, fileName } from "../download";
 import { findingsAddress, valueOf } from "../findings_table";
-import { counted, digits, seconds } from "../format";
+import { counted, digits, seconds, spaced } from "../format";
 import { makeLanes } from "../lanes";
 import { makePlayer } from "../player";
 import { makePlot } from "../plots";
@@ -165,7 +165,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
     h("header", { class: "question-head" },
       h("p", { class: "quiet" }, h("a", { href: findingsAddress({ group: question.group }) }, question.group), " · ", h("span", { class: "id" }, question.id)),
       h("h1", { dir: "auto" }, question.title),
-      world.claims.length > 0 && h("p", {}, h("b", {}, "Claimed: "), world.claims.join("; "), "."),
+      world.claims.length > 0 && h("p", {}, h("b", {}, "Claimed: "), [...new Set(world.claims)].map(spaced).join("; "), "."),
       h("p", { class: "quiet" }, `${counted(world.steps, "step")} of ${digits(world.dt, 6)} s, gravity (${world.gravity.map((g) => digits(g, 4)).join(", ")}) m/s²`,
         world.thinned > 1 && `; one in ${world.thinned} samples of the run is kept here`, ".")),
     h("div", { class: "stage-and-panel" },
