@@ -2,7 +2,9 @@ import * as three from "three";
 import type { Answer, Contact, Placed, Vec3 } from "../data";
 import { colourOf, prefersDark, type Look } from "../engines";
 import { add, dot, isFinite3, middle, norm, rotate, sub, times, unit } from "../vector";
-import { arrow, ball, disc, hatched, planePatch, quaternion, rod, solid, toScene, type Frame } from "./parts";
+import { digits } from "../format";
+import { makeCut } from "./section";
+import { alignZ, arrow, ball, disc, hatched, planePatch, quaternion, rod, solid, toScene, type Frame } from "./parts";
 import { formOf } from "./shapes";
 import { overlapAlong, reach } from "./support";
 
@@ -12,6 +14,8 @@ export interface ProofState { moved: number; gap: number; claimMoved?: number; c
 export interface ContactScene {
   root: three.Group;
   frame: Frame;
+  /** What the reader must know of the drawing; mostly nothing. */
+  note: string;
   /** Radius of what is worth seeing, in units of the scene. */
   radius: number;
   /** The ball around all of both bodies, in the scene. */
@@ -29,12 +33,30 @@ export interface ContactScene {
   explain(oracle: number): void;
 }
 
+/** Reach of a body, in units of the scene, beyond which single precision does not draw it well. */
+const tooLarge = 400;
+
 export const hasNormal = (n: Vec3 | undefined): n is Vec3 => n !== undefined && isFinite3(n) && norm(n) > 0.5;
 
-/** The point around which a contact question is drawn. */
+/** The contact: a point midway between the surfaces where they are nearest along n. The certificate's points do not tell it alone, because
+ * of a face they name any corner. Of the candidates, it is the one through which a line along n leaves A and enters B where it should. */
 export function contactCentre({ A, B, truth }: Contact): Vec3 {
-  if (isFinite3(truth.pA) && isFinite3(truth.pB) && hasNormal(truth.n)) return middle(truth.pA, truth.pB);
-  return A.shape.type === "half_space" ? B.p : B.shape.type === "half_space" ? A.p : middle(A.p, B.p);
+  const away = A.shape.type === "half_space" ? B.p : B.shape.type === "half_space" ? A.p : middle(A.p, B.p);
+  if (!isFinite3(truth.pA) || !isFinite3(truth.pB) || !hasNormal(truth.n)) return away;
+  const n = unit(truth.n);
+  const s = -overlapAlong(A, B, n);
+  if (!Number.isFinite(s)) return away;
+  const corners = truth.patch.filter(isFinite3);
+  const candidates = [
+    ...(corners.length ? [corners.reduce<Vec3>((sum, p) => add(sum, times(1 / corners.length, p)), [0, 0, 0])] : []),
+    add(truth.pA, times(s / 2, n)), sub(truth.pB, times(s / 2, n)), middle(truth.pA, truth.pB),
+  ];
+  const miss = (c: Vec3): number => {
+    const [a, b] = [makeCut(A, c, n)([0, 0, 0]), makeCut(B, c, n)([0, 0, 0])];
+    return a && b ? Math.abs(a[1] + s / 2) + Math.abs(b[0] - s / 2) : Infinity;
+  };
+  const misses = candidates.map(miss);
+  return candidates[misses.indexOf(Math.min(...misses))];
 }
 
 function chooseFrame(contact: Contact): { frame: Frame; all: { centre: Vec3; radius: number } } {
@@ -87,20 +109,34 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   const { frame, all } = chooseFrame(contact);
   const dark = prefersDark();
   const root = new three.Group();
+  const n = hasNormal(truth.n) ? unit(truth.n) : null;
+  const touch = contactCentre(contact);
+  const size = n ? -overlapAlong(A, B, n) : NaN;
+  // Where a line along n through the contact leaves A.
+  const surface = n && Number.isFinite(size) ? sub(touch, times(size / 2, n)) : null;
+  let note = "";
   const bodies = [A, B].map((body, i) => {
-    const group = place(body, frame);
+    let group = place(body, frame);
+    let { shape } = body;
+    if (n && surface && shape.type !== "half_space" && reach(shape) * frame.scale > tooLarge) {
+      // Single precision has no digits left for its corners: the plane that touches it stands for it.
+      group = new three.Group();
+      group.position.copy(toScene(frame, i === 0 ? surface : add(surface, times(size, n))));
+      alignZ(group, i === 0 ? n : times(-1, n));
+      shape = { type: "half_space" };
+      note = `${i === 0 ? "A" : "B"} is ${digits(reach(body.shape) * frame.scale, 1)} times larger than this view: its surface here is drawn as a plane.`;
+    }
     const colour = i === 0 ? (dark ? "#7f93b8" : "#8fa3c9") : (dark ? "#b59a74" : "#cbb38c");
     const edge = i === 0 ? (dark ? "#b9c8e6" : "#3d5179") : (dark ? "#e3cda9" : "#73572a");
-    group.add(solid(formOf(body.shape, frame.scale, 1.5), { colour, edge, opacity: body.shape.type === "half_space" ? 0.22 : 0.36, edgeOpacity: body.shape.type === "half_space" ? 0.35 : 0.85 }));
+    group.add(solid(formOf(shape, frame.scale, 1.5), { colour, edge, opacity: shape.type === "half_space" ? 0.22 : 0.36, edgeOpacity: shape.type === "half_space" ? 0.35 : 0.85 }));
     root.add(group);
     return group;
   });
   const truthColour = dark ? "#f5f5f5" : "#111111";
-  const n = hasNormal(truth.n) ? unit(truth.n) : null;
   const certificate = new three.Group();
   root.add(certificate);
   if (n && truth.patch.length > 1) certificate.add(hatched(truth.patch.map((p) => toScene(frame, p)), n, truthColour, 0.05));
-  const plane = n && isFinite3(truth.pA) ? planePatch(toScene(frame, truth.pA), n, 0.6, dark ? "#ff9ecf" : "#b3006b") : null;
+  const plane = n && surface && isFinite3(truth.pA) ? planePatch(toScene(frame, surface), n, 0.6, dark ? "#ff9ecf" : "#b3006b") : null;
   if (n && plane && isFinite3(truth.pB)) {
     certificate.add(ball(toScene(frame, truth.pA), 0.018, truthColour), ball(toScene(frame, truth.pB), 0.018, truthColour), plane);
   }
@@ -113,7 +149,7 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   });
 
   const home = bodies[1].position.clone();
-  const depth = n ? overlapAlong(A, B, n) : NaN;
+  const depth = -size;
   const apart = truth.touching === "apart";
   const opened = 0.12 / frame.scale;
   let claim: { n: Vec3; overlap: number; ghost: three.Group } | null = null;
@@ -121,13 +157,13 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   root.add(rulers);
 
   const drawRuler = (along: Vec3, size: number, colour: string): void => {
-    const start = toScene(frame, truth.pA);
+    const start = toScene(frame, surface ?? touch);
     const way = new three.Vector3(...along).multiplyScalar(size * frame.scale);
     rulers.add(arrow(start, way, 0.011, colour));
   };
 
   return {
-    root, frame, radius: 1, allRadius: all.radius * frame.scale, allCentre: toScene(frame, all.centre),
+    root, frame, note, radius: 1, allRadius: all.radius * frame.scale, allCentre: toScene(frame, all.centre),
     A: () => (A.shape.type === "half_space" ? bodies[0].position.clone().add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[0].quaternion)) : bodies[0].position),
     B: () => (B.shape.type === "half_space" ? bodies[1].position.clone().add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[1].quaternion)) : bodies[1].position),
     provable: n !== null && Number.isFinite(depth),
@@ -136,7 +172,7 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
       if (!n || !Number.isFinite(depth)) return { moved: 0, gap: NaN };
       if (apart) {
         // The plane sweeps the gap from A to B: it touches both only at the ends.
-        plane?.position.copy(toScene(frame, add(truth.pA, times(-depth * part, n))));
+        plane?.position.copy(toScene(frame, add(surface!, times(size * part, n))));
         return { moved: 0, gap: -depth };
       }
       // The certified depth first, then an opening that can be seen.
@@ -144,14 +180,14 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
       const moved = travel(depth);
       bodies[1].position.copy(home).addScaledVector(new three.Vector3(...n), moved * frame.scale);
       const state: ProofState = { moved, gap: -overlapAlong(A, { ...B, p: add(B.p, times(moved, n)) }, n) };
-      if (part > 0 && isFinite3(truth.pA)) drawRuler(n, Math.min(moved, Math.max(depth, 0)), truthColour);
+      if (part > 0) drawRuler(n, Math.min(moved, Math.max(depth, 0)), truthColour);
       if (claim) {
         const claimMoved = travel(claim.overlap);
         claim.ghost.visible = part > 0;
         claim.ghost.position.copy(home).addScaledVector(new three.Vector3(...claim.n), claimMoved * frame.scale);
         state.claimMoved = claimMoved;
         state.claimGap = -overlapAlong(A, { ...B, p: add(B.p, times(claimMoved, claim.n)) }, claim.n);
-        if (part > 0 && isFinite3(truth.pA)) drawRuler(claim.n, Math.min(claimMoved, Math.max(claim.overlap, 0)), (claim.ghost.userData.colour as string));
+        if (part > 0) drawRuler(claim.n, Math.min(claimMoved, Math.max(claim.overlap, 0)), (claim.ghost.userData.colour as string));
       }
       return state;
     },

@@ -147,6 +147,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
       h("div", { class: "stage-column" },
         stage.element,
         inset?.element,
+        view.note !== "" && h("p", { class: "quiet" }, view.note),
         h("div", { class: "toolbar", role: "toolbar", "aria-label": "View" },
           view.provable && [playButton, slider],
           axes.map(([name, d]) => button(name, () => look(d), { title: `Look along ${name}` })),

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Placed, Quat, Shape, Vec3 } from "../../src/data";
+import type { Contact, Placed, Quat, Shape, Vec3 } from "../../src/data";
 import { digits, length, ratio } from "../../src/format";
+import { contactCentre } from "../../src/scene/contact_scene";
 import { hull } from "../../src/scene/drawing";
 import { makeCut } from "../../src/scene/section";
 import { overlapAlong, support } from "../../src/scene/support";
@@ -65,5 +66,29 @@ describe("the outline of projected corners", () => {
   it("is their convex hull", () => {
     expect(hull([[0, 0], [2, 0], [1, 1], [2, 2], [0, 2], [1, 0.5]])).toHaveLength(4);
     expect(rotate(turn, [0, 0, 0])).toEqual([0, 0, 0]);
+  });
+});
+
+describe("the point around which a contact is drawn", () => {
+  const box = (half: Vec3, p: Vec3): Placed => ({ shape: { type: "box", half }, p, q: [1, 0, 0, 0] });
+  const contact = (A: Placed, B: Placed, n: Vec3): Contact => ({
+    A, B, answers: [],
+    truth: { touching: "touching", lo: 0, hi: 0, method: "", n, pA: support(A, n)!, pB: support(B, times(-1, n))!, patch: [] },
+  });
+
+  it("is at the small body, though the certificate names a far corner of the large one", () => {
+    const c = contactCentre(contact(box([500, 500, 500], [0, 0, -500]), box([1e-4, 1e-4, 1e-4], [3, -4, 1e-4 - 1e-6]), [0, 0, 1]));
+    expect(Math.hypot(c[0] - 3, c[1] + 4)).toBeLessThan(2e-4);
+    expect(c[2]).toBeCloseTo(-5e-7, 9);
+  });
+
+  it("is the same with A and B exchanged", () => {
+    const c = contactCentre(contact(box([1e-4, 1e-4, 1e-4], [3, -4, 1e-4 - 1e-6]), box([500, 500, 500], [0, 0, -500]), [0, 0, -1]));
+    expect(Math.hypot(c[0] - 3, c[1] + 4)).toBeLessThan(2e-4);
+  });
+
+  it("is between the bodies where nothing is certified", () => {
+    const none = contact(box([1, 1, 1], [0, 0, 0]), box([1, 1, 1], [4, 0, 0]), [0, 0, 0]);
+    expect(contactCentre(none)).toEqual([2, 0, 0]);
   });
 });
