@@ -51,7 +51,10 @@ export function contactCentre({ A, B, truth }: Contact): Vec3 {
     ...(corners.length ? [corners.reduce<Vec3>((sum, p) => add(sum, times(1 / corners.length, p)), [0, 0, 0])] : []),
     add(truth.pA, times(s / 2, n)), sub(truth.pB, times(s / 2, n)), middle(truth.pA, truth.pB),
   ];
-  const miss = (c: Vec3): number => {
+  const small = B.shape.type === "half_space" || (A.shape.type !== "half_space" && reach(A.shape) < reach(B.shape)) ? A : B;
+  const miss = (candidate: Vec3): number => {
+    // A corner is on the boundary, where rounding decides whether a line meets the body: a little further in it does.
+    const c = add(candidate, times(1e-3, sub(small.p, candidate)));
     const [a, b] = [makeCut(A, c, n)([0, 0, 0]), makeCut(B, c, n)([0, 0, 0])];
     return a && b ? Math.abs(a[1] + s / 2) + Math.abs(b[0] - s / 2) : Infinity;
   };
