@@ -19,8 +19,9 @@ export interface Style { colour: string; opacity: number; edge?: string; edgeOpa
 export function solid({ surface, edges }: Form, { colour, opacity, edge, edgeOpacity }: Style): three.Group {
   const group = new three.Group();
   const clear = opacity < 1;
-  const mesh = new three.Mesh(surface, new three.MeshStandardMaterial({
-    color: colour, roughness: 0.75, transparent: clear, opacity, depthWrite: !clear, side: three.DoubleSide,
+  const mesh = new three.Mesh(surface, new three.MeshLambertMaterial({
+    // A solid is closed: its back is never seen, and costs as much as its front.
+    color: colour, transparent: clear, opacity, depthWrite: !clear, side: surface instanceof three.PlaneGeometry ? three.DoubleSide : three.FrontSide,
     polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
   }));
   mesh.userData.convex = true;

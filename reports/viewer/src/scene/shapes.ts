@@ -5,7 +5,7 @@ import type { Shape } from "../data";
 /** Surface and edges of a shape. */
 export interface Form { surface: three.BufferGeometry; edges: three.BufferGeometry }
 
-const ringSteps = 48;
+const ringSteps = 32;
 
 function ring(radius: number, z: number, axis: "x" | "y" | "z" = "z"): number[] {
   const points: number[] = [];
@@ -56,7 +56,7 @@ export function formOf(shape: Shape, scale: number, extent: number): Form {
   switch (shape.type) {
     case "sphere": {
       const r = shape.radius * scale;
-      return { surface: new three.SphereGeometry(r, 40, 24), edges: lines([...ring(r, 0), ...ring(r, 0, "x"), ...ring(r, 0, "y")]) };
+      return { surface: new three.SphereGeometry(r, 28, 16), edges: lines([...ring(r, 0), ...ring(r, 0, "x"), ...ring(r, 0, "y")]) };
     }
     case "box": {
       const surface = new three.BoxGeometry(...(shape.half.map((s) => 2 * s * scale) as [number, number, number]));
@@ -65,7 +65,7 @@ export function formOf(shape: Shape, scale: number, extent: number): Form {
     case "capsule": {
       const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
       return {
-        surface: new three.CapsuleGeometry(r, 2 * half, 12, 40).rotateX(Math.PI / 2),
+        surface: new three.CapsuleGeometry(r, 2 * half, 8, 28).rotateX(Math.PI / 2),
         edges: lines([...ring(r, half), ...ring(r, -half), ...uprights(r, r, -half, half),
           ...(["x", "y"] as const).flatMap((axis) => [...arch(r, half, true, axis), ...arch(r, -half, false, axis)])]),
       };
@@ -73,14 +73,14 @@ export function formOf(shape: Shape, scale: number, extent: number): Form {
     case "cylinder": {
       const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
       return {
-        surface: new three.CylinderGeometry(r, r, 2 * half, 48).rotateX(Math.PI / 2),
+        surface: new three.CylinderGeometry(r, r, 2 * half, 32).rotateX(Math.PI / 2),
         edges: lines([...ring(r, half), ...ring(r, -half), ...uprights(r, r, -half, half)]),
       };
     }
     case "cone": {
       const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
       return {
-        surface: new three.ConeGeometry(r, 2 * half, 48).rotateX(Math.PI / 2),
+        surface: new three.ConeGeometry(r, 2 * half, 32).rotateX(Math.PI / 2),
         edges: lines([...ring(r, -half), ...uprights(r, 0, -half, half)]),
       };
     }

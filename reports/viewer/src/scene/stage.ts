@@ -53,10 +53,22 @@ export function startingView(up: Vec3): Vec3 {
   return new three.Vector3(...side).multiplyScalar(0.55).addScaledVector(other, 0.75).addScaledVector(new three.Vector3(...up), 0.45).toArray() as Vec3;
 }
 
+let software: boolean | undefined;
+
+/** Whether the processor does the work of a graphics card. Smooth edges would then cost two thirds of the frames. */
+function isSoftware(): boolean {
+  if (software !== undefined) return software;
+  const probe = document.createElement("canvas").getContext("webgl2");
+  const names = probe?.getExtension("WEBGL_debug_renderer_info");
+  software = /swiftshader|llvmpipe|software/i.test(String(probe?.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? probe.RENDERER)));
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return software;
+}
+
 function makeRenderer(): three.WebGLRenderer | null {
   try {
     if (new URLSearchParams(location.search).has("flat")) return null;
-    const renderer = new three.WebGLRenderer({ antialias: true, alpha: true, powerPreference: "low-power" });
+    const renderer = new three.WebGLRenderer({ antialias: !isSoftware(), alpha: true, powerPreference: "low-power" });
     renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     return renderer;
   } catch {

@@ -122,6 +122,9 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     return body ? offset.applyQuaternion(body.quaternion).add(body.position) : offset.applyQuaternion(quaternion(start.q)).add(toScene(frame, start.p));
   };
 
+  // Of many ghosts only the edges are drawn: their faces are hardly seen, and are most of the work.
+  const crowded = world.bodies.filter((b) => !b.fixed).length * world.motions.filter(answered).length > 60;
+
   const makeActor = (oracle: number): Actor | null => {
     const motion = world.motions[oracle];
     if (!answered(motion)) return null;
@@ -206,7 +209,8 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
         for (const object of bodies) {
           object?.traverse((part) => {
             const { material } = part as Partial<three.Mesh>;
-            if (material instanceof three.MeshStandardMaterial) {
+            if (material instanceof three.MeshLambertMaterial) {
+              part.visible = how === "solid" || !crowded;
               material.opacity = how === "solid" ? 1 : 0.1;
               if (material.transparent !== (how === "ghost")) {
                 material.transparent = how === "ghost";
