@@ -68,6 +68,8 @@ function chooseFrame(contact: Contact): { frame: Frame; all: { centre: Vec3; rad
   const middleOfAll = contactCentre(contact);
   const all = { centre: middleOfAll, radius: around(middleOfAll, finite) };
   const small = finite[0];
+  const gap = contact.truth.touching === "apart" && Number.isFinite(contact.truth.lo) ? contact.truth.lo : 0;
+  if (all.radius > 10 * reach(small.shape) && gap > reach(small.shape)) return { frame: { centre: middleOfAll, scale: 1 / (gap / 2 + 2.5 * reach(small.shape)) }, all };
   // Beside something ten times its size, the small body is what the question is about.
   if (all.radius > 10 * reach(small.shape)) return { frame: { centre: small.p, scale: 1 / (4 * reach(small.shape)) }, all };
   return { frame: { centre: middleOfAll, scale: 1 / all.radius }, all };
