@@ -103,9 +103,9 @@ export function findMatches(run: Run, query: URLSearchParams): Matches {
   const order = orderBy(run, sort && sortKeys.includes(sort) ? sort : "gravity");
   const perBand = bands.map(() => 0);
   const found: number[] = [];
-  for (const i of order) {
+  next: for (const i of order) {
     if (words && !words[i]) continue;
-    if (!tests.every((test) => test(i))) continue;
+    for (const test of tests) if (!test(i)) continue next;
     ++perBand[run.band[i]];
     if (wanted[run.band[i]]) found.push(i);
   }

@@ -15,6 +15,7 @@ export const findingsView: MakeView = (run, start) => {
   let query = start.query;
   let found: number[] = [];
   let chosen = -1;
+  const options = filterKeys.map((key) => ({ key, values: optionsOf(run, key) })).filter(({ values }) => values.length > 1);
   const chips = h("div", { class: "chips", role: "group", "aria-label": "Bands" });
   const filters = h("div", { class: "filters" });
   const count = h("p", { class: "count", role: "status" });
@@ -41,10 +42,10 @@ export const findingsView: MakeView = (run, start) => {
       "aria-current": explicit && active.includes(band) ? "true" : undefined, title: bandTexts[band].meaning,
     }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, matches.perBand[i].toLocaleString("en")))));
     fill(filters,
-      filterKeys.filter((key) => optionsOf(run, key).length > 1).map((key) => {
+      options.map(({ key, values }) => {
         const select = h("select", { "aria-label": `Filter by ${names[key]}`, on: { change: () => { if (select.value) location.hash = go(toggled(query, key, select.value)); } } },
           h("option", { value: "" }, names[key]),
-          optionsOf(run, key).map((value) => h("option", { value }, (valuesOf(query, key).includes(value) ? "✓ " : "") + value)));
+          values.map((value) => h("option", { value }, (valuesOf(query, key).includes(value) ? "✓ " : "") + value)));
         return select;
       }),
       filterKeys.flatMap((key) => valuesOf(query, key).map((value) =>
