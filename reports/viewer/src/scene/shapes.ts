@@ -1,0 +1,96 @@
+import * as three from "three";
+import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js";
+import type { Shape } from "../data";
+
+/** Surface and edges of a shape. */
+export interface Form { surface: three.BufferGeometry; edges: three.BufferGeometry }
+
+const ringSteps = 32;
+
+function ring(radius: number, z: number, axis: "x" | "y" | "z" = "z"): number[] {
+  const points: number[] = [];
+  for (let i = 0; i < ringSteps; ++i) {
+    for (const k of [i, i + 1]) {
+      const a = (2 * Math.PI * k) / ringSteps;
+      const [u, v] = [radius * Math.cos(a), radius * Math.sin(a)];
+      points.push(...(axis === "z" ? [u, v, z] : axis === "x" ? [0, u, v + z] : [u, 0, v + z]));
+    }
+  }
+  return points;
+}
+
+/** A half circle over or under the height z, in the plane across x or y. */
+function arch(radius: number, z: number, up: boolean, axis: "x" | "y"): number[] {
+  const points: number[] = [];
+  for (let i = 0; i < ringSteps / 2; ++i) {
+    for (const k of [i, i + 1]) {
+      const a = (2 * Math.PI * k) / ringSteps;
+      const [u, w] = [radius * Math.cos(a), z + (up ? 1 : -1) * radius * Math.sin(a)];
+      points.push(...(axis === "x" ? [0, u, w] : [u, 0, w]));
+    }
+  }
+  return points;
+}
+
+function uprights(bottom: number, top: number, low: number, high: number): number[] {
+  return [[1, 0], [0, 1], [-1, 0], [0, -1]].flatMap(([x, y]) => [bottom * x, bottom * y, low, top * x, top * y, high]);
+}
+
+function lines(points: number[]): three.BufferGeometry {
+  return new three.BufferGeometry().setAttribute("position", new three.Float32BufferAttribute(points, 3));
+}
+
+function grid(extent: number): number[] {
+  const points: number[] = [];
+  for (let i = -5; i <= 5; ++i) {
+    const t = (i / 5) * extent;
+    points.push(t, -extent, 0, t, extent, 0, -extent, t, 0, extent, t, 0);
+  }
+  return points;
+}
+
+const sharp = (surface: three.BufferGeometry): three.BufferGeometry => new three.EdgesGeometry(surface, 1);
+
+/** Builds a shape, its lengths multiplied by `scale`. A half-space is a square patch with sides of 2 `extent`, in scaled units. */
+export function formOf(shape: Shape, scale: number, extent: number): Form {
+  switch (shape.type) {
+    case "sphere": {
+      const r = shape.radius * scale;
+      return { surface: new three.SphereGeometry(r, 28, 16), edges: lines([...ring(r, 0), ...ring(r, 0, "x"), ...ring(r, 0, "y")]) };
+    }
+    case "box": {
+      const surface = new three.BoxGeometry(...(shape.half.map((s) => 2 * s * scale) as [number, number, number]));
+      return { surface, edges: sharp(surface) };
+    }
+    case "capsule": {
+      const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
+      return {
+        surface: new three.CapsuleGeometry(r, 2 * half, 8, 28).rotateX(Math.PI / 2),
+        edges: lines([...ring(r, half), ...ring(r, -half), ...uprights(r, r, -half, half),
+          ...(["x", "y"] as const).flatMap((axis) => [...arch(r, half, true, axis), ...arch(r, -half, false, axis)])]),
+      };
+    }
+    case "cylinder": {
+      const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
+      return {
+        surface: new three.CylinderGeometry(r, r, 2 * half, 32).rotateX(Math.PI / 2),
+        edges: lines([...ring(r, half), ...ring(r, -half), ...uprights(r, r, -half, half)]),
+      };
+    }
+    case "cone": {
+      const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
+      return {
+        surface: new three.ConeGeometry(r, 2 * half, 32).rotateX(Math.PI / 2),
+        edges: lines([...ring(r, -half), ...uprights(r, 0, -half, half)]),
+      };
+    }
+    case "half_space": return { surface: new three.PlaneGeometry(2 * extent, 2 * extent), edges: lines(grid(extent)) };
+    case "hull": {
+      const points = shape.vertices.map((v) => new three.Vector3(...v).multiplyScalar(scale));
+      const surface = new ConvexGeometry(points);
+      if (surface.getAttribute("position").count > 0) return { surface, edges: sharp(surface) };
+      // A hull too flat for the hull builder: its vertices, joined.
+      return { surface, edges: lines(points.flatMap((a, i) => points.slice(i + 1).flatMap((b) => [...a.toArray(), ...b.toArray()]))) };
+    }
+  }
+}

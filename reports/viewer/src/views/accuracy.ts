@@ -1,0 +1,79 @@
+import { address, withValue } from "../address";
+import { decades, powerOfTen } from "../charts";
+import { bands } from "../bands";
+import { h } from "../dom";
+import { downloadCsv } from "../download";
+import { colourOf, prefersDark } from "../engines";
+import { findingAddress } from "../findings_table";
+import { counted, ratio, spaced } from "../format";
+import { logHistogram, quantile } from "../histogram";
+import type { MakeView } from "../view";
+import { button, engine } from "../widgets";
+
+const [low, high, bins] = [-18, 2, 80];
+
+interface Row { oracle: number; values: number[]; zeros: number; worst: number }
+
+export const accuracyView: MakeView = (run, at) => {
+  const { report } = run;
+  const { findings: f, names, oracles, questions } = report;
+  const lengths = names.measure.map((m) => m.kind === "length");
+  const measures = names.measure.map((m) => m.name).filter((_, i) => lengths[i] && f.measure.includes(i));
+  const measure = at.query.get("measure") ?? (measures.includes("separation_error") ? "separation_error" : measures[0] ?? "");
+  const pair = at.query.get("pair") ?? "";
+  const pairs = [...new Set(questions.map((q) => q.pair ?? "worlds"))].sort();
+  const undecided = bands.indexOf("undecidable");
+
+  const rows: Row[] = oracles.map((_, oracle) => ({ oracle, values: [], zeros: 0, worst: -1 }));
+  for (let i = 0; i < f.question.length; ++i) {
+    if (names.measure[f.measure[i]]?.name !== measure || run.band[i] === undecided || run.band[i] > bands.indexOf("passed")) continue;
+    if (pair && (questions[f.question[i]].pair ?? "worlds") !== pair) continue;
+    const row = rows[f.oracle[i]];
+    const size = Math.abs(f.share[i]);
+    if (size > 0) row.values.push(size);
+    else ++row.zeros;
+    if (row.worst < 0 || size > Math.abs(f.share[row.worst])) row.worst = i;
+  }
+  const full = rows.filter((r) => r.worst >= 0);
+  for (const row of full) row.values.sort((a, b) => a - b);
+  const all = (row: Row): number[] => [...new Array<number>(row.zeros).fill(0), ...row.values];
+  full.sort((a, b) => quantile(all(a), 0.5) - quantile(all(b), 0.5));
+
+  const strip = (row: Row): HTMLElement => {
+    const canvas = h("canvas", { width: 640, height: 52, class: "strip", role: "img", "aria-label": `Distribution of the errors of ${oracles[row.oracle].name}` });
+    const context = canvas.getContext("2d");
+    if (!context) return canvas;
+    const counts = logHistogram(row.values, low, high, bins);
+    const most = Math.max(1, ...counts);
+    const w = 640 / bins;
+    context.strokeStyle = prefersDark() ? "#343a44" : "#dfe3e8";
+    for (const e of decades(low, high, 10)) { const x = ((e - low) / (high - low)) * 640; context.beginPath(); context.moveTo(x, 0); context.lineTo(x, 52); context.stroke(); }
+    context.fillStyle = colourOf(run.looks[row.oracle]);
+    // By the square root of the count: the rare large errors are what matters.
+    counts.forEach((count, i) => { if (count) { const height = 46 * Math.sqrt(count / most); context.fillRect(i * w, 52 - height, w - 1, height); } });
+    const place = (value: number): number => Math.max(1, Math.min(637, ((Math.log10(Math.max(value, 1e-300)) - low) / (high - low)) * 640));
+    context.fillStyle = prefersDark() ? "#fff" : "#000";
+    context.fillRect(place(quantile(all(row), 0.5)), 0, 3, 52);
+    return canvas;
+  };
+  const select = (key: string, label: string, options: string[], chosen: string, none?: string): HTMLElement => {
+    const box = h("select", { "aria-label": label, on: { change: () => { location.hash = address(["accuracy"], withValue(at.query, key, box.value)); } } },
+      none !== undefined && h("option", { value: "" }, none), options.map((value) => h("option", { value, selected: value === chosen }, spaced(value))));
+    return box;
+  };
+  const save = (): void => downloadCsv("accuracy.csv", [["oracle", "measurements", "median", "90 %", "worst", "worst question"],
+    ...full.map((r) => [oracles[r.oracle].name, r.values.length + r.zeros, quantile(all(r), 0.5), quantile(all(r), 0.9), Math.abs(f.share[r.worst]), questions[f.question[r.worst]].id])]);
+  const element = h("section", {}, h("h1", {}, "Accuracy"),
+    h("p", {}, "How the errors of each engine are distributed, as shares of the size of the question. The most accurate at the median comes first; errors of exactly 0 have no bar. Undecidable measurements are left out."),
+    h("p", { class: "toolbar" }, select("measure", "Measure", measures, measure), select("pair", "Pair of shapes", pairs, pair, "all pairs"), button("CSV", save, { class: "small" })),
+    full.length === 0 ? h("p", {}, "No engine has such a measurement.") : h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Accuracy" }, h("table", { class: "plain accuracy" },
+      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Engine"), h("th", { scope: "col" }, h("span", { class: "axis" }, decades(low, high, 5).map((e) => h("span", {}, powerOfTen(e))))),
+        ["Measured", "Exactly 0", "Median", "90 % within", "Worst"].map((name) => h("th", { scope: "col", class: "number" }, name)))),
+      h("tbody", {}, full.map((row) => h("tr", {},
+        h("th", { scope: "row" }, engine(run, row.oracle)), h("td", {}, strip(row)),
+        h("td", { class: "number" }, (row.values.length + row.zeros).toLocaleString("en")), h("td", { class: "number" }, row.zeros.toLocaleString("en")),
+        h("td", { class: "number" }, ratio(quantile(all(row), 0.5))), h("td", { class: "number" }, ratio(quantile(all(row), 0.9))),
+        h("td", { class: "number" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, ratio(f.share[row.worst])))))))),
+    h("p", { class: "quiet" }, `${counted(full.reduce((sum, r) => sum + r.values.length + r.zeros, 0), "measurement")} in ${counted(full.length, "engine")}. The black mark is the median.`));
+  return { title: "Accuracy", element };
+};

@@ -1,0 +1,92 @@
+import { address, toggled, valuesOf, type Address } from "../address";
+import { bands, bandTexts, faultBands, type Band } from "../bands";
+import { fill, h } from "../dom";
+import { findingsAddress } from "../findings_table";
+import { counted } from "../format";
+import { bandOfCluster } from "../run";
+import { thumbnail } from "../scene/thumbnail";
+import type { MakeView } from "../view";
+import { virtualList } from "../virtual";
+import { badge, engine, upstreamLink } from "../widgets";
+import { smallMatrix } from "./matrix";
+
+export const frontView: MakeView = (run, start) => {
+  const { report } = run;
+  const clusterBands: Band[] = report.clusters.map((c) => bandOfCluster(run, c));
+  let shown: number[] = [];
+  let chosen = -1;
+
+  const card = (place: number): HTMLElement => {
+    const c = shown[place];
+    const cluster = report.clusters[c];
+    const question = report.questions[report.findings.question[cluster.worst] ?? cluster.questions[0]];
+    return h("div", { role: "listitem", class: "card" },
+      h("a", { href: address(["f", String(c)]), class: "card-picture", tabindex: "-1", "aria-hidden": "true" },
+        question && thumbnail(run, question, cluster.oracles, report.findings.time?.[cluster.worst] ?? -1)),
+      h("div", { class: "card-text" },
+        h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
+          h("a", { href: findingsAddress({ cluster: String(c) }) }, counted(cluster.questions.length, "question"))),
+        h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto" }, cluster.sentence)),
+        h("p", { class: "why", dir: "auto" }, untold(cluster.reason, cluster.sentence)),
+        h("p", { class: "engines" }, cluster.oracles.slice(0, 8).map((o) => engine(run, o)), cluster.oracles.length > 8 && h("span", { class: "quiet" }, `and ${cluster.oracles.length - 8} more`))));
+  };
+  const list = virtualList("list", () => (innerWidth < 760 ? 236 : 152), card);
+  const chips = h("div", { class: "chips", role: "group", "aria-label": "Bands" });
+  const show = (query: URLSearchParams): void => {
+    const wanted = valuesOf(query, "band");
+    shown = report.clusters.map((_, c) => c).filter((c) => wanted.length === 0 || wanted.includes(clusterBands[c]));
+    chosen = -1;
+    fill(chips, faultBands.map((band) => h("a", {
+      class: `chip ${band}`, href: address([], toggled(query, "band", band)), "aria-current": wanted.includes(band) ? "true" : undefined, title: bandTexts[band].meaning,
+    }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, clusterBands.filter((b) => b === band).length))));
+    list.setCount(shown.length);
+  };
+
+  const perVerdict = report.names.verdict.map(() => 0);
+  for (const v of report.findings.verdict) ++perVerdict[v];
+  const graves = clusterBands.filter((b) => b === "grave").length;
+  const fresh = report.clusters.filter((c) => c.is_new).length;
+  const ours = report.clusters.filter((c) => c.oracles.includes(report.subject)).length;
+  const subject = report.oracles[report.subject]?.name ?? "the subject";
+  const element = h("section", { class: "front" },
+    h("h1", { class: "visually-hidden" }, "What the run found"),
+    h("p", { class: "sentence" }, report.sentence, " ",
+      report.clusters.length === 0 ? "No fault was found."
+        : `${counted(report.clusters.length, "fault")}: ${graves} ${graves === 1 ? "is" : "are"} grave, ${fresh} ${fresh === 1 ? "is" : "are"} new, ${ours === 0 ? "none" : ours} in ${subject}.`),
+    h("p", { class: report.failed ? "conclusion failed" : "conclusion" }, h("span", { "aria-hidden": "true" }, report.failed ? "✗ " : "✓ "), report.conclusion),
+    report.faults.length > 0 && h("details", { class: "notes" }, h("summary", {}, counted(report.faults.length, "remark") + " on the scenario files and the ledger"), h("ul", {}, report.faults.slice(0, 200).map((fault) => h("li", {}, fault)))),
+    report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),
+    h("div", { class: "columns" },
+      h("div", { class: "main-column" }, chips, list.element),
+      h("div", { class: "side-column" },
+        h("h2", {}, h("a", { href: "#/matrix" }, "Groups × engines")), smallMatrix(run),
+        h("h2", {}, "Measurements by verdict"),
+        h("table", { class: "plain" }, h("tbody", {}, report.names.verdict.map((verdict, v) => perVerdict[v] > 0 && h("tr", {},
+          h("th", { scope: "row" }, h("a", { href: findingsAddress({ verdict }) }, verdict)), h("td", { class: "number" }, perVerdict[v].toLocaleString("en")))))),
+        h("h2", {}, "Bands"),
+        h("dl", { class: "bands" }, bands.map((band) => [h("dt", {}, badge(band)), h("dd", {}, bandTexts[band].meaning)])))));
+  queueMicrotask(() => show(start.query));
+
+  const move = (step: number): void => {
+    if (shown.length === 0) return;
+    chosen = Math.max(0, Math.min(shown.length - 1, chosen + step));
+    list.reveal(chosen);
+    list.element.querySelector<HTMLElement>(`[data-index="${chosen}"] h2 a`)?.focus({ preventScroll: true });
+  };
+  return {
+    title: "What the run found", element,
+    keys: [
+      { keys: ["j"], does: "next fault", run: () => move(1) },
+      { keys: ["k"], does: "previous fault", run: () => move(-1) },
+      { keys: ["o"], does: "open the fault", run: () => { if (chosen >= 0) location.hash = address(["f", String(shown[chosen])]); } },
+    ],
+    update(next: Address) { show(next.query); return true; },
+    dispose: () => list.dispose(),
+  };
+};
+
+/** What a reason says beyond the beginning of a sentence that quotes it. */
+function untold(reason: string, sentence: string): string {
+  const quoted = sentence.slice(0, sentence.lastIndexOf(":"));
+  return quoted !== "" && reason.startsWith(quoted) ? reason.slice(quoted.length).replace(/^[\s.:;]+/, "") : reason;
+}

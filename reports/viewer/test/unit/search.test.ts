@@ -1,0 +1,110 @@
+import { describe, expect, it } from "vitest";
+import { parseAddress, address, toggled } from "../../src/address";
+import { bandOf, bands } from "../../src/bands";
+import type { Report } from "../../src/data";
+import { bandsOf, findMatches, orderBy } from "../../src/filter";
+import { makeRun } from "../../src/run";
+import { indexed, makeSearch, wordsOf } from "../../src/search";
+import { makeSample } from "../sample/make.mjs";
+
+const sample = makeSample({ contacts: 60, worlds: 4, findings: 2000 });
+const run = makeRun({ report: sample.report as unknown as Report, blob: Uint8Array.from(sample.blob.bytes) });
+const { findings } = run.report;
+
+/** The findings that contain all words, found the slow way. */
+function slowly(query: string): number[] {
+  return findings.question.map((_, i) => i).filter((i) => {
+    const entry = run.report.ledger[findings.ledger[i]];
+    const question = run.report.questions[findings.question[i]];
+    const text = indexed([question.id, question.title, question.pair, run.report.oracles[findings.oracle[i]].name, run.report.oracles[findings.oracle[i]].library, run.report.names.measure[findings.measure[i]].name,
+      run.report.names.verdict[findings.verdict[i]], run.report.names.cause[findings.cause[i]], run.text(findings.law[i]), run.text(findings.proof[i]), run.text(findings.cause_because[i]), run.text(findings.shipped_because[i]), entry?.reason, entry?.upstream].join(" "));
+    return wordsOf(query).every((w) => text.includes(w));
+  });
+}
+
+describe("search", () => {
+  it("finds the beginnings of words, and of the parts of compound ones", () => {
+    const text = indexed("btGjkEpa2 in box_box: a separated pair");
+    for (const query of ["EPA", "btgjk", "gjk", "box", "SEPAR"]) expect(wordsOf(query).every((w) => text.includes(w)), query).toBe(true);
+    for (const query of ["epar", "jk", "ox"]) expect(wordsOf(query).every((w) => text.includes(w)), query).toBe(false);
+  });
+
+  it("does not find the proofs of separated pairs by EPA", () => {
+    const found = makeSearch(run.report).find("EPA")!;
+    const separated = makeSearch(run.report).find("separated")!;
+    expect([...separated].some((hit, i) => hit === 1 && found[i] === 0)).toBe(true);
+    expect([...found].some((hit) => hit === 1)).toBe(true);
+  });
+
+  it.each(["EPA", "bullet known", "world precision", "shallower edge", "case_0012", "right to left", "script attacked", "nothing has these words"])("finds what a slow search finds: %s", (query) => {
+    const found = run.search.find(query)!;
+    expect([...found.keys()].filter((i) => found[i])).toEqual(slowly(query));
+  });
+
+  it("is no filter without words", () => {
+    expect(run.search.find(" ?! ")).toBeNull();
+  });
+});
+
+describe("filters", () => {
+  it("show the faults, the gravest first, unless an address asks for more", () => {
+    const { found } = findMatches(run, new URLSearchParams());
+    expect(found.length).toBe([...run.band].filter((b) => b < 4).length);
+    for (let i = 1; i < found.length; ++i) expect(run.band[found[i]]).toBeGreaterThanOrEqual(run.band[found[i - 1]]);
+  });
+
+  it("add up, and their values are alternatives", () => {
+    const { found, perBand } = findMatches(run, new URLSearchParams("oracle=bullet,ode&group=world/bounce&band=all"));
+    expect(found.length).toBeGreaterThan(0);
+    expect(found.length).toBe(perBand.reduce((a, b) => a + b));
+    for (const i of found) {
+      expect(["bullet", "ode"]).toContain(run.report.oracles[findings.oracle[i]].name);
+      expect(run.report.questions[findings.question[i]].group).toBe("world/bounce");
+    }
+  });
+
+  it("count each band as if no band were chosen", () => {
+    expect(findMatches(run, new URLSearchParams("band=grave")).perBand).toEqual(findMatches(run, new URLSearchParams("band=all")).perBand);
+  });
+
+  it("sort by every column, falling or rising", () => {
+    const values = findMatches(run, new URLSearchParams("sort=share")).found.map((i) => findings.share[i]);
+    expect(values).toEqual([...values].sort((a, b) => b - a));
+    expect(findMatches(run, new URLSearchParams("sort=share&down=0")).found.map((i) => findings.share[i])).toEqual([...values].reverse());
+    expect(new Set(orderBy(run, "oracle")).size).toBe(findings.question.length);
+  });
+
+  it("pass over words that they do not know", () => {
+    expect(bandsOf(new URLSearchParams("band=terrible"))).toEqual(bandsOf(new URLSearchParams()));
+    expect(findMatches(run, new URLSearchParams("oracle=nobody")).found).toEqual([]);
+    expect(() => findMatches(run, new URLSearchParams("sort=constructor"))).not.toThrow();
+  });
+});
+
+describe("a band", () => {
+  it("is that of the grade, of the share where there is none, and of the verdict where nothing can be measured", () => {
+    expect(bandOf("fail", 4, 0)).toBe("grave");
+    expect(bandOf("known", 5, 0)).toBe("grave");
+    expect(bandOf("known", 1, 0.5)).toBe("rounding");
+    expect(bandOf("known", 0, 0.02)).toBe("large");
+    expect(bandOf("crashed", 0, 0)).toBe("grave");
+    expect(bandOf("pass", 0, 0.5)).toBe("passed");
+    expect(bands.map((b) => b)).toContain(bandOf("undecidable", 3, 1));
+  });
+});
+
+describe("an address", () => {
+  it("is read as it was written, whatever an id holds", () => {
+    const id = "mine/100% <b>?a=b#c";
+    const { path, query } = parseAddress(address(["s", id], { q: "a&b", none: "" }));
+    expect(path).toEqual(["s", id]);
+    expect([...query]).toEqual([["q", "a&b"]]);
+    expect(parseAddress("#/s/100%").path).toEqual(["s", "100%"]);
+  });
+
+  it("toggles one of several values", () => {
+    const once = toggled(new URLSearchParams("band=grave"), "band", "small");
+    expect(once.get("band")).toBe("grave,small");
+    expect(toggled(once, "band", "grave").get("band")).toBe("small");
+  });
+});
