@@ -62,7 +62,8 @@ double FloorOf(MeasureKind measure, double tolerance, double rounding);
 
  - its verdict is: pass, then undecidable, then proved wrong or differing, whether the
    ledger knows it or not, then invalid, crashed or timed out, then unsupported;
- - or its value is more than kWorseFactor times the larger of the earlier one and its floor.
+ - or its value is more than kWorseFactor times the larger of the earlier one and its
+ floor.
 
  Cells that only one of the two has are not compared. */
 void CompareWithBaseline(RunReport& report, const Baseline& baseline);

@@ -52,7 +52,8 @@ std::string WhyWorse(MeasureKind measure, const Baseline::Measured& before,
   if (RankOf(now.verdict) > RankOf(before.verdict))
     return fmt::format("was {}, is {}", NameOf(before.verdict), NameOf(now.verdict));
   // Written so that a number that becomes a NaN is worse.
-  if (std::isnan(before.value) || now.value <= kWorseFactor * std::max(before.value, now.floor))
+  if (std::isnan(before.value) ||
+      now.value <= kWorseFactor * std::max(before.value, now.floor))
     return "";
   return fmt::format("was {:.3g}, is {:.3g} {}", before.value, now.value,
                      UnitOf(measure));
