@@ -722,7 +722,7 @@ TEST_F(CommandLineTest, SaysThatAFaultIsThatOfASettingAndWhichDefaultCuresIt) {
   EXPECT_THAT(ended.out, AllOf(HasSubstr("As set here only: "),
                                HasSubstr("the default drift = 0, 0.5 here, is enough")));
   EXPECT_THAT(Touchstone("explain" + file).out,
-              AllOf(HasSubstr("Wrong: drifter (as set here only)"),
+              AllOf(HasSubstr("Wrong: drifter (over 10 %, as set here only)"),
                     HasSubstr("fail, as set here only")));
   ASSERT_EQ(Touchstone("run --out " + Path("out") + file).code, 1);
   const auto text = [this](const std::string& name) {

@@ -155,10 +155,11 @@ TEST(OrdinaryOf, IsOneForEverydayQuestionsAndFallsWithEachDecadeBeyond) {
   // A gap of a thousandth of a thousandth of √3 m.
   EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(std::sqrt(3.0) * 1e-5)), 1.0 / 3, 1e-12);
   EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(0)), 1.0 / 4, 1e-12);  // At most three.
-  // A plate a hundredth as thick as it is long.
+  // A plate of 1 cm, √2.0001 m from corner to corner: the smaller body.
   ContactQuery plate = Cubes(0.9);
   plate.A.shape = Box{{0.5, 0.5, 0.005}};
-  EXPECT_NEAR(OrdinaryOf(plate, Separated(-0.1)), 1 / (1 + std::log10(17.32)), 1e-3);
+  EXPECT_NEAR(OrdinaryOf(plate, Separated(-0.1)),
+              1 / (1 + std::log10(std::sqrt(2.0001) / 0.01 / 10)), 1e-12);
 }
 
 TEST(OrdinaryOf, OfAWorldLooksAtMassesSpeedsAndTheStep) {
