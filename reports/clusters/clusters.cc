@@ -80,12 +80,21 @@ double Comparable(double share) {
   return std::isnan(share) ? std::numeric_limits<double>::infinity() : share;
 }
 
+/** Returns the key by which the worst finding of a cluster is the greatest: a length
+ before any other value, then its share. The two gravest bands count as one, since the
+ depth of a wrong hit says less than an error ten times as large. */
+std::tuple<Band, bool, double> SizeOf(const Finding& finding, double share) {
+  const bool is_length =
+      finding.measure == MeasureKind::kTouching || UnitOf(finding.measure) == "m";
+  return {std::min(BandOf(finding, share), Band::kGross), is_length, Comparable(share)};
+}
+
 /** Fills a cluster from its findings. */
 void Sum(const RunReport& report, const Clusters& all,
          const std::vector<double>& ordinary, Cluster& cluster) {
   std::map<std::size_t, std::size_t> oracles;
   std::map<std::size_t, std::pair<Band, double>> questions;
-  std::pair<Band, double> worst{Band::kNone, -1};
+  std::tuple<Band, bool, double> worst{Band::kNone, false, -1};
   for (const std::size_t f : cluster.findings) {
     const Finding& finding = report.findings[f];
     const auto [question, oracle] = all.places[f];
@@ -97,8 +106,9 @@ void Sum(const RunReport& report, const Clusters& all,
     cluster.ordinary = std::max(cluster.ordinary, ordinary[question]);
     cluster.gravity = std::max(
         cluster.gravity, static_cast<double>(size.first) * (1 + ordinary[question]) / 2);
-    if (size > worst) {
-      worst = size;
+    cluster.band = std::max(cluster.band, size.first);
+    if (const auto key = SizeOf(finding, all.shares[f]); key > worst) {
+      worst = key;
       cluster.worst = f;
     }
   }
@@ -106,7 +116,6 @@ void Sum(const RunReport& report, const Clusters& all,
   cluster.is_new = !finding.ledger_entry;
   cluster.reason = cluster.is_new ? ReasonOf(finding) : EntryOf(report, finding).reason;
   if (!cluster.is_new) cluster.upstream = EntryOf(report, finding).upstream;
-  cluster.band = worst.first;
   cluster.cause = finding.cause;
   cluster.share = all.shares[cluster.worst];
   const bool is_touch = finding.measure == MeasureKind::kTouching;
@@ -117,7 +126,7 @@ void Sum(const RunReport& report, const Clusters& all,
           : finding.value;
   for (const auto& [oracle, count] : oracles) cluster.oracles.push_back(oracle);
   cluster.gravity += std::log2(static_cast<double>(oracles.size())) / 2 +
-                     std::log10(static_cast<double>(questions.size())) / 2;
+                     std::log10(static_cast<double>(questions.size()));
   std::ranges::stable_sort(cluster.oracles, std::greater{},
                            [&](std::size_t o) { return oracles.at(o); });
   for (const auto& [question, size] : questions) cluster.questions.push_back(question);
@@ -131,7 +140,7 @@ void Sum(const RunReport& report, const Clusters& all,
 std::string SizeInWords(const Finding& worst, const Cluster& cluster) {
   if (worst.verdict == Verdict::kCrashed || worst.verdict == Verdict::kTimedOut ||
       worst.verdict == Verdict::kInvalid || worst.measure == MeasureKind::kAnswering ||
-      cluster.band == Band::kNone) {
+      cluster.band == Band::kNone || cluster.unit.empty() || cluster.error == 0) {
     return "";
   }
   const std::string size = SiQuantity(cluster.error, cluster.unit);

@@ -42,15 +42,17 @@ struct Cluster {
   std::vector<std::size_t> findings;   ///< Indices, in the order of the report.
   std::vector<std::size_t> oracles;    ///< Those that share it, most findings first.
   std::vector<std::size_t> questions;  ///< Gravest first, then the most ordinary.
-  std::size_t worst = 0;               ///< Finding of the gravest band and largest share.
-  double error = 0;                    ///< Of the worst. [unit]
-  std::string unit;                    ///< "m" for a wrong hit or miss.
-  double share = 0;                    ///< Of the worst. [-]
+  /** The finding of the largest share among those over 10 % or wrong, else of the gravest
+   band; a length before any other value. */
+  std::size_t worst = 0;
+  double error = 0;     ///< Of the worst. [unit]
+  std::string unit;     ///< "m" for a wrong hit or miss.
+  double share = 0;     ///< Of the worst. [-]
   double ordinary = 0;  ///< Of its most ordinary question, see OrdinaryOf().
   /** What it does to users: the largest band · (1 + ordinary) / 2 of its findings, with
-   bands numbered from 0, plus log2(oracles) / 2 and log10(questions) / 2. A gross error
-   in an everyday question precedes a wrong hit in a contrived one; and a fault that four
-   engines share, or that a hundred questions show, counts one band more. [-] */
+   bands numbered from 0, plus log2(oracles) / 2 and log10(questions). A gross error in
+   an everyday question precedes a wrong hit in a contrived one; and a fault that four
+   engines share, or that ten questions show, counts one band more. [-] */
   double gravity = 0;
 };
 

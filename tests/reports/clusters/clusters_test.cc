@@ -93,6 +93,25 @@ TEST(ClustersOf, GroupsKnownFaultsByTheHeadlineOfTheirReason) {
   EXPECT_THAT(clusters.of_finding, ElementsAre(0, 0, 0));
 }
 
+// A missed hit 10 µm deep is a wrong answer; that another depth is 1 m off says more.
+TEST(ClustersOf, StatesTheLargestErrorAlsoNextToAWrongHit) {
+  RunReport report = Report();
+  report.scenarios[0] = Question("a", 1 - 1e-5);
+  Finding missed = Known(Fault("a", "ode", 1), 0);
+  missed.measure = MeasureKind::kTouching;
+  missed.grade = Grade::kWrongTouch;
+  Finding count = Known(Fault("b", "ode", 3), 0);
+  count.measure = MeasureKind::kContactCount;
+  count.grade = Grade::kGross;
+  report.findings = {missed, Known(Fault("b", "ode", 1), 0), count};
+  const Clusters clusters = ClustersOf(report);
+  ASSERT_EQ(clusters.ranked.size(), 1U);
+  EXPECT_EQ(clusters.ranked[0].band, Band::kWrong);
+  EXPECT_EQ(
+      SentenceOf(report, clusters.ranked[0]),
+      "dBoxBox prefers a face by 5 %: ode; 2 scenarios; up to 1 m, 58 % of the size");
+}
+
 TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
   RunReport report = Report();
   Finding tie = Fault("b", "ode", 0.02);
