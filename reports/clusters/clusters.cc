@@ -145,7 +145,7 @@ std::string SizeInWords(const Finding& worst, const Cluster& cluster) {
   }
   const std::string size = SiQuantity(cluster.error, cluster.unit);
   const std::string share = cluster.unit == "m" ? ShareInWords(cluster.share) : "";
-  return fmt::format("; up to {}{}{}", size, share.empty() ? "" : ", ", share);
+  return fmt::format("; at worst {}{}{}", size, share.empty() ? "" : ", ", share);
 }
 
 /** Joins "a", "b" and "c" to "a, b and c". */

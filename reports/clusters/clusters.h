@@ -70,7 +70,7 @@ struct Clusters {
 Clusters ClustersOf(const RunReport& report);
 
 /** Returns a cluster as one plain sentence without a stop: "dBoxBox prefers a face by 5
- %: Bullet and ODE; 41 scenarios; up to 4.8 cm, 5 % of the size". */
+ %: Bullet and ODE; 41 scenarios; at worst 4.8 cm, 5 % of the size". */
 std::string SentenceOf(const RunReport& report, const Cluster& cluster);
 
 /** Returns the oracles of a cluster in words: the libraries, or the oracles if all are of

@@ -84,34 +84,41 @@ class Approach {
   Approach(const Motion& motion, const AllowedMotion& allowed)
       : world_(motion.world), allowed_(allowed), spacing_(SampleSpacing(motion.world)) {}
 
-  /** Returns whether the pair may meet between samples `s` − 1 and `s`: along the normal
-   of its gap, its surfaces close by at least the gap. */
-  bool MayMeet(const Gaining& pair, std::size_t s) const {
+  /** Returns the kinetic energy of the pair's approach between samples `s` − 1 and `s`; 0
+   if it cannot meet. Along the normal of its gap its surfaces close by a speed u of at
+   most `speed`, and W²/2p² is at most m u²/2, with m the reduced mass. [J] */
+  double Energy(const Gaining& pair, std::size_t s) const {
     const double reach = Way(pair.A, s) + Way(pair.B, s);
     const WorldState& from = allowed_.At(s - 1);
     if (AreFarApart(PlacedAt(world_, from, pair.A), PlacedAt(world_, from, pair.B),
                     reach))
-      return false;
+      return 0;
     const Gap gap = GapBetween(world_, from, pair.A, pair.B);
     // After a first impact between the samples the bodies may move anywhere.
-    if (world_.sample_every > 1) return gap.length <= reach;
+    if (world_.sample_every > 1)
+      return gap.length <= reach ? EnergyOfAllMotion(pair, s) : 0;
     const Eigen::Vector3d closing_W = At(pair.A, s - 1).v_WB - At(pair.B, s - 1).v_WB;
     const double speed = gap.n_W.dot(closing_W) + Turning(pair.A, s) + Turning(pair.B, s);
-    return speed > 0 && gap.length <= speed * spacing_;
+    const bool may_meet = speed > 0 && gap.length <= speed * spacing_;
+    return may_meet ? ReducedMass(pair) * speed * speed / 2 : 0;
+  }
+
+ private:
+  double ReducedMass(const Gaining& pair) const {
+    const RigidBody& A = Asked(pair.A);
+    const RigidBody& B = Asked(pair.B);
+    return B.mass > 0 ? A.mass * B.mass / (A.mass + B.mass) : A.mass;
   }
 
   /** Returns the kinetic energy of the pair relative to its common centre, with the loads
    of the time between the samples. [J] */
-  double Energy(const Gaining& pair, std::size_t s) const {
-    const RigidBody& A = Asked(pair.A);
-    const RigidBody& B = Asked(pair.B);
-    const double mass = B.mass > 0 ? A.mass * B.mass / (A.mass + B.mass) : A.mass;
+  double EnergyOfAllMotion(const Gaining& pair, std::size_t s) const {
     const double speed = (At(pair.A, s - 1).v_WB - At(pair.B, s - 1).v_WB).norm() +
                          (Load(pair.A) + Load(pair.B)) * spacing_;
-    return mass * speed * speed / 2 + Spin(pair.A, s - 1) + Spin(pair.B, s - 1);
+    return ReducedMass(pair) * speed * speed / 2 + Spin(pair.A, s - 1) +
+           Spin(pair.B, s - 1);
   }
 
- private:
   const RigidBody& Asked(int body) const {
     return world_.bodies[static_cast<std::size_t>(body)];
   }
@@ -184,8 +191,7 @@ std::vector<double> ImpactEnergyGain(const Motion& motion, const AllowedMotion& 
     gains[s] = gains[s - 1];
     for (const Gaining& pair : pairs) {
       // Each step between the samples may have an impact.
-      if (approach.MayMeet(pair, s))
-        gains[s] += motion.world.sample_every * pair.gain * approach.Energy(pair, s);
+      gains[s] += motion.world.sample_every * pair.gain * approach.Energy(pair, s);
     }
   }
   return gains;

@@ -25,7 +25,8 @@ double Eccentricity(const RigidBody& body);
  = −p·v = Σ J |u_n|. Friction opposes the slip that it leaves, so the energy rises by at
  most −½ (1−e) W − ½ (p·q + q²). With κ the squared cosine between p and q,
  q² >= (p·q)²/(κ p²), and the largest value over p·q is (e²/(1−κ) − 1) W²/2p². W²/2p² is
- the kinetic energy of the part of v along p. Contacts of one pair have one normal n and a
+ the kinetic energy of the part of v along p, at most ½ m u² for the reduced mass m and
+ the largest |u_n| of the contacts, u. Contacts of one pair have one normal n and a
  centre of pressure r. Then p² is J² (1/m)(1 + y²) with y² <= σ², and p differs from every
  q by at least the translation along n, J²/m. So κ <= σ²/(1+σ²), of two bodies that of the
  larger σ². Impacts of several pairs at once are not covered. */
@@ -33,8 +34,9 @@ double MostImpactGain(double restitution, double eccentricity);
 
 /** Returns the most energy that impacts may have added to the subjects from the start to
  each sample, by MostImpactGain() of each pair with friction that may meet in a step. The
- approach has at most the kinetic energy of the two, relative to their common centre, at
- the start of the step and with the loads of the step. [J] */
+ approach has at most the energy ½ m u² of the speed at which the surfaces close along
+ the normal of their gap, with the loads of the step; between samples of several steps,
+ the kinetic energy of the two relative to their common centre. [J] */
 std::vector<double> ImpactEnergyGain(const Motion& motion, const AllowedMotion& allowed,
                                      const Subjects& subjects);
 

@@ -109,14 +109,20 @@ Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
                      MeasureKind measure, const Trajectory& seen_in_world) {
   Finding finding = JudgeWithoutEvents(study, growth, measure, seen_in_world);
   if (finding.verdict != Verdict::kFail) return finding;
-  const std::vector<LateFall> falls = LateFallsOf(study);
+  std::vector<LateFall> falls = LateFallsOf(study);
   double longest = 0;
-  for (const LateFall& fall : falls)
+  for (LateFall& fall : falls) {
+    // Next to a tolerance of an eighth of a fall, a number of half falls explains
+    // nothing.
+    if (fall.each_W.norm() < 8 * finding.tolerance) fall = {};
     longest = std::max(longest, fall.most * fall.each_W.norm());
+  }
   if (longest == 0) return finding;
   Finding without = JudgeWithoutEvents(
       study, growth, measure, WithoutLateFalls(seen_in_world, study.trajectory, falls));
   if (without.verdict == Verdict::kFail) return finding;
+  without.value = finding.value;
+  without.tolerance += longest;
   without.tolerance_because += fmt::format(
       "; besides up to {:.3g} m along the load in half falls a h², in a step in which "
       "rounding leaves out a contact of the start",

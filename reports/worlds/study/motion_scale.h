@@ -25,8 +25,8 @@ struct MotionScale {
   double mass = 0;    ///< M. [kg]
 };
 
-/** Returns the scale of a motion of `world`. A motion that explodes has a large V, yet
- the errors that it explodes by are as large, so their share is about 1. */
+/** Returns the scale of a motion of `world`. A body of mass m
+ that explodes makes V large: the shares of energy and momentum are then about m/M. */
 MotionScale ScaleOf(const World& world, const Trajectory& trajectory);
 
 /** Returns the value of a finding of a motion as a share of its scale, by the unit of the

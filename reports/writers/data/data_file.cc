@@ -23,6 +23,31 @@ std::uint32_t U32At(std::string_view bytes, std::size_t at) {
   return number;
 }
 
+/** The most levels of nested JSON. The format has eight. The library copies and writes a
+ document by recursion: at 60,000 levels the stack overflows. */
+constexpr int kDeepest = 64;
+
+/** Returns whether the arrays and objects of a JSON text are nested beyond `most` levels.
+ */
+bool IsNestedBeyond(int most, std::string_view json) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t k = 0; k < json.size(); ++k) {
+    const char c = json[k];
+    if (in_string) {
+      if (c == '\\') ++k;
+      in_string = c != '"';
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > most) return true;
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string PackData(const DataFile& file) {
@@ -47,6 +72,8 @@ Unpacked UnpackData(std::string_view bytes, std::size_t most) {
   }
   const std::size_t length = U32At(all, 8);
   if (length > all.size() - kHead) return {std::nullopt, "is cut off"};
+  if (IsNestedBeyond(kDeepest, all.substr(kHead, length)))
+    return {std::nullopt, fmt::format("has JSON of more than {} levels", kDeepest)};
   DataJson json = DataJson::parse(all.substr(kHead, length), nullptr, false);
   if (!json.is_object()) return {std::nullopt, "has no JSON in it"};
   return {DataFile{std::move(json), std::string(all.substr(kHead + length))}, ""};

@@ -80,9 +80,10 @@ TEST(ClustersOf, GroupsKnownFaultsByTheHeadlineOfTheirReason) {
   const Clusters clusters = ClustersOf(report);
   ASSERT_EQ(clusters.ranked.size(), 1U);
   const Cluster& cluster = clusters.ranked[0];
-  EXPECT_EQ(SentenceOf(report, cluster),
-            "dBoxBox prefers a face by 5 %: ODE and Bullet; 2 scenarios; up to 3 cm, 1.7 "
-            "% of the size");
+  EXPECT_EQ(
+      SentenceOf(report, cluster),
+      "dBoxBox prefers a face by 5 %: ODE and Bullet; 2 scenarios; at worst 3 cm, 1.7 "
+      "% of the size");
   EXPECT_THAT(cluster.oracles, ElementsAre(0, 1));
   EXPECT_THAT(cluster.questions, ElementsAre(1, 0));  // The larger error first.
   EXPECT_EQ(cluster.worst, 2U);
@@ -109,7 +110,7 @@ TEST(ClustersOf, StatesTheLargestErrorAlsoNextToAWrongHit) {
   EXPECT_EQ(clusters.ranked[0].band, Band::kWrong);
   EXPECT_EQ(
       SentenceOf(report, clusters.ranked[0]),
-      "dBoxBox prefers a face by 5 %: ode; 2 scenarios; up to 1 m, 58 % of the size");
+      "dBoxBox prefers a face by 5 %: ode; 2 scenarios; at worst 1 m, 58 % of the size");
 }
 
 TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
@@ -131,14 +132,13 @@ TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
     sentences.push_back(SentenceOf(report, cluster));
   }
   // The contrived crash, 5 · (1 + 1/4) / 2 = 3.1, precedes errors of 1 %, 3.
-  EXPECT_THAT(
-      sentences,
-      ElementsAre(
-          "ode states a wrong distance or depth (defect); 2 scenarios; up to 3 cm, 1.7 % "
-          "of the size",
-          "bullet crashes; 1 scenario",
-          "ode states a wrong distance or depth (tie); 1 scenario; up to 2 cm, 1.2 % of "
-          "the size"));
+  EXPECT_THAT(sentences, ElementsAre("ode states a wrong distance or depth (defect); 2 "
+                                     "scenarios; at worst 3 cm, 1.7 % "
+                                     "of the size",
+                                     "bullet crashes; 1 scenario",
+                                     "ode states a wrong distance or depth (tie); 1 "
+                                     "scenario; at worst 2 cm, 1.2 % of "
+                                     "the size"));
   EXPECT_THAT(clusters.of_finding, ElementsAre(0, 0, 2, -1, 1));
 }
 

@@ -250,6 +250,27 @@ TEST(EnergyNeverRises, GrantsAnEccentricImpactWhatNewtonsRuleMayGain) {
   EXPECT_TRUE(Finds(judged(0.5, 2), MeasureKind::kEnergyDrift));
 }
 
+// The slide is no approach: all that a cube of 1 kg at rest on the ground may gain in a
+// step is of the order of m (g h)².
+TEST(EnergyNeverRises, FindsFrictionThatDrivesASlidingBox) {
+  World world = BoxAndRod(0.5);
+  world.bodies[0].placed.X_WB.p_WB.y() = 0.2;
+  world.bodies[0].v_WB = {10, 0, 0};
+  const auto slide = [&](double acceleration) {
+    return Stepped(world, [&](WorldState& state) {
+      BodyState& box = state.bodies[0];
+      box.v_WB.x() += world.dt * acceleration;
+      box.p_WB.x() += world.dt * box.v_WB.x();
+      BodyState& rod = state.bodies[1];
+      rod.v_WB += world.dt * world.gravity_W;
+      rod.p_WB += world.dt * rod.v_WB;
+    });
+  };
+  const Claim claim = ClaimOf("energy_never_rises");
+  EXPECT_TRUE(Passes(Judge(world, slide(-1), claim)));
+  EXPECT_TRUE(Finds(Judge(world, slide(1), claim), MeasureKind::kEnergyDrift));
+}
+
 TEST(EnergyNeverRises, GrantsNothingToWhatMeetsNothing) {
   const World world = BoxAndRod(0.5);
   EXPECT_TRUE(
