@@ -357,6 +357,7 @@ TEST(Energy, PartingOverlapsLiftsEachClusterByItsOwnDepths) {
   constexpr double kWork = 0.01 * 9.82;  // Of one ball. [J]
   for (const double apart : {1.0, 1.1}) {
     std::vector<Eigen::Vector3d> row;
+    row.reserve(50);
     for (int i = 0; i < 50; ++i) row.emplace_back(i * apart, 0.49, 0);
     EXPECT_NEAR(GrantedAtRest(Sunk(row)), 50 * kWork, 1e-3) << apart;
   }
