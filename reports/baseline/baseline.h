@@ -69,7 +69,7 @@ void CompareWithBaseline(RunReport& report, const Baseline& baseline);
 
 /** The fate of a cell from one run to the next. */
 enum class ChangeKind {
-  kWorse,   ///< As CompareWithBaseline() says.
+  kWorse,   ///< Worse by the rule of CompareWithBaseline().
   kNew,     ///< Only the later run has the cell, and it is a fault there.
   kGone,    ///< Only the earlier run has it, and it was a fault there.
   kBetter,  ///< The earlier run is worse than the later one.

@@ -32,8 +32,8 @@ const LedgerEntry& EntryOf(const RunReport& report, const Finding& finding) {
   return report.ledger.entries[static_cast<std::size_t>(*finding.ledger_entry)];
 }
 
-/** What the findings of one cluster share: the headline of a reason; or the oracle,
- verdict, measure and cause. */
+/** Identifies a cluster: the headline of a reason of the ledger; outside the ledger the
+ oracle, verdict, measure and cause. */
 using Key = std::tuple<std::string, Verdict, MeasureKind, Cause>;
 
 Key KeyOf(const RunReport& report, const Finding& finding) {

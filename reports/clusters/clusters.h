@@ -45,24 +45,24 @@ struct Cluster {
   /** The finding of the largest share among those over 10 % or wrong, else of the gravest
    band; a length before any other value. */
   std::size_t worst = 0;
-  double error = 0;     ///< Of the worst. [unit]
+  double error = 0;     ///< Value of the worst finding. [unit]
   std::string unit;     ///< "m" for a wrong hit or miss.
-  double share = 0;     ///< Of the worst. [-]
-  double ordinary = 0;  ///< Of its most ordinary question, see OrdinaryOf().
-  /** What it does to users: the largest band · (1 + ordinary) / 2 of its findings, with
-   bands numbered from 0, plus log2(oracles) / 2 and log10(questions). A gross error in
-   an everyday question precedes a wrong hit in a contrived one; and a fault that four
+  double share = 0;     ///< Share of the worst finding. [-]
+  double ordinary = 0;  ///< OrdinaryOf() its most ordinary question. [-]
+  /** How much it matters to users: the largest band · (1 + ordinary) / 2 of its findings,
+   with bands numbered from 0, plus log2(oracles) / 2 and log10(questions). A gross error
+   in an everyday question precedes a wrong hit in a contrived one; and a fault that four
    engines share, or that ten questions show, counts one band more. [-] */
   double gravity = 0;
 };
 
 /** The clusters of a run. */
 struct Clusters {
-  /** By gravity, then share, then number of oracles, then number of findings, each the
-   largest first. */
+  /** Sorted by gravity, share, number of oracles and number of findings, in this order,
+   each with the largest first. */
   std::vector<Cluster> ranked;
-  std::vector<FindingPlace> places;  ///< Of every finding.
-  std::vector<double> shares;        ///< Of every finding, see SharesOf().
+  std::vector<FindingPlace> places;  ///< Place of every finding.
+  std::vector<double> shares;        ///< SharesOf() every finding. [-]
   std::vector<int> of_finding;       ///< Index into `ranked`, or −1.
 };
 

@@ -30,7 +30,8 @@ std::string SiQuantity(double value, std::string_view unit) {
   constexpr std::array<Prefix, 4> kPrefixes = {
       {{1, "m"}, {1e-2, "cm"}, {1e-3, "mm"}, {1e-6, "µm"}}};
   for (const auto& [size, name] : kPrefixes) {
-    // What rounds to two digits below 1 belongs to the next prefix.
+    // A value below 0.995 of a prefix has two digits less than 1: the next prefix is
+    // better.
     if (std::abs(value) >= 0.995 * size)
       return fmt::format("{} {}", TwoDigits(value / size), name);
   }

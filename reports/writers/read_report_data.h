@@ -18,7 +18,7 @@ namespace touchstone {
  whole catalogue. [bytes] */
 inline constexpr std::size_t kMostReportData = std::size_t{1} << 27;
 
-/** What a program reads from the data of a report. */
+/** The parts of a report's data that this program uses. */
 struct ReadReportData {
   Baseline baseline;    ///< The findings, each with its rounding.
   std::string command;  ///< The command that made the run.

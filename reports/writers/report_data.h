@@ -6,7 +6,7 @@
 
 namespace touchstone {
 
-/** What a page says of the run itself. */
+/** Facts about the run itself. */
 struct RunFacts {
   std::string program;  ///< "touchstone 0.1.0".
   std::string command;  ///< The command that made the run, without its output.

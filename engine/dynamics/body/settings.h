@@ -46,11 +46,12 @@ struct Settings {
    converge earlier. Normal impulses of contacts are over-relaxed in all of them except
    the last. More iterations may follow, see `iteration_budget`. */
   int impulse_iterations = 7;
-  /** Iterations × constraints of a step, on average. What `impulse_iterations` leave of
-   it is spent on islands that have not converged yet. A single step may spend 30 times as
-   much more if steps before or after it spend less: new contacts have no impulses for
-   warm starting. The number of iterations falls with the number of constraints, by one at
-   a time, to `impulse_iterations`; islands share the budget. */
+  /** Iterations × constraints of a step, on average. The part that
+   `impulse_iterations` do not use is spent on islands that have not converged yet. A
+   single step may spend 30 times as much more if steps before or after it spend less: new
+   contacts have no impulses for warm starting. The number of iterations falls with the
+   number of constraints, by one at a time, to `impulse_iterations`; islands share the
+   budget. */
   int iteration_budget = 4000;
   /** Convergence threshold: the greatest change of a relative velocity in an iteration,
    divided by the greatest relative velocity. */

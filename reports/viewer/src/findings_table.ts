@@ -20,7 +20,7 @@ const columns: { key: SortKey; name: string }[] = [
   { key: "measure", name: "Law or measure" }, { key: "value", name: "Error" }, { key: "share", name: "Of the size" },
 ];
 
-/** What a finding measures, in words. */
+/** Returns the measure of a finding, in words. */
 export function measureOf(run: Run, finding: number): string {
   const { findings, names } = run.report;
   const measure = spaced(names.measure[findings.measure[finding]]?.name ?? "");

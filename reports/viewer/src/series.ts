@@ -3,7 +3,7 @@ import type { Line, PlotData } from "./plots";
 import type { Run } from "./run";
 import { channel } from "./scene/world_scene";
 
-/** What can be plotted of a world: a curve of the data, or a quantity of a body. */
+/** A quantity of a world that can be plotted: a curve of the data, or a property of a body. */
 export interface Quantity { key: string; name: string; body?: number; curve?: Curve; unit: string }
 
 const bodyQuantities: { key: string; name: string; unit: string; of(c: Float64Array[], i: number): number }[] = [

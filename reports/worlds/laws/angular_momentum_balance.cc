@@ -31,7 +31,7 @@ double LeastGyration(const RigidBody& body) {
   return std::sqrt(InertiaOf(body).minCoeff() / body.mass);
 }
 
-/** What contacts grant to a body between two samples. */
+/** The tolerance that contacts give to a body between two samples. */
 struct ContactGrant {
   double moments = 0;    ///< Σ |p − c| |J|, no point off the body. [N m s]
   double impulses = 0;   ///< Σ |J|. [N s]

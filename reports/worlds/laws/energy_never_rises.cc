@@ -57,7 +57,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   std::vector<LawFinding> findings = JudgeAlong(motion, along, BecauseOfEnergy());
   const LawFinding& rise = findings.front();
   if (rise.value <= rise.tolerance.value || !rise.recognised.empty()) return findings;
-  // What impacts may gain is looked for only where it decides: that takes a referee.
+  // The gain of impacts is computed only where it decides, because it takes a referee.
   const std::vector<double> gains =
       ImpactEnergyGain(motion, AllowedMotion(motion), subjects);
   if (gains.back() == 0) return findings;

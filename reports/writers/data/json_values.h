@@ -7,8 +7,8 @@ namespace touchstone {
 
 using DataJson = nlohmann::ordered_json;
 
-/** Returns `value` rounded to that many decimal digits, which is shorter as text. What is
- not finite becomes the string "nan", "inf" or "-inf". */
+/** Returns `value` rounded to that many decimal digits, which is shorter as text. A
+ number that is not finite becomes the string "nan", "inf" or "-inf". */
 DataJson ToData(double value, int digits);
 
 /** Returns `value` as ToData(), but 1e9 for what is larger or not a number. */

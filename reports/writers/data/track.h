@@ -15,8 +15,8 @@ struct Channel {
 
 /** Appends `channels`, all of one length, to `blob` and returns the reference to them: a
  `Track` of docs/report_data.md. Each value becomes a whole number of steps. A channel is
- the differences of consecutive numbers, each a zigzag LEB128 varint. What is not finite
- repeats the number before it. */
+ the differences of consecutive numbers, each a zigzag LEB128 varint. A number that is
+ not finite repeats the one before it. */
 DataJson AddTrack(const std::vector<Channel>& channels, std::string& blob);
 
 }  // namespace touchstone

@@ -10,12 +10,12 @@
 
 namespace touchstone {
 
-/** What the data of a world are made from. */
+/** The input from which the data of a world are made. */
 struct WorldDataInput {
   const WorldResult& result;
   double size;  ///< Extent of the smallest moving body, or of the motion. [m]
   std::vector<bool> simulates;                     ///< Indexed by oracle.
-  std::vector<std::span<const Finding>> findings;  ///< Of this world, indexed by oracle.
+  std::vector<std::span<const Finding>> findings;  ///< Findings of this world, by oracle.
   /** Index of the first finding of each oracle in RunReport::findings. */
   std::vector<std::size_t> first_finding;
 };

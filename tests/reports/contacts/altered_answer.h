@@ -15,10 +15,12 @@ namespace touchstone {
  roundoff alone. The judge's tolerances are not asked: if one of them grew too wide, an
  alteration that grew with it would never show it. */
 struct Accuracy {
-  double length = 0;  ///< Of a length or a position along the normal. [m]
-  double apart = 0;   ///< Of the overlap along a normal between two nearest points. [m]
-  double excess = 0;  ///< Of the excess of a normal that was chosen among others. [m]
-  double across = 0;  ///< Of a deepest point across the normal. [m]
+  double length = 0;  ///< Error of a length or a position along the normal. [m]
+  double apart =
+      0;  ///< Error of the overlap along a normal between two nearest points. [m]
+  double excess =
+      0;  ///< Error of the excess of a normal that was chosen among others. [m]
+  double across = 0;  ///< Error of a deepest point across the normal. [m]
   double fine = 0;    ///< A hundredth of the smallest feature and of the distance. [m]
 };
 

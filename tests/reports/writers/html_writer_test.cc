@@ -43,7 +43,7 @@ TEST(WriteHtml, PutsTheDataIntoTheirElementAndNowhereElse) {
   const std::string data = Base64(ReportData(HandMadeReport(), kFacts));
   EXPECT_THAT(page, HasSubstr("id=\"report-data\">" + data + "</script>"));
   EXPECT_THAT(data, Not(HasSubstr("<")));
-  // What an engine or a user has written is in the data alone.
+  // Text from an engine or a user is in the data alone.
   EXPECT_THAT(page, Not(HasSubstr("out again")));
 }
 

@@ -8,13 +8,13 @@ import { alignZ, arrow, ball, disc, hatched, planePatch, quaternion, rod, solid,
 import { formOf } from "./shapes";
 import { overlapAlong, reach } from "./support";
 
-/** What the proof shows at a moment: how far B has moved, and the gap that is then between A and B; negative while they overlap. */
+/** A moment of the animated proof: how far B has moved [m], and the gap between A and B [m], negative while they overlap. */
 export interface ProofState { moved: number; gap: number; claimMoved?: number; claimGap?: number }
 
 export interface ContactScene {
   root: three.Group;
   frame: Frame;
-  /** What the reader must know of the drawing; mostly nothing. */
+  /** A remark on the drawing for the reader; usually empty. */
   note: string;
   /** Radius of what is worth seeing, in units of the scene. */
   radius: number;
@@ -39,7 +39,7 @@ const tooLarge = 400;
 export const hasNormal = (n: Vec3 | undefined): n is Vec3 => n !== undefined && isFinite3(n) && norm(n) > 0.5;
 
 /** The contact: a point midway between the surfaces where they are nearest along n. The certificate's points do not tell it alone, because
- * of a face they name any corner. Of the candidates, it is the one through which a line along n leaves A and enters B where it should. */
+ * they may be any corner of a face. The right candidate is the one at which a line along n leaves A and enters B. */
 export function contactCentre({ A, B, truth }: Contact): Vec3 {
   const away = A.shape.type === "half_space" ? B.p : B.shape.type === "half_space" ? A.p : middle(A.p, B.p);
   if (!isFinite3(truth.pA) || !isFinite3(truth.pB) || !hasNormal(truth.n)) return away;

@@ -122,7 +122,7 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     return body ? offset.applyQuaternion(body.quaternion).add(body.position) : offset.applyQuaternion(quaternion(start.q)).add(toScene(frame, start.p));
   };
 
-  // Of many ghosts only the edges are drawn: their faces are hardly seen, and are most of the work.
+  // If there are many ghosts, only their edges are drawn. Their faces are hardly visible and cost the most time.
   const crowded = world.bodies.filter((b) => !b.fixed).length * world.motions.filter(answered).length > 60;
 
   const makeActor = (oracle: number): Actor | null => {
@@ -266,7 +266,7 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     for (let i = 0; i < track.samples && drawn < 200; ++i) {
       if (c[impulseChannels.sample][i] !== sample || size(i) === 0) continue;
       const J = new three.Vector3(c[9][i], c[10][i], c[11][i]);
-      // By the square root, so that the weak ones beside an impact are seen.
+      // The length is the square root of the impulse, so that weak impulses next to an impact are visible.
       J.setLength(0.5 * Math.sqrt(size(i) / most));
       impulses.add(arrow(toScene(frame, [c[3][i], c[4][i], c[5][i]]), J, 0.006, colour));
       ++drawn;

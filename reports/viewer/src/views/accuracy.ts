@@ -49,7 +49,7 @@ export const accuracyView: MakeView = (run, at) => {
     context.strokeStyle = prefersDark() ? "#343a44" : "#dfe3e8";
     for (const e of decades(low, high, 10)) { const x = ((e - low) / (high - low)) * 640; context.beginPath(); context.moveTo(x, 0); context.lineTo(x, 52); context.stroke(); }
     context.fillStyle = colourOf(run.looks[row.oracle]);
-    // By the square root of the count: the rare large errors are what matters.
+    // The height is the square root of the count, because the rare large errors matter most.
     counts.forEach((count, i) => { if (count) { const height = 46 * Math.sqrt(count / most); context.fillRect(i * w, 52 - height, w - 1, height); } });
     const place = (value: number): number => Math.max(1, Math.min(637, ((Math.log10(Math.max(value, 1e-300)) - low) / (high - low)) * 640));
     context.fillStyle = prefersDark() ? "#fff" : "#000";

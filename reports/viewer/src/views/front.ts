@@ -85,7 +85,7 @@ export const frontView: MakeView = (run, start) => {
   };
 };
 
-/** What a reason says beyond the beginning of a sentence that quotes it. */
+/** Returns the part of a reason that a sentence which quotes its beginning leaves out. */
 function untold(reason: string, sentence: string): string {
   const quoted = sentence.slice(0, sentence.lastIndexOf(":"));
   return quoted !== "" && reason.startsWith(quoted) ? reason.slice(quoted.length).replace(/^[\s.:;]+/, "") : reason;

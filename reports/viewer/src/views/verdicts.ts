@@ -12,7 +12,7 @@ export function oraclesOf(run: Run, question: number): number[] {
     .sort((a, b) => run.band[gravest[a]] - run.band[gravest[b]] || run.report.findings.share[gravest[b]] - run.report.findings.share[gravest[a]] || a - b);
 }
 
-/** What is proved about an oracle on a question: its faults with proof, cause and ledger entry. */
+/** Shows the faults of an oracle on a question, with proof, cause and ledger entry. */
 export function faultsOf(run: Run, question: number, oracle: number): Child {
   const { findings: f, names, ledger, oracles } = run.report;
   const all = [...run.findingsOf(question)].filter((i) => f.oracle[i] === oracle).sort((a, b) => run.band[a] - run.band[b] || f.share[b] - f.share[a]);
