@@ -82,7 +82,7 @@ void WriteComparison(const Comparison& comparison, std::ostream& out) {
       out << fmt::format("  and {} more; --json FILE has all\n", count - shown);
   }
   const bool is_worse = CountOf(comparison, ChangeKind::kWorse) > 0;
-  out << fmt::format("{}: {} against {}: {}\n", is_worse ? "WORSE" : "OK",
+  out << fmt::format("{}: {} against {}: {}\n", is_worse ? "WORSE" : "NOT WORSE",
                      comparison.after, comparison.before, CountsInWords(comparison));
 }
 
