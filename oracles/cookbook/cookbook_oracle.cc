@@ -91,6 +91,8 @@ CookbookOracle::CookbookOracle() {
   info_.simulates = true;
   // IntegrateAngularMomentum(), engine/dynamics/body/rotation.h.
   info_.documented_rotation_error = 1e-6;
+  info_.stated_order = 4;
+  info_.order_stated_by = "the settings \"integrator\" and \"rods and springs\"";
   info_.steps_in_threads = true;
   info_.parameters = CookbookWorldParameters();
   info_.world_capabilities = CookbookWorldCapabilities();

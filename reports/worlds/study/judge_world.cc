@@ -21,10 +21,13 @@
 namespace touchstone {
 namespace {
 
+/** An observed order is nearer to its own than to the next one within half an order. */
+constexpr double kHalfAnOrder = 0.5;
+
 /** The least order at which an error counts as vanishing with the step: nearer to 1,
  which every consistent scheme has, than to 0. Half the step must leave at most 2^-0.5 of
  it. */
-constexpr double kLeastOrder = 0.5;
+constexpr double kLeastOrder = 1 - kHalfAnOrder;
 
 /** Returns the largest value of each series up to the sample at which `first` has reached
  an eighth of its maximum. Later samples say nothing about the order: two rotations or
@@ -233,10 +236,16 @@ class Judgement {
     // If halving the step changes nothing, there is no order to observe.
     if (first > 8 * rounding && second > 8 * rounding) {
       const double order = std::log2(first / second);
-      Finding& finding = Add(MeasureKind::kObservedOrder, std::max(0.0, 1 - order),
-                             {1 - kLeastOrder,
-                              "the error of a consistent scheme is at least of first "
-                              "order in the step: an order nearer to 1 than to 0"});
+      const double stated = study_.oracle.stated_order;
+      Finding& finding =
+          Add(MeasureKind::kObservedOrder, std::max(0.0, stated - order),
+              {kHalfAnOrder,
+               stated == 1
+                   ? "the error of a consistent scheme is at least of first order in the "
+                     "step: an order nearer to 1 than to 0"
+                   : fmt::format("order {:g} is stated by {}: an order nearer to it than "
+                                 "to {:g}",
+                                 stated, study_.oracle.order_stated_by, stated - 1)});
       if (finding.value > finding.tolerance) {
         finding.verdict = Verdict::kFail;
         finding.cause = Cause::kDefect;

@@ -71,6 +71,24 @@ TEST(JudgeWorld, FailsTheOrderOfAnErrorThatHardlyFallsWithTheStep) {
   EXPECT_NEAR(order->value, 0.8, 1e-6);
 }
 
+TEST(JudgeWorld, HoldsAnEngineToTheOrderThatItStates) {
+  Studied first_order(TwoBallsInFlight(), OffBy(10, 1));
+  EXPECT_EQ(Find(JudgeWorld(first_order.study()), MeasureKind::kObservedOrder)->verdict,
+            Verdict::kPass);
+  first_order.info.stated_order = 4;
+  first_order.info.order_stated_by = "its manual";
+  const std::vector<Finding> findings = JudgeWorld(first_order.study());
+  const Finding* order = Find(findings, MeasureKind::kObservedOrder);
+  EXPECT_EQ(order->verdict, Verdict::kFail);
+  EXPECT_NEAR(order->value, 3, 1e-4);
+  EXPECT_THAT(order->tolerance_because, HasSubstr("order 4 is stated by its manual"));
+
+  Studied fourth_order(TwoBallsInFlight(), OffBy(1e6, 4));
+  fourth_order.info.stated_order = 4;
+  const std::vector<Finding> as_stated = JudgeWorld(fourth_order.study());
+  EXPECT_EQ(Find(as_stated, MeasureKind::kObservedOrder)->verdict, Verdict::kPass);
+}
+
 TEST(JudgeWorld, ObservesTheOrderBeforeSwingsLosePhase) {
   // First-order in its phase: soon the swings differ by twice their amplitude at any
   // step.
