@@ -339,7 +339,8 @@ class CommandLine {
     app->add_option(
            "--family", sweep_.families,
            "families of questions: random, near_parallel, edge_edge, vertex_face, "
-           "touching, deep, slabs_and_needles, extreme_scales, symmetries or all")
+           "touching, deep, slabs_and_needles, extreme_scales, symmetries, grazing, "
+           "mixed_sizes, far_from_origin, large_hulls or all")
         ->type_name("FAMILY")
         ->delimiter(',')
         ->allow_extra_args(false)

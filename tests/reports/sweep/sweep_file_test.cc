@@ -122,7 +122,7 @@ TEST_F(SweepFileTest, HasTheSameBytesForAnyNumberOfThreads) {
 TEST_F(SweepFileTest, MergesShardsToTheBytesOfTheWhole) {
   const std::string whole = Swept("whole", {});
   std::vector<SweepFile> parts;
-  for (const std::uint64_t shard : {2, 0, 1}) {
+  for (const auto shard : {2U, 0U, 1U}) {
     const std::string name = "part" + std::to_string(shard);
     Swept(name, {.jobs = 2, .shard = {shard, 3}});
     parts.push_back(SweepFile::Open(Path(name)));
@@ -196,7 +196,7 @@ TEST_F(SweepFileTest, RefusesTheFileOfAnotherSweep) {
 }
 
 TEST_F(SweepFileTest, RefusesToMergeOtherThanAllShardsOfOneSweep) {
-  for (const std::uint64_t shard : {0, 1})
+  for (const auto shard : {0U, 1U})
     Swept("part" + std::to_string(shard), {.shard = {shard, 2}});
   EXPECT_EQ(MergeError({"part0", "part1"}), "");
   EXPECT_THAT(MergeError({"part1"}), HasSubstr("block 0 of 26 is missing; expected"));
@@ -226,7 +226,7 @@ TEST_F(SweepFileTest, RefusesForeignAndDamagedFiles) {
                        "which has a hundred bytes, and then some more bytes"),
               HasSubstr("not the file of a sweep"));
   EXPECT_THAT(error_of(""), HasSubstr("not the file of a sweep"));
-  for (const std::size_t part : {2, 3, 10}) {
+  for (const auto part : {2U, 3U, 10U}) {
     EXPECT_THAT(error_of(whole.substr(0, whole.size() * (part - 1) / part)),
                 HasSubstr("damaged"));
   }
