@@ -140,6 +140,7 @@ command goes on after Ctrl-C, --time, or a kill, and ends with the same DIR/swee
   touchstone sweep contact --family edge_edge,deep --subject ode,fcl --quiet
   touchstone sweep contact --subject all --pair box box --count 1000000 --time 8h --out night
   touchstone sweep contact --pair box box --count 1000000 --shard 2/8 --out shards
+  touchstone sweep contact --pair box box --subject bullet/gjk --count 512 --climb 32
 )",
      "0 no failures; 1 failures, of the band of --fail-on or worse; 2 bad input or\n"
      "nothing verified; 130 after Ctrl-C"},

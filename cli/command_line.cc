@@ -356,6 +356,12 @@ class CommandLine {
               kMost);
     AddNumber(app, "--first", sweep_.first, 0, "index of the first question", kMost);
     AddNumber(app, "--seed", sweep_.seed, 0, "seed of the questions");
+    app->add_option("--climb", sweep_.climb,
+                    "worst-case search: of every N questions the first is one of the "
+                    "family, each other the worst so far with B changed a little "
+                    "(default: 1, no search)")
+        ->check(WholeNumber(1, 1'000'000))
+        ->type_name("N");
     app->add_option("--out", sweep_.out,
                     "folder for sweep.sqlite, and for failed questions as TOML files; a "
                     "sweep that was interrupted goes on")

@@ -91,7 +91,8 @@ SweepPlan PlanOf(const Session& session, const SweepArguments& arguments) {
                              .B = B,
                              .seed = arguments.seed,
                              .first = arguments.first,
-                             .count = arguments.count});
+                             .count = arguments.count,
+                             .climb = arguments.climb});
     }
   }
   return plan;
@@ -135,15 +136,18 @@ Swept SweepInMemory(const SweepPlan& plan, const SweepOptions& options) {
   return {std::move(file), complete};
 }
 
+Scenario ScenarioOf(const FailedQuestion& failure) {
+  return ReadScenario(failure.scenario, "a kept failure").scenario.value();
+}
+
 /** Writes the failed questions that the file keeps as scenario files. */
 void WriteFailures(const OutputFolder& folder, const SweepFile& file) {
   for (std::size_t s = 0; s < file.settings().series.size(); ++s) {
     for (const OracleTally& tally : file.Read(s).oracles) {
       for (const auto& [kind, failures] : tally.failures) {
         for (const FailedQuestion& failure : failures) {
-          const std::string id =
-              ScenarioAt(file.settings().series[s], failure.question).id;
-          folder.Write(id + ".toml", [&](std::ostream& out) { out << failure.scenario; });
+          folder.Write(ScenarioOf(failure).id + ".toml",
+                       [&](std::ostream& out) { out << failure.scenario; });
         }
       }
     }
@@ -169,7 +173,7 @@ void ExplainFailures(const Session& session, const SweepArguments& arguments,
   for (std::size_t i = 0; i < clusters.size() && i < kShown; ++i) {
     const QuestionSeries& series = file.settings().series[clusters[i]->series];
     const std::uint64_t question = clusters[i]->worst->question;
-    const Scenario scenario = ScenarioAt(series, question);
+    const Scenario scenario = ScenarioOf(*clusters[i]->worst);
     RunOptions options;
     options.jobs = arguments.jobs;
     options.partial = true;

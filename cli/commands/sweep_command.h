@@ -23,6 +23,7 @@ struct SweepArguments {
   std::uint64_t count = 200;  ///< Questions per family and pair.
   std::uint64_t first = 0;
   std::uint64_t seed = 1;
+  std::uint64_t climb = 1;  ///< Same as QuestionSeries::climb.
   Shard shard = {};
   std::optional<std::chrono::seconds> time;  ///< The time after which it stops.
   /** Folder for the file of results and for the failed questions, as TOML. */

@@ -88,13 +88,14 @@ std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) 
     const QuestionSeries& series = settings.series[s];
     const SeriesTally tally = file.Read(s);
     for (std::size_t i = 0; i < summaries.size(); ++i) {
-      Add(tally.oracles[i], s, least, summaries[i]);
+      const OracleTally& oracle = tally.oracles[i];
+      Add(oracle, s, least, summaries[i]);
       std::cout << fmt::format(kRow, NameOf(series.family),
                                fmt::format("{} {}", NameOf(series.A), NameOf(series.B)),
-                               column(settings.subjects[i]), tally.asked,
-                               Percent(tally.touching, tally.asked),
-                               Percent(tally.undecided, tally.asked),
-                               FailureCount(tally.oracles[i]), WorstOf(tally.oracles[i]));
+                               column(settings.subjects[i]), oracle.asked,
+                               Percent(oracle.touching, oracle.asked),
+                               Percent(oracle.undecided, oracle.asked),
+                               FailureCount(oracle), WorstOf(oracle));
     }
   }
   return summaries;

@@ -36,25 +36,26 @@ std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
   const OracleTally& tally = sum.oracles.front();
   const std::string& name = subject.info().name;
   const std::string questions = fmt::format(
-      "{} of the family {} ({} and {}, seed {})", Counted(sum.asked, "question"),
+      "{} of the family {} ({} and {}, seed {})", Counted(tally.asked, "question"),
       NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed);
   if (IsUnsupported(tally)) {
     return fmt::format("{} supports none of {}: nothing was verified", name, questions);
   }
-  if (sum.touching == 0) {
+  if (tally.touching == 0) {
     return fmt::format("none of {} touched: nothing was verified", questions);
   }
   const FailedQuestion* const first = FirstFailure(tally);
   if (first == nullptr) return "";
 
-  const Scenario scenario = ScenarioAt(series, first->question);
+  const Scenario scenario =
+      ReadScenario(first->scenario, "the failed question").scenario.value();
   std::vector<const Oracle*> oracles = {&subject};
   oracles.insert(oracles.end(), references.begin(), references.end());
   RunOptions options;
   options.partial = true;
   std::ostringstream text;
   text << fmt::format("{} is wrong in {} of {}; {} of them touching. The first:\n\n",
-                      name, FailureCount(tally), questions, sum.touching);
+                      name, FailureCount(tally), questions, tally.touching);
   WriteExplanation(Run({&scenario, 1}, oracles, {}, options), {}, text);
   text << "\nThe question, as a file for `touchstone run`:\n\n"
        << first->scenario

@@ -5,8 +5,8 @@
 #include <span>
 
 #include "reports/contacts/grade.h"
-#include "reports/referee/referee.h"
 #include "reports/run.h"
+#include "reports/sweep/climb.h"
 #include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"
 
@@ -42,6 +42,9 @@ void AddFinding(const Finding& finding, const ScenarioResult& result,
 
 void AddAnswer(const Outcome& outcome, const ScenarioResult& result,
                std::uint64_t question, OracleTally& tally) {
+  ++tally.asked;
+  if (result.truth.touching == Touching::kTouching) ++tally.touching;
+  if (result.truth.touching == Touching::kUndecided) ++tally.undecided;
   for (const Finding& finding : outcome.findings)
     AddFinding(finding, result, question, tally);
   if (IsVerified(outcome.findings)) {
@@ -79,23 +82,17 @@ std::vector<const Oracle*> SubjectAndReferences(const SweepPlan& plan,
 }  // namespace
 
 SeriesTally AskBlock(const SweepPlan& plan, const QuestionSeries& block) {
-  std::vector<Scenario> scenarios;
-  std::vector<ContactTruth> truths;
+  TrueQuestions questions;
+  if (block.climb == 1) questions = QuestionsOf(block);
   SeriesTally tally;
-  tally.asked = block.count;
-  for (std::uint64_t i = 0; i < block.count; ++i) {
-    scenarios.push_back(ScenarioAt(block, block.first + i));
-    truths.push_back(ComputeContactTruth(scenarios.back().contact));
-    if (truths.back().touching == Touching::kTouching) ++tally.touching;
-    if (truths.back().touching == Touching::kUndecided) ++tally.undecided;
-  }
-  RunOptions options;
-  options.jobs = 1;
-  options.partial = true;
-  options.truths = truths;
   for (const Oracle* subject : plan.subjects) {
+    if (block.climb > 1) questions = ClimbOf(block, *subject);
+    RunOptions options;
+    options.jobs = 1;
+    options.partial = true;
+    options.truths = questions.truths;
     const std::vector<const Oracle*> oracles = SubjectAndReferences(plan, subject);
-    const RunReport report = Run(scenarios, oracles, {}, options);
+    const RunReport report = Run(questions.scenarios, oracles, {}, options);
     const std::vector<Outcome> outcomes = OutcomesOf(report);
     OracleTally& of_subject = tally.oracles.emplace_back();
     for (std::uint64_t i = 0; i < block.count; ++i) {

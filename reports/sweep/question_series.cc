@@ -9,8 +9,10 @@ namespace touchstone {
 Scenario ScenarioAt(const QuestionSeries& series, std::uint64_t index) {
   Scenario scenario;
   // Indices have equal width, so that ids sort as indices do.
-  scenario.id = fmt::format("sweep/{}/{}_{}/seed_{}/{:020}", NameOf(series.family),
-                            NameOf(series.A), NameOf(series.B), series.seed, index);
+  scenario.id =
+      fmt::format("sweep/{}/{}_{}/seed_{}/{}{:020}", NameOf(series.family),
+                  NameOf(series.A), NameOf(series.B), series.seed,
+                  series.climb == 1 ? "" : fmt::format("climb_{}/", series.climb), index);
   scenario.title =
       fmt::format("Question {} of the family {}, {} and {}, seed {}", index,
                   NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed);
@@ -23,8 +25,10 @@ Scenario ScenarioAt(const QuestionSeries& series, std::uint64_t index) {
 
 std::string ReplayOf(const QuestionSeries& series, std::uint64_t index) {
   return fmt::format(
-      "touchstone sweep contact --family {} --pair {} {} --seed {} --first {} --count 1",
-      NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed, index);
+      "touchstone sweep contact --family {} --pair {} {} --seed {} --first {} --count "
+      "1{}",
+      NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed, index,
+      series.climb == 1 ? "" : fmt::format(" --climb {}", series.climb));
 }
 
 std::uint64_t BlockCount(const QuestionSeries& series) {

@@ -16,9 +16,11 @@ struct QuestionSeries {
   std::uint64_t seed = 1;
   std::uint64_t first = 0;  ///< Index of the first question.
   std::uint64_t count = 1000;
+  /** Number of questions of a worst-case search, see ClimbOf(); 1: none. */
+  std::uint64_t climb = 1;
 };
 
-/** Returns question `index` of the series as a scenario with an id such as
+/** Returns question `index` of the family as a scenario with an id such as
  "sweep/random/box_box/seed_1/0...42". */
 Scenario ScenarioAt(const QuestionSeries& series, std::uint64_t index);
 

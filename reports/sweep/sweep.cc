@@ -62,7 +62,7 @@ bool Sweep(const SweepPlan& plan, SweepFile& file, const SweepOptions& options) 
   RunBlocks(plan, block_options, [&](std::uint64_t block, const SeriesTally& result) {
     uncommitted.Add(BlockOf(plan, block).series, block, result);
     uncommitted.CommitAfter(options.commit_after);
-    done += result.asked;
+    done += BlockOf(plan, block).questions.count;
     if (options.on_progress) options.on_progress(done, total);
   });
   uncommitted.Commit();

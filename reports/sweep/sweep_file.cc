@@ -19,11 +19,10 @@ constexpr const char* kTables = R"(
 CREATE TABLE settings(name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;
 CREATE TABLE subjects(subject INTEGER PRIMARY KEY, oracle TEXT);
 CREATE TABLE series(series INTEGER PRIMARY KEY, family TEXT, A TEXT, B TEXT, seed TEXT,
-  first INTEGER, count INTEGER);
+  first INTEGER, count INTEGER, climb INTEGER);
 CREATE TABLE blocks(first INTEGER PRIMARY KEY, last INTEGER);
-CREATE TABLE questions(series INTEGER PRIMARY KEY, asked INTEGER, touching INTEGER,
-  undecided INTEGER);
-CREATE TABLE verified(series INTEGER, oracle TEXT, answers INTEGER, touching INTEGER,
+CREATE TABLE questions(series INTEGER, oracle TEXT, asked INTEGER, touching INTEGER,
+  undecided INTEGER, verified INTEGER, verified_touching INTEGER,
   PRIMARY KEY(series, oracle)) WITHOUT ROWID;
 CREATE TABLE answers(series INTEGER, oracle TEXT, measure TEXT, verdict TEXT, band TEXT,
   cause TEXT, count INTEGER,
@@ -42,8 +41,8 @@ CREATE TABLE failures(series INTEGER, oracle TEXT, question INTEGER, measure TEX
 )";
 
 /** The tables with rows of a series. */
-constexpr std::array<const char*, 7> kTablesOfSeries = {
-    "questions", "verified", "answers", "findings", "sketches", "worst", "failures"};
+constexpr std::array<const char*, 6> kTablesOfSeries = {
+    "questions", "answers", "findings", "sketches", "worst", "failures"};
 
 void WriteCounts(const Database& database, const char* table, std::size_t series,
                  const std::string& oracle, const FindingCounts& counts) {
@@ -57,8 +56,9 @@ void WriteCounts(const Database& database, const char* table, std::size_t series
 
 void WriteOracle(const Database& database, std::size_t series, const std::string& oracle,
                  const OracleTally& tally) {
-  Statement(database, "INSERT INTO verified VALUES(?, ?, ?, ?)")
-      .Run(series, oracle, tally.verified, tally.verified_touching);
+  Statement(database, "INSERT INTO questions VALUES(?, ?, ?, ?, ?, ?, ?)")
+      .Run(series, oracle, tally.asked, tally.touching, tally.undecided, tally.verified,
+           tally.verified_touching);
   WriteCounts(database, "answers", series, oracle, tally.answers);
   WriteCounts(database, "findings", series, oracle, tally.findings);
   Statement bins(database, "INSERT INTO sketches VALUES(?, ?, ?, ?, ?, ?)");
@@ -124,12 +124,16 @@ FindingCounts ReadCounts(const Database& database, const char* table, std::size_
 OracleTally ReadOracle(const Database& database, std::size_t series,
                        const std::string& oracle) {
   OracleTally tally;
-  Statement verified(
-      database, "SELECT answers, touching FROM verified WHERE series = ? AND oracle = ?");
-  verified.Start(series, oracle);
-  if (verified.Next()) {
-    tally.verified = verified.Unsigned(0);
-    tally.verified_touching = verified.Unsigned(1);
+  Statement questions(database,
+                      "SELECT asked, touching, undecided, verified, verified_touching "
+                      "FROM questions WHERE series = ? AND oracle = ?");
+  questions.Start(series, oracle);
+  if (questions.Next()) {
+    tally.asked = questions.Unsigned(0);
+    tally.touching = questions.Unsigned(1);
+    tally.undecided = questions.Unsigned(2);
+    tally.verified = questions.Unsigned(3);
+    tally.verified_touching = questions.Unsigned(4);
   }
   tally.answers = ReadCounts(database, "answers", series, oracle);
   tally.findings = ReadCounts(database, "findings", series, oracle);
@@ -179,11 +183,11 @@ void WriteSettings(const Database& database, const SweepSettings& settings) {
   Statement subject(database, "INSERT INTO subjects VALUES(?, ?)");
   std::uint64_t at = 0;
   for (const std::string& name : settings.subjects) subject.Run(at++, name);
-  Statement row(database, "INSERT INTO series VALUES(?, ?, ?, ?, ?, ?, ?)");
+  Statement row(database, "INSERT INTO series VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
   at = 0;
   for (const QuestionSeries& series : settings.series) {
     row.Run(at++, NameOf(series.family), NameOf(series.A), NameOf(series.B),
-            fmt::format("{}", series.seed), series.first, series.count);
+            fmt::format("{}", series.seed), series.first, series.count, series.climb);
   }
 }
 
@@ -255,8 +259,9 @@ void SweepFile::ReadSettings() {
   while (value.Next()) settings_.values.emplace(value.Text(0), value.Text(1));
   Statement subject(database_, "SELECT oracle FROM subjects ORDER BY subject");
   while (subject.Next()) settings_.subjects.push_back(subject.Text(0));
-  Statement row(database_,
-                "SELECT family, A, B, seed, first, count FROM series ORDER BY series");
+  Statement row(
+      database_,
+      "SELECT family, A, B, seed, first, count, climb FROM series ORDER BY series");
   while (row.Next()) {
     settings_.series.push_back(
         {.family = Known(database_, FamilyNamed(row.Text(0)), row.Text(0)),
@@ -264,7 +269,8 @@ void SweepFile::ReadSettings() {
          .B = Known(database_, ShapeKindNamed(row.Text(2)), row.Text(2)),
          .seed = std::strtoull(row.Text(3).c_str(), nullptr, 10),
          .first = row.Unsigned(4),
-         .count = row.Unsigned(5)});
+         .count = row.Unsigned(5),
+         .climb = row.Unsigned(6)});
   }
 }
 
@@ -280,14 +286,6 @@ void SweepFile::ReadBlocks() {
 
 SeriesTally SweepFile::Read(std::size_t series) const {
   SeriesTally tally;
-  Statement row(database_,
-                "SELECT asked, touching, undecided FROM questions WHERE series = ?");
-  row.Start(series);
-  if (row.Next()) {
-    tally.asked = row.Unsigned(0);
-    tally.touching = row.Unsigned(1);
-    tally.undecided = row.Unsigned(2);
-  }
   for (const std::string& oracle : settings_.subjects)
     tally.oracles.push_back(ReadOracle(database_, series, oracle));
   return tally;
@@ -301,8 +299,6 @@ void SweepFile::Commit(const std::map<std::size_t, SeriesTally>& series,
       Statement(database_, fmt::format("DELETE FROM {} WHERE series = ?", table))
           .Run(number);
     }
-    Statement(database_, "INSERT INTO questions VALUES(?, ?, ?, ?)")
-        .Run(number, tally.asked, tally.touching, tally.undecided);
     for (std::size_t i = 0; i < settings_.subjects.size(); ++i)
       WriteOracle(database_, number, settings_.subjects[i], tally.oracles[i]);
   }

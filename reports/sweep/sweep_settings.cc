@@ -34,7 +34,8 @@ Named Flat(const SweepSettings& settings) {
                  {"pair", fmt::format("{} {}", NameOf(series.A), NameOf(series.B))},
                  {"seed", fmt::format("{}", series.seed)},
                  {"first", fmt::format("{}", series.first)},
-                 {"count", fmt::format("{}", series.count)}});
+                 {"count", fmt::format("{}", series.count)},
+                 {"climb", fmt::format("{}", series.climb)}});
   }
   flat.emplace_back("number of series", fmt::format("{}", settings.series.size()));
   return flat;

@@ -10,6 +10,9 @@ void Merge(const FindingCounts& other, FindingCounts& counts) {
 }
 
 void Merge(const OracleTally& other, OracleTally& tally) {
+  tally.asked += other.asked;
+  tally.touching += other.touching;
+  tally.undecided += other.undecided;
   tally.verified += other.verified;
   tally.verified_touching += other.verified_touching;
   Merge(other.findings, tally.findings);
@@ -70,9 +73,6 @@ std::uint64_t FailureCount(const OracleTally& tally) {
 }
 
 void Merge(const SeriesTally& other, SeriesTally& tally) {
-  tally.asked += other.asked;
-  tally.touching += other.touching;
-  tally.undecided += other.undecided;
   tally.oracles.resize(std::max(tally.oracles.size(), other.oracles.size()));
   for (std::size_t i = 0; i < other.oracles.size(); ++i)
     Merge(other.oracles[i], tally.oracles[i]);

@@ -69,10 +69,13 @@ inline constexpr std::size_t kFailuresKept = 5;
 
 /** The results of one oracle on questions of one series. */
 struct OracleTally {
-  std::uint64_t verified = 0;              ///< Answers that IsVerified().
-  std::uint64_t verified_touching = 0;     ///< Those to questions certified as touching.
-  FindingCounts findings;                  ///< Every measure of every answer.
-  FindingCounts answers;                   ///< The decisive finding of every answer.
+  std::uint64_t asked = 0;              ///< Number of questions.
+  std::uint64_t touching = 0;           ///< Questions certified as touching.
+  std::uint64_t undecided = 0;          ///< Questions touching to within input rounding.
+  std::uint64_t verified = 0;           ///< Answers that IsVerified().
+  std::uint64_t verified_touching = 0;  ///< Those to questions certified as touching.
+  FindingCounts findings;               ///< Every measure of every answer.
+  FindingCounts answers;                ///< The decisive finding of every answer.
   std::map<MeasureKind, Sketch> sketches;  ///< Values that the truth could decide.
   std::map<MeasureKind, std::vector<WorstFinding>> worst;       ///< The worst first.
   std::map<FailureKind, std::vector<FailedQuestion>> failures;  ///< Ascending indices.
@@ -83,9 +86,6 @@ struct OracleTally {
 /** The results of questions of one series. Its size has a bound, however many they are.
  */
 struct SeriesTally {
-  std::uint64_t asked = 0;           ///< Number of questions.
-  std::uint64_t touching = 0;        ///< Questions certified as touching.
-  std::uint64_t undecided = 0;       ///< Questions touching to within input rounding.
   std::vector<OracleTally> oracles;  ///< Indexed as SweepPlan::subjects.
 
   bool operator==(const SeriesTally&) const = default;

@@ -105,12 +105,12 @@ TEST_F(SweepFileTest, ReadsWhatItHasWritten) {
   SeriesTally sum;
   RunBlocks({.series = {plan_.series[0]}, .subjects = plan_.subjects}, {},
             [&sum](std::uint64_t, const SeriesTally& tally) { Merge(tally, sum); });
-  EXPECT_EQ(sum.asked, plan_.series[0].count);
+  EXPECT_EQ(sum.oracles[0].asked, plan_.series[0].count);
   EXPECT_TRUE(file.Read(0) == sum);
   EXPECT_EQ(FailureCount(sum.oracles[0]), 0U);
   // Half of the depth is wrong wherever the spheres overlap, unless by a rounding.
-  EXPECT_GT(FailureCount(sum.oracles[1]), sum.touching * 99 / 100);
-  EXPECT_LE(FailureCount(sum.oracles[1]), sum.touching);
+  EXPECT_GT(FailureCount(sum.oracles[1]), sum.oracles[1].touching * 99 / 100);
+  EXPECT_LE(FailureCount(sum.oracles[1]), sum.oracles[1].touching);
 }
 
 TEST_F(SweepFileTest, HasTheSameBytesForAnyNumberOfThreads) {

@@ -14,9 +14,9 @@ namespace {
  n), with equal values among them, so that ties occur. */
 SeriesTally OfQuestions(std::uint64_t first, std::uint64_t n) {
   SeriesTally tally;
-  tally.asked = n;
-  tally.touching = n / 2;
   OracleTally& oracle = tally.oracles.emplace_back();
+  oracle.asked = n;
+  oracle.touching = n / 2;
   for (std::uint64_t i = first; i < first + n; ++i) {
     const double value = 1e-3 * static_cast<double>(*rc::gen::inRange(0, 6));
     const auto measure = *rc::gen::element(MeasureKind::kExcess, MeasureKind::kSwap);
