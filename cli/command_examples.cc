@@ -124,17 +124,35 @@ position, orientation, velocity and angular velocity, in SI units and the world 
      "input or nothing simulated"},
     {"sweep", R"(
 
-Generates questions from a seed and judges the answers of the subject, without a ledger.
-Prints one row per family and shape pair: the fraction that touches, the failures, and the
-worst measures relative to their tolerances. Then prints the first failures with proofs.
-Without --pair, sweeps every shape pair that the subject supports.
+Generates questions from a seed and judges the answers of the subjects against the certified
+truth, without a ledger. Prints one row per family, shape pair and subject: the fraction that
+touches, the failures, and the worst measures relative to their tolerances. Then prints the
+failures by measure and cause, with commands that repeat them; for a single subject also proofs,
+next to the answers of the references. Without --pair, sweeps every shape pair that a subject
+supports.
+
+With --out, the results are kept in DIR/sweep.unfinished.sqlite while they are computed. The same
+command goes on after Ctrl-C, --time, or a kill, and ends with the same DIR/sweep.sqlite, whatever
+--jobs. Shards have files of their own, which `touchstone merge` joins.
 )",
      R"(
-  touchstone sweep contact --pair box box --count 100000
-  touchstone sweep contact --family edge_edge --subject ode --quiet
-  touchstone sweep contact --family deep --seed 7 --out failures
+  touchstone sweep contact --pair box box --count 20000
+  touchstone sweep contact --family edge_edge,deep --subject ode,fcl --quiet
+  touchstone sweep contact --subject all --pair box box --count 1000000 --time 8h --out night
+  touchstone sweep contact --pair box box --count 1000000 --shard 2/8 --out shards
+  touchstone sweep contact --pair box box --subject bullet/gjk --count 512 --climb 32
 )",
-     "0 no failures, 1 failures, 2 bad input or nothing verified"},
+     "0 no failures; 1 failures, of the band of --fail-on or worse; 2 bad input or\n"
+     "nothing verified; 130 after Ctrl-C"},
+    {"merge", R"(
+
+Joins the files of all shards of one sweep. The result is, byte for byte, the file of the sweep
+without --shard.
+)",
+     R"(
+  touchstone merge shards/sweep.*-of-8.sqlite -o sweep.sqlite
+)",
+     kShown},
     {"bench", R"(
 
 `bench contact` measures the time per query and the accuracy of the answers. Without --pair,

@@ -19,6 +19,7 @@
 #include "cli/commands/explain_command.h"
 #include "cli/commands/ledger_command.h"
 #include "cli/commands/list_command.h"
+#include "cli/commands/merge_command.h"
 #include "cli/commands/oracles_command.h"
 #include "cli/commands/report_command.h"
 #include "cli/commands/run_command.h"
@@ -72,6 +73,7 @@ class CommandLine {
     AddList();
     AddOracles();
     AddSweep();
+    AddMerge();
     AddBench();
     AddSimulate();
     AddSchema();
@@ -157,7 +159,9 @@ class CommandLine {
       tolerance.by = tolerance.share == 0    ? "--tolerance"
                      : tolerance.length == 0 ? "--tolerance-share"
                                              : "--tolerance and --tolerance-share";
-      session_.registry.SetTolerance(selection->subject, tolerance);
+      for (const Oracle* subject : SubjectsNamed(session_.registry, selection->subject)) {
+        session_.registry.SetTolerance(subject->info().name, tolerance);
+      }
     }
   }
 
@@ -192,9 +196,10 @@ class CommandLine {
 
   // A number of questions, an index or a seed.
   static void AddNumber(CLI::App* app, const char* name, std::uint64_t& number,
-                        std::uint64_t least, const char* description) {
+                        std::uint64_t least, const char* description,
+                        std::uint64_t most = std::numeric_limits<std::uint64_t>::max()) {
     app->add_option(name, number, description)
-        ->check(WholeNumber(least))
+        ->check(WholeNumber(least, most))
         ->type_name("N")
         ->capture_default_str();
   }
@@ -323,21 +328,86 @@ class CommandLine {
                    [this] { return SweepCommand(session_, sweep_); });
     AddContact(app);
     AddOracleOptions(app, sweep_.oracles);
+    app->get_option("--subject")
+        ->description(
+            "oracles under examination, e.g. cookbook or ode,fcl; all: every oracle")
+        ->type_name("ORACLE[,...]");
+    app->get_option("--against")
+        ->description(
+            "references that answer every question too (default: none; all others answer "
+            "the failures that are printed)");
     app->add_option(
-           "--family", sweep_.family,
-           "family of questions: random, near_parallel, edge_edge, vertex_face, "
-           "touching, deep, slabs_and_needles, extreme_scales, symmetries or all")
+           "--family", sweep_.families,
+           "families of questions: random, near_parallel, edge_edge, vertex_face, "
+           "touching, deep, slabs_and_needles, extreme_scales, symmetries, grazing, "
+           "mixed_sizes, far_from_origin, large_hulls or all")
         ->type_name("FAMILY")
+        ->delimiter(',')
+        ->allow_extra_args(false)
         ->capture_default_str();
-    AddPair(app, sweep_.pair);
-    AddNumber(app, "--count", sweep_.count, 1, "number of questions per family and pair");
-    AddNumber(app, "--first", sweep_.first, 0, "index of the first question");
+    app->add_option("--pair", sweep_.pairs,
+                    "two shapes, e.g. --pair box sphere; may be repeated (default: all "
+                    "pairs that a subject supports)")
+        ->type_name("SHAPE SHAPE")
+        ->allow_extra_args(false);
+    // SQLite has signed numbers.
+    constexpr auto kMost = std::uint64_t{1} << 62;
+    AddNumber(app, "--count", sweep_.count, 1, "number of questions per family and pair",
+              kMost);
+    AddNumber(app, "--first", sweep_.first, 0, "index of the first question", kMost);
     AddNumber(app, "--seed", sweep_.seed, 0, "seed of the questions");
+    app->add_option("--climb", sweep_.climb,
+                    "worst-case search: of every N questions the first is one of the "
+                    "family, each other the worst so far with B changed a little "
+                    "(default: 1, no search)")
+        ->check(WholeNumber(1, 1'000'000))
+        ->type_name("N");
     app->add_option("--out", sweep_.out,
-                    "folder for the first failed questions, as TOML files")
+                    "folder for sweep.sqlite, and for failed questions as TOML files; a "
+                    "sweep that was interrupted goes on")
         ->type_name("DIR");
+    app->add_option_function<std::string>(
+           "--shard",
+           [this](const std::string& text) {
+             const auto [part, whole] = PartOf(text);
+             sweep_.shard = {part - 1, whole};
+           },
+           "ask only part K of N of the questions; `touchstone merge` joins the parts")
+        ->check(PartOfWhole())
+        ->type_name("K/N");
+    app->add_option_function<std::string>(
+           "--time", [this](const std::string& text) { sweep_.time = DurationOf(text); },
+           "stop after that time, e.g. 90s, 10m or 2h")
+        ->check(Duration())
+        ->type_name("TIME");
+    app->add_option_function<std::string>(
+           "--fail-on",
+           [this](const std::string& band) { sweep_.fail_on = BandNamed(band); },
+           "least failures that give exit code 1: any (default), 1e-6, 1e-3, 0.1 (as a "
+           "fraction of the smaller body) or touching (a wrong hit or miss)")
+        ->check(OneOf({"any", "1e-6", "1e-3", "0.1", "touching"}))
+        ->type_name("BAND");
     AddJobs(app, sweep_.jobs);
-    app->add_flag("--quiet", sweep_.quiet, "print only the table");
+    app->add_flag("--quiet", sweep_.quiet, "print only the tables");
+  }
+
+  static Grade BandNamed(const std::string& band) {
+    if (band == "1e-6") return Grade::kSmall;
+    if (band == "1e-3") return Grade::kLarge;
+    if (band == "0.1") return Grade::kGross;
+    return band == "touching" ? Grade::kWrongTouch : Grade::kNone;
+  }
+
+  void AddMerge() {
+    CLI::App* app = AddCommand("merge", "Join the shards of a sweep",
+                               [this] { return MergeCommand(merge_); });
+    app->add_option("FILE", merge_.parts,
+                    "files that `touchstone sweep --shard K/N --out DIR` wrote, of all K")
+        ->required()
+        ->type_name("");
+    app->add_option("-o,--out", merge_.out, "the file of the whole sweep")
+        ->required()
+        ->type_name("FILE");
   }
 
   void AddBench() {
@@ -460,6 +530,7 @@ class CommandLine {
   CompareArguments compare_;
   AskArguments ask_;
   SweepArguments sweep_;
+  MergeArguments merge_;
   LedgerArguments ledger_;
   BenchArguments bench_;
   BenchWorldsArguments bench_worlds_;

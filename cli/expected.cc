@@ -46,6 +46,50 @@ Expected NotNegative() {
   };
 }
 
+Expected Duration() {
+  return [](const std::string& text) -> std::string {
+    const std::string number = text.substr(0, text.find_last_of("0123456789") + 1);
+    const bool has_unit = text.size() == number.size() + 1 &&
+                          std::string_view("smhd").find(text.back()) != std::string::npos;
+    // A century, so that the sum with the clock does not overflow.
+    if (has_unit && WholeNumber(1, 36500)(number).empty()) return "";
+    return fmt::format("'{}'; expected a duration such as 90s, 10m, 2h or 1d", text);
+  };
+}
+
+std::chrono::seconds DurationOf(const std::string& text) {
+  const std::int64_t number = std::stoll(text);
+  switch (text.back()) {
+    case 'd':
+      return std::chrono::days(number);
+    case 'h':
+      return std::chrono::hours(number);
+    case 'm':
+      return std::chrono::minutes(number);
+    default:
+      return std::chrono::seconds(number);
+  }
+}
+
+Expected PartOfWhole() {
+  return [](const std::string& text) -> std::string {
+    const std::size_t slash = text.find('/');
+    if (slash != std::string::npos) {
+      const std::string part = text.substr(0, slash);
+      const std::string whole = text.substr(slash + 1);
+      if (WholeNumber(1, 1'000'000)(whole).empty() &&
+          WholeNumber(1, std::stoull(whole))(part).empty()) {
+        return "";
+      }
+    }
+    return fmt::format("'{}'; expected K/N with 1 <= K <= N <= 1000000, e.g. 2/8", text);
+  };
+}
+
+std::pair<std::uint64_t, std::uint64_t> PartOf(const std::string& text) {
+  return {std::stoull(text), std::stoull(text.substr(text.find('/') + 1))};
+}
+
 Expected OneOf(const std::vector<std::string>& names) {
   return [names](const std::string& text) -> std::string {
     if (std::find(names.begin(), names.end(), text) != names.end()) return "";

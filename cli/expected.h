@@ -1,9 +1,11 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace touchstone {
@@ -20,6 +22,18 @@ Expected NumberOfThreads();
 
 /** Accepts finite numbers >= 0. */
 Expected NotNegative();
+
+/** Accepts a duration such as "90s", "10m", "2h" or "1d": a whole number and a unit. */
+Expected Duration();
+
+/** Returns the duration that Duration() accepts. */
+std::chrono::seconds DurationOf(const std::string& text);
+
+/** Accepts a part of a whole, "K/N" with 1 <= K <= N. */
+Expected PartOfWhole();
+
+/** Returns K and N of what PartOfWhole() accepts. */
+std::pair<std::uint64_t, std::uint64_t> PartOf(const std::string& text);
 
 /** Accepts one of `names`. The error lists them and suggests the nearest. */
 Expected OneOf(const std::vector<std::string>& names);

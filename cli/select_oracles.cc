@@ -1,6 +1,7 @@
 #include "cli/select_oracles.h"
 
 #include <algorithm>
+#include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -45,6 +46,32 @@ std::vector<const Oracle*> OraclesNamed(const OracleRegistry& registry,
     oracles.push_back(specimen);
   }
   return oracles;
+}
+
+std::vector<const Oracle*> SubjectsNamed(const OracleRegistry& registry,
+                                         const std::string& list) {
+  std::vector<const Oracle*> subjects;
+  const auto add = [&subjects](const Oracle* oracle) {
+    if (std::find(subjects.begin(), subjects.end(), oracle) == subjects.end())
+      subjects.push_back(oracle);
+  };
+  std::istringstream names(list);
+  for (std::string name; std::getline(names, name, ',');) {
+    if (name != "all") {
+      if (const Oracle* exact = registry.Find(name)) {
+        add(exact);
+      } else {
+        for (const Oracle* oracle : OraclesNamed(registry, name)) add(oracle);
+      }
+      continue;
+    }
+    for (const Oracle* oracle : registry.All()) {
+      if (!IsSpecimen(oracle->info().name) && oracle->info().AnswersContacts())
+        add(oracle);
+    }
+  }
+  if (subjects.empty()) FailOnOracle(registry, list);
+  return subjects;
 }
 
 const Oracle& OracleNamed(const OracleRegistry& registry, const std::string& name) {

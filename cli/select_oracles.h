@@ -25,6 +25,12 @@ const Oracle& OracleNamed(const OracleRegistry& registry, const std::string& nam
 std::vector<const Oracle*> SelectOracles(const OracleRegistry& registry,
                                          const OracleSelection& selection);
 
+/** Returns the oracles that `list` names, each once: names or groups, separated by
+ commas, or "all" for every oracle that answers contact queries, except specimens of
+ faults. Throws the same errors as SelectOracles(). */
+std::vector<const Oracle*> SubjectsNamed(const OracleRegistry& registry,
+                                         const std::string& list);
+
 /** Returns the oracles that `pattern` names. Throws the same errors as SelectOracles().
  */
 std::vector<const Oracle*> OraclesNamed(const OracleRegistry& registry,

@@ -50,7 +50,7 @@ Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
 RunReport RunSuite(const Session& session, const Questions& questions,
                    std::span<const Oracle* const> oracles, const Ledger& ledger,
                    const SuiteOptions& options) {
-  ProgressBar bar(session.terminal.progress && !options.quiet);
+  ProgressBar bar(session.terminal, options.quiet);
   RunOptions run;
   run.jobs = options.jobs;
   run.today = Today();

@@ -12,6 +12,7 @@ find_package(nlohmann_json 3.11 REQUIRED)
 find_package(Boost 1.74 REQUIRED)  # Multiprecision and Math, headers only
 find_package(tomlplusplus 3.3 REQUIRED)
 find_package(ZLIB 1.2 REQUIRED)
+find_package(SQLite3 3.24 REQUIRED)
 pkg_check_modules(hwy REQUIRED IMPORTED_TARGET GLOBAL libhwy>=1.0)  # SIMD chosen at run time
 pkg_check_modules(mpfr REQUIRED IMPORTED_TARGET GLOBAL mpfr>=4)
 

@@ -120,8 +120,12 @@ class Suite {
         options_(options) {
     for (const Oracle* oracle : oracles) report_.oracles.push_back(oracle->info());
     if (!oracles.empty()) report_.subject = oracles.front()->info().name;
-    for (const Scenario& scenario : scenarios)
-      report_.scenarios.push_back({scenario, {}, {}});
+    for (std::size_t s = 0; s < scenarios.size(); ++s) {
+      report_.scenarios.push_back(
+          {scenarios[s],
+           options.truths.empty() ? ContactTruth() : options.truths[s],
+           {}});
+    }
     std::stable_sort(report_.scenarios.begin(), report_.scenarios.end(),
                      [](const ScenarioResult& a, const ScenarioResult& b) {
                        return a.scenario.id < b.scenario.id;
@@ -156,6 +160,7 @@ class Suite {
 
  private:
   void EstablishTruth() {
+    if (!options_.truths.empty()) return;
     ForEachScenario([](ScenarioResult& result, std::vector<Finding>&) {
       result.truth = ComputeContactTruth(result.scenario.contact);
     });

@@ -9,6 +9,7 @@
 
 #include "oracles/oracle.h"
 #include "reports/finding/ledger.h"
+#include "reports/referee/contact_truth.h"
 #include "reports/run_report.h"
 #include "scenarios/scenario.h"
 #include "scenarios/worlds/world_scenario.h"
@@ -25,6 +26,9 @@ struct RunOptions {
   /** Whether the scenarios are only a part of the catalogue. A ledger entry that hides
    nothing may then still be needed by the others, and is not called improved. */
   bool partial = false;
+  /** The truths of the contact queries, in the order in which those are passed, if they
+   are known already; empty: they are computed. */
+  std::span<const ContactTruth> truths;
   /** Returns whether any build has an oracle of that name, see ApplyLedger(). */
   std::function<bool(std::string_view)> is_oracle;
   /** Called with the numbers of question-oracle pairs (done, total), from one thread at a

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,28 +10,37 @@
 
 #include "cli/select_oracles.h"
 #include "cli/session.h"
+#include "reports/sweep/run_blocks.h"
 
 namespace touchstone {
 
 /** The arguments of `touchstone sweep contact`. */
 struct SweepArguments {
-  OracleSelection oracles;
-  std::string family = "all";  ///< Name of a Family, or "all".
-  std::vector<std::string>
-      pair;  ///< Names of two shapes; empty: all pairs that the subject supports.
+  OracleSelection oracles;  ///< The subject is a list, see SubjectsNamed().
+  std::vector<std::string> families = {"all"};  ///< Names of families, or "all".
+  /** Names of shapes; empty: all pairs that a subject supports. */
+  std::vector<std::pair<std::string, std::string>> pairs;
   std::uint64_t count = 200;  ///< Questions per family and pair.
   std::uint64_t first = 0;
   std::uint64_t seed = 1;
-  std::optional<std::filesystem::path>
-      out;  ///< Folder for the failed questions, as TOML.
+  std::uint64_t climb = 1;  ///< Same as QuestionSeries::climb.
+  Shard shard = {};
+  std::optional<std::chrono::seconds> time;  ///< The time after which it stops.
+  /** Folder for the file of results and for the failed questions, as TOML. */
+  std::optional<std::filesystem::path> out;
+  /** Failures of a lesser band do not count for the exit code; those without a band, a
+   crash for example, do. */
+  Grade fail_on = Grade::kNone;
   int jobs = 0;
   bool quiet = false;
 };
 
-/** Runs generated questions on the subject. Prints, per family and pair, the fraction
- that touches, the failures and the worst measures relative to their tolerances; then the
- first failures with proofs. Returns 1 on failures, 2 if no question that the subject
- supports touched, else 0. */
+/** Asks the subjects generated questions. Prints, per family, pair and subject, the
+ fraction that touches, the failures and the worst measures relative to their tolerances;
+ then the failures by measure and cause, with the commands that repeat the worst. With a
+ folder, the results are kept there while they are computed, and an interrupted sweep is
+ resumed. Returns 1 on failures, 2 if no question that a subject supports touched, 128
+ plus the signal if it was interrupted, else 0. */
 int SweepCommand(const Session& session, const SweepArguments& arguments);
 
 /** Returns the shape kinds of two names. Throws InputError for an unknown name, with the

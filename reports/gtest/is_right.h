@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "oracles/stated_tolerance.h"
-#include "reports/sweep/sweep.h"
+#include "reports/gtest/contact_complaint.h"
 
 namespace touchstone {
 

@@ -14,9 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::array<std::string_view, 9> kNames = {
-    "random", "near_parallel",     "edge_edge",      "vertex_face", "touching",
-    "deep",   "slabs_and_needles", "extreme_scales", "symmetries"};
+constexpr std::array<std::string_view, 13> kNames = {
+    "random",      "near_parallel",     "edge_edge",      "vertex_face", "touching",
+    "deep",        "slabs_and_needles", "extreme_scales", "symmetries",  "grazing",
+    "mixed_sizes", "far_from_origin",   "large_hulls"};
 
 /** The kinds of A and B, and the source of random numbers for a query. */
 struct Draw {
@@ -202,6 +203,60 @@ ContactQuery Symmetries(const Draw& draw, std::uint64_t index) {
   return {A, PlacedAlong(A, b, X_WB, n_W, gap, shift, random)};
 }
 
+ContactQuery Grazing(const Draw& draw) {
+  Random& random = draw.random;
+  const Body A = RandomBody(draw.a, random);
+  const Shape b = RandomShape(draw.b, random);
+  const double sign = random.Sign();
+  const double gap = sign * std::ldexp(1.0, -52 + random.Below(13));
+  const FeatureKind of_A = AnyFeature(random);
+  const FeatureKind of_B = AnyFeature(random);
+  return Against(A, of_A, b, of_B, gap, random);
+}
+
+ContactQuery MixedSizes(const Draw& draw) {
+  Random& random = draw.random;
+  const double smaller = random.Decades(-6, 0);
+  const bool is_A = random.Coin();
+  const Shape a = RandomShape(draw.a, random);
+  const Body A{is_A ? Resized(a, smaller) : a, RandomPose(random)};
+  const Shape other = RandomShape(draw.b, random);
+  const Shape b = is_A ? other : Resized(other, smaller);
+  const double gap = RelativeGap(A.shape, b, 0.01, 0.5, random);
+  const FeatureKind of_A = AnyFeature(random);
+  const FeatureKind of_B = AnyFeature(random);
+  return Against(A, of_A, b, of_B, gap, random);
+}
+
+ContactQuery FarFromOrigin(const Draw& draw) {
+  Random& random = draw.random;
+  Body A = RandomBody(draw.a, random);
+  const double distance = random.Decades(2, 7);
+  A.X_WB.p_WB = distance * random.Direction();
+  const Shape b = RandomShape(draw.b, random);
+  const double gap = RelativeGap(A.shape, b, 0.01, 0.5, random);
+  const FeatureKind of_A = AnyFeature(random);
+  const FeatureKind of_B = AnyFeature(random);
+  return Against(A, of_A, b, of_B, gap, random);
+}
+
+ContactQuery LargeHulls(const Draw& draw) {
+  Random& random = draw.random;
+  const Shape a = RandomLargeShape(draw.a, random);
+  const Body A{a, RandomPose(random)};
+  const Shape b = RandomLargeShape(draw.b, random);
+  const Pose X_WB = RandomPose(random);
+  // Every size is at least 0.2 m, and a hull contains a ball of 0.04 m.
+  const double size = random.Uniform(0.001, 0.1);
+  const double gap = random.Below(3) < 2 ? -size : size;
+  const Vector3d n_A = random.Direction();
+  if (draw.HasHalfSpace()) {
+    const Vector3d n_W = DirectionOr(Vector3d::Zero(), A, b, X_WB);
+    return {A, PlacedAlong(A, b, X_WB, n_W, gap, 0, random)};
+  }
+  return {A, PlacedOn(A, {SupportPoint(A.shape, n_A), n_A}, b, X_WB, gap)};
+}
+
 }  // namespace
 
 std::vector<Family> AllFamilies() {
@@ -246,6 +301,14 @@ ContactQuery Generate(Family family, ShapeKind a, ShapeKind b, std::uint64_t see
       return ExtremeScales(draw);
     case Family::kSymmetries:
       return Symmetries(draw, index);
+    case Family::kGrazing:
+      return Grazing(draw);
+    case Family::kMixedSizes:
+      return MixedSizes(draw);
+    case Family::kFarFromOrigin:
+      return FarFromOrigin(draw);
+    case Family::kLargeHulls:
+      return LargeHulls(draw);
   }
   return {};
 }

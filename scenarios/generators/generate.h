@@ -37,6 +37,17 @@ enum class Family {
    i / 24 mod 16. In half of them A is not rotated, so that the symmetry is exact. If the
    kinds are equal, half have equal sizes. */
   kSymmetries,
+  /** Any features at a gap of ±2^-52 to ±2^-40 m, from one rounding of the coordinates to
+   4000 of them, on both sides. A third is touching to within rounding. */
+  kGrazing,
+  /** One shape 1 to 10^-6 times the size of the other, gaps a fraction of the lesser
+   thickness. */
+  kMixedSizes,
+  /** The world's origin 10^2 to 10^7 m away, gaps a fraction of the thickness. */
+  kFarFromOrigin,
+  /** Hulls of 16 to 1,000 vertices, at a gap of ±1 to ±100 mm; shapes of other kinds as
+   in kRandom. */
+  kLargeHulls,
 };
 
 /** Returns the families in the order of the enumeration. */
@@ -44,7 +55,7 @@ std::vector<Family> AllFamilies();
 
 /** Returns the name used on the command line and in reports: "random", "near_parallel",
  "edge_edge", "vertex_face", "touching", "deep", "slabs_and_needles", "extreme_scales",
- "symmetries". */
+ "symmetries", "grazing", "mixed_sizes", "far_from_origin", "large_hulls". */
 std::string_view NameOf(Family family);
 
 /** Returns the family with that name; empty if there is none. */

@@ -20,13 +20,8 @@ Eigen::Vector3d Lengths(Random& random) {
   return {x, y, z};
 }
 
-ConvexHull RandomHull(const Eigen::Vector3d& axes, Random& random) {
-  // Points on the unit sphere, so that all are corners: one near each half axis, so that
-  // the hull contains the origin, the rest anywhere. They are then scaled to an
-  // ellipsoid. Take a unit n with S = Σ|n_i|. The mean of the three points near n's own
-  // half axes, weighted by |n_i|, reaches (1 − 0.3 (S² − 1)) / (√1.18 S) along n: at
-  // least 0.21, at S = √3. So the hull contains its ellipsoid scaled by 0.21, and thus a
-  // ball of 0.04 m.
+/** Returns six points of the unit sphere, one near each half axis. */
+std::vector<Eigen::Vector3d> PointsNearAxes(Random& random) {
   std::vector<Eigen::Vector3d> points;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
@@ -39,10 +34,28 @@ ConvexHull RandomHull(const Eigen::Vector3d& axes, Random& random) {
       points.push_back(Unit(point));
     }
   }
-  const int others = 2 + random.Below(5);
+  return points;
+}
+
+/** Returns the hull of `points` and `others` more points of the unit sphere, scaled to an
+ ellipsoid. */
+ConvexHull HullOf(std::vector<Eigen::Vector3d> points, int others,
+                  const Eigen::Vector3d& axes, Random& random) {
   for (int i = 0; i < others; ++i) points.push_back(random.Direction());
   for (Eigen::Vector3d& point : points) point = point.cwiseProduct(axes);
   return {points};
+}
+
+ConvexHull RandomHull(const Eigen::Vector3d& axes, Random& random) {
+  // Points on the unit sphere, so that all are corners: one near each half axis, so that
+  // the hull contains the origin, the rest anywhere. They are then scaled to an
+  // ellipsoid. Take a unit n with S = Σ|n_i|. The mean of the three points near n's own
+  // half axes, weighted by |n_i|, reaches (1 − 0.3 (S² − 1)) / (√1.18 S) along n: at
+  // least 0.21, at S = √3. So the hull contains its ellipsoid scaled by 0.21, and thus a
+  // ball of 0.04 m.
+  const std::vector<Eigen::Vector3d> points = PointsNearAxes(random);
+  const int others = 2 + random.Below(5);
+  return HullOf(points, others, axes, random);
 }
 
 Shape ShapeOfSizes(ShapeKind kind, const Eigen::Vector3d& sizes, Random& random) {
@@ -152,6 +165,15 @@ struct SupportPointAlong {
 Shape RandomShape(ShapeKind kind, Random& random) {
   const Eigen::Vector3d sizes = Lengths(random);
   return ShapeOfSizes(kind, sizes, random);
+}
+
+Shape RandomLargeShape(ShapeKind kind, Random& random) {
+  if (kind != ShapeKind::kConvexHull) return RandomShape(kind, random);
+  constexpr std::array<int, 7> kVertices = {16, 32, 64, 125, 250, 500, 1000};
+  const Eigen::Vector3d axes = Lengths(random);
+  const std::vector<Eigen::Vector3d> points = PointsNearAxes(random);
+  const int vertices = kVertices[static_cast<std::size_t>(random.Below(7))];
+  return HullOf(points, vertices - static_cast<int>(points.size()), axes, random);
 }
 
 Shape RandomThinShape(ShapeKind kind, Random& random) {

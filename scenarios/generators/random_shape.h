@@ -10,6 +10,9 @@ namespace touchstone {
  */
 Shape RandomShape(ShapeKind kind, Random& random);
 
+/** Returns a shape as RandomShape() does, except that a hull has 16 to 1,000 vertices. */
+Shape RandomLargeShape(ShapeKind kind, Random& random);
+
 /** Returns a slab, a disc or a needle of `kind`: some sizes are in [0.2, 1.2] m, the
  others thinner by a factor of 10^1 to 10^4. A sphere has a small radius; a half-space has
  no size. */

@@ -70,7 +70,7 @@ list(APPEND own_rules
   "reports/baseline/ => reports/((finding|ledger|contacts|worlds/study)/|run_report[.]h)|scenarios/diagnostic[.]h"
   "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
   "reports/writers/ => scenarios/diagnostic[.]h|reports/((baseline|text|finding|referee|contacts|clusters|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|scenario_file|worlds/world_scenario)[.]h"
-  "reports/sweep/ => reports/((text|writers)/|run[.]h|run_report[.]h)|oracles/oracle[.]h|scenarios/(generators/|scenario_file[.]h)"
+  "reports/sweep/ => reports/((threads|finding|referee|contacts|writers)/|run[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(generators/|(scenario|scenario_file|shape|validate)[.]h)"
   "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
@@ -90,6 +90,7 @@ set(library_rules
   "toml[+][+]/ => scenarios/toml/parser[.]h|reports/.*[.]cc"
   "(boost/multiprecision|mpfr) => reports/referee/"
   "boost/math => reports/worlds/.*[.]cc"
+  "sqlite3[.]h => reports/sweep/database[.]cc"
   "zlib[.]h => reports/writers/data/deflate[.]cc"
   "nlohmann/ => ((reports|scenarios|cli)/.*[.]cc|reports/writers/data/json_values[.]h)"
   "CLI/ => cli/.*[.]cc"

@@ -574,14 +574,73 @@ TEST_F(CommandLineTest, SweepsWithTheSameQuestionsForTheSameSeed) {
 
 TEST_F(CommandLineTest, WritesFailedQuestionsAsScenariosThatCanBeRun) {
   const Ended ended = Touchstone(
-      "sweep contact --subject half_depth --family deep --pair sphere sphere --count 20 "
+      "sweep contact --subject half_depth --family random --pair sphere sphere --count "
+      "20 "
       "--out " +
       Path("failed"));
   EXPECT_EQ(ended.code, 1) << ended.err;
   EXPECT_THAT(ended.out,
-              HasSubstr("Repeat with: touchstone sweep contact --family deep"));
+              HasSubstr("Repeat with: touchstone sweep contact --family random"));
   EXPECT_EQ(Touchstone("run --subject half_depth " + Path("failed")).code, 1);
   EXPECT_EQ(Touchstone("run --fail-on subject " + Path("failed")).code, 0);
+}
+
+TEST_F(CommandLineTest, SweepsSeveralSubjectsAndClustersTheirFailures) {
+  const Ended ended = Touchstone(
+      "sweep contact --subject all --family random,vertex_face --pair sphere sphere "
+      "--count 30");
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("right: 0 failed of 60"),
+                               HasSubstr("thrower: 60 failed of 60"),
+                               HasSubstr("60  answering, defect"),
+                               HasSubstr("  half_depth  "), HasSubstr("--first 0 ")));
+  EXPECT_THAT(ended.out, Not(HasSubstr("drifter")));
+}
+
+TEST_F(CommandLineTest, FailsASweepOnFailuresOfABandOrMore) {
+  const std::string sweep =
+      "sweep contact --family random --pair sphere sphere --count 50 --quiet --subject ";
+  EXPECT_EQ(Touchstone(sweep + "half_depth --fail-on 1e-3").code, 1);
+  EXPECT_EQ(Touchstone(sweep + "half_depth --fail-on touching").code, 0);
+  EXPECT_EQ(Touchstone(sweep + "thrower --fail-on touching").code, 1);
+}
+
+TEST_F(CommandLineTest, ResumesASweepAndMergesItsShards) {
+  const std::string sweep =
+      "sweep contact --family random --pair sphere sphere --count 5000 --quiet --out ";
+  EXPECT_EQ(Touchstone(sweep + Path("whole")).code, 0);
+  const std::string whole = TextOf(Path("whole/sweep.sqlite"));
+  EXPECT_GT(whole.size(), 4096U);
+  // The second time it is complete.
+  EXPECT_EQ(Touchstone(sweep + Path("whole")).code, 0);
+  EXPECT_TRUE(TextOf(Path("whole/sweep.sqlite")) == whole);
+  const Ended other = Touchstone(sweep + Path("whole") + " --seed 2");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("belongs to another sweep: seed 1, not 2; expected"));
+  for (const char* shard : {"1/2", "2/2"})
+    Touchstone(sweep + Path("shards") + " --shard " + shard);
+  const std::string parts =
+      Path("shards/sweep.1-of-2.sqlite") + " " + Path("shards/sweep.2-of-2.sqlite");
+  EXPECT_EQ(Touchstone("merge " + parts + " -o " + Path("merged")).code, 0);
+  EXPECT_TRUE(TextOf(Path("merged")) == whole);
+  const Ended missing =
+      Touchstone("merge " + Path("shards/sweep.1-of-2.sqlite") + " -o " + Path("merged"));
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("block 1 of 20 is missing; expected"));
+}
+
+// The subject needs minutes for these questions, so the signal comes before the end.
+TEST_F(CommandLineTest, EndsASweepCleanlyAtCtrlC) {
+  const std::string sweep =
+      "sweep contact --family random --pair sphere sphere "
+      "--count 1000000000 --quiet --out " +
+      Path("stopped");
+  const Ended ended = InPipe("timeout --signal=INT 2 " + Command(sweep));
+  EXPECT_THAT(ended.err, HasSubstr("the same command goes on from there"));
+  EXPECT_THAT(TextOf(Path("stopped/sweep.unfinished.sqlite")), HasSubstr("SQLite"));
+  const Ended timed = Touchstone(sweep + " --time 1s");
+  EXPECT_EQ(timed.code, 0) << timed.err;
+  EXPECT_THAT(timed.err, HasSubstr("the same command goes on from there"));
 }
 
 TEST_F(CommandLineTest, FailsASweepInWhichNothingTouched) {
@@ -653,6 +712,10 @@ TEST_F(CommandLineTest, StatesTheValueThatAnOptionExpects) {
   EXPECT_THAT(error("run --fail-on cookbook"),
               HasSubstr("--fail-on: 'cookbook'; expected subject or anything"));
   EXPECT_THAT(error("sweep contct"), HasSubstr("(did you mean contact?)"));
+  EXPECT_THAT(error("sweep contact --shard 3/2"), HasSubstr("expected K/N with 1 <= K"));
+  EXPECT_THAT(error("sweep contact --time 10"), HasSubstr("'10'; expected a duration"));
+  EXPECT_THAT(error("sweep contact --subject right,rigth"),
+              HasSubstr("there is no oracle"));
   EXPECT_THAT(error("sweep contact --family rnadom"),
               HasSubstr("no family 'rnadom' (did you mean random?)"));
   EXPECT_THAT(error("sweep contact --pair box bxo"),

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "reports/sweep/sweep_file.h"
+
+namespace touchstone {
+
+/** Failures with one measure and one cause. */
+struct FailureCluster {
+  std::uint64_t count = 0;
+  Grade band = Grade::kNone;            ///< The gravest.
+  std::optional<FailedQuestion> worst;  ///< The one of the largest share that is kept.
+  std::size_t series = 0;               ///< The series of `worst`.
+};
+
+/** The results of one subject, over all series. */
+struct SubjectSummary {
+  std::uint64_t answers = 0;  ///< Answers to questions that it supports.
+  std::uint64_t verified_touching = 0;
+  std::uint64_t failed = 0;
+  std::uint64_t failed_in_band = 0;  ///< Failures of the least band that counts, or more.
+  std::map<FailureKind, FailureCluster> clusters;
+};
+
+/** Prints one row per series and subject of a sweep to standard output. Returns the sums
+ per subject. Failures count in `failed_in_band` from `least` on, or if they have no band.
+ */
+std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least);
+
+/** Prints the failures of each subject by measure and cause, the most frequent first,
+ with the commands that repeat them. */
+void PrintFailureClusters(const SweepFile& file,
+                          const std::vector<SubjectSummary>& subjects);
+
+}  // namespace touchstone

@@ -1,0 +1,18 @@
+#pragma once
+
+namespace touchstone {
+
+/** Turns the first SIGINT (Ctrl-C) or SIGTERM into a request to stop, while it lives. A
+ second one ends the program at once. Only one may live at a time. */
+class Interrupt {
+ public:
+  Interrupt();
+  ~Interrupt();
+  Interrupt(const Interrupt&) = delete;
+  Interrupt& operator=(const Interrupt&) = delete;
+
+  /** Returns the signal that came; 0 if none did. Thread safe. */
+  static int signal();
+};
+
+}  // namespace touchstone

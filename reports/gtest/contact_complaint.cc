@@ -1,0 +1,66 @@
+#include "reports/gtest/contact_complaint.h"
+
+#include <sstream>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "reports/run.h"
+#include "reports/sweep/run_blocks.h"
+#include "reports/text/counted.h"
+#include "reports/writers/explanation_writer.h"
+#include "scenarios/scenario_file.h"
+
+namespace touchstone {
+namespace {
+
+/** Returns whether no answer of the tally is to a question that the oracle supports. */
+bool IsUnsupported(const OracleTally& tally) {
+  for (const auto& [kind, count] : tally.answers) {
+    if (kind.verdict != Verdict::kUnsupported) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
+                           std::span<const Oracle* const> references) {
+  const SweepPlan plan{.series = {series},
+                       .subjects = {&subject},
+                       .references = {references.begin(), references.end()}};
+  SeriesTally sum;
+  RunBlocks(plan, {},
+            [&sum](std::uint64_t, const SeriesTally& result) { Merge(result, sum); });
+  sum.oracles.resize(1);
+  const OracleTally& tally = sum.oracles.front();
+  const std::string& name = subject.info().name;
+  const std::string questions = fmt::format(
+      "{} of the family {} ({} and {}, seed {})", Counted(tally.asked, "question"),
+      NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed);
+  if (IsUnsupported(tally)) {
+    return fmt::format("{} supports none of {}: nothing was verified", name, questions);
+  }
+  if (tally.touching == 0) {
+    return fmt::format("none of {} touched: nothing was verified", questions);
+  }
+  const FailedQuestion* const first = FirstFailure(tally);
+  if (first == nullptr) return "";
+
+  const Scenario scenario =
+      ReadScenario(first->scenario, "the failed question").scenario.value();
+  std::vector<const Oracle*> oracles = {&subject};
+  oracles.insert(oracles.end(), references.begin(), references.end());
+  RunOptions options;
+  options.partial = true;
+  std::ostringstream text;
+  text << fmt::format("{} is wrong in {} of {}; {} of them touching. The first:\n\n",
+                      name, FailureCount(tally), questions, tally.touching);
+  WriteExplanation(Run({&scenario, 1}, oracles, {}, options), {}, text);
+  text << "\nThe question, as a file for `touchstone run`:\n\n"
+       << first->scenario
+       << "\nTo ask the other oracles: " << ReplayOf(series, first->question) << '\n';
+  return text.str();
+}
+
+}  // namespace touchstone

@@ -1,0 +1,130 @@
+#include "reports/sweep/tally.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "reports/sweep/block_set.h"
+
+namespace touchstone {
+namespace {
+
+/** Returns a tally of one oracle as a block gives it: of the questions [first, first +
+ n), with equal values among them, so that ties occur. */
+SeriesTally OfQuestions(std::uint64_t first, std::uint64_t n) {
+  SeriesTally tally;
+  OracleTally& oracle = tally.oracles.emplace_back();
+  oracle.asked = n;
+  oracle.touching = n / 2;
+  for (std::uint64_t i = first; i < first + n; ++i) {
+    const double value = 1e-3 * static_cast<double>(*rc::gen::inRange(0, 6));
+    const auto measure = *rc::gen::element(MeasureKind::kExcess, MeasureKind::kSwap);
+    const auto cause = *rc::gen::element(Cause::kDefect, Cause::kPrecision);
+    const FindingKind kind{measure, Verdict::kFail, Grade::kLarge, cause};
+    ++oracle.answers[kind];
+    ++oracle.findings[kind];
+    oracle.sketches[measure].Add(value);
+    Insert({i, value, 1e-3, value / 1e-3, value, Verdict::kFail}, oracle.worst[measure]);
+    Insert(FailedQuestion{i, kind, value, 1e-3, value, "proof", "file"},
+           oracle.failures[{measure, cause}]);
+  }
+  return tally;
+}
+
+SeriesTally Sum(const SeriesTally& a, const SeriesTally& b) {
+  SeriesTally sum = a;
+  Merge(b, sum);
+  return sum;
+}
+
+RC_GTEST_PROP(Tally, MergesInAnyOrderAndGroupingToTheSame, ()) {
+  const SeriesTally a = OfQuestions(0, *rc::gen::inRange<std::uint64_t>(0, 30));
+  const SeriesTally b = OfQuestions(30, *rc::gen::inRange<std::uint64_t>(0, 30));
+  const SeriesTally c = OfQuestions(60, *rc::gen::inRange<std::uint64_t>(0, 30));
+  RC_ASSERT(Sum(a, b) == Sum(b, a));
+  RC_ASSERT(Sum(Sum(a, b), c) == Sum(a, Sum(b, c)));
+  RC_ASSERT(Sum(SeriesTally(), a) == a);
+}
+
+TEST(Tally, KeepsTheWorstAndOfEqualOnesTheFirst) {
+  std::vector<WorstFinding> worst;
+  for (std::uint64_t i = 0; i < 100; ++i)
+    Insert({i, 0, 1, static_cast<double>(i % 10), 0, Verdict::kPass}, worst);
+  ASSERT_EQ(worst.size(), kWorstKept);
+  for (std::size_t i = 0; i < kWorstKept; ++i) {
+    EXPECT_EQ(worst[i].tolerances, 9);
+    EXPECT_EQ(worst[i].question, 10 * i + 9);
+  }
+}
+
+TEST(Tally, KeepsTheFirstFailuresOfEachKindAndCountsAll) {
+  OracleTally tally;
+  for (std::uint64_t i = 100; i > 0; --i) {
+    const FindingKind kind{MeasureKind::kExcess, Verdict::kFail, Grade::kSmall,
+                           i % 2 == 0 ? Cause::kDefect : Cause::kTie};
+    ++tally.answers[kind];
+    Insert(FailedQuestion{i, kind, 0, 0, 0, "", ""},
+           tally.failures[{kind.measure, kind.cause}]);
+  }
+  EXPECT_EQ(FailureCount(tally), 100U);
+  EXPECT_EQ(tally.failures.size(), 2U);
+  EXPECT_EQ((tally.failures[{MeasureKind::kExcess, Cause::kDefect}].back().question),
+            2 * kFailuresKept);
+  ASSERT_NE(FirstFailure(tally), nullptr);
+  EXPECT_EQ(FirstFailure(tally)->question, 1U);
+}
+
+TEST(Sketch, BinsDifferByAnEighthAtMost) {
+  Sketch::Bin last = 0;
+  for (double value = 1e-300; value < 1e300; value *= 1.01) {
+    const Sketch::Bin bin = Sketch::BinOf(value);
+    EXPECT_GE(bin, last);
+    EXPECT_LE(Sketch::LeastOf(bin), value);
+    EXPECT_GT(Sketch::LeastOf(bin + 1), value);
+    EXPECT_LE(Sketch::LeastOf(bin + 1), 1.125 * Sketch::LeastOf(bin));
+    last = bin;
+  }
+}
+
+TEST(Sketch, ReturnsQuantilesToItsAccuracy) {
+  Sketch sketch;
+  EXPECT_EQ(sketch.Quantile(0.5), 0);
+  for (int i = 1; i <= 1000; ++i) sketch.Add(i);
+  EXPECT_EQ(sketch.count(), 1000U);
+  // The value of rank 500 is 500, and that of rank 1000 is 1000.
+  EXPECT_GE(sketch.Quantile(0.5), 500 / 1.125);
+  EXPECT_LE(sketch.Quantile(0.5), 500);
+  EXPECT_GE(sketch.Quantile(1), 1000 / 1.125);
+  EXPECT_LE(sketch.Quantile(1), 1000);
+}
+
+TEST(Sketch, CountsValuesThatAreNoNumbersAtItsEnds) {
+  EXPECT_EQ(Sketch::LeastOf(Sketch::BinOf(-1)), 0);
+  EXPECT_EQ(Sketch::BinOf(-0.0), Sketch::BinOf(0));
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(Sketch::LeastOf(Sketch::BinOf(infinity)), infinity);
+  EXPECT_EQ(Sketch::BinOf(std::numeric_limits<double>::quiet_NaN()),
+            Sketch::BinOf(infinity));
+}
+
+TEST(BlockSet, JoinsRangesAndRefusesABlockTwice) {
+  BlockSet set;
+  EXPECT_TRUE(set.Add(4, 6));
+  EXPECT_TRUE(set.Add(0, 1));
+  EXPECT_FALSE(set.Add(6, 8));
+  EXPECT_FALSE(set.Add(2, 9));
+  EXPECT_FALSE(set.Add(5, 5));
+  EXPECT_FALSE(set.Add(1, 2));
+  EXPECT_EQ(set.FirstMissing(10), 2U);
+  EXPECT_TRUE(set.Add(2, 3));
+  EXPECT_EQ(set.ranges().size(), 1U);
+  EXPECT_EQ(set.size(), 7U);
+  EXPECT_FALSE(set.FirstMissing(7));
+  EXPECT_EQ(set.FirstMissing(8), 7U);
+  EXPECT_TRUE(set.Contains(6));
+  EXPECT_FALSE(set.Contains(7));
+}
+
+}  // namespace
+}  // namespace touchstone
