@@ -75,7 +75,8 @@ std::string PairOf(const ContactQuery& query) {
 
 DataJson ClusterData(const RunReport& report, const Cluster& cluster) {
   DataJson data;
-  data["sentence"] = SentenceOf(report, cluster);
+  data["title"] = cluster.title;
+  data["extent"] = ExtentOf(report, cluster);
   data["reason"] = cluster.reason;
   data["upstream"] = cluster.upstream;
   data["is_new"] = cluster.is_new;
