@@ -20,8 +20,8 @@ export interface Stage {
   fit(centre: three.Vector3, radius: number): void;
   /** Keeps the camera's offset to a point that moves. */
   follow(point: three.Vector3): void;
-  /** A text that stays at a point of the scene. */
-  label(text: string, at: () => three.Vector3): void;
+  /** A text that stays at a point of the scene, while there is one. */
+  label(text: string, at: () => three.Vector3 | null): void;
   /** A picture of the view as it is. */
   picture(): Promise<Blob | null>;
   dispose(): void;
@@ -99,7 +99,7 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
 
   let seen = { centre: new three.Vector3(), radius: 1 };
   let waiting = 0;
-  const labels: { element: HTMLElement; at: () => three.Vector3 }[] = [];
+  const labels: { element: HTMLElement; at: () => three.Vector3 | null }[] = [];
 
   const drawBar = (): void => {
     const distance = camera.position.distanceTo(controls.target);
@@ -116,7 +116,10 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
     if (renderer) renderer.render(scene, camera);
     else drawScene(canvas, scene, camera);
     for (const { element: text, at } of labels) {
-      const p = at().clone().project(camera);
+      const place = at();
+      text.hidden = place === null;
+      if (!place) continue;
+      const p = place.clone().project(camera);
       text.style.setProperty("transform", `translate(${(p.x + 1) * overlay.clientWidth / 2}px, ${(1 - p.y) * overlay.clientHeight / 2}px)`);
     }
     drawBar();

@@ -19,6 +19,10 @@ export interface WorldScene {
   show(oracle: number, how: "solid" | "ghost" | "hidden"): void;
   showTrails(visible: boolean): void;
   showImpulses(visible: boolean): void;
+  /** Marks points, joined by a line. */
+  mark(points: Vec3[]): void;
+  /** A marked point in the scene; null if there is none. */
+  marked(index: number): three.Vector3 | null;
   /** Position of a moving thing in the scene at the time that is shown. */
   bodyAt(oracle: number, body: number): three.Vector3;
 }
@@ -247,6 +251,9 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
   let impulsesShown = true;
   let solidOracle = -1;
   let impulseSample = -1;
+  const marks = new three.Group();
+  let markedPoints: three.Vector3[] = [];
+  root.add(marks);
   const impulses = new three.Group();
   root.add(impulses);
 
@@ -302,6 +309,13 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
       impulsesShown = visible;
       drawImpulses(impulseSample, true);
     },
+    mark(points) {
+      for (const old of [...marks.children]) dispose(old);
+      const colour = dark ? "#ff9ecf" : "#b3006b";
+      markedPoints = points.map((p) => toScene(frame, p));
+      marks.add(...markedPoints.map((p) => ball(p, 0.022, colour)), path(markedPoints, colour));
+    },
+    marked: (index) => markedPoints[index] ?? null,
     bodyAt: (oracle, body) => actors.get(oracle)?.bodies[body]?.position.clone() ?? toScene(frame, world.bodies[body]?.start.p ?? middle),
   };
 }

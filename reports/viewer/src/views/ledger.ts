@@ -22,7 +22,7 @@ export const ledgerView: MakeView = (run, at) => {
   let query = at.query;
   const list = h("div");
   const words = h("p", { class: "count", role: "status" });
-  const input = h("input", { type: "search", placeholder: "words of a reason, an engine or a scenario", "aria-label": "Search the ledger", value: query.get("q") ?? "", on: { input: () => {
+  const input = h("input", { type: "search", placeholder: "words of a reason, an oracle or a scenario", "aria-label": "Search the ledger", value: query.get("q") ?? "", on: { input: () => {
     query = withValue(withValue(query, "q", input.value), "page", "");
     history.replaceState(history.state, "", address(["ledger"], query));
     draw();
@@ -46,7 +46,7 @@ export const ledgerView: MakeView = (run, at) => {
       (page + 1) * pageSize < matching.length && h("a", { href: address(["ledger"], withValue(query, "page", String(page + 1))) }, "after →")));
   };
   const entriesOf = (entries: LedgerEntry[]): HTMLElement[] => entries.slice(0, pageSize).map((e) => h("dl", { class: "entry" },
-    [["Engine", h("a", { href: address(["oracles", e.oracle]) }, e.oracle)], ["Version", e.version], ["Scenarios", h("span", { class: "id" }, e.scenarios.join(", "))], ["Measures", e.measures.map(spaced).join(", ")],
+    [["Oracle", h("a", { href: address(["oracles", e.oracle]) }, e.oracle)], ["Version", e.version], ["Scenarios", h("span", { class: "id" }, e.scenarios.join(", "))], ["Measures", e.measures.map(spaced).join(", ")],
       ["Verdict", e.verdict], ["Cause", e.cause], ["Expires", e.expires], ["Hides", h("a", { href: findingsAddress({ entry: String(ledger.indexOf(e)), band: "all" }) }, counted(e.uses, "finding"))]]
       .filter(([, value]) => value !== "").map(([name, value]) => [h("dt", {}, name), h("dd", {}, value)])));
   const save = (): void => downloadCsv("ledger.csv", [["reason", "oracle", "version", "scenarios", "measures", "verdict", "cause", "upstream", "expires", "findings"],

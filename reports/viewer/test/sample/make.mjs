@@ -23,6 +23,11 @@ const shapes = {
 const lowest = { sphere: 0.5, box: 0.3, capsule: 0.7, cylinder: 0.5, cone: 0.5, hull: 0.5 };
 const highest = { sphere: 0.5, box: 0.3, capsule: 0.7, cylinder: 0.5, cone: 0.5, half_space: 0, hull: 0.5 };
 
+/** A proof that states a point in both bodies, or the normal for a variant. */
+const geometricProof = (q, { truth: { pA, n } }) => q % 2
+  ? `bullet says apart; the point (${pA.join(", ")}) lies 0.01 m inside both.`
+  : `bullet says n = (${n.join(", ")}), along which max_A n·x − min_B n·x is 0.1 m; for its variant (swap: A and B exchanged), mapped back, it says n = (0, 0.6, 0.8), along which that is 0.3 m: a difference of 0.2 m.`;
+
 export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed = 7 } = {}) {
   const random = makeRandom(seed);
   const blob = new Blob();
@@ -40,7 +45,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
     verdict: ["pass", "fail", "disagree", "known", "undecidable", "unsupported", "crashed", "timed out", "invalid"], undecided: ["", "truth unknown"],
     grade: ["", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong hit or miss"], cause: ["", "convention", "tie", "precision", "discretisation", "model", "defect"],
     shipped: ["", "both as set here and as shipped", "as set here only", "as shipped only"],
-    measure: [{ name: "separation_error", unit: "m", kind: "length" }, { name: "excess", unit: "m", kind: "length" }, { name: "touching", unit: "", kind: "count" }, { name: "position_error", unit: "m", kind: "length" }, { name: "energy_drift", unit: "J", kind: "other" }, { name: "answering", unit: "", kind: "count" }],
+    measure: [{ name: "separation_error", unit: "m", kind: "length" }, { name: "excess", unit: "m", kind: "length" }, { name: "touching", unit: "", kind: "count" }, { name: "position_error", unit: "m", kind: "length" }, { name: "energy_drift", unit: "J", kind: "other" }, { name: "answering", unit: "", kind: "count" }, { name: "stability", unit: "m", kind: "length" }],
   };
 
   const questions = [];
@@ -82,7 +87,8 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   questions.forEach((question, q) => oracles.forEach((_, o) => {
     for (let k = 0; k < per; ++k, ++n) {
       const world = question.kind === "world";
-      const verdict = o === 8 && !world ? 5 : world && !question.world.motions[o].bodies.length ? 5 : o % 3 === 1 && k === 0 ? (n % 7 ? 3 : 1) : random() < 0.04 ? 4 : 0;
+      const crashed = question.contact?.answers[o].status === "crashed" && k === 0;
+      const verdict = crashed ? 6 : o === 8 && !world ? 5 : world && !question.world.motions[o].bodies.length ? 5 : o % 3 === 1 && k === 0 ? (n % 7 ? 3 : 1) : random() < 0.04 ? 4 : 0;
       const fault = verdict === 3 || verdict === 1;
       const share = fault ? 10 ** (-9 + 9 * random()) : verdict === 0 ? (random() < 0.2 ? 0 : 10 ** (-17 + 3 * random())) : 0;
       const cluster = fault ? (q + o) % 30 : -1;
@@ -91,10 +97,10 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
         c.oracles.add(o); c.questions.add(q); ++c.findings;
         if (share > c.share) { c.share = share; c.worst = n; }
       }
-      const put = { question: q, oracle: o, measure: verdict === 5 ? 5 : world ? 3 + (k % 2) : k % 3, law: world ? text(k % 2 ? "conserves_energy" : "bounce_series") : -1, reference: text("referee"), verdict, undecided: verdict === 4 ? 1 : 0,
+      const put = { question: q, oracle: o, measure: verdict === 5 || crashed ? 5 : world ? (k % 2 ? (q % 3 ? 4 : 6) : 3) : k % 3, law: world ? text(k % 2 ? "conserves_energy" : "bounce_series") : -1, reference: text("referee"), verdict, undecided: verdict === 4 ? 1 : 0,
         grade: fault && !world ? 1 + (share > 1e-6) + (share > 1e-3) + (share > 0.1) : 0, cause: fault ? 3 + (n % 4) : 0, shipped: fault && world ? 1 : 0,
-        value: n === 17 ? "inf" : share * question.size, tolerance: 1e-12, share, because: text("64 roundings of 2^-53"), cause_because: fault ? text("no known convention accounts for it") : -1, shipped_because: fault && world ? text("1.1 m where 0.3 m is allowed as shipped") : -1,
-        proof: fault ? text(n % 50 === 0 ? hostile[n % 4] : `${oracles[o].name} says ${n % 1000} mm, a separated pair ${n % 13}`) : -1, ledger: verdict === 3 ? cluster : -1, cluster, time: fault && world ? question.world.times[Math.floor(question.world.times.length * (0.2 + 0.5 * random()))] : -1 };
+        value: crashed ? 1 : n === 17 ? "inf" : share * question.size, tolerance: 1e-12, share, because: text("64 roundings of 2^-53"), cause_because: fault ? text("no known convention accounts for it") : -1, shipped_because: fault && world ? text("1.1 m where 0.3 m is allowed as shipped") : -1,
+        proof: fault ? text(o === 1 && k === 0 && question.contact ? geometricProof(q, question.contact) : n % 50 === 0 ? hostile[n % 4] : `${oracles[o].name} says ${n % 1000} mm, a separated pair ${n % 13}`) : -1, ledger: verdict === 3 ? cluster : -1, cluster, time: fault && world ? question.world.times[Math.floor(question.world.times.length * (0.2 + 0.5 * random()))] : -1 };
       for (const c of columns) f[c].push(put[c]);
     }
   }));
@@ -102,14 +108,15 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   const place = new Map(kept.map(({ i }, p) => [i, p]));
   f.cluster = f.cluster.map((c) => (c < 0 ? -1 : place.get(c)));
   const clusters = kept.map(({ c, i }) => ({
-    sentence: i === 5 ? hostile[0] : `${[...c.oracles].map((o) => oracles[o].name).join(", ")}: up to ${(c.share * 80).toPrecision(2)} cm, ${(c.share * 100).toPrecision(2)} % of the size, in ${c.questions.size} questions`,
+    title: i === 5 ? hostile[0] : `Case ${i} prefers an axis unless another is ${i + 1} % shallower.`,
+    extent: `${[...c.oracles].map((o) => oracles[o].name).join(", ")}, in ${c.questions.size} scenarios, at worst ${(c.share * 80).toPrecision(2)} cm, ${(c.share * 100).toPrecision(2)} % of the size.`,
     reason: reasons[i], upstream: ledger[i].upstream, is_new: i % 4 === 3, grade: c.share > 0.1 ? 4 : c.share > 1e-3 ? 3 : c.share > 1e-6 ? 2 : 1, cause: 6, oracles: [...c.oracles], questions: [...c.questions].sort((a, b) => (a === f.question[c.worst] ? -1 : b === f.question[c.worst] ? 1 : a - b)),
     worst: c.worst, error: f.value[c.worst] === "inf" ? 1 : f.value[c.worst], unit: "m", share: c.share, ordinary: 0.5,
   }));
   const report = {
     format: "touchstone report data", version: 1, program: "touchstone 0.1.0", command: "touchstone run", sentence: `${oracles.length} engines answered ${contacts} contact questions and ${worlds} worlds.`, conclusion: "OK: every fault is known.", failed: false, subject: 0,
     oracles, questions, texts, names, findings: f, clusters, ledger, faults: [hostile[0]], regressions: [],
-    compare: { old: "yesterday", new: "today", rows: ["worse", "new", "better", "gone"].flatMap((kind, k) => [0, 1].map((j) => ({ kind, question: questions[k + j].id, oracle: "bullet", measure: "separation_error", law: "", before: kind === "new" ? null : 1e-5, after: kind === "gone" ? null : 2e-3, unit: "m", what: hostile[j] }))) },
+    compare: { old: "yesterday", new: "today", rows: ["worse", "no longer judged", "new", "better", "gone"].flatMap((kind, k) => [0, 1].map((j) => ({ kind, question: questions[k + j].id, oracle: "bullet", measure: "separation_error", law: "", before: kind === "new" ? null : 1e-5, after: kind === "gone" ? null : 2e-3, unit: "m", what: hostile[j] }))) },
   };
   return { report, blob };
 }
