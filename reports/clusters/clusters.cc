@@ -222,8 +222,10 @@ std::string NamesOf(const RunReport& report, const std::vector<std::size_t>& ora
 }
 
 std::string ExtentOf(const RunReport& report, const Cluster& cluster) {
-  return fmt::format("{}, in {}{}.", NamesOf(report, cluster.oracles),
-                     Counted(cluster.questions.size(), "scenario"),
+  // The title of a new fault names its oracle.
+  const std::string whose =
+      cluster.is_new ? "In" : NamesOf(report, cluster.oracles) + ", in";
+  return fmt::format("{} {}{}.", whose, Counted(cluster.questions.size(), "scenario"),
                      SizeInWords(report.findings[cluster.worst], cluster));
 }
 

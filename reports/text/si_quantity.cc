@@ -13,10 +13,13 @@ struct Prefix {
   std::string_view unit;
 };
 
-/** Returns two digits without an exponent where that is short. */
+/** Returns two digits, or three from 100 on, without an exponent where that is short. */
 std::string TwoDigits(double value) {
   const double size = std::abs(value);
-  if (size >= 99.5 && size < 1e6) return fmt::format("{:.0f}", value);
+  if (size >= 99.5 && size < 1e6) {
+    const double unit = std::pow(10, std::floor(std::log10(size)) - 2);
+    return fmt::format("{:.0f}", std::round(value / unit) * unit);
+  }
   std::string text = fmt::format("{:.2g}", value);
   // "2e-06" and "1.8e+06" as people write them: "2e-6", "1.8e6".
   const std::size_t e = text.find('e');

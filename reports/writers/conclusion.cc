@@ -24,14 +24,14 @@ std::string_view Headline(int code) {
 std::string FailuresInWords(int failures, int known, std::string_view what) {
   if (failures == 0 && known == 0) return "never failed";
   if (failures == 0)
-    return fmt::format("failed only as the ledger knows, in {}", Counted(known, what));
+    return fmt::format("failed only in {} that the ledger knows", Counted(known, what));
   return fmt::format(
       "failed in {}{}", Counted(failures, what),
       known > 0 ? fmt::format(", and in {} that the ledger knows", known) : "");
 }
 
-/** Returns how the subject did: "cookbook never failed, in 288 of 684 scenarios; it does
- not answer the others". */
+/** Returns how the subject did: "cookbook never failed (it answers 288 of the 684
+ scenarios)". */
 std::string SubjectInWords(std::string_view subject, const VerdictCounts& counts,
                            std::size_t questions) {
   const auto unsupported = static_cast<std::size_t>(counts[Verdict::kUnsupported]);
@@ -40,8 +40,10 @@ std::string SubjectInWords(std::string_view subject, const VerdictCounts& counts
   const std::string failures =
       FailuresInWords(counts.failed(), counts[Verdict::kKnown], "scenario");
   if (unsupported == 0)
-    return fmt::format("{} {}, of {} asked", subject, failures, questions);
-  return fmt::format("{} {}, of {} that it answers out of {}", subject, failures,
+    return fmt::format("{} {} (it answers {} scenario{})", subject, failures,
+                       questions == 1 ? "the only" : fmt::format("all {}", questions),
+                       questions == 1 ? "" : "s");
+  return fmt::format("{} {} (it answers {} of the {} scenarios)", subject, failures,
                      questions - unsupported, questions);
 }
 

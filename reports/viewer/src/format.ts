@@ -12,11 +12,11 @@ export function digits(value: number, count = 3): string {
 }
 
 /** Rounds as the sentences of the program do (reports/text/si_quantity.cc), so that a number is written in one way wherever it is read: to two
- * digits, from 100 to a million to a whole number. */
+ * digits, from 100 on to three. */
 export function short(value: number): string {
   const size = Math.abs(value);
   if (!Number.isFinite(value) || value === 0) return digits(value);
-  if (size >= 99.5 && size < 1e6) return String(Math.round(value)).replace(/^-/, "−");
+  if (size >= 99.5 && size < 1e6) return String(Number(value.toPrecision(3))).replace(/^-/, "−");
   const rounded = Math.abs(Number(value.toPrecision(2)));
   const text = rounded >= 1e-4 && rounded < 1e6 ? String(Number(value.toPrecision(2))) : value.toExponential(1).replace(".0e", "e").replace("e+", "e");
   return text.replace(/^-/, "−");

@@ -132,12 +132,11 @@ TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
     sentences.push_back(cluster.title + " " + ExtentOf(report, cluster));
   }
   // The contrived crash, 5 · (1 + 1/4) / 2 = 3.1, precedes errors of 1 %, 3.
-  EXPECT_THAT(sentences,
-              ElementsAre("ode states a wrong distance or depth (defect). ode, in "
-                          "2 scenarios, at worst 3 cm, 1.7 % of the size.",
-                          "bullet crashes. bullet, in 1 scenario.",
-                          "ode states a wrong distance or depth (tie). ode, in "
-                          "1 scenario, at worst 2 cm, 1.2 % of the size."));
+  EXPECT_THAT(sentences, ElementsAre("ode states a wrong distance or depth (defect). In "
+                                     "2 scenarios, at worst 3 cm, 1.7 % of the size.",
+                                     "bullet crashes. In 1 scenario.",
+                                     "ode states a wrong distance or depth (tie). In 1 "
+                                     "scenario, at worst 2 cm, 1.2 % of the size."));
   EXPECT_THAT(clusters.of_finding, ElementsAre(0, 0, 2, -1, 1));
 }
 
@@ -231,6 +230,8 @@ TEST(SiQuantity, ChoosesThePrefixOfALength) {
   EXPECT_EQ(SiQuantity(1.3e-5, "m"), "13 µm");
   EXPECT_EQ(SiQuantity(0.0021, "m"), "2.1 mm");
   EXPECT_EQ(SiQuantity(659.2, "m"), "659 m");
+  EXPECT_EQ(SiQuantity(2084, "m"), "2080 m");
+  EXPECT_EQ(SiQuantity(99.7, "m"), "100 m");
   EXPECT_EQ(SiQuantity(2e-16, "m"), "2e-16 m");
   EXPECT_EQ(SiQuantity(0.3, "rad"), "0.3 rad");
   EXPECT_EQ(SiQuantity(2, ""), "2");

@@ -209,8 +209,10 @@ TEST(WithComparison, AddsTheChangesToTheData) {
   EXPECT_THAT(xml.str(), HasSubstr("tests=\"1\" failures=\"1\""));
   std::ostringstream table;
   WriteComparison({"old", "new", changes}, table);
-  EXPECT_THAT(table.str(), HasSubstr("WORSE: new against old: 1 worse, 0 new, 0 gone, 0 "
-                                     "better\n"));
+  EXPECT_THAT(
+      table.str(),
+      HasSubstr("WORSE: new against old: 1 worse, 0 no longer judged, 0 new, 0 gone, 0 "
+                "better\n"));
 }
 
 }  // namespace

@@ -84,14 +84,14 @@ export const accuracyView: MakeView = (run, at) => {
     h("p", {}, "How the errors of each oracle are distributed, as shares of the size of the question. Errors of exactly 0 have no bar. Undecidable measurements are left out."),
     h("p", { class: "toolbar" }, select("measure", "Measure", measures, measure), select("pair", "Pair of shapes", pairs, pair, "all pairs"), h("label", {}, "Order ", orderBox), button("CSV", save, { class: "small" })),
     h("p", { class: "marks" }, ["▮ median", "▯ 90 % are smaller", "✕ worst", "bars: how many, to the square root, because the rare large errors matter most"].map((text) => h("span", {}, text))),
-    full.length === 0 ? h("p", {}, "No oracle has such a measurement.") : h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Accuracy" }, h("table", { class: "plain accuracy" },
+    full.length === 0 ? h("p", {}, "No oracle has such a measurement.") : h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Accuracy" }, h("table", { class: "plain accuracy stacked" },
       h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), h("th", { scope: "col" }, h("span", { class: "axis" }, decades(low, high, 5).map((e) => h("span", {}, powerOfTen(e))))),
         ["Measured", "Exactly 0", "Median", "90 % within", "Worst"].map((name) => h("th", { scope: "col", class: "number" }, name)))),
       h("tbody", {}, full.map((row) => h("tr", {},
-        h("th", { scope: "row" }, engine(run, row.oracle)), h("td", {}, strip(row)),
-        h("td", { class: "number" }, (row.values.length + row.zeros).toLocaleString("en")), h("td", { class: "number" }, row.zeros.toLocaleString("en")),
-        h("td", { class: "number" }, ratio(quantile(all(row), 0.5))), h("td", { class: "number" }, ratio(quantile(all(row), 0.9))),
-        h("td", { class: "number" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, ratio(f.share[row.worst])))))))),
+        h("th", { scope: "row" }, engine(run, row.oracle)), h("td", { class: "whole" }, strip(row)),
+        h("td", { class: "number", "data-label": "measured" }, (row.values.length + row.zeros).toLocaleString("en")), h("td", { class: "number", "data-label": "exactly 0" }, row.zeros.toLocaleString("en")),
+        h("td", { class: "number", "data-label": "median" }, ratio(quantile(all(row), 0.5))), h("td", { class: "number", "data-label": "90 % within" }, ratio(quantile(all(row), 0.9))),
+        h("td", { class: "number", "data-label": "worst" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, ratio(f.share[row.worst])))))))),
     h("p", { class: "quiet" }, `${counted(full.reduce((sum, r) => sum + r.values.length + r.zeros, 0), "measurement")} in ${counted(full.length, "oracle")}.`));
   return { title: "Accuracy", element };
 };

@@ -110,8 +110,8 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
       h("td", {}, h("input", { type: "radio", name: "explain", "aria-label": `Explain ${oracles[o].name}`, checked: o === explained, on: { change: () => { explain(o); remember("o", oracles[o].name); } } })),
       h("th", { scope: "row" }, engine(run, o)),
       h("td", {}, badge(bands[run.band[worst]])),
-      h("td", { class: "number" }, answer?.status === "answered" ? (answer.separation === undefined ? (answer.touching ? "touching" : "apart") : separationText(answer.separation)) : statusWords[answer?.status ?? "not asked"]),
-      h("td", { class: "number" }, run.band[worst] < bands.indexOf("undecidable") ? valueOf(run, worst) : ""));
+      h("td", { class: "number", "data-label": "separation" }, answer?.status === "answered" ? (answer.separation === undefined ? (answer.touching ? "touching" : "apart") : separationText(answer.separation)) : statusWords[answer?.status ?? "not asked"]),
+      h("td", { class: "number", "data-label": "error" }, run.band[worst] < bands.indexOf("undecidable") ? valueOf(run, worst) : ""));
   }));
   const remember = (key: string, value: string): void => {
     query = withValue(query, key, value);

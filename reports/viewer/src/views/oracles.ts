@@ -11,13 +11,13 @@ export const oraclesView: MakeView = (run, at) => {
   const { oracles, findings, subject, clusters } = run.report;
   const name = at.path.slice(1).join("/");
   if (name === "") {
-    return { title: "Oracles", element: h("section", {}, h("h1", {}, "Oracles"), h("p", {}, "An oracle is an engine with one entry point and one precision."), h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Oracles" }, h("table", { class: "plain" },
+    return { title: "Oracles", element: h("section", {}, h("h1", {}, "Oracles"), h("p", {}, "An oracle is an engine with one entry point and one precision."), h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Oracles" }, h("table", { class: "plain stacked" },
       h("thead", {}, h("tr", {}, ["Oracle", "Library", "Version", "Answers", "Arithmetic"].map((t) => h("th", { scope: "col" }, t)), faultBands.map((band) => h("th", { scope: "col", class: "number" }, badge(band))))),
       h("tbody", {}, oracles.map((o, i) => {
         const per = faultBands.map(() => 0);
         for (let k = 0; k < findings.oracle.length; ++k) if (findings.oracle[k] === i && run.band[k] < per.length) ++per[run.band[k]];
-        return h("tr", {}, h("th", { scope: "row" }, engine(run, i), i === subject && h("span", { class: "quiet" }, " subject")), h("td", {}, o.library), h("td", {}, o.version), h("td", {}, kinds(o)), h("td", {}, arithmetic(o.unit_roundoff)),
-          per.map((count, b) => h("td", { class: "number" }, count > 0 ? h("a", { href: findingsAddress({ oracle: o.name, band: faultBands[b] }) }, count.toLocaleString("en")) : "0")));
+        return h("tr", {}, h("th", { scope: "row" }, engine(run, i), i === subject && h("span", { class: "quiet" }, " subject")), h("td", { "data-label": "Library" }, o.library), h("td", { "data-label": "Version" }, o.version), h("td", { "data-label": "Answers" }, kinds(o)), h("td", { "data-label": "Arithmetic" }, arithmetic(o.unit_roundoff)),
+          per.map((count, b) => h("td", { class: "number", "data-label": bandTexts[faultBands[b]].name }, count > 0 ? h("a", { href: findingsAddress({ oracle: o.name, band: faultBands[b] }) }, count.toLocaleString("en")) : "0")));
       }))))) };
   }
   const index = oracles.findIndex((o) => o.name === name);

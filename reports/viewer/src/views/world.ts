@@ -98,7 +98,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
       h("td", {}, h("input", { type: "radio", name: "solid", "aria-label": `Draw ${oracles[o].name} solid`, checked: o === solid, disabled: !moves, on: { change: () => { solid = o; shown.add(o); apply(); } } })),
       h("th", { scope: "row" }, engine(run, o)),
       h("td", {}, badge(bands[run.band[worst]])),
-      h("td", { class: "number" }, run.band[worst] < faultBands.length ? valueOf(run, worst) : moves ? "" : world.motions[o]?.status ?? "not asked"),
+      h("td", { class: "number", "data-label": "error" }, run.band[worst] < faultBands.length ? valueOf(run, worst) : moves ? "" : world.motions[o]?.status ?? "not asked"),
       h("td", {}, button("Explain", () => explain(o), { class: "small", "aria-pressed": String(o === explained) })));
   }));
   const apply = (): void => {

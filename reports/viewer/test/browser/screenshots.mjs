@@ -32,8 +32,8 @@ for (const colorScheme of ["light", "dark"]) {
     const rows = await page.$$eval(".c-question a", (links) => links.map((a) => a.getAttribute("href")));
     await snap("matrix", "#/matrix");
     await snap("accuracy", "#/accuracy");
-    await snap("engines", "#/oracles");
-    await snap("engine", "#/oracles/bullet");
+    await snap("oracles", "#/oracles");
+    await snap("oracle", "#/oracles/bullet");
     await snap("ledger", "#/ledger", () => page.click("details summary").catch(() => {}));
     await go(page, "#/findings?q=contact");
     const contact = await page.$$eval(".c-question a", (links) => links.map((a) => a.getAttribute("href")).find((l) => l.includes("contact%2F")));
