@@ -46,7 +46,8 @@ std::string ReasonOf(const Finding& finding) {
       return fmt::format("{} {}", finding.oracle,
                          finding.verdict == Verdict::kCrashed ? "crashes" : "hangs");
     case Verdict::kInvalid:
-      return finding.oracle + " answers with invalid numbers";
+      reason = finding.oracle + " gives an invalid answer";
+      break;
     case Verdict::kDisagree:
       return finding.oracle + " differs from the others, and nobody is proved right";
     default:

@@ -7,7 +7,7 @@ export type Band = (typeof bands)[number];
 export interface BandText { name: string; glyph: string; meaning: string }
 
 export const bandTexts: Record<Band, BandText> = {
-  crash: { name: "no answer", glyph: "✖", meaning: "crashed, hung, or answered with what is no number" },
+  crash: { name: "unusable", glyph: "✖", meaning: "no usable answer: a crash, a hang, a number that is not finite, or a contact that contradicts itself" },
   grave: { name: "grave", glyph: "◆", meaning: "wrong by over 10 % of the size, or a wrong hit or miss" },
   large: { name: "large", glyph: "▲", meaning: "wrong by over 0.1 % of the size" },
   small: { name: "small", glyph: "●", meaning: "wrong by over one millionth of the size" },

@@ -28,7 +28,7 @@ export function measureOf(run: Run, finding: number): string {
   return law ? `${law}: ${measure}` : measure;
 }
 
-/** What a finding without a size says in words: a crash, a hang, no number, a wrong hit or miss; "" for any other. */
+/** What a finding without a size says in words: a crash, a hang, an invalid answer, a wrong hit or miss; "" for any other. */
 export function wordsOf(run: Run, finding: number): string {
   const { findings, names, ledger, questions } = run.report;
   const measure = names.measure[findings.measure[finding]]?.name;
@@ -38,7 +38,7 @@ export function wordsOf(run: Run, finding: number): string {
     switch (verdict === "known" ? ledger[findings.ledger[finding]]?.verdict : verdict) {
       case "crashed": return "crashed";
       case "timed out": return "hung";
-      case "invalid": return "no number";
+      case "invalid": return "invalid";
       default: return "no usable answer";
     }
   }
@@ -46,7 +46,7 @@ export function wordsOf(run: Run, finding: number): string {
   return questions[findings.question[finding]].contact?.truth.touching === "apart" ? "false hit" : "missed hit";
 }
 
-const headings: Record<string, string> = { crashed: "crashed on this question", hung: "hung on this question", "no number": "answered with what is no number" };
+const headings: Record<string, string> = { crashed: "crashed on this question", hung: "hung on this question", invalid: "gave an invalid answer to this question" };
 
 /** What a finding found, as a heading: "separation error 4.8 cm", "crashed on this question". */
 export function headingOf(run: Run, finding: number): string {

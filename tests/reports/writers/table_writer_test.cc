@@ -38,7 +38,7 @@ TEST(WriteTable, CountsEveryVerdict) {
 TEST(WriteTable, RanksFaultsAndSaysWhichTheLedgerKnows) {
   const std::string table = Table(HandMadeReport());
   EXPECT_THAT(table, HasSubstr("Faults: 4, 3 new, 1 in the ledger\n  wrong answer  "
-                               "New: theirs/float answers with invalid numbers. In 1 "
+                               "New: theirs/float gives an invalid answer. In 1 "
                                "scenario.\n"));
   EXPECT_THAT(table, HasSubstr("Float build. theirs/float, in 1 scenario."));
 }

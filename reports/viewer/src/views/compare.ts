@@ -32,7 +32,7 @@ export const compareView: MakeView = (run, at) => {
       h("div", { role: "cell", class: "c-share number" }, said(row.after, row.unit)));
   });
   const table = h("div", { role: "table", class: "findings-table", "aria-label": "Differences" },
-    h("div", { role: "rowgroup", class: "head" }, h("div", { role: "row", class: "finding" }, ["", "Question", "Oracle", "Law or measure", "Before", "After"].map((t) => h("div", { role: "columnheader" }, t || h("span", { class: "visually-hidden" }, "Change"))))), list.element);
+    h("div", { role: "rowgroup", class: "head" }, h("div", { role: "row", class: "finding" }, ["", "Question", "Oracle", "Law or measure", "Before", "After"].map((t, c) => h("div", { role: "columnheader", class: c > 3 ? "number" : "" }, t || h("span", { class: "visually-hidden" }, "Change"))))), list.element);
   const chips = h("p", { class: "chips" });
   const draw = (): void => {
     const wanted = valuesOf(query, "kind");

@@ -71,7 +71,7 @@ export const frontView: MakeView = (run, start) => {
     h("h1", { class: "visually-hidden" }, "What the run found"),
     h("p", { class: "sentence" }, report.sentence, " ",
       report.clusters.length === 0 ? "No fault was found."
-        : `They show ${counted(report.clusters.length, "fault")}; ${graves === 0 ? "none" : graves} of them ${graves === 1 ? "is" : "are"} grave or no answer at all, ${fresh === 0 ? "none" : fresh} ${fresh === 1 ? "is" : "are"} new, ${ours === 0 ? "none" : ours} ${ours === 1 ? "is" : "are"} in ${subject}.`),
+        : `They show ${counted(report.clusters.length, "fault")}; ${graves === 0 ? "none" : graves} of them ${graves === 1 ? "is" : "are"} grave or leave no usable answer, ${fresh === 0 ? "none" : fresh} ${fresh === 1 ? "is" : "are"} new, ${ours === 0 ? "none" : ours} ${ours === 1 ? "is" : "are"} in ${subject}.`),
     h("p", { class: report.failed ? "conclusion failed" : "conclusion" }, h("span", { "aria-hidden": "true" }, report.failed ? "✗ " : "✓ "), report.conclusion),
     report.faults.length > 0 && h("details", { class: "notes" }, h("summary", {}, counted(report.faults.length, "remark") + " on the scenario files and the ledger"), h("ul", {}, report.faults.slice(0, 200).map((fault) => h("li", {}, fault)))),
     report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),

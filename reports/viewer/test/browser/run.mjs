@@ -227,7 +227,7 @@ test("an oracle that crashed is said to have crashed", () => withPage({}, async 
   const name = sample.report.oracles[crashed.contact.answers.findIndex((a) => a.status === "crashed")].name;
   await go(page, `#/s/${encodeURIComponent(crashed.id)}?o=${encodeURIComponent(name)}`);
   const row = await page.textContent(".verdicts tr.chosen");
-  assert.match(row, /no answer.*it crashed.*crashed/s);
+  assert.match(row, /unusable.*it crashed.*crashed/s);
   assert.match(await page.textContent("#tab-panel"), /crashed on this question/);
   await go(page, "#/findings?band=crash");
   assert.match(await page.textContent(".count"), /^1 finding/);
