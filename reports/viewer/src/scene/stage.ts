@@ -113,8 +113,10 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
   };
   const draw = (): void => {
     waiting = 0;
-    if (renderer) renderer.render(scene, camera);
-    else drawScene(canvas, scene, camera);
+    if (renderer) {
+      renderer.render(scene, camera);
+      element.dataset.calls = String(renderer.info.render.calls);
+    } else drawScene(canvas, scene, camera);
     for (const { element: text, at } of labels) {
       const place = at();
       text.hidden = place === null;

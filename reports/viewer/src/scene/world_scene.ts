@@ -305,6 +305,9 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     for (let i = 0; i < track.samples && drawn < 200; ++i) {
       if (c[impulseChannels.sample][i] !== sample || size(i) === 0) continue;
       const J = new three.Vector3(c[9][i], c[10][i], c[11][i]);
+      // The impulse is that on B. On a body that cannot move nobody looks for it: A receives the opposite.
+      const [A, B] = [c[1][i], c[2][i]];
+      if (world.bodies[B]?.fixed && world.bodies[A]?.fixed === false) J.negate();
       // The length is the square root of the impulse, so that weak impulses next to an impact are visible.
       J.setLength(0.5 * Math.sqrt(size(i) / most));
       impulses.add(arrow(toScene(frame, [c[3][i], c[4][i], c[5][i]]), J, 0.006, colour));

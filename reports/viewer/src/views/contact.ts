@@ -217,7 +217,7 @@ function legend(hasPatch: boolean): HTMLElement {
   return h("ul", { class: "marks", "aria-label": "Marks of the view" },
     item(picture(svg("rect", { x: 1, y: 1, width: 14, height: 10, class: "key-a" })), "A"), item(picture(svg("rect", { x: 1, y: 1, width: 14, height: 10, class: "key-b" })), "B"),
     item(picture(svg("rect", { x: 1, y: 1, width: 14, height: 10, class: "key-plane" })), "certified plane"),
-    item(picture(svg("circle", { cx: 8, cy: 6, r: 4, class: "key-truth" })), "a, b: certified nearest points of A and B"),
+    item(picture(svg("circle", { cx: 8, cy: 6, r: 4, class: "key-truth" })), "a, b: extreme points of A and B along the certified normal"),
     hasPatch && item(picture(svg("rect", { x: 1, y: 1, width: 14, height: 10, class: "key-patch" }), svg("path", { d: "M3 11 11 1M8 11 15 3", class: "key-hatch" })), "true patch"),
     item(picture(svg("circle", { cx: 8, cy: 6, r: 3, class: "key-oracle" }), line("key-oracle-line", { x1: 8, x2: 8, y1: 0, y2: 12 })), "contact of an oracle, its stem as long as its depth"),
     item(picture(line("key-oracle-line"), svg("path", { d: "M10 2 15 6 10 10", class: "key-oracle" })), "normal of an oracle"));

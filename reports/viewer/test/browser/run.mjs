@@ -339,6 +339,15 @@ test("playback runs and stops, one engine is shown alone, and the first differen
   assert.equal(await page.locator(".verdicts input[type=checkbox]:checked").count(), 1);
 }));
 
+test("a crowd of bodies by all engines is drawn in a few calls", () => withPage({}, async (page) => {
+  const { world, id } = sample.report.questions.find((q) => q.world?.bodies.length > 20);
+  await go(page, `#/s/${encodeURIComponent(id)}`);
+  const drawn = world.bodies.filter((b) => !b.fixed).length * world.motions.filter((m) => m.bodies.length).length;
+  assert.ok(drawn > 150);
+  const calls = await page.$eval(".stage", (stage) => Number(stage.dataset.calls));
+  assert.ok(calls > 5 && calls < drawn / 4, `${calls} calls for ${drawn} bodies`);
+}));
+
 test("one WebGL context lives at a time", () => withPage({}, async (page) => {
   for (let i = 0; i < 20; ++i) {
     await page.evaluate((h) => { location.hash = h; }, i % 2 ? views.contact : views.world);

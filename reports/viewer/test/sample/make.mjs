@@ -150,12 +150,16 @@ function makeWorld(w, blob, oracles, random) {
       impulses: hits.length ? blob.track([hits, hits.map(() => 0), hits.map(() => 1), hits.map(() => 0), hits.map(() => 0), hits.map(() => 0), hits.map(() => 0), hits.map(() => 0), hits.map(() => 1), hits.map(() => 0), hits.map(() => 0), hits.map((i) => Math.abs(ball[i].v) * 2), hits.map(() => -1e-4)], [1, 1, 1, ...new Array(10).fill(1e-6)]) : undefined,
     };
   });
+  // One world has a crowd of balls.
+  const crowd = w === 3 ? 25 : 0;
+  for (const { bodies } of motions) if (bodies.length) bodies.push(...Array.from({ length: crowd }, () => bodies[1]));
   const heights = oracles.map((o, i) => o.worlds ? blob.track([times.map((t) => fall(t, 0.8 - 0.04 * i).h)], [1e-6]) : null);
   return {
     id: `world/bounce/ball_${String(w).padStart(3, "0")}`, group: "world/bounce", title: w === 1 ? hostile[1] : "A ball bounces beside a box that slides", kind: "world", size: 0.6, toml: `id = "world ${w}"\n`,
     world: {
       dt, steps, gravity: [0, 0, -9.81],
-      bodies: [{ name: "floor", shape: { type: "half_space" }, fixed: true, start: { p: [0, 0, 0], q: [1, 0, 0, 0] } }, { name: w === 1 ? hostile[0] : "ball", shape: { type: "sphere", radius: 0.3 }, fixed: false, start: { p: [0, 0, 2], q: [1, 0, 0, 0] } }, { name: "box", shape: { type: "box", half: [0.3, 0.2, 0.2] }, fixed: false, start: { p: [1, 0, 0.2], q: [1, 0, 0, 0] } }],
+      bodies: [{ name: "floor", shape: { type: "half_space" }, fixed: true, start: { p: [0, 0, 0], q: [1, 0, 0, 0] } }, { name: w === 1 ? hostile[0] : "ball", shape: { type: "sphere", radius: 0.3 }, fixed: false, start: { p: [0, 0, 2], q: [1, 0, 0, 0] } }, { name: "box", shape: { type: "box", half: [0.3, 0.2, 0.2] }, fixed: false, start: { p: [1, 0, 0.2], q: [1, 0, 0, 0] } },
+        ...Array.from({ length: crowd }, (_, i) => ({ name: `ball ${i}`, shape: { type: "sphere", radius: 0.3 }, fixed: false, start: { p: [0, 0, 2], q: [1, 0, 0, 0] } }))],
       particles: cloth ? [{ name: "mote", radius: 0.05 }] : [], springs: pendulum ? [{ A: 1, B: -1, pA: [0, 0, 0.3], pB: [0, 0, 3] }] : [], joints: pendulum ? [{ A: 1, B: 2, pA: [0, 0, 0], pB: [0, 0, 0], kind: "distance" }] : [], cloths: cloth ? [{ rows: 4, columns: 4 }] : [],
       claims: ["the ball rises to e² of its height", "energy never rises"], times, thinned: 2, motions,
       curves: [{ quantity: "height", unit: "m", body: 1, truth: blob.track([truth], [1e-6]), tolerance: 0.05, finding: 0, breaks: oracles.map((o, i) => o.worlds && i ? 0.7 + 0.05 * i : null), motions: heights },
