@@ -102,6 +102,7 @@ DataJson LedgerData(const LedgerEntry& entry, const LedgerUse& use) {
   for (const MeasureKind measure : entry.measures)
     data["measures"].push_back(NameOf(measure));
   data["cause"] = CausesOf(entry);
+  data["fault"] = FaultOf(entry);
   data["reason"] = entry.reason;
   data["upstream"] = entry.upstream;
   data["expires"] = entry.expires;

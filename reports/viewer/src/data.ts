@@ -141,6 +141,6 @@ export interface Cluster {
 }
 
 export interface LedgerEntry {
-  scenarios: string[]; oracle: string; version: string; verdict: string; measures: string[]; cause: string; reason: string; upstream: string; expires: string;
+  scenarios: string[]; oracle: string; version: string; verdict: string; measures: string[]; cause: string; fault?: string; reason: string; upstream: string; expires: string;
   uses: number;                   // findings that it hides in this run
 }

@@ -20,6 +20,28 @@ const orders: { key: string; name: string; of(run: Run, cluster: number): number
   { key: "new", name: "new ones first", of: ({ report }, c) => (report.clusters[c].is_new ? 1 : 0) },
 ];
 
+/** The oracles that passed something and have no fault. */
+function neverWrong({ report, band }: Run): number[] {
+  const [passed, wrong] = [new Set<number>(), new Set<number>()];
+  report.findings.oracle.forEach((o, i) => {
+    if (bands[band[i]] === "passed") passed.add(o);
+    else if (band[i] < faultBands.length) wrong.add(o);
+  });
+  return [...passed].filter((o) => !wrong.has(o)).sort((a, b) => a - b);
+}
+
+/** How many faults each oracle has a part in: those that are grave or unusable, and all. */
+function faultsByOracle(run: Run, clusterBands: Band[]): HTMLElement {
+  const { clusters, oracles } = run.report;
+  const rows = oracles.map((_, o) => {
+    const own = clusters.map((_c, c) => c).filter((c) => clusters[c].oracles.includes(o));
+    return { o, all: own.length, grave: own.filter((c) => clusterBands[c] === "grave" || clusterBands[c] === "crash").length };
+  }).filter(({ all }) => all > 0).sort((a, b) => b.grave - a.grave || b.all - a.all || a.o - b.o);
+  return h("table", { class: "plain" },
+    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), ["Grave", "All"].map((t) => h("th", { scope: "col", class: "number" }, t)))),
+    h("tbody", {}, rows.map(({ o, all, grave }) => h("tr", {}, h("th", { scope: "row" }, engine(run, o)), h("td", { class: "number" }, grave), h("td", { class: "number" }, all)))));
+}
+
 export const frontView: MakeView = (run, start) => {
   const { report } = run;
   const clusterBands: Band[] = report.clusters.map((c) => bandOfCluster(run, c));
@@ -34,7 +56,7 @@ export const frontView: MakeView = (run, start) => {
       h("a", { href: address(["f", String(c)]), class: "card-picture", tabindex: "-1", "aria-hidden": "true" },
         question && thumbnail(run, question, cluster.oracles, report.findings.time?.[cluster.worst] ?? -1)),
       h("div", { class: "card-text" },
-        h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
+        h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet", title: cluster.is_new ? "not in the ledger" : "in the ledger of known and accepted faults" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
           h("a", { href: findingsAddress({ cluster: String(c) }) }, counted(cluster.questions.length, "question"))),
         h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto" }, cluster.title)),
         h("p", { class: "extent" }, cluster.extent),
@@ -66,6 +88,7 @@ export const frontView: MakeView = (run, start) => {
   const graves = clusterBands.filter((b) => b === "grave" || b === "crash").length;
   const fresh = report.clusters.filter((c) => c.is_new).length;
   const ours = report.clusters.filter((c) => c.oracles.includes(report.subject)).length;
+  const right = neverWrong(run);
   const subject = report.oracles[report.subject]?.name ?? "the subject";
   const element = h("section", { class: "front" },
     h("h1", { class: "visually-hidden" }, "What the run found"),
@@ -73,12 +96,14 @@ export const frontView: MakeView = (run, start) => {
       report.clusters.length === 0 ? "No fault was found."
         : `They show ${counted(report.clusters.length, "fault")}; ${graves === 0 ? "none" : graves} of them ${graves === 1 ? "is" : "are"} grave or leave no usable answer, ${fresh === 0 ? "none" : fresh} ${fresh === 1 ? "is" : "are"} new, ${ours === 0 ? "none" : ours} ${ours === 1 ? "is" : "are"} in ${subject}.`),
     h("p", { class: report.failed ? "conclusion failed" : "conclusion" }, h("span", { "aria-hidden": "true" }, report.failed ? "✗ " : "✓ "), report.conclusion),
+    right.length > 0 && h("p", { class: "engines" }, h("span", {}, "Never proved wrong:"), right.map((o) => engine(run, o))),
     report.faults.length > 0 && h("details", { class: "notes" }, h("summary", {}, counted(report.faults.length, "remark") + " on the scenario files and the ledger"), h("ul", {}, report.faults.slice(0, 200).map((fault) => h("li", {}, fault)))),
     report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),
     h("div", { class: "columns" },
       h("div", { class: "main-column" }, h("div", { class: "toolbar" }, chips, h("label", { class: "sort" }, "Order ", sort)), list.element),
       h("div", { class: "side-column" },
         h("h2", {}, h("a", { href: "#/matrix" }, "Groups × oracles")), smallMatrix(run),
+        h("h2", {}, h("a", { href: "#/oracles" }, "Faults by oracle")), faultsByOracle(run, clusterBands),
         h("h2", {}, "Measurements by verdict"),
         h("table", { class: "plain" }, h("tbody", {}, report.names.verdict.map((verdict, v) => perVerdict[v] > 0 && h("tr", {},
           h("th", { scope: "row" }, h("a", { href: findingsAddress({ verdict }) }, verdict)), h("td", { class: "number" }, perVerdict[v].toLocaleString("en")))))),

@@ -268,6 +268,23 @@ test("the variants of a world are plotted side by side", () => withPage({}, asyn
   assert.ok(await page.locator(".variant-strip circle, .variant-strip polygon").count() >= 2);
 }));
 
+test("the overview says who was never proved wrong, and how many faults each oracle has", () => withPage({}, async (page) => {
+  const { oracles, clusters } = sample.report;
+  const wrong = new Set(clusters.flatMap((c) => c.oracles));
+  const right = await page.$$eval("p.engines:has-text('Never proved wrong') .engine", (all) => all.map((e) => e.textContent));
+  assert.ok(right.length > 0 && right.every((name) => !wrong.has(oracles.findIndex((o) => o.name === name))));
+  const bullet = oracles.findIndex((o) => o.name === "bullet");
+  assert.equal(await page.textContent("table:has(th:text-is('Grave')) tr:has(.engine:text-is('bullet')) td:last-child"), String(clusters.filter((c) => c.oracles.includes(bullet)).length));
+}));
+
+test("entries of the ledger with one fault are one line, which opens to their reasons", () => withPage({}, async (page) => {
+  await go(page, "#/ledger?q=two+entries");
+  assert.equal(await page.locator(".ledger details").count(), 1);
+  await page.click(".ledger summary");
+  assert.equal(await page.locator(".ledger .entry").count(), 2);
+  assert.match(await page.textContent(".ledger .entries"), /The edge test of case 1/);
+}));
+
 test("faults are put in the order that the reader chooses", () => withPage({}, async (page) => {
   const counts = () => page.$$eval(".card .extent", (all) => all.map((p) => Number(/in (\d+) scenario/.exec(p.textContent)[1])));
   await page.selectOption("select[aria-label='Order of the faults']", "questions");

@@ -78,7 +78,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   questions.sort((x, y) => order(x) - order(y) || (x.id < y.id ? -1 : 1));
 
   const reasons = Array.from({ length: 30 }, (_, i) => i === 0 ? hostile[1] : `The ${["face", "edge", "vertex"][i % 3]} test of case ${i} prefers an axis unless another is ${i + 1} % shallower, by EPA of btGjkEpa2.`);
-  const ledger = reasons.map((reason, i) => ({ scenarios: [`contact/box_box/*`, hostile[i % 4]], oracle: oracleNames[1 + (i % 9)][0], version: "1", verdict: "fail", measures: ["separation_error"], cause: "defect", reason, upstream: i % 3 ? "unreported" : i === 0 ? "javascript:window.attacked=1" : "https://example.org/issues/1", expires: "2027-11-21", uses: 10 * i }));
+  const ledger = reasons.map((reason, i) => ({ scenarios: [`contact/box_box/*`, hostile[i % 4]], oracle: oracleNames[1 + (i % 9)][0], version: "1", verdict: "fail", measures: ["separation_error"], cause: "defect", fault: i < 2 ? "Two entries have one fault." : undefined, reason, upstream: i % 3 ? "unreported" : i === 0 ? "javascript:window.attacked=1" : "https://example.org/issues/1", expires: "2027-11-21", uses: 10 * i }));
   const columns = ["question", "oracle", "measure", "law", "reference", "verdict", "undecided", "grade", "cause", "shipped", "value", "tolerance", "share", "because", "cause_because", "shipped_because", "proof", "ledger", "cluster", "time"];
   const f = Object.fromEntries(columns.map((c) => [c, []]));
   const per = Math.max(1, Math.round(findings / (questions.length * oracles.length)));
