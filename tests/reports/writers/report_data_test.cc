@@ -113,6 +113,9 @@ TEST(ReportData, RanksClustersAndRefersToThem) {
             "wrong answer");
   EXPECT_EQ(data["findings"]["cluster"][4], 0);
   EXPECT_EQ(data["findings"]["cluster"][0], -1);
+  EXPECT_EQ(clusters[0]["title"], "theirs/float gives an invalid answer.");
+  EXPECT_EQ(clusters[0]["extent"], "In 1 scenario.");
+  EXPECT_EQ(data["ledger"][0]["fault"], "Float build.");
 }
 
 TEST(ReportData, IsTheSameForTheSameReport) {
