@@ -4,7 +4,7 @@ import { colourOf, prefersDark, type Look } from "../engines";
 import { add, dot, isFinite3, middle, norm, rotate, sub, times, unit } from "../vector";
 import { digits } from "../format";
 import { makeCut } from "./section";
-import { alignZ, arrow, ball, disc, dispose, hatched, planePatch, quaternion, rod, solid, toScene, type Frame } from "./parts";
+import { alignZ, arrow, ball, disc, dispose, hatched, planePatch, quaternion, rod, solid, spot, toScene, type Frame } from "./parts";
 import { formOf } from "./shapes";
 import { overlapAlong, reach } from "./support";
 
@@ -159,7 +159,7 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   });
 
   const home = bodies[1].position.clone();
-  const common = ball(new three.Vector3(), 0.024, dark ? "#ff9ecf" : "#b3006b");
+  const common = spot(new three.Vector3(), 0.024, dark ? "#ff9ecf" : "#b3006b");
   common.visible = false;
   root.add(common);
   const variant = new three.Group();

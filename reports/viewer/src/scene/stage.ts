@@ -20,8 +20,8 @@ export interface Stage {
   fit(centre: three.Vector3, radius: number): void;
   /** Keeps the camera's offset to a point that moves. */
   follow(point: three.Vector3): void;
-  /** A text that stays at a point of the scene, while there is one. */
-  label(text: string, at: () => three.Vector3 | null): void;
+  /** A text that stays at a point of the scene, or beside it, while there is one. */
+  label(text: string, at: () => three.Vector3 | null, beside?: boolean): void;
   /** A picture of the view as it is. */
   picture(): Promise<Blob | null>;
   dispose(): void;
@@ -172,8 +172,8 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
       controls.update();
       invalidate();
     },
-    label(text, at) {
-      const place = h("span", { class: "label" }, text);
+    label(text, at, beside = false) {
+      const place = h("span", { class: beside ? "label beside" : "label" }, text);
       overlay.append(place);
       labels.push({ element: place, at });
     },

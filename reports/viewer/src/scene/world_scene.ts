@@ -3,7 +3,7 @@ import type { Run } from "../run";
 import type { Motion, Vec3, World } from "../data";
 import { colourOf, prefersDark } from "../engines";
 import { dot, rotate, sub, times, unit } from "../vector";
-import { arrow, ball, dispose, path, quaternion, solid, toScene, type Frame } from "./parts";
+import { arrow, ball, dispose, path, quaternion, solid, spot, toScene, type Frame } from "./parts";
 import { makeBatch } from "./instances";
 import { formOf, type Form } from "./shapes";
 import { reach } from "./support";
@@ -348,7 +348,8 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
       for (const old of [...marks.children]) dispose(old);
       const colour = dark ? "#ff9ecf" : "#b3006b";
       markedPoints = points.map((p) => toScene(frame, p));
-      marks.add(...markedPoints.map((p) => ball(p, 0.022, colour)), path(markedPoints, colour));
+      const apart = markedPoints.length > 1 ? markedPoints[0].distanceTo(markedPoints[1]) : Infinity;
+      marks.add(...markedPoints.map((p) => spot(p, Math.max(0.003, Math.min(0.022, apart / 8)), colour)), path(markedPoints, colour));
     },
     marked: (index) => markedPoints[index] ?? null,
     bodyAt: (oracle, body) => actors.get(oracle)?.bodies[body]?.position.clone() ?? toScene(frame, world.bodies[body]?.start.p ?? middle),

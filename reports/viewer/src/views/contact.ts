@@ -46,7 +46,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
   stage.fit(new three.Vector3(), view.radius);
   stage.label("A", view.A);
   stage.label("B", view.B);
-  for (const { text, at } of view.names) stage.label(text, at);
+  for (const { text, at } of view.names) stage.label(text, at, true);
   // Where the depth is seen in the large view, a close-up would only cover it.
   const inset = Math.max(Math.abs(truth.lo), Math.abs(truth.hi)) < 0.04 * question.size ? closeUp(contact, run.looks) : null;
   const reading = h("output", { class: "reading", "aria-live": "polite" });

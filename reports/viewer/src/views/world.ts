@@ -41,8 +41,8 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
   stage.scene.add(view.root);
   stage.lookFrom(startingView(view.up));
   stage.fit(view.centre, view.radius);
-  stage.label("world", () => view.marked(0));
-  stage.label("variant", () => view.marked(1));
+  stage.label("world", () => view.marked(0), true);
+  stage.label("variant", () => view.marked(1), true);
 
   const first = world.times[0] ?? 0;
   const end = world.times[world.times.length - 1] ?? 0;
@@ -148,6 +148,11 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
         player.stop();
         view.mark([variant.own, variant.variant]);
         player.seek(variant.time);
+        const [own, other] = [view.marked(0)!, view.marked(1)!];
+        const shape = world.bodies.find((b) => b.name === variant.body)?.shape;
+        followed = -1;
+        follow.value = "-1";
+        stage.fit(own.clone().lerp(other, 0.5), Math.max(own.distanceTo(other), shape ? 2.5 * reach(shape) * view.frame.scale : 0, 0.05));
         fill(note, `${variant.body} in the world itself, and in its variant mapped back, at ${seconds(variant.time)}.`);
         stage.invalidate();
       }, { class: "small" })];
