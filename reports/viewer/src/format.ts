@@ -16,7 +16,7 @@ export function digits(value: number, count = 3): string {
 export function short(value: number): string {
   const size = Math.abs(value);
   if (!Number.isFinite(value) || value === 0) return digits(value);
-  if (size >= 99.5 && size < 1e6) return String(Number(value.toPrecision(3))).replace(/^-/, "−");
+  if (size >= 99.5 && size < 1e6) return String(Math.round(Number(value.toPrecision(3)))).replace(/^-/, "−");
   const rounded = Math.abs(Number(value.toPrecision(2)));
   const text = rounded >= 1e-4 && rounded < 1e6 ? String(Number(value.toPrecision(2))) : value.toExponential(1).replace(".0e", "e").replace("e+", "e");
   return text.replace(/^-/, "−");
