@@ -31,3 +31,13 @@ export function commonPoint(proof: string): Vec3 | null {
   const match = commonPattern.exec(proof);
   return match && vectorAt(match, 1);
 }
+
+const studyPattern = new RegExp(String.raw`(${number}), (${number}) and (${number})(?: \S+)? at the step, a half and a quarter of it: (.+)$`);
+
+/** The error at the step of a world, a half and a quarter of it, and what follows of that. */
+export interface StepStudy { errors: [number, number, number]; conclusion: string }
+
+export function stepStudy(cause: string): StepStudy | null {
+  const match = studyPattern.exec(cause);
+  return match && { errors: [Number(match[1]), Number(match[2]), Number(match[3])], conclusion: match[4] };
+}

@@ -266,6 +266,9 @@ test("the variants of a world are plotted side by side", () => withPage({}, asyn
   await go(page, `#/s/${encodeURIComponent(world)}?tab=variants`);
   assert.match(await page.textContent("#tab-panel"), /start moved by a rounding/);
   assert.ok(await page.locator(".variant-strip circle, .variant-strip polygon").count() >= 2);
+  const studied = questions[f.question[f.cause_because.findIndex((t) => /a half and a quarter/.test(sample.report.texts[t]))]].id;
+  await go(page, `#/s/${encodeURIComponent(studied)}?tab=variants`);
+  assert.ok(await page.locator(".study polyline").count() >= 1);
 }));
 
 test("the overview says who was never proved wrong, and how many faults each oracle has", () => withPage({}, async (page) => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { commonPoint, contactVariant, worldVariant } from "../../src/proof_text";
+import { commonPoint, contactVariant, stepStudy, worldVariant } from "../../src/proof_text";
 
 describe("a proof", () => {
   it("states the normal of a variant, with all its digits", () => {
@@ -14,6 +14,12 @@ describe("a proof", () => {
 
   it("states the point that is in both bodies", () => {
     expect(commonPoint("bullet says apart; the point (-0.0008, 1e-3, 2) lies 2.99e-06 m inside both.")).toEqual([-0.0008, 1e-3, 2]);
+  });
+
+  it("states the errors at three steps", () => {
+    expect(stepStudy("0.597, 0.343 and 2.1e-5 at the step, a half and a quarter of it: it vanishes with the step")).toEqual({ errors: [0.597, 0.343, 2.1e-5], conclusion: "it vanishes with the step" });
+    expect(stepStudy("3, 2 and 1 N at the step, a half and a quarter of it: to vanish")?.errors).toEqual([3, 2, 1]);
+    expect(stepStudy("it does not approach the truth as the step shrinks")).toBeNull();
   });
 
   it.each(["", "ode returns 6 contacts", "the point (1, 2) lies 3 m inside both", "for its variant (swap: A and B exchanged), mapped back, it says n = (NaN, 0, 0)"])("may state none of them: %s", (proof) => {
