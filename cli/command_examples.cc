@@ -54,7 +54,8 @@ puts the data of an earlier run, report.data, into the viewer of this program.
 
 Compares the findings of two runs, one by one: a measure (and law) of one oracle in one
 scenario. It is worse if its verdict is, or if its error has more than doubled and is beyond
-what rounding can cause. New are faults that only NEW has, gone those that only OLD has.
+what rounding can cause. It is no longer judged if it passed and is now undecidable,
+unsupported or not measured. New are faults that only NEW has, gone those that only OLD has.
 Run both on the same machine, and let the exit code guard your own CI.
 )",
      R"(
@@ -62,7 +63,7 @@ Run both on the same machine, and let the exit code guard your own CI.
   touchstone compare yesterday today             print what changed
   touchstone compare yesterday today --html changes.html --junit changes.xml
 )",
-     "0 nothing is worse; 1 something is worse; 2 bad input"},
+     "0 nothing is worse; 1 something is worse or no longer judged; 2 bad input"},
     {"explain", R"(
 
 For one scenario, prints the certified truth, the oracles that are right and wrong, all

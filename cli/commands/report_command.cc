@@ -72,8 +72,8 @@ int CompareCommand(const CompareArguments& arguments) {
   WriteIfAsked(arguments.html, [&](std::ostream& to) {
     WritePage(WithComparison(after, comparison), to);
   });
-  const bool is_worse = std::ranges::any_of(
-      changes, [](const Change& c) { return c.kind == ChangeKind::kWorse; });
+  const bool is_worse =
+      std::ranges::any_of(changes, [](const Change& c) { return IsWorse(c.kind); });
   return is_worse ? 1 : 0;
 }
 

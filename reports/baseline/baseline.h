@@ -69,21 +69,27 @@ void CompareWithBaseline(RunReport& report, const Baseline& baseline);
 
 /** The fate of a cell from one run to the next. */
 enum class ChangeKind {
-  kWorse,   ///< Worse by the rule of CompareWithBaseline().
+  kWorse,  ///< Worse by the rule of CompareWithBaseline().
+  /** It passed in the earlier run; the later one has no such cell, or neither a pass nor
+   a fault in it: it is undecidable or unsupported. */
+  kNotJudged,
   kNew,     ///< Only the later run has the cell, and it is a fault there.
   kGone,    ///< Only the earlier run has it, and it was a fault there.
   kBetter,  ///< The earlier run is worse than the later one.
 };
 
-/** Returns "worse", "new", "gone" or "better". */
+/** Returns "worse", "no longer judged", "new", "gone" or "better". */
 std::string_view NameOf(ChangeKind kind);
+
+/** Returns whether a change fails the later run: it is worse, or no longer judged. */
+bool IsWorse(ChangeKind kind);
 
 /** One cell that differs between two runs. */
 struct Change {
   ChangeKind kind = ChangeKind::kWorse;
   LedgerCell cell;
   std::optional<Baseline::Measured> before;  ///< Empty if it is new.
-  std::optional<Baseline::Measured> after;   ///< Empty if it is gone.
+  std::optional<Baseline::Measured> after;   ///< Empty if the later run lacks it.
   std::string what;  ///< "was pass, is fail", "was 1e-9, is 2e-3 m".
 };
 

@@ -26,6 +26,12 @@ bool IsFault(Verdict verdict) {
   return rank == 2 || rank == 3;
 }
 
+/** Returns whether an earlier pass is neither a pass nor a fault now. */
+bool IsNotJudged(Verdict before, Verdict now) {
+  return before == Verdict::kPass &&
+         (now == Verdict::kUndecidable || now == Verdict::kUnsupported);
+}
+
 /** Returns why a finding is worse than an earlier one; "" if it is not. */
 std::string WhyWorse(MeasureKind measure, const Baseline::Measured& before,
                      const Baseline::Measured& now) {
@@ -92,8 +98,13 @@ void CompareWithBaseline(RunReport& report, const Baseline& baseline) {
 }
 
 std::string_view NameOf(ChangeKind kind) {
-  constexpr std::array<std::string_view, 4> kNames = {"worse", "new", "gone", "better"};
+  constexpr std::array<std::string_view, 5> kNames = {"worse", "no longer judged", "new",
+                                                      "gone", "better"};
   return kNames[static_cast<std::size_t>(kind)];
+}
+
+bool IsWorse(ChangeKind kind) {
+  return kind == ChangeKind::kWorse || kind == ChangeKind::kNotJudged;
 }
 
 std::vector<Change> Compare(const Baseline& before, const Baseline& after) {
@@ -108,7 +119,9 @@ std::vector<Change> Compare(const Baseline& before, const Baseline& after) {
       continue;
     }
     if (std::string why = WhyWorse(cell.measure, then->second, now); !why.empty()) {
-      changes.push_back({ChangeKind::kWorse, cell, then->second, now, std::move(why)});
+      const bool is_not_judged = IsNotJudged(then->second.verdict, now.verdict);
+      changes.push_back({is_not_judged ? ChangeKind::kNotJudged : ChangeKind::kWorse,
+                         cell, then->second, now, std::move(why)});
     } else if (!WhyWorse(cell.measure, now, then->second).empty()) {
       const bool by_verdict = SeverityOf(now.verdict) != SeverityOf(then->second.verdict);
       changes.push_back({ChangeKind::kBetter, cell, then->second, now,
@@ -120,9 +133,14 @@ std::vector<Change> Compare(const Baseline& before, const Baseline& after) {
     }
   }
   for (const auto& [cell, then] : before.cells) {
-    if (after.cells.contains(cell) || !IsFault(then.verdict)) continue;
-    changes.push_back({ChangeKind::kGone, cell, then, std::nullopt,
-                       WhatItIs("was", cell.measure, then)});
+    if (after.cells.contains(cell)) continue;
+    if (then.verdict == Verdict::kPass) {
+      changes.push_back({ChangeKind::kNotJudged, cell, then, std::nullopt,
+                         "was pass, is not measured"});
+    } else if (IsFault(then.verdict)) {
+      changes.push_back({ChangeKind::kGone, cell, then, std::nullopt,
+                         WhatItIs("was", cell.measure, then)});
+    }
   }
   std::ranges::stable_sort(changes, {}, &Change::kind);
   return changes;

@@ -20,26 +20,18 @@
 namespace touchstone {
 namespace {
 
-/** Returns the start of a reason up to its first colon or stop. */
-std::string HeadlineOf(const std::string& reason) {
-  const std::size_t end = std::min(reason.find(": "), reason.find(". "));
-  std::string headline = reason.substr(0, end);
-  while (headline.ends_with('.')) headline.pop_back();
-  return headline;
-}
-
 const LedgerEntry& EntryOf(const RunReport& report, const Finding& finding) {
   return report.ledger.entries[static_cast<std::size_t>(*finding.ledger_entry)];
 }
 
-/** Identifies a cluster: the headline of a reason of the ledger; outside the ledger the
- oracle, verdict, measure and cause. */
+/** Identifies a cluster: its fault in the ledger; outside the ledger the oracle, verdict,
+ measure and cause. */
 using Key = std::tuple<std::string, Verdict, MeasureKind, Cause>;
 
 Key KeyOf(const RunReport& report, const Finding& finding) {
   if (finding.ledger_entry) {
-    return {HeadlineOf(EntryOf(report, finding).reason), Verdict::kKnown,
-            MeasureKind::kTouching, Cause::kNone};
+    return {FaultOf(EntryOf(report, finding)), Verdict::kKnown, MeasureKind::kTouching,
+            Cause::kNone};
   }
   return {finding.oracle, finding.verdict, finding.measure, finding.cause};
 }
@@ -54,7 +46,8 @@ std::string ReasonOf(const Finding& finding) {
       return fmt::format("{} {}", finding.oracle,
                          finding.verdict == Verdict::kCrashed ? "crashes" : "hangs");
     case Verdict::kInvalid:
-      return finding.oracle + " answers with invalid numbers";
+      reason = finding.oracle + " gives an invalid answer";
+      break;
     case Verdict::kDisagree:
       return finding.oracle + " differs from the others, and nobody is proved right";
     default:
@@ -115,6 +108,8 @@ void Sum(const RunReport& report, const Clusters& all,
   const Finding& finding = report.findings[cluster.worst];
   cluster.is_new = !finding.ledger_entry;
   cluster.reason = cluster.is_new ? ReasonOf(finding) : EntryOf(report, finding).reason;
+  cluster.title =
+      cluster.is_new ? cluster.reason + '.' : FaultOf(EntryOf(report, finding));
   if (!cluster.is_new) cluster.upstream = EntryOf(report, finding).upstream;
   cluster.cause = finding.cause;
   cluster.share = all.shares[cluster.worst];
@@ -136,7 +131,7 @@ void Sum(const RunReport& report, const Clusters& all,
   });
 }
 
-/** Returns the size of the worst fault in words, after "; "; "" without one. */
+/** Returns the size of the worst fault in words, after ", "; "" without one. */
 std::string SizeInWords(const Finding& worst, const Cluster& cluster) {
   if (worst.verdict == Verdict::kCrashed || worst.verdict == Verdict::kTimedOut ||
       worst.verdict == Verdict::kInvalid || worst.measure == MeasureKind::kAnswering ||
@@ -145,7 +140,7 @@ std::string SizeInWords(const Finding& worst, const Cluster& cluster) {
   }
   const std::string size = SiQuantity(cluster.error, cluster.unit);
   const std::string share = cluster.unit == "m" ? ShareInWords(cluster.share) : "";
-  return fmt::format("; at worst {}{}{}", size, share.empty() ? "" : ", ", share);
+  return fmt::format(", at worst {}{}{}", size, share.empty() ? "" : ", ", share);
 }
 
 /** Joins "a", "b" and "c" to "a, b and c". */
@@ -180,9 +175,12 @@ Band BandOf(const Finding& finding, double share) {
     default:
       return Band::kNone;
   }
-  const bool has_no_answer =
-      finding.measure == MeasureKind::kAnswering && finding.value > 0;
-  return has_no_answer ? Band::kWrong : static_cast<Band>(finding.grade);
+  if (finding.measure == MeasureKind::kAnswering && finding.value > 0)
+    return Band::kWrong;
+  const bool has_no_size = finding.measure == MeasureKind::kContactCount ||
+                           finding.measure == MeasureKind::kPatchCoverage;
+  const auto band = static_cast<Band>(finding.grade);
+  return has_no_size ? std::min(band, Band::kLarge) : band;
 }
 
 Clusters ClustersOf(const RunReport& report) {
@@ -224,12 +222,12 @@ std::string NamesOf(const RunReport& report, const std::vector<std::size_t>& ora
   return InARow(libraries.size() > 1 ? libraries : names);
 }
 
-std::string SentenceOf(const RunReport& report, const Cluster& cluster) {
-  const Finding& worst = report.findings[cluster.worst];
-  return fmt::format("{}{}; {}{}", HeadlineOf(cluster.reason),
-                     cluster.is_new ? "" : ": " + NamesOf(report, cluster.oracles),
-                     Counted(cluster.questions.size(), "scenario"),
-                     SizeInWords(worst, cluster));
+std::string ExtentOf(const RunReport& report, const Cluster& cluster) {
+  // The title of a new fault names its oracle.
+  const std::string whose =
+      cluster.is_new ? "In" : NamesOf(report, cluster.oracles) + ", in";
+  return fmt::format("{} {}{}.", whose, Counted(cluster.questions.size(), "scenario"),
+                     SizeInWords(report.findings[cluster.worst], cluster));
 }
 
 }  // namespace touchstone

@@ -26,14 +26,16 @@ inline constexpr int kBands = static_cast<int>(Band::kWrong) + 1;
 /** Returns "wrong answer", "over 10 %", …; "" for kNone. */
 std::string_view NameOf(Band band);
 
-/** Returns the band of a finding; kNone unless its verdict is a failure or known.
+/** Returns the band of a finding; kNone unless its verdict is a failure or known. A count
+ of contacts, or a covered fraction of the patch, is at most kLarge: neither is a length
+ by which anything is wrong.
  `share`: see SharesOf(). A known finding keeps the grade of its failure. */
 Band BandOf(const Finding& finding, double share);
 
-/** Faults with one cause: those that the ledger explains by reasons with one headline,
- the text up to the first colon or stop; or those of one oracle, verdict, measure and
- cause outside it. */
+/** Faults with one cause: those of one FaultOf() the ledger; or those of one oracle,
+ verdict, measure and cause outside it. */
 struct Cluster {
+  std::string title;     ///< The fault as one sentence, with its stop.
   std::string reason;    ///< The ledger's for the worst finding, or the fault in words.
   std::string upstream;  ///< A link, "unreported", or "" outside the ledger.
   bool is_new = false;   ///< Whether it is not in the ledger.
@@ -69,9 +71,9 @@ struct Clusters {
 /** Returns the clusters of everything that fails or is known. */
 Clusters ClustersOf(const RunReport& report);
 
-/** Returns a cluster as one plain sentence without a stop: "dBoxBox prefers a face by 5
- %: Bullet and ODE; 41 scenarios; at worst 4.8 cm, 5 % of the size". */
-std::string SentenceOf(const RunReport& report, const Cluster& cluster);
+/** Returns whose a fault is, in how many scenarios, and its largest error: "Bullet and
+ ODE, in 41 scenarios, at worst 4.8 cm, 5 % of the size.". */
+std::string ExtentOf(const RunReport& report, const Cluster& cluster);
 
 /** Returns the oracles of a cluster in words: the libraries, or the oracles if all are of
  one library. */

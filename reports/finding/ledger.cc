@@ -2,6 +2,18 @@
 
 namespace touchstone {
 
+std::string FaultOf(const LedgerEntry& entry) {
+  if (!entry.fault.empty()) return entry.fault;
+  const std::string& reason = entry.reason;
+  // A stop before a small letter ends an abbreviation.
+  for (std::size_t i = reason.find(". "); i != std::string::npos;
+       i = reason.find(". ", i + 1)) {
+    const char next = reason[i + 2];
+    if (next < 'a' || next > 'z') return reason.substr(0, i + 1);
+  }
+  return reason.ends_with('.') ? reason : reason + '.';
+}
+
 std::string CausesOf(const LedgerEntry& entry) {
   std::string text;
   for (const Cause cause : entry.causes) {

@@ -49,7 +49,10 @@ struct LedgerEntry {
   /** The verdict it excuses: kFail, kDisagree, kInvalid, kCrashed or kTimedOut. */
   Verdict verdict = Verdict::kFail;
   std::vector<Cause> causes;  ///< Those of its findings, each once.
-  std::string reason;         ///< One or two sentences: what goes wrong and why.
+  /** The fault as one sentence; entries with the same one have the same cause. Empty for
+   the first sentence of the reason. */
+  std::string fault;
+  std::string reason;  ///< One or two sentences: what goes wrong and why.
   /** Link or issue "owner/repo#123"; "unreported" if there is none. */
   std::string upstream;
   std::string expires;  ///< ISO date after which the entry must be reviewed.
@@ -60,6 +63,10 @@ struct LedgerEntry {
   bool beyond_scene = false;
   int line = 0;  ///< Line of the entry in its file.
 };
+
+/** Returns the fault of an entry as one sentence with its stop: its `fault`, or the first
+ sentence of its reason. */
+std::string FaultOf(const LedgerEntry& entry);
 
 /** Returns the causes of an entry in words, e.g. "precision, defect". */
 std::string CausesOf(const LedgerEntry& entry);

@@ -144,10 +144,11 @@ std::string WriteLedgerEntry(const LedgerEntry& entry, std::string_view comment)
   text += fmt::format("oracle = {}\nversion = {}\nverdict = {}\nmeasures = [{}]\n",
                       Quoted(entry.oracle), Quoted(entry.version),
                       Quoted(NameOf(entry.verdict)), fmt::join(measures, ", "));
-  text +=
-      fmt::format("{}\nreason = {}\nupstream = {}\nexpires = {}\n",
-                  CauseLine(entry.causes), Quoted(entry.reason), Quoted(entry.upstream),
-                  entry.expires.empty() ? "\"\"" : entry.expires);
+  text += fmt::format(
+      "{}\n{}reason = {}\nupstream = {}\nexpires = {}\n", CauseLine(entry.causes),
+      entry.fault.empty() ? "" : fmt::format("fault = {}\n", Quoted(entry.fault)),
+      Quoted(entry.reason), Quoted(entry.upstream),
+      entry.expires.empty() ? "\"\"" : entry.expires);
   if (entry.intermittent) text += "intermittent = true\n";
   if (entry.beyond_scene) text += "beyond_scene = true\n";
   return text;

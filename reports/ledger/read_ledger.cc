@@ -17,9 +17,9 @@
 namespace touchstone {
 namespace {
 
-constexpr std::array<std::string_view, 11> kKeys = {
-    "scenarios", "oracle",   "version", "verdict",      "measures",    "cause",
-    "reason",    "upstream", "expires", "intermittent", "beyond_scene"};
+constexpr std::array<std::string_view, 12> kKeys = {
+    "scenarios", "oracle", "version",  "verdict", "measures",     "cause",
+    "fault",     "reason", "upstream", "expires", "intermittent", "beyond_scene"};
 
 constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::kInvalid,
                                   Verdict::kCrashed, Verdict::kTimedOut};
@@ -105,6 +105,7 @@ class LedgerReader {
     entry.verdict = OneOf(table, "verdict", kVerdicts, Verdict::kFail);
     entry.measures = Measures(table);
     entry.causes = Causes(table);
+    if (table.contains("fault")) entry.fault = Sentence(table, "fault");
     entry.reason = Text(table, "reason", "one or two sentences: what goes wrong and why");
     entry.upstream =
         Text(table, "upstream", "a link, an issue \"owner/repo#123\", or \"unreported\"");
@@ -132,6 +133,14 @@ class LedgerReader {
       Add(node->source(), fmt::format("{} is empty", key), expected);
     }
     return text.value_or("");
+  }
+
+  std::string Sentence(const toml::table& table, std::string_view key) {
+    const std::string expected = "one sentence with its stop: what goes wrong";
+    std::string text = Text(table, key, expected);
+    if (!text.empty() && !text.ends_with('.'))
+      Add(table.get(key)->source(), fmt::format("{} has no stop", key), expected);
+    return text;
   }
 
   template <typename Values>

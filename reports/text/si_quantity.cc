@@ -13,11 +13,21 @@ struct Prefix {
   std::string_view unit;
 };
 
-/** Returns two digits without an exponent where that is short. */
+/** Returns two digits, or three from 100 on, without an exponent where that is short. */
 std::string TwoDigits(double value) {
   const double size = std::abs(value);
-  if (size >= 99.5 && size < 1e6) return fmt::format("{:.0f}", value);
-  return fmt::format("{:.2g}", value);
+  if (size >= 99.5 && size < 1e6) {
+    const double unit = std::pow(10, std::floor(std::log10(size)) - 2);
+    return fmt::format("{:.0f}", std::round(value / unit) * unit);
+  }
+  std::string text = fmt::format("{:.2g}", value);
+  // "2e-06" and "1.8e+06" as people write them: "2e-6", "1.8e6".
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  if (text[e + 1] == '+') text.erase(e + 1, 1);
+  const std::size_t zero = text[e + 1] == '-' ? e + 2 : e + 1;
+  if (text[zero] == '0') text.erase(zero, 1);
+  return text;
 }
 
 }  // namespace
@@ -35,14 +45,14 @@ std::string SiQuantity(double value, std::string_view unit) {
     if (std::abs(value) >= 0.995 * size)
       return fmt::format("{} {}", TwoDigits(value / size), name);
   }
-  return fmt::format("{:.2g} m", value);
+  return fmt::format("{} m", TwoDigits(value));
 }
 
 std::string ShareInWords(double share) {
   if (!std::isfinite(share)) return "";
   if (share >= 9.95) return fmt::format("{} × the size", TwoDigits(share));
-  if (share >= 1e-3) return fmt::format("{} % of the size", TwoDigits(share * 100));
-  return fmt::format("{:.1g} of the size", share);
+  if (share >= 1e-4) return fmt::format("{} % of the size", TwoDigits(share * 100));
+  return fmt::format("{} of the size", TwoDigits(share));
 }
 
 }  // namespace touchstone

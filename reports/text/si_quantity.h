@@ -5,11 +5,12 @@
 
 namespace touchstone {
 
-/** Returns a quantity to two digits, lengths with the prefix of their magnitude: "4.8
- cm", "13 µm", "0.3 rad", "2e-16 m". "not a number" and "infinite" for those. */
+/** Returns a quantity to two digits, three from 100 on, lengths with the prefix of their
+ magnitude: "4.8 cm", "13 µm", "0.3 rad", "2e-16 m". "not a number" and "infinite" for
+ those. */
 std::string SiQuantity(double value, std::string_view unit);
 
-/** Returns a share of a size in words: "5 % of the size", "12 × the size", "2e-05 of the
+/** Returns a share of a size in words: "5 % of the size", "12 × the size", "2e-5 of the
  size". "" for a NaN and for infinity. */
 std::string ShareInWords(double share);
 

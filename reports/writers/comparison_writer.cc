@@ -13,15 +13,21 @@
 namespace touchstone {
 namespace {
 
-constexpr std::array kKinds = {ChangeKind::kWorse, ChangeKind::kNew, ChangeKind::kGone,
-                               ChangeKind::kBetter};
+constexpr std::array kKinds = {ChangeKind::kWorse, ChangeKind::kNotJudged,
+                               ChangeKind::kNew, ChangeKind::kGone, ChangeKind::kBetter};
 
 std::size_t CountOf(const Comparison& comparison, ChangeKind kind) {
   return static_cast<std::size_t>(
       std::ranges::count(comparison.changes, kind, &Change::kind));
 }
 
-/** Returns "12 worse, 0 new, 3 gone, 1 better". */
+/** Returns the number of changes that fail the later run. */
+std::size_t WorseOf(const Comparison& comparison) {
+  return CountOf(comparison, ChangeKind::kWorse) +
+         CountOf(comparison, ChangeKind::kNotJudged);
+}
+
+/** Returns "12 worse, 0 no longer judged, 0 new, 3 gone, 1 better". */
 std::string CountsInWords(const Comparison& comparison) {
   std::string words;
   for (const ChangeKind kind : kKinds) {
@@ -81,7 +87,7 @@ void WriteComparison(const Comparison& comparison, std::ostream& out) {
     if (count > shown)
       out << fmt::format("  and {} more; --json FILE has all\n", count - shown);
   }
-  const bool is_worse = CountOf(comparison, ChangeKind::kWorse) > 0;
+  const bool is_worse = WorseOf(comparison) > 0;
   out << fmt::format("{}: {} against {}: {}\n", is_worse ? "WORSE" : "NOT WORSE",
                      comparison.after, comparison.before, CountsInWords(comparison));
 }
@@ -96,15 +102,16 @@ void WriteComparisonJUnit(const Comparison& comparison, std::ostream& out) {
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       << fmt::format(
              "<testsuite name=\"touchstone compare\" tests=\"{}\" failures=\"{}\">\n",
-             comparison.changes.size(), CountOf(comparison, ChangeKind::kWorse));
+             comparison.changes.size(), WorseOf(comparison));
   for (const Change& change : comparison.changes) {
     const std::string name =
         fmt::format("{} {}{}{}", change.cell.oracle, NameOf(change.cell.measure),
                     change.cell.law.empty() ? "" : " of ", change.cell.law);
     out << fmt::format("  <testcase classname=\"{}\" name=\"{}\">",
                        XmlText(change.cell.scenario), XmlText(name));
-    if (change.kind == ChangeKind::kWorse) {
-      out << fmt::format("<failure message=\"{}\"/>", XmlText(change.what));
+    if (IsWorse(change.kind)) {
+      out << fmt::format("<failure message=\"{}: {}\"/>", NameOf(change.kind),
+                         XmlText(change.what));
     } else {
       out << fmt::format("<system-out>{}: {}</system-out>", NameOf(change.kind),
                          XmlText(change.what));

@@ -348,6 +348,7 @@ Json LedgerEntryToJson(const RunReport& report, std::size_t index) {
   }
   json["causes"] = Json::array();
   for (const Cause cause : entry.causes) json["causes"].push_back(NameOf(cause));
+  json["fault"] = FaultOf(entry);
   json["reason"] = entry.reason;
   json["upstream"] = entry.upstream;
   json["intermittent"] = entry.intermittent;

@@ -75,7 +75,8 @@ std::string PairOf(const ContactQuery& query) {
 
 DataJson ClusterData(const RunReport& report, const Cluster& cluster) {
   DataJson data;
-  data["sentence"] = SentenceOf(report, cluster);
+  data["title"] = cluster.title;
+  data["extent"] = ExtentOf(report, cluster);
   data["reason"] = cluster.reason;
   data["upstream"] = cluster.upstream;
   data["is_new"] = cluster.is_new;
@@ -101,6 +102,7 @@ DataJson LedgerData(const LedgerEntry& entry, const LedgerUse& use) {
   for (const MeasureKind measure : entry.measures)
     data["measures"].push_back(NameOf(measure));
   data["cause"] = CausesOf(entry);
+  data["fault"] = FaultOf(entry);
   data["reason"] = entry.reason;
   data["upstream"] = entry.upstream;
   data["expires"] = entry.expires;

@@ -204,8 +204,8 @@ void WriteClusters(const RunReport& report, std::span<const Outcome> outcomes,
                      clusters.size() - static_cast<std::size_t>(is_new));
   for (std::size_t c = 0; c < std::min(kMost, clusters.size()); ++c) {
     const Cluster& cluster = clusters[c];
-    std::string sentence = SentenceOf(report, cluster);
-    if (cluster.is_new) sentence += " (new)";
+    const std::string sentence = fmt::format("{}{} {}", cluster.is_new ? "New: " : "",
+                                             cluster.title, ExtentOf(report, cluster));
     out << "  "
         << paint(ColourOf(cluster.band), fmt::format("{:<14}", NameOf(cluster.band)))
         << Wrapped(std::string(kIndent, ' ') + sentence, style.width, kIndent)
@@ -333,15 +333,6 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   out << paint(code == 0 ? Colour::kGood : Colour::kBad,
                ConclusionOf(report, outcomes, style.fail_on))
       << '\n';
-  if (counts[Verdict::kKnown] > 0) {
-    out << paint(Colour::kKnown,
-                 fmt::format(
-                     "also wrong, but known to the ledger: {} in {}, references in {}",
-                     report.subject, Counted(of_subject[Verdict::kKnown], "scenario"),
-                     Counted(counts[Verdict::kKnown] - of_subject[Verdict::kKnown],
-                             "answer")))
-        << '\n';
-  }
   if (code == 2) {
     out << WhyNotExamined(report, outcomes) << "; --subject selects another oracle\n";
   } else if (code == 1 && ExitCode(report, FailOn::kSubject) == 0) {

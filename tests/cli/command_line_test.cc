@@ -91,7 +91,8 @@ class CommandLineTest : public testing::Test {
 TEST_F(CommandLineTest, ExitsWithZeroIfTheSubjectIsRight) {
   const Ended ended = Touchstone("run --fail-on subject " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("right failed in 0 scenarios, "));
+  EXPECT_THAT(ended.out,
+              HasSubstr("OK: right never failed (it answers the only scenario); "));
 }
 
 TEST_F(CommandLineTest, ExitsWithTwoIfItsOutputIsLost) {
@@ -339,14 +340,19 @@ TEST_F(CommandLineTest, ComparesTwoRunsAndFailsWhatGotWorse) {
   Touchstone("run --subject half_depth --out " + Path("wrong") + file);
   const Ended same = Touchstone("compare " + Path("right") + " " + Path("right"));
   EXPECT_EQ(same.code, 0) << same.err;
-  EXPECT_THAT(same.out, HasSubstr("0 worse, 0 new, 0 gone, 0 better\n"));
+  EXPECT_THAT(same.out,
+              HasSubstr("0 worse, 0 no longer judged, 0 new, 0 gone, 0 better\n"));
   const Ended other = Touchstone(
       "compare " + Path("right") + " " + Path("wrong/report.data") + " --json " +
       Path("c.json") + " --junit " + Path("c.xml") + " --html " + Path("c.html"));
-  EXPECT_EQ(other.code, 0) << other.err;
+  // What the oracle `right` passed is not measured in a run without it.
+  EXPECT_EQ(other.code, 1) << other.err;
+  EXPECT_THAT(other.out,
+              HasSubstr("mine/deep: right separation_error: was pass, is not measured"));
   EXPECT_THAT(other.out, HasSubstr("mine/deep: half_depth separation_error: is fail"));
   EXPECT_THAT(TextOf(Path("c.json")), HasSubstr("\"kind\": \"new\""));
-  EXPECT_THAT(TextOf(Path("c.xml")), HasSubstr("failures=\"0\""));
+  EXPECT_THAT(TextOf(Path("c.json")), HasSubstr("\"kind\": \"no longer judged\""));
+  EXPECT_THAT(TextOf(Path("c.xml")), Not(HasSubstr("failures=\"0\"")));
   EXPECT_THAT(TextOf(Path("c.html")), HasSubstr("id=\"report-data\">"));
   const Ended missing = Touchstone("compare " + Path("right") + " " + Path("nowhere"));
   EXPECT_EQ(missing.code, 2);
@@ -899,7 +905,7 @@ TEST_F(CommandLineTest, RunsTheFilesThatTheDescriptionOfTheFormatShows) {
   const Ended ended = Itself("run --fail-on subject --ledger " + Path("ledger.toml") +
                              " " + Path("shown"));
   EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("cookbook failed in 0 scenarios, "));
+  EXPECT_THAT(ended.out, HasSubstr("cookbook never failed (it answers "));
 }
 
 TEST_F(CommandLineTest, RunsTheScenarioThatTheUserGuideShows) {

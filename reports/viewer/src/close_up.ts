@@ -12,6 +12,8 @@ export function closeUp(contact: Contact, looks: Look[]): { element: HTMLElement
   const { truth } = contact;
   const size = Math.max(Math.abs(truth.lo), Math.abs(truth.hi));
   if (!hasNormal(truth.n) || !Number.isFinite(size) || size === 0) return null;
+  // A section of fewer than some hundred roundings would show these, not the bodies.
+  if (size < 1e-13 * contactSize(contact)) return null;
   const n = unit(truth.n);
   const centre = contactCentre(contact);
   const e = across(n);

@@ -33,7 +33,7 @@ export interface Report {
   ledger: LedgerEntry[];
   faults: string[];               // of the scenario files and the ledger
   regressions: { oracle: string; what: string }[];
-  compare?: { old: string; new: string; rows: { kind: "worse" | "new" | "gone" | "better"; question: string; oracle: string; measure: string; law: string;
+  compare?: { old: string; new: string; rows: { kind: "worse" | "no longer judged" | "new" | "gone" | "better"; question: string; oracle: string; measure: string; law: string;
     before: number | string | null; after: number | string | null; unit: string; what: string }[] };
 }
 
@@ -124,7 +124,9 @@ export interface Findings {
 
 /** Faults with one cause: of one reason of the ledger, or of one engine, measure and cause outside it. */
 export interface Cluster {
-  sentence: string;               // plain words, with the largest error in metres and per cent
+  title: string;                  // the fault as one sentence
+  extent: string;                 // whose it is, in how many scenarios, and the largest error in metres and per cent
+  sentence?: string;              // both in one, in the data of runs before there was a title
   reason: string;                 // the ledger's text, or the cause in words
   upstream: string;               // link, "unreported", or ""
   is_new: boolean;                // not in the ledger
@@ -139,6 +141,6 @@ export interface Cluster {
 }
 
 export interface LedgerEntry {
-  scenarios: string[]; oracle: string; version: string; verdict: string; measures: string[]; cause: string; reason: string; upstream: string; expires: string;
+  scenarios: string[]; oracle: string; version: string; verdict: string; measures: string[]; cause: string; fault?: string; reason: string; upstream: string; expires: string;
   uses: number;                   // findings that it hides in this run
 }

@@ -42,6 +42,10 @@ export function parseData(bytes: Uint8Array): ReportData {
   const end = headerBytes + header.getUint32(8, true);
   if (end > bytes.length) throw new DataError("the data of this page are cut short");
   const report = JSON.parse(new TextDecoder().decode(bytes.subarray(headerBytes, end))) as Report;
+  for (const cluster of report.clusters ?? []) {
+    cluster.title ??= cluster.sentence ?? "";
+    cluster.extent ??= "";
+  }
   return { report, blob: bytes.subarray(end) };
 }
 

@@ -1,9 +1,9 @@
 import { address, questionAddress } from "./address";
-import { bands } from "./bands";
+import { answering, bands } from "./bands";
 import { h, type Child } from "./dom";
 import { downloadCsv } from "./download";
 import type { SortKey } from "./filter";
-import { quantity, ratio, spaced } from "./format";
+import { numberOf, quantity, ratio, spaced } from "./format";
 import type { Run } from "./run";
 import { virtualList, type VirtualList } from "./virtual";
 import { badge, engine } from "./widgets";
@@ -16,7 +16,7 @@ export interface FindingsTable {
 }
 
 const columns: { key: SortKey; name: string }[] = [
-  { key: "gravity", name: "Band" }, { key: "question", name: "Question" }, { key: "oracle", name: "Engine" },
+  { key: "gravity", name: "Band" }, { key: "question", name: "Question" }, { key: "oracle", name: "Oracle" },
   { key: "measure", name: "Law or measure" }, { key: "value", name: "Error" }, { key: "share", name: "Of the size" },
 ];
 
@@ -28,7 +28,35 @@ export function measureOf(run: Run, finding: number): string {
   return law ? `${law}: ${measure}` : measure;
 }
 
+/** What a finding without a size says in words: a crash, a hang, an invalid answer, a wrong hit or miss; "" for any other. */
+export function wordsOf(run: Run, finding: number): string {
+  const { findings, names, ledger, questions } = run.report;
+  const measure = names.measure[findings.measure[finding]]?.name;
+  if (!(numberOf(findings.value[finding]) > 0)) return "";
+  if (measure === answering) {
+    const verdict = names.verdict[findings.verdict[finding]];
+    switch (verdict === "known" ? ledger[findings.ledger[finding]]?.verdict : verdict) {
+      case "crashed": return "crashed";
+      case "timed out": return "hung";
+      case "invalid": return "invalid";
+      default: return "no usable answer";
+    }
+  }
+  if (measure !== "touching") return "";
+  return questions[findings.question[finding]].contact?.truth.touching === "apart" ? "false hit" : "missed hit";
+}
+
+const headings: Record<string, string> = { crashed: "crashed on this question", hung: "hung on this question", invalid: "gave an invalid answer to this question" };
+
+/** What a finding found, as a heading: "separation error 4.8 cm", "crashed on this question". */
+export function headingOf(run: Run, finding: number): string {
+  const words = wordsOf(run, finding);
+  return words === "" ? `${measureOf(run, finding)} ${valueOf(run, finding)}` : headings[words] ?? words;
+}
+
 export function valueOf(run: Run, finding: number): string {
+  const words = wordsOf(run, finding);
+  if (words !== "") return words;
   const { findings, names } = run.report;
   return quantity(findings.value[finding], names.measure[findings.measure[finding]]?.unit ?? "");
 }

@@ -1,4 +1,4 @@
-const prefixes: [number, string][] = [[1e3, "k"], [1, ""], [1e-2, "c"], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"]];
+const prefixes: [number, string][] = [[1, ""], [1e-2, "c"], [1e-3, "m"], [1e-6, "µ"]];
 
 /** Rounds to three digits: "0.0481", "4.2e-16". */
 export function digits(value: number, count = 3): string {
@@ -11,19 +11,29 @@ export function digits(value: number, count = 3): string {
   return text.replace(/^-/, "−");
 }
 
-/** Writes a length with the prefix that suits it: "4.81 cm", "13 µm", "2e-16 m". */
+/** Rounds as the sentences of the program do (reports/text/si_quantity.cc), so that a number is written in one way wherever it is read: to two
+ * digits, from 100 on to three. */
+export function short(value: number): string {
+  const size = Math.abs(value);
+  if (!Number.isFinite(value) || value === 0) return digits(value);
+  if (size >= 99.5 && size < 1e6) return String(Math.round(Number(value.toPrecision(3)))).replace(/^-/, "−");
+  const rounded = Math.abs(Number(value.toPrecision(2)));
+  const text = rounded >= 1e-4 && rounded < 1e6 ? String(Number(value.toPrecision(2))) : value.toExponential(1).replace(".0e", "e").replace("e+", "e");
+  return text.replace(/^-/, "−");
+}
+
+/** Writes a length with the prefix that suits it: "4.8 cm", "13 µm", "2e-16 m". */
 export function length(metres: number): string {
   const size = Math.abs(metres);
-  if (size === 0 || !Number.isFinite(size) || size < 1e-9 || size >= 1e6) return `${digits(metres)} m`;
-  const [unit, prefix] = prefixes.find(([u]) => size >= u * 0.9995) ?? prefixes[prefixes.length - 1];
-  return `${digits(metres / unit)} ${prefix}m`;
+  const prefix = Number.isFinite(size) ? prefixes.find(([unit]) => size >= 0.995 * unit) : undefined;
+  return prefix ? `${short(metres / prefix[0])} ${prefix[1]}m` : `${short(metres)} m`;
 }
 
 /** Writes a quantity of a measure. Texts ("inf", "nan") stand for what JSON cannot hold. */
 export function quantity(value: number | string, unit: string): string {
   const number = numberOf(value);
   if (unit === "m") return length(number);
-  return unit === "" ? digits(number) : `${digits(number)} ${unit}`;
+  return unit === "" ? short(number) : `${short(number)} ${unit}`;
 }
 
 export function numberOf(value: number | string): number {
@@ -34,12 +44,12 @@ export function numberOf(value: number | string): number {
 /** Writes a share: "5 %", "0.02 %", "2e-16", "51 ×". */
 export function ratio(value: number): string {
   const size = Math.abs(value);
-  if (size >= 10) return `${digits(value, 2)} ×`;
-  return size >= 1e-4 ? `${digits(value * 100, 2)} %` : digits(value, 2);
+  if (size >= 9.95) return `${short(value)} ×`;
+  return size >= 1e-4 ? `${short(value * 100)} %` : short(value);
 }
 
 /** Writes a share of the size of a question: "5 % of the size", "51 × the size". */
-export const share = (value: number): string => (Math.abs(value) >= 10 ? `${ratio(value)} the size` : `${ratio(value)} of the size`);
+export const share = (value: number): string => (Math.abs(value) >= 9.95 ? `${ratio(value)} the size` : `${ratio(value)} of the size`);
 
 export const seconds = (time: number): string => `${time.toFixed(3)} s`;
 

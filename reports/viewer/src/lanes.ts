@@ -55,7 +55,7 @@ export function makeLanes(run: Run, question: number, world: World, seek: (time:
           svg("svg", { viewBox: "0 0 100 10", preserveAspectRatio: "none", class: "lane", "aria-hidden": "true" },
             samples.map((s) => svg("rect", { x: Math.min(99.7, at(world.times[s] ?? end)), y: 3, width: 0.3, height: 4, class: "tick" }))));
       }
-      fill(element, rows.every((r) => r === null) && h("p", { class: "quiet" }, "No law is broken at a known time by the engines shown."), rows, ticks);
+      fill(element, rows.every((r) => r === null) && h("p", { class: "quiet" }, "No law is broken at a known time by the oracles shown."), rows, ticks);
     },
   };
 }

@@ -39,7 +39,7 @@ function start(run: Run, main: HTMLElement, bar: HTMLElement): void {
       keydown: (event: KeyboardEvent) => { if (event.key === "Escape") search.blur(); },
     },
   });
-  const links = [["", "Overview"], ["findings", "Findings"], ["matrix", "Matrix"], ["accuracy", "Accuracy"], ["oracles", "Engines"], ["ledger", "Ledger"], ...(run.report.compare ? [["compare", "Compare"]] : [])]
+  const links = [["", "Overview"], ["findings", "Findings"], ["matrix", "Matrix"], ["accuracy", "Accuracy"], ["oracles", "Oracles"], ["ledger", "Ledger"], ...(run.report.compare ? [["compare", "Compare"]] : [])]
     .map(([path, text]) => ({ path, link: h("a", { href: address(path ? [path] : []) }, text) }));
   fill(bar, h("a", { href: "#/", class: "brand", title: `${run.report.program}: ${run.report.command}` }, h("span", { class: "brand-mark", "aria-hidden": "true" }, "◭"), " Touchstone"),
     h("nav", { "aria-label": "Screens" }, links.map((l) => l.link)), search,

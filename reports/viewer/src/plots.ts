@@ -35,19 +35,13 @@ export function makePlot(name: string, seek: (time: number) => void, empty: stri
   let data: PlotData | null = null;
   let now = 0;
 
-  const drawCursor = (u: uPlot): void => {
-    const x = u.valToPos(now, "x", true);
-    const { ctx, bbox } = u;
-    if (x < bbox.left || x > bbox.left + bbox.width) return;
-    ctx.save();
-    ctx.strokeStyle = prefersDark() ? "#f5f5f5" : "#111";
-    ctx.lineWidth = devicePixelRatio;
-    ctx.setLineDash([]);
-    ctx.beginPath();
-    ctx.moveTo(x, bbox.top);
-    ctx.lineTo(x, bbox.top + bbox.height);
-    ctx.stroke();
-    ctx.restore();
+  // An element over the plot: to draw the plot again for each frame of a playback would cost half of the frames.
+  const cursor = h("div", { class: "plot-cursor", "aria-hidden": "true" });
+  const placeCursor = (): void => {
+    if (!plot) return;
+    const x = plot.valToPos(now, "x");
+    cursor.hidden = !(x >= 0 && x <= plot.over.clientWidth);
+    cursor.style.setProperty("transform", `translateX(${x}px)`);
   };
   /** The tolerance around the truth. */
   const drawBand = (u: uPlot): void => {
@@ -110,8 +104,10 @@ export function makePlot(name: string, seek: (time: number) => void, empty: stri
       scales: { x: { time: false }, y: logarithmic ? { distr: 3 } : { range: (_u, low, high) => padded(low, high) } },
       axes: [{ ...axis, values: (_u, ticks) => ticks.map((t) => `${t} s`), size: 28 }, { ...axis, size: 66, values: (_u, ticks) => ticks.map((t, i) => (t === null || (logarithmic && ticks.length > 12 && i % 9 !== 0) ? "" : `${digits(t)} ${unit}`)) }],
       series,
-      hooks: { drawAxes: [drawBand], draw: [drawCursor] },
+      hooks: { drawAxes: [drawBand], draw: [placeCursor] },
     }, [times, ...columns] as uPlot.AlignedData, place);
+    plot.over.append(cursor);
+    placeCursor();
     plot.over.addEventListener("click", () => {
       const left = plot?.cursor.left;
       if (plot && left !== undefined && left >= 0) seek(plot.posToVal(left, "x"));
@@ -126,7 +122,7 @@ export function makePlot(name: string, seek: (time: number) => void, empty: stri
   return {
     element,
     set(next) { data = next; if (place.clientWidth > 0) draw(); },
-    setTime(time) { now = time; plot?.redraw(false, false); tell(); },
+    setTime(time) { now = time; placeCursor(); tell(); },
     dispose() { observer.disconnect(); plot?.destroy(); },
   };
 }

@@ -1,6 +1,7 @@
 import type { Curve, Track, World } from "./data";
 import type { Line, PlotData } from "./plots";
 import type { Run } from "./run";
+import { reach } from "./scene/support";
 import { channel } from "./scene/world_scene";
 
 /** A quantity of a world that can be plotted: a curve of the data, or a property of a body. */
@@ -75,20 +76,25 @@ export function plotData(run: Run, world: World, quantity: Quantity, shown: numb
   return { times: world.times, unit: quantity.unit, lines, logarithmic };
 }
 
-/** The first sample at which a body of one of the oracles is farther from the reference's than `size`. */
+/** The first sample at which a body of one of the oracles is farther from the reference's than `size`: by distance + angle × radius, for all but balls,
+ * whose spin nobody sees. Angles below 1.6 degrees are not counted: the data round rotations to 1e-4. */
 export function firstDifference(run: Run, world: World, reference: number, oracles: number[], size: number): { sample: number; body: number; oracle: number } | null {
   let best: { sample: number; body: number; oracle: number } | null = null;
   world.bodies.forEach((_, body) => {
     const a = world.motions[reference]?.bodies[body];
     if (!a) return;
     const r = run.channels(a);
+    const radius = world.bodies[body].shape.type === "sphere" ? 0 : reach(world.bodies[body].shape);
     for (const oracle of oracles) {
       const b = oracle === reference ? null : world.motions[oracle]?.bodies[body];
       if (!b) continue;
       const c = run.channels(b);
       const end = Math.min(r[0].length, c[0].length, best ? best.sample : Infinity);
       for (let i = 0; i < end; ++i) {
-        if (Math.hypot(c[0][i] - r[0][i], c[1][i] - r[1][i], c[2][i] - r[2][i]) > size) { best = { sample: i, body, oracle }; break; }
+        // The cosine of half the angle between two rotations, whose quaternions may have either sign.
+        const half = Math.abs(c[channel.qw][i] * r[channel.qw][i] + c[channel.qx][i] * r[channel.qx][i] + c[channel.qy][i] * r[channel.qy][i] + c[channel.qz][i] * r[channel.qz][i]);
+        const angle = half > 0.9999 ? 0 : 2 * Math.acos(half);
+        if (Math.hypot(c[0][i] - r[0][i], c[1][i] - r[1][i], c[2][i] - r[2][i]) + radius * angle > size) { best = { sample: i, body, oracle }; break; }
       }
     }
   });

@@ -83,7 +83,7 @@ TEST(Baseline, RefusesWhatIsNoReport) {
   EXPECT_FALSE(ReadBaselineFile("nowhere.jsonl").baseline);
 }
 
-TEST(Compare, TellsWorseNewGoneAndBetterApart) {
+TEST(Compare, TellsWorseNoLongerJudgedNewGoneAndBetterApart) {
   const auto cell = [](const char* oracle) {
     return LedgerCell{"s", oracle, MeasureKind::kExcess, ""};
   };
@@ -92,21 +92,30 @@ TEST(Compare, TellsWorseNewGoneAndBetterApart) {
                          {cell("c"), {0, Verdict::kPass, 1e-9}},
                          {cell("d"), {1e-12, Verdict::kPass, 1e-9}},
                          {cell("gone"), {1, Verdict::kFail, 1e-9}},
-                         {cell("gone and right"), {0, Verdict::kPass, 1e-9}}}};
+                         {cell("gone and right"), {0, Verdict::kPass, 1e-9}},
+                         {cell("gone undecided"), {0, Verdict::kUndecidable, 1e-9}},
+                         {cell("silent"), {0, Verdict::kPass, 1e-9}},
+                         {cell("silent and known"), {1, Verdict::kKnown, 1e-9}}}};
   const Baseline after{{{cell("a"), {2.1e-3, Verdict::kFail, 1e-9}},
                         {cell("b"), {0.4e-3, Verdict::kKnown, 1e-9}},
                         {cell("c"), {0, Verdict::kUndecidable, 1e-9}},
                         {cell("d"), {1e-9, Verdict::kPass, 1e-9}},
+                        {cell("silent"), {0, Verdict::kUnsupported, 1e-9}},
+                        {cell("silent and known"), {0, Verdict::kUnsupported, 1e-9}},
                         {cell("new"), {1, Verdict::kCrashed, 1e-9}},
                         {cell("new and right"), {0, Verdict::kPass, 1e-9}}}};
   std::vector<std::string> told;
   for (const Change& change : Compare(before, after))
     told.push_back(
         fmt::format("{} {}: {}", NameOf(change.kind), change.cell.oracle, change.what));
-  EXPECT_THAT(
-      told, ElementsAre("worse a: was 0.001, is 0.0021 m",
-                        "worse c: was pass, is undecidable", "new new: is crashed, 1 m",
-                        "gone gone: was fail, 1 m", "better b: was 0.001, is 0.0004 m"));
+  EXPECT_THAT(told,
+              ElementsAre("worse a: was 0.001, is 0.0021 m",
+                          "worse silent and known: was known, is unsupported",
+                          "no longer judged c: was pass, is undecidable",
+                          "no longer judged silent: was pass, is unsupported",
+                          "no longer judged gone and right: was pass, is not measured",
+                          "new new: is crashed, 1 m", "gone gone: was fail, 1 m",
+                          "better b: was 0.001, is 0.0004 m"));
 }
 
 TEST(CompareWithBaseline, FindsNothingInTheSameRun) {

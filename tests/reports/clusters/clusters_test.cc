@@ -58,9 +58,11 @@ RunReport Report() {
   report.subject = "ode";
   report.scenarios = {Question("a", 0.9), Question("b", 0.9), Question("c", 1 + 1e-9)};
   LedgerEntry faces;
-  faces.reason = "dBoxBox prefers a face by 5 %: depths are too large.";
+  faces.fault = "dBoxBox prefers a face by 5 %.";
+  faces.reason = "A face is preferred: depths are too large.";
   faces.upstream = "unreported";
   LedgerEntry edges = faces;
+  edges.fault.clear();
   edges.reason = "dBoxBox prefers a face by 5 %. And edges are lost.";
   report.ledger.entries = {faces, edges};
   return report;
@@ -72,7 +74,7 @@ Finding Known(Finding finding, int entry) {
   return finding;
 }
 
-TEST(ClustersOf, GroupsKnownFaultsByTheHeadlineOfTheirReason) {
+TEST(ClustersOf, GroupsKnownFaultsByTheFaultOfTheirEntries) {
   RunReport report = Report();
   report.findings = {Known(Fault("a", "ode", 0.01), 0),
                      Known(Fault("a", "bullet", 0.02), 1),
@@ -80,10 +82,9 @@ TEST(ClustersOf, GroupsKnownFaultsByTheHeadlineOfTheirReason) {
   const Clusters clusters = ClustersOf(report);
   ASSERT_EQ(clusters.ranked.size(), 1U);
   const Cluster& cluster = clusters.ranked[0];
-  EXPECT_EQ(
-      SentenceOf(report, cluster),
-      "dBoxBox prefers a face by 5 %: ODE and Bullet; 2 scenarios; at worst 3 cm, 1.7 "
-      "% of the size");
+  EXPECT_EQ(ExtentOf(report, cluster),
+            "ODE and Bullet, in 2 scenarios, at worst 3 cm, 1.7 % of the size.");
+  EXPECT_EQ(cluster.title, "dBoxBox prefers a face by 5 %.");
   EXPECT_THAT(cluster.oracles, ElementsAre(0, 1));
   EXPECT_THAT(cluster.questions, ElementsAre(1, 0));  // The larger error first.
   EXPECT_EQ(cluster.worst, 2U);
@@ -108,9 +109,8 @@ TEST(ClustersOf, StatesTheLargestErrorAlsoNextToAWrongHit) {
   const Clusters clusters = ClustersOf(report);
   ASSERT_EQ(clusters.ranked.size(), 1U);
   EXPECT_EQ(clusters.ranked[0].band, Band::kWrong);
-  EXPECT_EQ(
-      SentenceOf(report, clusters.ranked[0]),
-      "dBoxBox prefers a face by 5 %: ode; 2 scenarios; at worst 1 m, 58 % of the size");
+  EXPECT_EQ(ExtentOf(report, clusters.ranked[0]),
+            "ode, in 2 scenarios, at worst 1 m, 58 % of the size.");
 }
 
 TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
@@ -129,17 +129,38 @@ TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
   std::vector<std::string> sentences;
   for (const Cluster& cluster : clusters.ranked) {
     EXPECT_TRUE(cluster.is_new);
-    sentences.push_back(SentenceOf(report, cluster));
+    sentences.push_back(cluster.title + " " + ExtentOf(report, cluster));
   }
   // The contrived crash, 5 · (1 + 1/4) / 2 = 3.1, precedes errors of 1 %, 3.
-  EXPECT_THAT(sentences, ElementsAre("ode states a wrong distance or depth (defect); 2 "
-                                     "scenarios; at worst 3 cm, 1.7 % "
-                                     "of the size",
-                                     "bullet crashes; 1 scenario",
-                                     "ode states a wrong distance or depth (tie); 1 "
-                                     "scenario; at worst 2 cm, 1.2 % of "
-                                     "the size"));
+  EXPECT_THAT(sentences, ElementsAre("ode states a wrong distance or depth (defect). In "
+                                     "2 scenarios, at worst 3 cm, 1.7 % of the size.",
+                                     "bullet crashes. In 1 scenario.",
+                                     "ode states a wrong distance or depth (tie). In 1 "
+                                     "scenario, at worst 2 cm, 1.2 % of the size."));
   EXPECT_THAT(clusters.of_finding, ElementsAre(0, 0, 2, -1, 1));
+}
+
+// Three contacts too many are a 300 % of nothing that anybody measures.
+TEST(ClustersOf, RanksACountOfContactsBelowAnEqualLength) {
+  RunReport report = Report();
+  Finding count = Fault("a", "ode", 3);
+  count.measure = MeasureKind::kContactCount;
+  count.grade = Grade::kGross;
+  report.findings = {count, Fault("a", "bullet", 1)};
+  const Clusters clusters = ClustersOf(report);
+  ASSERT_EQ(clusters.ranked.size(), 2U);
+  EXPECT_EQ(clusters.ranked[0].oracles, std::vector<std::size_t>{1});
+  EXPECT_EQ(clusters.ranked[1].band, Band::kLarge);
+}
+
+TEST(FaultOf, IsTheFirstSentenceOfAReasonThatNamesNone) {
+  LedgerEntry entry;
+  entry.reason = "It prints 'ODE: e.g. x'. Then it stops.";
+  EXPECT_EQ(FaultOf(entry), "It prints 'ODE: e.g. x'.");
+  entry.reason = "No stop at the end";
+  EXPECT_EQ(FaultOf(entry), "No stop at the end.");
+  entry.fault = "It stops.";
+  EXPECT_EQ(FaultOf(entry), "It stops.");
 }
 
 TEST(ClustersOf, FindsNothingWhereNothingFails) {
@@ -209,6 +230,8 @@ TEST(SiQuantity, ChoosesThePrefixOfALength) {
   EXPECT_EQ(SiQuantity(1.3e-5, "m"), "13 µm");
   EXPECT_EQ(SiQuantity(0.0021, "m"), "2.1 mm");
   EXPECT_EQ(SiQuantity(659.2, "m"), "659 m");
+  EXPECT_EQ(SiQuantity(2084, "m"), "2080 m");
+  EXPECT_EQ(SiQuantity(99.7, "m"), "100 m");
   EXPECT_EQ(SiQuantity(2e-16, "m"), "2e-16 m");
   EXPECT_EQ(SiQuantity(0.3, "rad"), "0.3 rad");
   EXPECT_EQ(SiQuantity(2, ""), "2");
@@ -219,7 +242,9 @@ TEST(ShareInWords, SaysPerCentWhereThatIsShort) {
   EXPECT_EQ(ShareInWords(0.05), "5 % of the size");
   EXPECT_EQ(ShareInWords(1.5), "150 % of the size");
   EXPECT_EQ(ShareInWords(12), "12 × the size");
-  EXPECT_EQ(ShareInWords(2e-5), "2e-05 of the size");
+  EXPECT_EQ(ShareInWords(2e-5), "2e-5 of the size");
+  EXPECT_EQ(ShareInWords(2e-4), "0.02 % of the size");
+  EXPECT_EQ(ShareInWords(1.8e6), "1.8e6 × the size");
   EXPECT_EQ(ShareInWords(INFINITY), "");
 }
 

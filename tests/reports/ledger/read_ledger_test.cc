@@ -83,6 +83,16 @@ TEST(ReadLedger, ReadsAListOfCauses) {
               ElementsAre(testing::HasSubstr("cause is empty")));
 }
 
+TEST(ReadLedger, TakesAFaultThatIsASentence) {
+  const LedgerResult result =
+      ReadLedger(std::string(kEntry).append("fault = \"It stops.\"\n"), "ledger.toml");
+  EXPECT_EQ(result.ledger->entries[0].fault, "It stops.");
+  EXPECT_THAT(
+      Complaints(std::string(kEntry).append("fault = \"It stops\"\n")),
+      ElementsAre("ledger.toml:11:9: fault has no stop; expected one sentence with its "
+                  "stop: what goes wrong"));
+}
+
 TEST(ReadLedger, TreatsAnEntryAsSteadyUnlessItSaysIntermittent) {
   const auto intermittent = [](std::string_view line) {
     const LedgerResult result =

@@ -113,6 +113,9 @@ TEST(ReportData, RanksClustersAndRefersToThem) {
             "wrong answer");
   EXPECT_EQ(data["findings"]["cluster"][4], 0);
   EXPECT_EQ(data["findings"]["cluster"][0], -1);
+  EXPECT_EQ(clusters[0]["title"], "theirs/float gives an invalid answer.");
+  EXPECT_EQ(clusters[0]["extent"], "In 1 scenario.");
+  EXPECT_EQ(data["ledger"][0]["fault"], "Float build.");
 }
 
 TEST(ReportData, IsTheSameForTheSameReport) {
@@ -209,8 +212,10 @@ TEST(WithComparison, AddsTheChangesToTheData) {
   EXPECT_THAT(xml.str(), HasSubstr("tests=\"1\" failures=\"1\""));
   std::ostringstream table;
   WriteComparison({"old", "new", changes}, table);
-  EXPECT_THAT(table.str(), HasSubstr("WORSE: new against old: 1 worse, 0 new, 0 gone, 0 "
-                                     "better\n"));
+  EXPECT_THAT(
+      table.str(),
+      HasSubstr("WORSE: new against old: 1 worse, 0 no longer judged, 0 new, 0 gone, 0 "
+                "better\n"));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@ import { colourOf, prefersDark, type Look } from "../engines";
 import { add, dot, isFinite3, middle, norm, rotate, sub, times, unit } from "../vector";
 import { digits } from "../format";
 import { makeCut } from "./section";
-import { alignZ, arrow, ball, disc, hatched, planePatch, quaternion, rod, solid, toScene, type Frame } from "./parts";
+import { alignZ, arrow, ball, disc, dispose, hatched, planePatch, quaternion, rod, solid, spot, toScene, type Frame } from "./parts";
 import { formOf } from "./shapes";
 import { overlapAlong, reach } from "./support";
 
@@ -29,8 +29,13 @@ export interface ContactScene {
   /** Performs the proof up to `part`, from 0 to 1. */
   prove(part: number): ProofState;
   show(oracle: number, visible: boolean): void;
-  /** Chooses the claimed direction that is performed beside the shortest; -1 for none. */
-  explain(oracle: number): void;
+  /** Chooses the claimed direction that is performed beside the shortest: the oracle's normal, or `along`, the one of a variant of the question;
+   * -1 for none. */
+  explain(oracle: number, along?: Vec3): void;
+  /** Marks the point that is in both bodies; null for none. */
+  markCommon(p: Vec3 | null): void;
+  /** Texts that stay at points of the drawing; null while there is nothing to name. */
+  names: { text: string; at: () => three.Vector3 | null }[];
 }
 
 /** Reach of a body, in units of the scene, beyond which single precision does not draw it well. */
@@ -154,6 +159,14 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   });
 
   const home = bodies[1].position.clone();
+  const common = spot(new three.Vector3(), 0.024, dark ? "#ff9ecf" : "#b3006b");
+  common.visible = false;
+  root.add(common);
+  const variant = new three.Group();
+  root.add(variant);
+  let variantTip: three.Vector3 | null = null;
+  const [a, b] = [truth.pA, truth.pB].map((p) => (plane && isFinite3(p) ? toScene(frame, p) : null));
+  const isOne = a !== null && b !== null && a.distanceTo(b) < 0.03;
   const depth = -size;
   const apart = truth.touching === "apart";
   const opened = 0.12 / frame.scale;
@@ -197,10 +210,28 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
       return state;
     },
     show(oracle, visible) { layers[oracle].visible = visible; },
-    explain(oracle) {
+    names: [
+      { text: isOne ? "a, b" : "a", at: () => a },
+      { text: "b", at: () => (isOne ? null : b) },
+      { text: "common point", at: () => (common.visible ? common.position : null) },
+      { text: "n of the variant", at: () => variantTip },
+    ],
+    markCommon(p) {
+      common.visible = p !== null;
+      if (p) common.position.copy(toScene(frame, p));
+    },
+    explain(oracle, other) {
       claim?.ghost.removeFromParent();
       claim = null;
-      const said = contact.answers[oracle]?.n;
+      for (const old of [...variant.children]) dispose(old);
+      variantTip = null;
+      if (hasNormal(other)) {
+        const from = toScene(frame, touch);
+        const way = new three.Vector3(...unit(other)).multiplyScalar(0.55);
+        variantTip = from.clone().add(way);
+        variant.add(arrow(from, way, 0.013, colourOf(looks[oracle])));
+      }
+      const said = other ?? contact.answers[oracle]?.n;
       if (!n || !hasNormal(said)) return;
       const along = unit(said);
       const overlap = overlapAlong(A, B, along);

@@ -1,4 +1,5 @@
 import * as three from "three";
+import { isInstanced } from "./instances";
 
 interface Stroke { depth: number; order: number; draw(): void }
 
@@ -17,18 +18,16 @@ export function drawScene(canvas: HTMLCanvasElement, scene: three.Object3D, came
   };
   const strokes: Stroke[] = [];
   const centre = new three.Vector3();
-  scene.traverseVisible((part) => {
-    const { geometry, material } = part as Partial<three.Mesh>;
-    if (!(geometry instanceof three.BufferGeometry) || !(material instanceof three.Material)) return;
+  const outline = (part: three.Object3D, geometry: three.BufferGeometry, material: three.Material, toWorld: three.Matrix4): void => {
     const place = geometry.getAttribute("position");
-    if (!place || place.count === 0) return;
+    const count = Math.min(place.count, geometry.drawRange.count);
     const points: [number, number][] = [];
     const v = new three.Vector3();
     const behind: boolean[] = [];
     centre.set(0, 0, 0);
-    for (let i = 0; i < place.count; ++i) {
-      v.fromBufferAttribute(place, i).applyMatrix4(part.matrixWorld);
-      centre.addScaledVector(v, 1 / place.count);
+    for (let i = 0; i < count; ++i) {
+      v.fromBufferAttribute(place, i).applyMatrix4(toWorld);
+      centre.addScaledVector(v, 1 / count);
       const inView = v.clone().applyMatrix4(camera.matrixWorldInverse);
       behind.push(inView.z > -camera.near);
       points.push(project(v));
@@ -60,6 +59,14 @@ export function drawScene(canvas: HTMLCanvasElement, scene: three.Object3D, came
         context.stroke();
       },
     });
+  };
+  scene.traverseVisible((part) => {
+    const { geometry, material } = part as Partial<three.Mesh>;
+    if (!(geometry instanceof three.BufferGeometry) || !(material instanceof three.Material)) return;
+    const place = geometry.getAttribute("position");
+    if (!place || place.count === 0) return;
+    if (!isInstanced(part)) { outline(part, geometry, material, part.matrixWorld); return; }
+    for (let i = 0; i < part.count; ++i) outline(part, geometry, material, new three.Matrix4().fromArray(part.instanceMatrix.array, 16 * i).premultiply(part.matrixWorld));
   });
   strokes.sort((a, b) => a.order - b.order || b.depth - a.depth).forEach((s) => s.draw());
   context.globalAlpha = 1;

@@ -82,6 +82,15 @@ export function ball(at: three.Vector3, radius: number, colour: string): three.O
   return mesh;
 }
 
+/** A ball that is seen through whatever is before it. */
+export function spot(at: three.Vector3, radius: number, colour: string): three.Object3D {
+  const mesh = ball(at, radius, colour) as three.Mesh<three.SphereGeometry, three.MeshBasicMaterial>;
+  mesh.material.depthTest = false;
+  mesh.material.transparent = true;
+  mesh.renderOrder = 5;
+  return mesh;
+}
+
 /** A line through points. */
 export function path(points: three.Vector3[], colour: string, opacity = 1): three.Line {
   const line = new three.Line(new three.BufferGeometry().setFromPoints(points),

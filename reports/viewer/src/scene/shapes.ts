@@ -5,9 +5,7 @@ import type { Shape } from "../data";
 /** Surface and edges of a shape. */
 export interface Form { surface: three.BufferGeometry; edges: three.BufferGeometry }
 
-const ringSteps = 32;
-
-function ring(radius: number, z: number, axis: "x" | "y" | "z" = "z"): number[] {
+function ring(radius: number, z: number, ringSteps: number, axis: "x" | "y" | "z" = "z"): number[] {
   const points: number[] = [];
   for (let i = 0; i < ringSteps; ++i) {
     for (const k of [i, i + 1]) {
@@ -20,7 +18,7 @@ function ring(radius: number, z: number, axis: "x" | "y" | "z" = "z"): number[] 
 }
 
 /** A half circle over or under the height z, in the plane across x or y. */
-function arch(radius: number, z: number, up: boolean, axis: "x" | "y"): number[] {
+function arch(radius: number, z: number, up: boolean, ringSteps: number, axis: "x" | "y"): number[] {
   const points: number[] = [];
   for (let i = 0; i < ringSteps / 2; ++i) {
     for (const k of [i, i + 1]) {
@@ -51,12 +49,13 @@ function grid(extent: number): number[] {
 
 const sharp = (surface: three.BufferGeometry): three.BufferGeometry => new three.EdgesGeometry(surface, 1);
 
-/** Builds a shape, its lengths multiplied by `scale`. A half-space is a square patch with sides of 2 `extent`, in scaled units. */
-export function formOf(shape: Shape, scale: number, extent: number): Form {
+/** Builds a shape, its lengths multiplied by `scale`. A half-space is a square patch with sides of 2 `extent`, in scaled units.
+ * @param steps sides of the polygon that stands for a circle */
+export function formOf(shape: Shape, scale: number, extent: number, steps = 32): Form {
   switch (shape.type) {
     case "sphere": {
       const r = shape.radius * scale;
-      return { surface: new three.SphereGeometry(r, 28, 16), edges: lines([...ring(r, 0), ...ring(r, 0, "x"), ...ring(r, 0, "y")]) };
+      return { surface: new three.SphereGeometry(r, steps, steps / 2), edges: lines([...ring(r, 0, steps), ...ring(r, 0, steps, "x"), ...ring(r, 0, steps, "y")]) };
     }
     case "box": {
       const surface = new three.BoxGeometry(...(shape.half.map((s) => 2 * s * scale) as [number, number, number]));
@@ -65,23 +64,23 @@ export function formOf(shape: Shape, scale: number, extent: number): Form {
     case "capsule": {
       const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
       return {
-        surface: new three.CapsuleGeometry(r, 2 * half, 8, 28).rotateX(Math.PI / 2),
-        edges: lines([...ring(r, half), ...ring(r, -half), ...uprights(r, r, -half, half),
-          ...(["x", "y"] as const).flatMap((axis) => [...arch(r, half, true, axis), ...arch(r, -half, false, axis)])]),
+        surface: new three.CapsuleGeometry(r, 2 * half, steps / 4, steps).rotateX(Math.PI / 2),
+        edges: lines([...ring(r, half, steps), ...ring(r, -half, steps), ...uprights(r, r, -half, half),
+          ...(["x", "y"] as const).flatMap((axis) => [...arch(r, half, true, steps, axis), ...arch(r, -half, false, steps, axis)])]),
       };
     }
     case "cylinder": {
       const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
       return {
-        surface: new three.CylinderGeometry(r, r, 2 * half, 32).rotateX(Math.PI / 2),
-        edges: lines([...ring(r, half), ...ring(r, -half), ...uprights(r, r, -half, half)]),
+        surface: new three.CylinderGeometry(r, r, 2 * half, steps).rotateX(Math.PI / 2),
+        edges: lines([...ring(r, half, steps), ...ring(r, -half, steps), ...uprights(r, r, -half, half)]),
       };
     }
     case "cone": {
       const [r, half] = [shape.radius * scale, (shape.length / 2) * scale];
       return {
-        surface: new three.ConeGeometry(r, 2 * half, 32).rotateX(Math.PI / 2),
-        edges: lines([...ring(r, -half), ...uprights(r, 0, -half, half)]),
+        surface: new three.ConeGeometry(r, 2 * half, steps).rotateX(Math.PI / 2),
+        edges: lines([...ring(r, -half, steps), ...uprights(r, 0, -half, half)]),
       };
     }
     case "half_space": return { surface: new three.PlaneGeometry(2 * extent, 2 * extent), edges: lines(grid(extent)) };

@@ -20,8 +20,8 @@ export interface Stage {
   fit(centre: three.Vector3, radius: number): void;
   /** Keeps the camera's offset to a point that moves. */
   follow(point: three.Vector3): void;
-  /** A text that stays at a point of the scene. */
-  label(text: string, at: () => three.Vector3): void;
+  /** A text that stays at a point of the scene, or beside it, while there is one. */
+  label(text: string, at: () => three.Vector3 | null, beside?: boolean): void;
   /** A picture of the view as it is. */
   picture(): Promise<Blob | null>;
   dispose(): void;
@@ -99,7 +99,7 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
 
   let seen = { centre: new three.Vector3(), radius: 1 };
   let waiting = 0;
-  const labels: { element: HTMLElement; at: () => three.Vector3 }[] = [];
+  const labels: { element: HTMLElement; at: () => three.Vector3 | null }[] = [];
 
   const drawBar = (): void => {
     const distance = camera.position.distanceTo(controls.target);
@@ -113,10 +113,15 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
   };
   const draw = (): void => {
     waiting = 0;
-    if (renderer) renderer.render(scene, camera);
-    else drawScene(canvas, scene, camera);
+    if (renderer) {
+      renderer.render(scene, camera);
+      element.dataset.calls = String(renderer.info.render.calls);
+    } else drawScene(canvas, scene, camera);
     for (const { element: text, at } of labels) {
-      const p = at().clone().project(camera);
+      const place = at();
+      text.hidden = place === null;
+      if (!place) continue;
+      const p = place.clone().project(camera);
       text.style.setProperty("transform", `translate(${(p.x + 1) * overlay.clientWidth / 2}px, ${(1 - p.y) * overlay.clientHeight / 2}px)`);
     }
     drawBar();
@@ -167,8 +172,8 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
       controls.update();
       invalidate();
     },
-    label(text, at) {
-      const place = h("span", { class: "label" }, text);
+    label(text, at, beside = false) {
+      const place = h("span", { class: beside ? "label beside" : "label" }, text);
       overlay.append(place);
       labels.push({ element: place, at });
     },

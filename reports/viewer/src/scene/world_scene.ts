@@ -3,7 +3,8 @@ import type { Run } from "../run";
 import type { Motion, Vec3, World } from "../data";
 import { colourOf, prefersDark } from "../engines";
 import { dot, rotate, sub, times, unit } from "../vector";
-import { arrow, ball, dispose, path, quaternion, solid, toScene, type Frame } from "./parts";
+import { arrow, ball, dispose, path, quaternion, solid, spot, toScene, type Frame } from "./parts";
+import { makeBatch } from "./instances";
 import { formOf, type Form } from "./shapes";
 import { reach } from "./support";
 
@@ -19,6 +20,10 @@ export interface WorldScene {
   show(oracle: number, how: "solid" | "ghost" | "hidden"): void;
   showTrails(visible: boolean): void;
   showImpulses(visible: boolean): void;
+  /** Marks points, joined by a line. */
+  mark(points: Vec3[]): void;
+  /** A marked point in the scene; null if there is none. */
+  marked(index: number): three.Vector3 | null;
   /** Position of a moving thing in the scene at the time that is shown. */
   bodyAt(oracle: number, body: number): three.Vector3;
 }
@@ -80,7 +85,32 @@ function bounds(run: Run, world: World, order: number[]): three.Box3 {
 }
 
 /** The part of one engine in a world: its bodies, particles, cloths, joints and trails. */
-interface Actor { group: three.Group; trails: three.Group; setPose(time: { sample: number; part: number }): void; restyle(how: "solid" | "ghost"): void; bodies: (three.Object3D | null)[] }
+interface Actor { group: three.Group; trails: three.Object3D; setPose(time: { sample: number; part: number }): void; restyle(how: "solid" | "ghost"): void; bodies: (Pose | null)[] }
+
+interface Pose { position: three.Vector3; quaternion: three.Quaternion }
+
+// Scratch of setPose(), which is called for each oracle in each frame.
+const nextTurn = new three.Quaternion();
+const matrix = new three.Matrix4();
+const unscaled = new three.Vector3(1, 1, 1);
+
+/** The paths of all bodies of an oracle in one object, sample by sample, so that a range of it is the past. `drawn[k]` is the number of vertices
+ * until sample k. */
+function makeTrails(tracks: (Float64Array[] | null)[], { centre, scale }: Frame, colour: string): { trails: three.LineSegments; drawn: number[] } {
+  const known = tracks.filter((c): c is Float64Array[] => c !== null && c[0].length > 1);
+  const samples = Math.max(1, ...known.map((c) => c[0].length));
+  const drawn = [0];
+  const points: number[] = [];
+  const fits = known.length * samples <= 60000;
+  for (let k = 1; k < samples; ++k) {
+    if (fits) for (const c of known) if (k < c[0].length) for (const i of [k - 1, k]) for (let axis = 0; axis < 3; ++axis) points.push((c[axis][i] - centre[axis]) * scale);
+    drawn.push(points.length / 3);
+  }
+  const trails = new three.LineSegments(new three.BufferGeometry().setAttribute("position", new three.Float32BufferAttribute(points, 3)),
+    new three.LineBasicMaterial({ color: colour, transparent: true, opacity: 0.55 }));
+  trails.frustumCulled = false;
+  return { trails, drawn };
+}
 
 /** @param order the oracles, the most trusted first: the view fits the path of the first */
 export function buildWorld(run: Run, world: World, order: number[]): WorldScene {
@@ -92,12 +122,16 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
   const dark = prefersDark();
   const root = new three.Group();
 
+  // If there are many ghosts, only their edges are drawn, round shapes with fewer sides. Faces and trails of ghosts are hardly visible there and cost
+  // the most time.
+  const crowded = world.bodies.filter((b) => !b.fixed).length * world.motions.filter(answered).length > 60;
+
   const forms = new Map<string, Form>();
   const formFor = (b: number): Form => {
     const shape = world.bodies[b].shape;
     const key = JSON.stringify(shape);
     let form = forms.get(key);
-    if (!form) forms.set(key, form = formOf(shape, frame.scale, 2.2));
+    if (!form) forms.set(key, form = formOf(shape, frame.scale, 2.2, crowded ? 16 : 32));
     return form;
   };
   world.bodies.forEach((body, b) => {
@@ -113,7 +147,7 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     root.add(ground);
   });
 
-  const anchor = (bodies: (three.Object3D | null)[], balls: three.Object3D[], index: number, p: Vec3): three.Vector3 => {
+  const anchor = (bodies: (Pose | null)[], balls: three.Object3D[], index: number, p: Vec3): three.Vector3 => {
     if (index < 0) return toScene(frame, p);
     if (index >= world.bodies.length) return balls[index - world.bodies.length]?.position.clone() ?? toScene(frame, p);
     const body = bodies[index];
@@ -122,22 +156,21 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     return body ? offset.applyQuaternion(body.quaternion).add(body.position) : offset.applyQuaternion(quaternion(start.q)).add(toScene(frame, start.p));
   };
 
-  // If there are many ghosts, only their edges are drawn. Their faces are hardly visible and cost the most time.
-  const crowded = world.bodies.filter((b) => !b.fixed).length * world.motions.filter(answered).length > 60;
-
   const makeActor = (oracle: number): Actor | null => {
     const motion = world.motions[oracle];
     if (!answered(motion)) return null;
     const colour = colourOf(run.looks[oracle]);
     const group = new three.Group();
-    const trails = new three.Group();
-    group.add(trails);
-    const bodies = world.bodies.map((body, b) => {
-      if (body.fixed || !motion.bodies[b]) return null;
-      const object = solid(formFor(b), { colour, opacity: 0.2, edgeOpacity: 0.8 });
-      group.add(object);
-      return object;
+    const bodies = world.bodies.map((body, b): Pose | null => (body.fixed || !motion.bodies[b] ? null : { position: new three.Vector3(), quaternion: new three.Quaternion() }));
+    const perForm = new Map<Form, number[]>();
+    bodies.forEach((pose, b) => {
+      if (!pose) return;
+      const list = perForm.get(formFor(b));
+      if (list) list.push(b);
+      else perForm.set(formFor(b), [b]);
     });
+    const batches = [...perForm].map(([form, list]) => ({ list, batch: makeBatch(form, list.length, colour) }));
+    for (const { batch } of batches) group.add(batch.surfaces, batch.edges);
     const tracks = motion.bodies.map((track) => (track ? run.channels(track) : null));
     const points = motion.points ? run.channels(motion.points) : null;
     const balls = points ? world.particles.map((particle) => {
@@ -165,21 +198,27 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
       new three.LineBasicMaterial({ color: colour, transparent: true, opacity: 0.8 }));
     cloth.frustumCulled = false;
     if (threads.length && points) group.add(cloth);
-    tracks.forEach((c) => {
-      if (!c || c[0].length < 2 || world.bodies.length * c[0].length > 60000) return;
-      trails.add(path(Array.from(c[0], (_, i) => toScene(frame, [c[0][i], c[1][i], c[2][i]])), colour, 0.55));
-    });
+    const { trails, drawn } = makeTrails(tracks, frame, colour);
+    group.add(trails);
     return {
       group, trails, bodies,
       setPose(at) {
         tracks.forEach((c, b) => {
-          const object = bodies[b];
-          if (!c || !object) return;
-          object.position.copy(toScene(frame, [mix(c[0], at), mix(c[1], at), mix(c[2], at)]));
+          const pose = bodies[b];
+          if (!c || !pose) return;
+          pose.position.set((mix(c[0], at) - middle[0]) * frame.scale, (mix(c[1], at) - middle[1]) * frame.scale, (mix(c[2], at) - middle[2]) * frame.scale);
           const last = c[0].length - 1;
-          const [i, k] = [Math.min(at.sample, last), Math.min(at.sample + 1, last)];
-          object.quaternion.set(c[4][i], c[5][i], c[6][i], c[3][i]).slerp(new three.Quaternion(c[4][k], c[5][k], c[6][k], c[3][k]), at.part).normalize();
+          const i = Math.min(at.sample, last);
+          const k = Math.min(at.sample + 1, last);
+          pose.quaternion.set(c[4][i], c[5][i], c[6][i], c[3][i]).slerp(nextTurn.set(c[4][k], c[5][k], c[6][k], c[3][k]), at.part).normalize();
         });
+        for (const { list, batch } of batches) {
+          for (let i = 0; i < list.length; ++i) {
+            const pose = bodies[list[i]]!;
+            batch.set(i, matrix.compose(pose.position, pose.quaternion, unscaled));
+          }
+          batch.commit();
+        }
         if (points) {
           const node = (k: number): three.Vector3 => toScene(frame, [mix(points[3 * k], at), mix(points[3 * k + 1], at), mix(points[3 * k + 2], at)]);
           balls.forEach((object, k) => { if (3 * k + 2 < points.length) object.position.copy(node(k)); });
@@ -203,29 +242,26 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
           });
           place.needsUpdate = true;
         }
-        for (const trail of trails.children) (trail as three.Line).geometry.setDrawRange(0, at.sample + 1);
+        trails.geometry.setDrawRange(0, drawn[Math.min(at.sample, drawn.length - 1)]);
       },
       restyle(how) {
-        for (const object of bodies) {
-          object?.traverse((part) => {
-            const { material } = part as Partial<three.Mesh>;
-            if (material instanceof three.MeshLambertMaterial) {
-              part.visible = how === "solid" || !crowded;
-              material.opacity = how === "solid" ? 1 : 0.1;
-              if (material.transparent !== (how === "ghost")) {
-                material.transparent = how === "ghost";
-                material.needsUpdate = true;
-              }
-              material.depthWrite = how === "solid";
-              // Where a ghost is at the same place, the solid is seen.
-              material.polygonOffsetFactor = material.polygonOffsetUnits = how === "solid" ? 1 : 4;
-            } else if (material instanceof three.LineBasicMaterial) {
-              // The edges of a solid would not be seen on it in its own colour.
-              part.renderOrder = how === "solid" ? 2 : 1;
-              material.color.set(colour);
-              if (how === "solid") material.color.lerp(new three.Color(material.color.getHSL({ h: 0, s: 0, l: 0 }).l > 0.5 ? "#000000" : "#ffffff"), 0.55);
-            }
-          });
+        trails.userData.faint = how === "ghost" && crowded;
+        trails.visible = trailsShown && !trails.userData.faint;
+        for (const { batch: { surfaces, edges } } of batches) {
+          surfaces.visible = how === "solid" || !crowded;
+          const material = surfaces.material as three.MeshLambertMaterial;
+          material.opacity = how === "solid" ? 1 : 0.1;
+          if (material.transparent !== (how === "ghost")) {
+            material.transparent = how === "ghost";
+            material.needsUpdate = true;
+          }
+          material.depthWrite = how === "solid";
+          // Where a ghost is at the same place, the solid is seen.
+          material.polygonOffsetFactor = material.polygonOffsetUnits = how === "solid" ? 1 : 4;
+          // The edges of a solid would not be seen on it in its own colour.
+          edges.renderOrder = how === "solid" ? 2 : 1;
+          edges.material.color.set(colour);
+          if (how === "solid") edges.material.color.lerp(new three.Color(edges.material.color.getHSL({ h: 0, s: 0, l: 0 }).l > 0.5 ? "#000000" : "#ffffff"), 0.55);
         }
       },
     };
@@ -238,7 +274,7 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     if (actor === undefined) {
       actor = makeActor(oracle);
       actors.set(oracle, actor);
-      if (actor) { root.add(actor.group); actor.trails.visible = trailsShown; actor.setPose(sampleAt(world.times, time)); }
+      if (actor) { root.add(actor.group); actor.setPose(sampleAt(world.times, time)); }
     }
     return actor;
   };
@@ -247,6 +283,9 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
   let impulsesShown = true;
   let solidOracle = -1;
   let impulseSample = -1;
+  const marks = new three.Group();
+  let markedPoints: three.Vector3[] = [];
+  root.add(marks);
   const impulses = new three.Group();
   root.add(impulses);
 
@@ -266,6 +305,9 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     for (let i = 0; i < track.samples && drawn < 200; ++i) {
       if (c[impulseChannels.sample][i] !== sample || size(i) === 0) continue;
       const J = new three.Vector3(c[9][i], c[10][i], c[11][i]);
+      // The impulse is that on B. On a body that cannot move nobody looks for it: A receives the opposite.
+      const [A, B] = [c[1][i], c[2][i]];
+      if (world.bodies[B]?.fixed && world.bodies[A]?.fixed === false) J.negate();
       // The length is the square root of the impulse, so that weak impulses next to an impact are visible.
       J.setLength(0.5 * Math.sqrt(size(i) / most));
       impulses.add(arrow(toScene(frame, [c[3][i], c[4][i], c[5][i]]), J, 0.006, colour));
@@ -296,12 +338,20 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     },
     showTrails(visible) {
       trailsShown = visible;
-      for (const actor of actors.values()) if (actor) actor.trails.visible = visible;
+      for (const actor of actors.values()) if (actor) actor.trails.visible = visible && !actor.trails.userData.faint;
     },
     showImpulses(visible) {
       impulsesShown = visible;
       drawImpulses(impulseSample, true);
     },
+    mark(points) {
+      for (const old of [...marks.children]) dispose(old);
+      const colour = dark ? "#ff9ecf" : "#b3006b";
+      markedPoints = points.map((p) => toScene(frame, p));
+      const apart = markedPoints.length > 1 ? markedPoints[0].distanceTo(markedPoints[1]) : Infinity;
+      marks.add(...markedPoints.map((p) => spot(p, Math.max(0.003, Math.min(0.022, apart / 8)), colour)), path(markedPoints, colour));
+    },
+    marked: (index) => markedPoints[index] ?? null,
     bodyAt: (oracle, body) => actors.get(oracle)?.bodies[body]?.position.clone() ?? toScene(frame, world.bodies[body]?.start.p ?? middle),
   };
 }

@@ -12,6 +12,12 @@ import { button, engine } from "../widgets";
 
 const [low, high, bins] = [-18, 2, 80];
 
+/** Orders of the oracles, by their sorted errors. */
+const orders: { key: string; name: string; of(sorted: number[]): number }[] = [
+  { key: "median", name: "smallest median first", of: (e) => quantile(e, 0.5) }, { key: "most", name: "smallest 90 % first", of: (e) => quantile(e, 0.9) },
+  { key: "worst", name: "smallest worst first", of: (e) => e[e.length - 1] ?? 0 }, { key: "name", name: "by name", of: () => 0 },
+];
+
 interface Row { oracle: number; values: number[]; zeros: number; worst: number }
 
 export const accuracyView: MakeView = (run, at) => {
@@ -37,7 +43,8 @@ export const accuracyView: MakeView = (run, at) => {
   const full = rows.filter((r) => r.worst >= 0);
   for (const row of full) row.values.sort((a, b) => a - b);
   const all = (row: Row): number[] => [...new Array<number>(row.zeros).fill(0), ...row.values];
-  full.sort((a, b) => quantile(all(a), 0.5) - quantile(all(b), 0.5));
+  const order = orders.find((o) => o.key === at.query.get("sort")) ?? orders[0];
+  full.sort((a, b) => (order.key === "name" ? (oracles[a.oracle].name < oracles[b.oracle].name ? -1 : 1) : order.of(all(a)) - order.of(all(b))));
 
   const strip = (row: Row): HTMLElement => {
     const canvas = h("canvas", { width: 640, height: 52, class: "strip", role: "img", "aria-label": `Distribution of the errors of ${oracles[row.oracle].name}` });
@@ -52,8 +59,16 @@ export const accuracyView: MakeView = (run, at) => {
     // The height is the square root of the count, because the rare large errors matter most.
     counts.forEach((count, i) => { if (count) { const height = 46 * Math.sqrt(count / most); context.fillRect(i * w, 52 - height, w - 1, height); } });
     const place = (value: number): number => Math.max(1, Math.min(637, ((Math.log10(Math.max(value, 1e-300)) - low) / (high - low)) * 640));
-    context.fillStyle = prefersDark() ? "#fff" : "#000";
-    context.fillRect(place(quantile(all(row), 0.5)), 0, 3, 52);
+    const ink = prefersDark() ? "#fff" : "#000";
+    const errors = all(row);
+    context.fillStyle = context.strokeStyle = ink;
+    context.fillRect(place(quantile(errors, 0.5)) - 1.5, 0, 4, 52);
+    context.lineWidth = 2;
+    context.strokeRect(place(quantile(errors, 0.9)) - 3, 10, 6, 32);
+    const [x, y] = [place(errors[errors.length - 1] ?? 0), 26];
+    context.beginPath();
+    for (const s of [-1, 1]) { context.moveTo(x - 6, y - 6 * s); context.lineTo(x + 6, y + 6 * s); }
+    context.stroke();
     return canvas;
   };
   const select = (key: string, label: string, options: string[], chosen: string, none?: string): HTMLElement => {
@@ -61,19 +76,22 @@ export const accuracyView: MakeView = (run, at) => {
       none !== undefined && h("option", { value: "" }, none), options.map((value) => h("option", { value, selected: value === chosen }, spaced(value))));
     return box;
   };
+  const orderBox = h("select", { "aria-label": "Order of the oracles", on: { change: () => { location.hash = address(["accuracy"], withValue(at.query, "sort", orderBox.value === orders[0].key ? "" : orderBox.value)); } } },
+    orders.map(({ key, name }) => h("option", { value: key, selected: key === order.key }, name)));
   const save = (): void => downloadCsv("accuracy.csv", [["oracle", "measurements", "median", "90 %", "worst", "worst question"],
     ...full.map((r) => [oracles[r.oracle].name, r.values.length + r.zeros, quantile(all(r), 0.5), quantile(all(r), 0.9), Math.abs(f.share[r.worst]), questions[f.question[r.worst]].id])]);
   const element = h("section", {}, h("h1", {}, "Accuracy"),
-    h("p", {}, "How the errors of each engine are distributed, as shares of the size of the question. The most accurate at the median comes first; errors of exactly 0 have no bar. Undecidable measurements are left out."),
-    h("p", { class: "toolbar" }, select("measure", "Measure", measures, measure), select("pair", "Pair of shapes", pairs, pair, "all pairs"), button("CSV", save, { class: "small" })),
-    full.length === 0 ? h("p", {}, "No engine has such a measurement.") : h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Accuracy" }, h("table", { class: "plain accuracy" },
-      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Engine"), h("th", { scope: "col" }, h("span", { class: "axis" }, decades(low, high, 5).map((e) => h("span", {}, powerOfTen(e))))),
+    h("p", {}, "How the errors of each oracle are distributed, as shares of the size of the question. Errors of exactly 0 have no bar. Undecidable measurements are left out."),
+    h("p", { class: "toolbar" }, select("measure", "Measure", measures, measure), select("pair", "Pair of shapes", pairs, pair, "all pairs"), h("label", {}, "Order ", orderBox), button("CSV", save, { class: "small" })),
+    h("p", { class: "marks" }, ["▮ median", "▯ 90 % are smaller", "✕ worst", "bars: how many, to the square root, because the rare large errors matter most"].map((text) => h("span", {}, text))),
+    full.length === 0 ? h("p", {}, "No oracle has such a measurement.") : h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Accuracy" }, h("table", { class: "plain accuracy stacked" },
+      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), h("th", { scope: "col" }, h("span", { class: "axis" }, decades(low, high, 5).map((e) => h("span", {}, powerOfTen(e))))),
         ["Measured", "Exactly 0", "Median", "90 % within", "Worst"].map((name) => h("th", { scope: "col", class: "number" }, name)))),
       h("tbody", {}, full.map((row) => h("tr", {},
-        h("th", { scope: "row" }, engine(run, row.oracle)), h("td", {}, strip(row)),
-        h("td", { class: "number" }, (row.values.length + row.zeros).toLocaleString("en")), h("td", { class: "number" }, row.zeros.toLocaleString("en")),
-        h("td", { class: "number" }, ratio(quantile(all(row), 0.5))), h("td", { class: "number" }, ratio(quantile(all(row), 0.9))),
-        h("td", { class: "number" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, ratio(f.share[row.worst])))))))),
-    h("p", { class: "quiet" }, `${counted(full.reduce((sum, r) => sum + r.values.length + r.zeros, 0), "measurement")} in ${counted(full.length, "engine")}. The black mark is the median.`));
+        h("th", { scope: "row" }, engine(run, row.oracle)), h("td", { class: "whole" }, strip(row)),
+        h("td", { class: "number", "data-label": "measured" }, (row.values.length + row.zeros).toLocaleString("en")), h("td", { class: "number", "data-label": "exactly 0" }, row.zeros.toLocaleString("en")),
+        h("td", { class: "number", "data-label": "median" }, ratio(quantile(all(row), 0.5))), h("td", { class: "number", "data-label": "90 % within" }, ratio(quantile(all(row), 0.9))),
+        h("td", { class: "number", "data-label": "worst" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, ratio(f.share[row.worst])))))))),
+    h("p", { class: "quiet" }, `${counted(full.reduce((sum, r) => sum + r.values.length + r.zeros, 0), "measurement")} in ${counted(full.length, "oracle")}.`));
   return { title: "Accuracy", element };
 };

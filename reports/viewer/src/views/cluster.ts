@@ -1,7 +1,7 @@
 import { address } from "../address";
 import { h } from "../dom";
-import { downloadFindings, findingAddress, findingsAddress, findingsTable } from "../findings_table";
-import { counted, digits, quantity, share } from "../format";
+import { downloadFindings, findingAddress, findingsAddress, findingsTable, headingOf } from "../findings_table";
+import { counted, digits, share } from "../format";
 import { logHistogram } from "../histogram";
 import { barChart } from "../charts";
 import { orderBy } from "../filter";
@@ -27,16 +27,17 @@ export const clusterView: MakeView = (run, at) => {
   const cause = report.names.cause[cluster.cause];
   const element = h("section", { class: "cluster" },
     h("p", { class: "card-head" }, badge(band), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new: not in the ledger" : "known: in the ledger"), upstreamLink(cluster.upstream)),
-    h("h1", { dir: "auto" }, cluster.sentence),
+    h("h1", { dir: "auto" }, cluster.title),
+    h("p", { class: "extent" }, cluster.extent),
     h("div", { class: "columns" },
       h("div", { class: "main-column" },
         question && h("a", { href: worst, class: "large-picture", "aria-label": `Open ${question.id}` },
           thumbnail(run, question, cluster.oracles, f.time?.[cluster.worst] ?? -1, 840, 420)),
         question && h("p", {}, "Its worst question: ", h("a", { href: worst, dir: "auto" }, question.title), ".")),
       h("div", { class: "side-column" },
-        h("h2", {}, "Engines"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
+        h("h2", {}, "Oracles"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
         h("h2", {}, "How large"),
-        h("p", {}, `At worst ${quantity(cluster.error, cluster.unit)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `, in ${counted(cluster.questions.length, "question")}.`),
+        h("p", {}, `The worst: ${headingOf(run, cluster.worst)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `; ${counted(cluster.questions.length, "question")} in all.`),
         shares.length > 1 && h("figure", {}, barChart(logHistogram(shares, -17, 2, 38), -17, 2, "Number of findings by error as a share of the size"), h("figcaption", {}, `${counted(shares.length, "finding")} by error as a share of the size, logarithmic`)),
         h("h2", {}, "Why"), h("p", { dir: "auto" }, cluster.reason, cause && cause !== "" ? ` (cause: ${cause})` : ""),
         proof && [h("h2", {}, "Proof of the worst"), h("p", { dir: "auto", class: "proof" }, proof)],

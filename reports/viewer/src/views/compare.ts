@@ -2,7 +2,7 @@ import { questionAddress, address, valuesOf, toggled } from "../address";
 import type { Report } from "../data";
 import { fill, h } from "../dom";
 import { downloadCsv } from "../download";
-import { capital, counted, quantity, spaced } from "../format";
+import { counted, quantity, spaced } from "../format";
 import type { MakeView } from "../view";
 import { virtualList } from "../virtual";
 import { button } from "../widgets";
@@ -11,7 +11,7 @@ import { notFound } from "./not_found";
 type ComparedRow = NonNullable<Report["compare"]>["rows"][number];
 
 const kinds: { kind: ComparedRow["kind"]; glyph: string; band: string }[] = [
-  { kind: "worse", glyph: "▲", band: "grave" }, { kind: "new", glyph: "◆", band: "large" }, { kind: "better", glyph: "▼", band: "passed" }, { kind: "gone", glyph: "–", band: "unasked" },
+  { kind: "worse", glyph: "▲", band: "grave" }, { kind: "no longer judged", glyph: "?", band: "undecidable" }, { kind: "new", glyph: "◆", band: "large" }, { kind: "better", glyph: "▼", band: "passed" }, { kind: "gone", glyph: "–", band: "unasked" },
 ];
 
 export const compareView: MakeView = (run, at) => {
@@ -19,7 +19,7 @@ export const compareView: MakeView = (run, at) => {
   if (!compare) return notFound("There is no comparison of two runs");
   let query = at.query;
   let shown: ComparedRow[] = [];
-  const said = (value: number | string | null, unit: string): string => (value === null ? "–" : quantity(value, unit));
+  const said = (value: number | string | null, unit: string): string => (value === null ? "not measured" : quantity(value, unit));
   const list = virtualList("rowgroup", () => (innerWidth < 760 ? 88 : 46), (i) => {
     const row = shown[i];
     const kind = kinds.find((k) => k.kind === row.kind)!;
@@ -32,7 +32,7 @@ export const compareView: MakeView = (run, at) => {
       h("div", { role: "cell", class: "c-share number" }, said(row.after, row.unit)));
   });
   const table = h("div", { role: "table", class: "findings-table", "aria-label": "Differences" },
-    h("div", { role: "rowgroup", class: "head" }, h("div", { role: "row", class: "finding" }, ["", "Question", "Engine", "Law or measure", "Before", "After"].map((t) => h("div", { role: "columnheader" }, t || h("span", { class: "visually-hidden" }, "Change"))))), list.element);
+    h("div", { role: "rowgroup", class: "head" }, h("div", { role: "row", class: "finding" }, ["", "Question", "Oracle", "Law or measure", "Before", "After"].map((t, c) => h("div", { role: "columnheader", class: c > 3 ? "number" : "" }, t || h("span", { class: "visually-hidden" }, "Change"))))), list.element);
   const chips = h("p", { class: "chips" });
   const draw = (): void => {
     const wanted = valuesOf(query, "kind");
@@ -45,7 +45,7 @@ export const compareView: MakeView = (run, at) => {
   queueMicrotask(draw);
   return {
     title: "Two runs compared",
-    element: h("section", {}, h("h1", {}, "Two runs compared"), h("p", {}, `${capital(compare.old)} against ${compare.new}: ${counted(compare.rows.length, "difference")}. `,
+    element: h("section", {}, h("h1", {}, "Two runs compared"), h("p", {}, `Before: ${compare.old}. After: ${compare.new}. ${counted(compare.rows.length, "difference")}. Worse, and no longer judged, fail a comparison. `,
       button("CSV", () => downloadCsv("compare.csv", [["change", "question", "oracle", "law", "measure", "before", "after", "unit", "what"], ...compare.rows.map((r) => [r.kind, r.question, r.oracle, r.law, r.measure, r.before ?? "", r.after ?? "", r.unit, r.what])]), { class: "small" })), chips, table),
     update(next) { query = next.query; draw(); return true; },
     dispose: () => list.dispose(),

@@ -2,17 +2,18 @@ import { address, withValue, type Address } from "../address";
 import { bands } from "../bands";
 import { closeUp } from "../close_up";
 import type { Question, Vec3 } from "../data";
-import { fill, h } from "../dom";
+import { fill, h, svg, type Child } from "../dom";
 import { downloadCsv, downloadPicture, fileName } from "../download";
 import { findingsAddress, valueOf } from "../findings_table";
-import { digits, length, numberOf, share } from "../format";
+import { digits, length, numberOf, share, spaced } from "../format";
+import { commonPoint, contactVariant, type ContactVariant } from "../proof_text";
 import { makePlayer } from "../player";
 import type { Run } from "../run";
 import { buildContact, hasNormal } from "../scene/contact_scene";
 import { makeStage } from "../scene/stage";
 import type { View } from "../view";
 import { badge, button, command, engine, tabs } from "../widgets";
-import { faultsOf, measuresTable, oraclesOf } from "./verdicts";
+import { faultsIn, faultsOf, measuresTable, oraclesOf } from "./verdicts";
 import * as three from "three";
 
 const hidden = (text: string): HTMLElement => h("span", { class: "visually-hidden" }, text);
@@ -22,6 +23,9 @@ const vector = (v: Vec3): string => `(${v.map((x) => digits(x, 6)).join(", ")})`
 const proofTime = 2;
 
 const middleOf = (lo: number, hi: number): number => lo / 2 + hi / 2;
+
+/** What is said instead of a separation. */
+const statusWords: Record<string, string> = { crashed: "it crashed", "timed out": "it hung", unsupported: "unsupported", "not asked": "not asked" };
 
 /** A separation that an engine gives; a dash where it gives none. */
 const separationText = (s: number | string | undefined): string => (s === undefined ? "–" : length(numberOf(s)));
@@ -42,6 +46,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
   stage.fit(new three.Vector3(), view.radius);
   stage.label("A", view.A);
   stage.label("B", view.B);
+  for (const { text, at } of view.names) stage.label(text, at, true);
   // Where the depth is seen in the large view, a close-up would only cover it.
   const inset = Math.max(Math.abs(truth.lo), Math.abs(truth.hi)) < 0.04 * question.size ? closeUp(contact, run.looks) : null;
   const reading = h("output", { class: "reading", "aria-live": "polite" });
@@ -61,7 +66,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
     if (truth.touching === "apart") return `The plane fits between A and B: a gap of ${length(state.gap)}.`;
     const now = (moved: number, gap: number): string => `moved ${length(moved)}: ${gap < 0 ? `still ${length(-gap)} too deep` : `a gap of ${length(gap)}`}`;
     if (time === 0) return "";
-    return `B ${now(state.moved, state.gap)}` + (state.claimMoved === undefined ? "." : `; along the direction of ${oracles[explained].name}, ${now(state.claimMoved, state.claimGap!)}.`);
+    return `B ${now(state.moved, state.gap)}` + (state.claimMoved === undefined ? "." : `; along the direction of ${oracles[explained].name} (${performed}), ${now(state.claimMoved, state.claimGap!)}.`);
   }
 
   const applyShown = (): void => {
@@ -69,11 +74,26 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
     inset?.draw([...shown]);
     stage.invalidate();
   };
+  /** The gravest fault of an oracle decides what of a variant or of a common point is drawn. */
+  const drawProof = (oracle: number, variant?: ContactVariant): void => {
+    const proofs = oracle < 0 ? [] : faultsIn(run, q, oracle).map((i) => run.text(run.report.findings.proof[i]));
+    const drawn = variant ?? (proofs.length ? contactVariant(proofs[0]) : null);
+    view.explain(oracle, drawn?.n);
+    view.markCommon(proofs.map(commonPoint).find((p) => p !== null) ?? null);
+    performed = drawn ? `that of its variant “${spaced(drawn.name)}”` : "that of its answer";
+  };
+  let performed = "";
+  const ofVariant = (i: number): Child => {
+    const variant = contactVariant(run.text(run.report.findings.proof[i]));
+    return variant && [
+      h("p", {}, h("b", {}, "Variant: "), `${spaced(variant.name)}${variant.how ? `, ${variant.how}` : ""}. The error is the larger of two changes once the answer is mapped back: that of the distance, and that of the overlap along the normal.`),
+      button("Draw the variant's normal", () => { player.stop(); drawProof(explained, variant); player.seek(0); stage.invalidate(); }, { class: "small" })];
+  };
   const explain = (oracle: number): void => {
     explained = oracle;
     shown.add(oracle);
     player.stop();
-    view.explain(oracle);
+    drawProof(oracle);
     player.seek(0);
     applyShown();
     drawList();
@@ -90,8 +110,8 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
       h("td", {}, h("input", { type: "radio", name: "explain", "aria-label": `Explain ${oracles[o].name}`, checked: o === explained, on: { change: () => { explain(o); remember("o", oracles[o].name); } } })),
       h("th", { scope: "row" }, engine(run, o)),
       h("td", {}, badge(bands[run.band[worst]])),
-      h("td", { class: "number" }, answer?.status === "answered" ? (answer.separation === undefined ? (answer.touching ? "touching" : "apart") : separationText(answer.separation)) : answer?.status ?? "not asked"),
-      h("td", { class: "number" }, run.band[worst] < bands.indexOf("undecidable") ? valueOf(run, worst) : ""));
+      h("td", { class: "number", "data-label": "separation" }, answer?.status === "answered" ? (answer.separation === undefined ? (answer.touching ? "touching" : "apart") : separationText(answer.separation)) : statusWords[answer?.status ?? "not asked"]),
+      h("td", { class: "number", "data-label": "error" }, run.band[worst] < bands.indexOf("undecidable") ? valueOf(run, worst) : ""));
   }));
   const remember = (key: string, value: string): void => {
     query = withValue(query, key, value);
@@ -109,7 +129,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
     { key: "proof", name: "Proof", make: () => [
       h("p", { class: "numbers" }, certified(), hasNormal(truth.n) && ` The shortest way out is along n = ${vector(truth.n)}.`),
       explained >= 0 && h("h2", {}, engine(run, explained)),
-      explained >= 0 && faultsOf(run, q, explained)] },
+      explained >= 0 && faultsOf(run, q, explained, ofVariant)] },
     { key: "measures", name: "Measures", make: () => [
       button("CSV of the answers", saveAnswers, { class: "small" }), measuresTable(run, q, explained)] },
     { key: "file", name: "File", make: () => h("pre", { tabindex: "0" }, question.toml) },
@@ -147,6 +167,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
       h("div", { class: "stage-column" },
         stage.element,
         inset?.element,
+        legend(truth.patch.length > 1),
         view.note !== "" && h("p", { class: "quiet" }, view.note),
         h("div", { class: "toolbar", role: "toolbar", "aria-label": "View" },
           view.provable && [playButton, slider],
@@ -159,10 +180,10 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
         h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Answers" },
           h("table", { class: "plain verdicts" },
             h("caption", {}, "Tick: its contacts are shown. Dot: it is explained below, and its direction performed with the proof."),
-            h("thead", {}, h("tr", {}, h("th", { scope: "col" }, hidden("show")), h("th", { scope: "col" }, hidden("explain")), h("th", { scope: "col" }, "engine"), h("th", { scope: "col" }, "worst"), h("th", { scope: "col", class: "number" }, "separation"), h("th", { scope: "col", class: "number" }, "error"))),
+            h("thead", {}, h("tr", {}, h("th", { scope: "col" }, hidden("show")), h("th", { scope: "col" }, hidden("explain")), h("th", { scope: "col" }, "oracle"), h("th", { scope: "col" }, "worst"), h("th", { scope: "col", class: "number" }, "separation"), h("th", { scope: "col", class: "number" }, "error"))),
             list)),
         tabList.element)));
-  view.explain(explained);
+  drawProof(explained);
   player.seek(0);
   applyShown();
   drawList();
@@ -174,18 +195,32 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
       ...axes.map(([name, d]) => ({ keys: [name], does: `look along ${name}`, run: () => look(d) })),
       ...(hasNormal(truth.n) ? [{ keys: ["n"], does: "look along the normal", run: () => look(truth.n) }] : []),
       { keys: ["f"], does: "fit", run: fit },
-      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], does: "show one engine alone", run: (key) => {
+      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], does: "show one oracle alone", run: (key) => {
         const o = ranked[Number(key) - 1];
         if (o === undefined) return;
         shown.clear();
         explain(o);
         remember("o", oracles[o].name);
       } },
-      { keys: ["0"], does: "show all engines", run: () => { for (const o of ranked) if (contact.answers[o].status === "answered") shown.add(o); applyShown(); drawList(); } },
+      { keys: ["0"], does: "show all oracles", run: () => { for (const o of ranked) if (contact.answers[o].status === "answered") shown.add(o); applyShown(); drawList(); } },
       { keys: ["u"], does: "up to the group's findings", run: () => { location.hash = findingsAddress({ group: question.group }); } },
     ],
     dispose() { player.stop(); stage.dispose(); },
   };
+}
+
+/** What the marks of the view mean. */
+function legend(hasPatch: boolean): HTMLElement {
+  const item = (mark: SVGElement, text: string): HTMLElement => h("li", {}, mark, " ", text);
+  const picture = (...parts: SVGElement[]): SVGElement => svg("svg", { viewBox: "0 0 16 12", class: "key", "aria-hidden": "true" }, parts);
+  const line = (className: string, more: Record<string, number> = {}): SVGElement => svg("line", { x1: 2, y1: 6, x2: 14, y2: 6, class: className, ...more });
+  return h("ul", { class: "marks", "aria-label": "Marks of the view" },
+    item(picture(svg("rect", { x: 1, y: 1, width: 14, height: 10, class: "key-a" })), "A"), item(picture(svg("rect", { x: 1, y: 1, width: 14, height: 10, class: "key-b" })), "B"),
+    item(picture(svg("rect", { x: 1, y: 1, width: 14, height: 10, class: "key-plane" })), "certified plane"),
+    item(picture(svg("circle", { cx: 8, cy: 6, r: 4, class: "key-truth" })), "a, b: extreme points of A and B along the certified normal"),
+    hasPatch && item(picture(svg("rect", { x: 1, y: 1, width: 14, height: 10, class: "key-patch" }), svg("path", { d: "M3 11 11 1M8 11 15 3", class: "key-hatch" })), "true patch"),
+    item(picture(svg("circle", { cx: 8, cy: 6, r: 3, class: "key-oracle" }), line("key-oracle-line", { x1: 8, x2: 8, y1: 0, y2: 12 })), "contact of an oracle, its stem as long as its depth"),
+    item(picture(line("key-oracle-line"), svg("path", { d: "M10 2 15 6 10 10", class: "key-oracle" })), "normal of an oracle"));
 }
 
 /** A level direction across n, from which the gap is seen in profile. */

@@ -8,7 +8,7 @@ import type { MakeView } from "../view";
 import { button } from "../widgets";
 
 const names: Record<FilterKey, string> = {
-  verdict: "verdict", oracle: "engine", group: "group", pair: "pair of shapes", measure: "measure", law: "law", cause: "cause", cluster: "fault", entry: "ledger entry", question: "question",
+  verdict: "verdict", oracle: "oracle", group: "group", pair: "pair of shapes", measure: "measure", law: "law", cause: "cause", cluster: "fault", entry: "ledger entry", question: "question",
 };
 
 export const findingsView: MakeView = (run, start) => {

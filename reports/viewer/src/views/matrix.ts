@@ -49,7 +49,7 @@ export function smallMatrix(run: Run): HTMLElement {
   const matrix = matrixOf(run);
   const { oracles } = run.report;
   const [w, hh] = [Math.max(6, Math.min(14, Math.floor(300 / oracles.length))), 9];
-  const canvas = h("canvas", { width: oracles.length * w * 2, height: run.groups.length * hh * 2, role: "img", "aria-label": "Matrix of scenario groups and engines, coloured by the gravest band" });
+  const canvas = h("canvas", { width: oracles.length * w * 2, height: run.groups.length * hh * 2, role: "img", "aria-label": "Matrix of scenario groups and oracles, coloured by the gravest band" });
   canvas.style.setProperty("width", `${oracles.length * w}px`);
   const draw = (): void => {
     const context = canvas.getContext("2d");
@@ -68,7 +68,7 @@ export const matrixView: MakeView = (run) => {
   const matrix = matrixOf(run);
   const { oracles } = run.report;
   const table = h("table", { class: "matrix" },
-    h("caption", { class: "visually-hidden" }, "The gravest band of each group of scenarios and engine, with the number of questions in it"),
+    h("caption", { class: "visually-hidden" }, "The gravest band of each group of scenarios and oracle, with the number of questions in it"),
     h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Group"),
       oracles.map((o, i) => h("th", { scope: "col" }, h("a", { href: address(["oracles", o.name]), class: "upright" }, marker(run.looks[i]), o.name))))),
     h("tbody", {}, run.groups.map((group, g) => h("tr", {},
@@ -81,9 +81,9 @@ export const matrixView: MakeView = (run) => {
       })))));
   const save = (): void => downloadCsv("matrix.csv", [["group", ...oracles.map((o) => o.name)],
     ...run.groups.map((group, g) => [group, ...oracles.map((_, o) => `${matrix.band(g, o)} ${matrix.count(g, o)}`)])]);
-  const element = h("section", {}, h("h1", {}, "Groups × engines"),
-    h("p", {}, "A cell shows the gravest band of an engine in a group of scenarios, and in how many of its questions. It opens those findings. ", button("CSV", save, { class: "small" })),
+  const element = h("section", {}, h("h1", {}, "Groups × oracles"),
+    h("p", {}, "A cell shows the gravest band of an oracle in a group of scenarios, and in how many of its questions. It opens those findings. ", button("CSV", save, { class: "small" })),
     h("p", { class: "legend" }, bands.map((band) => badge(band))),
     h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Matrix" }, table));
-  return { title: "Groups × engines", element };
+  return { title: "Groups × oracles", element };
 };

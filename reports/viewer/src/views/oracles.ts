@@ -11,25 +11,25 @@ export const oraclesView: MakeView = (run, at) => {
   const { oracles, findings, subject, clusters } = run.report;
   const name = at.path.slice(1).join("/");
   if (name === "") {
-    return { title: "Engines", element: h("section", {}, h("h1", {}, "Engines"), h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Engines" }, h("table", { class: "plain" },
-      h("thead", {}, h("tr", {}, ["Engine", "Library", "Version", "Answers", "Arithmetic"].map((t) => h("th", { scope: "col" }, t)), faultBands.map((band) => h("th", { scope: "col", class: "number" }, badge(band))))),
+    return { title: "Oracles", element: h("section", {}, h("h1", {}, "Oracles"), h("p", {}, "An oracle is an engine with one entry point and one precision."), h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Oracles" }, h("table", { class: "plain stacked" },
+      h("thead", {}, h("tr", {}, ["Oracle", "Library", "Version", "Answers", "Arithmetic"].map((t) => h("th", { scope: "col" }, t)), faultBands.map((band) => h("th", { scope: "col", class: "number" }, badge(band))))),
       h("tbody", {}, oracles.map((o, i) => {
         const per = faultBands.map(() => 0);
         for (let k = 0; k < findings.oracle.length; ++k) if (findings.oracle[k] === i && run.band[k] < per.length) ++per[run.band[k]];
-        return h("tr", {}, h("th", { scope: "row" }, engine(run, i), i === subject && h("span", { class: "quiet" }, " subject")), h("td", {}, o.library), h("td", {}, o.version), h("td", {}, kinds(o)), h("td", {}, arithmetic(o.unit_roundoff)),
-          per.map((count, b) => h("td", { class: "number" }, count > 0 ? h("a", { href: findingsAddress({ oracle: o.name, band: faultBands[b] }) }, count.toLocaleString("en")) : "0")));
+        return h("tr", {}, h("th", { scope: "row" }, engine(run, i), i === subject && h("span", { class: "quiet" }, " subject")), h("td", { "data-label": "Library" }, o.library), h("td", { "data-label": "Version" }, o.version), h("td", { "data-label": "Answers" }, kinds(o)), h("td", { "data-label": "Arithmetic" }, arithmetic(o.unit_roundoff)),
+          per.map((count, b) => h("td", { class: "number", "data-label": bandTexts[faultBands[b]].name }, count > 0 ? h("a", { href: findingsAddress({ oracle: o.name, band: faultBands[b] }) }, count.toLocaleString("en")) : "0")));
       }))))) };
   }
   const index = oracles.findIndex((o) => o.name === name);
   const oracle = oracles[index];
-  if (!oracle) return notFound(`There is no engine “${name}”`);
+  if (!oracle) return notFound(`There is no oracle “${name}”`);
   const per = bands.map(() => 0);
   for (let k = 0; k < findings.oracle.length; ++k) if (findings.oracle[k] === index) ++per[run.band[k]];
   const mine = clusters.map((c, i) => ({ c, i })).filter(({ c }) => c.oracles.includes(index)).slice(0, 30);
   const element = h("section", {}, h("h1", {}, engine(run, index)),
     h("p", {}, `${oracle.library} ${oracle.version}, ${arithmetic(oracle.unit_roundoff)}; answers ${kinds(oracle)}`, oracle.isolated && ", in a process of its own", index === subject && "; the subject of this run", "."),
     h("p", { class: "chips" }, bands.map((band, b) => per[b] > 0 && h("a", { class: `chip ${band}`, href: findingsAddress({ oracle: oracle.name, band }) }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, per[b].toLocaleString("en"))))),
-    mine.length > 0 && [h("h2", {}, "Its faults, the gravest first"), h("ol", {}, mine.map(({ c, i }) => h("li", { dir: "auto" }, h("a", { href: address(["f", String(i)]) }, c.sentence))))],
+    mine.length > 0 && [h("h2", {}, "Its faults, the gravest first"), h("ol", {}, mine.map(({ c, i }) => h("li", { dir: "auto" }, h("a", { href: address(["f", String(i)]) }, c.title), " ", h("span", { class: "quiet" }, c.extent))))],
     h("h2", {}, "Settings of the adapter"),
     oracle.settings.length === 0 ? h("p", { class: "quiet" }, "None.") : h("table", { class: "plain" },
       h("thead", {}, h("tr", {}, ["Setting", "Value", "Why"].map((t) => h("th", { scope: "col" }, t)))),

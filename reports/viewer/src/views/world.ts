@@ -1,13 +1,14 @@
 import { address, withValue, type Address } from "../address";
 import { bands, faultBands } from "../bands";
 import type { Question } from "../data";
-import { fill, h } from "../dom";
+import { fill, h, type Child } from "../dom";
 import { downloadCsv, downloadPicture, fileName } from "../download";
 import { findingsAddress, valueOf } from "../findings_table";
 import { counted, digits, seconds, spaced } from "../format";
 import { makeLanes } from "../lanes";
 import { makePlayer } from "../player";
 import { makePlot } from "../plots";
+import { worldVariant } from "../proof_text";
 import type { Run } from "../run";
 import { makeStage, startingView } from "../scene/stage";
 import { answered, buildWorld, sampleAt } from "../scene/world_scene";
@@ -15,6 +16,7 @@ import { firstDifference, plotData, quantitiesOf } from "../series";
 import type { View } from "../view";
 import { badge, button, command, engine, tabs } from "../widgets";
 import { faultsOf, measuresTable, oraclesOf } from "./verdicts";
+import { variantsPanel } from "./world_variants";
 import { reach } from "../scene/support";
 
 export function worldView(run: Run, q: number, question: Question, start: Address): View {
@@ -28,7 +30,10 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
   const passes = (o: number): boolean => run.band[run.gravest(q, o)] >= faultBands.length;
   let solid = movers.includes(subject) && passes(subject) ? subject : [...movers].reverse().find(passes) ?? movers[0] ?? -1;
   let explained = named >= 0 && ranked.includes(named) ? named : ranked[0] ?? -1;
-  if (named >= 0 && movers.includes(named) && query.get("solo") === "1") solid = named;
+  // An address that names an oracle asks about that one: it is solid, and seen where it parts from the one that is trusted.
+  const trusted = solid;
+  const isNamed = named >= 0 && movers.includes(named);
+  if (isNamed) solid = named;
   let shown = new Set(query.get("solo") === "1" && solid >= 0 ? [solid] : movers);
 
   const view = buildWorld(run, world, [solid, subject, ...movers]);
@@ -36,6 +41,8 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
   stage.scene.add(view.root);
   stage.lookFrom(startingView(view.up));
   stage.fit(view.centre, view.radius);
+  stage.label("world", () => view.marked(0), true);
+  stage.label("variant", () => view.marked(1), true);
 
   const first = world.times[0] ?? 0;
   const end = world.times[world.times.length - 1] ?? 0;
@@ -48,7 +55,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
   };
 
   let followed = -1;
-  const plots = [0, 1].map((i) => makePlot(i === 0 ? "First plot" : "Second plot", (time) => { player.stop(); player.seek(time); }, "None of the engines shown has this quantity."));
+  const plots = [0, 1].map((i) => makePlot(i === 0 ? "First plot" : "Second plot", (time) => { player.stop(); player.seek(time); }, "None of the oracles shown has this quantity."));
   const player = makePlayer(first, end, (time, playing) => {
     view.setTime(time);
     const { sample, part } = sampleAt(world.times, time);
@@ -91,7 +98,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
       h("td", {}, h("input", { type: "radio", name: "solid", "aria-label": `Draw ${oracles[o].name} solid`, checked: o === solid, disabled: !moves, on: { change: () => { solid = o; shown.add(o); apply(); } } })),
       h("th", { scope: "row" }, engine(run, o)),
       h("td", {}, badge(bands[run.band[worst]])),
-      h("td", { class: "number" }, run.band[worst] < faultBands.length ? valueOf(run, worst) : moves ? "" : world.motions[o]?.status ?? "not asked"),
+      h("td", { class: "number", "data-label": "error" }, run.band[worst] < faultBands.length ? valueOf(run, worst) : moves ? "" : world.motions[o]?.status ?? "not asked"),
       h("td", {}, button("Explain", () => explain(o), { class: "small", "aria-pressed": String(o === explained) })));
   }));
   const apply = (): void => {
@@ -116,33 +123,54 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
   const solo = (o: number): void => { shown = new Set([o]); solid = o; apply(); };
   const all = (): void => { shown = new Set(movers); apply(); };
 
-  const jumpToDifference = (): void => {
+  /** Goes to the first moment at which one of `others` is elsewhere than `reference`, and lets the camera follow that body. */
+  const jumpToDifference = (reference: number, others: number[], seeks: boolean): void => {
     const sizes = world.bodies.filter((b) => !b.fixed).map((b) => reach(b.shape)).filter((r) => r > 0);
     const size = 0.01 * (sizes.length ? Math.min(...sizes) : 1 / view.frame.scale);
-    const difference = firstDifference(run, world, solid, [...shown], size);
+    const difference = firstDifference(run, world, reference, others, size);
     fill(note, difference
-      ? `${oracles[difference.oracle].name} parts from ${oracles[solid].name} by over 1 % of the smallest body at ${seconds(world.times[difference.sample])}: ${world.bodies[difference.body].name}.`
-      : `The engines shown keep within 1 % of the smallest body of ${oracles[solid]?.name ?? "one another"}.`);
+      ? `${oracles[difference.oracle].name} parts from ${oracles[reference].name} by over 1 % of the smallest body at ${seconds(world.times[difference.sample])}: ${world.bodies[difference.body].name}.`
+      : `The oracles shown keep within 1 % of the smallest body of ${oracles[reference]?.name ?? "one another"}.`);
     if (!difference) return;
     player.stop();
-    player.seek(world.times[difference.sample]);
+    followed = difference.body;
+    follow.value = String(followed);
+    player.seek(seeks ? world.times[difference.sample] : player.time());
     const quantity = menu.find((item) => item.body === difference.body && item.key.startsWith("apart"));
     if (quantity) { selects[1].value = quantity.key; drawPlots(); }
   };
   const note = h("p", { class: "reading", role: "status" });
+  const ofVariant = (i: number): Child => {
+    const variant = worldVariant(run.text(run.report.findings.proof[i]));
+    return variant && [
+      h("p", {}, "The error is the largest over all bodies and samples of distance + angle × radius, with the radius of the largest body."),
+      button("Show both places", () => {
+        player.stop();
+        view.mark([variant.own, variant.variant]);
+        player.seek(variant.time);
+        const [own, other] = [view.marked(0)!, view.marked(1)!];
+        const shape = world.bodies.find((b) => b.name === variant.body)?.shape;
+        followed = -1;
+        follow.value = "-1";
+        stage.fit(own.clone().lerp(other, 0.5), Math.max(own.distanceTo(other), shape ? 2.5 * reach(shape) * view.frame.scale : 0, 0.05));
+        fill(note, `${variant.body} in the world itself, and in its variant mapped back, at ${seconds(variant.time)}.`);
+        stage.invalidate();
+      }, { class: "small" })];
+  };
 
   const tabList = tabs([
-    { key: "proof", name: "Proof", make: () => explained < 0 ? "No engine was asked." : [
+    { key: "proof", name: "Proof", make: () => explained < 0 ? "No oracle was asked." : [
       h("h2", {}, engine(run, explained)),
       world.motions[explained]?.reason && h("p", {}, world.motions[explained].reason),
       world.motions[explained]?.diverged_at_step !== undefined && world.motions[explained].diverged_at_step! > 0 && h("p", {}, `Its motion diverged at step ${world.motions[explained].diverged_at_step}.`),
-      faultsOf(run, q, explained)] },
+      faultsOf(run, q, explained, ofVariant)] },
+    { key: "variants", name: "Variants", make: () => variantsPanel(run, q) },
     { key: "measures", name: "Measures", make: () => measuresTable(run, q, explained) },
     { key: "file", name: "File", make: () => h("pre", { tabindex: "0" }, question.toml) },
     { key: "reproduce", name: "Reproduce", make: () => [
-      h("p", {}, "All engines with proofs:"), command(`touchstone explain ${question.id} --all`),
+      h("p", {}, "All oracles with proofs:"), command(`touchstone explain ${question.id} --all`),
       explained >= 0 && [h("p", {}, `The motion of ${oracles[explained].name} as a table:`), command(`touchstone simulate ${question.id} --oracle ${oracles[explained].name} --csv motion.csv`),
-        h("p", {}, "With the engine's own settings:"), command(`touchstone explain ${question.id} --against ${oracles[explained].name} --as-shipped`)],
+        h("p", {}, "With the oracle's own settings:"), command(`touchstone explain ${question.id} --against ${oracles[explained].name} --as-shipped`)],
       h("p", {}, h("a", { href: findingsAddress({ question: question.id, band: "all" }) }, "Every measurement of this question"))] },
   ], query.get("tab") ?? "proof", (key) => remember("tab", key));
 
@@ -173,7 +201,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
         stage.element,
         h("div", { class: "time-panel" },
           h("div", { class: "toolbar", role: "toolbar", "aria-label": "Time" }, playButton, button("◂", () => stepBy(-1), { title: "One sample back", "aria-label": "One sample back" }), button("▸", () => stepBy(1), { title: "One sample on", "aria-label": "One sample on" }), speed, clock,
-            movers.length > 1 && button("First difference", jumpToDifference)),
+            movers.length > 1 && button("First difference", () => jumpToDifference(solid, [...shown], true))),
           h("div", { class: "lane-row" }, h("span", { class: "lane-name" }, "time"), slider),
           lanes.element, note),
         h("div", { class: "toolbar", role: "toolbar", "aria-label": "View" },
@@ -186,14 +214,15 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
           plots.map((plot, i) => [selects[i], plot.element]))),
       h("div", { class: "side-panel" },
         h("p", { class: "toolbar" }, button("Show all", all, { class: "small" })),
-        h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Engines" },
+        h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Oracles" },
           h("table", { class: "plain verdicts" },
             h("caption", {}, "Tick: it is shown. Dot: it is solid, the others are ghosts."),
-            h("thead", {}, h("tr", {}, h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "show")), h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "solid")), h("th", { scope: "col" }, "engine"), h("th", { scope: "col" }, "worst"), h("th", { scope: "col", class: "number" }, "error"), h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "explain")))),
+            h("thead", {}, h("tr", {}, h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "show")), h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "solid")), h("th", { scope: "col" }, "oracle"), h("th", { scope: "col" }, "worst"), h("th", { scope: "col", class: "number" }, "error"), h("th", { scope: "col" }, h("span", { class: "visually-hidden" }, "explain")))),
             list)),
         tabList.element)));
   apply();
   player.seek(Number(query.get("t")) || first);
+  if (isNamed && named !== trusted && query.get("solo") !== "1") jumpToDifference(trusted, [named], !query.has("t"));
 
   return {
     title: question.title, element,
@@ -201,11 +230,11 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
       { keys: [" "], does: "play or stop", run: () => player.toggle() },
       { keys: ["ArrowLeft"], does: "one sample back", run: () => stepBy(-1) },
       { keys: ["ArrowRight"], does: "one sample on", run: () => stepBy(1) },
-      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], does: "one engine alone", run: (key) => { const o = movers[Number(key) - 1]; if (o !== undefined) solo(o); } },
-      { keys: ["0"], does: "all engines", run: all },
+      { keys: ["1", "2", "3", "4", "5", "6", "7", "8", "9"], does: "one oracle alone", run: (key) => { const o = movers[Number(key) - 1]; if (o !== undefined) solo(o); } },
+      { keys: ["0"], does: "all oracles", run: all },
       ...axes.map(([name, d]) => ({ keys: [name], does: `look along ${name}`, run: () => stage.lookFrom(d) })),
       { keys: ["f"], does: "fit", run: fit },
-      { keys: ["d"], does: "first difference", run: jumpToDifference },
+      { keys: ["d"], does: "first difference", run: () => jumpToDifference(solid, [...shown], true) },
       { keys: ["u"], does: "up to the group's findings", run: () => { location.hash = findingsAddress({ group: question.group }); } },
     ],
     dispose() { player.stop(); for (const plot of plots) plot.dispose(); stage.dispose(); },

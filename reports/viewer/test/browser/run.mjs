@@ -117,7 +117,7 @@ test("filters, their address and the back button agree", () => withPage({}, asyn
   assert.notEqual(grave, all);
   assert.equal(await page.getAttribute(".chip.grave", "aria-current"), "true");
   assert.equal(await page.locator(".virtual .badge:not(.grave)").count(), 0);
-  await page.selectOption("select[aria-label='Filter by engine']", "bullet");
+  await page.selectOption("select[aria-label='Filter by oracle']", "bullet");
   await page.waitForFunction(() => location.hash.includes("oracle=bullet"));
   const engines = await page.$$eval(".c-engine", (cells) => cells.map((c) => c.textContent));
   assert.ok(engines.length > 0 && engines.every((e) => e === "bullet"));
@@ -157,7 +157,7 @@ test("coming back to a list finds the place where it was left", () => withPage({
 
 test("columns sort", () => withPage({}, async (page) => {
   await go(page, "#/findings");
-  await page.click(".head a:has-text('Engine')");
+  await page.click(".head a:has-text('Oracle')");
   const names = await page.$$eval(".c-engine", (cells) => cells.map((c) => c.textContent));
   assert.deepEqual(names, [...names].sort());
   assert.equal(await page.locator("[aria-sort=ascending]").count(), 1);
@@ -222,6 +222,116 @@ test("an engine's contacts are switched on and off", () => withPage({}, async (p
   await changes(before, shot, "no contact appeared");
 }));
 
+test("an oracle that crashed is said to have crashed", () => withPage({}, async (page) => {
+  const crashed = sample.report.questions.find((q) => q.contact?.answers.some((a) => a.status === "crashed"));
+  const name = sample.report.oracles[crashed.contact.answers.findIndex((a) => a.status === "crashed")].name;
+  await go(page, `#/s/${encodeURIComponent(crashed.id)}?o=${encodeURIComponent(name)}`);
+  const row = await page.textContent(".verdicts tr.chosen");
+  assert.match(row, /unusable.*it crashed.*crashed/s);
+  assert.match(await page.textContent("#tab-panel"), /crashed on this question/);
+  await go(page, "#/findings?band=crash");
+  assert.match(await page.textContent(".count"), /^1 finding/);
+  assert.equal(await page.textContent(".virtual .c-value"), "crashed");
+}));
+
+test("the normal of a variant is drawn and performed, and a common point is marked", () => withPage({}, async (page) => {
+  const proofs = sample.report.findings.proof.map((t) => sample.report.texts[t] ?? "");
+  const questionWith = (words) => sample.report.questions[sample.report.findings.question[proofs.findIndex((p, i) => p.includes(words) && sample.report.questions[sample.report.findings.question[i]].contact.truth.touching === "touching")]].id;
+  const labels = () => page.$$eval(".stage .label:not([hidden])", (all) => all.map((l) => l.textContent));
+  await go(page, `#/s/${encodeURIComponent(questionWith("for its variant"))}?o=bullet`);
+  assert.ok((await labels()).includes("n of the variant"));
+  assert.match(await page.textContent("#tab-panel"), /the larger of two changes/);
+  await page.click("text=Play the proof");
+  await page.waitForSelector("text=Play again");
+  assert.match(await page.textContent(".reading"), /that of its variant “swap”/);
+  await go(page, `#/s/${encodeURIComponent(questionWith("inside both"))}?o=bullet`);
+  assert.ok((await labels()).includes("common point"));
+  assert.ok(!(await labels()).includes("n of the variant"));
+  assert.ok(await page.locator(".marks li").count() >= 6);
+}));
+
+test("an address that names an oracle shows it solid where it parts, and the camera follows", () => withPage({}, async (page) => {
+  await go(page, `${views.world}?o=ode`);
+  assert.ok(await page.isChecked("input[aria-label='Draw ode solid']"));
+  assert.match(await page.textContent(".time-panel .reading"), /ode parts from cookbook .* at \d/);
+  assert.ok(await page.$eval(".stage", (stage) => Number(stage.dataset.time)) > 0);
+  assert.notEqual(await page.inputValue("select[aria-label='Camera follows']"), "-1");
+  await go(page, `${views.world}?o=ode&t=1.5`);
+  assert.equal(await page.$eval(".stage", (stage) => Number(stage.dataset.time)), 1.5);
+}));
+
+test("the variants of a world are plotted side by side", () => withPage({}, async (page) => {
+  const { findings: f, names, questions } = sample.report;
+  const world = questions[f.question[f.measure.findIndex((m, i) => names.measure[m].name === "stability" && f.verdict[i] === 0)]].id;
+  await go(page, `#/s/${encodeURIComponent(world)}?tab=variants`);
+  assert.match(await page.textContent("#tab-panel"), /start moved by a rounding/);
+  assert.ok(await page.locator(".variant-strip circle, .variant-strip polygon").count() >= 2);
+  const studied = questions[f.question[f.cause_because.findIndex((t) => /a half and a quarter/.test(sample.report.texts[t]))]].id;
+  await go(page, `#/s/${encodeURIComponent(studied)}?tab=variants`);
+  assert.ok(await page.locator(".study polyline").count() >= 1);
+}));
+
+test("the overview says who was never proved wrong, and how many faults each oracle has", () => withPage({}, async (page) => {
+  const { oracles, clusters } = sample.report;
+  const wrong = new Set(clusters.flatMap((c) => c.oracles));
+  const right = await page.$$eval("p.engines:has-text('Never proved wrong') .engine", (all) => all.map((e) => e.textContent));
+  assert.ok(right.length > 0 && right.every((name) => !wrong.has(oracles.findIndex((o) => o.name === name))));
+  const bullet = oracles.findIndex((o) => o.name === "bullet");
+  assert.equal(await page.textContent("table:has(th:text-is('Grave')) tr:has(.engine:text-is('bullet')) td:last-child"), String(clusters.filter((c) => c.oracles.includes(bullet)).length));
+}));
+
+test("entries of the ledger with one fault are one line, which opens to their reasons", () => withPage({}, async (page) => {
+  await go(page, "#/ledger?q=two+entries");
+  assert.equal(await page.locator(".ledger details").count(), 1);
+  await page.click(".ledger summary");
+  assert.equal(await page.locator(".ledger .entry").count(), 2);
+  assert.match(await page.textContent(".ledger .entries"), /The edge test of case 1/);
+}));
+
+test("faults are put in the order that the reader chooses", () => withPage({}, async (page) => {
+  const counts = () => page.$$eval(".card .extent", (all) => all.map((p) => Number(/in (\d+) scenario/.exec(p.textContent)[1])));
+  await page.selectOption("select[aria-label='Order of the faults']", "questions");
+  await page.waitForFunction(() => location.hash === "#/?sort=questions");
+  await page.waitForTimeout(100);
+  assert.deepEqual(await counts(), (await counts()).sort((a, b) => b - a));
+  assert.ok(await page.locator(".card .proof-line").count() > 3);
+}));
+
+test("what is no longer judged is a kind of change", () => withPage({}, async (page) => {
+  await go(page, "#/compare");
+  await page.click(".chip:has-text('no longer judged')");
+  await page.waitForFunction(() => location.hash.includes("kind="));
+  assert.deepEqual(await page.$$eval(".virtual .badge", (all) => [...new Set(all.map((b) => b.textContent.trim()))]), ["? no longer judged"]);
+}));
+
+test("accuracy is put in the order that the reader chooses", () => withPage({}, async (page) => {
+  await go(page, "#/accuracy?sort=name");
+  const names = await page.$$eval(".accuracy tbody th", (cells) => cells.map((c) => c.textContent));
+  assert.ok(names.length > 3);
+  assert.deepEqual(names, [...names].sort());
+  assert.match(await page.textContent(".marks"), /median.*90 %.*worst/);
+}));
+
+test("on a phone every screen is reached, and tables of answers keep within the window", () => withPage({ viewport: { width: 390, height: 800 } }, async (page) => {
+  for (const name of ["Overview", "Findings", "Matrix", "Accuracy", "Oracles", "Ledger"]) {
+    const box = await page.locator(`#bar nav a:text-is("${name}")`).boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= 390, `${name} is off the screen`);
+  }
+  for (const hash of [views.contact, views.world]) {
+    await go(page, hash);
+    const over = await page.$eval(".side-panel > .scroll", (box) => box.scrollWidth - box.clientWidth);
+    assert.ok(over <= 0, `the table of ${hash} is ${over} px too wide`);
+  }
+}));
+
+test("names of oracles are whole in the tables of answers, and so are the tables", () => withPage({}, async (page) => {
+  for (const hash of [views.contact, views.world]) {
+    await go(page, hash);
+    assert.deepEqual(await page.$$eval(".verdicts .engine", (all) => all.filter((e) => e.scrollWidth > e.clientWidth + 1).map((e) => e.textContent)), []);
+    assert.ok(await page.$eval(".side-panel > .scroll", (box) => box.scrollHeight <= box.clientHeight + 1));
+  }
+}));
+
 test("the slider moves the bodies, and the plots' cursor with them", () => withPage({}, async (page) => {
   await go(page, views.world);
   await page.waitForSelector(".u-over");
@@ -247,6 +357,15 @@ test("playback runs and stops, one engine is shown alone, and the first differen
   await page.keyboard.press("1");
   await page.waitForTimeout(150);
   assert.equal(await page.locator(".verdicts input[type=checkbox]:checked").count(), 1);
+}));
+
+test("a crowd of bodies by all engines is drawn in a few calls", () => withPage({}, async (page) => {
+  const { world, id } = sample.report.questions.find((q) => q.world?.bodies.length > 20);
+  await go(page, `#/s/${encodeURIComponent(id)}`);
+  const drawn = world.bodies.filter((b) => !b.fixed).length * world.motions.filter((m) => m.bodies.length).length;
+  assert.ok(drawn > 150);
+  const calls = await page.$eval(".stage", (stage) => Number(stage.dataset.calls));
+  assert.ok(calls > 5 && calls < drawn / 4, `${calls} calls for ${drawn} bodies`);
 }));
 
 test("one WebGL context lives at a time", () => withPage({}, async (page) => {

@@ -32,8 +32,8 @@ for (const colorScheme of ["light", "dark"]) {
     const rows = await page.$$eval(".c-question a", (links) => links.map((a) => a.getAttribute("href")));
     await snap("matrix", "#/matrix");
     await snap("accuracy", "#/accuracy");
-    await snap("engines", "#/oracles");
-    await snap("engine", "#/oracles/bullet");
+    await snap("oracles", "#/oracles");
+    await snap("oracle", "#/oracles/bullet");
     await snap("ledger", "#/ledger", () => page.click("details summary").catch(() => {}));
     await go(page, "#/findings?q=contact");
     const contact = await page.$$eval(".c-question a", (links) => links.map((a) => a.getAttribute("href")).find((l) => l.includes("contact%2F")));
@@ -41,7 +41,7 @@ for (const colorScheme of ["light", "dark"]) {
     await snap("contact-proof", process.env.CONTACT ?? contact ?? rows[0], async () => { await page.keyboard.press("p"); await page.waitForTimeout(2600); });
     await go(page, "#/findings?q=world");
     const world = await page.$$eval(".c-question a", (links) => links.map((a) => a.getAttribute("href")).find((l) => l.includes("world%2F")));
-    await snap("world", process.env.WORLD ?? world ?? rows[0], async () => { await page.keyboard.press("d"); });
+    await snap("world", process.env.WORLD ?? world ?? rows[0], async () => { if (!process.env.WORLD) await page.keyboard.press("d"); });
     await page.screenshot({ path: join(folder, `world-whole-${size}-${colorScheme}.png`), fullPage: true });
     await page.close();
   }

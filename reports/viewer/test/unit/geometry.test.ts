@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Contact, Placed, Quat, Shape, Vec3 } from "../../src/data";
-import { digits, length, ratio } from "../../src/format";
+import { digits, length, ratio, share, short } from "../../src/format";
 import { contactCentre } from "../../src/scene/contact_scene";
 import { hull } from "../../src/scene/drawing";
 import { makeCut } from "../../src/scene/section";
@@ -56,8 +56,15 @@ describe("a section", () => {
 });
 
 describe("formats", () => {
+  // The program writes the same numbers into its sentences: tests/reports/clusters/clusters_test.cc has the same pairs.
+  it("write a number as the program does", () => {
+    expect([0.048, 0.0099999, 1.3e-5, 0.0021, 659.2, 2084, 99.7, 2e-16].map((x) => length(x))).toEqual(["4.8 cm", "1 cm", "13 µm", "2.1 mm", "659 m", "2080 m", "100 m", "2e-16 m"]);
+    expect([0.05, 1.5, 12, 2e-5, 2e-4, 1.8e6].map((x) => share(x))).toEqual(["5 % of the size", "150 % of the size", "12 × the size", "2e-5 of the size", "0.02 % of the size", "1.8e6 × the size"]);
+    expect([short(-528.3), short(0.00094), short(9.4e-7), short(99.7), short(NaN)]).toEqual(["−528", "0.00094", "9.4e-7", "100", "not a number"]);
+  });
+
   it("say lengths with a prefix that suits them, and shares in per cent", () => {
-    expect([length(0.0481), length(1.3e-5), length(-2e-16), length(12), length(0)]).toEqual(["4.81 cm", "13 µm", "−2e-16 m", "12 m", "0 m"]);
+    expect([length(0.0481), length(1.3e-5), length(-2e-16), length(12), length(0)]).toEqual(["4.8 cm", "13 µm", "−2e-16 m", "12 m", "0 m"]);
     expect([ratio(0.05), ratio(2e-16), ratio(51), digits(NaN), digits(Infinity)]).toEqual(["5 %", "2e-16", "51 ×", "not a number", "∞"]);
   });
 });

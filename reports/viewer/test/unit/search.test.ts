@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { parseAddress, address, toggled } from "../../src/address";
-import { bandOf, bands } from "../../src/bands";
+import { bandOf, bands, faultBands } from "../../src/bands";
 import type { Report } from "../../src/data";
 import { bandsOf, findMatches, orderBy } from "../../src/filter";
 import { makeRun } from "../../src/run";
@@ -49,7 +49,7 @@ describe("search", () => {
 describe("filters", () => {
   it("show the faults, the gravest first, unless an address asks for more", () => {
     const { found } = findMatches(run, new URLSearchParams());
-    expect(found.length).toBe([...run.band].filter((b) => b < 4).length);
+    expect(found.length).toBe([...run.band].filter((b) => b < faultBands.length).length);
     for (let i = 1; i < found.length; ++i) expect(run.band[found[i]]).toBeGreaterThanOrEqual(run.band[found[i - 1]]);
   });
 
@@ -87,7 +87,8 @@ describe("a band", () => {
     expect(bandOf("known", 5, 0)).toBe("grave");
     expect(bandOf("known", 1, 0.5)).toBe("rounding");
     expect(bandOf("known", 0, 0.02)).toBe("large");
-    expect(bandOf("crashed", 0, 0)).toBe("grave");
+    expect(bandOf("crashed", 0, 0)).toBe("crash");
+    expect(bandOf("known", 5, 1, true)).toBe("crash");
     expect(bandOf("pass", 0, 0.5)).toBe("passed");
     expect(bands.map((b) => b)).toContain(bandOf("undecidable", 3, 1));
   });
