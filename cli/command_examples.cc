@@ -153,6 +153,20 @@ without --shard.
      R"(
   touchstone merge shards/sweep.*-of-8.sqlite -o sweep.sqlite
 )",
+      kShown},
+    {"shrink", R"(
+
+Takes a scenario in which an oracle is wrong, known to the ledger or not, and makes it smaller
+while the fault persists: simpler shapes, fewer bodies, vertices and steps, plain rotations,
+short numbers. The oracle, its algorithm, measure, law, verdict, cause and kind of proof stay
+the same, and the error stays as grave. Writes a scenario file that finds the fault again, with
+what was tried. A crash or a hang is a fault, too.
+)",
+     R"(
+  touchstone shrink contact/zoo/fcl_508y --oracle fcl/distance
+  touchstone shrink mine.toml --oracle ode --measure excess --out small.toml
+  touchstone run small.toml --subject ode --against ode
+)",
      kShown},
     {"bench", R"(
 

@@ -23,6 +23,7 @@
 #include "cli/commands/oracles_command.h"
 #include "cli/commands/report_command.h"
 #include "cli/commands/run_command.h"
+#include "cli/commands/shrink_command.h"
 #include "cli/commands/simulate_command.h"
 #include "cli/commands/sweep_command.h"
 #include "cli/expected.h"
@@ -47,6 +48,7 @@ constexpr const char* kIntroduction =
     "  touchstone explain contact/zoo/fcl_395  show every answer to one scenario\n"
     "  touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0'\n"
     "  touchstone sweep contact --pair box box --count 100000\n"
+    "  touchstone shrink contact/zoo/fcl_508y --oracle fcl/distance\n"
     "  touchstone simulate world/free --oracles bullet,ode --csv motion.csv\n"
     "  touchstone bench worlds --scene boxes1000\n"
     "  touchstone COMMAND --help               show the options of a command\n\n"
@@ -74,6 +76,7 @@ class CommandLine {
     AddOracles();
     AddSweep();
     AddMerge();
+    AddShrink();
     AddBench();
     AddSimulate();
     AddSchema();
@@ -485,6 +488,30 @@ class CommandLine {
         ->type_name("FILE");
   }
 
+  void AddFault(CLI::App* app, FaultSelection& fault) {
+    AddScenarios(app, fault.scenarios);
+    app->get_option("PATTERN")->required()->description(
+        "a scenario id, or your own TOML file");
+    app->add_option("--oracle", fault.oracle,
+                    "oracle whose fault it is (default: the only one that is wrong)")
+        ->type_name("ORACLE");
+    app->add_option("--measure", fault.measure,
+                    "measure that finds it, e.g. separation_error (default: the simplest "
+                    "proof of the gravest fault)")
+        ->type_name("MEASURE");
+  }
+
+  void AddShrink() {
+    CLI::App* app = AddCommand("shrink", "Find the smallest question with a fault",
+                               [this] { return ShrinkCommand(session_, shrink_); });
+    AddFault(app, shrink_.fault);
+    AddNumber(app, "--tries", shrink_.tries, 1, "most smaller questions to ask");
+    app->add_option("--out", shrink_.out,
+                    "file for the scenario (default: standard output)")
+        ->type_name("FILE");
+    app->add_flag("--quiet", shrink_.quiet, "print nothing with --out");
+  }
+
   void AddLedger() {
     CLI::App* app =
         AddCommand("ledger", "Propose, bound or audit the known discrepancies",
@@ -535,6 +562,7 @@ class CommandLine {
   BenchArguments bench_;
   BenchWorldsArguments bench_worlds_;
   std::string benched_;
+  ShrinkArguments shrink_;
   SimulateArguments simulate_;
   ScenarioSelection explained_;
   OracleSelection oracles_;

@@ -359,10 +359,6 @@ std::unique_ptr<Simulation> MujocoWorld(const World& world, MujocoIntegrator int
 
 void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info) {
   info.simulates = true;
-  if (integrator == MujocoIntegrator::kRk4) {
-    info.stated_order = 4;
-    info.order_stated_by = "MuJoCo's documentation, chapter Computation: RK4";
-  }
   for (int i = 0; i < kWorldFeatures; ++i) {
     const std::string reason = WhyNot(static_cast<WorldFeature>(i));
     info.world_capabilities[static_cast<std::size_t>(i)] = {reason.empty(), reason};

@@ -1,0 +1,107 @@
+#include "cli/commands/choose_fault.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/did_you_mean.h"
+#include "cli/input_error.h"
+#include "cli/select_oracles.h"
+#include "reports/text/counted.h"
+#include "reports/writers/outcome.h"
+
+namespace touchstone {
+namespace {
+
+Question OnlyQuestion(const ScenarioSelection& selection) {
+  const Questions questions = SelectQuestions(selection);
+  const std::size_t count = questions.contacts.size() + questions.worlds.size();
+  if (count != 1) {
+    throw InputError(fmt::format("{} selects {}; expected one",
+                                 fmt::join(selection.patterns, " "),
+                                 Counted(count, "scenario")));
+  }
+  if (questions.contacts.empty()) return questions.worlds.front();
+  return questions.contacts.front();
+}
+
+std::optional<MeasureKind> MeasureOf(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  if (const auto measure = MeasureNamed(name)) return measure;
+  std::vector<std::string_view> names;
+  for (const MeasureKind measure : AllMeasures()) names.push_back(NameOf(measure));
+  throw InputError(fmt::format("there is no measure '{}'{}; expected one of: {}", name,
+                               DidYouMean(name, names), fmt::join(names, ", ")));
+}
+
+std::vector<const Oracle*> OraclesOf(const Session& session, const std::string& pattern) {
+  if (!pattern.empty()) return OraclesNamed(session.registry, pattern);
+  OracleSelection all;
+  all.subject = session.defaults.subject;
+  return SelectOracles(session.registry, all);
+}
+
+/** Returns the fault of the only oracle of `report`; null if it has none. */
+const Finding* FaultIn(const RunReport& report, std::optional<MeasureKind> measure) {
+  if (!measure) {
+    const std::vector<Outcome> outcomes = OutcomesOf(report);
+    const Outcome& outcome = outcomes.front();
+    return IsFailure(outcome.verdict) ? outcome.decisive : nullptr;
+  }
+  const auto found = std::find_if(
+      report.findings.begin(), report.findings.end(), [&](const Finding& finding) {
+        return finding.measure == *measure && IsFailure(finding.verdict);
+      });
+  return found == report.findings.end() ? nullptr : &*found;
+}
+
+bool IsIndicted(const ChosenFault& fault) {
+  const auto indicts = [&](const Indictment& indictment) {
+    return indictment.reproduces && indictment.oracle == fault.oracle->info().name;
+  };
+  return std::visit(
+      [&](const auto& scenario) {
+        return std::any_of(scenario.indicts.begin(), scenario.indicts.end(), indicts);
+      },
+      fault.question);
+}
+
+}  // namespace
+
+ChosenFault ChooseFault(const Session& session, const FaultSelection& selection) {
+  const std::optional<MeasureKind> measure = MeasureOf(selection.measure);
+  const std::vector<const Oracle*> oracles = OraclesOf(session, selection.oracle);
+  const Question question = OnlyQuestion(selection.scenarios);
+  std::vector<ChosenFault> faults;
+  for (const Oracle* const oracle : oracles) {
+    ChosenFault fault{question, oracle, AskAlone(question, *oracle), {}};
+    if (const Finding* const finding = FaultIn(fault.report, measure)) {
+      fault.finding = *finding;
+      faults.push_back(std::move(fault));
+    }
+  }
+  if (faults.size() > 1) {
+    std::stable_partition(faults.begin(), faults.end(), IsIndicted);
+    std::vector<std::string_view> names;
+    for (const ChosenFault& fault : faults) names.push_back(fault.oracle->info().name);
+    if (!IsIndicted(faults[0]) || IsIndicted(faults[1])) {
+      throw InputError(
+          fmt::format("{} oracles are wrong in {}; expected --oracle with "
+                      "one of: {}",
+                      faults.size(), IdOf(question), fmt::join(names, ", ")));
+    }
+  }
+  if (faults.empty()) {
+    throw InputError(fmt::format(
+        "{} is proved wrong{} in {}; expected a fault",
+        oracles.size() == 1 ? "no answer of " + oracles.front()->info().name
+                            : "no oracle",
+        measure ? fmt::format(" in {}", NameOf(*measure)) : "", IdOf(question)));
+  }
+  return std::move(faults.front());
+}
+
+}  // namespace touchstone

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "cli/select_scenarios.h"
+#include "cli/session.h"
+#include "reports/shrink/shrink.h"
+
+namespace touchstone {
+
+/** What a user says of a fault. */
+struct FaultSelection {
+  ScenarioSelection scenarios;  ///< Must select one scenario.
+  /** Name of an oracle or of a group ("fcl"); empty: all. */
+  std::string oracle;
+  std::string measure;  ///< Name of a measure; empty: any.
+};
+
+/** A fault of an oracle in one scenario. */
+struct ChosenFault {
+  Question question;
+  const Oracle* oracle;
+  RunReport report;  ///< That of AskAlone(question, *oracle).
+  Finding finding;   ///< The fault.
+};
+
+/** Returns the fault that `selection` means. If several oracles of the selection are
+ wrong, it is that of the one that the file indicts. If several measures are wrong, it is
+ the simplest proof of the gravest, Outcome::decisive. The ledger is not asked.
+
+ Throws InputError if that is not one scenario, if nothing is wrong in it, and, with all
+ their names, if several oracles are. */
+ChosenFault ChooseFault(const Session& session, const FaultSelection& selection);
+
+}  // namespace touchstone

@@ -1,0 +1,42 @@
+#include "cli/commands/shrink_command.h"
+
+#include <iostream>
+
+#include <fmt/format.h>
+
+#include "cli/output_folder.h"
+#include "cli/progress_bar.h"
+#include "reports/shrink/shrunk_file.h"
+#include "reports/text/counted.h"
+#include "reports/writers/outcome.h"
+
+namespace touchstone {
+
+int ShrinkCommand(const Session& session, const ShrinkArguments& arguments) {
+  std::optional<OutputFolder> folder;
+  if (arguments.out) {
+    folder.emplace(arguments.out->has_parent_path() ? arguments.out->parent_path() : ".");
+    folder->Check(arguments.out->filename());
+  }
+  const ChosenFault fault = ChooseFault(session, arguments.fault);
+  ProgressBar bar(session.terminal.progress && !arguments.quiet);
+  const auto tries = static_cast<std::size_t>(arguments.tries);
+  const Shrunk shrunk =
+      Shrink(fault.question, *fault.oracle, fault.finding,
+             {.tries = tries, .on_try = [&](std::size_t n) { bar.Show(n, tries); }});
+  const std::string file = FileOf(shrunk, fault.question);
+  if (!folder) {
+    std::cout << file;
+    return 0;
+  }
+  folder->Write(arguments.out->filename(), [&](std::ostream& out) { out << file; });
+  if (!arguments.quiet) {
+    std::cout << fmt::format("{} asked, {} kept{}\n{}\n",
+                             Counted(shrunk.tried, "smaller question"), shrunk.accepted,
+                             shrunk.is_smallest ? "" : "; the tries ran out",
+                             Sentence(shrunk.finding));
+  }
+  return 0;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "reports/finding/finding.h"
+
+namespace touchstone {
+
+/** The excess, in tolerances, beyond which an error is no matter of rounding, however
+ much larger it was at first. [-] */
+inline constexpr double kClearExcess = 1000;
+
+/** Returns `proof` with every number replaced by '#'. Two proofs are of the same kind if
+ they differ in their numbers only. */
+std::string KindOfProof(const std::string& proof);
+
+/** Returns whether `finding` shows the same fault as `original`, found on another
+ question: by the same oracle, measure, law, verdict and kind of proof. Its grade must be
+ at least as grave. Its value must exceed its tolerance at least half as many times as the
+ original did, or kClearExcess times: a fault must not shrink into a rounding. */
+bool IsSameFault(const Finding& finding, const Finding& original);
+
+}  // namespace touchstone

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "oracles/oracle.h"
+#include "reports/finding/finding.h"
+#include "reports/run_report.h"
+#include "reports/shrink/question.h"
+
+namespace touchstone {
+
+/** The limits of a search for a smaller question. */
+struct ShrinkOptions {
+  std::size_t tries = 5000;  ///< Most questions that the oracle is asked.
+  /** Called before each question with the number of those asked; may be empty. */
+  std::function<void(std::size_t)> on_try = nullptr;
+};
+
+/** The result of Shrink(). */
+struct Shrunk {
+  Question question;
+  Finding finding;           ///< The fault, found on `question`.
+  std::size_t tried = 0;     ///< Candidates that the oracle was asked.
+  std::size_t accepted = 0;  ///< Those of them that showed the fault and were kept.
+  bool is_smallest = false;  ///< No reduction makes it smaller; else the tries ran out.
+};
+
+/** Puts `question` to `oracle` alone, and judges the answer without a ledger. */
+RunReport AskAlone(const Question& question, const Oracle& oracle);
+
+/** Returns a smaller question on which `oracle` has the same fault, IsSameFault():
+ `fault` is one of the findings of AskAlone(question, oracle) with a verdict that
+ IsFailure().
+
+ The search is greedy. It tries the candidates of one reduction after the other
+ (Reductions()) and keeps each that is valid, smaller by SizeOf(), asks the same algorithm
+ of the oracle, and shows the fault; until none is left, or the tries run out. It is
+ deterministic if the oracle is. What the author knows of the question is left out: it
+ holds for the original only. */
+Shrunk Shrink(const Question& question, const Oracle& oracle, const Finding& fault,
+              const ShrinkOptions& options = {});
+
+}  // namespace touchstone

@@ -1,0 +1,51 @@
+#include "reports/shrink/shrunk_file.h"
+
+#include <fmt/format.h>
+
+#include "reports/text/commented.h"
+#include "reports/text/counted.h"
+#include "reports/writers/outcome.h"
+
+namespace touchstone {
+namespace {
+
+std::string Comment(const std::string& text) {
+  return Commented(text, "# ");
+}
+
+}  // namespace
+
+Question ScenarioOf(const Shrunk& shrunk, const Question& original) {
+  Question question = shrunk.question;
+  const Finding& finding = shrunk.finding;
+  std::visit(
+      [&](auto& scenario) {
+        scenario.id = IdOf(original) + "_shrunk";
+        scenario.title =
+            fmt::format("{} fails {}", finding.oracle, NameOf(finding.measure));
+        scenario.source =
+            fmt::format("Shrunk from {} by touchstone shrink", IdOf(original));
+        scenario.indicts = {Indictment{.oracle = finding.oracle,
+                                       .measures = {finding.measure},
+                                       .anomaly = finding.proof,
+                                       .reproduces = true}};
+      },
+      question);
+  return question;
+}
+
+std::string FileOf(const Shrunk& shrunk, const Question& original) {
+  return Comment(fmt::format(
+             "Shrunk by `touchstone shrink {} --oracle {} --measure {}`: {} asked, {} "
+             "kept{}.",
+             IdOf(original), shrunk.finding.oracle, NameOf(shrunk.finding.measure),
+             Counted(shrunk.tried, "smaller question"), shrunk.accepted,
+             shrunk.is_smallest ? "" : "; the tries ran out before the smallest")) +
+         Comment(Sentence(shrunk.finding)) +
+         Comment(fmt::format("Ask again: touchstone run THIS_FILE --subject {0} "
+                             "--against {0}",
+                             shrunk.finding.oracle)) +
+         TextOf(ScenarioOf(shrunk, original));
+}
+
+}  // namespace touchstone

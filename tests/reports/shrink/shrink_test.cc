@@ -1,0 +1,311 @@
+#include "reports/shrink/shrink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "oracles/oracle_registry.h"
+#include "reports/shrink/reductions.h"
+#include "reports/shrink/round_to_digits.h"
+#include "reports/shrink/same_fault.h"
+#include "reports/shrink/shrunk_file.h"
+#include "reports/shrink/size.h"
+#include "scenarios/scenario_file.h"
+#include "tests/reports/fake_oracle.h"
+
+namespace touchstone {
+namespace {
+
+using Proposal = void (*)(const Question&, const Candidates&);
+
+std::vector<Question> All(Proposal propose, const Question& question) {
+  std::vector<Question> candidates;
+  propose(question, [&](Question c) { candidates.push_back(std::move(c)); });
+  return candidates;
+}
+
+/** Whether one of the candidates is valid, smaller and as `wanted` says. */
+template <typename Wanted>
+bool Offers(Proposal propose, const Question& question, Wanted wanted) {
+  const std::vector<Question> all = All(propose, question);
+  return std::any_of(all.begin(), all.end(), [&](const Question& candidate) {
+    return IsValid(candidate) && SizeOf(candidate) < SizeOf(question) &&
+           wanted(candidate);
+  });
+}
+
+Scenario TwoBoxes() {
+  Scenario scenario;
+  scenario.id = "mine/boxes";
+  scenario.title = "Two boxes";
+  scenario.source = "none";
+  scenario.name_A = "A";
+  scenario.name_B = "B";
+  scenario.contact.A = {
+      Box{{0.5123, 0.61, 0.7}},
+      Pose::FromQuaternion({0.3141, -0.2, 0.7},
+                           Eigen::Quaterniond(0.9, 0.1, 0.3, -0.2).normalized())};
+  scenario.contact.B = {
+      Box{{0.5, 0.4, 0.3}},
+      Pose::FromQuaternion({0.9, -0.5, 1.3},
+                           Eigen::Quaterniond(0.7, -0.1, 0.2, 0.4).normalized())};
+  return scenario;
+}
+
+WorldScenario ThreeBalls() {
+  WorldScenario scenario;
+  scenario.id = "mine/balls";
+  scenario.title = "Three balls, two of them on a rod";
+  scenario.source = "none";
+  for (const char* const name : {"a", "b", "c"}) {
+    RigidBody ball;
+    ball.name = name;
+    ball.placed.shape = Sphere{0.1};
+    ball.placed.X_WB = Pose::FromQuaternion(
+        {static_cast<double>(scenario.world.bodies.size()), 0, 0}, {1, 0, 0, 0});
+    scenario.world.bodies.push_back(ball);
+  }
+  scenario.world.joints.push_back(
+      {.A = {AnchorKind::kBody, 1}, .B = {AnchorKind::kBody, 2}, .length = 1});
+  scenario.world.pushes.push_back({.body = 2, .J_W = {0, 1, 0}});
+  return scenario;
+}
+
+const ContactQuery& ContactOf(const Question& question) {
+  return std::get<Scenario>(question).contact;
+}
+
+const World& WorldOf(const Question& question) {
+  return std::get<WorldScenario>(question).world;
+}
+
+TEST(Reductions, LeaveOutABodyWithItsJointsAndKeepTheIndicesOfTheOthers) {
+  EXPECT_TRUE(Offers(FewerParts, ThreeBalls(), [](const Question& candidate) {
+    const World& world = WorldOf(candidate);
+    return world.bodies.size() == 2 && world.bodies[0].name == "b" &&
+           world.joints.size() == 1 && world.joints[0].A.index == 0 &&
+           world.joints[0].B.index == 1 && world.pushes[0].body == 1;
+  }));
+  EXPECT_TRUE(Offers(FewerParts, ThreeBalls(), [](const Question& candidate) {
+    const World& world = WorldOf(candidate);
+    return world.bodies.size() == 2 && world.bodies[1].name == "b" &&
+           world.joints.empty() && world.pushes.empty();
+  }));
+  EXPECT_TRUE(Offers(FewerParts, ThreeBalls(), [](const Question& candidate) {
+    return WorldOf(candidate).bodies.size() == 3 && WorldOf(candidate).joints.empty();
+  }));
+}
+
+TEST(Reductions, EndAWorldAfterOneStepAndAfterOneLess) {
+  for (const int steps : {1, 239}) {
+    EXPECT_TRUE(Offers(FewerSteps, ThreeBalls(), [&](const Question& candidate) {
+      return WorldOf(candidate).steps == steps;
+    }));
+  }
+}
+
+TEST(Reductions, ReplaceABoxByASphereAndAHullByABox) {
+  EXPECT_TRUE(Offers(SimplerShapes, TwoBoxes(), [](const Question& candidate) {
+    const auto* const sphere = std::get_if<Sphere>(&ContactOf(candidate).A.shape);
+    return sphere != nullptr && sphere->radius == 0.5123;
+  }));
+  Scenario hull = TwoBoxes();
+  hull.contact.A.shape = ConvexHull{{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {-1, -2, -3}}};
+  EXPECT_TRUE(Offers(SimplerShapes, hull, [](const Question& candidate) {
+    const auto* const box = std::get_if<Box>(&ContactOf(candidate).A.shape);
+    return box != nullptr && box->half_extents == Eigen::Vector3d(1, 2, 3);
+  }));
+}
+
+TEST(Reductions, LeaveOutHalfOfTheVerticesAndEachOne) {
+  Scenario hull = TwoBoxes();
+  hull.contact.A.shape = ConvexHull{{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {-1, -2, -3}}};
+  const auto count_is = [](std::size_t count) {
+    return [count](const Question& candidate) {
+      return std::get<ConvexHull>(ContactOf(candidate).A.shape).vertices.size() == count;
+    };
+  };
+  EXPECT_TRUE(Offers(FewerVertices, hull, count_is(2)));
+  EXPECT_TRUE(Offers(FewerVertices, hull, count_is(3)));
+}
+
+TEST(Reductions, PutEachBodyAtTheOriginWithoutMovingThemAgainstEachOther) {
+  const Scenario boxes = TwoBoxes();
+  EXPECT_TRUE(Offers(CommonFrame, boxes, [&](const Question& candidate) {
+    const auto& [A, B] = ContactOf(candidate);
+    // A point of B, seen from A, is where it was, to a few roundings.
+    const Eigen::Vector3d x(0.1, 0.2, 0.3);
+    const Pose& X_WA = boxes.contact.A.X_WB;
+    const Eigen::Vector3d before =
+        X_WA.R_WB.transpose() * (boxes.contact.B.X_WB * x - X_WA.p_WB);
+    return A.X_WB.p_WB.isZero(0) && A.X_WB.R_WB.isIdentity(0) &&
+           (B.X_WB * x - before).norm() < 16 * 0x1p-53;
+  }));
+}
+
+TEST(Reductions, ReplaceARotationByTheIdentityAndByFewDigitsNearby) {
+  const Scenario boxes = TwoBoxes();
+  EXPECT_TRUE(Offers(PlainRotations, boxes, [](const Question& candidate) {
+    return ContactOf(candidate).A.X_WB.R_WB.isIdentity(0);
+  }));
+  EXPECT_TRUE(Offers(PlainRotations, boxes, [&](const Question& candidate) {
+    const Pose& X = ContactOf(candidate).B.X_WB;
+    if (!X.q_WB) return false;
+    const Eigen::Vector4d hundredths = 100 * X.q_WB->coeffs();
+    // Each of four integers is off by at most 2.5 hundredths, so q by 0.05; a rotation is
+    // off by 2 sqrt(2) times as much (Frobenius norm).
+    return (hundredths - hundredths.array().round().matrix()).norm() < 1e-12 &&
+           (X.R_WB - boxes.contact.B.X_WB.R_WB).norm() < 2 * std::sqrt(2) * 0.05;
+  }));
+}
+
+TEST(Reductions, MakeSizesEqual) {
+  EXPECT_TRUE(Offers(EqualSizes, TwoBoxes(), [](const Question& candidate) {
+    return std::get<Box>(ContactOf(candidate).B.shape).half_extents ==
+           Eigen::Vector3d(0.5, 0.5, 0.5);
+  }));
+}
+
+TEST(Reductions, ScaleByPowersOfTen) {
+  Scenario tiny = TwoBoxes();
+  for (Body* const body : {&tiny.contact.A, &tiny.contact.B}) {
+    body->shape = Sphere{3e-7};
+    body->X_WB.p_WB = {2e-7, 0, 0};
+  }
+  EXPECT_TRUE(Offers(UnitScale, tiny, [](const Question& candidate) {
+    return std::get<Sphere>(ContactOf(candidate).A.shape).radius == 3 &&
+           ContactOf(candidate).B.X_WB.p_WB == Eigen::Vector3d(2, 0, 0);
+  }));
+}
+
+TEST(Reductions, ShortenOneNumberAndAllAtOnce) {
+  for (const double shorter : {0.0, 1.0, 0.3, 0.31, 0.314}) {
+    EXPECT_TRUE(Offers(ShortNumbers, TwoBoxes(), [&](const Question& candidate) {
+      const auto& [A, B] = ContactOf(candidate);
+      return A.X_WB.p_WB[0] == shorter &&
+             std::get<Box>(A.shape).half_extents[0] == 0.5123;
+    }));
+  }
+  EXPECT_TRUE(Offers(ShortNumbers, TwoBoxes(), [](const Question& candidate) {
+    const auto& [A, B] = ContactOf(candidate);
+    return A.X_WB.p_WB[0] == 0.31 && std::get<Box>(A.shape).half_extents[0] == 0.51;
+  }));
+}
+
+TEST(RoundToDigits, RoundsToDecimals) {
+  EXPECT_EQ(RoundToDigits(0.3149, 3), 0.315);
+  EXPECT_EQ(RoundToDigits(-1234.5, 2), -1200);
+  EXPECT_EQ(RoundToDigits(0, 4), 0);
+}
+
+TEST(SameFault, KeepsTheKindOfProofButNotItsNumbers) {
+  EXPECT_EQ(KindOfProof("says 0.5 m deep along (1, -2e-05, 3)"),
+            KindOfProof("says 17 m deep along (0, 0.25, -1)"));
+  EXPECT_NE(KindOfProof("says 0.5 m deep"), KindOfProof("says 0.5 m apart"));
+}
+
+TEST(SameFault, DoesNotShrinkIntoARounding) {
+  Finding original;
+  original.measure = MeasureKind::kExcess;
+  original.value = 0.1;
+  original.tolerance = 1e-3;
+  original.verdict = Verdict::kFail;
+  original.grade = Grade::kLarge;
+  EXPECT_TRUE(IsSameFault(original, original));
+  Finding other = original;
+  other.value = 0.049;
+  EXPECT_FALSE(IsSameFault(other, original));  // Less than half of the excess.
+  other = original;
+  other.grade = Grade::kSmall;
+  EXPECT_FALSE(IsSameFault(other, original));
+  other = original;
+  other.verdict = Verdict::kInvalid;
+  EXPECT_FALSE(IsSameFault(other, original));
+}
+
+/** The fault that AskAlone() finds first. */
+Finding FirstFault(const Question& question, const Oracle& oracle) {
+  for (const Finding& finding : AskAlone(question, oracle).findings) {
+    if (IsFailure(finding.verdict)) return finding;
+  }
+  ADD_FAILURE() << "no fault";
+  return {};
+}
+
+TEST(Shrink, EndsAtUnitShapesIfTheFaultIsEverywhere) {
+  const FakeOracle oracle =
+      FakeOracle::Wrong("wrong", [](const ContactQuery&, ContactAnswer& answer) {
+        answer.touching = !answer.touching;
+      });
+  const Question question = TwoBoxes();
+  const Shrunk shrunk = Shrink(question, oracle, FirstFault(question, oracle));
+  EXPECT_TRUE(shrunk.is_smallest);
+  EXPECT_LT(SizeOf(shrunk.question), SizeOf(question));
+  const auto& [A, B] = ContactOf(shrunk.question);
+  EXPECT_EQ(KindOf(A.shape), ShapeKind::kSphere);
+  EXPECT_EQ(KindOf(B.shape), ShapeKind::kSphere);
+  EXPECT_TRUE(A.X_WB.R_WB.isIdentity(0));
+  EXPECT_TRUE(B.X_WB.R_WB.isIdentity(0));
+}
+
+TEST(Shrink, StopsAfterTheTriesItIsGiven) {
+  const FakeOracle oracle =
+      FakeOracle::Wrong("wrong", [](const ContactQuery&, ContactAnswer& answer) {
+        answer.touching = !answer.touching;
+      });
+  const Question question = TwoBoxes();
+  const Shrunk shrunk =
+      Shrink(question, oracle, FirstFault(question, oracle), {.tries = 3});
+  EXPECT_EQ(shrunk.tried, 3u);
+  EXPECT_FALSE(shrunk.is_smallest);
+}
+
+/** A fault of an engine that the ledger knows. */
+struct KnownFault {
+  const char* scenario;
+  const char* oracle;
+};
+
+class ShrinkOfAKnownFault : public testing::TestWithParam<KnownFault> {};
+
+TEST_P(ShrinkOfAKnownFault, IsSmallerIsRepeatableAndIsFoundAgainInItsFile) {
+  static const OracleRegistry registry = OracleRegistry::BuiltIn();
+  const Oracle* const oracle = registry.Find(GetParam().oracle);
+  if (oracle == nullptr) GTEST_SKIP() << GetParam().oracle << " is not in this build";
+  const ReadResult read = ReadScenarioFile(std::filesystem::path(TOUCHSTONE_CATALOGUE) /
+                                           (std::string(GetParam().scenario) + ".toml"));
+  const Question question =
+      read.world ? Question(*read.world) : Question(read.scenario.value());
+  const Finding fault = FirstFault(question, *oracle);
+  const ShrinkOptions options{.tries = 400};
+  const Shrunk shrunk = Shrink(question, *oracle, fault, options);
+  EXPECT_GT(shrunk.accepted, 0u);
+  EXPECT_LT(SizeOf(shrunk.question), SizeOf(question));
+
+  const std::string file = FileOf(shrunk, question);
+  EXPECT_EQ(FileOf(Shrink(question, *oracle, fault, options), question), file);
+
+  const ReadResult again = ReadScenario(file, "shrunk.toml");
+  ASSERT_TRUE(again.diagnostics.empty()) << ToString(again.diagnostics.front());
+  const RunReport report = AskAlone(
+      again.world ? Question(*again.world) : Question(again.scenario.value()), *oracle);
+  EXPECT_TRUE(
+      std::any_of(report.findings.begin(), report.findings.end(),
+                  [&](const Finding& finding) { return IsSameFault(finding, fault); }));
+  EXPECT_THAT(report.faults, testing::IsEmpty());  // The indictment is confirmed.
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Catalogue, ShrinkOfAKnownFault,
+    testing::Values(KnownFault{"contact/zoo/fcl_508y", "fcl/distance"},
+                    KnownFault{"contact/box_box/edge_edge_deep", "libccd/mpr"},
+                    KnownFault{"contact/zoo/fcl_395", "ode"},
+                    KnownFault{"contact/zoo/fcl_395", "dart"},
+                    KnownFault{"world/friction/wedge_at_25_degrees", "bullet"}));
+
+}  // namespace
+}  // namespace touchstone
