@@ -153,7 +153,7 @@ without --shard.
      R"(
   touchstone merge shards/sweep.*-of-8.sqlite -o sweep.sqlite
 )",
-      kShown},
+     kShown},
     {"shrink", R"(
 
 Takes a scenario in which an oracle is wrong, known to the ledger or not, and makes it smaller

@@ -94,7 +94,7 @@ struct OracleInfo {
    documentation states it: halving the step divides the error by 2^order. The default, 1,
    is the order of every consistent scheme. The engine is held to it. */
   double stated_order = 1;
-  std::string order_stated_by;  ///< Source of `stated_order`; empty only if it is 1.
+  std::string order_stated_by;    ///< Source of `stated_order`; empty only if it is 1.
   bool steps_in_threads = false;  ///< Whether it has BeginInThreads().
   /** The numbers that may be chosen for its worlds; empty if the adapter offers none. */
   std::vector<WorldParameter> parameters;
