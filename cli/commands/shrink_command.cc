@@ -19,7 +19,7 @@ int ShrinkCommand(const Session& session, const ShrinkArguments& arguments) {
     folder->Check(arguments.out->filename());
   }
   const ChosenFault fault = ChooseFault(session, arguments.fault);
-  ProgressBar bar(session.terminal.progress && !arguments.quiet);
+  ProgressBar bar(session.terminal, arguments.quiet);
   const auto tries = static_cast<std::size_t>(arguments.tries);
   const Shrunk shrunk =
       Shrink(fault.question, *fault.oracle, fault.finding,
