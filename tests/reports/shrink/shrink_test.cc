@@ -4,7 +4,9 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -305,7 +307,13 @@ INSTANTIATE_TEST_SUITE_P(
                     KnownFault{"contact/box_box/edge_edge_deep", "libccd/mpr"},
                     KnownFault{"contact/zoo/fcl_395", "ode"},
                     KnownFault{"contact/zoo/fcl_395", "dart"},
-                    KnownFault{"world/friction/wedge_at_25_degrees", "bullet"}));
+                    KnownFault{"world/friction/wedge_at_25_degrees", "bullet"}),
+    [](const testing::TestParamInfo<KnownFault>& instance) {
+      std::string name =
+          fmt::format("{}_of_{}", instance.param.scenario, instance.param.oracle);
+      std::replace(name.begin(), name.end(), '/', '_');
+      return name;
+    });
 
 }  // namespace
 }  // namespace touchstone
