@@ -86,6 +86,7 @@ ChosenFault ChooseFault(const Session& session, const FaultSelection& selection)
   if (faults.size() > 1) {
     std::stable_partition(faults.begin(), faults.end(), IsIndicted);
     std::vector<std::string_view> names;
+    names.reserve(faults.size());
     for (const ChosenFault& fault : faults) names.push_back(fault.oracle->info().name);
     if (!IsIndicted(faults[0]) || IsIndicted(faults[1])) {
       throw InputError(

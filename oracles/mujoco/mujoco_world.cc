@@ -154,7 +154,8 @@ class MujocoSimulation final : public Simulation {
     for (std::size_t i = 0; i < question_.joints.size(); ++i) {
       const int tendon = Find(mjOBJ_TENDON, 'j', i);
       if (tendon < 0) continue;
-      mjtNum* const equality = model_->eq_data + mjNEQDATA * Find(mjOBJ_EQUALITY, 'j', i);
+      mjtNum* const equality =
+          model_->eq_data + std::ptrdiff_t{mjNEQDATA} * Find(mjOBJ_EQUALITY, 'j', i);
       equality[0] = question_.joints[i].length - model_->tendon_length0[tendon];
     }
     data_.reset(mj_makeData(model_.get()));

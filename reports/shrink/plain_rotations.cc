@@ -10,10 +10,10 @@
 namespace touchstone {
 namespace {
 
-/** Returns the quaternion of integers divided by `n` that is nearest to `q` among those
- whose integers are at most 2 from n q and whose squares add up to n²: it is a unit
- quaternion with few digits, if n divides a power of ten. Zero if there is none. */
-Eigen::Quaterniond NearestWithDenominator(const Eigen::Quaterniond& q, int n) {
+/** Returns the quaternion of integers divided by the integer `n` that is nearest to `q`
+ among those whose integers are at most 2 from n q and whose squares add up to n²: it is a
+ unit quaternion with few digits, if n divides a power of ten. Zero if there is none. */
+Eigen::Quaterniond NearestWithDenominator(const Eigen::Quaterniond& q, double n) {
   const Eigen::Vector4d exact = n * q.coeffs();
   Eigen::Vector4d best = Eigen::Vector4d::Zero();
   constexpr int kReach = 2;
@@ -40,7 +40,7 @@ std::vector<Pose> PlainerThan(const Pose& X) {
   }
   plainer.push_back(Pose::FromMatrix(p, nearest));
   const Eigen::Quaterniond q = X.q_WB ? *X.q_WB : Eigen::Quaterniond(X.R_WB).normalized();
-  for (const int n : {2, 5, 10, 25, 50, 100, 500, 1000, 10'000, 100'000}) {
+  for (const double n : {2., 5., 10., 25., 50., 100., 500., 1e3, 1e4, 1e5}) {
     const Eigen::Quaterniond shorter = NearestWithDenominator(q, n);
     if (!shorter.coeffs().isZero()) plainer.push_back(Pose::FromQuaternion(p, shorter));
   }
