@@ -8,7 +8,7 @@
 
 namespace touchstone {
 
-/** What a user says of a fault. */
+/** The options by which a user chooses a fault. */
 struct FaultSelection {
   ScenarioSelection scenarios;  ///< Must select one scenario.
   /** Name of an oracle or of a group ("fcl"); empty: all. */

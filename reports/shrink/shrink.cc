@@ -14,8 +14,8 @@
 namespace touchstone {
 namespace {
 
-/** Removes what an author knows of the question. A tolerance that the author grants
- stays: it is part of the judgement. */
+/** Removes the expected answer and the indictments, which hold for the original alone. A
+ tolerance that the author grants stays: it is part of the judgement. */
 void ForgetAnswers(Question& question) {
   std::visit([](auto& scenario) { scenario.indicts.clear(); }, question);
   if (auto* const scenario = std::get_if<Scenario>(&question)) scenario->expect = {};

@@ -13,7 +13,7 @@ namespace touchstone {
 
 /** The limits of a search for a smaller question. */
 struct ShrinkOptions {
-  std::size_t tries = 5000;  ///< Most questions that the oracle is asked.
+  std::size_t tries = 5000;  ///< Limit of the questions that the oracle is asked.
   /** Called before each question with the number of those asked; may be empty. */
   std::function<void(std::size_t)> on_try = nullptr;
 };
@@ -35,10 +35,11 @@ RunReport AskAlone(const Question& question, const Oracle& oracle);
  IsFailure().
 
  The search is greedy. It tries the candidates of one reduction after the other
- (Reductions()) and keeps each that is valid, smaller by SizeOf(), asks the same algorithm
- of the oracle, and shows the fault; until none is left, or the tries run out. It is
- deterministic if the oracle is. What the author knows of the question is left out: it
- holds for the original only. */
+ (Reductions()). A candidate is kept if it is valid and smaller by SizeOf(), if the oracle
+ answers it by the same algorithm, and if it shows the fault. The search ends when no
+ candidate is kept or the tries run out. It is deterministic if the oracle is. The
+ answer that a contact file expects and the indictments are removed: they hold for the
+ original alone. */
 Shrunk Shrink(const Question& question, const Oracle& oracle, const Finding& fault,
               const ShrinkOptions& options = {});
 

@@ -8,8 +8,8 @@
 namespace touchstone {
 namespace {
 
-/** Bits of the fraction that a bin drops: 52, but for the three that tell eight bins
- apart. */
+/** Bits of the fraction that a bin ignores. A double has 52; the upper three number the
+ eight bins of a power of two. */
 constexpr int kDropped = 52 - 3;
 
 }  // namespace

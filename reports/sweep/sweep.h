@@ -11,8 +11,8 @@ namespace touchstone {
 
 /** The options of a sweep. */
 struct SweepOptions {
-  int jobs =
-      0;  ///< Number of threads; 0: one per core. The result does not depend on it.
+  /** Number of threads; 0: one per core. The result does not depend on it. */
+  int jobs = 0;
   Shard shard = {};
   std::function<bool()> stop = nullptr;  ///< Same as BlockOptions::stop.
   /** Results are committed when this time has passed since the last commit. A process

@@ -94,9 +94,8 @@ struct SeriesTally {
 /** Inserts `finding` into the list of the worst. */
 void Insert(const WorstFinding& finding, std::vector<WorstFinding>& worst);
 
-/** Returns whether a failure of question `question` would be kept among those of its
- * kind.
- */
+/** Returns whether a failure of question `question` would be kept among `failures`, those
+ of its kind. */
 bool IsKept(std::uint64_t question, const std::vector<FailedQuestion>& failures);
 
 /** Inserts `failure` into the failures of its kind. */

@@ -345,7 +345,7 @@ TEST_F(CommandLineTest, ComparesTwoRunsAndFailsWhatGotWorse) {
   const Ended other = Touchstone(
       "compare " + Path("right") + " " + Path("wrong/report.data") + " --json " +
       Path("c.json") + " --junit " + Path("c.xml") + " --html " + Path("c.html"));
-  // What the oracle `right` passed is not measured in a run without it.
+  // The oracle `right` passed in the earlier run; the later run does not ask it.
   EXPECT_EQ(other.code, 1) << other.err;
   EXPECT_THAT(other.out,
               HasSubstr("mine/deep: right separation_error: was pass, is not measured"));

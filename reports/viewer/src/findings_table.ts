@@ -28,7 +28,7 @@ export function measureOf(run: Run, finding: number): string {
   return law ? `${law}: ${measure}` : measure;
 }
 
-/** What a finding without a size says in words: a crash, a hang, an invalid answer, a wrong hit or miss; "" for any other. */
+/** The words for a finding without a size: a crash, a hang, an invalid answer, a wrong hit or miss; "" for any other. */
 export function wordsOf(run: Run, finding: number): string {
   const { findings, names, ledger, questions } = run.report;
   const measure = names.measure[findings.measure[finding]]?.name;
@@ -48,7 +48,7 @@ export function wordsOf(run: Run, finding: number): string {
 
 const headings: Record<string, string> = { crashed: "crashed on this question", hung: "hung on this question", invalid: "gave an invalid answer to this question" };
 
-/** What a finding found, as a heading: "separation error 4.8 cm", "crashed on this question". */
+/** A finding as a heading: "separation error 4.8 cm", "crashed on this question". */
 export function headingOf(run: Run, finding: number): string {
   const words = wordsOf(run, finding);
   return words === "" ? `${measureOf(run, finding)} ${valueOf(run, finding)}` : headings[words] ?? words;

@@ -21,7 +21,8 @@
 namespace touchstone {
 namespace {
 
-/** An observed order is nearer to its own than to the next one within half an order. */
+/** An order that is observed may fall short of the true one by this much: rounded to a
+ whole number, it is still the true one. */
 constexpr double kHalfAnOrder = 0.5;
 
 /** The least order at which an error counts as vanishing with the step: nearer to 1,

@@ -2,28 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "oracles/function_oracle.h"
 #include "scenarios/scenario_file.h"
 #include "scenarios/validate.h"
+#include "tests/reports/sweep/spheres.h"
 
 namespace touchstone {
 namespace {
-
-/** Two spheres, with half of the depth: its error is half of the true depth. */
-std::unique_ptr<Oracle> HalfDepth() {
-  return MakeOracle<Sphere, Sphere>(
-      "half", [](const Sphere& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB) {
-        const Eigen::Vector3d p_AB = X_WB.p_WB - X_WA.p_WB;
-        const double separation = p_AB.norm() - A.radius - B.radius;
-        ContactAnswer answer;
-        answer.status = AnswerStatus::kAnswered;
-        answer.touching = separation <= 0;
-        if (!answer.touching) return answer;
-        answer.separation = separation / 2;
-        answer.n_AB_W = p_AB.normalized();
-        return answer;
-      });
-}
 
 constexpr QuestionSeries kClimbs = {.family = Family::kRandom,
                                     .A = ShapeKind::kSphere,
@@ -42,7 +26,7 @@ double RelativeDepth(const ContactQuery& query) {
 }
 
 TEST(ClimbOf, StartsWithTheFamilyAndGetsWorse) {
-  const auto half = HalfDepth();
+  const auto half = Spheres("half", 0.5);  // Off by half of the depth.
   const TrueQuestions questions = ClimbOf(kClimbs, *half);
   ASSERT_EQ(questions.scenarios.size(), kClimbs.count);
   int climbed = 0;
@@ -65,7 +49,7 @@ TEST(ClimbOf, StartsWithTheFamilyAndGetsWorse) {
 }
 
 TEST(ClimbOf, IsAPureFunctionOfTheIndex) {
-  const auto half = HalfDepth();
+  const auto half = Spheres("half", 0.5);  // Off by half of the depth.
   const TrueQuestions all = ClimbOf(kClimbs, *half);
   QuestionSeries part = kClimbs;
   part.first = 100;

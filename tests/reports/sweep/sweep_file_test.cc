@@ -11,31 +11,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "oracles/function_oracle.h"
 #include "reports/sweep/merge.h"
 #include "reports/sweep/sweep.h"
+#include "tests/reports/sweep/spheres.h"
 
 namespace touchstone {
 namespace {
 
 using std::chrono::milliseconds;
 using testing::HasSubstr;
-
-/** Two spheres by the closed form. The depth is stated multiplied by `share`. */
-std::unique_ptr<Oracle> Spheres(const std::string& name, double share) {
-  return MakeOracle<Sphere, Sphere>(name, [share](const Sphere& A, const Pose& X_WA,
-                                                  const Sphere& B, const Pose& X_WB) {
-    const Eigen::Vector3d p_AB = X_WB.p_WB - X_WA.p_WB;
-    const double separation = p_AB.norm() - A.radius - B.radius;
-    ContactAnswer answer;
-    answer.status = AnswerStatus::kAnswered;
-    answer.touching = separation <= 0;
-    if (!answer.touching) return answer;
-    answer.separation = share * separation;
-    answer.n_AB_W = p_AB.normalized();
-    return answer;
-  });
-}
 
 std::string BytesOf(const std::filesystem::path& file) {
   std::ostringstream bytes;

@@ -161,7 +161,7 @@ TEST_P(GenerateFamily, TouchesInTheExpectedFractionOfItsQueries) {
       EXPECT_GE(hits, is_deep ? 1 : share - 0.14) << pair;
       EXPECT_LE(hits, is_deep ? 1 : share + 0.14) << pair;
       // A gap of 1e-14 m is above the rounding of some poses and below that of others.
-      // Of the thirteen powers of two of grazing, three to six are below them.
+      // Three to six of the thirteen powers of two of `grazing` are below them.
       if (GetParam() == Family::kGrazing) {
         EXPECT_GE(tally.undecided, 200 * 2 / 13) << pair;
         EXPECT_LE(tally.undecided, 200 * 7 / 13) << pair;

@@ -24,7 +24,7 @@ const proofTime = 2;
 
 const middleOf = (lo: number, hi: number): number => lo / 2 + hi / 2;
 
-/** What is said instead of a separation. */
+/** The words shown in place of a separation. */
 const statusWords: Record<string, string> = { crashed: "it crashed", "timed out": "it hung", unsupported: "unsupported", "not asked": "not asked" };
 
 /** A separation that an engine gives; a dash where it gives none. */
@@ -209,7 +209,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
   };
 }
 
-/** What the marks of the view mean. */
+/** The legend of the marks in the view. */
 function legend(hasPatch: boolean): HTMLElement {
   const item = (mark: SVGElement, text: string): HTMLElement => h("li", {}, mark, " ", text);
   const picture = (...parts: SVGElement[]): SVGElement => svg("svg", { viewBox: "0 0 16 12", class: "key", "aria-hidden": "true" }, parts);
