@@ -1,8 +1,12 @@
 #include "reports/writers/conclusion.h"
 
+#include <algorithm>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "reports/text/counted.h"
 
@@ -58,16 +62,21 @@ std::string ConclusionOf(const RunReport& report, std::span<const Outcome> outco
     if (outcome.oracle == 0) ++of_subject[outcome.verdict];
   }
   const std::string failed = FailedReferences(report, outcomes);
-  std::string conclusion =
-      fmt::format("{}: {}", Headline(ExitCode(report, fail_on)),
-                  SubjectInWords(report.subject, of_subject, QuestionCount(report)));
+  // The failures come first: "FAILED: cookbook never failed" would contradict itself.
+  const int failed_references = counts.failed() - of_subject.failed();
+  std::vector<std::string> parts = {
+      SubjectInWords(report.subject, of_subject, QuestionCount(report))};
   if (report.oracles.size() > 1) {
-    conclusion += fmt::format(
-        "; the other oracles {}{}",
-        FailuresInWords(counts.failed() - of_subject.failed(),
+    parts.push_back(fmt::format(
+        "the other oracles {}{}",
+        FailuresInWords(failed_references,
                         counts[Verdict::kKnown] - of_subject[Verdict::kKnown], "answer"),
-        failed.empty() ? "" : fmt::format(" ({})", failed));
+        failed.empty() ? "" : fmt::format(" ({})", failed)));
   }
+  const int code = ExitCode(report, fail_on);
+  if (code == 1 && of_subject.failed() == 0 && failed_references > 0)
+    std::reverse(parts.begin(), parts.end());
+  std::string conclusion = fmt::format("{}: {}", Headline(code), fmt::join(parts, "; "));
   if (!report.faults.empty()) {
     conclusion += fmt::format("; {} in the scenario files and the ledger",
                               Counted(report.faults.size(), "fault"));
