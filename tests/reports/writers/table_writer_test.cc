@@ -200,6 +200,17 @@ TEST(WriteTable, SaysOkOnlyWithoutFailuresAndFaults) {
           "failed\n"));
 }
 
+TEST(WriteTable, NamesTheOtherOraclesFirstWhereTheyAloneFailed) {
+  RunReport report = HandMadeReport();
+  report.faults.clear();
+  for (Finding& finding : report.findings)
+    if (finding.oracle == "mine") finding.verdict = Verdict::kPass;
+  EXPECT_THAT(Table(report),
+              HasSubstr("FAILED: the other oracles failed in 1 answer, and "
+                        "in 1 that the ledger knows (theirs/float); mine "
+                        "never failed (it answers all 3 scenarios)\n"));
+}
+
 TEST(WriteTable, TellsKnownFailuresFromNewOnesAtTheEnd) {
   RunReport report = HandMadeReport();
   report.faults.clear();
