@@ -124,7 +124,8 @@ export function findMatches(run: Run, query: URLSearchParams): Matches {
     ++counts[band[i]];
     if (wanted[band[i]]) matching[count++] = i;
   }
-  const found = Array.from(matching.subarray(0, count));
+  const found = new Array<number>(count);
+  for (let k = 0; k < count; ++k) found[k] = matching[k];
   const perBand = Array.from(counts);
   if (query.get("down") === "0") found.reverse();
   return { found, perBand };
