@@ -63,7 +63,9 @@ TEST(DistanceJoint, AChainAtRestHasTheShapeOfItsDiscreteCatenary) {
 }
 
 TEST(DistanceJoint, ARodOffItsLengthIsRestoredWithoutVelocity) {
-  World world({});
+  Settings settings;
+  settings.gravity_W.setZero();
+  World world(settings);
   BodyDefinition ball;
   ball.shape = Sphere{0.1};
   const int a = world.AddBody(ball);
