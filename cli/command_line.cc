@@ -403,7 +403,7 @@ class CommandLine {
         "same command again, only what is missing");
     app->add_option("--tasks", sweep_.slurm.tasks,
                     "number of shards on the cluster (default: 16, or one per block)")
-        ->check(WholeNumber(2, 1'000'000))
+        ->check(WholeNumber(2, 1000))
         ->type_name("N");
     app->add_option("--sbatch-args", sweep_.slurm.sbatch_args,
                     "options of sbatch for every job, e.g. '--partition=short --time=60'")

@@ -23,6 +23,9 @@ using std::filesystem::path;
 /** The default number of shards. */
 constexpr std::uint64_t kTasks = 16;
 
+/** The greatest number of shards: Slurm's default limit of an array's indices. */
+constexpr std::uint64_t kMaxTasks = 1000;
+
 /** The submissions of a sweep, from the file "slurm/jobs" of its folder: the number of
  tasks, then the ids of all jobs. */
 struct Submissions {
@@ -53,6 +56,57 @@ std::map<std::uint64_t, QueuedTask> TasksOf(const Submissions& submissions,
 path FileOf(const path& folder, std::uint64_t shard, std::uint64_t tasks,
             const char* extension) {
   return folder / (FileStemOf({shard - 1, tasks}) + extension);
+}
+
+/** The file that keeps the settings of the sweep that was submitted. It has no blocks. */
+path PlanIn(const path& folder) {
+  return folder / "slurm/plan.sqlite";
+}
+
+/** Returns the words of --sbatch-args. Throws InputError if they hold an option on which
+ the paths and ids of the sweep depend. */
+std::vector<std::string> OwnOptions(const std::string& sbatch_args) {
+  std::vector<std::string> words = WordsOf(sbatch_args);
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    for (const char* const taken :
+         {"--array", "-a", "--dependency", "-d", "--chdir", "-D", "--clusters", "-M",
+          "--output", "-o", "--wrap", "--wait", "-W"}) {
+      if (name != taken) continue;
+      throw InputError(fmt::format(
+          "--sbatch-args: {} is set by the sweep itself; expected options of resources, "
+          "e.g. --partition, --time, --cpus-per-task, --mem",
+          name));
+    }
+  }
+  return words;
+}
+
+/** Returns the number of tasks. Throws InputError if it does not fit the sweep. */
+std::uint64_t TasksOf(const path& folder, std::uint64_t blocks, std::uint64_t submitted,
+                      std::optional<std::uint64_t> wanted) {
+  if (blocks < 2) {
+    throw InputError(
+        fmt::format("--slurm: the sweep has one block of at most {} questions, which "
+                    "cannot be divided; expected more questions, or no --slurm",
+                    kBlockSize));
+  }
+  const std::uint64_t tasks =
+      wanted.value_or(submitted > 0 ? submitted : std::min(kTasks, blocks));
+  if (submitted > 0 && tasks != submitted) {
+    throw InputError(
+        fmt::format("{} was submitted with --tasks {}; expected the same, or "
+                    "another folder",
+                    folder.string(), submitted));
+  }
+  const std::uint64_t most = std::min(blocks, kMaxTasks);
+  if (tasks < 2 || tasks > most) {
+    throw InputError(fmt::format(
+        "--tasks {}: the sweep has {} blocks of up to {} questions, and Slurm takes "
+        "arrays of up to {}; expected 2 to {}",
+        tasks, blocks, kBlockSize, kMaxTasks, most));
+  }
+  return tasks;
 }
 
 /** Returns `file` as a pattern of sbatch, in which % is special. */
@@ -105,21 +159,11 @@ int SubmitSweep(const SweepPlan& plan, const SweepArguments& arguments) {
     return 0;
   }
   Submissions submissions = SubmissionsIn(folder);
-  const std::uint64_t blocks = BlockCount(plan);
-  const std::uint64_t known =
-      submissions.tasks > 0 ? submissions.tasks : std::min(kTasks, blocks);
-  const std::uint64_t tasks = arguments.slurm.tasks.value_or(known);
-  if (submissions.tasks > 0 && tasks != submissions.tasks) {
-    throw InputError(
-        fmt::format("{} was submitted with --tasks {}; expected the same, or "
-                    "another folder",
-                    folder.string(), submissions.tasks));
-  }
-  if (tasks > blocks) {
-    throw InputError(fmt::format(
-        "--tasks {}: the sweep has {} blocks of up to {} questions; expected at most {}",
-        tasks, blocks, kBlockSize, blocks));
-  }
+  const std::uint64_t tasks =
+      TasksOf(folder, BlockCount(plan), submissions.tasks, arguments.slurm.tasks);
+  const std::vector<std::string> own_options = OwnOptions(arguments.slurm.sbatch_args);
+  std::filesystem::create_directories(folder / "slurm");
+  SweepFile::Resume(PlanIn(folder), settings);
   const auto queue = Queue();
   if (!queue) {
     throw InputError(
@@ -152,10 +196,9 @@ int SubmitSweep(const SweepPlan& plan, const SweepArguments& arguments) {
   };
   write("slurm/shard.sh", ShardScript(sweep));
   write("slurm/merge.sh", MergeScript(sweep));
-  const std::vector<std::string> own_options = WordsOf(arguments.slurm.sbatch_args);
   submissions.tasks = tasks;
   const auto submit = [&](const char* script, std::vector<std::string> options) {
-    options.insert(options.end(), own_options.begin(), own_options.end());
+    options.insert(options.begin(), own_options.begin(), own_options.end());
     submissions.jobs.push_back(Submit((folder / script).string(), options));
     write("slurm/jobs",
           fmt::format("{}\n{}\n", tasks, fmt::join(submissions.jobs, "\n")));
@@ -191,6 +234,9 @@ int PrintSlurmStatus(const SweepPlan& plan, const SweepArguments& arguments) {
         "{}: no sweep was submitted; expected the folder of `touchstone sweep --slurm`",
         folder.string()));
   }
+  const path merged = folder / "sweep.sqlite";
+  const bool complete = std::filesystem::exists(merged);
+  SweepFile::Open(complete ? merged : PlanIn(folder)).Require(SettingsOf(plan));
   const auto queue = Queue();
   const auto queued = TasksOf(submissions, queue.value_or(std::vector<QueuedTask>()));
   for (std::uint64_t shard = 1; shard <= submissions.tasks; ++shard) {
@@ -202,10 +248,10 @@ int PrintSlurmStatus(const SweepPlan& plan, const SweepArguments& arguments) {
               LastProgress(folder / fmt::format("slurm/shard-{}.log", shard));
     } else {
       state = ProgressOf(plan, folder, shard, submissions.tasks);
+      if (!queue) state += ", as far as known: squeue does not answer";
     }
     std::cout << fmt::format("shard {:>4} of {}  {}\n", shard, submissions.tasks, state);
   }
-  const bool complete = std::filesystem::exists(folder / "sweep.sqlite");
   std::string merge = "not in the queue; the command without --status submits again";
   if (complete)
     merge = "complete";

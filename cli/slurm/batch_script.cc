@@ -37,6 +37,8 @@ std::vector<std::string> WithoutSlurmOptions(const std::vector<std::string>& arg
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     if (argument == "--slurm" || argument == "--status") continue;
+    // Flags may have a value too, as in --slurm=true.
+    if (StartsWith(argument, "--slurm=") || StartsWith(argument, "--status=")) continue;
     if (argument == "--tasks" || argument == "--sbatch-args") {
       ++i;
       continue;
@@ -80,8 +82,15 @@ std::string ShardScript(const SlurmSweep& sweep) {
 std::string MergeScript(const SlurmSweep& sweep) {
   const std::string folder = ShellQuoted(sweep.folder);
   return fmt::format(
-      "#!/bin/sh\nexec {} merge {}/sweep.*-of-{}.sqlite -o {}/sweep.sqlite\n",
-      ShellQuoted(sweep.program), folder, sweep.tasks, folder);
+      "#!/bin/sh\n"
+      "# A requeued merge may run beside one on a lost node, hence a file of its own.\n"
+      "part={}/slurm/merged.\"$SLURM_JOB_ID\".\"${{SLURM_RESTART_COUNT:-0}}\".sqlite\n"
+      "{} merge {}/sweep.*-of-{}.sqlite -o \"$part\"\n"
+      "code=$?\n"
+      "[ -f \"$part\" ] && exec mv \"$part\" {}/sweep.sqlite\n"
+      "[ \"$code\" -eq 0 ] && exit 1\n"
+      "exit \"$code\"\n",
+      folder, ShellQuoted(sweep.program), folder, sweep.tasks, folder);
 }
 
 }  // namespace touchstone

@@ -47,8 +47,12 @@ bool IsInstalled(const std::string& command) {
 
 std::optional<std::vector<QueuedTask>> Queue() {
   if (!IsInstalled("squeue")) return std::nullopt;
-  const std::optional<std::string> text =
-      OutputOf("squeue --me --noheader --array --format='%F %K %T'");
+  // A user's environment may hide states and partitions, and a hidden task would be
+  // submitted twice.
+  const std::optional<std::string> text = OutputOf(
+      "env -u SQUEUE_STATES -u SQUEUE_PARTITION -u SQUEUE_ACCOUNT -u SQUEUE_QOS "
+      "-u SQUEUE_LICENSES -u SQUEUE_NAMES -u SQUEUE_USERS -u SLURM_CLUSTERS "
+      "squeue --me --noheader --array --format='%F %K %T'");
   if (!text) return std::nullopt;
   return ParseQueue(*text);
 }

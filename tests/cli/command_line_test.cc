@@ -667,6 +667,41 @@ TEST_F(CommandLineTest, RefusesSlurmWithoutItsCommandsAFolderOrWithOtherParts) {
   EXPECT_THAT(without.err, HasSubstr("there is no sbatch; expected"));
 }
 
+TEST_F(CommandLineTest, SubmitsToSlurmOnceAndOnlyTheSweepOfTheFolder) {
+  // A cluster that takes every job and never starts it.
+  std::filesystem::create_directory(Path("bin"));
+  Write("bin/sbatch", "#!/bin/sh\necho 7\n");
+  Write("bin/squeue", "#!/bin/sh\necho 7 1 PENDING\necho 7 2 PENDING\n");
+  for (const char* const command : {"bin/sbatch", "bin/squeue"}) {
+    std::filesystem::permissions(Path(command), std::filesystem::perms::owner_all);
+  }
+  const auto sweep = [&](const std::string& options) {
+    return InPipe("PATH=" + Path("bin") + ":$PATH " +
+                  Command("sweep contact --family random --pair sphere sphere --slurm "
+                          "--out " +
+                          Path("cluster") + " " + options));
+  };
+  EXPECT_THAT(sweep("--count 200").err, HasSubstr("one block of at most 256 questions"));
+  EXPECT_THAT(sweep("--count 600 --tasks 9").err, HasSubstr("expected 2 to 3"));
+  EXPECT_THAT(sweep("--count 600 --sbatch-args=--array=1-2").err,
+              HasSubstr("--array is set by the sweep itself"));
+  const Ended first = sweep("--count 600 --tasks 2");
+  EXPECT_EQ(first.code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("shards 1-2 of 2: job 7\n"));
+  // Both shards are in the queue now, and the merge is not.
+  EXPECT_THAT(sweep("--count 600").out, Not(HasSubstr("shards")));
+  EXPECT_THAT(sweep("--count 600 --tasks 3").err, HasSubstr("with --tasks 2"));
+  const Ended status = sweep("--count 600 --status");
+  EXPECT_EQ(status.code, 1) << status.err;
+  EXPECT_THAT(status.out, HasSubstr("shard    1 of 2  PENDING\n"));
+  for (const char* const other :
+       {"--count 600 --seed 5", "--count 600 --seed 5 --status"}) {
+    const Ended refused = sweep(other);
+    EXPECT_EQ(refused.code, 2) << other;
+    EXPECT_THAT(refused.err, HasSubstr("seed 1, not 5"));
+  }
+}
+
 TEST_F(CommandLineTest, FailsASweepInWhichNothingTouched) {
   EXPECT_EQ(Touchstone("sweep contact --pair box box --count 10").code, 2);
 }

@@ -9,6 +9,7 @@
 namespace touchstone {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -30,7 +31,8 @@ TEST(BatchScript, DropsOnlyTheOptionsOfSlurm) {
       WithoutSlurmOptions({"sweep", "contact", "--slurm", "--tasks", "4", "--seed", "4",
                            "--sbatch-args=--time=1", "--status", "--out", "a b"}),
       ElementsAre("sweep", "contact", "--seed", "4", "--out", "a b"));
-  EXPECT_THAT(WithoutSlurmOptions({"--tasks=4", "--sbatch-args", "--slurm", "--quiet"}),
+  EXPECT_THAT(WithoutSlurmOptions({"--tasks=4", "--sbatch-args", "--slurm",
+                                   "--slurm=true", "--status=true", "--quiet"}),
               ElementsAre("--quiet"));
 }
 
@@ -45,9 +47,11 @@ TEST(BatchScript, SweepsTheShardOfItsTaskOnTheProcessorsThatSlurmGranted) {
                         "\"$SLURM_ARRAY_TASK_ID\"/8\n"));
   sweep.arguments.emplace_back("--jobs=3");
   EXPECT_THAT(ShardScript(sweep), Not(HasSubstr("SLURM_CPUS")));
-  EXPECT_THAT(MergeScript(sweep),
-              HasSubstr("'/opt/touch stone' merge 'a b'/sweep.*-of-8.sqlite -o 'a "
-                        "b'/sweep.sqlite\n"));
+  EXPECT_THAT(
+      MergeScript(sweep),
+      AllOf(
+          HasSubstr("'/opt/touch stone' merge 'a b'/sweep.*-of-8.sqlite -o \"$part\"\n"),
+          HasSubstr("exec mv \"$part\" 'a b'/sweep.sqlite\n")));
 }
 
 TEST(Slurm, ReadsItsQueue) {
