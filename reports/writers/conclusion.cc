@@ -34,7 +34,7 @@ std::string FailuresInWords(int failures, int known, std::string_view what) {
       known > 0 ? fmt::format(", and in {} that the ledger knows", known) : "");
 }
 
-/** Returns how the subject did: "cookbook never failed (it answers 288 of the 691
+/** Returns how the subject did: "cookbook never failed (it answers 288 of the 690
  scenarios)". */
 std::string SubjectInWords(std::string_view subject, const VerdictCounts& counts,
                            std::size_t questions) {

@@ -87,7 +87,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       "1.5 × the loss of first-order schemes: h ∫ |ω × (ω × L)| of the gyroscopic term, "
       "½ h ∫ m v³/L of rods, V h J of contacts, at speeds that the truth allows and at "
       "most |L|; "
-      "and 64 roundings per step");
+      "64 roundings per step; and Σ m |x − c| δv of velocities δv that are roundings of "
+      "positions over h");
   double terms = 0;
   double size = 0;
   double levers = 0;  // Σ V h |J| of the contacts so far.
@@ -111,14 +112,18 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     // The rounding error of gravity is no impulse.
     const double contacts = levers > rounding ? levers : 0;
     const Eigen::Vector3d L = AngularMomentumOf(world, state, subjects, c_W);
-    worst.Take((kept * (L - L_0)).norm(),
-               kSafety * std::min(gyroscopic[s] + rods[s] + contacts, terms) + rounding,
-               [&] {
-                 return fmt::format(
-                     "{} has an angular momentum of {} N m s after {:.6g} s; it started "
-                     "with {}",
-                     motion.oracle.name, FormatVector(L, 9), t, FormatVector(L_0, 9));
-               });
+    const double floor =
+        NoiseOfPositions(world, state, subjects, motion.oracle.unit_roundoff)
+            .angular_momentum;
+    worst.Take(
+        (kept * (L - L_0)).norm(),
+        kSafety * std::min(gyroscopic[s] + rods[s] + contacts, terms) + rounding + floor,
+        [&] {
+          return fmt::format(
+              "{} has an angular momentum of {} N m s after {:.6g} s; it started "
+              "with {}",
+              motion.oracle.name, FormatVector(L, 9), t, FormatVector(L_0, 9));
+        });
   }
   return FindingsOf({worst});
 }

@@ -12,7 +12,8 @@ namespace touchstone {
  motion, at speeds that the truth allows (law_support/allowed_motion.h), × 1.5. The
  gyroscopic term loses h ∫ max(|ω̇ × L − ½ ω × (ω × L)|, ½ |ω × (ω × L)|) dt. A rod loses ½
  h ∫ m v³/L dt. A contact impulse loses V h times its size if an engine applies it to each
- body at that body's own surface, which may lie V h inside the other body.
+ body at that body's own surface, which may lie V h inside the other body. Bodies at rest
+ are granted the angular momentum of NoiseOfPositions().
 
  About: bodies, particles and cloths that nothing else holds. Numbers: x, y, z, a
  direction along which it is conserved if the rest is not; expected_angular_momentum:

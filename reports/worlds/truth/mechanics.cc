@@ -100,8 +100,10 @@ double SquaredLoadsOf(const World& world, const Subjects& subjects) {
 MotionOfNoise NoiseOfPositions(const World& world, const WorldState& state,
                                const Subjects& subjects, double share) {
   MotionOfNoise noise;
+  const Eigen::Vector3d c_W = CentreOf(world, state, subjects);
   ForEachMass(world, state, subjects, [&](const Mass& mass) {
     const double off = share * mass.at.p_W.norm() / world.dt;
+    noise.angular_momentum += mass.mass * (mass.at.p_W - c_W).norm() * off;
     noise.momentum += mass.mass * off;
     noise.energy += mass.mass * off * off / 2;
   });

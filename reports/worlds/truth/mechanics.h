@@ -31,9 +31,11 @@ double SquaredLoadsOf(const World& world, const Subjects& subjects);
 struct MotionOfNoise {
   double momentum = 0;  ///< Σ m δv. [N s]
   double energy = 0;    ///< Σ ½ m δv². [J]
+  /** Σ m |x − c| δv about the centre c of mass. [N m s] */
+  double angular_momentum = 0;
 };
 
-/** Returns the momentum and the energy of velocities δv = share |x|/h, with the step h of
+/** Returns the momenta and the energy of velocities δv = share |x|/h, with the step h of
  `world`. An engine that takes a velocity from positions, or corrects positions by
  velocities, cannot know it better than its positions. `share`: relative error of a
  position, the unit roundoff. [-] */

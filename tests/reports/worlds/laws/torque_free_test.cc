@@ -6,6 +6,7 @@
 
 #include "reports/worlds/truth/gyroscopic_schemes.h"
 #include "reports/worlds/truth/jacobi_elliptic.h"
+#include "reports/worlds/truth/mechanics.h"
 #include "reports/worlds/truth/torque_free_rotation.h"
 #include "tests/reports/worlds/motions.h"
 #include "tests/reports/worlds/runge_kutta.h"
@@ -226,6 +227,26 @@ TEST(ConservesAngularMomentum, ItsRatesAreThoseOfTheSchemes) {
          MeasureKind::kAngularMomentumDrift);
   EXPECT_NEAR(std::max(linear.value, explicitly.value) / linear.tolerance.value, 1 / 1.5,
               1e-3);
+}
+
+TEST(ConservesAngularMomentum, GrantsBallsAtRestTheRoundingOfTheirPlacesAndNoMore) {
+  World world;
+  world.gravity_W.setZero();
+  world.dt = 0.01;
+  world.steps = 1;
+  world.bodies = {BodyOf("a", Sphere{0.1}, 1, {1, 0, 0}),
+                  BodyOf("b", Sphere{0.1}, 1, {3, 0, 0})};
+  const auto moved = [&](double roundings) {
+    return Sampled(world, [&](double t) {
+      WorldState state = StateAtStart(world);
+      // A place of 1 m is known to u, a velocity from places 0.01 s apart to u/0.01.
+      if (t > 0) state.bodies[0].v_WB.y() = roundings * 0x1p-53 / world.dt;
+      return state;
+    });
+  };
+  const Claim claim = ClaimOf("conserves_angular_momentum");
+  EXPECT_TRUE(Passes(Judge(world, moved(1), claim)));
+  EXPECT_TRUE(Finds(Judge(world, moved(5), claim), MeasureKind::kAngularMomentumDrift));
 }
 
 TEST(ConservesAngularMomentum, FindsAMissingGyroscopicTerm) {
