@@ -1,6 +1,6 @@
 import { address, toggled, valuesOf, withValue, type Address } from "../address";
 import { bands, bandTexts, faultBands, type Band } from "../bands";
-import { countsList, countsOf } from "../counts";
+import { countsList } from "../counts";
 import { fill, h } from "../dom";
 import { findingsAddress, headingOf } from "../findings_table";
 import { counted } from "../format";
@@ -42,17 +42,6 @@ function faultsByOracle(run: Run, clusterBands: Band[]): HTMLElement {
   return h("table", { class: "plain" },
     h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), ["Grave", "All"].map((t) => h("th", { scope: "col", class: "number" }, t)))),
     h("tbody", {}, rows.map(({ o, all, grave }) => h("tr", {}, h("th", { scope: "row" }, engine(run, o)), h("td", { class: "number" }, grave), h("td", { class: "number" }, all)))));
-}
-
-/** What was asked, and by how many oracles it was answered. */
-function sentenceOf(run: Run): string {
-  const { questions, oracles } = run.report;
-  const contacts = questions.filter((q) => q.kind === "contact").length;
-  const worlds = questions.length - contacts;
-  const asked = [contacts > 0 && counted(contacts, "contact question"), worlds > 0 && counted(worlds, "world")].filter(Boolean).join(" and ") || "no question";
-  const { answering } = countsOf(run);
-  const silent = oracles.length - answering;
-  return `${counted(answering, "oracle")} answered ${asked}${silent > 0 ? `; ${counted(silent, "oracle")} ${silent === 1 ? "supports" : "support"} none of ${questions.length === 1 ? "it" : "them"}` : ""}.`;
 }
 
 /** Whether the run passes, and which faults it knows: two statements, so that neither is taken for the other. */
@@ -121,7 +110,7 @@ export const frontView: MakeView = (run, start) => {
   const subject = report.oracles[report.subject]?.name ?? "the subject";
   const element = h("section", { class: "front" },
     h("h1", { class: "visually-hidden" }, "What the run found"),
-    h("p", { class: "sentence" }, sentenceOf(run), " ",
+    h("p", { class: "sentence" }, report.sentence, " ",
       report.clusters.length === 0 ? "No fault was found."
         : `They show ${counted(report.clusters.length, "fault")}; ${graves === 0 ? "none" : graves} of them ${graves === 1 ? "is" : "are"} grave or leave no usable answer, ${fresh === 0 ? "none" : fresh} ${fresh === 1 ? "is" : "are"} new, ${ours === 0 ? "none" : ours} ${ours === 1 ? "is" : "are"} in ${subject}.`),
     conclusionOf(run), countsList(run),
