@@ -1,6 +1,6 @@
 import { address } from "../address";
 import { h } from "../dom";
-import { downloadFindings, findingAddress, findingsAddress, findingsTable, headingOf } from "../findings_table";
+import { downloadFindings, findingAddress, findingsAddress, findingsTable, nounOf } from "../findings_table";
 import { counted, digits, share } from "../format";
 import { logHistogram } from "../histogram";
 import { barChart } from "../charts";
@@ -44,7 +44,7 @@ export const clusterView: MakeView = (run, at) => {
       h("div", { class: "side-column" },
         h("h2", {}, "Oracles"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
         h("h2", {}, "How large"),
-        h("p", {}, `The worst: ${headingOf(run, cluster.worst)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `; ${counted(cluster.questions.length, "question")} in all.`),
+        h("p", {}, `The worst: ${nounOf(run, cluster.worst)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `; ${counted(cluster.questions.length, "question")} in all.`),
         shares.length > 1 && h("figure", {}, barChart(logHistogram(shares, -17, 2, 38), -17, 2, "Number of findings by error as a share of the size"), h("figcaption", {}, `${counted(shares.length, "finding")} by error as a share of the size, logarithmic`)),
         why && [h("h2", {}, "Why"), h("p", { dir: "auto" }, prose(why))],
         cause && h("p", {}, h("b", {}, "Cause: "), cause),
