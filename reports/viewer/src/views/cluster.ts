@@ -27,9 +27,11 @@ export const clusterView: MakeView = (run, at) => {
   const table = findingsTable(run);
   const proof = run.text(f.proof[cluster.worst] ?? -1);
   const cause = report.names.cause[cluster.cause];
-  // The ledger's reason may begin with the fault itself, which is the heading.
+  // The ledger's reason may begin with the fault itself, or with its last words: that is the heading.
   const stem = cluster.title.replace(/\.$/, "");
-  const why = (cluster.reason.startsWith(stem) ? cluster.reason.slice(stem.length) : cluster.reason).replace(/^[.:;,\s]+/, "");
+  const begin = cluster.reason.split(/[.:;](?:\s|$)/)[0];
+  const said = cluster.reason.startsWith(stem) ? stem.length : begin !== "" && stem.endsWith(begin) ? begin.length : 0;
+  const why = cluster.reason.slice(said).replace(/^[.:;,\s]+/, "");
   const element = h("section", { class: "cluster" },
     h("p", { class: "card-head" }, badge(band), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new: not in the ledger" : "known: in the ledger"), upstreamLink(cluster.upstream)),
     h("h1", { dir: "auto" }, prose(cluster.title)),

@@ -81,7 +81,7 @@ export const frontView: MakeView = (run, start) => {
         h("p", { class: "proof-line", dir: "auto", title: proof }, prose(proof)),
         h("p", { class: "engines" }, cluster.oracles.slice(0, 8).map((o) => engine(run, o)), cluster.oracles.length > 8 && h("span", { class: "quiet" }, `and ${cluster.oracles.length - 8} more`))));
   };
-  const list = virtualList("list", () => (innerWidth < 760 ? 268 : innerWidth < 1400 ? 206 : 186), card);
+  const list = virtualList("list", () => (innerWidth < 760 ? 268 : innerWidth < 1400 ? 194 : 186), card);
   let current = start.query;
   const sort = h("select", { "aria-label": "Order of the faults", on: { change: () => { location.hash = address([], withValue(current, "sort", sort.value === orders[0].key ? "" : sort.value)); } } },
     orders.map(({ key, name }) => h("option", { value: key }, name)));

@@ -61,7 +61,7 @@ export function smallMatrix(run: Run): HTMLElement {
   const { oracles } = run.report;
   // The names are whole unless they are very long, and a column is never narrower than the letters of its name.
   const widest = (names: string[], limit: number): number => Math.min(limit, Math.ceil(Math.max(0, ...names.map(widthOf))) + 8);
-  const [left, top, hh] = [widest(run.groups, 176), widest(oracles.map(({ name }) => name), 150), 12];
+  const [left, top, hh] = [widest(run.groups, 200), widest(oracles.map(({ name }) => name), 150), 12];
   const w = Math.max(12, Math.min(18, Math.floor((400 - left) / oracles.length)));
   const [width, height] = [left + oracles.length * w, top + run.groups.length * hh];
   const canvas = h("canvas", { width: width * 2, height: height * 2, role: "img", "aria-label": "Matrix of groups of questions, down, and oracles, across, coloured by the gravest band" });
