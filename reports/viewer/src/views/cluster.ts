@@ -31,7 +31,8 @@ export const clusterView: MakeView = (run, at) => {
   const stem = cluster.title.replace(/\.$/, "");
   const begin = cluster.reason.split(/[.:;](?:\s|$)/)[0];
   const said = cluster.reason.startsWith(stem) ? stem.length : begin !== "" && stem.endsWith(begin) ? begin.length : 0;
-  const why = cluster.reason.slice(said).replace(/^[.:;,\s]+/, "");
+  const rest = cluster.reason.slice(said).replace(/^[.:;,\s]+/, "");
+  const why = said > 0 ? rest.charAt(0).toUpperCase() + rest.slice(1) : rest;
   const element = h("section", { class: "cluster" },
     h("p", { class: "card-head" }, badge(band), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new: not in the ledger" : "known: in the ledger"), upstreamLink(cluster.upstream)),
     h("h1", { dir: "auto" }, prose(cluster.title)),
@@ -41,7 +42,7 @@ export const clusterView: MakeView = (run, at) => {
         question && h("a", { href: worst, class: "large-picture", "aria-label": `Open ${question.id}` },
           thumbnail(run, question, cluster.oracles, f.time?.[cluster.worst] ?? -1, 840, 420)),
         question?.contact && contactLegend(question.contact.truth.patch.length > 1),
-        question?.world && h("p", { class: "marks" }, "Solid: the first oracle below that simulates it. Edges: the second."),
+        question?.world && h("p", { class: "marks" }, "Solid: the first of the oracles that simulates it. Edges: the second."),
         question && h("p", {}, "Its worst question: ", h("a", { href: worst, dir: "auto" }, question.title), ".")),
       h("div", { class: "side-column" },
         h("h2", {}, "Oracles"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
