@@ -118,7 +118,7 @@ export const frontView: MakeView = (run, start) => {
     report.faults.length > 0 && h("details", { class: "notes" }, h("summary", {}, counted(report.faults.length, "remark") + " on the scenario files and the ledger"), h("ul", {}, report.faults.slice(0, 200).map((fault) => h("li", {}, fault)))),
     report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),
     h("div", { class: "columns" },
-      h("div", { class: "main-column" }, h("div", { class: "toolbar" }, chips, h("label", { class: "sort" }, "Order ", sort)), list.element),
+      h("div", { class: "main-column" }, h("div", { class: "toolbar" }, chips, h("div", { class: "sort" }, sort)), list.element),
       h("div", { class: "side-column" },
         h("h2", {}, h("a", { href: "#/matrix" }, "Groups × oracles")), smallMatrix(run),
         h("h2", {}, h("a", { href: "#/oracles" }, "Faults by oracle")), faultsByOracle(run, clusterBands),
