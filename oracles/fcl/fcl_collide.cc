@@ -83,7 +83,9 @@ OracleInfo MakeInfo(FclSolver solver) {
   info.settings = {
       {"entry point", "fcl::collide on geometries and transforms",
        "Collision objects would only add bounding boxes for culling."},
-      {"gjk_solver_type", libccd ? "GST_LIBCCD" : "GST_INDEP",
+      {"gjk_solver_type",
+       libccd ? "GST_LIBCCD: MPR of the library libccd"
+              : "GST_INDEP: FCL's own GJK and EPA, without libccd",
        "Used where FCL has no closed form."},
       {"gjk_tolerance", "1e-6", "FCL's default."},
       {"contacts", std::to_string(kMaxContacts),

@@ -103,7 +103,9 @@ OracleInfo MakeInfo(FclSolver solver, FclDistanceKind kind) {
   info.settings = {
       {"entry point", "fcl::distance on geometries and transforms",
        "Collision objects would only add bounding boxes for culling."},
-      {"gjk_solver_type", libccd ? "GST_LIBCCD" : "GST_INDEP",
+      {"gjk_solver_type",
+       libccd ? "GST_LIBCCD: FCL's GJK and EPA on top of the library libccd"
+              : "GST_INDEP: FCL's own GJK and EPA, without libccd",
        "Used where FCL has no closed form."},
       {"enable_signed_distance", is_signed ? "true" : "false",
        is_signed ? "The distance of overlapping shapes is minus their depth."

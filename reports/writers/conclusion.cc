@@ -1,6 +1,7 @@
 #include "reports/writers/conclusion.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,7 +52,34 @@ std::string SubjectInWords(std::string_view subject, const VerdictCounts& counts
                      questions - unsupported, questions);
 }
 
+/** Returns "556 contact questions and 1 world", without a kind that was not asked. */
+std::string QuestionsInWords(const RunReport& report) {
+  std::vector<std::string> kinds;
+  if (!report.scenarios.empty())
+    kinds.push_back(Counted(report.scenarios.size(), "contact question"));
+  if (!report.worlds.empty()) kinds.push_back(Counted(report.worlds.size(), "world"));
+  return kinds.empty() ? "no question" : fmt::format("{}", fmt::join(kinds, " and "));
+}
+
 }  // namespace
+
+std::string AnswersInWords(const RunReport& report) {
+  std::set<std::string_view> answering;
+  for (const Finding& finding : report.findings) {
+    if (finding.verdict != Verdict::kUnsupported) answering.insert(finding.oracle);
+  }
+  std::string words = fmt::format("{} answered {}", Counted(answering.size(), "oracle"),
+                                  QuestionsInWords(report));
+  const std::size_t silent = report.oracles.size() - answering.size();
+  if (silent > 0 && QuestionCount(report) == 1) {
+    words +=
+        fmt::format("; {} not support it", Counted(silent, "oracle does", "oracles do"));
+  } else if (silent > 0) {
+    words += fmt::format("; {} none of them",
+                         Counted(silent, "oracle supports", "oracles support"));
+  }
+  return words + ".";
+}
 
 std::string ConclusionOf(const RunReport& report, std::span<const Outcome> outcomes,
                          FailOn fail_on) {

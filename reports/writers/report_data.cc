@@ -178,10 +178,7 @@ std::string ReportData(const RunReport& report, const RunFacts& facts) {
   data["version"] = kReportDataVersion;
   data["program"] = facts.program;
   data["command"] = facts.command;
-  data["sentence"] =
-      fmt::format("{} answered {} and {}.", Counted(report.oracles.size(), "oracle"),
-                  Counted(report.scenarios.size(), "contact question"),
-                  Counted(report.worlds.size(), "world"));
+  data["sentence"] = AnswersInWords(report);
   data["conclusion"] = ConclusionOf(report, outcomes, facts.fail_on);
   data["failed"] = ExitCode(report, facts.fail_on) != 0;
   data["subject"] = 0;

@@ -12,8 +12,6 @@ export interface Counts {
   answers: number; allAnswers: number;
   /** Measurements that are faults, and all. */
   findings: number; measurements: number;
-  /** Oracles with at least one measured answer. */
-  answering: number;
 }
 
 const kept = new WeakMap<Run, Counts>();
@@ -31,17 +29,16 @@ export function countsOf(run: Run): Counts {
     if (run.band[i] < faultBands.length) ++findings;
     if (run.band[i] !== unasked) ++measurements;
   }
-  const [wrongQuestions, answering] = [new Set<number>(), new Set<number>()];
+  const wrongQuestions = new Set<number>();
   let [answers, allAnswers] = [0, 0];
   best.forEach((band, at) => {
     if (band === unasked) return;
     ++allAnswers;
-    answering.add(at % oracles.length);
     if (band >= faultBands.length) return;
     ++answers;
     wrongQuestions.add(Math.floor(at / oracles.length));
   });
-  const counts = { faults: clusters.length, questions: wrongQuestions.size, allQuestions: questions.length, answers, allAnswers, findings, measurements, answering: answering.size };
+  const counts = { faults: clusters.length, questions: wrongQuestions.size, allQuestions: questions.length, answers, allAnswers, findings, measurements };
   kept.set(run, counts);
   return counts;
 }

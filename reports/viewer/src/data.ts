@@ -20,7 +20,7 @@ export interface Report {
   version: 1;
   program: string;      // "touchstone 0.1.0"
   command: string;      // the command that made the run, without paths of the output: "touchstone run contact"
-  sentence: string;     // what was asked: "19 engines answered 556 contact questions and 127 worlds."
+  sentence: string;     // what was asked: "15 oracles answered 556 contact questions; 4 oracles support none of them."
   conclusion: string;   // the last line of the console: "OK: …" or "FAILED: …"
   failed: boolean;      // whether the exit code is not 0
   subject: number;      // index into oracles

@@ -54,6 +54,14 @@ export function headingOf(run: Run, finding: number): string {
   return words === "" ? `${measureOf(run, finding)} ${valueOf(run, finding)}` : headings[words] ?? words;
 }
 
+const nouns: Record<string, string> = { crashed: "a crash", hung: "a hang", invalid: "an invalid answer", "false hit": "a false hit", "missed hit": "a missed hit" };
+
+/** A finding as a noun: "separation error 4.8 cm", "a crash". */
+export function nounOf(run: Run, finding: number): string {
+  const words = wordsOf(run, finding);
+  return words === "" ? headingOf(run, finding) : nouns[words] ?? words;
+}
+
 export function valueOf(run: Run, finding: number): string {
   const words = wordsOf(run, finding);
   if (words !== "") return words;

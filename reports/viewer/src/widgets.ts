@@ -16,7 +16,7 @@ const descriptionOf = ({ name, library, version, settings }: Oracle): string => 
 /** An engine as its marker and name, which links to its page. */
 export function engine(run: Run, oracle: number): HTMLElement {
   const info = run.report.oracles[oracle];
-  return h("a", { class: "engine", title: descriptionOf(info), href: address(["oracles", info.name]) }, marker(run.looks[oracle]), h("span", { class: "name" }, info.name));
+  return h("a", { class: "engine", title: descriptionOf(info), href: address(["oracles", info.name]) }, marker(run.looks[oracle]), h("span", { class: "name" }, info.name.split(/(?<=[/_])/).map((part, i) => [i > 0 && h("wbr"), part])));
 }
 
 /** A link to the web if it is one, also as "owner/repository#number"; whatever else an upstream says is shown as text. */

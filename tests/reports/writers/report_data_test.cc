@@ -83,7 +83,7 @@ TEST(Inflated, RefusesWhatIsCutOffFollowedOrTooLarge) {
 TEST(ReportData, HoldsQuestionsAnswersAndFindings) {
   const DataJson data = JsonOf(HandMadeReport());
   EXPECT_EQ(data["format"], "touchstone report data");
-  EXPECT_EQ(data["sentence"], "2 oracles answered 3 contact questions and 0 worlds.");
+  EXPECT_EQ(data["sentence"], "2 oracles answered 3 contact questions.");
   EXPECT_THAT(data["conclusion"].get<std::string>(), HasSubstr("FAILED: mine failed in"));
   ASSERT_EQ(data["questions"].size(), 3U);
   const DataJson& question = data["questions"][0];

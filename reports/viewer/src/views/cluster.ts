@@ -1,6 +1,6 @@
 import { address } from "../address";
 import { h } from "../dom";
-import { downloadFindings, findingAddress, findingsAddress, findingsTable, headingOf } from "../findings_table";
+import { downloadFindings, findingAddress, findingsAddress, findingsTable, nounOf } from "../findings_table";
 import { counted, digits, share } from "../format";
 import { logHistogram } from "../histogram";
 import { barChart } from "../charts";
@@ -27,9 +27,12 @@ export const clusterView: MakeView = (run, at) => {
   const table = findingsTable(run);
   const proof = run.text(f.proof[cluster.worst] ?? -1);
   const cause = report.names.cause[cluster.cause];
-  // The ledger's reason may begin with the fault itself, which is the heading.
+  // The ledger's reason may begin with the fault itself, or with its last words: that is the heading.
   const stem = cluster.title.replace(/\.$/, "");
-  const why = (cluster.reason.startsWith(stem) ? cluster.reason.slice(stem.length) : cluster.reason).replace(/^[.:;,\s]+/, "");
+  const begin = cluster.reason.split(/[.:;](?:\s|$)/)[0];
+  const said = cluster.reason.startsWith(stem) ? stem.length : begin !== "" && stem.endsWith(begin) ? begin.length : 0;
+  const rest = cluster.reason.slice(said).replace(/^[.:;,\s]+/, "");
+  const why = said > 0 ? rest.charAt(0).toUpperCase() + rest.slice(1) : rest;
   const element = h("section", { class: "cluster" },
     h("p", { class: "card-head" }, badge(band), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new: not in the ledger" : "known: in the ledger"), upstreamLink(cluster.upstream)),
     h("h1", { dir: "auto" }, prose(cluster.title)),
@@ -39,12 +42,12 @@ export const clusterView: MakeView = (run, at) => {
         question && h("a", { href: worst, class: "large-picture", "aria-label": `Open ${question.id}` },
           thumbnail(run, question, cluster.oracles, f.time?.[cluster.worst] ?? -1, 840, 420)),
         question?.contact && contactLegend(question.contact.truth.patch.length > 1),
-        question?.world && h("p", { class: "marks" }, "Solid: the first oracle below that simulates it. Edges: the second."),
+        question?.world && h("p", { class: "marks" }, "Solid: the first of the oracles that simulates it. Edges: the second."),
         question && h("p", {}, "Its worst question: ", h("a", { href: worst, dir: "auto" }, question.title), ".")),
       h("div", { class: "side-column" },
         h("h2", {}, "Oracles"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
         h("h2", {}, "How large"),
-        h("p", {}, `The worst: ${headingOf(run, cluster.worst)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `; ${counted(cluster.questions.length, "question")} in all.`),
+        h("p", {}, `The worst: ${nounOf(run, cluster.worst)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `; ${counted(cluster.questions.length, "question")} in all.`),
         shares.length > 1 && h("figure", {}, barChart(logHistogram(shares, -17, 2, 38), -17, 2, "Number of findings by error as a share of the size"), h("figcaption", {}, `${counted(shares.length, "finding")} by error as a share of the size, logarithmic`)),
         why && [h("h2", {}, "Why"), h("p", { dir: "auto" }, prose(why))],
         cause && h("p", {}, h("b", {}, "Cause: "), cause),

@@ -1,6 +1,6 @@
 import { address, toggled, valuesOf, withValue, type Address } from "../address";
 import { bands, bandTexts, faultBands, type Band } from "../bands";
-import { countsList, countsOf } from "../counts";
+import { countsList } from "../counts";
 import { fill, h } from "../dom";
 import { findingsAddress, headingOf } from "../findings_table";
 import { counted } from "../format";
@@ -44,17 +44,6 @@ function faultsByOracle(run: Run, clusterBands: Band[]): HTMLElement {
     h("tbody", {}, rows.map(({ o, all, grave }) => h("tr", {}, h("th", { scope: "row" }, engine(run, o)), h("td", { class: "number" }, grave), h("td", { class: "number" }, all)))));
 }
 
-/** What was asked, and by how many oracles it was answered. */
-function sentenceOf(run: Run): string {
-  const { questions, oracles } = run.report;
-  const contacts = questions.filter((q) => q.kind === "contact").length;
-  const worlds = questions.length - contacts;
-  const asked = [contacts > 0 && counted(contacts, "contact question"), worlds > 0 && counted(worlds, "world")].filter(Boolean).join(" and ") || "no question";
-  const { answering } = countsOf(run);
-  const silent = oracles.length - answering;
-  return `${counted(answering, "oracle")} answered ${asked}${silent > 0 ? `; ${counted(silent, "oracle")} ${silent === 1 ? "supports" : "support"} none of ${questions.length === 1 ? "it" : "them"}` : ""}.`;
-}
-
 /** Whether the run passes, and which faults it knows: two statements, so that neither is taken for the other. */
 function conclusionOf(run: Run): HTMLElement {
   const { report } = run;
@@ -92,7 +81,7 @@ export const frontView: MakeView = (run, start) => {
         h("p", { class: "proof-line", dir: "auto", title: proof }, prose(proof)),
         h("p", { class: "engines" }, cluster.oracles.slice(0, 8).map((o) => engine(run, o)), cluster.oracles.length > 8 && h("span", { class: "quiet" }, `and ${cluster.oracles.length - 8} more`))));
   };
-  const list = virtualList("list", () => (innerWidth < 760 ? 268 : 178), card);
+  const list = virtualList("list", () => (innerWidth < 760 ? 268 : innerWidth < 1400 ? 194 : 186), card);
   let current = start.query;
   const sort = h("select", { "aria-label": "Order of the faults", on: { change: () => { location.hash = address([], withValue(current, "sort", sort.value === orders[0].key ? "" : sort.value)); } } },
     orders.map(({ key, name }) => h("option", { value: key }, name)));
@@ -121,7 +110,7 @@ export const frontView: MakeView = (run, start) => {
   const subject = report.oracles[report.subject]?.name ?? "the subject";
   const element = h("section", { class: "front" },
     h("h1", { class: "visually-hidden" }, "What the run found"),
-    h("p", { class: "sentence" }, sentenceOf(run), " ",
+    h("p", { class: "sentence" }, report.sentence, " ",
       report.clusters.length === 0 ? "No fault was found."
         : `They show ${counted(report.clusters.length, "fault")}; ${graves === 0 ? "none" : graves} of them ${graves === 1 ? "is" : "are"} grave or leave no usable answer, ${fresh === 0 ? "none" : fresh} ${fresh === 1 ? "is" : "are"} new, ${ours === 0 ? "none" : ours} ${ours === 1 ? "is" : "are"} in ${subject}.`),
     conclusionOf(run), countsList(run),
@@ -129,7 +118,7 @@ export const frontView: MakeView = (run, start) => {
     report.faults.length > 0 && h("details", { class: "notes" }, h("summary", {}, counted(report.faults.length, "remark") + " on the scenario files and the ledger"), h("ul", {}, report.faults.slice(0, 200).map((fault) => h("li", {}, fault)))),
     report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),
     h("div", { class: "columns" },
-      h("div", { class: "main-column" }, h("div", { class: "toolbar" }, chips, h("label", { class: "sort" }, "Order ", sort)), list.element),
+      h("div", { class: "main-column" }, h("div", { class: "toolbar" }, chips, h("div", { class: "sort" }, sort)), list.element),
       h("div", { class: "side-column" },
         h("h2", {}, h("a", { href: "#/matrix" }, "Groups × oracles")), smallMatrix(run),
         h("h2", {}, h("a", { href: "#/oracles" }, "Faults by oracle")), faultsByOracle(run, clusterBands),

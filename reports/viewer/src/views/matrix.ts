@@ -45,12 +45,24 @@ function matrixOf(run: Run): Matrix {
   return matrix;
 }
 
+const nameFont = "10.5px system-ui, sans-serif";
+
+/** Width of a name in the small matrix [px]. */
+function widthOf(name: string): number {
+  const context = document.createElement("canvas").getContext("2d");
+  if (!context) return 0;
+  context.font = nameFont;
+  return context.measureText(name).width;
+}
+
 /** The matrix as a picture with names. The cell under the pointer says what it is, and opens its findings. */
 export function smallMatrix(run: Run): HTMLElement {
   const matrix = matrixOf(run);
   const { oracles } = run.report;
-  const [left, top, hh] = [136, 104, 12];
-  const w = Math.max(6, Math.min(16, Math.floor((324 - left) / oracles.length)));
+  // The names are whole unless they are very long, and a column is never narrower than the letters of its name.
+  const widest = (names: string[], limit: number): number => Math.min(limit, Math.ceil(Math.max(0, ...names.map(widthOf))) + 8);
+  const [left, top, hh] = [widest(run.groups, 200), widest(oracles.map(({ name }) => name), 150), 12];
+  const w = Math.max(12, Math.min(18, Math.floor((400 - left) / oracles.length)));
   const [width, height] = [left + oracles.length * w, top + run.groups.length * hh];
   const canvas = h("canvas", { width: width * 2, height: height * 2, role: "img", "aria-label": "Matrix of groups of questions, down, and oracles, across, coloured by the gravest band" });
   canvas.style.setProperty("width", `${width}px`);
@@ -59,7 +71,7 @@ export function smallMatrix(run: Run): HTMLElement {
     const style = getComputedStyle(document.documentElement);
     if (!context) return;
     context.scale(2, 2);
-    context.font = "10px system-ui, sans-serif";
+    context.font = nameFont;
     context.textBaseline = "middle";
     const ink = style.getPropertyValue("--ink");
     const cut = (text: string, room: number): string => {

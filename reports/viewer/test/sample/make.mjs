@@ -114,7 +114,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
     worst: c.worst, error: f.value[c.worst] === "inf" ? 1 : f.value[c.worst], unit: "m", share: c.share, ordinary: 0.5,
   }));
   const report = {
-    format: "touchstone report data", version: 1, program: "touchstone 0.1.0", command: "touchstone run", sentence: `${oracles.length} engines answered ${contacts} contact questions and ${worlds} worlds.`, conclusion: "OK: every fault is known.", failed: false, subject: 0,
+    format: "touchstone report data", version: 1, program: "touchstone 0.1.0", command: "touchstone run", sentence: `${oracles.length} oracles answered ${contacts} contact questions and ${worlds} worlds.`, conclusion: "OK: every fault is known.", failed: false, subject: 0,
     oracles, questions, texts, names, findings: f, clusters, ledger, faults: [hostile[0]], regressions: [],
     compare: { old: "yesterday", new: "today", rows: ["worse", "no longer judged", "new", "better", "gone"].flatMap((kind, k) => [0, 1].map((j) => ({ kind, question: questions[k + j].id, oracle: "bullet", measure: "separation_error", law: "", before: kind === "new" ? null : 1e-5, after: kind === "gone" ? null : 2e-3, unit: "m", what: hostile[j] }))) },
   };
