@@ -135,16 +135,22 @@ supports.
 With --out, the results are kept in DIR/sweep.unfinished.sqlite while they are computed. The same
 command goes on after Ctrl-C, --time, or a kill, and ends with the same DIR/sweep.sqlite, whatever
 --jobs. Shards have files of their own, which `touchstone merge` joins.
+
+With --slurm, submits one task per shard to a cluster, and a merge that waits for all of them. DIR
+must be shared by all machines. The same command with --status shows the progress. Without it, it
+submits again the shards that failed, which go on from where they were.
 )",
      R"(
   touchstone sweep contact --pair box box --count 20000
   touchstone sweep contact --family edge_edge,deep --subject ode,fcl --quiet
   touchstone sweep contact --subject all --pair box box --count 1000000 --time 8h --out night
   touchstone sweep contact --pair box box --count 1000000 --shard 2/8 --out shards
+  touchstone sweep contact --count 1000000 --out big --slurm --tasks 64 --sbatch-args '--time=60'
+  touchstone sweep contact --count 1000000 --out big --slurm --status
   touchstone sweep contact --pair box box --subject bullet/gjk --count 512 --climb 32
 )",
      "0 no failures; 1 failures, of the band of --fail-on or worse; 2 bad input or\n"
-     "nothing verified; 130 after Ctrl-C"},
+     "nothing verified; 130 after Ctrl-C; with --status, 1 until it is complete"},
     {"merge", R"(
 
 Joins the files of all shards of one sweep. The result is, byte for byte, the file of the sweep

@@ -87,6 +87,7 @@ class CommandLine {
   }
 
   int Run(int argc, const char* const* argv) {
+    sweep_.slurm.words.assign(argv + 1, argv + argc);
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -393,8 +394,25 @@ class CommandLine {
            "fraction of the smaller body) or touching (a wrong hit or miss)")
         ->check(OneOf({"any", "1e-6", "1e-3", "0.1", "touching"}))
         ->type_name("BAND");
+    AddSlurm(app);
     AddJobs(app, sweep_.jobs);
     app->add_flag("--quiet", sweep_.quiet, "print only the tables");
+  }
+
+  void AddSlurm(CLI::App* app) {
+    app->add_flag(
+        "--slurm", sweep_.slurm.submit,
+        "submit the sweep to a Slurm cluster, a job array and a merge; with the "
+        "same command again, only what is missing");
+    app->add_option("--tasks", sweep_.slurm.tasks,
+                    "number of shards on the cluster (default: 16, or one per block)")
+        ->check(WholeNumber(2, 1'000'000))
+        ->type_name("N");
+    app->add_option("--sbatch-args", sweep_.slurm.sbatch_args,
+                    "options of sbatch for every job, e.g. '--partition=short --time=60'")
+        ->type_name("ARGS");
+    app->add_flag("--status", sweep_.slurm.status,
+                  "with --slurm: show the progress of each shard, submit nothing");
   }
 
   static Grade BandNamed(const std::string& band) {

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/commands/sweep_on_slurm.h"
 #include "cli/commands/sweep_summary.h"
 #include "cli/did_you_mean.h"
 #include "cli/input_error.h"
@@ -98,11 +99,6 @@ SweepPlan PlanOf(const Session& session, const SweepArguments& arguments) {
   return plan;
 }
 
-std::string StemOf(const Shard& shard) {
-  return shard.count == 1 ? "sweep"
-                          : fmt::format("sweep.{}-of-{}", shard.index + 1, shard.count);
-}
-
 /** The file of a sweep, and whether all of its blocks are in it. */
 struct Swept {
   SweepFile file;
@@ -114,9 +110,9 @@ struct Swept {
 Swept SweepInto(const std::filesystem::path& folder, const SweepPlan& plan,
                 const SweepOptions& options) {
   const SweepSettings settings = SettingsOf(plan);
-  const std::filesystem::path complete = folder / (StemOf(options.shard) + ".sqlite");
+  const std::filesystem::path complete = folder / (FileStemOf(options.shard) + ".sqlite");
   const std::filesystem::path unfinished =
-      folder / (StemOf(options.shard) + ".unfinished.sqlite");
+      folder / (FileStemOf(options.shard) + ".unfinished.sqlite");
   if (!std::filesystem::exists(complete)) {
     SweepFile file = SweepFile::Resume(unfinished, settings);
     if (!Sweep(plan, file, options)) return {std::move(file), false};
@@ -204,7 +200,32 @@ int ExitCodeOf(const SweepFile& file, const std::vector<SubjectSummary>& subject
   return 0;
 }
 
+/** Throws InputError if the options do not fit a sweep on a cluster. */
+void CheckSlurm(const SweepArguments& arguments) {
+  const SlurmArguments& slurm = arguments.slurm;
+  if (!slurm.submit) {
+    if (!slurm.status && !slurm.tasks && slurm.sbatch_args.empty()) return;
+    throw InputError(
+        "--status, --tasks and --sbatch-args belong to --slurm; expected it");
+  }
+  if (!arguments.out)
+    throw InputError("--slurm: expected --out DIR, a folder that all machines share");
+  if (arguments.shard.count > 1)
+    throw InputError("--slurm chooses the shards itself; expected --tasks, not --shard");
+  if (arguments.time) {
+    throw InputError(
+        "--time stops a task before its shard is complete; expected --sbatch-args "
+        "--time=..., after which the same command submits again");
+  }
+}
+
 }  // namespace
+
+std::string FileStemOf(const Shard& shard) {
+  // A single shard is the whole sweep.
+  return shard.count == 1 ? "sweep"
+                          : fmt::format("sweep.{}-of-{}", shard.index + 1, shard.count);
+}
 
 std::pair<ShapeKind, ShapeKind> PairNamed(const std::vector<std::string>& names) {
   const KindPair pair(KindNamed(names[0]), KindNamed(names[1]));
@@ -216,7 +237,10 @@ std::pair<ShapeKind, ShapeKind> PairNamed(const std::vector<std::string>& names)
 }
 
 int SweepCommand(const Session& session, const SweepArguments& arguments) try {
+  CheckSlurm(arguments);
   const SweepPlan plan = PlanOf(session, arguments);
+  if (arguments.slurm.status) return PrintSlurmStatus(plan, arguments);
+  if (arguments.slurm.submit) return SubmitSweep(plan, arguments);
   std::optional<OutputFolder> out;
   if (arguments.out) out.emplace(*arguments.out);
   const Interrupt interrupt;

@@ -14,6 +14,15 @@
 
 namespace touchstone {
 
+/** The arguments of a sweep on a cluster. */
+struct SlurmArguments {
+  bool submit = false;
+  bool status = false;                 ///< Show the progress instead.
+  std::optional<std::uint64_t> tasks;  ///< Number of shards.
+  std::string sbatch_args;             ///< Further options of sbatch.
+  std::vector<std::string> words;      ///< The command line without the program.
+};
+
 /** The arguments of `touchstone sweep contact`. */
 struct SweepArguments {
   OracleSelection oracles;  ///< The subject is a list, see SubjectsNamed().
@@ -31,6 +40,7 @@ struct SweepArguments {
   /** Failures of a lesser band do not count for the exit code; those without a band, a
    crash for example, do. */
   Grade fail_on = Grade::kNone;
+  SlurmArguments slurm;
   int jobs = 0;
   bool quiet = false;
 };
@@ -42,6 +52,9 @@ struct SweepArguments {
  resumed. Returns 1 on failures, 2 if no question that a subject supports touched, 128
  plus the signal if it was interrupted, else 0. */
 int SweepCommand(const Session& session, const SweepArguments& arguments);
+
+/** Returns the name of the file of a shard, without its extension. */
+std::string FileStemOf(const Shard& shard);
 
 /** Returns the shape kinds of two names. Throws InputError for an unknown name, with the
  nearest, and for two half-spaces, which are not a valid question. */

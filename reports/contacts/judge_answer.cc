@@ -116,12 +116,13 @@ class Judgement {
   }
 
   /** Withdraws a pass that is not proved because the truth is wider than the tolerance.
-   @param most The error if the truth is at the end of its enclosure that is worst for the
-   answer. [m] */
-  void RequireProof(Finding& finding, double most) const {
+   @param most Called for the error if the truth is at the end of its enclosure that is
+   worst for the answer. [m] */
+  template <typename Most>
+  void RequireProof(Finding& finding, Most most) const {
     const double width = truth_.separation.hi - truth_.separation.lo;
     if (finding.verdict != Verdict::kPass || !(width > finding.tolerance)) return;
-    if (most <= finding.tolerance) return;
+    if (most() <= finding.tolerance) return;
     finding.verdict = Verdict::kUndecidable;
     finding.tolerance_because = fmt::format(
         "the truth is known only to within {:.2g} m, more than is allowed: {}", width,
@@ -241,8 +242,10 @@ class Judgement {
     Finding& finding = Add(MeasureKind::kSeparationError,
                            SeparationError(truth_, *separation_), tolerances_.separation,
                            [&] { return ProveSeparation(dispute_, *separation_); });
-    RequireProof(finding, std::max(*separation_ - truth_.separation.lo,
-                                   truth_.separation.hi - *separation_));
+    RequireProof(finding, [&] {
+      return std::max(*separation_ - truth_.separation.lo,
+                      truth_.separation.hi - *separation_);
+    });
     if (!n_W_) return;  // No contacts either: they would have a normal.
     const double along = ConsistencyError(query_, *n_W_, *separation_);
     const double unmet = ManifoldInconsistency(answer_.points, *separation_);
@@ -267,7 +270,8 @@ class Judgement {
     Finding& finding =
         Add(MeasureKind::kExcess, Excess(query_, truth_, *n_W_), tolerances_.excess,
             [&] { return ProveExcess(dispute_, *n_W_); });
-    RequireProof(finding, OverlapAlong(query_, *n_W_).hi + truth_.separation.hi);
+    RequireProof(finding,
+                 [&] { return OverlapAlong(query_, *n_W_).hi + truth_.separation.hi; });
     normal_is_right_ = finding.verdict == Verdict::kPass;
   }
 
@@ -403,7 +407,7 @@ class Judgement {
     Finding& finding =
         Add(MeasureKind::kContactTooDeep, ContactTooDeep(truth_, *deepest),
             tolerances_.separation, [&] { return ProveTooDeep(dispute_, *deepest); });
-    RequireProof(finding, truth_.separation.hi - deepest->separation);
+    RequireProof(finding, [&] { return truth_.separation.hi - deepest->separation; });
   }
 
   /** Returns the separation along the normal of the answer, midway through its enclosure.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reports/referee/proved_farther.h"
 #include "reports/referee/referee.h"
 
 namespace touchstone {
@@ -12,7 +13,10 @@ namespace {
 double Beyond(const Body& body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& out_W,
               double e, double least, double size) {
   const auto is_within = [&](double t) {
-    return SignedDistance(body, p_W + t * out_W).hi <= e;
+    const Eigen::Vector3d q_W = p_W + t * out_W;
+    // At most contacts nothing extends further, which doubles prove.
+    return !referee::IsProvedFarther(body, q_W, out_W, e) &&
+           SignedDistance(body, q_W).hi <= e;
   };
   // The distance is convex along the line, so the line stays within e up to one point.
   if (!is_within(least)) return 0;

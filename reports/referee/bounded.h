@@ -39,8 +39,8 @@ class Bounded {
   Bounded(const Real& value, double error)
       : value_(value),
         // Written so that a NaN leaves the error unbounded.
-        error_(value == value && error >= 0 ? error
-                                            : std::numeric_limits<double>::infinity()) {}
+        error_(!IsNan(value) && error >= 0 ? error
+                                           : std::numeric_limits<double>::infinity()) {}
 
   const Real& value() const { return value_; }
   double error() const { return error_; }

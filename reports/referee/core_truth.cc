@@ -96,7 +96,10 @@ NearestTruth Refine(const MinkowskiDifference& M, const Simplex<double>& simplex
 }
 
 CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
-  const std::optional<CoreDepth> depth = ZonotopeDepth(M);
+  const ZonotopeFaces faces(M);
+  // A face in double proves most pairs apart. Their depth is not needed.
+  std::optional<CoreDepth> depth;
+  if (!faces.ProveOutside()) depth = faces.LeastOverlap();
   const bool has_box =
       std::holds_alternative<Box>(M.A().core) || std::holds_alternative<Box>(M.B().core);
   // With a box the candidates are the normals of all faces of M: if the least overlap is
@@ -113,6 +116,7 @@ CoreTruth JudgeZonotopes(const MinkowskiDifference& M) {
   if (truth.separation.lo > 0) return truth;
   // The origin is on the boundary of M to rounding, so the mixture v has no direction of
   // its own.
+  if (!depth) depth = faces.LeastOverlap();
   if (depth) {
     ImproveLower(-depth->depth.hi, depth->n_AB_W, &truth);
   } else {

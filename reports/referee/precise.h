@@ -33,6 +33,13 @@ inline double Magnitude(const Precise& x) {
   return mpfr_zero_p(data) ? 0 : std::numeric_limits<double>::infinity();
 }
 
+inline bool IsNan(double x) {
+  return std::isnan(x);
+}
+inline bool IsNan(const Precise& x) {
+  return mpfr_nan_p(x.backend().data()) != 0;
+}
+
 /** Tells whether the operations in `Real` since its construction were all exact. Always
  false for doubles, whose inexact operations are not detected. */
 template <typename Real>

@@ -115,9 +115,11 @@ Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W) {
   // A ball of radius zero: the separation from it is the distance of its centre.
   const Body point{Sphere{0}, Pose::FromMatrix(p_W, Eigen::Matrix3d::Identity())};
   const ContactQuery query{body, point};
-  const ContactTruth truth =
-      HasHalfSpace(query) ? JudgeAgainstPlane(query) : JudgeBounded(query);
-  return truth.separation;
+  if (HasHalfSpace(query)) return JudgeAgainstPlane(query).separation;
+  // A number needs no certificate: its points take a tenth of the time.
+  const auto [scaled, unit] = InOwnUnit(query);
+  return InMetres(Proved(scaled, JudgeCores(MinkowskiDifference(scaled.A, scaled.B))),
+                  unit);
 }
 
 }  // namespace touchstone

@@ -76,6 +76,8 @@ list(APPEND own_rules
   "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
+  # The only files that call a cluster; they know nothing of sweeps.
+  "cli/slurm/ => cli/input_error[.]h"
   "cli/commands/ => cli/|reports/(accuracy|baseline|bench|ledger|referee|reproduce|shrink|sweep|text|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
   "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")

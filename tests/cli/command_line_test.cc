@@ -649,6 +649,24 @@ TEST_F(CommandLineTest, EndsASweepCleanlyAtCtrlC) {
   EXPECT_THAT(timed.err, HasSubstr("the same command goes on from there"));
 }
 
+TEST_F(CommandLineTest, RefusesSlurmWithoutItsCommandsAFolderOrWithOtherParts) {
+  const std::string sweep = "sweep contact --pair sphere sphere --count 1000 ";
+  const auto error_of = [&](const std::string& options) {
+    const Ended ended = Touchstone(sweep + options);
+    EXPECT_EQ(ended.code, 2) << options;
+    return ended.err;
+  };
+  EXPECT_THAT(error_of("--slurm"), HasSubstr("expected --out DIR"));
+  EXPECT_THAT(error_of("--tasks 4"), HasSubstr("belong to --slurm"));
+  const std::string slurm = "--slurm --out " + Path("cluster");
+  EXPECT_THAT(error_of(slurm + " --shard 1/2"), HasSubstr("expected --tasks"));
+  EXPECT_THAT(error_of(slurm + " --time 1h"), HasSubstr("expected --sbatch-args"));
+  EXPECT_THAT(error_of(slurm + " --status"), HasSubstr("no sweep was submitted"));
+  const Ended without = InPipe("PATH=/nowhere " + Command(sweep + slurm));
+  EXPECT_EQ(without.code, 2);
+  EXPECT_THAT(without.err, HasSubstr("there is no sbatch; expected"));
+}
+
 TEST_F(CommandLineTest, FailsASweepInWhichNothingTouched) {
   EXPECT_EQ(Touchstone("sweep contact --pair box box --count 10").code, 2);
 }

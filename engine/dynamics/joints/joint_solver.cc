@@ -7,9 +7,9 @@
 namespace cookbook {
 namespace {
 
-/** Relative error of a length beyond which it is not rounding. The velocity constraint
- then keeps the current length, and JointSolver::CorrectPositions() restores it. */
-constexpr double kLengthTolerance = 1e-6;
+/** Relative error of a length that JointSolver::CorrectPositions() leaves: a few
+ roundings. */
+constexpr double kLengthTolerance = 1e-15;
 
 /** Returns d / |d|; any direction if the anchors coincide. */
 Eigen::Vector3d Direction(const Eigen::Vector3d& d) {
@@ -36,10 +36,9 @@ void JointSolver::Begin(std::span<const DistanceJoint> joints,
     constraint.d_start = b.p_W - a.p_W;
     constraint.r_A_start = a.r_W;
     constraint.r_B_start = b.r_W;
-    const double length = constraint.d_start.norm();
-    constraint.length = std::abs(length - joint.length) <= kLengthTolerance * joint.length
-                            ? joint.length
-                            : length;
+    // The velocities keep the current length, because those that restore another length
+    // would add energy. Only JointSolver::CorrectPositions() restores the joint's length.
+    constraint.length = constraint.d_start.norm();
     constraint.target = 0;
     SetDirection(constraint.d_start, a.r_W, b.r_W, constraint);
   }

@@ -6,7 +6,7 @@ export interface Look {
   /** Colours of Okabe and Ito, which people with any colour vision tell apart; the dark one on light ground. */
   light: string;
   dark: string;
-  /** Corners of its marker; 0 is a disc. */
+  /** Corners of its marker; 0 is a disc, and a negative number a star of as many points. */
   corners: number;
   dash: number[];
 }
@@ -16,7 +16,8 @@ const looks: Record<string, [light: string, dark: string]> = {
   libccd: ["#9a8f00", "#f0e442"], mujoco: ["#d55e00", "#f2813a"], dart: ["#b5618f", "#dd92bd"],
 };
 const spare: [string, string][] = [["#0072b2", "#5aa9dd"], ["#7a5195", "#b18ccf"], ["#6b6b6b", "#a9a9a9"], ["#8c564b", "#c99a8f"]];
-const corners = [0, 4, 3, 5, 6, 8];
+// Polygons of more than four corners look like a disc at this size: stars do not.
+const corners = [0, 4, 3, -4, -3, -6];
 const dashes: number[][] = [[], [8, 3], [3, 3], [10, 3, 2, 3], [1.5, 3], [14, 4]];
 
 function hash(text: string): number {
@@ -56,11 +57,13 @@ export function marker(look: Look): SVGElement {
   return svg("svg", { class: "marker", viewBox: "0 0 12 12", "aria-hidden": "true" }, shape);
 }
 
-/** Corners of a regular polygon of radius 1, one at the top, or two for a square. */
+/** Corners of a regular polygon of radius 1, one at the top, or two for a square; of a star if `count` is negative. */
 export function cornersOf(count: number): [number, number][] {
   const turn = count === 4 ? Math.PI / 4 : 0;
-  return Array.from({ length: count }, (_, i) => {
-    const angle = turn + (2 * Math.PI * i) / count - Math.PI / 2;
-    return [Math.cos(angle), Math.sin(angle)];
+  const points = count < 0 ? -2 * count : count;
+  return Array.from({ length: points }, (_, i) => {
+    const angle = turn + (2 * Math.PI * i) / points - Math.PI / 2;
+    const radius = count < 0 && i % 2 ? 0.38 : 1;
+    return [radius * Math.cos(angle), radius * Math.sin(angle)];
   });
 }

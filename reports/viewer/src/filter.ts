@@ -31,29 +31,39 @@ export function optionsOf({ report, text }: Run, key: FilterKey): string[] {
   }
 }
 
-type Test = (finding: number) => boolean;
+/** A column of findings and the indices that pass, at index + 1, since −1 stands for none. */
+interface Test { column: Int32Array; passes: Uint8Array }
 
-/** A test that a column has one of the values, by a table over its index. */
-function columnTest(column: number[], count: number, accepts: (index: number) => boolean): Test {
-  const table = Uint8Array.from({ length: count }, (_, i) => (accepts(i) ? 1 : 0));
-  return (f) => table[column[f]] === 1;
+/** Columns as typed arrays: a loop over them allocates nothing. */
+const columns = new WeakMap<number[], Int32Array>();
+
+export function typed(column: number[]): Int32Array {
+  let result = columns.get(column);
+  if (!result) columns.set(column, result = Int32Array.from(column));
+  return result;
 }
 
 function testOf(run: Run, key: FilterKey, values: string[]): Test {
   const { report } = run;
   const { findings: f, names } = report;
-  const has = (value: string | undefined): boolean => value !== undefined && values.includes(value);
+  const wanted = new Set(values);
+  const test = <T>(column: number[], list: T[], name: (item: T, index: number) => string | undefined): Test => {
+    const passes = new Uint8Array(list.length + 1);
+    list.forEach((item, i) => { passes[i + 1] = wanted.has(name(item, i) ?? "") ? 1 : 0; });
+    return { column: typed(column), passes };
+  };
+  const index = (_: unknown, i: number): string => String(i);
   switch (key) {
-    case "verdict": return columnTest(f.verdict, names.verdict.length, (i) => has(names.verdict[i]));
-    case "oracle": return columnTest(f.oracle, report.oracles.length, (i) => has(report.oracles[i].name));
-    case "group": return columnTest(f.question, report.questions.length, (i) => has(report.questions[i].group));
-    case "pair": return columnTest(f.question, report.questions.length, (i) => has(report.questions[i].pair));
-    case "question": return columnTest(f.question, report.questions.length, (i) => has(report.questions[i].id));
-    case "measure": return columnTest(f.measure, names.measure.length, (i) => has(names.measure[i].name));
-    case "cause": return columnTest(f.cause, names.cause.length, (i) => has(names.cause[i]));
-    case "law": return columnTest(f.law, report.texts.length, (i) => has(report.texts[i]));
-    case "entry": return columnTest(f.ledger, report.ledger.length, (i) => has(String(i)));
-    case "cluster": return columnTest(f.cluster, report.clusters.length, (i) => has(String(i)));
+    case "verdict": return test(f.verdict, names.verdict, (v) => v);
+    case "oracle": return test(f.oracle, report.oracles, (o) => o.name);
+    case "group": return test(f.question, report.questions, (q) => q.group);
+    case "pair": return test(f.question, report.questions, (q) => q.pair);
+    case "question": return test(f.question, report.questions, (q) => q.id);
+    case "measure": return test(f.measure, names.measure, (m) => m.name);
+    case "cause": return test(f.cause, names.cause, (c) => c);
+    case "law": return test(f.law, report.texts, (t) => t);
+    case "entry": return test(f.ledger, report.ledger, index);
+    case "cluster": return test(f.cluster, report.clusters, index);
   }
 }
 
@@ -101,14 +111,22 @@ export function findMatches(run: Run, query: URLSearchParams): Matches {
   for (const band of bandsOf(query)) wanted[bands.indexOf(band)] = 1;
   const sort = query.get("sort") as SortKey | null;
   const order = orderBy(run, sort && sortKeys.includes(sort) ? sort : "gravity");
-  const perBand = bands.map(() => 0);
-  const found: number[] = [];
-  next: for (const i of order) {
-    if (words && !words[i]) continue;
-    for (const test of tests) if (!test(i)) continue next;
-    ++perBand[run.band[i]];
-    if (wanted[run.band[i]]) found.push(i);
+  const { band } = run;
+  const passes = words ?? new Uint8Array(band.length).fill(1);
+  for (const { column, passes: table } of tests)
+    for (let i = 0; i < passes.length; ++i) passes[i] &= table[column[i] + 1];
+  const counts = new Uint32Array(bands.length);
+  const matching = new Uint32Array(order.length);
+  let count = 0;
+  for (let k = 0; k < order.length; ++k) {
+    const i = order[k];
+    if (passes[i] === 0) continue;
+    ++counts[band[i]];
+    if (wanted[band[i]]) matching[count++] = i;
   }
+  const found = new Array<number>(count);
+  for (let k = 0; k < count; ++k) found[k] = matching[k];
+  const perBand = Array.from(counts);
   if (query.get("down") === "0") found.reverse();
   return { found, perBand };
 }

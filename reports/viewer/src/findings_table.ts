@@ -67,11 +67,11 @@ export function shareOf(run: Run, finding: number): string {
   return names.measure[findings.measure[finding]]?.kind === "length" ? ratio(findings.share[finding]) : "";
 }
 
-/** The address of a finding: its question, with its oracle explained, and a world at the moment of the fault. */
+/** The address of a finding: its question, with its oracle explained, and a world just before the moment of the fault. */
 export function findingAddress(run: Run, finding: number): string {
   const { findings, questions, oracles } = run.report;
-  const time = findings.time?.[finding] ?? -1;
-  return questionAddress(questions[findings.question[finding]].id, { o: oracles[findings.oracle[finding]].name, t: time >= 0 ? String(time) : "" });
+  const question = questions[findings.question[finding]];
+  return questionAddress(question.id, { o: oracles[findings.oracle[finding]].name, f: question.world ? String(finding) : "" });
 }
 
 export function downloadFindings(run: Run, found: number[]): void {
@@ -91,13 +91,13 @@ export function downloadFindings(run: Run, found: number[]): void {
 export function findingsTable(run: Run, sortLink?: (key: SortKey) => { href: string; sorted: "ascending" | "descending" | "none" }): FindingsTable {
   const { findings: f, questions } = run.report;
   let found: number[] = [];
-  const cell = (name: string, ...children: Child[]): HTMLElement => h("div", { role: "cell", class: name }, children);
-  const list = virtualList("rowgroup", () => (innerWidth < 760 ? 88 : 46), (row) => {
+  const cell = (name: string, ...children: Child[]): HTMLElement => h("div", { role: "cell", class: name, title: children.every((c) => typeof c === "string") ? children.join("") : undefined }, children);
+  const list = virtualList("rowgroup", () => (innerWidth < 760 ? 104 : 64), (row) => {
     const i = found[row];
     const question = questions[f.question[i]];
     return h("div", { role: "row", class: "finding" },
       cell("c-band", badge(bands[run.band[i]])),
-      cell("c-question", h("a", { href: findingAddress(run, i) }, h("span", { class: "title", dir: "auto" }, question.title)), h("span", { class: "id" }, question.id)),
+      cell("c-question", h("a", { href: findingAddress(run, i), class: "title", dir: "auto", title: question.title }, question.title), h("span", { class: "id", title: question.id }, question.id)),
       cell("c-engine", engine(run, f.oracle[i])),
       cell("c-measure", measureOf(run, i)),
       cell("c-value number", valueOf(run, i)),

@@ -28,20 +28,33 @@ export const wordsOf = (query: string): string[] => (query.match(word) ?? []).ma
 export function makeSearch(report: Report): Search {
   const { findings, names } = report;
   // Built when first asked for: most readers never search.
-  let index: { texts: string[]; questions: string[]; oracles: string[]; measures: string[]; verdicts: string[]; causes: string[]; ledger: string[] } | null = null;
+  let index: { column: Int32Array; texts: string[] }[] | null = null;
   const build = () => {
     const origins = new Set(findings.because);
     for (const column of [findings.law, findings.cause_because, findings.shipped_because, findings.proof]) for (const t of column) origins.delete(t);
-    return {
-      // The origin of a tolerance is the same prose for thousands of findings and would drown what is searched for.
-      texts: report.texts.map((text, i) => (origins.has(i) ? "" : indexed(text))),
-      questions: report.questions.map((q) => indexed(`${q.id} ${q.title} ${q.pair ?? ""}`)),
-      oracles: report.oracles.map((o) => indexed(`${o.name} ${o.library}`)),
-      measures: names.measure.map((m) => indexed(m.name)),
-      verdicts: names.verdict.map(indexed),
-      causes: names.cause.map(indexed),
-      ledger: report.ledger.map((entry) => indexed(`${entry.reason} ${entry.upstream}`)),
-    };
+    // The origin of a tolerance is the same prose for thousands of findings and would drown what is searched for.
+    const texts = report.texts.map((text, i) => (origins.has(i) ? "" : indexed(text)));
+    return [
+      { column: Int32Array.from(findings.question), texts: report.questions.map((q) => indexed(`${q.id} ${q.title} ${q.pair ?? ""}`)) },
+      { column: Int32Array.from(findings.oracle), texts: report.oracles.map((o) => indexed(`${o.name} ${o.library}`)) },
+      { column: Int32Array.from(findings.measure), texts: names.measure.map((m) => indexed(m.name)) },
+      { column: Int32Array.from(findings.verdict), texts: names.verdict.map(indexed) },
+      { column: Int32Array.from(findings.cause), texts: names.cause.map(indexed) },
+      { column: Int32Array.from(findings.ledger), texts: report.ledger.map((entry) => indexed(`${entry.reason} ${entry.upstream}`)) },
+      ...[findings.law, findings.proof, findings.cause_because, findings.shipped_because].map((column) => ({ column: Int32Array.from(column), texts })),
+    ];
+  };
+  /** Marks of the texts that have a word, at index + 1. Four columns share their texts, so the last word of each list is kept. */
+  const kept = new WeakMap<string[], { word: string; marks: Uint8Array }>();
+  const marksOf = (texts: string[], word: string): Uint8Array => {
+    const last = kept.get(texts);
+    if (last?.word === word) return last.marks;
+    const marks = new Uint8Array(texts.length + 1);
+    // A text that has a longer word has its beginning too: letters typed one after the other narrow the search.
+    const narrows = last !== undefined && word.startsWith(last.word);
+    for (let i = 0; i < texts.length; ++i) if ((!narrows || last.marks[i + 1]) && texts[i].includes(word)) marks[i + 1] = 1;
+    kept.set(texts, { word, marks });
+    return marks;
   };
   return {
     matches: (text, query) => { const all = indexed(text); return wordsOf(query).every((w) => all.includes(w)); },
@@ -51,20 +64,11 @@ export function makeSearch(report: Report): Search {
       index ??= build();
       const found = new Uint8Array(findings.question.length).fill(1);
       for (const w of words) {
-        const mark = (texts: string[]): Uint8Array => Uint8Array.from(texts, (text) => (text.includes(w) ? 1 : 0));
-        const texts = mark(index.texts);
-        const questions = mark(index.questions);
-        const oracles = mark(index.oracles);
-        const measures = mark(index.measures);
-        const verdicts = mark(index.verdicts);
-        const causes = mark(index.causes);
-        const ledger = mark(index.ledger);
-        for (let i = 0; i < found.length; ++i) {
-          // An index of -1 reads undefined, which is no match.
-          if (found[i] && !(questions[findings.question[i]] || oracles[findings.oracle[i]] || measures[findings.measure[i]] ||
-              verdicts[findings.verdict[i]] || causes[findings.cause[i]] || ledger[findings.ledger[i]] || texts[findings.law[i]] ||
-              texts[findings.proof[i]] || texts[findings.cause_because[i]] || texts[findings.shipped_because[i]])) found[i] = 0;
-        }
+        const parts = index.map(({ column, texts }) => ({ column, marks: marksOf(texts, w) })).filter(({ marks }) => marks.includes(1));
+        const hits = new Uint8Array(found.length);
+        // The marks are at index + 1, since −1 stands for none.
+        for (const { column, marks } of parts) for (let i = 0; i < hits.length; ++i) hits[i] |= marks[column[i] + 1];
+        for (let i = 0; i < found.length; ++i) found[i] &= hits[i];
       }
       return found;
     },

@@ -1,6 +1,7 @@
 import { address } from "./address";
 import { bandTexts, type Band } from "./bands";
 import { fill, h, toast, type Child } from "./dom";
+import type { Oracle } from "./data";
 import { marker } from "./engines";
 import type { Run } from "./run";
 
@@ -9,10 +10,13 @@ export function badge(band: Band, text = bandTexts[band].name): HTMLElement {
   return h("span", { class: `badge ${band}`, title: bandTexts[band].meaning }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), " ", text);
 }
 
+/** What an oracle is: its library, and how its adapter sets it up. */
+const descriptionOf = ({ name, library, version, settings }: Oracle): string => [`${name}: ${library} ${version}`, ...settings.map((s) => `${s.name}: ${s.value}`)].join("\n");
+
 /** An engine as its marker and name, which links to its page. */
 export function engine(run: Run, oracle: number): HTMLElement {
-  const { name } = run.report.oracles[oracle];
-  return h("a", { class: "engine", title: name, href: address(["oracles", name]) }, marker(run.looks[oracle]), name);
+  const info = run.report.oracles[oracle];
+  return h("a", { class: "engine", title: descriptionOf(info), href: address(["oracles", info.name]) }, marker(run.looks[oracle]), h("span", { class: "name" }, info.name));
 }
 
 /** A link to the web if it is one, also as "owner/repository#number"; whatever else an upstream says is shown as text. */

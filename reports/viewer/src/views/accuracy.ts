@@ -10,12 +10,19 @@ import { logHistogram, quantile } from "../histogram";
 import type { MakeView } from "../view";
 import { button, engine } from "../widgets";
 
-const [low, high, bins] = [-18, 2, 80];
+/** Room for errors of exactly 0, which a logarithm has no place for, and for marks at the ends [px of 640]. */
+const [zeroRoom, endRoom] = [34, 10];
+const bins = 80;
+
+/** The part of sorted errors that is above a bound. */
+const partOver = (sorted: number[], bound: number): number => { const first = sorted.findIndex((e) => e > bound); return first < 0 ? 0 : (sorted.length - first) / sorted.length; };
 
 /** Orders of the oracles, by their sorted errors. */
 const orders: { key: string; name: string; of(sorted: number[]): number }[] = [
+  // The worst comes first because a median of 0 says nothing of an engine that is wrong by half of the size at times.
+  { key: "worst", name: "smallest worst first", of: (e) => e[e.length - 1] ?? 0 },
   { key: "median", name: "smallest median first", of: (e) => quantile(e, 0.5) }, { key: "most", name: "smallest 90 % first", of: (e) => quantile(e, 0.9) },
-  { key: "worst", name: "smallest worst first", of: (e) => e[e.length - 1] ?? 0 }, { key: "name", name: "by name", of: () => 0 },
+  { key: "large", name: "fewest over 0.1 % of the size first", of: (e) => partOver(e, 1e-3) }, { key: "name", name: "by name", of: () => 0 },
 ];
 
 interface Row { oracle: number; values: number[]; zeros: number; worst: number }
@@ -46,19 +53,26 @@ export const accuracyView: MakeView = (run, at) => {
   const order = orders.find((o) => o.key === at.query.get("sort")) ?? orders[0];
   full.sort((a, b) => (order.key === "name" ? (oracles[a.oracle].name < oracles[b.oracle].name ? -1 : 1) : order.of(all(a)) - order.of(all(b))));
 
+  // The axis holds every error, so that no mark is at a place where its value is not.
+  const exponents = full.flatMap((r) => (r.values.length ? [Math.log10(r.values[0]), Math.log10(r.values[r.values.length - 1])] : [])).filter(Number.isFinite);
+  const low = Math.max(-30, Math.floor(Math.min(-3, ...exponents)));
+  const high = Math.min(12, Math.ceil(Math.max(0, ...exponents)));
+  const span = 640 - zeroRoom - endRoom;
+  const place = (value: number): number => (value > 0 ? zeroRoom + Math.max(0, Math.min(1, (Math.log10(value) - low) / (high - low))) * span : zeroRoom / 2);
+
   const strip = (row: Row): HTMLElement => {
     const canvas = h("canvas", { width: 640, height: 52, class: "strip", role: "img", "aria-label": `Distribution of the errors of ${oracles[row.oracle].name}` });
     const context = canvas.getContext("2d");
     if (!context) return canvas;
     const counts = logHistogram(row.values, low, high, bins);
-    const most = Math.max(1, ...counts);
-    const w = 640 / bins;
+    const most = Math.max(1, row.zeros, ...counts);
+    const w = span / bins;
     context.strokeStyle = prefersDark() ? "#343a44" : "#dfe3e8";
-    for (const e of decades(low, high, 10)) { const x = ((e - low) / (high - low)) * 640; context.beginPath(); context.moveTo(x, 0); context.lineTo(x, 52); context.stroke(); }
+    for (const e of decades(low, high, 10)) { const x = zeroRoom + ((e - low) / (high - low)) * span; context.beginPath(); context.moveTo(x, 0); context.lineTo(x, 52); context.stroke(); }
     context.fillStyle = colourOf(run.looks[row.oracle]);
     // The height is the square root of the count, because the rare large errors matter most.
-    counts.forEach((count, i) => { if (count) { const height = 46 * Math.sqrt(count / most); context.fillRect(i * w, 52 - height, w - 1, height); } });
-    const place = (value: number): number => Math.max(1, Math.min(637, ((Math.log10(Math.max(value, 1e-300)) - low) / (high - low)) * 640));
+    counts.forEach((count, i) => { if (count) { const height = 46 * Math.sqrt(count / most); context.fillRect(zeroRoom + i * w, 52 - height, w - 1, height); } });
+    if (row.zeros > 0) { const height = 46 * Math.sqrt(row.zeros / most); context.fillRect(zeroRoom / 2 - 8, 52 - height, 16, height); }
     const ink = prefersDark() ? "#fff" : "#000";
     const errors = all(row);
     context.fillStyle = context.strokeStyle = ink;
@@ -76,22 +90,24 @@ export const accuracyView: MakeView = (run, at) => {
       none !== undefined && h("option", { value: "" }, none), options.map((value) => h("option", { value, selected: value === chosen }, spaced(value))));
     return box;
   };
-  const orderBox = h("select", { "aria-label": "Order of the oracles", on: { change: () => { location.hash = address(["accuracy"], withValue(at.query, "sort", orderBox.value === orders[0].key ? "" : orderBox.value)); } } },
+  const sortAddress = (key: string): string => address(["accuracy"], withValue(at.query, "sort", key === orders[0].key ? "" : key));
+  const columns: [string, string][] = [["Measured", ""], ["Exactly 0", ""], ["Median", "median"], ["90 % within", "most"], ["Over 0.1 %", "large"], ["Worst", "worst"]];
+  const orderBox = h("select", { "aria-label": "Order of the oracles", on: { change: () => { location.hash = sortAddress(orderBox.value); } } },
     orders.map(({ key, name }) => h("option", { value: key, selected: key === order.key }, name)));
-  const save = (): void => downloadCsv("accuracy.csv", [["oracle", "measurements", "median", "90 %", "worst", "worst question"],
-    ...full.map((r) => [oracles[r.oracle].name, r.values.length + r.zeros, quantile(all(r), 0.5), quantile(all(r), 0.9), Math.abs(f.share[r.worst]), questions[f.question[r.worst]].id])]);
+  const save = (): void => downloadCsv("accuracy.csv", [["oracle", "measurements", "median", "90 %", "part over 0.1 %", "worst", "worst question"],
+    ...full.map((r) => [oracles[r.oracle].name, r.values.length + r.zeros, quantile(all(r), 0.5), quantile(all(r), 0.9), partOver(all(r), 1e-3), Math.abs(f.share[r.worst]), questions[f.question[r.worst]].id])]);
   const element = h("section", {}, h("h1", {}, "Accuracy"),
-    h("p", {}, "How the errors of each oracle are distributed, as shares of the size of the question. Errors of exactly 0 have no bar. Undecidable measurements are left out."),
+    h("p", {}, "How the errors of each oracle are distributed, as shares of the size of the question. Errors of exactly 0 have a bar of their own at the left. Each oracle is measured on the questions that it answers. Undecidable measurements are left out."),
     h("p", { class: "toolbar" }, select("measure", "Measure", measures, measure), select("pair", "Pair of shapes", pairs, pair, "all pairs"), h("label", {}, "Order ", orderBox), button("CSV", save, { class: "small" })),
     h("p", { class: "marks" }, ["▮ median", "▯ 90 % are smaller", "✕ worst", "bars: how many, to the square root, because the rare large errors matter most"].map((text) => h("span", {}, text))),
     full.length === 0 ? h("p", {}, "No oracle has such a measurement.") : h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Accuracy" }, h("table", { class: "plain accuracy stacked" },
-      h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), h("th", { scope: "col" }, h("span", { class: "axis" }, decades(low, high, 5).map((e) => h("span", {}, powerOfTen(e))))),
-        ["Measured", "Exactly 0", "Median", "90 % within", "Worst"].map((name) => h("th", { scope: "col", class: "number" }, name)))),
+      h("thead", {}, h("tr", {}, h("th", { scope: "col", "aria-sort": order.key === "name" ? "ascending" : undefined }, h("a", { href: sortAddress("name"), title: "Sort by name" }, "Oracle", order.key === "name" ? " ▴" : "")), h("th", { scope: "col" }, h("span", { class: "axis" }, h("span", {}, "0"), decades(low, high, 5).slice(1).map((e) => h("span", { style: { left: `${(100 * place(10 ** e)) / 640}%` } }, powerOfTen(e))))),
+        columns.map(([name, key]) => h("th", { scope: "col", class: "number", "aria-sort": key === order.key ? "ascending" : undefined }, key ? h("a", { href: sortAddress(key), title: `Sort by ${name.toLowerCase()}` }, name, key === order.key ? " ▴" : "") : name)))),
       h("tbody", {}, full.map((row) => h("tr", {},
         h("th", { scope: "row" }, engine(run, row.oracle)), h("td", { class: "whole" }, strip(row)),
         h("td", { class: "number", "data-label": "measured" }, (row.values.length + row.zeros).toLocaleString("en")), h("td", { class: "number", "data-label": "exactly 0" }, row.zeros.toLocaleString("en")),
         h("td", { class: "number", "data-label": "median" }, ratio(quantile(all(row), 0.5))), h("td", { class: "number", "data-label": "90 % within" }, ratio(quantile(all(row), 0.9))),
-        h("td", { class: "number", "data-label": "worst" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, ratio(f.share[row.worst])))))))),
+        h("td", { class: "number", "data-label": "over 0.1 %" }, ratio(partOver(all(row), 1e-3))), h("td", { class: "number", "data-label": "worst" }, h("a", { href: findingAddress(run, row.worst), title: questions[f.question[row.worst]].title }, ratio(f.share[row.worst])))))))),
     h("p", { class: "quiet" }, `${counted(full.reduce((sum, r) => sum + r.values.length + r.zeros, 0), "measurement")} in ${counted(full.length, "oracle")}.`));
   return { title: "Accuracy", element };
 };

@@ -9,6 +9,8 @@ import { bandOfCluster } from "../run";
 import { thumbnail } from "../scene/thumbnail";
 import type { MakeView } from "../view";
 import { badge, button, command, engine, upstreamLink } from "../widgets";
+import { prose } from "../symbols";
+import { contactLegend } from "./contact";
 import { notFound } from "./not_found";
 
 export const clusterView: MakeView = (run, at) => {
@@ -25,22 +27,28 @@ export const clusterView: MakeView = (run, at) => {
   const table = findingsTable(run);
   const proof = run.text(f.proof[cluster.worst] ?? -1);
   const cause = report.names.cause[cluster.cause];
+  // The ledger's reason may begin with the fault itself, which is the heading.
+  const stem = cluster.title.replace(/\.$/, "");
+  const why = (cluster.reason.startsWith(stem) ? cluster.reason.slice(stem.length) : cluster.reason).replace(/^[.:;,\s]+/, "");
   const element = h("section", { class: "cluster" },
     h("p", { class: "card-head" }, badge(band), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new: not in the ledger" : "known: in the ledger"), upstreamLink(cluster.upstream)),
-    h("h1", { dir: "auto" }, cluster.title),
+    h("h1", { dir: "auto" }, prose(cluster.title)),
     h("p", { class: "extent" }, cluster.extent),
     h("div", { class: "columns" },
       h("div", { class: "main-column" },
         question && h("a", { href: worst, class: "large-picture", "aria-label": `Open ${question.id}` },
           thumbnail(run, question, cluster.oracles, f.time?.[cluster.worst] ?? -1, 840, 420)),
+        question?.contact && contactLegend(question.contact.truth.patch.length > 1),
+        question?.world && h("p", { class: "marks" }, "Solid: the first oracle below that simulates it. Edges: the second."),
         question && h("p", {}, "Its worst question: ", h("a", { href: worst, dir: "auto" }, question.title), ".")),
       h("div", { class: "side-column" },
         h("h2", {}, "Oracles"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
         h("h2", {}, "How large"),
         h("p", {}, `The worst: ${headingOf(run, cluster.worst)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `; ${counted(cluster.questions.length, "question")} in all.`),
         shares.length > 1 && h("figure", {}, barChart(logHistogram(shares, -17, 2, 38), -17, 2, "Number of findings by error as a share of the size"), h("figcaption", {}, `${counted(shares.length, "finding")} by error as a share of the size, logarithmic`)),
-        h("h2", {}, "Why"), h("p", { dir: "auto" }, cluster.reason, cause && cause !== "" ? ` (cause: ${cause})` : ""),
-        proof && [h("h2", {}, "Proof of the worst"), h("p", { dir: "auto", class: "proof" }, proof)],
+        why && [h("h2", {}, "Why"), h("p", { dir: "auto" }, prose(why))],
+        cause && h("p", {}, h("b", {}, "Cause: "), cause),
+        proof && [h("h2", {}, "Proof of the worst"), h("p", { dir: "auto", class: "proof" }, prose(proof))],
         h("h2", {}, "See it yourself"), question && command(`touchstone explain ${question.id}`))),
     h("h2", {}, "Its findings"),
     h("p", { class: "count" }, counted(found.length, "finding"), " ", h("a", { href: findingsAddress({ cluster: String(number) }) }, "filter and sort them"), " ", button("CSV", () => downloadFindings(run, found), { class: "small" })),

@@ -167,7 +167,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
       h("div", { class: "stage-column" },
         stage.element,
         inset?.element,
-        legend(truth.patch.length > 1),
+        contactLegend(truth.patch.length > 1),
         view.note !== "" && h("p", { class: "quiet" }, view.note),
         h("div", { class: "toolbar", role: "toolbar", "aria-label": "View" },
           view.provable && [playButton, slider],
@@ -210,7 +210,7 @@ export function contactView(run: Run, q: number, question: Question, start: Addr
 }
 
 /** The legend of the marks in the view. */
-function legend(hasPatch: boolean): HTMLElement {
+export function contactLegend(hasPatch: boolean): HTMLElement {
   const item = (mark: SVGElement, text: string): HTMLElement => h("li", {}, mark, " ", text);
   const picture = (...parts: SVGElement[]): SVGElement => svg("svg", { viewBox: "0 0 16 12", class: "key", "aria-hidden": "true" }, parts);
   const line = (className: string, more: Record<string, number> = {}): SVGElement => svg("line", { x1: 2, y1: 6, x2: 14, y2: 6, class: className, ...more });

@@ -1,5 +1,6 @@
 import { address, toggled, valuesOf, withValue, type Address } from "../address";
-import { bands, bandTexts } from "../bands";
+import { bands, bandTexts, faultBands } from "../bands";
+import { countsList, countsOf } from "../counts";
 import { fill, h } from "../dom";
 import { bandsOf, filterKeys, findMatches, optionsOf, orderBy, sortKeys, type FilterKey, type SortKey } from "../filter";
 import { downloadFindings, findingAddress, findingsTable } from "../findings_table";
@@ -18,6 +19,14 @@ export const findingsView: MakeView = (run, start) => {
   const options = filterKeys.map((key) => ({ key, values: optionsOf(run, key) })).filter(({ values }) => values.length > 1);
   const chips = h("div", { class: "chips", role: "group", "aria-label": "Bands" });
   const filters = h("div", { class: "filters" });
+  const active = h("span", { class: "filters" });
+  const selects = options.map(({ key, values }) => {
+    const items = values.map((value) => h("option", { value }, value));
+    const select = h("select", { "aria-label": `Filter by ${names[key]}`, on: { change: () => { const { value } = select; select.value = ""; if (value) location.hash = go(toggled(query, key, value)); } } },
+      h("option", { value: "" }, names[key]), items);
+    return { key, select, items, ticked: "" };
+  });
+  fill(filters, selects.map(({ select }) => select), active);
   const count = h("p", { class: "count", role: "status" });
   const go = (next: URLSearchParams): string => address(["findings"], next);
 
@@ -35,27 +44,31 @@ export const findingsView: MakeView = (run, start) => {
     const matches = findMatches(run, query);
     found = matches.found;
     chosen = -1;
-    const active = bandsOf(query);
+    const wanted = bandsOf(query);
     const explicit = query.has("band");
     fill(chips, bands.map((band, i) => h("a", {
       class: `chip ${band}`, href: go(toggled(query.get("band") === "all" ? withValue(query, "band", "") : query, "band", band)),
-      "aria-current": explicit && active.includes(band) ? "true" : undefined, title: bandTexts[band].meaning,
+      "aria-current": explicit && wanted.includes(band) ? "true" : undefined, title: bandTexts[band].meaning,
     }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, matches.perBand[i].toLocaleString("en")))));
-    fill(filters,
-      options.map(({ key, values }) => {
-        const select = h("select", { "aria-label": `Filter by ${names[key]}`, on: { change: () => { if (select.value) location.hash = go(toggled(query, key, select.value)); } } },
-          h("option", { value: "" }, names[key]),
-          values.map((value) => h("option", { value }, (valuesOf(query, key).includes(value) ? "✓ " : "") + value)));
-        return select;
-      }),
+    for (const filter of selects) {
+      // Hundreds of options stay as they are unless their ticks change.
+      const ticked = query.get(filter.key) ?? "";
+      if (ticked === filter.ticked) continue;
+      filter.ticked = ticked;
+      const values = valuesOf(query, filter.key);
+      for (const item of filter.items) item.textContent = (values.includes(item.value) ? "✓ " : "") + item.value;
+    }
+    fill(active,
       filterKeys.flatMap((key) => valuesOf(query, key).map((value) =>
         h("a", { class: "chip active", href: go(toggled(query, key, value)), title: "Take this filter away" }, `${names[key]}: ${value} `, h("span", { "aria-hidden": "true" }, "×")))),
       query.get("q") && h("a", { class: "chip active", href: go(withValue(query, "q", "")), title: "Take the search away" }, `“${query.get("q")}” `, h("span", { "aria-hidden": "true" }, "×")));
-    fill(count, `${counted(found.length, "finding")}${explicit || query.has("verdict") ? "" : found.length === 1 ? ", a fault" : ", all faults"} of ${counted(run.report.findings.question.length, "measurement")}. `,
+    // A measurement is called a finding if it is a fault.
+    const faulty = wanted.every((band) => faultBands.includes(band));
+    fill(count, `${counted(found.length, faulty ? "finding" : "measurement")} shown, of ${counted(countsOf(run).findings, "finding")} in ${counted(countsOf(run).measurements, "measurement")}. `,
       button("CSV", () => downloadFindings(run, found), { class: "small", title: "Save this table as comma-separated values" }));
     table.set(found);
   };
-  const element = h("section", {}, h("h1", {}, "Findings"), chips, filters, count, table.element);
+  const element = h("section", {}, h("h1", {}, "Findings"), countsList(run), chips, filters, count, table.element);
   // The order by gravity is the one that nearly everybody asks for; the others while nobody waits.
   queueMicrotask(show);
   const idle = window.setTimeout(() => { for (const key of sortKeys) orderBy(run, key); run.search.find("warm"); }, 400);

@@ -1,10 +1,12 @@
 import { address, toggled, valuesOf, withValue, type Address } from "../address";
 import { bands, bandTexts, faultBands, type Band } from "../bands";
+import { countsList, countsOf } from "../counts";
 import { fill, h } from "../dom";
 import { findingsAddress, headingOf } from "../findings_table";
 import { counted } from "../format";
 import { bandOfCluster, type Run } from "../run";
 import { thumbnail } from "../scene/thumbnail";
+import { prose } from "../symbols";
 import type { MakeView } from "../view";
 import { virtualList } from "../virtual";
 import { badge, engine, upstreamLink } from "../widgets";
@@ -42,6 +44,32 @@ function faultsByOracle(run: Run, clusterBands: Band[]): HTMLElement {
     h("tbody", {}, rows.map(({ o, all, grave }) => h("tr", {}, h("th", { scope: "row" }, engine(run, o)), h("td", { class: "number" }, grave), h("td", { class: "number" }, all)))));
 }
 
+/** What was asked, and by how many oracles it was answered. */
+function sentenceOf(run: Run): string {
+  const { questions, oracles } = run.report;
+  const contacts = questions.filter((q) => q.kind === "contact").length;
+  const worlds = questions.length - contacts;
+  const asked = [contacts > 0 && counted(contacts, "contact question"), worlds > 0 && counted(worlds, "world")].filter(Boolean).join(" and ") || "no question";
+  const { answering } = countsOf(run);
+  const silent = oracles.length - answering;
+  return `${counted(answering, "oracle")} answered ${asked}${silent > 0 ? `; ${counted(silent, "oracle")} ${silent === 1 ? "supports" : "support"} none of ${questions.length === 1 ? "it" : "them"}` : ""}.`;
+}
+
+/** Whether the run passes, and which faults it knows: two statements, so that neither is taken for the other. */
+function conclusionOf(run: Run): HTMLElement {
+  const { report } = run;
+  const fresh = report.clusters.filter((c) => c.is_new).length;
+  const known = report.clusters.filter((c) => !c.is_new);
+  const engines = new Set(known.flatMap((c) => c.oracles.map((o) => report.oracles[o].library)));
+  const outside = `${counted(fresh, "fault")} ${fresh === 1 ? "is" : "are"} not in the ledger`;
+  const why = report.failed ? (fresh > 0 ? `: ${outside}.` : ".")
+    : report.clusters.length === 0 ? ": no fault was found." : fresh === 0 ? ": every failure is in the ledger of known faults." : `, although ${outside}.`;
+  return h("div", { class: report.failed ? "conclusion failed" : "conclusion" },
+    h("p", { class: "passes" }, h("b", {}, report.failed ? "✗ The run fails" : "✓ The run passes"), why),
+    known.length > 0 && h("p", { class: "faulty" }, h("b", {}, `${counted(known.length, "fault")} of ${counted(engines.size, "engine")}`), ` ${known.length === 1 ? "is" : "are"} proved and known.`),
+    h("p", { class: "quiet" }, report.conclusion));
+}
+
 export const frontView: MakeView = (run, start) => {
   const { report } = run;
   const clusterBands: Band[] = report.clusters.map((c) => bandOfCluster(run, c));
@@ -52,15 +80,16 @@ export const frontView: MakeView = (run, start) => {
     const c = shown[place];
     const cluster = report.clusters[c];
     const question = report.questions[report.findings.question[cluster.worst] ?? cluster.questions[0]];
+    const proof = run.text(report.findings.proof[cluster.worst] ?? -1) || headingOf(run, cluster.worst);
     return h("div", { role: "listitem", class: "card" },
       h("a", { href: address(["f", String(c)]), class: "card-picture", tabindex: "-1", "aria-hidden": "true" },
         question && thumbnail(run, question, cluster.oracles, report.findings.time?.[cluster.worst] ?? -1)),
       h("div", { class: "card-text" },
         h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet", title: cluster.is_new ? "not in the ledger" : "in the ledger of known and accepted faults" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
           h("a", { href: findingsAddress({ cluster: String(c) }) }, counted(cluster.questions.length, "question"))),
-        h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto" }, cluster.title)),
+        h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto", title: cluster.title }, cluster.title)),
         h("p", { class: "extent" }, cluster.extent),
-        h("p", { class: "proof-line", dir: "auto" }, run.text(report.findings.proof[cluster.worst] ?? -1) || headingOf(run, cluster.worst)),
+        h("p", { class: "proof-line", dir: "auto", title: proof }, prose(proof)),
         h("p", { class: "engines" }, cluster.oracles.slice(0, 8).map((o) => engine(run, o)), cluster.oracles.length > 8 && h("span", { class: "quiet" }, `and ${cluster.oracles.length - 8} more`))));
   };
   const list = virtualList("list", () => (innerWidth < 760 ? 268 : 178), card);
@@ -92,10 +121,10 @@ export const frontView: MakeView = (run, start) => {
   const subject = report.oracles[report.subject]?.name ?? "the subject";
   const element = h("section", { class: "front" },
     h("h1", { class: "visually-hidden" }, "What the run found"),
-    h("p", { class: "sentence" }, report.sentence, " ",
+    h("p", { class: "sentence" }, sentenceOf(run), " ",
       report.clusters.length === 0 ? "No fault was found."
         : `They show ${counted(report.clusters.length, "fault")}; ${graves === 0 ? "none" : graves} of them ${graves === 1 ? "is" : "are"} grave or leave no usable answer, ${fresh === 0 ? "none" : fresh} ${fresh === 1 ? "is" : "are"} new, ${ours === 0 ? "none" : ours} ${ours === 1 ? "is" : "are"} in ${subject}.`),
-    h("p", { class: report.failed ? "conclusion failed" : "conclusion" }, h("span", { "aria-hidden": "true" }, report.failed ? "✗ " : "✓ "), report.conclusion),
+    conclusionOf(run), countsList(run),
     right.length > 0 && h("p", { class: "engines" }, h("span", {}, "Never proved wrong:"), right.map((o) => engine(run, o))),
     report.faults.length > 0 && h("details", { class: "notes" }, h("summary", {}, counted(report.faults.length, "remark") + " on the scenario files and the ledger"), h("ul", {}, report.faults.slice(0, 200).map((fault) => h("li", {}, fault)))),
     report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),

@@ -1,4 +1,5 @@
 import { bands, bandTexts, type Band } from "../bands";
+import { countsList } from "../counts";
 import { h } from "../dom";
 import { downloadCsv } from "../download";
 import { findingsAddress } from "../findings_table";
@@ -44,25 +45,65 @@ function matrixOf(run: Run): Matrix {
   return matrix;
 }
 
-/** The matrix as a picture that links to the large one. */
+/** The matrix as a picture with names. The cell under the pointer says what it is, and opens its findings. */
 export function smallMatrix(run: Run): HTMLElement {
   const matrix = matrixOf(run);
   const { oracles } = run.report;
-  const [w, hh] = [Math.max(6, Math.min(14, Math.floor(300 / oracles.length))), 9];
-  const canvas = h("canvas", { width: oracles.length * w * 2, height: run.groups.length * hh * 2, role: "img", "aria-label": "Matrix of scenario groups and oracles, coloured by the gravest band" });
-  canvas.style.setProperty("width", `${oracles.length * w}px`);
+  const [left, top, hh] = [136, 104, 12];
+  const w = Math.max(6, Math.min(16, Math.floor((324 - left) / oracles.length)));
+  const [width, height] = [left + oracles.length * w, top + run.groups.length * hh];
+  const canvas = h("canvas", { width: width * 2, height: height * 2, role: "img", "aria-label": "Matrix of groups of questions, down, and oracles, across, coloured by the gravest band" });
+  canvas.style.setProperty("width", `${width}px`);
   const draw = (): void => {
     const context = canvas.getContext("2d");
     const style = getComputedStyle(document.documentElement);
     if (!context) return;
-    run.groups.forEach((_, g) => oracles.forEach((_o, o) => {
-      context.fillStyle = style.getPropertyValue(`--${matrix.band(g, o)}-cell`);
-      context.fillRect(o * w * 2, g * hh * 2, w * 2 - 2, hh * 2 - 2);
-    }));
+    context.scale(2, 2);
+    context.font = "10px system-ui, sans-serif";
+    context.textBaseline = "middle";
+    const ink = style.getPropertyValue("--ink");
+    const cut = (text: string, room: number): string => {
+      if (context.measureText(text).width <= room) return text;
+      let end = text.length;
+      while (end > 1 && context.measureText(`${text.slice(0, end)}…`).width > room) --end;
+      return `${text.slice(0, end)}…`;
+    };
+    context.fillStyle = ink;
+    oracles.forEach(({ name }, o) => {
+      context.save();
+      context.translate(left + (o + 0.5) * w, top - 4);
+      context.rotate(-Math.PI / 2);
+      context.fillText(cut(name, top - 6), 0, 0);
+      context.restore();
+    });
+    run.groups.forEach((group, g) => {
+      context.fillStyle = ink;
+      context.fillText(cut(group, left - 6), 0, top + (g + 0.5) * hh);
+      oracles.forEach((_o, o) => {
+        context.fillStyle = style.getPropertyValue(`--${matrix.band(g, o)}-cell`);
+        context.fillRect(left + o * w, top + g * hh, w - 1, hh - 1);
+      });
+    });
   };
-  draw();
-  return h("a", { href: "#/matrix", class: "small-matrix" }, canvas);
+  const link = h("a", { href: "#/matrix", class: "small-matrix", "aria-label": "Open the matrix of groups and oracles", on: {
+    mousemove: (event: MouseEvent) => {
+      const box = canvas.getBoundingClientRect();
+      const zoom = width / box.width;
+      const [o, g] = [Math.floor(((event.clientX - box.left) * zoom - left) / w), Math.floor(((event.clientY - box.top) * zoom - top) / hh)];
+      const oracle = oracles[o];
+      const group = run.groups[g];
+      link.title = oracle && group ? wordsOf(matrix, g, o, group, oracle.name) : "";
+      link.href = oracle && group ? findingsAddress({ group, oracle: oracle.name, band: matrix.band(g, o) }) : "#/matrix";
+    },
+    mouseleave: () => { link.href = "#/matrix"; link.title = ""; },
+  } }, canvas);
+  queueMicrotask(draw);
+  return h("div", {}, h("p", { class: "quiet" }, "Down: groups of questions. Across: oracles. Colour: the gravest band, as below. A cell opens its findings."), link);
 }
+
+/** What a cell says. */
+const wordsOf = (matrix: Matrix, g: number, o: number, group: string, oracle: string): string =>
+  `${group}, ${oracle}: ${bandTexts[matrix.band(g, o)].name} in ${matrix.count(g, o)} of ${counted(matrix.size(g), "question")}`;
 
 export const matrixView: MakeView = (run) => {
   const matrix = matrixOf(run);
@@ -76,13 +117,14 @@ export const matrixView: MakeView = (run) => {
       oracles.map((o, i) => {
         const band = matrix.band(g, i);
         const count = matrix.count(g, i);
-        const words = `${group}, ${o.name}: ${bandTexts[band].name} in ${count} of ${counted(matrix.size(g), "question")}`;
+        const words = wordsOf(matrix, g, i, group, o.name);
         return h("td", { class: `cell ${band}` }, h("a", { href: findingsAddress({ group, oracle: o.name, band }), title: words, "aria-label": words }, bandTexts[band].glyph, band === "unasked" || band === "passed" ? "" : ` ${count}`));
       })))));
   const save = (): void => downloadCsv("matrix.csv", [["group", ...oracles.map((o) => o.name)],
     ...run.groups.map((group, g) => [group, ...oracles.map((_, o) => `${matrix.band(g, o)} ${matrix.count(g, o)}`)])]);
   const element = h("section", {}, h("h1", {}, "Groups × oracles"),
-    h("p", {}, "A cell shows the gravest band of an oracle in a group of scenarios, and in how many of its questions. It opens those findings. ", button("CSV", save, { class: "small" })),
+    h("p", {}, "A cell shows the gravest band of an oracle in a group of questions, and the number of its questions with that band. It opens their findings. ", button("CSV", save, { class: "small" })),
+    countsList(run),
     h("p", { class: "legend" }, bands.map((band) => badge(band))),
     h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Matrix" }, table));
   return { title: "Groups × oracles", element };

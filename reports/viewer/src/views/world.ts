@@ -3,7 +3,7 @@ import { bands, faultBands } from "../bands";
 import type { Question } from "../data";
 import { fill, h, type Child } from "../dom";
 import { downloadCsv, downloadPicture, fileName } from "../download";
-import { findingsAddress, valueOf } from "../findings_table";
+import { findingsAddress, measureOf, valueOf } from "../findings_table";
 import { counted, digits, seconds, spaced } from "../format";
 import { makeLanes } from "../lanes";
 import { makePlayer } from "../player";
@@ -88,6 +88,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
     plot.setTime(player.time());
   });
 
+  const showAll = button("Show all", () => all(), { class: "small" });
   const list = h("tbody");
   const drawList = (): void => fill(list, ranked.map((o) => {
     const moves = movers.includes(o);
@@ -108,6 +109,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
     drawPlots();
     drawList();
     lanes.set([...shown], solid);
+    showAll.hidden = movers.every((o) => shown.has(o));
     player.seek(player.time());
   };
   const remember = (key: string, value: string): void => {
@@ -138,6 +140,25 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
     player.seek(seeks ? world.times[difference.sample] : player.time());
     const quantity = menu.find((item) => item.body === difference.body && item.key.startsWith("apart"));
     if (quantity) { selects[1].value = quantity.key; drawPlots(); }
+  };
+  /** Opens the world just before the fault of the address: where its law breaks, or else where the oracles part. */
+  const openAtFault = (): void => {
+    if (isNamed && named !== trusted && query.get("solo") !== "1") jumpToDifference(trusted, [named], false);
+    if (query.has("t") || !isNamed) return;
+    const f = run.report.findings;
+    const finding = query.has("f") ? Number(query.get("f")) : -1;
+    const isOurs = f.question[finding] === q && f.oracle[finding] === named;
+    const variant = isOurs ? worldVariant(run.text(f.proof[finding])) : null;
+    const broken = isOurs ? f.time?.[finding] ?? -1 : -1;
+    const sizes = world.bodies.filter((b) => !b.fixed).map((b) => reach(b.shape)).filter((r) => r > 0);
+    const parts = named !== trusted ? firstDifference(run, world, trusted, [named], 0.01 * (sizes.length ? Math.min(...sizes) : 1 / view.frame.scale)) : null;
+    const [time, what] = broken >= 0 ? [broken, `${oracles[named].name} breaks ${measureOf(run, finding)}`]
+      : variant ? [variant.time, `${oracles[named].name} and its variant are farthest apart`]
+        : parts ? [world.times[parts.sample], `${oracles[named].name} parts from ${oracles[trusted].name}`] : [-1, ""];
+    if (time < 0) return;
+    const before = world.times.filter((t) => t < time).at(-1) ?? first;
+    player.seek(before);
+    note.prepend(`Opened at ${seconds(before)}, just before ${what} (${seconds(time)}). `);
   };
   const note = h("p", { class: "reading", role: "status" });
   const ofVariant = (i: number): Child => {
@@ -213,7 +234,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
             h("span", { class: "quiet" }, "Dashed and uncoloured: the truth, in its tolerance. Drag to zoom, double-click to zoom out, click to go there.")),
           plots.map((plot, i) => [selects[i], plot.element]))),
       h("div", { class: "side-panel" },
-        h("p", { class: "toolbar" }, button("Show all", all, { class: "small" })),
+        h("p", { class: "toolbar" }, showAll),
         h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Oracles" },
           h("table", { class: "plain verdicts" },
             h("caption", {}, "Tick: it is shown. Dot: it is solid, the others are ghosts."),
@@ -222,7 +243,7 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
         tabList.element)));
   apply();
   player.seek(Number(query.get("t")) || first);
-  if (isNamed && named !== trusted && query.get("solo") !== "1") jumpToDifference(trusted, [named], !query.has("t"));
+  openAtFault();
 
   return {
     title: question.title, element,

@@ -277,7 +277,7 @@ test("the overview says who was never proved wrong, and how many faults each ora
   const right = await page.$$eval("p.engines:has-text('Never proved wrong') .engine", (all) => all.map((e) => e.textContent));
   assert.ok(right.length > 0 && right.every((name) => !wrong.has(oracles.findIndex((o) => o.name === name))));
   const bullet = oracles.findIndex((o) => o.name === "bullet");
-  assert.equal(await page.textContent("table:has(th:text-is('Grave')) tr:has(.engine:text-is('bullet')) td:last-child"), String(clusters.filter((c) => c.oracles.includes(bullet)).length));
+  assert.equal(await page.textContent("table:has(th:text-is('Grave')) tr:has(.engine .name:text-is('bullet')) td:last-child"), String(clusters.filter((c) => c.oracles.includes(bullet)).length));
 }));
 
 test("entries of the ledger with one fault are one line, which opens to their reasons", () => withPage({}, async (page) => {
@@ -375,6 +375,61 @@ test("one WebGL context lives at a time", () => withPage({}, async (page) => {
   }
   assert.equal(await page.locator(".stage-note").count(), 0);
   assert.equal(await page.locator("canvas").evaluateAll((all) => all.filter((c) => c.getContext("webgl2")).length), 1);
+}));
+
+test("the overview says that the run passes, and how many faults are known", () => withPage({}, async (page) => {
+  const known = sample.report.clusters.filter((c) => !c.is_new);
+  const engines = new Set(known.flatMap((c) => c.oracles.map((o) => sample.report.oracles[o].library)));
+  assert.match(await page.textContent(".conclusion .passes"), /^✓ The run passes/);
+  assert.ok((await page.textContent(".conclusion .faulty")).startsWith(`${known.length} faults of ${engines.size} engines are proved and known`));
+}));
+
+test("overview, matrix and findings count the same things in the same words", () => withPage({}, async (page) => {
+  const texts = [];
+  for (const hash of ["#/", "#/matrix", "#/findings"]) { await go(page, hash); texts.push(await page.textContent(".counts")); }
+  assert.equal(texts[0], texts[1]);
+  assert.equal(texts[0], texts[2]);
+  const shown = Number((await page.textContent(".count")).match(/[\d,]+/)[0].replace(",", ""));
+  assert.equal(Number((await page.textContent(".counts div:last-child dt")).match(/[\d,]+/)[0].replace(",", "")), shown);
+}));
+
+test("a world opened from a finding is just before its fault, and says so", () => withPage({}, async (page) => {
+  const { findings: f, questions, oracles } = sample.report;
+  const finding = f.time.findIndex((t, i) => t > 0 && f.verdict[i] === 3);
+  const question = questions[f.question[finding]];
+  await go(page, `#/findings?question=${encodeURIComponent(question.id)}&oracle=${oracles[f.oracle[finding]].name}&sort=share`);
+  const links = await page.$$eval(".virtual a.title", (all) => all.map((a) => a.getAttribute("href")));
+  await go(page, links.find((l) => l.endsWith(`f=${finding}`)));
+  const time = await page.$eval(".stage", (stage) => Number(stage.dataset.time));
+  assert.equal(time, question.world.times.filter((t) => t < f.time[finding]).at(-1));
+  assert.match(await page.textContent(".time-panel .reading"), /^Opened at .* just before .* breaks /);
+}));
+
+test("what is cut in the list of findings has an ellipsis and says all in a tooltip", async () => {
+  for (const width of [1280, 1000]) await withPage({ viewport: { width, height: 800 } }, async (page) => {
+    await go(page, "#/findings");
+    const bad = await page.$$eval(".virtual .finding *", (all) => all.filter((e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).overflowX === "hidden")
+      .filter((e) => getComputedStyle(e).textOverflow !== "ellipsis" || !e.closest("[title]")).map((e) => `${e.className}: ${e.textContent}`));
+    assert.deepEqual(bad, []);
+  });
+});
+
+test("a fault has a legend, and no reason that repeats its heading", () => withPage({}, async (page) => {
+  for (let c = 0; c < 8; ++c) {
+    await go(page, `#/f/${c}`);
+    assert.equal(await page.locator("section.cluster .marks").count(), 1);
+    const [title, why] = await page.evaluate(() => [document.querySelector("h1").textContent, [...document.querySelectorAll("h2")].find((e) => e.textContent === "Why")?.nextElementSibling.textContent]);
+    assert.ok(!why?.startsWith(title));
+  }
+}));
+
+test("all oracles are offered only while one is hidden", () => withPage({}, async (page) => {
+  await go(page, views.world);
+  assert.equal(await page.isVisible("button:text-is('Show all')"), false);
+  await page.locator(".verdicts input[type=checkbox]:checked").first().click();
+  await page.waitForSelector("button:text-is('Show all')");
+  await page.click("button:text-is('Show all')");
+  assert.equal(await page.isVisible("button:text-is('Show all')"), false);
 }));
 
 test("texts that attack are shown as texts", () => withPage({}, async (page) => {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -59,6 +60,24 @@ TEST(DistanceJoint, AChainAtRestHasTheShapeOfItsDiscreteCatenary) {
   // With an even number of links the lowest bead is in the middle. The reference value
   // has nine digits.
   EXPECT_NEAR(-world.state(n / 2 - 1).p_WB[1], sag, 1e-9);
+}
+
+TEST(DistanceJoint, ARodOffItsLengthIsRestoredWithoutVelocity) {
+  World world({});
+  BodyDefinition ball;
+  ball.shape = Sphere{0.1};
+  const int a = world.AddBody(ball);
+  ball.state.p_WB = {1.02, 0, 0};
+  const int b = world.AddBody(ball);
+  world.AddJoint({{a, {0, 0, 0}}, {b, {0, 0, 0}}, 1});
+  double fastest = 0;
+  for (int k = 0; k < 100; ++k) {
+    world.Step(0.01);
+    fastest = std::max(fastest, world.state(b).v_WB.norm());
+  }
+  EXPECT_NEAR(world.state(b).p_WB.x() - world.state(a).p_WB.x(), 1, 1e-14);
+  // Each step may leave the length off by a rounding, which the velocities see over h.
+  EXPECT_LT(fastest, 1e-13);
 }
 
 TEST(DistanceJoint, APointAndABoxOnARodConserveMomentum) {

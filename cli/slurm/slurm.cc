@@ -1,0 +1,86 @@
+#include "cli/slurm/slurm.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <wordexp.h>
+
+#include "cli/input_error.h"
+#include "cli/slurm/batch_script.h"
+
+namespace touchstone {
+namespace {
+
+/** Returns the standard output of a shell command; empty if it fails. */
+std::optional<std::string> OutputOf(const std::string& command) {
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return std::nullopt;
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (std::size_t size;
+       (size = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    text.append(buffer.data(), size);
+  }
+  if (pclose(pipe) != 0) return std::nullopt;
+  return text;
+}
+
+}  // namespace
+
+std::vector<QueuedTask> ParseQueue(const std::string& text) {
+  std::vector<QueuedTask> tasks;
+  std::istringstream lines(text);
+  std::string job;
+  std::string index;
+  std::string state;
+  while (lines >> job >> index >> state)
+    tasks.push_back({job, std::strtoull(index.c_str(), nullptr, 10), state});
+  return tasks;
+}
+
+bool IsInstalled(const std::string& command) {
+  return OutputOf(fmt::format("command -v {}", ShellQuoted(command))).has_value();
+}
+
+std::optional<std::vector<QueuedTask>> Queue() {
+  if (!IsInstalled("squeue")) return std::nullopt;
+  const std::optional<std::string> text =
+      OutputOf("squeue --me --noheader --array --format='%F %K %T'");
+  if (!text) return std::nullopt;
+  return ParseQueue(*text);
+}
+
+std::vector<std::string> WordsOf(const std::string& text) {
+  wordexp_t expanded{};
+  const int code = wordexp(text.c_str(), &expanded, WRDE_NOCMD | WRDE_UNDEF);
+  if (code != 0) {
+    throw InputError(fmt::format(
+        "--sbatch-args '{}' cannot be split into words; expected options of sbatch, e.g. "
+        "--sbatch-args '--partition=short --time=1:00:00'",
+        text));
+  }
+  std::vector<std::string> words(expanded.we_wordv,
+                                 expanded.we_wordv + expanded.we_wordc);
+  wordfree(&expanded);
+  return words;
+}
+
+std::string Submit(const std::string& script, const std::vector<std::string>& options) {
+  std::string command = "sbatch --parsable";
+  for (const std::string& option : options)
+    command += fmt::format(" {}", ShellQuoted(option));
+  std::optional<std::string> id =
+      OutputOf(fmt::format("{} {}", command, ShellQuoted(script)));
+  if (!id) {
+    throw InputError(
+        "sbatch refused the job; expected a cluster that accepts it, and valid "
+        "--sbatch-args");
+  }
+  // On a federation the id is followed by ";CLUSTER".
+  return id->substr(0, id->find_first_of(";\n"));
+}
+
+}  // namespace touchstone
