@@ -13,23 +13,28 @@
 namespace touchstone {
 namespace {
 
+/** Refuses a world before it is simulated. */
+void RefuseWorld(const ScenarioSelection& selection) {
+  const Questions questions = SelectQuestions(selection);
+  if (!questions.contacts.empty() || questions.worlds.size() != 1) return;
+  throw InputError(fmt::format(
+      "{} is a world; expected a contact query: programs for worlds are not supported",
+      IdOf(questions.worlds.front())));
+}
+
 Reproduction FilesOf(const ChosenFault& fault) {
-  const std::string& id = IdOf(fault.question);
-  if (fault.report.scenarios.empty()) {
-    throw InputError(fmt::format(
-        "{} is a world; expected a contact query: programs for worlds are not supported",
-        id));
-  }
   try {
     return Reproduce(fault.report.scenarios.front(), fault.oracle->info(), fault.finding);
   } catch (const CannotReproduce& error) {
-    throw InputError(fmt::format("{} cannot be reproduced: {}", id, error.what()));
+    throw InputError(
+        fmt::format("{} cannot be reproduced: {}", IdOf(fault.question), error.what()));
   }
 }
 
 }  // namespace
 
 int ReproduceCommand(const Session& session, const ReproduceArguments& arguments) {
+  RefuseWorld(arguments.fault.scenarios);
   const ChosenFault fault = ChooseFault(session, arguments.fault);
   const Reproduction files = FilesOf(fault);
   const OutputFolder folder(arguments.out);

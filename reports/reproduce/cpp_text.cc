@@ -21,8 +21,9 @@ std::string Literals(const Eigen::Matrix3d& R) {
 std::string Quoted(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c == '\n' ? ' ' : c;
+    // An escaped question mark starts no trigraph.
+    if (c == '"' || c == '\\' || c == '?') quoted += '\\';
+    quoted += c == '\n' || c == '\r' ? ' ' : c;
   }
   return quoted + '"';
 }

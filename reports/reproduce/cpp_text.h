@@ -17,7 +17,7 @@ std::string Literals(const Eigen::Vector3d& v);
 /** Returns the nine entries of `R` row by row, separated by commas. */
 std::string Literals(const Eigen::Matrix3d& R);
 
-/** Returns `text` as a C++ string literal. Line feeds become spaces; '%' is kept. */
+/** Returns `text` as a C++ string literal. Line ends become spaces; '%' is kept. */
 std::string Quoted(std::string_view text);
 
 }  // namespace touchstone

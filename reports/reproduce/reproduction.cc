@@ -44,6 +44,11 @@ Answer Ask() {{
 
 int main() {{
   const Answer answer = Ask();
+  std::printf("read as: %s, ", answer.touching ? "touching" : "apart");
+  if (std::isnan(answer.separation))
+    std::printf("no separation\n");
+  else
+    std::printf("separation %.17g\n", answer.separation);
 {check}  const double allowed = {allowed};
   std::printf("%s: error %.17g, allowed %.17g\n", {measure}, error, allowed);
   std::printf("%s\n", {proof});
