@@ -102,7 +102,7 @@ Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
       "`reproduce.cc` has their exact numbers.\n\n"
       "## Answer and proof\n\n{proof}\n\n## Truth\n\n{truth}\n\n"
       "The error is {value:.3g} where {tolerance:.3g} is allowed: {because}.\n\n"
-      "## Build and run\n\n    apt-get install g++ cmake pkg-config {package}\n"
+      "## Build and run\n\n    apt-get install g++ cmake make pkg-config {package}\n"
       "    cmake -S . -B build && cmake --build build && build/reproduce\n\n"
       "The program prints the answer, the truth and the error. It exits 1 if the fault "
       "is "

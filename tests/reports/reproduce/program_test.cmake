@@ -11,7 +11,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${PROGRAM} reproduce ${SCENARIO} --for ${ORACLE} --measure ${MEASURE} --out ${WORK})
-run(${CMAKE_COMMAND} -S ${WORK} -B ${WORK}/build
+run(${CMAKE_COMMAND} -S ${WORK} -B ${WORK}/build -G Ninja
   -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=-O0)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 execute_process(COMMAND ${WORK}/build/reproduce OUTPUT_VARIABLE output RESULT_VARIABLE code)
