@@ -174,6 +174,19 @@ what was tried. A crash or a hang is a fault, too.
   touchstone run small.toml --subject ode --against ode
 )",
      kShown},
+    {"reproduce", R"(
+
+Takes a contact query that an engine answers wrongly, known to the ledger or not. Writes one C++
+program against that engine's own API alone, a CMakeLists.txt that finds the engine, and a report
+for its tracker. The program prints the engine's answer beside the certified truth. It exits 1 if
+the fault is there and 0 if it is gone. The command does not build it.
+)",
+     R"(
+  touchstone reproduce contact/zoo/fcl_508y --for fcl/distance --out fault
+  touchstone reproduce mine.toml --for ode --measure excess --out fault
+  cmake -S fault -B fault/build && cmake --build fault/build && fault/build/reproduce
+)",
+     "0 written; 2 bad input, nothing is wrong, or no program can be written for it"},
     {"bench", R"(
 
 `bench contact` measures the time per query and the accuracy of the answers. Without --pair,

@@ -22,6 +22,7 @@
 #include "cli/commands/merge_command.h"
 #include "cli/commands/oracles_command.h"
 #include "cli/commands/report_command.h"
+#include "cli/commands/reproduce_command.h"
 #include "cli/commands/run_command.h"
 #include "cli/commands/shrink_command.h"
 #include "cli/commands/simulate_command.h"
@@ -49,6 +50,7 @@ constexpr const char* kIntroduction =
     "  touchstone ask --A 'box 1 2 3' --B 'sphere 0.5 @ 1.2 0 0'\n"
     "  touchstone sweep contact --pair box box --count 100000\n"
     "  touchstone shrink contact/zoo/fcl_508y --oracle fcl/distance\n"
+    "  touchstone reproduce contact/zoo/fcl_508y --for fcl/distance\n"
     "  touchstone simulate world/free --oracles bullet,ode --csv motion.csv\n"
     "  touchstone bench worlds --scene boxes1000\n"
     "  touchstone COMMAND --help               show the options of a command\n\n"
@@ -77,6 +79,7 @@ class CommandLine {
     AddSweep();
     AddMerge();
     AddShrink();
+    AddReproduce();
     AddBench();
     AddSimulate();
     AddSchema();
@@ -510,7 +513,7 @@ class CommandLine {
     AddScenarios(app, fault.scenarios);
     app->get_option("PATTERN")->required()->description(
         "a scenario id, or your own TOML file");
-    app->add_option("--oracle", fault.oracle,
+    app->add_option("--oracle,--for", fault.oracle,
                     "oracle whose fault it is (default: the only one that is wrong)")
         ->type_name("ORACLE");
     app->add_option("--measure", fault.measure,
@@ -528,6 +531,17 @@ class CommandLine {
                     "file for the scenario (default: standard output)")
         ->type_name("FILE");
     app->add_flag("--quiet", shrink_.quiet, "print nothing with --out");
+  }
+
+  void AddReproduce() {
+    CLI::App* app =
+        AddCommand("reproduce", "Write a program that shows a fault without Touchstone",
+                   [this] { return ReproduceCommand(session_, reproduce_); });
+    AddFault(app, reproduce_.fault);
+    app->add_option("--out", reproduce_.out,
+                    "folder for reproduce.cc, CMakeLists.txt and REPORT.md")
+        ->type_name("DIR")
+        ->capture_default_str();
   }
 
   void AddLedger() {
@@ -581,6 +595,7 @@ class CommandLine {
   BenchWorldsArguments bench_worlds_;
   std::string benched_;
   ShrinkArguments shrink_;
+  ReproduceArguments reproduce_;
   SimulateArguments simulate_;
   ScenarioSelection explained_;
   OracleSelection oracles_;

@@ -38,6 +38,8 @@ std::optional<MeasureKind> MeasureOf(const std::string& name) {
 }
 
 std::vector<const Oracle*> OraclesOf(const Session& session, const std::string& pattern) {
+  // "bullet" is an oracle and a group: it means the oracle.
+  if (const Oracle* const exact = session.registry.Find(pattern)) return {exact};
   if (!pattern.empty()) return OraclesNamed(session.registry, pattern);
   OracleSelection all;
   all.subject = session.defaults.subject;

@@ -11,7 +11,8 @@ namespace touchstone {
 /** The options by which a user chooses a fault. */
 struct FaultSelection {
   ScenarioSelection scenarios;  ///< Must select one scenario.
-  /** Name of an oracle or of a group ("fcl"); empty: all. */
+  /** Name of an oracle or, if there is none of that name, of a group ("fcl"); empty:
+   all. */
   std::string oracle;
   std::string measure;  ///< Name of a measure; empty: any.
 };

@@ -72,12 +72,13 @@ list(APPEND own_rules
   "reports/writers/ => scenarios/diagnostic[.]h|reports/((baseline|text|finding|referee|contacts|clusters|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|scenario_file|worlds/world_scenario)[.]h"
   "reports/sweep/ => reports/((threads|finding|referee|contacts|writers)/|run[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(generators/|(scenario|scenario_file|shape|validate)[.]h)"
   "reports/shrink/ => reports/((text|finding|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/oracle[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
+  "reports/reproduce/ => reports/((text|finding|referee|writers)/|contacts/contact_result[.]h)|oracles/(oracle|convex_facets)[.]h|scenarios/[a-z_]+[.]h"
   "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
   # The only files that call a cluster; they know nothing of sweeps.
   "cli/slurm/ => cli/input_error[.]h"
-  "cli/commands/ => cli/|reports/(accuracy|baseline|bench|ledger|referee|shrink|sweep|text|writers)/|scenarios/"
+  "cli/commands/ => cli/|reports/(accuracy|baseline|bench|ledger|referee|reproduce|shrink|sweep|text|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
   "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")
 

@@ -991,6 +991,40 @@ TEST_F(CommandLineTest, SimulatesNoContactQueries) {
   EXPECT_THAT(ended.err, HasSubstr("the selected scenarios are contact queries"));
 }
 
+TEST_F(CommandLineTest, RefusesToReproduceWhatIsNoFaultOfAnEngineInAContactQuery) {
+  Write("mine/drop.toml", kDrop);
+  const std::string out = Path("fault");
+  const auto error = [&](const Ended& ended) {
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(out));
+    return ended.err;
+  };
+  const std::string deep = "reproduce " + Path("mine/deep.toml") + " --out " + out;
+  const std::string drop = "reproduce " + Path("mine/drop.toml") + " --out " + out;
+  EXPECT_THAT(error(Itself(deep + " --for bulet")),
+              HasSubstr("'bulet' (did you mean bullet?)"));
+  EXPECT_THAT(error(Itself(deep + " --for bullet")),
+              HasSubstr("no answer of bullet is proved wrong in mine/deep"));
+  EXPECT_THAT(error(Itself(drop + " --for bullet")),
+              HasSubstr("mine/drop is a world; expected a contact query"));
+  EXPECT_THAT(error(Touchstone(deep + " --for wrong")),
+              HasSubstr("mine/deep cannot be reproduced: wrong is no engine of its own"));
+}
+
+TEST_F(CommandLineTest, TakesTheOracleIfItsGroupHasTheSameName) {
+  // The hulls touch; neither bullet nor bullet/gjk finds that.
+  const Ended ended = Itself(
+      "reproduce contact/convex_hull_convex_hull/millimetres --for bullet "
+      "--measure touching --out " +
+      Path("fault"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("bullet: fail"));
+  for (const std::string file : {"reproduce.cc", "CMakeLists.txt", "REPORT.md"})
+    EXPECT_NE(TextOf(folder_ / "fault" / file), "") << file;
+}
+
 TEST_F(CommandLineTest, ShowsTimeAndQualityOfWorlds) {
   const Ended ended =
       Itself("bench worlds --scene stack20 --steps 3 --oracle cookbook,bullet");
@@ -1072,7 +1106,7 @@ TEST_F(CommandLineTest, ShowsExamplesAndExitCodesInHelp) {
   EXPECT_THAT(ended.out, HasSubstr("touchstone run mine.toml --out report"));
   for (const std::string command :
        {"run", "list", "oracles", "explain", "ask", "simulate", "sweep", "bench",
-        "ledger", "accuracy", "schema"}) {
+        "ledger", "accuracy", "schema", "shrink", "reproduce"}) {
     const Ended help = Touchstone(command + " --help");
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_THAT(help.out, AllOf(HasSubstr("\nExamples:\n  touchstone " + command),

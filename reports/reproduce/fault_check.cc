@@ -1,0 +1,143 @@
+#include "reports/reproduce/fault_check.h"
+
+#include <fmt/format.h>
+
+#include "reports/reproduce/cpp_text.h"
+#include "reports/reproduce/engine_code.h"
+
+namespace touchstone {
+namespace {
+
+/** Writes max over the body of d·x, less d·p, from the components x, y and z of d along
+ the body's axes. */
+struct Reach {
+  std::string operator()(const Sphere& s) const {
+    return fmt::format("  return {} * std::sqrt(x * x + y * y + z * z);\n",
+                       Literal(s.radius));
+  }
+  std::string operator()(const Box& s) const {
+    return fmt::format(
+        "  return {} * std::abs(x) + {} * std::abs(y) + {} * std::abs(z);\n",
+        Literal(s.half_extents.x()), Literal(s.half_extents.y()),
+        Literal(s.half_extents.z()));
+  }
+  std::string operator()(const Capsule& s) const {
+    return fmt::format(
+        "  return {} * std::sqrt(x * x + y * y + z * z) + {} * std::abs(z);\n",
+        Literal(s.radius), Literal(s.half_length));
+  }
+  std::string operator()(const Cylinder& s) const {
+    return fmt::format("  return {} * std::hypot(x, y) + {} * std::abs(z);\n",
+                       Literal(s.radius), Literal(s.half_length));
+  }
+  std::string operator()(const Cone& s) const {
+    return fmt::format("  return std::max({1} * z, {0} * std::hypot(x, y) - {1} * z);\n",
+                       Literal(s.radius), Literal(s.half_height));
+  }
+  std::string operator()(const ConvexHull& s) const {
+    std::string vertices;
+    for (const Eigen::Vector3d& vertex : s.vertices)
+      vertices += fmt::format("\n      {{{}}},", Literals(vertex));
+    return fmt::format(
+        "  static const double vertices[][3] = {{{}}};\n  double most = -INFINITY;\n"
+        "  for (const auto& v : vertices)\n"
+        "    most = std::max(most, v[0] * x + v[1] * y + v[2] * z);\n  return most;\n",
+        vertices);
+  }
+  std::string operator()(const HalfSpace&) const {
+    throw CannotReproduce(
+        "a half-space has no reach along a normal: only the measures "
+        "touching and separation_error can be checked with one");
+  }
+};
+
+std::string ReachText(char name, const Body& body) {
+  const Eigen::Vector3d& p = body.X_WB.p_WB;
+  const Eigen::Matrix3d& R = body.X_WB.R_WB;
+  const auto column = [&](int i) {
+    return fmt::format("{} * d[0] + {} * d[1] + {} * d[2]", Literal(R(0, i)),
+                       Literal(R(1, i)), Literal(R(2, i)));
+  };
+  return fmt::format(
+      "\n// The components of d along the axes of {0}, and how far {0} reaches along "
+      "them.\n"
+      "double Around{0}(double x, double y, double z) {{\n{1}}}\n"
+      "double Reach{0}(const Vector& d) {{\n"
+      "  return {2} * d[0] + {3} * d[1] + {4} * d[2] +\n"
+      "         Around{0}({5},\n                 {6},\n                 {7});\n}}\n",
+      name, std::visit(Reach{}, body.shape), Literal(p.x()), Literal(p.y()),
+      Literal(p.z()), column(0), column(1), column(2));
+}
+
+std::string Overlap(const ContactQuery& query) {
+  return ReachText('A', query.A) + ReachText('B', query.B) + R"(
+// The overlap of A and B along the unit vector n: moving B that far along n just separates
+// them. Negative: the gap.
+double Overlap(const Vector& n) {
+  return ReachA(n) + ReachB({-n[0], -n[1], -n[2]});
+}
+)";
+}
+
+std::string Truth(const ContactTruth& truth) {
+  return fmt::format(
+      "  // The true separation is certified to lie between these two.\n"
+      "  const double lo = {};\n  const double hi = {};\n"
+      "  std::printf(\"truth: separation in [%.17g, %.17g] (negative: overlap)\\n\", lo, "
+      "hi);\n",
+      Literal(truth.separation.lo), Literal(truth.separation.hi));
+}
+
+}  // namespace
+
+FaultCheck CheckOf(const Finding& finding, const ContactQuery& query,
+                   const ContactTruth& truth) {
+  if (finding.verdict != Verdict::kFail) {
+    throw CannotReproduce(fmt::format(
+        "the verdict is '{}'; expected a wrong answer: a program for a crash, a hang or "
+        "an invalid answer is not supported",
+        NameOf(finding.verdict)));
+  }
+  switch (finding.measure) {
+    case MeasureKind::kTouching:
+      return {"",
+              Truth(truth) +
+                  fmt::format("  const double error = answer.touching == {} ? 0 : 1;\n",
+                              truth.separation.lo > 0 ? "false" : "true")};
+    case MeasureKind::kSeparationError:
+      return {"", Truth(truth) +
+                      "  const double s = answer.separation;\n"
+                      "  const double error = std::isnan(s) ? s : std::max({0.0, lo - s, "
+                      "s - hi});\n"};
+    case MeasureKind::kConsistencyError:
+      return {Overlap(query),
+              Truth(truth) +
+                  "  const double along = Overlap(answer.n);\n"
+                  "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n"
+                  "  const double error = std::abs(-answer.separation - along);\n"};
+    case MeasureKind::kExcess:
+      return {Overlap(query),
+              Truth(truth) +
+                  "  const double along = Overlap(answer.n);\n"
+                  "  std::printf(\"overlap along its own normal: %.17g\\n\", along);\n"
+                  "  const double error = along + lo;\n"};
+    case MeasureKind::kDualityGap:
+      return {Overlap(query),
+              Truth(truth) +
+                  "  Vector n;\n"
+                  "  for (int i = 0; i < 3; ++i) n[i] = answer.b[i] - answer.a[i];\n"
+                  "  const double length = std::hypot(n[0], n[1], n[2]);\n"
+                  "  for (double& x : n) x /= length;\n"
+                  "  const double gap = -Overlap(n);\n"
+                  "  std::printf(\"distance of its points: %.17g, gap along them: "
+                  "%.17g\\n\", length, gap);\n"
+                  "  const double error = std::abs(length - gap);\n"};
+    default:
+      throw CannotReproduce(fmt::format(
+          "a program cannot check {}; expected --measure with one of: touching, "
+          "separation_error, consistency_error, excess, duality_gap",
+          NameOf(finding.measure)));
+  }
+}
+
+}  // namespace touchstone

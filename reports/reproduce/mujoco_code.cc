@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include "reports/reproduce/cpp_text.h"
+#include "reports/reproduce/engine_code.h"
+
+namespace touchstone {
+namespace {
+
+struct Geom {
+  std::string type;
+  Eigen::Vector3d size;
+};
+
+Geom GeomOf(const Shape& shape) {
+  if (const auto* s = std::get_if<Sphere>(&shape))
+    return {"mjGEOM_SPHERE", {s->radius, 0, 0}};
+  if (const auto* s = std::get_if<Box>(&shape)) return {"mjGEOM_BOX", s->half_extents};
+  if (const auto* s = std::get_if<Capsule>(&shape))
+    return {"mjGEOM_CAPSULE", {s->radius, s->half_length, 0}};
+  if (const auto* s = std::get_if<Cylinder>(&shape))
+    return {"mjGEOM_CYLINDER", {s->radius, s->half_length, 0}};
+  if (std::holds_alternative<HalfSpace>(shape)) return {"mjGEOM_PLANE", {0, 0, 1}};
+  throw CannotReproduce("MuJoCo has no such shape");
+}
+
+std::string BodyText(const Body& body) {
+  const Geom geom = GeomOf(body.shape);
+  return fmt::format("    {{{}, {{{}}}, {{{}}},\n     {{{}}}}},\n", geom.type,
+                     Literals(geom.size), Literals(body.X_WB.p_WB),
+                     Literals(body.X_WB.R_WB));
+}
+
+constexpr const char* kDefinitions = R"(struct Geom {{
+  int type;
+  mjtNum size[3], xpos[3], xmat[9];
+}};
+const Geom kGeoms[2] = {{
+{}}};
+
+const char* const kModel =
+    "<mujoco><worldbody><geom type=\"sphere\" size=\"1\"/>"
+    "<geom type=\"sphere\" size=\"1\"/></worldbody></mujoco>";
+)";
+
+constexpr const char* kAsk = R"(  mjVFS* const files = new mjVFS;
+  mj_defaultVFS(files);
+  const int length = static_cast<int>(std::strlen(kModel));
+  mj_makeEmptyFileVFS(files, "two_geoms.xml", length);
+  std::memcpy(files->filedata[mj_findFileVFS(files, "two_geoms.xml")], kModel, length);
+  char error[500] = "";
+  mjModel* const model = mj_loadXML("two_geoms.xml", files, error, sizeof(error));
+  if (model == nullptr) {
+    std::fprintf(stderr, "%s\n", error);
+    std::exit(2);
+  }
+  mjData* const data = mj_makeData(model);
+  for (int i = 0; i < 2; ++i) {
+    model->geom_type[i] = kGeoms[i].type;
+    mju_copy(model->geom_size + 3 * i, kGeoms[i].size, 3);
+    mju_copy(data->geom_xpos + 3 * i, kGeoms[i].xpos, 3);
+    mju_copy(data->geom_xmat + 9 * i, kGeoms[i].xmat, 9);
+  }
+  // MuJoCo takes the geom of the lesser type first.
+  const bool swapped = kGeoms[0].type > kGeoms[1].type;
+  const int first = swapped ? 1 : 0;
+  mjContact contacts[mjMAXCONPAIR];
+  const int count = mjCOLLISIONFUNC[kGeoms[first].type][kGeoms[1 - first].type](
+      model, data, contacts, first, 1 - first, 0);
+  std::printf("mjCOLLISIONFUNC: %d contacts\n", count);
+  Answer answer;
+  answer.touching = count > 0;
+  for (int i = 0; i < count; ++i) {
+    const mjContact& c = contacts[i];
+    std::printf("contact %d: dist %.17g, normal (%.17g, %.17g, %.17g), "
+                "pos (%.17g, %.17g, %.17g)\n", i, c.dist, c.frame[0], c.frame[1],
+                c.frame[2], c.pos[0], c.pos[1], c.pos[2]);
+    if (i > 0 && !(c.dist < answer.separation)) continue;
+    answer.separation = c.dist;
+    const double sign = swapped ? -1 : 1;
+    answer.n = {sign * c.frame[0], sign * c.frame[1], sign * c.frame[2]};
+  }
+  return answer;
+)";
+
+}  // namespace
+
+EngineCode MujocoCode(const ContactQuery& query, const std::string&) {
+  EngineCode code;
+  code.includes =
+      "#include <cstdlib>\n#include <cstring>\n\n#include <mujoco/mujoco.h>\n";
+  code.definitions = fmt::format(kDefinitions, BodyText(query.A) + BodyText(query.B));
+  code.ask = kAsk;
+  code.find =
+      "find_library(MUJOCO_LIBRARY mujoco REQUIRED)\n"
+      "find_path(MUJOCO_INCLUDE mujoco/mujoco.h REQUIRED)\n"
+      "add_library(engine INTERFACE)\n"
+      "target_link_libraries(engine INTERFACE ${MUJOCO_LIBRARY})\n"
+      "target_include_directories(engine INTERFACE ${MUJOCO_INCLUDE})\n";
+  code.call = "the pair's function of mjCOLLISIONFUNC with margin 0";
+  code.package = "libmujoco-dev";
+  return code;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "oracles/oracle.h"
+#include "reports/contacts/contact_result.h"
+#include "reports/finding/finding.h"
+
+namespace touchstone {
+
+/** A fault as files for the engine's own developers. */
+struct Reproduction {
+  std::string program;  ///< reproduce.cc, against the engine's own API alone.
+  std::string build;    ///< CMakeLists.txt
+  std::string report;   ///< REPORT.md, a text for the upstream tracker.
+};
+
+/** Returns the program that puts the question of `result` to the engine of `oracle`. It
+ exits 1 if `finding` is still there, 0 if it is gone. Throws CannotReproduce.
+ @pre `finding` is one of the first oracle of `result`. */
+Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
+                       const Finding& finding);
+
+}  // namespace touchstone

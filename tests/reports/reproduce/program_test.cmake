@@ -1,0 +1,51 @@
+# Writes a fault as a program, builds and runs it, and compares its answer with that of the
+# adapter, digit by digit. Detects programs that do not compile, that set up the engine
+# otherwise than the adapter does, and that miss the fault.
+#   cmake -D PROGRAM=<touchstone> -D ORACLE=<name> -D SCENARIO=<id> -D MEASURE=<name>
+#         -D CXX=<compiler> -D WORK=<scratch dir> -P program_test.cmake
+cmake_minimum_required(VERSION 3.24)
+
+function(run)
+  execute_process(COMMAND ${ARGN} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${PROGRAM} reproduce ${SCENARIO} --for ${ORACLE} --measure ${MEASURE} --out ${WORK})
+run(${CMAKE_COMMAND} -S ${WORK} -B ${WORK}/build -G Ninja
+  -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=-O0)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+execute_process(COMMAND ${WORK}/build/reproduce OUTPUT_VARIABLE output RESULT_VARIABLE code)
+message("${output}")
+if(NOT code EQUAL 1)
+  message(FATAL_ERROR "exit code ${code}; expected 1: the fault is there")
+endif()
+
+# The ledger may know the fault, so the exit code of the run says nothing.
+execute_process(COMMAND ${PROGRAM} run ${SCENARIO} --subject ${ORACLE} --against ${ORACLE}
+  --out ${WORK}/run OUTPUT_QUIET RESULT_VARIABLE code)
+file(STRINGS ${WORK}/run/report.jsonl line REGEX "^{\"kind\":\"scenario\"")
+string(REPLACE "\\;" ";" line "${line}")
+string(JSON answer GET "${line}" answers 0)
+string(JSON name GET "${answer}" oracle)
+if(NOT name STREQUAL ORACLE)
+  message(FATAL_ERROR "the first answer is that of ${name}; expected ${ORACLE}")
+endif()
+
+string(JSON touching GET "${answer}" touching)
+if(touching)
+  set(expected "read as: touching, ")
+else()
+  set(expected "read as: apart, ")
+endif()
+string(JSON separation ERROR_VARIABLE missing GET "${answer}" separation)
+if(missing OR separation STREQUAL "")
+  string(APPEND expected "no separation\n")
+else()
+  # CMake prints numbers with 17 digits as printf does, except for its .0 after integers.
+  string(REGEX REPLACE "[.]0$" "" separation "${separation}")
+  string(APPEND expected "separation ${separation}\n")
+endif()
+string(FIND "${output}" "${expected}" found)
+if(found EQUAL -1)
+  message(FATAL_ERROR "the adapter's answer is not that of the program; expected ${expected}")
+endif()
