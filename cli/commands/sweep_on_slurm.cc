@@ -63,6 +63,15 @@ path PlanIn(const path& folder) {
   return folder / "slurm/plan.sqlite";
 }
 
+/** Returns whether sbatch may read `word` as the option `taken`: it accepts a value
+ attached to a short option, and any unique start of a long one. */
+bool MayMean(const std::string& word, const std::string& taken) {
+  const bool is_long = word.starts_with("--");
+  if (is_long != taken.starts_with("--")) return false;
+  return is_long ? word.size() > 2 && taken.starts_with(word.substr(0, word.find('=')))
+                 : word.starts_with(taken);
+}
+
 /** Returns the words of --sbatch-args. Throws InputError if they hold an option on which
  the paths and ids of the sweep depend. */
 std::vector<std::string> OwnOptions(const std::string& sbatch_args) {
@@ -71,8 +80,9 @@ std::vector<std::string> OwnOptions(const std::string& sbatch_args) {
     const std::string name = word.substr(0, word.find('='));
     for (const char* const taken :
          {"--array", "-a", "--dependency", "-d", "--chdir", "-D", "--clusters", "-M",
-          "--output", "-o", "--wrap", "--wait", "-W"}) {
-      if (name != taken) continue;
+          "--output", "-o", "--test-only", "--kill-on-invalid-dep", "--wrap", "--wait",
+          "-W"}) {
+      if (!MayMean(word, taken)) continue;
       throw InputError(fmt::format(
           "--sbatch-args: {} is set by the sweep itself; expected options of resources, "
           "e.g. --partition, --time, --cpus-per-task, --mem",
@@ -162,13 +172,16 @@ int SubmitSweep(const SweepPlan& plan, const SweepArguments& arguments) {
   const std::uint64_t tasks =
       TasksOf(folder, BlockCount(plan), submissions.tasks, arguments.slurm.tasks);
   const std::vector<std::string> own_options = OwnOptions(arguments.slurm.sbatch_args);
-  std::filesystem::create_directories(folder / "slurm");
-  SweepFile::Resume(PlanIn(folder), settings);
   const auto queue = Queue();
   if (!queue) {
     throw InputError(
         "--slurm: squeue does not answer; expected a cluster that can be reached");
   }
+  std::filesystem::create_directories(folder / "slurm");
+  // The settings of a submission that no cluster took bind nobody.
+  if (submissions.jobs.empty()) std::filesystem::remove(PlanIn(folder));
+  // Held until the jobs are noted: a second submission at the same time waits or fails.
+  const SweepFile held = SweepFile::Resume(PlanIn(folder), settings);
   const auto queued = TasksOf(submissions, *queue);
   std::vector<std::uint64_t> missing;
   std::set<std::string> awaited;  // Jobs and tasks before the merge.
@@ -177,6 +190,10 @@ int SubmitSweep(const SweepPlan& plan, const SweepArguments& arguments) {
     if (std::filesystem::exists(complete)) {
       SweepFile::Open(complete).Require(settings);
     } else if (const auto found = queued.find(shard); found != queued.end()) {
+      if (found->second.state == "COMPLETING") {
+        throw InputError(fmt::format(
+            "shard {} is about to end; expected the same command in a moment", shard));
+      }
       awaited.insert(fmt::format("{}_{}", found->second.job, shard));
     } else {
       missing.push_back(shard);
@@ -200,8 +217,9 @@ int SubmitSweep(const SweepPlan& plan, const SweepArguments& arguments) {
   const auto submit = [&](const char* script, std::vector<std::string> options) {
     options.insert(options.begin(), own_options.begin(), own_options.end());
     submissions.jobs.push_back(Submit((folder / script).string(), options));
-    write("slurm/jobs",
+    write("slurm/jobs.new",
           fmt::format("{}\n{}\n", tasks, fmt::join(submissions.jobs, "\n")));
+    std::filesystem::rename(folder / "slurm/jobs.new", folder / "slurm/jobs");
     return submissions.jobs.back();
   };
   if (!missing.empty()) {

@@ -1,5 +1,6 @@
 #include "cli/slurm/slurm.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -73,7 +74,8 @@ std::vector<std::string> WordsOf(const std::string& text) {
 }
 
 std::string Submit(const std::string& script, const std::vector<std::string>& options) {
-  std::string command = "sbatch --parsable";
+  // To the cluster that Queue() asks.
+  std::string command = "env -u SLURM_CLUSTERS -u SBATCH_CLUSTERS sbatch --parsable";
   for (const std::string& option : options)
     command += fmt::format(" {}", ShellQuoted(option));
   std::optional<std::string> id =
@@ -84,7 +86,12 @@ std::string Submit(const std::string& script, const std::vector<std::string>& op
         "--sbatch-args");
   }
   // On a federation the id is followed by ";CLUSTER".
-  return id->substr(0, id->find_first_of(";\n"));
+  id->resize(std::min(id->size(), id->find_first_of(";\n")));
+  if (id->empty()) {
+    throw InputError(
+        "sbatch printed no id of a job; expected --sbatch-args that submit one");
+  }
+  return *id;
 }
 
 }  // namespace touchstone

@@ -1,5 +1,6 @@
 #include "reports/referee/proved_farther.h"
 
+#include <cmath>
 #include <variant>
 
 #include "reports/referee/core.h"
@@ -9,7 +10,7 @@ namespace touchstone::referee {
 namespace {
 
 /** Returns the point of a core nearest to `q`, in its body frame, to rounding; `q` itself
- where no closed form is known. [m] */
+ for the other cores, of which the caller's normal alone is tried. [m] */
 struct NearestInCore {
   const Eigen::Vector3d& q;
 
@@ -27,7 +28,7 @@ struct NearestInCore {
 };
 
 /** Returns whether the plane of the body's support along n proves the distance: n · p
- exceeds the support value by more than |n| times it. */
+ exceeds the support value by more than |n| times the distance and the core's radius. */
 bool Proves(const RoundedCore& placed, const Eigen::Vector3d& p_W,
             const Eigen::Vector3d& n_W, double distance) {
   using Number = Bounded<double>;

@@ -18,6 +18,8 @@ Database::Database(std::filesystem::path file, bool create) : file_(std::move(fi
   const int code = sqlite3_open_v2(file_.c_str(), &database, flags, nullptr);
   database_.reset(database);
   if (code != SQLITE_OK) Fail();
+  // Another process may read the file for a moment, such as one that shows its progress.
+  sqlite3_busy_timeout(database, 2000);
 }
 
 void Database::Fail() const {

@@ -683,13 +683,19 @@ TEST_F(CommandLineTest, SubmitsToSlurmOnceAndOnlyTheSweepOfTheFolder) {
   };
   EXPECT_THAT(sweep("--count 200").err, HasSubstr("one block of at most 256 questions"));
   EXPECT_THAT(sweep("--count 600 --tasks 9").err, HasSubstr("expected 2 to 3"));
-  EXPECT_THAT(sweep("--count 600 --sbatch-args=--array=1-2").err,
-              HasSubstr("--array is set by the sweep itself"));
+  for (const char* const option :
+       {"--array=1-2", "--clu=x", "-Mx", "-d", "--test-only"}) {
+    EXPECT_THAT(sweep(std::string("--count 600 --sbatch-args=") + option).err,
+                HasSubstr("is set by the sweep itself"))
+        << option;
+  }
   const Ended first = sweep("--count 600 --tasks 2");
   EXPECT_EQ(first.code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("shards 1-2 of 2: job 7\n"));
   // Both shards are in the queue now, and the merge is not.
-  EXPECT_THAT(sweep("--count 600").out, Not(HasSubstr("shards")));
+  const Ended again = sweep("--count 600");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_THAT(again.out, AllOf(HasSubstr("merge into "), Not(HasSubstr("shards"))));
   EXPECT_THAT(sweep("--count 600 --tasks 3").err, HasSubstr("with --tasks 2"));
   const Ended status = sweep("--count 600 --status");
   EXPECT_EQ(status.code, 1) << status.err;

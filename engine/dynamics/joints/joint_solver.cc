@@ -7,8 +7,8 @@
 namespace cookbook {
 namespace {
 
-/** Relative error of a length that JointSolver::CorrectPositions() leaves: a few
- roundings. */
+/** Error of a length that JointSolver::CorrectPositions() leaves, relative to the length
+ and the places of the anchors: a few roundings. */
 constexpr double kLengthTolerance = 1e-15;
 
 /** Returns d / |d|; any direction if the anchors coincide. */
@@ -36,8 +36,9 @@ void JointSolver::Begin(std::span<const DistanceJoint> joints,
     constraint.d_start = b.p_W - a.p_W;
     constraint.r_A_start = a.r_W;
     constraint.r_B_start = b.r_W;
-    // The velocities keep the current length, because those that restore another length
-    // would add energy. Only JointSolver::CorrectPositions() restores the joint's length.
+    // The velocities keep the length at the start of the step, because those that restore
+    // another length would add kinetic energy. Only JointSolver::CorrectPositions(),
+    // which changes no velocity, restores the joint's length.
     constraint.length = constraint.d_start.norm();
     constraint.target = 0;
     SetDirection(constraint.d_start, a.r_W, b.r_W, constraint);
@@ -139,7 +140,8 @@ bool JointSolver::CorrectPositions(std::span<const DistanceJoint> joints, double
     const AnchorPoint b = LocateAnchor(joints[k].B, bodies);
     const Eigen::Vector3d d = b.p_W - a.p_W;
     const double error = joints[k].length - d.norm();
-    if (std::abs(error) <= kLengthTolerance * joints[k].length) continue;
+    const double size = a.p_W.norm() + b.p_W.norm() + joints[k].length;
+    if (std::abs(error) <= kLengthTolerance * size) continue;
     SetDirection(d, a.r_W, b.r_W, constraint);
     const double change =
         fraction * error - constraint.axis.RelativeVelocity(corrections);

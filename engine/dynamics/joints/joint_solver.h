@@ -12,7 +12,7 @@ namespace cookbook {
  contacts. It keeps energy, which the constraint d·ḋ = 0 of the textbook does not.
 
  Let d be the vector from anchor A to anchor B, d₀ before and d₁ after a step. The impulse
- λ of the step acts along the mean d̄ = (d₀ + d₁)/2, and |d₁| is the length of the rod.
+ λ of the step acts along the mean d̄ = (d₀ + d₁)/2, and |d₁| = |d₀|.
  Bodies move by the mean of their velocities, so the rod does the work
  λ d̄·(d₁ − d₀) = λ (|d₁|² − |d₀|²)/2 = 0: a pendulum keeps its energy to rounding
  (Gonzalez, Physica D 132, 1999, the discrete gradient of |d|²/2). The equation is not
@@ -52,7 +52,7 @@ class JointSolver {
                      std::span<Velocity> velocities, double h);
 
   /** Position correction: adds to `corrections` [m], [rad] the pseudo-velocities that
-   remove `fraction` of the error of each rod whose length is off by more than rounding.
+   remove `fraction` of the error of each rod whose length is off by more than the rounding of its anchors' places.
    Returns whether there was such a rod. */
   bool CorrectPositions(std::span<const DistanceJoint> joints, double fraction,
                         std::span<const RigidBody> bodies,
