@@ -39,7 +39,9 @@ TEST(Quoted, LetsNoTextEndTheLiteral) {
 }
 
 TEST(Quoted, FormsNoTrigraph) {
-  EXPECT_EQ(Quoted("what??/"), R"("what\?\?/")");
+  EXPECT_EQ(Quoted("what?"
+                   "?/"),
+            R"("what\?\?/")");
 }
 
 }  // namespace
