@@ -1015,8 +1015,9 @@ TEST_F(CommandLineTest, RefusesToReproduceWhatIsNoFaultOfAnEngineInAContactQuery
               HasSubstr("no answer of bullet is proved wrong in mine/deep"));
   EXPECT_THAT(error(Itself(drop + " --for bullet")),
               HasSubstr("mine/drop is a world; expected a contact query"));
-  EXPECT_THAT(error(Touchstone(deep + " --for wrong")),
-              HasSubstr("mine/deep cannot be reproduced: wrong is no engine of its own"));
+  EXPECT_THAT(
+      error(Touchstone(deep + " --for half_depth")),
+      HasSubstr("mine/deep cannot be reproduced: half_depth is no engine of its own"));
 }
 
 TEST_F(CommandLineTest, TakesTheOracleIfItsGroupHasTheSameName) {
