@@ -1,6 +1,6 @@
 import { h, type Child } from "./dom";
 
-/** Symbols of docs/conventions.md that reasons and proofs use, in words. */
+/** Symbols that reasons and proofs use, in the notation of docs/conventions.md, in words. */
 const symbols: Record<string, string> = {
   n_AB_W: "the contact normal: a unit vector from body A to body B, in world coordinates",
   n_W: "a unit normal, in world coordinates",

@@ -22,7 +22,7 @@ const orders: { key: string; name: string; of(sorted: number[]): number }[] = [
   // The worst comes first because a median of 0 says nothing of an engine that is wrong by half of the size at times.
   { key: "worst", name: "smallest worst first", of: (e) => e[e.length - 1] ?? 0 },
   { key: "median", name: "smallest median first", of: (e) => quantile(e, 0.5) }, { key: "most", name: "smallest 90 % first", of: (e) => quantile(e, 0.9) },
-  { key: "large", name: "fewest over 0.1 % of the size first", of: (e) => partOver(e, 1e-3) }, { key: "name", name: "by name", of: () => 0 },
+  { key: "large", name: "smallest part over 0.1 % of the size first", of: (e) => partOver(e, 1e-3) }, { key: "name", name: "by name", of: () => 0 },
 ];
 
 interface Row { oracle: number; values: number[]; zeros: number; worst: number }
@@ -53,7 +53,7 @@ export const accuracyView: MakeView = (run, at) => {
   const order = orders.find((o) => o.key === at.query.get("sort")) ?? orders[0];
   full.sort((a, b) => (order.key === "name" ? (oracles[a.oracle].name < oracles[b.oracle].name ? -1 : 1) : order.of(all(a)) - order.of(all(b))));
 
-  // The axis holds every error, so that no mark is at a place where its value is not.
+  // The axis holds every error from 1e-30 to 1e12; others are marked at its ends.
   const exponents = full.flatMap((r) => (r.values.length ? [Math.log10(r.values[0]), Math.log10(r.values[r.values.length - 1])] : [])).filter(Number.isFinite);
   const low = Math.max(-30, Math.floor(Math.min(-3, ...exponents)));
   const high = Math.min(12, Math.ceil(Math.max(0, ...exponents)));

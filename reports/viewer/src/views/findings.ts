@@ -64,7 +64,9 @@ export const findingsView: MakeView = (run, start) => {
       query.get("q") && h("a", { class: "chip active", href: go(withValue(query, "q", "")), title: "Take the search away" }, `“${query.get("q")}” `, h("span", { "aria-hidden": "true" }, "×")));
     // A measurement is called a finding if it is a fault.
     const faulty = wanted.every((band) => faultBands.includes(band));
-    fill(count, `${counted(found.length, faulty ? "finding" : "measurement")} shown, of ${counted(countsOf(run).findings, "finding")} in ${counted(countsOf(run).measurements, "measurement")}. `,
+    const shown = faulty ? "finding" : "row";
+    const total = faulty ? countsOf(run).findings : run.band.length;
+    fill(count, `${counted(found.length, shown)} shown, of ${counted(total, shown)}. `,
       button("CSV", () => downloadFindings(run, found), { class: "small", title: "Save this table as comma-separated values" }));
     table.set(found);
   };

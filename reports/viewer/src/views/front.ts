@@ -51,7 +51,7 @@ function conclusionOf(run: Run): HTMLElement {
   const known = report.clusters.filter((c) => !c.is_new);
   const engines = new Set(known.flatMap((c) => c.oracles.map((o) => report.oracles[o].library)));
   const outside = `${counted(fresh, "fault")} ${fresh === 1 ? "is" : "are"} not in the ledger`;
-  const why = report.failed ? (fresh > 0 ? `: ${outside}.` : ".")
+  const why = report.failed ? (fresh > 0 ? `. ${outside}.` : ".")
     : report.clusters.length === 0 ? ": no fault was found." : fresh === 0 ? ": every failure is in the ledger of known faults." : `, although ${outside}.`;
   return h("div", { class: report.failed ? "conclusion failed" : "conclusion" },
     h("p", { class: "passes" }, h("b", {}, report.failed ? "✗ The run fails" : "✓ The run passes"), why),

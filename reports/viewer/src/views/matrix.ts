@@ -135,7 +135,7 @@ export const matrixView: MakeView = (run) => {
   const save = (): void => downloadCsv("matrix.csv", [["group", ...oracles.map((o) => o.name)],
     ...run.groups.map((group, g) => [group, ...oracles.map((_, o) => `${matrix.band(g, o)} ${matrix.count(g, o)}`)])]);
   const element = h("section", {}, h("h1", {}, "Groups × oracles"),
-    h("p", {}, "A cell shows the gravest band of an oracle in a group of questions, and the number of its questions with that band. It opens their findings. ", button("CSV", save, { class: "small" })),
+    h("p", {}, "A cell shows the gravest band of an oracle in a group of questions, and, of faults, the number of its questions with that band. It opens their findings. ", button("CSV", save, { class: "small" })),
     countsList(run),
     h("p", { class: "legend" }, bands.map((band) => badge(band))),
     h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Matrix" }, table));

@@ -152,13 +152,13 @@ export function worldView(run: Run, q: number, question: Question, start: Addres
     const broken = isOurs ? f.time?.[finding] ?? -1 : -1;
     const sizes = world.bodies.filter((b) => !b.fixed).map((b) => reach(b.shape)).filter((r) => r > 0);
     const parts = named !== trusted ? firstDifference(run, world, trusted, [named], 0.01 * (sizes.length ? Math.min(...sizes) : 1 / view.frame.scale)) : null;
-    const [time, what] = broken >= 0 ? [broken, `${oracles[named].name} breaks ${measureOf(run, finding)}`]
+    const [time, what] = broken >= 0 ? [broken, `${oracles[named].name} is wrong in ${measureOf(run, finding)}`]
       : variant ? [variant.time, `${oracles[named].name} and its variant are farthest apart`]
         : parts ? [world.times[parts.sample], `${oracles[named].name} parts from ${oracles[trusted].name}`] : [-1, ""];
     if (time < 0) return;
     const before = world.times.filter((t) => t < time).at(-1) ?? first;
     player.seek(before);
-    note.prepend(`Opened at ${seconds(before)}, just before ${what} (${seconds(time)}). `);
+    note.prepend(`Opened at ${seconds(before)}, ${before < time ? "just before" : "where"} ${what} (${seconds(time)}). `);
   };
   const note = h("p", { class: "reading", role: "status" });
   const ofVariant = (i: number): Child => {

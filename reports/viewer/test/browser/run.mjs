@@ -402,7 +402,7 @@ test("a world opened from a finding is just before its fault, and says so", () =
   await go(page, links.find((l) => l.endsWith(`f=${finding}`)));
   const time = await page.$eval(".stage", (stage) => Number(stage.dataset.time));
   assert.equal(time, question.world.times.filter((t) => t < f.time[finding]).at(-1));
-  assert.match(await page.textContent(".time-panel .reading"), /^Opened at .* just before .* breaks /);
+  assert.match(await page.textContent(".time-panel .reading"), /^Opened at .* just before .* is wrong in /);
 }));
 
 test("what is cut in the list of findings has an ellipsis and says all in a tooltip", async () => {
