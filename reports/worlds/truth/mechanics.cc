@@ -33,10 +33,10 @@ void ForEachMass(const World& world, const WorldState& state, const Subjects& su
   }
   for (const int i : subjects.cloths) {
     const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];
-    const int first = FirstNodeOf(world, i);
+    const auto first = static_cast<std::size_t>(FirstNodeOf(world, i));
     for (int node = 0; node < cloth.n * cloth.n; ++node) {
       if (IsPinned(cloth, node)) continue;
-      visit(Mass{cloth.node_mass, state.nodes[static_cast<std::size_t>(first + node)]});
+      visit(Mass{cloth.node_mass, state.nodes[first + static_cast<std::size_t>(node)]});
     }
   }
 }
@@ -174,10 +174,10 @@ Energy EnergyOf(const World& world, const WorldState& state, const Subjects& sub
   }
   for (const int i : subjects.cloths) {
     const Cloth& cloth = world.cloths[static_cast<std::size_t>(i)];
-    const int first = FirstNodeOf(world, i);
+    const auto first = static_cast<std::size_t>(FirstNodeOf(world, i));
     for (const ClothSpring& spring : SpringsOf(cloth)) {
-      AddSpring(state.nodes[static_cast<std::size_t>(first + spring.a)],
-                state.nodes[static_cast<std::size_t>(first + spring.b)], spring.stiffness,
+      AddSpring(state.nodes[first + static_cast<std::size_t>(spring.a)],
+                state.nodes[first + static_cast<std::size_t>(spring.b)], spring.stiffness,
                 spring.rest_length, energy);
     }
   }
