@@ -160,7 +160,6 @@ int SubmitSweep(const SweepPlan& plan, const SweepArguments& arguments) {
         "(without "
         "Slurm, --shard K/N divides a sweep)");
   }
-  const OutputFolder out(*arguments.out);
   const path& folder = *arguments.out;
   const SweepSettings settings = SettingsOf(plan);
   if (std::filesystem::exists(folder / "sweep.sqlite")) {
@@ -177,6 +176,7 @@ int SubmitSweep(const SweepPlan& plan, const SweepArguments& arguments) {
     throw InputError(
         "--slurm: squeue does not answer; expected a cluster that can be reached");
   }
+  const OutputFolder out(*arguments.out);
   std::filesystem::create_directories(folder / "slurm");
   // The settings of a submission that no cluster took bind nobody.
   if (submissions.jobs.empty()) std::filesystem::remove(PlanIn(folder));
