@@ -52,8 +52,8 @@ class JointSolver {
                      std::span<Velocity> velocities, double h);
 
   /** Position correction: adds to `corrections` [m], [rad] the pseudo-velocities that
-   remove `fraction` of the error of each rod whose length is off by more than the rounding of its anchors' places.
-   Returns whether there was such a rod. */
+   remove `fraction` of the error of each rod whose length is off by more than the
+   rounding of its anchors' places. Returns whether there was such a rod. */
   bool CorrectPositions(std::span<const DistanceJoint> joints, double fraction,
                         std::span<const RigidBody> bodies,
                         std::span<Velocity> corrections);
