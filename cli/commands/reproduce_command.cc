@@ -1,6 +1,8 @@
 #include "cli/commands/reproduce_command.h"
 
+#include <algorithm>
 #include <iostream>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,13 +24,34 @@ void RefuseWorld(const ScenarioSelection& selection) {
       IdOf(questions.worlds.front())));
 }
 
-Reproduction FilesOf(const ChosenFault& fault) {
-  try {
-    return Reproduce(fault.report.scenarios.front(), fault.oracle->info(), fault.finding);
-  } catch (const CannotReproduce& error) {
-    throw InputError(
-        fmt::format("{} cannot be reproduced: {}", IdOf(fault.question), error.what()));
+/** The files for one finding of a fault. */
+struct Written {
+  Reproduction files;
+  const Finding* finding;
+};
+
+/** Returns the files for the chosen finding or, if no program can check its measure and
+ the user named none, for the gravest of the others. */
+Written FilesOf(const ChosenFault& fault, bool is_measure_named) {
+  std::vector<const Finding*> candidates = {&fault.finding};
+  if (!is_measure_named) {
+    for (const Finding& finding : fault.report.findings)
+      if (IsFailure(finding.verdict)) candidates.push_back(&finding);
+    std::stable_sort(
+        candidates.begin() + 1, candidates.end(),
+        [](const Finding* a, const Finding* b) { return a->grade > b->grade; });
   }
+  std::string reason;
+  for (const Finding* const finding : candidates) {
+    try {
+      return {Reproduce(fault.report.scenarios.front(), fault.oracle->info(), *finding),
+              finding};
+    } catch (const CannotReproduce& error) {
+      if (reason.empty()) reason = error.what();
+    }
+  }
+  throw InputError(
+      fmt::format("{} cannot be reproduced: {}", IdOf(fault.question), reason));
 }
 
 }  // namespace
@@ -36,7 +59,7 @@ Reproduction FilesOf(const ChosenFault& fault) {
 int ReproduceCommand(const Session& session, const ReproduceArguments& arguments) {
   RefuseWorld(arguments.fault.scenarios);
   const ChosenFault fault = ChooseFault(session, arguments.fault);
-  const Reproduction files = FilesOf(fault);
+  const auto [files, finding] = FilesOf(fault, !arguments.fault.measure.empty());
   const OutputFolder folder(arguments.out);
   folder.Write("reproduce.cc", [&](std::ostream& out) { out << files.program; });
   folder.Write("CMakeLists.txt", [&](std::ostream& out) { out << files.build; });
@@ -46,7 +69,7 @@ int ReproduceCommand(const Session& session, const ReproduceArguments& arguments
       "{0}\nWrote reproduce.cc, CMakeLists.txt and REPORT.md to {1}/. Nothing was built. "
       "Next:\n  cmake -S {1} -B {1}/build && cmake --build {1}/build && "
       "{1}/build/reproduce\n",
-      Sentence(fault.finding), path);
+      Sentence(*finding), path);
   return 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/clusters/measure_words.h"
 #include "reports/reproduce/cpp_text.h"
 #include "reports/reproduce/engine_code.h"
 #include "reports/reproduce/fault_check.h"
@@ -60,8 +61,8 @@ int main() {{
 
 std::string TitleOf(const OracleInfo& oracle, const Finding& finding,
                     const std::string& pair) {
-  return fmt::format("{} {}: {} wrong for {}", oracle.library, oracle.version,
-                     NameOf(finding.measure), pair);
+  return fmt::format("{} {} {} ({})", oracle.library, oracle.version,
+                     FaultInWords(finding.measure), pair);
 }
 
 }  // namespace
@@ -105,8 +106,8 @@ Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
       "## Build and run\n\n    apt-get install g++ cmake make pkg-config {package}\n"
       "    cmake -S . -B build && cmake --build build && build/reproduce\n\n"
       "The program prints the answer, the truth and the error. It exits 1 if the fault "
-      "is "
-      "there and 0 if it is gone.\n\n## Output\n\nPaste the output of the program here. "
+      "is there and 0 if it is gone.\n\n## Output\n\nPaste the output of the program "
+      "here. "
       "It has not been run yet.\n",
       fmt::arg("title", title), fmt::arg("call", engine.call),
       fmt::arg("library", oracle.library), fmt::arg("version", oracle.version),

@@ -72,7 +72,7 @@ list(APPEND own_rules
   "reports/writers/ => scenarios/diagnostic[.]h|reports/((baseline|text|finding|referee|contacts|clusters|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|scenario_file|worlds/world_scenario)[.]h"
   "reports/sweep/ => reports/((threads|finding|referee|contacts|writers)/|run[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(generators/|(scenario|scenario_file|shape|validate)[.]h)"
   "reports/shrink/ => reports/((text|finding|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/oracle[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
-  "reports/reproduce/ => reports/((text|finding|referee|writers)/|contacts/contact_result[.]h)|oracles/(oracle|convex_facets)[.]h|scenarios/[a-z_]+[.]h"
+  "reports/reproduce/ => reports/(clusters/measure_words[.]h|(text|finding|referee|writers)/|contacts/contact_result[.]h)|oracles/(oracle|convex_facets)[.]h|scenarios/[a-z_]+[.]h"
   "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"

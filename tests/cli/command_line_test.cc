@@ -667,6 +667,18 @@ TEST_F(CommandLineTest, RefusesSlurmWithoutItsCommandsAFolderOrWithOtherParts) {
   EXPECT_THAT(without.err, HasSubstr("there is no sbatch; expected"));
 }
 
+TEST_F(CommandLineTest, ReproducesTheGravestFindingThatAProgramCanCheck) {
+  // The gravest is a jump of the answer, which a single query cannot show.
+  const std::string question =
+      "reproduce contact/zoo/ccd_71b --for libccd/mpr --out " + Path("program");
+  const Ended other = Touchstone(question);
+  EXPECT_EQ(other.code, 0) << other.err;
+  EXPECT_THAT(other.out, HasSubstr(" in separation_error, "));
+  const Ended named = Touchstone(question + " --measure perturbation");
+  EXPECT_EQ(named.code, 2);
+  EXPECT_THAT(named.err, HasSubstr("cannot be reproduced"));
+}
+
 TEST_F(CommandLineTest, SubmitsToSlurmOnceAndOnlyTheSweepOfTheFolder) {
   // A cluster that takes every job and never starts it.
   std::filesystem::create_directory(Path("bin"));

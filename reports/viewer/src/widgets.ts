@@ -10,7 +10,7 @@ export function badge(band: Band, text = bandTexts[band].name): HTMLElement {
   return h("span", { class: `badge ${band}`, title: bandTexts[band].meaning }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), " ", text);
 }
 
-/** What an oracle is: its library, and how its adapter sets it up. */
+/** The tooltip of an oracle: its library, and the settings of its adapter. */
 const descriptionOf = ({ name, library, version, settings }: Oracle): string => [`${name}: ${library} ${version}`, ...settings.map((s) => `${s.name}: ${s.value}`)].join("\n");
 
 /** An engine as its marker and name, which links to its page. */

@@ -113,7 +113,7 @@ export function smallMatrix(run: Run): HTMLElement {
   return h("div", {}, h("p", { class: "quiet" }, "Down: groups of questions. Across: oracles. Colour: the gravest band, as below. A cell opens its findings."), link);
 }
 
-/** What a cell says. */
+/** The tooltip of a cell. */
 const wordsOf = (matrix: Matrix, g: number, o: number, group: string, oracle: string): string =>
   `${group}, ${oracle}: ${bandTexts[matrix.band(g, o)].name} in ${matrix.count(g, o)} of ${counted(matrix.size(g), "question")}`;
 
