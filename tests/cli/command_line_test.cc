@@ -671,10 +671,10 @@ TEST_F(CommandLineTest, ReproducesTheGravestFindingThatAProgramCanCheck) {
   // The gravest is a jump of the answer, which a single query cannot show.
   const std::string question =
       "reproduce contact/zoo/ccd_71b --for libccd/mpr --out " + Path("program");
-  const Ended other = Touchstone(question);
+  const Ended other = Itself(question);
   EXPECT_EQ(other.code, 0) << other.err;
   EXPECT_THAT(other.out, HasSubstr(" in separation_error, "));
-  const Ended named = Touchstone(question + " --measure perturbation");
+  const Ended named = Itself(question + " --measure perturbation");
   EXPECT_EQ(named.code, 2);
   EXPECT_THAT(named.err, HasSubstr("cannot be reproduced"));
 }
