@@ -11,7 +11,9 @@ namespace touchstone::referee {
  it can only save time: a plane proves the distance, whatever direction is tried.
 
  Tried are `n_W`, and the direction from the nearest point of a core that is a point, a
- segment or a box. */
+ segment or a box.
+ @pre The rounding mode is to nearest: the error bounds are those of standard
+ arithmetic. */
 bool IsProvedFarther(const Body& body, const Eigen::Vector3d& p_W,
                      const Eigen::Vector3d& n_W, double distance);
 
