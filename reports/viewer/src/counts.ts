@@ -49,8 +49,8 @@ export function countsList(run: Run): HTMLElement {
   const of = (all: number, noun: string): string => `of ${counted(all, noun)}`;
   const items: [string, string][] = [
     [counted(c.faults, "fault"), "One fault is one cause, shown by any number of findings."],
-    [counted(c.questions, "question"), `${of(c.allQuestions, "question")} with a fault. A question is a scenario: a contact question or a world.`],
-    [counted(c.answers, "answer"), `${of(c.allAnswers, "answer")} with a fault. An answer is what one oracle says to one question; a crash is one too.`],
+    [counted(c.questions, "question"), `with a fault, ${of(c.allQuestions, "question")}. A question is a scenario: a contact question or a world.`],
+    [counted(c.answers, "answer"), `with a fault, ${of(c.allAnswers, "answer")}. An answer is what one oracle says to one question; a crash is one too.`],
     [counted(c.findings, "finding"), `${of(c.measurements, "measurement")}. A finding is one wrong measurement of an answer.`],
   ];
   return h("dl", { class: "counts", "aria-label": "What is counted" }, items.map(([count, meaning]) => h("div", {}, h("dt", {}, count), h("dd", {}, meaning))));
