@@ -59,17 +59,17 @@ Written FilesOf(const ChosenFault& fault, bool is_measure_named) {
 int ReproduceCommand(const Session& session, const ReproduceArguments& arguments) {
   RefuseWorld(arguments.fault.scenarios);
   const ChosenFault fault = ChooseFault(session, arguments.fault);
-  const auto [files, finding] = FilesOf(fault, !arguments.fault.measure.empty());
+  const Written written = FilesOf(fault, !arguments.fault.measure.empty());
   const OutputFolder folder(arguments.out);
-  folder.Write("reproduce.cc", [&](std::ostream& out) { out << files.program; });
-  folder.Write("CMakeLists.txt", [&](std::ostream& out) { out << files.build; });
-  folder.Write("REPORT.md", [&](std::ostream& out) { out << files.report; });
+  folder.Write("reproduce.cc", [&](std::ostream& out) { out << written.files.program; });
+  folder.Write("CMakeLists.txt", [&](std::ostream& out) { out << written.files.build; });
+  folder.Write("REPORT.md", [&](std::ostream& out) { out << written.files.report; });
   const std::string path = arguments.out.string();
   std::cout << fmt::format(
       "{0}\nWrote reproduce.cc, CMakeLists.txt and REPORT.md to {1}/. Nothing was built. "
       "Next:\n  cmake -S {1} -B {1}/build && cmake --build {1}/build && "
       "{1}/build/reproduce\n",
-      Sentence(*finding), path);
+      Sentence(*written.finding), path);
   return 0;
 }
 
