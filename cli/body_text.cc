@@ -65,7 +65,10 @@ class BodyReader {
       double number = 0;
       const auto [end, error] =
           std::from_chars(word.data(), word.data() + word.size(), number);
-      if (error != std::errc() || end != word.data() + word.size()) break;
+      if (end != word.data() + word.size()) break;
+      if (error == std::errc::result_out_of_range)
+        Fail(fmt::format("has '{}', which is beyond the range of a double", word));
+      if (error != std::errc()) break;
       numbers.push_back(number);
     }
     return numbers;
@@ -132,7 +135,10 @@ class BodyReader {
     if (Skip("q")) {
       const std::vector<double> wxyz = Numbers("q", "four numbers", 4);
       Eigen::Quaterniond q_WB(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
-      if (!(q_WB.norm() > 0)) Fail("has a zero quaternion, which is not a rotation");
+      // Squares of the components may overflow or vanish.
+      const double largest = q_WB.coeffs().cwiseAbs().maxCoeff();
+      if (!(largest > 0)) Fail("has a zero quaternion, which is not a rotation");
+      q_WB.coeffs() /= largest;
       q_WB.normalize();
       return Pose::FromQuaternion(p_WB, q_WB);
     }

@@ -125,12 +125,14 @@ position, orientation, velocity and angular velocity, in SI units and the world 
      "input or nothing simulated"},
     {"sweep", R"(
 
-Generates questions from a seed and judges the answers of the subjects against the certified
-truth, without a ledger. Prints one row per family, shape pair and subject: the fraction that
-touches, the failures, and the worst measures relative to their tolerances. Then prints the
-failures by measure and cause, with commands that repeat them; for a single subject also proofs,
-next to the answers of the references. Without --pair, sweeps every shape pair that a subject
-supports.
+Generates questions from a seed and judges the answers of the subjects, without a ledger.
+Contact questions are judged against the certified truth. Worlds are small simulations; their
+motions are judged by the laws that the family claims and by those of every motion. Prints one
+row per family, shape pair and subject: the fraction that touches or that was verified, the
+failures, and the worst measures relative to their tolerances. Then prints the failures by
+measure, law and cause, with commands that repeat them; for a single subject also proofs, next
+to the answers of the references. Contact questions without --pair are of every shape pair that
+a subject supports.
 
 With --out, the results are kept in DIR/sweep.unfinished.sqlite while they are computed. The same
 command goes on after Ctrl-C, --time, or a kill, and ends with the same DIR/sweep.sqlite, whatever
@@ -148,6 +150,9 @@ submits again the shards that failed, which go on from where they were.
   touchstone sweep contact --count 1000000 --out big --slurm --tasks 64 --sbatch-args '--time=60'
   touchstone sweep contact --count 1000000 --out big --slurm --status
   touchstone sweep contact --pair box box --subject bullet/gjk --count 512 --climb 32
+  touchstone sweep world --count 1000
+  touchstone sweep world --family slides,stacks --subject ode --set ode:contact_erp=0.2 --quiet
+  touchstone sweep world --subject all --count 100000 --seed 7 --time 8h --out worlds
 )",
      "0 no failures; 1 failures, of the band of --fail-on or worse; 2 bad input or\n"
      "nothing verified; 130 after Ctrl-C; with --status, 1 until it is complete"},
@@ -176,14 +181,19 @@ what was tried. A crash or a hang is a fault, too.
      kShown},
     {"reproduce", R"(
 
-Takes a contact query that an engine answers wrongly, known to the ledger or not. Writes one C++
+Takes a scenario that an engine answers wrongly, known to the ledger or not. Writes one C++
 program against that engine's own API alone, a CMakeLists.txt that finds the engine, and a report
-for its tracker. The program prints the engine's answer beside the certified truth. It exits 1 if
-the fault is there and 0 if it is gone. The command does not build it.
+for its tracker. The program prints the engine's answer beside the truth. It exits 1 if the fault
+is there and 0 if it is gone. The command does not build it.
+
+Programs for worlds are written for ODE, Bullet, MuJoCo and DART, and for rigid bodies without
+joints, springs and pushes. They check penetration, passage, position_error, velocity_error,
+spin_error, energy_drift and momentum_drift.
 )",
      R"(
   touchstone reproduce contact/zoo/fcl_508y --for fcl/distance --out fault
   touchstone reproduce mine.toml --for ode --measure excess --out fault
+  touchstone reproduce world/bounce/ball_on_a_resting_box --for bullet --measure penetration
   cmake -S fault -B fault/build && cmake --build fault/build && fault/build/reproduce
 )",
      "0 written; 2 bad input, nothing is wrong, or no program can be written for it"},

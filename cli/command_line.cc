@@ -166,7 +166,8 @@ class CommandLine {
       tolerance.by = tolerance.share == 0    ? "--tolerance"
                      : tolerance.length == 0 ? "--tolerance-share"
                                              : "--tolerance and --tolerance-share";
-      for (const Oracle* subject : SubjectsNamed(session_.registry, selection->subject)) {
+      for (const Oracle* subject :
+           SubjectsNamed(session_.registry, selection->subject, QuestionKind::kContact)) {
         session_.registry.SetTolerance(subject->info().name, tolerance);
       }
     }
@@ -218,8 +219,12 @@ class CommandLine {
     AddOracleOptions(app, run_.oracles);
     AddSetups(app);
     app->add_option("--out", run_.out,
-                    "folder for report.html, report.data, report.jsonl and junit.xml")
+                    "folder for report.html, report.data, report.jsonl and junit.xml; "
+                    "until they are written it keeps every world that has been judged")
         ->type_name("DIR");
+    app->add_flag("--resume", run_.resume,
+                  "go on with a run that was interrupted: use the worlds that DIR keeps")
+        ->needs("--out");
     app->add_flag(
         "--open", run_.open,
         "show the page in the browser (without --out, from touchstone-report/)");
@@ -245,13 +250,17 @@ class CommandLine {
   }
 
   void AddReport() {
-    CLI::App* app = AddCommand("report", "Write the page of an earlier run again",
-                               [this] { return ReportCommand(report_); });
-    app->add_option("RUN", report_.run,
-                    "folder that `touchstone run --out` wrote, or its report.data")
+    CLI::App* app =
+        AddCommand("report", "Write the page of an earlier run, or of a sweep",
+                   [this] { return ReportCommand(session_, report_); });
+    app->add_option(
+           "RUN", report_.run,
+           "folder that `touchstone run --out` or `touchstone sweep --out` wrote, "
+           "or its report.data or sweep.sqlite")
         ->required()
         ->type_name("");
     app->add_option("-o,--out", report_.out, "the page")->required()->type_name("FILE");
+    AddJobs(app, report_.jobs);
   }
 
   void AddCompare() {
@@ -315,16 +324,17 @@ class CommandLine {
                   "that --set chooses");
   }
 
-  // The kind of question is an argument, although worlds have no sweep yet.
-  static void AddContact(CLI::App* app) {
-    app->add_option("QUESTIONS", "kind of question; only contact is available")
-        ->required()
-        ->check(OneOf({"contact"}))
-        ->type_name("");
+  static std::vector<std::string> ShapeNames() {
+    std::vector<std::string> names;
+    names.reserve(kShapeKinds);
+    for (int kind = 0; kind < kShapeKinds; ++kind)
+      names.emplace_back(NameOf(static_cast<ShapeKind>(kind)));
+    return names;
   }
 
   static void AddPair(CLI::App* app, std::vector<std::string>& pair) {
     app->add_option("--pair", pair, "two shapes, e.g. --pair box sphere")
+        ->check(OneOf(ShapeNames()))
         ->type_name("SHAPE SHAPE")
         ->expected(2);
   }
@@ -333,7 +343,16 @@ class CommandLine {
     CLI::App* app =
         AddCommand("sweep", "Check the subject on thousands of generated questions",
                    [this] { return SweepCommand(session_, sweep_); });
-    AddContact(app);
+    app->add_option_function<std::string>(
+           "QUESTIONS",
+           [this](const std::string& kind) {
+             sweep_.kind =
+                 kind == "world" ? QuestionKind::kWorld : QuestionKind::kContact;
+           },
+           "kind of question: contact or world")
+        ->required()
+        ->check(OneOf({"contact", "world"}))
+        ->type_name("");
     AddOracleOptions(app, sweep_.oracles);
     app->get_option("--subject")
         ->description(
@@ -341,32 +360,35 @@ class CommandLine {
         ->type_name("ORACLE[,...]");
     app->get_option("--against")
         ->description(
-            "references that answer every question too (default: none; all others answer "
-            "the failures that are printed)");
+            "references that answer every contact question too (default: none); they, or "
+            "all others, answer the failures that are printed");
     app->add_option(
            "--family", sweep_.families,
-           "families of questions: random, near_parallel, edge_edge, vertex_face, "
-           "touching, deep, slabs_and_needles, extreme_scales, symmetries, grazing, "
-           "mixed_sizes, far_from_origin, large_hulls or all")
+           "families of contact questions: random, near_parallel, edge_edge, "
+           "vertex_face, touching, deep, slabs_and_needles, extreme_scales, symmetries, "
+           "grazing, mixed_sizes, far_from_origin, large_hulls; of worlds: drops, "
+           "impacts, slides, rods, stacks, mass_ratios, step_lengths, linkages; or all")
         ->type_name("FAMILY")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->capture_default_str();
     app->add_option("--pair", sweep_.pairs,
-                    "two shapes, e.g. --pair box sphere; may be repeated (default: all "
-                    "pairs that a subject supports)")
+                    "two shapes of a contact question, e.g. --pair box sphere; may be "
+                    "repeated (default: all pairs that a subject supports)")
+        ->check(OneOf(ShapeNames()))
         ->type_name("SHAPE SHAPE")
         ->allow_extra_args(false);
     // SQLite has signed numbers.
     constexpr auto kMost = std::uint64_t{1} << 62;
-    AddNumber(app, "--count", sweep_.count, 1, "number of questions per family and pair",
-              kMost);
+    AddNumber(app, "--count", sweep_.count, 1,
+              "number of questions per family, and per pair of shapes", kMost);
     AddNumber(app, "--first", sweep_.first, 0, "index of the first question", kMost);
     AddNumber(app, "--seed", sweep_.seed, 0, "seed of the questions");
-    app->add_option("--climb", sweep_.climb,
-                    "worst-case search: of every N questions the first is one of the "
-                    "family, each other the worst so far with B changed a little "
-                    "(default: 1, no search)")
+    app->add_option(
+           "--climb", sweep_.climb,
+           "worst-case search: of every N contact questions the first is one of the "
+           "family, each other the worst so far with B changed a little "
+           "(default: 1, no search)")
         ->check(WholeNumber(1, 1'000'000))
         ->type_name("N");
     app->add_option("--out", sweep_.out,
@@ -394,6 +416,7 @@ class CommandLine {
            "fraction of the smaller body) or touching (a wrong hit or miss)")
         ->check(OneOf({"any", "1e-6", "1e-3", "0.1", "touching"}))
         ->type_name("BAND");
+    AddSetups(app);
     AddSlurm(app);
     AddJobs(app, sweep_.jobs);
     app->add_flag("--quiet", sweep_.quiet, "print only the tables");

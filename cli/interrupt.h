@@ -2,8 +2,9 @@
 
 namespace touchstone {
 
-/** Turns the first SIGINT (Ctrl-C) or SIGTERM into a request to stop, while it lives. A
- second one ends the program at once. Only one may live at a time. */
+/** Turns the first SIGINT (Ctrl-C) or SIGTERM into a request to stop, while it lives. One
+ that comes more than half a second later ends the program at once. Only one may live at a
+ time. */
 class Interrupt {
  public:
   Interrupt();

@@ -14,6 +14,10 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
+bool IsOption(const std::string& word) {
+  return word.starts_with("--");
+}
+
 std::string NoSuchCommand(const CLI::App& app, const std::vector<std::string>& words) {
   Names commands;
   for (const CLI::App* command :
@@ -42,6 +46,17 @@ std::string NoSuchOption(const std::string& line, const CLI::App& command,
   const Names views(names.begin(), names.end());
   return fmt::format("`{}` has no option {}{}; expected one of: {}", line, word,
                      DidYouMean(word, views), fmt::join(views, ", "));
+}
+
+// Returns the option that has swallowed another one as its value, as --pair does in
+// "--pair box --count 5"; null if there is none.
+const CLI::Option* Swallower(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (option->nonpositional() && std::any_of(values.begin(), values.end(), IsOption))
+      return option;
+  }
+  return nullptr;
 }
 
 // Returns what is wrong with the options that are given.
@@ -73,11 +88,14 @@ std::string LineError(const CLI::App& app, const CLI::ParseError& error) {
                    [](const std::string& word) { return word.starts_with('-'); });
   if (option != unknown.end()) return NoSuchOption(line, command, *option);
   if (commands.empty()) return NoSuchCommand(app, unknown);
-  return fmt::format("{}; `{} --help` shows its usage",
-                     unknown.empty()
-                         ? WhatIsMissing(command, error)
-                         : fmt::format("'{}' is not expected", unknown.front()),
-                     line);
+  std::string what = WhatIsMissing(command, error);
+  if (const CLI::Option* const swallower = Swallower(command)) {
+    what = fmt::format("{0} is incomplete; expected {0} {1}", swallower->get_name(),
+                       swallower->get_type_name());
+  } else if (!unknown.empty()) {
+    what = fmt::format("'{}' is not expected", unknown.front());
+  }
+  return fmt::format("{}; `{} --help` shows its usage", what, line);
 }
 
 }  // namespace touchstone

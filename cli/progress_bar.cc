@@ -9,7 +9,7 @@ namespace touchstone {
 namespace {
 
 constexpr auto kDelay = std::chrono::seconds(2);
-constexpr auto kBetweenDrawings = std::chrono::milliseconds(100);
+constexpr auto kBetweenBars = std::chrono::milliseconds(100);
 constexpr auto kBetweenLines = std::chrono::seconds(10);
 
 /** Returns a duration for a person: "40 s", "12 min", "3.5 h". */
@@ -22,42 +22,61 @@ std::string InWords(double seconds) {
 }  // namespace
 
 ProgressBar::ProgressBar(const Terminal& terminal, bool quiet)
-    : quiet_(quiet),
-      is_bar_(terminal.progress),
-      next_(Clock::now() + (is_bar_ ? kDelay : kBetweenLines)) {}
+    : is_bar_(terminal.progress) {
+  if (!quiet)
+    drawing_ = std::jthread([this](const std::stop_token& stop) { DrawUntil(stop); });
+}
 
 ProgressBar::~ProgressBar() {
+  if (!drawing_.joinable()) return;
+  drawing_.request_stop();
+  drawing_.join();
   if (drawn_) std::cerr << "\r\x1b[K" << std::flush;
 }
 
-void ProgressBar::Show(std::size_t done, std::size_t total) {
-  if (!start_) {
-    start_ = Clock::now();
-    done_at_start_ = done;
-  }
-  if (quiet_ || total == 0 || Clock::now() < next_) return;
-  if (!is_bar_) {
-    ShowLine(done, total);
-    return;
-  }
-  constexpr std::size_t kWidth = 40;
-  const std::size_t filled = kWidth * done / total;
-  std::cerr << fmt::format("\r[{:<{}}] {} of {}\x1b[K", std::string(filled, '#'), kWidth,
-                           done, total)
-            << std::flush;
-  drawn_ = true;
-  next_ = Clock::now() + kBetweenDrawings;
+void ProgressBar::Show(std::size_t done, std::size_t total, double part) {
+  const std::scoped_lock lock(mutex_);
+  last_ = {Clock::now(), done, total, part};
+  if (!first_) first_ = last_;
 }
 
-void ProgressBar::ShowLine(std::size_t done, std::size_t total) {
-  const double seconds = std::chrono::duration<double>(Clock::now() - *start_).count();
-  const double rate = static_cast<double>(done - done_at_start_) / seconds;
-  std::string line =
-      fmt::format("touchstone: {} of {}, {:.3g} a second", done, total, rate);
-  if (rate > 0)
-    line += fmt::format(", {} to go", InWords(static_cast<double>(total - done) / rate));
+void ProgressBar::DrawUntil(const std::stop_token& stop) {
+  std::unique_lock lock(mutex_);
+  const auto wait = [&](std::chrono::milliseconds time) {
+    stopped_.wait_for(lock, stop, time, [] { return false; });
+  };
+  wait(is_bar_ ? kDelay : kBetweenLines);
+  while (!stop.stop_requested()) {
+    if (first_ && last_.total > 0) is_bar_ ? DrawBar() : DrawLine();
+    wait(is_bar_ ? kBetweenBars : kBetweenLines);
+  }
+}
+
+void ProgressBar::DrawBar() {
+  constexpr std::size_t kWidth = 40;
+  const auto filled = static_cast<std::size_t>(kWidth * last_.part);
+  std::cerr << fmt::format("\r[{:<{}}] {} of {}\x1b[K", std::string(filled, '#'), kWidth,
+                           last_.done, last_.total)
+            << std::flush;
+  drawn_ = true;
+}
+
+void ProgressBar::DrawLine() {
+  const auto since_start = [this](Clock::time_point time) {
+    return std::chrono::duration<double>(time - first_->time).count();
+  };
+  std::string line = fmt::format("touchstone: {} of {} after {}", last_.done, last_.total,
+                                 InWords(since_start(Clock::now())));
+  // The rate ends with what was done last: a long item does not lower it.
+  const double seconds = since_start(last_.time);
+  const double part = last_.part - first_->part;
+  if (last_.done > first_->done && seconds > 0) {
+    line += fmt::format(", {:.3g} a second",
+                        static_cast<double>(last_.done - first_->done) / seconds);
+  }
+  if (part > 0)
+    line += fmt::format(", {} to go", InWords(seconds * (1 - last_.part) / part));
   std::cerr << line << std::endl;
-  next_ = Clock::now() + kBetweenLines;
 }
 
 }  // namespace touchstone

@@ -49,7 +49,7 @@ std::vector<const Oracle*> OraclesNamed(const OracleRegistry& registry,
 }
 
 std::vector<const Oracle*> SubjectsNamed(const OracleRegistry& registry,
-                                         const std::string& list) {
+                                         const std::string& list, QuestionKind kind) {
   std::vector<const Oracle*> subjects;
   const auto add = [&subjects](const Oracle* oracle) {
     if (std::find(subjects.begin(), subjects.end(), oracle) == subjects.end())
@@ -66,8 +66,10 @@ std::vector<const Oracle*> SubjectsNamed(const OracleRegistry& registry,
       continue;
     }
     for (const Oracle* oracle : registry.All()) {
-      if (!IsSpecimen(oracle->info().name) && oracle->info().AnswersContacts())
-        add(oracle);
+      const OracleInfo& info = oracle->info();
+      const bool answers =
+          kind == QuestionKind::kWorld ? info.simulates : info.AnswersContacts();
+      if (!IsSpecimen(info.name) && answers) add(oracle);
     }
   }
   if (subjects.empty()) FailOnOracle(registry, list);

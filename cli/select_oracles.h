@@ -25,11 +25,14 @@ const Oracle& OracleNamed(const OracleRegistry& registry, const std::string& nam
 std::vector<const Oracle*> SelectOracles(const OracleRegistry& registry,
                                          const OracleSelection& selection);
 
+/** A kind of question. */
+enum class QuestionKind { kContact, kWorld };
+
 /** Returns the oracles that `list` names, each once: names or groups, separated by
- commas, or "all" for every oracle that answers contact queries, except specimens of
- faults. Throws the same errors as SelectOracles(). */
+ commas, or "all" for every oracle that answers questions of that kind, except specimens
+ of faults. Throws the same errors as SelectOracles(). */
 std::vector<const Oracle*> SubjectsNamed(const OracleRegistry& registry,
-                                         const std::string& list);
+                                         const std::string& list, QuestionKind kind);
 
 /** Returns the oracles that `pattern` names. Throws the same errors as SelectOracles().
  */

@@ -5,11 +5,13 @@
 #include <iterator>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
 #include "cli/input_error.h"
 #include "reports/ledger/glob.h"
+#include "reports/sweep/question_id.h"
 #include "reports/text/counted.h"
 #include "reports/worlds/study/check_claims.h"
 #include "scenarios/scenario_file.h"
@@ -97,6 +99,13 @@ std::string NearestPattern(const std::string& pattern, const Ids& known) {
 }
 
 [[noreturn]] void FailOnPattern(const std::string& pattern, const Ids& known) {
+  if (pattern.starts_with("sweep/")) {
+    throw InputError(fmt::format(
+        "no question of a sweep has the id '{}'; expected one such as "
+        "sweep/random/box_box/seed_1/42 or sweep/world/drops/seed_1/42, or a file that "
+        "`touchstone sweep --out` wrote",
+        pattern));
+  }
   std::string nearest = WithShapesInOrder(pattern, known);
   if (nearest.empty()) nearest = NearestPattern(pattern, known);
   throw InputError(fmt::format(
@@ -125,6 +134,16 @@ void MoveSelected(std::vector<Kind>& from, const std::vector<std::string>& patte
   }
 }
 
+/** Adds the question of a series of one. */
+void Generate(const Series& question, Questions& to) {
+  if (const auto* world = std::get_if<WorldSeries>(&question)) {
+    to.worlds.push_back(WorldAt(*world, world->first));
+  } else {
+    const auto& contact = std::get<QuestionSeries>(question);
+    to.contacts.push_back(ScenarioAt(contact, contact.first));
+  }
+}
+
 template <typename Kind>
 void Append(std::vector<Kind> from, std::vector<Kind>& to) {
   std::move(from.begin(), from.end(), std::back_inserter(to));
@@ -150,8 +169,14 @@ Questions SelectQuestions(const ScenarioSelection& selection) {
 
   std::vector<std::filesystem::path> paths;
   std::vector<std::string> patterns;
+  Questions generated;
   const Ids known = IdsOf(catalogue);
   for (const std::string& pattern : selection.patterns) {
+    const auto of_sweep = QuestionOfId(pattern);
+    if (of_sweep && !SelectsAny(pattern, known)) {
+      Generate(*of_sweep, generated);
+      continue;
+    }
     if (IsPath(pattern, known)) {
       paths.emplace_back(pattern);
       continue;
@@ -162,6 +187,8 @@ Questions SelectQuestions(const ScenarioSelection& selection) {
   Questions selected;
   MoveSelected(catalogue.contacts, patterns, selected.contacts);
   MoveSelected(catalogue.worlds, patterns, selected.worlds);
+  Append(std::move(generated.contacts), selected.contacts);
+  Append(std::move(generated.worlds), selected.worlds);
   if (!paths.empty()) {
     Questions own = WithoutErrors(ReadCatalogue(paths));
     Append(std::move(own.contacts), selected.contacts);
@@ -175,9 +202,11 @@ std::set<std::string, std::less<>> OutsideCatalogue(
     const ScenarioSelection& selection, const Questions& questions,
     const std::filesystem::path& catalogue) {
   std::set<std::string, std::less<>> outside;
-  const auto may_be_path = [](const std::string& pattern) { return IsPath(pattern, {}); };
+  const auto may_be_outside = [](const std::string& pattern) {
+    return IsPath(pattern, {}) || QuestionOfId(pattern);
+  };
   if (selection.catalogues == std::vector{catalogue} &&
-      std::ranges::none_of(selection.patterns, may_be_path))
+      std::ranges::none_of(selection.patterns, may_be_outside))
     return outside;
   const auto known = [&](const std::string& id) {
     return ReadScenarioFile(catalogue / (id + ".toml"));

@@ -14,7 +14,8 @@ namespace touchstone {
 /** The scenarios that a command uses. */
 struct ScenarioSelection {
   /** Scenario ids, prefixes of ids at a '/', globs ('*' within a level, '**' across
-   levels), or TOML files and folders of them. Empty: the whole catalogue. */
+   levels), ids of a sweep's questions, or TOML files and folders of them. Empty: the
+   whole catalogue. */
   std::vector<std::string> patterns;
   std::vector<std::filesystem::path> catalogues;  ///< Folders in which ids are looked up.
 };

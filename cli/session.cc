@@ -55,14 +55,15 @@ RunReport RunSuite(const Session& session, const Questions& questions,
   run.jobs = options.jobs;
   run.today = Today();
   run.partial = options.partial;
+  run.worlds = options.worlds;
   // A program need not have all engines of the built-in ledger.
   if (!options.partial || ledger.file != BuiltInLedgerFile(session)) {
     run.is_oracle = [&session](std::string_view name) {
       return session.registry.MayExist(name);
     };
   }
-  run.on_progress = [&bar](std::size_t done, std::size_t total) {
-    bar.Show(done, total);
+  run.on_progress = [&bar](std::size_t done, std::size_t total, double part) {
+    bar.Show(done, total, part);
   };
   return Run(questions, oracles, ledger, run);
 }

@@ -32,9 +32,10 @@ Ledger BuiltInLedger(const Session& session, const ScenarioSelection& selection,
 
 /** Options for running scenarios. */
 struct SuiteOptions {
-  int jobs = 0;          ///< Same as RunOptions::jobs.
-  bool partial = false;  ///< Same as RunOptions::partial.
-  bool quiet = false;    ///< No progress bar.
+  int jobs = 0;               ///< Same as RunOptions::jobs.
+  bool partial = false;       ///< Same as RunOptions::partial.
+  bool quiet = false;         ///< No progress bar.
+  WorldsOptions worlds = {};  ///< Same as RunOptions::worlds.
 };
 
 /** Runs the questions on the oracles and shows a progress bar. Ledger entries expire

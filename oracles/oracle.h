@@ -84,6 +84,11 @@ struct OracleInfo {
   /** The documented depth at which the engine leaves bodies in contact. [m] */
   double slop = 0;
   std::string slop_documented_by;  ///< Source of `slop`; empty only if it is 0.
+  /** The documented speed |v| + R |ω| below which the engine sets a body's velocity to
+   zero when it falls asleep, R the radius of its bounding sphere; 0 if none sleeps. [m/s]
+ */
+  double sleep_speed = 0;
+  std::string sleep_documented_by;  ///< Source of `sleep_speed`; empty only if it is 0.
   /** Whether it simulates worlds at all; see also AnswersContacts(). */
   bool simulates = false;
   /** The engine's own documented relative error of the energy and of the angular momentum

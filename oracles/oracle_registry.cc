@@ -24,6 +24,7 @@ Oracles Cookbook() {
   Oracles oracles;
   oracles.push_back(std::make_unique<CookbookOracle>());
   oracles.push_back(std::make_unique<CookbookBatchOracle>());
+  oracles.push_back(std::make_unique<CookbookOracle>(CookbookSetup::kSleeping));
   oracles.push_back(MakePrintedOracle("printed"));
   return oracles;
 }

@@ -2,15 +2,13 @@
 
 #include <cmath>
 
+#include "scenarios/worlds/magnitudes.h"
+
 namespace touchstone {
 namespace {
 
-/** Larger than any value of a meaningful world, in SI units: a speed of a kilometre per
- nanosecond. */
-constexpr double kLargest = 1e12;
-
 bool IsSane(const Eigen::Vector3d& v) {
-  return v.allFinite() && v.cwiseAbs().maxCoeff() < kLargest;
+  return v.allFinite() && v.cwiseAbs().maxCoeff() < kMostReached;
 }
 
 bool IsSane(const WorldState& state) {
@@ -29,8 +27,10 @@ bool IsSane(const WorldState& state) {
 }
 
 bool IsSane(const ContactImpulse& contact) {
-  // An impulse has no upper limit, because the mass has none.
-  return IsSane(contact.p_WC) && IsSane(contact.n_AB_W) && contact.J_B_W.allFinite();
+  // The momentum of the heaviest body at the largest speed, gained and lost.
+  constexpr double kLargestImpulse = 2 * kMostMagnitude * kMostReached;
+  return IsSane(contact.p_WC) && IsSane(contact.n_AB_W) && contact.J_B_W.allFinite() &&
+         contact.J_B_W.cwiseAbs().maxCoeff() < kLargestImpulse;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <tuple>
 
 #include "reports/contacts/causes/precision.h"
 #include "reports/contacts/consensus.h"
@@ -10,6 +11,7 @@
 #include "reports/contacts/judge_answer.h"
 #include "reports/contacts/judge_variant.h"
 #include "reports/contacts/tolerances.h"
+#include "reports/finding/decisive.h"
 #include "reports/ledger/apply_ledger.h"
 #include "reports/ledger/check_catalogue.h"
 #include "reports/measures/invalidity.h"
@@ -25,27 +27,35 @@ namespace {
  the work evenly, large enough that starting a batch costs next to nothing. */
 constexpr std::size_t kBatch = 64;
 
-/** A range of the questions, put to one oracle at once. */
+/** The number of batches of an isolated oracle, which forks once for each, for several
+ threads. One thread has nobody to share them with, and takes one. */
+constexpr std::size_t kIsolatedBatches = 8;
+
+/** Some of the questions, put to one oracle at once: every `stride`-th from `first` on
+ and before `end`. */
 struct Batch {
   std::size_t oracle;
-  std::size_t begin;
+  std::size_t first;
   std::size_t end;
+  std::size_t stride = 1;
 };
 
-/** Splits the questions to each oracle into batches. An isolated oracle forks once per
- batch: it has a single batch, and goes first because it is the slowest. */
+/** Splits the questions to each oracle into batches. Those of an isolated oracle go first
+ because it is the slowest. They are dealt out in turn: questions on which it hangs are
+ next to each other, and threads then share the time. */
 std::vector<Batch> BatchesOf(std::span<const Oracle* const> oracles,
-                             const std::vector<std::size_t>& counts) {
+                             const std::vector<std::size_t>& counts, int jobs) {
+  const std::size_t most = jobs == 1 ? 1 : kIsolatedBatches;
   std::vector<Batch> isolated;
   std::vector<Batch> others;
   for (std::size_t i = 0; i < oracles.size(); ++i) {
     if (oracles[i]->info().isolated) {
-      if (counts[i] > 0) isolated.push_back({i, 0, counts[i]});
+      for (std::size_t first = 0; first < std::min(counts[i], most); ++first)
+        isolated.push_back({i, first, counts[i], most});
       continue;
     }
-    for (std::size_t begin = 0; begin < counts[i]; begin += kBatch) {
+    for (std::size_t begin = 0; begin < counts[i]; begin += kBatch)
       others.push_back({i, begin, std::min(begin + kBatch, counts[i])});
-    }
   }
   isolated.insert(isolated.end(), others.begin(), others.end());
   return isolated;
@@ -63,13 +73,28 @@ struct Round {
   std::vector<std::vector<ContactAnswer>> answers;
 };
 
-void AskSupported(const Oracle& oracle, std::span<const ContactQuery> queries,
-                  std::span<ContactAnswer> answers) {
+const Capability& CapabilityFor(const Oracle& oracle, const ContactQuery& query) {
+  return oracle.info().For(KindOf(query.A.shape), KindOf(query.B.shape));
+}
+
+/** Puts those questions of a batch to `oracle` that it supports, and returns the number
+ of all of them. */
+std::size_t AskSupported(const Oracle& oracle, const Batch& batch,
+                         std::span<const ContactQuery> queries,
+                         std::span<ContactAnswer> answers) {
+  const auto together = queries.subspan(batch.first, batch.end - batch.first);
+  if (batch.stride == 1 && std::ranges::all_of(together, [&](const ContactQuery& query) {
+        return CapabilityFor(oracle, query).supported;
+      })) {
+    oracle.Answer(together, answers.subspan(batch.first, together.size()));
+    return together.size();
+  }
+  std::size_t count = 0;
   std::vector<ContactQuery> supported;
   std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    const Capability& capability =
-        oracle.info().For(KindOf(queries[i].A.shape), KindOf(queries[i].B.shape));
+  for (std::size_t i = batch.first; i < batch.end; i += batch.stride) {
+    ++count;
+    const Capability& capability = CapabilityFor(oracle, queries[i]);
     if (capability.supported) {
       supported.push_back(queries[i]);
       places.push_back(i);
@@ -82,6 +107,7 @@ void AskSupported(const Oracle& oracle, std::span<const ContactQuery> queries,
   if (!supported.empty()) oracle.Answer(supported, given);
   for (std::size_t i = 0; i < places.size(); ++i)
     answers[places[i]] = std::move(given[i]);
+  return count;
 }
 
 void Round::Ask(std::span<const Oracle* const> oracles, int jobs,
@@ -91,12 +117,12 @@ void Round::Ask(std::span<const Oracle* const> oracles, int jobs,
     counts.push_back(queries[i].size());
     answers[i].resize(queries[i].size());
   }
-  const std::vector<Batch> batches = BatchesOf(oracles, counts);
+  const std::vector<Batch> batches = BatchesOf(oracles, counts, jobs);
   ParallelFor(batches.size(), jobs, [&](std::size_t b) {
-    const auto& [i, begin, end] = batches[b];
-    AskSupported(*oracles[i], std::span(queries[i]).subspan(begin, end - begin),
-                 std::span(answers[i]).subspan(begin, end - begin));
-    if (on_done) on_done(end - begin);
+    const std::size_t i = batches[b].oracle;
+    const std::size_t asked =
+        AskSupported(*oracles[i], batches[b], queries[i], answers[i]);
+    if (on_done) on_done(asked);
   });
 }
 
@@ -109,6 +135,9 @@ bool IsComparable(const ScenarioResult& result, const OracleInfo& oracle,
              answer, TolerancesOf(oracle, result.scenario, result.truth, answer.touching)
                          .unit_normal);
 }
+
+/** The work of asking and judging one contact query, roughly. [body-steps] */
+constexpr double kContactWork = 100;
 
 /** A run in progress. */
 class Suite {
@@ -134,16 +163,20 @@ class Suite {
     std::stable_sort(
         world_scenarios_.begin(), world_scenarios_.end(),
         [](const WorldScenario& a, const WorldScenario& b) { return a.id < b.id; });
-    total_ = oracles.size() * report_.scenarios.size() +
-             CountOfWorldRuns(world_scenarios_, oracles);
+    const std::size_t contacts = oracles.size() * report_.scenarios.size();
+    total_ = contacts + CountOfWorldRuns(world_scenarios_, oracles);
+    total_work_ = kContactWork * static_cast<double>(contacts) +
+                  WorkOfWorlds(world_scenarios_, oracles);
   }
 
   RunReport Report(const Ledger& ledger) && {
+    Progress(0, 0);
     EstablishTruth();
     AskQuestions();
     Judge();
     AskVariants();
     SortFindings();
+    LimitExamination();
     Explain();
     Collect();
     ExplainTheRest(report_.scenarios, report_.oracles, report_.findings);
@@ -172,7 +205,9 @@ class Suite {
       for (const ScenarioResult& r : report_.scenarios)
         queries.push_back(r.scenario.contact);
     }
-    round.Ask(oracles_, options_.jobs, [this](std::size_t more) { Progress(more); });
+    round.Ask(oracles_, options_.jobs, [this](std::size_t more) {
+      Progress(more, kContactWork * static_cast<double>(more));
+    });
     for (std::size_t s = 0; s < report_.scenarios.size(); ++s) {
       for (auto& answers : round.answers) {
         report_.scenarios[s].answers.push_back(std::move(answers[s]));
@@ -180,16 +215,22 @@ class Suite {
     }
   }
 
-  /** Counts `more` questions as done. May be called from any thread. */
-  void Progress(std::size_t more) {
+  /** Counts `more` questions and their work [body-steps] as done. May be called from any
+   thread. */
+  void Progress(std::size_t more, double work) {
     const std::scoped_lock lock(progress_);
     done_ += more;
-    if (options_.on_progress) options_.on_progress(done_, total_);
+    work_ += work;
+    if (options_.on_progress)
+      options_.on_progress(done_, total_,
+                           total_ == 0 ? 0 : std::min(1.0, work_ / total_work_));
   }
 
   void RunTheWorlds() {
-    WorldsReport worlds =
-        RunWorlds(world_scenarios_, oracles_, options_.jobs, [this] { Progress(1); });
+    WorldsOptions options = options_.worlds;
+    options.jobs = options_.jobs;
+    options.on_done = [this](double body_steps) { Progress(1, body_steps); };
+    WorldsReport worlds = RunWorlds(world_scenarios_, oracles_, options);
     report_.worlds = std::move(worlds.worlds);
     std::move(worlds.findings.begin(), worlds.findings.end(),
               std::back_inserter(report_.findings));
@@ -199,21 +240,29 @@ class Suite {
     ForEachScenario([this](ScenarioResult& result, std::vector<Finding>& findings) {
       for (std::size_t i = 0; i < oracles_.size(); ++i) {
         if (!report_.oracles[i].AnswersContacts()) continue;
-        std::vector<Finding> of_oracle = JudgeAnswer(
-            result.scenario, result.truth, report_.oracles[i], result.answers[i]);
-        std::move(of_oracle.begin(), of_oracle.end(), std::back_inserter(findings));
+        std::vector<Finding> of_oracle =
+            JudgeAnswer(result.scenario, result.truth, report_.oracles[i],
+                        result.answers[i], options_.reasons);
+        if (findings.empty())
+          findings = std::move(of_oracle);
+        else
+          std::move(of_oracle.begin(), of_oracle.end(), std::back_inserter(findings));
       }
       SettleByConsensus(result, report_.oracles, findings);
     });
   }
 
   /** Asks the variants of every answered question, all in one round, so that an isolated
-   oracle forks only once more. */
+   oracle forks only a few times more. */
   void AskVariants() {
-    std::vector<std::vector<Variant>> variants(report_.scenarios.size());
-    ParallelFor(variants.size(), options_.jobs, [&](std::size_t s) {
-      variants[s] = VariantsOf(report_.scenarios[s].scenario);
-    });
+    VariantsOfAll own;
+    VariantsOfAll& variants = options_.variants ? *options_.variants : own;
+    if (variants.empty()) {
+      variants.resize(report_.scenarios.size());
+      ParallelFor(variants.size(), options_.jobs, [&](std::size_t s) {
+        variants[s] = VariantsOf(report_.scenarios[s].scenario);
+      });
+    }
     Round round(oracles_.size());
     struct Asked {
       std::size_t oracle;
@@ -234,10 +283,17 @@ class Suite {
     round.Ask(oracles_, options_.jobs, nullptr);
     ParallelFor(asked.size(), options_.jobs, [&](std::size_t s) {
       const ScenarioResult& result = report_.scenarios[s];
+      std::optional<std::size_t> last;
+      Tolerances tolerances;  // Those of oracle `last`.
       for (const auto& [i, v, place] : asked[s]) {
-        auto finding =
-            JudgeVariant(result.scenario, result.truth, report_.oracles[i],
-                         result.answers[i], variants[s][v], round.answers[i][place]);
+        if (last != i) {
+          tolerances = TolerancesOf(report_.oracles[i], result.scenario, result.truth,
+                                    result.answers[i].touching);
+          last = i;
+        }
+        auto finding = JudgeVariant(
+            result.scenario, result.truth, report_.oracles[i], result.answers[i],
+            variants[s][v], round.answers[i][place], tolerances, options_.reasons);
         if (finding) findings_[s].push_back(std::move(*finding));
       }
     });
@@ -248,12 +304,42 @@ class Suite {
     std::map<std::string_view, std::size_t> places;
     for (std::size_t i = 0; i < oracles_.size(); ++i) places[report_.oracles[i].name] = i;
     ForEachScenario([&](const ScenarioResult&, std::vector<Finding>& findings) {
-      std::stable_sort(findings.begin(), findings.end(),
-                       [&](const Finding& a, const Finding& b) {
-                         return std::pair(places.at(a.oracle), a.measure) <
-                                std::pair(places.at(b.oracle), b.measure);
-                       });
+      // A finding is large: each is moved once.
+      std::vector<std::tuple<std::size_t, MeasureKind, std::size_t>> keys;
+      keys.reserve(findings.size());
+      for (std::size_t f = 0; f < findings.size(); ++f)
+        keys.emplace_back(places.at(findings[f].oracle), findings[f].measure, f);
+      if (std::is_sorted(keys.begin(), keys.end())) return;
+      std::sort(keys.begin(), keys.end());
+      std::vector<Finding> sorted;
+      sorted.reserve(findings.size());
+      for (const auto& key : keys)
+        sorted.push_back(std::move(findings[std::get<2>(key)]));
+      findings = std::move(sorted);
     });
+  }
+
+  /** Marks the failures as kNotExamined that are beyond the limit of the options. */
+  void LimitExamination() {
+    if (!options_.examined_per_kind) return;
+    std::map<std::tuple<Verdict, MeasureKind, Grade>, std::size_t> examined;
+    for (std::vector<Finding>& findings : findings_) {
+      bool is_examined = false;
+      ForEachOracle(findings, [&](std::size_t i, std::span<Finding> of_oracle) {
+        if (i == 0) {
+          const Finding& decisive = *DecisiveOf(of_oracle);
+          is_examined = IsFailure(decisive.verdict) &&
+                        examined[{decisive.verdict, decisive.measure, decisive.grade}]++ <
+                            *options_.examined_per_kind;
+        }
+        if (is_examined) return;
+        for (Finding& finding : of_oracle) {
+          if (!IsProvedWrong(finding)) continue;
+          finding.cause = Cause::kNotExamined;
+          finding.cause_because.clear();
+        }
+      });
+    }
   }
 
   /** Finds causes: first those that the answers show. For failures still without a cause
@@ -283,15 +369,18 @@ class Suite {
       });
     }
     round.Ask(oracles_, options_.jobs, nullptr);
+    TruthsOfNeighbours own;
+    TruthsOfNeighbours& truths =
+        options_.truths_of_neighbours ? *options_.truths_of_neighbours : own;
+    truths.resize(findings_.size());
     ParallelFor(findings_.size(), options_.jobs, [&](std::size_t s) {
       const ScenarioResult& result = report_.scenarios[s];
-      std::map<double, std::vector<ContactTruth>> truths;  // Keyed by unit roundoff.
       ForEachOracle(findings_[s], [&](std::size_t i, std::span<Finding> of_oracle) {
         const auto& [begin, end] = asked[s][i];
         if (begin == end) return;
         const auto queries = std::span(round.queries[i]).subspan(begin, end - begin);
         std::vector<ContactTruth>& of_neighbours =
-            truths[report_.oracles[i].unit_roundoff];
+            truths[s][report_.oracles[i].unit_roundoff];
         if (of_neighbours.empty()) {
           for (const ContactQuery& query : queries)
             of_neighbours.push_back(ComputeContactTruth(query));
@@ -304,6 +393,9 @@ class Suite {
   }
 
   void Collect() {
+    std::size_t count = 0;
+    for (const std::vector<Finding>& findings : findings_) count += findings.size();
+    report_.findings.reserve(count);
     for (std::vector<Finding>& findings : findings_) {
       std::move(findings.begin(), findings.end(), std::back_inserter(report_.findings));
     }
@@ -334,6 +426,8 @@ class Suite {
   std::mutex progress_;
   std::size_t done_ = 0;
   std::size_t total_ = 0;
+  double work_ = 0;        ///< [body-steps]
+  double total_work_ = 0;  ///< [body-steps]
   RunReport report_;
   std::vector<std::vector<Finding>> findings_;  ///< Indexed by scenario.
 };

@@ -26,6 +26,13 @@ bool Answers(const RunReport& report, std::size_t oracle, std::size_t i) {
   return i < report.scenarios.size() ? info.AnswersContacts() : info.simulates;
 }
 
+std::size_t ImprovedCount(const RunReport& report) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(report.faults, [](const std::string& fault) {
+        return fault.find(": improved: ") != std::string::npos;
+      }));
+}
+
 bool IsSubjectExamined(const RunReport& report) {
   const std::span<const Finding> findings = report.findings;
   for (std::size_t begin = 0, end = 0; begin < findings.size(); begin = end) {

@@ -58,6 +58,10 @@ enum class FailOn {
   kSubject,   ///< Only the subject's failures and the faults of files count.
 };
 
+/** Returns how many of the faults of files are entries or bounds of the ledger that hide
+ less than they allow: they say "improved", and nothing is wrong but the ledger. */
+std::size_t ImprovedCount(const RunReport& report);
+
 /** Returns whether any answer of the subject was verified, see IsVerified(). */
 bool IsSubjectExamined(const RunReport& report);
 

@@ -40,6 +40,7 @@ constexpr std::array<MeasureNames, kMeasureKinds> kMeasures = {{
     {"energy_drift", "J"},
     {"momentum_balance", "N s"},
     {"angular_momentum_balance", "N m s"},
+    {"contact_place", "m"},
     {"penetration", "m"},
     {"passage", "m"},
     {"rest_motion", "m"},

@@ -103,7 +103,9 @@ void CheckQuaternion(const Pose& pose, std::vector<Fault>& faults) {
   if (!(std::abs(norm - 1) <= kQuaternionSlack)) {
     faults.push_back(
         {"quaternion", fmt::format("has norm {}", norm),
-         fmt::format("a unit quaternion w, x, y, z, to {}", kQuaternionSlack)});
+         fmt::format("a unit quaternion w, x, y, z: of norm 1 to {} in a file, to {} "
+                     "in a program",
+                     kRotationSlack, kQuaternionSlack)});
   } else if (pose.R_WB != pose.q_WB->toRotationMatrix()) {
     faults.push_back({"quaternion", "does not match the pose's rotation matrix",
                       "a pose made by Pose::FromQuaternion"});

@@ -78,11 +78,14 @@ ChosenFault ChooseFault(const Session& session, const FaultSelection& selection)
   const std::vector<const Oracle*> oracles = OraclesOf(session, selection.oracle);
   const Question question = OnlyQuestion(selection.scenarios);
   std::vector<ChosenFault> faults;
+  std::string reason;  // Why the last oracle does not answer.
   for (const Oracle* const oracle : oracles) {
     ChosenFault fault{question, oracle, AskAlone(question, *oracle), {}};
     if (const Finding* const finding = FaultIn(fault.report, measure)) {
       fault.finding = *finding;
       faults.push_back(std::move(fault));
+    } else {
+      reason = ReasonOf(fault.report, OutcomesOf(fault.report).front());
     }
   }
   if (faults.size() > 1) {
@@ -99,10 +102,11 @@ ChosenFault ChooseFault(const Session& session, const FaultSelection& selection)
   }
   if (faults.empty()) {
     throw InputError(fmt::format(
-        "{} is proved wrong{} in {}; expected a fault",
+        "{} is proved wrong{} in {}{}; expected a fault",
         oracles.size() == 1 ? "no answer of " + oracles.front()->info().name
                             : "no oracle",
-        measure ? fmt::format(" in {}", NameOf(*measure)) : "", IdOf(question)));
+        measure ? fmt::format(" in {}", NameOf(*measure)) : "", IdOf(question),
+        oracles.size() == 1 && !reason.empty() ? ": " + reason : ""));
   }
   return std::move(faults.front());
 }

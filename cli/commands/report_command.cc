@@ -3,15 +3,23 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <ostream>
+#include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "cli/input_error.h"
 #include "cli/output_folder.h"
+#include "cli/select_oracles.h"
 #include "reports/baseline/baseline.h"
+#include "reports/sweep/database.h"
+#include "reports/sweep/sweep_page.h"
 #include "reports/writers/comparison_writer.h"
 #include "reports/writers/html_writer.h"
 #include "reports/writers/read_report_data.h"
+#include "reports/writers/report_data.h"
 
 namespace touchstone {
 namespace {
@@ -44,6 +52,47 @@ class OutputFile {
   std::filesystem::path name_;
 };
 
+/** Returns the file of a finished sweep that `run` is or holds; a run's data have
+ precedence. */
+std::optional<std::filesystem::path> SweepIn(const std::filesystem::path& run) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(run, error)) {
+    return run.extension() == ".sqlite" ? std::optional(run) : std::nullopt;
+  }
+  const std::filesystem::path sweep = run / "sweep.sqlite";
+  if (std::filesystem::exists(run / "report.data", error) ||
+      !std::filesystem::exists(sweep, error)) {
+    return std::nullopt;
+  }
+  return sweep;
+}
+
+/** Questions of a sweep that are asked again: some ten seconds of work with all engines,
+ for contact questions. A world, with its variants and smaller steps, takes as long as
+ many of them. */
+constexpr KeptLimits kLimits = {.contacts = 200, .worlds = 40};
+
+/** Asks the kept questions of a sweep again and returns the data of the page. Throws
+ InputError. */
+std::string DataOfSweep(const Session& session, const std::filesystem::path& file,
+                        int jobs) try {
+  const auto oracle_named = [&](const std::string& name) -> const Oracle& {
+    return OracleNamed(session.registry, name);
+  };
+  const KeptQuestions kept = ReadKeptQuestions(file, kLimits, oracle_named);
+  std::vector<const Oracle*> oracles;
+  for (const std::string& name : kept.subjects)
+    oracles.push_back(&OracleNamed(session.registry, name));
+  const RunReport report =
+      RunSuite(session, kept.questions, oracles, {}, {.jobs = jobs, .partial = true});
+  return WithSweep(ReportData(report, {.program = "touchstone " TOUCHSTONE_VERSION,
+                                       .command = "touchstone report " + file.string(),
+                                       .fail_on = FailOn::kAnything}),
+                   file, BuiltInLedger(session, {}, {}));
+} catch (const SweepFileError& error) {
+  throw InputError(error.what());
+}
+
 void WriteIfAsked(const std::optional<std::filesystem::path>& file,
                   const std::function<void(std::ostream&)>& write) {
   if (file) OutputFile(*file).Write(write);
@@ -51,7 +100,13 @@ void WriteIfAsked(const std::optional<std::filesystem::path>& file,
 
 }  // namespace
 
-int ReportCommand(const ReportArguments& arguments) {
+int ReportCommand(const Session& session, const ReportArguments& arguments) {
+  if (const auto sweep = SweepIn(arguments.run)) {
+    const OutputFile out(arguments.out);
+    const std::string data = DataOfSweep(session, *sweep, arguments.jobs);
+    out.Write([&](std::ostream& to) { WritePage(data, to); });
+    return 0;
+  }
   const ReadReportData data = DataIn(arguments.run);
   OutputFile(arguments.out).Write([&](std::ostream& to) { WritePage(data.bytes, to); });
   return 0;

@@ -3,16 +3,22 @@
 #include <filesystem>
 #include <optional>
 
+#include "cli/session.h"
+
 namespace touchstone {
 
 /** The arguments of `touchstone report`. */
 struct ReportArguments {
-  std::filesystem::path run;  ///< The folder of a run, or its report.data.
+  /** The folder of a run or of a sweep, or its report.data or sweep.sqlite. */
+  std::filesystem::path run;
   std::filesystem::path out;  ///< The page.
+  int jobs = 0;               ///< Threads that ask a sweep's questions again.
 };
 
-/** Writes the page of an earlier run with the viewer of this program. Returns 0. */
-int ReportCommand(const ReportArguments& arguments);
+/** Writes the page of an earlier run with the viewer of this program. The questions of
+ failures that a sweep has kept are asked again, so that the page shows the answers.
+ Returns 0. */
+int ReportCommand(const Session& session, const ReportArguments& arguments);
 
 /** The arguments of `touchstone compare`. */
 struct CompareArguments {

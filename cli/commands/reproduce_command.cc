@@ -15,20 +15,18 @@
 namespace touchstone {
 namespace {
 
-/** Refuses a world before it is simulated. */
-void RefuseWorld(const ScenarioSelection& selection) {
-  const Questions questions = SelectQuestions(selection);
-  if (!questions.contacts.empty() || questions.worlds.size() != 1) return;
-  throw InputError(fmt::format(
-      "{} is a world; expected a contact query: programs for worlds are not supported",
-      IdOf(questions.worlds.front())));
-}
-
 /** The files for one finding of a fault. */
 struct Written {
   Reproduction files;
   const Finding* finding;
 };
+
+Reproduction FilesOf(const ChosenFault& fault, const Finding& finding) {
+  const OracleInfo& oracle = fault.oracle->info();
+  if (std::holds_alternative<WorldScenario>(fault.question))
+    return Reproduce(fault.report.worlds.front(), oracle, finding);
+  return Reproduce(fault.report.scenarios.front(), oracle, finding);
+}
 
 /** Returns the files for the chosen finding or, if no program can check its measure and
  the user named none, for the gravest of the others. */
@@ -44,8 +42,7 @@ Written FilesOf(const ChosenFault& fault, bool is_measure_named) {
   std::string reason;
   for (const Finding* const finding : candidates) {
     try {
-      return {Reproduce(fault.report.scenarios.front(), fault.oracle->info(), *finding),
-              finding};
+      return {FilesOf(fault, *finding), finding};
     } catch (const CannotReproduce& error) {
       if (reason.empty()) reason = error.what();
     }
@@ -57,7 +54,6 @@ Written FilesOf(const ChosenFault& fault, bool is_measure_named) {
 }  // namespace
 
 int ReproduceCommand(const Session& session, const ReproduceArguments& arguments) {
-  RefuseWorld(arguments.fault.scenarios);
   const ChosenFault fault = ChooseFault(session, arguments.fault);
   const Written written = FilesOf(fault, !arguments.fault.measure.empty());
   const OutputFolder folder(arguments.out);

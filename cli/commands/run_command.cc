@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <exception>
+#include <functional>
 #include <iostream>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -11,9 +16,13 @@
 #include <fmt/ranges.h>
 
 #include "cli/input_error.h"
+#include "cli/interrupt.h"
 #include "cli/open_page.h"
 #include "cli/output_folder.h"
+#include "cli/program_identity.h"
 #include "reports/baseline/baseline.h"
+#include "reports/journal/run_journal.h"
+#include "reports/sweep/question_id.h"
 #include "reports/writers/html_writer.h"
 #include "reports/writers/json_writer.h"
 #include "reports/writers/junit_writer.h"
@@ -61,16 +70,77 @@ void WriteReports(const RunReport& report, const RunFacts& facts,
   out.Write("junit.xml", [&](std::ostream& to) { WriteJUnit(report, to); });
 }
 
+/** The worlds of a run that are kept in its folder while it runs, and the requests to
+ stop. */
+class KeptWorlds {
+ public:
+  /** Without `resume`, forgets what an earlier run left. */
+  KeptWorlds(const std::filesystem::path& folder, bool resume)
+      : journal_(folder / "run.unfinished.sqlite", ProgramIdentity()) {
+    if (resume || journal_.size() == 0) return;
+    std::cerr << fmt::format(
+        "touchstone: {} judged motions of an interrupted run are discarded; --resume "
+        "would "
+        "have used them\n",
+        journal_.size());
+    journal_.Clear();
+  }
+
+  WorldsOptions Options() {
+    return {.find = [this](const WorldScenario& scenario, const OracleInfo& oracle)
+                -> std::optional<Examination> { return journal_.Find(scenario, oracle); },
+            .keep =
+                [this](const WorldScenario& scenario, const OracleInfo& oracle,
+                       const Examination& examination) {
+                  Keep(scenario, oracle, examination);
+                },
+            .stop = [this] { return has_failed_ || Interrupt::signal() != 0; }};
+  }
+
+  /** Throws what went wrong when a result was to be kept. */
+  void Rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+  std::size_t size() const { return journal_.size(); }
+  void Remove() { journal_.Remove(); }
+
+ private:
+  /** No exception may leave a thread of the run. */
+  void Keep(const WorldScenario& scenario, const OracleInfo& oracle,
+            const Examination& examination) {
+    try {
+      journal_.Keep(scenario, oracle, examination);
+    } catch (const SweepFileError&) {
+      if (!has_failed_.exchange(true)) error_ = std::current_exception();
+    }
+  }
+
+  RunJournal journal_;
+  std::atomic<bool> has_failed_ = false;
+  std::exception_ptr error_;
+};
+
+/** Returns the ids of questions that only their files ask. */
+std::set<std::string, std::less<>> OnlyInFiles(const Session& session,
+                                               const ScenarioSelection& selection,
+                                               const Questions& questions) {
+  std::set<std::string, std::less<>> ids =
+      OutsideCatalogue(selection, questions, session.catalogue());
+  std::erase_if(ids, [](const std::string& id) { return QuestionOfId(id).has_value(); });
+  return ids;
+}
+
 }  // namespace
 
-int RunCommand(const Session& session, const RunArguments& arguments) {
+int RunCommand(const Session& session, const RunArguments& arguments) try {
   const std::vector<const Oracle*> oracles =
       SelectOracles(session.registry, arguments.oracles);
   const Questions questions = SelectQuestions(arguments.scenarios);
   const Ledger ledger = arguments.ledger
                             ? ReadLedgerOf(*arguments.ledger)
                             : BuiltInLedger(session, arguments.scenarios, questions);
-  const SuiteOptions options{
+  SuiteOptions options{
       .jobs = arguments.jobs,
       // The ledger covers the whole default catalogue and every reference, all set up as
       // the adapters do.
@@ -88,7 +158,25 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
   }
   std::optional<Baseline> baseline;
   if (arguments.baseline) baseline = BaselineIn(*arguments.baseline);
+  const Interrupt interrupt;
+  options.worlds.stop = [] { return Interrupt::signal() != 0; };
+  std::optional<KeptWorlds> kept;
+  if (out) kept.emplace(*folder, arguments.resume);
+  if (kept) options.worlds = kept->Options();
   RunReport report = RunSuite(session, questions, oracles, ledger, options);
+  if (kept) kept->Rethrow();
+  if (const int signal = Interrupt::signal()) {
+    std::cerr << (kept ? fmt::format(
+                             "touchstone: stopped; {} keeps the {} judged motions, "
+                             "the same command with --resume goes on from there.{}\n",
+                             folder->string(), kept->size(),
+                             std::filesystem::exists(*folder / kReportFiles[0])
+                                 ? " Its report.html is still that of an earlier run."
+                                 : "")
+                       : "touchstone: stopped; with --out, --resume would go on from "
+                         "there\n");
+    return 128 + signal;
+  }
   if (baseline) CompareWithBaseline(report, *baseline);
 
   WriteTable(report,
@@ -108,12 +196,16 @@ int RunCommand(const Session& session, const RunArguments& arguments) {
     WriteReports(report,
                  {.program = "touchstone " TOUCHSTONE_VERSION,
                   .command = CommandOf(arguments),
-                  .fail_on = arguments.fail_on},
+                  .fail_on = arguments.fail_on,
+                  .own = OnlyInFiles(session, arguments.scenarios, questions)},
                  *out);
+    kept->Remove();
     std::cout << fmt::format("page: {}\n", (*folder / "report.html").string());
   }
   if (arguments.open) OpenPage(*folder / "report.html");
   return ExitCode(report, arguments.fail_on);
+} catch (const SweepFileError& error) {
+  throw InputError(error.what());
 }
 
 }  // namespace touchstone

@@ -18,6 +18,8 @@ struct RunArguments {
   std::optional<std::filesystem::path> baseline;
   std::optional<std::filesystem::path>
       out;  ///< Folder for the page, its data, the JSON Lines and the JUnit file.
+  /** Whether results that an interrupted run left in `out` are used. */
+  bool resume = false;
   bool open = false;  ///< Whether to show the page in the browser.
   FailOn fail_on = FailOn::kAnything;
   int jobs = 0;

@@ -1,9 +1,11 @@
 #include "cli/commands/shrink_command.h"
 
 #include <iostream>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "cli/interrupt.h"
 #include "cli/output_folder.h"
 #include "cli/progress_bar.h"
 #include "reports/shrink/shrunk_file.h"
@@ -19,22 +21,32 @@ int ShrinkCommand(const Session& session, const ShrinkArguments& arguments) {
     folder->Check(arguments.out->filename());
   }
   const ChosenFault fault = ChooseFault(session, arguments.fault);
-  ProgressBar bar(session.terminal, arguments.quiet);
+  const Interrupt interrupt;
+  std::optional<ProgressBar> bar;
+  bar.emplace(session.terminal, arguments.quiet);
   const auto tries = static_cast<std::size_t>(arguments.tries);
-  const Shrunk shrunk =
-      Shrink(fault.question, *fault.oracle, fault.finding,
-             {.tries = tries, .on_try = [&](std::size_t n) { bar.Show(n, tries); }});
+  const Shrunk shrunk = Shrink(fault.question, *fault.oracle, fault.finding,
+                               {.tries = tries,
+                                .on_try = [&](std::size_t n) { bar->Show(n, tries); },
+                                .stop = [] { return Interrupt::signal() != 0; }});
+  bar.reset();
   const std::string file = FileOf(shrunk, fault.question);
-  if (!folder) {
+  if (folder) {
+    folder->Write(arguments.out->filename(), [&](std::ostream& out) { out << file; });
+    if (!arguments.quiet) {
+      std::cout << fmt::format("{} asked, {} kept{}\n{}\n",
+                               Counted(shrunk.tried, "smaller question"), shrunk.accepted,
+                               shrunk.is_smallest ? "" : "; it ended before the smallest",
+                               Sentence(shrunk.finding));
+    }
+  } else {
     std::cout << file;
-    return 0;
   }
-  folder->Write(arguments.out->filename(), [&](std::ostream& out) { out << file; });
-  if (!arguments.quiet) {
-    std::cout << fmt::format("{} asked, {} kept{}\n{}\n",
-                             Counted(shrunk.tried, "smaller question"), shrunk.accepted,
-                             shrunk.is_smallest ? "" : "; the tries ran out",
-                             Sentence(shrunk.finding));
+  if (const int signal = Interrupt::signal()) {
+    std::cout.flush();
+    std::cerr << "touchstone: stopped; the file is the smallest question so far, and "
+                 "`touchstone shrink` goes on from it\n";
+    return 128 + signal;
   }
   return 0;
 }

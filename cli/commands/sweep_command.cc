@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iostream>
+#include <map>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -17,6 +21,8 @@
 #include "cli/progress_bar.h"
 #include "reports/sweep/merge.h"
 #include "reports/sweep/sweep.h"
+#include "reports/text/commented.h"
+#include "reports/text/counted.h"
 #include "reports/writers/explanation_writer.h"
 #include "scenarios/scenario_file.h"
 
@@ -26,14 +32,19 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using KindPair = std::pair<ShapeKind, ShapeKind>;
 
-std::vector<Family> FamiliesNamed(const std::vector<std::string>& names) {
-  std::vector<Family> families;
+/** Returns the families with those names, each once, or `all` for the name "all". Throws
+ InputError for an unknown name. */
+template <typename AnyFamily>
+std::vector<AnyFamily> FamiliesNamed(
+    const std::vector<std::string>& names, const std::vector<AnyFamily>& all,
+    std::optional<AnyFamily> (*family_named)(std::string_view)) {
+  std::vector<AnyFamily> families;
   for (const std::string& name : names) {
-    if (name == "all") return AllFamilies();
-    const std::optional<Family> family = FamilyNamed(name);
+    if (name == "all") return all;
+    const std::optional<AnyFamily> family = family_named(name);
     if (!family) {
       std::vector<std::string_view> known = {"all"};
-      for (const Family each : AllFamilies()) known.push_back(NameOf(each));
+      for (const AnyFamily each : all) known.push_back(NameOf(each));
       throw InputError(fmt::format("there is no family '{}'{}; expected one of: {}", name,
                                    DidYouMean(name, known), fmt::join(known, ", ")));
     }
@@ -43,15 +54,11 @@ std::vector<Family> FamiliesNamed(const std::vector<std::string>& names) {
   return families;
 }
 
+/** @pre `name` is that of a shape; the command line refuses others. */
 ShapeKind KindNamed(const std::string& name) {
-  std::array<std::string_view, kShapeKinds> names;
-  for (int i = 0; i < kShapeKinds; ++i) {
-    const ShapeKind kind = static_cast<ShapeKind>(i);
-    if (NameOf(kind) == name) return kind;
-    names[static_cast<std::size_t>(i)] = NameOf(kind);
-  }
-  throw InputError(fmt::format("there is no shape '{}'{}; expected one of: {}", name,
-                               DidYouMean(name, names), fmt::join(names, ", ")));
+  int kind = 0;
+  while (NameOf(static_cast<ShapeKind>(kind)) != name) ++kind;
+  return static_cast<ShapeKind>(kind);
 }
 
 std::vector<KindPair> PairsOf(const SweepArguments& arguments,
@@ -75,27 +82,62 @@ std::vector<KindPair> PairsOf(const SweepArguments& arguments,
   return pairs;
 }
 
+std::vector<Series> ContactSeries(const SweepArguments& arguments,
+                                  const std::vector<const Oracle*>& subjects) {
+  std::vector<Series> series;
+  const std::vector<KindPair> pairs = PairsOf(arguments, subjects);
+  for (const Family family :
+       FamiliesNamed(arguments.families, AllFamilies(), &FamilyNamed)) {
+    for (const auto& [A, B] : pairs) {
+      series.emplace_back(QuestionSeries{.family = family,
+                                         .A = A,
+                                         .B = B,
+                                         .seed = arguments.seed,
+                                         .first = arguments.first,
+                                         .count = arguments.count,
+                                         .climb = arguments.climb});
+    }
+  }
+  return series;
+}
+
+std::vector<Series> SeriesOfWorlds(const SweepArguments& arguments) {
+  if (!arguments.pairs.empty() || arguments.climb > 1) {
+    throw InputError(fmt::format("{} is for contact questions; expected no such option",
+                                 arguments.climb > 1 ? "--climb" : "--pair"));
+  }
+  if (!arguments.oracles.tolerance.IsZero()) {
+    throw InputError(
+        "--tolerance is for contact questions; expected no such option (a world claims "
+        "its own tolerances)");
+  }
+  std::vector<Series> series;
+  for (const WorldFamily family :
+       FamiliesNamed(arguments.families, AllWorldFamilies(), &WorldFamilyNamed)) {
+    series.emplace_back(WorldSeries{.family = family,
+                                    .seed = arguments.seed,
+                                    .first = arguments.first,
+                                    .count = arguments.count});
+  }
+  return series;
+}
+
 SweepPlan PlanOf(const Session& session, const SweepArguments& arguments) {
   SweepPlan plan;
-  plan.subjects = SubjectsNamed(session.registry, arguments.oracles.subject);
+  plan.subjects =
+      SubjectsNamed(session.registry, arguments.oracles.subject, arguments.kind);
   if (!arguments.oracles.against.empty()) {
     OracleSelection selection = arguments.oracles;
     selection.subject = plan.subjects.front()->info().name;
     const std::vector<const Oracle*> oracles = SelectOracles(session.registry, selection);
-    plan.references.assign(oracles.begin() + 1, oracles.end());
+    // Laws judge a motion, whatever the references do, so they have no part in the
+    // result.
+    if (arguments.kind == QuestionKind::kContact)
+      plan.references.assign(oracles.begin() + 1, oracles.end());
   }
-  const std::vector<KindPair> pairs = PairsOf(arguments, plan.subjects);
-  for (const Family family : FamiliesNamed(arguments.families)) {
-    for (const auto& [A, B] : pairs) {
-      plan.series.push_back({.family = family,
-                             .A = A,
-                             .B = B,
-                             .seed = arguments.seed,
-                             .first = arguments.first,
-                             .count = arguments.count,
-                             .climb = arguments.climb});
-    }
-  }
+  plan.series = arguments.kind == QuestionKind::kWorld
+                    ? SeriesOfWorlds(arguments)
+                    : ContactSeries(arguments, plan.subjects);
   return plan;
 }
 
@@ -132,50 +174,102 @@ Swept SweepInMemory(const SweepPlan& plan, const SweepOptions& options) {
   return {std::move(file), complete};
 }
 
-Scenario ScenarioOf(const FailedQuestion& failure) {
-  return ReadScenario(failure.scenario, "a kept failure").scenario.value();
+/** Returns the question of a kept failure, one contact or one world. */
+Questions QuestionOf(const std::string& scenario) {
+  const ReadResult read = ReadScenario(scenario, "a kept failure");
+  Questions question;
+  if (read.scenario) question.contacts.push_back(*read.scenario);
+  if (read.world) question.worlds.push_back(*read.world);
+  return question;
 }
 
-/** Writes the failed questions that the file keeps as scenario files. */
-void WriteFailures(const OutputFolder& folder, const SweepFile& file) {
+const std::string& IdOf(const Questions& question) {
+  return question.worlds.empty() ? question.contacts.at(0).id : question.worlds[0].id;
+}
+
+/** Returns the comment that says which answer of `subject` failed a question. */
+std::string CommentOn(const FailedQuestion& failure, const std::string& subject) {
+  const std::string_view unit = UnitOf(failure.kind.measure);
+  return Commented(fmt::format("{} fails {}{}{}: {:.3g}{}{} where {:.3g} is allowed. {}",
+                               subject, NameOf(failure.kind.measure),
+                               failure.kind.law.empty() ? "" : " of the law ",
+                               failure.kind.law, failure.value, unit.empty() ? "" : " ",
+                               unit, failure.tolerance, failure.proof),
+                   "# ");
+}
+
+/** Writes the failed questions that the file keeps as scenario files, each with comments
+ that say who failed it. Returns their number. */
+std::size_t WriteFailures(const OutputFolder& folder, const SweepFile& file) {
+  struct Failed {
+    std::string comments;
+    std::string scenario;
+  };
+  const std::vector<std::string>& subjects = file.settings().subjects;
+  std::size_t count = 0;
   for (std::size_t s = 0; s < file.settings().series.size(); ++s) {
-    for (const OracleTally& tally : file.Read(s).oracles) {
-      for (const auto& [kind, failures] : tally.failures) {
+    const bool is_own = subjects.size() > 1 && IsSearch(file.settings().series[s]);
+    std::map<std::string, Failed> questions;  // By name.
+    const SeriesTally tally = file.Read(s);
+    for (std::size_t i = 0; i < tally.oracles.size(); ++i) {
+      for (const auto& [kind, failures] : tally.oracles[i].failures) {
         for (const FailedQuestion& failure : failures) {
-          folder.Write(ScenarioOf(failure).id + ".toml",
-                       [&](std::ostream& out) { out << failure.scenario; });
+          const std::string id = IdOf(QuestionOf(failure.scenario));
+          const std::string name = is_own ? id + '/' + subjects[i] : id;
+          Failed& failed = questions[name];
+          failed.comments += CommentOn(failure, subjects[i]);
+          // The id of a file is its path.
+          failed.scenario = failure.scenario;
+          failed.scenario.replace(failed.scenario.find(id), id.size(), name);
         }
       }
     }
+    for (const auto& [name, failed] : questions) {
+      const std::string text = failed.comments + failed.scenario;
+      folder.Write(name + ".toml", [&text](std::ostream& out) { out << text; });
+    }
+    count += questions.size();
   }
+  return count;
 }
 
-/** Prints the worst failure of each cluster, the largest first, next to the answers of
- the references. */
+/** Prints the worst failure of each cluster next to the answers of the references, first
+ those of the measures and laws with the most failures. */
 void ExplainFailures(const Session& session, const SweepArguments& arguments,
                      const SweepFile& file, const SubjectSummary& subject) {
   constexpr std::size_t kShown = 3;
   OracleSelection selection = arguments.oracles;
   selection.subject = file.settings().subjects.front();
   const std::vector<const Oracle*> oracles = SelectOracles(session.registry, selection);
-  std::vector<const FailureCluster*> clusters;
+  // All causes together, since only the first of many failures are examined.
+  std::map<std::pair<MeasureKind, std::string_view>, std::uint64_t> failures;
+  for (const auto& [kind, cluster] : subject.clusters)
+    failures[{kind.measure, kind.law}] += cluster.count;
+  struct Ranked {
+    const FailureCluster* cluster;
+    std::pair<std::uint64_t, std::uint64_t> counts;  // Of the measure, of the cluster.
+  };
+  std::vector<Ranked> clusters;
+  clusters.reserve(subject.clusters.size());
   for (const auto& [kind, cluster] : subject.clusters) {
-    if (cluster.worst) clusters.push_back(&cluster);
+    // Examined failures of the same measure are shown, with their cause.
+    if (cluster.worst && kind.cause != Cause::kNotExamined)
+      clusters.push_back({&cluster, {failures[{kind.measure, kind.law}], cluster.count}});
   }
   std::stable_sort(clusters.begin(), clusters.end(),
-                   [](const FailureCluster* a, const FailureCluster* b) {
-                     return a->count > b->count;
-                   });
+                   [](const Ranked& a, const Ranked& b) { return a.counts > b.counts; });
   for (std::size_t i = 0; i < clusters.size() && i < kShown; ++i) {
-    const QuestionSeries& series = file.settings().series[clusters[i]->series];
-    const std::uint64_t question = clusters[i]->worst->question;
-    const Scenario scenario = ScenarioOf(*clusters[i]->worst);
+    const FailureCluster& cluster = *clusters[i].cluster;
+    const Series& series = file.settings().series[cluster.series];
+    const std::uint64_t question = cluster.worst->question;
     RunOptions options;
     options.jobs = arguments.jobs;
     options.partial = true;
-    std::cout << '\n' << clusters[i]->worst->scenario << '\n';
-    WriteExplanation(Run({&scenario, 1}, oracles, {}, options), {}, std::cout);
-    std::cout << "Repeat with: " << ReplayOf(series, question) << '\n';
+    std::cout << '\n' << cluster.worst->scenario << '\n';
+    WriteExplanation(Run(QuestionOf(cluster.worst->scenario), oracles, {}, options), {},
+                     std::cout);
+    std::cout << fmt::format("Repeat with: {} --subject {}\n", ReplayOf(series, question),
+                             file.settings().subjects.front());
   }
 }
 
@@ -186,15 +280,16 @@ int ExitCodeOf(const SweepFile& file, const std::vector<SubjectSummary>& subject
     return std::any_of(subjects.begin(), subjects.end(), is_so);
   };
   if (any([](const SubjectSummary& s) { return s.failed_in_band > 0; })) return 1;
-  const auto is_verified = [](const SubjectSummary& s) {
-    return s.verified_touching > 0;
-  };
-  // With `all`, nobody has said that each of them supports the shapes.
+  const auto is_verified = [](const SubjectSummary& s) { return s.examined > 0; };
+  // With `all`, nobody has said that each of them supports the questions.
   if (all_subjects && any(is_verified)) return 0;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     if (is_verified(subjects[i])) continue;
-    std::cerr << "touchstone: nothing was verified; expected a touching question that "
-              << file.settings().subjects[i] << " supports\n";
+    const bool is_world = IsOfWorlds(file.settings().series.front());
+    std::cerr << fmt::format(
+        "touchstone: nothing was verified; expected a {} that {} {}\n",
+        is_world ? "world" : "touching question", file.settings().subjects[i],
+        is_world ? "simulates" : "supports");
     return 2;
   }
   return 0;
@@ -261,11 +356,15 @@ int SweepCommand(const Session& session, const SweepArguments& arguments) try {
   bar.reset();
   const std::vector<SubjectSummary> subjects =
       PrintSweepTable(swept.file, arguments.fail_on);
-  if (out) WriteFailures(*out, swept.file);
+  const std::size_t written = out ? WriteFailures(*out, swept.file) : 0;
   const bool is_explained = subjects.size() == 1 && !arguments.quiet && swept.complete &&
                             subjects.front().failed > 0;
   if (is_explained) ExplainFailures(session, arguments, swept.file, subjects.front());
   PrintFailureClusters(swept.file, subjects);
+  if (written > 0 && !arguments.quiet) {
+    std::cout << fmt::format("{} as files: {}\n", Counted(written, "failed question"),
+                             (*arguments.out / "sweep").string());
+  }
   if (!swept.complete) {
     std::cout.flush();
     std::cerr << fmt::format(

@@ -23,16 +23,17 @@ struct SlurmArguments {
   std::vector<std::string> words;      ///< The command line without the program.
 };
 
-/** The arguments of `touchstone sweep contact`. */
+/** The arguments of `touchstone sweep`. */
 struct SweepArguments {
+  QuestionKind kind = QuestionKind::kContact;
   OracleSelection oracles;  ///< The subject is a list, see SubjectsNamed().
   std::vector<std::string> families = {"all"};  ///< Names of families, or "all".
-  /** Names of shapes; empty: all pairs that a subject supports. */
+  /** Names of shapes; empty: all pairs that a subject supports. Contact only. */
   std::vector<std::pair<std::string, std::string>> pairs;
-  std::uint64_t count = 200;  ///< Questions per family and pair.
+  std::uint64_t count = 200;  ///< Questions per family, and pair of shapes.
   std::uint64_t first = 0;
   std::uint64_t seed = 1;
-  std::uint64_t climb = 1;  ///< Same as QuestionSeries::climb.
+  std::uint64_t climb = 1;  ///< Same as QuestionSeries::climb. Contact only.
   Shard shard = {};
   std::optional<std::chrono::seconds> time;  ///< The time after which it stops.
   /** Folder for the file of results and for the failed questions, as TOML. */
@@ -47,10 +48,11 @@ struct SweepArguments {
 
 /** Asks the subjects generated questions. Prints, per family, pair and subject, the
  fraction that touches, the failures and the worst measures relative to their tolerances;
- then the failures by measure and cause, with the commands that repeat the worst. With a
- folder, the results are kept there while they are computed, and an interrupted sweep is
- resumed. Returns 1 on failures, 2 if no question that a subject supports touched, 128
- plus the signal if it was interrupted, else 0. */
+ then the failures by measure, law and cause, with the commands that repeat the worst.
+ With a folder, the results are kept there while they are computed, and an interrupted
+ sweep is resumed. Returns 1 on failures, 2 if no answer of a subject was verified (of
+ contact questions, to one that touches), 128 plus the signal if it was interrupted,
+ else 0. */
 int SweepCommand(const Session& session, const SweepArguments& arguments);
 
 /** Returns the name of the file of a shard, without its extension. */

@@ -93,13 +93,15 @@ std::vector<std::string> OwnOptions(const std::string& sbatch_args) {
 }
 
 /** Returns the number of tasks. Throws InputError if it does not fit the sweep. */
-std::uint64_t TasksOf(const path& folder, std::uint64_t blocks, std::uint64_t submitted,
+std::uint64_t TasksOf(const path& folder, const SweepPlan& plan, std::uint64_t submitted,
                       std::optional<std::uint64_t> wanted) {
+  const std::uint64_t blocks = BlockCount(plan);
+  const std::uint64_t block = BlockSizeOf(plan.series.front());
   if (blocks < 2) {
     throw InputError(
         fmt::format("--slurm: the sweep has one block of at most {} questions, which "
                     "cannot be divided; expected more questions, or no --slurm",
-                    kBlockSize));
+                    block));
   }
   const std::uint64_t tasks =
       wanted.value_or(submitted > 0 ? submitted : std::min(kTasks, blocks));
@@ -114,7 +116,7 @@ std::uint64_t TasksOf(const path& folder, std::uint64_t blocks, std::uint64_t su
     throw InputError(fmt::format(
         "--tasks {}: the sweep has {} blocks of up to {} questions, and Slurm takes "
         "arrays of up to {}; expected 2 to {}",
-        tasks, blocks, kBlockSize, kMaxTasks, most));
+        tasks, blocks, block, kMaxTasks, most));
   }
   return tasks;
 }
@@ -169,7 +171,7 @@ int SubmitSweep(const SweepPlan& plan, const SweepArguments& arguments) {
   }
   Submissions submissions = SubmissionsIn(folder);
   const std::uint64_t tasks =
-      TasksOf(folder, BlockCount(plan), submissions.tasks, arguments.slurm.tasks);
+      TasksOf(folder, plan, submissions.tasks, arguments.slurm.tasks);
   const std::vector<std::string> own_options = OwnOptions(arguments.slurm.sbatch_args);
   const auto queue = Queue();
   if (!queue) {

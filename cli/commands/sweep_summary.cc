@@ -11,7 +11,8 @@
 namespace touchstone {
 namespace {
 
-constexpr const char* kRow = "{:<19}{:<27}{}{:>9}{:>10}{:>11}{:>8}  {}\n";
+constexpr const char* kContactRow = "{:<19}{:<27}{}{:>9}{:>10}{:>11}{:>8}  {}\n";
+constexpr const char* kWorldRow = "{:<14}{}{:>9}{:>10}{:>8}  {}\n";
 
 std::string Percent(std::uint64_t part, std::uint64_t all) {
   return all == 0 ? "-"
@@ -19,22 +20,30 @@ std::string Percent(std::uint64_t part, std::uint64_t all) {
                                                static_cast<double>(all));
 }
 
-// Returns e.g. "separation_error 0.31, excess 0.02": the measures that are largest
+/** Returns e.g. "excess" or, by a law, "position_error (pendulum)". Some laws have the
+ name of their measure. */
+std::string InWords(MeasureKind measure, const std::string& law) {
+  return fmt::format(
+      "{}{}", NameOf(measure),
+      law.empty() || law == NameOf(measure) ? "" : fmt::format(" ({})", law));
+}
+
+// Returns e.g. "separation_error 0.31, excess 0.02": the measurands that are largest
 // relative to their tolerances, as many as fit in a line.
 std::string WorstOf(const OracleTally& tally) {
   constexpr std::size_t kShown = 2;
-  std::vector<std::pair<MeasureKind, WorstFinding>> measures;
-  for (const auto& [measure, worst] : tally.worst) {
-    if (worst.front().tolerances > 0) measures.emplace_back(measure, worst.front());
+  std::vector<std::pair<Measurand, WorstFinding>> measured;
+  for (const auto& [measurand, worst] : tally.worst) {
+    if (worst.front().tolerances > 0) measured.emplace_back(measurand, worst.front());
   }
-  std::stable_sort(measures.begin(), measures.end(), [](const auto& a, const auto& b) {
+  std::stable_sort(measured.begin(), measured.end(), [](const auto& a, const auto& b) {
     return a.second.tolerances > b.second.tolerances;
   });
   std::string text;
-  for (std::size_t i = 0; i < measures.size() && i < kShown; ++i) {
-    const WorstFinding& worst = measures[i].second;
+  for (std::size_t i = 0; i < measured.size() && i < kShown; ++i) {
+    const auto& [of, worst] = measured[i];
     // A value has no multiple of a zero tolerance.
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", NameOf(measures[i].first),
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", InWords(of.measure, of.law),
                         std::isfinite(worst.tolerances)
                             ? fmt::format("{:.2g}", worst.tolerances)
                             : fmt::format("{:.3g} > 0", worst.value));
@@ -47,15 +56,15 @@ bool HasNoAnswer(Verdict verdict) {
          verdict == Verdict::kInvalid;
 }
 
-void Add(const OracleTally& tally, std::size_t series, Grade least,
+void Add(const OracleTally& tally, bool is_world, std::size_t series, Grade least,
          SubjectSummary& summary) {
-  summary.verified_touching += tally.verified_touching;
+  summary.examined += is_world ? tally.verified : tally.verified_touching;
   for (const auto& [kind, count] : tally.answers) {
     if (kind.verdict != Verdict::kUnsupported) summary.answers += count;
     if (!IsFailure(kind.verdict)) continue;
     summary.failed += count;
     if (kind.band >= least || HasNoAnswer(kind.verdict)) summary.failed_in_band += count;
-    FailureCluster& cluster = summary.clusters[{kind.measure, kind.cause}];
+    FailureCluster& cluster = summary.clusters[{kind.measure, kind.cause, kind.law}];
     cluster.count += count;
     cluster.band = std::max(cluster.band, kind.band);
   }
@@ -67,6 +76,22 @@ void Add(const OracleTally& tally, std::size_t series, Grade least,
       cluster.series = series;
     }
   }
+}
+
+std::string RowOf(const QuestionSeries& series, const std::string& subject,
+                  const OracleTally& tally) {
+  return fmt::format(kContactRow, NameOf(series.family),
+                     fmt::format("{} {}", NameOf(series.A), NameOf(series.B)), subject,
+                     tally.asked, Percent(tally.touching, tally.asked),
+                     Percent(tally.undecided, tally.asked), FailureCount(tally),
+                     WorstOf(tally));
+}
+
+std::string RowOf(const WorldSeries& series, const std::string& subject,
+                  const OracleTally& tally) {
+  return fmt::format(kWorldRow, NameOf(series.family), subject, tally.asked,
+                     Percent(tally.verified, tally.asked), FailureCount(tally),
+                     WorstOf(tally));
 }
 
 }  // namespace
@@ -82,20 +107,21 @@ std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) 
   const auto column = [width](std::string_view name) {
     return width == 0 ? "" : fmt::format("{:<{}}", name, width);
   };
-  std::cout << fmt::format(kRow, "family", "pair", column("subject"), "questions",
-                           "touching", "undecided", "failed", "worst, in tolerances");
+  const bool are_worlds = IsOfWorlds(settings.series.front());
+  std::cout << (are_worlds ? fmt::format(kWorldRow, "family", column("subject"), "worlds",
+                                         "verified", "failed", "worst, in tolerances")
+                           : fmt::format(kContactRow, "family", "pair", column("subject"),
+                                         "questions", "touching", "undecided", "failed",
+                                         "worst, in tolerances"));
   for (std::size_t s = 0; s < settings.series.size(); ++s) {
-    const QuestionSeries& series = settings.series[s];
+    const Series& series = settings.series[s];
     const SeriesTally tally = file.Read(s);
     for (std::size_t i = 0; i < summaries.size(); ++i) {
       const OracleTally& oracle = tally.oracles[i];
-      Add(oracle, s, least, summaries[i]);
-      std::cout << fmt::format(kRow, NameOf(series.family),
-                               fmt::format("{} {}", NameOf(series.A), NameOf(series.B)),
-                               column(settings.subjects[i]), oracle.asked,
-                               Percent(oracle.touching, oracle.asked),
-                               Percent(oracle.undecided, oracle.asked),
-                               FailureCount(oracle), WorstOf(oracle));
+      Add(oracle, IsOfWorlds(series), s, least, summaries[i]);
+      const std::string subject = column(settings.subjects[i]);
+      std::cout << std::visit(
+          [&](const auto& of_kind) { return RowOf(of_kind, subject, oracle); }, series);
     }
   }
   return summaries;
@@ -104,6 +130,7 @@ std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least) 
 void PrintFailureClusters(const SweepFile& file,
                           const std::vector<SubjectSummary>& subjects) {
   const SweepSettings& settings = file.settings();
+  std::uint64_t not_examined = 0;
   for (std::size_t i = 0; i < subjects.size(); ++i) {
     const SubjectSummary& subject = subjects[i];
     std::cout << fmt::format("\n{}: {} failed", settings.subjects[i], subject.failed);
@@ -115,8 +142,9 @@ void PrintFailureClusters(const SweepFile& file,
       return a.second.count > b.second.count;
     });
     for (const auto& [kind, cluster] : clusters) {
+      if (kind.cause == Cause::kNotExamined) not_examined += cluster.count;
       std::cout << fmt::format(
-          "{:>9}  {}{}{}{}{}\n", cluster.count, NameOf(kind.measure),
+          "{:>9}  {}{}{}{}{}\n", cluster.count, InWords(kind.measure, kind.law),
           kind.cause == Cause::kNone ? "" : ", ", NameOf(kind.cause),
           cluster.band == Grade::kNone ? "" : ", gravest: ", NameOf(cluster.band));
       if (!cluster.worst) continue;
@@ -126,6 +154,15 @@ void PrintFailureClusters(const SweepFile& file,
           settings.subjects[i]);
     }
   }
+  if (not_examined == 0) return;
+  std::cout << fmt::format(
+      "\nnot examined: {} failures whose causes were not sought. They are beyond the "
+      "first "
+      "{} questions of their series, and beyond the first {} in {} questions with the "
+      "same "
+      "verdict, measure and size. Any command above seeks the cause of its failure.\n",
+      not_examined, kExaminedBlocks * kContactBlock,
+      kExaminedPerKind == 1 ? "one" : fmt::format("{}", kExaminedPerKind), kContactBlock);
 }
 
 }  // namespace touchstone

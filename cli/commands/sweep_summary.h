@@ -10,7 +10,7 @@
 
 namespace touchstone {
 
-/** Failures with one measure and one cause. */
+/** Failures with one measure, one law and one cause. */
 struct FailureCluster {
   std::uint64_t count = 0;
   Grade band = Grade::kNone;            ///< The gravest.
@@ -21,7 +21,8 @@ struct FailureCluster {
 /** The results of one subject, over all series. */
 struct SubjectSummary {
   std::uint64_t answers = 0;  ///< Answers to questions that it supports.
-  std::uint64_t verified_touching = 0;
+  /** Verified answers; of contact questions, those to questions that touch. */
+  std::uint64_t examined = 0;
   std::uint64_t failed = 0;
   std::uint64_t failed_in_band = 0;  ///< Failures of the least band that counts, or more.
   std::map<FailureKind, FailureCluster> clusters;
@@ -32,8 +33,8 @@ struct SubjectSummary {
  */
 std::vector<SubjectSummary> PrintSweepTable(const SweepFile& file, Grade least);
 
-/** Prints the failures of each subject by measure and cause, the most frequent first,
- with the commands that repeat them. */
+/** Prints the failures of each subject by measure, law and cause, the most frequent
+ first, with the commands that repeat them. */
 void PrintFailureClusters(const SweepFile& file,
                           const std::vector<SubjectSummary>& subjects);
 

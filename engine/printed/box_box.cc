@@ -51,13 +51,19 @@ class Search {
       }
     }
     const double squared_length = axis_W.squaredNorm();
-    if (squared_length <= kParallelSquared) return;
+    if (squared_length <= LeastSquaredLength()) return;
     const LeastDepth found = Along(axis_W / std::sqrt(squared_length));
     if (found.depth < 0) apart_ = true;
+    if (found.depth == 0 && errata_.Has(Erratum::kE28)) apart_ = true;
     if (!least_ || Better(found)) least_ = found;
   }
 
  private:
+  /** Returns the squared length up to which an axis is skipped. */
+  double LeastSquaredLength() const {
+    return errata_.Has(Erratum::kE29) ? 1e-3 : kParallelSquared;  // As published.
+  }
+
   LeastDepth Along(const Eigen::Vector3d& n_W) const {
     if (errata_.Has(Erratum::kE26)) {
       const Interval a = Shadow(A_, n_W);

@@ -112,11 +112,11 @@ std::vector<Eigen::Vector3d> Merged(const std::vector<Eigen::Vector3d>& points,
   return merged;
 }
 
-ClippedEdges ClipBoth(const PlacedBox& A, const PlacedBox& B) {
+ClippedEdges ClipBoth(const PlacedBox& A, const PlacedBox& B, const Errata& errata) {
   // A coordinate is a sum of some ten rounded terms, none above `size`: 32 is ample.
   const double size = A.box.half_extents.sum() + B.box.half_extents.sum() +
                       A.X_WB.p_WB.lpNorm<1>() + B.X_WB.p_WB.lpNorm<1>();
-  const double tolerance = 32 * kUnitRoundoff * size;
+  const double tolerance = errata.Has(Erratum::kE27) ? 0 : 32 * kUnitRoundoff * size;
   ClippedEdges clipped;
   ClipEdges(B, A, tolerance, clipped);
   ClipEdges(A, B, tolerance, clipped);
@@ -125,9 +125,9 @@ ClippedEdges ClipBoth(const PlacedBox& A, const PlacedBox& B) {
 
 /** Returns the corners of the contact patch after B is moved out of A. */
 std::vector<Eigen::Vector3d> Patch(const PlacedBox& A, const PlacedBox& B,
-                                   const LeastDepth& least) {
+                                   const LeastDepth& least, const Errata& errata) {
   const Pose moved{B.X_WB.R_WB, B.X_WB.p_WB + least.depth * least.n_AB_W};
-  const ClippedEdges clipped = ClipBoth(A, {B.box, moved});
+  const ClippedEdges clipped = ClipBoth(A, {B.box, moved}, errata);
   std::vector<Eigen::Vector3d> points = clipped.corners_W;
   points.insert(points.end(), clipped.crossings_W.begin(), clipped.crossings_W.end());
   return points;
@@ -137,11 +137,11 @@ std::vector<Eigen::Vector3d> Patch(const PlacedBox& A, const PlacedBox& B,
 
 std::vector<Eigen::Vector3d> Contacts(const PlacedBox& A, const PlacedBox& B,
                                       const LeastDepth& least, const Errata& errata) {
-  const ClippedEdges clipped = ClipBoth(A, B);
+  const ClippedEdges clipped = ClipBoth(A, B, errata);
   if (clipped.crossings_W.empty() && errata.Has(Erratum::kE07)) return {};
 
   std::vector<Eigen::Vector3d> points;
-  if (!errata.Has(Erratum::kE08)) points = Patch(A, B, least);
+  if (!errata.Has(Erratum::kE08)) points = Patch(A, B, least, errata);
   // Moved along the wrong axis of another erratum, the boxes may not touch at all.
   if (points.empty()) points = clipped.crossings_W;
   if (points.empty()) points = clipped.corners_W;

@@ -1,9 +1,20 @@
 #include <cmath>
+#include <limits>
 
 #include "engine/collision/rounding.h"
 #include "engine/printed/collide.h"
 
 namespace cookbook::printed {
+namespace {
+
+/** Returns the squared distance below which two points coincide. [m²] */
+double LeastSquaredDistance(const Errata& errata) {
+  // The published limit is 1.19e-7 m². Its root is 0.345 mm.
+  if (errata.Has(Erratum::kE30)) return std::numeric_limits<float>::epsilon();
+  return kLeastSquaredLength;
+}
+
+}  // namespace
 
 Manifold Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_WB,
                  const Errata& errata) {
@@ -15,13 +26,14 @@ Manifold Collide(const Box& A, const Pose& X_WA, const Sphere& B, const Pose& X_
 
   Manifold manifold;
   if (distance > B.radius) return manifold;
-  const bool concentric = p_AB_A.squaredNorm() < kLeastSquaredLength;
+  const double coincident = LeastSquaredDistance(errata);
+  const bool concentric = p_AB_A.squaredNorm() < coincident;
   if (concentric && errata.Has(Erratum::kE06)) return manifold;
   manifold.touching = true;
 
   Eigen::Vector3d n_A;
   double depth = B.radius - distance;
-  if (outward.squaredNorm() >= kLeastSquaredLength) {
+  if (outward.squaredNorm() >= coincident) {
     n_A = outward / distance;
   } else if (errata.Has(Erratum::kE05)) {
     n_A = Eigen::Vector3d::UnitY();

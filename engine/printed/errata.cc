@@ -6,7 +6,7 @@ namespace cookbook::printed {
 namespace {
 
 /** The descriptions of the errata, in order of their numbers. */
-constexpr std::array<std::string_view, 26> kFaults = {
+constexpr std::array<std::string_view, 30> kFaults = {
     "edge axes of boxes are cross products of A's axes with A's own",
     "negative components of an axis are set to zero",
     "sphere-sphere depth is taken from the normalised distance: |1 − (r_A + r_B)|",
@@ -33,6 +33,10 @@ constexpr std::array<std::string_view, 26> kFaults = {
     "projection out of contact moves, but does not turn",
     "no friction of less than 0.005 N s",
     "depth along an axis is the common length of the intervals",
+    "clipping allows for no rounding, which takes contacts of flush boxes",
+    "boxes that touch with depth zero are apart",
+    "an edge axis is skipped if its squared length is below 0.001",
+    "a squared distance within the float epsilon counts as zero",
 };
 
 }  // namespace

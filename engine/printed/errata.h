@@ -36,13 +36,18 @@ enum class Erratum {
   kE23,
   kE24,
   kE25,
-  kE26
+  kE26,
+  kE27,
+  kE28,
+  kE29,
+  kE30
 };
 
 /** Every erratum of the contact recipes, in order. */
 inline constexpr std::initializer_list<Erratum> kContactErrata = {
     Erratum::kE01, Erratum::kE02, Erratum::kE03, Erratum::kE04, Erratum::kE05,
-    Erratum::kE06, Erratum::kE07, Erratum::kE08, Erratum::kE09, Erratum::kE26};
+    Erratum::kE06, Erratum::kE07, Erratum::kE08, Erratum::kE09, Erratum::kE26,
+    Erratum::kE27, Erratum::kE28, Erratum::kE29, Erratum::kE30};
 
 /** Every erratum of the recipes of motion, in order. */
 inline constexpr std::initializer_list<Erratum> kMotionErrata = {

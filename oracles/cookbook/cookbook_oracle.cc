@@ -6,6 +6,7 @@
 #include "engine/collision/collide.h"
 #include "oracles/cookbook/cookbook_world.h"
 #include "oracles/cookbook/translate.h"
+#include "oracles/no_answer.h"
 
 namespace touchstone {
 namespace {
@@ -64,6 +65,9 @@ class PreparedManifolds final : public PreparedBatch {
   std::vector<double> separations_;
 };
 
+constexpr const char* kStepsWorldsOnly =
+    "this setup only steps worlds; the oracle \"cookbook\" answers contact queries";
+
 ContactAnswer AnswerOne(const ContactQuery& query) {
   return VisitKnown(
       query,
@@ -78,14 +82,21 @@ ContactAnswer AnswerOne(const ContactQuery& query) {
 
 }  // namespace
 
-CookbookOracle::CookbookOracle() {
-  info_.name = "cookbook";
+CookbookOracle::CookbookOracle(CookbookSetup setup) {
+  const bool sleeps = setup == CookbookSetup::kSleeping;
+  info_.name = sleeps ? "cookbook/sleeping" : "cookbook";
   info_.library = "Touchstone";
   info_.version = "0.1.0";
-  info_.capabilities = SphereAndBoxCapabilities();
-  info_.settings = {{"separation of boxes apart", "left out",
-                     "the separating-axis test yields only a lower bound"}};
-  for (const Setting& setting : CookbookWorldSettings()) {
+  if (sleeps) {
+    for (auto& row : info_.capabilities) {
+      for (Capability& capability : row) capability.reason = kStepsWorldsOnly;
+    }
+  } else {
+    info_.capabilities = SphereAndBoxCapabilities();
+    info_.settings = {{"separation of boxes apart", "left out",
+                       "the separating-axis test yields only a lower bound"}};
+  }
+  for (const Setting& setting : CookbookWorldSettings(setup)) {
     info_.settings.push_back(setting);
   }
   info_.simulates = true;
@@ -94,17 +105,27 @@ CookbookOracle::CookbookOracle() {
   info_.stated_order = 4;
   info_.order_stated_by = "the settings \"integrator\" and \"rods and springs\"";
   info_.steps_in_threads = true;
-  info_.parameters = CookbookWorldParameters();
+  info_.parameters = CookbookWorldParameters(setup);
   info_.world_capabilities = CookbookWorldCapabilities();
+  DescribeSleep();
+}
+
+void CookbookOracle::DescribeSleep() {
+  info_.sleep_speed = CookbookSleepSpeed(ValuesOf(info_.parameters, info_.setup));
+  info_.sleep_documented_by = info_.sleep_speed > 0 ? "the parameter sleep_speed" : "";
 }
 
 void CookbookOracle::Answer(std::span<const ContactQuery> queries,
                             std::span<ContactAnswer> answers) const {
-  for (std::size_t k = 0; k < queries.size(); ++k) answers[k] = AnswerOne(queries[k]);
+  for (std::size_t k = 0; k < queries.size(); ++k) {
+    answers[k] = info_.AnswersContacts() ? AnswerOne(queries[k])
+                                         : UnsupportedAnswer(kStepsWorldsOnly);
+  }
 }
 
 std::unique_ptr<PreparedBatch> CookbookOracle::Prepare(
     std::span<const ContactQuery> queries) const {
+  if (!info_.AnswersContacts()) return nullptr;
   return std::make_unique<PreparedManifolds>(queries);
 }
 
@@ -122,6 +143,7 @@ std::unique_ptr<Simulation> CookbookOracle::BeginInThreads(const World& world,
 std::unique_ptr<Oracle> CookbookOracle::SetUp(const WorldSetup& setup) const {
   auto oracle = std::make_unique<CookbookOracle>(*this);
   oracle->info_.setup = setup;
+  oracle->DescribeSleep();
   return oracle;
 }
 

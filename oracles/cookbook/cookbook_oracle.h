@@ -1,5 +1,6 @@
 #pragma once
 
+#include "oracles/cookbook/cookbook_world.h"
 #include "oracles/oracle.h"
 
 namespace touchstone {
@@ -12,7 +13,7 @@ namespace touchstone {
  separation. */
 class CookbookOracle final : public Oracle {
  public:
-  CookbookOracle();
+  explicit CookbookOracle(CookbookSetup setup = CookbookSetup::kAwake);
 
   const OracleInfo& info() const override { return info_; }
   using Oracle::Answer;
@@ -28,6 +29,9 @@ class CookbookOracle final : public Oracle {
   std::unique_ptr<Oracle> SetUp(const WorldSetup& setup) const override;
 
  private:
+  /** Sets what info() documents about sleep, from the parameters in force. */
+  void DescribeSleep();
+
   OracleInfo info_;
 };
 

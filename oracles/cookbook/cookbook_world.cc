@@ -71,6 +71,7 @@ enum : std::size_t {
   kIterationBudget,
   kSinglePrecision,
   kSleepAfter,
+  kSleepSpeed,
   kThreads,
   kParameters
 };
@@ -138,6 +139,7 @@ class CookbookSimulation final : public Simulation {
     settings.iteration_budget = static_cast<int>(values[kIterationBudget]);
     settings.single_precision = values[kSinglePrecision] != 0;
     if (values[kSleepAfter] > 0) settings.sleep_after = values[kSleepAfter];
+    settings.sleep_speed = values[kSleepSpeed];
     settings.threads = static_cast<int>(values[kThreads]);
     return settings;
   }
@@ -174,7 +176,8 @@ decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities() {
   return capabilities;
 }
 
-std::vector<Setting> CookbookWorldSettings() {
+std::vector<Setting> CookbookWorldSettings(CookbookSetup setup) {
+  const bool sleeps = setup == CookbookSetup::kSleeping;
   return {
       {"integrator", "mean velocity; RKMK4 at constant angular momentum",
        "flight under a constant force is exact; angular momentum is kept to rounding"},
@@ -191,14 +194,18 @@ std::vector<Setting> CookbookWorldSettings() {
        "left to the next step"},
       {"friction", "sqrt(mu_A mu_B), circular cone", "Coulomb's law"},
       {"contacts",
-       "rigid under a constant load, else a spring and damper (85 Hz, 0.28 s)",
+       "rigid under a constant load, else a spring and damper (110 Hz, 0.6 s)",
        "piles come to rest; a contact that has carried its load for 24 steps yields when "
        "the load changes"},
       {"damping", "none", "only damping that the world states is applied"},
-      {"sleeping", "none", "bodies never sleep unless sleep_after is chosen"}};
+      sleeps ? Setting{"sleeping", "islands that are slow for sleep_after",
+                       "bodies at rest cost nothing; a body that falls asleep loses its "
+                       "momentum"}
+             : Setting{"sleeping", "none",
+                       "bodies never sleep unless sleep_after is chosen"}};
 }
 
-std::vector<WorldParameter> CookbookWorldParameters() {
+std::vector<WorldParameter> CookbookWorldParameters(CookbookSetup setup) {
   const cookbook::Settings shipped;
   std::vector<WorldParameter> parameters(kParameters);
   const auto set = [&](std::size_t index, const char* name, double value, double least,
@@ -214,9 +221,26 @@ std::vector<WorldParameter> CookbookWorldParameters() {
       "1: floats where no budget is left to converge; Settings::single_precision");
   set(kSleepAfter, "sleep_after", shipped.sleep_after.value_or(0), 0, 1e6, false,
       "time at rest after which islands sleep in s, 0: never; Settings::sleep_after");
+  set(kSleepSpeed, "sleep_speed", shipped.sleep_speed, 1e-12, 1e6, false,
+      "speed below which a body counts as at rest in m/s; Settings::sleep_speed");
   set(kThreads, "threads", shipped.threads, 1, 64, true,
       "threads of a step; Settings::threads");
+  if (setup == CookbookSetup::kSleeping) {
+    parameters[kSleepAfter].here = 0.5;
+    parameters[kSleepAfter].why = "the oracle shows what sleep does to a motion";
+    // A plate on a slope at μ = 0.9985 of its slope's tangent, world/friction/
+    // threshold_at_45_degrees, has reached 1e-3 m/s after 0.7 s.
+    parameters[kSleepSpeed].here = 1e-4;
+    parameters[kSleepSpeed].why =
+        "the shipped speed also stops what starts slowly, like a body that just slides";
+    parameters[kThreads].here = 2;
+    parameters[kThreads].why = "a step has the same bits with any number of threads";
+  }
   return parameters;
+}
+
+double CookbookSleepSpeed(std::span<const double> values) {
+  return values[kSleepAfter] > 0 ? values[kSleepSpeed] : 0;
 }
 
 std::unique_ptr<Simulation> BeginCookbookWorld(const World& world,

@@ -9,15 +9,27 @@
 
 namespace touchstone {
 
+/** How the worlds of the corrected engine are set up. */
+enum class CookbookSetup {
+  kAwake,  ///< Bodies never sleep.
+  /** Bodies at rest sleep, and two threads share each step. It only steps worlds: the
+   contact queries would be those of kAwake. */
+  kSleeping,
+};
+
 /** Returns whether the corrected engine supports each feature of a world. */
 decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities();
 
 /** Returns the settings of the corrected engine for worlds. */
-std::vector<Setting> CookbookWorldSettings();
+std::vector<Setting> CookbookWorldSettings(CookbookSetup setup);
 
-/** The settings of the corrected engine that may be chosen for worlds. The values here
+/** The settings of the corrected engine that may be chosen for worlds. Those of kAwake
  are its defaults. */
-std::vector<WorldParameter> CookbookWorldParameters();
+std::vector<WorldParameter> CookbookWorldParameters(CookbookSetup setup);
+
+/** Returns the speed below which bodies fall asleep with `values` of these parameters; 0
+ if they never sleep. [m/s] */
+double CookbookSleepSpeed(std::span<const double> values);
 
 /** Returns `world` at its start, in the corrected engine. `values` are those of
  CookbookWorldParameters(), in their order.

@@ -1,9 +1,10 @@
 #include "oracles/isolation/answer_wire.h"
 
 #include <cstdint>
-#include <cstring>
 #include <utility>
 #include <vector>
+
+#include "oracles/isolation/wire.h"
 
 namespace touchstone {
 namespace {
@@ -31,92 +32,19 @@ constexpr std::size_t kBodyState = 13 * sizeof(double);
 constexpr std::size_t kPointState = 6 * sizeof(double);
 constexpr std::size_t kImpulse = 3 * sizeof(std::int32_t) + 13 * sizeof(double);
 
-class Writer {
- public:
-  template <typename Number>
-  void Put(Number number) {
-    bytes_.append(reinterpret_cast<const char*>(&number), sizeof(number));
-  }
-  void Put(const Vector3d& v) {
-    for (const double x : v) Put(x);
-  }
-  void Put(std::string_view text) {
-    Put(static_cast<std::uint32_t>(text.size()));
-    bytes_.append(text);
-  }
-  std::string Take() { return std::move(bytes_); }
-
- private:
-  std::string bytes_;
-};
-
-// Reads values from the front of some bytes. After a failure it returns zeros only.
-class Reader {
- public:
-  explicit Reader(std::string_view bytes) : rest_(bytes) {}
-
-  template <typename Number>
-  Number Get() {
-    Number number{};
-    if (rest_.size() < sizeof(number)) {
-      Fail();
-      return number;
-    }
-    std::memcpy(&number, rest_.data(), sizeof(number));
-    rest_.remove_prefix(sizeof(number));
-    return number;
-  }
-  Vector3d GetVector() {
-    const double x = Get<double>();
-    const double y = Get<double>();
-    const double z = Get<double>();
-    return {x, y, z};
-  }
-  std::string GetText() {
-    const auto length = Get<std::uint32_t>();
-    if (length > rest_.size()) {
-      Fail();
-      return {};
-    }
-    std::string text(rest_.substr(0, length));
-    rest_.remove_prefix(length);
-    return text;
-  }
-  // Reads a count of items. Fails if the remaining bytes cannot hold that many, each of
-  // at least `smallest` bytes.
-  template <typename Count = std::uint32_t>
-  Count GetCount(std::size_t smallest) {
-    const auto count = Get<Count>();
-    if (count > rest_.size() / smallest) {
-      Fail();
-      return 0;
-    }
-    return count;
-  }
-  void Fail() {
-    failed_ = true;
-    rest_ = {};
-  }
-  bool AtEndWithoutFailure() const { return !failed_ && rest_.empty(); }
-
- private:
-  std::string_view rest_;
-  bool failed_ = false;
-};
-
-void Put(Writer& writer, const BodyState& body) {
+void Put(WireWriter& writer, const BodyState& body) {
   writer.Put(body.p_WB);
   for (const double x : body.q_WB.coeffs()) writer.Put(x);
   writer.Put(body.v_WB);
   writer.Put(body.w_WB);
 }
 
-void Put(Writer& writer, const PointState& point) {
+void Put(WireWriter& writer, const PointState& point) {
   writer.Put(point.p_W);
   writer.Put(point.v_W);
 }
 
-void Put(Writer& writer, const ContactImpulse& impulse) {
+void Put(WireWriter& writer, const ContactImpulse& impulse) {
   for (const int number : {impulse.step, impulse.A, impulse.B})
     writer.Put(static_cast<std::int32_t>(number));
   for (const Vector3d* v : {&impulse.p_WC, &impulse.n_AB_W, &impulse.J_B_W})
@@ -125,19 +53,19 @@ void Put(Writer& writer, const ContactImpulse& impulse) {
   writer.Put(impulse.t_W);
 }
 
-void Get(Reader& reader, BodyState& body) {
+void Get(WireReader& reader, BodyState& body) {
   body.p_WB = reader.GetVector();
   for (double& x : body.q_WB.coeffs()) x = reader.Get<double>();
   body.v_WB = reader.GetVector();
   body.w_WB = reader.GetVector();
 }
 
-void Get(Reader& reader, PointState& point) {
+void Get(WireReader& reader, PointState& point) {
   point.p_W = reader.GetVector();
   point.v_W = reader.GetVector();
 }
 
-void Get(Reader& reader, ContactImpulse& impulse) {
+void Get(WireReader& reader, ContactImpulse& impulse) {
   for (int* number : {&impulse.step, &impulse.A, &impulse.B})
     *number = reader.Get<std::int32_t>();
   for (Vector3d* v : {&impulse.p_WC, &impulse.n_AB_W, &impulse.J_B_W})
@@ -149,7 +77,7 @@ void Get(Reader& reader, ContactImpulse& impulse) {
 }  // namespace
 
 std::string ToWire(const ContactAnswer& answer) {
-  Writer writer;
+  WireWriter writer;
   writer.Put(kVersion);
   writer.Put(static_cast<std::uint8_t>(answer.status));
   writer.Put(static_cast<std::uint8_t>((answer.touching ? kTouchingFlag : 0) |
@@ -174,7 +102,7 @@ std::string ToWire(const ContactAnswer& answer) {
 }
 
 std::optional<ContactAnswer> FromWire(std::string_view bytes) {
-  Reader reader(bytes);
+  WireReader reader(bytes);
   ContactAnswer answer;
   if (reader.Get<std::uint8_t>() != kVersion) return std::nullopt;
   const auto status = reader.Get<std::uint8_t>();
@@ -207,7 +135,7 @@ std::optional<ContactAnswer> FromWire(std::string_view bytes) {
 }
 
 std::string ToWire(const Trajectory& trajectory) {
-  Writer writer;
+  WireWriter writer;
   writer.Put(kVersion);
   writer.Put(static_cast<std::uint8_t>(trajectory.status));
   writer.Put(trajectory.gives_impulses ? kImpulsesFlag : std::uint8_t{0});
@@ -233,7 +161,7 @@ std::string ToWire(const Trajectory& trajectory) {
 }
 
 std::optional<Trajectory> TrajectoryFromWire(std::string_view bytes) {
-  Reader reader(bytes);
+  WireReader reader(bytes);
   Trajectory trajectory;
   if (reader.Get<std::uint8_t>() != kVersion) return std::nullopt;
   const auto status = reader.Get<std::uint8_t>();

@@ -1,6 +1,7 @@
 #include "oracles/isolation/child_context.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <fstream>
@@ -18,9 +19,12 @@
 namespace touchstone {
 namespace {
 
-// The descriptor of the child's end of the socket, whatever it was in the parent.
+// The descriptors of the child's end of the socket and of the file of records, whatever
+// they were in the parent.
 constexpr int kSocketFd = 3;
-// The most that a child may print to stderr in one task; more is lost. [bytes]
+constexpr int kRecordsFd = 4;
+// The longest file: what a child may print to stderr in one task, beyond which all is
+// lost, and its records. [bytes]
 constexpr rlim_t kMostOutput = rlim_t{64} << 20;
 
 // The address space in use. [bytes]
@@ -52,17 +56,20 @@ void ResetSignals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void RedirectAndClose(int socket, int output) {
+void RedirectAndClose(int socket, int output, int records) {
   __fpurge(stdout);  // The parent writes its own unwritten output.
   fcntl(output, F_SETFL, O_APPEND);
+  fcntl(records, F_SETFL, O_APPEND);
   // Copies first, so that no dup2 below closes a descriptor that is still needed.
   const int socket_copy = fcntl(socket, F_DUPFD, 64);
   const int output_copy = fcntl(output, F_DUPFD, 64);
+  const int records_copy = fcntl(records, F_DUPFD, 64);
   // Not into the file of stderr: half a buffered line would merge with an assertion.
   dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
   dup2(output_copy, STDERR_FILENO);
   dup2(socket_copy, kSocketFd);
-  close_range(kSocketFd + 1, ~0U, 0);
+  dup2(records_copy, kRecordsFd);
+  close_range(kRecordsFd + 1, ~0U, 0);
 }
 
 // Requests a SIGPROF once this process has used `cpu` more CPU time.
@@ -76,11 +83,11 @@ void SetCpuDeadline(std::chrono::microseconds cpu) {
 
 }  // namespace
 
-ChildContext::ChildContext(int socket, int output, const ChildLimits& limits)
+ChildContext::ChildContext(int socket, int output, int records, const ChildLimits& limits)
     : limits_(limits), socket_(UniqueFd(kSocketFd), limits.message) {
   const rlim_t address_space = AddressSpace();
   ResetSignals();
-  RedirectAndClose(socket, output);
+  RedirectAndClose(socket, output, records);
   LowerLimit(RLIMIT_CORE, 0);
   LowerLimit(RLIMIT_FSIZE, kMostOutput);
   if (!kSanitizerReservesMemory) LowerLimit(RLIMIT_AS, address_space + limits.memory);
@@ -93,6 +100,16 @@ void ChildContext::StartTask() {
 
 void ChildContext::Send(std::string_view message) {
   if (!socket_.Send(message)) _exit(1);
+}
+
+void ChildContext::Record(std::string_view message) {
+  const std::string framed = MessageSocket::Framed(message);
+  for (std::string_view rest = framed; !rest.empty();) {
+    const ssize_t count = write(kRecordsFd, rest.data(), rest.size());
+    if (count < 0 && errno != EINTR) _exit(1);
+    if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
+  }
+  recorded_ += framed.size();
 }
 
 std::string_view ChildContext::Receive() {

@@ -24,17 +24,25 @@ struct ChildLimits {
 class ChildContext {
  public:
   /** Confines the calling process, a child just forked. Signals get their default
-   actions, every descriptor except stdin and these two is closed, stdout is discarded,
+   actions, every descriptor except stdin and these three is closed, stdout is discarded,
    stderr goes to `output`, and the limits apply.
    @param socket The child's end of the socket.
-   @param output A file. */
-  ChildContext(int socket, int output, const ChildLimits& limits);
+   @param output A file.
+   @param records A file for Record(). */
+  ChildContext(int socket, int output, int records, const ChildLimits& limits);
 
   /** Starts a task: discards what was printed so far, and restarts the CPU time. */
   void StartTask();
 
   /** Sends a message. Ends the process if the parent has closed the socket. */
   void Send(std::string_view message);
+
+  /** Appends a message to the records, which the parent reads after the end of this
+   process. Unlike Send(), it wakes nobody. Ends the process if the file cannot grow. */
+  void Record(std::string_view message);
+
+  /** Returns the size of all records, at most that of the longest output. [bytes] */
+  std::size_t recorded() const { return recorded_; }
 
   /** Waits for the next message, and returns its bytes, valid until the next call. Ends
    the process if the parent has closed the socket. */
@@ -47,6 +55,7 @@ class ChildContext {
  private:
   ChildLimits limits_;
   MessageSocket socket_;
+  std::size_t recorded_ = 0;
 };
 
 }  // namespace touchstone

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -52,8 +53,23 @@ class ChildProcess {
     return message;
   }
 
+  /** Returns the next record of the child, decoded. The first call waits until the child
+   has ended, or has recorded nothing for the limit of wall-clock time. Returns nothing if
+   there is no further record, or if `decode` returns nothing. */
+  template <typename Message>
+  std::optional<Message> NextRecord(std::optional<Message> (*decode)(std::string_view)) {
+    const std::optional<std::string_view> bytes = NextRecordBytes();
+    if (!bytes) return std::nullopt;
+    std::optional<Message> message = decode(*bytes);
+    if (!message) socket_.Reject();
+    return message;
+  }
+
+  /** Returns the size of the records that NextRecord() has returned. [bytes] */
+  std::size_t taken() const { return taken_; }
+
   /** Kills the child if it is still running, and returns how it ended.
-   @pre Receive() has returned nothing. */
+   @pre Receive() or NextRecord() has returned nothing. */
   Ending End();
 
   /** Returns the last line that the child has printed to its standard error in its
@@ -62,11 +78,16 @@ class ChildProcess {
 
  private:
   std::optional<std::string_view> ReceiveBytes();
+  std::optional<std::string_view> NextRecordBytes();
+  void AwaitRecords();
   bool IsDead() const;
   int Kill();
 
   ChildLimits limits_;
-  UniqueFd output_;  // An unnamed file: the child's stderr.
+  UniqueFd output_;                      // An unnamed file: the child's stderr.
+  UniqueFd records_;                     // An unnamed file: what the child has recorded.
+  std::optional<std::string> recorded_;  // Its contents, once they have been read.
+  std::size_t taken_ = 0;  // Bytes of `recorded_` that NextRecord() has returned.
   MessageSocket socket_;
   pid_t pid_ = -1;  // Negative once the child has been waited for.
   int status_ = 0;  // Wait status of the child.

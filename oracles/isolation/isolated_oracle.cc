@@ -9,6 +9,7 @@
 #include "oracles/isolation/answering_child.h"
 #include "oracles/isolation/child_context.h"
 #include "oracles/isolation/child_process.h"
+#include "oracles/isolation/recording_child.h"
 #include "oracles/no_answer.h"
 
 namespace touchstone {
@@ -149,18 +150,19 @@ class IsolatedOracle final : public Oracle {
   }
 
  private:
-  // Answers the queries from `next` on in one child, up to the query that kills it or to
-  // the last one.
+  // Answers the queries from `next` on in one child, up to the query that kills it, to
+  // the last one, or until its records are full.
   void AnswerUntilDeath(std::span<const ContactQuery> queries,
                         std::span<ContactAnswer> answers, std::size_t& next) const {
     const std::span<const ContactQuery> left = queries.subspan(next);
-    AnsweringChild child(
+    RecordingChild child(
         left.size(),
         [&](std::size_t i) { return ToWire(AnswerOrCrash(*oracle_, left[i])); },
         {limits_.cpu, limits_.wall, limits_.memory, kLongestAnswer});
     while (next < queries.size()) {
       std::optional<ContactAnswer> answer = child.Next(&FromWire);
       if (!answer) {
+        if (child.IsFull()) return;
         ChildProcess::Ending ending = child.LastWords();
         answers[next] = ContactAnswer{};
         answers[next].status = ending.status;

@@ -45,10 +45,11 @@ struct IsolationLimits {
  - uses up limits.cpu: kTimedOut, "no answer after 2 s of CPU time";
  - waits for limits.wall: kTimedOut, "no answer after 60 s, blocked".
 
- One child answers a whole batch and streams its answers. After a death, a new child
- continues with the next question. The cost is one fork per batch and some microseconds
- per question. Other output of the child is discarded. No child outlives the call, or the
- process if that is killed.
+ One child answers a whole batch of contact questions and records its answers in a file in
+ memory, which is read when it has ended; one of worlds sends each trajectory. After a
+ death, a new child continues with the next question. The cost is one fork per batch and
+ some microseconds per question. Other output of the child is discarded. No child outlives
+ the call, or the process if that is killed.
 
  Fork without exec is safe in a multithreaded process only as far as glibc makes it so:
  fork() takes the locks of malloc and stdio and restores them in the child. Any other lock

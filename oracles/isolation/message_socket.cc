@@ -14,15 +14,32 @@ namespace touchstone {
 using std::chrono::milliseconds;
 
 bool MessageSocket::Send(std::string_view message) {
-  const std::uint64_t length = message.size();
-  std::string frame(reinterpret_cast<const char*>(&length), sizeof(length));
-  frame += message;
-  for (std::string_view rest = frame; !rest.empty();) {
+  const std::string framed = Framed(message);
+  for (std::string_view rest = framed; !rest.empty();) {
     const ssize_t count = send(socket_.get(), rest.data(), rest.size(), MSG_NOSIGNAL);
     if (count < 0 && errno != EINTR) return false;
     if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
   }
   return true;
+}
+
+std::string MessageSocket::Framed(std::string_view message) {
+  const std::uint64_t length = message.size();
+  std::string framed;
+  framed.reserve(sizeof(length) + message.size());
+  framed.append(reinterpret_cast<const char*>(&length), sizeof(length));
+  framed += message;
+  return framed;
+}
+
+bool MessageSocket::AwaitClosing(Time deadline) {
+  while (!silence_) {
+    Read(deadline);
+    received_.clear();
+  }
+  if (silence_ == Silence::kClosed) return true;
+  silence_.reset();  // Late, but not given up.
+  return false;
 }
 
 std::optional<std::string_view> MessageSocket::Receive(Time deadline) {

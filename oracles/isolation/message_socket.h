@@ -35,6 +35,16 @@ class MessageSocket {
    receive. */
   bool Send(std::string_view message);
 
+  /** Returns `message` with its length before it. */
+  static std::string Framed(std::string_view message);
+
+  /** Waits until the other end is closed, and returns whether it is. Bytes that arrive
+   are ignored. */
+  bool AwaitClosing(Time deadline);
+
+  /** Expects no more of the other end, which has said nothing for too long. */
+  void GiveUp() { silence_ = Silence::kLate; }
+
   /** Waits for the next message and returns its bytes, valid until the next call. After
    it has returned nothing, it returns nothing at once. */
   std::optional<std::string_view> Receive(Time deadline = Time::max());

@@ -131,9 +131,11 @@ Capability MujocoCapability(ShapeKind a, ShapeKind b) {
 
 void AnswerByMujoco(const OracleInfo& info, std::span<const ContactQuery> queries,
                     std::span<ContactAnswer> answers) {
-  Pair pair;
+  // Kept for later batches: clearing the memory of mjData takes as long as a hundred
+  // questions.
+  static thread_local Pair pair;
   AnswerEach(info, queries, answers,
-             [&](const ContactQuery& query) { return pair.Ask(query); });
+             [](const ContactQuery& query) { return pair.Ask(query); });
 }
 
 void DescribeMujocoContacts(OracleInfo& info) {

@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -14,24 +16,29 @@
 #include "reports/clusters/measure_words.h"
 #include "reports/clusters/ordinary.h"
 #include "reports/finding/grade.h"
+#include "reports/finding/verdict_before.h"
 #include "reports/text/counted.h"
 #include "reports/text/si_quantity.h"
 
 namespace touchstone {
 namespace {
 
-const LedgerEntry& EntryOf(const RunReport& report, const Finding& finding) {
-  return report.ledger.entries[static_cast<std::size_t>(*finding.ledger_entry)];
+/** Returns the entry that knows a fault, whether or not the fault keeps within its bound;
+ null if there is none. */
+const LedgerEntry* EntryOf(const RunReport& report, const Finding& finding) {
+  const std::optional<int> entry =
+      finding.ledger_entry ? finding.ledger_entry : finding.outgrown_entry;
+  return entry ? &report.ledger.entries[static_cast<std::size_t>(*entry)] : nullptr;
 }
 
-/** Identifies a cluster: its fault in the ledger; outside the ledger the oracle, verdict,
- measure and cause. */
+/** Identifies a cluster: its fault in the ledger, and whether its bounds excuse it;
+ outside the ledger the oracle, verdict, measure and cause. */
 using Key = std::tuple<std::string, Verdict, MeasureKind, Cause>;
 
 Key KeyOf(const RunReport& report, const Finding& finding) {
-  if (finding.ledger_entry) {
-    return {FaultOf(EntryOf(report, finding)), Verdict::kKnown, MeasureKind::kTouching,
-            Cause::kNone};
+  if (const LedgerEntry* entry = EntryOf(report, finding)) {
+    return {FaultOf(*entry), finding.ledger_entry ? Verdict::kKnown : Verdict::kFail,
+            MeasureKind::kTouching, Cause::kNone};
   }
   return {finding.oracle, finding.verdict, finding.measure, finding.cause};
 }
@@ -76,10 +83,10 @@ double Comparable(double share) {
 /** Returns the key by which the worst finding of a cluster is the greatest: a length
  before any other value, then its share. The two gravest bands count as one, since the
  depth of a wrong hit says less than an error ten times as large. */
-std::tuple<Band, bool, double> SizeOf(const Finding& finding, double share) {
+std::tuple<Band, bool, double> SizeOf(const Finding& finding, Band band, double share) {
   const bool is_length =
       finding.measure == MeasureKind::kTouching || UnitOf(finding.measure) == "m";
-  return {std::min(BandOf(finding, share), Band::kGross), is_length, Comparable(share)};
+  return {std::min(band, Band::kGross), is_length, Comparable(share)};
 }
 
 /** Fills a cluster from its findings. */
@@ -91,27 +98,33 @@ void Sum(const RunReport& report, const Clusters& all,
   for (const std::size_t f : cluster.findings) {
     const Finding& finding = report.findings[f];
     const auto [question, oracle] = all.places[f];
-    const std::pair<Band, double> size{BandOf(finding, all.shares[f]),
-                                       Comparable(all.shares[f])};
+    const std::pair<Band, double> size{
+        BandOf(finding, report.ledger.entries, all.shares[f]), Comparable(all.shares[f])};
     ++oracles[oracle];
     auto& of_question = questions.try_emplace(question, size).first->second;
     of_question = std::max(of_question, size);
     cluster.ordinary = std::max(cluster.ordinary, ordinary[question]);
     cluster.gravity = std::max(
-        cluster.gravity, static_cast<double>(size.first) * (1 + ordinary[question]) / 2);
+        cluster.gravity, static_cast<double>(size.first) - (1 - ordinary[question]));
     cluster.band = std::max(cluster.band, size.first);
-    if (const auto key = SizeOf(finding, all.shares[f]); key > worst) {
+    if (const auto key = SizeOf(finding, size.first, all.shares[f]); key > worst) {
       worst = key;
       cluster.worst = f;
     }
   }
   const Finding& finding = report.findings[cluster.worst];
-  cluster.is_new = !finding.ledger_entry;
-  cluster.reason = cluster.is_new ? ReasonOf(finding) : EntryOf(report, finding).reason;
-  cluster.title =
-      cluster.is_new ? cluster.reason + '.' : FaultOf(EntryOf(report, finding));
-  if (!cluster.is_new) cluster.upstream = EntryOf(report, finding).upstream;
+  const LedgerEntry* entry = EntryOf(report, finding);
+  cluster.is_new = entry == nullptr;
+  cluster.has_outgrown = finding.outgrown_entry.has_value();
+  cluster.reason = entry ? entry->reason : ReasonOf(finding);
+  cluster.title = entry ? FaultOf(*entry) : cluster.reason + '.';
+  if (entry) cluster.upstream = entry->upstream;
   cluster.cause = finding.cause;
+  if (entry) {
+    cluster.responsible = entry->responsible;
+  } else if (finding.cause == Cause::kModel) {
+    cluster.responsible = Responsible::kModel;
+  }
   cluster.share = all.shares[cluster.worst];
   const bool is_touch = finding.measure == MeasureKind::kTouching;
   cluster.unit = is_touch ? "m" : UnitOf(finding.measure);
@@ -131,15 +144,37 @@ void Sum(const RunReport& report, const Clusters& all,
   });
 }
 
+/** Returns the angle and the distance of two places of a body, if most of the error is
+ the angle: "176° and 3 cm". The error itself, distance + angle · radius, would be a
+ length that nothing moves by. Otherwise "". */
+std::string TurnInWords(const Finding& finding) {
+  const Proof* proof = finding.evidence.get();
+  if (!proof || proof->kind != ProofKind::kPlaces || proof->points_W.size() != 2)
+    return "";
+  const double distance = (proof->points_W[1] - proof->points_W[0]).norm();
+  if (!(proof->rest > 0) || !(finding.value > 2 * distance)) return "";
+  return fmt::format("{:.3g}° and {}", proof->rest * 180 / std::numbers::pi,
+                     SiQuantity(distance, "m"));
+}
+
 /** Returns the size of the worst fault in words, after ", "; "" without one. */
-std::string SizeInWords(const Finding& worst, const Cluster& cluster) {
-  if (worst.verdict == Verdict::kCrashed || worst.verdict == Verdict::kTimedOut ||
-      worst.verdict == Verdict::kInvalid || worst.measure == MeasureKind::kAnswering ||
-      cluster.band == Band::kNone || cluster.unit.empty() || cluster.error == 0) {
+std::string SizeInWords(const RunReport& report, const Cluster& cluster) {
+  const Finding& worst = report.findings[cluster.worst];
+  const Verdict verdict = VerdictBefore(worst, report.ledger.entries);
+  if (verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut ||
+      verdict == Verdict::kInvalid || cluster.band == Band::kNone ||
+      cluster.unit.empty() || cluster.error == 0) {
     return "";
   }
+  if (const std::string turn = TurnInWords(worst); !turn.empty())
+    return fmt::format(", at worst {}", turn);
   const std::string size = SiQuantity(cluster.error, cluster.unit);
-  const std::string share = cluster.unit == "m" ? ShareInWords(cluster.share) : "";
+  std::string share;
+  if (cluster.unit == "m") {
+    std::size_t question = 0;
+    while (IdOf(report, question) != worst.scenario) ++question;
+    share = ShareInWords(cluster.share, SizedPartOf(report, question));
+  }
   return fmt::format(", at worst {}{}{}", size, share.empty() ? "" : ", ", share);
 }
 
@@ -161,8 +196,8 @@ std::string_view NameOf(Band band) {
   return kNames[static_cast<std::size_t>(band)];
 }
 
-Band BandOf(const Finding& finding, double share) {
-  switch (finding.verdict) {
+Band BandOf(const Finding& finding, std::span<const LedgerEntry> entries, double share) {
+  switch (VerdictBefore(finding, entries)) {
     case Verdict::kCrashed:
     case Verdict::kTimedOut:
     case Verdict::kInvalid:
@@ -175,8 +210,6 @@ Band BandOf(const Finding& finding, double share) {
     default:
       return Band::kNone;
   }
-  if (finding.measure == MeasureKind::kAnswering && finding.value > 0)
-    return Band::kWrong;
   const bool has_no_size = finding.measure == MeasureKind::kContactCount ||
                            finding.measure == MeasureKind::kPatchCoverage;
   const auto band = static_cast<Band>(finding.grade);
@@ -227,7 +260,7 @@ std::string ExtentOf(const RunReport& report, const Cluster& cluster) {
   const std::string whose =
       cluster.is_new ? "In" : NamesOf(report, cluster.oracles) + ", in";
   return fmt::format("{} {}{}.", whose, Counted(cluster.questions.size(), "scenario"),
-                     SizeInWords(report.findings[cluster.worst], cluster));
+                     SizeInWords(report, cluster));
 }
 
 }  // namespace touchstone

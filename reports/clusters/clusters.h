@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "reports/clusters/shares.h"
+#include "reports/finding/ledger.h"
 #include "reports/run_report.h"
 
 namespace touchstone {
@@ -26,21 +28,27 @@ inline constexpr int kBands = static_cast<int>(Band::kWrong) + 1;
 /** Returns "wrong answer", "over 10 %", …; "" for kNone. */
 std::string_view NameOf(Band band);
 
-/** Returns the band of a finding; kNone unless its verdict is a failure or known. A count
- of contacts, or a covered fraction of the patch, is at most kLarge: neither is a length
- by which anything is wrong.
- `share`: see SharesOf(). A known finding keeps the grade of its failure. */
-Band BandOf(const Finding& finding, double share);
+/** Returns the band of a finding; kNone unless its verdict is a failure or known. A known
+ finding has the band that it has without the ledger. A count of contacts, or a covered
+ fraction of the patch, is at most kLarge: neither is a length by which anything is wrong.
+ @param entries Those of the ledger that was applied.
+ @param share See SharesOf(). [-] */
+Band BandOf(const Finding& finding, std::span<const LedgerEntry> entries, double share);
 
-/** Faults with one cause: those of one FaultOf() the ledger; or those of one oracle,
- verdict, measure and cause outside it. */
+/** Faults with one cause: those of one FaultOf() the ledger that its bounds excuse; those
+ of one that they do not excuse any more; or those of one oracle, verdict, measure and
+ cause outside the ledger. */
 struct Cluster {
   std::string title;     ///< The fault as one sentence, with its stop.
   std::string reason;    ///< The ledger's for the worst finding, or the fault in words.
   std::string upstream;  ///< A link, "unreported", or "" outside the ledger.
   bool is_new = false;   ///< Whether it is not in the ledger.
-  Band band = Band::kNone;             ///< The gravest.
-  Cause cause = Cause::kNone;          ///< That of the worst finding.
+  bool has_outgrown = false;   ///< Whether it is in the ledger, and larger than there.
+  Band band = Band::kNone;     ///< The gravest.
+  Cause cause = Cause::kNone;  ///< That of the worst finding.
+  /** The party that the ledger entry of the worst finding names. Without an entry it is
+   the model if that is the cause, and else the engine. */
+  Responsible responsible = Responsible::kEngine;
   std::vector<std::size_t> findings;   ///< Indices, in the order of the report.
   std::vector<std::size_t> oracles;    ///< Those that share it, most findings first.
   std::vector<std::size_t> questions;  ///< Gravest first, then the most ordinary.
@@ -51,10 +59,10 @@ struct Cluster {
   std::string unit;     ///< "m" for a wrong hit or miss.
   double share = 0;     ///< Share of the worst finding. [-]
   double ordinary = 0;  ///< OrdinaryOf() its most ordinary question. [-]
-  /** How much it matters to users: the largest band · (1 + ordinary) / 2 of its findings,
-   with bands numbered from 0, plus log2(oracles) / 2 and log10(questions). A gross error
-   in an everyday question precedes a wrong hit in a contrived one; and a fault that four
-   engines share, or that ten questions show, counts one band more. [-] */
+  /** How much it matters to users, in bands: the largest band − (1 − ordinary) of its
+   findings, with bands numbered from 0, plus log2(oracles) / 2 and log10(questions). A
+   contrived question counts up to one band less; a fault that four engines share, or that
+   ten questions show, counts one band more. [-] */
   double gravity = 0;
 };
 
@@ -72,7 +80,7 @@ struct Clusters {
 Clusters ClustersOf(const RunReport& report);
 
 /** Returns whose a fault is, in how many scenarios, and its largest error: "Bullet and
- ODE, in 41 scenarios, at worst 4.8 cm, 5 % of the size.". */
+ ODE, in 41 scenarios, at worst 4.8 cm, 5 % of the smaller body.". */
 std::string ExtentOf(const RunReport& report, const Cluster& cluster);
 
 /** Returns the oracles of a cluster in words: the libraries, or the oracles if all are of

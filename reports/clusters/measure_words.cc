@@ -35,6 +35,7 @@ std::string_view FaultInWords(MeasureKind measure) {
       "makes or loses energy",
       "reports impulses that do not add up to the change of momentum",
       "reports impulses that do not add up to the change of angular momentum",
+      "reports contacts that are not on the bodies",
       "lets bodies sink into each other",
       "lets a body pass through another",
       "moves a body that should rest",

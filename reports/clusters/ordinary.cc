@@ -34,7 +34,7 @@ double LeastSeparation(const Enclosure& separation) {
 }  // namespace
 
 double OrdinaryOf(const ContactQuery& query, const ContactTruth& truth) {
-  constexpr double kNearestDecades = 3;
+  constexpr double kNearestDecades = 1;
   const double extent = SmallerExtent(query);
   const double thickness = 2 * SmallestFeature(query);
   const double nearness = std::min(

@@ -12,8 +12,8 @@ namespace touchstone {
  - an extent E of the smaller body from 1 cm to 10 m;
  - a body 10 times as long as it is thick;
  - a scene of 100 E, its largest coordinate included;
- - a separation or a depth of E / 1000, at most three decades: nearer to touching, an
- answer turns on the last digits of its input.
+ - a separation or a depth of E / 1000, at most one decade: nearer to touching, an answer
+ may turn on the last digits of its input, but every body at rest touches another.
 
  @pre At most one of the bodies is a half-space. [-] */
 double OrdinaryOf(const ContactQuery& query, const ContactTruth& truth);

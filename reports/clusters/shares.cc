@@ -60,4 +60,14 @@ double SizeOfQuestion(const RunReport& report, std::size_t i) {
       .length;
 }
 
+std::string_view SizedPartOf(const RunReport& report, std::size_t i) {
+  const std::size_t contacts = report.scenarios.size();
+  if (i < contacts) return "the smaller body";
+  const World& world = report.worlds[i - contacts].scenario.world;
+  return std::ranges::any_of(world.bodies,
+                             [](const RigidBody& body) { return body.mass > 0; })
+             ? "the smallest moving body"
+             : "the way of its points";
+}
+
 }  // namespace touchstone

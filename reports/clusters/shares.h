@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "reports/run_report.h"
@@ -24,5 +25,10 @@ std::vector<double> SharesOf(const RunReport& report,
 /** Returns the length by which errors on question `i` are divided: the extent of the
  smaller body, or the length of the scale of the first whole motion. [m] */
 double SizeOfQuestion(const RunReport& report, std::size_t i);
+
+/** Returns what has the length of SizeOfQuestion(), as words that follow "5 % of": "the
+ smaller body", "the smallest moving body" of a world, "the way of its points" of a world
+ without moving bodies. */
+std::string_view SizedPartOf(const RunReport& report, std::size_t i);
 
 }  // namespace touchstone

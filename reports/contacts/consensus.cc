@@ -35,7 +35,7 @@ std::vector<Voter> VotersOf(const ScenarioResult& result,
     voters.push_back(
         {oracles[i].name, capability.family, answer.touching, SeparationOf(answer),
          TolerancesOf(oracles[i], result.scenario, result.truth, answer.touching)
-             .separation.value});
+             .separation});
   }
   return voters;
 }

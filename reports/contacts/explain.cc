@@ -1,6 +1,8 @@
 #include "reports/contacts/explain.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -60,7 +62,7 @@ void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
     if (finding.reference == "referee") of_answer.push_back(&finding);
   }
   const bool any = std::any_of(of_answer.begin(), of_answer.end(),
-                               [](const Finding* f) { return IsProvedWrong(*f); });
+                               [](const Finding* f) { return IsUnexplained(*f); });
   if (any) ExplainByConvention(result.scenario, result.truth, oracle, answer, of_answer);
 }
 
@@ -71,14 +73,26 @@ void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
                          std::span<const ContactAnswer> answers,
                          std::span<Finding> findings) {
   const std::vector<JudgedNeighbour> neighbours =
-      Judged(result.scenario, oracle, queries, truths, answers);
+      Judged(result.scenario, oracle, queries, truths, answers, findings);
+  std::vector<std::pair<Finding*, Explanation>> explained;
   for (Finding& finding : findings) {
     if (!IsUnexplained(finding)) continue;
-    const auto why = PrecisionOf(finding, result.scenario.contact, result.truth, answer,
-                                 neighbours, oracle.unit_roundoff);
-    if (!why) continue;
-    finding.cause = Cause::kPrecision;
-    finding.cause_because = *why;
+    const auto why = ExplanationByRounding(finding, result.scenario.contact, result.truth,
+                                           answer, neighbours, oracle.unit_roundoff);
+    if (why) explained.emplace_back(&finding, *why);
+  }
+  const auto gross = std::ranges::find_if(explained, [](const auto& of_finding) {
+    return of_finding.second.cause == Cause::kDefect;
+  });
+  for (const auto& [finding, why] : explained) {
+    finding->cause = why.cause;
+    finding->cause_because = why.because;
+    if (gross == explained.end() || why.cause == Cause::kDefect || why.moves_truth)
+      continue;
+    finding->cause = Cause::kDefect;  // One answer has one cause.
+    finding->cause_because =
+        fmt::format("{}; but its {} is more than a tenth of the smaller body",
+                    why.because, NameOf(gross->first->measure));
   }
 }
 

@@ -19,9 +19,11 @@ void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
  find one. */
 bool IsUnexplained(const Finding& finding);
 
-/** Sets the cause `precision` on those failures of one scenario and one oracle that
- rounding explains, see PrecisionOf(). `queries` are NeighboursOf() the question at the
- precision of the oracle; `truths` and `answers` belong to them. */
+/** Sets the cause of those failures of one scenario and one oracle that roundings of the
+ question explain, see ExplanationByRounding(). If one of them is too gross for rounding,
+ none is `precision` unless the truth itself moves: one answer has one cause. `queries`
+ are NeighboursOf() the question at the precision of the oracle; `truths` and `answers`
+ belong to them. */
 void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
                          const ContactAnswer& answer,
                          std::span<const ContactQuery> queries,

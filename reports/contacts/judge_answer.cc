@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include "reports/contacts/grade.h"
 #include "reports/contacts/normal_claim.h"
 #include "reports/contacts/proof.h"
+#include "reports/contacts/tolerance_reasons.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/consistency_error.h"
 #include "reports/measures/contact_count.h"
@@ -34,11 +37,16 @@
 namespace touchstone {
 namespace {
 
+/** The findings on one answer are about a dozen. Each is half a kilobyte, so that moving
+ them to larger storage costs as much as some measures. */
+constexpr std::size_t kMostFindings = 16;
+
 /** The judgement of one answer. Each method adds the findings of one measure. */
 class Judgement {
  public:
   Judgement(const Scenario& scenario, const ContactTruth& truth, const OracleInfo& oracle,
-            const ContactAnswer& answer)
+            const ContactAnswer& answer, Reasons reasons,
+            std::span<const MeasureKind> wanted)
       : scenario_(scenario),
         query_(scenario.contact),
         truth_(truth),
@@ -46,12 +54,16 @@ class Judgement {
         answer_(answer),
         capability_(oracle.For(KindOf(query_.A.shape), KindOf(query_.B.shape))),
         tolerances_(TolerancesOf(oracle, scenario, truth, answer.touching)),
-        dispute_{oracle.name, query_, truth, answer},
+        because_(oracle, scenario, truth, answer.touching, tolerances_),
+        reasons_(reasons),
+        wanted_(wanted),
+        dispute_{query_, truth, answer},
         n_W_(NormalOf(answer)),
         separation_(SeparationOf(answer)) {}
 
   std::vector<Finding> Findings() && {
     if (!Answered()) return std::move(findings_);
+    findings_.reserve(kMostFindings);
     if (const auto fault = InvalidityOf(answer_, tolerances_.unit_normal)) {
       Unanswered(Verdict::kInvalid, *fault);
       return std::move(findings_);
@@ -64,17 +76,29 @@ class Judgement {
     JudgeSeparation();
     JudgeNormal();
     JudgeWitnesses();
-    JudgeContacts();
-    JudgePatch();
+    // Whether a contact may be off the patch depends on whether it is on both surfaces.
+    if (IsWanted({MeasureKind::kContactSurfaceError, MeasureKind::kContactSeparationError,
+                  MeasureKind::kContactOffPatch}))
+      JudgeContacts();
+    if (IsWanted({MeasureKind::kContactOffPatch, MeasureKind::kPatchCoverage,
+                  MeasureKind::kContactCount, MeasureKind::kContactTooDeep}))
+      JudgePatch();
     JudgeMixedNormals();
-    Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"}, [] { return ""; });
+    Add(MeasureKind::kAnswering, 0, 0, AnswerIsAnswer, [] { return ""; });
     return std::move(findings_);
   }
 
  private:
-  /** Adds a finding. `prove` is called to make the proof of a failure. */
-  template <typename Prove>
-  Finding& Add(MeasureKind measure, double value, const Tolerance& tolerance,
+  bool IsWanted(std::initializer_list<MeasureKind> measures) const {
+    return wanted_.empty() ||
+           std::find_first_of(wanted_.begin(), wanted_.end(), measures.begin(),
+                              measures.end()) != wanted_.end();
+  }
+
+  /** Adds a finding. `because` is called for the reason of the tolerance if the finding
+   carries it, and `prove` to make the proof of a failure. */
+  template <typename Because, typename Prove>
+  Finding& Add(MeasureKind measure, double value, double tolerance, Because because,
                Prove prove) {
     Finding& finding = findings_.emplace_back();
     finding.scenario = scenario_.id;
@@ -82,19 +106,31 @@ class Judgement {
     finding.reference = "referee";
     finding.measure = measure;
     finding.value = value;
-    finding.tolerance = tolerance.value;
-    finding.tolerance_because = tolerance.because;
+    finding.tolerance = tolerance;
     // Written so that a NaN fails.
-    finding.verdict = value <= tolerance.value ? Verdict::kPass : Verdict::kFail;
+    finding.verdict = value <= tolerance ? Verdict::kPass : Verdict::kFail;
     // If doubles overflow, the enclosure is unbounded and proves no answer wrong.
-    if (!std::isfinite(tolerance.value)) finding.verdict = Verdict::kUndecidable;
+    if (!std::isfinite(tolerance)) finding.verdict = Verdict::kUndecidable;
+    if (reasons_ == Reasons::kOfAll) finding.tolerance_because = because();
     if (UnitOf(measure) == "m") RequireFineTolerance(finding);
     if (finding.verdict == Verdict::kFail) {
-      finding.proof = prove();
+      if (reasons_ != Reasons::kNone) {
+        if constexpr (std::is_same_v<decltype(prove()), Proof>)
+          State(prove(), finding);
+        else
+          finding.proof = prove();
+      }
       finding.grade = GradeOf(finding, query_, truth_);
-      finding.safety = tolerance.value > 0 ? kRoundingsSafety : 1;
+      finding.safety = tolerance > 0 ? kRoundingsSafety : 1;
     }
     return finding;
+  }
+
+  /** Replaces the reason of a finding that carries one by `reworded` of it. */
+  template <typename Reworded>
+  static void Reword(Finding& finding, Reworded reworded) {
+    if (!finding.tolerance_because.empty())
+      finding.tolerance_because = reworded(finding.tolerance_because);
   }
 
   /** Withdraws a pass within a tolerance that is too wide to tell right from wrong. A
@@ -103,10 +139,11 @@ class Judgement {
     if (finding.verdict != Verdict::kPass || finding.tolerance <= tolerances_.fine)
       return;
     const bool is_fine = finding.value <= tolerances_.fine;
-    finding.tolerance_because = fmt::format(
-        "{} {:.2g} m, a hundredth of the smallest feature and of the distance: {}",
-        is_fine ? "narrowed to" : "wider than", tolerances_.fine,
-        finding.tolerance_because);
+    Reword(finding, [&](const std::string& because) {
+      return fmt::format(
+          "{} {:.2g} m, a hundredth of the smallest feature and of the distance: {}",
+          is_fine ? "narrowed to" : "wider than", tolerances_.fine, because);
+    });
     if (is_fine) {
       finding.tolerance = tolerances_.fine;
     } else {
@@ -124,9 +161,11 @@ class Judgement {
     if (finding.verdict != Verdict::kPass || !(width > finding.tolerance)) return;
     if (most() <= finding.tolerance) return;
     finding.verdict = Verdict::kUndecidable;
-    finding.tolerance_because = fmt::format(
-        "the truth is known only to within {:.2g} m, more than is allowed: {}", width,
-        finding.tolerance_because);
+    Reword(finding, [&](const std::string& because) {
+      return fmt::format(
+          "the truth is known only to within {:.2g} m, more than is allowed: {}", width,
+          because);
+    });
   }
 
   /** Withdraws a failure that only a polygon in doubles tells. */
@@ -134,17 +173,18 @@ class Judgement {
     finding.verdict = Verdict::kUndecidable;
     finding.grade = Grade::kNone;
     finding.safety = 1;
-    finding.proof.clear();
-    finding.tolerance_because = fmt::format("the patch is not certified here, and {}: {}",
-                                            why, finding.tolerance_because);
+    TakeBackProof(finding);
+    Reword(finding, [&](const std::string& because) {
+      return fmt::format("the patch is not certified here, and {}: {}", why, because);
+    });
   }
 
+  static std::string AnswerIsAnswer() { return "an answer is an answer"; }
+
   void Unanswered(Verdict verdict, const std::string& why) {
-    Finding& finding =
-        Add(MeasureKind::kAnswering, 1, {0, "an answer is an answer"}, [&] {
-          return fmt::format("{}: {}{}", oracle_.name, why,
-                             why.ends_with('.') ? "" : ".");
-        });
+    Finding& finding = Add(MeasureKind::kAnswering, 1, 0, AnswerIsAnswer, [&] {
+      return fmt::format("{}: {}{}", oracle_.name, why, why.ends_with('.') ? "" : ".");
+    });
     finding.verdict = verdict;
     finding.grade = Grade::kNone;  // No answer is not wrong by any size.
     finding.safety = 1;
@@ -180,7 +220,7 @@ class Judgement {
     if (capability_.depth && !separation_) return "touching, without the promised depth";
     // An engine that derives the normal from two witness points has none where they
     // coincide.
-    const bool deep = truth_.separation.hi < -tolerances_.separation.value;
+    const bool deep = truth_.separation.hi < -tolerances_.separation;
     if (capability_.normal && !n_W_ && deep) {
       return "touching, without the promised normal";
     }
@@ -196,12 +236,12 @@ class Judgement {
   bool IsApart() const { return truth_.separation.lo > 0; }
 
   void JudgeTouching() {
-    Finding& finding =
-        Add(MeasureKind::kTouching, TouchingError(truth_, answer_),
-            {0, "the truth is certified"}, [&] { return ProveTouching(dispute_); });
+    Finding& finding = Add(
+        MeasureKind::kTouching, TouchingError(truth_, answer_), 0,
+        [] { return "the truth is certified"; }, [&] { return ProveTouching(dispute_); });
     const std::optional<bool> sign = CertifiedTouching(truth_);
     const double from_touching = Outside(0, truth_.separation);
-    const double e = tolerances_.separation.value;
+    const double e = tolerances_.separation;
     if (truth_.touching != Touching::kUndecided && finding.value == 0) return;
     if (truth_.touching != Touching::kUndecided && from_touching > e) return;
     if (IsExactScene(query_, oracle_.unit_roundoff)) {
@@ -214,16 +254,17 @@ class Judgement {
     finding.undecided = !sign                       ? Undecided::kUnknown
                         : *sign == answer_.touching ? Undecided::kAgreed
                                                     : Undecided::kOpposed;
-    finding.tolerance_because =
-        truth_.touching == Touching::kUndecided
-            ? fmt::format("touching to within {:.2g} m, the rounding of the input{}",
-                          truth_.input_rounding,
-                          sign ? "" : ", or undecided by " + truth_.method)
-            : fmt::format("{:.2g} m from touching, within {:.2g} m: {}", from_touching, e,
-                          tolerances_.separation.because);
+    Reword(finding, [&](const std::string&) {
+      return truth_.touching == Touching::kUndecided
+                 ? fmt::format("touching to within {:.2g} m, the rounding of the input{}",
+                               truth_.input_rounding,
+                               sign ? "" : ", or undecided by " + truth_.method)
+                 : fmt::format("{:.2g} m from touching, within {:.2g} m: {}",
+                               from_touching, e, because_.Separation());
+    });
     finding.grade = Grade::kNone;
     finding.safety = 1;
-    finding.proof.clear();
+    TakeBackProof(finding);
   }
 
   /** Judges `touching` in a scene whose numbers need no rounding. */
@@ -233,27 +274,31 @@ class Judgement {
     finding.tolerance_because =
         "the truth is certified, and the numbers of the scene need no rounding";
     if (finding.verdict == Verdict::kPass) return;
-    finding.proof = ProveTouching(dispute_);
+    State(ProveTouching(dispute_), finding);
     finding.grade = GradeOf(finding, query_, truth_);
   }
 
   void JudgeSeparation() {
     if (!separation_) return;
-    Finding& finding = Add(MeasureKind::kSeparationError,
-                           SeparationError(truth_, *separation_), tolerances_.separation,
-                           [&] { return ProveSeparation(dispute_, *separation_); });
+    Finding& finding = Add(
+        MeasureKind::kSeparationError, SeparationError(truth_, *separation_),
+        tolerances_.separation, [&] { return because_.Separation(); },
+        [&] { return ProveSeparation(dispute_, *separation_); });
     RequireProof(finding, [&] {
       return std::max(*separation_ - truth_.separation.lo,
                       truth_.separation.hi - *separation_);
     });
     if (!n_W_) return;  // No contacts either: they would have a normal.
-    const double along = ConsistencyError(query_, *n_W_, *separation_);
+    const double along = ConsistencyError(Along(), *separation_);
     const double unmet = ManifoldInconsistency(answer_.points, *separation_);
-    Add(MeasureKind::kConsistencyError, std::max(along, unmet), tolerances_.apart, [&] {
-      return along >= unmet ? ProveInconsistency(dispute_, *n_W_, *separation_)
-                            : ProveManifoldInconsistency(dispute_, *separation_,
-                                                         *DeepestOf(answer_));
-    });
+    Add(
+        MeasureKind::kConsistencyError, std::max(along, unmet), tolerances_.apart,
+        [&] { return because_.Apart(); },
+        [&] {
+          return along >= unmet
+                     ? ProveInconsistency(dispute_, *n_W_, *separation_)
+                     : ProveManifoldInconsistency(*separation_, *DeepestOf(answer_));
+        });
   }
 
   bool IsNormalClaimed() const {
@@ -267,11 +312,10 @@ class Judgement {
       if (!separation_) JudgeSeparatingDirection();
       return;
     }
-    Finding& finding =
-        Add(MeasureKind::kExcess, Excess(query_, truth_, *n_W_), tolerances_.excess,
-            [&] { return ProveExcess(dispute_, *n_W_); });
-    RequireProof(finding,
-                 [&] { return OverlapAlong(query_, *n_W_).hi + truth_.separation.hi; });
+    Finding& finding = Add(
+        MeasureKind::kExcess, Excess(Along(), truth_), tolerances_.excess,
+        [&] { return because_.Excess(); }, [&] { return ProveExcess(dispute_, *n_W_); });
+    RequireProof(finding, [&] { return Along().hi + truth_.separation.hi; });
     normal_is_right_ = finding.verdict == Verdict::kPass;
   }
 
@@ -280,15 +324,16 @@ class Judgement {
    direction claims nothing that could be verified. */
   void JudgeSeparatingDirection() {
     const bool opposite = OverlapAlong(query_, -*n_W_).hi < 0;
-    Finding& finding =
-        Add(MeasureKind::kExcess, std::max(0.0, OverlapAlong(query_, *n_W_).lo),
-            tolerances_.apart, [&] { return ProveOppositeNormal(dispute_, *n_W_); });
+    Finding& finding = Add(
+        MeasureKind::kExcess, std::max(0.0, Along().lo), tolerances_.apart,
+        [&] { return because_.Apart(); },
+        [&] { return ProveOppositeNormal(dispute_, *n_W_); });
     if (finding.verdict != Verdict::kFail || opposite) return;
     finding.verdict = Verdict::kUndecidable;
     finding.undecided = Undecided::kUnverified;
     finding.tolerance_because =
         "its normal separates nothing, and without a distance it claims nothing else";
-    finding.proof.clear();
+    TakeBackProof(finding);
   }
 
   void JudgeWitnesses() {
@@ -296,8 +341,9 @@ class Judgement {
     const WitnessPoints& w = *answer_.witnesses;
     // Witness points that coincide are covered by the surface error below.
     if (IsApart() && !answer_.touching && w.p_WCa != w.p_WCb) {
-      Add(MeasureKind::kDualityGap, DualityGap(query_, w), tolerances_.apart,
-          [&] { return ProveDualityGap(dispute_); });
+      Add(
+          MeasureKind::kDualityGap, DualityGap(query_, w), tolerances_.apart,
+          [&] { return because_.Apart(); }, [&] { return ProveDualityGap(dispute_); });
     }
     if (separation_) JudgeWitnessError(w);
   }
@@ -307,18 +353,17 @@ class Judgement {
     const WitnessError error = vector
                                    ? WitnessErrorOf(w, *n_W_, *separation_)
                                    : WitnessError{WitnessLengthError(w, *separation_), 0};
-    const Tolerance& each = tolerances_.position;
-    const Tolerance along = {
-        3 * each.value,
-        fmt::format("two points and a separation, each off by {:.2g} m: {}", each.value,
-                    each.because)};
+    const double each = tolerances_.position;
+    const double along = 3 * each;
     // Both points and the direction between them are rounded, however small the bodies.
-    const Tolerance across = {
-        tolerances_.across.value + along.value,
-        fmt::format("{}; {}", along.because, tolerances_.across.because)};
-    const bool by_across = error.across * along.value > error.along * across.value;
+    const double across = tolerances_.across + along;
+    const bool by_across = error.across * along > error.along * across;
+    const auto because = [&] {
+      return fmt::format("two points and a separation, each off by {:.2g} m: {}{}", each,
+                         because_.Position(), by_across ? "; " + because_.Across() : "");
+    };
     Add(MeasureKind::kWitnessError, by_across ? error.across : error.along,
-        by_across ? across : along, [&] {
+        by_across ? across : along, because, [&] {
           return ProveWitnessError(dispute_, vector ? &*n_W_ : nullptr, *separation_);
         });
   }
@@ -357,8 +402,10 @@ class Judgement {
       }
     }
     if (worst == nullptr) return;
-    const Finding& finding =
-        Add(MeasureKind::kContactSurfaceError, surface, tolerances_.separation, [&] {
+    const Finding& finding = Add(
+        MeasureKind::kContactSurfaceError, surface, tolerances_.separation,
+        [&] { return because_.Separation(); },
+        [&] {
           return ProveSurfaceError(dispute_, worst->points.p_WCa, worst->points.p_WCb);
         });
     points_are_right_ = finding.verdict == Verdict::kPass;
@@ -369,8 +416,8 @@ class Judgement {
   /** Judges the own separation of every contact: neither may the bodies overlap there by
    more than it says, nor may it be apart. */
   void JudgeSeparations(const std::vector<OnSurfaces>& all) {
-    const double e = tolerances_.position.value;
-    const double least = tolerances_.across.value;
+    const double e = tolerances_.position;
+    const double least = tolerances_.across;
     double beyond = 0;
     double gap = 0;
     const OnSurfaces* worst = &all.front();
@@ -382,11 +429,15 @@ class Judgement {
       gap = std::max(gap, on.gap);
     }
     if (beyond > 0 || gap <= e) {
-      Add(MeasureKind::kContactSeparationError, beyond, tolerances_.across,
-          [&] { return ProveContactTooShallow(dispute_, worst->points, beyond); });
+      Add(
+          MeasureKind::kContactSeparationError, beyond, tolerances_.across,
+          [&] { return because_.Across(); },
+          [&] { return ProveContactTooShallow(worst->points, beyond); });
     } else {
-      Add(MeasureKind::kContactSeparationError, gap, tolerances_.separation,
-          [&] { return ProveSurplusContact(dispute_, worst->points, gap); });
+      Add(
+          MeasureKind::kContactSeparationError, gap, tolerances_.separation,
+          [&] { return because_.Separation(); },
+          [&] { return ProveSurplusContact(worst->points, gap); });
     }
   }
 
@@ -396,34 +447,42 @@ class Judgement {
   void JudgePatch() {
     const ContactPoint* deepest = DeepestOf(answer_);
     if (deepest == nullptr) return;
-    const double e = tolerances_.separation.value;
+    const double e = tolerances_.separation;
     const bool certain = truth_.separation.hi - truth_.separation.lo <= e;
     if (normal_is_right_ && certain && answer_.touching) {
       JudgeOffPatch();
       // Where the whole patch overlaps by more than rounding, all of it must be covered.
-      if (capability_.manifold && truth_.separation.hi < -2 * tolerances_.position.value)
+      if (capability_.manifold && truth_.separation.hi < -2 * tolerances_.position)
         JudgeCoverage();
     }
-    Finding& finding =
-        Add(MeasureKind::kContactTooDeep, ContactTooDeep(truth_, *deepest),
-            tolerances_.separation, [&] { return ProveTooDeep(dispute_, *deepest); });
+    Finding& finding = Add(
+        MeasureKind::kContactTooDeep, ContactTooDeep(truth_, *deepest),
+        tolerances_.separation, [&] { return because_.Separation(); },
+        [&] { return ProveTooDeep(dispute_, *deepest); });
     RequireProof(finding, [&] { return truth_.separation.hi - deepest->separation; });
   }
 
-  /** Returns the separation along the normal of the answer, midway through its enclosure.
-   */
-  double SeparationAlong(const Eigen::Vector3d& n_W) const {
-    const Enclosure overlap = Overlap(query_, n_W);
+  /** Returns the overlap along the normal of the answer, evaluated once: several measures
+   need it, and it is most of the cost of some. */
+  const Enclosure& Along() {
+    if (!along_) along_ = OverlapAlong(query_, *n_W_);
+    return *along_;
+  }
+
+  /** Returns the separation along SupportingDirection(), midway through its enclosure. */
+  double SupportedSeparation() {
+    const Eigen::Vector3d n_W = SupportingDirection(query_, *n_W_);
+    const Enclosure overlap = n_W == *n_W_ ? Along() : Overlap(query_, n_W);
     return -(overlap.lo + (overlap.hi - overlap.lo) / 2);
   }
 
   void JudgeOffPatch() {
-    const double e = tolerances_.separation.value;
+    const double e = tolerances_.separation;
     // A contact as deep as the deepest to within e lies within √(2 e L) of the features
     // that are within √(2 e L) of the supporting plane, where L is the size of the scene.
     const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
     const ContactPatch patch =
-        PatchAlong(query_, n, SeparationAlong(n), tolerances_.across.value / 2);
+        PatchAlong(query_, n, SupportedSeparation(), tolerances_.across / 2);
     if (patch.vertices_W.empty()) return;
     double off = -1;
     const ContactPoint* worst = nullptr;
@@ -436,62 +495,75 @@ class Judgement {
       }
     }
     if (worst == nullptr) return;
-    Finding& finding = Add(MeasureKind::kContactOffPatch, off, AcrossWithRims(),
-                           [&] { return ProveOffPatch(dispute_, *worst, off); });
+    const WidestRim rim = WidestUncertainRim();
+    Finding& finding = Add(
+        MeasureKind::kContactOffPatch, off, std::max(tolerances_.across, rim.width),
+        [&] {
+          return rim.lean < 0 ? because_.Across()
+                              : fmt::format("{}, or along a rim that leans by {:.2g}",
+                                            because_.Across(), rim.lean);
+        },
+        [&] { return ProveOffPatch(*worst, off); });
     // A contact at the greatest depth whose points lie on both surfaces is in the patch
     // by definition. The polygon is computed in doubles, and proves nothing against it.
     if (finding.verdict == Verdict::kFail && points_are_right_)
       Withdraw(finding, "its points are certified to lie on both surfaces");
   }
 
-  /** Returns the tolerance across the normal where a rim may be the deepest feature.
-   Along a rim of radius r that leans by θ the depth falls by only w² sin θ / 2r at the
-   distance w. A depth off by e therefore leaves w = √(2 e r / sin θ) uncertain, at most
-   the whole rim. */
-  Tolerance AcrossWithRims() const {
-    Tolerance tolerance = tolerances_.across;
+  /** A rim that may be the deepest feature, and how wide its deepest part is. */
+  struct WidestRim {
+    double width = 0;  ///< [m]
+    double lean = -1;  ///< Sine of the angle to the normal; negative without a rim. [-]
+  };
+
+  /** Returns the rim whose deepest part is the widest. Along a rim of radius r that leans
+   by θ the depth falls by only w² sin θ / 2r at the distance w. A depth off by e
+   therefore leaves w = √(2 e r / sin θ) uncertain, at most the whole rim. */
+  WidestRim WidestUncertainRim() const {
+    WidestRim widest;
     for (const Body* body : {&query_.A, &query_.B}) {
       const ShapeKind kind = KindOf(body->shape);
       if (kind != ShapeKind::kCylinder && kind != ShapeKind::kCone) continue;
       const double lean = n_W_->cross(body->X_WB.R_WB.col(2)).norm();
       const double r = BoundingRadius(body->shape);
-      const double e = tolerances_.position.value;
+      const double e = tolerances_.position;
       const double open = lean * r > e ? std::sqrt(2 * e * r / lean) : 2 * r;
       const double most = std::min(2 * r, SmallerExtent(query_));
-      tolerance.value = std::max(tolerance.value, std::min(2 * open, most));
-      tolerance.because = fmt::format("{}, or along a rim that leans by {:.2g}",
-                                      tolerances_.across.because, lean);
+      const double width = std::min(2 * open, most);
+      if (width >= widest.width) widest = {width, lean};
     }
-    return tolerance;
+    return widest;
   }
 
   void JudgeCoverage() {
-    const double e = tolerances_.position.value;
+    const double e = tolerances_.position;
     const Eigen::Vector3d n = SupportingDirection(query_, *n_W_);
     const ContactPatch patch =
-        CertainPatch(query_, n, SeparationAlong(n), truth_.input_rounding, e);
+        CertainPatch(query_, n, SupportedSeparation(), truth_.input_rounding, e);
     bool must_span = true;
     bool is_certain = true;
     if (patch.vertices_W.size() > 1) {
       const double unspanned = PatchUnspanned(patch, n, answer_.points);
       const double legal = LegalUnspanned(patch, n, answer_.points);
       const double blur = PatchBlur(patch, n, e);
-      Finding& finding =
-          Add(MeasureKind::kPatchCoverage, unspanned,
-              {legal + blur,
-               fmt::format("{}, and sides off by {:.2g} m leave {:.2g} of it",
-                           legal > kLegalUnspanned
-                               ? "a triangle inscribed in a disc leaves a quarter of its "
-                                 "diameter unspanned"
-                               : "a sixteenth of its extent may be left unspanned",
-                           e, blur)},
-              [] { return ""; });
+      Finding& finding = Add(
+          MeasureKind::kPatchCoverage, unspanned, legal + blur,
+          [&] {
+            return fmt::format(
+                "{}, and sides off by {:.2g} m leave {:.2g} of it",
+                legal > kLegalUnspanned
+                    ? "a triangle inscribed in a disc leaves a quarter of its "
+                      "diameter unspanned"
+                    : "a sixteenth of its extent may be left unspanned",
+                e, blur);
+          },
+          [] { return ""; });
       must_span = finding.verdict == Verdict::kFail;
       if (must_span) {
         const auto missed = CertainlyMissed(patch, n, finding.tolerance);
         is_certain = missed.has_value();
         if (missed) {
-          finding.proof = ProveUnspanned(dispute_, *missed, unspanned);
+          State(ProveUnspanned(dispute_, *missed, unspanned), finding);
         } else {
           Withdraw(finding, "no point that is certified to belong to it is missed");
         }
@@ -499,8 +571,9 @@ class Judgement {
     }
     const int least = must_span ? patch.least_contacts : 0;
     Finding& count = Add(
-        MeasureKind::kContactCount, ContactCountError(least, answer_.points, e),
-        {0, "the patch needs that many"}, [&] { return ProveCount(dispute_, patch); });
+        MeasureKind::kContactCount, ContactCountError(least, answer_.points, e), 0,
+        [] { return "the patch needs that many"; },
+        [&] { return ProveCount(dispute_, patch); });
     // Contacts that are repeated are too many of any patch.
     if (count.verdict == Verdict::kFail && !is_certain &&
         ContactCountError(0, answer_.points, e) == 0)
@@ -516,8 +589,8 @@ class Judgement {
    */
   std::optional<Eigen::Vector3d> CertainlyMissed(const ContactPatch& patch,
                                                  const Eigen::Vector3d& n_W,
-                                                 double legal) const {
-    const double separation = SeparationAlong(n_W);
+                                                 double legal) {
+    const double separation = SupportedSeparation();
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& corner : patch.vertices_W)
       middle += corner / static_cast<double>(patch.vertices_W.size());
@@ -526,7 +599,7 @@ class Judgement {
         const Eigen::Vector3d p_W = middle + drawn * (corner - middle);
         if (UnspannedAt(p_W, patch, n_W, answer_.points) <= legal) continue;
         const WitnessPoints points = SurfacePointsOf({p_W, separation, {}}, n_W);
-        if (SurfaceError(query_, points) <= 2 * tolerances_.position.value) return p_W;
+        if (SurfaceError(query_, points) <= 2 * tolerances_.position) return p_W;
       }
     }
     return std::nullopt;
@@ -537,8 +610,9 @@ class Judgement {
         answer_.points.size() > 1 || (answer_.points.size() == 1 && answer_.n_AB_W);
     if (!has_two) return;
     const double angle = MixedNormals(answer_);
-    Add(MeasureKind::kMixedNormals, angle, tolerances_.angle,
-        [&] { return ProveMixedNormals(dispute_, angle); });
+    Add(
+        MeasureKind::kMixedNormals, angle, tolerances_.angle,
+        [&] { return because_.Angle(); }, [&] { return ProveMixedNormals(angle); });
   }
 
   const Scenario& scenario_;
@@ -548,19 +622,24 @@ class Judgement {
   const ContactAnswer& answer_;
   const Capability& capability_;
   const Tolerances tolerances_;
+  const ToleranceReasons because_;
+  const Reasons reasons_;
+  const std::span<const MeasureKind> wanted_;
   const Dispute dispute_;
   const std::optional<Eigen::Vector3d> n_W_;
   const std::optional<double> separation_;
   bool normal_is_right_ = false;
   bool points_are_right_ = false;
+  std::optional<Enclosure> along_;  ///< Along(), once it is known.
   std::vector<Finding> findings_;
 };
 
 }  // namespace
 
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
-                                 const OracleInfo& oracle, const ContactAnswer& answer) {
-  return Judgement(scenario, truth, oracle, answer).Findings();
+                                 const OracleInfo& oracle, const ContactAnswer& answer,
+                                 Reasons reasons, std::span<const MeasureKind> wanted) {
+  return Judgement(scenario, truth, oracle, answer, reasons, wanted).Findings();
 }
 
 }  // namespace touchstone

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "oracles/oracle.h"
+#include "reports/contacts/tolerance_reasons.h"
 #include "reports/finding/finding.h"
 #include "reports/referee/contact_truth.h"
 #include "scenarios/scenario.h"
@@ -18,8 +20,12 @@ namespace touchstone {
  reports/contacts/consensus.h. If the enclosure is wider than the tolerance, a value
  passes only if it is within the tolerance of every point of it. An invalid answer is
  judged no further.
- */
+ @param reasons The findings that carry Finding::tolerance_because.
+ @param wanted If not empty, the only measures whose findings are needed: those of others
+   may be missing. */
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
-                                 const OracleInfo& oracle, const ContactAnswer& answer);
+                                 const OracleInfo& oracle, const ContactAnswer& answer,
+                                 Reasons reasons = Reasons::kOfAll,
+                                 std::span<const MeasureKind> wanted = {});
 
 }  // namespace touchstone

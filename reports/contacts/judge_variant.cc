@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include <Eigen/Geometry>
@@ -13,6 +14,7 @@
 #include "reports/contacts/grade.h"
 #include "reports/contacts/normal_claim.h"
 #include "reports/contacts/proof.h"
+#include "reports/contacts/tolerance_reasons.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/answer_change.h"
 #include "reports/measures/invalidity.h"
@@ -20,7 +22,6 @@
 #include "reports/measures/overlap_along.h"
 #include "reports/measures/stated.h"
 #include "reports/text/format_vector.h"
-#include "reports/text/told_apart.h"
 #include "scenarios/cube_rotations.h"
 #include "scenarios/transformations.h"
 
@@ -96,53 +97,35 @@ std::string ChangeOf(const ContactQuery& query, const Variant& variant) {
   }
 }
 
-/** Returns a signed separation as text: "0.05 m deep", "0.01 m apart". */
-std::string DeepOrApart(std::string_view separation) {
-  return separation.starts_with('-') ? fmt::format("{} m deep", separation.substr(1))
-                                     : fmt::format("{} m apart", separation);
-}
-
-constexpr int kDigits = 9;
-
-/** States the two separations and their difference, which a reader can check by
- subtraction. */
-std::string ProveSeparations(const ContactTruth& truth, const ContactAnswer& answer,
-                             const ContactAnswer& back, std::string_view change) {
+/** States the two separations, whose difference a reader can check by subtraction. */
+Proof ProveSeparations(const ContactTruth& truth, const ContactAnswer& answer,
+                       const ContactAnswer& back) {
   const auto first = SeparationOf(answer);
   const auto second = SeparationOf(back);
-  if (first && second) {
-    const auto [said, other, difference] = TellApart(*first, *second, kDigits);
-    if (answer.touching == back.touching ||
-        std::abs(*first - *second) >= Outside(0, truth.separation)) {
-      return fmt::format(
-          "says {}; for its variant ({}), mapped back, it says {}: a "
-          "difference of {} m",
-          DeepOrApart(said), change, DeepOrApart(other), difference);
-    }
+  if (first && second &&
+      (answer.touching == back.touching ||
+       std::abs(*first - *second) >= Outside(0, truth.separation))) {
+    return {.kind = ProofKind::kVariantSeparation, .said = *first, .bound = *second};
   }
-  return fmt::format(
-      "says {}; for its variant ({}) it says {}: the separation is "
-      "certified to be {:.3g} m from touching",
-      answer.touching ? "touching" : "apart", change,
-      back.touching ? "touching" : "apart", Outside(0, truth.separation));
+  return {.kind = ProofKind::kVariantTouch,
+          .bound = Outside(0, truth.separation),
+          .touching = answer.touching};
 }
 
-/** States the overlaps along the two normals, which a reader can compute, and their
- difference. */
-std::string ProveOverlaps(const ContactQuery& query, const ContactAnswer& answer,
-                          const ContactAnswer& back, std::string_view change) {
+/** States the overlaps along the two normals, which a reader can compute. */
+Proof ProveOverlaps(const ContactQuery& query, const ContactAnswer& answer,
+                    const ContactAnswer& back) {
   const auto overlap = [&](const Eigen::Vector3d& n_W) {
     const Enclosure along = OverlapAlong(query, n_W);
     return along.lo + (along.hi - along.lo) / 2;
   };
   const Eigen::Vector3d n_W = NormalOf(answer).value();
   const Eigen::Vector3d back_W = NormalOf(back).value();
-  const auto [first, second, difference] =
-      TellApart(overlap(n_W), overlap(back_W), kDigits);
-  return fmt::format(
-      "says n = {}, along which max_A n·x − min_B n·x is {} m; for its variant ({}), "
-      "mapped back, it says n = {}, along which that is {} m: a difference of {} m",
-      FormatVector(n_W), first, change, FormatVector(back_W), second, difference);
+  return {.kind = ProofKind::kVariantNormal,
+          .said = overlap(n_W),
+          .bound = overlap(back_W),
+          .n_W = back_W,
+          .claimed_W = n_W};
 }
 
 /** Returns the name of a field that `answer` states and `back` does not; "" if there is
@@ -162,33 +145,45 @@ void ForgetNormals(ContactAnswer& answer) {
 
 /** The differences granted between an answer and the mapped-back answer to a variant. */
 struct Granted {
-  Tolerance separation;
-  Tolerance overlap;
+  double separation;  ///< [m]
+  double overlap;     ///< [m]
+  Tolerances base;    ///< Tolerances of the answer to the question.
+  Tolerances other;   ///< Tolerances of the answer to the variant, on its own scene.
 };
 
 /** Returns the granted differences. Both separations may be off, and their errors add up.
  Both overlaps lie between the least overlap, which is the same for both, and the granted
  excess above it: they differ by no more than the larger excess. */
 Granted GrantedBetween(const Scenario& scenario, const ContactTruth& truth,
-                       const OracleInfo& oracle, const Variant& variant, bool touching,
-                       bool variant_touching) {
+                       const OracleInfo& oracle, const Variant& variant,
+                       const Tolerances& base, bool variant_touching) {
   const double f = variant.factor;
-  Scenario changed = scenario;
-  changed.contact = variant.query;
-  ContactTruth changed_truth = truth;
+  ContactTruth changed_truth;
   changed_truth.separation = {truth.separation.lo * f, truth.separation.hi * f};
   changed_truth.input_rounding = truth.input_rounding * f + variant.rounding;
-  const Tolerances base = TolerancesOf(oracle, scenario, truth, touching);
-  const Tolerances other = TolerancesOf(oracle, changed, changed_truth, variant_touching);
-  return {{base.separation.value + other.separation.value / f,
-           fmt::format("both answers may be off, the first by {:.2g} m ({}), the second "
-                       "by {:.2g} m on its own scene",
-                       base.separation.value, base.separation.because,
-                       other.separation.value)},
-          {std::max(base.excess.value, other.excess.value / f),
-           fmt::format("both normals may be longer than the shortest, the first by "
-                       "{:.2g} m ({}), the second by {:.2g} m on its own scene",
-                       base.excess.value, base.excess.because, other.excess.value)}};
+  Granted granted;
+  granted.base = base;
+  granted.other = TolerancesOf(oracle, variant.query,
+                               scenario.tolerance ? scenario.tolerance->separation : 0,
+                               changed_truth, variant_touching);
+  granted.separation = granted.base.separation + granted.other.separation / f;
+  granted.overlap = std::max(granted.base.excess, granted.other.excess / f);
+  return granted;
+}
+
+/** Words the grant of the separation, or that of the overlap. */
+std::string Because(const Granted& granted, bool by_overlap,
+                    const ToleranceReasons& because) {
+  return by_overlap
+             ? fmt::format(
+                   "both normals may be longer than the shortest, the first by {:.2g} m "
+                   "({}), the second by {:.2g} m on its own scene",
+                   granted.base.excess, because.Excess(), granted.other.excess)
+             : fmt::format(
+                   "both answers may be off, the first by {:.2g} m ({}), the second by "
+                   "{:.2g} m on its own scene",
+                   granted.base.separation, because.Separation(),
+                   granted.other.separation);
 }
 
 }  // namespace
@@ -221,17 +216,20 @@ std::vector<Variant> VariantsOf(const Scenario& scenario) {
 std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
                                     const OracleInfo& oracle, const ContactAnswer& answer,
                                     const Variant& variant,
-                                    const ContactAnswer& variant_answer) {
-  const Granted granted = GrantedBetween(scenario, truth, oracle, variant,
-                                         answer.touching, variant_answer.touching);
+                                    const ContactAnswer& variant_answer,
+                                    const Tolerances& tolerances, Reasons reasons) {
+  const Granted granted = GrantedBetween(scenario, truth, oracle, variant, tolerances,
+                                         variant_answer.touching);
   Finding finding;
   finding.scenario = scenario.id;
   finding.oracle = oracle.name;
   finding.measure = variant.measure;
-  finding.tolerance = granted.separation.value;
-  finding.tolerance_because = granted.separation.because;
+  finding.tolerance = granted.separation;
+  const ToleranceReasons because(oracle, scenario, truth, answer.touching, granted.base);
   const auto failed = [&](Verdict verdict, const std::string& why) {
     finding.verdict = verdict;
+    if (reasons == Reasons::kOfAll)
+      finding.tolerance_because = Because(granted, false, because);
     finding.proof = fmt::format("{} answers the question, but not its variant ({}): {}{}",
                                 oracle.name, ChangeOf(scenario.contact, variant), why,
                                 why.ends_with('.') ? "" : ".");
@@ -246,15 +244,12 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   if (variant_answer.status == AnswerStatus::kUnsupported) {
     return failed(Verdict::kUnsupported, variant_answer.reason);
   }
-  const double unit_slack =
-      TolerancesOf(oracle, scenario, truth, answer.touching).unit_normal;
-  if (const auto fault = InvalidityOf(variant_answer, unit_slack)) {
+  if (const auto fault = InvalidityOf(variant_answer, granted.base.unit_normal)) {
     return failed(Verdict::kInvalid, *fault);
   }
   const ContactQuery& query = scenario.contact;
   ContactAnswer back = BroughtBack(variant, variant_answer);
-  const bool near =
-      Outside(0, truth.separation) <= granted.separation.value + variant.play;
+  const bool near = Outside(0, truth.separation) <= granted.separation + variant.play;
   // If the bodies are apart, any separating direction is legal, unless the oracle
   // promises distances.
   const Capability& capability = oracle.For(KindOf(query.A.shape), KindOf(query.B.shape));
@@ -274,17 +269,17 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   const double overlap = std::max(0.0, change.overlap - variant.play);
   // The finding reports whichever of the two is further beyond its tolerance.
   finding.value = separation;
-  const bool by_overlap =
-      overlap * granted.separation.value > separation * granted.overlap.value;
+  const bool by_overlap = overlap * granted.separation > separation * granted.overlap;
   if (by_overlap) {
     finding.value = overlap;
-    finding.tolerance = granted.overlap.value;
-    finding.tolerance_because = granted.overlap.because;
+    finding.tolerance = granted.overlap;
   }
   // Written so that a NaN fails.
   finding.verdict = finding.value <= finding.tolerance ? Verdict::kPass : Verdict::kFail;
   if (!std::isfinite(finding.tolerance)) finding.verdict = Verdict::kUndecidable;
-  const double fine = TolerancesOf(oracle, scenario, truth, answer.touching).fine;
+  if (reasons == Reasons::kOfAll)
+    finding.tolerance_because = Because(granted, by_overlap, because);
+  const double fine = granted.base.fine;
   if (finding.verdict == Verdict::kPass && finding.tolerance > fine) {
     if (finding.value <= fine) {
       finding.tolerance = fine;
@@ -296,22 +291,16 @@ std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth
   if (finding.verdict == Verdict::kFail) {
     finding.grade = GradeOf(finding, query, truth);
     finding.safety = kRoundingsSafety;
-    const std::string changed = ChangeOf(query, variant);
-    finding.proof =
-        fmt::format("{} {}", oracle.name,
-                    by_overlap ? ProveOverlaps(query, answer, back, changed)
-                               : ProveSeparations(truth, answer, back, changed));
+    Proof proof = by_overlap ? ProveOverlaps(query, answer, back)
+                             : ProveSeparations(truth, answer, back);
+    proof.change = ChangeOf(query, variant);
     // The value of the finding excludes the change that the variant itself explains.
-    if (variant.play > 0) {
-      finding.proof += fmt::format(
-          ", of which the motion itself explains up to {:.3g} m, and {:.3g} m are left",
-          variant.play, finding.value);
-    }
-    finding.proof += '.';
+    proof.explained = variant.play;
+    proof.rest = finding.value;
+    State(std::move(proof), finding);
     if (variant.measure == MeasureKind::kSwap && NormalOf(back)) {
       const AnswerDifference left = AnswerChange(query, truth, answer, variant_answer);
-      if (left.separation <= granted.separation.value &&
-          left.overlap <= granted.overlap.value) {
+      if (left.separation <= granted.separation && left.overlap <= granted.overlap) {
         finding.cause = Cause::kConvention;
         finding.cause_because = "its normal does not turn when A and B are swapped";
       }

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "oracles/oracle.h"
+#include "reports/contacts/tolerance_reasons.h"
+#include "reports/contacts/tolerances.h"
 #include "reports/finding/finding.h"
 #include "reports/referee/contact_truth.h"
 #include "scenarios/scenario.h"
@@ -30,10 +32,14 @@ std::vector<Variant> VariantsOf(const Scenario& scenario);
 /** Judges the answer to a variant against the answer to the question itself. Empty where
  there is nothing to compare: both answers say only whether the bodies touch, and either
  may be right so near to touching.
+ `reasons` chooses the findings that carry Finding::tolerance_because.
+ @param tolerances TolerancesOf() the answer to the question.
  @pre `answer` is valid, see reports/measures/invalidity.h. */
 std::optional<Finding> JudgeVariant(const Scenario& scenario, const ContactTruth& truth,
                                     const OracleInfo& oracle, const ContactAnswer& answer,
                                     const Variant& variant,
-                                    const ContactAnswer& variant_answer);
+                                    const ContactAnswer& variant_answer,
+                                    const Tolerances& tolerances,
+                                    Reasons reasons = Reasons::kOfAll);
 
 }  // namespace touchstone

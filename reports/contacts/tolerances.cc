@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "oracles/stated_tolerance.h"
 #include "reports/contacts/body_size.h"
 
 namespace touchstone {
@@ -36,18 +33,6 @@ bool HasHalfSpace(const ContactQuery& query) {
          KindOf(query.B.shape) == ShapeKind::kHalfSpace;
 }
 
-/** Returns the size of which the lengths of `oracle` are rounded. [m] */
-double RoundedSize(const OracleInfo& oracle, const ContactQuery& query) {
-  const double size = SceneSize(query);
-  const bool is_relative = oracle.subtracts_first && !HasHalfSpace(query) &&
-                           ArePositionsRepresentable(query, oracle.unit_roundoff);
-  return is_relative ? std::min(size, RelativeSize(query)) : size;
-}
-
-const Capability& CapabilityFor(const OracleInfo& oracle, const ContactQuery& query) {
-  return oracle.For(KindOf(query.A.shape), KindOf(query.B.shape));
-}
-
 /** Returns the most by which tilting a normal by a radian changes the overlap along it:
  the sum of the extents of both bodies. A half-space is cut off at the size of the scene,
  see OverlapAlong(). [m] */
@@ -55,10 +40,26 @@ double LeverOf(const ContactQuery& query) {
   return SumOfExtents(query) + (HasHalfSpace(query) ? 2 * SceneSize(query) : 0);
 }
 
-/** Returns the tolerance of a length for roundings of `size`. [m] */
-Tolerance LengthTolerance(const OracleInfo& oracle, const Scenario& scenario,
-                          const ContactTruth& truth, double size) {
-  const Capability& capability = CapabilityFor(oracle, scenario.contact);
+/** Same as RoundedSize() for a scene of size `size`. [m] */
+double RoundedSizeIn(double size, const OracleInfo& oracle, const ContactQuery& query) {
+  const bool is_relative = oracle.subtracts_first && !HasHalfSpace(query) &&
+                           ArePositionsRepresentable(query, oracle.unit_roundoff);
+  return is_relative ? std::min(size, RelativeSize(query)) : size;
+}
+
+}  // namespace
+
+double RoundedSize(const OracleInfo& oracle, const ContactQuery& query) {
+  return RoundedSizeIn(SceneSize(query), oracle, query);
+}
+
+double RoundingOf(const OracleInfo& oracle, const ContactQuery& query) {
+  return kRoundings * oracle.unit_roundoff * RoundedSize(oracle, query);
+}
+
+double DocumentedFor(const OracleInfo& oracle, const ContactQuery& query,
+                     const ContactTruth& truth) {
+  const Capability& capability = oracle.For(KindOf(query.A.shape), KindOf(query.B.shape));
   const double largest =
       std::max(std::abs(truth.separation.lo), std::abs(truth.separation.hi));
   // Without a relative error the product is skipped: the enclosure may be unbounded, and
@@ -66,38 +67,7 @@ Tolerance LengthTolerance(const OracleInfo& oracle, const Scenario& scenario,
   const double relative = capability.documented_relative_error > 0
                               ? capability.documented_relative_error * largest
                               : 0;
-  const double documented = capability.documented_error + relative;
-  Tolerance tolerance;
-  tolerance.value =
-      kRoundings * oracle.unit_roundoff * size + truth.input_rounding + documented;
-  tolerance.because = fmt::format(
-      "{} roundings of 2^{:.0f} on a scene of {:.3g} m, and {:.2g} m for the rounding of "
-      "the input",
-      kRoundings, std::log2(oracle.unit_roundoff), size, truth.input_rounding);
-  if (documented > 0) {
-    tolerance.because += fmt::format(
-        "; {:.2g} m, {:.2g} of the smallest feature, documented by {}", documented,
-        documented / SmallestFeature(scenario.contact), capability.documented_by);
-  }
-  if (!oracle.tolerance.IsZero()) {
-    tolerance.value += StatedFor(oracle, scenario.contact);
-    tolerance.because += fmt::format("; {:.2g} m granted, {} stated by {}",
-                                     StatedFor(oracle, scenario.contact),
-                                     ToString(oracle.tolerance), oracle.tolerance.by);
-  }
-  if (scenario.tolerance) {
-    tolerance.value += scenario.tolerance->separation;
-    tolerance.because +=
-        fmt::format("; {:.2g} m granted by the scenario: {}",
-                    scenario.tolerance->separation, scenario.tolerance->because);
-  }
-  return tolerance;
-}
-
-}  // namespace
-
-double RoundingOf(const OracleInfo& oracle, const ContactQuery& query) {
-  return kRoundings * oracle.unit_roundoff * RoundedSize(oracle, query);
+  return capability.documented_error + relative;
 }
 
 double StatedFor(const OracleInfo& oracle, const ContactQuery& query) {
@@ -109,48 +79,46 @@ double StatedFor(const OracleInfo& oracle, const ContactQuery& query) {
 
 Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
                         const ContactTruth& truth, bool touching) {
-  const ContactQuery& query = scenario.contact;
+  return TolerancesOf(oracle, scenario.contact,
+                      scenario.tolerance ? scenario.tolerance->separation : 0, truth,
+                      touching);
+}
+
+Tolerances TolerancesOf(const OracleInfo& oracle, const ContactQuery& query,
+                        double granted, const ContactTruth& truth, bool touching) {
+  // Tolerances are derived a hundred times for a question of a sweep.
+  const double size = SceneSize(query);
+  const double rounding =
+      kRoundings * oracle.unit_roundoff * RoundedSizeIn(size, oracle, query);
+  const double documented = DocumentedFor(oracle, query, truth);
+  const double stated = StatedFor(oracle, query);
+  const auto length = [&](double roundings) {
+    return roundings + truth.input_rounding + documented + stated + granted;
+  };
   Tolerances tolerances;
-  tolerances.separation =
-      LengthTolerance(oracle, scenario, truth, RoundedSize(oracle, query));
-  tolerances.position = LengthTolerance(oracle, scenario, truth, SceneSize(query));
-  const double e = tolerances.separation.value;
+  tolerances.separation = length(rounding);
+  tolerances.position = length(kRoundings * oracle.unit_roundoff * size);
+  const double e = tolerances.separation;
 
-  tolerances.apart = tolerances.separation;
-  if (truth.separation.lo > 0 && !touching) {
-    const double tilted = LeverOf(query) * std::min(1.0, e / truth.separation.lo);
-    tolerances.apart.value += tilted;
-    tolerances.apart.because += fmt::format(
-        "; {:.2g} m for the direction between points {:.3g} m apart, each off by {:.2g} "
-        "m",
-        tilted, truth.separation.lo, e);
-  }
+  tolerances.apart = e;
+  if (truth.separation.lo > 0 && !touching)
+    tolerances.apart += LeverOf(query) * std::min(1.0, e / truth.separation.lo);
 
-  const double again = RoundingOf(oracle, query) + truth.input_rounding;
-  tolerances.excess = {
-      tolerances.apart.value + again,
-      fmt::format("{}; {:.2g} m more, since a direction is chosen among rounded ones",
-                  tolerances.apart.because, again)};
+  tolerances.excess = tolerances.apart + (rounding + truth.input_rounding);
 
   // Twice: once for the patch, whose slack is half of this value, and once for the
   // contact.
   const double extent = SmallerExtent(query);
-  const double off = tolerances.position.value;
-  tolerances.across = {
-      std::min(2 * std::sqrt(2 * off * extent), extent),
-      fmt::format("a depth off by {:.2g} m leaves the deepest point of a body {:.3g} m "
-                  "wide uncertain by 2 sqrt(2 * {:.2g} * {:.3g}) m across the normal",
-                  off, extent, off, extent)};
+  tolerances.across = std::min(2 * std::sqrt(2 * tolerances.position * extent), extent);
 
-  tolerances.angle = {e / SmallestFeature(query),
-                      fmt::format("lengths off by {:.2g} m tilt a feature of {:.3g} m", e,
-                                  SmallestFeature(query))};
+  const double feature = SmallestFeature(query);
+  tolerances.angle = e / feature;
 
   // A normal rotated by a given matrix is as long as that matrix makes it.
   tolerances.unit_normal = kNormalRoundings * oracle.unit_roundoff +
                            OrthonormalityDefect(query.A.X_WB.R_WB) +
                            OrthonormalityDefect(query.B.X_WB.R_WB);
-  tolerances.fine = kFine * (SmallestFeature(query) + std::max(0.0, truth.separation.lo));
+  tolerances.fine = kFine * (feature + std::max(0.0, truth.separation.lo));
   return tolerances;
 }
 

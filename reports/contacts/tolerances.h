@@ -1,7 +1,6 @@
 #pragma once
 
 #include "oracles/oracle.h"
-#include "reports/finding/tolerance.h"
 #include "reports/referee/contact_truth.h"
 #include "scenarios/scenario.h"
 
@@ -47,27 +46,27 @@ inline constexpr double kFine = 0.01;
 struct Tolerances {
   /** Tolerance of every length along the normal: separations and overlaps. The error of
    the least of several overlaps is at most the largest of their errors. [m] */
-  Tolerance separation;
+  double separation = 0;
   /** Tolerance of the distance of a position from a surface. Equal to `separation`, but a
    position always rounds like the largest coordinate of the scene. [m] */
-  Tolerance position;
+  double position = 0;
   /** Tolerance of values that depend on a normal. If the answer says apart, the normal is
    the direction between two nearest points, each off by e: it tilts by e / distance, on a
    lever as long as both bodies, which also bounds the overlap along any direction. [m] */
-  Tolerance apart;
+  double apart = 0;
   /** Tolerance of the excess of the overlap along a normal over the least overlap. The
    normal is chosen by computed overlaps: the true overlap along it may be larger than
    computed, and the least one smaller, each by its rounding and by that of the input. [m]
    */
-  Tolerance excess;
+  double excess = 0;
   /** Tolerance of the position of a deepest contact across the normal. A depth off by e
    moves the deepest point of a surface of radius r by √(2 r e), and that of a nearly
    parallel edge or face as far, at most across the smaller body. The sharper of two
    surfaces decides, so r is at most the extent of the smaller body. [m] */
-  Tolerance across;
+  double across = 0;
   /** Tolerance of angles between normals that should be equal: e over the smallest
    feature. [rad] */
-  Tolerance angle;
+  double angle = 0;
   /** Tolerance of the length of a unit normal. [-] */
   double unit_normal = 0;
   /** The largest tolerance of a pass; within a larger one an answer is undecidable: kFine
@@ -75,10 +74,18 @@ struct Tolerances {
   double fine = 0;
 };
 
+/** Returns the size of which the lengths of `oracle` are rounded. [m] */
+double RoundedSize(const OracleInfo& oracle, const ContactQuery& query);
+
 /** Returns the rounding of `oracle` on a scene: kRoundings u SceneSize(). If the oracle
  subtracts the positions first and both are representable in its precision, the scene is
  as large as the distance of the positions and the larger body. [m] */
 double RoundingOf(const OracleInfo& oracle, const ContactQuery& query);
+
+/** Returns the error that the engine documents for the pair: a length, and a share of the
+ separation. [m] */
+double DocumentedFor(const OracleInfo& oracle, const ContactQuery& query,
+                     const ContactTruth& truth);
 
 /** Returns what OracleInfo::tolerance grants on a scene. [m] */
 double StatedFor(const OracleInfo& oracle, const ContactQuery& query);
@@ -88,5 +95,10 @@ double StatedFor(const OracleInfo& oracle, const ContactQuery& query);
  stated for it, and the tolerance that the scenario's author grants. */
 Tolerances TolerancesOf(const OracleInfo& oracle, const Scenario& scenario,
                         const ContactTruth& truth, bool touching);
+
+/** The same for a question of its own.
+ @param granted The tolerance of the scenario's author; 0 if there is none. [m] */
+Tolerances TolerancesOf(const OracleInfo& oracle, const ContactQuery& query,
+                        double granted, const ContactTruth& truth, bool touching);
 
 }  // namespace touchstone

@@ -2,8 +2,24 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace touchstone {
+
+void State(Proof proof, Finding& finding) {
+  finding.proof = InWords(proof, finding.oracle);
+  finding.cited =
+      proof.kind == ProofKind::kPlaces ? Cited{{proof.body}, proof.time, {}} : Cited{};
+  finding.evidence = proof.kind == ProofKind::kNone
+                         ? nullptr
+                         : std::make_shared<const Proof>(std::move(proof));
+}
+
+void TakeBackProof(Finding& finding) {
+  finding.proof.clear();
+  finding.evidence.reset();
+  finding.cited = {};
+}
 
 bool IsFailure(Verdict verdict) {
   return verdict == Verdict::kFail || verdict == Verdict::kDisagree ||
@@ -64,8 +80,9 @@ std::string_view NameOf(Shipped shipped) {
 }
 
 std::string_view NameOf(Cause cause) {
-  constexpr std::array<std::string_view, 7> kNames = {
-      "", "convention", "tie", "precision", "discretisation", "model", "defect"};
+  constexpr std::array<std::string_view, 8> kNames = {
+      "",      "convention", "tie",         "precision", "discretisation",
+      "model", "defect",     "not examined"};
   return kNames[static_cast<std::size_t>(cause)];
 }
 

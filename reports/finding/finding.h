@@ -1,10 +1,14 @@
 #pragma once
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "reports/finding/cited.h"
+#include "reports/finding/proof.h"
 #include "scenarios/measure_kind.h"
 
 namespace touchstone {
@@ -52,6 +56,7 @@ enum class Cause {
   kDiscretisation,  ///< The time step: the error vanishes with dt.
   kModel,   ///< A documented model (rounded corners, a margin) solves another problem.
   kDefect,  ///< None of these.
+  kNotExamined,  ///< It was not sought: a sweep examines few of many similar failures.
 };
 
 /** Whether a fault of a motion depends on the settings that an adapter has chosen. */
@@ -60,6 +65,12 @@ enum class Shipped {
   kBoth,         ///< It fails as the engine ships, too.
   kHereOnly,     ///< It passes as the engine ships.
   kShippedOnly,  ///< It passes here, and fails as the engine ships.
+};
+
+/** The errors of a motion at the step of its world, at a half and at a quarter of it. */
+struct StepStudy {
+  std::array<double, 3> errors{};  ///< [unit]
+  std::string unit;                ///< "N" where the measure is an impulse of one step.
 };
 
 /** The value of one measure for one oracle in one scenario, and its meaning. */
@@ -91,9 +102,27 @@ struct Finding {
   /** The proof as a sentence, e.g. "fcl/collide says 0.0135 along n; moving B by 0.01341
    along m separates them." Empty for passes. */
   std::string proof;
+  /** The numbers that `proof` is made of; null if it is words alone. Shared, since most
+   findings have none. */
+  std::shared_ptr<const Proof> evidence;
+  /** The errors at smaller steps that its cause was told from, if it was. */
+  std::optional<StepStudy> study;
+  /** The parts of a world that `proof` names. Places of ProofKind::kPlaces are in
+   `evidence` alone. */
+  Cited cited;
   /** Index, in the ledger file, of the entry that makes it `known`. */
   std::optional<int> ledger_entry;
+  /** Index, in the ledger file, of the entry that knows this fault, if the fault is now
+   larger than its bound there. It is then a failure. */
+  std::optional<int> outgrown_entry;
 };
+
+/** Makes `proof` that of `finding`: its sentence, its numbers, and for kPlaces what it
+ cites. */
+void State(Proof proof, Finding& finding);
+
+/** Takes the proof of `finding` away. */
+void TakeBackProof(Finding& finding);
 
 /** Returns whether a verdict fails a run unless the ledger lists it: fail, disagree,
  crashed, timed out or invalid. */

@@ -1,6 +1,13 @@
 #include "reports/finding/ledger.h"
 
+#include <array>
+
 namespace touchstone {
+
+std::string_view NameOf(Responsible responsible) {
+  constexpr std::array<std::string_view, 3> kNames = {"engine", "adapter", "model"};
+  return kNames[static_cast<std::size_t>(responsible)];
+}
 
 std::string FaultOf(const LedgerEntry& entry) {
   if (!entry.fault.empty()) return entry.fault;

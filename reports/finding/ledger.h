@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -38,6 +39,16 @@ struct LedgerBound {
 /** The bounds of a ledger, sorted. */
 using LedgerBounds = std::map<LedgerCell, LedgerBound>;
 
+/** The party that is responsible for a known difference. */
+enum class Responsible {
+  kEngine,   ///< The engine: its answer is wrong.
+  kAdapter,  ///< The adapter: a setting that it chooses, and that other users need not.
+  kModel,    ///< A simplification that the engine documents, or a law of its own.
+};
+
+/** Returns "engine", "adapter" or "model". */
+std::string_view NameOf(Responsible responsible);
+
 /** A known and accepted difference. */
 struct LedgerEntry {
   /** Globs over scenario ids: '*' within a level, '**' across levels. */
@@ -56,6 +67,7 @@ struct LedgerEntry {
   /** Link or issue "owner/repo#123"; "unreported" if there is none. */
   std::string upstream;
   std::string expires;  ///< ISO date after which the entry must be reviewed.
+  Responsible responsible = Responsible::kEngine;
   /** Whether the engine shows it in some runs and not in others, on one question. A run
    in which the entry hides little or nothing is then no improvement. */
   bool intermittent = false;

@@ -1,14 +1,19 @@
 #include "reports/gtest/contact_complaint.h"
 
+#include <optional>
 #include <sstream>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "reports/run.h"
+#include "reports/shrink/shrink.h"
+#include "reports/shrink/shrunk_file.h"
 #include "reports/sweep/run_blocks.h"
 #include "reports/text/counted.h"
 #include "reports/writers/explanation_writer.h"
+#include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"
 
 namespace touchstone {
@@ -20,6 +25,22 @@ bool IsUnsupported(const OracleTally& tally) {
     if (kind.verdict != Verdict::kUnsupported) return false;
   }
   return true;
+}
+
+/** The questions that are asked at most to make a failed one smaller: a second of work.
+ */
+constexpr std::size_t kTries = 400;
+
+/** Returns a smaller question with the same fault; nothing if there is none, and if the
+ answer is missing or invalid, as asking again could end the program. */
+std::optional<Shrunk> ShrunkFor(const Scenario& scenario, const Oracle& subject) {
+  const RunReport report = AskAlone(scenario, subject);
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  if (outcomes.front().verdict != Verdict::kFail) return std::nullopt;
+  Shrunk shrunk =
+      Shrink(scenario, subject, *outcomes.front().decisive, {.tries = kTries});
+  if (shrunk.accepted == 0) return std::nullopt;
+  return shrunk;
 }
 
 }  // namespace
@@ -49,17 +70,27 @@ std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,
 
   const Scenario scenario =
       ReadScenario(first->scenario, "the failed question").scenario.value();
+  const std::optional<Shrunk> shrunk = ShrunkFor(scenario, subject);
+  Scenario shown = scenario;
+  if (shrunk) {
+    shown = std::get<Scenario>(ScenarioOf(*shrunk, scenario));
+    shown.indicts.clear();  // No other program knows the subject.
+  }
   std::vector<const Oracle*> oracles = {&subject};
   oracles.insert(oracles.end(), references.begin(), references.end());
   RunOptions options;
   options.partial = true;
   std::ostringstream text;
-  text << fmt::format("{} is wrong in {} of {}; {} of them touching. The first:\n\n",
-                      name, FailureCount(tally), questions, tally.touching);
-  WriteExplanation(Run({&scenario, 1}, oracles, {}, options), {}, text);
-  text << "\nThe question, as a file for `touchstone run`:\n\n"
-       << first->scenario
-       << "\nTo ask the other oracles: " << ReplayOf(series, first->question) << '\n';
+  text << fmt::format(
+      "{} is wrong in {} of {}; {} of them touching. The first{}:\n\n", name,
+      FailureCount(tally), questions, tally.touching,
+      shrunk ? fmt::format(", shrunk ({} asked, {} kept)",
+                           Counted(shrunk->tried, "smaller question"), shrunk->accepted)
+             : "");
+  WriteExplanation(Run({&shown, 1}, oracles, {}, options), {}, text);
+  text << "\nThe question, as a file for `touchstone run`:\n\n" << WriteScenario(shown);
+  if (shrunk) text << "\nBefore it was shrunk:\n\n" << first->scenario;
+  text << "\nTo ask the other oracles: " << ReplayOf(series, first->question) << '\n';
   return text.str();
 }
 

@@ -9,8 +9,9 @@
 namespace touchstone {
 
 /** Returns the faults of `subject` on the series, written for a person; empty where there
- are none. It states how many questions the subject failed. For the first of them it shows
- the file, every answer with its proof, and the command that repeats it. A series in which
+ are none. It states how many questions the subject failed. The first of them is made
+ smaller, Shrink(), while its fault persists; it shows the file, every answer with its
+ proof, and the command that repeats the first. A series in which
  no bodies touch, or which the subject does not support, is a fault too. The answers of
  `references` are shown next to the subject's. */
 std::string ComplaintAbout(const Oracle& subject, const QuestionSeries& series,

@@ -17,9 +17,9 @@ struct Granted {
 };
 
 /** Returns whether `subject` answers every question of the series within the derived
- tolerance of the certified truth. A failure shows the first wrong question as a file, the
- answers of `subject` and `references` side by side, the proofs, and the command that
- repeats it:
+ tolerance of the certified truth. A failure shows the first wrong question, made
+ smaller while its fault persists, as a file, the answers of `subject` and `references`
+ side by side, the proofs, and the command that repeats it:
       EXPECT_TRUE(IsRight(*mine, {.A = ShapeKind::kBox, .B = ShapeKind::kBox}, {fcl}));
  A wrong reference is shown as wrong, and does not make the subject fail. A routine that
  is meant to be right to a tenth of a millimetre:

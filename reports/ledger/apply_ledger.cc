@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reports/finding/verdict_before.h"
 #include "reports/ledger/bounds_file.h"
 #include "reports/ledger/glob.h"
 #include "reports/text/counted.h"
@@ -111,6 +114,12 @@ class Application {
     const std::string refused = Refusal(entry, bound, finding.verdict, value, scale);
     if (!refused.empty()) {
       finding.proof += refused;
+      if (bound != nullptr && HasValue(finding.verdict) &&
+          HasValue(bound->bound->verdict) &&
+          !IsWithin(*bound->bound, entry.verdict, value)) {
+        finding.outgrown_entry = static_cast<int>(*covering);
+        outgrown_.insert({*covering, finding.measure});
+      }
       return;
     }
     LedgerUse& use = report_.ledger_use[*covering];
@@ -133,7 +142,7 @@ class Application {
                         PlaceOf(ledger_, entry), entry.expires));
       }
       if (partial || use.voided) continue;
-      const std::string why = WhyNotNeeded(entry, use);
+      const std::string why = WhyNotNeeded(i);
       if (!why.empty()) {
         report_.faults.push_back(fmt::format("{}: {} ({} in {}).",
                                              PlaceOf(ledger_, entry), why, entry.oracle,
@@ -184,15 +193,22 @@ class Application {
     finding.ledger_entry = static_cast<int>(entry);
   }
 
-  static std::string WhyNotNeeded(const LedgerEntry& entry, const LedgerUse& use) {
+  std::string WhyNotNeeded(std::size_t index) const {
+    const LedgerEntry& entry = ledger_.entries[index];
+    const LedgerUse& use = report_.ledger_use[index];
     if (use.candidates == 0) {
       return "matches no finding of the run: correct or remove this entry";
     }
     if (entry.intermittent) return "";
-    if (use.findings() == 0) return "improved: remove this entry, it hides nothing";
+    const auto has_outgrown = [&](MeasureKind measure) {
+      return outgrown_.contains({index, measure});
+    };
+    if (use.findings() == 0 && std::ranges::none_of(entry.measures, has_outgrown))
+      return "improved: remove this entry, it hides nothing";
     std::vector<std::string_view> unneeded;
     for (std::size_t i = 0; i < use.hidden.size(); ++i) {
-      if (use.hidden[i].findings == 0) unneeded.push_back(NameOf(entry.measures[i]));
+      if (use.hidden[i].findings == 0 && !has_outgrown(entry.measures[i]))
+        unneeded.push_back(NameOf(entry.measures[i]));
     }
     if (unneeded.empty()) {
       return entry.beyond_scene && !use.beyond_scene
@@ -235,6 +251,9 @@ class Application {
   const Ledger& ledger_;
   const std::map<std::string_view, LedgerScale> scales_;
   std::map<std::string_view, Rules> rules_;  ///< Keyed by oracle of the run.
+  /** The entries and measures of findings that exceed their bound: such an entry hides
+   them no more, and is needed. */
+  std::set<std::pair<std::size_t, MeasureKind>> outgrown_;
 };
 
 }  // namespace
@@ -272,12 +291,6 @@ bool Concerns(const LedgerEntry& entry, const LedgerCell& cell) {
          });
 }
 
-Verdict VerdictBefore(const Finding& finding, std::span<const LedgerEntry> entries) {
-  return finding.ledger_entry
-             ? entries[static_cast<std::size_t>(*finding.ledger_entry)].verdict
-             : finding.verdict;
-}
-
 std::optional<std::size_t> EntryFor(const RunReport& report, const LedgerCell& cell,
                                     Verdict verdict) {
   if (report.ledger.outside_catalogue.contains(cell.scenario)) return std::nullopt;
@@ -312,6 +325,7 @@ void ApplyLedger(RunReport& report, std::string_view today, bool partial,
   }
   Application application(report);
   for (Finding& finding : report.findings) {
+    if (report.ledger.entries.empty()) break;
     if (!report.ledger.outside_catalogue.contains(finding.scenario) &&
         !IsSetUpOtherwise(report, finding))
       application.Excuse(finding);
@@ -323,6 +337,7 @@ void ApplyAgain(RunReport& report) {
   for (Finding& finding : report.findings) {
     finding.verdict = VerdictBefore(finding, report.ledger.entries);
     finding.ledger_entry.reset();
+    finding.outgrown_entry.reset();
   }
   ApplyLedger(report, "", true);
 }

@@ -3,7 +3,6 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <span>
 #include <string_view>
 
 #include "reports/run_report.h"
@@ -71,10 +70,6 @@ LedgerCell CellOf(const Finding& finding);
 /** Returns whether an entry is about a cell: its oracle, one of its scenarios and one of
  its measures. */
 bool Concerns(const LedgerEntry& entry, const LedgerCell& cell);
-
-/** Returns the verdict of a finding before the ledger was applied.
- @param entries The entries of that ledger. */
-Verdict VerdictBefore(const Finding& finding, std::span<const LedgerEntry> entries);
 
 /** Returns the entry, by index, that covers a finding of `verdict` in `cell`: the last
  that concerns it, is for that verdict and is not void. */

@@ -186,6 +186,12 @@ void CheckStability(RunReport& report) {
 }
 
 void CheckIndictments(RunReport& report) {
+  const auto indicts = [](const auto& result) {
+    return !result.scenario.indicts.empty();
+  };
+  if (std::none_of(report.scenarios.begin(), report.scenarios.end(), indicts) &&
+      std::none_of(report.worlds.begin(), report.worlds.end(), indicts))
+    return;
   using Key = std::tuple<std::string_view, std::string_view, MeasureKind>;
   std::map<Key, const Finding*> measured;  // The finding that indicts, if any.
   for (const Finding& finding : report.findings) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reports/finding/tolerance.h"
 #include "reports/ledger/ledger_file.h"
 
 namespace touchstone {
@@ -73,7 +74,9 @@ std::map<Kind, std::map<std::string, Shown>> FailuresOf(const RunReport& report)
     if (!IsFailure(finding.verdict)) continue;
     const Kind kind{finding.oracle, finding.verdict, finding.cause};
     Include(failures[kind][finding.scenario],
-            {{finding.measure}, finding.value / finding.tolerance, finding.proof});
+            {{finding.measure},
+             InTolerances(finding.value, finding.tolerance),
+             finding.proof});
   }
   return failures;
 }
@@ -144,8 +147,11 @@ std::string WriteLedgerEntry(const LedgerEntry& entry, std::string_view comment)
   text += fmt::format("oracle = {}\nversion = {}\nverdict = {}\nmeasures = [{}]\n",
                       Quoted(entry.oracle), Quoted(entry.version),
                       Quoted(NameOf(entry.verdict)), fmt::join(measures, ", "));
+  text += fmt::format("{}\n", CauseLine(entry.causes));
+  if (entry.responsible != Responsible::kEngine)
+    text += fmt::format("responsible = {}\n", Quoted(NameOf(entry.responsible)));
   text += fmt::format(
-      "{}\n{}reason = {}\nupstream = {}\nexpires = {}\n", CauseLine(entry.causes),
+      "{}reason = {}\nupstream = {}\nexpires = {}\n",
       entry.fault.empty() ? "" : fmt::format("fault = {}\n", Quoted(entry.fault)),
       Quoted(entry.reason), Quoted(entry.upstream),
       entry.expires.empty() ? "\"\"" : entry.expires);

@@ -17,9 +17,10 @@
 namespace touchstone {
 namespace {
 
-constexpr std::array<std::string_view, 12> kKeys = {
-    "scenarios", "oracle", "version",  "verdict", "measures",     "cause",
-    "fault",     "reason", "upstream", "expires", "intermittent", "beyond_scene"};
+constexpr std::array<std::string_view, 13> kKeys = {
+    "scenarios", "oracle",       "version",     "verdict", "measures",
+    "cause",     "responsible",  "fault",       "reason",  "upstream",
+    "expires",   "intermittent", "beyond_scene"};
 
 constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::kInvalid,
                                   Verdict::kCrashed, Verdict::kTimedOut};
@@ -27,9 +28,13 @@ constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::k
 constexpr std::array kCauses = {Cause::kConvention,     Cause::kTie,   Cause::kPrecision,
                                 Cause::kDiscretisation, Cause::kModel, Cause::kDefect};
 
+constexpr std::array kResponsible = {Responsible::kEngine, Responsible::kAdapter,
+                                     Responsible::kModel};
+
 template <typename Values>
 std::vector<std::string_view> NamesOf(const Values& values) {
   std::vector<std::string_view> names;
+  names.reserve(values.size());
   for (const auto value : values) names.push_back(NameOf(value));
   return names;
 }
@@ -105,6 +110,7 @@ class LedgerReader {
     entry.verdict = OneOf(table, "verdict", kVerdicts, Verdict::kFail);
     entry.measures = Measures(table);
     entry.causes = Causes(table);
+    entry.responsible = WhoIsResponsible(table);
     if (table.contains("fault")) entry.fault = Sentence(table, "fault");
     entry.reason = Text(table, "reason", "one or two sentences: what goes wrong and why");
     entry.upstream =
@@ -165,6 +171,13 @@ class LedgerReader {
     const toml::node* node =
         Required(table, key, fmt::format("one of {}", fmt::join(NamesOf(values), ", ")));
     return node == nullptr ? otherwise : Named(*node, key, values).value_or(otherwise);
+  }
+
+  Responsible WhoIsResponsible(const toml::table& table) {
+    const toml::node* node = table.get("responsible");
+    return node == nullptr
+               ? Responsible::kEngine
+               : Named(*node, "responsible", kResponsible).value_or(Responsible::kEngine);
   }
 
   /** Reads a glob or a list of globs. */

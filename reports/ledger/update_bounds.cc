@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "reports/finding/severity.h"
+#include "reports/finding/verdict_before.h"
 #include "reports/ledger/apply_ledger.h"
 #include "reports/ledger/bounds_file.h"
 

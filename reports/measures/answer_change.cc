@@ -44,7 +44,9 @@ AnswerDifference AnswerChange(const ContactQuery& query, const ContactTruth& tru
   const auto n_W = NormalOf(answer);
   const auto n_W_back = NormalOf(brought_back);
   if (n_W && n_W_back) {
-    change.overlap = Apart(OverlapAlong(query, *n_W), OverlapAlong(query, *n_W_back));
+    // Most variants leave a normal as it was, to the bit.
+    if (*n_W != *n_W_back)
+      change.overlap = Apart(OverlapAlong(query, *n_W), OverlapAlong(query, *n_W_back));
     change.compared = true;
   }
   return change;

@@ -10,7 +10,11 @@ namespace touchstone {
 
 double ConsistencyError(const ContactQuery& query, const Eigen::Vector3d& n_W,
                         double separation) {
-  return Outside(-separation, OverlapAlong(query, n_W));
+  return ConsistencyError(OverlapAlong(query, n_W), separation);
+}
+
+double ConsistencyError(const Enclosure& overlap, double separation) {
+  return Outside(-separation, overlap);
 }
 
 double ManifoldInconsistency(std::span<const ContactPoint> contacts, double separation) {

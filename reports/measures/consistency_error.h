@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "oracles/contact_answer.h"
+#include "reports/referee/contact_truth.h"
 #include "scenarios/contact_query.h"
 
 namespace touchstone {
@@ -17,6 +18,9 @@ namespace touchstone {
  @pre `n_W` is finite and not zero. */
 double ConsistencyError(const ContactQuery& query, const Eigen::Vector3d& n_W,
                         double separation);
+
+/** The same for a known OverlapAlong() the normal. */
+double ConsistencyError(const Enclosure& overlap, double separation);
 
 /** Returns |separation − s| for the separation s of the deepest contact, 0 without one:
  the error of an answer's depth against its own manifold. [m] Contacts shallower than the

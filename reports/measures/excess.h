@@ -18,4 +18,7 @@ namespace touchstone {
 double Excess(const ContactQuery& query, const ContactTruth& truth,
               const Eigen::Vector3d& n_W);
 
+/** The same for a known OverlapAlong() the normal. */
+double Excess(const Enclosure& overlap, const ContactTruth& truth);
+
 }  // namespace touchstone

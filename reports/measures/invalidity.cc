@@ -13,7 +13,9 @@ std::optional<std::string> NotUnit(std::string_view name, const Eigen::Vector3d&
   if (!n.allFinite()) return fmt::format("{} is not finite", name);
   const double length = n.norm();
   if (std::abs(length - 1) <= slack) return std::nullopt;
-  return fmt::format("{} has length {:.9g}, not 1", name, length);
+  // A float has seven digits: nine would hide what is wrong with an undeclared one.
+  return fmt::format("{} has length {:.17g}, not 1 to within {:.2g}", name, length,
+                     slack);
 }
 
 }  // namespace

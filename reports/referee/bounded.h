@@ -73,7 +73,7 @@ class Bounded {
     if (is_exact && a.error_ == 0 && b.error_ == 0) return Rounded(product, 0, true);
     return Rounded(product,
                    Magnitude(a.value_) * b.error_ + Magnitude(b.value_) * a.error_ +
-                       a.error_ * b.error_ + kUnderflow,
+                       a.error_ * b.error_ + kUnderflow<Real>,
                    is_exact);
   }
 
@@ -89,7 +89,8 @@ class Bounded {
     if (is_exact && a.error_ == 0 && (b.error_ == 0 || quotient == 0))
       return Rounded(quotient, 0, true);
     const double carried =
-        (a.error_ + Magnitude(quotient) * b.error_ * kInflation) / least + kUnderflow;
+        (a.error_ + Magnitude(quotient) * b.error_ * kInflation) / least +
+        kUnderflow<Real>;
     return Rounded(quotient, carried, is_exact);
   }
 
@@ -106,7 +107,7 @@ class Bounded {
     const bool is_exact = exactness.Holds();
     const double least_root = std::max(Below(root, kRoundoff<Real> * Magnitude(root)),
                                        std::numeric_limits<double>::min());
-    const double carried = a.error_ == 0 ? 0 : a.error_ / least_root + kUnderflow;
+    const double carried = a.error_ == 0 ? 0 : a.error_ / least_root + kUnderflow<Real>;
     return Rounded(root, carried, is_exact);
   }
 
@@ -124,7 +125,6 @@ class Bounded {
 
  private:
   static constexpr double kInflation = 1 + 0x1p-49;
-  static constexpr double kUnderflow = 4 * std::numeric_limits<double>::denorm_min();
 
   static Real abs(const Real& x) { return x < 0 ? Real(-x) : x; }
   /** Adds the rounding of the result to `carried`, with `kUnderflow`, because a value of
@@ -134,7 +134,7 @@ class Bounded {
     // An infinite value is no result, even of an operation without a rounding.
     const double rounding = is_exact && std::isfinite(magnitude)
                                 ? 0
-                                : kRoundoff<Real> * magnitude + kUnderflow;
+                                : kRoundoff<Real> * magnitude + kUnderflow<Real>;
     return Bounded(value, (carried + rounding) * kInflation);
   }
 

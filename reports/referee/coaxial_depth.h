@@ -18,6 +18,7 @@ namespace touchstone::referee {
  far they move the farthest point of each core. R = Q S with the nearest rotation Q moves
  it by at most 2 δ ρ (input_rounding.cc). Turning Q e_z onto the common axis z moves it by
  |Q e_z − z| ρ <= (|R e_z − z| + 2 δ) ρ. */
+template <typename Real>
 std::optional<DepthProof> CoaxialDepth(const MinkowskiDifference& M);
 
 }  // namespace touchstone::referee

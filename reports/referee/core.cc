@@ -148,8 +148,11 @@ Vector<Real> SupportPoint(const Core& core, const Vector<Real>& n) {
 }
 
 template Bounded<double> SupportValue(const Core&, const Vector<Bounded<double>>&);
+template Bounded<DoubleDouble> SupportValue(const Core&,
+                                            const Vector<Bounded<DoubleDouble>>&);
 template Bounded<Precise> SupportValue(const Core&, const Vector<Bounded<Precise>>&);
 template Vector<double> SupportPoint(const Core&, const Vector<double>&);
+template Vector<DoubleDouble> SupportPoint(const Core&, const Vector<DoubleDouble>&);
 template Vector<Precise> SupportPoint(const Core&, const Vector<Precise>&);
 
 }  // namespace touchstone::referee

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 #include "reports/referee/precise.h"
@@ -8,15 +10,22 @@
 namespace touchstone::referee {
 
 /** Returns the vector of doubles nearest to `a`. */
-inline Eigen::Vector3d Rounded(const Vector<Precise>& a) {
+template <typename Real>
+Eigen::Vector3d Rounded(const Vector<Real>& a) {
   return {Nearest(a.x), Nearest(a.y), Nearest(a.z)};
 }
 
-/** Returns the unit vector along `a`, each coordinate rounded once, or zero for zero. */
-inline Eigen::Vector3d Direction(const Vector<Precise>& a) {
-  const Precise length = sqrt(Dot(a, a));
+/** Returns the unit vector along `a`, each coordinate rounded once, or to zero where it
+ is a rounding of `Real`; zero for zero. */
+template <typename Real>
+Eigen::Vector3d Direction(const Vector<Real>& a) {
+  const Real length = sqrt(Dot(a, a));
   if (!(length > 0)) return Eigen::Vector3d::Zero();
-  return Rounded((Precise(1) / length) * a);
+  Eigen::Vector3d n = Rounded((Real(1) / length) * a);
+  // The search leaves roundings of `Real` where a component is zero.
+  constexpr double kNothing = 64 * kRoundoff<Real>;
+  for (double& x : n) x = std::abs(x) < kNothing ? 0 : x;
+  return n;
 }
 
 }  // namespace touchstone::referee

@@ -9,8 +9,9 @@ bool HasHalfSpace(const ContactQuery& query) {
          KindOf(query.B.shape) == ShapeKind::kHalfSpace;
 }
 
+template <typename Real>
 PlaneOverlap OverlapWithPlane(const ContactQuery& query) {
-  using Number = Bounded<Precise>;
+  using Number = Bounded<Real>;
   const bool plane_is_A = KindOf(query.A.shape) == ShapeKind::kHalfSpace;
   const Pose& plane = plane_is_A ? query.A.X_WB : query.B.X_WB;
   const RoundedCore X = CoreOf(plane_is_A ? query.B : query.A);
@@ -32,5 +33,8 @@ PlaneOverlap OverlapWithPlane(const ContactQuery& query) {
   result.p_WPlane = result.p_WX - m_W.dot(result.p_WX - plane.p_WB) * m_W;
   return result;
 }
+
+template PlaneOverlap OverlapWithPlane<DoubleDouble>(const ContactQuery&);
+template PlaneOverlap OverlapWithPlane<Precise>(const ContactQuery&);
 
 }  // namespace touchstone::referee

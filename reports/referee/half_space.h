@@ -20,6 +20,7 @@ struct PlaneOverlap {
  perpendicular to R_x and R_y. This overlap is the depth: no other direction separates a
  half-space, or reaches it, by a shorter translation.
  @pre HasHalfSpace(query). */
+template <typename Real>
 PlaneOverlap OverlapWithPlane(const ContactQuery& query);
 
 }  // namespace touchstone::referee

@@ -290,14 +290,14 @@ class Corners {
   std::vector<std::optional<Vector<Bounded<Real>>>> placed_;
 };
 
-using Number = Bounded<Precise>;
-
+template <typename Number>
 Vector<Number> NormalOf(const Triangle<Number>& x) {
   return Cross(x[1] - x[0], x[2] - x[0]);
 }
 
-Eigen::Vector3d Direction(const Vector<Number>& n) {
-  return referee::Direction({n.x.value(), n.y.value(), n.z.value()});
+template <typename Real>
+Eigen::Vector3d Direction(const Vector<Bounded<Real>>& n) {
+  return referee::Direction(Vector<Real>{n.x.value(), n.y.value(), n.z.value()});
 }
 
 }  // namespace
@@ -308,19 +308,20 @@ InnerPolytope<Real> Expand(const MinkowskiDifference& M, const Simplex<Real>& si
   return Expansion<Real>(M, target).Grow(simplex, most_vertices);
 }
 
-template <typename Real>
-DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>& polytope,
-                        double target) {
+template <typename Real, typename Search>
+DepthProof CertifyDepth(const MinkowskiDifference& M,
+                        const InnerPolytope<Search>& polytope, double target) {
+  using Number = Bounded<Real>;
   const Vector<Number> met = Exactly<Number>(polytope.n);
   DepthProof proof{{0, M.OverlapAlong(met).enclosure().hi}, Direction(met)};
 
-  const Facet<Real>* nearest = nullptr;
-  for (const Facet<Real>& f : polytope.facets) {
+  const Facet<Search>* nearest = nullptr;
+  for (const Facet<Search>& f : polytope.facets) {
     if (!f.removed && (nearest == nullptr || f.distance < nearest->distance))
       nearest = &f;
   }
   if (nearest == nullptr) return proof;
-  Corners<Precise, Real> sharp(M, polytope);
+  Corners<Real, Search> sharp(M, polytope);
   // The exact normal of the nearest facet. If it is a facet of M, both bounds meet.
   const Vector<Number> n = NormalOf(sharp.Of(*nearest));
   const double overlap = M.OverlapAlong(n).enclosure().hi;
@@ -328,12 +329,12 @@ DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>&
 
   if (!IsClosed(polytope.facets)) return proof;
   double lo = kInfinity;
-  Corners<double, Real> quick(M, polytope);
-  for (const Facet<Real>& f : polytope.facets) {
+  Corners<double, Search> quick(M, polytope);
+  for (const Facet<Search>& f : polytope.facets) {
     if (f.removed) continue;
     bool oriented = false;
     double distance = -kInfinity;
-    if constexpr (std::is_same_v<Real, double>) {
+    if constexpr (std::is_same_v<Search, double>) {
       const Triangle<Bounded<double>> x = quick.Of(f);
       oriented = KeepsOrientation(x);
       distance = DistanceAlong(x, Exactly<Bounded<double>>(f.n)).lo;
@@ -352,11 +353,19 @@ DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>&
 
 template InnerPolytope<double> Expand(const MinkowskiDifference&, const Simplex<double>&,
                                       double, std::size_t);
+template InnerPolytope<DoubleDouble> Expand(const MinkowskiDifference&,
+                                            const Simplex<DoubleDouble>&, double,
+                                            std::size_t);
 template InnerPolytope<Precise> Expand(const MinkowskiDifference&,
                                        const Simplex<Precise>&, double, std::size_t);
-template DepthProof CertifyDepth(const MinkowskiDifference&, const InnerPolytope<double>&,
-                                 double);
-template DepthProof CertifyDepth(const MinkowskiDifference&,
-                                 const InnerPolytope<Precise>&, double);
+template DepthProof CertifyDepth<DoubleDouble>(const MinkowskiDifference&,
+                                               const InnerPolytope<double>&, double);
+template DepthProof CertifyDepth<DoubleDouble>(const MinkowskiDifference&,
+                                               const InnerPolytope<DoubleDouble>&,
+                                               double);
+template DepthProof CertifyDepth<Precise>(const MinkowskiDifference&,
+                                          const InnerPolytope<double>&, double);
+template DepthProof CertifyDepth<Precise>(const MinkowskiDifference&,
+                                          const InnerPolytope<Precise>&, double);
 
 }  // namespace touchstone::referee

@@ -52,8 +52,8 @@ InnerPolytope<Real> Expand(const MinkowskiDifference& M, const Simplex<Real>& si
 
  The proof does not assume that the surface is convex, so the rounding of the search does
  not matter. */
-template <typename Real>
-DepthProof CertifyDepth(const MinkowskiDifference& M, const InnerPolytope<Real>& polytope,
-                        double target);
+template <typename Real, typename Search>
+DepthProof CertifyDepth(const MinkowskiDifference& M,
+                        const InnerPolytope<Search>& polytope, double target);
 
 }  // namespace touchstone::referee

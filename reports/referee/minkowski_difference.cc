@@ -36,17 +36,24 @@ double MinkowskiDifference::Size() const {
 }
 
 template Vector<Bounded<double>> MinkowskiDifference::Centre() const;
+template Vector<Bounded<DoubleDouble>> MinkowskiDifference::Centre() const;
 template Vector<Bounded<Precise>> MinkowskiDifference::Centre() const;
 template DifferencePoint<double> MinkowskiDifference::Support(
     const Vector<double>&) const;
+template DifferencePoint<DoubleDouble> MinkowskiDifference::Support(
+    const Vector<DoubleDouble>&) const;
 template DifferencePoint<Precise> MinkowskiDifference::Support(
     const Vector<Precise>&) const;
 template Vector<Bounded<double>> MinkowskiDifference::Place(const Vector<double>&,
                                                             const Vector<double>&) const;
+template Vector<Bounded<DoubleDouble>> MinkowskiDifference::Place(
+    const Vector<DoubleDouble>&, const Vector<DoubleDouble>&) const;
 template Vector<Bounded<Precise>> MinkowskiDifference::Place(
     const Vector<Precise>&, const Vector<Precise>&) const;
 template Bounded<double> MinkowskiDifference::SupportValue(
     const Vector<Bounded<double>>&) const;
+template Bounded<DoubleDouble> MinkowskiDifference::SupportValue(
+    const Vector<Bounded<DoubleDouble>>&) const;
 template Bounded<Precise> MinkowskiDifference::SupportValue(
     const Vector<Bounded<Precise>>&) const;
 

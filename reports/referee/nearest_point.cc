@@ -10,10 +10,28 @@ namespace {
 // search that has not converged by then will not, and the enclosure shows how far it got.
 constexpr int kMostSteps = 300;
 
-/** Computes the point nearest to the origin in the affine hull of `subset` of the points.
- Returns false if it lies outside their convex hull. */
+/** Sets v to the foot of the perpendicular from the origin on the plane of a triangle,
+ unless that is a sliver. It is the combination of the corners, which near touching is a
+ small difference of numbers of size L, and off by L/|v| roundings of itself. The normal n
+ of the plane is off by L²/|n|. On a round rim a triangle has no more than the direction
+ of its chords, however exact. */
 template <typename Real>
-bool SolveSubset(const Simplex<Real>& all, unsigned subset, Simplex<Real>* solved) {
+void SetFootOnPlane(Simplex<Real>* triangle) {
+  const Vector<Real>& a = triangle->points[0].x;
+  const Vector<Real> ab = triangle->points[1].x - a;
+  const Vector<Real> ac = triangle->points[2].x - a;
+  const Vector<Real> n = Cross(ab, ac);
+  const Real square = Dot(n, n);
+  if (square > Dot(triangle->v, triangle->v) * (Dot(ab, ab) + Dot(ac, ac)))
+    triangle->v = (Dot(n, a) / square) * n;
+}
+
+/** Computes the point nearest to the origin in the affine hull of `subset` of the points,
+ which are those of a polytope if `is_flat`. Returns false if it lies outside their convex
+ hull. */
+template <typename Real>
+bool SolveSubset(const Simplex<Real>& all, unsigned subset, bool is_flat,
+                 Simplex<Real>* solved) {
   solved->count = 0;
   solved->encloses_origin = false;
   for (unsigned i = 0; i < static_cast<unsigned>(all.count); ++i) {
@@ -66,18 +84,18 @@ bool SolveSubset(const Simplex<Real>& all, unsigned subset, Simplex<Real>* solve
     sum = sum + weights[i] * points[i].x;
   }
   solved->v = (Real(1) / total) * sum;
+  if (is_flat && solved->count == 3) SetFootOnPlane(solved);
   return true;
 }
 
-}  // namespace
-
+/** Returns the face of a simplex nearest to the origin, see SolveSubset(). */
 template <typename Real>
-Simplex<Real> NearestOnSimplex(const Simplex<Real>& all) {
+Simplex<Real> NearestFace(const Simplex<Real>& all, bool is_flat) {
   Simplex<Real> best;
   Simplex<Real> candidate;
   Real least(std::numeric_limits<double>::max());
   for (unsigned subset = 1; subset < 1u << all.count; ++subset) {
-    if (!SolveSubset(all, subset, &candidate)) continue;
+    if (!SolveSubset(all, subset, is_flat, &candidate)) continue;
     if (candidate.encloses_origin) return candidate;
     const Real square = Dot(candidate.v, candidate.v);
     if (square < least) {
@@ -86,6 +104,13 @@ Simplex<Real> NearestOnSimplex(const Simplex<Real>& all) {
     }
   }
   return best;
+}
+
+}  // namespace
+
+template <typename Real>
+Simplex<Real> NearestOnSimplex(const Simplex<Real>& all) {
+  return NearestFace(all, false);
 }
 
 template <typename Real>
@@ -112,7 +137,7 @@ Simplex<Real> FindNearest(const MinkowskiDifference& M, const Simplex<Real>& sta
     if (square - Dot(simplex.v, w.x) <= tolerance * length) break;
     Simplex<Real> extended = simplex;
     extended.points[static_cast<std::size_t>(extended.count++)] = w;
-    extended = NearestOnSimplex(extended);
+    extended = NearestFace(extended, !M.IsCurved());
     if (extended.count == 0) break;
     if (!extended.encloses_origin && Dot(extended.v, extended.v) >= square) break;
     simplex = extended;
@@ -120,20 +145,22 @@ Simplex<Real> FindNearest(const MinkowskiDifference& M, const Simplex<Real>& sta
   return simplex;
 }
 
-Simplex<Precise> Sharpen(const MinkowskiDifference& M, const Simplex<double>& simplex) {
-  Simplex<Precise> all;
+template <typename Real>
+Simplex<Real> Sharpen(const MinkowskiDifference& M, const Simplex<double>& simplex) {
+  Simplex<Real> all;
   all.count = simplex.count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
     const DifferencePoint<double>& p = simplex.points[i];
-    DifferencePoint<Precise>& sharp = all.points[i];
-    sharp.q_A = Exactly<Precise>(p.q_A);
-    sharp.q_B = Exactly<Precise>(p.q_B);
-    const Vector<Bounded<Precise>> x = M.Place(sharp.q_A, sharp.q_B);
+    DifferencePoint<Real>& sharp = all.points[i];
+    sharp.q_A = Exactly<Real>(p.q_A);
+    sharp.q_B = Exactly<Real>(p.q_B);
+    const Vector<Bounded<Real>> x = M.Place(sharp.q_A, sharp.q_B);
     sharp.x = {x.x.value(), x.y.value(), x.z.value()};
   }
-  Simplex<Precise> solved;
-  if (SolveSubset(all, (1u << all.count) - 1, &solved)) return solved;
-  return NearestOnSimplex(all);
+  Simplex<Real> solved;
+  const bool is_flat = !M.IsCurved();
+  if (SolveSubset(all, (1u << all.count) - 1, is_flat, &solved)) return solved;
+  return NearestFace(all, is_flat);
 }
 
 template <typename Real>
@@ -153,11 +180,19 @@ Enclosure CertifyNearest(const MinkowskiDifference& M, const Simplex<Real>& simp
   return {(-overlap).enclosure().lo, distance.enclosure().hi};
 }
 
+template Simplex<DoubleDouble> NearestOnSimplex(const Simplex<DoubleDouble>&);
 template Simplex<Precise> NearestOnSimplex(const Simplex<Precise>&);
 template Simplex<double> FindNearest(const MinkowskiDifference&, const Simplex<double>&);
+template Simplex<DoubleDouble> FindNearest(const MinkowskiDifference&,
+                                           const Simplex<DoubleDouble>&);
 template Simplex<Precise> FindNearest(const MinkowskiDifference&,
                                       const Simplex<Precise>&);
 template Enclosure CertifyNearest(const MinkowskiDifference&, const Simplex<double>&);
+template Simplex<DoubleDouble> Sharpen(const MinkowskiDifference&,
+                                       const Simplex<double>&);
+template Simplex<Precise> Sharpen(const MinkowskiDifference&, const Simplex<double>&);
+template Enclosure CertifyNearest(const MinkowskiDifference&,
+                                  const Simplex<DoubleDouble>&);
 template Enclosure CertifyNearest(const MinkowskiDifference&, const Simplex<Precise>&);
 
 }  // namespace touchstone::referee

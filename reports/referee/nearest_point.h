@@ -29,7 +29,8 @@ template <typename Real>
 Simplex<Real> NearestOnSimplex(const Simplex<Real>& simplex);
 
 /** Returns the same points in higher precision, with the weights computed again. */
-Simplex<Precise> Sharpen(const MinkowskiDifference& M, const Simplex<double>& simplex);
+template <typename Real>
+Simplex<Real> Sharpen(const MinkowskiDifference& M, const Simplex<double>& simplex);
 
 /** Returns an enclosure of the signed distance of the origin from M, negative inside. Its
  lower end is the support gap along −v, its upper end |v|. It is valid for every simplex,

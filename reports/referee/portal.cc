@@ -5,9 +5,6 @@
 namespace touchstone::referee {
 namespace {
 
-using V = Vector<Precise>;
-using Point3 = DifferencePoint<Precise>;
-
 // A portal on a round face loses at least a constant factor of its height for every few
 // steps; on a flat face the search ends. The certificate shows how far it got.
 constexpr int kMostSteps = 400;
@@ -23,28 +20,32 @@ Eigen::Vector3d MiddleOf(const RoundedCore& placed) {
 }
 
 /** The search. Positions are relative to the middle of M. */
+template <typename Real>
 class PortalSearch {
  public:
   explicit PortalSearch(const MinkowskiDifference& M)
       : M_(M),
-        middle_(Exactly<Precise>(MiddleOf(M.A())) - Exactly<Precise>(MiddleOf(M.B()))),
+        middle_(Exactly<Real>(MiddleOf(M.A())) - Exactly<Real>(MiddleOf(M.B()))),
         ray_(-middle_),
         // A thousandth of a rounding of the result in double.
         tolerance_(kRoundoff<double> / 1024 * M.Size()) {}
 
-  Portal Find() && {
+  Portal<Real> Find() && {
     if (MakePortal()) Refine();
     return std::move(best_);
   }
 
  private:
+  using V = Vector<Real>;
+  using Point3 = DifferencePoint<Real>;
+
   /** Returns the support point along n, and keeps n if its overlap is the least so far.
    */
   Point3 Try(const V& n) {
     const Point3 w = M_.Support(n);
-    const Precise length = sqrt(Dot(n, n));
+    const Real length = sqrt(Dot(n, n));
     if (length > 0) {
-      const Precise overlap = Dot(n, w.x) / length;
+      const Real overlap = Dot(n, w.x) / length;
       if (!has_direction_ || overlap < least_) {
         has_direction_ = true;
         least_ = overlap;
@@ -56,7 +57,7 @@ class PortalSearch {
 
   V From(const Point3& p) const { return p.x - middle_; }
   /** Returns the side of the plane through the middle, a and b on which the ray is. */
-  Precise Side(const Point3& a, const Point3& b) const {
+  Real Side(const Point3& a, const Point3& b) const {
     return Dot(Cross(From(a), From(b)), ray_);
   }
 
@@ -91,7 +92,7 @@ class PortalSearch {
       Keep();
       V n = Cross(b_.x - a_.x, c_.x - a_.x);
       if (Dot(n, ray_) < 0) n = -n;
-      const Precise length = sqrt(Dot(n, n));
+      const Real length = sqrt(Dot(n, n));
       if (!(length > 0)) return;
       const Point3 w = Try(n);
       if (Dot(n, w.x - a_.x) <= tolerance_ * length) return;
@@ -116,17 +117,21 @@ class PortalSearch {
   const MinkowskiDifference& M_;
   const V middle_;
   const V ray_;
-  const Precise tolerance_;
+  const Real tolerance_;
   Point3 a_, b_, c_;
   bool has_direction_ = false;
-  Precise least_;
-  Portal best_;
+  Real least_;
+  Portal<Real> best_;
 };
 
 }  // namespace
 
-Portal FindPortal(const MinkowskiDifference& M) {
-  return PortalSearch(M).Find();
+template <typename Real>
+Portal<Real> FindPortal(const MinkowskiDifference& M) {
+  return PortalSearch<Real>(M).Find();
 }
+
+template Portal<DoubleDouble> FindPortal(const MinkowskiDifference&);
+template Portal<Precise> FindPortal(const MinkowskiDifference&);
 
 }  // namespace touchstone::referee

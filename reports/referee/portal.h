@@ -14,10 +14,12 @@ namespace touchstone::referee {
 
  The result is a guess: three points of M, and the direction of the least overlap among
  the normals on the way. Its count is 0 if M is flat. */
+template <typename Real>
 struct Portal {
-  Simplex<Precise> simplex;  ///< Points and weights of the point nearest to the origin.
-  Vector<Precise> n;         ///< The direction, not normalised.
+  Simplex<Real> simplex;  ///< Points and weights of the point nearest to the origin.
+  Vector<Real> n;         ///< The direction, not normalised.
 };
-Portal FindPortal(const MinkowskiDifference& M);
+template <typename Real>
+Portal<Real> FindPortal(const MinkowskiDifference& M);
 
 }  // namespace touchstone::referee

@@ -15,6 +15,7 @@ namespace touchstone::referee {
  bounds contradict each other, one of the proofs is wrong: nothing is proved, and the
  enclosure is unbounded. [m]
  @pre Neither body is a half-space. */
-Enclosure Proved(const ContactQuery& query, const CoreTruth& core);
+template <typename Real>
+Enclosure Proved(const ContactQuery& query, const CoreTruth<Real>& core);
 
 }  // namespace touchstone::referee

@@ -11,7 +11,7 @@ namespace {
 
 /** Returns the point of a core nearest to `q`, in its body frame, to rounding; `q` itself
  for the other cores, of which the caller's normal alone is tried. [m] */
-struct NearestInCore {
+struct RoughlyNearest {
   const Eigen::Vector3d& q;
 
   Eigen::Vector3d operator()(const Point&) const { return Eigen::Vector3d::Zero(); }
@@ -49,7 +49,7 @@ bool IsProvedFarther(const Body& body, const Eigen::Vector3d& p_W,
   const RoundedCore placed = CoreOf(body);
   if (Proves(placed, p_W, n_W, distance)) return true;
   const Eigen::Vector3d q = placed.X_WB.R_WB.transpose() * (p_W - placed.X_WB.p_WB);
-  const Eigen::Vector3d outwards = q - std::visit(NearestInCore{q}, placed.core);
+  const Eigen::Vector3d outwards = q - std::visit(RoughlyNearest{q}, placed.core);
   return !outwards.isZero(0) &&
          Proves(placed, p_W, placed.X_WB.R_WB * outwards, distance);
 }

@@ -4,11 +4,13 @@
 #include <limits>
 
 #include "reports/referee/core_truth.h"
+#include "reports/referee/digits.h"
 #include "reports/referee/direction.h"
 #include "reports/referee/half_space.h"
 #include "reports/referee/input_rounding.h"
+#include "reports/referee/nearest_in_core.h"
+#include "reports/referee/overlap_in.h"
 #include "reports/referee/proved.h"
-#include "reports/referee/support.h"
 #include "reports/referee/unit_scale.h"
 #include "reports/referee/witnesses.h"
 
@@ -16,8 +18,6 @@ namespace touchstone {
 namespace {
 
 using namespace referee;
-
-using Number = Bounded<Precise>;
 
 Touching Decide(const Enclosure& separation, double input_rounding) {
   if (separation.lo > input_rounding) return Touching::kApart;
@@ -30,8 +30,14 @@ std::string MethodOf(const MinkowskiDifference& M) {
   return M.A().radius > 0 || M.B().radius > 0 ? "core" : "polytope";
 }
 
+/** Returns the overlap with a plane, with as few digits as make it tight. */
+PlaneOverlap TightOverlapWithPlane(const ContactQuery& query) {
+  const PlaneOverlap plane = OverlapWithPlane<DoubleDouble>(query);
+  return IsTight(plane.overlap) ? plane : OverlapWithPlane<Precise>(query);
+}
+
 ContactTruth JudgeAgainstPlane(const ContactQuery& query) {
-  const PlaneOverlap plane = OverlapWithPlane(query);
+  const PlaneOverlap plane = TightOverlapWithPlane(query);
   const bool plane_is_A = KindOf(query.A.shape) == ShapeKind::kHalfSpace;
   ContactTruth truth;
   truth.separation = {-plane.overlap.hi, -plane.overlap.lo};
@@ -43,31 +49,52 @@ ContactTruth JudgeAgainstPlane(const ContactQuery& query) {
 
 /** Returns the point of a body, given as the combination of `q` in its body frame, moved
  by `radius` along n_W. Each coordinate is rounded once. [m] */
-Eigen::Vector3d PointOf(const RoundedCore& core, const Witnesses& points,
-                        const std::array<Vector<Precise>, 4>& q,
+template <typename Real>
+Eigen::Vector3d PointOf(const RoundedCore& core, const Witnesses<Real>& points,
+                        const std::array<Vector<Real>, 4>& q,
                         const Eigen::Vector3d& n_W) {
-  Precise total(0);
-  Vector<Precise> sum{Precise(0), Precise(0), Precise(0)};
+  Real total(0);
+  Vector<Real> sum{Real(0), Real(0), Real(0)};
   for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i) {
     total = total + points.weights[i];
     sum = sum + points.weights[i] * q[i];
   }
-  return Rounded(Exactly<Precise>(core.X_WB.p_WB) +
-                 Rotate(core.X_WB.R_WB, (Precise(1) / total) * sum) +
-                 Precise(core.radius) * Exactly<Precise>(n_W));
+  return Rounded(Exactly<Real>(core.X_WB.p_WB) +
+                 Rotate(core.X_WB.R_WB, (Real(1) / total) * sum) +
+                 Real(core.radius) * Exactly<Real>(n_W));
 }
+
+/** The truth of two bounded bodies in their own unit, as proved in `Real`. */
+template <typename Real>
+struct BoundedTruth {
+  CoreTruth<Real> core;
+  Enclosure separation;
+
+  explicit BoundedTruth(const ContactQuery& scaled, const MinkowskiDifference& M)
+      : core(JudgeCores<Real>(M)), separation(Proved(scaled, core)) {}
+
+  bool IsFinal(const MinkowskiDifference& M) const {
+    return referee::IsFinal(core.separation, separation, M);
+  }
+
+  ContactTruth InMetres(const MinkowskiDifference& M, int unit) const {
+    const Eigen::Vector3d& n = core.n_AB_W;
+    ContactTruth truth;
+    truth.separation = referee::InMetres(separation, unit);
+    truth.certificate = {
+        n, referee::InMetres(PointOf(M.A(), core.points, core.points.q_A, n), unit),
+        referee::InMetres(PointOf(M.B(), core.points, core.points.q_B, -n), unit)};
+    truth.method = MethodOf(M);
+    return truth;
+  }
+};
 
 ContactTruth JudgeBounded(const ContactQuery& query) {
   const auto [scaled, unit] = InOwnUnit(query);
   const MinkowskiDifference M(scaled.A, scaled.B);
-  const CoreTruth core = JudgeCores(M);
-  const Eigen::Vector3d& n = core.n_AB_W;
-  ContactTruth truth;
-  truth.separation = InMetres(Proved(scaled, core), unit);
-  truth.certificate = {n, InMetres(PointOf(M.A(), core.points, core.points.q_A, n), unit),
-                       InMetres(PointOf(M.B(), core.points, core.points.q_B, -n), unit)};
-  truth.method = MethodOf(M);
-  return truth;
+  const BoundedTruth<DoubleDouble> truth(scaled, M);
+  if (truth.IsFinal(M)) return truth.InMetres(M, unit);
+  return BoundedTruth<Precise>(scaled, M).InMetres(M, unit);
 }
 
 /** Returns the overlap along a direction n other than the plane's normal m. B moved by t
@@ -105,10 +132,9 @@ ContactTruth ComputeContactTruth(const ContactQuery& query) {
 }
 
 Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {
-  if (HasHalfSpace(query)) return TiltedOverlap(OverlapWithPlane(query), n_W);
-  return ((SupportOf(query.A, n_W) + SupportOf(query.B, -n_W)) /
-          Norm(Exactly<Number>(n_W)))
-      .enclosure();
+  if (HasHalfSpace(query)) return TiltedOverlap(TightOverlapWithPlane(query), n_W);
+  const Enclosure overlap = OverlapIn<DoubleDouble>(query, n_W);
+  return IsTight(overlap) ? overlap : OverlapIn<Precise>(query, n_W);
 }
 
 Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W) {
@@ -118,8 +144,19 @@ Enclosure SignedDistance(const Body& body, const Eigen::Vector3d& p_W) {
   if (HasHalfSpace(query)) return JudgeAgainstPlane(query).separation;
   // A number needs no certificate: its points take a tenth of the time.
   const auto [scaled, unit] = InOwnUnit(query);
-  return InMetres(Proved(scaled, JudgeCores(MinkowskiDifference(scaled.A, scaled.B))),
-                  unit);
+  const MinkowskiDifference M(scaled.A, scaled.B);
+  // The direction of a certificate is rounded to doubles. Near a surface that leaves some
+  // 2^-53 of the scene unproved, whatever the digits of the search.
+  const double left = std::numeric_limits<double>::epsilon() * M.Size();
+  if (const auto nearest = NearestInCore(M)) {
+    const Enclosure distance = Proved(scaled, *nearest);
+    if (distance.hi - distance.lo <= left) return InMetres(distance, unit);
+  }
+  const BoundedTruth<DoubleDouble> truth(scaled, M);
+  const Enclosure& distance = truth.separation;
+  if (distance.hi - distance.lo <= left || truth.IsFinal(M))
+    return InMetres(distance, unit);
+  return InMetres(BoundedTruth<Precise>(scaled, M).separation, unit);
 }
 
 }  // namespace touchstone

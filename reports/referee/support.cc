@@ -6,8 +6,6 @@
 namespace touchstone::referee {
 namespace {
 
-using Number = Bounded<Precise>;
-
 /** Returns n · x for exact doubles. */
 template <typename Real>
 Bounded<Real> Along(const Eigen::Vector3d& n, const Eigen::Vector3d& x) {
@@ -16,12 +14,28 @@ Bounded<Real> Along(const Eigen::Vector3d& n, const Eigen::Vector3d& x) {
          Bounded<Real>(Real(n.z())) * Bounded<Real>(Real(x.z()));
 }
 
+/** The same in double-double, where the products have no error but underflow, and each
+ sum has one below 64 u² of itself (double_double.h). */
+template <>
+Bounded<DoubleDouble> Along(const Eigen::Vector3d& n, const Eigen::Vector3d& x) {
+  const DoubleDouble first =
+      DoubleDouble::TwoProduct(n.x(), x.x()) + DoubleDouble::TwoProduct(n.y(), x.y());
+  const DoubleDouble sum = first + DoubleDouble::TwoProduct(n.z(), x.z());
+  const double error = kRoundoff<DoubleDouble> * (Magnitude(first) + Magnitude(sum)) +
+                       5 * kUnderflow<DoubleDouble>;
+  return Bounded<DoubleDouble>(sum, error);
+}
+
 /** The reach of a shape from its centre along the world direction n. */
+template <typename Real>
 struct Reach {
+  using Number = Bounded<Real>;
+
   const Eigen::Matrix3d& R_WB;
   const Eigen::Vector3d& n_W;
 
   Number operator()(const Sphere& sphere) const {
+    if (sphere.radius == 0) return Number();  // The point of SignedDistance().
     return Number(sphere.radius) * Length();
   }
   Number operator()(const Box& box) const {
@@ -64,21 +78,25 @@ struct Reach {
   }
 
   /** The component of n along the image of the body's axis i. */
-  template <typename Real>
-  Bounded<Real> Column(int i) const {
-    return Along<Real>(n_W, R_WB.col(i));
+  template <typename In>
+  Bounded<In> Column(int i) const {
+    return Along<In>(n_W, R_WB.col(i));
   }
-  Number To(int i) const { return Column<Precise>(i); }
+  Number To(int i) const { return Column<Real>(i); }
   /** The component of n across the body's z axis, in body coordinates. */
   Number Off() const { return Sqrt(To(0) * To(0) + To(1) * To(1)); }
-  Number Length() const { return Sqrt(Along<Precise>(n_W, n_W)); }
+  Number Length() const { return Sqrt(Along<Real>(n_W, n_W)); }
 };
 
 }  // namespace
 
-Bounded<Precise> SupportOf(const Body& body, const Eigen::Vector3d& n_W) {
-  return Along<Precise>(n_W, body.X_WB.p_WB) +
-         std::visit(Reach{body.X_WB.R_WB, n_W}, body.shape);
+template <typename Real>
+Bounded<Real> SupportOf(const Body& body, const Eigen::Vector3d& n_W) {
+  return Along<Real>(n_W, body.X_WB.p_WB) +
+         std::visit(Reach<Real>{body.X_WB.R_WB, n_W}, body.shape);
 }
+
+template Bounded<DoubleDouble> SupportOf(const Body&, const Eigen::Vector3d&);
+template Bounded<Precise> SupportOf(const Body&, const Eigen::Vector3d&);
 
 }  // namespace touchstone::referee

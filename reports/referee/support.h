@@ -13,6 +13,7 @@ namespace touchstone::referee {
 
  Certificates are evaluated by this function. It shares no formula with the searches,
  which know of cores and differences only: a fault there cannot confirm itself. */
-Bounded<Precise> SupportOf(const Body& body, const Eigen::Vector3d& n_W);
+template <typename Real>
+Bounded<Real> SupportOf(const Body& body, const Eigen::Vector3d& n_W);
 
 }  // namespace touchstone::referee

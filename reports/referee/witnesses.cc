@@ -9,16 +9,16 @@
 namespace touchstone::referee {
 namespace {
 
-using Number = Bounded<Precise>;
-
-bool IsAtMost(const Precise& a, double b) {
+template <typename Real>
+bool IsAtMost(const Real& a, double b) {
   return a <= b && -a <= b;
 }
 
 /** Tells whether a point is certainly in the shape, or in the core of a sphere or a
  capsule. */
+template <typename Real>
 struct Contains {
-  const Vector<Precise>& q;
+  const Vector<Real>& q;
 
   bool operator()(const Sphere&) const { return q.x == 0 && q.y == 0 && q.z == 0; }
   bool operator()(const Capsule& capsule) const {
@@ -44,6 +44,7 @@ struct Contains {
   bool operator()(const HalfSpace&) const { return false; }
 
   bool IsInDisc(double radius) const {
+    using Number = Bounded<Real>;
     const Number x(q.x);
     const Number y(q.y);
     const Number r(radius);
@@ -60,12 +61,17 @@ struct Radius {
   }
 };
 
-Number Radii(const ContactQuery& query) {
-  return Number(std::visit(Radius{}, query.A.shape)) +
-         Number(std::visit(Radius{}, query.B.shape));
+template <typename Real>
+Bounded<Real> Radii(const ContactQuery& query) {
+  return Bounded<Real>(std::visit(Radius{}, query.A.shape)) +
+         Bounded<Real>(std::visit(Radius{}, query.B.shape));
 }
 
-Vector<Number> InWorld(const Pose& X_WB, const Vector<Precise>& q) {
+template <typename Real>
+Vector<Bounded<Real>> InWorld(const Pose& X_WB, const Vector<Real>& q) {
+  using Number = Bounded<Real>;
+  // The middle of a sphere, and the point of SignedDistance().
+  if (q.x == 0 && q.y == 0 && q.z == 0) return Exactly<Number>(X_WB.p_WB);
   const auto coordinate = [&](int i) {
     return Number(X_WB.R_WB(i, 0)) * Number(q.x) + Number(X_WB.R_WB(i, 1)) * Number(q.y) +
            Number(X_WB.R_WB(i, 2)) * Number(q.z) + Number(X_WB.p_WB[i]);
@@ -75,27 +81,38 @@ Vector<Number> InWorld(const Pose& X_WB, const Vector<Precise>& q) {
 
 }  // namespace
 
-double ProvedSeparation(const ContactQuery& query, const Witnesses& witnesses) {
+template <typename Real>
+double ProvedSeparation(const ContactQuery& query, const Witnesses<Real>& witnesses) {
+  using Number = Bounded<Real>;
   constexpr double kNothing = std::numeric_limits<double>::infinity();
   Number total;
   Vector<Number> sum;
   for (std::size_t i = 0; i < static_cast<std::size_t>(witnesses.count); ++i) {
-    const Vector<Precise>& q_A = witnesses.q_A[i];
-    const Vector<Precise>& q_B = witnesses.q_B[i];
-    if (!std::visit(Contains{q_A}, query.A.shape) ||
-        !std::visit(Contains{q_B}, query.B.shape) || !(witnesses.weights[i] > 0)) {
+    const Vector<Real>& q_A = witnesses.q_A[i];
+    const Vector<Real>& q_B = witnesses.q_B[i];
+    if (!std::visit(Contains<Real>{q_A}, query.A.shape) ||
+        !std::visit(Contains<Real>{q_B}, query.B.shape) || !(witnesses.weights[i] > 0)) {
       return kNothing;
     }
+    const Vector<Number> apart = InWorld(query.B.X_WB, q_B) - InWorld(query.A.X_WB, q_A);
+    // The weight of a single pair cancels.
+    if (witnesses.count == 1) return (Norm(apart) - Radii<Real>(query)).enclosure().hi;
     const Number weight(witnesses.weights[i]);
     total = total + weight;
-    sum = sum + weight * (InWorld(query.B.X_WB, q_B) - InWorld(query.A.X_WB, q_A));
+    sum = sum + weight * apart;
   }
   const Number distance = Norm(sum) / total;
-  return (distance - Radii(query)).enclosure().hi;
+  return (distance - Radii<Real>(query)).enclosure().hi;
 }
 
+template <typename Real>
 double LessRadii(const ContactQuery& query, double most) {
-  return (Number(most) - Radii(query)).enclosure().hi;
+  return (Bounded<Real>(most) - Radii<Real>(query)).enclosure().hi;
 }
+
+template double ProvedSeparation(const ContactQuery&, const Witnesses<DoubleDouble>&);
+template double ProvedSeparation(const ContactQuery&, const Witnesses<Precise>&);
+template double LessRadii<DoubleDouble>(const ContactQuery&, double);
+template double LessRadii<Precise>(const ContactQuery&, double);
 
 }  // namespace touchstone::referee

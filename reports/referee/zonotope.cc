@@ -1,6 +1,7 @@
 #include "reports/referee/zonotope.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "reports/referee/direction.h"
@@ -14,10 +15,11 @@ void ZonotopeFaces::AddGenerator(const Eigen::Vector3d& direction, double half_l
   for (Generator& generator : generators_) {
     if (generator.direction == direction || generator.direction == -direction) {
       generator.half_lengths.push_back(half_length);
+      generator.half_length += half_length;
       return;
     }
   }
-  generators_.push_back({direction, {half_length}});
+  generators_.push_back({direction, {half_length}, half_length});
 }
 
 void ZonotopeFaces::AddGenerators(const RoundedCore& placed) {
@@ -32,7 +34,7 @@ void ZonotopeFaces::AddGenerators(const RoundedCore& placed) {
 struct ZonotopeFaces::Candidate {
   Enclosure overlap{std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity()};
-  Eigen::Vector3d n_AB_W = Eigen::Vector3d::Zero();  ///< Only in high precision.
+  Eigen::Vector3d n_AB_W = Eigen::Vector3d::Zero();
 };
 
 /** Returns the lesser overlap of the two along ± the cross product of two generators. If
@@ -43,12 +45,9 @@ ZonotopeFaces::Candidate ZonotopeFaces::Evaluate(std::size_t i, std::size_t j) c
   Candidate candidate;
   Vector<Number> n = Cross(Exactly<Number>(generators_[i].direction),
                            Exactly<Number>(generators_[j].direction));
-  // Products of two doubles are exact in Precise, and a correctly rounded difference is
-  // zero only where it is zero in truth.
-  if (std::is_same_v<Real, Precise> && n.x.value() == 0 && n.y.value() == 0 &&
-      n.z.value() == 0) {
-    return candidate;
-  }
+  // Products of two doubles are exact in `Real`, and a difference with a relative error
+  // is zero only where it is zero in truth.
+  if (n.x.value() == 0 && n.y.value() == 0 && n.z.value() == 0) return candidate;
   const Number along = Dot(n, M_.Centre<Real>());
   if (along.value() > 0) n = -n;
   Number overlap = -Abs(along);
@@ -60,10 +59,54 @@ ZonotopeFaces::Candidate ZonotopeFaces::Evaluate(std::size_t i, std::size_t j) c
         overlap + half_length * Abs(Dot(n, Exactly<Number>(generators_[k].direction)));
   }
   candidate.overlap = (overlap / Norm(n)).enclosure();
-  if constexpr (std::is_same_v<Real, Precise>) {
-    candidate.n_AB_W = Direction({n.x.value(), n.y.value(), n.z.value()});
-  }
+  candidate.n_AB_W = Direction(Vector<Real>{n.x.value(), n.y.value(), n.z.value()});
   return candidate;
+}
+
+/** Sets the errors of RoughOverlap(). With u = 2^-53, G the largest |coordinate| of the
+ generators, C = |c|₁ of the centre c and H the sum of the half lengths:
+  - each coordinate of n, at most 2 G², is off by 4 u G²;
+  - n · c is off by 6 u G² C for its own operations, 4 u G² C for n and 2 u G² C for c;
+  - n · g, at most 6 G³, is off by 3 (6 + 4) u G³, and h |n · g| by 67 u G³ h, since the
+    sum h is off by 5 u h;
+  - a sum of five, at most 2 G² C + 6 G³ H, is off by 4 u of that: 8 u G² C + 24 u G³ H;
+  - |n|, at most 3.5 G², is off by 7 u G² for n and 11 u G² for its own operations.
+ Each is rounded up so far that the roundings of higher order and those of the bounds
+ themselves are covered. 2^-900 covers products that underflow. */
+void ZonotopeFaces::SetErrors() {
+  constexpr double kRounding = 0x1p-53;
+  constexpr double kTiny = 0x1p-900;
+  double largest = 0;
+  double half_lengths = 0;
+  for (const Generator& generator : generators_) {
+    largest = std::max(largest, generator.direction.lpNorm<Eigen::Infinity>());
+    half_lengths += generator.half_length;
+  }
+  const double square = largest * largest;
+  overlap_error_ =
+      kRounding * square * (32 * centre_.lpNorm<1>() + 128 * largest * half_lengths) +
+      kTiny;
+  normal_error_ = 32 * kRounding * square + kTiny;
+}
+
+Enclosure ZonotopeFaces::RoughOverlap(std::size_t i, std::size_t j) const {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d n = generators_[i].direction.cross(generators_[j].direction);
+  double overlap = -std::abs(n.dot(centre_));
+  for (std::size_t k = 0; k < generators_.size(); ++k) {
+    if (k == i || k == j) continue;  // Perpendicular by construction.
+    overlap += generators_[k].half_length * std::abs(n.dot(generators_[k].direction));
+  }
+  const double length = n.norm();
+  const double shortest = length - normal_error_;
+  const double longest = length + normal_error_;
+  // Written so that a NaN leaves the overlap unbounded.
+  if (!(shortest > 0 && std::isfinite(overlap) && std::isfinite(overlap_error_)))
+    return {-kInfinity, kInfinity};
+  const double lo = overlap - overlap_error_;
+  const double hi = overlap + overlap_error_;
+  return {NextBelow(lo / (lo > 0 ? longest : shortest)),
+          -NextBelow(-hi / (hi > 0 ? shortest : longest))};
 }
 
 bool IsZonotope(const Core& core) {
@@ -72,18 +115,22 @@ bool IsZonotope(const Core& core) {
 }
 
 ZonotopeFaces::ZonotopeFaces(const MinkowskiDifference& M)
-    : M_(M), least_(std::numeric_limits<double>::infinity()) {
+    : M_(M),
+      centre_(M.A().X_WB.p_WB - M.B().X_WB.p_WB),
+      least_(std::numeric_limits<double>::infinity()) {
   AddGenerators(M.A());
   AddGenerators(M.B());
+  SetErrors();
   for (std::size_t i = 0; i < generators_.size(); ++i) {
     for (std::size_t j = i + 1; j < generators_.size(); ++j) {
-      const Enclosure overlap = Evaluate<double>(i, j).overlap;
+      const Enclosure overlap = RoughOverlap(i, j);
       faces_.push_back({i, j, overlap.lo});
       least_ = std::min(least_, overlap.hi);
     }
   }
 }
 
+template <typename Real>
 std::optional<CoreDepth> ZonotopeFaces::LeastOverlap() const {
   // Only candidates that may be the least are evaluated again in high precision.
   CoreDepth best{
@@ -91,7 +138,7 @@ std::optional<CoreDepth> ZonotopeFaces::LeastOverlap() const {
       Eigen::Vector3d::Zero()};
   for (const Face& face : faces_) {
     if (face.lo > least_) continue;
-    const Candidate candidate = Evaluate<Precise>(face.i, face.j);
+    const Candidate candidate = Evaluate<Real>(face.i, face.j);
     if (candidate.overlap.hi < best.depth.hi) best.n_AB_W = candidate.n_AB_W;
     best.depth.lo = std::min(best.depth.lo, candidate.overlap.lo);
     best.depth.hi = std::min(best.depth.hi, candidate.overlap.hi);
@@ -99,5 +146,8 @@ std::optional<CoreDepth> ZonotopeFaces::LeastOverlap() const {
   if (best.depth.hi == std::numeric_limits<double>::infinity()) return std::nullopt;
   return best;
 }
+
+template std::optional<CoreDepth> ZonotopeFaces::LeastOverlap<DoubleDouble>() const;
+template std::optional<CoreDepth> ZonotopeFaces::LeastOverlap<Precise>() const;
 
 }  // namespace touchstone::referee

@@ -29,7 +29,8 @@ bool IsZonotope(const Core& core);
  least of these per unit length is the depth. */
 class ZonotopeFaces {
  public:
-  /** Evaluates every face in double. @pre `M` is of zonotopes and outlives this. */
+  /** Bounds the overlap along every face in double. @pre `M` is of zonotopes and outlives
+   * this. */
   explicit ZonotopeFaces(const MinkowskiDifference& M);
 
   /** Returns true only if the plane of a face certainly separates the origin from M. */
@@ -37,6 +38,7 @@ class ZonotopeFaces {
 
   /** Returns the least overlap over the normals of the faces, in high precision. Empty if
    M is a point or a segment and has no faces. */
+  template <typename Real>
   std::optional<CoreDepth> LeastOverlap() const;
 
  private:
@@ -44,6 +46,7 @@ class ZonotopeFaces {
     Eigen::Vector3d direction;  ///< A column of a pose's matrix, without rounding.
     /** Half lengths of parallel edges; their sum counts. [m] */
     std::vector<double> half_lengths;
+    double half_length;  ///< Their sum, rounded. [m]
   };
   /** Two generators that may span a face. */
   struct Face {
@@ -54,12 +57,19 @@ class ZonotopeFaces {
 
   void AddGenerator(const Eigen::Vector3d& direction, double half_length);
   void AddGenerators(const RoundedCore& placed);
+  void SetErrors();
+  /** Returns bounds on the overlap along the cross product of generators i and j, in
+   double with errors that are known in advance. [m] */
+  Enclosure RoughOverlap(std::size_t i, std::size_t j) const;
   /** Returns the overlap along the cross product of generators i and j. */
   template <typename Real>
   Candidate Evaluate(std::size_t i, std::size_t j) const;
 
   const MinkowskiDifference& M_;
   std::vector<Generator> generators_;
+  Eigen::Vector3d centre_;  ///< M's, rounded. [m]
+  double overlap_error_;    ///< Bound on the error of n · x along a rough n. [m]
+  double normal_error_;     ///< Bound on the error of the length of a rough n. [-]
   std::vector<Face> faces_;
   double least_;  ///< Upper bound on the least overlap. [m]
 };

@@ -1,70 +1,20 @@
 #include <fmt/format.h>
 
-#include "reports/reproduce/cpp_text.h"
+#include "reports/reproduce/bullet_text.h"
 #include "reports/reproduce/engine_code.h"
 
 namespace touchstone {
 namespace {
 
-std::string Scalar(double x) {
-  return fmt::format("btScalar({})", Literal(x));
-}
-
-std::string Vector(const Eigen::Vector3d& v) {
-  return fmt::format("btVector3({}, {}, {})", Scalar(v.x()), Scalar(v.y()),
-                     Scalar(v.z()));
-}
-
-/** Writes the definition of a shape. */
-struct Define {
-  char name;
-
-  // Bullet stores half extents minus the margin. Changing the margin loses digits, so the
-  // half extents are set once more, as in the adapter.
-  std::string WithoutMargin(const char* type, const Eigen::Vector3d& half) const {
-    return fmt::format(
-        "  {1} {0}({2});\n  {0}.setMargin(0);\n"
-        "  {0}.setImplicitShapeDimensions({2});\n",
-        name, type, Vector(half));
-  }
-  std::string operator()(const Sphere& s) const {
-    return fmt::format("  btSphereShape {}({});\n", name, Scalar(s.radius));
-  }
-  std::string operator()(const Box& s) const {
-    return WithoutMargin("btBoxShape", s.half_extents);
-  }
-  std::string operator()(const Capsule& s) const {
-    return fmt::format("  btCapsuleShapeZ {}({}, {});\n", name, Scalar(s.radius),
-                       Scalar(2 * s.half_length));
-  }
-  std::string operator()(const Cylinder& s) const {
-    return WithoutMargin("btCylinderShapeZ", {s.radius, s.radius, s.half_length});
-  }
-  std::string operator()(const Cone& s) const {
-    return fmt::format("  btConeShapeZ {0}({1}, {2});\n  {0}.setMargin(0);\n", name,
-                       Scalar(s.radius), Scalar(2 * s.half_height));
-  }
-  std::string operator()(const ConvexHull& s) const {
-    std::string text = fmt::format("  btConvexHullShape {};\n", name);
-    for (const Eigen::Vector3d& vertex : s.vertices)
-      text += fmt::format("  {}.addPoint({}, false);\n", name, Vector(vertex));
-    return text + fmt::format("  {0}.setMargin(0);\n  {0}.recalcLocalAabb();\n", name);
-  }
-  std::string operator()(const HalfSpace&) const {
-    return fmt::format(
-        "  btStaticPlaneShape {0}(btVector3(0, 0, 1), 0);\n  {0}.setMargin(0);\n", name);
-  }
-};
-
 std::string BodyText(char name, const Body& body) {
   std::string entries;
   for (int i = 0; i < 9; ++i) {
-    entries +=
-        fmt::format("{}{}", i == 0 ? "" : ", ", Scalar(body.X_WB.R_WB(i / 3, i % 3)));
+    entries += fmt::format("{}{}", i == 0 ? "" : ", ",
+                           BulletScalar(body.X_WB.R_WB(i / 3, i % 3)));
   }
-  return std::visit(Define{name}, body.shape) +
+  return DefineBulletShape(std::string(1, name), body.shape) +
          fmt::format("  const btTransform X_{}(btMatrix3x3({}),\n      {});\n", name,
-                     entries, Vector(body.X_WB.p_WB));
+                     entries, BulletVector(body.X_WB.p_WB));
 }
 
 constexpr const char* kGjkDefinitions =
@@ -155,8 +105,6 @@ constexpr const char* kDispatch = R"(
 
 EngineCode BulletCode(const ContactQuery& query, const std::string& oracle) {
   const bool gjk = oracle.ends_with("/gjk");
-  const char* const module =
-      oracle.starts_with("bullet_float") ? "bullet" : "bullet-float64";
   EngineCode code;
   code.includes = gjk ? "#include <btBulletCollisionCommon.h>\n"
                         "#include <BulletCollision/NarrowPhaseCollision/"
@@ -168,17 +116,12 @@ EngineCode BulletCode(const ContactQuery& query, const std::string& oracle) {
                         "btCollisionObjectWrapper.h>\n";
   code.definitions = gjk ? kGjkDefinitions : "";
   code.ask = BodyText('A', query.A) + BodyText('B', query.B) + (gjk ? kGjk : kDispatch);
-  code.find = fmt::format(
-      "find_package(PkgConfig REQUIRED)\n"
-      "pkg_check_modules(bullet REQUIRED IMPORTED_TARGET {})\n"
-      "add_library(engine INTERFACE)\n"
-      "target_link_libraries(engine INTERFACE PkgConfig::bullet)\n",
-      module);
+  code.find = FindBullet(oracle);
   code.call = fmt::format("{}, margins 0, the build {}",
                           gjk ? "btGjkPairDetector with btGjkEpaPenetrationDepthSolver"
                               : "the algorithm that btCollisionDispatcher finds for "
                                 "BT_CONTACT_POINT_ALGORITHMS, once on an empty manifold",
-                          module);
+                          BulletBuild(oracle));
   code.package = "libbullet-dev";
   return code;
 }

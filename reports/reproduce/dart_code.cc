@@ -1,19 +1,11 @@
 #include <fmt/format.h>
 
 #include "reports/reproduce/cpp_text.h"
+#include "reports/reproduce/dart_text.h"
 #include "reports/reproduce/engine_code.h"
 
 namespace touchstone {
 namespace {
-
-std::string ShapeText(const Shape& shape) {
-  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-    return fmt::format("std::make_shared<dart::dynamics::SphereShape>({})",
-                       Literal(sphere->radius));
-  }
-  return fmt::format("std::make_shared<dart::dynamics::BoxShape>(Eigen::Vector3d({}))",
-                     Literals(Eigen::Vector3d(2 * std::get<Box>(shape).half_extents)));
-}
 
 std::string BodyText(char name, const Body& body) {
   return fmt::format(
@@ -24,7 +16,7 @@ std::string BodyText(char name, const Body& body) {
       "      dart::dynamics::Frame::World(), \"\", X_{0});\n"
       "  frame_{0}->setShape({3});\n"
       "  const auto {0} = detector->createCollisionGroup(frame_{0}.get());\n",
-      name, Literals(body.X_WB.R_WB), Literals(body.X_WB.p_WB), ShapeText(body.shape));
+      name, Literals(body.X_WB.R_WB), Literals(body.X_WB.p_WB), DartShape(body.shape));
 }
 
 constexpr const char* kAsk = R"(
@@ -60,9 +52,7 @@ EngineCode DartCode(const ContactQuery& query, const std::string&) {
   code.ask =
       "  const auto detector = dart::collision::DARTCollisionDetector::create();\n" +
       BodyText('A', query.A) + BodyText('B', query.B) + kAsk;
-  code.find =
-      "find_package(DART REQUIRED CONFIG)\nadd_library(engine INTERFACE)\n"
-      "target_link_libraries(engine INTERFACE dart)\n";
+  code.find = FindDart();
   code.call = "CollisionGroup::collide of DARTCollisionDetector, all contacts";
   code.package = "libdart-dev";
   return code;

@@ -90,14 +90,17 @@ std::string Truth(const ContactTruth& truth) {
 
 }  // namespace
 
+void RefuseVerdict(const Finding& finding) {
+  if (finding.verdict == Verdict::kFail) return;
+  throw CannotReproduce(fmt::format(
+      "the verdict is '{}'; expected a wrong answer: a program for a crash, a hang or an "
+      "invalid answer is not supported",
+      NameOf(finding.verdict)));
+}
+
 FaultCheck CheckOf(const Finding& finding, const ContactQuery& query,
                    const ContactTruth& truth) {
-  if (finding.verdict != Verdict::kFail) {
-    throw CannotReproduce(fmt::format(
-        "the verdict is '{}'; expected a wrong answer: a program for a crash, a hang or "
-        "an invalid answer is not supported",
-        NameOf(finding.verdict)));
-  }
+  RefuseVerdict(finding);
   switch (finding.measure) {
     case MeasureKind::kTouching:
       return {"",

@@ -16,6 +16,9 @@ struct FaultCheck {
   std::string statements;
 };
 
+/** Throws CannotReproduce if the verdict of `finding` is not that of a wrong answer. */
+void RefuseVerdict(const Finding& finding);
+
 /** Returns the check of `finding`. Its formula is that of the measure, in plain double
  arithmetic; the truth is the referee's certified enclosure. Throws CannotReproduce if the
  verdict or the measure has no check. */

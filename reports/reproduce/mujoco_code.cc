@@ -2,6 +2,7 @@
 
 #include "reports/reproduce/cpp_text.h"
 #include "reports/reproduce/engine_code.h"
+#include "reports/reproduce/mujoco_text.h"
 
 namespace touchstone {
 namespace {
@@ -42,17 +43,7 @@ const char* const kModel =
     "<geom type=\"sphere\" size=\"1\"/></worldbody></mujoco>";
 )";
 
-constexpr const char* kAsk = R"(  mjVFS* const files = new mjVFS;
-  mj_defaultVFS(files);
-  const int length = static_cast<int>(std::strlen(kModel));
-  mj_makeEmptyFileVFS(files, "two_geoms.xml", length);
-  std::memcpy(files->filedata[mj_findFileVFS(files, "two_geoms.xml")], kModel, length);
-  char error[500] = "";
-  mjModel* const model = mj_loadXML("two_geoms.xml", files, error, sizeof(error));
-  if (model == nullptr) {
-    std::fprintf(stderr, "%s\n", error);
-    std::exit(2);
-  }
+constexpr const char* kAsk = R"(  mjModel* const model = Load(kModel);
   mjData* const data = mj_makeData(model);
   for (int i = 0; i < 2; ++i) {
     model->geom_type[i] = kGeoms[i].type;
@@ -86,16 +77,11 @@ constexpr const char* kAsk = R"(  mjVFS* const files = new mjVFS;
 
 EngineCode MujocoCode(const ContactQuery& query, const std::string&) {
   EngineCode code;
-  code.includes =
-      "#include <cstdlib>\n#include <cstring>\n\n#include <mujoco/mujoco.h>\n";
-  code.definitions = fmt::format(kDefinitions, BodyText(query.A) + BodyText(query.B));
+  code.includes = MujocoIncludes();
+  code.definitions = fmt::format(kDefinitions, BodyText(query.A) + BodyText(query.B)) +
+                     LoadMujocoModel();
   code.ask = kAsk;
-  code.find =
-      "find_library(MUJOCO_LIBRARY mujoco REQUIRED)\n"
-      "find_path(MUJOCO_INCLUDE mujoco/mujoco.h REQUIRED)\n"
-      "add_library(engine INTERFACE)\n"
-      "target_link_libraries(engine INTERFACE ${MUJOCO_LIBRARY})\n"
-      "target_include_directories(engine INTERFACE ${MUJOCO_INCLUDE})\n";
+  code.find = FindMujoco();
   code.call = "the pair's function of mjCOLLISIONFUNC with margin 0";
   code.package = "libmujoco-dev";
   return code;

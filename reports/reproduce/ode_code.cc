@@ -2,32 +2,10 @@
 
 #include "reports/reproduce/cpp_text.h"
 #include "reports/reproduce/engine_code.h"
+#include "reports/reproduce/ode_text.h"
 
 namespace touchstone {
 namespace {
-
-struct Construct {
-  std::string operator()(const Sphere& s) const {
-    return fmt::format("dCreateSphere(nullptr, {})", Literal(s.radius));
-  }
-  std::string operator()(const Box& s) const {
-    return fmt::format("dCreateBox(nullptr, {})",
-                       Literals(Eigen::Vector3d(2 * s.half_extents)));
-  }
-  std::string operator()(const Capsule& s) const {
-    return fmt::format("dCreateCapsule(nullptr, {}, {})", Literal(s.radius),
-                       Literal(2 * s.half_length));
-  }
-  std::string operator()(const Cylinder& s) const {
-    return fmt::format("dCreateCylinder(nullptr, {}, {})", Literal(s.radius),
-                       Literal(2 * s.half_length));
-  }
-  std::string operator()(const Cone&) const { throw CannotReproduce("ODE has no cone"); }
-  std::string operator()(const ConvexHull&) const {
-    throw CannotReproduce("programs for convex hulls in ODE are not supported");
-  }
-  std::string operator()(const HalfSpace&) const { return ""; }
-};
 
 std::string BodyText(char name, const Body& body) {
   const Eigen::Matrix3d& R = body.X_WB.R_WB;
@@ -43,7 +21,7 @@ std::string BodyText(char name, const Body& body) {
       "  const dMatrix3 R_{0} = {{{2}, 0,\n      {3}, 0,\n      {4}, 0}};\n"
       "  dGeomSetRotation({0}, R_{0});\n"
       "  dGeomSetPosition({0}, {5});\n",
-      name, std::visit(Construct{}, body.shape), row(0), row(1), row(2), Literals(p));
+      name, OdeShape(body.shape), row(0), row(1), row(2), Literals(p));
 }
 
 constexpr const char* kAsk = R"(
@@ -71,11 +49,7 @@ EngineCode OdeCode(const ContactQuery& query, const std::string&) {
   EngineCode code;
   code.includes = "#include <ode/ode.h>\n";
   code.ask = "  dInitODE2(0);\n" + BodyText('A', query.A) + BodyText('B', query.B) + kAsk;
-  code.find =
-      "find_package(PkgConfig REQUIRED)\n"
-      "pkg_check_modules(ode REQUIRED IMPORTED_TARGET ode)\n"
-      "add_library(engine INTERFACE)\n"
-      "target_link_libraries(engine INTERFACE PkgConfig::ode)\n";
+  code.find = FindOde();
   code.call = "dCollide on two geoms, up to 8 contacts";
   code.package = "libode-dev";
   return code;

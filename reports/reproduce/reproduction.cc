@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "reports/clusters/measure_words.h"
 #include "reports/reproduce/cpp_text.h"
 #include "reports/reproduce/engine_code.h"
 #include "reports/reproduce/fault_check.h"
+#include "reports/reproduce/project_files.h"
 #include "reports/text/commented.h"
 #include "reports/writers/describe.h"
 
@@ -59,12 +59,6 @@ int main() {{
 }}
 )";
 
-std::string TitleOf(const OracleInfo& oracle, const Finding& finding,
-                    const std::string& pair) {
-  return fmt::format("{} {} {} ({})", oracle.library, oracle.version,
-                     FaultInWords(finding.measure), pair);
-}
-
 }  // namespace
 
 Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
@@ -72,9 +66,9 @@ Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
   const ContactQuery& query = result.scenario.contact;
   const FaultCheck check = CheckOf(finding, query, result.truth);
   const EngineCode engine = CodeOf(query, oracle);
-  const std::string pair = fmt::format("{} and {}", NameOf(KindOf(query.A.shape)),
-                                       NameOf(KindOf(query.B.shape)));
-  const std::string title = TitleOf(oracle, finding, pair);
+  const std::string title =
+      fmt::format("{} ({} and {})", TitleOf(oracle, finding),
+                  NameOf(KindOf(query.A.shape)), NameOf(KindOf(query.B.shape)));
   const std::string bodies =
       fmt::format("A: {}. B: {}.", Describe(query.A), Describe(query.B));
   Reproduction files;
@@ -91,31 +85,10 @@ Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
                   fmt::arg("allowed", Literal(finding.tolerance)),
                   fmt::arg("measure", Quoted(NameOf(finding.measure))),
                   fmt::arg("proof", Quoted("When written: " + finding.proof)));
-  files.build =
-      "cmake_minimum_required(VERSION 3.24)\nproject(reproduce LANGUAGES C CXX)\n"
-      "set(CMAKE_CXX_STANDARD 17)\nset(CMAKE_CXX_STANDARD_REQUIRED ON)\n" +
-      engine.find +
-      "add_executable(reproduce reproduce.cc)\n"
-      "target_link_libraries(reproduce PRIVATE engine)\n";
-  files.report = fmt::format(
-      "# {title}\n\n## Asked\n\n{call}, {library} {version} as on Debian "
-      "12.\n\n{bodies}\n"
-      "`reproduce.cc` has their exact numbers.\n\n"
-      "## Answer and proof\n\n{proof}\n\n## Truth\n\n{truth}\n\n"
-      "The error is {value:.3g} where {tolerance:.3g} is allowed: {because}.\n\n"
-      "## Build and run\n\n    apt-get install g++ cmake make pkg-config {package}\n"
-      "    cmake -S . -B build && cmake --build build && build/reproduce\n\n"
-      "The program prints the answer, the truth and the error. It exits 1 if the fault "
-      "is there and 0 if it is gone.\n\n## Output\n\nPaste the output of the program "
-      "here. "
-      "It has not been run yet.\n",
-      fmt::arg("title", title), fmt::arg("call", engine.call),
-      fmt::arg("library", oracle.library), fmt::arg("version", oracle.version),
-      fmt::arg("bodies", bodies), fmt::arg("proof", finding.proof),
-      fmt::arg("truth", Describe(query, result.truth)), fmt::arg("value", finding.value),
-      fmt::arg("tolerance", finding.tolerance),
-      fmt::arg("because", finding.tolerance_because),
-      fmt::arg("package", engine.package));
+  files.build = BuildFile(engine);
+  files.report = ReportFile(
+      {.title = title, .asked = bodies, .truth = Describe(query, result.truth)}, oracle,
+      engine, finding);
   return files;
 }
 

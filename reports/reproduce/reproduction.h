@@ -5,6 +5,7 @@
 #include "oracles/oracle.h"
 #include "reports/contacts/contact_result.h"
 #include "reports/finding/finding.h"
+#include "reports/worlds/study/world_result.h"
 
 namespace touchstone {
 
@@ -19,6 +20,10 @@ struct Reproduction {
  exits 1 if `finding` is still there, 0 if it is gone. Throws CannotReproduce.
  @pre `finding` is one of the first oracle of `result`. */
 Reproduction Reproduce(const ScenarioResult& result, const OracleInfo& oracle,
+                       const Finding& finding);
+
+/** The same for a world: the program simulates the world of `result` in the engine. */
+Reproduction Reproduce(const WorldResult& result, const OracleInfo& oracle,
                        const Finding& finding);
 
 }  // namespace touchstone

@@ -1,17 +1,15 @@
 #include "reports/shrink/same_fault.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <regex>
+
+#include "reports/finding/tolerance.h"
 
 namespace touchstone {
 namespace {
 
-// The value in tolerances. Infinite for a NaN, and where none is allowed.
 double ExcessOf(const Finding& finding) {
-  if (std::isnan(finding.value)) return std::numeric_limits<double>::infinity();
-  return finding.value / finding.tolerance;
+  return InTolerances(finding.value, finding.tolerance);
 }
 
 }  // namespace

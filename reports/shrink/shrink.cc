@@ -51,7 +51,9 @@ class Search {
   }
 
  private:
-  bool IsOver() const { return result_.tried >= options_.tries; }
+  bool IsOver() const {
+    return result_.tried >= options_.tries || (options_.stop && options_.stop());
+  }
 
   /** Tries every reduction until it yields nothing. Returns whether any did. */
   bool TryAll() {

@@ -16,6 +16,8 @@ struct ShrinkOptions {
   std::size_t tries = 5000;  ///< Limit of the questions that the oracle is asked.
   /** Called before each question with the number of those asked; may be empty. */
   std::function<void(std::size_t)> on_try = nullptr;
+  /** Returns whether the search ends with what it has; may be empty. */
+  std::function<bool()> stop = nullptr;
 };
 
 /** The result of Shrink(). */
@@ -24,7 +26,7 @@ struct Shrunk {
   Finding finding;           ///< The fault, found on `question`.
   std::size_t tried = 0;     ///< Candidates that the oracle was asked.
   std::size_t accepted = 0;  ///< Those of them that showed the fault and were kept.
-  bool is_smallest = false;  ///< No reduction makes it smaller; else the tries ran out.
+  bool is_smallest = false;  ///< No reduction makes it smaller; else it was cut short.
 };
 
 /** Puts `question` to `oracle` alone, and judges the answer without a ledger. */
@@ -37,9 +39,9 @@ RunReport AskAlone(const Question& question, const Oracle& oracle);
  The search is greedy. It tries the candidates of one reduction after the other
  (Reductions()). A candidate is kept if it is valid and smaller by SizeOf(), if the oracle
  answers it by the same algorithm, and if it shows the fault. The search ends when no
- candidate is kept or the tries run out. It is deterministic if the oracle is. The
- answer that a contact file expects and the indictments are removed: they hold for the
- original alone. */
+ candidate is kept, the tries run out, or it is stopped. It is deterministic if the oracle
+ is. The answer that a contact file expects and the indictments are removed: they hold for
+ the original alone. */
 Shrunk Shrink(const Question& question, const Oracle& oracle, const Finding& fault,
               const ShrinkOptions& options = {});
 

@@ -40,7 +40,7 @@ std::string FileOf(const Shrunk& shrunk, const Question& original) {
              "kept{}.",
              IdOf(original), shrunk.finding.oracle, NameOf(shrunk.finding.measure),
              Counted(shrunk.tried, "smaller question"), shrunk.accepted,
-             shrunk.is_smallest ? "" : "; the tries ran out before the smallest")) +
+             shrunk.is_smallest ? "" : "; it ended before the smallest")) +
          Comment(Sentence(shrunk.finding)) +
          Comment(fmt::format("Ask again: touchstone run THIS_FILE --subject {0} "
                              "--against {0}",

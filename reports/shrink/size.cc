@@ -1,5 +1,7 @@
 #include "reports/shrink/size.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,6 +13,12 @@ int LengthOf(double x) {
   if (x == 0) return 0;
   if (x == 1) return 1;
   return 1 + static_cast<int>(fmt::formatted_size("{}", x));
+}
+
+int DecadesOf(double x) {
+  if (x == 0) return 0;
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(x))));
+  return exponent < -1 ? -1 - exponent : std::max(exponent, 0);
 }
 
 int LengthOfRotation(const Pose& X_WB) {
@@ -73,7 +81,11 @@ Size SizeOf(const Question& question) {
         different.insert(vertex.begin(), vertex.end());
     }
     Shape shape = body->shape;
-    for (const double* const length : SizesOf(shape)) different.insert(*length);
+    for (const double* const length : SizesOf(shape)) {
+      different.insert(*length);
+      size.decades += DecadesOf(*length);
+    }
+    size.decades += DecadesOf(body->X_WB.p_WB.norm());
   }
   size.different = static_cast<int>(different.size());
   Question copy = question;

@@ -17,6 +17,10 @@ struct Size {
   int vertices = 0;  ///< Vertices of all hulls.
   int steps = 0;     ///< Steps of a world.
   int samples = 0;   ///< Samples of a world.
+  /** Decades by which the sizes of shapes and their distances from the origin are beyond
+   0.1 m to 10 m, in all: an ordinary question must not become one of kilometres because
+   1000 has fewer digits than 1.25. */
+  int decades = 0;
   /** Length of all rotations as text, in characters beyond those of the identity. */
   int rotations = 0;
   /** Length of all other numbers as text: 0 for zero, 1 for one, else one more than the

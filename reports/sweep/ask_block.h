@@ -1,13 +1,26 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "reports/sweep/sweep_plan.h"
 #include "reports/sweep/tally.h"
 
 namespace touchstone {
 
 /** Asks the subjects of `plan` the questions of one block and judges their answers, each
- subject by itself, without a ledger. The certified truth of a question is computed once
- for all subjects. A pure function of its arguments; thread safe. */
-SeriesTally AskBlock(const SweepPlan& plan, const QuestionSeries& block);
+ subject by itself, without a ledger. A pure function of its arguments; thread safe. */
+SeriesTally AskBlock(const SweepPlan& plan, const SweepBlock& block);
+
+/** The same for contact questions. The certified truth of a question is computed once for
+ all subjects. The references of the plan answer too.
+
+ @param examined Same as RunOptions::examined_per_kind, for each subject. */
+SeriesTally AskContacts(const SweepPlan& plan, const QuestionSeries& block,
+                        std::optional<std::size_t> examined);
+
+/** The same for worlds, by JudgeOnce(). References have no part in the judgement of a
+ motion. */
+SeriesTally AskWorlds(const SweepPlan& plan, const WorldSeries& block);
 
 }  // namespace touchstone

@@ -34,8 +34,8 @@ double ErrorOf(const Oracle& subject, const TrueQuestion& question) {
     return 0;
   const ContactAnswer answer = subject.Answer(query);
   double error = 0;
-  for (const Finding& finding :
-       JudgeAnswer(question.scenario, question.truth, subject.info(), answer)) {
+  for (const Finding& finding : JudgeAnswer(question.scenario, question.truth,
+                                            subject.info(), answer, Reasons::kNone)) {
     if (finding.measure == MeasureKind::kAnswering && finding.verdict != Verdict::kPass) {
       return std::numeric_limits<double>::infinity();
     }

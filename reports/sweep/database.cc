@@ -25,14 +25,14 @@ Database::Database(std::filesystem::path file, bool create) : file_(std::move(fi
 void Database::Fail() const {
   const int code = sqlite3_errcode(get());
   if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
-    throw SweepFileError(
-        fmt::format("{}: another process has the file open; expected one sweep per file",
-                    file_.string()));
+    throw SweepFileError(fmt::format(
+        "{}: another process has the file open; expected one process per file",
+        file_.string()));
   }
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT || code == SQLITE_ERROR) {
     throw SweepFileError(
-        fmt::format("{}: damaged, or not the file of a sweep ({}); expected one that "
-                    "`touchstone sweep` wrote",
+        fmt::format("{}: damaged, or not the file of a sweep or a run ({}); "
+                    "expected one that touchstone wrote, or none: remove it",
                     file_.string(), sqlite3_errmsg(get())));
   }
   throw SweepFileError(fmt::format("{}: {}; expected a file that can be read and written",
@@ -113,6 +113,10 @@ void Statement::Bind(int at, std::string_view value) {
                           SQLITE_TRANSIENT, SQLITE_UTF8) != SQLITE_OK) {
     database_.Fail();
   }
+}
+
+void Statement::Bind(int at, std::nullptr_t) {
+  if (sqlite3_bind_null(statement_.get(), at + 1) != SQLITE_OK) database_.Fail();
 }
 
 Transaction::Transaction(const Database& database) : database_(database) {

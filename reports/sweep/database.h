@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -90,6 +91,8 @@ class Statement {
   void Bind(int at, std::uint64_t value) { Bind(at, static_cast<std::int64_t>(value)); }
   void Bind(int at, double value);
   void Bind(int at, std::string_view value);
+  /** Binds NULL. */
+  void Bind(int at, std::nullptr_t);
 
   const Database& database_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;

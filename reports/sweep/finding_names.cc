@@ -23,7 +23,7 @@ std::optional<Grade> GradeNamed(std::string_view name) {
 }
 
 std::optional<Cause> CauseNamed(std::string_view name) {
-  return Named(name, Cause::kDefect);
+  return Named(name, Cause::kNotExamined);
 }
 
 std::optional<ShapeKind> ShapeKindNamed(std::string_view name) {

@@ -1,18 +1,20 @@
 #include "reports/sweep/question_series.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace touchstone {
 
+std::string IdOf(const QuestionSeries& series, std::uint64_t index) {
+  // Indices have equal width, so that ids sort as indices do.
+  return fmt::format("sweep/{}/{}_{}/seed_{}/{}{:020}", NameOf(series.family),
+                     NameOf(series.A), NameOf(series.B), series.seed,
+                     series.climb == 1 ? "" : fmt::format("climb_{}/", series.climb),
+                     index);
+}
+
 Scenario ScenarioAt(const QuestionSeries& series, std::uint64_t index) {
   Scenario scenario;
-  // Indices have equal width, so that ids sort as indices do.
-  scenario.id =
-      fmt::format("sweep/{}/{}_{}/seed_{}/{}{:020}", NameOf(series.family),
-                  NameOf(series.A), NameOf(series.B), series.seed,
-                  series.climb == 1 ? "" : fmt::format("climb_{}/", series.climb), index);
+  scenario.id = IdOf(series, index);
   scenario.title =
       fmt::format("Question {} of the family {}, {} and {}, seed {}", index,
                   NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed);
@@ -29,17 +31,6 @@ std::string ReplayOf(const QuestionSeries& series, std::uint64_t index) {
       "1{}",
       NameOf(series.family), NameOf(series.A), NameOf(series.B), series.seed, index,
       series.climb == 1 ? "" : fmt::format(" --climb {}", series.climb));
-}
-
-std::uint64_t BlockCount(const QuestionSeries& series) {
-  return series.count / kBlockSize + (series.count % kBlockSize == 0 ? 0 : 1);
-}
-
-QuestionSeries BlockOf(const QuestionSeries& series, std::uint64_t block) {
-  QuestionSeries result = series;
-  result.first = series.first + block * kBlockSize;
-  result.count = std::min(kBlockSize, series.count - block * kBlockSize);
-  return result;
 }
 
 }  // namespace touchstone

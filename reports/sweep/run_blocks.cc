@@ -19,7 +19,7 @@ void RunBlocks(
     const std::uint64_t block = options.shard.index + i * options.shard.count;
     if (failed || (options.stop && options.stop())) return;
     if (options.is_done && options.is_done(block)) return;
-    const SeriesTally result = AskBlock(plan, BlockOf(plan, block).questions);
+    const SeriesTally result = AskBlock(plan, BlockOf(plan, block));
     const std::scoped_lock lock(taking);
     if (failed) return;
     try {

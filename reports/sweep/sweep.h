@@ -15,8 +15,8 @@ struct SweepOptions {
   int jobs = 0;
   Shard shard = {};
   std::function<bool()> stop = nullptr;  ///< Same as BlockOptions::stop.
-  /** Results are committed when this time has passed since the last commit. A process
-   that is killed loses no more. */
+  /** Results are committed when this time has passed since the last commit, and fifty
+   times as long as that took. A process that is killed loses no more. */
   std::chrono::milliseconds commit_after{1000};
   /** Called after each block with the numbers of questions (done, total) of the shard,
    from one thread at a time; may be empty. */

@@ -18,26 +18,27 @@ constexpr int kApplication = 0x54537770;
 constexpr const char* kTables = R"(
 CREATE TABLE settings(name TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID;
 CREATE TABLE subjects(subject INTEGER PRIMARY KEY, oracle TEXT);
-CREATE TABLE series(series INTEGER PRIMARY KEY, family TEXT, A TEXT, B TEXT, seed TEXT,
-  first INTEGER, count INTEGER, climb INTEGER);
+CREATE TABLE series(series INTEGER PRIMARY KEY, kind TEXT, family TEXT, A TEXT, B TEXT,
+  seed TEXT, first INTEGER, count INTEGER, climb INTEGER);
 CREATE TABLE blocks(first INTEGER PRIMARY KEY, last INTEGER);
 CREATE TABLE questions(series INTEGER, oracle TEXT, asked INTEGER, touching INTEGER,
   undecided INTEGER, verified INTEGER, verified_touching INTEGER,
   PRIMARY KEY(series, oracle)) WITHOUT ROWID;
-CREATE TABLE answers(series INTEGER, oracle TEXT, measure TEXT, verdict TEXT, band TEXT,
-  cause TEXT, count INTEGER,
-  PRIMARY KEY(series, oracle, measure, verdict, band, cause)) WITHOUT ROWID;
-CREATE TABLE findings(series INTEGER, oracle TEXT, measure TEXT, verdict TEXT, band TEXT,
-  cause TEXT, count INTEGER,
-  PRIMARY KEY(series, oracle, measure, verdict, band, cause)) WITHOUT ROWID;
-CREATE TABLE sketches(series INTEGER, oracle TEXT, measure TEXT, bin INTEGER, least REAL,
-  count INTEGER, PRIMARY KEY(series, oracle, measure, bin)) WITHOUT ROWID;
-CREATE TABLE worst(series INTEGER, oracle TEXT, measure TEXT, place INTEGER,
+CREATE TABLE answers(series INTEGER, oracle TEXT, measure TEXT, law TEXT, verdict TEXT,
+  band TEXT, cause TEXT, count INTEGER,
+  PRIMARY KEY(series, oracle, measure, law, verdict, band, cause)) WITHOUT ROWID;
+CREATE TABLE findings(series INTEGER, oracle TEXT, measure TEXT, law TEXT, verdict TEXT,
+  band TEXT, cause TEXT, count INTEGER,
+  PRIMARY KEY(series, oracle, measure, law, verdict, band, cause)) WITHOUT ROWID;
+CREATE TABLE sketches(series INTEGER, oracle TEXT, measure TEXT, law TEXT, bin INTEGER,
+  least REAL, count INTEGER,
+  PRIMARY KEY(series, oracle, measure, law, bin)) WITHOUT ROWID;
+CREATE TABLE worst(series INTEGER, oracle TEXT, measure TEXT, law TEXT, place INTEGER,
   question INTEGER, value REAL, tolerance REAL, tolerances REAL, share REAL, verdict TEXT,
-  PRIMARY KEY(series, oracle, measure, place)) WITHOUT ROWID;
+  PRIMARY KEY(series, oracle, measure, law, place)) WITHOUT ROWID;
 CREATE TABLE failures(series INTEGER, oracle TEXT, question INTEGER, measure TEXT,
-  verdict TEXT, band TEXT, cause TEXT, value REAL, tolerance REAL, share REAL, proof TEXT,
-  scenario TEXT, PRIMARY KEY(series, oracle, question)) WITHOUT ROWID;
+  law TEXT, verdict TEXT, band TEXT, cause TEXT, value REAL, tolerance REAL, share REAL,
+  proof TEXT, scenario TEXT, PRIMARY KEY(series, oracle, question)) WITHOUT ROWID;
 )";
 
 /** The tables with rows of a series. */
@@ -47,9 +48,9 @@ constexpr std::array<const char*, 6> kTablesOfSeries = {
 void WriteCounts(const Database& database, const char* table, std::size_t series,
                  const std::string& oracle, const FindingCounts& counts) {
   Statement insert(database,
-                   fmt::format("INSERT INTO {} VALUES(?, ?, ?, ?, ?, ?, ?)", table));
+                   fmt::format("INSERT INTO {} VALUES(?, ?, ?, ?, ?, ?, ?, ?)", table));
   for (const auto& [kind, count] : counts) {
-    insert.Run(series, oracle, NameOf(kind.measure), NameOf(kind.verdict),
+    insert.Run(series, oracle, NameOf(kind.measure), kind.law, NameOf(kind.verdict),
                NameOf(kind.band), NameOf(kind.cause), count);
   }
 }
@@ -61,28 +62,30 @@ void WriteOracle(const Database& database, std::size_t series, const std::string
            tally.verified_touching);
   WriteCounts(database, "answers", series, oracle, tally.answers);
   WriteCounts(database, "findings", series, oracle, tally.findings);
-  Statement bins(database, "INSERT INTO sketches VALUES(?, ?, ?, ?, ?, ?)");
-  for (const auto& [measure, sketch] : tally.sketches) {
-    for (const auto& [bin, count] : sketch.bins())
-      bins.Run(series, oracle, NameOf(measure), bin, Sketch::LeastOf(bin), count);
+  Statement bins(database, "INSERT INTO sketches VALUES(?, ?, ?, ?, ?, ?, ?)");
+  for (const auto& [of, sketch] : tally.sketches) {
+    for (const auto& [bin, count] : sketch.bins()) {
+      bins.Run(series, oracle, NameOf(of.measure), of.law, bin, Sketch::LeastOf(bin),
+               count);
+    }
   }
-  Statement worst(database, "INSERT INTO worst VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  for (const auto& [measure, findings] : tally.worst) {
+  Statement worst(database, "INSERT INTO worst VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const auto& [of, findings] : tally.worst) {
     std::uint64_t place = 0;
     for (const WorstFinding& finding : findings) {
-      worst.Run(series, oracle, NameOf(measure), ++place, finding.question, finding.value,
-                finding.tolerance, finding.tolerances, finding.share,
+      worst.Run(series, oracle, NameOf(of.measure), of.law, ++place, finding.question,
+                finding.value, finding.tolerance, finding.tolerances, finding.share,
                 NameOf(finding.verdict));
     }
   }
-  Statement failures(database,
-                     "INSERT INTO failures VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement failures(
+      database, "INSERT INTO failures VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
   for (const auto& [kind, of_kind] : tally.failures) {
     for (const FailedQuestion& failure : of_kind) {
       failures.Run(series, oracle, failure.question, NameOf(failure.kind.measure),
-                   NameOf(failure.kind.verdict), NameOf(failure.kind.band),
-                   NameOf(failure.kind.cause), failure.value, failure.tolerance,
-                   failure.share, failure.proof, failure.scenario);
+                   failure.kind.law, NameOf(failure.kind.verdict),
+                   NameOf(failure.kind.band), NameOf(failure.kind.cause), failure.value,
+                   failure.tolerance, failure.share, failure.proof, failure.scenario);
     }
   }
 }
@@ -101,23 +104,31 @@ T Known(const Database& database, const std::optional<T>& value,
   return *value;
 }
 
-/** Reads a FindingKind from four columns, from `column` on. */
-FindingKind KindAt(const Database& database, const Statement& row, int column) {
+/** Reads a Measurand from two columns, from `column` on. */
+Measurand MeasurandAt(const Database& database, const Statement& row, int column) {
   return {Known(database, MeasureNamed(row.Text(column)), row.Text(column)),
-          Known(database, VerdictNamed(row.Text(column + 1)), row.Text(column + 1)),
-          Known(database, GradeNamed(row.Text(column + 2)), row.Text(column + 2)),
-          Known(database, CauseNamed(row.Text(column + 3)), row.Text(column + 3))};
+          row.Text(column + 1)};
+}
+
+/** Reads a FindingKind from five columns, from `column` on. */
+FindingKind KindAt(const Database& database, const Statement& row, int column) {
+  const Measurand of = MeasurandAt(database, row, column);
+  return {of.measure,
+          Known(database, VerdictNamed(row.Text(column + 2)), row.Text(column + 2)),
+          Known(database, GradeNamed(row.Text(column + 3)), row.Text(column + 3)),
+          Known(database, CauseNamed(row.Text(column + 4)), row.Text(column + 4)),
+          of.law};
 }
 
 FindingCounts ReadCounts(const Database& database, const char* table, std::size_t series,
                          const std::string& oracle) {
   FindingCounts counts;
   Statement row(database,
-                fmt::format("SELECT measure, verdict, band, cause, count FROM {} "
+                fmt::format("SELECT measure, law, verdict, band, cause, count FROM {} "
                             "WHERE series = ? AND oracle = ?",
                             table));
   row.Start(series, oracle);
-  while (row.Next()) counts[KindAt(database, row, 0)] = row.Unsigned(4);
+  while (row.Next()) counts[KindAt(database, row, 0)] = row.Unsigned(5);
   return counts;
 }
 
@@ -137,44 +148,78 @@ OracleTally ReadOracle(const Database& database, std::size_t series,
   }
   tally.answers = ReadCounts(database, "answers", series, oracle);
   tally.findings = ReadCounts(database, "findings", series, oracle);
-  const auto measure_at = [&database](const Statement& row) {
-    return Known(database, MeasureNamed(row.Text(0)), row.Text(0));
-  };
   Statement bin(database,
-                "SELECT measure, bin, count FROM sketches WHERE series = ? AND "
+                "SELECT measure, law, bin, count FROM sketches WHERE series = ? AND "
                 "oracle = ?");
   bin.Start(series, oracle);
-  while (bin.Next()) tally.sketches[measure_at(bin)].Add(bin.Integer(1), bin.Unsigned(2));
+  while (bin.Next()) {
+    tally.sketches[MeasurandAt(database, bin, 0)].Add(bin.Integer(2), bin.Unsigned(3));
+  }
   Statement worst(database,
-                  "SELECT measure, question, value, tolerance, tolerances, share, "
+                  "SELECT measure, law, question, value, tolerance, tolerances, share, "
                   "verdict FROM worst WHERE series = ? AND oracle = ? "
-                  "ORDER BY measure, place");
+                  "ORDER BY measure, law, place");
   worst.Start(series, oracle);
   while (worst.Next()) {
-    tally.worst[measure_at(worst)].push_back(
-        {.question = worst.Unsigned(1),
-         .value = worst.Real(2),
-         .tolerance = worst.Real(3),
-         .tolerances = worst.Real(4),
-         .share = worst.Real(5),
-         .verdict = Known(database, VerdictNamed(worst.Text(6)), worst.Text(6))});
+    tally.worst[MeasurandAt(database, worst, 0)].push_back(
+        {.question = worst.Unsigned(2),
+         .value = worst.Real(3),
+         .tolerance = worst.Real(4),
+         .tolerances = worst.Real(5),
+         .share = worst.Real(6),
+         .verdict = Known(database, VerdictNamed(worst.Text(7)), worst.Text(7))});
   }
-  Statement failure(database,
-                    "SELECT question, measure, verdict, band, cause, value, tolerance, "
-                    "share, proof, scenario FROM failures WHERE series = ? AND "
-                    "oracle = ? ORDER BY question");
+  Statement failure(
+      database,
+      "SELECT question, measure, law, verdict, band, cause, value, tolerance, "
+      "share, proof, scenario FROM failures WHERE series = ? AND "
+      "oracle = ? ORDER BY question");
   failure.Start(series, oracle);
   while (failure.Next()) {
     const FindingKind kind = KindAt(database, failure, 1);
-    tally.failures[{kind.measure, kind.cause}].push_back({.question = failure.Unsigned(0),
-                                                          .kind = kind,
-                                                          .value = failure.Real(5),
-                                                          .tolerance = failure.Real(6),
-                                                          .share = failure.Real(7),
-                                                          .proof = failure.Text(8),
-                                                          .scenario = failure.Text(9)});
+    tally.failures[{kind.measure, kind.cause, kind.law}].push_back(
+        {.question = failure.Unsigned(0),
+         .kind = kind,
+         .value = failure.Real(6),
+         .tolerance = failure.Real(7),
+         .share = failure.Real(8),
+         .proof = failure.Text(9),
+         .scenario = failure.Text(10)});
   }
   return tally;
+}
+
+void WriteSeries(Statement& row, std::uint64_t number, const QuestionSeries& series) {
+  row.Run(number, "contact", NameOf(series.family), NameOf(series.A), NameOf(series.B),
+          fmt::format("{}", series.seed), series.first, series.count, series.climb);
+}
+
+/** A world has no pair of shapes and no search, so their columns are NULL. */
+void WriteSeries(Statement& row, std::uint64_t number, const WorldSeries& series) {
+  row.Run(number, "world", NameOf(series.family), nullptr, nullptr,
+          fmt::format("{}", series.seed), series.first, series.count, nullptr);
+}
+
+/** Reads a series from the columns kind, family, A, B, seed, first, count, climb. */
+Series SeriesAt(const Database& database, const Statement& row) {
+  const std::string kind = row.Text(0);
+  const std::string family = row.Text(1);
+  const std::uint64_t seed = std::strtoull(row.Text(4).c_str(), nullptr, 10);
+  if (kind == "world") {
+    return WorldSeries{.family = Known(database, WorldFamilyNamed(family), family),
+                       .seed = seed,
+                       .first = row.Unsigned(5),
+                       .count = row.Unsigned(6)};
+  }
+  if (kind != "contact")
+    FailOnContents(database, fmt::format("the name '{}' is unknown", kind));
+  return QuestionSeries{.family = Known(database, FamilyNamed(family), family),
+                        .A = Known(database, ShapeKindNamed(row.Text(2)), row.Text(2)),
+                        .B = Known(database, ShapeKindNamed(row.Text(3)), row.Text(3)),
+                        .seed = seed,
+                        .first = row.Unsigned(5),
+                        .count = row.Unsigned(6),
+                        .climb = row.Unsigned(7)};
 }
 
 void WriteSettings(const Database& database, const SweepSettings& settings) {
@@ -183,11 +228,11 @@ void WriteSettings(const Database& database, const SweepSettings& settings) {
   Statement subject(database, "INSERT INTO subjects VALUES(?, ?)");
   std::uint64_t at = 0;
   for (const std::string& name : settings.subjects) subject.Run(at++, name);
-  Statement row(database, "INSERT INTO series VALUES(?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement row(database, "INSERT INTO series VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
   at = 0;
-  for (const QuestionSeries& series : settings.series) {
-    row.Run(at++, NameOf(series.family), NameOf(series.A), NameOf(series.B),
-            fmt::format("{}", series.seed), series.first, series.count, series.climb);
+  for (const Series& series : settings.series) {
+    std::visit([&](const auto& of_kind) { WriteSeries(row, at, of_kind); }, series);
+    ++at;
   }
 }
 
@@ -234,6 +279,13 @@ void SweepFile::Require(const SweepSettings& settings) const {
 }
 
 SweepFile SweepFile::Open(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    throw SweepFileError(
+        fmt::format("{}: does not exist; expected a file that `touchstone sweep --out "
+                    "DIR` wrote",
+                    file.string()));
+  }
   SweepFile result{Database(file, false)};
   const Database& database = result.database_;
   database.Execute("PRAGMA locking_mode = EXCLUSIVE; PRAGMA synchronous = NORMAL");
@@ -259,19 +311,10 @@ void SweepFile::ReadSettings() {
   while (value.Next()) settings_.values.emplace(value.Text(0), value.Text(1));
   Statement subject(database_, "SELECT oracle FROM subjects ORDER BY subject");
   while (subject.Next()) settings_.subjects.push_back(subject.Text(0));
-  Statement row(
-      database_,
-      "SELECT family, A, B, seed, first, count, climb FROM series ORDER BY series");
-  while (row.Next()) {
-    settings_.series.push_back(
-        {.family = Known(database_, FamilyNamed(row.Text(0)), row.Text(0)),
-         .A = Known(database_, ShapeKindNamed(row.Text(1)), row.Text(1)),
-         .B = Known(database_, ShapeKindNamed(row.Text(2)), row.Text(2)),
-         .seed = std::strtoull(row.Text(3).c_str(), nullptr, 10),
-         .first = row.Unsigned(4),
-         .count = row.Unsigned(5),
-         .climb = row.Unsigned(6)});
-  }
+  Statement row(database_,
+                "SELECT kind, family, A, B, seed, first, count, climb FROM series "
+                "ORDER BY series");
+  while (row.Next()) settings_.series.push_back(SeriesAt(database_, row));
 }
 
 void SweepFile::ReadBlocks() {

@@ -4,7 +4,7 @@ namespace touchstone {
 
 std::uint64_t BlockCount(const SweepPlan& plan) {
   std::uint64_t sum = 0;
-  for (const QuestionSeries& series : plan.series) sum += BlockCount(series);
+  for (const Series& series : plan.series) sum += BlockCount(series);
   return sum;
 }
 
@@ -14,7 +14,7 @@ SweepBlock BlockOf(const SweepPlan& plan, std::uint64_t number) {
     number -= BlockCount(plan.series[series]);
     ++series;
   }
-  return {series, BlockOf(plan.series[series], number)};
+  return {series, BlockOf(plan.series[series], number), number};
 }
 
 }  // namespace touchstone

@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "oracles/oracle.h"
-#include "reports/sweep/question_series.h"
+#include "reports/sweep/series.h"
 
 namespace touchstone {
 
 /** The questions of a sweep, and the oracles that it asks. */
 struct SweepPlan {
-  std::vector<QuestionSeries> series;
+  std::vector<Series> series;
   std::vector<const Oracle*> subjects;
-  /** Oracles that answer every question too, and so take part in the consensus on
+  /** Oracles that answer every contact question too, and so take part in the consensus on
    questions that the truth cannot decide. They are not counted. */
   std::vector<const Oracle*> references = {};
 };
@@ -21,7 +21,8 @@ struct SweepPlan {
  the numbers depend on the plan alone. */
 struct SweepBlock {
   std::size_t series;  ///< Index into SweepPlan::series.
-  QuestionSeries questions;
+  Series questions;
+  std::uint64_t number;  ///< Number of the block in its series.
 };
 
 /** Returns the number of blocks of all series. */

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "oracles/stated_tolerance.h"
+#include "oracles/world_setup.h"
 #include "reports/sweep/tally.h"
 
 namespace touchstone {
@@ -17,25 +18,39 @@ std::string Described(const std::vector<const Oracle*>& oracles) {
   for (const Oracle* oracle : oracles) {
     const OracleInfo& info = oracle->info();
     text += fmt::format(
-        "{}{} ({} {}{})", text.empty() ? "" : "; ", info.name, info.library, info.version,
+        "{}{} ({} {}{}{})", text.empty() ? "" : "; ", info.name, info.library,
+        info.version,
         info.tolerance.IsZero()
             ? ""
-            : ", granted " + ToString(info.tolerance) + " by " + info.tolerance.by);
+            : ", granted " + ToString(info.tolerance) + " by " + info.tolerance.by,
+        info.setup.IsDefault() ? "" : ", " + ToString(info.setup, info.parameters));
   }
   return text;
+}
+
+Named NamedOf(const QuestionSeries& series) {
+  return {{"family", std::string(NameOf(series.family))},
+          {"pair", fmt::format("{} {}", NameOf(series.A), NameOf(series.B))},
+          {"seed", fmt::format("{}", series.seed)},
+          {"first", fmt::format("{}", series.first)},
+          {"count", fmt::format("{}", series.count)},
+          {"climb", fmt::format("{}", series.climb)}};
+}
+
+Named NamedOf(const WorldSeries& series) {
+  return {{"family of worlds", std::string(NameOf(series.family))},
+          {"seed", fmt::format("{}", series.seed)},
+          {"first", fmt::format("{}", series.first)},
+          {"count", fmt::format("{}", series.count)}};
 }
 
 /** Returns everything as names and values. */
 Named Flat(const SweepSettings& settings) {
   Named flat(settings.values.begin(), settings.values.end());
-  for (const QuestionSeries& series : settings.series) {
-    flat.insert(flat.end(),
-                {{"family", std::string(NameOf(series.family))},
-                 {"pair", fmt::format("{} {}", NameOf(series.A), NameOf(series.B))},
-                 {"seed", fmt::format("{}", series.seed)},
-                 {"first", fmt::format("{}", series.first)},
-                 {"count", fmt::format("{}", series.count)},
-                 {"climb", fmt::format("{}", series.climb)}});
+  for (const Series& series : settings.series) {
+    const Named named =
+        std::visit([](const auto& of_kind) { return NamedOf(of_kind); }, series);
+    flat.insert(flat.end(), named.begin(), named.end());
   }
   flat.emplace_back("number of series", fmt::format("{}", settings.series.size()));
   return flat;
@@ -48,7 +63,10 @@ SweepSettings SettingsOf(const SweepPlan& plan) {
   settings.values = {{"touchstone", TOUCHSTONE_VERSION},
                      {"subjects", Described(plan.subjects)},
                      {"references", Described(plan.references)},
-                     {"block_size", fmt::format("{}", kBlockSize)},
+                     {"contact_block", fmt::format("{}", kContactBlock)},
+                     {"world_block", fmt::format("{}", kWorldBlock)},
+                     {"examined_blocks", fmt::format("{}", kExaminedBlocks)},
+                     {"examined_per_kind", fmt::format("{}", kExaminedPerKind)},
                      {"worst_kept", fmt::format("{}", kWorstKept)},
                      {"failures_kept", fmt::format("{}", kFailuresKept)}};
   settings.series = plan.series;

@@ -13,9 +13,9 @@ namespace touchstone {
  results; their blocks may be merged. */
 struct SweepSettings {
   /** Names and values: versions of the program and of the oracles, stated tolerances,
-   limits. */
+   setups of worlds, limits. */
   std::map<std::string, std::string> values;
-  std::vector<QuestionSeries> series;
+  std::vector<Series> series;
   std::vector<std::string> subjects;  ///< Names.
 };
 

@@ -17,10 +17,10 @@ void Merge(const OracleTally& other, OracleTally& tally) {
   tally.verified_touching += other.verified_touching;
   Merge(other.findings, tally.findings);
   Merge(other.answers, tally.answers);
-  for (const auto& [measure, sketch] : other.sketches)
-    tally.sketches[measure].Merge(sketch);
-  for (const auto& [measure, worst] : other.worst) {
-    for (const WorstFinding& finding : worst) Insert(finding, tally.worst[measure]);
+  for (const auto& [measurand, sketch] : other.sketches)
+    tally.sketches[measurand].Merge(sketch);
+  for (const auto& [measurand, worst] : other.worst) {
+    for (const WorstFinding& finding : worst) Insert(finding, tally.worst[measurand]);
   }
   for (const auto& [kind, failures] : other.failures) {
     for (const FailedQuestion& failure : failures) Insert(failure, tally.failures[kind]);

@@ -12,12 +12,21 @@
 
 namespace touchstone {
 
+/** A quantity that is measured: a measure and, for a motion, the law that predicts it. */
+struct Measurand {
+  MeasureKind measure;
+  std::string law = {};  ///< Same as Finding::law.
+
+  auto operator<=>(const Measurand&) const = default;
+};
+
 /** The properties by which findings are counted. */
 struct FindingKind {
   MeasureKind measure;
   Verdict verdict;
   Grade band;
   Cause cause;
+  std::string law = {};  ///< Same as Finding::law.
 
   auto operator<=>(const FindingKind&) const = default;
 };
@@ -30,7 +39,7 @@ struct WorstFinding {
   double value;            ///< In the measure's unit.
   double tolerance;        ///< In the measure's unit.
   double tolerances;       ///< Value as a multiple of the tolerance. [-]
-  double share;            ///< See ShareOf(). [-]
+  double share;            ///< The value over the size of the question. [-]
   Verdict verdict;
 
   bool operator==(const WorstFinding&) const = default;
@@ -45,20 +54,21 @@ struct FailedQuestion {
   FindingKind kind;        ///< Kind of the decisive finding.
   double value;            ///< In the measure's unit.
   double tolerance;        ///< In the measure's unit.
-  double share;            ///< See ShareOf(). [-]
+  double share;            ///< The value over the size of the question. [-]
   std::string proof;
   std::string scenario;  ///< The question as a scenario file.
 
   bool operator==(const FailedQuestion&) const = default;
 };
 
-/** The number of findings that are kept per oracle, series and measure as the worst. */
+/** The number of findings that are kept per oracle, series and measurand as the worst. */
 inline constexpr std::size_t kWorstKept = 5;
 
 /** The properties by which failed questions are clustered. */
 struct FailureKind {
   MeasureKind measure;
   Cause cause;
+  std::string law = {};  ///< Same as Finding::law.
 
   auto operator<=>(const FailureKind&) const = default;
 };
@@ -69,15 +79,15 @@ inline constexpr std::size_t kFailuresKept = 5;
 
 /** The results of one oracle on questions of one series. */
 struct OracleTally {
-  std::uint64_t asked = 0;              ///< Number of questions.
-  std::uint64_t touching = 0;           ///< Questions certified as touching.
-  std::uint64_t undecided = 0;          ///< Questions touching to within input rounding.
-  std::uint64_t verified = 0;           ///< Answers that IsVerified().
-  std::uint64_t verified_touching = 0;  ///< Those to questions certified as touching.
-  FindingCounts findings;               ///< Every measure of every answer.
-  FindingCounts answers;                ///< The decisive finding of every answer.
-  std::map<MeasureKind, Sketch> sketches;  ///< Values that the truth could decide.
-  std::map<MeasureKind, std::vector<WorstFinding>> worst;       ///< The worst first.
+  std::uint64_t asked = 0;               ///< Number of questions.
+  std::uint64_t touching = 0;            ///< Contacts certified as touching.
+  std::uint64_t undecided = 0;           ///< Contacts touching to within input rounding.
+  std::uint64_t verified = 0;            ///< Answers that IsVerified().
+  std::uint64_t verified_touching = 0;   ///< Those to questions certified as touching.
+  FindingCounts findings;                ///< Every measure of every answer.
+  FindingCounts answers;                 ///< The decisive finding of every answer.
+  std::map<Measurand, Sketch> sketches;  ///< Values that the truth could decide.
+  std::map<Measurand, std::vector<WorstFinding>> worst;         ///< The worst first.
   std::map<FailureKind, std::vector<FailedQuestion>> failures;  ///< Ascending indices.
 
   bool operator==(const OracleTally&) const = default;

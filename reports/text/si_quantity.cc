@@ -48,11 +48,11 @@ std::string SiQuantity(double value, std::string_view unit) {
   return fmt::format("{} m", TwoDigits(value));
 }
 
-std::string ShareInWords(double share) {
+std::string ShareInWords(double share, std::string_view whole) {
   if (!std::isfinite(share)) return "";
-  if (share >= 9.95) return fmt::format("{} × the size", TwoDigits(share));
-  if (share >= 1e-4) return fmt::format("{} % of the size", TwoDigits(share * 100));
-  return fmt::format("{} of the size", TwoDigits(share));
+  if (share >= 1.05) return fmt::format("{} times {}", TwoDigits(share), whole);
+  if (share >= 1e-4) return fmt::format("{} % of {}", TwoDigits(share * 100), whole);
+  return fmt::format("{} of {}", TwoDigits(share), whole);
 }
 
 }  // namespace touchstone

@@ -10,8 +10,9 @@ namespace touchstone {
  those. */
 std::string SiQuantity(double value, std::string_view unit);
 
-/** Returns a share of a size in words: "5 % of the size", "12 × the size", "2e-5 of the
- size". "" for a NaN and for infinity. */
-std::string ShareInWords(double share);
+/** Returns a share of `whole`, e.g. "the smaller body", in words: "5 % of the smaller
+ body", "12 times the smaller body", "2e-5 of the smaller body". "" for a NaN and for
+ infinity. */
+std::string ShareInWords(double share, std::string_view whole);
 
 }  // namespace touchstone

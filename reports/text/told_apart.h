@@ -2,9 +2,11 @@
 
 #include <string>
 
+#include <Eigen/Core>
+
 namespace touchstone {
 
-/** Two numbers as text that shows how they differ. */
+/** Two numbers or vectors as text that shows how they differ. */
 struct ToldApart {
   std::string a;
   std::string b;
@@ -14,5 +16,8 @@ struct ToldApart {
 /** Writes `a` and `b` with `digits` significant digits, or with as many more as show two
  digits of their difference: numbers that differ never look equal. */
 ToldApart TellApart(double a, double b, int digits);
+
+/** The same for two vectors: their largest components show the difference. */
+ToldApart TellApart(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int digits);
 
 }  // namespace touchstone

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -205,6 +206,40 @@ Json ToJson(const OracleInfo& oracle) {
   return json;
 }
 
+/** Returns the numbers of a proof that apply to it. */
+Json ToJson(const Proof& proof) {
+  Json json;
+  json["kind"] = NameOf(proof.kind);
+  if (proof.claim != ProofClaim::kNone) json["claim"] = NameOf(proof.claim);
+  const auto add_number = [&json](const char* name, double value) {
+    if (!std::isnan(value)) json[name] = ToJson(value);
+  };
+  const auto add_direction = [&json](const char* name, const Eigen::Vector3d& n_W) {
+    if (!n_W.isZero(0)) json[name] = ToJson(n_W);
+  };
+  add_number("said", proof.said);
+  add_number("bound", proof.bound);
+  add_number("rest", proof.rest);
+  add_direction("n", proof.n_W);
+  add_number("offset", proof.offset);
+  add_direction("claimed", proof.claimed_W);
+  if (!proof.points_W.empty()) json["points"] = ToJson(proof.points_W);
+  if (proof.kind == ProofKind::kCount || proof.kind == ProofKind::kUnspanned)
+    json["contacts"] = proof.contacts;
+  if (!proof.change.empty()) json["change"] = proof.change;
+  if (proof.kind == ProofKind::kVariantTouch) json["touching"] = proof.touching;
+  if (proof.explained != 0) json["explained"] = ToJson(proof.explained);
+  if (!proof.body.empty()) json["body"] = proof.body;
+  add_number("time", proof.time);
+  return json;
+}
+
+Json ToJson(const StepStudy& study) {
+  Json errors = Json::array();
+  for (const double error : study.errors) errors.push_back(ToJson(error));
+  return {{"errors", std::move(errors)}, {"unit", study.unit}};
+}
+
 Json ToJson(const Finding& finding) {
   Json json;
   json["scenario"] = finding.scenario;
@@ -231,6 +266,12 @@ Json ToJson(const Finding& finding) {
     json["shipped_because"] = finding.shipped_because;
   }
   if (!finding.proof.empty()) json["proof"] = finding.proof;
+  if (finding.evidence) json["evidence"] = ToJson(*finding.evidence);
+  if (finding.study) json["study"] = ToJson(*finding.study);
+  if (finding.cited.time) json["time"] = ToJson(*finding.cited.time);
+  if (!finding.cited.names.empty() || !finding.cited.points_W.empty())
+    json["cited"] = {{"names", finding.cited.names},
+                     {"points", ToJson(finding.cited.points_W)}};
   if (finding.ledger_entry) json["ledger_entry"] = *finding.ledger_entry;
   return json;
 }
@@ -348,6 +389,7 @@ Json LedgerEntryToJson(const RunReport& report, std::size_t index) {
   }
   json["causes"] = Json::array();
   for (const Cause cause : entry.causes) json["causes"].push_back(NameOf(cause));
+  json["responsible"] = NameOf(entry.responsible);
   json["fault"] = FaultOf(entry);
   json["reason"] = entry.reason;
   json["upstream"] = entry.upstream;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -14,39 +13,6 @@
 
 namespace touchstone {
 namespace {
-
-// Severity of a verdict: the most severe one decides the sum of an oracle's findings.
-int Gravity(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kUnsupported:
-      return 0;
-    case Verdict::kPass:
-      return 1;
-    case Verdict::kUndecidable:
-      return 2;
-    case Verdict::kKnown:
-      return 3;
-    case Verdict::kDisagree:
-      return 4;
-    case Verdict::kFail:
-      return 5;
-    case Verdict::kInvalid:
-      return 6;
-    case Verdict::kTimedOut:
-      return 7;
-    case Verdict::kCrashed:
-      return 8;
-  }
-  return 8;
-}
-
-// Severity of a finding. A wrong hit or miss outweighs a field that is missing because of
-// it.
-int Gravity(const Finding& finding) {
-  const bool wrong_touch =
-      finding.verdict == Verdict::kFail && finding.grade == Grade::kWrongTouch;
-  return Gravity(wrong_touch ? Verdict::kInvalid : finding.verdict);
-}
 
 bool IsMeasured(const Finding& finding) {
   return finding.verdict == Verdict::kPass || finding.verdict == Verdict::kFail ||
@@ -60,29 +26,11 @@ void TakeWorse(const Finding*& worst, const Finding* candidate) {
   }
 }
 
-/** Returns whether `finding` shows a graver fault than `than`, or a reason that leaves
- more open, or else is a simpler or stronger proof of the same. Measures are enumerated
- from simple to complex: a separating plane, a number that the truth contradicts, then
- metamorphic variants. For the same measure, the finding farther beyond its tolerance is
- better. */
-bool IsBetterProof(const Finding& finding, const Finding& than) {
-  if (finding.grade != than.grade) return finding.grade > than.grade;
-  if (finding.verdict == Verdict::kUndecidable && finding.undecided != than.undecided)
-    return finding.undecided > than.undecided;
-  if (finding.measure != than.measure) return finding.measure < than.measure;
-  return RelativeToTolerance(finding) > RelativeToTolerance(than);
-}
-
 Outcome Sum(std::size_t scenario, std::size_t oracle, std::span<const Finding> findings) {
   Outcome outcome{.scenario = scenario, .oracle = oracle, .findings = findings};
+  outcome.decisive = DecisiveOf(findings);
+  if (outcome.decisive != nullptr) outcome.verdict = outcome.decisive->verdict;
   for (const Finding& finding : findings) {
-    const bool graver =
-        outcome.decisive == nullptr || Gravity(finding) > Gravity(*outcome.decisive);
-    if (graver || (Gravity(finding) == Gravity(*outcome.decisive) &&
-                   IsBetterProof(finding, *outcome.decisive))) {
-      outcome.verdict = finding.verdict;
-      outcome.decisive = &finding;
-    }
     // The distance of another legal model from the truth is not a numerical error.
     if (IsMeasured(finding) && RecognisedModelOf(finding).empty())
       TakeWorse(outcome.worst, &finding);
@@ -112,12 +60,6 @@ int VerdictCounts::total() const {
   int sum = 0;
   for (const int count : counts_) sum += count;
   return sum;
-}
-
-double RelativeToTolerance(const Finding& finding) {
-  if (std::isnan(finding.value)) return std::numeric_limits<double>::infinity();
-  if (finding.value == 0) return 0;
-  return finding.value / finding.tolerance;
 }
 
 std::string RelativeInWords(const Finding& finding) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "reports/finding/decisive.h"
 #include "reports/run_report.h"
 
 namespace touchstone {
@@ -51,9 +52,7 @@ struct Outcome {
    only finding that passed is that the oracle answered, and a law had nothing to judge.
  */
   Verdict verdict = Verdict::kUnsupported;
-  /** Finding with that verdict. If there are several, the one of the gravest grade or
-   reason, and among those the simplest to check: the one whose measure comes first in the
-   enumeration. Null without findings. */
+  /** The finding that decides the verdict, see DecisiveOf(). Null without findings. */
   const Finding* decisive = nullptr;
   /** Finding with the largest value relative to its tolerance, whatever its verdict. Null
    if nothing was measured against a tolerance. */
@@ -62,10 +61,6 @@ struct Outcome {
    counted as unsupported. */
   bool asked = true;
 };
-
-/** Returns the value of `finding` as a multiple of its tolerance. Infinite for NaN, and
- for a positive value with a tolerance of zero. [-] */
-double RelativeToTolerance(const Finding& finding);
 
 /** Returns the value of `finding` relative to its tolerance: "2.1 × tolerance", or "1
  where 0 is allowed" if the tolerance is zero. */

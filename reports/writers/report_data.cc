@@ -10,10 +10,12 @@
 #include "reports/clusters/clusters.h"
 #include "reports/text/counted.h"
 #include "reports/writers/conclusion.h"
+#include "reports/writers/data/cited_data.h"
 #include "reports/writers/data/contact_data.h"
 #include "reports/writers/data/data_file.h"
 #include "reports/writers/data/findings_data.h"
 #include "reports/writers/data/json_values.h"
+#include "reports/writers/data/proofs_data.h"
 #include "reports/writers/data/texts.h"
 #include "reports/writers/data/world_data.h"
 #include "reports/writers/outcome.h"
@@ -80,8 +82,10 @@ DataJson ClusterData(const RunReport& report, const Cluster& cluster) {
   data["reason"] = cluster.reason;
   data["upstream"] = cluster.upstream;
   data["is_new"] = cluster.is_new;
+  data["has_outgrown"] = cluster.has_outgrown;
   data["grade"] = static_cast<int>(cluster.band);
   data["cause"] = static_cast<int>(cluster.cause);
+  data["responsible"] = NameOf(cluster.responsible);
   data["oracles"] = cluster.oracles;
   data["questions"] = cluster.questions;
   data["worst"] = cluster.worst;
@@ -102,6 +106,7 @@ DataJson LedgerData(const LedgerEntry& entry, const LedgerUse& use) {
   for (const MeasureKind measure : entry.measures)
     data["measures"].push_back(NameOf(measure));
   data["cause"] = CausesOf(entry);
+  data["responsible"] = NameOf(entry.responsible);
   data["fault"] = FaultOf(entry);
   data["reason"] = entry.reason;
   data["upstream"] = entry.upstream;
@@ -125,16 +130,14 @@ class Scenes {
         data["pair"] = PairOf(result.scenario.contact);
         data["contact"] = ContactData(result, Asked(i));
       } else {
-        WorldData world = DataOf(WorldAt(i), blob_);
-        data["world"] = std::move(world.json);
-        moments_.insert(moments_.end(), world.moments.begin(), world.moments.end());
+        data["world"] = DataOf(WorldAt(i), moments_, blob_);
       }
       questions.push_back(std::move(data));
     }
     return questions;
   }
 
-  const std::vector<WorldData::Moment>& moments() const { return moments_; }
+  const std::vector<Moment>& moments() const { return moments_; }
 
  private:
   std::vector<bool> Asked(std::size_t question) const {
@@ -163,7 +166,7 @@ class Scenes {
   const RunReport& report_;
   std::span<const Outcome> outcomes_;
   std::string& blob_;
-  std::vector<WorldData::Moment> moments_;
+  std::vector<Moment> moments_;
 };
 
 }  // namespace
@@ -180,15 +183,24 @@ std::string ReportData(const RunReport& report, const RunFacts& facts) {
   data["command"] = facts.command;
   data["sentence"] = AnswersInWords(report);
   data["conclusion"] = ConclusionOf(report, outcomes, facts.fail_on);
-  data["failed"] = ExitCode(report, facts.fail_on) != 0;
+  data["exit_code"] = ExitCode(report, facts.fail_on);
+  data["failed"] = data["exit_code"] != 0;
+  data["only_subject"] = facts.fail_on == FailOn::kSubject;
   data["subject"] = 0;
   data["oracles"] = DataJson::array();
   for (const OracleInfo& oracle : report.oracles)
     data["oracles"].push_back(OracleData(oracle));
   Scenes scenes(report, outcomes, blob);
   data["questions"] = scenes.Questions();
+  for (DataJson& question : data["questions"]) {
+    if (facts.own.contains(question["id"].get<std::string>())) question["own"] = true;
+  }
   data["names"] = NamesData();
   data["findings"] = FindingsData(report, clusters, scenes.moments(), texts);
+  data["names"].update(ProofNames());
+  data["proofs"] = ProofsData(report.findings, texts);
+  data["cited"] = CitedData(report, clusters);
+  data["studies"] = StudiesData(report.findings);
   data["clusters"] = DataJson::array();
   for (const Cluster& cluster : clusters.ranked)
     data["clusters"].push_back(ClusterData(report, cluster));

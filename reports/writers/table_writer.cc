@@ -143,7 +143,9 @@ void WriteFaults(const RunReport& report, const TableStyle& style, const Painter
   if (report.faults.empty()) return;
   out << '\n'
       << paint(Colour::kBold,
-               "Faults in the scenario files and the ledger, not in an engine")
+               ImprovedCount(report) == report.faults.size()
+                   ? "Entries of the ledger that hide less than they allow"
+                   : "Faults in the scenario files and the ledger, not in an engine")
       << '\n';
   for (const std::string& fault : report.faults) {
     out << "  " << paint(Colour::kBad, "✗") << ' '
@@ -198,14 +200,20 @@ void WriteClusters(const RunReport& report, std::span<const Outcome> outcomes,
   const std::vector<Cluster> clusters = ClustersOf(report).ranked;
   if (clusters.empty()) return;
   const auto is_new = std::ranges::count(clusters, true, &Cluster::is_new);
+  const auto outgrown = std::ranges::count(clusters, true, &Cluster::has_outgrown);
+  const std::size_t known = clusters.size() - static_cast<std::size_t>(is_new + outgrown);
   out << '\n'
       << paint(Colour::kBold, "Faults")
-      << fmt::format(": {}, {} new, {} in the ledger\n", clusters.size(), is_new,
-                     clusters.size() - static_cast<std::size_t>(is_new));
+      << fmt::format(": {}, {} new, {}{} in the ledger\n", clusters.size(), is_new,
+                     outgrown > 0 ? fmt::format("{} larger than known, ", outgrown) : "",
+                     known);
   for (std::size_t c = 0; c < std::min(kMost, clusters.size()); ++c) {
     const Cluster& cluster = clusters[c];
-    const std::string sentence = fmt::format("{}{} {}", cluster.is_new ? "New: " : "",
-                                             cluster.title, ExtentOf(report, cluster));
+    const std::string_view status = cluster.is_new         ? "New: "
+                                    : cluster.has_outgrown ? "Larger than known: "
+                                                           : "";
+    const std::string sentence =
+        fmt::format("{}{} {}", status, cluster.title, ExtentOf(report, cluster));
     out << "  "
         << paint(ColourOf(cluster.band), fmt::format("{:<14}", NameOf(cluster.band)))
         << Wrapped(std::string(kIndent, ' ') + sentence, style.width, kIndent)

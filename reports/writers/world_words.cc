@@ -1,6 +1,7 @@
 #include "reports/writers/world_words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -95,9 +96,13 @@ std::string DriftsInWords(const WorldResult& world, std::size_t oracle,
   const auto words = [&](std::string_view what, double value, MeasureKind measure) {
     const std::string_view unit = UnitOf(measure);
     const Finding* finding = judged(measure);
-    return fmt::format(
-        "{} {:.3g} {}{}", what, value, unit,
-        finding ? fmt::format(" of {:.3g} {}", finding->tolerance, unit) : "");
+    std::string text = fmt::format("{} {:.3g} {}", what, value, unit);
+    if (!finding) return text;
+    // A law takes the worst instant of what it is about, with the tolerance of that
+    // instant: another number than the drift of everything over the whole motion.
+    const bool is_drift = std::abs(finding->value - value) <= 1e-3 * std::abs(value);
+    if (!is_drift) text += fmt::format(", at worst {:.3g} {}", finding->value, unit);
+    return text + fmt::format(" of {:.3g} {}", finding->tolerance, unit);
   };
   const MotionDrifts& drifts = world.drifts[oracle];
   std::string text =

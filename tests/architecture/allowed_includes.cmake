@@ -50,7 +50,7 @@ list(APPEND own_rules
   # The vocabulary of the reports.
   "reports/text/ => nothing"
   "reports/threads/ => oracles/standard_arithmetic[.]h"
-  "reports/finding/ => scenarios/measure_kind[.]h"
+  "reports/finding/ => reports/text/|scenarios/measure_kind[.]h"
   # The referee sees questions, never an answer.
   "reports/referee/ => scenarios/[a-z_]+[.]h"
   "reports/measures/ => reports/referee/|oracles/contact_answer[.]h|scenarios/[a-z_]+[.]h"
@@ -70,15 +70,16 @@ list(APPEND own_rules
   "reports/baseline/ => reports/((finding|ledger|contacts|worlds/study)/|run_report[.]h)|scenarios/diagnostic[.]h"
   "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
   "reports/writers/ => scenarios/diagnostic[.]h|reports/((baseline|text|finding|referee|contacts|clusters|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|scenario_file|worlds/world_scenario)[.]h"
-  "reports/sweep/ => reports/((threads|finding|referee|contacts|writers)/|run[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(generators/|(scenario|scenario_file|shape|validate)[.]h)"
+  "reports/sweep/ => reports/((threads|finding|referee|contacts|writers|worlds/study)/|run(_report)?[.]h)|oracles/(oracle|stated_tolerance|world_setup)[.]h|scenarios/(generators/|(scenario|scenario_file|shape|validate|worlds/world_scenario)[.]h)"
+  "reports/journal/ => reports/(finding/|sweep/database[.]h|worlds/study/examine_world[.]h)|oracles/(isolation/(answer_wire|wire)|oracle|stated_tolerance|world_setup)[.]h|scenarios/scenario_file[.]h"
   "reports/shrink/ => reports/((text|finding|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/oracle[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
-  "reports/reproduce/ => reports/(clusters/measure_words[.]h|(text|finding|referee|writers)/|contacts/contact_result[.]h)|oracles/(oracle|convex_facets)[.]h|scenarios/[a-z_]+[.]h"
-  "reports/gtest/ => reports/((sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
+  "reports/reproduce/ => reports/(clusters/measure_words[.]h|(text|finding|referee|writers|worlds/truth)/|contacts/contact_result[.]h|worlds/(study/world_result|law_support/(overlap|subjects)|laws/laws)[.]h)|oracles/(oracle|convex_facets|trajectory|world_setup)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
+  "reports/gtest/ => reports/((shrink|sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
-  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
+  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|sweep/question_id[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
   # The only files that call a cluster; they know nothing of sweeps.
   "cli/slurm/ => cli/input_error[.]h"
-  "cli/commands/ => cli/|reports/(accuracy|baseline|bench|ledger|referee|reproduce|shrink|sweep|text|writers)/|scenarios/"
+  "cli/commands/ => cli/|reports/(accuracy|baseline|bench|journal|ledger|referee|reproduce|shrink|sweep|text|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
   "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")
 

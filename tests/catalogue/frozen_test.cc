@@ -59,11 +59,18 @@ Ids MissedWith(double left) {
 }
 
 /** Worlds in which standing still is the truth, or a legal answer to an overlap. */
-const Ids kRest = {"world/cloth/strip",          "world/pile/boxes_at_rest_150",
-                   "world/rest/box_on_a_slope",  "world/rest/card_leans_on_a_wall",
-                   "world/rest/heavy_on_light",  "world/rest/overlap_is_resolved",
-                   "world/rest/pyramid",         "world/rest/stack_of_five_boxes",
-                   "world/rest/stack_of_spheres"};
+const Ids kRest = {"world/cloth/strip",
+                   "world/pile/boxes_at_rest_150",
+                   "world/rest/box_on_a_slope",
+                   "world/rest/boxes_set_down_askew",
+                   "world/rest/card_leans_on_a_wall",
+                   "world/rest/crossed_plates",
+                   "world/rest/heavy_on_light",
+                   "world/rest/overlap_is_resolved",
+                   "world/rest/pyramid",
+                   "world/rest/stack_of_five_boxes",
+                   "world/rest/stack_of_spheres",
+                   "world/rest/tilted_box_lies_down"};
 
 /** Worlds that move, but whose motion has no known closed form. A body that hangs still
  in the air obeys their claims too: it gains no energy, does not sink and stretches no
@@ -71,6 +78,8 @@ const Ids kRest = {"world/cloth/strip",          "world/pile/boxes_at_rest_150",
 const Ids kMove = {"world/cloth/swings_by_one_corner",
                    "world/friction/spinning_block",
                    "world/friction/twist_lets_slide",
+                   "world/impact/ball_strikes_a_groove",
+                   "world/impact/plank_lands_on_its_end",
                    "world/joint/box_on_a_rod",
                    "world/joint/heavy_below_light",
                    "world/joint/rope_of_ten",
@@ -95,6 +104,7 @@ const Ids kKeepVelocities = {"world/errata/e17_damped_pair_spins",
                              "world/pile/gas_of_27",
                              "world/pile/sticky_gas_of_27",
                              "world/spring/damped_ring",
+                             "world/spring/heavy_and_light",
                              "world/spring/ring_of_six",
                              "world/spring/two_bodies"};
 

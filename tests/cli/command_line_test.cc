@@ -126,6 +126,27 @@ TEST_F(CommandLineTest, GrantsTheSubjectAStatedToleranceAndNoMoreAndSaysSo) {
   EXPECT_THAT(Touchstone("run" + file).out, Not(HasSubstr("Granted")));
 }
 
+/** Runs six worlds, and kills the program once the file that keeps them has grown. */
+constexpr const char* kKilled = R"sh(sh -c '
+"$0" run "world/impact/oblique*" --jobs 1 --quiet --out "$1" &
+while [ "$(stat -c %s "$1/run.unfinished.sqlite-wal" 2>/dev/null || echo 0)" -lt 200000 ]
+do kill -0 $! 2>/dev/null || exit 9; sleep 0.01; done
+kill -KILL $!; wait $!' )sh";
+
+TEST_F(CommandLineTest, GoesOnWithARunThatWasKilledAndEndsWithTheSameReport) {
+  const std::string run = "run 'world/impact/oblique*' --quiet --out ";
+  const Ended whole = Itself(run + Path("whole"));
+  const Ended killed =
+      InPipe(kKilled + std::string(TOUCHSTONE_ITSELF) + " " + Path("killed"));
+  EXPECT_EQ(killed.code, 137) << killed.err;
+  EXPECT_TRUE(std::filesystem::exists(Path("killed/run.unfinished.sqlite")));
+  const Ended resumed = Itself(run + Path("killed") + " --resume");
+  EXPECT_EQ(resumed.code, whole.code);
+  for (const char* file : {"/report.jsonl", "/report.data", "/junit.xml"})
+    EXPECT_EQ(TextOf(Path("killed") + file), TextOf(Path("whole") + file)) << file;
+  EXPECT_FALSE(std::filesystem::exists(Path("killed/run.unfinished.sqlite")));
+}
+
 TEST_F(CommandLineTest, ExitsWithTwoIfAToleranceIsNoLength) {
   for (const char* text : {"-1", "nan", "inf", "1e-4m"}) {
     const Ended ended = Touchstone(std::string("run --tolerance=") + text);
@@ -527,8 +548,17 @@ TEST_F(CommandLineTest, StatesTheErrorInABody) {
   EXPECT_THAT(error("sphere 1 @ 1 2"), HasSubstr("2 numbers after '@'"));
   EXPECT_THAT(error("sphere 1 and more"), HasSubstr("unexpected text at 'and'"));
   EXPECT_THAT(error("sphere 1 q 0 0 0 0"), HasSubstr("zero quaternion"));
+  EXPECT_THAT(error("sphere 1e400"), HasSubstr("'1e400', which is beyond the range"));
   EXPECT_THAT(error("sphere -1"), HasSubstr("radius"));
   EXPECT_THAT(error("convex_hull 1 2"), HasSubstr("three per vertex"));
+}
+
+TEST_F(CommandLineTest, NormalisesAQuaternionOfAnySize) {
+  for (const char* q : {"1e200 1e200 0 0", "1e-200 0 0 0"}) {
+    const Ended ended =
+        Touchstone(std::string("ask --A 'sphere 1' --B 'sphere 1 @ 0 0 3 q ") + q + "'");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  }
 }
 
 TEST_F(CommandLineTest, PrintsOnlyFailuresWhenQuiet) {
@@ -635,8 +665,136 @@ TEST_F(CommandLineTest, ResumesASweepAndMergesItsShards) {
   EXPECT_THAT(missing.err, HasSubstr("block 1 of 20 is missing; expected"));
 }
 
+TEST_F(CommandLineTest, SweepsWorldsAndWritesFailedOnesAsScenariosThatCanBeRun) {
+  const std::string sweep = "sweep world --subject drifter --count 40 --seed 3 ";
+  const Ended ended = Touchstone(sweep + "--family drops,rods --out " + Path("worlds"));
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("drops"), HasSubstr(" failed of 80"),
+                    HasSubstr("  touchstone sweep world --family rods --seed 3 --first "),
+                    HasSubstr(" (joint_length)")));
+  const std::string file =
+      Path("worlds/sweep/world/rods/seed_3/00000000000000000000.toml");
+  EXPECT_EQ(Touchstone("run --subject drifter --against drifter " + file).code, 1);
+  const Ended all =
+      Touchstone("sweep world --subject all --family rods --count 5 --quiet");
+  EXPECT_THAT(all.out, AllOf(HasSubstr("drifter: "), Not(HasSubstr("right"))));
+}
+
+TEST_F(CommandLineTest, WritesThePageOfASweepOfWorlds) {
+  Touchstone("sweep world --subject drifter --family rods --count 20 --quiet --out " +
+             Path("worlds"));
+  const Ended ended =
+      Touchstone("report " + Path("worlds/sweep.sqlite") + " -o " + Path("page.html"));
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(TextOf(Path("page.html")), HasSubstr("id=\"report-data\">"));
+}
+
+TEST_F(CommandLineTest, TakesTheIdOfAQuestionOfASweepWithoutItsFile) {
+  const Ended contact =
+      Touchstone("explain sweep/random/sphere_sphere/seed_7/0000000000000000042 --all");
+  EXPECT_EQ(contact.code, 0) << contact.err;
+  EXPECT_THAT(contact.out, HasSubstr("touchstone sweep contact --family random --pair "
+                                     "sphere sphere --seed 7 --first 42 --count 1"));
+  EXPECT_EQ(Touchstone("simulate sweep/world/rods/seed_3/0 --oracles drifter --csv " +
+                       Path("motion.csv"))
+                .code,
+            0);
+  EXPECT_THAT(TextOf(Path("motion.csv")), HasSubstr("drifter"));
+  // The ledger is about the catalogue.
+  EXPECT_EQ(
+      Touchstone("run sweep/world/rods/seed_3/0 --subject drifter --against drifter")
+          .code,
+      1);
+  const Ended missing = Touchstone("explain sweep/random/sphere_sphere/7/42");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("no question of a sweep has the id"));
+}
+
+TEST_F(CommandLineTest, ResumesASweepOfWorldsAndMergesItsShards) {
+  const std::string sweep =
+      "sweep world --subject drifter --family drops --count 100 --quiet --out ";
+  Touchstone(sweep + Path("whole"));
+  const std::string whole = TextOf(Path("whole/sweep.sqlite"));
+  EXPECT_GT(whole.size(), 4096U);
+  for (const char* shard : {"1/2", "2/2"})
+    Touchstone(sweep + Path("shards") + " --jobs 2 --shard " + shard);
+  const std::string parts =
+      Path("shards/sweep.1-of-2.sqlite") + " " + Path("shards/sweep.2-of-2.sqlite");
+  EXPECT_EQ(Touchstone("merge " + parts + " -o " + Path("merged")).code, 0);
+  EXPECT_TRUE(TextOf(Path("merged")) == whole);
+  // The settings of an engine are part of a sweep.
+  const Ended other = Touchstone(sweep + Path("whole") + " --set drifter:drift=1");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("belongs to another sweep: subjects"));
+}
+
+TEST_F(CommandLineTest, RefusesASweepOfWorldsWithOptionsOfContactQuestions) {
+  const auto error_of = [this](const std::string& options) {
+    const Ended ended = Touchstone("sweep world --count 5 " + options);
+    EXPECT_EQ(ended.code, 2) << options;
+    return ended.err;
+  };
+  EXPECT_THAT(error_of("--pair box box"), HasSubstr("--pair is for contact questions"));
+  EXPECT_THAT(error_of("--climb 8"), HasSubstr("--climb is for contact questions"));
+  EXPECT_THAT(error_of("--family stack"),
+              HasSubstr("no family 'stack' (did you mean stacks?)"));
+  EXPECT_THAT(error_of("--family grazing"), HasSubstr("expected one of: all, drops"));
+  // "right" simulates nothing.
+  EXPECT_THAT(error_of("--subject right"),
+              HasSubstr("nothing was verified; expected a world that right simulates"));
+}
+
 // The subject needs minutes for these questions, so the signal comes before the end.
+TEST_F(CommandLineTest, SaysWhichAnswersFailedInTheFilesOfASweep) {
+  const Ended ended = Touchstone(
+      "sweep contact --family random --pair sphere sphere --count 20 "
+      "--subject half_depth --out " +
+      Path("failed"));
+  EXPECT_EQ(ended.code, 1) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr(" as files: " + Path("failed/sweep")));
+  std::string text;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(Path("failed/sweep"))) {
+    if (text.empty() && entry.is_regular_file()) text = TextOf(entry.path());
+  }
+  EXPECT_THAT(text, testing::StartsWith("# half_depth fails separation_error: "));
+  EXPECT_THAT(text, HasSubstr("half_depth says"));
+}
+
+// A climb depends on the oracle, so that two oracles have two questions of one id.
+TEST_F(CommandLineTest, WritesTheQuestionsOfAClimbForEachOracle) {
+  Touchstone(
+      "sweep contact --family random --pair sphere sphere --count 64 --climb 8 "
+      "--subject half_depth,right --quiet --out " +
+      Path("climb"));
+  std::size_t files = 0;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(Path("climb/sweep"))) {
+    if (!entry.is_regular_file()) continue;
+    ++files;
+    EXPECT_EQ(entry.path().filename(), "half_depth.toml");
+  }
+  EXPECT_GT(files, 0u);
+  const Ended again = Touchstone("run --subject half_depth --quiet " + Path("climb"));
+  EXPECT_EQ(again.code, 1) << again.err;
+}
+
+TEST_F(CommandLineTest, SaysThatAnOptionIsIncompleteIfItTakesAnotherAsItsValue) {
+  const Ended ended = Touchstone("sweep contact --pair box --count 5");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("--pair is incomplete; expected --pair SHAPE SHAPE"));
+}
+
+TEST_F(CommandLineTest, SaysThatAShardDoesNotExist) {
+  const Ended ended = Touchstone("merge -o merged.sqlite " + Path("none.sqlite"));
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("none.sqlite: does not exist; expected a file that "
+                                   "`touchstone sweep --out DIR` wrote"));
+}
+
 TEST_F(CommandLineTest, EndsASweepCleanlyAtCtrlC) {
+  // timeout sends its signal to the program and again to its group.
   const std::string sweep =
       "sweep contact --family random --pair sphere sphere "
       "--count 1000000000 --quiet --out " +
@@ -796,7 +954,7 @@ TEST_F(CommandLineTest, StatesTheValueThatAnOptionExpects) {
   EXPECT_THAT(error("sweep contact --family rnadom"),
               HasSubstr("no family 'rnadom' (did you mean random?)"));
   EXPECT_THAT(error("sweep contact --pair box bxo"),
-              HasSubstr("no shape 'bxo' (did you mean box?)"));
+              HasSubstr("--pair: 'bxo' (did you mean box?)"));
 }
 
 // A ball dropped from 2 m.
@@ -850,7 +1008,7 @@ TEST_F(CommandLineTest, AnExpectationOfTheUsersOwnIsJudged) {
     const Ended ended = Itself("run --against bullet " + Path("mine/drop.toml"));
     EXPECT_EQ(ended.code, right ? 0 : 1) << ended.out << ended.err;
     if (right) continue;
-    EXPECT_THAT(ended.out, HasSubstr("expect[0]: ball is expected a position of"));
+    EXPECT_THAT(ended.out, HasSubstr("expect[0]: “ball” is expected a position of"));
   }
 }
 
@@ -1000,7 +1158,8 @@ TEST_F(CommandLineTest, SimulatesWorldsIntoATable) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("\nmine/drop,cookbook,0.1,ball,0,1.9"));
   EXPECT_THAT(ended.out, HasSubstr("\nmine/drop,bullet,0.5,ball,0,0."));
-  EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 1 + 2 * 6);
+  EXPECT_THAT(ended.out, HasSubstr("\nmine/drop,cookbook/sleeping,0.5,ball,0,0."));
+  EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 1 + 3 * 6);
 }
 
 TEST_F(CommandLineTest, SimulatesNoContactQueries) {
@@ -1009,7 +1168,7 @@ TEST_F(CommandLineTest, SimulatesNoContactQueries) {
   EXPECT_THAT(ended.err, HasSubstr("the selected scenarios are contact queries"));
 }
 
-TEST_F(CommandLineTest, RefusesToReproduceWhatIsNoFaultOfAnEngineInAContactQuery) {
+TEST_F(CommandLineTest, RefusesToReproduceWhatIsNoFaultOfAnEngine) {
   Write("mine/drop.toml", kDrop);
   const std::string out = Path("fault");
   const auto error = [&](const Ended& ended) {
@@ -1026,7 +1185,9 @@ TEST_F(CommandLineTest, RefusesToReproduceWhatIsNoFaultOfAnEngineInAContactQuery
   EXPECT_THAT(error(Itself(deep + " --for bullet")),
               HasSubstr("no answer of bullet is proved wrong in mine/deep"));
   EXPECT_THAT(error(Itself(drop + " --for bullet")),
-              HasSubstr("mine/drop is a world; expected a contact query"));
+              HasSubstr("no answer of bullet is proved wrong in mine/drop; expected"));
+  EXPECT_THAT(error(Itself(drop + " --for bullet/gjk")),
+              HasSubstr("is proved wrong in mine/drop: simulates no worlds; expected"));
   EXPECT_THAT(
       error(Touchstone(deep + " --for half_depth")),
       HasSubstr("mine/deep cannot be reproduced: half_depth is no engine of its own"));

@@ -27,7 +27,7 @@ ContactAnswer Spheres(const Sphere& A, const Pose& X_WA, const Sphere& B,
   return answer;
 }
 
-// The free fall of the bodies of a world, with `drift` [m/s] along x added.
+// The free fall of the bodies and particles of a world, with `drift` [m/s] along x added.
 class DriftingFall final : public Simulation {
  public:
   DriftingFall(const World& world, double drift) : world_(world), drift_W_(drift, 0, 0) {}
@@ -42,6 +42,12 @@ class DriftingFall final : public Simulation {
       state.bodies.push_back({X_WB.p_WB + t * (body.v_WB + drift_W_) + 0.5 * t * t * g_W,
                               Eigen::Quaterniond(X_WB.R_WB), body.v_WB + t * g_W,
                               body.w_WB});
+    }
+    state.particles.clear();
+    for (const Particle& particle : world_.particles) {
+      state.particles.push_back(
+          {particle.p_W + t * (particle.v_W + drift_W_) + 0.5 * t * t * g_W,
+           particle.v_W + t * g_W});
     }
   }
 

@@ -62,6 +62,7 @@ const std::vector<Unsupported> kUnsupported = {
     {"cookbook", kOnlySpheresAndBoxes},
     {"cookbook/batch",
      {{kCapsule, kCylinder, kCone, kConvexHull, kHalfSpace}, {{kSphere, kBox}}}},
+    {"cookbook/sleeping", kWorldsOnly},
     {"dart", kOnlySpheresAndBoxes},
     {"fcl/collide", kAllButTwoHalfSpaces},
     {"fcl/collide_indep", kAllButTwoHalfSpaces},

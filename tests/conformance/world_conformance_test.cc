@@ -46,6 +46,7 @@ const std::vector<Simulator> kSimulators = {
     {"bullet", {kParticle, kSpring, kDistanceJoint, kCloth}},
     {"bullet_float", {kParticle, kSpring, kDistanceJoint, kCloth}},
     {"cookbook", {kOtherShape, kStaticOtherShape}},
+    {"cookbook/sleeping", {kOtherShape, kStaticOtherShape}},
     // The softness is its constraint force mixing, relative to the diagonal of its
     // matrix.
     {"dart",

@@ -8,6 +8,7 @@
 // --write-ctest FILE writes the entries.
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -138,6 +139,10 @@ class CatalogueTest : public testing::Test {
     const RunReport report = Suite::Instance().Report();
     for (const Outcome& outcome : OutcomesOf(report)) {
       if (IsFailure(outcome.verdict)) ADD_FAILURE() << FailuresOf(report, outcome);
+    }
+    for (const Finding& finding : report.findings) {
+      if (std::isnan(finding.tolerance))
+        ADD_FAILURE() << "no tolerance: " << Sentence(finding);
     }
     EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
     for (const std::string& fault : report.faults) ADD_FAILURE() << fault;

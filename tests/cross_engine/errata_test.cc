@@ -60,7 +60,7 @@ std::map<std::string, int> FailuresInWorlds(const std::string& oracle_name,
       all.begin(), all.end(), std::back_inserter(worlds),
       [&](const WorldScenario& world) { return world.id.starts_with(beginning); });
   if (oracle == nullptr || worlds.empty()) return {{"nothing was asked", 1}};
-  return FailuresAmong(RunWorlds(worlds, std::span(&oracle, 1), 1, {}).findings);
+  return FailuresAmong(RunWorlds(worlds, std::span(&oracle, 1), {.jobs = 1}).findings);
 }
 
 // The form of an erratum in the names of worlds and tests: "e10" for "E-10".
@@ -96,7 +96,12 @@ INSTANTIATE_TEST_SUITE_P(
         Specimen{"E-07", "answering"},          // Touching, without the promised contact.
         Specimen{"E-08", "contact_off_patch"},  // Four contacts where two are right.
         Specimen{"E-09", "patch_coverage"},  // Contacts within a centimetre are merged.
-        Specimen{"E-26", "separation_error"}),
+        Specimen{"E-26", "separation_error"},
+        Specimen{"E-27", "patch_coverage"},  // Rounding takes contacts of flush faces.
+        Specimen{"E-28", "touching"},        // Depth zero counts as apart.
+        Specimen{"E-29",
+                 "excess"},  // Nearly parallel edges: the depth of a face instead.
+        Specimen{"E-30", "separation_error"}),  // A centre near a face counts as inside.
     [](const testing::TestParamInfo<Specimen>& instance) {
       return FileNameOf(instance.param.erratum);
     });

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <random>
 #include <tuple>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -18,6 +20,7 @@
 namespace touchstone {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -174,14 +177,18 @@ TEST(Run, SortsByScenarioOracleAndMeasure) {
 TEST(Run, ReportsProgressUpToAllPairs) {
   const FakeOracle first("a");
   const FakeOracle second("b");
-  std::vector<std::pair<std::size_t, std::size_t>> calls;
+  std::vector<std::tuple<std::size_t, std::size_t, double>> calls;
   RunOptions options;
-  options.on_progress = [&](std::size_t done, std::size_t total) {
-    calls.emplace_back(done, total);
+  options.on_progress = [&](std::size_t done, std::size_t total, double part) {
+    calls.emplace_back(done, total, part);
   };
   RunAll(Sweep(4), {&first, &second}, {}, options);
   ASSERT_FALSE(calls.empty());
-  EXPECT_EQ(calls.back(), std::pair(std::size_t{192}, std::size_t{192}));
+  EXPECT_EQ(calls.front(), std::tuple(std::size_t{0}, std::size_t{192}, 0.0));
+  ASSERT_GT(calls.size(), 2U);
+  EXPECT_GT(std::get<2>(calls[1]), 0);
+  EXPECT_LT(std::get<2>(calls[1]), 1);
+  EXPECT_EQ(calls.back(), std::tuple(std::size_t{192}, std::size_t{192}, 1.0));
   EXPECT_TRUE(std::is_sorted(calls.begin(), calls.end()));
 }
 
@@ -208,6 +215,63 @@ TEST(Run, AsksNoQuestionThatAnOracleDoesNotSupport) {
       RunAll({ScenarioOf("contact/x", SphereInBoxFace(1e-3).query)}, {&none, &wrong});
   EXPECT_EQ(ExitCode(beside, FailOn::kAnything), 2);
   EXPECT_EQ(ExitCode(beside, FailOn::kSubject), 2);
+}
+
+/** An isolated oracle that records the batches of its questions, by the x of B. */
+class Recorder final : public FakeOracle {
+ public:
+  Recorder() : FakeOracle("recorder") { info().isolated = true; }
+  using Oracle::Answer;
+  void Answer(std::span<const ContactQuery> queries,
+              std::span<ContactAnswer> answers) const override {
+    std::vector<double> batch;
+    batch.reserve(queries.size());
+    for (const ContactQuery& query : queries) batch.push_back(query.B.X_WB.p_WB.x());
+    {
+      const std::scoped_lock lock(recording_);
+      batches.push_back(std::move(batch));
+    }
+    FakeOracle::Answer(queries, answers);
+  }
+  mutable std::vector<std::vector<double>> batches;
+
+ private:
+  mutable std::mutex recording_;
+};
+
+/** Returns the batches that `jobs` threads put to an isolated oracle that answers twelve
+ questions right. B is at x = 10 to 21. */
+std::vector<std::vector<double>> BatchesOf(int jobs) {
+  std::vector<Scenario> scenarios;
+  for (int i = 0; i < 12; ++i) {
+    const Body ball{Sphere{0.5},
+                    Pose::FromMatrix({10.0 + i, 0.3, 0.2}, Eigen::Matrix3d::Identity())};
+    scenarios.push_back(ScenarioOf(
+        "contact/" + std::string(1, static_cast<char>('a' + i)),
+        {{Sphere{0.5}, Pose::FromMatrix({0.1, 0.2, 0.3}, Eigen::Matrix3d::Identity())},
+         ball}));
+  }
+  const Recorder recorder;
+  RunOptions options;
+  options.jobs = jobs;
+  const RunReport report = RunAll(scenarios, {&recorder}, {}, options);
+  EXPECT_THAT(ProofsOfFailures(report), IsEmpty());
+  return recorder.batches;
+}
+
+// Hangs of an engine come in rows of like questions, and each costs seconds.
+TEST(Run, DealsNeighbouringQuestionsToDifferentBatchesOfAnIsolatedOracle) {
+  const std::vector<std::vector<double>> batches = BatchesOf(2);
+  EXPECT_THAT(batches, Contains(ElementsAre(10, 18)));
+  EXPECT_THAT(batches, Contains(ElementsAre(13, 21)));
+  EXPECT_THAT(batches, Contains(ElementsAre(14)));
+}
+
+// Each batch is a fork, and one thread shares the time with nobody.
+TEST(Run, OfOneThreadPutsAllQuestionsToAnIsolatedOracleAtOnce) {
+  const std::vector<std::vector<double>> batches = BatchesOf(1);
+  ASSERT_EQ(batches.size(), 2U);  // The questions, and their variants.
+  EXPECT_THAT(batches[0], ElementsAre(10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21));
 }
 
 TEST(ExitCode, IsTwoWhenNothingWasAsked) {
@@ -257,7 +321,7 @@ double RadiusOf(const ContactQuery& query) {
  to spheres of `radii` [m] that are 1, 2, … mm deep in a face of a box. */
 std::vector<Finding> FailuresOf(
     std::function<void(const ContactQuery&, ContactAnswer&)> plant,
-    const std::vector<double>& radii = {0.2, 0.3, 0.4}) {
+    const std::vector<double>& radii = {0.2, 0.3, 0.4}, const RunOptions& options = {}) {
   const FakeOracle wrong = FakeOracle::Wrong("wrong", std::move(plant));
   std::vector<Scenario> scenarios;
   for (std::size_t i = 0; i < radii.size(); ++i) {
@@ -269,7 +333,7 @@ std::vector<Finding> FailuresOf(
     scenarios.push_back(ScenarioOf("contact/" + std::to_string(i), query));
   }
   std::vector<Finding> failures;
-  for (const Finding& finding : RunAll(scenarios, {&wrong}).findings) {
+  for (const Finding& finding : RunAll(scenarios, {&wrong}, {}, options).findings) {
     if (finding.verdict == Verdict::kFail && finding.reference == "referee")
       failures.push_back(finding);
   }
@@ -305,6 +369,15 @@ TEST(Run, CallsNothingAConventionThatOneGeometryShows) {
     EXPECT_EQ(finding.cause, Cause::kDefect);
     EXPECT_THAT(finding.cause_because, HasSubstr("one geometry shows no convention"));
   }
+}
+
+TEST(Run, LeavesAConventionOpenThatFailuresBeyondTheLimitMayShow) {
+  RunOptions options;
+  options.examined_per_kind = 1;
+  for (const Finding& finding : FailuresOf(
+           [](const ContactQuery&, ContactAnswer& answer) { HalveTheDepth(answer); },
+           {0.2, 0.3, 0.4}, options))
+    EXPECT_EQ(finding.cause, Cause::kNotExamined) << finding.scenario;
 }
 
 TEST(Run, CallsNothingAConventionThatAnotherAnswerContradicts) {

@@ -216,7 +216,8 @@ TEST(ReadScenario, RefusesAQuaternionThatIsNotUnit) {
   EXPECT_THAT(
       ErrorsOf(With("0.8, 0]", "0.8, 1]")),
       ElementsAre("f.toml:9:14: bodies.post.quaternion has norm 1.4142135623730951; "
-                  "expected a unit quaternion w, x, y, z, to 1e-12"));
+                  "expected a unit quaternion w, x, y, z: of norm 1 to 1e-06 in a file, "
+                  "to 1e-12 in a program"));
 }
 
 TEST(ReadScenario, RefusesARotationThatMirrors) {

@@ -20,14 +20,14 @@ void Move(const FreeFlight& flight, double time, RigidBody& body) {
 RigidBody FreeFlight::ShapeAt(double t, Gyroscopic rule) const {
   if (!start.is_sphere) return At(t, rule);
   RigidBody body = start;
-  if (!body.is_static()) Move(*this, t - from, body);
+  if (!body.is_static()) Move(*this, std::min(t, until) - from, body);
   return body;
 }
 
 RigidBody FreeFlight::At(double t, Gyroscopic rule) const {
   RigidBody body = start;
-  if (body.is_static() || t == from) return body;
-  const double time = t - from;
+  const double time = std::min(t, until) - from;
+  if (body.is_static() || time == 0) return body;
   Move(*this, time, body);
   const Eigen::Vector3d& w = start.state.w_WB;
   if (rule == Gyroscopic::kExact) {
@@ -55,10 +55,14 @@ double RotationalSpeed(const RigidBody& body, const Eigen::Vector3d& n_W) {
   return body.is_sphere ? 0 : body.radius * n_W.cross(body.state.w_WB).norm();
 }
 
+double MaxTravelByRotation(const RigidBody& body, double time) {
+  return body.is_static() ? 0 : std::min(2 * body.radius, time * RotationalSpeed(body));
+}
+
 double MaxTravel(const RigidBody& body, const Eigen::Vector3d& v_W, double time) {
   if (body.is_static()) return 0;
   return time * std::sqrt(std::max(body.state.v_WB.squaredNorm(), v_W.squaredNorm())) +
-         std::min(2 * body.radius, time * RotationalSpeed(body));
+         MaxTravelByRotation(body, time);
 }
 
 }  // namespace cookbook

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "engine/dynamics/body/rigid_body.h"
 #include "engine/dynamics/body/settings.h"
 
@@ -15,6 +17,9 @@ struct FreeFlight {
    contact is an impact. [m/s²] */
   Eigen::Vector3d load_acceleration_W = Eigen::Vector3d::Zero();
 
+  /** The time from which on the body stays where it is and keeps its velocity. [s] */
+  double until = std::numeric_limits<double>::infinity();
+
   /** Returns the body at time `t` [s]. A static body stays where it is. */
   RigidBody At(double t, Gyroscopic rule) const;
 
@@ -29,6 +34,10 @@ double RotationalSpeed(const RigidBody& body);
 
 /** The same for the component of the velocity along the unit vector `n_W`. [m/s] */
 double RotationalSpeed(const RigidBody& body, const Eigen::Vector3d& n_W);
+
+/** Returns an upper bound on the distance that a rotation moves any point of `body` in
+ `time` [s]; 0 for a sphere and a static body. [m] */
+double MaxTravelByRotation(const RigidBody& body, double time);
 
 /** Returns an upper bound on the distance that any point of `body` travels in `time` [s],
  while the velocity of its centre changes to `v_W` at a constant rate; 0 for a static

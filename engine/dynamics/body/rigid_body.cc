@@ -1,5 +1,6 @@
 #include "engine/dynamics/body/rigid_body.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "engine/dynamics/body/rotation.h"
@@ -54,6 +55,16 @@ double InnerRadius(const RigidBody& body) {
   return std::holds_alternative<HalfSpace>(body.shape)
              ? std::numeric_limits<double>::infinity()
              : 0;
+}
+
+double SmallerInnerRadius(const RigidBody& A, const RigidBody& B) {
+  return A.is_static()   ? InnerRadius(B)
+         : B.is_static() ? InnerRadius(A)
+                         : std::min(InnerRadius(A), InnerRadius(B));
+}
+
+double SafePenetration(const RigidBody& A, const RigidBody& B) {
+  return 0.5 * (InnerRadius(A) + InnerRadius(B));
 }
 
 double Travel(const BodyState& before, const RigidBody& body) {

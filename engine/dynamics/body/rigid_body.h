@@ -66,6 +66,13 @@ inline double SpeculativeMarginBetween(const RigidBody& A, const RigidBody& B) {
                          : std::min(A.speculative_margin, B.speculative_margin);
 }
 
+/** Returns the smaller radius of the dynamic ones of A and B. [m] */
+inline double SmallerRadius(const RigidBody& A, const RigidBody& B) {
+  return A.is_static()   ? B.radius
+         : B.is_static() ? A.radius
+                         : std::min(A.radius, B.radius);
+}
+
 /** Returns the depth that position correction leaves between A and B. [m] */
 inline double SlopBetween(const RigidBody& A, const RigidBody& B) {
   return A.is_static() ? B.slop : B.is_static() ? A.slop : std::min(A.slop, B.slop);
@@ -88,6 +95,13 @@ inline double IslandLoadAccelerationBetween(const RigidBody& A, const RigidBody&
 
 /** Returns the radius of the largest inscribed sphere. [m] */
 double InnerRadius(const RigidBody& body);
+
+/** Returns the smaller such radius of the dynamic ones of A and B. [m] */
+double SmallerInnerRadius(const RigidBody& A, const RigidBody& B);
+
+/** Returns the greatest penetration of two bodies from which collision detection surely
+ pushes them out on the right side. [m] */
+double SafePenetration(const RigidBody& A, const RigidBody& B);
 
 /** Returns an upper bound on the distance of any point of `body` from the volume that the
  body filled at `before`. For a sphere it is the distance between the centres. [m] */

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <Eigen/LU>
@@ -38,6 +39,16 @@ Eigen::Vector3d WorldInertiaTimes(const Eigen::Matrix3d& R_WB,
 }
 
 namespace {
+
+/** Limits of the iterations of IntegrateWithLeverArms(). */
+constexpr int kMaxCayleyIterations = 50;
+constexpr double kLeastCayleyFraction = 1.0 / 64;
+constexpr int kMaxCayleyParts = 64;
+constexpr double kCayleyRounding = 1e-16;
+/** Greatest error of a solution, relative to the angular momentum in the metric of the
+ kinetic energy. A few roundings of the greatest moment remain, which are more of the
+ least: 100 for a bar of 1 : 10. */
+constexpr double kCayleyTolerance = 1e-12;
 
 /** Relative energy error beyond which a step is divided into sub-steps. A thin rod that
  turns by half a radian in one step doubles its energy. A box of 1 : 4 : 9 that turns by a
@@ -147,6 +158,17 @@ bool SetEnergy(const EnergyLevels& levels, const Eigen::Vector3d& L_W, double ta
   return turn_towards(sign * Eigen::Vector3d::Unit(axis));
 }
 
+/** Returns `end` with its energy set by SetEnergy(), its angular velocity, and whether
+ the energy is right. */
+std::pair<AngularState, bool> Projected(const EnergyLevels& levels,
+                                        const Eigen::Vector3d& L_W, double target,
+                                        double rounding, const Eigen::Vector3d& inverse,
+                                        AngularState end) {
+  const bool is_right = SetEnergy(levels, L_W, target, rounding, end.q_WB);
+  end.w_WB = WorldInertiaTimes(end.q_WB.toRotationMatrix(), inverse, L_W);
+  return {end, is_right};
+}
+
 /** IntegrateAngularMomentum() of a body that is not isotropic. Returns also whether the
  energy is right. */
 std::pair<AngularState, bool> IntegrateAnisotropic(const AngularState& start,
@@ -178,18 +200,19 @@ std::pair<AngularState, bool> IntegrateAnisotropic(const AngularState& start,
   const double L_end_squared = L_end_W.squaredNorm();
   if (!(L_end_squared > 0)) return {end, true};
   const Eigen::Vector3d l_start = (start.q_WB.conjugate() * L_W).normalized();
-  const EnergyLevels levels(inverse, l_start);
-  double target = levels.At(l_start);
-  double rounding = 0;
-  if (!impulse.dL_W.isZero(0)) {
-    const double twice_energy = L_W.squaredNorm() * (levels.reference + target);
-    const double twice_work = 2 * impulse.work.value_or(work);
-    target = (twice_energy + twice_work) / L_end_squared - levels.reference;
-    rounding = kEnergyRounding * (twice_energy + std::abs(twice_work)) / L_end_squared;
-  }
-  const bool is_right = SetEnergy(levels, L_end_W, target, rounding, end.q_WB);
-  end.w_WB = WorldInertiaTimes(end.q_WB.toRotationMatrix(), inverse, L_end_W);
-  return {end, is_right};
+  const EnergyLevels at_start(inverse, l_start);
+  const double level = at_start.At(l_start);
+  if (impulse.dL_W.isZero(0)) return Projected(at_start, L_end_W, level, 0, inverse, end);
+  // After an impulse the angular momentum may be near another axis. Before one from rest,
+  // it has no direction: levels about an axis that it is not near would have rounding
+  // errors for which SetEnergy() would turn the body far.
+  const EnergyLevels at_end(inverse, (end.q_WB.conjugate() * L_end_W).normalized());
+  const double twice_energy = L_W.squaredNorm() * (at_start.reference + level);
+  const double twice_work = 2 * impulse.work.value_or(work);
+  const double target = (twice_energy + twice_work) / L_end_squared - at_end.reference;
+  const double rounding =
+      kEnergyRounding * (twice_energy + std::abs(twice_work)) / L_end_squared;
+  return Projected(at_end, L_end_W, target, rounding, inverse, end);
 }
 
 }  // namespace
@@ -224,6 +247,123 @@ AngularState IntegrateAngularMomentum(const AngularState& start,
   return IntegrateAnisotropic(start, inverse, L_W + impulse.dL_W,
                               {Eigen::Vector3d::Zero(), 0}, h)
       .first;
+}
+
+namespace {
+
+/** Returns D of the differential of the Cayley map, cay(x)⁻¹ d cay(x) = [D dx]×. */
+Eigen::Matrix3d CayleyDifferential(const Eigen::Vector3d& x) {
+  const double scale = 1 / (1 + 0.25 * x.squaredNorm());
+  Eigen::Matrix3d D = scale * Eigen::Matrix3d::Identity();
+  for (int j = 0; j < 3; ++j) D.col(j) -= 0.5 * scale * x.cross(Eigen::Vector3d::Unit(j));
+  return D;
+}
+
+/** Returns the derivative of 2 I x / h − Π₀ − cay(x)ᵀ p with respect to x. `end_B` is
+ Π₁ = cay(x)ᵀ p. */
+Eigen::Matrix3d LeverArmJacobian(const Eigen::Vector3d& x, const Eigen::Vector3d& moments,
+                                 const Eigen::Vector3d& end_B, double h) {
+  Eigen::Matrix3d jacobian = (2 / h * moments).asDiagonal();
+  const Eigen::Matrix3d D = CayleyDifferential(x);
+  for (int j = 0; j < 3; ++j) jacobian.col(j) -= end_B.cross(D.col(j));
+  return jacobian;
+}
+
+}  // namespace
+
+LeverArmState IntegrateWithLeverArms(const AngularState& start,
+                                     const Eigen::Vector3d& moments,
+                                     const Eigen::Vector3d& L_W,
+                                     const Eigen::Vector3d& dL_W, double h) {
+  const auto cayley = [](const Eigen::Vector3d& x) {
+    return Eigen::Quaterniond(1, 0.5 * x[0], 0.5 * x[1], 0.5 * x[2]).normalized();
+  };
+  LeverArmState end;
+  if (IsIsotropic(moments)) {
+    // The energy is a function of L, and the Cayley map has the secant of every arm.
+    end.w_WB = start.w_WB + dL_W / moments[0];
+    end.q_WB = (cayley(0.5 * h * (start.w_WB + end.w_WB)) * start.q_WB).normalized();
+    return end;
+  }
+  // Newton's method for 2 I x / h − Π₀ − cay(x)ᵀ p = 0. A thin bar that turns by a third
+  // of a radian needs damping: the full step may lead away from the solution.
+  const Eigen::Vector3d start_B = start.q_WB.conjugate() * L_W;
+  const Eigen::Vector3d p = start.q_WB.conjugate() * (L_W + dL_W);
+  const auto energy_of = [&](const Eigen::Vector3d& residual) {
+    return residual.dot(residual.cwiseQuotient(moments));
+  };
+  const double size = energy_of(start_B) + energy_of(p);
+  // Solves for a step of `time`, from the initial guess `x`. Returns whether it is
+  // solved.
+  const auto solve = [&](double time, Eigen::Vector3d& x) {
+    const auto residual_at = [&](const Eigen::Vector3d& at) -> Eigen::Vector3d {
+      return 2 / time * moments.cwiseProduct(at) - start_B - cayley(at).conjugate() * p;
+    };
+    Eigen::Vector3d residual = residual_at(x);
+    double error = energy_of(residual);
+    for (int k = 0; k < kMaxCayleyIterations; ++k) {
+      const Eigen::Vector3d end_B = cayley(x).conjugate() * p;
+      const Eigen::Vector3d change =
+          LeverArmJacobian(x, moments, end_B, time).inverse() * residual;
+      double fraction = 1;
+      Eigen::Vector3d next = residual_at(x - change);
+      while (!(energy_of(next) < error) && fraction > kLeastCayleyFraction) {
+        fraction /= 2;
+        next = residual_at(x - fraction * change);
+      }
+      // The convergence is quadratic until roundings are left.
+      if (!(energy_of(next) < error)) break;
+      x -= fraction * change;
+      residual = next;
+      error = energy_of(next);
+      if (change.norm() <= kCayleyRounding * x.norm()) break;
+    }
+    return error <= kCayleyTolerance * kCayleyTolerance * size;
+  };
+  Eigen::Vector3d x = 0.5 * h * (start_B + p).cwiseQuotient(moments);
+  end.is_solved = solve(h, x);
+  // Continuation in the time: each solution is the initial guess of a longer step.
+  for (int parts = 4; !end.is_solved && parts <= kMaxCayleyParts; parts *= 4) {
+    x = 0.5 * h / parts * (start_B + p).cwiseQuotient(moments);
+    end.is_solved = solve(h / parts, x);
+    for (int k = 2; end.is_solved && k <= parts; ++k) {
+      x *= static_cast<double>(k) / (k - 1);
+      end.is_solved = solve(k * h / parts, x);
+    }
+  }
+  end.q_WB = (start.q_WB * cayley(x)).normalized();
+  end.w_WB =
+      WorldInertiaTimes(end.q_WB.toRotationMatrix(), moments.cwiseInverse(), L_W + dL_W);
+  return end;
+}
+
+Eigen::Matrix3d LeverArmResponse(const AngularState& start, const AngularState& end,
+                                 const Eigen::Vector3d& moments, double h) {
+  const Eigen::Quaterniond turn = start.q_WB.conjugate() * end.q_WB;
+  const Eigen::Vector3d x = 2 / turn.w() * turn.vec();
+  const Eigen::Matrix3d R_end = end.q_WB.toRotationMatrix();
+  const Eigen::Vector3d end_B = moments.cwiseProduct(R_end.transpose() * end.w_WB);
+  return R_end * CayleyDifferential(x) *
+         LeverArmJacobian(x, moments, end_B, h).inverse() * R_end.transpose();
+}
+
+Eigen::Vector3d SpinAfterCorrection(const Eigen::Matrix3d& R_from,
+                                    const Eigen::Matrix3d& R_to,
+                                    const Eigen::Vector3d& moments,
+                                    const Eigen::Vector3d& w_WB) {
+  const Eigen::Vector3d w_B = R_from.transpose() * w_WB;
+  const Eigen::Vector3d L_B = moments.cwiseProduct(w_B);
+  const Eigen::Vector3d L_W = R_from * L_B;
+  const Eigen::Vector3d kept_L_B = R_to.transpose() * L_W;
+  const Eigen::Vector3d kept_w_B = kept_L_B.cwiseQuotient(moments);
+  const double kept_energy = kept_w_B.dot(kept_L_B);
+  if (kept_energy == 0) return w_WB;
+  const double scale = std::sqrt(w_B.dot(L_B) / kept_energy);
+  const double change_if_turned = (R_to * L_B - L_W).norm();
+  const double change_if_scaled = std::abs(scale - 1) * L_W.norm();
+  const Eigen::Vector3d w_to_B =
+      change_if_scaled < change_if_turned ? Eigen::Vector3d(scale * kept_w_B) : w_B;
+  return R_to * w_to_B;
 }
 
 Eigen::Vector3d GyroscopicChange(const Eigen::Matrix3d& R_WB,

@@ -56,6 +56,49 @@ AngularState IntegrateAngularMomentum(const AngularState& start,
                                       const Eigen::Vector3d& L_W,
                                       const AngularImpulse& impulse, double h);
 
+/** The result of IntegrateWithLeverArms(). */
+struct LeverArmState : AngularState {
+  bool is_solved = true;  ///< Whether its equation is solved; if not, energy is not kept.
+};
+
+/** Integrates the rotation of a body over a time `h` [s] in which constant forces change
+ its angular momentum from L_W to L_W + dL_W. Each force F acts at the mean r̄ = (r₀ +
+ r₁)/2 of the lever arms to a point of the body before and after, so that dL = Σ r̄ × F.
+ The energy grows by the work Σ F·(r₁ − r₀) to rounding. A constant torque in the sense of
+ IntegrateAngularMomentum() does another work, by O((h ω)²) of itself.
+
+ With the angular momentum Π = Rᵀ L in the body frame, the body turns by the Cayley map:
+
+   R₁ = R₀ cay(x),  x = h I⁻¹ (Π₀ + Π₁)/2,  so that R₁ − R₀ = (R₀ + R₁)/2 [x]×
+
+ and hence Π₁ − Π₀ = −x × (R₀ + R₁)ᵀ (L₀ + L₁)/4 + (R₀ + R₁)ᵀ dL/2. Times x, this is the
+ work (Austin, Krishnaprasad & Wang, J. Comput. Phys. 107, 1993; Simo & Wong, Int. J.
+ Numer. Meth. Eng. 31, 1991). Second order, symmetric in time. The equation has a
+ solution, because it maps a ball of x into itself (Brouwer). If Newton's method does not
+ find it, the solutions of shorter steps lead to it.
+ @pre `moments` > 0, [kg m²]; L_W = R I Rᵀ ω. */
+LeverArmState IntegrateWithLeverArms(const AngularState& start,
+                                     const Eigen::Vector3d& moments,
+                                     const Eigen::Vector3d& L_W,
+                                     const Eigen::Vector3d& dL_W, double h);
+
+/** Returns the derivative of the rotation that IntegrateWithLeverArms() returns: the
+ angle [rad], in the world frame, by which `end` turns further for a change of dL_W.
+ [1/(kg m²/s)] @pre The moments are not equal, and `end` is the result for `start`. */
+Eigen::Matrix3d LeverArmResponse(const AngularState& start, const AngularState& end,
+                                 const Eigen::Vector3d& moments, double h);
+
+/** Returns the angular velocity [rad/s] of a body that is turned from the orientation
+ `R_from` to `R_to` outside of its motion. It keeps the rotational energy, by the one of
+ two rules that changes the angular momentum less: the angular velocity turns with the
+ body, so that the momentum turns by as much; or the momentum keeps its direction. The
+ former is better for a thin bar that spins about its length, the latter for a body that
+ is nearly isotropic. @pre `moments` > 0, [kg m²]. */
+Eigen::Vector3d SpinAfterCorrection(const Eigen::Matrix3d& R_from,
+                                    const Eigen::Matrix3d& R_to,
+                                    const Eigen::Vector3d& moments,
+                                    const Eigen::Vector3d& w_WB);
+
 /** Returns the change of ω [rad/s] by the gyroscopic torque −ω × (I ω) over a time `h`
  [s], as `rule` computes it; for kExact, the explicit estimate. */
 Eigen::Vector3d GyroscopicChange(const Eigen::Matrix3d& R_WB,

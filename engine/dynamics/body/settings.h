@@ -45,7 +45,7 @@ struct Settings {
   /** Number of solver iterations over all contacts and joints in every step, unless they
    converge earlier. Normal impulses of contacts are over-relaxed in all of them except
    the last. More iterations may follow, see `iteration_budget`. */
-  int impulse_iterations = 7;
+  int impulse_iterations = 10;
   /** Iterations × constraints of a step, on average. The part that
    `impulse_iterations` do not use is spent on islands that have not converged yet. A
    single step may spend 30 times as much more if steps before or after it spend less: new
@@ -88,11 +88,12 @@ struct Settings {
    the energy of piles that rock; under a constant load the contact is rigid. Greater than
    0; infinite: contacts are always rigid. Not used with Stabilisation::kSoft, for
    impacts, or without warm starting. [Hz]
-   docs/decisions/0050-contacts-yield-under-varying-loads.md */
-  double contact_frequency = 85;
+   docs/decisions/0050-contacts-yield-under-varying-loads.md
+   docs/decisions/0079-springs-of-contacts-keep-their-sag.md */
+  double contact_frequency = 110;
   /** Retardation time of that spring and damper: stiffness × this is the damping. > 0 [s]
    */
-  double contact_retardation = 0.28;
+  double contact_retardation = 0.6;
   /** Continuous collision: bodies in free flight collide at their time of impact, not at
    the start of the step that finds them in penetration. */
   bool continuous_collision = true;
@@ -104,10 +105,11 @@ struct Settings {
    starting: all that rests on it sinks in. At 0.45, a pile of 30 layers was 96 mm deep.
  */
   double position_correction_fraction = 0.2;
-  /** Depth that position correction leaves, against jitter. Absent: the automatic
+  /** Depth that position correction leaves, against jitter; a contact that yields keeps
+   the sag of its spring under its mean load as well. Absent: the automatic
    speculative margin, even if `speculative_margin` is set. [m] */
   std::optional<double> penetration_slop;
-  int position_iterations = 4;
+  int position_iterations = 3;
   /** Separation below which speculative contacts are kept, so that rounding does not take
    a corner from a box at rest. Absent: automatic, 2 a h², with the sub-step h: the
    distance that a body at rest would travel in two sub-steps under its load a. With

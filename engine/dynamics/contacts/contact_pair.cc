@@ -103,10 +103,7 @@ void UpdateManifolds(const ContactOptions& options, std::span<const RigidBody> b
     if (HasSameFeatures(old[k], pairs[k]->manifold)) continue;
     const RigidBody& A = *batch[k].A;
     const RigidBody& B = *batch[k].B;
-    const double smaller = A.is_static()   ? B.radius
-                           : B.is_static() ? A.radius
-                                           : std::min(A.radius, B.radius);
-    TransferImpulses(old[k], kMatchDistance * smaller, *pairs[k]);
+    TransferImpulses(old[k], kMatchDistance * SmallerRadius(A, B), *pairs[k]);
   }
 }
 

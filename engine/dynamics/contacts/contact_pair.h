@@ -13,6 +13,8 @@ namespace cookbook {
 
 /** A contact pair, two bodies that touch or nearly do: the manifold, and the impulses of
  the last step for warm starting. */
+// The padding is that of cache lines.
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding)
 struct alignas(64) ContactPair {
   int A = 0;             ///< Index of a body.
   int B = 0;             ///< Index of a body.
@@ -23,6 +25,9 @@ struct alignas(64) ContactPair {
   /** Mean normal impulse of a sub-step at each contact point, see
    Settings::contact_frequency. [N s] */
   std::array<double, 8> mean_load{};
+  /** The time in which the impulses and mean loads acted: the last sub-step, or the part
+   of it that was solved last. 0: that of the next one. [s] */
+  double impulse_time = 0;
   int loaded_steps = 0;  ///< Sub-steps since the pair first was at rest under a load.
 };
 

@@ -4,7 +4,7 @@
 
 namespace cookbook {
 Impact::Impact() {
-  // Enough for most impacts, which then allocate nothing.
+  // Most impacts need no more. The first ones allocate the memory of the iterations.
   constexpr std::size_t kMany = 64;
   members_.reserve(kMany);
   bodies_.reserve(kMany);
@@ -17,9 +17,12 @@ Impact::Impact() {
   summaries_.reserve(kMany);
 }
 
-void Impact::BeginStep(std::size_t bodies) {
+void Impact::BeginStep(std::size_t bodies, const Settings& settings) {
   local_index_.resize(bodies, -1);
+  iteration_budget_.Spend(work_spent_ + work_spent_on_less_restitution_, settings, 0);
+  allowed_work_ = iteration_budget_.Remaining(settings, 0);
   work_spent_ = 0;
+  work_spent_on_less_restitution_ = 0;
 }
 
 void Impact::AddBody(int body, const RigidBody& now) {
@@ -41,26 +44,27 @@ void Impact::AddContacts(const ContactPair& pair) {
   summaries_.push_back({added.A, added.B, added.manifold.count});
 }
 
+bool Impact::Iterate(const StepContext& step, long& work_spent) {
+  const Settings& settings = step.settings;
+  for (int k = 1;; ++k) {
+    work_spent += solver_.constraint_count();
+    if (solver_.Iterate(after_, step.pool) <= settings.residual * solver_.max_speed())
+      return true;
+    if (k >= settings.impulse_iterations && work_spent > allowed_work_) return false;
+    solver_.Accelerate(after_);
+  }
+}
+
 void Impact::Solve(const StepContext& step, std::vector<ContactPair>& impact_contacts) {
   before_.emplace_back();
   contact_flags_.assign(members_.size(), ContactFlags{});
   after_.assign(before_.begin(), before_.end());
   const SolverBodies bodies{bodies_, inertias_, before_, after_, static_};
-  const auto iterate = [&] {
-    const Settings& settings = step.settings;
-    for (int k = 0;
-         k < settings.impulse_iterations || work_spent_ <= settings.iteration_budget;
-         ++k) {
-      work_spent_ += solver_.constraint_count();
-      if (solver_.Iterate(after_, step.pool) <= settings.residual * solver_.max_speed())
-        break;
-    }
-  };
   solver_.Begin(pairs_, summaries_, bodies, step);
-  iterate();
+  const bool has_converged = Iterate(step, work_spent_);
   const ContactSolver::Problem problem{pairs_, bodies, step, contact_flags_};
-  if (solver_.Finish(problem, before_)) {
-    iterate();
+  if (solver_.Finish(problem, before_, has_converged)) {
+    Iterate(step, work_spent_on_less_restitution_);
     solver_.FinishWithLessRestitution(problem, before_);
   }
   for (const ContactPair& pair : pairs_) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/dynamics/solver/contact_solver.h"
+#include "engine/dynamics/solver/iteration_budget.h"
 #include "engine/dynamics/solver/step_context.h"
 
 namespace cookbook {
@@ -16,8 +17,9 @@ class Impact {
   Impact();
 
   /** Begins a step of a world of `bodies` bodies. All impacts of a step share one
-   iteration budget. */
-  void BeginStep(std::size_t bodies);
+   iteration budget, and a second one for solutions with less restitution. A step with a
+   slow impact may overdraw it, see IterationBudget. */
+  void BeginStep(std::size_t bodies, const Settings& settings);
 
   /** Adds body `body` of the world, in its state `now` at the time of impact.
    @pre !Contains(body) */
@@ -43,11 +45,8 @@ class Impact {
    `impact_contacts`. */
   void Solve(const StepContext& step, std::vector<ContactPair>& impact_contacts);
 
-  // Results of Solve() for the k-th member.
+  /** Returns the velocity of the k-th member after Solve(). */
   Velocity VelocityAfter(std::size_t k) const { return after_[k]; }
-  Velocity VelocityChange(std::size_t k) const {
-    return {after_[k].v - before_[k].v, after_[k].w - before_[k].w};
-  }
   /** Greatest relative velocity of a contact before the impact. [m/s] */
   double max_approach_speed() const { return solver_.max_speed(); }
 
@@ -55,8 +54,16 @@ class Impact {
   void Clear();
 
  private:
+  /** Iterates until the impulses are found or the budget is spent; returns which.
+   `work_spent`: iterations × constraints in this step so far. */
+  bool Iterate(const StepContext& step, long& work_spent);
+
   ContactSolver solver_{1};
-  int work_spent_ = 0;  ///< Iterations × constraints in this step.
+  // See Iterate().
+  long work_spent_ = 0;
+  long work_spent_on_less_restitution_ = 0;
+  long allowed_work_ = 0;  ///< Of this step.
+  IterationBudget iteration_budget_;
   /** Indexed by body of the world: its index here, or −1. */
   std::vector<int> local_index_;
   std::vector<int> members_;

@@ -27,12 +27,17 @@ namespace cookbook {
  energies.
 
  The other dynamic bodies are constrained: they move as contacts, joints and springs
- allow. If one of them is hit, its whole island takes part in the impact. The resulting
- change of velocity acts from the time of impact on.
+ allow. If one of them is hit, its whole island takes part in the impact. The body is
+ followed backwards from the end of the step, at the acceleration that led it there: none
+ if it has landed, whose contacts have acted at the start of the step; that of gravity
+ along a slope on which it slides. So an impact takes energy from the state that it
+ changes. If no contact of the island bears a load in the step, the body was in free
+ flight all the time.
 
  Some impacts are left to the next step, which finds the bodies in penetration:
   - on an island that has more than 32 bodies, a joint or a spring;
-  - of a body in free flight after its eighth impact in the step;
+  - of a body in free flight after its 256th impact in the step, where it waits; others
+    may pass into it;
   - between two constrained bodies;
   - between a body sped up by an impact and a sleeping body it could not otherwise reach.
  Thin bodies may tunnel there. */
@@ -135,6 +140,9 @@ class ImpactSolver {
   }
   /** Fills the lists of the contacts of each island. */
   void BuildContactLists(std::span<const PairSummary> summaries);
+  /** Calls `visit(pair)` for each contact pair of the island of a constrained body. */
+  template <class Visit>
+  void ForEachContactOfIsland(int body, const StepEnd& end, const Visit& visit);
   /** Whether an impact of the candidate is resolved in this step. */
   bool IsEligible(const ImpactCandidate& candidate) const;
   /** Returns the next time of impact from `from` on; infinite: none. [s] */
@@ -151,6 +159,8 @@ class ImpactSolver {
   /** Adds all contacts of the bodies of the current impact at time `t`, and with them the
    other bodies. */
   void GatherContacts(double t, const StepEnd& end);
+  /** Returns whether a contact of the island of a constrained body has an impulse. */
+  bool BearsLoad(int body, const StepEnd& end);
   /** Adds the bodies and contacts of the island of a constrained body. */
   void AddIsland(int body, double t, const StepEnd& end);
   /** Begins the flight of a body without an impact so far: backwards from its state after
@@ -184,7 +194,6 @@ class ImpactSolver {
   /** Indexed by body: acceleration due to gravity and forces alone. [m/s²] */
   std::vector<Eigen::Vector3d> accelerations_;
   std::vector<Support> supports_;
-  std::vector<Velocity> velocity_changes_;  ///< Indexed by body: sum over its impacts.
   ImpactQueue queue_;
   std::vector<int> neighbours_;  ///< New neighbours of one body.
   std::vector<ContactPair> impact_contacts_;

@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "engine/dynamics/body/rigid_body.h"
 #include "engine/dynamics/body/time_of_fall.h"
 #include "engine/dynamics/contacts/collide_bodies.h"
 
 namespace cookbook {
 namespace {
 
-/** Maximum number of collision queries. About three suffice, eight with rotation, and up
- to a hundred for a plate that turns by several radians in a step at a wall. */
-constexpr int kMaxIterations = 256;
+/** Maximum number of collision queries. About three suffice, eight with rotation. A thin
+ bar that turns by many radians in a step beside a thin wall takes thousands: each query
+ advances by at least the time in which its tip could pass half of both thicknesses. */
+constexpr int kMaxIterations = 1 << 17;
 
 /** Gap below which bodies touch, as a fraction of the smaller radius. It is also the
  error of the position at the impact. */
@@ -19,6 +22,18 @@ constexpr double kContactTolerance = 1e-10;
 
 /** An impact in this last fraction of the step is left to the next step. */
 constexpr double kEndOfStep = 1e-9;
+
+/** Width of a bracket, as a fraction of the step, at which the search ends. Where the
+ axis of least penetration changes, the gap jumps past zero, and no time is its root. */
+constexpr double kLeastBracket = 1e-12;
+
+/** Depth to which another contact of two bodies that touch may close before it counts as
+ late, as a fraction of the smaller radius; at least the speculative margin. */
+constexpr double kLateDepth = 1e-3;
+
+/** Width of the bracket, as a fraction of the step, at which the search for the time of
+ such a contact ends. */
+constexpr double kLateBracket = 1e-6;
 
 /** Interval between queries, as a fraction of the step, while bodies touch without an
  impact: another contact may become one soon. */
@@ -69,6 +84,9 @@ struct Bracket {
     has_both = true;
   }
 
+  /** Returns whether the bracket is too narrow to be divided. */
+  bool IsClosed(double h) const { return has_both && upper - lower <= kLeastBracket * h; }
+
   /** Halves the gap of the other end if the same end moves twice, so that both ends
    converge: the Illinois rule (Dowell & Jarratt, BIT 11, 1971). */
   void ApplyIllinoisRule(int side, double& other_gap) {
@@ -76,8 +94,10 @@ struct Bracket {
     last_side = side;
   }
 
-  /** Returns the root of the linear interpolation (regula falsi). [s] */
-  double Interpolate() const {
+  /** Returns the root of the linear interpolation (regula falsi), the upper end if the
+   bracket is closed. [s] */
+  double Next(double h) const {
+    if (IsClosed(h)) return upper;
     return lower + (upper - lower) * lower_gap / (lower_gap - upper_gap);
   }
 };
@@ -90,12 +110,6 @@ Eigen::Vector3d SupportPoint(const Eigen::Vector3d& n_W, const RigidBody& body) 
   const Eigen::Vector3d n_B = body.R_WB.transpose() * n_W;
   const Eigen::Array3d sides = (n_B.array() < 0).select(-Eigen::Array3d::Ones(), 1.0);
   return body.state.p_WB + body.R_WB * (sides * box->half_extents.array()).matrix();
-}
-
-/** Returns the greatest penetration of two bodies from which collision detection surely
- pushes them out on the right side. [m] */
-double SafePenetration(const RigidBody& A, const RigidBody& B) {
-  return 0.5 * (InnerRadius(A) + InnerRadius(B));
 }
 
 /** Two bodies at a time between their impacts, and bounds on their motion. */
@@ -156,9 +170,7 @@ double AdvancementTime(const Approach& approach, double gap, double h) {
 }  // namespace
 
 double ContactTolerance(const RigidBody& A, const RigidBody& B) {
-  return kContactTolerance * (A.is_static()   ? B.radius
-                              : B.is_static() ? A.radius
-                                              : std::min(A.radius, B.radius));
+  return kContactTolerance * SmallerRadius(A, B);
 }
 
 Manifold CollideAtImpact(const RigidBody& A, const RigidBody& B) {
@@ -176,21 +188,26 @@ ContactPhase PhaseAt(const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_AB_W,
                      const RigidBody& A, const RigidBody& B,
                      const Eigen::Vector3d& a_AB_W, double load_acceleration,
                      const ImpactRules& rules) {
-  const Eigen::Vector3d v_A = PointVelocity(A, p_W);
-  const Eigen::Vector3d v_B = PointVelocity(B, p_W);
-  const double normal_velocity = n_AB_W.dot(v_B - v_A);
+  const Eigen::Vector3d& v_A = A.state.v_WB;
+  const Eigen::Vector3d& v_B = B.state.v_WB;
+  const Eigen::Vector3d u_A = A.state.w_WB.cross(p_W - A.state.p_WB);
+  const Eigen::Vector3d u_B = B.state.w_WB.cross(p_W - B.state.p_WB);
+  const double normal_velocity = n_AB_W.dot(v_B + u_B - v_A - u_A);
   const double velocity_change = rules.h * n_AB_W.dot(a_AB_W);
   const double threshold = rules.restitution_threshold_factor *
                            (rules.h * load_acceleration + std::abs(velocity_change));
   if (normal_velocity > threshold) return ContactPhase::kSeparating;
   // Most contacts rest. The 1-norm decides these without a square root.
   const double smaller = std::min(normal_velocity, velocity_change);
+  // The terms, not their sum: a point of a rolling body is at rest.
   const double tolerance_bound =
-      kRelativeSpeedTolerance * (v_A.lpNorm<1>() + v_B.lpNorm<1>());
+      kRelativeSpeedTolerance *
+      (v_A.lpNorm<1>() + u_A.lpNorm<1>() + v_B.lpNorm<1>() + u_B.lpNorm<1>());
   if (smaller < -tolerance_bound && normal_velocity >= -threshold)
     return ContactPhase::kResting;
   if (smaller >= 0) return ContactPhase::kSeparating;
-  const double tolerance = kRelativeSpeedTolerance * (v_A.norm() + v_B.norm());
+  const double tolerance =
+      kRelativeSpeedTolerance * (v_A.norm() + u_A.norm() + v_B.norm() + u_B.norm());
   if (normal_velocity >= -tolerance && velocity_change >= -tolerance)
     return ContactPhase::kSeparating;
   return normal_velocity < -std::max(threshold, tolerance) ? ContactPhase::kImpacting
@@ -203,9 +220,16 @@ std::optional<double> TimeOfImpact(const FreeFlight& A, const FreeFlight& B, dou
   const Eigen::Vector3d load_acceleration_AB_W =
       B.load_acceleration_W - A.load_acceleration_W;
   const double tolerance = ContactTolerance(A.start, B.start);
+  const double late_depth = std::max(SpeculativeMarginBetween(A.start, B.start),
+                                     kLateDepth * SmallerRadius(A.start, B.start));
   const double h = rules.h;
   double t = from;
   Bracket bracket;
+  // The last time at which they touched without an impact, the gap then, and a later time
+  // at which they are deeper, with an impact: another contact closes between the two.
+  double touching = -1;  // < 0: none
+  double touching_gap = 0;
+  double late = HUGE_VAL;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const RigidBody a = A.ShapeAt(t, rules.gyroscopic);
     const RigidBody b = B.ShapeAt(t, rules.gyroscopic);
@@ -213,18 +237,30 @@ std::optional<double> TimeOfImpact(const FreeFlight& A, const FreeFlight& B, dou
     const double gap = manifold.separation;
     if (gap > tolerance) {
       if (t >= h) return std::nullopt;
+      touching = -1;
+      late = HUGE_VAL;
       bracket.SetLower(t, gap);
       t = bracket.has_both
-              ? bracket.Interpolate()
+              ? bracket.Next(h)
               : std::min(h, t + AdvancementTime({a, b, manifold.n_AB_W, a_AB_W}, gap, h));
-    } else if (gap < -tolerance && bracket.has_lower) {
+    } else if (gap < -tolerance && bracket.has_lower && !bracket.IsClosed(h)) {
       bracket.SetUpper(t, gap);
-      t = bracket.Interpolate();
+      t = bracket.Next(h);
     } else {
       if (t >= (1 - kEndOfStep) * h) return std::nullopt;
-      if (HasImpact(manifold, a, b, load_acceleration_AB_W, rules)) return t;
+      const bool has_impact = HasImpact(manifold, a, b, load_acceleration_AB_W, rules);
+      if (has_impact && (touching < 0 || gap >= std::min(touching_gap, 0.0) - late_depth))
+        return t;
+      (has_impact ? late : touching) = t;
+      if (!has_impact) touching_gap = gap;
       bracket = {};
-      t = std::min(h, t + AdvancementTime({a, b, manifold.n_AB_W, a_AB_W}, gap, h));
+      if (late == HUGE_VAL) {
+        t = std::min(h, t + AdvancementTime({a, b, manifold.n_AB_W, a_AB_W}, gap, h));
+      } else if (late - touching > kLateBracket * h) {
+        t = std::midpoint(touching, late);
+      } else {
+        return late;
+      }
     }
   }
   return std::nullopt;

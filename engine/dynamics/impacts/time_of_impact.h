@@ -14,8 +14,8 @@ struct ImpactRules {
   Gyroscopic gyroscopic;
 };
 
-/** A relative velocity below this fraction of the speeds of both bodies is treated as
- zero: rounding and the solver leave that much. */
+/** A relative velocity below this fraction of the speeds of both bodies, by translation
+ and by rotation, is treated as zero: rounding and the solver leave that much. */
 inline constexpr double kRelativeSpeedTolerance = 1e-12;
 
 /** The motion of two bodies at a contact. */
@@ -52,9 +52,12 @@ bool MayTunnel(const RigidBody& A, const RigidBody& B, double distance);
 
  With rotation, the advancement is not conservative: its length follows from the support
  points that face each other, and is a quarter of a step if these do not meet or if the
- bodies touch already. So a contact that rotation alone causes may be detected late, but
- before the bodies can be so deep in each other that they leave on the wrong side. Bounds
- assume the angular velocity at the start of the step. */
+ bodies touch already. If another contact of two bodies that touch is deep by then, its
+ time is bisected. Otherwise a contact that rotation alone causes may be detected late,
+ but before the bodies can be so deep in each other that they leave on the wrong side.
+ Bounds assume the angular velocity at the start of the step. They do not hold for a body
+ without symmetry that turns by tens of radians in a step: its turn is integrated too
+ coarsely. */
 std::optional<double> TimeOfImpact(const FreeFlight& A, const FreeFlight& B, double from,
                                    const ImpactRules& rules);
 

@@ -11,6 +11,8 @@ namespace {
  and the places of the anchors: a few roundings. */
 constexpr double kLengthTolerance = 1e-15;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 /** Returns d / |d|; any direction if the anchors coincide. */
 Eigen::Vector3d Direction(const Eigen::Vector3d& d) {
   const double length = d.norm();
@@ -93,6 +95,25 @@ double JointSolver::MaxVelocityChange() const {
     if (constraints_[k].effective_mass == 0) continue;
     greatest =
         std::max(greatest, std::abs(impulses_[k]) / constraints_[k].effective_mass);
+  }
+  return greatest;
+}
+
+double JointSolver::MaxError(std::span<const DistanceJoint> joints,
+                             std::span<const RigidBody> after) const {
+  double greatest = 0;
+  for (std::size_t k = 0; k < constraints_.size(); ++k) {
+    const Constraint& constraint = constraints_[k];
+    if (constraint.effective_mass == 0) continue;
+    const AnchorPoint a = LocateAnchor(joints[k].A, after);
+    const AnchorPoint b = LocateAnchor(joints[k].B, after);
+    const Eigen::Vector3d d = b.p_W - a.p_W;
+    const double stretch = d.norm() - constraint.length;
+    const double worked = constraint.axis.n.dot(d - constraint.d_start);
+    const double size = a.p_W.norm() + b.p_W.norm() + constraint.length;
+    const double error = std::max(std::abs(stretch), std::abs(worked)) / size;
+    if (std::isnan(error)) return kInfinity;
+    greatest = std::max(greatest, error);
   }
   return greatest;
 }

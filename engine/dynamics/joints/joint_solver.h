@@ -30,6 +30,9 @@ class JointSolver {
   /** Sets the impulses that WarmStart() applies to zero. */
   void ResetImpulses() { impulses_.assign(impulses_.size(), 0); }
 
+  /** The impulses of the rods along their mean directions, on B. [N s] */
+  std::span<double> impulses() { return impulses_; }
+
   /** Applies the impulses of the previous step, scaled to a step of `h` [s]. */
   void WarmStart(std::span<Velocity> velocities, double h);
 
@@ -40,6 +43,12 @@ class JointSolver {
   /** Returns the greatest change of a relative velocity by the accumulated impulse of a
    rod alone. [m/s] */
   double MaxVelocityChange() const;
+
+  /** Returns the greatest error of a rod between bodies that end the step at `after`:
+   that of its length, or the distance along which its impulse does work, relative to the
+   length and the places of its anchors. */
+  double MaxError(std::span<const DistanceJoint> joints,
+                  std::span<const RigidBody> after) const;
 
   /** Relinearizes the constraints about `after`, the poses that the bodies would have at
    the end of the step. `moved_fraction`, indexed by body, is the fraction of a change of

@@ -128,7 +128,6 @@ template <class Real>
 void ConstraintGroup<Real>::FreezeConvergedIslands(double solved,
                                                    std::span<const int> islands,
                                                    std::span<double> island_changes) {
-  if (min_change_ > solved) return;  // No pair has converged, hence no island.
   // The island of a pair is that of a moving body; if both move, they have the same.
   const auto change_of = [&](const ConstraintBatch<Real>& batch,
                              std::size_t lane) -> double& {

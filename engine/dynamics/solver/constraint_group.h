@@ -43,6 +43,9 @@ class ConstraintGroup {
    see SolveContacts(). */
   double Iterate(double relaxation, Velocities velocities, ThreadPool& pool);
 
+  /** Least change of a relative velocity of a pair in the last iteration. [m/s] */
+  double min_change() const { return min_change_; }
+
   /** Deactivates each island in which the last iteration changed no relative velocity by
    more than `solved` [m/s]. The accuracy of an island then does not depend on the others.
    `islands`, indexed by body, is the root of the body's island; `island_changes` is

@@ -72,6 +72,7 @@ struct alignas(kAlignment<Real>) ContactConstraintLanes {
 template <class Real>
 struct alignas(kAlignment<Real>) ContactColdLanes {
   Lanes<Real> separation;       ///< [m]
+  Lanes<Real> slop;             ///< Depth that is tolerated. [m]
   Lanes<Real> used;             ///< 1; 0 if the pair has no such contact.
   Lanes<Real> bounces;          ///< 1 if restitution applies.
   Lanes<Real> steady;           ///< 1 if its normal speed before the step was small.
@@ -101,7 +102,8 @@ struct alignas(kAlignment<Real>) ConstraintBatch {
   TensorLanes<Real> inverse_inertia_B;
   Lanes<Real> restitution;
   Lanes<Real> load_speed;  ///< h LoadAccelerationOn(): loads add it in a step. [m/s]
-  Lanes<Real> slop;        ///< Depth that is tolerated. [m]
+  Lanes<Real> slop;        ///< Depth that is tolerated of a rigid contact. [m]
+  Lanes<Real> max_sag;     ///< Greatest sag of a contact that yields. [m]
   /** Greatest deviation from the mean load to which contacts yield. 0 if the pair has no
    mean load yet; ∞ with Stabilisation::kSoft. [N s] */
   Lanes<Real> max_deviation;
@@ -112,6 +114,7 @@ struct ContactParameters {
   double h;                             ///< Time step. [s]
   double restitution_threshold_factor;  ///< See Settings.
   double restitution_factor;            ///< 1, or 0 to solve without restitution.
+  bool impacts_resolved;                ///< See ContactSolver::Begin().
   double baumgarte;                     ///< Speed per depth beyond the slop, or 0. [1/s]
   double soft_rate;                     ///< Speed per depth beyond the slop, or 0. [1/s]
   double soft_mass_scale;               ///< 1 for hard contacts.
@@ -119,6 +122,9 @@ struct ContactParameters {
   /** Fraction of the deviation from its mean load that a contact gives up: 0 if it is
    rigid. The damper (1 − yield)/yield m/h, stepped implicitly. */
   double yield;
+  /** 1 / (h (2π f)²): the spring of a contact sags by this times k λ̄ under its mean load.
+   0 if contacts are rigid. [s] */
+  double sag_time;
   double mean_load_fraction;  ///< By which the mean load follows the load.
   bool accumulated;           ///< See Settings::accumulated_impulses.
   bool warm_starting;         ///< Whether to start from the impulses of the pairs.

@@ -21,7 +21,7 @@ constexpr int kGroupContacts = 1000;
 /** A group of more contacts is solved by all threads together, colour after colour. */
 constexpr int kSharedGroupContacts = 2 * kGroupContacts;
 /** Over-relaxation of the normal impulses in the first iterations. A stack passes on
- loads faster: seven such iterations leave less error than eight without over-relaxation.
+ loads faster: seven such iterations left less error than eight without over-relaxation.
  */
 constexpr double kRelaxation = 1.4;
 /** Number of contacts from which solving groups in parallel pays. */
@@ -41,6 +41,7 @@ ContactParameters MakeContactParameters(const Settings& settings, double h,
   const double yield_omega = 2 * std::numbers::pi * settings.contact_frequency;
   const double damping = yield_omega * yield_omega * settings.contact_retardation;
   parameters.yield = may_yield ? 1 / (1 + damping * h) : 0;
+  parameters.sag_time = may_yield ? 1 / (h * yield_omega * yield_omega) : 0;
   parameters.mean_load_fraction = h / (h + settings.contact_retardation);
   if (settings.stabilisation == Stabilisation::kBaumgarte) {
     parameters.baumgarte = settings.position_correction_fraction / h;
@@ -188,17 +189,19 @@ void ContactSolver::Solve(std::span<ContactPair> pairs,
   if (contact_count_ == 0) return;
   const Problem problem{pairs, bodies, step, contact_flags};
   free_velocities_.assign(bodies.velocities.begin(), bodies.velocities.end());
-  const long extra_work = iteration_budget_.Remaining(step.settings, contact_count_);
-  const bool may_converge = extra_work >= contact_count_;
+  const long remaining = iteration_budget_.Remaining(step.settings, contact_count_);
+  const bool may_converge = remaining >= contact_count_;
+  const long extra_work = may_converge ? remaining : 0;
   // One group if they may converge: iterations that one island does not need are
   // available to the others.
   DivideIntoGroups(bodies.is_static, may_converge ? contact_count_ : kGroupContacts);
   SortPairs();
   is_single_precision_ =
       step.settings.single_precision && !may_converge && bodies.fit_single_precision;
-  const long work_spent = SolveGroups(problem, 1, extra_work);
+  has_converged_ = true;
+  long work_spent = SolveGroups(problem, 1, extra_work);
   if (AddsEnergy(problem, free_velocities_)) {
-    SolveGroups(problem, 0, extra_work);
+    work_spent += SolveGroups(problem, 0, extra_work);
     BlendRestitution(problem);
   }
   iteration_budget_.Spend(work_spent, step.settings, contact_count_);
@@ -218,20 +221,25 @@ long ContactSolver::SolveGroups(const Problem& problem, double restitution_facto
 
 void ContactSolver::Begin(std::span<const ContactPair> pairs,
                           std::span<const PairSummary> summaries,
-                          const SolverBodies& bodies, const StepContext& step) {
+                          const SolverBodies& bodies, const StepContext& step,
+                          bool impacts_resolved) {
   BuildConstraintGraph(summaries, bodies.is_static);
-  BeginWholeWorld(pairs, bodies, step, 1);
+  BeginWholeWorld(pairs, bodies, step, 1, impacts_resolved);
 }
 
 void ContactSolver::BeginWholeWorld(std::span<const ContactPair> pairs,
                                     const SolverBodies& bodies, const StepContext& step,
-                                    double restitution_factor) {
+                                    double restitution_factor, bool impacts_resolved) {
   is_single_precision_ = false;
+  acceleration_.Reset();
   DivideIntoGroups(bodies.is_static, contact_count_);
   SortPairs();
-  whole_world_.Begin(sorted_pairs_, pairs, bodies,
-                     MakeContactParameters(step.settings, step.h, restitution_factor),
-                     bodies.velocities, step.pool);
+  ContactParameters parameters =
+      MakeContactParameters(step.settings, step.h, restitution_factor);
+  parameters.impacts_resolved = impacts_resolved;
+  if (impacts_resolved) parameters.yield = parameters.sag_time = 0;
+  whole_world_.Begin(sorted_pairs_, pairs, bodies, parameters, bodies.velocities,
+                     step.pool);
 }
 
 double ContactSolver::Iterate(std::span<Velocity> velocities, ThreadPool& pool) {
@@ -253,10 +261,12 @@ void ContactSolver::StoreSolution(const Problem& problem,
   StoreImpulses(problem.pairs, problem.step, problem.contact_flags);
 }
 
-bool ContactSolver::Finish(const Problem& problem, std::span<const Velocity> free) {
+bool ContactSolver::Finish(const Problem& problem, std::span<const Velocity> free,
+                           bool has_converged) {
   StoreSolution(problem, free);
+  has_converged_ = has_converged;
   if (!AddsEnergy(problem, free)) return false;
-  BeginWholeWorld(problem.pairs, problem.bodies, problem.step, 0);
+  BeginWholeWorld(problem.pairs, problem.bodies, problem.step, 0, false);
   return true;
 }
 
@@ -269,9 +279,10 @@ void ContactSolver::FinishWithLessRestitution(const Problem& problem,
 bool ContactSolver::AddsEnergy(const Problem& problem, std::span<const Velocity> free) {
   const std::span<const ContactFlags> flags = problem.contact_flags;
   const auto bounced = [](const ContactFlags& body) { return body.bounced; };
-  if (std::none_of(flags.begin(), flags.end(), bounced)) return false;
+  if (has_converged_ && std::none_of(flags.begin(), flags.end(), bounced)) return false;
   const SolverBodies& bodies = problem.bodies;
-  if (!restitution_limit_.Exceeds(problem.pairs, bodies, free, island_roots_))
+  if (!restitution_limit_.Exceeds(problem.pairs, coloured_pairs_, bodies, free,
+                                  island_roots_))
     return false;
   bounce_flags_.assign(flags.begin(), flags.end());
   std::copy(free.begin(), free.end(), bodies.velocities.begin());
@@ -281,7 +292,7 @@ bool ContactSolver::AddsEnergy(const Problem& problem, std::span<const Velocity>
 
 void ContactSolver::BlendRestitution(const Problem& problem) {
   std::copy(bounce_flags_.begin(), bounce_flags_.end(), problem.contact_flags.begin());
-  restitution_limit_.Blend(problem.pairs, problem.bodies, island_roots_);
+  restitution_limit_.Blend(problem.pairs, coloured_pairs_, problem.bodies, island_roots_);
 }
 
 template <class Real>
@@ -300,18 +311,21 @@ long ContactSolver::IterateGroup(ConstraintGroup<Real>& group, const Problem& pr
   if constexpr (std::is_same_v<Real, double>) {
     if (extra_work < group.constraint_count()) return 0;
     // Islands that have not converged yet may be in static equilibrium.
-    if (settings.static_equilibrium && parameters.accumulated &&
-        parameters.soft_impulse_scale == 0 && parameters.baumgarte == 0) {
-      static_equilibrium_.Solve(group.view(), island_roots_, solved, problem.bodies,
-                                velocities);
-    }
+    const bool any_rests = settings.static_equilibrium && parameters.accumulated &&
+                           parameters.soft_impulse_scale == 0 &&
+                           parameters.baumgarte == 0 &&
+                           static_equilibrium_.Solve(group.view(), island_roots_, solved,
+                                                     problem.bodies, velocities);
     island_changes_.resize(velocities.size());
-    for (;;) {
+    for (bool any_is_solved = any_rests;; any_is_solved = false) {
       // Spend the work on the islands that have not converged.
-      group.FreezeConvergedIslands(solved, island_roots_, island_changes_);
+      if (any_is_solved || group.min_change() <= solved)
+        group.FreezeConvergedIslands(solved, island_roots_, island_changes_);
       spent += std::max(1, group.constraint_count());
-      if (spent > extra_work || group.Iterate(1, velocities, pool) <= solved) break;
+      has_converged_ = spent <= extra_work;
+      if (!has_converged_ || group.Iterate(1, velocities, pool) <= solved) break;
     }
+    if (any_rests) static_equilibrium_.Apply(group.view(), velocities);
   }
   return spent;
 }

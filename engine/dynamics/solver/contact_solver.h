@@ -8,6 +8,7 @@
 #include "engine/dynamics/contacts/contact_pair.h"
 #include "engine/dynamics/solver/constraint_group.h"
 #include "engine/dynamics/solver/contact_constraint.h"
+#include "engine/dynamics/solver/iteration_acceleration.h"
 #include "engine/dynamics/solver/iteration_budget.h"
 #include "engine/dynamics/solver/restitution_limit.h"
 #include "engine/dynamics/solver/static_equilibrium.h"
@@ -98,24 +99,39 @@ class ContactSolver {
   // solved as a whole, in double precision.
 
   /** Prepares the constraints of all pairs with contacts, and warm starts the velocities.
-   */
+   `impacts_resolved`: whether the impacts of the step have been resolved before it. Then
+   no contact bounces or yields, and bodies are taken to move by the mean of their
+   velocities before and after the step: the target is min(0, −u₀·n), so that a normal
+   impulse never does positive work. A speculative contact that approaches faster than the
+   threshold is off. */
   void Begin(std::span<const ContactPair> pairs, std::span<const PairSummary> summaries,
-             const SolverBodies& bodies, const StepContext& step);
+             const SolverBodies& bodies, const StepContext& step,
+             bool impacts_resolved = false);
   /** One iteration over all active contacts. Returns the greatest change of a relative
    velocity. [m/s] */
   double Iterate(std::span<Velocity> velocities, ThreadPool& pool);
+  /** Moves the solution on between two iterations, see IterationAcceleration. */
+  void Accelerate(std::span<Velocity> velocities) {
+    acceleration_.Extrapolate(whole_world_.view(), velocities);
+  }
   /** Writes the impulses to the pairs, and sets the flags of the bodies. May be called
    again after further iterations. */
   void StoreImpulses(std::span<ContactPair> pairs, const StepContext& step,
                      std::span<ContactFlags> contact_flags);
+  /** Adds the effect of all impulses to `bodies.velocities`, in double precision. */
+  void AddImpulses(const SolverBodies& bodies, ThreadPool& pool) {
+    whole_world_.ApplyToBodies(bodies, pool);
+  }
   /** Ends the iterations of a world without joints and springs. Stores the impulses, and
    the velocities `free` + their effect, which have less rounding error than the
    velocities of the iterations. `free`: with the loads and without impulses.
 
    Returns false if this is the solution. Returns true if it adds energy to an island,
    see RestitutionLimit. In this case the constraints are those without restitution, ready
-   for Iterate(); iterate again, then call FinishWithLessRestitution(). */
-  [[nodiscard]] bool Finish(const Problem& problem, std::span<const Velocity> free);
+   for Iterate(); iterate again, then call FinishWithLessRestitution(). `has_converged`:
+   whether the iterations have found a solution. */
+  [[nodiscard]] bool Finish(const Problem& problem, std::span<const Velocity> free,
+                            bool has_converged);
   /** Ends the iterations without restitution. Stores the mean of this solution and the
    one with restitution that Finish() has kept, with the weights of RestitutionLimit. */
   void FinishWithLessRestitution(const Problem& problem, std::span<const Velocity> free);
@@ -155,7 +171,8 @@ class ContactSolver {
   void StoreSolution(const Problem& problem, std::span<const Velocity> free);
   /** Begin() after BuildConstraintGraph(). */
   void BeginWholeWorld(std::span<const ContactPair> pairs, const SolverBodies& bodies,
-                       const StepContext& step, double restitution_factor);
+                       const StepContext& step, double restitution_factor,
+                       bool impacts_resolved);
   /** Solves the groups one after the other or by different threads, and stores velocities
    and impulses. `restitution_factor`: see ContactParameters. `extra_work`: see
    IterateGroup(). Returns the part of it that was spent. */
@@ -173,7 +190,8 @@ class ContactSolver {
                     const ContactParameters& parameters, long extra_work,
                     std::span<SolverVelocity<Real>> velocities, ThreadPool& pool);
   /** Whether the stored solution adds energy, see RestitutionLimit. If so, keeps it and
-   resets the velocities to `free`. */
+   resets the velocities to `free`. Only restitution does, and iterations that have not
+   found a solution. Large worlds, which are never solved, count as solved. */
   bool AddsEnergy(const Problem& problem, std::span<const Velocity> free);
   /** Blends the stored solution, without restitution, with the one that was kept. */
   void BlendRestitution(const Problem& problem);
@@ -202,9 +220,11 @@ class ContactSolver {
   std::vector<int> group_of_island_;     ///< Indexed by the root of the island.
   std::vector<double> island_changes_;   ///< Scratch, see FreezeConvergedIslands().
   ConstraintGroup<double> whole_world_;  ///< See Begin().
+  IterationAcceleration acceleration_;   ///< Of the iterations of whole_world_.
   StaticEquilibrium static_equilibrium_;
   RestitutionLimit restitution_limit_;
   std::vector<Velocity> free_velocities_;   ///< With the loads and without impulses.
+  bool has_converged_ = true;               ///< Of the groups that have extra work.
   std::vector<ContactFlags> bounce_flags_;  ///< Those with the whole restitution.
   /** Also holds the position constraints of whole_world_. */
   ThreadGroups<double> double_groups_;

@@ -19,13 +19,12 @@ void CollectDeep(const ConstraintView<Real>& contacts, bool rotates,
   const V one = Splat<Real>(1);
   for (const ConstraintBatch<Real>& batch : contacts.batches) {
     const std::size_t first = constraints.contacts.size();
-    const V slop = Load(batch.slop);
     const V linear_response = Load(batch.inverse_mass_A) + Load(batch.inverse_mass_B);
     for (int k = 0; k < batch.count; ++k) {
       const auto index =
           static_cast<std::size_t>(batch.first) + static_cast<std::size_t>(k);
       const ContactColdLanes<Real>& cold = contacts.cold[index];
-      const V depth = zero - Load(cold.separation) - slop;
+      const V depth = zero - Load(cold.separation) - Load(cold.slop);
       const VecBits<Real> is_deep =
           (depth > zero) & (Load(cold.used) > zero) & ~(Load(cold.bounces) > zero);
       if (Bits(is_deep) == 0) continue;

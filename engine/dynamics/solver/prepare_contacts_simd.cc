@@ -14,6 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace cookbook::HWY_NAMESPACE {
 namespace {
 
+/** Greatest sag of a contact that yields, as a fraction of SmallerInnerRadius(). The
+ spring of a contact follows from the mass of the lighter body. With that alone, a body
+ under one that is a thousand times heavier would sink in by centimetres. */
+constexpr double kMaxSag = 0.01;
+
 /** A contact is steady if its normal speed before the step was at most this fraction of
  the speed that the loads add in a step: it has been closed for a while. It slips if its
  slip was faster than that. */
@@ -295,6 +300,8 @@ HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
     std::array<const InverseInertia*, 4> inertia_A;
     std::array<const InverseInertia*, 4> inertia_B;
     alignas(32) Lanes<double> friction;
+    // Impulses of a step of another length, for example half of a step.
+    std::array<double, 4> impulse_scale = {1, 1, 1, 1};
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t lane = 4 * four + k;
       const bool is_pair = batch.pair[lane] >= 0;
@@ -305,6 +312,7 @@ HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
       inertia_A[k] = inertia_B[k] = &kImmovable;
       friction[k] = 0;
       batch.restitution[lane] = batch.load_speed[lane] = batch.slop[lane] = 0;
+      batch.max_sag[lane] = 0;
       batch.max_deviation[lane] = 0;
       if (!is_pair) continue;
       const auto a = static_cast<std::size_t>(batch.A[lane]);
@@ -321,7 +329,10 @@ HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
       batch.load_speed[lane] =
           static_cast<Real>(parameters.h * LoadAccelerationOn(*pair[k], A, B));
       batch.slop[lane] = static_cast<Real>(SlopBetween(A, B));
+      batch.max_sag[lane] = static_cast<Real>(kMaxSag * SmallerInnerRadius(A, B));
       if (pair[k]->loaded_steps >= kRigidSteps) batch.max_deviation[lane] = 1;
+      if (pair[k]->impulse_time > 0)
+        impulse_scale[k] = parameters.h / pair[k]->impulse_time;
     }
     const auto load_inertias = [&](const std::array<const InverseInertia*, 4>& from,
                                    Lanes<Real>& mass,
@@ -361,13 +372,15 @@ HWY_INLINE void LoadPairs(ConstraintBatch<Real>& batch,
         const bool is_used = i < counts[k];
         cold[i].used[4 * four + k] = is_used ? 1 : 0;
         points[k] = is_used ? pair[k]->manifold.contacts[at].p_WC.data() : kZeros.data();
-        J[k] = is_used && parameters.warm_starting ? Load3(pair[k]->J_W[at].data(), 0)
-                                                   : zero;
+        J[k] = is_used && parameters.warm_starting
+                   ? Splat(impulse_scale[k]) * Load3(pair[k]->J_W[at].data(), 0)
+                   : zero;
       }
       for (std::size_t k = 0; k < 4; ++k) {
         const bool is_used = i < counts[k];
         contact.mean_load[4 * four + k] =
-            is_used ? static_cast<Real>(pair[k]->mean_load[static_cast<std::size_t>(i)])
+            is_used ? static_cast<Real>(impulse_scale[k] *
+                                        pair[k]->mean_load[static_cast<std::size_t>(i)])
                     : Real{0};
       }
       LoadTransposed(points, lanes);
@@ -434,6 +447,11 @@ double Prepare(const ConstraintView<Real>& constraints,
     SetMaxDeviation(parameters, contacts, cold, batch);
     const V max_deviation = Load(batch.max_deviation);
     const V restitution = Load(batch.restitution);
+    // After the impacts a contact may come back as fast as it left, so that its impulse
+    // does no work at the mean of the two velocities.
+    const VecBits<Real> bounces =
+        Splat<Real>(parameters.impacts_resolved ? -1 : 1) > zero;
+    const V rebound = Select(bounces, restitution, one);
     for (int k = 0; k < batch.count; ++k) {
       ContactConstraintLanes<Real>& contact = contacts[k];
       ContactColdLanes<Real>& data = cold[k];
@@ -456,34 +474,22 @@ double Prepare(const ConstraintView<Real>& constraints,
       const VecBits<Real> is_apart = Load(data.separation) > zero;
       const V resting_speed =
           Splat<Real>(parameters.restitution_threshold_factor) * load_speed;
-      const VecBits<Real> would_bounce =
-          (un_before < zero - resting_speed) & (bounce > zero);
+      const VecBits<Real> approaches = un_before < zero - resting_speed;
+      const VecBits<Real> would_bounce = approaches & (bounce > zero) & bounces;
       // A contact that separates and is hit by an impact of this step comes back by the
       // same law. Held at rest, it would leave the energy of both bodies to the other
       // one.
-      const VecBits<Real> separates = restitution * un_before > resting_speed;
+      const VecBits<Real> separates = (restitution * un_before > resting_speed) & bounces;
       const VecBits<Real> is_bouncing = separates | (would_bounce & ~is_apart);
       const VecBits<Real> is_steady =
           Abs(un_before) <= Splat<Real>(kSteadyFraction) * load_speed;
 
       // Speculative contact: one that will rest closes by the end of the step; one that
-      // will bounce is off until it is closed.
+      // will bounce, or have an impact in the next step, is off until it is closed.
       const V speculative =
-          Select(would_bounce, Splat<Real>(-std::numeric_limits<Real>::infinity()),
+          Select(would_bounce | (approaches & ~bounces),
+                 Splat<Real>(-std::numeric_limits<Real>::infinity()),
                  zero - Load(data.separation) / Splat<Real>(parameters.h));
-
-      // Stabilisation of contacts deeper than the slop (Baumgarte or soft).
-      const V depth = zero - Load(data.separation) - Load(batch.slop);
-      const VecBits<Real> is_deep = (depth > zero) & ~would_bounce;
-      const V stabilisation =
-          Select(is_deep,
-                 Splat<Real>(parameters.baumgarte + parameters.soft_rate) * depth, zero);
-
-      // Target of the relative normal velocity.
-      const V resting =
-          Select(separates, bounce, Min(zero, zero - restitution * un_before));
-      const V target = Select(is_apart, Min(speculative, resting),
-                              Select(would_bounce, bounce, stabilisation + resting));
 
       // Response of the relative velocity to unit impulses along n, t1 and t2, and the
       // effective masses, its inverses.
@@ -511,9 +517,31 @@ double Prepare(const ConstraintView<Real>& constraints,
       const V max_slip_response =
           Splat<Real>(0.5) *
           (k11 + k22 + Sqrt(difference * difference + Splat<Real>(4) * k12 * k12));
+
       // A contact that rests in a pair with a mean load yields.
       const VecBits<Real> yields = (max_deviation > zero) & ~would_bounce & ~is_apart;
-      const V yield = Select(yields, Splat<Real>(parameters.yield), zero);
+      // Its spring is stiffer if it would sag by more than the greatest sag.
+      const V sag_per_load = Splat<Real>(parameters.sag_time) * k_n;
+      const V mean_load = Load(contact.mean_load);
+      const V stiffness = Max(one, sag_per_load * Max(mean_load, Load(contact.impulse)) /
+                                       Load(batch.max_sag));
+      const V yield = Select(yields, Splat<Real>(parameters.yield) / stiffness, zero);
+      // It sags under the mean load. Correcting that would give back, in each swing of a
+      // column, the energy that the damper has taken.
+      const V sag = Select(yields, sag_per_load * mean_load / stiffness, zero);
+      const V slop = Load(batch.slop) + sag;
+
+      // Stabilisation of contacts deeper than the slop (Baumgarte or soft).
+      const V depth = zero - Load(data.separation) - slop;
+      const VecBits<Real> is_deep = (depth > zero) & ~would_bounce;
+      const V stabilisation =
+          Select(is_deep,
+                 Splat<Real>(parameters.baumgarte + parameters.soft_rate) * depth, zero);
+
+      // Target of the relative normal velocity.
+      const V resting = Select(separates, bounce, Min(zero, zero - rebound * un_before));
+      const V target = Select(is_apart, Min(speculative, resting),
+                              Select(would_bounce, bounce, stabilisation + resting));
       const V soft =
           Select(is_deep, Splat<Real>(parameters.soft_mass_scale), one) * (one - yield);
       const V scale =
@@ -526,6 +554,7 @@ double Prepare(const ConstraintView<Real>& constraints,
       } else {
         Store(Select(used, target, zero), contact.target);
       }
+      Store(slop, data.slop);
       Store(Select(used, k_n, zero), data.normal_response);
       Store(Select(used, soft / k_n, zero), contact.effective_mass);
       Store(Select(used, scale, zero), contact.impulse_scale);

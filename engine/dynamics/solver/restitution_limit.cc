@@ -51,20 +51,32 @@ std::size_t IslandOf(const ContactPair& pair, const SolverBodies& bodies,
 
 }  // namespace
 
-double RestitutionLimit::Island::Fraction() const {
-  if (elastic <= rounding) return 0;
+double FractionWithoutGain(double elastic, double inelastic, double curvature) {
   const double slope = inelastic - elastic - curvature;
-  const double root = std::sqrt(std::max(0.0, slope * slope - 4 * curvature * elastic));
+  const double discriminant = slope * slope - 4 * curvature * elastic;
+  if (discriminant < 0) return 1;
+  const double root = std::sqrt(discriminant);
   return root > slope ? std::min(1.0, 2 * elastic / (root - slope)) : 1;
 }
 
+double RestitutionLimit::Island::Fraction() const {
+  return elastic <= rounding ? 0 : FractionWithoutGain(elastic, inelastic, curvature);
+}
+
+double RestitutionLimit::Island::Scale() const {
+  if (Fraction() < 1 || inelastic <= rounding) return 1;
+  // A multiple f of J_0 adds f (inelastic − inelastic_work) + f² inelastic_work.
+  return std::max(0.0, 1 - inelastic / inelastic_work);
+}
+
 bool RestitutionLimit::Exceeds(std::span<const ContactPair> pairs,
+                               std::span<const ColouredPair> solved,
                                const SolverBodies& bodies, std::span<const Velocity> free,
                                std::span<const int> island_roots) {
   islands_.assign(bodies.rigid_bodies.size(), {});
   bool exceeds = false;
-  for (const ContactPair& pair : pairs) {
-    if (pair.manifold.count == 0) continue;
+  for (const ColouredPair& at : solved) {
+    const ContactPair& pair = pairs[static_cast<std::size_t>(at.pair)];
     Island& island = islands_[IslandOf(pair, bodies, island_roots)];
     for (std::size_t k = 0; k < pair.manifold.points().size(); ++k) {
       const Eigen::Vector3d& p_WC = pair.manifold.contacts[k].p_WC;
@@ -83,11 +95,13 @@ bool RestitutionLimit::Exceeds(std::span<const ContactPair> pairs,
   return true;
 }
 
-void RestitutionLimit::Blend(std::span<ContactPair> pairs, const SolverBodies& bodies,
+void RestitutionLimit::Blend(std::span<ContactPair> pairs,
+                             std::span<const ColouredPair> solved,
+                             const SolverBodies& bodies,
                              std::span<const int> island_roots) {
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
+  for (const ColouredPair& at : solved) {
+    const auto p = static_cast<std::size_t>(at.pair);
     const ContactPair& pair = pairs[p];
-    if (pair.manifold.count == 0) continue;
     Island& island = islands_[IslandOf(pair, bodies, island_roots)];
     for (std::size_t k = 0; k < pair.manifold.points().size(); ++k) {
       const Eigen::Vector3d& p_WC = pair.manifold.contacts[k].p_WC;
@@ -95,6 +109,7 @@ void RestitutionLimit::Blend(std::span<ContactPair> pairs, const SolverBodies& b
       const Eigen::Vector3d with_restitution =
           RelativeVelocity(pair, p_WC, bodies, elastic_velocities_);
       island.inelastic += AddedEnergy(pair.J_W[k], u);
+      island.inelastic_work += pair.J_W[k].dot(u.after - u.with_loads) / 2;
       island.curvature +=
           (pair.J_W[k] - elastic_[p].J_W[k]).dot(u.after - with_restitution) / 2;
     }
@@ -103,17 +118,23 @@ void RestitutionLimit::Blend(std::span<ContactPair> pairs, const SolverBodies& b
                         const Eigen::Vector3d& inelastic) -> Eigen::Vector3d {
     return (1 - s) * elastic + s * inelastic;
   };
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (pairs[p].manifold.count == 0) continue;
-    const double s = islands_[IslandOf(pairs[p], bodies, island_roots)].Fraction();
+  for (const ColouredPair& at : solved) {
+    const auto p = static_cast<std::size_t>(at.pair);
+    const Island& island = islands_[IslandOf(pairs[p], bodies, island_roots)];
+    const double s = island.Fraction();
     for (std::size_t k = 0; k < pairs[p].manifold.points().size(); ++k)
-      pairs[p].J_W[k] = blend(s, elastic_[p].J_W[k], pairs[p].J_W[k]);
+      pairs[p].J_W[k] = island.Scale() * blend(s, elastic_[p].J_W[k], pairs[p].J_W[k]);
   }
   for (std::size_t i = 0; i < islands_.size(); ++i) {
-    const double s = islands_[static_cast<std::size_t>(island_roots[i])].Fraction();
+    const Island& island = islands_[static_cast<std::size_t>(island_roots[i])];
+    const double s = island.Fraction();
+    const double scale = island.Scale();
     Velocity& velocity = bodies.velocities[i];
     velocity.v = blend(s, elastic_velocities_[i].v, velocity.v);
     velocity.w = blend(s, elastic_velocities_[i].w, velocity.w);
+    if (scale == 1) continue;
+    velocity.v = free_[i].v + scale * (velocity.v - free_[i].v);
+    velocity.w = free_[i].w + scale * (velocity.w - free_[i].w);
   }
 }
 

@@ -4,9 +4,16 @@
 #include <vector>
 
 #include "engine/dynamics/contacts/contact_pair.h"
+#include "engine/dynamics/solver/constraint_group.h"
 #include "engine/dynamics/solver/contact_constraint.h"
 
 namespace cookbook {
+
+/** Returns the least fraction s in [0, 1] of a solution without restitution at which the
+ energy that an impact adds, elastic + s (inelastic − elastic − curvature) + s² curvature,
+ is not positive; 1 if there is none. The energies are in joules.
+ @pre elastic > 0. */
+double FractionWithoutGain(double elastic, double inelastic, double curvature);
 
 /** A limit on restitution, so that impacts add no energy.
 
@@ -17,6 +24,10 @@ namespace cookbook {
  are convex. At s = 1 no energy is added, because impulses without restitution do no
  positive work at the velocities after the impact.
 
+ If the iterations end before they have found J_0, their impulses may add energy. The
+ limit then uses the greatest multiple of them that adds none. The bodies still approach
+ a little.
+
  Impulses J change the energy by ½ Σ J·(u₀ + u₁), where u₀ and u₁ are the relative
  velocities at a contact before and after the step. Loads do work on a contact that
  resists them: ½ |J·(u_f − u₀)| is allowed, where u_f is the relative velocity with the
@@ -24,28 +35,31 @@ namespace cookbook {
 class RestitutionLimit {
  public:
   /** Returns whether the impulses of `pairs` add energy to an island. If so, keeps this
-   solution for Blend(). `free`: velocities with the loads and without impulses;
-   `island_roots`: indexed by body. */
-  bool Exceeds(std::span<const ContactPair> pairs, const SolverBodies& bodies,
-               std::span<const Velocity> free, std::span<const int> island_roots);
+   solution for Blend(). `solved`: the pairs that have been solved. `free`: velocities
+   with the loads and without impulses; `island_roots`: indexed by body. */
+  bool Exceeds(std::span<const ContactPair> pairs, std::span<const ColouredPair> solved,
+               const SolverBodies& bodies, std::span<const Velocity> free,
+               std::span<const int> island_roots);
 
-  /** Replaces the solution of `pairs` and `bodies`, J_0, by the mean above; J_e is the
-   solution that was kept. */
-  void Blend(std::span<ContactPair> pairs, const SolverBodies& bodies,
-             std::span<const int> island_roots);
+  /** Replaces the solution of `pairs` and `bodies`, J_0, by the mean or the multiple
+   above; J_e is the solution that was kept. */
+  void Blend(std::span<ContactPair> pairs, std::span<const ColouredPair> solved,
+             const SolverBodies& bodies, std::span<const int> island_roots);
 
  private:
-  /** The change of energy of an island as a function of the fraction s of the solution
-   without restitution: elastic + s (inelastic − elastic − curvature) + s² curvature. [J]
- */
+  /** The energy that the impulses add to an island, see FractionWithoutGain(). [J] */
   struct Island {
     double elastic = 0;
     double inelastic = 0;
+    double inelastic_work = 0;  ///< ½ Σ J_0·(u₁ − u_f), the part that is square in J_0.
     double curvature = 0;
     double rounding = 0;  ///< Error of `elastic`.
 
     /** Returns the least s in [0, 1] that adds no energy. */
     double Fraction() const;
+
+    /** Returns the greatest factor in [0, 1] on the blended impulses that adds none. */
+    double Scale() const;
   };
 
   std::vector<Island> islands_;       ///< Indexed by the root of the island.

@@ -317,6 +317,14 @@ VelocityChanges SolveAll(const ConstraintView<Real>& constraints,
   return solve(constraints, relaxation, velocities);
 }
 
+/** Scales the mean loads of a pair to a step of `h` [s]. */
+void ScaleMeanLoads(double h, ContactPair& pair) {
+  if (pair.impulse_time != h && pair.impulse_time > 0) {
+    for (double& load : pair.mean_load) load *= h / pair.impulse_time;
+  }
+  pair.impulse_time = h;
+}
+
 /** Updates the mean loads of a pair, lane `lane` of `batch`, after a step. While the pair
  is rigid they are the loads of the last step in which it was at rest. */
 template <class Real>
@@ -355,6 +363,7 @@ void StoreAll(const ConstraintView<Real>& constraints,
       if (batch.pair[lane] < 0) continue;
       pair[lane] = &pairs[static_cast<std::size_t>(batch.pair[lane])];
       counts[lane] = pair[lane]->manifold.count;
+      ScaleMeanLoads(parameters.h, *pair[lane]);
       if (parameters.yield > 0) {
         UpdateMeanLoads(constraints, batch, lane, parameters.mean_load_fraction,
                         *pair[lane]);

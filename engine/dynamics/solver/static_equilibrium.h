@@ -1,93 +1,76 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "engine/dynamics/solver/contact_constraint.h"
+#include "engine/dynamics/solver/elastic_foundation.h"
 
 namespace cookbook {
 
-/** A direct solver for islands that can rest on a static body: it finds the contact
- impulses of a static equilibrium without iterations.
+/** A direct solver for islands that can rest: it finds the contact impulses of a static
+ equilibrium without iterations.
 
  Gauss-Seidel passes a load on from contact to contact. A column of n boxes bends like a
- beam, and takes some n⁴ iterations to come to rest. Here the island has to be a tree:
- each body has one supporting pair below it, and one body stands on a static body. The
- impulse and moment of a supporting pair then follow from momentum alone: they stop all
- that the pair supports. They are distributed over the contacts of the pair as by a rigid
- body on a uniform elastic foundation: linearly in position along the normal, and in
- proportion to that load across it, with the same sum and the same moment.
+ beam, and takes some n⁴ iterations to come to rest. A heavy body on light ones takes more
+ iterations than the ratio of their masses. ElasticFoundation solves the island as a
+ whole. The result satisfies the inequalities of ContactSolver with zero velocities, to
+ some ten roundings of the impulses on a body.
 
- The result is accepted if no contact would have to pull and none exceeds its friction.
- It then satisfies the inequalities of ContactSolver with zero velocities, to some ten
- roundings of the load. A gap that closes with less than a thousandth of the speed that
- the loads add in a step counts as closed: its contact bears load, and later iterations
- close it. Where a contact would have to pull, another load distribution may still be in
- equilibrium. Such islands are left to the iterations, and so are those that contain a
- cycle of pairs or stand on static bodies with two pairs. */
+ A gap that closes with less than a thousandth of the speed that the loads add in a step
+ counts as closed: its contact bears load. Later iterations close it, unless it is
+ narrower than a millionth. */
 class StaticEquilibrium {
  public:
   /** Brings to rest each island of `constraints` that can be, among those in which the
-   last iteration changed a relative velocity by more than `solved` [m/s]: sets its
-   impulses, and the velocities of its bodies to 0. Other islands do not change.
-   `islands`, indexed by body, is the root of the body's island. `bodies` have their
-   velocities without impulses, `velocities` are those of the iterations.
+   last iteration changed a relative velocity by more than `solved` [m/s], and which
+   iterations have not left faster than loads set a body in motion. Sets its impulses, and
+   the velocities of its bodies to 0. Other islands do not change. `islands`, indexed by
+   body, is the root of the body's island. `bodies` have their velocities without
+   impulses, `velocities` are those of the iterations.
+
+   Islands without a gap to close count as converged: their `max_change` is 0. Further
+   iterations would set them in motion, because contacts yield. A heavy body on a light
+   one would then fall over, since iterations that do not converge add to the motion.
+   Returns whether there is such an island.
    @pre Contacts are hard and impulses accumulate. */
-  void Solve(const ConstraintView<double>& constraints, std::span<const int> islands,
+  bool Solve(const ConstraintView<double>& constraints, std::span<const int> islands,
              double solved, const SolverBodies& bodies, std::span<Velocity> velocities);
 
- private:
-  /** An impulse and its moment. */
-  struct SpatialImpulse {
-    Eigen::Vector3d linear;   ///< [N s]
-    Eigen::Vector3d angular;  ///< About the centre of a body. [N m s]
-  };
+  /** Sets the impulses and velocities of the islands that count as converged again, since
+   iterations change pairs that share a batch with one that has not converged. */
+  void Apply(const ConstraintView<double>& constraints,
+             std::span<Velocity> velocities) const;
 
+ private:
   /** The position of a pair in the batches. */
-  struct PairPosition {
+  struct Pair {
+    int island;  ///< The root of its island.
     std::size_t batch;
     std::size_t lane;
+    std::size_t first_impulse;  ///< Index of that of its first contact in impulses_.
+    bool is_closed;             ///< Whether no gap of its island has to be closed.
   };
 
-  /** The solution for a pair that supports a body. */
-  struct SupportingPair {
-    PairPosition position;
-    int island;
-    std::array<Eigen::Vector3d, 8> impulses;  ///< Along n, t1 and t2 of each contact.
-  };
+  /** Fills pairs_, sorted by island. */
+  void CollectPairs(const ConstraintView<double>& constraints,
+                    std::span<const int> islands);
+  /** Whether an island has not converged, and is slow enough to be at rest. */
+  static bool MayRest(const ConstraintView<double>& constraints,
+                      std::span<const Pair> island, double solved,
+                      const SolverBodies& bodies, std::span<const Velocity> velocities);
+  /** Appends the impulses of an island to impulses_. Returns false if it cannot rest. */
+  bool SolveIsland(const ConstraintView<double>& constraints, std::span<Pair> island,
+                   const SolverBodies& bodies);
+  /** Returns the index of a moving body in foundation_, to which it is added if it is not
+   there yet. */
+  int IndexOf(int body, const SolverBodies& bodies);
 
-  struct Island {
-    int pairs = 0;   ///< Number of pairs.
-    int bodies = 0;  ///< Number of bodies that are not removed yet.
-    /** Greatest change of a relative velocity in the last iteration. [m/s] */
-    double max_change = 0;
-    bool may_rest = false;
-  };
-
-  /** A body as a node of the contact graph, whose edges are the pairs. */
-  struct Node {
-    int degree = 0;             ///< Number of its edges that are not removed yet.
-    std::size_t edges_xor = 0;  ///< XOR of their indices; with degree 1 the last edge.
-  };
-
-  /** Fills nodes and islands. Returns whether any island may be a tree on a static body.
-   */
-  bool FindTrees(const ConstraintView<double>& constraints, std::span<const int> islands,
-                 double solved);
-  /** Removes leaves, that is, bodies of degree 1, until none is left, and solves the
-   supporting pair of each. */
-  void RemoveLeaves(const ConstraintView<double>& constraints,
-                    std::span<const int> islands, const SolverBodies& bodies);
-
-  std::vector<PairPosition> edges_;  ///< All pairs.
-  std::vector<Island> islands_;      ///< Indexed by the root of the island.
-  std::vector<Node> nodes_;          ///< Indexed by body.
-  /** Impulse that stops a body and all bodies that it supports. Indexed by body. */
-  std::vector<SpatialImpulse> required_;
-  std::vector<int> leaves_;  ///< Bodies of degree 1, to be removed.
-  std::vector<SupportingPair> supports_;
+  std::vector<Pair> pairs_;
+  std::vector<Eigen::Vector3d> impulses_;  ///< Along n, t1 and t2 of each contact. [N s]
+  ElasticFoundation foundation_;
+  std::vector<int> indices_;  ///< In foundation_, indexed by body; −1: not there.
 };
 
 }  // namespace cookbook

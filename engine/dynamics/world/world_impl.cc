@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/dynamics/body/rotation.h"
+#include "engine/dynamics/contacts/collide_bodies.h"
 #include "engine/dynamics/world/integrate.h"
 #include "engine/dynamics/world/point_flight.h"
 
@@ -20,6 +21,21 @@ namespace {
 constexpr std::size_t kMinParallelWorld = 120;
 /** Minimum number of bodies for a parallel loop over bodies. */
 constexpr std::size_t kMinParallelBodies = 128;
+/** A part of a step is halved at most this often in a row until its joints can be solved.
+ */
+constexpr int kMaxHalvingDepth = 12;
+
+/** The parts of a step are halved this many times at most in all. The mechanisms of
+ tests/engine/dynamics/joints/rod_energy_test.cc need at most 16, near one moment of the
+ step; masses of 1 : 10^9 would take thousands, in every part. */
+constexpr int kMaxHalvings = 64;
+
+/** Rounding error of a depth, relative to the places of the bodies. */
+constexpr double kRelativeDepthTolerance = 1e-14;
+
+/** A step in which linked bodies get into each other is halved at most this often in a
+ row. The depth of the impact then is that of a 64th of the step. */
+constexpr int kMaxImpactHalvings = 6;
 
 const Settings& Valid(const Settings& settings) {
   Validate(settings);
@@ -28,13 +44,6 @@ const Settings& Valid(const Settings& settings) {
 
 bool IsBounded(const Eigen::Vector3d& v) {
   return v.cwiseAbs().maxCoeff() < kDivergenceBound;  // False for NaN.
-}
-
-/** Returns the rotational energy of a body that is not isotropic, else 0. [J] */
-double RotationalEnergy(const RigidBody& body) {
-  if (body.is_isotropic) return 0;
-  const Eigen::Vector3d w_B = body.R_WB.transpose() * body.state.w_WB;
-  return w_B.dot(body.moments.cwiseProduct(w_B)) / 2;
 }
 
 /** Appends the impulses of the touching contacts of `pair`. */
@@ -62,14 +71,15 @@ int World::Impl::AddBody(const BodyDefinition& definition) {
   inertias_.emplace_back();
   const std::size_t places = bodies_.size() + 1;
   for (std::vector<Velocity>* velocities :
-       {&before_, &free_, &solved_, &mean_, &corrections_}) {
+       {&before_, &free_, &solved_, &mean_, &corrections_, &linked_corrections_}) {
     velocities->resize(places);
   }
-  rotational_energies_.emplace_back();
+  uncorrected_.emplace_back();
   contact_flags_.emplace_back();
   static_.emplace_back();
   moved_fraction_.push_back(0.5);
   linked_.push_back(false);
+  has_lever_arm_.push_back(false);
   driven_.push_back(false);
   predicted_.push_back(bodies_.back());
   const RigidBody& body = bodies_.back();
@@ -98,8 +108,13 @@ void World::Impl::ExpectTwoEnds(const Anchor& A, const Anchor& B, const char* wh
 
 void World::Impl::MarkLinked(const Anchor& A, const Anchor& B) {
   sleep_.Link(A.body, B.body);
-  for (const int body : {A.body, B.body}) {
-    if (body >= 0) linked_[static_cast<std::size_t>(body)] = true;
+  for (const Anchor& anchor : {A, B}) {
+    if (anchor.body < 0) continue;
+    const auto i = static_cast<std::size_t>(anchor.body);
+    linked_[i] = true;
+    if (bodies_[i].is_point || anchor.point.isZero(0)) continue;
+    has_lever_arm_[i] = true;
+    has_lever_arms_ = true;
   }
 }
 
@@ -168,7 +183,11 @@ void World::Impl::Step(double dt) {
     throw std::invalid_argument("A step has to be a positive finite time.");
   }
   for (int k = 0; k < settings_.sub_steps && !diverged_; ++k) {
-    StepOnce(dt / settings_.sub_steps);
+    earlier_contacts_.clear();
+    whole_step_ = dt / settings_.sub_steps;
+    halvings_left_ = kMaxHalvings;
+    impact_halvings_left_ = kMaxHalvings;
+    StepOnce(whole_step_, 0);
   }
   if (!std::exchange(has_applied_forces_, false)) return;
   for (RigidBody& body : bodies_) {
@@ -178,53 +197,144 @@ void World::Impl::Step(double dt) {
   }
 }
 
-void World::Impl::StepOnce(double h) {
+void World::Impl::StepOnce(double h, int halvings) {
   const ThreadPool::ParallelScope scope(pool_, bodies_.size(), kMinParallelWorld);
   const bool touching = UpdateContacts(h);
   if (settings_.sleep_after) sleep_.WakeNear(contact_cache_, bodies_);
-  SolveJointImpacts(h);
+  SolveLinkageImpacts(h);
   const bool may_use_fourth_order = settings_.fourth_order_joints && HasJoints() &&
                                     !touching &&
                                     !(settings_.continuous_collision && MayHaveImpact(h));
-  if (!may_use_fourth_order || !StepFourthOrder(h))
-    Advance(h, settings_.continuous_collision);
+  must_solve_joints_ = halvings == kMaxHalvingDepth || halvings_left_ == 0;
+  joints_solved_ = true;
+  const bool may_miss_impact = settings_.continuous_collision && HasJoints() &&
+                               contact_cache_.near_count() > 0 &&
+                               halvings < kMaxImpactHalvings && impact_halvings_left_ > 0;
+  bool has_impact = may_miss_impact && LinkedBodyMayPassThrough(h);
+  bool is_done =
+      !has_impact && may_use_fourth_order && !must_solve_joints_ && StepFourthOrder(h);
+  if (!is_done && !has_impact && joints_solved_) {
+    if (may_miss_impact) saved_bodies_ = bodies_;
+    is_done = Advance(h, settings_.continuous_collision);
+    if (is_done && may_miss_impact && HasMissedImpact()) {
+      RestoreBodies(h);
+      has_impact = true;
+      is_done = false;
+    }
+  }
+  if (!is_done) {
+    // Either linked bodies have an impact within the step, or the equations of the joints
+    // have no solution that Newton's method finds. They have one near the linear motion
+    // if the step is short enough.
+    --(has_impact ? impact_halvings_left_ : halvings_left_);
+    StepOnce(h / 2, halvings + 1);
+    KeepContacts();
+    StepOnce(h / 2, halvings + 1);
+    return;
+  }
   if (settings_.sleep_after) PutToSleep(h);
 }
 
-void World::Impl::Advance(double h, bool with_impacts) {
+bool World::Impl::HasMissedImpact() const {
+  const auto is_linked = [&](int A, int B) { return IsLinked(A) || IsLinked(B); };
+  const auto depth_of = [](const Manifold& manifold) {
+    double depth = 0;
+    for (const ContactPoint& contact : manifold.points())
+      depth = std::max(depth, -contact.separation);
+    return depth;
+  };
+  bool has_missed = false;
+  contact_cache_.ForEachGap(
+      0, contact_cache_.near_count(), is_linked, [&](int A, int B, double gap) {
+        if (has_missed || gap > 0) return;
+        const RigidBody& a = bodies_[static_cast<std::size_t>(A)];
+        const RigidBody& b = bodies_[static_cast<std::size_t>(B)];
+        Manifold manifold;
+        CollideSpeculative(0, a, b, Eigen::Vector3d::Zero(), manifold);
+        double granted =
+            SpeculativeMarginBetween(a, b) +
+            kRelativeDepthTolerance * (a.state.p_WB.norm() + b.state.p_WB.norm() +
+                                       std::min(a.radius, b.radius));
+        if (depth_of(manifold) <= granted) return;
+        for (const ContactPair& pair : contact_cache_.pairs()) {
+          if (pair.A == A && pair.B == B) granted += depth_of(pair.manifold);
+        }
+        has_missed = depth_of(manifold) > granted;
+      });
+  return has_missed;
+}
+
+void World::Impl::RestoreBodies(double h) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    contact_cache_.AddTravel(i, Travel(bodies_[i].state, saved_bodies_[i]));
+    bodies_[i] = saved_bodies_[i];
+  }
+  diverged_ = false;
+  UpdateContacts(h);
+}
+
+void World::Impl::KeepContacts() {
+  for (const std::span<const ContactPair> pairs :
+       {impact_solver_.impact_contacts(),
+        std::span<const ContactPair>(contact_cache_.pairs())}) {
+    earlier_contacts_.insert(earlier_contacts_.end(), pairs.begin(), pairs.end());
+  }
+}
+
+bool World::Impl::Advance(double h, bool with_impacts) {
   const StepContext step{settings_, h, pool_};
+  is_last_resort_ = false;
   ApplyForces(h);
   impact_solver_.Clear();
   if (with_impacts) {
     impact_solver_.Begin({bodies_, before_, free_, sleep_.asleep(), linked_},
                          contact_cache_, step);
   }
-  Solve(h);
+  if (!Solve(h)) return false;
   IntegrateAll(h);
   if (with_impacts) impact_solver_.Solve(bodies_, mean_, contact_cache_, step);
   CorrectPositions(h);
+  return true;
+}
+
+template <class Takes, class Counts>
+bool World::Impl::AnyApproach(double h, const Takes& takes, const Counts& counts) {
+  ApplyForces(h);
+  const auto distance = [&](int A, int B) {
+    const auto a = static_cast<std::size_t>(A);
+    const auto b = static_cast<std::size_t>(B);
+    // Static bodies have the velocity 0 in both.
+    const double speed =
+        std::max((before_[a].v - before_[b].v).norm(), (free_[a].v - free_[b].v).norm());
+    return h * speed + MaxTravelByRotation(bodies_[a], h) +
+           MaxTravelByRotation(bodies_[b], h);
+  };
+  bool any = false;
+  contact_cache_.ForEachGap(
+      0, contact_cache_.near_count(), takes,
+      [&](int A, int B, double gap) { any = any || counts(A, B, distance(A, B), gap); });
+  return any;
 }
 
 bool World::Impl::MayHaveImpact(double h) {
-  ApplyForces(h);
-  const auto max_travel = [&](int body) {
+  const auto is_free_or_static = [&](int body) {
     const auto i = static_cast<std::size_t>(body);
-    return MaxTravel(bodies_[i], free_[i].v, h);
+    return !linked_[i] || bodies_[i].is_static();
   };
-  const auto may_collide = [&](int A, int B) {
-    const auto is_free_or_static = [&](std::size_t i) {
-      return !linked_[i] || bodies_[i].is_static();
-    };
-    return is_free_or_static(static_cast<std::size_t>(A)) &&
-           is_free_or_static(static_cast<std::size_t>(B));
-  };
-  bool may_have_impact = false;
-  contact_cache_.ForEachGap(
-      0, contact_cache_.near_count(), may_collide, [&](int A, int B, double gap) {
-        const double distance = max_travel(A) + max_travel(B);
-        may_have_impact = may_have_impact || (distance > 0 && gap <= distance);
+  return AnyApproach(
+      h, [&](int A, int B) { return is_free_or_static(A) && is_free_or_static(B); },
+      [](int, int, double distance, double gap) {
+        return distance > 0 && gap <= distance;
       });
-  return may_have_impact;
+}
+
+bool World::Impl::LinkedBodyMayPassThrough(double h) {
+  return AnyApproach(
+      h, [&](int A, int B) { return IsLinked(A) || IsLinked(B); },
+      [&](int A, int B, double distance, double gap) {
+        return distance - gap > SafePenetration(bodies_[static_cast<std::size_t>(A)],
+                                                bodies_[static_cast<std::size_t>(B)]);
+      });
 }
 
 bool World::Impl::StepFourthOrder(double h) {
@@ -234,36 +344,33 @@ bool World::Impl::StepFourthOrder(double h) {
   const double s = 1 / (4 - std::cbrt(4.0));
   saved_bodies_ = bodies_;
   point_hit_ = false;
+  bool is_solved = true;
   for (const double fraction : {s, s, 1 - 4 * s, s, s}) {
-    Advance(fraction * h, false);
-    if (point_hit_ || diverged_) break;
+    is_solved = is_solved && Advance(fraction * h, false);
+    if (!is_solved || point_hit_ || diverged_) break;
   }
-  if (!point_hit_ && !diverged_ && !UpdateContacts(h)) return true;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    contact_cache_.AddTravel(i, Travel(bodies_[i].state, saved_bodies_[i]));
-    bodies_[i] = saved_bodies_[i];
-  }
-  diverged_ = false;
-  UpdateContacts(h);
+  if (is_solved && !point_hit_ && !diverged_ && !UpdateContacts(h)) return true;
+  RestoreBodies(h);
   return false;
 }
 
-void World::Impl::UpdateLoads(double h) {
+void World::Impl::UpdateLoads() {
   // Gravity alone loads all bodies equally in every step.
   const bool is_gravity_only =
       !has_constant_forces_ && !has_applied_forces_ && springs_.empty();
-  if (is_gravity_only && loads_valid_for_ == h) return;
-  loads_.Update(contact_cache_.pairs(), joints_, springs_, settings_, h, bodies_);
-  loads_valid_for_ = is_gravity_only ? h : 0;
+  if (is_gravity_only && loads_valid_for_ == whole_step_) return;
+  loads_.Update(contact_cache_.pairs(), joints_, springs_, settings_, whole_step_,
+                bodies_);
+  loads_valid_for_ = is_gravity_only ? whole_step_ : 0;
 }
 
 bool World::Impl::UpdateContacts(double h) {
-  UpdateLoads(h);
+  UpdateLoads();
   contact_cache_.Update(bodies_,
                         {loads_.max_speculative_margin(), settings_.reduce_manifolds},
                         settings_.continuous_collision ? h : 0, pool_);
   // Again, because new contacts change the islands.
-  UpdateLoads(h);
+  UpdateLoads();
   return !contact_cache_.pairs().empty();
 }
 
@@ -341,16 +448,12 @@ void World::Impl::ApplyForcesTo(std::size_t i, double h) {
   }
 }
 
-void World::Impl::SolveJointImpacts(double h) {
-  if (joints_.empty()) return;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    inertias_[i] = bodies_[i].is_static() ? inertias_[i] : InverseInertiaOf(bodies_[i]);
-    solved_[i].v = bodies_[i].state.v_WB;
-    solved_[i].w = bodies_[i].state.w_WB;
-  }
-  joint_solver_.Begin(joints_, bodies_, inertias_);
-  // Stretch speed within (a + v²/L) h is discretisation error; more is an impact along a
-  // joint, which takes no time. a is the load acceleration, v the speed, L the length.
+bool World::Impl::HasImpactAlongJoint(double h) {
+  // Stretch speed within (a + v²/L) h and the last change of velocity by a rod is
+  // discretisation error: only the mean velocity of a step keeps the length. More is an
+  // impact along a joint, which takes no time. a is the load acceleration, v the speed, L
+  // the length. A rod with a heavy body at its end changes the velocity of a light one at
+  // its other end by far more than a h.
   double max_speed = 0;
   double max_load_acceleration = 0;
   double min_length = std::numeric_limits<double>::infinity();
@@ -361,28 +464,82 @@ void World::Impl::SolveJointImpacts(double h) {
   }
   for (const DistanceJoint& joint : joints_)
     min_length = std::min(min_length, joint.length);
+  joint_solver_.Begin(joints_, bodies_, inertias_);
   const double expected_speed =
-      h * (max_load_acceleration + max_speed * max_speed / min_length);
-  if (joint_solver_.MaxStretchSpeed(solved_) <= expected_speed) return;
-  joint_solver_.ResetImpulses();
-  const int iterations =
-      std::max(settings_.impulse_iterations,
-               settings_.iteration_budget / static_cast<int>(joints_.size()));
-  for (int k = 0; k < iterations; ++k) {
-    if (joint_solver_.Iterate(solved_) <= settings_.residual * max_speed) break;
-  }
+      h * (max_load_acceleration + max_speed * max_speed / min_length) +
+      joint_solver_.MaxVelocityChange();
+  return joint_solver_.MaxStretchSpeed(solved_) > expected_speed;
+}
+
+bool World::Impl::HasImpact(const ContactPair& pair, double h) const {
+  const RigidBody& A = bodies_[static_cast<std::size_t>(pair.A)];
+  const RigidBody& B = bodies_[static_cast<std::size_t>(pair.B)];
+  const double threshold =
+      settings_.restitution_threshold_factor * h * LoadAccelerationOn(pair, A, B);
+  const auto points = pair.manifold.points();
+  return std::any_of(points.begin(), points.end(), [&](const ContactPoint& contact) {
+    const Velocity& v_A = solved_[static_cast<std::size_t>(pair.A)];
+    const Velocity& v_B = solved_[static_cast<std::size_t>(pair.B)];
+    const Eigen::Vector3d u_A = v_A.At(contact.p_WC - A.state.p_WB);
+    const Eigen::Vector3d u_B = v_B.At(contact.p_WC - B.state.p_WB);
+    const double rounding = kRelativeSpeedTolerance * (u_A.norm() + u_B.norm());
+    return contact.separation <= 0 &&
+           pair.manifold.n_AB_W.dot(u_B - u_A) < -threshold - rounding;
+  });
+}
+
+void World::Impl::SolveLinkageImpacts(double h) {
+  if (!HasJoints()) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!linked_[i]) continue;
+    const RigidBody& body = bodies_[i];
+    static_[i] = body.is_static() ? 1 : 0;
+    inertias_[i] = body.is_static() ? InverseInertia{} : InverseInertiaOf(body);
+    solved_[i] = {body.state.v_WB, body.state.w_WB};
+  }
+  bool has_impact = !joints_.empty() && HasImpactAlongJoint(h);
+  if (has_impact) {
+    rod_projection_.Begin(joints_, bodies_, inertias_);
+    rod_projection_.Project(solved_);
+  }
+  linked_islands_.Find(contact_cache_.summaries(), joints_, springs_, static_, linked_);
+  const std::span<const PairSummary> pairs = linked_islands_.linked_pairs();
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (pairs[p].count == 0 || !HasImpact(contact_cache_.pairs()[p], h)) continue;
+    SolveLinkageImpact(linked_islands_.IslandOf(pairs[p]), h);
+    has_impact = true;
+  }
+  if (!has_impact) return;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].is_static() || !linked_islands_.Contains(i)) continue;
     bodies_[i].state.v_WB = solved_[i].v;
     bodies_[i].state.w_WB = solved_[i].w;
   }
   joint_solver_.ResetImpulses();
 }
 
+void World::Impl::SolveLinkageImpact(std::size_t island, double h) {
+  const std::span<const PairSummary> summaries = linked_islands_.linked_pairs();
+  std::vector<ContactPair> pairs;
+  for (std::size_t p = 0; p < summaries.size(); ++p) {
+    if (summaries[p].count > 0 && linked_islands_.IslandOf(summaries[p]) == island)
+      pairs.push_back(contact_cache_.pairs()[p]);
+  }
+  std::vector<DistanceJoint> joints;
+  for (const DistanceJoint& joint : joints_) {
+    const auto is_in = [&](int body) {
+      return body >= 0 && static_[static_cast<std::size_t>(body)] == 0 &&
+             linked_islands_.IslandOf(static_cast<std::size_t>(body)) == island;
+    };
+    if (is_in(joint.A.body) || is_in(joint.B.body)) joints.push_back(joint);
+  }
+  linkage_impact_.Solve({bodies_, inertias_, pairs, joints}, {settings_, h, pool_},
+                        solved_, earlier_contacts_);
+}
+
 void World::Impl::SolveJointsUntilConverged() {
-  const double speed = std::max(contact_solver_.max_speed(), max_linked_speed_);
+  const double speed = std::max(linked_contact_solver_.max_speed(), max_linked_speed_);
   const double tolerance = settings_.residual * speed;
-  const int constraints = contact_solver_.constraint_count() +
+  const int constraints = linked_contact_solver_.constraint_count() +
                           static_cast<int>(joints_.size() + springs_.size());
   const long extra_work = iteration_budget_.Remaining(settings_, constraints);
   long spent = 0;
@@ -392,33 +549,154 @@ void World::Impl::SolveJointsUntilConverged() {
     const double joint_change = joint_solver_.Iterate(solved_);
     const double spring_change = spring_solver_.Iterate(solved_);
     if (std::max({joint_change, spring_change,
-                  contact_solver_.Iterate(solved_, pool_)}) <= tolerance)
+                  linked_contact_solver_.Iterate(solved_, pool_)}) <= tolerance)
       break;
   }
   iteration_budget_.Spend(spent, settings_, constraints);
 }
 
-void World::Impl::Solve(double h) {
+bool World::Impl::Solve(double h) {
   const SolverBodies world{bodies_, inertias_, before_,
                            solved_, static_,   fit_single_precision_};
+  const StepContext step{settings_, h, pool_};
   if (!HasJoints()) {
-    contact_solver_.Solve(contact_cache_.pairs(), contact_cache_.summaries(), world,
-                          {settings_, h, pool_}, contact_flags_);
-    return;
+    contact_solver_.Solve(contact_cache_.pairs(), contact_cache_.summaries(), world, step,
+                          contact_flags_);
+    return true;
   }
-  contact_solver_.Begin(contact_cache_.pairs(), contact_cache_.summaries(), world,
-                        {settings_, h, pool_});
-  SolveJoints(h);
+  linked_islands_.Find(contact_cache_.summaries(), joints_, springs_, static_, linked_);
+  linked_contact_solver_.Begin(contact_cache_.pairs(), linked_islands_.linked_pairs(),
+                               world, step, true);
+  if (!SolveJoints(h)) return false;
+  if (!is_last_resort_ && linked_contact_solver_.constraint_count() > 0 &&
+      !LimitContactWork(h)) {
+    return false;
+  }
+  if (!is_last_resort_ && has_lever_arms_) {
+    PredictLinkedBodies(h);
+    if (!rotations_solved_ && !EndWithoutSolution(h)) return false;
+  }
+  contact_solver_.Solve(contact_cache_.pairs(), linked_islands_.other_pairs(), world,
+                        step, contact_flags_);
+  return true;
 }
 
-void World::Impl::SolveJoints(double h) {
+void World::Impl::PredictLinkedBodies(double h) {
+  rotations_solved_ = true;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!linked_islands_.Contains(i)) continue;
+    predicted_[i] = bodies_[i];
+    IntegrateBody(i, h, predicted_[i]);
+  }
+}
+
+void World::Impl::SumContactImpulses() {
+  given_ = free_;
+  linked_contact_solver_.AddImpulses(
+      {bodies_, inertias_, before_, given_, static_, fit_single_precision_}, pool_);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!linked_[i]) solved_[i] = given_[i];
+  }
+}
+
+bool World::Impl::SolveJointsDirectly(double h) {
+  const StepContext step{settings_, h, pool_};
+  // Block Gauss-Seidel: joints and springs exactly, then contacts. The joints come last,
+  // so that they do no work whatever error the contacts have.
+  const bool touching = linked_contact_solver_.constraint_count() > 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (linked_[i]) solved_[i] = before_[i];
+  }
+  bool converged = !touching;
+  for (int round = 0;; ++round) {
+    SumContactImpulses();
+    const bool is_solved = direct_joint_solver_.Solve(
+        {joints_, springs_, bodies_, inertias_, given_, moved_fraction_,
+         settings_.gyroscopic == Gyroscopic::kExact, h},
+        {solved_, joint_solver_.impulses(), predicted_}, [&] { PredictLinkedBodies(h); });
+    if (!is_solved) return false;
+    if (converged || round == settings_.joint_rounds) return true;
+    double greatest = 0;
+    for (int k = 0; k < settings_.impulse_iterations; ++k)
+      greatest = std::max(greatest, linked_contact_solver_.Iterate(solved_, pool_));
+    std::fill(contact_flags_.begin(), contact_flags_.end(), ContactFlags{});
+    linked_contact_solver_.StoreImpulses(contact_cache_.pairs(), step, contact_flags_);
+    converged = greatest <= settings_.residual * linked_contact_solver_.max_speed();
+  }
+}
+
+bool World::Impl::LimitContactWork(double h) {
+  contact_work_limit_.Begin(contact_cache_.pairs(), linked_islands_, bodies_.size());
+  for (bool is_limited = false;; is_limited = true) {
+    PredictLinkedBodies(h);
+    work_mean_ = mean_;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (bodies_[i].is_static()) work_mean_[i] = {};
+      if (!has_lever_arm_[i] || settings_.gyroscopic != Gyroscopic::kExact) continue;
+      // The Cayley map turns by 2 atan(h |ω|/2).
+      const Eigen::Quaterniond turn =
+          predicted_[i].state.q_WB * bodies_[i].state.q_WB.conjugate();
+      work_mean_[i].w = 2 / h * turn.vec() / turn.w();
+    }
+    if (!contact_work_limit_.Exceeds({bodies_, before_, work_mean_, h})) {
+      if (is_limited) contact_work_limit_.Scale(contact_cache_.pairs());
+      return true;
+    }
+    given_ = free_;
+    contact_work_limit_.AddImpulses(bodies_, inertias_, given_);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (!linked_[i]) solved_[i] = given_[i];
+    }
+    if (!direct_joint_solver_.Solve(
+            {joints_, springs_, bodies_, inertias_, given_, moved_fraction_,
+             settings_.gyroscopic == Gyroscopic::kExact, h},
+            {solved_, joint_solver_.impulses(), predicted_},
+            [&] { PredictLinkedBodies(h); })) {
+      contact_work_limit_.Scale(contact_cache_.pairs());
+      return EndWithoutSolution(h);
+    }
+  }
+}
+
+bool World::Impl::EndWithoutSolution(double h) {
+  std::copy(warm_impulses_.begin(), warm_impulses_.end(),
+            joint_solver_.impulses().begin());
+  if (must_solve_joints_) SolveJointsInelastically(h);
+  joints_solved_ = must_solve_joints_;
+  return joints_solved_;
+}
+
+void World::Impl::SolveJointsInelastically(double h) {
+  is_last_resort_ = true;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (linked_islands_.Contains(i)) solved_[i] = free_[i];
+  }
+  rod_projection_.Begin(joints_, bodies_, inertias_);
+  rod_projection_.Project(solved_);
+  joint_solver_.ResetImpulses();
+  const std::span<const PairSummary> pairs = linked_islands_.linked_pairs();
+  std::vector<char> is_solved(bodies_.size());
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (pairs[p].count == 0) continue;
+    const std::size_t island = linked_islands_.IslandOf(pairs[p]);
+    if (std::exchange(is_solved[island], 1) == 0) SolveLinkageImpact(island, h);
+    contact_cache_.pairs()[p].J_W.fill(Eigen::Vector3d::Zero());
+  }
+}
+
+bool World::Impl::SolveJoints(double h) {
   // Relative tolerance of lengths: a few roundings.
   constexpr double kLengthTolerance = 1e-15;
+  // Greatest error that the last round may leave, in multiples of that: the rounds stop
+  // making progress at roundings.
+  constexpr double kGrant = 10;
   if (!settings_.warm_starting) joint_solver_.ResetImpulses();
   joint_solver_.Begin(joints_, bodies_, inertias_);
   joint_solver_.WarmStart(solved_, h);
+  warm_impulses_.assign(joint_solver_.impulses().begin(), joint_solver_.impulses().end());
   spring_solver_.Begin(springs_, bodies_, inertias_, before_, h);
-  for (int round = 0;; ++round) {
+  double last_error = std::numeric_limits<double>::infinity();
+  for (int round = 0; round <= settings_.joint_rounds; ++round) {
     // Relative to the largest velocity or velocity change, because rounding scales with
     // it.
     max_linked_speed_ =
@@ -430,21 +708,30 @@ void World::Impl::SolveJoints(double h) {
     }
     SolveJointsUntilConverged();
     std::fill(contact_flags_.begin(), contact_flags_.end(), ContactFlags{});
-    contact_solver_.StoreImpulses(contact_cache_.pairs(), {settings_, h, pool_},
-                                  contact_flags_);
-    if (round == settings_.joint_rounds) return;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      if (!linked_[i]) continue;
-      predicted_[i] = bodies_[i];
-      IntegrateBody(i, h, predicted_[i]);
+    linked_contact_solver_.StoreImpulses(contact_cache_.pairs(), {settings_, h, pool_},
+                                         contact_flags_);
+    PredictLinkedBodies(h);
+    const double error = joint_solver_.MaxError(joints_, predicted_) / kLengthTolerance;
+    if (round == settings_.joint_rounds && error <= kGrant) {
+      SumContactImpulses();
+      return true;
     }
+    // The rounds converge too slowly, or not at all.
+    if (error > kGrant && error > 0.5 * last_error) break;
+    last_error = error;
     const double length_error =
         joint_solver_.Relinearize(joints_, predicted_, moved_fraction_, solved_, h);
     const bool springs_converged =
         spring_solver_.Relinearize(springs_, predicted_, moved_fraction_, solved_, h,
                                    settings_.residual * max_linked_speed_);
-    if (springs_converged && length_error <= kLengthTolerance) return;
+    if (springs_converged && length_error <= kLengthTolerance) {
+      SumContactImpulses();
+      return true;
+    }
   }
+  std::copy(warm_impulses_.begin(), warm_impulses_.end(),
+            joint_solver_.impulses().begin());
+  return SolveJointsDirectly(h) || EndWithoutSolution(h);
 }
 
 void World::Impl::IntegrateBody(std::size_t i, double h, RigidBody& body) {
@@ -464,12 +751,13 @@ void World::Impl::IntegrateBody(std::size_t i, double h, RigidBody& body) {
   // impact acts at the start of the step. A body that bounces is in free flight after it;
   // a body that rests has its final velocity from the start. A contact new in this step
   // counts as an impact: one that approached before the step is not `steady`. So does a
-  // change of velocity that is too great for the loads.
+  // change of velocity that is too great for the loads. Bodies in linked islands have had
+  // their impacts before the step.
   const double change =
       (after.v - before.v).norm() + body.radius * (after.w - before.w).norm();
   const bool has_contact = contact_flags_[i].bounced || contact_flags_[i].rested;
   const bool has_impact =
-      has_contact &&
+      has_contact && !IsInLinkedIsland(i) &&
       (contact_flags_[i].bounced || !contact_flags_[i].steady ||
        change > kImpactFactor * h *
                     std::max(body.load_acceleration, body.island_load_acceleration));
@@ -487,7 +775,16 @@ void World::Impl::IntegrateBody(std::size_t i, double h, RigidBody& body) {
   body.state.v_WB = after.v;
   // The change of angular velocity by an impact acts from the start of the step.
   const Eigen::Vector3d start_w = has_impact ? before.w + (after.w - free.w) : before.w;
-  if (settings_.gyroscopic == Gyroscopic::kExact && body.is_isotropic) {
+  if (has_lever_arm_[i] && !is_last_resort_ &&
+      settings_.gyroscopic == Gyroscopic::kExact) {
+    const LeverArmState end = IntegrateWithLeverArms(
+        {body.state.q_WB, before.w}, body.moments,
+        WorldInertiaTimes(body.R_WB, body.moments, before.w),
+        WorldInertiaTimes(body.R_WB, body.moments, after.w - before.w), h);
+    if (!end.is_solved) rotations_solved_ = false;
+    body.state.q_WB = end.q_WB;
+    body.state.w_WB = end.w_WB;
+  } else if (settings_.gyroscopic == Gyroscopic::kExact && body.is_isotropic) {
     body.state.q_WB = IntegrateRotation(body.state.q_WB, start_w, after.w, h);
     body.state.w_WB = after.w;
   } else if (settings_.gyroscopic == Gyroscopic::kExact) {
@@ -497,8 +794,9 @@ void World::Impl::IntegrateBody(std::size_t i, double h, RigidBody& body) {
         WorldInertiaTimes(body.R_WB, body.moments, after.w - free.w);
     const AngularState start{body.state.q_WB, start_w};
     AngularImpulse spread{has_impact ? torque : torque + impact, {}};
-    // Contacts do the work of their impulses at the start of the step.
-    if (has_contact && !has_impact && !linked_[i])
+    // Contacts do the work of their impulses at the start of the step, and so do the rods
+    // in the last resort.
+    if ((has_contact && !has_impact) || is_last_resort_)
       spread.work = spread.dL_W.dot(before.w + after.w) / 2;
     const AngularState end = IntegrateAngularMomentum(
         start, body.moments, has_impact ? L + impact : L, spread, h);
@@ -516,7 +814,9 @@ void World::Impl::IntegrateAll(double h) {
                                 contact_flags_, mean_,   h};
   const bool use_batches = settings_.gyroscopic == Gyroscopic::kExact;
   IntegrateInBatches(
-      [&](std::size_t i) { return use_batches && bodies_[i].moves_isotropically(); },
+      [&](std::size_t i) {
+        return use_batches && bodies_[i].moves_isotropically() && !IsInLinkedIsland(i);
+      },
       [&](std::span<const int> batch, std::span<double> travel) {
         if (!IntegrateIsotropicBodies(integration, batch, travel)) diverged_ = true;
       },
@@ -557,11 +857,28 @@ bool World::Impl::CollidePoint(double h, const RigidBody& before, RigidBody& poi
 }
 
 void World::Impl::CorrectPositions(double h) {
-  bool moved = contact_solver_.FindPositionCorrections(
-      {mean_, solved_}, {settings_, h, pool_}, corrections_);
-  if (!joints_.empty()) {
+  Settings settings = settings_;
+  if (h != whole_step_) {
+    // The parts of a step that is halved remove as much depth together as one step would.
+    settings.position_correction_fraction =
+        1 - std::pow(1 - settings_.position_correction_fraction, h / whole_step_);
+  }
+  const StepContext step{settings, h, pool_};
+  bool moved =
+      contact_solver_.FindPositionCorrections({mean_, solved_}, step, corrections_);
+  if (HasJoints()) {
     if (!moved) {
       std::fill(corrections_.begin(), corrections_.end(), Velocity{});
+    }
+    if (linked_contact_solver_.FindPositionCorrections({mean_, solved_}, step,
+                                                       linked_corrections_)) {
+      moved = true;
+      for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (linked_islands_.Contains(i)) corrections_[i] = linked_corrections_[i];
+      }
+      // A body that is moved out of another takes what rods hold to it along.
+      rod_projection_.Begin(joints_, bodies_, inertias_);
+      rod_projection_.Project(corrections_);
     }
     moved |= joint_solver_.CorrectPositions(
         joints_, settings_.position_correction_fraction, bodies_, corrections_);
@@ -575,15 +892,15 @@ void World::Impl::CorrectPositions(double h) {
       [&](std::span<const int> batch, std::span<double> travel) {
         for (const int i : batch) {
           const auto k = static_cast<std::size_t>(i);
-          rotational_energies_[k] = RotationalEnergy(bodies_[k]);
+          uncorrected_[k] = bodies_[k].R_WB;
         }
         IntegratePositionCorrections(bodies_, corrections_, batch, travel);
-        // The new orientation has other moments of inertia about the angular velocity.
         for (const int i : batch) {
           const auto k = static_cast<std::size_t>(i);
           RigidBody& body = bodies_[k];
-          if (body.is_isotropic || rotational_energies_[k] == 0) continue;
-          body.state.w_WB *= std::sqrt(rotational_energies_[k] / RotationalEnergy(body));
+          Eigen::Vector3d& w_WB = body.state.w_WB;
+          if (body.is_isotropic || w_WB.isZero(0)) continue;
+          w_WB = SpinAfterCorrection(uncorrected_[k], body.R_WB, body.moments, w_WB);
         }
       },
       [](std::size_t) {});
@@ -613,6 +930,7 @@ void World::Impl::PutToSleep(double h) {
 }
 
 void World::Impl::AppendContactImpulses(std::vector<ContactImpulse>& impulses) const {
+  for (const ContactPair& pair : earlier_contacts_) Read(pair, impulses);
   for (const ContactPair& pair : impact_solver_.impact_contacts()) Read(pair, impulses);
   for (const ContactPair& pair : contact_cache_.pairs()) Read(pair, impulses);
 }

@@ -97,13 +97,13 @@ bool Breaks(const std::vector<Finding>& reading, const std::vector<Finding*>& fi
 std::vector<Reading> ReadingsOf(const Scenario& scenario, const ContactTruth& truth,
                                 const OracleInfo& oracle, const ContactAnswer& answer) {
   const Tolerances tolerances = TolerancesOf(oracle, scenario, truth, answer.touching);
-  const double e = tolerances.separation.value;
+  const double e = tolerances.separation;
   std::vector<Reading> readings;
 
   const auto n_AB_W = NormalOf(answer);
-  const bool is_flipped =
-      n_AB_W && Excess(scenario.contact, truth, *n_AB_W) > tolerances.excess.value &&
-      Excess(scenario.contact, truth, -*n_AB_W) <= tolerances.excess.value;
+  const bool is_flipped = n_AB_W &&
+                          Excess(scenario.contact, truth, *n_AB_W) > tolerances.excess &&
+                          Excess(scenario.contact, truth, -*n_AB_W) <= tolerances.excess;
   if (is_flipped) {
     Reading flipped{answer, "its normal points from B to A"};
     FlipNormals(flipped.answer);
@@ -141,7 +141,7 @@ void ExplainByConvention(const Scenario& scenario, const ContactTruth& truth,
                          std::vector<Finding*>& findings) {
   for (const Reading& reading : ReadingsOf(scenario, truth, oracle, answer)) {
     const std::vector<Finding> judged =
-        JudgeAnswer(scenario, truth, oracle, reading.answer);
+        JudgeAnswer(scenario, truth, oracle, reading.answer, Reasons::kNone);
     if (Breaks(judged, findings)) continue;
     for (Finding* finding : findings) {
       if (!IsProvedWrong(*finding) || finding->cause != Cause::kNone) continue;

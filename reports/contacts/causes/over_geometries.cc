@@ -110,21 +110,27 @@ bool IsTie(const Index& index, const Finding& finding) {
          Excess(result.scenario.contact, result.truth, -*n_AB_W) <= finding.tolerance;
 }
 
-/** Returns the signed error of a separation. */
+/** Returns the signed error of a separation, with the sizes if it failed: passes are
+ most of the findings, and nobody reads theirs. */
 std::optional<SignedError> ErrorOf(const Index& index, Finding& finding) {
   const ScenarioResult& result = index.Result(finding);
   const Enclosure& truth = result.truth.separation;
   const std::optional<double> separation = SeparationOf(index.Answer(finding));
   if (!separation) return std::nullopt;
   const double nearest = std::clamp(*separation, truth.lo, truth.hi);
-  return SignedError{&finding, *separation - nearest, nearest,
-                     SizesOf(result.scenario.contact)};
+  return SignedError{
+      &finding, *separation - nearest, nearest,
+      finding.verdict == Verdict::kPass ? "" : SizesOf(result.scenario.contact)};
 }
 
 }  // namespace
 
 void ExplainByMargins(std::span<const ScenarioResult> results,
                       std::span<const OracleInfo> oracles, std::span<Finding> findings) {
+  const auto is_unexplained = [](const Finding& finding) {
+    return IsProvedWrong(finding) && finding.cause == Cause::kNone;
+  };
+  if (std::none_of(findings.begin(), findings.end(), is_unexplained)) return;
   const Index index(results, oracles);
   struct Group {
     std::vector<SignedError> failures;
@@ -133,7 +139,7 @@ void ExplainByMargins(std::span<const ScenarioResult> results,
   std::map<Alike, Group> groups;
   for (Finding& finding : findings) {
     if (finding.measure != MeasureKind::kSeparationError) continue;
-    const bool failed = IsProvedWrong(finding) && finding.cause == Cause::kNone;
+    const bool failed = is_unexplained(finding);
     if (!failed && finding.verdict != Verdict::kPass) continue;
     const std::optional<SignedError> error = ErrorOf(index, finding);
     if (!error) continue;
@@ -145,25 +151,34 @@ void ExplainByMargins(std::span<const ScenarioResult> results,
 
 void RefuseConventions(std::span<const ScenarioResult> results,
                        std::span<const OracleInfo> oracles, std::span<Finding> findings) {
-  const Index index(results, oracles);
-  std::map<std::tuple<Alike, std::string>, std::set<std::string>> geometries;
-  std::map<std::tuple<Alike, MeasureKind>, std::string_view> contradictions;
   const auto is_convention = [](const Finding& finding) {
     return IsProvedWrong(finding) && finding.cause == Cause::kConvention &&
            !IsMargin(finding);
   };
+  if (std::none_of(findings.begin(), findings.end(), is_convention)) return;
+  const Index index(results, oracles);
+  std::map<std::tuple<Alike, std::string>, std::set<std::string>> geometries;
+  std::set<std::tuple<Alike, MeasureKind>> questioned;
+  for (const Finding& finding : findings) {
+    if (finding.reference != "referee" || !is_convention(finding)) continue;
+    const Alike alike = AlikeOf(index, finding);
+    geometries[{alike, finding.cause_because}].insert(GeometryOf(index.Result(finding)));
+    questioned.emplace(alike, finding.measure);
+  }
+  std::map<std::tuple<Alike, MeasureKind>, std::string_view> contradictions;
+  std::set<std::tuple<Alike, MeasureKind>> unexamined;
   for (const Finding& finding : findings) {
     if (finding.reference != "referee") continue;
-    const ScenarioResult& result = index.Result(finding);
-    if (is_convention(finding)) {
-      geometries[{AlikeOf(index, finding), finding.cause_because}].insert(
-          GeometryOf(result));
-    } else if (finding.verdict == Verdict::kPass && !IsTie(index, finding) &&
-               // Near touching, the conventions of separations cannot be told apart.
-               Outside(0, result.truth.separation) > kClearOfZero * finding.tolerance) {
-      contradictions.emplace(std::tuple(AlikeOf(index, finding), finding.measure),
-                             finding.scenario);
-    }
+    if (finding.cause == Cause::kNotExamined)
+      unexamined.emplace(AlikeOf(index, finding), finding.measure);
+    if (finding.verdict != Verdict::kPass) continue;
+    const std::tuple key(AlikeOf(index, finding), finding.measure);
+    if (!questioned.contains(key) || contradictions.contains(key)) continue;
+    // Near touching, the conventions of separations cannot be told apart.
+    if (Outside(0, index.Result(finding).truth.separation) >
+            kClearOfZero * finding.tolerance &&
+        !IsTie(index, finding))
+      contradictions.emplace(key, finding.scenario);
   }
   for (Finding& finding : findings) {
     if (!is_convention(finding)) continue;
@@ -172,6 +187,11 @@ void RefuseConventions(std::span<const ScenarioResult> results,
     const bool is_contradicted = contradiction != contradictions.end();
     if (!is_contradicted && geometries[{alike, finding.cause_because}].size() > 1)
       continue;
+    if (!is_contradicted && unexamined.contains({alike, finding.measure})) {
+      finding.cause = Cause::kNotExamined;
+      finding.cause_because.clear();
+      continue;
+    }
     finding.cause = Cause::kDefect;
     finding.cause_because = fmt::format(
         "right if {}, but {}", finding.cause_because,
@@ -184,11 +204,13 @@ void RefuseConventions(std::span<const ScenarioResult> results,
 void RefusePrecisionSharedWithDouble(std::span<const ScenarioResult> results,
                                      std::span<const OracleInfo> oracles,
                                      std::span<Finding> findings) {
+  if (std::none_of(findings.begin(), findings.end(), IsProvedWrong)) return;
   const Index index(results, oracles);
   using Place = std::tuple<std::string_view, MeasureKind, std::string_view>;
   std::map<Place, std::vector<const Finding*>> failures;
   for (const Finding& finding : findings) {
-    if (IsProvedWrong(finding) && finding.cause != Cause::kPrecision)
+    if (IsProvedWrong(finding) && finding.cause != Cause::kPrecision &&
+        finding.cause != Cause::kNotExamined)
       failures[{finding.scenario, finding.measure, finding.reference}].push_back(
           &finding);
   }

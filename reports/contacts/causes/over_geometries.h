@@ -17,7 +17,8 @@ void ExplainByMargins(std::span<const ScenarioResult> results,
 
 /** Turns conventions into defects that only one geometry shows, or that the same oracle
  contradicts: in a question with the same kinds of shapes, apart or penetrating alike, the
- same measure passes as it is. */
+ same measure passes as it is. A convention that only one geometry shows is not examined
+ if such questions have failures that are not: another of them may show it. */
 void RefuseConventions(std::span<const ScenarioResult> results,
                        std::span<const OracleInfo> oracles, std::span<Finding> findings);
 

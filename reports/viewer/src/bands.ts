@@ -8,14 +8,17 @@ export interface BandText { name: string; glyph: string; meaning: string }
 
 export const bandTexts: Record<Band, BandText> = {
   crash: { name: "unusable", glyph: "✖", meaning: "no usable answer: a crash, a hang, a number that is not finite, or a contact that contradicts itself" },
-  grave: { name: "grave", glyph: "◆", meaning: "wrong by over 10 % of the size, or a wrong hit or miss" },
+  grave: { name: "grave", glyph: "◆", meaning: "wrong by over 10 % of the size, or a wrong hit or miss beyond rounding" },
   large: { name: "large", glyph: "▲", meaning: "wrong by over 0.1 % of the size" },
   small: { name: "small", glyph: "●", meaning: "wrong by over one millionth of the size" },
-  rounding: { name: "rounding", glyph: "◦", meaning: "wrong by at most one millionth of the size" },
+  rounding: { name: "rounding", glyph: "◦", meaning: "wrong by at most one millionth of the size, a hit that is missed by that little included" },
   undecidable: { name: "undecidable", glyph: "?", meaning: "no answer can be proved right or wrong" },
   passed: { name: "passed", glyph: "✓", meaning: "within the derived tolerance of the truth" },
-  unasked: { name: "not asked", glyph: "–", meaning: "the oracle does not answer questions of this kind" },
+  unasked: { name: "unsupported", glyph: "–", meaning: "the oracle does not answer such a question: it says so, or is never asked questions of this kind" },
 };
+
+/** What "the size" is wherever errors are compared with it. */
+export const sizeMeaning = "The size of a length is the extent of the smaller body of a contact question, or of the smallest moving body of a world. A speed (m/s) is compared with V, the greatest speed of its motion or what its load gives a body over its size; an energy (J) with ½ M V², M all that moves; a momentum (N s) with M V; an angular momentum (N m s) with M V × the size; a spin with V / the size; angles (rad) with one radian; numbers without a unit with one.";
 
 /** The bands of faults. */
 export const faultBands: readonly Band[] = ["crash", "grave", "large", "small", "rounding"];
@@ -30,17 +33,16 @@ const bandOfGrade: (Band | undefined)[] = [undefined, "rounding", "small", "larg
 
 const bandOfShare = (share: number): Band => share > 0.1 ? "grave" : share > 1e-3 ? "large" : share > 1e-6 ? "small" : "rounding";
 
-/** @param silent whether the measure is that of having answered at all */
-export function bandOf(verdict: string, grade: number, share: number, silent = false): Band {
-  return bandOfVerdict[verdict] ?? (silent ? "crash" : bandOfGrade[grade] ?? bandOfShare(Math.abs(share)));
-}
+export const bandOf = (verdict: string, grade: number, share: number): Band => bandOfVerdict[verdict] ?? bandOfGrade[grade] ?? bandOfShare(Math.abs(share));
 
-/** The measure of having answered. */
-export const answering = "answering";
+/** The verdict of a finding without the ledger: a crash that an entry excuses is one. */
+export function verdictBefore({ findings, names, ledger }: Report, finding: number): string {
+  const verdict = names.verdict[findings.verdict[finding]] ?? "";
+  return verdict === "known" ? ledger[findings.ledger[finding]]?.verdict ?? verdict : verdict;
+}
 
 /** The band of each finding, as an index into `bands`. */
 export function findBands(report: Report): Uint8Array {
-  const { verdict, grade, share, measure } = report.findings;
-  const silent = report.names.measure.map((m) => m.name === answering);
-  return Uint8Array.from(verdict, (v, i) => bands.indexOf(bandOf(report.names.verdict[v] ?? "", grade[i], share[i] ?? 0, silent[measure[i]])));
+  const { verdict, grade, share } = report.findings;
+  return Uint8Array.from(verdict, (_, i) => bands.indexOf(bandOf(verdictBefore(report, i), grade[i], share[i] ?? 0)));
 }

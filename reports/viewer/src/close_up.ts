@@ -1,14 +1,14 @@
 import type { Contact, Vec3 } from "./data";
 import { h } from "./dom";
 import { colourOf, prefersDark, type Look } from "./engines";
-import { digits, length } from "./format";
-import { contactCentre, hasNormal } from "./scene/contact_scene";
+import { digits, length, precise } from "./format";
+import { contactCentre, hasNormal, type ProofState } from "./scene/contact_scene";
 import { makeCut } from "./scene/section";
 import { across, add, dot, isFinite3, sub, times, unit } from "./vector";
 
 /** A close-up of a contact: the section of both bodies along the normal, magnified so that the depth or the gap fills a third of it.
  * It is computed in doubles about the contact, because a graphics card has no digits left for a depth of a millionth of the size. */
-export function closeUp(contact: Contact, looks: Look[]): { element: HTMLElement; draw(shown: number[]): void } | null {
+export function closeUp(contact: Contact, looks: Look[]): { element: HTMLElement; draw(shown: number[], state: ProofState, explained: number): void } | null {
   const { truth } = contact;
   const size = Math.max(Math.abs(truth.lo), Math.abs(truth.hi));
   if (!hasNormal(truth.n) || !Number.isFinite(size) || size === 0) return null;
@@ -21,22 +21,32 @@ export function closeUp(contact: Contact, looks: Look[]): { element: HTMLElement
   const pixelsPerMetre = height / 3 / size;
   const canvas = h("canvas", { width: width * 2, height: height * 2, role: "img", "aria-label": `Section along the normal, close up: ${truth.touching}, ${length(size)}` });
   const cuts = [contact.A, contact.B].map((body) => makeCut(body, centre, n));
+  /** Where lines along n, one a column, run within a body that has moved across n: the lower and the upper end. */
+  const columnsOf = (cut: (typeof cuts)[0], moved: Vec3 = [0, 0, 0]): (ReturnType<(typeof cuts)[0]>)[] =>
+    Array.from({ length: width }, (_, x) => cut(sub(times((x + 0.5 - width / 2) / pixelsPerMetre, e), moved)));
+  const still = cuts.map((cut) => columnsOf(cut));
 
-  const draw = (shown: number[]): void => {
+  const draw = (shown: number[], state: ProofState, explained: number): void => {
     const context = canvas.getContext("2d");
     if (!context) return;
     const dark = prefersDark();
     context.setTransform(2, 0, 0, 2, 0, 0);
     context.clearRect(0, 0, width, height);
     const y = (t: number): number => Math.max(-10, Math.min(height + 10, height / 2 - t * pixelsPerMetre));
-    cuts.forEach((cut, i) => {
-      context.fillStyle = i === 0 ? (dark ? "#7f93b8" : "#8fa3c9") : (dark ? "#b59a74" : "#cbb38c");
-      context.globalAlpha = 0.55;
-      for (let x = 0; x < width; ++x) {
-        const part = cut(times((x + 0.5 - width / 2) / pixelsPerMetre, e));
-        if (part) context.fillRect(x, y(part[1]), 1, y(part[0]) - y(part[1]));
-      }
-    });
+    const fillColumns = (columns: (typeof still)[0], raised: number, colour: string, opacity: number): void => {
+      context.fillStyle = colour;
+      context.globalAlpha = opacity;
+      columns.forEach((part, x) => { if (part) context.fillRect(x, y(part[1] + raised), 1, y(part[0] + raised) - y(part[1] + raised)); });
+    };
+    fillColumns(still[0], 0, dark ? "#7f93b8" : "#8fa3c9", 0.55);
+    fillColumns(still[1], state.moved, dark ? "#b59a74" : "#cbb38c", 0.55);
+    // The copies of B that are moved as the oracle says.
+    for (const { moved, along } of state.paths) {
+      if (moved === 0) continue;
+      const way = times(moved, along);
+      const raised = dot(way, n);
+      fillColumns(columnsOf(cuts[1], sub(way, times(raised, n))), raised, colourOf(looks[explained]), 0.3);
+    }
     context.globalAlpha = 1;
     const ink = dark ? "#f5f5f5" : "#111111";
     // The ruler of the certified separation.
@@ -49,7 +59,7 @@ export function closeUp(contact: Contact, looks: Look[]): { element: HTMLElement
     context.lineTo(18, bottom);
     context.stroke();
     context.font = "12px system-ui, sans-serif";
-    context.fillText(length(size), 28, (top + bottom) / 2 + 4);
+    context.fillText(state.moved > 0 ? `B moved ${precise(state.moved)}` : precise(size), 28, (top + bottom) / 2 + 4);
     for (const o of shown) {
       const answer = contact.answers[o];
       context.strokeStyle = context.fillStyle = colourOf(looks[o]);
@@ -71,7 +81,7 @@ export function closeUp(contact: Contact, looks: Look[]): { element: HTMLElement
         context.fill();
       }
     }
-    for (const p of [truth.pA, truth.pB]) {
+    for (const p of [truth.pA, add(truth.pB, times(state.moved, n))]) {
       if (!isFinite3(p)) continue;
       const d = sub(p, centre);
       context.strokeStyle = ink;

@@ -23,16 +23,22 @@ export interface Report {
   sentence: string;     // what was asked: "15 oracles answered 556 contact questions; 4 oracles support none of them."
   conclusion: string;   // the last line of the console: "OK: …" or "FAILED: …"
   failed: boolean;      // whether the exit code is not 0
+  exit_code?: number;   // 2: no answer of the subject was verified
+  only_subject?: boolean; // whether failures of the subject alone count
   subject: number;      // index into oracles
   oracles: Oracle[];
   questions: Question[];          // contact questions first, then worlds, each sorted by id
   texts: string[];
-  names: { verdict: string[]; undecided: string[]; grade: string[]; cause: string[]; shipped: string[]; measure: { name: string; unit: string; kind: "length" | "angle" | "count" | "fraction" | "other" }[] };
+  names: { verdict: string[]; undecided: string[]; grade: string[]; cause: string[]; shipped: string[]; proof?: string[]; claim?: string[]; measure: { name: string; unit: string; kind: "length" | "angle" | "count" | "fraction" | "other" }[] };
   findings: Findings;
-  clusters: Cluster[];            // ranked, the gravest first
+  proofs?: Proofs;                // not in the data of older programs
+  cited?: Cited;                  // not in the data of older programs
+  studies?: Studies;
+  clusters: Cluster[];            // ranked, the worst for a user first
   ledger: LedgerEntry[];
   faults: string[];               // of the scenario files and the ledger
   regressions: { oracle: string; what: string }[];
+  sweep?: Sweep;
   compare?: { old: string; new: string; rows: { kind: "worse" | "no longer judged" | "new" | "gone" | "better"; question: string; oracle: string; measure: string; law: string;
     before: number | string | null; after: number | string | null; unit: string; what: string }[] };
 }
@@ -48,6 +54,7 @@ export interface Question {
   id: string; group: string; title: string; kind: "contact" | "world";
   pair?: string;                  // "box–box", contact questions only
   toml: string;                   // the scenario file that asks it again
+  own?: boolean;                  // whether only that file asks it: the program knows no such id
   size: number;                   // extent of the smaller body (contact) or of the motion's smallest moving body (world) [m]
   rounding: (number | string)[];  // length by which rounding alone may change the answer of each oracle [m]
   contact?: Contact;
@@ -85,7 +92,7 @@ export interface World {
   cloths: { rows: number; columns: number }[];
   claims: string[];               // laws that the file claims, in words
   times: number[];                // of the samples kept here [s]
-  thinned: number;                // every n-th sample of the run is kept; 1: all
+  thinned: number;                // every n-th sample of the run is kept, and those about the moments of proofs; 1: all
   motions: Motion[];              // indexed like Report.oracles
   /** Curves of one body or of the whole world over `times`. */
   curves: Curve[];
@@ -105,6 +112,7 @@ export interface Curve {
   truth?: Track;                                      // one channel; where it is known
   tolerance?: number;                                 // band around the truth, or allowed rise
   finding?: number;                                   // the finding that it shows, index into findings
+  shows?: (number | null)[];                          // the finding of each oracle whose measure and truth it shows, index into findings
   breaks?: (number | null)[];                         // time [s] at which each oracle first leaves the band, indexed like oracles
   motions: (Track | null)[];                          // indexed like Report.oracles, one channel
 }
@@ -117,10 +125,54 @@ export interface Findings {
   share: number[];                // error as a share of the size of the question [-]; the value itself for what is no length
   because: Text[];                // origin of the tolerance
   cause_because: Text[]; shipped_because: Text[]; proof: Text[];
-  ledger: number[];               // entry, or -1
+  ledger: number[];               // entry that excuses it, or -1
+  outgrown?: number[];            // entry that knows it, but allows less, or -1
   cluster: number[];              // cluster, or -1
-  time?: number[];                // moment of a world's fault [s], or -1
+  time?: number[];                // the moment of a world that the proof is about, that of the worst value [s], or -1
+  first?: number[];               // the first moment at which it is broken, at the latest [s], or -1; not in the data of older programs
 }
+
+/** The parts of a world that a proof names, of the findings whose proofs name any. */
+export interface Cited {
+  finding: number[];              // rising
+  bodies: number[][];             // indices into World.bodies, in the order of the sentence
+  points: Vec3[][];               // in the world frame [m]
+}
+
+/** The numbers of the proofs that have any, one column a property. Lengths are null where a proof has none [m]. */
+export interface Proofs {
+  finding: number[];              // rising
+  kind: number[]; claim: number[];  // indices into names.proof and names.claim, see reports/finding/proof.h
+  said: (number | null)[]; bound: (number | null)[];
+  n: (Vec3 | null)[]; offset: (number | null)[]; claimed: (Vec3 | null)[]; points: Vec3[][];
+  change: Text[]; body: Text[]; time: (number | null)[];
+  angle?: (number | null)[];      // between the places of a body [rad]
+}
+
+/** The errors at the step of a world, a half and a quarter of it, of the findings whose cause was told from them. */
+export interface Studies { finding: number[]; errors: [number, number, number][]; unit: string[] }
+
+/** The results of a sweep. Columns hold indices into `names` of their own, −1 for none: worlds have no pair, contact questions no law. */
+export interface Sweep {
+  kind?: "contact" | "world";                   // contact in the data of older programs, which lack all that has a `?`
+  settings: { name: string; value: string }[];
+  asked: number; failed: number; kept: number;  // questions; failed answers; failures that the file has kept
+  /** Answers by their gravest finding. */
+  answers: { family: number[]; pair: number[]; oracle: number[]; verdict: number[]; band: number[]; count: number[] };
+  /** Findings: every measure of every answer, over all pairs. */
+  findings?: { family: number[]; oracle: number[]; measure: number[]; law: number[]; verdict: number[]; band: number[]; count: number[] };
+  bins_per_decade: number;
+  /** `bins`: bin, count, bin, count, …; bin b holds values from 10^(b / bins_per_decade) on. */
+  sketches: { pair: number[]; oracle: number[]; measure: number[]; law?: number[]; zeros: number[]; infinite: number[]; bins: number[][] };
+  /** The failures whose questions are in `questions`, gravest first. */
+  failures: { question: number[]; family?: number[]; pair?: number[]; oracle: number[]; measure: number[]; law?: number[]; verdict: number[]; band: number[]; value: (number | string)[]; share: number[]; proof: string[]; is_new?: boolean[] };
+  /** The worst findings of each measure whose questions are in `questions`, whatever their verdicts, the most tolerances first. */
+  worst?: { question: number[]; family: number[]; pair: number[]; oracle: number[]; measure: number[]; law: number[]; verdict: number[]; value: (number | string)[]; tolerance: (number | string)[]; tolerances: (number | string)[]; share: number[] };
+  names: { oracle: string[]; family: string[]; pair: string[]; measure: string[]; law?: string[]; verdict: string[]; band: string[] };
+}
+
+/** The party that is responsible for a fault: the engine, a setting that its adapter chooses, or a simplification that the engine documents. */
+export type Responsible = "engine" | "adapter" | "model";
 
 /** Faults with one cause: of one reason of the ledger, or of one engine, measure and cause outside it. */
 export interface Cluster {
@@ -130,8 +182,10 @@ export interface Cluster {
   reason: string;                 // the ledger's text, or the cause in words
   upstream: string;               // link, "unreported", or ""
   is_new: boolean;                // not in the ledger
+  has_outgrown?: boolean;         // in the ledger, and larger than its bound there
   grade: number;                  // the gravest, index into names.grade
   cause: number;
+  responsible?: Responsible;      // not in the data of older programs
   oracles: number[];              // that share it, most affected first
   questions: number[];            // gravest first
   worst: number;                  // finding, index into findings
@@ -141,6 +195,6 @@ export interface Cluster {
 }
 
 export interface LedgerEntry {
-  scenarios: string[]; oracle: string; version: string; verdict: string; measures: string[]; cause: string; fault?: string; reason: string; upstream: string; expires: string;
+  scenarios: string[]; oracle: string; version: string; verdict: string; measures: string[]; cause: string; responsible?: Responsible; fault?: string; reason: string; upstream: string; expires: string;
   uses: number;                   // findings that it hides in this run
 }

@@ -1,7 +1,9 @@
 import type { Report, Track } from "./data";
+import { parseLazily } from "./lazy_json";
 
-/** A report and the bytes that its tracks refer to. */
-export interface ReportData { report: Report; blob: Uint8Array }
+/** A report and the bytes that its tracks refer to. Its large parts are parsed when they are first read.
+ * @param text one of the texts of the report, without parsing them all */
+export interface ReportData { report: Report; blob: Uint8Array; text?: (index: number) => string }
 
 /** A defect of the data that the reader can be told. */
 export class DataError extends Error {}
@@ -11,8 +13,11 @@ const version = 1;
 const headerBytes = 12;
 
 export function bytesOfBase64(base64: string): Uint8Array<ArrayBuffer> {
+  // The browser's own decoder, where it has one, makes no text of the bytes first.
+  const { fromBase64 } = Uint8Array as unknown as { fromBase64?: (text: string) => Uint8Array<ArrayBuffer> };
   let text: string;
   try {
+    if (fromBase64) return fromBase64.call(Uint8Array, base64.trim());
     text = atob(base64.trim());
   } catch {
     throw new DataError("the data of this page are not base64");
@@ -41,12 +46,13 @@ export function parseData(bytes: Uint8Array): ReportData {
   if (found !== version) throw new DataError(`this page reads data of version ${version}; these have version ${found}`);
   const end = headerBytes + header.getUint32(8, true);
   if (end > bytes.length) throw new DataError("the data of this page are cut short");
-  const report = JSON.parse(new TextDecoder().decode(bytes.subarray(headerBytes, end))) as Report;
+  const { value, text } = parseLazily(bytes.subarray(headerBytes, end), ["findings", "proofs", "cited", "studies"], ["questions"], "texts");
+  const report = value as Report;
   for (const cluster of report.clusters ?? []) {
     cluster.title ??= cluster.sentence ?? "";
     cluster.extent ??= "";
   }
-  return { report, blob: bytes.subarray(end) };
+  return { report, blob: bytes.subarray(end), ...(text && { text }) };
 }
 
 export async function readReportData(base64: string): Promise<ReportData> {

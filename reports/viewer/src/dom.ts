@@ -56,11 +56,11 @@ export function fill(element: Element, ...children: Child[]): void {
 }
 
 /** Shows a passing message, also to screen readers. */
-export function toast(message: string): void {
+export function toast(message: string, shownFor = 2500): void {
   const place = document.getElementById("toast");
   if (!place) return;
   place.textContent = message;
-  window.setTimeout(() => { if (place.textContent === message) place.textContent = ""; }, 2500);
+  window.setTimeout(() => { if (place.textContent === message) place.textContent = ""; }, shownFor);
 }
 
 /** Whether the reader asked the system for less motion. */

@@ -18,6 +18,8 @@ export const csv = (rows: (string | number)[][]): string => rows.map((row) => ro
 export const downloadCsv = (name: string, rows: (string | number)[][]): void =>
   download(name, new Blob([csv(rows)], { type: "text/csv;charset=utf-8" }));
 
+export const downloadText = (name: string, text: string): void => download(name, new Blob([text], { type: "text/plain;charset=utf-8" }));
+
 export function downloadPicture(name: string, picture: Blob | null): void {
   if (picture) download(name, picture);
 }

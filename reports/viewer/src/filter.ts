@@ -1,13 +1,13 @@
 import { valuesOf } from "./address";
 import { bands, faultBands, type Band } from "./bands";
-import { numberOf } from "./format";
+import { faultName } from "./fault_address";
 import type { Run } from "./run";
 
 /** Filters of the list of findings, as in its address. Several values of a key are alternatives; keys add up. */
 export const filterKeys = ["verdict", "oracle", "group", "pair", "measure", "law", "cause", "cluster", "entry", "question"] as const;
 export type FilterKey = (typeof filterKeys)[number];
 
-export const sortKeys = ["gravity", "question", "oracle", "measure", "value", "share"] as const;
+export const sortKeys = ["gravity", "question", "oracle", "measure", "share"] as const;
 export type SortKey = (typeof sortKeys)[number];
 
 export interface Matches {
@@ -63,7 +63,7 @@ function testOf(run: Run, key: FilterKey, values: string[]): Test {
     case "cause": return test(f.cause, names.cause, (c) => c);
     case "law": return test(f.law, report.texts, (t) => t);
     case "entry": return test(f.ledger, report.ledger, index);
-    case "cluster": return test(f.cluster, report.clusters, index);
+    case "cluster": return test(f.cluster, report.clusters, (_, c) => (wanted.has(faultName(run, c)) ? faultName(run, c) : String(c)));
   }
 }
 
@@ -90,7 +90,6 @@ export function orderBy(run: Run, key: SortKey): Uint32Array {
     case "question": { const r = questionRank(); keys = f.question.map((q) => r[q]); break; }
     case "oracle": { const r = rank(oracles, (o) => o.name); keys = f.oracle.map((o) => r[o]); break; }
     case "measure": { const r = rank(names.measure, (m) => m.name); keys = f.measure.map((m) => r[m]); break; }
-    case "value": keys = f.value.map((v) => { const x = -Math.abs(numberOf(v)); return Number.isNaN(x) ? -Infinity : x; }); break;
     case "share": keys = f.share.map((s) => -Math.abs(s)); break;
   }
   order = Uint32Array.from(keys, (_, i) => i).sort((a, b) => keys[a] - keys[b] || gravity[a] - gravity[b] || a - b);
@@ -109,7 +108,8 @@ export function findMatches(run: Run, query: URLSearchParams): Matches {
   const words = run.search.find(query.get("q") ?? "");
   const wanted = new Uint8Array(bands.length);
   for (const band of bandsOf(query)) wanted[bands.indexOf(band)] = 1;
-  const sort = query.get("sort") as SortKey | null;
+  // Older addresses ask for an order by value, which mixed units.
+  const sort = (query.get("sort") === "value" ? "share" : query.get("sort")) as SortKey | null;
   const order = orderBy(run, sort && sortKeys.includes(sort) ? sort : "gravity");
   const { band } = run;
   const passes = words ?? new Uint8Array(band.length).fill(1);

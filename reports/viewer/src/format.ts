@@ -11,6 +11,17 @@ export function digits(value: number, count = 3): string {
   return text.replace(/^-/, "−");
 }
 
+/** Most digits of a number that is read beside others: doubles that differ by less are alike to a reader. */
+const mostDigits = 12;
+
+/** Writes numbers that are read side by side: each to the fewest digits, `least` or more, with which all that differ read differently. */
+export function apart(values: number[], least = 3): string[] {
+  const different = new Set(values).size;
+  let count = least;
+  while (count < mostDigits && new Set(values.map((v) => digits(v, count))).size < different) ++count;
+  return values.map((v) => digits(v, count));
+}
+
 /** Rounds as the sentences of the program do (reports/text/si_quantity.cc), so that a number is written in one way wherever it is read: to two
  * digits, from 100 on to three. */
 export function short(value: number): string {
@@ -29,6 +40,13 @@ export function length(metres: number): string {
   return prefix ? `${short(metres / prefix[0])} ${prefix[1]}m` : `${short(metres)} m`;
 }
 
+/** Writes a length to three digits, as proofs do: "62.3 cm". */
+export function precise(metres: number): string {
+  const size = Math.abs(metres);
+  const prefix = Number.isFinite(size) ? prefixes.find(([unit]) => size >= 0.9995 * unit) : undefined;
+  return prefix ? `${digits(metres / prefix[0])} ${prefix[1]}m` : `${digits(metres)} m`;
+}
+
 /** Writes a quantity of a measure. Texts ("inf", "nan") stand for what JSON cannot hold. */
 export function quantity(value: number | string, unit: string): string {
   const number = numberOf(value);
@@ -41,15 +59,15 @@ export function numberOf(value: number | string): number {
   return value === "inf" ? Infinity : value === "-inf" ? -Infinity : NaN;
 }
 
-/** Writes a share: "5 %", "0.02 %", "2e-16", "51 ×". */
+/** Writes a share: "5 %", "0.02 %", "2e-16", "4 ×". */
 export function ratio(value: number): string {
   const size = Math.abs(value);
-  if (size >= 9.95) return `${short(value)} ×`;
+  if (size >= 1.05) return `${short(value)} ×`;
   return size >= 1e-4 ? `${short(value * 100)} %` : short(value);
 }
 
-/** Writes a share of the size of a question: "5 % of the size", "51 × the size". */
-export const share = (value: number): string => (Math.abs(value) >= 9.95 ? `${ratio(value)} the size` : `${ratio(value)} of the size`);
+/** Writes a share of `whole`: "5 % of the smaller body", "4 times the smaller body". */
+export const share = (value: number, whole: string): string => (Math.abs(value) >= 1.05 ? `${short(value)} times ${whole}` : `${ratio(value)} of ${whole}`);
 
 export const seconds = (time: number): string => `${time.toFixed(3)} s`;
 
@@ -62,3 +80,6 @@ export const spaced = (name: string): string => name.replaceAll("_", " ");
 
 /** The first letter as a capital. */
 export const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** A name in quotation marks: users choose the names of bodies, and in a sentence any word may be one. */
+export const quoted = (name: string): string => `“${name}”`;

@@ -1,43 +1,36 @@
-import type { Vec3 } from "./data";
+import { h, type Child } from "./dom";
+import { withError, type ShownError } from "./error_in_proof";
+import { shortest, verbatim } from "./proof_clause";
+import { prose } from "./symbols";
 
-/** The geometry that a proof states in its sentence. Points and directions there have all their digits (reports/contacts/proof.h), so that they
- * read back as the numbers of the program. */
-const number = String.raw`-?\d+(?:\.\d+)?(?:e[-+]?\d+)?`;
-const vector = String.raw`\((${number}), (${number}), (${number})\)`;
-const variantPattern = new RegExp(String.raw`for its variant \((\w+)(?:: (.*?))?\), mapped back, it says n = ${vector}`);
-const placesPattern = new RegExp(String.raw`at (${number}) s (.+?) is at ${vector} and ${vector}`);
-const commonPattern = new RegExp(String.raw`the point ${vector} lies .* inside both`);
+/** Digits of a number in a sentence; a tooltip has all. */
+const shownDigits = 6;
 
-const vectorAt = (match: RegExpExecArray, first: number): Vec3 => [Number(match[first]), Number(match[first + 1]), Number(match[first + 2])];
+const number = "-?\\d+(?:\\.\\d+)?(?:e[+-]?\\d+)?";
+const numberOrVector = new RegExp(`(\\(${number}(?:, ${number})+\\)|(?<![\\p{L}\\d_:/.])${number}(?![\\p{L}\\d_:/]))`, "iu");
+const eachNumber = new RegExp(number, "gi");
 
-/** The normal that an oracle states for a variant of the question, mapped back into the question itself. */
-export interface ContactVariant { name: string; how: string; n: Vec3 }
+/** Whether a number is written with more digits than a sentence needs. */
+const isLong = (text: string): boolean => text.replace(/e.*$/i, "").replace(/^[-0.]+/, "").replace(/\D/g, "").length > shownDigits;
 
-export function contactVariant(proof: string): ContactVariant | null {
-  const match = variantPattern.exec(proof);
-  return match && { name: match[1], how: match[2] ?? "", n: vectorAt(match, 3) };
+/** A part of a proof: as it is shown, and as the proof has it. */
+export interface ProofPart {
+  shown: string;
+  whole: string;
 }
 
-/** Where a body is in the world and in a variant of it, mapped back. */
-export interface WorldVariant { time: number; body: string; own: Vec3; variant: Vec3 }
-
-export function worldVariant(proof: string): WorldVariant | null {
-  const match = placesPattern.exec(proof);
-  return match && { time: Number(match[1]), body: match[2], own: vectorAt(match, 3), variant: vectorAt(match, 6) };
+/** A proof in parts: its numbers to six digits, or to as many as tell two of them apart.
+ * @param whole the proof of which the text is a part */
+export function proofParts(text: string, whole = text): ProofPart[] {
+  const pieces = text.split(verbatim);
+  const values = whole.split(verbatim).flatMap((piece, i) => (i % 2 === 0 ? piece.match(eachNumber) ?? [] : [])).map(Number);
+  const rounded = (found: string): string => (isLong(found) ? shortest(Number(found), values, shownDigits) : found);
+  return pieces.flatMap((piece, i) => (i % 2 === 1 ? [{ shown: piece, whole: piece }]
+    : piece.split(numberOrVector).map((whole, j) => ({ shown: j % 2 === 1 ? whole.replace(eachNumber, rounded) : whole, whole }))));
 }
 
-/** The point inside both bodies that proves that they touch. */
-export function commonPoint(proof: string): Vec3 | null {
-  const match = commonPattern.exec(proof);
-  return match && vectorAt(match, 1);
-}
-
-const studyPattern = new RegExp(String.raw`(${number}), (${number}) and (${number})(?: \S+)? at the step, a half and a quarter of it: (.+)$`);
-
-/** The error at the step of a world, a half and a quarter of it, and what follows of that. */
-export interface StepStudy { errors: [number, number, number]; conclusion: string }
-
-export function stepStudy(cause: string): StepStudy | null {
-  const match = studyPattern.exec(cause);
-  return match && { errors: [Number(match[1]), Number(match[2]), Number(match[3])], conclusion: match[4] };
+/** A proof as prose; a tooltip has all digits of what is rounded.
+ * @param error the error that it states, which is marked */
+export function proofText(text: string, error: ShownError | null = null): Child[] {
+  return withError(text, error, (part) => proofParts(part, text).map(({ shown, whole }) => (shown === whole ? prose(whole) : h("span", { class: "rounded", title: whole }, shown))));
 }

@@ -2,6 +2,8 @@ import { bandOf, bands, faultBands, findBands, type Band } from "./bands";
 import type { Cluster, Report, Track } from "./data";
 import { decodeTrack, type ReportData } from "./decode";
 import { findLooks, type Look } from "./engines";
+import { makeCited, makeProofKinds, makeProofs, makeStudies, turnOf, type CitedParts, type Proof, type StepStudy } from "./proofs";
+import { numberOf } from "./format";
 import { makeSearch, type Search } from "./search";
 
 /** A report with what every screen derives from it. */
@@ -19,11 +21,18 @@ export interface Run {
   groupOf: Uint16Array;
   looks: Look[];
   search: Search;
+  /** The numbers of the proof of a finding; null if it is words alone. */
+  proof(finding: number): Proof | null;
+  /** The parts of a world that the proof of a finding names. */
+  cited(finding: number): CitedParts;
+  study(finding: number): StepStudy | null;
+  /** The size of a finding that is mostly an angle: "176° and 3 cm"; null for any other. */
+  turn(finding: number): string | null;
   channels(track: Track): Float64Array[];
   text(index: number): string;
 }
 
-export function makeRun({ report, blob }: ReportData): Run {
+export function makeRun({ report, blob, text: textOf }: ReportData): Run {
   const band = findBands(report);
   const { question, oracle, share } = report.findings;
   const starts = new Uint32Array(report.questions.length + 1);
@@ -38,6 +47,9 @@ export function makeRun({ report, blob }: ReportData): Run {
   const groups = [...new Set(report.questions.map((q) => q.group))];
   const groupIndex = new Map(groups.map((g, i) => [g, i]));
   const kept = new Map<number, Float64Array[]>();
+  const text = (index: number): string => (index < 0 ? "" : textOf ? textOf(index) : report.texts[index] ?? "");
+  const proof = makeProofs(report, text);
+  const kindOfProof = makeProofKinds(report);
   return {
     report, band, findingsOf, groups,
     gravest(q, o) {
@@ -52,6 +64,10 @@ export function makeRun({ report, blob }: ReportData): Run {
     groupOf: Uint16Array.from(report.questions, (q) => groupIndex.get(q.group) ?? 0),
     looks: findLooks(report.oracles),
     search: makeSearch(report),
+    proof,
+    turn: (finding) => (kindOfProof(finding) !== "places" ? null : turnOf(proof(finding), numberOf(report.findings.value[finding]))),
+    cited: makeCited(report),
+    study: makeStudies(report),
     channels(track) {
       let result = kept.get(track.at);
       if (!result) {
@@ -61,9 +77,12 @@ export function makeRun({ report, blob }: ReportData): Run {
       }
       return result;
     },
-    text: (index) => (index < 0 ? "" : report.texts[index] ?? ""),
+    text,
   };
 }
+
+/** The engines and the size of a fault. The program says "scenario", and the page says "question". */
+export const extentOf = (cluster: Cluster): string => cluster.extent.replace(/\bscenario(s?)\b/g, "question$1");
 
 /** The band of a cluster: that of its worst finding, or of its grade if it has no size. */
 export function bandOfCluster(run: Run, cluster: Cluster): Band {

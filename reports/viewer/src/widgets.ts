@@ -1,22 +1,48 @@
 import { address } from "./address";
-import { bandTexts, type Band } from "./bands";
+import { bands, bandTexts, type Band } from "./bands";
 import { fill, h, toast, type Child } from "./dom";
-import type { Oracle } from "./data";
+import type { Oracle, Question } from "./data";
+import { downloadText, fileName } from "./download";
 import { marker } from "./engines";
+import { marked } from "./matched";
+import { numberOf } from "./format";
 import type { Run } from "./run";
+
+/** The documented model that a passed measurement follows, although it is beyond the tolerance of the truth; "" for any other. */
+export function modelOf({ report: { findings: f, names }, band, text }: Run, finding: number): string {
+  const value = numberOf(f.value[finding] ?? NaN);
+  return bands[band[finding]] === "passed" && names.cause[f.cause[finding]] === "model" && !(value <= numberOf(f.tolerance[finding])) ? text(f.cause_because[finding]) || "another law than the one of the question" : "";
+}
 
 /** A band as a glyph and a word. */
 export function badge(band: Band, text = bandTexts[band].name): HTMLElement {
   return h("span", { class: `badge ${band}`, title: bandTexts[band].meaning }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), " ", text);
 }
 
+/** The band of a finding. A pass beyond the tolerance is one of a documented model, and says so. */
+export function badgeOf(run: Run, finding: number): HTMLElement {
+  const model = modelOf(run, finding);
+  const whole = badge(bands[run.band[finding]], model === "" ? undefined : "follows its model");
+  if (model !== "") whole.title = `Follows its documented model: ${model}`;
+  return whole;
+}
+
+export const newBadge = (meaning: string): HTMLElement => h("span", { class: "new", title: meaning }, "new");
+
 /** The tooltip of an oracle: its library, and the settings of its adapter. */
 const descriptionOf = ({ name, library, version, settings }: Oracle): string => [`${name}: ${library} ${version}`, ...settings.map((s) => `${s.name}: ${s.value}`)].join("\n");
 
-/** An engine as its marker and name, which links to its page. */
-export function engine(run: Run, oracle: number): HTMLElement {
+/** An engine as its marker and name, which links to its page.
+ * @param words words that were searched for, which the name marks */
+export function engine(run: Run, oracle: number, words = ""): HTMLElement {
   const info = run.report.oracles[oracle];
-  return h("a", { class: "engine", title: descriptionOf(info), href: address(["oracles", info.name]) }, marker(run.looks[oracle]), h("span", { class: "name" }, info.name.split(/(?<=[/_])/).map((part, i) => [i > 0 && h("wbr"), part])));
+  return h("a", { class: "engine", title: descriptionOf(info), href: address(["oracles", info.name]) }, marker(run.looks[oracle]), h("span", { class: "name" }, info.name.split(/(?<=[/_])/).map((part, i) => [i > 0 && h("wbr"), marked(part, words)])));
+}
+
+/** The version of the library of an oracle; the library too where the oracle's name does not say it. */
+export function versionOf({ report }: Run, oracle: number): HTMLElement {
+  const { name, library, version } = report.oracles[oracle];
+  return h("span", { class: "version" }, name.toLowerCase().startsWith(library.toLowerCase()) || version === "" ? version : `${library} ${version}`);
 }
 
 /** A link to the web if it is one, also as "owner/repository#number"; whatever else an upstream says is shown as text. */
@@ -28,9 +54,22 @@ export function upstreamLink(upstream: string): HTMLElement | null {
   return h("a", { href, rel: "noreferrer noopener", target: "_blank" }, issue ? upstream : "reported upstream", " ↗");
 }
 
+/** A text as one word of a shell. Ids come from files. */
+const shellWord = (text: string): string => (/^[\w./:@+-]+$/.test(text) && !text.startsWith("-") ? text : `'${text.replaceAll("'", "'\\''")}'`);
+
+/** Commands about a question, with its id at "ID" and an oracle at "ORACLE", which run as they are when copied: a question that only its file asks
+ * is named by that file, which can be saved here. */
+export function commands(question: Question, oracle: string, list: ([what: string, text: string] | false)[]): Child {
+  const file = fileName(question.id, "toml");
+  const named: Record<string, string> = { ID: shellWord(question.own ? file : question.id), ORACLE: shellWord(oracle) };
+  return [
+    question.own && h("p", {}, "The program finds this question in its file only. ", button(`Save ${file}`, () => downloadText(file, question.toml), { class: "small" }), " The commands run in the folder of that file."),
+    list.filter((item) => item !== false).map(([what, text]) => [what && h("p", {}, what), command(text.replace(/\b(ID|ORACLE)\b/g, (name) => named[name]))])];
+}
+
 /** A command with a button that copies it. */
-export function command(text: string): HTMLElement {
-  return h("div", { class: "command" }, h("code", {}, text),
+function command(text: string): HTMLElement {
+  return h("div", { class: "command" }, h("code", {}, text.split(" ").map((word, i) => [i > 0 && " ", h("span", { class: "word" }, word)])),
     h("button", { type: "button", class: "small", on: { click: () => { void copy(text); } } }, "Copy"));
 }
 

@@ -49,12 +49,15 @@ AllowedMotion::AllowedMotion(const Motion& motion)
   const double h = world.dt;
   const double H_0 = start.kinetic + SpringEnergyAtStart(world, everything);
   double most = 0;
+  kinetic_.reserve(states_.size());
+  kinetic_between_.reserve(states_.size());
   for (std::size_t s = 0; s < states_.size(); ++s) {
     const double t = times()[s] + h;
     double root = std::sqrt(2 * H_0) + t * std::sqrt(loads);
     for (const Push& push : world.pushes)
       if (push.time < t) root += LiftOf(world, push);
     double allowed = root * root / 2;
+    kinetic_between_.push_back(allowed);
     const Energy energy = EnergyOf(world, states_[s], everything);
     if (world.pushes.empty()) {
       const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));

@@ -30,9 +30,13 @@ class AllowedMotion {
   /** Returns the state of the motion at sample `s`, slowed if it is too fast. */
   const WorldState& At(std::size_t s) const { return states_[s]; }
 
-  /** Returns the most kinetic energy that the truth allows up to sample `s`, without
-   drift. [J] */
+  /** Returns the most kinetic energy that the truth allows at the samples up to `s`,
+   without drift. [J] */
   double KineticEnergy(std::size_t s) const { return kinetic_[s]; }
+
+  /** The same at any time up to sample `s`, between the samples too: H, whatever the
+   places at the samples. [J] */
+  double KineticEnergyBetween(std::size_t s) const { return kinetic_between_[s]; }
 
   /** Returns the times of the samples. [s] */
   const std::vector<double>& times() const { return *times_; }
@@ -40,6 +44,7 @@ class AllowedMotion {
  private:
   std::vector<WorldState> states_;
   std::vector<double> kinetic_;
+  std::vector<double> kinetic_between_;
   const std::vector<double>* times_;
 };
 

@@ -1,8 +1,7 @@
 #include "reports/worlds/law_support/at_sample.h"
 
-#include <fmt/format.h>
-
-#include "reports/text/format_vector.h"
+#include "reports/text/told_apart.h"
+#include "reports/worlds/law_support/citing.h"
 
 namespace touchstone {
 namespace {
@@ -18,10 +17,18 @@ std::string_view VerbOf(MeasureKind measure) {
 void AtSample::Compare(Worst& worst, const Eigen::Vector3d& is,
                        const Eigen::Vector3d& truth, double tolerance,
                        std::string_view truth_is) const {
+  const MeasureKind measure = worst.finding().measure;
+  // Velocities and spins are no points.
+  const auto proof_of = [&](const auto& is_shown, const auto& truth_shown) {
+    return Citing("{} has {} {} {} after {:.6g} s; {} {}", motion.oracle.name,
+                  CitedName{name}, VerbOf(measure), is_shown,
+                  CitedTime{motion.trajectory.times[sample]}, truth_is, truth_shown);
+  };
   worst.Take((is - truth).norm(), tolerance, [&] {
-    return fmt::format("{} has {} {} {} after {:.6g} s; {} {}", motion.oracle.name, name,
-                       VerbOf(worst.finding().measure), FormatVector(is, 9),
-                       motion.trajectory.times[sample], truth_is, FormatVector(truth, 9));
+    if (measure == MeasureKind::kPositionError)
+      return proof_of(CitedPoint{is}, CitedPoint{truth});
+    const ToldApart told = TellApart(is, truth, 9);
+    return proof_of(told.a, told.b);
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/at_sample.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/energy_bound.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/slop.h"
@@ -271,11 +272,11 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<int>&
           RoundingOf(motion.oracle, StepsBefore(motion, s)) *
               (fall.v_along_W.norm() + std::abs(fall.start.velocity) + fall.gravity * t),
           [&] {
-            return fmt::format(
+            return Citing(
                 "{} has {} moving at {} after {:.6g} s, before it first touches; v₀ + g "
                 "t is {}",
-                motion.oracle.name, fall.name, FormatVector(is_v_W, 9), t,
-                FormatVector(v_W, 9));
+                motion.oracle.name, CitedName{fall.name}, FormatVector(is_v_W, 9),
+                CitedTime{t}, FormatVector(v_W, 9));
           });
     }
     if (position.IsBeyond())
@@ -295,11 +296,11 @@ std::vector<LawFinding> JudgeFalls(const Motion& motion, const std::vector<int>&
           after_gravity && ReflectsAfterGravity(bounce, fall, world.dt, rounding);
       any_telling = any_telling || TellsRulesApart(fall, world.dt, rounding);
       restitution.Take(std::abs(blow.left / blow.came - e), tolerance, [&] {
-        return fmt::format(
+        return Citing(
             "{} has {} leave at {:.6g} m/s before {:.6g} s after arriving at {:.6g} m/s: "
             "e = {:.6g}; the bodies' e is {:.6g}",
-            motion.oracle.name, fall.name, blow.left, bounce.time, blow.came,
-            blow.left / blow.came, e);
+            motion.oracle.name, CitedName{fall.name}, blow.left, CitedTime{bounce.time},
+            blow.came, blow.left / blow.came, e);
       });
     }
   }

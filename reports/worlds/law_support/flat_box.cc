@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/slop.h"
 
@@ -61,12 +60,13 @@ void FlatBox::Take(std::size_t s, double speed) {
   const Eigen::Quaterniond q_WB(body.placed.X_WB.R_WB);
   const double angle = q_WB.angularDistance(is.q_WB.normalized());
   orientation_.Take(angle, settling_angle_ + left * t + rounding, [&] {
-    return fmt::format("{} has {} turned by {:.6g} rad after {:.6g} s; nothing turns it",
-                       motion_.oracle.name, body.name, angle, t);
+    return Citing("{} has {} turned by {:.6g} rad after {:.6g} s; nothing turns it",
+                  motion_.oracle.name, CitedName{body.name}, angle, CitedTime{t});
   });
   spin_.Take(is.w_WB.norm(), settling_spin_ + left, [&] {
-    return fmt::format("{} has {} spinning at {} after {:.6g} s; nothing turns it",
-                       motion_.oracle.name, body.name, FormatVector(is.w_WB, 9), t);
+    return Citing("{} has {} spinning at {} after {:.6g} s; nothing turns it",
+                  motion_.oracle.name, CitedName{body.name}, FormatVector(is.w_WB, 9),
+                  CitedTime{t});
   });
 }
 

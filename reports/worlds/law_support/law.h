@@ -8,6 +8,7 @@
 
 #include "oracles/oracle.h"
 #include "oracles/trajectory.h"
+#include "reports/finding/cited.h"
 #include "reports/finding/finding.h"
 #include "reports/finding/tolerance.h"
 #include "scenarios/validate.h"
@@ -42,7 +43,15 @@ struct LawFinding {
    it is not the model of the truth: "L∞ friction cone", "reflects the velocity after
    gravity". The finding then does not fail, and its cause is `model`. Empty: none. */
   std::string recognised;
+  /** The parts of the world that `proof` names; `time` is the sample of the value. */
+  Cited cited;
 };
+
+/** Returns whether the value is beyond its tolerance; a NaN of either counts as beyond.
+ */
+inline bool IsBeyond(const LawFinding& finding) {
+  return !(finding.value <= finding.tolerance.value);
+}
 
 /** A statement about worlds that any motion can be judged by. Laws are pure: their
  predictions come from the world and the claim, never from an engine. */

@@ -5,9 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "reports/worlds/law_support/at_sample.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/impact_errors.h"
@@ -120,6 +119,9 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
   const double a = (meeting.B.a_W - meeting.A.a_W).norm();
   const Eigen::Vector3d n_W = meeting.NormalAt(meeting.time);
   const double V = ApproachOf(before, n_W);
+  const auto named = [&](const SphereMeeting::Side& side) {
+    return CitedName{motion.world.bodies[static_cast<std::size_t>(side.body)].name};
+  };
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     if (t > until) break;
@@ -157,10 +159,11 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion,
             (kSolverResidual + RoundingOf(motion.oracle, StepsBefore(motion, s))) *
                 speed / V,
         [&] {
-          return fmt::format(
-              "{} has them separate at {:.6g} m/s after they met at {:.6g} m/s: e = "
-              "{:.6g}; the bodies' e is {:.6g}",
-              motion.oracle.name, e * V, V, e, meeting.restitution);
+          return Citing(
+              "{} has {} and {} separate at {:.6g} m/s after {:.6g} s; they met at "
+              "{:.6g} m/s: e = {:.6g}, and the bodies' e is {:.6g}",
+              motion.oracle.name, named(meeting.A), named(meeting.B), e * V, CitedTime{t},
+              V, e, meeting.restitution);
         });
   }
   return {position, velocity, spin, restitution};

@@ -1,19 +1,39 @@
 #include "reports/worlds/law_support/worst.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace touchstone {
 namespace {
 
-auto Gravity(const LawFinding& finding) {
-  const bool beyond = !(finding.value <= finding.tolerance.value);
-  const double share = finding.value == 0 ? 0 : finding.value / finding.tolerance.value;
-  return std::tuple(beyond && finding.recognised.empty(), beyond, share);
+auto RankOf(const LawFinding& finding) {
+  const bool beyond = IsBeyond(finding);
+  return std::tuple(beyond && finding.recognised.empty(), beyond,
+                    std::isnan(finding.value),
+                    InTolerances(finding.value, finding.tolerance.value));
+}
+
+std::optional<double> Earlier(const std::optional<double>& a,
+                              const std::optional<double>& b) {
+  return a && b ? std::min(*a, *b) : a ? a : b;
 }
 
 }  // namespace
+
+LawFinding Worst::RecognisedAs(std::string_view model) const {
+  LawFinding finding = finding_;
+  if (IsBeyond()) finding.recognised = model;
+  if (!left_out_.empty()) {
+    finding.tolerance.because +=
+        fmt::format("; samples at which that grants {} are left out", left_out_);
+  }
+  return finding;
+}
 
 bool AnyBeyond(const std::vector<Worst>& findings) {
   return std::any_of(findings.begin(), findings.end(),
@@ -40,9 +60,12 @@ std::vector<LawFinding> WorstOfEach(
           [&](const LawFinding& other) { return other.measure == finding.measure; });
       if (same == worst.end()) {
         worst.push_back(std::move(finding));
-      } else if (Gravity(finding) > Gravity(*same)) {
-        *same = std::move(finding);
+        continue;
       }
+      const std::optional<double> first =
+          Earlier(same->cited.first_time, finding.cited.first_time);
+      if (RankOf(finding) > RankOf(*same)) *same = std::move(finding);
+      same->cited.first_time = first;
     }
   }
   return worst;

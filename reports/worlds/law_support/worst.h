@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -7,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/law.h"
 
 namespace touchstone {
@@ -21,8 +23,8 @@ class Worst {
     finding_.tolerance.because = std::move(because);
   }
 
-  /** Takes a number; `proof()` is called, for its sentence, only if the number is the
-   worst so far. */
+  /** Takes a number; `proof()`, a CitingProof, is called only if the number is the worst
+   so far. */
   template <typename Proof>
   void Take(double value, double tolerance, Proof&& proof) {
     // A value of zero is never the worst, even with a tolerance of zero. Written so that
@@ -32,29 +34,51 @@ class Worst {
     share_ = share;
     finding_.value = value;
     finding_.tolerance.value = tolerance;
-    finding_.proof = proof();
+    CitingProof of_value = proof();
+    finding_.proof = std::move(of_value.sentence);
+    finding_.cited = std::move(of_value.cited);
+    // Numbers are taken in the order of time, so the first that is beyond its tolerance
+    // is also the worst until then. Numbers of another body may be taken after it.
+    if (IsBeyond() && finding_.cited.time)
+      first_time_ = std::min(first_time_, *finding_.cited.time);
+    if (first_time_ < HUGE_VAL) finding_.cited.first_time = first_time_;
+  }
+
+  /** Takes a number as Take() does, unless it is within a tolerance of `vague` or more.
+   Such a tolerance tells nothing: it grants an error of that size, which `because` names,
+   e.g. "half a turn". The origin of the tolerance says that such samples are left out. */
+  template <typename Proof>
+  void TakeUnlessVague(double value, double tolerance, double vague,
+                       std::string_view because, Proof&& proof) {
+    if (vague > 0 && tolerance >= vague && value <= tolerance) {
+      left_out_ = because;
+    } else {
+      Take(value, tolerance, std::forward<Proof>(proof));
+    }
   }
 
   /** Returns whether any number was taken. */
   bool IsTaken() const { return !(share_ < 0); }
 
+  /** Returns the worst number over its tolerance, InTolerances(); negative if none was
+   taken. [-] */
+  double share() const { return std::isnan(share_) ? HUGE_VAL : share_; }
+
   /** Returns whether the worst number is beyond its tolerance. */
-  bool IsBeyond() const { return !(finding_.value <= finding_.tolerance.value); }
+  bool IsBeyond() const { return touchstone::IsBeyond(finding_); }
 
   /** Returns the law's finding; its fields hold the worst number. */
   const LawFinding& finding() const { return finding_; }
 
   /** Returns the finding, recognised as that of a legal model if it is beyond its
-   tolerance. */
-  LawFinding RecognisedAs(std::string_view model) const {
-    LawFinding finding = finding_;
-    if (IsBeyond()) finding.recognised = model;
-    return finding;
-  }
+   tolerance. Its tolerance says which samples are left out. */
+  LawFinding RecognisedAs(std::string_view model) const;
 
  private:
   LawFinding finding_;
-  double share_ = -1;  ///< The worst value over its tolerance.
+  std::string_view left_out_;     ///< The error that the samples left out are granted.
+  double share_ = -1;             ///< The worst value over its tolerance.
+  double first_time_ = HUGE_VAL;  ///< The first moment beyond its tolerance. [s]
 };
 
 /** Returns whether the worst number of any measure is beyond its tolerance. */
@@ -67,8 +91,8 @@ std::vector<LawFinding> FindingsOf(const std::vector<Worst>& findings,
 
 /** Returns one finding per measure of subjects that `judge` judges one by one. A finding
  beyond its tolerance and not recognised precedes a recognised one, and that precedes one
- within its tolerance; among equals the one with the largest value over tolerance is
- taken. */
+ within its tolerance; among equals NaN is taken, then the largest value over
+ tolerance. */
 std::vector<LawFinding> WorstOfEach(
     const std::vector<int>& subjects,
     const std::function<std::vector<LawFinding>(int subject)>& judge);

@@ -5,10 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "reports/text/format_vector.h"
+#include "reports/text/told_apart.h"
 #include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/overlap.h"
@@ -65,19 +64,20 @@ class Balance {
     const double error = (gained_W - given_W).norm();
     // Depths are measured only where they decide: that takes a referee.
     ContactGrant grant = GrantOf(contacts, s, c_W, [](const auto&) { return 0.0; });
-    double tolerance = ToleranceOf(grant, reported.contacts_per_step, s);
+    double tolerance = ToleranceOf(grant, reported, s);
     if (!(error <= tolerance)) {
       grant = GrantOf(contacts, s, c_W, [&](const ContactImpulse& contact) {
         return std::min(std::abs(contact.separation), MostSeparation(contact, s));
       });
-      tolerance = ToleranceOf(grant, reported.contacts_per_step, s);
+      tolerance = ToleranceOf(grant, reported, s);
     }
     worst.Take(error, tolerance, [&] {
-      return fmt::format(
+      const ToldApart told = TellApart(gained_W, given_W, 9);
+      return Citing(
           "{} has {} gain an angular momentum of {} from {:.6g} to {:.6g} s; "
           "pushes and the reported contacts have a moment of {} about its centre",
-          motion_.oracle.name, body_.name, FormatVector(gained_W, 9), start, end,
-          FormatVector(given_W, 9));
+          motion_.oracle.name, CitedName{body_.name}, told.a, start, CitedTime{end},
+          told.b);
     });
   }
 
@@ -122,7 +122,7 @@ class Balance {
     return most + SurfaceMotion(contact.A, s) + SurfaceMotion(contact.B, s);
   }
 
-  double ToleranceOf(const ContactGrant& grant, double contacts_per_step,
+  double ToleranceOf(const ContactGrant& grant, const ReportedImpulses& reported,
                      std::size_t s) const {
     const World& world = motion_.world;
     const BodyState& from = At(s - 1);
@@ -165,9 +165,10 @@ class Balance {
         RoundingOf(motion_.oracle, world.sample_every) *
             (moments + reach * grant.impulses) +
         InertiaOf(body_).maxCoeff() * motion_.oracle.unit_roundoff / world.dt;
-    const double solver = kRoundingsOfSolver * motion_.oracle.unit_roundoff *
-                          contacts_per_step * grant.moments;
-    return kSafety * legal + rounding + solver;
+    const double solver =
+        SolverRoundingOf(motion_.oracle) * reported.contacts_per_step * grant.moments;
+    return kSafety * legal + rounding + solver +
+           SleepLossBefore(motion_, reported, index_, s).angular;
   }
 
   std::size_t Index() const { return static_cast<std::size_t>(index_); }
@@ -233,11 +234,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   if (!motion.trajectory.gives_impulses) return {};
   Worst worst(
       MeasureKind::kAngularMomentumBalance,
-      "1.5 × what a legal scheme differs by: levers that move by |v| Δt/2 + V h or "
-      "lie a separation away, at most that of the bodies; h ∫ |ω × (ω × L)| and "
-      "h (|ω| |ΔL| + |Δω| |L|) of the gyroscopic term, and |L| |s|/|p − c| of position "
-      "correction, at most |L| |s|/2k with the least radius of gyration k; 64 roundings "
-      "per step, and 3000 of the moments for each contact of a step");
+      WithSleep(
+          "1.5 × what a legal scheme differs by: levers that move by |v| Δt/2 + V h or "
+          "lie a separation away, at most that of the bodies; h ∫ |ω × (ω × L)| and "
+          "h (|ω| |ΔL| + |Δω| |L|) of the gyroscopic term, and |L| |s|/|p − c| of "
+          "position correction, at most |L| |s|/2k with the least radius of gyration k; "
+          "64 roundings per step, and for each contact of a step the moments times "
+          "the square root of the unit roundoff",
+          motion.oracle));
   const AllowedMotion allowed(motion);
   std::vector<Balance> balances;
   for (const int i : SubjectsOf(motion.world, claim).bodies)

@@ -6,8 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/text/told_apart.h"
 #include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
@@ -115,14 +116,16 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     const double floor =
         NoiseOfPositions(world, state, subjects, motion.oracle.unit_roundoff)
             .angular_momentum;
-    worst.Take(
+    if (s == 0) continue;  // The start is that of the world, whatever the law.
+    worst.TakeUnlessVague(
         (kept * (L - L_0)).norm(),
         kSafety * std::min(gyroscopic[s] + rods[s] + contacts, terms) + rounding + floor,
-        [&] {
-          return fmt::format(
+        terms, "as much as all its terms", [&] {
+          const ToldApart told = TellApart(L, L_0, 9);
+          return Citing(
               "{} has an angular momentum of {} N m s after {:.6g} s; it started "
               "with {}",
-              motion.oracle.name, FormatVector(L, 9), t, FormatVector(L_0, 9));
+              motion.oracle.name, told.a, CitedTime{t}, told.b);
         });
   }
   return FindingsOf({worst});

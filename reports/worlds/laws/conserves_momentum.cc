@@ -3,9 +3,8 @@
 #include <array>
 #include <string_view>
 
-#include <fmt/format.h>
-
-#include "reports/text/format_vector.h"
+#include "reports/text/told_apart.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/isolated_system.h"
 #include "reports/worlds/law_support/numbers.h"
@@ -60,10 +59,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                    NoiseOfPositions(world, state, subjects, motion.oracle.unit_roundoff)
                        .momentum,
                [&] {
-                 return fmt::format(
+                 const ToldApart told = TellApart(P, truth, 9);
+                 return Citing(
                      "{} has a momentum of {} N s after {:.6g} s; the start and the "
                      "external impulses give {}",
-                     motion.oracle.name, FormatVector(P, 9), t, FormatVector(truth, 9));
+                     motion.oracle.name, told.a, CitedTime{t}, told.b);
                });
   }
   return FindingsOf({drift});

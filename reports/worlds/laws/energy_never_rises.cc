@@ -4,10 +4,9 @@
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "reports/text/told_apart.h"
 #include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/energy_bound.h"
 #include "reports/worlds/law_support/impact_gain.h"
 #include "reports/worlds/law_support/isolated_system.h"
@@ -40,9 +39,9 @@ std::vector<LawFinding> JudgeAlong(const Motion& motion, const EnergyAlong& alon
       const double tolerance = along.Tolerance(from, s);
       worst.Take(std::max(0.0, E - before), tolerance, [&] {
         const ToldApart told = TellApart(E, before, 9);
-        return fmt::format("{} has {} J after {:.6g} s; it had {} J after {:.6g} s",
-                           motion.oracle.name, told.a, motion.trajectory.times[s], told.b,
-                           motion.trajectory.times[from]);
+        return Citing("{} has {} J after {:.6g} s; it had {} J after {:.6g} s",
+                      motion.oracle.name, told.a, CitedTime{motion.trajectory.times[s]},
+                      told.b, motion.trajectory.times[from]);
       });
       reflects = reflects && (E - before <= tolerance ||
                               along.ReflectsAfterGravity(E - before, from, s));
@@ -56,7 +55,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   EnergyAlong along = EnergyAlongOf(motion, subjects);
   std::vector<LawFinding> findings = JudgeAlong(motion, along, BecauseOfEnergy());
   const LawFinding& rise = findings.front();
-  if (rise.value <= rise.tolerance.value || !rise.recognised.empty()) return findings;
+  if (!IsBeyond(rise) || !rise.recognised.empty()) return findings;
   // The gain of impacts is computed only where it decides, because it takes a referee.
   const std::vector<double> gains =
       ImpactEnergyGain(motion, AllowedMotion(motion), subjects);

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/point_mass.h"
@@ -252,11 +252,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
               (found.has_rods ? kSolverResidual : 0) * length +
               RoundingOf(motion.oracle, StepsBefore(motion, s)) * (p_W.norm() + length),
           [&] {
-            return fmt::format(
+            return Citing(
                 "{} has {} at {} after {:.6g} s; at rest it hangs "
                 "at {}",
-                motion.oracle.name, points[i].name, FormatVector(is.p_W, 9), t,
-                FormatVector(p_W, 9));
+                motion.oracle.name, CitedName{points[i].name}, CitedPoint{is.p_W},
+                CitedTime{t}, CitedPoint{p_W});
           });
     }
   }

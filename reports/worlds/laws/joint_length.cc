@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/scheme_drift.h"
 #include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/universal.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/mechanics.h"
 
@@ -39,16 +39,35 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
-std::string EndOf(const World& world, const Anchor& anchor) {
+CitedName EndOf(const World& world, const Anchor& anchor) {
   switch (anchor.on) {
     case AnchorKind::kBody:
-      return world.bodies[static_cast<std::size_t>(anchor.index)].name;
+      return {world.bodies[static_cast<std::size_t>(anchor.index)].name};
     case AnchorKind::kParticle:
-      return world.particles[static_cast<std::size_t>(anchor.index)].name;
+      return {world.particles[static_cast<std::size_t>(anchor.index)].name};
     case AnchorKind::kWorld:
       break;
   }
-  return "the world";
+  return {.name = "the world", .is_part_of_world = false};
+}
+
+/** Returns |ω|² r of an anchor at the distance r from the centre of its body, which turns
+ about it. [m/s²] */
+double Centripetal(const WorldState& state, const Anchor& anchor) {
+  if (anchor.on != AnchorKind::kBody) return 0;
+  const BodyState& body = state.bodies[static_cast<std::size_t>(anchor.index)];
+  return body.w_WB.squaredNorm() * anchor.point.norm();
+}
+
+/** Returns the larger acceleration of the two ends by loads. [m/s²] */
+double LargestLoad(const World& world, const DistanceJoint& rod) {
+  double largest = world.gravity_W.norm();
+  for (const Anchor* end : {&rod.A, &rod.B}) {
+    if (end->on != AnchorKind::kBody) continue;
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(end->index)];
+    if (body.mass > 0) largest = std::max(largest, AccelerationOf(world, body).norm());
+  }
+  return largest;
 }
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
@@ -56,7 +75,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Trajectory& trajectory = motion.trajectory;
   Worst worst(
       MeasureKind::kJointError,
-      "1.5 × ½ h ∫ v²/L dt, for steps along the tangent, 1e-5 of the ends' "
+      "1.5 × ½ h ∫ (v²/L + Σ ω² r) dt, for steps along the tangent, 1e-5 of the ends' "
       "motion for the solver, both at speeds that the truth allows, and 64 roundings "
       "per step");
   const AllowedMotion allowed(motion);
@@ -70,8 +89,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         IntegralAlong(allowed, [&](const WorldState& state) {
           // At a sample, the velocity that gravity adds in a step may not be turned along
           // the tangent yet.
-          const double v = across(state) + world.gravity_W.norm() * world.dt;
-          return v * v / (2 * rod->length);
+          const double v = across(state) + LargestLoad(world, *rod) * world.dt;
+          return v * v / (2 * rod->length) +
+                 (Centripetal(state, rod->A) + Centripetal(state, rod->B)) / 2;
         });
     const std::vector<double> relative_motion = IntegralAlong(allowed, across);
     double start = 0;
@@ -87,10 +107,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
               kSolverResidual * relative_motion[s] +
               rounding * (A.norm() + B.norm() + rod->length),
           [&] {
-            return fmt::format(
+            return Citing(
                 "{} has {:.9g} m from {} to {} after {:.6g} s; the rod is {:.9g} m",
                 motion.oracle.name, length, EndOf(world, rod->A), EndOf(world, rod->B),
-                trajectory.times[s], rod->length);
+                CitedTime{trajectory.times[s]}, rod->length);
           });
     }
   }
@@ -104,6 +124,7 @@ constinit const Law kJointLength = {
     .documentation = "A rod keeps its length.",
     .faults = Faults,
     .judge = Judge,
+    .universal = [](const World& world) { return ClaimAboutEach(kJointLength, world); },
 };
 
 }  // namespace touchstone

@@ -9,6 +9,7 @@
 #include "reports/worlds/laws/conserves_angular_momentum.h"
 #include "reports/worlds/laws/conserves_energy.h"
 #include "reports/worlds/laws/conserves_momentum.h"
+#include "reports/worlds/laws/contacts_on_bodies.h"
 #include "reports/worlds/laws/corner_impact.h"
 #include "reports/worlds/laws/coulomb_cone.h"
 #include "reports/worlds/laws/double_pendulum.h"
@@ -47,6 +48,7 @@ std::span<const Law> Laws() {
       kConservesAngularMomentum,
       kConservesEnergy,
       kConservesMomentum,
+      kContactsOnBodies,
       kCornerImpact,
       kCoulombCone,
       kDoublePendulum,

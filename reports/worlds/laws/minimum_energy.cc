@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/point_mass.h"
@@ -210,9 +211,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst position(MeasureKind::kPositionError, because);
   const double off = Farthest(is, rest);
   position.Take(off, kSafety * amplitude * left_of_start + rounding * reach, [&] {
-    return fmt::format(
-        "{} has a point {:.6g} m from its place of least energy after {:.6g} s",
-        motion.oracle.name, off, t);
+    return Citing("{} has a point {:.6g} m from its place of least energy after {:.6g} s",
+                  motion.oracle.name, off, CitedTime{t});
   });
 
   Worst energy(MeasureKind::kEnergyDrift, because);
@@ -221,9 +221,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       std::abs(left),
       kSafety * std::abs(given) * left_of_start * left_of_start + rounding * last.size,
       [&] {
-        return fmt::format(
-            "{} has {:.9g} J more than the minimum of {:.9g} J after {:.6g} s",
-            motion.oracle.name, left, least, t);
+        return Citing("{} has {:.9g} J more than the minimum of {:.9g} J after {:.6g} s",
+                      motion.oracle.name, left, least, CitedTime{t});
       });
   return FindingsOf({position, energy});
 }

@@ -2,9 +2,8 @@
 
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "reports/text/format_vector.h"
+#include "reports/text/told_apart.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/reported_impulses.h"
@@ -21,9 +20,12 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   if (!trajectory.gives_impulses) return {};
   Worst worst(
       MeasureKind::kMomentumBalance,
-      "64 roundings per step: every scheme sums the impulses that it applies; and 3000 "
-      "roundings of the impulses for each contact of a step, for the solver; and "
-      "velocities that are roundings of positions over a step",
+      WithSleep(
+          "64 roundings per step: every scheme sums the impulses that it applies; for "
+          "each contact of a step, the impulses times the square root of the unit "
+          "roundoff, the error of a solver that minimises a cost; and velocities that "
+          "are roundings of positions over a step",
+          motion.oracle),
       Grants::kRounding);
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
   for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
@@ -51,8 +53,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       size += pushed;
       // Each contact of a step rounds what all of them have given, through the bodies
       // between them.
-      const double solver = kRoundingsOfSolver * motion.oracle.unit_roundoff *
-                            reported.contacts_per_step * pushed;
+      const double solver =
+          SolverRoundingOf(motion.oracle) * reported.contacts_per_step * pushed;
       const Eigen::Vector3d gained_W =
           body.mass * (trajectory.samples[s].bodies[i].v_WB -
                        trajectory.samples[s - 1].bodies[i].v_WB);
@@ -61,13 +63,15 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           RoundingOf(motion.oracle, world.sample_every) * size + solver +
               NoiseOfPositions(world, trajectory.samples[s], Subjects{{index}, {}, {}},
                                motion.oracle.unit_roundoff)
-                  .momentum,
+                  .momentum +
+              SleepLossBefore(motion, reported, index, s).momentum,
           [&] {
-            return fmt::format(
+            const ToldApart told = TellApart(gained_W, given_W, 9);
+            return Citing(
                 "{} has {} gain {} from {:.6g} to {:.6g} s; gravity, force, "
                 "pushes and the reported contacts give {}",
-                motion.oracle.name, body.name, FormatVector(gained_W, 9), from, to,
-                FormatVector(given_W, 9));
+                motion.oracle.name, CitedName{body.name}, told.a, from, CitedTime{to},
+                told.b);
           });
     }
   }

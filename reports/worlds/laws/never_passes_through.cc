@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
@@ -50,35 +54,73 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
-/** Causes that may have bent the path of a body, summed from the start to each sample. */
+/** Causes that may have bent the path of a body, of the interval before each sample. */
 struct Bends {
-  std::vector<double> velocity;  ///< Σ of the changes beyond the loads. [m/s]
-  std::vector<double> length;    ///< Σ of the paths, at most. [m]
+  bool is_held = false;          ///< Whether a rod or a spring holds the body.
+  std::vector<double> velocity;  ///< The change beyond the loads. [m/s]
+  std::vector<double> length;    ///< The length of the path, at most. [m]
+  std::vector<double> spin;      ///< The change of the spin. [rad/s]
+  std::vector<double> turn;      ///< The turn, at most. [rad]
 };
+
+/** Returns the sum over the intervals from one sample to another. Running totals would
+ lose it beside a huge number of an earlier interval. */
+double SumBetween(const std::vector<double>& values, std::size_t from, std::size_t to) {
+  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+                         values.begin() + static_cast<std::ptrdiff_t>(to) + 1, 0.0);
+}
 
 /** Returns the causes of each body. */
 std::vector<Bends> BendsOf(const Motion& motion, const AllowedMotion& slowed) {
   const std::size_t count = motion.world.bodies.size();
   const std::size_t samples = motion.trajectory.samples.size();
+  const std::vector<double> none(samples, 0);
   std::vector<Bends> bends(
-      count, {std::vector<double>(samples, 0), std::vector<double>(samples, 0)});
+      count, {.velocity = none, .length = none, .spin = none, .turn = none});
+  for (std::size_t i = 0; i < count; ++i)
+    bends[i].is_held = IsHeld(motion.world, AnchorKind::kBody, static_cast<int>(i));
   for (std::size_t s = 1; s < samples; ++s) {
     const ReportedImpulses all = ReportedBefore(motion, s);
     for (std::size_t i = 0; i < count; ++i) {
       const RigidBody& it = motion.world.bodies[i];
       if (it.mass == 0) continue;
       const int body = static_cast<int>(i);
-      const Eigen::Vector3d& before = slowed.At(s - 1).bodies[i].v_WB;
-      const Eigen::Vector3d& after = slowed.At(s).bodies[i].v_WB;
+      const double time = slowed.times()[s] - slowed.times()[s - 1];
+      const BodyState& was = slowed.At(s - 1).bodies[i];
+      const BodyState& is = slowed.At(s).bodies[i];
+      const Eigen::Vector3d& before = was.v_WB;
+      const Eigen::Vector3d& after = is.v_WB;
       const Eigen::Vector3d by_loads = ImpulseOfLoads(motion, body, s) / it.mass;
+      const double inertia = InertiaOf(it).minCoeff();
       double reported = 0;
-      for (const ContactImpulse* contact : all.on_body[i])
-        reported += ImpulseOn(*contact, body).norm() / it.mass;
+      double reported_spin = 0;
+      for (const ContactImpulse* contact : all.on_body[i]) {
+        const double impulse = ImpulseOn(*contact, body).norm();
+        reported += impulse / it.mass;
+        reported_spin += impulse * (contact->p_WC - is.p_WB).norm() / inertia;
+      }
+      for (const Push* push :
+           PushesBetween(motion.world, body, slowed.times()[s - 1], slowed.times()[s])) {
+        reported += push->J_W.norm() / it.mass;
+        reported_spin += push->J_W.norm() * push->p_BoP.norm() / inertia;
+      }
       const double change = std::max((after - before - by_loads).norm(), reported);
-      const double way = (before.norm() + after.norm() + by_loads.norm()) *
-                         (slowed.times()[s] - slowed.times()[s - 1]);
-      bends[i].velocity[s] = bends[i].velocity[s - 1] + change;
-      bends[i].length[s] = bends[i].length[s - 1] + way;
+      double way = (before.norm() + after.norm() + by_loads.norm()) * time;
+      double turn = std::max(was.q_WB.normalized().angularDistance(is.q_WB.normalized()),
+                             std::max(was.w_WB.norm(), is.w_WB.norm()) * time);
+      Bends& of_body = bends[i];
+      if (of_body.is_held && motion.world.sample_every > 1) {
+        // A rod or a spring may have moved it and brought it to rest again between two
+        // samples, with all the energy that there is. Within a step an engine has no
+        // other velocities.
+        const double energy = slowed.KineticEnergyBetween(s);
+        way = std::max(way, std::sqrt(2 * energy / it.mass) * time);
+        turn = std::max(turn, std::sqrt(2 * energy / inertia) * time);
+      }
+      of_body.velocity[s] = change;
+      of_body.length[s] = way;
+      of_body.spin[s] = std::max((is.w_WB - was.w_WB).norm(), reported_spin);
+      of_body.turn[s] = turn;
     }
   }
   return bends;
@@ -97,17 +139,20 @@ class Passage {
   void Judge(Worst& worst) {
     for (std::size_t s = 0; s < motion_.trajectory.samples.size(); ++s) {
       if (seen_ && IsWhereItWas(s)) {
-        if (seen_apart_) apart_ = s;
+        unmoved_ = s;
         continue;
       }
+      // A body that has hardly moved may yet have entered another that it hardly missed.
+      if (seen_apart_ && unmoved_ > *seen_ && IsApart(unmoved_)) apart_ = unmoved_;
       seen_ = s;
       if (!apart_) {
         seen_apart_ = IsApart(s);
       } else {
-        const SweptOverlap swept = Sweep(*apart_, s);
-        // The swept volume contains the body at both ends.
-        seen_apart_ = swept.depth == 0 || IsApart(s);
-        if (seen_apart_) Take(swept, *apart_, s, worst);
+        const std::vector<SweptOverlap> overlaps = Sweep(*apart_, s);
+        seen_apart_ = overlaps.empty() || IsApart(s);
+        if (seen_apart_) {
+          for (const SweptOverlap& overlap : overlaps) Take(overlap, *apart_, s, worst);
+        }
       }
       if (seen_apart_) apart_ = s;
     }
@@ -142,7 +187,8 @@ class Passage {
     return true;
   }
 
-  SweptOverlap Sweep(std::size_t from, std::size_t to) const {
+  /** Returns the overlaps on the way; nothing if the bodies are certainly apart on it. */
+  std::vector<SweptOverlap> Sweep(std::size_t from, std::size_t to) const {
     const Eigen::Vector3d p_BA = Body(from, A_).p_WB - Body(from, B_).p_WB;
     const Eigen::Vector3d way = Body(to, A_).p_WB - Body(to, B_).p_WB - p_BA;
     const double share =
@@ -150,34 +196,55 @@ class Passage {
     const double radii =
         BoundingRadius(Asked(A_).placed.shape) + BoundingRadius(Asked(B_).placed.shape);
     if ((p_BA + share * way).norm() > radii) return {};
-    return SweptOverlapOf(motion_.world, At(from), At(to), A_, B_);
+    const auto turn = [&](const Bends& bends) {
+      return SumBetween(bends.turn, from, to);
+    };
+    return SweptOverlapsOf(motion_.world, At(from), At(to), A_, B_,
+                           {turn(bends_A_), turn(bends_B_)});
   }
 
-  void Take(const SweptOverlap& swept, std::size_t from, std::size_t to, Worst& worst) {
+  void Take(const SweptOverlap& overlap, std::size_t from, std::size_t to, Worst& worst) {
     const World& world = motion_.world;
     const double time = motion_.trajectory.times[to] - motion_.trajectory.times[from];
     Eigen::Vector3d loads_W = Eigen::Vector3d::Zero();
     if (Asked(A_).mass > 0) loads_W += AccelerationOf(world, Asked(A_));
     if (Asked(B_).mass > 0) loads_W -= AccelerationOf(world, Asked(B_));
-    const auto between = [&](const std::vector<double>& sum) {
-      return sum[to] - sum[from];
+    const auto between = [&](const std::vector<double>& values) {
+      return SumBetween(values, from, to);
     };
     const double change = between(bends_A_.velocity) + between(bends_B_.velocity);
     const double length = between(bends_A_.length) + between(bends_B_.length);
-    const double bend =
-        std::min(change * time / 4 + loads_W.norm() * time * time / 8, length / 2) +
-        swept.bend;
+    // A turn whose rate changes leaves the even turn as a path leaves its chord.
+    // Between two samples it is at most half the path off; over more of them the path may
+    // be left at once.
+    const double most = to - from > 1 ? 1 : 0.5;
+    const auto turned_aside = [&](const Bends& bends) {
+      const double most_turned = most * between(bends.turn);
+      return bends.is_held ? most_turned
+                           : std::min(between(bends.spin) * time / 4, most_turned);
+    };
+    // The velocities at the samples do not tell what a rod or a spring did between.
+    const bool is_held = bends_A_.is_held || bends_B_.is_held;
+    const double longest = most * length;
+    const double aside =
+        is_held ? longest
+                : std::min(change * time / 4 + loads_W.norm() * time * time / 8, longest);
+    const double bend = aside + overlap.lever_A * turned_aside(bends_A_) +
+                        overlap.lever_B * turned_aside(bends_B_) + overlap.bend;
     const double reach = Body(to, A_).p_WB.norm() + Body(to, B_).p_WB.norm() +
                          Body(from, A_).p_WB.norm() + Body(from, B_).p_WB.norm();
     const double rounding = RoundingOf(motion_.oracle, StepsBefore(motion_, to)) * reach;
-    worst.Take(swept.depth, kSafety * bend + rounding, [&] {
-      return fmt::format(
-          "{} has {} apart from {} at {:.6g} s and at {:.6g} s; on the straight way "
-          "between the two they are {:.6g} m inside each other, and the motion bends it "
-          "by at most {:.6g} m",
-          motion_.oracle.name, Asked(A_).name, Asked(B_).name,
-          motion_.trajectory.times[from], motion_.trajectory.times[to], swept.depth,
-          bend);
+    worst.Take(overlap.depth, kSafety * bend + rounding, [&] {
+      return Citing(
+          "{} has {} clear of {} at {:.6g} s and at {:.6g} s, and the straight way "
+          "between leads through it: a way around would have to lie {:.6g} m aside, {}",
+          motion_.oracle.name, CitedName{Asked(A_).name}, CitedName{Asked(B_).name},
+          motion_.trajectory.times[from], CitedTime{motion_.trajectory.times[to]},
+          overlap.depth,
+          bend > 0 ? fmt::format("and the motion can have left the straight one by at "
+                                 "most {:.6g} m",
+                                 bend)
+                   : std::string("and nothing has turned the motion aside"));
     });
   }
 
@@ -188,18 +255,22 @@ class Passage {
   const Bends& bends_B_;
   std::optional<std::size_t> seen_;   ///< The last sample that was looked at.
   bool seen_apart_ = false;           ///< Whether they were apart there.
+  std::size_t unmoved_ = 0;           ///< The last sample that was not looked at, if any.
   std::optional<std::size_t> apart_;  ///< The last sample at which they were apart.
 };
 
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const World& world = motion.world;
   const AllowedMotion slowed(motion);
-  Worst worst(MeasureKind::kPassage,
-              "1.5 × (¼ Δv Δt + ⅛ a Δt²) that the way may leave its chord, at most half "
-              "its length at speeds that the truth allows, and R θ²/8 for rotation; and "
-              "64 roundings per step");
+  Worst worst(
+      MeasureKind::kPassage,
+      "1.5 × (¼ Δv Δt + ⅛ a Δt²) that the way may leave its chord, at most half "
+      "its length at speeds that the truth allows, which is granted at once to a body on "
+      "a rod or a spring; ¼ R Δω Δt, R/128 and R θ²/8 for rotation, of which a ball "
+      "inside "
+      "the body has none; and 64 roundings per step");
   // Bodies that never come near each other pass nothing.
-  worst.Take(0, 0, [] { return std::string(); });
+  worst.Take(0, 0, [] { return CitingProof(); });
   const std::vector<Bends> bends = BendsOf(motion, slowed);
   const Reach reach(motion);
   for (const auto& [A, B] : PairsOf(world, claim))

@@ -8,7 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/allowed_depth.h"
+#include "reports/worlds/law_support/approach_of_pair.h"
+#include "reports/worlds/law_support/citing.h"
+#include "reports/worlds/law_support/clusters.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/overlap.h"
@@ -34,175 +37,192 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
 }
 
-/** Returns, for each body, whether it may touch more than one other body between samples
- `s` − 1 and `s`. */
-std::vector<bool> MayTouchSeveral(const World& world, const AllowedMotion& slowed,
-                                  std::size_t s) {
-  const std::size_t count = world.bodies.size();
-  std::vector<Body> placed;
-  std::vector<double> travelled;
-  const double time = SampleSpacing(world);
-  for (std::size_t i = 0; i < count; ++i) {
-    placed.push_back(PlacedAt(world, slowed.At(s - 1), static_cast<int>(i)));
-    const double speed =
-        slowed.At(s - 1).bodies[i].v_WB.norm() + slowed.At(s).bodies[i].v_WB.norm();
-    travelled.push_back(
-        world.bodies[i].mass > 0
-            ? time * (speed + AccelerationOf(world, world.bodies[i]).norm() * time)
-            : 0);
+/** Returns the larger acceleration of two bodies by loads. [m/s²] */
+double LargerAcceleration(const World& world, int A, int B) {
+  double acceleration = 0;
+  for (const int body : {A, B}) {
+    const RigidBody& is = world.bodies[static_cast<std::size_t>(body)];
+    if (is.mass > 0)
+      acceleration = std::max(acceleration, AccelerationOf(world, is).norm());
   }
-  std::vector<int> near(count, 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!Collide(world, static_cast<int>(i), static_cast<int>(j)) ||
-          AreFarApart(placed[i], placed[j], travelled[i] + travelled[j]))
-        continue;
-      ++near[i];
-      ++near[j];
-    }
-  }
-  std::vector<bool> several;
-  for (const int n : near) several.push_back(n > 1);
-  return several;
+  return acceleration;
 }
 
-/** How one of two bodies that penetrate each other moves at the deepest point. */
-class Approach {
- public:
-  Approach(const World& world, int body, const BodyState& deep,
-           const DeepestOverlap& overlap)
-      : world_(world),
-        body_(world.bodies[static_cast<std::size_t>(body)]),
-        n_W_(overlap.n_W),
-        r_B_(deep.q_WB.normalized().conjugate() * (overlap.p_W - deep.p_WB)) {}
+/** A pair of bodies that may touch at some sample. */
+struct TouchingPair {
+  int A;
+  int B;
+  bool is_judged;       ///< Whether the claim is about it.
+  double at_start;      ///< Its depth at the start. [m]
+  double acceleration;  ///< The larger one by loads. [m/s²]
+  AllowedDepth allowed;
+  double fastest = 0;        ///< The speed of approach since it was apart. [m/s]
+  DeepestOverlap overlap{};  ///< At this sample.
+  bool was_apart = true;     ///< At the sample before.
+};
 
-  /** Returns how fast the point moves along the normal at a state of the body, and may
-   come to move within a step as the body turns. [m/s] */
-  double AlongNormal(const BodyState& at) const {
-    const Eigen::Vector3d r_W = at.q_WB.normalized() * r_B_;
-    const Eigen::Vector3d turning_W = at.w_WB.cross(r_W);
-    return std::abs(n_W_.dot(at.v_WB + turning_W)) +
-           world_.dt * std::abs(n_W_.dot(at.w_WB.cross(turning_W)));
+/** Judges the depths of all pairs from sample to sample. */
+class Depths {
+ public:
+  Depths(const Motion& motion, const Claim& claim)
+      : motion_(motion),
+        world_(motion.world),
+        approach_(motion),
+        reach_(motion),
+        slack_(NumberOr(claim, "slack", 0) + motion.oracle.slop),
+        parted_by_(NumberOr(claim, "parted_by", std::numeric_limits<double>::infinity())),
+        worst_(
+            MeasureKind::kPenetration,
+            fmt::format("1.5 × (V h + 2 a h²), V the speed of approach along the normal "
+                        "at the deepest points since the pair was apart, at most what "
+                        "the truth allows; later than two steps after an arrival, the "
+                        "least depth since, 1.5 × 2 a h² and 1e-5 V t{}",
+                        WithSlop(NumberOr(claim, "slack", 0) > 0
+                                     ? ", and the slack that the claim grants"
+                                     : "",
+                                 motion.oracle))) {
+    const WorldState start = StateAtStart(world_);
+    std::vector<std::pair<int, int>> judged = CollidingPairs(world_, claim);
+    if (!judged.empty()) worst_.Take(0, 0, [] { return CitingProof{}; });
+    for (auto& [A, B] : judged)
+      if (A > B) std::swap(A, B);
+    std::sort(judged.begin(), judged.end());
+    const auto add = [&](int A, int B) {
+      const double acceleration = LargerAcceleration(world_, A, B);
+      const bool is_judged = std::binary_search(
+          judged.begin(), judged.end(), std::pair(std::min(A, B), std::max(A, B)));
+      pairs_.push_back({A, B, is_judged, OverlapOf(world_, start, A, B).depth,
+                        acceleration,
+                        AllowedDepth(world_.dt, ByApproach(0, acceleration),
+                                     kSolverResidual * acceleration * world_.dt)});
+    };
+    // Bodies that the claim leaves out arrive at those that it is about. The first of a
+    // pair moves.
+    const int count = static_cast<int>(world_.bodies.size());
+    const auto moves = [&](int body) {
+      return world_.bodies[static_cast<std::size_t>(body)].mass > 0;
+    };
+    for (int A = 0; A < count; ++A) {
+      if (!moves(A)) continue;
+      for (int B = 0; B < count; ++B) {
+        if (Collide(world_, A, B) && (B > A || !moves(B)) && reach_.MayEverTouch(A, B))
+          add(A, B);
+      }
+    }
   }
 
-  /** Returns the same for a body that may have turned anywhere about the part of its spin
-   along the normal. [m/s] */
-  double Turned(const BodyState& at) const {
-    return std::abs(n_W_.dot(at.v_WB)) + n_W_.cross(at.w_WB).norm() * Lever();
+  std::vector<LawFinding> Judge() {
+    for (std::size_t s = 0; s < motion_.trajectory.samples.size(); ++s) {
+      for (TouchingPair& pair : pairs_) Place(s, pair);
+      if (s > 0) TakeArrivals(s);
+      for (TouchingPair& pair : pairs_) Hold(s, pair);
+    }
+    return FindingsOf({worst_});
   }
 
  private:
-  double Lever() const {
-    return std::holds_alternative<Sphere>(body_.placed.shape) ? 0 : r_B_.norm();
+  /** Returns the depth that an approach at the speed `V` explains. [m] */
+  double ByApproach(double V, double acceleration) const {
+    return kSafety * world_.dt * (V + acceleration * (SampleSpacing(world_) + world_.dt));
   }
 
+  double ByLoad(const TouchingPair& pair) const {
+    return ByApproach(0, pair.acceleration);
+  }
+
+  /** Finds the overlap of a pair at sample `s`. */
+  void Place(std::size_t s, TouchingPair& pair) const {
+    pair.was_apart = pair.overlap.depth == 0;
+    pair.overlap = reach_.MayTouch(s, pair.A, pair.B)
+                       ? OverlapOf(world_, motion_.trajectory.samples[s], pair.A, pair.B)
+                       : DeepestOverlap{};
+    if (pair.overlap.depth > 0) return;
+    pair.fastest = 0;
+    pair.allowed.Part();
+  }
+
+  /** Finds the pairs that have arrived at sample `s`. They press on all pairs of their
+   pile, through the bodies between them. */
+  void TakeArrivals(std::size_t s) {
+    Clusters piles(world_.bodies.size());
+    for (const TouchingPair& pair : pairs_) {
+      // A static body does not connect those that touch it.
+      if (world_.bodies[static_cast<std::size_t>(pair.B)].mass > 0 &&
+          reach_.MayTouch(s, pair.A, pair.B))
+        piles.Join(pair.A, pair.B);
+    }
+    constexpr double kNone = -1;
+    std::vector<double> fastest(world_.bodies.size(), kNone);  // Of each pile. [m/s]
+    for (TouchingPair& pair : pairs_) {
+      if (pair.overlap.depth == 0) continue;
+      const double V = approach_.SpeedOf(s, pair.A, pair.B, pair.overlap);
+      pair.fastest = std::max(pair.fastest, V);
+      if (!HasArrived(s, pair)) continue;
+      double& of_pile = fastest[piles.Of(pair.A)];
+      of_pile = std::max(of_pile, V);
+    }
+    for (TouchingPair& pair : pairs_) {
+      const double V = fastest[piles.Of(pair.A)];
+      if (pair.overlap.depth == 0 || V == kNone) continue;
+      pair.allowed.Arrive(motion_.trajectory.times[s], ByApproach(V, pair.acceleration),
+                          kSolverResidual * V);
+    }
+  }
+
+  /** Returns whether the pair has arrived at sample `s`: it was apart at the sample
+   before, or its deepest point was no deeper then than a load and a rounding explain. The
+   first step counts as well: it may begin at any speed. */
+  bool HasArrived(std::size_t s, const TouchingPair& pair) const {
+    if (s == 1 || pair.was_apart || approach_.MayHaveTouchedThird(s, pair.A, pair.B))
+      return true;
+    return pair.overlap.depth - approach_.DeepenedBy(s, pair.A, pair.B, pair.overlap) <=
+           ByLoad(pair) + slack_ + RoundingAt(s, pair);
+  }
+
+  /** Returns the rounding of the depth of a pair at sample `s`. [m] */
+  double RoundingAt(std::size_t s, const TouchingPair& pair) const {
+    const WorldState& state = motion_.trajectory.samples[s];
+    return RoundingOf(motion_.oracle, StepsBefore(motion_, s)) *
+           (state.bodies[static_cast<std::size_t>(pair.A)].p_WB.norm() +
+            state.bodies[static_cast<std::size_t>(pair.B)].p_WB.norm());
+  }
+
+  /** Judges the depth of a pair at sample `s`. */
+  void Hold(std::size_t s, TouchingPair& pair) {
+    const double time = motion_.trajectory.times[s];
+    const double depth = pair.overlap.depth;
+    // It is unknown how soon, if ever, an engine separates what overlaps at the start.
+    const double granted = time < parted_by_ - world_.dt / 2 ? pair.at_start : 0;
+    const double most = ByApproach(pair.fastest, pair.acceleration) + granted;
+    if (depth > 0 && s == 0) pair.allowed.Begin(pair.at_start);
+    const double allowed = depth > 0 ? pair.allowed.Next(time, depth) : most;
+    if (!pair.is_judged) return;
+    const auto a = static_cast<std::size_t>(pair.A);
+    const auto b = static_cast<std::size_t>(pair.B);
+    worst_.Take(depth, std::min(most, allowed) + slack_ + RoundingAt(s, pair), [&] {
+      return Citing(
+          "{} has {} {:.6g} m deep in {} after {:.6g} s; they approached at "
+          "{:.6g} m/s at most{}",
+          motion_.oracle.name, CitedName{world_.bodies[a].name}, depth,
+          CitedName{world_.bodies[b].name}, CitedTime{time}, pair.fastest,
+          allowed < most && pair.allowed.IsSettled()
+              ? fmt::format(", and had been only {:.6g} m deep", pair.allowed.kept())
+              : "");
+    });
+  }
+
+  const Motion& motion_;
   const World& world_;
-  const RigidBody& body_;
-  Eigen::Vector3d n_W_;
-  Eigen::Vector3d r_B_;
+  ApproachOfPair approach_;
+  Reach reach_;
+  double slack_;
+  double parted_by_;
+  Worst worst_;
+  std::vector<TouchingPair> pairs_;
 };
 
-/** Returns the largest speed of any point of a body that moves and collides. [m/s] */
-double FastestOf(const World& world, const WorldState& state) {
-  double fastest = 0;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const RigidBody& body = world.bodies[i];
-    if (body.mass == 0 || !body.collides) continue;
-    const double lever = std::holds_alternative<Sphere>(body.placed.shape)
-                             ? 0
-                             : BoundingRadius(body.placed.shape);
-    fastest = std::max(fastest,
-                       state.bodies[i].v_WB.norm() + state.bodies[i].w_WB.norm() * lever);
-  }
-  return fastest;
-}
-
-/** Returns how fast a body may have approached along the normal from sample `s` − 1 to
- sample `s`, at which it is as deep as `overlap` says. `several` says whether it may have
- touched a third body meanwhile. [m/s] */
-double ApproachSpeed(const World& world, const AllowedMotion& slowed, std::size_t s,
-                     int body, const DeepestOverlap& overlap, bool several) {
-  const auto i = static_cast<std::size_t>(body);
-  if (world.bodies[i].mass == 0) return 0;
-  const Approach approach(world, body, slowed.At(s).bodies[i], overlap);
-  double fastest = 0;
-  for (const std::size_t k : {s - 1, s}) {
-    const BodyState& at = slowed.At(k).bodies[i];
-    fastest = std::max(fastest, world.sample_every == 1 ? approach.AlongNormal(at)
-                                : several               ? FastestOf(world, slowed.At(k))
-                                                        : approach.Turned(at));
-  }
-  return fastest;
-}
-
 std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
-  const World& world = motion.world;
-  const Trajectory& trajectory = motion.trajectory;
-  const double slack = NumberOr(claim, "slack", 0) + motion.oracle.slop;
-  // It is unknown how soon, if ever, an engine separates what overlaps at the start.
-  const double parted_by =
-      NumberOr(claim, "parted_by", std::numeric_limits<double>::infinity());
-  const AllowedMotion slowed(motion);
-  std::vector<std::vector<bool>> several(1);
-  for (std::size_t s = 1; s < trajectory.samples.size(); ++s) {
-    several.push_back(world.sample_every > 1
-                          ? MayTouchSeveral(world, slowed, s)
-                          : std::vector<bool>(world.bodies.size(), false));
-  }
-  Worst worst(
-      MeasureKind::kPenetration,
-      fmt::format("1.5 × (V h + 2 a h²), V the speed of approach along the normal "
-                  "at the deepest points since the pair was apart, at most what "
-                  "the truth allows{}",
-                  WithSlop(NumberOr(claim, "slack", 0) > 0
-                               ? ", and the slack that the claim grants"
-                               : "",
-                           motion.oracle)));
-  const WorldState start = StateAtStart(world);
-  const Reach reach(motion);
-  const auto hold = [&](int A, int B) {
-    const auto a = static_cast<std::size_t>(A);
-    const auto b = static_cast<std::size_t>(B);
-    const double at_start = OverlapOf(world, start, A, B).depth;
-    double acceleration = 0;
-    for (const std::size_t i : {a, b}) {
-      if (world.bodies[i].mass > 0)
-        acceleration =
-            std::max(acceleration, AccelerationOf(world, world.bodies[i]).norm());
-    }
-    double V = 0;
-    const std::size_t end = reach.MayEverTouch(A, B) ? trajectory.samples.size() : 1;
-    for (std::size_t s = 0; s < end; ++s) {
-      if (s > 0 && !reach.MayTouch(s, A, B)) {
-        V = 0;
-        continue;
-      }
-      const WorldState& state = trajectory.samples[s];
-      const DeepestOverlap overlap = OverlapOf(world, state, A, B);
-      if (overlap.depth == 0) {
-        V = 0;
-      } else if (s > 0) {
-        V = std::max(V, ApproachSpeed(world, slowed, s, A, overlap, several[s][a]) +
-                            ApproachSpeed(world, slowed, s, B, overlap, several[s][b]));
-      }
-      const double granted =
-          trajectory.times[s] < parted_by - world.dt / 2 ? at_start : 0;
-      const double between = V + acceleration * SampleSpacing(world);
-      const double size = state.bodies[a].p_WB.norm() + state.bodies[b].p_WB.norm();
-      worst.Take(overlap.depth,
-                 kSafety * world.dt * (between + acceleration * world.dt) + granted +
-                     slack + RoundingOf(motion.oracle, StepsBefore(motion, s)) * size,
-                 [&] {
-                   return fmt::format(
-                       "{} has {} {:.6g} m deep in {} after {:.6g} s; they approached at "
-                       "{:.6g} m/s at most",
-                       motion.oracle.name, world.bodies[a].name, overlap.depth,
-                       world.bodies[b].name, trajectory.times[s], V);
-                 });
-    }
-  };
-  for (const auto& [A, B] : CollidingPairs(world, claim)) hold(A, B);
-  return FindingsOf({worst});
+  return Depths(motion, claim).Judge();
 }
 
 constexpr std::array<std::string_view, 2> kNumbers = {"parted_by", "slack"};
@@ -213,9 +233,7 @@ constinit const Law kNeverPenetrates = {
     .name = "never_penetrates",
     .documentation =
         "Colliding bodies penetrate by at most V h + 2 a h²; slack [m] is granted on "
-        "top, "
-        "and "
-        "until parted_by [s] also the overlap at the start.",
+        "top, and until parted_by [s] also the overlap at the start.",
     .numbers = kNumbers,
     .faults = Faults,
     .judge = Judge,

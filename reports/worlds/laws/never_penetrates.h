@@ -10,7 +10,8 @@ namespace touchstone {
  speed at which the surfaces approach there. A load adds up to 2 a h² before the contact
  resists, with a = |g + F/m|; an engine need not undo that. The tolerance is 1.5 times
  that depth, and 64 roundings per step. A penetration at the start is granted. The depth
- is the referee's, certified.
+ is the referee's, certified. V h is granted for two steps after an arrival. Later
+ the least depth since then takes its place (law_support/allowed_depth.h).
 
  V is taken at the deepest point and along the direction of the depth: |n·u_A| + |n·u_B|
  with u = v + ω × r, at the sample and at the one before, and the largest since the pair

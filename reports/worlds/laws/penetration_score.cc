@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/slop.h"
@@ -91,6 +92,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   double allowed = 0;
   double left = 0;  // The score of pairs that are as deep as the slop. [m²]
   double deepest = 0;
+  const Pair* deepest_pair = nullptr;
+  double deepest_at = 0;  // [s]
   double reach = 0;
   const AllowedMotion slowed(motion);
   for (std::size_t s = 0; s < trajectory.samples.size(); ++s) {
@@ -106,7 +109,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const double grants = pair.V * h + g * h * h + slop;
       allowed += grants * grants;
       left += slop * slop;
-      deepest = std::max(deepest, depth);
+      if (depth <= deepest) continue;
+      deepest = depth;
+      deepest_pair = &pair;
+      deepest_at = trajectory.times[s];
     }
     for (const int i : spheres)
       reach = std::max(reach, state.bodies[static_cast<std::size_t>(i)].p_WB.norm());
@@ -119,17 +125,22 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                          : "1.5 √ of the mean Σ (V h + g h²)² over the pairs that "
                            "overlap, V at most what the truth allows",
                motion.oracle));
-  worst.Take(std::sqrt(score / samples),
-             kSafety * (slope > 0 ? std::sqrt(slope) * h + std::sqrt(left / samples)
-                                  : std::sqrt(allowed / samples)) +
-                 RoundingOf(motion.oracle, 0) * reach,
-             [&] {
-               return fmt::format(
-                   "{} has √mean Σ depth² = {:.6g} m, a score of {:.6g} m²; the deepest "
-                   "pair is {:.6g} m deep",
-                   motion.oracle.name, std::sqrt(score / samples), score / samples,
-                   deepest);
-             });
+  worst.Take(
+      std::sqrt(score / samples),
+      kSafety * (slope > 0 ? std::sqrt(slope) * h + std::sqrt(left / samples)
+                           : std::sqrt(allowed / samples)) +
+          RoundingOf(motion.oracle, 0) * reach,
+      [&] {
+        if (deepest_pair == nullptr) return CitingProof();
+        const auto name = [&](std::size_t body) {
+          return CitedName{world.bodies[body].name};
+        };
+        return Citing(
+            "{} has √mean Σ depth² = {:.6g} m, a score of {:.6g} m²; {} and {} are "
+            "deepest, by {:.6g} m after {:.6g} s",
+            motion.oracle.name, std::sqrt(score / samples), score / samples,
+            name(deepest_pair->A), name(deepest_pair->B), deepest, CitedTime{deepest_at});
+      });
   return FindingsOf({worst});
 }
 

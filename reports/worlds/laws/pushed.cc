@@ -4,10 +4,9 @@
 #include <array>
 #include <string_view>
 
-#include <fmt/format.h>
-
 #include "reports/text/format_vector.h"
 #include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
@@ -82,18 +81,18 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const std::vector<double> drift = GyroscopicMomentumDrift(motion, allowed, subject);
       const double rounding = RoundingOf(motion.oracle, world.sample_every);
       momentum.Take((body.mass * after.v_WB - P_W).norm(), rounding * size, [&] {
-        return fmt::format("{} has {} at {} N s after {:.6g} s; the push leaves it {}",
-                           motion.oracle.name, body.name,
-                           FormatVector(body.mass * after.v_WB, 9), to,
-                           FormatVector(P_W, 9));
+        return Citing("{} has {} at {} N s after {:.6g} s; the push leaves it {}",
+                      motion.oracle.name, CitedName{body.name},
+                      FormatVector(body.mass * after.v_WB, 9), CitedTime{to},
+                      FormatVector(P_W, 9));
       });
       spin.Take((L_after - L_W).norm(),
                 kSafety * (drift[s] - drift[s - 1] + turned) + rounding * L_size, [&] {
-                  return fmt::format(
+                  return Citing(
                       "{} has {} at an angular momentum of {} after {:.6g} s; the push "
                       "leaves it {}",
-                      motion.oracle.name, body.name, FormatVector(L_after, 9), to,
-                      FormatVector(L_W, 9));
+                      motion.oracle.name, CitedName{body.name}, FormatVector(L_after, 9),
+                      CitedTime{to}, FormatVector(L_W, 9));
                 });
     }
   }

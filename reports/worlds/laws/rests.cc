@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/overlap.h"
@@ -36,7 +36,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
 }
 
 /** Bodies that overlap at the start, directly or through others that move. */
-struct Heap {
+struct Pile {
   std::vector<std::pair<int, int>> pairs;  ///< Indices into World::bodies.
   double overlap = 0;                      ///< Sum of their overlaps at the start. [m]
   /** The first sample at which they no longer overlap. */
@@ -44,12 +44,12 @@ struct Heap {
 };
 
 /** Returns the pile of each body; a body that overlaps nothing has one without pairs. */
-std::vector<std::shared_ptr<Heap>> HeapsOf(const World& world) {
+std::vector<std::shared_ptr<Pile>> PilesOf(const World& world) {
   const WorldState start = StateAtStart(world);
-  std::vector<std::shared_ptr<Heap>> heaps(world.bodies.size());
-  for (std::shared_ptr<Heap>& heap : heaps) heap = std::make_shared<Heap>();
-  for (std::size_t A = 0; A < heaps.size(); ++A) {
-    for (std::size_t B = A + 1; B < heaps.size(); ++B) {
+  std::vector<std::shared_ptr<Pile>> piles(world.bodies.size());
+  for (std::shared_ptr<Pile>& pile : piles) pile = std::make_shared<Pile>();
+  for (std::size_t A = 0; A < piles.size(); ++A) {
+    for (std::size_t B = A + 1; B < piles.size(); ++B) {
       const RigidBody& a = world.bodies[A];
       const RigidBody& b = world.bodies[B];
       if (!a.collides || !b.collides || a.mass + b.mass == 0) continue;
@@ -57,31 +57,31 @@ std::vector<std::shared_ptr<Heap>> HeapsOf(const World& world) {
           OverlapOf(world, start, static_cast<int>(A), static_cast<int>(B)).depth;
       if (overlap == 0) continue;
       // A static body does not connect those that touch it.
-      const std::shared_ptr<Heap> heap = heaps[a.mass > 0 ? A : B];
-      if (a.mass > 0 && b.mass > 0 && heaps[B] != heap) {
-        const std::shared_ptr<Heap> other = heaps[B];
-        heap->pairs.insert(heap->pairs.end(), other->pairs.begin(), other->pairs.end());
-        heap->overlap += other->overlap;
-        std::replace(heaps.begin(), heaps.end(), other, heap);
+      const std::shared_ptr<Pile> pile = piles[a.mass > 0 ? A : B];
+      if (a.mass > 0 && b.mass > 0 && piles[B] != pile) {
+        const std::shared_ptr<Pile> other = piles[B];
+        pile->pairs.insert(pile->pairs.end(), other->pairs.begin(), other->pairs.end());
+        pile->overlap += other->overlap;
+        std::replace(piles.begin(), piles.end(), other, pile);
       }
-      heap->pairs.emplace_back(static_cast<int>(A), static_cast<int>(B));
-      heap->overlap += overlap;
+      pile->pairs.emplace_back(static_cast<int>(A), static_cast<int>(B));
+      pile->overlap += overlap;
     }
   }
-  return heaps;
+  return piles;
 }
 
 /** Finds the sample, from `first` on, at which each pile has separated to within `slack`
  [m]. */
 void FindParting(const World& world, const Trajectory& trajectory, std::size_t first,
-                 double slack, const std::vector<std::shared_ptr<Heap>>& heaps) {
-  for (const std::shared_ptr<Heap>& heap : heaps) {
-    for (std::size_t s = first; s < std::min(heap->parted, trajectory.samples.size());
+                 double slack, const std::vector<std::shared_ptr<Pile>>& piles) {
+  for (const std::shared_ptr<Pile>& pile : piles) {
+    for (std::size_t s = first; s < std::min(pile->parted, trajectory.samples.size());
          ++s) {
       double left = 0;
-      for (const auto& [A, B] : heap->pairs)
+      for (const auto& [A, B] : pile->pairs)
         left += OverlapOf(world, trajectory.samples[s], A, B).depth;
-      if (left <= slack) heap->parted = s;
+      if (left <= slack) pile->parted = s;
     }
   }
 }
@@ -115,8 +115,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       std::find_if(trajectory.times.begin(), trajectory.times.end(),
                    [&](double t) { return t >= from - h / 2; }) -
       trajectory.times.begin());
-  const std::vector<std::shared_ptr<Heap>> heaps = HeapsOf(world);
-  FindParting(world, trajectory, first, settling, heaps);
+  const std::vector<std::shared_ptr<Pile>> piles = PilesOf(world);
+  FindParting(world, trajectory, first, settling, piles);
   Worst rest(
       MeasureKind::kRestMotion,
       WithSlop("1.5 × 2 g h² for each contact that may carry it, overlaps at the start "
@@ -136,16 +136,15 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                 settling + sunk + granted + kSolverResidual * g * h * (t - from) +
                     rounding * (1 + is.norm()),
                 [&] {
-                  return fmt::format("{} has {} at {} after {:.6g} s; it rested at {}",
-                                     motion.oracle.name, name, FormatVector(is, 9), t,
-                                     FormatVector(was, 9));
+                  return Citing("{} has {} at {} after {:.6g} s; it rested at {}",
+                                motion.oracle.name, CitedName{name}, CitedPoint{is},
+                                CitedTime{t}, CitedPoint{was});
                 });
       velocity.Take(
           speed, kSafety * 2 * contacts * g * h + granted / h + rounding * is.norm() / h,
           [&] {
-            return fmt::format(
-                "{} has {} moving at {:.6g} m/s after {:.6g} s; it should rest",
-                motion.oracle.name, name, speed, t);
+            return Citing("{} has {} moving at {:.6g} m/s after {:.6g} s; it should rest",
+                          motion.oracle.name, CitedName{name}, speed, CitedTime{t});
           });
     };
     const WorldState& now = trajectory.samples[s];
@@ -153,14 +152,14 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const auto i = static_cast<std::size_t>(index);
       const RigidBody& body = world.bodies[i];
       const double radius = BoundingRadius(body.placed.shape);
-      const Heap& heap = *heaps[i];
+      const Pile& pile = *piles[i];
       // After the separation a body rests.
-      const bool parted = s > heap.parted;
-      const WorldState& then = trajectory.samples[parted ? heap.parted : first];
+      const bool parted = s > pile.parted;
+      const WorldState& then = trajectory.samples[parted ? pile.parted : first];
       hold(body.name, then.bodies[i].p_WB, now.bodies[i].p_WB,
            radius * now.bodies[i].q_WB.angularDistance(then.bodies[i].q_WB),
            now.bodies[i].v_WB.norm() + radius * now.bodies[i].w_WB.norm(),
-           slack + (parted ? 0 : heap.overlap), contacts * SinkOf(body, motion.oracle));
+           slack + (parted ? 0 : pile.overlap), contacts * SinkOf(body, motion.oracle));
     }
     const WorldState& then = trajectory.samples[first];
     for (const int index : subjects.particles) {

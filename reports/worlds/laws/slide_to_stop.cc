@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/at_sample.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/error_laws.h"
@@ -92,11 +93,11 @@ std::vector<Worst> JudgeBy(const PlacedCone& cone, const Motion& motion, int ind
         std::abs(mu - on.plane.friction),
         on.plane.friction * (kSafety * h / t + (kSolverResidual + rounding) * v_0 / lost),
         [&] {
-          return fmt::format(
+          return Citing(
               "{} has {} slowed from {:.6g} to {:.6g} m/s after {:.6g} s: μ = {:.6g}; "
               "√(μ_A μ_B) is {:.6g}",
-              motion.oracle.name, body.name, v_0, is.v_WB.dot(heading), t, mu,
-              on.plane.friction);
+              motion.oracle.name, CitedName{body.name}, v_0, is.v_WB.dot(heading),
+              CitedTime{t}, mu, on.plane.friction);
         });
   }
   return {position, friction, flat.orientation(), flat.spin()};

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include <fmt/format.h>
-
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/contact_history.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
@@ -86,12 +85,13 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
                kSafety * std::min(gained, at_rest) / T +
                    RoundingOf(motion.oracle, StepsBefore(motion, last)) * weight,
                [&] {
-                 return fmt::format(
+                 return Citing(
                      "{} holds {} from below with {:.9g} N on average from {:.6g} to "
                      "{:.6g} s; it and the levels above weigh {:.9g} N",
                      motion.oracle.name,
-                     world.bodies[static_cast<std::size_t>(levels[k])].name, impulse / T,
-                     trajectory.times[first], trajectory.times[last], weight);
+                     CitedName{world.bodies[static_cast<std::size_t>(levels[k])].name},
+                     impulse / T, trajectory.times[first],
+                     CitedTime{trajectory.times[last]}, weight);
                });
   }
   return FindingsOf({worst});

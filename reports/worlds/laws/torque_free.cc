@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
-#include <fmt/format.h>
-
-#include "reports/text/format_vector.h"
+#include "reports/text/told_apart.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/subjects.h"
@@ -53,9 +53,10 @@ std::vector<Apart> SchemeErrors(const Motion& motion, int index,
     SteppedRotation stepped(scheme,
                             InertiaOf(world.bodies[static_cast<std::size_t>(index)]),
                             StartOf(world, index), world.dt);
-    double done = 0;
+    int done = 0;
     for (std::size_t s = 0; s < truth.size(); ++s) {
-      for (; done < StepsBefore(motion, s); ++done) stepped.Step();
+      const int steps = static_cast<int>(StepsBefore(motion, s));
+      for (; done < steps; ++done) stepped.Step();
       errors[s].TakeLarger(Between(stepped.state(), truth[s]));
     }
   }
@@ -116,24 +117,29 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     const std::vector<Rotation> truth = TruthOf(world, i).At(trajectory.times);
     const std::vector<Apart> schemes = SchemeErrors(motion, i, truth);
     const std::vector<Apart> rounding = RoundingErrors(motion, i, truth);
-    for (std::size_t s = 0; s < truth.size(); ++s) {
+    // The start is that of the world, whatever the law.
+    for (std::size_t s = 1; s < truth.size(); ++s) {
       const BodyState& is = trajectory.samples[s].bodies[static_cast<std::size_t>(i)];
       const Apart apart = Between({is.q_WB, is.w_WB}, truth[s]);
       const double own = RoundingOf(motion.oracle, StepsBefore(motion, s));
-      orientation.Take(apart.angle, kSafety * schemes[s].angle + rounding[s].angle + own,
-                       [&] {
-                         return fmt::format(
-                             "{} has {} rotated {:.9g} rad from the orientation by "
-                             "Euler's equations after {:.6g} s",
-                             motion.oracle.name, name, apart.angle, trajectory.times[s]);
-                       });
-      spin.Take(
+      orientation.TakeUnlessVague(
+          apart.angle, kSafety * schemes[s].angle + rounding[s].angle + own,
+          std::numbers::pi, "any orientation", [&] {
+            return Citing(
+                "{} has {} rotated {:.9g} rad from the orientation by "
+                "Euler's equations after {:.6g} s",
+                motion.oracle.name, CitedName{name}, apart.angle,
+                CitedTime{trajectory.times[s]});
+          });
+      spin.TakeUnlessVague(
           apart.spin,
-          kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(), [&] {
-            return fmt::format(
+          kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(),
+          truth[s].w_WB.norm(), "a body without spin", [&] {
+            const ToldApart told = TellApart(is.w_WB, truth[s].w_WB, 9);
+            return Citing(
                 "{} has {} spinning at {} rad/s after {:.6g} s; Euler's equations say {}",
-                motion.oracle.name, name, FormatVector(is.w_WB, 9), trajectory.times[s],
-                FormatVector(truth[s].w_WB, 9));
+                motion.oracle.name, CitedName{name}, told.a,
+                CitedTime{trajectory.times[s]}, told.b);
           });
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,38 +27,47 @@ bool NeedsOneMotion(const Finding& finding) {
          finding.measure != MeasureKind::kLimitError;
 }
 
-/** A way to judge a world with another setup. */
-class Asking {
- public:
-  /** Asks for changed copies of the world only if one of `failures` needs them. */
-  Asking(const WorldScenario& scenario, const Oracle& oracle,
-         std::span<const Finding> failures)
-      : scenario_(scenario),
-        oracle_(oracle),
-        one_motion_(std::all_of(failures.begin(), failures.end(), [](const Finding& f) {
-          return !IsFailure(f.verdict) || NeedsOneMotion(f);
-        })) {}
+/** Returns whether a failure is one of stability, or of one variant to move as the world
+ does. Half the step and the moved starts judge the former, and one variant more the
+ latter. */
+bool NeedsNoQuarterStep(const Finding& finding) {
+  return finding.measure >= MeasureKind::kStability &&
+         finding.measure <= MeasureKind::kMassScaling;
+}
 
-  Findings With(const WorldSetup& setup) const {
-    const std::unique_ptr<Oracle> oracle = oracle_.SetUp(setup);
-    if (!one_motion_) return ExamineWorld(scenario_, *oracle).findings;
-    const Trajectory trajectory = oracle->Simulate(scenario_.world);
-    std::vector<Findings> groups =
-        JudgeWorldByClaim({scenario_, oracle->info(), trajectory});
-    if (groups.front().front().verdict == Verdict::kPass && scenario_.ensemble) {
-      groups = JudgeEnsemble(scenario_, *oracle, trajectory, std::move(groups)).groups;
-    }
-    Findings all;
-    for (Findings& group : groups)
-      std::move(group.begin(), group.end(), std::back_inserter(all));
-    return all;
-  }
+/** Returns whether every finding for which `counts` holds has the property. */
+template <typename Counts, typename Property>
+bool All(std::span<const Finding> findings, Counts counts, Property has) {
+  return std::all_of(findings.begin(), findings.end(), [&](const Finding& finding) {
+    return !counts(finding) || has(finding);
+  });
+}
 
- private:
-  const WorldScenario& scenario_;
-  const Oracle& oracle_;
-  bool one_motion_;
-};
+Findings JudgedFromOneMotion(const WorldScenario& scenario, const Oracle& oracle) {
+  const Trajectory trajectory = oracle.Simulate(scenario.world);
+  std::vector<Findings> groups = JudgeWorldByClaim({scenario, oracle.info(), trajectory});
+  if (groups.front().front().verdict == Verdict::kPass && scenario.ensemble)
+    groups = JudgeEnsemble(scenario, oracle, trajectory, std::move(groups)).groups;
+  Findings all;
+  for (Findings& group : groups)
+    std::move(group.begin(), group.end(), std::back_inserter(all));
+  return all;
+}
+
+/** Returns the neighbours that judge again the findings for which `counts` holds. */
+template <typename Counts>
+WantedNeighbours WantedFor(std::span<const Finding> findings, Counts counts) {
+  const auto needs_few = [](const Finding& finding) {
+    return NeedsOneMotion(finding) || NeedsNoQuarterStep(finding);
+  };
+  if (!All(findings, counts, needs_few)) return {};
+  std::set<MeasureKind> measures;
+  for (const Finding& finding : findings)
+    if (counts(finding)) measures.insert(finding.measure);
+  return {.quarter = false, .variant = [measures](MeasureKind measure) {
+            return measures.contains(measure);
+          }};
+}
 
 bool IsSame(const Finding& a, const Finding& b) {
   return a.law == b.law && a.measure == b.measure && a.reference == b.reference;
@@ -141,14 +151,19 @@ void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
     return;
   std::vector<Difference> differences = DifferencesOf(info);
   if (differences.empty()) return;
-  const Asking asking(scenario, oracle, findings);
-  const Findings shipped = asking.With({.as_shipped = true, .chosen = {}});
+  const std::unique_ptr<Oracle> untouched =
+      oracle.SetUp({.as_shipped = true, .chosen = {}});
+  const Findings shipped = All(findings, fails, NeedsOneMotion)
+                               ? JudgedFromOneMotion(scenario, *untouched)
+                               : ExamineWorld(scenario, *untouched).findings;
   const Finding* silent = FailureToAnswer(shipped);
   if (silent && silent->verdict == Verdict::kUnsupported) return;
   for (std::size_t i = 0; i < findings.size(); ++i) {
     Finding& finding = findings[i];
     const Finding* found = silent ? silent : Find(shipped, findings, i);
     if (found == nullptr || (!fails(finding) && (silent || !fails(*found)))) continue;
+    const bool is_decided = fails(*found) || found->verdict == Verdict::kPass;
+    if (!is_decided) continue;
     finding.shipped = !fails(finding) ? Shipped::kShippedOnly
                       : fails(*found) ? Shipped::kBoth
                                       : Shipped::kHereOnly;
@@ -160,10 +175,15 @@ void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
     return finding.shipped == Shipped::kHereOnly;
   };
   if (std::none_of(findings.begin(), findings.end(), here_only)) return;
+  const bool needs_one_motion = All(findings, here_only, NeedsOneMotion);
+  const WantedNeighbours wanted = WantedFor(findings, here_only);
   for (Difference& difference : differences) {
     WorldSetup setup = info.setup;
     setup.chosen[difference.parameter->name] = difference.parameter->shipped;
-    difference.shipped = asking.With(setup);
+    const std::unique_ptr<Oracle> changed = oracle.SetUp(setup);
+    difference.shipped = needs_one_motion
+                             ? JudgedFromOneMotion(scenario, *changed)
+                             : ExamineWorld(scenario, *changed, wanted).findings;
   }
   for (std::size_t i = 0; i < findings.size(); ++i) {
     if (here_only(findings[i]))

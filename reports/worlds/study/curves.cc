@@ -35,8 +35,9 @@ Watched WatchedOf(const World& world, const Claim& claim) {
     // The node in the middle moves farthest if the cloth is held at its edge.
     const int cloth = subjects.cloths.front();
     const Cloth& of_world = world.cloths[static_cast<std::size_t>(cloth)];
-    const auto i = static_cast<std::size_t>(
-        FirstNodeOf(world, cloth) + of_world.n * (of_world.n / 2) + of_world.n / 2);
+    const int half = of_world.n / 2;
+    const int middle = FirstNodeOf(world, cloth) + of_world.n * half + half;
+    const auto i = static_cast<std::size_t>(middle);
     return {of_world.name, [i](const WorldState& state) { return state.nodes[i].p_W; }};
   }
   return {};
@@ -122,6 +123,40 @@ CurveSet PlaceOf(const WorldResult& world, const Trajectory& motion) {
   return set;
 }
 
+/** Returns how far the thing is from its closed form, whatever the direction: most faults
+ are too small to be seen beside the motion, and often across it. Nothing without a closed
+ form. */
+std::optional<CurveSet> ErrorOfPlace(const WorldResult& world) {
+  const WorldScenario& scenario = world.scenario;
+  const Claim claim = ClaimWithPlace(scenario);
+  const Watched watched = WatchedOf(scenario.world, claim);
+  const Law* law = FindLaw(claim.law);
+  if (!watched.place || !law || !law->place) return std::nullopt;
+  CurveSet set{fmt::format("position error of {}", watched.name), "m",
+               MeasureKind::kPositionError,
+               CurvesOfAll(world, [](const WorldState&) { return 0.0; }), std::nullopt};
+  std::vector<double> times;
+  std::vector<Eigen::Vector3d> truths;
+  for (std::size_t o = 0; o < set.of_oracle.size(); ++o) {
+    Curve& curve = set.of_oracle[o];
+    // Oracles are asked for the same samples; one that diverges has fewer.
+    if (curve.times.size() > times.size() ||
+        !std::equal(curve.times.begin(), curve.times.end(), times.begin())) {
+      times = curve.times;
+      truths.clear();
+      truths.reserve(times.size());
+      for (const double t : times)
+        truths.emplace_back(law->place(scenario.world, claim, t));
+    }
+    for (std::size_t s = 0; s < curve.values.size(); ++s) {
+      curve.values[s] =
+          (watched.place(world.trajectories[o].samples[s]) - truths[s]).norm();
+    }
+  }
+  set.truth = Curve{{times.front(), times.back()}, {0, 0}};
+  return set;
+}
+
 }  // namespace
 
 std::vector<CurveSet> CurvesOf(const WorldResult& result) {
@@ -131,6 +166,8 @@ std::vector<CurveSet> CurvesOf(const WorldResult& result) {
   std::vector<CurveSet> sets;
   CurveSet place = PlaceOf(result, *motion);
   if (!place.of_oracle.empty()) sets.push_back(std::move(place));
+  if (std::optional<CurveSet> error = ErrorOfPlace(result))
+    sets.push_back(std::move(*error));
   const Subjects all = SubjectsOf(world, {});
   const auto energy = [&](const WorldState& s) {
     return EnergyOf(world, s, all).total();

@@ -27,9 +27,10 @@ struct CurveSet {
   std::optional<Curve> truth;  ///< Absent if no claim has a closed form for it.
 };
 
-/** Returns three quantities: the position of the first thing that the world's claims are
- about; the energy; and the magnitude of the linear momentum of everything that moves. The
- position is given along the axis on which the first oracle moves the thing farthest.
+/** Returns three or four quantities: the position of the first thing that the world's
+ claims are about; how far it is from its closed form, if there is one; the energy; and
+ the magnitude of the linear momentum of everything that moves. The position is given
+ along the axis on which the first oracle moves the thing farthest.
 
  The truth of the position is the closed form of the first claim that has one. The truth
  of energy, and without gravity of momentum, is the value at the start, provided that a

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/worlds/law_support/box_cone.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/study/body_steps.h"
 #include "reports/worlds/study/judge_ensemble.h"
@@ -19,6 +20,7 @@
 #include "reports/worlds/study/neighbours.h"
 #include "reports/worlds/study/rounding_growth.h"
 #include "reports/worlds/study/run_claims.h"
+#include "reports/worlds/truth/sliding.h"
 
 namespace touchstone {
 namespace {
@@ -29,7 +31,8 @@ void Append(std::vector<Finding>& findings, std::vector<Finding> more) {
 
 /** Returns the findings that the motions of a studied world at other steps and with a
  moved start were not answered. The first unanswered move speaks for all. */
-std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neighbours) {
+std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neighbours,
+                                      const WantedNeighbours& wanted) {
   std::vector<Finding> failures;
   const auto add = [&](const Trajectory& other, std::string_view asked, double step) {
     const std::optional<Finding> failure = FailureToAnswer(study, other, asked, step);
@@ -37,7 +40,7 @@ std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neig
   };
   const double dt = study.scenario.world.dt;
   add(neighbours.half, "at half the step", dt / 2);
-  add(neighbours.quarter, "at a quarter of the step", dt / 4);
+  if (wanted.quarter) add(neighbours.quarter, "at a quarter of the step", dt / 4);
   const auto unanswered =
       std::find_if_not(neighbours.nudged.begin(), neighbours.nudged.end(), IsWhole);
   if (unanswered != neighbours.nudged.end())
@@ -45,14 +48,24 @@ std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neig
   return failures;
 }
 
-/** Returns the growth of rounding by the answered motion that amplifies it most. */
-RoundingGrowth LargestGrowth(const Study& study, std::span<const Trajectory> nudged) {
+/** Number of starts that are moved by the roundings of all steps, by two moves and by
+ their opposites: whether such a move makes a motion jump is chance. */
+constexpr std::size_t kNudgesOfUnstable = 4;
+
+/** Returns the growth of rounding by the answered motion that amplifies it most. Asks the
+ oracle what the roundings of all steps move if that gain is beyond kLargestGain. */
+RoundingGrowth LargestGrowth(const Study& study, const Oracle& oracle,
+                             std::span<const Trajectory> nudged) {
   RoundingGrowth growth;
   for (const Trajectory& other : nudged) {
     if (!study.half || !IsWhole(other)) continue;
     const RoundingGrowth more = GrowthOf(study, other);
     if (more.gain > growth.gain) growth = more;
   }
+  if (growth.gain <= kLargestGain) return growth;
+  const double all_roundings = RoundingOf(study, study.scenario.world.steps);
+  growth.most = MostThatRoundingExplains(
+      study, SimulateNudged(study.scenario, oracle, all_roundings, kNudgesOfUnstable));
   return growth;
 }
 
@@ -90,7 +103,7 @@ RoundingGrowth GrowthIfStable(const Study& study, double gain, double most,
 
 /** Returns the failures of a variant's motion under the claims of the world, except those
  that the world itself has too. The claims hold for the variant whether or not the two
- motions can be compared. */
+ motions can be compared. Points that are cited are mapped back into the world itself. */
 std::vector<Finding> BrokenBy(const VariantMotion& moved, const Study& study,
                               std::span<const Finding> of_world) {
   WorldScenario asked = study.scenario;
@@ -109,25 +122,37 @@ std::vector<Finding> BrokenBy(const VariantMotion& moved, const Study& study,
     found.reference.clear();  // The failure is shown by a changed world.
     found.proof =
         fmt::format("the world {}: {}", ChangeOf(moved.variant.measure), found.proof);
+    for (Eigen::Vector3d& p_W : found.cited.points_W)
+      p_W = SeenInWorld(moved.variant, p_W);
     broken.push_back(std::move(found));
   }
   return broken;
 }
 
+/** Returns the friction cone that a motion follows instead of the circle; empty if none
+ is known. A claim may have recognised it. Else the contact impulses may show it. */
+std::string ConeOf(const Study& study, std::span<const Finding> of_world) {
+  for (const Finding& shown : of_world) {
+    const std::string_view model = RecognisedModelOf(shown);
+    if (IsFrictionCone(model)) return std::string(model);
+  }
+  if (!FollowsBoxCone({study.scenario.world, study.oracle, study.trajectory})) return "";
+  return std::string(NameOf(FrictionCone::kBox));
+}
+
 /** Sets the cause of a variant that moves differently: a model if the motion follows a
  friction cone with directions that are fixed in the world. The cone is then not the same
  in the world turned or mirrored. */
-void AttributeToCone(std::span<const Finding> of_world, Finding& finding) {
+void AttributeToCone(const Study& study, std::span<const Finding> of_world,
+                     Finding& finding) {
   if (finding.verdict != Verdict::kFail) return;
   if (finding.measure != MeasureKind::kHeading && finding.measure != MeasureKind::kMirror)
     return;
-  for (const Finding& shown : of_world) {
-    const std::string_view model = RecognisedModelOf(shown);
-    if (!IsFrictionCone(model)) continue;
-    finding.cause = Cause::kModel;
-    finding.cause_because =
-        fmt::format("{} has directions that are fixed in the world", model);
-  }
+  const std::string cone = ConeOf(study, of_world);
+  if (cone.empty()) return;
+  finding.cause = Cause::kModel;
+  finding.cause_because =
+      fmt::format("{} has directions that are fixed in the world", cone);
 }
 
 /** Turns models into defects in a motion that breaks a law by a defect: a legal model
@@ -161,19 +186,21 @@ std::vector<Finding> FindingsOfVariant(const Study& study, const RoundingGrowth&
   if (!study.half || !IsWhole(trajectory)) return findings;
   Finding finding =
       JudgeVariant(study, growth, variant.measure, SeenInWorld(variant, trajectory));
-  AttributeToCone(of_world, finding);
+  AttributeToCone(study, of_world, finding);
   if (finding.verdict != Verdict::kFail)
     Append(findings, BrokenBy(moved, study, of_world));
   findings.push_back(std::move(finding));
   return findings;
 }
 
-/** Adds the findings of the neighbours of a studied world to `of_world`, those of the
- world itself, and returns all. */
-std::vector<Finding> WithNeighbours(const Study& study, const Neighbours& neighbours,
+/** Adds the findings of the wanted neighbours of a studied world to `of_world`, those of
+ the world itself, and returns all. */
+std::vector<Finding> WithNeighbours(const Study& study, const Oracle& oracle,
+                                    const Neighbours& neighbours,
+                                    const WantedNeighbours& wanted,
                                     std::vector<Finding> of_world) {
-  Append(of_world, FailuresToAnswer(study, neighbours));
-  RoundingGrowth growth = LargestGrowth(study, neighbours.nudged);
+  Append(of_world, FailuresToAnswer(study, neighbours, wanted));
+  RoundingGrowth growth = LargestGrowth(study, oracle, neighbours.nudged);
   if (const Claim* stable = FindClaim(study.scenario, kStable)) {
     const double most = stable->numbers.at(std::string(kStableGain));
     of_world.push_back(JudgeStable(study, most, neighbours.nudged));
@@ -187,7 +214,8 @@ std::vector<Finding> WithNeighbours(const Study& study, const Neighbours& neighb
 
 }  // namespace
 
-Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle) {
+Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
+                         const WantedNeighbours& wanted) {
   Examination examined;
   examined.trajectory = oracle.Simulate(scenario.world);
   const Trajectory& trajectory = examined.trajectory;
@@ -195,13 +223,14 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle) {
   if (IsWhole(trajectory)) {
     examined.drifts = DriftsOf(scenario.world, trajectory);
     const double nudge = RoundingOf({scenario, oracle.info(), trajectory}, 1);
-    neighbours = SimulateNeighbours(scenario, oracle, nudge);
+    neighbours = SimulateNeighbours(scenario, oracle, nudge, wanted);
   }
   const bool studied = IsWhole(trajectory) && IsStudied(scenario);
-  const bool refined = studied && IsWhole(neighbours.half) && IsWhole(neighbours.quarter);
+  const bool refined = studied && IsWhole(neighbours.half) &&
+                       (!wanted.quarter || IsWhole(neighbours.quarter));
   const Study study{scenario, oracle.info(), trajectory,
                     refined ? &neighbours.half : nullptr,
-                    refined ? &neighbours.quarter : nullptr};
+                    refined && wanted.quarter ? &neighbours.quarter : nullptr};
 
   std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(study);
   const bool answered = groups.front().front().verdict == Verdict::kPass;
@@ -216,7 +245,7 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle) {
   if (answered && FindClaim(scenario, kDeterministic))
     findings.push_back(JudgeRepetition(study, neighbours.again));
   if (answered && studied)
-    findings = WithNeighbours(study, neighbours, std::move(findings));
+    findings = WithNeighbours(study, oracle, neighbours, wanted, std::move(findings));
   RefuseModelsOfDefects(findings);
   examined.findings = std::move(findings);
   return examined;

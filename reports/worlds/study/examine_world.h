@@ -6,6 +6,7 @@
 #include "reports/finding/finding.h"
 #include "reports/worlds/study/ensemble_statistics.h"
 #include "reports/worlds/study/motion_drifts.h"
+#include "reports/worlds/study/wanted_neighbours.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
@@ -18,8 +19,9 @@ struct Examination {
   std::vector<Finding> findings;
 };
 
-/** Simulates the world, its neighbours and the members of its ensemble, and judges the
- motions. */
-Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle);
+/** Simulates the world, its wanted neighbours and the members of its ensemble, and judges
+ the motions. */
+Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
+                         const WantedNeighbours& wanted = {});
 
 }  // namespace touchstone

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/finding/tolerance.h"
 #include "reports/worlds/study/judge_world.h"
 #include "scenarios/generators/ensemble.h"
 
@@ -14,7 +15,7 @@ namespace {
 /** Returns a sort key: passing or not first, then the value over its tolerance. */
 std::pair<bool, double> Severity(const Finding& finding) {
   const bool passes = finding.verdict == Verdict::kPass;
-  return {!passes, finding.tolerance > 0 ? finding.value / finding.tolerance : 0};
+  return {!passes, InTolerances(finding.value, finding.tolerance)};
 }
 
 bool IsUnverified(const Finding& finding) {

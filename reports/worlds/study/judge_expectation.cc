@@ -7,10 +7,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/citing.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/overlap.h"
 #include "reports/worlds/truth/mechanics.h"
@@ -52,9 +54,9 @@ double TurnAbout(const Eigen::Quaterniond& q, const Eigen::Vector3d& axis) {
 }
 
 /** Returns e.g. "toppled at 0.3 s" or "never toppled". */
-std::string EventInWords(std::string_view event, double time) {
-  return std::isfinite(time) ? fmt::format("{} at {:.6g} s", event, time)
-                             : fmt::format("never {}", event);
+CitingProof EventInWords(std::string_view event, double time) {
+  return std::isfinite(time) ? Citing("{} at {:.6g} s", event, time)
+                             : Citing("never {}", event);
 }
 
 /** Judges one expectation; each function is one kind of statement. */
@@ -84,14 +86,19 @@ class Expected {
     if (expected.along) {
       const Eigen::Vector3d along = expected.along->normalized();
       return Done(std::abs((is - expected.value).dot(along)),
-                  fmt::format("{} of {:.6g} {} along {}", quantity,
-                              expected.value.dot(along), unit, FormatVector(along, 6)),
-                  fmt::format("{:.6g} {}", is.dot(along), unit));
+                  Citing("{} of {:.6g} {} along {}", quantity, expected.value.dot(along),
+                         unit, FormatVector(along, 6)),
+                  Citing("{:.6g} {}", is.dot(along), unit));
     }
-    return Done(
-        (is - expected.value).norm(),
-        fmt::format("{} of {} {}", quantity, FormatVector(expected.value, 6), unit),
-        fmt::format("{} {}", FormatVector(is, 9), unit));
+    const double off = (is - expected.value).norm();
+    if (expected.of == Of::kPosition) {
+      return Done(off,
+                  Citing("{} of {} {}", quantity, CitedPoint{expected.value, 6}, unit),
+                  Citing("{} {}", CitedPoint{is}, unit));
+    }
+    return Done(off,
+                Citing("{} of {} {}", quantity, FormatVector(expected.value, 6), unit),
+                Citing("{} {}", FormatVector(is, 9), unit));
   }
 
   LawFinding operator()(const ExpectedOrientation& expected) {
@@ -101,7 +108,8 @@ class Expected {
       return fmt::format("({:.6g}, {:.6g}, {:.6g}, {:.6g})", q.w(), q.x(), q.y(), q.z());
     };
     return Done(is.angularDistance(expected.q_WB.normalized()),
-                fmt::format("an orientation of {}", words(expected.q_WB)), words(is));
+                Citing("an orientation of {}", words(expected.q_WB)),
+                Citing("{}", words(is)));
   }
 
   LawFinding operator()(const ExpectedAngle& expected) {
@@ -110,10 +118,10 @@ class Expected {
     const double is =
         TurnAbout(Now().q_WB.value() * AtSample(0).q_WB.value().conjugate(), axis);
     const double off = std::remainder(is - expected.angle, 2 * std::numbers::pi);
-    return Done(std::abs(off),
-                fmt::format("an angle of {:.6g} rad about {}", expected.angle,
-                            FormatVector(axis, 6)),
-                fmt::format("{:.6g} rad", expected.angle + off));
+    return Done(
+        std::abs(off),
+        Citing("an angle of {:.6g} rad about {}", expected.angle, FormatVector(axis, 6)),
+        Citing("{:.6g} rad", expected.angle + off));
   }
 
   LawFinding operator()(const ExpectedTouch& expected) {
@@ -121,7 +129,7 @@ class Expected {
     GrantSamples(SampleSpacing(world_) + world_.dt, "and a contact may act a step late");
     const double touch = FirstTouch(expected.other);
     return Done(std::abs(touch - expectation_.time),
-                fmt::format("to touch {} first", expected.other),
+                Citing("to touch {} first", CitedName{expected.other}),
                 EventInWords("touched it", touch));
   }
 
@@ -134,7 +142,7 @@ class Expected {
     // The first sample with another attitude is at most a spacing late.
     const double off = std::abs(topple - expectation_.time) + spacing;
     return Done(has_toppled == expected.topples ? 0 : off,
-                expected.topples ? "to topple" : "not to topple",
+                Citing("{}", expected.topples ? "to topple" : "not to topple"),
                 EventInWords("toppled", topple));
   }
 
@@ -150,8 +158,8 @@ class Expected {
       fastest = speed;
       when = motion_.trajectory.times[s];
     }
-    return Done(fastest, "to rest from then on",
-                fmt::format("a speed of {:.6g} m/s at {:.6g} s", fastest, when));
+    return Done(fastest, Citing("to rest from then on"),
+                Citing("a speed of {:.6g} m/s at {:.6g} s", fastest, CitedTime{when}));
   }
 
   LawFinding operator()(const ExpectedTrajectory& expected) {
@@ -168,13 +176,12 @@ class Expected {
       farthest = apart;
       worst = &state;
     }
-    finding_.value = farthest;
-    finding_.proof = fmt::format(
-        "{}:{} expects {} at {} after {:.6g} s; {} has it elsewhere, each "
-        "point of it at most {:.6g} m off",
-        expected.file, worst->line, worst->name, FormatVector(worst->p_W, 9), worst->time,
-        motion_.oracle.name, farthest);
-    return finding_;
+    return Found(
+        farthest,
+        Citing("{}:{} expects {} at {} after {:.6g} s; {} has it elsewhere, each point "
+               "of it at most {:.6g} m off",
+               expected.file, worst->line, CitedName{worst->name}, CitedPoint{worst->p_W},
+               CitedTime{worst->time}, motion_.oracle.name, farthest));
   }
 
  private:
@@ -197,11 +204,18 @@ class Expected {
         fmt::format("; an event is seen to a sample{}{}", also.empty() ? "" : ", ", also);
   }
 
-  LawFinding Done(double value, const std::string& expected, const std::string& is) {
+  LawFinding Done(double value, const CitingProof& expected, const CitingProof& is) {
+    return Found(value, Citing("{} is expected {} {} {:.6g} s; {} has {}",
+                               CitedName{expectation_.body}, expected, WhenWord(),
+                               CitedTime{expectation_.time}, motion_.oracle.name, is));
+  }
+
+  LawFinding Found(double value, CitingProof proof) {
     finding_.value = value;
-    finding_.proof =
-        fmt::format("{} is expected {} {} {:.6g} s; {} has {}", expectation_.body,
-                    expected, WhenWord(), expectation_.time, motion_.oracle.name, is);
+    finding_.proof = std::move(proof.sentence);
+    finding_.cited = std::move(proof.cited);
+    // An expectation is about one moment.
+    finding_.cited.first_time = finding_.cited.time;
     return finding_;
   }
 

@@ -59,13 +59,14 @@ Finding JudgeStability(const Study& study, double gain,
     const double apart = DistanceBetween(study.trajectory, other, radius, until);
     if (apart <= finding.value) continue;
     finding.value = apart;
+    State(LargestDifference(world, study.trajectory, other, until), finding);
     finding.proof = fmt::format(
-        "{} is up to {:.6g} m away if its start is moved by {:.3g} m: {}{}",
-        finding.oracle, apart, moved,
-        LargestDifference(world, study.trajectory, other, until), PrintedBy(other));
+        "{} is up to {:.6g} m away if its start is moved by {:.3g} m, by distance + "
+        "angle × radius: {}{}",
+        finding.oracle, apart, moved, finding.proof, PrintedBy(other));
   }
   if (finding.value <= finding.tolerance) {
-    finding.proof.clear();
+    TakeBackProof(finding);
     return finding;
   }
   finding.verdict = Verdict::kFail;

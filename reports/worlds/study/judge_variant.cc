@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,15 +19,24 @@ struct Comparison {
   double apart;           ///< [m]
   double discretisation;  ///< [m]
   double rounding;        ///< Sum for both motions, before amplification. [m]
+  double most;            ///< The most that rounding explains. [m]
   double late;            ///< Due to events a step late. [m]
 
-  double Granted(double gain) const { return discretisation + gain * rounding + late; }
+  double Granted(double gain) const {
+    return discretisation + std::min(gain * rounding, most) + late;
+  }
   std::string Because(double gain) const {
     return fmt::format(
         "two approximations of one motion: each is off by twice the change from halving "
         "the step ({:.3g} m), and by 64 roundings a step ({:.3g} m for both), which the "
-        "motion amplifies {:.3g} times{}",
+        "motion amplifies {:.3g} times{}{}",
         discretisation / 4, rounding, gain,
+        gain * rounding > most
+            ? fmt::format(
+                  ", but to no more than {:.3g} m, ten times what a start that is "
+                  "moved by all of them changes",
+                  most)
+            : "",
         late > 0
             ? fmt::format("; {:.3g} m for a contact that is detected a step late", late)
             : "");
@@ -34,23 +44,23 @@ struct Comparison {
 };
 
 Comparison Compare(const Study& study, const Trajectory& seen_in_world, double until,
-                   double late) {
+                   const RoundingGrowth& growth) {
   const World& world = study.scenario.world;
   const double radius = LargestRadius(world);
   const double steps = std::min<double>(world.steps, until / world.dt);
   return {DistanceBetween(study.trajectory, seen_in_world, radius, until),
           4 * DistanceBetween(study.trajectory, *study.half, radius, until),
-          2 * RoundingOf(study, steps), late};
+          2 * RoundingOf(study, steps), growth.most, growth.late};
 }
 
 /** Judges by rounding and discretisation alone. */
 Finding JudgeWithoutEvents(const Study& study, const RoundingGrowth& growth,
                            MeasureKind measure, const Trajectory& seen_in_world) {
   const double until = UntilOf(study);
-  const Comparison whole = Compare(study, seen_in_world, until, growth.late);
+  const Comparison whole = Compare(study, seen_in_world, until, growth);
   const bool unstable = growth.horizon < until;
   const Comparison before =
-      unstable ? Compare(study, seen_in_world, growth.horizon, growth.late) : whole;
+      unstable ? Compare(study, seen_in_world, growth.horizon, growth) : whole;
   const bool differs_before = before.apart > before.Granted(growth.gain_before);
   const Comparison& told = differs_before ? before : whole;
   Finding finding;
@@ -64,8 +74,9 @@ Finding JudgeWithoutEvents(const Study& study, const RoundingGrowth& growth,
   };
   grant(growth.gain_before);
   if (!differs_before && finding.value <= finding.tolerance) return finding;
-  finding.proof = fmt::format("{} moves the world {} differently, by {:.6g} m",
-                              finding.oracle, ChangeOf(measure), finding.value);
+  finding.proof = fmt::format(
+      "{} moves the world {} differently, by {:.6g} m of distance + angle × radius",
+      finding.oracle, ChangeOf(measure), finding.value);
   if (unstable && !differs_before) {
     grant(growth.gain);
     if (finding.value <= finding.tolerance) {
@@ -81,10 +92,13 @@ Finding JudgeWithoutEvents(const Study& study, const RoundingGrowth& growth,
   finding.cause = Cause::kDefect;
   finding.cause_because =
       fmt::format("no law of motion tells the world {} apart", ChangeOf(measure));
-  finding.proof += fmt::format(
-      ": {}, in the world itself and in the variant mapped back",
-      LargestDifference(study.scenario.world, study.trajectory, seen_in_world,
-                        differs_before ? std::min(until, growth.horizon) : until));
+  const std::string differs = std::move(finding.proof);
+  State(LargestDifference(study.scenario.world, study.trajectory, seen_in_world,
+                          differs_before ? std::min(until, growth.horizon) : until),
+        finding);
+  finding.proof =
+      fmt::format("{}: {}, in the world itself and in the variant mapped back", differs,
+                  finding.proof);
   return finding;
 }
 

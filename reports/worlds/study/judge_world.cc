@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <set>
 #include <utility>
@@ -29,6 +30,17 @@ constexpr double kHalfAnOrder = 0.5;
  which every consistent scheme has, than to 0. Half the step must leave at most 2^-0.5 of
  it. */
 constexpr double kLeastOrder = 1 - kHalfAnOrder;
+
+/** Returns half the least extent of a box, and the bounding radius of another shape: a
+ body that is deeper in this one is past its middle. [m] */
+double HalfThickness(const Shape& shape) {
+  const Box* const box = std::get_if<Box>(&shape);
+  return box ? box->half_extents.minCoeff() : BoundingRadius(shape);
+}
+
+/** The share of an error from which on its value at half the step counts as no smaller.
+ [-] */
+constexpr double kHardlySmaller = 0.9;
 
 /** Returns the largest value of each series up to the sample at which `first` has reached
  an eighth of its maximum. Later samples say nothing about the order: two rotations or
@@ -78,6 +90,8 @@ void DescribeAnswering(const Trajectory& trajectory, double dt, std::string_view
       finding.proof =
           fmt::format("{}: diverged in step {}, at {:.6g} s", who,
                       trajectory.diverged_at_step, trajectory.diverged_at_step * dt);
+      finding.cited.time = trajectory.diverged_at_step * dt;
+      finding.cited.first_time = finding.cited.time;
       return;
   }
   finding.value = 1;
@@ -115,12 +129,13 @@ class Judgement {
     Finding& finding = Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"});
     DescribeAnswering(study_.trajectory, study_.scenario.world.dt, "", finding);
     if (finding.verdict != Verdict::kPass) return false;
-    const std::string deviation =
+    CitingProof deviation =
         DeviationFromStart(study_.scenario.world, study_.oracle, study_.trajectory);
-    if (deviation.empty()) return true;
+    if (deviation.sentence.empty()) return true;
     finding.verdict = Verdict::kInvalid;
     finding.value = 1;
-    finding.proof = fmt::format("{} {}", study_.oracle.name, deviation);
+    finding.proof = std::move(deviation.sentence);
+    finding.cited = std::move(deviation.cited);
     return false;
   }
 
@@ -153,9 +168,10 @@ class Judgement {
         JudgeExpectation(motion_, study_.scenario.expectations[index]);
     Finding& finding = Add(found.measure, found.value, found.tolerance);
     finding.law = fmt::format("expect[{}]", index);
-    if (found.value <= found.tolerance.value) return;
+    if (!IsBeyond(found)) return;
     finding.verdict = Verdict::kFail;
     finding.proof = fmt::format("{}: {}", finding.law, found.proof);
+    finding.cited = found.cited;
     finding.cause = Cause::kDefect;
   }
 
@@ -165,7 +181,34 @@ class Judgement {
     Finding& finding = Add(found, found.measure, name);
     finding.law = claim.law;
     if (finding.verdict == Verdict::kFail) Attribute(finding, found.grants, law, claim);
+    WithdrawCoarsePass(finding, found.cited);
     return finding;
+  }
+
+  /** Withdraws a pass of two bodies that are deeper in each other than HalfThickness() of
+   one, or have their contact farther away than the bounding radius of one: no tolerance
+   can say that this is right. `cited`: the bodies. */
+  void WithdrawCoarsePass(Finding& finding, const Cited& cited) const {
+    const bool is_of_two_bodies = finding.law == "never_penetrates" ||
+                                  finding.law == "never_passes_through" ||
+                                  finding.law == "contacts_on_bodies";
+    if (!is_of_two_bodies || UnitOf(finding.measure) != "m" ||
+        finding.verdict != Verdict::kPass)
+      return;
+    const bool is_depth = finding.law == "never_penetrates";
+    double radius = std::numeric_limits<double>::infinity();
+    for (const RigidBody& body : study_.scenario.world.bodies) {
+      if (!std::holds_alternative<HalfSpace>(body.placed.shape) &&
+          std::ranges::find(cited.names, body.name) != cited.names.end())
+        radius = std::min(radius, is_depth ? HalfThickness(body.placed.shape)
+                                           : BoundingRadius(body.placed.shape));
+    }
+    if (!(finding.value > radius)) return;
+    finding.verdict = Verdict::kUndecidable;
+    finding.undecided = Undecided::kCoarse;
+    finding.tolerance_because =
+        fmt::format("wider than {:.2g} m, the size of the smaller body: {}", radius,
+                    finding.tolerance_because);
   }
 
   /** Adds what a law found, as a finding of `measure`, without law and cause of failure.
@@ -173,11 +216,17 @@ class Judgement {
   Finding& Add(const LawFinding& found, MeasureKind measure, std::string_view what) {
     Finding& finding = Add(measure, found.value, found.tolerance);
     if (found.grants == Grants::kStep) finding.safety = kSafety;
-    if (!found.recognised.empty()) {
+    if (IsBeyond(found)) finding.cited = found.cited;
+    if (!std::isfinite(found.tolerance.value) && found.value != 0) {
+      // A sum of the law has overflowed: it neither accuses nor excuses.
+      finding.verdict = Verdict::kUndecidable;
+      finding.proof = fmt::format("{}: no number follows for its tolerance where {}",
+                                  what, found.proof);
+    } else if (!found.recognised.empty()) {
       finding.cause = Cause::kModel;
       finding.cause_because = found.recognised;
       finding.proof = found.proof;
-    } else if (!(found.value <= found.tolerance.value)) {
+    } else if (IsBeyond(found)) {
       finding.verdict = Verdict::kFail;
       finding.proof = fmt::format("{}: {}", what, found.proof);
     }
@@ -212,16 +261,25 @@ class Judgement {
     const double at_half = *half / (is_of_step ? h / 2 : 1);
     const double at_quarter = *quarter / (is_of_step ? h / 4 : 1);
     const double shrinks = std::exp2(-kLeastOrder);
+    finding.study =
+        StepStudy{{at_step, at_half, at_quarter},
+                  std::string(is_of_step ? unit.substr(1) : UnitOf(finding.measure))};
     const bool vanishes = at_half <= shrinks * at_step && at_quarter <= shrinks * at_half;
+    const bool depends_on_phase =
+        at_half > kHardlySmaller * at_step && *quarter <= finding.tolerance;
     finding.cause = vanishes ? Cause::kDiscretisation : Cause::kDefect;
     finding.cause_because = fmt::format(
         "{:.3g}, {:.3g} and {:.3g}{} at the step, a half and a quarter of it: {}",
         at_step, at_half, at_quarter, unit,
-        vanishes
-            ? "it vanishes with the step"
-            : fmt::format("to vanish with the step it would have to fall to 1/{:.2g} "
-                          "at each halving",
-                          1 / shrinks));
+        vanishes ? "it vanishes with the step"
+                 : fmt::format(
+                       "{}to vanish with the step it would have to fall to 1/{:.2g} "
+                       "at each halving",
+                       depends_on_phase
+                           ? "it passes at a quarter but is hardly smaller at a half, so "
+                             "where the steps fall determines it, too; "
+                           : "",
+                       1 / shrinks));
   }
 
   /** Judges order and limit, once for any number of smooth claims. */
@@ -382,6 +440,12 @@ std::vector<Finding> JudgeWorld(const Study& study) {
   return findings;
 }
 
+void SortByMeasure(std::vector<Finding>& findings) {
+  std::stable_sort(
+      findings.begin(), findings.end(),
+      [](const Finding& a, const Finding& b) { return a.measure < b.measure; });
+}
+
 std::optional<Finding> FailureToAnswer(const Study& study, const Trajectory& other,
                                        std::string_view asked, double dt) {
   if (IsWhole(other) || other.status == AnswerStatus::kUnsupported) return std::nullopt;
@@ -396,12 +460,14 @@ std::optional<Finding> FailureToAnswer(const Study& study, const Trajectory& oth
 Finding JudgeRepetition(const Study& study, const Trajectory& again) {
   Finding finding = SelfFinding(study, MeasureKind::kDeterminism);
   finding.tolerance_because = "the same question has the same answer, bit for bit";
-  if (AreIdentical(study.trajectory, again)) return finding;
+  CitingProof difference = FirstDifference(study.scenario.world, study.trajectory, again);
+  if (difference.sentence.empty()) return finding;
   finding.value = 1;
   finding.verdict = Verdict::kFail;
   finding.cause = Cause::kDefect;
-  finding.proof = fmt::format("{} gives two answers: {}", finding.oracle,
-                              FirstDifference(study.trajectory, again));
+  finding.proof =
+      fmt::format("{} gives two answers: {}", finding.oracle, difference.sentence);
+  finding.cited = std::move(difference.cited);
   return finding;
 }
 

@@ -24,6 +24,9 @@ namespace touchstone {
    impacts on the motion at a quarter of the step. */
 std::vector<Finding> JudgeWorld(const Study& study);
 
+/** Sorts findings by measure, and keeps the order of those with the same measure. */
+void SortByMeasure(std::vector<Finding>& findings);
+
 /** Returns the same findings in groups: first answering, then one group per claim, per
  universal law and per expectation. */
 std::vector<std::vector<Finding>> JudgeWorldByClaim(const Study& study);

@@ -66,6 +66,9 @@ double MovingMassOf(const World& world) {
   return mass;
 }
 
+/** The share of its length by which a body moves unseen. [-] */
+constexpr double kUnseen = 1e-6;
+
 double SizeFor(std::string_view unit, const MotionScale& of) {
   if (unit == "m") return of.length;
   if (unit == "m/s") return of.speed;
@@ -83,6 +86,9 @@ double SizeFor(std::string_view unit, const MotionScale& of) {
 MotionScale ScaleOf(const World& world, const Trajectory& trajectory) {
   MotionScale scale{.length = LengthOf(world, trajectory), .mass = MovingMassOf(world)};
   scale.speed = std::sqrt(LargestLoadOf(world) * scale.length);
+  const double duration = world.steps * world.dt;
+  if (duration > 0)
+    scale.speed = std::max(scale.speed, kUnseen * scale.length / duration);
   for (const WorldState& state : trajectory.samples)
     scale.speed = std::max(scale.speed, FastestOf(world, state));
   return scale;
@@ -102,6 +108,12 @@ Grade GradeOf(const Finding& finding, const MotionScale& scale) {
   return finding.measure == MeasureKind::kPassage && grade != Grade::kRounding
              ? Grade::kWrongTouch
              : grade;
+}
+
+void GradeFaults(const MotionScale& scale, std::span<Finding> findings) {
+  for (Finding& finding : findings) {
+    if (IsProvedWrong(finding)) finding.grade = GradeOf(finding, scale);
+  }
 }
 
 }  // namespace touchstone

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "oracles/trajectory.h"
 #include "reports/finding/finding.h"
 #include "scenarios/worlds/world.h"
@@ -14,7 +16,8 @@ namespace touchstone {
 
  The speed V is the greatest |v| + |ω| r of the motion, r the bounding radius, but at
  least √(a L), with a the greatest |g + F/m|: the speed that its load gives to a body over
- its own size. A body at rest under gravity is thus graded by what it could fall.
+ its own size. A body at rest under gravity is thus graded by what it could fall. And at
+ least a speed that takes it 1e-6 L in all: nobody could see a slower motion.
 
  Everything else follows for a single body of the whole moving mass M at that speed:
  energy ½ M V², momentum M V, angular momentum M V L, force M V² / L, time L / V, spin V /
@@ -38,5 +41,8 @@ double ShareOf(const Finding& finding, const MotionScale& scale);
  another is a wrong hit or miss. kNone for measures without a size: whether the oracle
  answers, whether it repeats itself, and the order of convergence. */
 Grade GradeOf(const Finding& finding, const MotionScale& scale);
+
+/** Sets the grade of every finding on that motion that is proved wrong. */
+void GradeFaults(const MotionScale& scale, std::span<Finding> findings);
 
 }  // namespace touchstone

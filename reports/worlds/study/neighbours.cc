@@ -12,14 +12,19 @@
 namespace touchstone {
 namespace {
 
-/** Number of times that the start of a stable world is moved: whether one rounding error
- opens a contact or closes it is chance. */
+/** Number of times that the start of a world is moved: by one move and by its opposite. A
+ body that reaches another at the end of a step, to a rounding, is late by a step in one
+ of the two. */
+constexpr std::size_t kNudges = 2;
+
+/** The same for a stable world: whether a rounding error opens a contact or closes it is
+ chance. */
 constexpr std::size_t kNudgesOfStable = 4;
 
-/** Returns the world with every position moved by up to `nudge` [m] along each axis.
+/** Returns the world with every position moved by up to |nudge| [m] along each axis.
  Every body is also turned, by the angle that moves the surface of the largest body by as
  much: a body that spins about its middle axis amplifies rotations, not translations. The
- moves depend on `seed`. */
+ moves depend on `seed`; -nudge makes the opposite moves. */
 World Nudged(WorldScenario scenario, double nudge, unsigned seed) {
   scenario.ensemble = Ensemble{2, nudge, seed};
   World world = MemberOf(scenario, 1);
@@ -38,10 +43,25 @@ World Nudged(WorldScenario scenario, double nudge, unsigned seed) {
   return world;
 }
 
+/** Returns the n-th copy with a moved start. */
+World NudgedCopy(const WorldScenario& scenario, double nudge, std::size_t n) {
+  return Nudged(scenario, n % 2 == 0 ? nudge : -nudge, static_cast<unsigned>(n / 2) + 1);
+}
+
 }  // namespace
 
+std::vector<Trajectory> SimulateNudged(const WorldScenario& scenario,
+                                       const Oracle& oracle, double nudge,
+                                       std::size_t count) {
+  std::vector<World> worlds;
+  worlds.reserve(count);
+  for (std::size_t n = 0; n < count; ++n)
+    worlds.push_back(NudgedCopy(scenario, nudge, n));
+  return oracle.SimulateEach(worlds);
+}
+
 Neighbours SimulateNeighbours(const WorldScenario& scenario, const Oracle& oracle,
-                              double nudge) {
+                              double nudge, const WantedNeighbours& wanted) {
   std::vector<World> worlds;
   std::vector<Trajectory*> places;
   const auto ask = [&](World world, Trajectory& place) {
@@ -51,12 +71,14 @@ Neighbours SimulateNeighbours(const WorldScenario& scenario, const Oracle& oracl
   Neighbours motions;
   if (IsStudied(scenario)) {
     ask(Refined(scenario.world, 2), motions.half);
-    ask(Refined(scenario.world, 4), motions.quarter);
-    motions.nudged.resize(FindClaim(scenario, kStable) ? kNudgesOfStable : 1);
+    if (wanted.quarter) ask(Refined(scenario.world, 4), motions.quarter);
+    motions.nudged.resize(FindClaim(scenario, kStable) ? kNudgesOfStable : kNudges);
     for (std::size_t n = 0; n < motions.nudged.size(); ++n)
-      ask(Nudged(scenario, nudge, static_cast<unsigned>(n) + 1), motions.nudged[n]);
-    for (WorldVariant& variant : VariantsOf(scenario.world))
-      motions.variants.push_back({std::move(variant), {}});
+      ask(NudgedCopy(scenario, nudge, n), motions.nudged[n]);
+    for (WorldVariant& variant : VariantsOf(scenario.world)) {
+      if (!wanted.variant || wanted.variant(variant.measure))
+        motions.variants.push_back({std::move(variant), {}});
+    }
     for (VariantMotion& motion : motions.variants)
       ask(motion.variant.world, motion.trajectory);
   }

@@ -2,12 +2,22 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "reports/worlds/study/judge_world.h"
 #include "reports/worlds/study/trajectory_difference.h"
 #include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
+namespace {
+
+/** Number of jumps that rounding is granted. A moved start makes a motion jump once, e.g.
+ by a fall for as long as a contact is missed. The roundings of later steps, in each of
+ two motions that are compared, may make it jump again. */
+constexpr double kJumps = 10;
+
+}  // namespace
 
 RoundingGrowth GrowthOf(const Study& study, const Trajectory& nudged) {
   RoundingGrowth growth;
@@ -33,6 +43,17 @@ RoundingGrowth GrowthOf(const Study& study, const Trajectory& nudged) {
       growth.gain_before = growth.gain;
   }
   return growth;
+}
+
+double MostThatRoundingExplains(const Study& study, std::span<const Trajectory> nudged) {
+  const double radius = LargestRadius(study.scenario.world);
+  std::optional<double> farthest;
+  for (const Trajectory& other : nudged) {
+    if (!IsWhole(other)) continue;
+    const double apart = DistanceBetween(study.trajectory, other, radius, UntilOf(study));
+    farthest = std::max(farthest.value_or(0), apart);
+  }
+  return farthest ? kJumps * *farthest : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace touchstone

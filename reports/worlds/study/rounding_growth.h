@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "oracles/trajectory.h"
 #include "reports/worlds/study/study.h"
@@ -18,6 +19,10 @@ struct RoundingGrowth {
   double horizon = std::numeric_limits<double>::infinity();
   /** Tolerance for events that come a step late, in a world claimed to be stable. [m] */
   double late = 0;
+  /** The most that rounding explains of a difference of two motions. A motion that jumps
+   does so whatever the size of the change that makes it jump: the gain times all
+   roundings would explain many times the jump. Infinity if it was not measured. [m] */
+  double most = std::numeric_limits<double>::infinity();
 };
 
 /** The largest gain at which variants are still compared: a flight, a swing and a few
@@ -29,5 +34,10 @@ inline constexpr double kLargestGain = 1e3;
  the rounding error of one step, RoundingOf(study, 1).
  @pre study.half is set; all three motions are answered and did not diverge. */
 RoundingGrowth GrowthOf(const Study& study, const Trajectory& nudged);
+
+/** Returns RoundingGrowth::most: ten times the largest distance to a motion in `nudged`,
+ those with the start moved by the roundings of all steps. Infinity if none of them was
+ answered. [m] */
+double MostThatRoundingExplains(const Study& study, std::span<const Trajectory> nudged);
 
 }  // namespace touchstone

@@ -8,7 +8,7 @@
 #include "reports/threads/parallel_for.h"
 #include "reports/worlds/study/as_shipped.h"
 #include "reports/worlds/study/body_steps.h"
-#include "reports/worlds/study/examine_world.h"
+#include "reports/worlds/study/judge_world.h"
 #include "reports/worlds/study/motion_scale.h"
 
 namespace touchstone {
@@ -54,13 +54,20 @@ std::vector<std::size_t> LongestFirst(std::span<const Pair> pairs,
   return order;
 }
 
-/** Sets the grade of every finding that is proved wrong. */
-void GradeFaults(const World& world, const Trajectory& trajectory,
-                 std::span<Finding> findings) {
-  const MotionScale scale = ScaleOf(world, trajectory);
-  for (Finding& finding : findings) {
-    if (IsProvedWrong(finding)) finding.grade = GradeOf(finding, scale);
+/** Returns the result of one pair: a kept one, or a new one, which is then kept. */
+Examination Examined(const WorldScenario& scenario, const Oracle& oracle,
+                     const WorldsOptions& options) {
+  if (options.find) {
+    if (auto kept = options.find(scenario, oracle.info())) return std::move(*kept);
   }
+  Examination examined = ExamineWorld(scenario, oracle);
+  CompareWithShipped(scenario, oracle, examined.findings);
+  GradeFaults(ScaleOf(scenario.world, examined.trajectory), examined.findings);
+  SortByMeasure(examined.findings);
+  // The signal that stops this program may have killed the engine's process, too.
+  const bool is_stopped = options.stop && options.stop();
+  if (options.keep && !is_stopped) options.keep(scenario, oracle.info(), examined);
+  return examined;
 }
 
 }  // namespace
@@ -70,9 +77,16 @@ std::size_t CountOfWorldRuns(std::span<const WorldScenario> worlds,
   return PairsOf(worlds, oracles).size();
 }
 
+double WorkOfWorlds(std::span<const WorldScenario> worlds,
+                    std::span<const Oracle* const> oracles) {
+  double work = 0;
+  for (const Pair& pair : PairsOf(worlds, oracles)) work += WorkOf(worlds[pair.world]);
+  return work;
+}
+
 WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
-                       std::span<const Oracle* const> oracles, int jobs,
-                       const std::function<void()>& on_done) {
+                       std::span<const Oracle* const> oracles,
+                       const WorldsOptions& options) {
   WorldsReport report;
   for (const WorldScenario& scenario : worlds)
     report.worlds.push_back({scenario, std::vector<Trajectory>(oracles.size()),
@@ -81,20 +95,16 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
   const std::vector<Pair> pairs = PairsOf(worlds, oracles);
   std::vector<std::vector<Finding>> findings(pairs.size());
   const std::vector<std::size_t> order = LongestFirst(pairs, worlds);
-  ParallelFor(pairs.size(), jobs, [&](std::size_t turn) {
+  ParallelFor(pairs.size(), options.jobs, [&](std::size_t turn) {
     const std::size_t i = order[turn];
     const auto [w, o] = pairs[i];
-    Examination examined = ExamineWorld(worlds[w], *oracles[o]);
+    if (options.stop && options.stop()) return;
+    Examination examined = Examined(worlds[w], *oracles[o], options);
     report.worlds[w].trajectories[o] = std::move(examined.trajectory);
     report.worlds[w].drifts[o] = examined.drifts;
     report.worlds[w].ensembles[o] = examined.ensemble;
     findings[i] = std::move(examined.findings);
-    CompareWithShipped(worlds[w], *oracles[o], findings[i]);
-    GradeFaults(worlds[w].world, report.worlds[w].trajectories[o], findings[i]);
-    std::stable_sort(
-        findings[i].begin(), findings[i].end(),
-        [](const Finding& a, const Finding& b) { return a.measure < b.measure; });
-    if (on_done) on_done();
+    if (options.on_done) options.on_done(WorkOf(worlds[w]));
   });
   for (std::vector<Finding>& of_pair : findings)
     std::move(of_pair.begin(), of_pair.end(), std::back_inserter(report.findings));

@@ -2,15 +2,33 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "oracles/oracle.h"
 #include "reports/finding/finding.h"
+#include "reports/worlds/study/examine_world.h"
 #include "reports/worlds/study/world_result.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
+
+/** Further arguments of RunWorlds(). Its functions may be called from any thread, and may
+ be empty. */
+struct WorldsOptions {
+  int jobs = 0;  ///< Number of threads; 0: one per core.
+  /** Called after each pair of world and oracle with its share of WorkOfWorlds(). */
+  std::function<void(double body_steps)> on_done = {};
+  /** Returns the result of a pair if it is known already. */
+  std::function<std::optional<Examination>(const WorldScenario&, const OracleInfo&)>
+      find = {};
+  /** Keeps the result of a pair. */
+  std::function<void(const WorldScenario&, const OracleInfo&, const Examination&)> keep =
+      {};
+  /** Returns whether no further pair is begun. The report then lacks the others. */
+  std::function<bool()> stop = {};
+};
 
 /** The results of RunWorlds(). */
 struct WorldsReport {
@@ -26,14 +44,17 @@ struct WorldsReport {
  the worst finding per claim and measure is kept. Larger worlds are simulated once only. A
  world with a failure is asked again as shipped, see CompareWithShipped().
 
- The report does not depend on the number of jobs. `on_done` is called after each pair of
- world and oracle, from any thread. */
+ The report does not depend on the number of jobs. */
 WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
-                       std::span<const Oracle* const> oracles, int jobs,
-                       const std::function<void()>& on_done);
+                       std::span<const Oracle* const> oracles,
+                       const WorldsOptions& options);
 
-/** Returns the number of times that RunWorlds() calls `on_done`. */
+/** Returns the number of times that RunWorlds() calls WorldsOptions::on_done. */
 std::size_t CountOfWorldRuns(std::span<const WorldScenario> worlds,
                              std::span<const Oracle* const> oracles);
+
+/** Returns the approximate cost of all of them. [body-steps] */
+double WorkOfWorlds(std::span<const WorldScenario> worlds,
+                    std::span<const Oracle* const> oracles);
 
 }  // namespace touchstone

@@ -1,15 +1,15 @@
 #include "reports/worlds/study/trajectory_difference.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "reports/text/format_vector.h"
 #include "reports/worlds/study/world_size.h"
 
 namespace touchstone {
@@ -27,69 +27,54 @@ double PointDistance(const std::vector<PointState>& a, const std::vector<PointSt
   return largest;
 }
 
-/** The numbers of a state as one flat list, with the name of each. */
+/** The numbers of a state as one flat list, with the names of each. */
 struct Numbers {
   std::vector<double> values;
-  std::vector<std::string> names;
+  std::vector<std::string> things;  ///< The body, particle or node that it is of.
+  std::vector<std::string> fields;  ///< E.g. "velocity.y".
 
-  void Add(const std::string& name, const Eigen::Vector3d& v) {
-    for (int axis = 0; axis < 3; ++axis) {
-      values.push_back(v[axis]);
-      names.push_back(fmt::format("{}.{}", name, "xyz"[axis]));
-    }
+  void Add(const std::string& thing, std::string field, double value) {
+    values.push_back(value);
+    things.push_back(thing);
+    fields.push_back(std::move(field));
+  }
+
+  void Add(const std::string& thing, std::string_view field, const Eigen::Vector3d& v) {
+    for (int axis = 0; axis < 3; ++axis)
+      Add(thing, fmt::format("{}.{}", field, "xyz"[axis]), v[axis]);
+  }
+
+  void Add(const std::string& thing, const PointState& point) {
+    Add(thing, "position", point.p_W);
+    Add(thing, "velocity", point.v_W);
   }
 };
 
-Numbers NumbersOf(const WorldState& state) {
+Numbers NumbersOf(const World& world, const WorldState& state) {
   Numbers numbers;
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     const BodyState& body = state.bodies[i];
-    const std::string name = fmt::format("body {} ", i);
-    numbers.Add(name + "position", body.p_WB);
-    numbers.values.push_back(body.q_WB.w());
-    numbers.names.push_back(name + "orientation.w");
-    numbers.Add(name + "orientation", body.q_WB.vec());
-    numbers.Add(name + "velocity", body.v_WB);
-    numbers.Add(name + "spin", body.w_WB);
+    const std::string& name = world.bodies[i].name;
+    numbers.Add(name, "position", body.p_WB);
+    numbers.Add(name, "orientation.w", body.q_WB.w());
+    numbers.Add(name, "orientation", body.q_WB.vec());
+    numbers.Add(name, "velocity", body.v_WB);
+    numbers.Add(name, "spin", body.w_WB);
   }
-  const std::array<const std::vector<PointState>*, 2> sets = {&state.particles,
-                                                              &state.nodes};
-  for (std::size_t s = 0; s < sets.size(); ++s) {
-    for (std::size_t i = 0; i < sets[s]->size(); ++i) {
-      const std::string name = fmt::format("{} {} ", s == 0 ? "particle" : "node", i);
-      numbers.Add(name + "position", (*sets[s])[i].p_W);
-      numbers.Add(name + "velocity", (*sets[s])[i].v_W);
-    }
-  }
+  for (std::size_t i = 0; i < state.particles.size(); ++i)
+    numbers.Add(world.particles[i].name, state.particles[i]);
+  for (std::size_t i = 0; i < state.nodes.size(); ++i)
+    numbers.Add(fmt::format("node {}", i), state.nodes[i]);
   return numbers;
+}
+
+bool HaveSameParts(const WorldState& a, const WorldState& b) {
+  return a.bodies.size() == b.bodies.size() && a.particles.size() == b.particles.size() &&
+         a.nodes.size() == b.nodes.size();
 }
 
 bool AreSame(double a, double b) {
   return a == b || std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
-}
-
-/** The sample and number at which two trajectories first differ. */
-struct Place {
-  std::size_t sample;
-  std::string text;
-};
-
-std::optional<Place> FirstPlace(const Trajectory& a, const Trajectory& b) {
-  const std::size_t samples = std::min(a.samples.size(), b.samples.size());
-  for (std::size_t s = 0; s < samples; ++s) {
-    const Numbers of_a = NumbersOf(a.samples[s]);
-    const Numbers of_b = NumbersOf(b.samples[s]);
-    if (of_a.values.size() != of_b.values.size())
-      return Place{s, "the numbers of bodies or points differ"};
-    for (std::size_t i = 0; i < of_a.values.size(); ++i) {
-      if (AreSame(of_a.values[i], of_b.values[i])) continue;
-      return Place{s, fmt::format("{} is {:.17g} and {:.17g}", of_a.names[i],
-                                  of_a.values[i], of_b.values[i])};
-    }
-  }
-  if (a.samples.size() != b.samples.size())
-    return Place{samples, "one ends and the other goes on"};
-  return std::nullopt;
 }
 
 PointState Extrapolated(const PointState& coarse, const PointState& fine) {
@@ -145,25 +130,25 @@ double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
   return largest;
 }
 
-std::string LargestDifference(const World& world, const Trajectory& a,
-                              const Trajectory& b, double until) {
+Proof LargestDifference(const World& world, const Trajectory& a, const Trajectory& b,
+                        double until) {
   const double radius = LargestRadius(world);
   const std::vector<double> distances = DistancesBetween(a, b, radius, until);
   const auto largest = std::max_element(distances.begin(), distances.end());
-  if (largest == distances.end() || !(*largest > 0)) return "";
+  if (largest == distances.end() || !(*largest > 0)) return {};
   const auto s = static_cast<std::size_t>(largest - distances.begin());
   const WorldState& of_a = a.samples[s];
   const WorldState& of_b = b.samples[s];
-  std::string where;
+  Proof places{.kind = ProofKind::kPlaces, .time = a.times[s]};
   double farthest = 0;
-  const auto take = [&](std::string_view name, const Eigen::Vector3d& p,
+  const auto take = [&](std::string name, const Eigen::Vector3d& p,
                         const Eigen::Vector3d& q, double angle) {
     const double distance = (p - q).norm() + radius * angle;
     if (distance <= farthest) return;
     farthest = distance;
-    where =
-        fmt::format("{} is at {} and {}", name, FormatVector(p, 9), FormatVector(q, 9));
-    if (angle > 0) where += fmt::format(", {:.6g} rad apart", angle);
+    places.rest = angle;
+    places.points_W = {p, q};
+    places.body = std::move(name);
   };
   for (std::size_t i = 0; i < of_a.bodies.size(); ++i) {
     take(world.bodies[i].name, of_a.bodies[i].p_WB, of_b.bodies[i].p_WB,
@@ -173,18 +158,29 @@ std::string LargestDifference(const World& world, const Trajectory& a,
     take(world.particles[i].name, of_a.particles[i].p_W, of_b.particles[i].p_W, 0);
   for (std::size_t i = 0; i < of_a.nodes.size(); ++i)
     take(fmt::format("node {}", i), of_a.nodes[i].p_W, of_b.nodes[i].p_W, 0);
-  return fmt::format("at {:.6g} s {}", a.times[s], where);
+  return places.points_W.empty() ? Proof{} : places;
 }
 
-bool AreIdentical(const Trajectory& a, const Trajectory& b) {
-  return !FirstPlace(a, b).has_value();
-}
-
-std::string FirstDifference(const Trajectory& a, const Trajectory& b) {
-  const std::optional<Place> place = FirstPlace(a, b);
-  if (!place) return "";
-  const Trajectory& longer = a.times.size() < b.times.size() ? b : a;
-  return fmt::format("at {:.6g} s {}", longer.times[place->sample], place->text);
+CitingProof FirstDifference(const World& world, const Trajectory& a,
+                            const Trajectory& b) {
+  const std::size_t samples = std::min(a.samples.size(), b.samples.size());
+  for (std::size_t s = 0; s < samples; ++s) {
+    const CitedTime time{a.times[s]};
+    if (!HaveSameParts(a.samples[s], b.samples[s]))
+      return Citing("at {:.6g} s the numbers of bodies or points differ", time);
+    const Numbers of_a = NumbersOf(world, a.samples[s]);
+    const Numbers of_b = NumbersOf(world, b.samples[s]);
+    for (std::size_t i = 0; i < of_a.values.size(); ++i) {
+      if (AreSame(of_a.values[i], of_b.values[i])) continue;
+      return Citing("at {:.6g} s {} {} is {:.17g} and {:.17g}", time,
+                    CitedName{of_a.things[i]}, of_a.fields[i], of_a.values[i],
+                    of_b.values[i]);
+    }
+  }
+  if (a.samples.size() == b.samples.size()) return {};
+  const Trajectory& longer = a.samples.size() < b.samples.size() ? b : a;
+  return Citing("at {:.6g} s one ends and the other goes on",
+                CitedTime{longer.times[samples]});
 }
 
 Trajectory ExtrapolatedToZeroStep(const Trajectory& coarse, const Trajectory& fine) {

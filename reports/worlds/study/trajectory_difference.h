@@ -1,9 +1,10 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "oracles/trajectory.h"
+#include "reports/finding/proof.h"
+#include "reports/worlds/law_support/citing.h"
 #include "scenarios/worlds/world.h"
 
 namespace touchstone {
@@ -20,20 +21,15 @@ std::vector<double> DistancesBetween(const Trajectory& a, const Trajectory& b,
 double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
                        double until);
 
-/** Returns a description of the largest difference before `until` [s]: "at 0.32 s lid is
- at (0, 1, 0) and (0, 1.5, 0)", with the angle between the orientations if they differ.
- Empty if the trajectories do not differ. */
-std::string LargestDifference(const World& world, const Trajectory& a,
-                              const Trajectory& b, double until);
+/** Returns the largest difference before `until` [s], as ProofKind::kPlaces; `rest` is
+ the angle between the orientations [rad]. kNone if the trajectories do not differ. */
+Proof LargestDifference(const World& world, const Trajectory& a, const Trajectory& b,
+                        double until);
 
-/** Returns whether two trajectories agree bit for bit; −0 equals 0, and a NaN equals
- itself. */
-bool AreIdentical(const Trajectory& a, const Trajectory& b);
-
-/** Returns a description of the first difference of two trajectories: the time of the
- sample, the body, particle or node by its index, the field, and both numbers. Empty if
- they are identical. */
-std::string FirstDifference(const Trajectory& a, const Trajectory& b);
+/** Returns the first difference of two trajectories in words: the time of the sample, the
+ name of the body or particle or the index of the node, the field, and both numbers. An
+ empty sentence if they agree bit for bit; −0 equals 0, and a NaN equals itself. */
+CitingProof FirstDifference(const World& world, const Trajectory& a, const Trajectory& b);
 
 /** Returns the limit of the motion as the step goes to 0, by Richardson extrapolation of
  a scheme of first order: 2 x(h/2) − x(h), sample by sample. Quaternions are brought to

@@ -165,13 +165,17 @@ std::vector<Claim> ClaimsOf(const WorldVariant& variant, std::vector<Claim> clai
   return claims;
 }
 
+Eigen::Vector3d SeenInWorld(const WorldVariant& variant, const Eigen::Vector3d& p_V) {
+  return variant.S.transpose() * (p_V - variant.offset);
+}
+
 Trajectory SeenInWorld(const WorldVariant& variant, Trajectory trajectory) {
   const Eigen::Matrix3d S_inverse = variant.S.transpose();
   const double handed = variant.S.determinant();
   Eigen::Matrix3d body_mirror = Eigen::Matrix3d::Identity();
   if (handed < 0) body_mirror(0, 0) = -1;
   const auto back = [&](Eigen::Vector3d& p, Eigen::Vector3d& v) {
-    p = S_inverse * (p - variant.offset);
+    p = SeenInWorld(variant, p);
     v = S_inverse * v;
   };
   for (WorldState& state : trajectory.samples) {

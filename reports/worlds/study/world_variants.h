@@ -35,6 +35,9 @@ std::vector<WorldVariant> VariantsOf(const World& world);
 /** Returns the claims of a world as they apply to its variant: S maps directions too. */
 std::vector<Claim> ClaimsOf(const WorldVariant& variant, std::vector<Claim> claims);
 
+/** Returns a point of a variant mapped back into the world itself. [m] */
+Eigen::Vector3d SeenInWorld(const WorldVariant& variant, const Eigen::Vector3d& p_V);
+
 /** Returns the motion of a variant mapped back into the world itself. */
 Trajectory SeenInWorld(const WorldVariant& variant, Trajectory trajectory);
 

@@ -18,15 +18,6 @@ DataJson Column(const RunReport& report, Value value) {
   return column;
 }
 
-/** Returns the names of all values of an enumeration up to `last`. */
-template <typename Enum>
-DataJson NamesUpTo(Enum last) {
-  DataJson names = DataJson::array();
-  for (int i = 0; i <= static_cast<int>(last); ++i)
-    names.push_back(NameOf(static_cast<Enum>(i)));
-  return names;
-}
-
 std::string_view KindOfUnit(MeasureKind measure) {
   const std::string_view unit = UnitOf(measure);
   if (unit == "m") return "length";
@@ -39,10 +30,19 @@ std::string_view KindOfUnit(MeasureKind measure) {
 }  // namespace
 
 DataJson FindingsData(const RunReport& report, const Clusters& clusters,
-                      const std::vector<WorldData::Moment>& moments, Texts& texts) {
+                      const std::vector<Moment>& moments, Texts& texts) {
   const std::vector<Finding>& findings = report.findings;
   std::vector<double> times(findings.size(), -1);
   for (const auto& [finding, time] : moments) times[finding] = time;
+  // A curve is measured by the tolerance at the worst moment, which is wider than that of
+  // an earlier one.
+  std::vector<double> first_times = times;
+  for (std::size_t f = 0; f < findings.size(); ++f)
+    first_times[f] = findings[f].cited.first_time.value_or(first_times[f]);
+  // The moment that the proof is about is better than that at which a curve leaves its
+  // band.
+  for (std::size_t f = 0; f < findings.size(); ++f)
+    times[f] = findings[f].cited.time.value_or(times[f]);
   // A column over positions instead of findings.
   const auto at_each = [&](auto value) {
     DataJson column = DataJson::array();
@@ -65,7 +65,8 @@ DataJson FindingsData(const RunReport& report, const Clusters& clusters,
   data["undecided"] =
       Column(report, [](const Finding& f) { return static_cast<int>(f.undecided); });
   data["grade"] = at_each([&](std::size_t f) {
-    return static_cast<int>(BandOf(findings[f], clusters.shares[f]));
+    return static_cast<int>(
+        BandOf(findings[f], report.ledger.entries, clusters.shares[f]));
   });
   data["cause"] =
       Column(report, [](const Finding& f) { return static_cast<int>(f.cause); });
@@ -85,8 +86,11 @@ DataJson FindingsData(const RunReport& report, const Clusters& clusters,
   data["proof"] = text([](const Finding& f) -> const std::string& { return f.proof; });
   data["ledger"] =
       Column(report, [](const Finding& f) { return f.ledger_entry.value_or(-1); });
+  data["outgrown"] =
+      Column(report, [](const Finding& f) { return f.outgrown_entry.value_or(-1); });
   data["cluster"] = at_each([&](std::size_t f) { return clusters.of_finding[f]; });
   data["time"] = at_each([&](std::size_t f) { return ToData(times[f], 6); });
+  data["first"] = at_each([&](std::size_t f) { return ToData(first_times[f], 6); });
   return data;
 }
 
@@ -95,7 +99,7 @@ DataJson NamesData() {
   names["verdict"] = NamesUpTo(Verdict::kInvalid);
   names["undecided"] = NamesUpTo(Undecided::kOpposed);
   names["grade"] = NamesUpTo(Band::kWrong);
-  names["cause"] = NamesUpTo(Cause::kDefect);
+  names["cause"] = NamesUpTo(Cause::kDefect);  // A run examines every failure.
   names["shipped"] = NamesUpTo(Shipped::kShippedOnly);
   names["measure"] = DataJson::array();
   for (const MeasureKind measure : AllMeasures()) {

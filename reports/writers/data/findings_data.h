@@ -11,7 +11,7 @@ namespace touchstone {
 /** Returns all findings in columns, `Findings` of docs/report_data.md. Values and
  tolerances have five digits, shares three. `moments`: those that curves tell. */
 DataJson FindingsData(const RunReport& report, const Clusters& clusters,
-                      const std::vector<WorldData::Moment>& moments, Texts& texts);
+                      const std::vector<Moment>& moments, Texts& texts);
 
 /** Returns the names that the columns refer to by index. */
 DataJson NamesData();

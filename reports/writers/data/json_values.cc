@@ -23,7 +23,7 @@ DataJson ToData(double value, int digits) {
 
 DataJson ToShare(double value) {
   constexpr double kMost = 1e9;
-  return ToData(value <= kMost ? value : kMost, 3);
+  return ToData(value <= kMost ? value : kMost, 5);
 }
 
 DataJson ToData(const Eigen::Vector3d& v, int digits) {

@@ -29,6 +29,19 @@ double StepOf(const Channel& channel) {
 
 }  // namespace
 
+double SmoothStep(const std::vector<double>& values, double step, double least) {
+  // Finer than a pixel of a plot.
+  constexpr double kLevels = 400;
+  double lo = HUGE_VAL;
+  double hi = -HUGE_VAL;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    lo = std::min(lo, value);
+    hi = std::max(hi, value);
+  }
+  return hi - lo > 2 * step ? std::min(step, std::max(least, (hi - lo) / kLevels)) : step;
+}
+
 DataJson AddTrack(const std::vector<Channel>& channels, std::string& blob) {
   DataJson track;
   track["at"] = blob.size();

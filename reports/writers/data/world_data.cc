@@ -13,6 +13,7 @@
 #include "reports/worlds/study/curves.h"
 #include "reports/worlds/study/universal_claims.h"
 #include "reports/writers/data/contact_data.h"
+#include "reports/writers/data/kept_samples.h"
 #include "reports/writers/data/track.h"
 
 namespace touchstone {
@@ -36,12 +37,26 @@ std::size_t ThinningOf(const World& world, std::size_t samples) {
   return std::max<std::size_t>(1, (samples + kept - 1) / kept);
 }
 
-/** Returns every n-th of `all`. */
+/** Returns the elements of `all` at the indices `kept`, as far as it has them. */
 template <typename T>
-std::vector<T> EveryNth(std::span<const T> all, std::size_t n) {
-  std::vector<T> kept;
-  for (std::size_t i = 0; i < all.size(); i += n) kept.push_back(all[i]);
-  return kept;
+std::vector<T> At(std::span<const std::size_t> kept, std::span<const T> all) {
+  std::vector<T> values;
+  for (const std::size_t i : kept) {
+    if (i < all.size()) values.push_back(all[i]);
+  }
+  return values;
+}
+
+/** Returns the moments that the proofs of faults are about. [s] */
+std::vector<double> MomentsOf(const WorldDataInput& world) {
+  std::vector<double> moments;
+  for (const std::span<const Finding> findings : world.findings) {
+    for (const Finding& finding : findings) {
+      if (finding.cited.time && finding.verdict != Verdict::kPass)
+        moments.push_back(*finding.cited.time);
+    }
+  }
+  return moments;
 }
 
 /** Returns the longest list of sample times of the world's motions. */
@@ -73,9 +88,11 @@ double PositionStep(std::span<const Finding> findings, double size) {
 }
 
 DataJson MotionData(const World& world, const Trajectory& trajectory,
-                    double position_step, std::size_t thinned, std::string& blob) {
+                    double position_step, std::span<const std::size_t> kept,
+                    std::string& blob) {
   constexpr double kRotationStep = 1e-4;
-  constexpr double kVelocityStep = 1e-3;
+  // A motion that diverges ends far faster than it began, and its start is shown, too.
+  const double velocity_share = trajectory.diverged_at_step > 0 ? 1e-6 : 1e-3;
   DataJson data;
   data["status"] = NameOf(trajectory.status);
   data["reason"] = trajectory.reason;
@@ -83,8 +100,9 @@ DataJson MotionData(const World& world, const Trajectory& trajectory,
     data["diverged_at_step"] = trajectory.diverged_at_step;
   data["bodies"] = DataJson::array();
   std::vector<const WorldState*> states;
-  for (std::size_t i = 0; i < trajectory.samples.size(); i += thinned)
-    states.push_back(&trajectory.samples[i]);
+  for (const std::size_t i : kept) {
+    if (i < trajectory.samples.size()) states.push_back(&trajectory.samples[i]);
+  }
   double speed = 0;
   double spin = 0;
   for (const WorldState* state : states) {
@@ -98,14 +116,22 @@ DataJson MotionData(const World& world, const Trajectory& trajectory,
     for (const WorldState* state : states) channel.values.push_back(value(*state));
     return channel;
   };
+  // A body that moves little beside others is drawn as smoothly as they are.
+  const auto smooth = [&](double step, auto value) {
+    constexpr double kLeast = 1e-2;
+    Channel channel = sampled(step, value);
+    channel.step = SmoothStep(channel.values, step, kLeast * step);
+    return channel;
+  };
   for (std::size_t b = 0; b < world.bodies.size(); ++b) {
     if (world.bodies[b].mass == 0 || states.empty()) {
       data["bodies"].push_back(nullptr);
       continue;
     }
     std::vector<Channel> channels;
+    channels.reserve(13);  // position, rotation, velocity and spin
     for (int axis = 0; axis < 3; ++axis)
-      channels.push_back(sampled(position_step, [=](const WorldState& state) {
+      channels.push_back(smooth(position_step, [=](const WorldState& state) {
         return state.bodies[b].p_WB[axis];
       }));
     // Eigen stores x, y, z, w.
@@ -114,17 +140,18 @@ DataJson MotionData(const World& world, const Trajectory& trajectory,
         return state.bodies[b].q_WB.coeffs()[part];
       }));
     for (int axis = 0; axis < 3; ++axis)
-      channels.push_back(sampled(kVelocityStep * speed, [=](const WorldState& state) {
+      channels.push_back(smooth(velocity_share * speed, [=](const WorldState& state) {
         return state.bodies[b].v_WB[axis];
       }));
     for (int axis = 0; axis < 3; ++axis)
-      channels.push_back(sampled(kVelocityStep * spin, [=](const WorldState& state) {
+      channels.push_back(smooth(velocity_share * spin, [=](const WorldState& state) {
         return state.bodies[b].w_WB[axis];
       }));
     data["bodies"].push_back(AddTrack(channels, blob));
   }
   if (states.empty()) return data;
   std::vector<Channel> points;
+  points.reserve(3 * (states.front()->particles.size() + states.front()->nodes.size()));
   for (std::size_t i = 0; i < states.front()->particles.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis)
       points.push_back(sampled(position_step, [=](const WorldState& state) {
@@ -153,14 +180,15 @@ struct PairImpulse {
 /** Returns the impulses of a motion, one for each pair of bodies and kept interval, as a
  track of the channels that docs/report_data.md lists; null if there are none. */
 DataJson ImpulseData(const World& world, const Trajectory& trajectory, double size,
-                     std::size_t thinned, std::string& blob) {
+                     std::span<const std::size_t> kept, std::string& blob) {
   using Key = std::tuple<std::size_t, int, int>;
   std::map<Key, PairImpulse> pairs;
-  const std::size_t steps = static_cast<std::size_t>(world.sample_every) * thinned;
+  const auto every = static_cast<std::size_t>(world.sample_every);
   for (const ContactImpulse& impulse : trajectory.impulses) {
-    // Steps 1 to `steps` end in the interval before kept sample 1.
-    const std::size_t sample =
-        (static_cast<std::size_t>(impulse.step) + steps - 1) / steps;
+    // Steps 1 to `every` end in the interval before sample 1.
+    const std::size_t end = (static_cast<std::size_t>(impulse.step) + every - 1) / every;
+    const auto sample =
+        static_cast<std::size_t>(std::ranges::lower_bound(kept, end) - kept.begin());
     const double weight = impulse.J_B_W.norm();
     if (!std::isfinite(weight) || weight == 0) continue;
     PairImpulse& pair = pairs[{sample, impulse.A, impulse.B}];
@@ -247,8 +275,8 @@ double RangeOf(const CurveSet& set) {
 
 /** Returns one curve, and adds the moments at which motions leave its band. */
 DataJson CurveData(const WorldDataInput& world, const CurveSet& set,
-                   std::span<const double> times, std::size_t thinned, WorldData& data,
-                   std::string& blob) {
+                   std::span<const double> times, std::span<const std::size_t> kept,
+                   std::vector<Moment>& moments, std::string& blob) {
   DataJson json;
   json["quantity"] = set.title;
   json["unit"] = set.unit;
@@ -256,6 +284,7 @@ DataJson CurveData(const WorldDataInput& world, const CurveSet& set,
   std::optional<double> band;
   std::optional<std::size_t> shown;
   DataJson breaks = DataJson::array();
+  DataJson shows = DataJson::array();
   for (std::size_t o = 0; set.truth && o < world.findings.size(); ++o) {
     const Finding* finding = FindingOf(world.findings[o], set.measure);
     std::optional<double> time;
@@ -267,26 +296,36 @@ DataJson CurveData(const WorldDataInput& world, const CurveSet& set,
         const std::size_t index =
             world.first_finding[o] +
             static_cast<std::size_t>(finding - world.findings[o].data());
-        if (time) data.moments.push_back({index, *time});
+        if (time) moments.push_back({index, *time});
         if (time && !shown) shown = index;
       }
     }
     breaks.push_back(time ? ToData(*time, 6) : DataJson(nullptr));
+    shows.push_back(
+        finding ? DataJson(world.first_finding[o] +
+                           static_cast<std::size_t>(finding - world.findings[o].data()))
+                : DataJson(nullptr));
   }
   if (set.truth)
     json["truth"] =
         AddTrack({{.values = TruthAt(*set.truth, times), .step = step}}, blob);
   if (band) json["tolerance"] = ToData(*band, 4);
   if (shown) json["finding"] = *shown;
-  if (set.truth) json["breaks"] = std::move(breaks);
+  if (set.truth) {
+    json["breaks"] = std::move(breaks);
+    json["shows"] = std::move(shows);
+  }
   json["motions"] = DataJson::array();
   for (const Curve& curve : set.of_oracle) {
     if (curve.values.empty()) {
       json["motions"].push_back(nullptr);
       continue;
     }
-    json["motions"].push_back(AddTrack(
-        {{.values = EveryNth(std::span(curve.values), thinned), .step = step}}, blob));
+    // One motion that diverges leaves the others no steps of the common range.
+    std::vector<double> values = At(kept, std::span(curve.values));
+    const double own = SmoothStep(values, step, 1e-9 * step);
+    json["motions"].push_back(
+        AddTrack({{.values = std::move(values), .step = own}}, blob));
   }
   return json;
 }
@@ -353,35 +392,40 @@ DataJson SceneData(const WorldScenario& scenario) {
 
 }  // namespace
 
-WorldData DataOf(const WorldDataInput& world, std::string& blob) {
+DataJson DataOf(const WorldDataInput& world, std::vector<Moment>& moments,
+                std::string& blob) {
   const WorldScenario& scenario = world.result.scenario;
   const std::vector<double> all_times = TimesOf(world.result);
   const std::size_t thinned = ThinningOf(scenario.world, all_times.size());
-  const std::vector<double> times = EveryNth(std::span(all_times), thinned);
-  WorldData data;
-  data.json = SceneData(scenario);
-  data.json["times"] = DataJson::array();
-  for (const double t : times) data.json["times"].push_back(ToData(t, 7));
-  data.json["thinned"] = thinned;
-  data.json["motions"] = DataJson::array();
+  std::vector<std::size_t> lengths;
+  lengths.reserve(world.result.trajectories.size());
+  for (const Trajectory& trajectory : world.result.trajectories)
+    lengths.push_back(trajectory.samples.size());
+  const std::vector<std::size_t> kept =
+      KeptSamples(all_times, thinned,
+                  thinned > 1 ? MomentsOf(world) : std::vector<double>(), lengths);
+  const std::vector<double> times = At(kept, std::span<const double>(all_times));
+  DataJson data = SceneData(scenario);
+  data["times"] = DataJson::array();
+  for (const double t : times) data["times"].push_back(ToData(t, 7));
+  data["thinned"] = thinned;
+  data["motions"] = DataJson::array();
   for (std::size_t o = 0; o < world.result.trajectories.size(); ++o) {
     const Trajectory& trajectory = world.result.trajectories[o];
     if (!world.simulates[o]) {
-      data.json["motions"].push_back(
+      data["motions"].push_back(
           {{"status", "not asked"}, {"reason", ""}, {"bodies", DataJson::array()}});
       continue;
     }
-    DataJson motion =
-        MotionData(scenario.world, trajectory,
-                   PositionStep(world.findings[o], world.size), thinned, blob);
-    DataJson impulses =
-        ImpulseData(scenario.world, trajectory, world.size, thinned, blob);
+    DataJson motion = MotionData(scenario.world, trajectory,
+                                 PositionStep(world.findings[o], world.size), kept, blob);
+    DataJson impulses = ImpulseData(scenario.world, trajectory, world.size, kept, blob);
     if (!impulses.is_null()) motion["impulses"] = std::move(impulses);
-    data.json["motions"].push_back(std::move(motion));
+    data["motions"].push_back(std::move(motion));
   }
-  data.json["curves"] = DataJson::array();
+  data["curves"] = DataJson::array();
   for (const CurveSet& set : CurvesOf(world.result))
-    data.json["curves"].push_back(CurveData(world, set, times, thinned, data, blob));
+    data["curves"].push_back(CurveData(world, set, times, kept, moments, blob));
   return data;
 }
 

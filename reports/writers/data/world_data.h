@@ -20,25 +20,23 @@ struct WorldDataInput {
   std::vector<std::size_t> first_finding;
 };
 
-/** The data of a world, and what its curves tell about its findings. */
-struct WorldData {
-  DataJson json;  ///< `World` of docs/report_data.md.
-  struct Moment {
-    std::size_t finding;  ///< Index into RunReport::findings.
-    double time;          ///< The moment at which the motion leaves the tolerance. [s]
-  };
-  std::vector<Moment> moments;
+/** When the motion of a finding leaves its tolerance. */
+struct Moment {
+  std::size_t finding;  ///< Index into RunReport::findings.
+  double time;          ///< [s]
 };
 
-/** Returns the data of a world, and appends its tracks to `blob`.
+/** Returns the data of a world, `World` of docs/report_data.md. Appends its tracks to
+ `blob`, and to `moments` those of its findings.
 
  Motions: every n-th sample is kept, so that no world keeps more than 240 samples and
  3,000 samples of bodies and points, but 48 samples at least. Positions are rounded to a
  tenth of the tolerance of the oracle's position error, within 1e-6 to 1e-4 of `size`, and
  to 1e-5 of it without one. Rotations are rounded to 1e-4, velocities to 1e-3 of the
- largest of their motion.
+ largest of their motion, and to 1e-6 of it if the motion diverges.
 
  Curves are rounded to a tenth of their tolerance, without one to 1e-4 of their range. */
-WorldData DataOf(const WorldDataInput& world, std::string& blob);
+DataJson DataOf(const WorldDataInput& world, std::vector<Moment>& moments,
+                std::string& blob);
 
 }  // namespace touchstone

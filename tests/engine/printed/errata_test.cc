@@ -295,5 +295,54 @@ TEST(PrintedErrata, E26MeasuresTheCommonLengthOfTheIntervals) {
   EXPECT_NEAR(printed::Collide(outer, X_WA, inner, X_WB, {}).depth, 1.0, kRounding);
 }
 
+TEST(PrintedErrata, E27LosesContactsOfFlushBoxesToRounding) {
+  // The same box twice, side by side and pressed together: four edges lie flush.
+  const Box box{{0.7, 0.3, 0.4}};
+  Random random(8);
+  int lost = 0;
+  for (int k = 0; k < 100; ++k) {
+    const Pose X_WA{random.Rotation(), 2 * random.Direction()};
+    const Pose X_WB = Beside(X_WA, {0, 0.59, 0});
+    ASSERT_EQ(printed::Collide(box, X_WA, box, X_WB, {}).contacts_W.size(), 4u);
+    lost += printed::Collide(box, X_WA, box, X_WB, {Erratum::kE27}).contacts_W.size() < 4;
+  }
+  EXPECT_GT(lost, 50);
+}
+
+TEST(PrintedErrata, E28TakesTouchingBoxesForApart) {
+  const Box box{{0.5, 0.5, 0.5}};
+  const Pose X_WA{Eigen::Matrix3d::Identity(), {0, 0, 0}};
+  const Pose X_WB{Eigen::Matrix3d::Identity(), {1, 0.25, 0}};
+  EXPECT_TRUE(printed::Collide(box, X_WA, box, X_WB, {}).touching);
+  EXPECT_FALSE(printed::Collide(box, X_WA, box, X_WB, {Erratum::kE28}).touching);
+}
+
+TEST(PrintedErrata, E29MissesThePlaneBetweenNearlyParallelEdges) {
+  // Two long bars at one degree, edge above edge: sin² 1° is 3e-4. The planes of their
+  // faces leave no gap, because each bar rises over its length beside the other.
+  const Box bar{{0.3, 0.4, 9}};
+  const Pose X_WA = At(0.4, -0.3, 1.2);
+  const Eigen::Matrix3d on_edge = Turn(Eigen::Vector3d::UnitZ(), 0.7);
+  const double reach = 0.3 * std::sin(0.7) + 0.4 * std::cos(0.7);
+  const Pose X_WS{X_WA.R_WB * on_edge, X_WA.p_WB};
+  const Pose X_WB{X_WA.R_WB * Turn(Eigen::Vector3d::UnitY(), 0.0175) * on_edge,
+                  X_WA.p_WB + X_WA.R_WB.col(1) * (2 * reach + 0.002)};
+  EXPECT_FALSE(printed::Collide(bar, X_WS, bar, X_WB, Errata::None()).touching);
+  EXPECT_TRUE(printed::Collide(bar, X_WS, bar, X_WB, {Erratum::kE29}).touching);
+}
+
+TEST(PrintedErrata, E30TakesACentreCloseToABoxForOneInside) {
+  // 0.2 mm off an edge, to both sides: 0.28 mm along the diagonal.
+  const Box A{{0.5, 0.6, 0.7}};
+  const Sphere B{0.3};
+  const Pose X_WA = At(0.1, 0.2, 0.3);
+  const Pose X_WB = Beside(X_WA, {0.5002, 0.6002, 0.1});
+  const Eigen::Vector3d diagonal =
+      X_WA.R_WB * Eigen::Vector3d(1, 1, 0) / std::numbers::sqrt2;
+  EXPECT_GT(printed::Collide(A, X_WA, B, X_WB, {}).n_AB_W.dot(diagonal), 1 - 1e-9);
+  EXPECT_LT(printed::Collide(A, X_WA, B, X_WB, {Erratum::kE30}).n_AB_W.dot(diagonal),
+            0.8);
+}
+
 }  // namespace
 }  // namespace cookbook::test

@@ -254,7 +254,7 @@ TEST(ChildProcess, HasNoDescriptorOfTheParentExceptStdin) {
     }
     parent.Send(list);
   });
-  EXPECT_EQ(open_in_child, "1 2 3 ");
+  EXPECT_EQ(open_in_child, "1 2 3 4 ");
   close(file);
 }
 

@@ -1,6 +1,7 @@
 #include "reports/clusters/clusters.h"
 
 #include <cmath>
+#include <memory>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -83,7 +84,7 @@ TEST(ClustersOf, GroupsKnownFaultsByTheFaultOfTheirEntries) {
   ASSERT_EQ(clusters.ranked.size(), 1U);
   const Cluster& cluster = clusters.ranked[0];
   EXPECT_EQ(ExtentOf(report, cluster),
-            "ODE and Bullet, in 2 scenarios, at worst 3 cm, 1.7 % of the size.");
+            "ODE and Bullet, in 2 scenarios, at worst 3 cm, 1.7 % of the smaller body.");
   EXPECT_EQ(cluster.title, "dBoxBox prefers a face by 5 %.");
   EXPECT_THAT(cluster.oracles, ElementsAre(0, 1));
   EXPECT_THAT(cluster.questions, ElementsAre(1, 0));  // The larger error first.
@@ -93,6 +94,44 @@ TEST(ClustersOf, GroupsKnownFaultsByTheFaultOfTheirEntries) {
   EXPECT_EQ(cluster.upstream, "unreported");
   EXPECT_NEAR(cluster.share, 0.03 / std::sqrt(3.0), 1e-12);
   EXPECT_THAT(clusters.of_finding, ElementsAre(0, 0, 0));
+}
+
+// It has the name and the reason that the ledger gives it, and is no new fault; yet it is
+// not excused either.
+TEST(ClustersOf, TellsAKnownFaultThatHasOutgrownItsBound) {
+  RunReport report = Report();
+  Finding outgrown = Fault("b", "ode", 0.3);
+  outgrown.outgrown_entry = 0;
+  report.findings = {Known(Fault("a", "ode", 0.01), 0), outgrown};
+  const Clusters clusters = ClustersOf(report);
+  ASSERT_EQ(clusters.ranked.size(), 2U);
+  const Cluster& larger = clusters.ranked[0];
+  EXPECT_EQ(larger.title, "dBoxBox prefers a face by 5 %.");
+  EXPECT_EQ(larger.reason, "A face is preferred: depths are too large.");
+  EXPECT_TRUE(larger.has_outgrown);
+  EXPECT_FALSE(larger.is_new);
+  EXPECT_EQ(clusters.ranked[1].title, larger.title);
+  EXPECT_FALSE(clusters.ranked[1].has_outgrown);
+}
+
+// 2.5 m = 3 cm + 3.07 rad · 0.8 m, and no point has moved that far.
+TEST(ClustersOf, LeadsWithTheAngleWhereMostOfAnErrorIsOne) {
+  RunReport report = Report();
+  Finding turned = Fault("a", "ode", 2.5);
+  turned.measure = MeasureKind::kHeading;
+  Proof places;
+  places.kind = ProofKind::kPlaces;
+  places.points_W = {{0, 0, 1}, {0.03, 0, 1}};
+  places.rest = 3.07;
+  turned.evidence = std::make_shared<const Proof>(places);
+  report.findings = {turned};
+  const Clusters clusters = ClustersOf(report);
+  EXPECT_EQ(ExtentOf(report, clusters.ranked[0]),
+            "In 1 scenario, at worst 176° and 3 cm.");
+  places.points_W[1].x() = 2;
+  report.findings[0].evidence = std::make_shared<const Proof>(places);
+  EXPECT_EQ(ExtentOf(report, clusters.ranked[0]),
+            "In 1 scenario, at worst 2.5 m, 1.4 times the smaller body.");
 }
 
 // A missed hit 10 µm deep is a wrong answer; that another depth is 1 m off says more.
@@ -110,7 +149,7 @@ TEST(ClustersOf, StatesTheLargestErrorAlsoNextToAWrongHit) {
   ASSERT_EQ(clusters.ranked.size(), 1U);
   EXPECT_EQ(clusters.ranked[0].band, Band::kWrong);
   EXPECT_EQ(ExtentOf(report, clusters.ranked[0]),
-            "ode, in 2 scenarios, at worst 1 m, 58 % of the size.");
+            "ode, in 2 scenarios, at worst 1 m, 58 % of the smaller body.");
 }
 
 TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
@@ -131,13 +170,40 @@ TEST(ClustersOf, GroupsNewFaultsByOracleMeasureAndCause) {
     EXPECT_TRUE(cluster.is_new);
     sentences.push_back(cluster.title + " " + ExtentOf(report, cluster));
   }
-  // The contrived crash, 5 · (1 + 1/4) / 2 = 3.1, precedes errors of 1 %, 3.
-  EXPECT_THAT(sentences, ElementsAre("ode states a wrong distance or depth (defect). In "
-                                     "2 scenarios, at worst 3 cm, 1.7 % of the size.",
-                                     "bullet crashes. In 1 scenario.",
-                                     "ode states a wrong distance or depth (tie). In 1 "
-                                     "scenario, at worst 2 cm, 1.2 % of the size."));
-  EXPECT_THAT(clusters.of_finding, ElementsAre(0, 0, 2, -1, 1));
+  // The contrived crash, 5 − 1/2, precedes errors of 1 %, 3, even in two questions.
+  EXPECT_THAT(sentences,
+              ElementsAre("bullet crashes. In 1 scenario.",
+                          "ode states a wrong distance or depth (defect). In "
+                          "2 scenarios, at worst 3 cm, 1.7 % of the smaller body.",
+                          "ode states a wrong distance or depth (tie). In 1 "
+                          "scenario, at worst 2 cm, 1.2 % of the smaller body."));
+  EXPECT_THAT(clusters.of_finding, ElementsAre(1, 1, 2, -1, 0));
+}
+
+// Bodies at rest touch: that a normal is wrong there is no smaller fault than one of 1 %.
+TEST(ClustersOf, RanksAGraveFaultAtATouchBeforeALargeOneElsewhere) {
+  RunReport report = Report();
+  report.scenarios[2] = Question("c", 1);
+  report.findings = {Fault("a", "ode", 0.02), Fault("c", "bullet", 1)};
+  const Clusters clusters = ClustersOf(report);
+  ASSERT_EQ(clusters.ranked.size(), 2U);
+  EXPECT_EQ(clusters.ranked[0].band, Band::kGross);
+  EXPECT_NEAR(clusters.ranked[0].gravity, 4 - 0.5, 1e-12);
+  EXPECT_EQ(clusters.ranked[1].gravity, 3);
+}
+
+TEST(ClustersOf, TellsWhoIsResponsible) {
+  RunReport report = Report();
+  report.ledger.entries[0].responsible = Responsible::kAdapter;
+  Finding model = Fault("b", "ode", 0.02);
+  model.cause = Cause::kModel;
+  report.findings = {Known(Fault("a", "ode", 0.3), 0), model,
+                     Fault("c", "bullet", 0.001)};
+  const Clusters clusters = ClustersOf(report);
+  ASSERT_EQ(clusters.ranked.size(), 3U);
+  EXPECT_EQ(clusters.ranked[0].responsible, Responsible::kAdapter);
+  EXPECT_EQ(clusters.ranked[1].responsible, Responsible::kModel);
+  EXPECT_EQ(clusters.ranked[2].responsible, Responsible::kEngine);
 }
 
 // Three contacts too many are a 300 % of nothing that anybody measures.
@@ -172,13 +238,41 @@ TEST(ClustersOf, FindsNothingWhereNothingFails) {
 
 TEST(BandOf, CountsAnAnswerThatIsNoneAsWrong) {
   Finding finding = Fault("a", "ode", 1e-9);
-  EXPECT_EQ(BandOf(finding, 1e-9), Band::kRounding);
+  EXPECT_EQ(BandOf(finding, {}, 1e-9), Band::kRounding);
   finding.verdict = Verdict::kInvalid;
-  EXPECT_EQ(BandOf(finding, NAN), Band::kWrong);
+  EXPECT_EQ(BandOf(finding, {}, NAN), Band::kWrong);
   finding.verdict = Verdict::kPass;
-  EXPECT_EQ(BandOf(finding, 1e-9), Band::kNone);
+  EXPECT_EQ(BandOf(finding, {}, 1e-9), Band::kNone);
   finding.verdict = Verdict::kDisagree;
-  EXPECT_EQ(BandOf(finding, 0.01), Band::kLarge);
+  EXPECT_EQ(BandOf(finding, {}, 0.01), Band::kLarge);
+}
+
+TEST(BandOf, CountsACrashOnAVariantAsWrongWhetherTheLedgerKnowsItOrNot) {
+  Finding crash = Fault("a", "ode", 0);
+  crash.measure = MeasureKind::kSwap;
+  crash.grade = Grade::kNone;
+  crash.verdict = Verdict::kCrashed;
+  EXPECT_EQ(BandOf(crash, {}, 0), Band::kWrong);
+  LedgerEntry entry;
+  entry.verdict = Verdict::kCrashed;
+  crash.verdict = Verdict::kKnown;
+  crash.ledger_entry = 0;
+  EXPECT_EQ(BandOf(crash, {{entry}}, 0), Band::kWrong);
+}
+
+TEST(ClustersOf, GivesAKnownCrashOnAVariantNoSize) {
+  RunReport report = Report();
+  report.ledger.entries.resize(1);
+  report.ledger.entries[0].verdict = Verdict::kTimedOut;
+  report.ledger.entries[0].reason = "It hangs.";
+  Finding hang = Fault("a", "ode", 0.3);
+  hang.measure = MeasureKind::kSwap;
+  hang.verdict = Verdict::kKnown;
+  hang.ledger_entry = 0;
+  report.findings = {hang};
+  const Clusters clusters = ClustersOf(report);
+  EXPECT_EQ(clusters.ranked[0].band, Band::kWrong);
+  EXPECT_EQ(ExtentOf(report, clusters.ranked[0]), "ode, in 1 scenario.");
 }
 
 ContactTruth Separated(double separation) {
@@ -192,9 +286,11 @@ TEST(OrdinaryOf, IsOneForEverydayQuestionsAndFallsWithEachDecadeBeyond) {
   // An extent of 100 √3 m: log10(17.32) decades above 10 m.
   EXPECT_NEAR(OrdinaryOf(Cubes(90, 50), Separated(-10)), 1 / (1 + std::log10(17.32)),
               1e-3);
-  // A gap of a thousandth of a thousandth of √3 m.
-  EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(std::sqrt(3.0) * 1e-5)), 1.0 / 3, 1e-12);
-  EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(0)), 1.0 / 4, 1e-12);  // At most three.
+  // A gap of half a thousandth of √3 m; nearer than a tenth of it counts no more.
+  EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(std::sqrt(3.0) * 5e-4)),
+              1 / (1 + std::log10(2)), 1e-12);
+  EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(std::sqrt(3.0) * 1e-5)), 1.0 / 2, 1e-12);
+  EXPECT_NEAR(OrdinaryOf(Cubes(1), Separated(0)), 1.0 / 2, 1e-12);
   // A plate of 1 cm, √2.0001 m from corner to corner: the smaller body.
   ContactQuery plate = Cubes(0.9);
   plate.A.shape = Box{{0.5, 0.5, 0.005}};
@@ -239,13 +335,14 @@ TEST(SiQuantity, ChoosesThePrefixOfALength) {
 }
 
 TEST(ShareInWords, SaysPerCentWhereThatIsShort) {
-  EXPECT_EQ(ShareInWords(0.05), "5 % of the size");
-  EXPECT_EQ(ShareInWords(1.5), "150 % of the size");
-  EXPECT_EQ(ShareInWords(12), "12 × the size");
-  EXPECT_EQ(ShareInWords(2e-5), "2e-5 of the size");
-  EXPECT_EQ(ShareInWords(2e-4), "0.02 % of the size");
-  EXPECT_EQ(ShareInWords(1.8e6), "1.8e6 × the size");
-  EXPECT_EQ(ShareInWords(INFINITY), "");
+  EXPECT_EQ(ShareInWords(0.05, "it"), "5 % of it");
+  EXPECT_EQ(ShareInWords(1.02, "it"), "102 % of it");
+  EXPECT_EQ(ShareInWords(4.03, "it"), "4 times it");
+  EXPECT_EQ(ShareInWords(12, "it"), "12 times it");
+  EXPECT_EQ(ShareInWords(2e-5, "it"), "2e-5 of it");
+  EXPECT_EQ(ShareInWords(2e-4, "it"), "0.02 % of it");
+  EXPECT_EQ(ShareInWords(1.8e6, "it"), "1.8e6 times it");
+  EXPECT_EQ(ShareInWords(INFINITY, "it"), "");
 }
 
 }  // namespace

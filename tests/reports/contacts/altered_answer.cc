@@ -48,7 +48,8 @@ double Extent(std::span<const Eigen::Vector3d> points) {
 }
 
 /** Returns the corners of the patch along `n_W`, drawn to its middle by 2 % at a time
- until both bodies reach there. */
+ until both bodies reach there. Returns none if they reach only one corner of several: the
+ patch is flush with a direction near `n_W`, and a right answer spans it. */
 std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
                                          const Eigen::Vector3d& n_W, double separation,
                                          const Accuracy& accuracy) {
@@ -57,7 +58,8 @@ std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
   const Eigen::Vector3d middle = Middle(patch.vertices_W);
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector3d& corner : patch.vertices_W) {
-    for (double drawn = 1; drawn > 0.89; drawn -= 0.02) {
+    for (int step = 0; step < 6; ++step) {
+      const double drawn = 1 - 0.02 * step;
       const Eigen::Vector3d p_W = middle + drawn * (corner - middle);
       const WitnessPoints on = SurfacePointsOf({p_W, separation, {}}, n_W);
       if (SurfaceError(query, on) > 0.75 * e) continue;
@@ -65,6 +67,7 @@ std::vector<Eigen::Vector3d> PatchPoints(const ContactQuery& query,
       break;
     }
   }
+  if (points.size() == 1 && patch.vertices_W.size() > 1) return {};
   return points;
 }
 

@@ -26,6 +26,14 @@ Scenario ScenarioOf(const ContactQuery& query) {
   return scenario;
 }
 
+/** Judges one variant with the tolerances of the answer to the question. */
+std::optional<Finding> JudgedAlone(const Scenario& scenario, const ContactTruth& truth,
+                                   const OracleInfo& oracle, const ContactAnswer& answer,
+                                   const Variant& variant, const ContactAnswer& other) {
+  return JudgeVariant(scenario, truth, oracle, answer, variant, other,
+                      TolerancesOf(oracle, scenario, truth, answer.touching));
+}
+
 /** Returns the findings of all variants of `query` put to an oracle that is right except
  for `plant`. */
 std::vector<Finding> Judged(const ContactQuery& query, const Plant& plant) {
@@ -34,9 +42,8 @@ std::vector<Finding> Judged(const ContactQuery& query, const Plant& plant) {
   const ContactTruth truth = ComputeContactTruth(query);
   std::vector<Finding> findings;
   for (const Variant& variant : VariantsOf(scenario)) {
-    const auto finding =
-        JudgeVariant(scenario, truth, oracle.info(), oracle.Answer(query), variant,
-                     oracle.Answer(variant.query));
+    const auto finding = JudgedAlone(scenario, truth, oracle.info(), oracle.Answer(query),
+                                     variant, oracle.Answer(variant.query));
     if (finding) findings.push_back(*finding);
   }
   return findings;
@@ -122,9 +129,9 @@ TEST(Variants, DetectAPreferenceForOneAxisOfABox) {
     scenario.id += std::to_string(i);
     const FakeOracle oracle = FakeOracle::Wrong("mine", z_only);
     const Variant relabelled = VariantsOf(scenario)[3];
-    const auto finding = JudgeVariant(scenario, ComputeContactTruth(scenario.contact),
-                                      oracle.info(), oracle.Answer(scenario.contact),
-                                      relabelled, oracle.Answer(relabelled.query));
+    const auto finding = JudgedAlone(scenario, ComputeContactTruth(scenario.contact),
+                                     oracle.info(), oracle.Answer(scenario.contact),
+                                     relabelled, oracle.Answer(relabelled.query));
     found += finding->verdict == Verdict::kFail;
   }
   EXPECT_GT(found, 4);
@@ -159,8 +166,7 @@ TEST(Variants, AllowAnySeparatingDirectionWhereNoDistanceIsPromised) {
   const Scenario scenario = ScenarioOf(s.query);
   const Variant swapped = VariantsOf(scenario)[0];
   const auto verdict = [&] {
-    return JudgeVariant(scenario, s.truth, oracle.info(), answer, swapped, other)
-        ->verdict;
+    return JudgedAlone(scenario, s.truth, oracle.info(), answer, swapped, other)->verdict;
   };
   EXPECT_EQ(verdict(), Verdict::kFail);
   oracle.ForEachPair([](Capability& capability) { capability.distance = false; });

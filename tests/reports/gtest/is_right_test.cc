@@ -80,6 +80,21 @@ TEST(IsRight, GrantsTheToleranceOfTheTestAndNoMore) {
   EXPECT_TRUE(IsRight(*mine, series, {}, {.tolerance = {.length = 1.001e-3}}));
 }
 
+// The depth is wrong wherever the spheres overlap, so unit spheres show it too.
+TEST(IsRight, ShowsTheFirstFailureShrunk) {
+  const testing::AssertionResult result =
+      IsRight(*Spheres<double>({}, 1e-3), SpheresOf(Family::kRandom));
+  const std::string message = result.message();
+  EXPECT_THAT(message, HasSubstr("The first, shrunk ("));
+  const std::size_t shrunk = message.find("radius = 1.0\n");
+  const std::size_t before = message.find("Before it was shrunk:");
+  ASSERT_NE(shrunk, std::string::npos) << message;
+  ASSERT_NE(before, std::string::npos) << message;
+  EXPECT_LT(shrunk, before);
+  EXPECT_THAT(message, HasSubstr("position = [0.0, 0.0, 0.0]"));
+  EXPECT_THAT(message, HasSubstr("source = \"Shrunk from sweep/random/sphere_sphere/"));
+}
+
 TEST(IsRight, GrantsTheToleranceOfTheRoutineAndNoMore) {
   const QuestionSeries series = SpheresOf(Family::kRandom);
   EXPECT_FALSE(IsRight(*Spheres<double>(Promised(0.999e-3), 1e-3), series));

@@ -52,6 +52,14 @@ TEST(ApplyLedger, KeepsAFailureBeyondTheBoundAndSaysByHowMuch) {
   EXPECT_EQ(
       report.findings[1].proof,
       "It is wrong. known_discrepancies.bounds:4 allows 0.05; 0.08 exceeds it by 0.03.");
+  EXPECT_FALSE(report.findings[0].outgrown_entry);
+  EXPECT_EQ(report.findings[1].outgrown_entry, 0);
+  EXPECT_FALSE(report.findings[1].ledger_entry);
+  // A wider bound excuses it again.
+  report.ledger.bounds.at(CellOfFailure(1)).value = 0.1;
+  ApplyAgain(report);
+  EXPECT_FALSE(report.findings[1].outgrown_entry);
+  EXPECT_EQ(report.findings[1].ledger_entry, 0);
 }
 
 // The entry says why an engine fails, the bound where. Otherwise a glob would excuse
@@ -65,6 +73,7 @@ TEST(ApplyLedger, ExcusesNoCellWithoutABound) {
   EXPECT_EQ(report.findings[1].proof,
             "It is wrong. known_discrepancies.toml:17 covers it, but "
             "known_discrepancies.bounds has no bound for it.");
+  EXPECT_FALSE(report.findings[1].outgrown_entry);
 }
 
 TEST(ApplyLedger, ExcusesNoCellWithoutAnEntry) {
@@ -158,6 +167,13 @@ TEST(ApplyLedger, FailsAnEntryThatHidesNothing) {
       report.faults,
       ElementsAre("known_discrepancies.toml:17: improved: remove this entry, it hides "
                   "nothing (ode in contact/box_box/*)."));
+}
+
+TEST(ApplyLedger, DoesNotCallAnEntryImprovedWhoseFindingsExceedTheirBounds) {
+  RunReport report = ReportOfFailures({0.08, 0.08}, 0.05);
+  ApplyLedger(report, "2026-01-01", false);
+  EXPECT_EQ(report.findings[0].outgrown_entry, 0);
+  EXPECT_THAT(report.faults, IsEmpty());
 }
 
 TEST(ApplyLedger, FailsABoundThatHidesNothing) {

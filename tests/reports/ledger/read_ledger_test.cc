@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -53,6 +55,22 @@ TEST(ReadLedger, ReadsEveryField) {
   EXPECT_EQ(entry.upstream, "unreported");
   EXPECT_EQ(entry.expires, "2026-06-30");
   EXPECT_EQ(entry.line, 1);
+}
+
+TEST(ReadLedger, ReadsWhoIsResponsible) {
+  const LedgerResult silent = ReadLedger(kEntry, "ledger.toml");
+  EXPECT_EQ(silent.ledger->entries[0].responsible, Responsible::kEngine);
+  const std::string adapter = With("reason =", "responsible = \"adapter\"\nreason =");
+  const LedgerResult result = ReadLedger(adapter, "ledger.toml");
+  ASSERT_THAT(result.diagnostics, IsEmpty());
+  EXPECT_EQ(result.ledger->entries[0].responsible, Responsible::kAdapter);
+  EXPECT_EQ(ReadLedger(WriteLedgerEntry(result.ledger->entries[0], ""), "ledger.toml")
+                .ledger->entries[0]
+                .responsible,
+            Responsible::kAdapter);
+  EXPECT_THAT(Complaints(With("reason =", "responsible = \"user\"\nreason =")),
+              ElementsAre("ledger.toml:8:15: responsible is \"user\"; expected one of "
+                          "engine, adapter, model"));
 }
 
 TEST(ReadLedger, ReadsAListOfGlobs) {
@@ -206,6 +224,20 @@ TEST(MatchesGlob, LetsTwoStarsCrossLevels) {
   EXPECT_TRUE(MatchesGlob("contact/**", "contact/box_box/face_face"));
   EXPECT_TRUE(MatchesGlob("**/face_*", "contact/box_box/face_face"));
   EXPECT_FALSE(MatchesGlob("world/**", "contact/box_box/face_face"));
+}
+
+// The list of faults has two lines for a title.
+TEST(ReadLedgerFile, FindsShortFaultsInThatOfTheCatalogue) {
+  const LedgerResult result = ReadLedgerFile(TOUCHSTONE_LEDGER);
+  ASSERT_TRUE(result.ledger);
+  for (const LedgerEntry& entry : result.ledger->entries) {
+    const std::string fault = FaultOf(entry);
+    const auto continues = [](char c) { return (c & 0xC0) == 0x80; };
+    EXPECT_LE(
+        fault.size() - static_cast<std::size_t>(std::ranges::count_if(fault, continues)),
+        110U)
+        << entry.line << ": " << fault;
+  }
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ TEST(Invalidity, SeesANormalThatIsNotUnit) {
   *answer.n_AB_W *= 1 + 1e-14;
   EXPECT_NE(InvalidityOf(answer, kUnitSlack), std::nullopt);
   answer.n_AB_W->setZero();
-  EXPECT_EQ(InvalidityOf(answer, kUnitSlack), "n_AB_W has length 0, not 1");
+  EXPECT_EQ(InvalidityOf(answer, kUnitSlack),
+            "n_AB_W has length 0, not 1 to within 1.8e-15");
 }
 
 TEST(Invalidity, SeesAContactWithoutANormal) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <boost/multiprecision/gmp.hpp>
 #include <gtest/gtest.h>
@@ -15,7 +16,8 @@ namespace {
 
 using Rational = boost::multiprecision::mpq_rational;
 
-bool Holds(const Bounded<double>& number, const Rational& exact) {
+template <typename Real>
+bool Holds(const Bounded<Real>& number, const Rational& exact) {
   const Enclosure e = number.enclosure();
   return Rational(e.lo) <= exact && exact <= Rational(e.hi);
 }
@@ -26,7 +28,9 @@ T Expression(const T& a, const T& b, const T& c, const T& d) {
   return (a * b - c * d) / (a * a + b * b) + (a - c) * (b + d);
 }
 
-TEST(Bounded, HoldsTheExactValueThroughCancellation) {
+/** Expects enclosures that hold the exact value, although the value alone is wrong. */
+template <typename Real>
+void ExpectToHoldThroughCancellation() {
   RandomScene random(1);
   int missed_without_bound = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -35,7 +39,7 @@ TEST(Bounded, HoldsTheExactValueThroughCancellation) {
     // These are so near that the differences lose almost all digits.
     const double c = a * (1 + random.Uniform(-1, 1) * random.Power(-17, -1));
     const double d = -b * (1 + random.Uniform(-1, 1) * random.Power(-17, -1));
-    using Number = Bounded<double>;
+    using Number = Bounded<Real>;
     const Number computed = Expression(Number(a), Number(b), Number(c), Number(d));
     const Rational exact = Expression(Rational(a), Rational(b), Rational(c), Rational(d));
     EXPECT_TRUE(Holds(computed, exact)) << a << " " << b << " " << c << " " << d;
@@ -43,6 +47,26 @@ TEST(Bounded, HoldsTheExactValueThroughCancellation) {
     missed_without_bound += !Holds(Number(computed.value()), exact);
   }
   EXPECT_GT(missed_without_bound, 1900);
+}
+
+TEST(Bounded, HoldsTheExactValueThroughCancellation) {
+  ExpectToHoldThroughCancellation<double>();
+}
+
+TEST(NextBelow, IsThatOfTheLibrary) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  RandomScene random(3);
+  std::vector<double> all = {0.0, -0.0, 1.0, -1.0, 0x1p-1022, -0x1p-1022, kInfinity};
+  for (const double x :
+       {std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()}) {
+    all.push_back(x);
+    all.push_back(-x);
+  }
+  for (int i = 0; i < 100; ++i)
+    all.push_back(random.Uniform(-1, 1) * random.Power(-300, 300));
+  for (const double x : all) EXPECT_EQ(NextBelow(x), std::nextafter(x, -kInfinity)) << x;
+  EXPECT_EQ(NextBelow(-kInfinity), -kInfinity);
+  EXPECT_TRUE(std::isnan(NextBelow(std::numeric_limits<double>::quiet_NaN())));
 }
 
 TEST(Bounded, HoldsTheRootOfAnUncertainNumber) {
@@ -91,6 +115,7 @@ void ExpectOverflowToBeUnknown() {
 
 TEST(Bounded, IsUnboundedAfterAnOverflow) {
   ExpectOverflowToBeUnknown<Bounded<double>>();
+  ExpectOverflowToBeUnknown<Bounded<DoubleDouble>>();
   ExpectOverflowToBeUnknown<Bounded<Precise>>();
   const Bounded<double> large(1e200, 1e190);
   ExpectUnknown(large * large - large * large);

@@ -12,7 +12,7 @@ namespace {
 
 class DepthProofTest : public testing::Test {
  protected:
-  DepthProof Prove() const { return CertifyDepth(M, polytope, target); }
+  DepthProof Prove() const { return CertifyDepth<Precise>(M, polytope, target); }
   Facet<double>& AnyFacet() {
     for (Facet<double>& f : polytope.facets) {
       if (!f.removed) return f;

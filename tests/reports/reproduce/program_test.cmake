@@ -5,20 +5,7 @@
 #         -D CXX=<compiler> -D WORK=<scratch dir> -P program_test.cmake
 cmake_minimum_required(VERSION 3.24)
 
-function(run)
-  execute_process(COMMAND ${ARGN} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-endfunction()
-
-file(REMOVE_RECURSE ${WORK})
-run(${PROGRAM} reproduce ${SCENARIO} --for ${ORACLE} --measure ${MEASURE} --out ${WORK})
-run(${CMAKE_COMMAND} -S ${WORK} -B ${WORK}/build -G Ninja
-  -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=-O0)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-execute_process(COMMAND ${WORK}/build/reproduce OUTPUT_VARIABLE output RESULT_VARIABLE code)
-message("${output}")
-if(NOT code EQUAL 1)
-  message(FATAL_ERROR "exit code ${code}; expected 1: the fault is there")
-endif()
+include(${CMAKE_CURRENT_LIST_DIR}/build_program.cmake)
 
 # The ledger may know the fault, so the exit code of the run says nothing.
 execute_process(COMMAND ${PROGRAM} run ${SCENARIO} --subject ${ORACLE} --against ${ORACLE}

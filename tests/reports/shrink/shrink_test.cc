@@ -198,6 +198,22 @@ TEST(Reductions, ShortenOneNumberAndAllAtOnce) {
   }));
 }
 
+TEST(Size, GrowsWithTheDecadesOfANumberBeyondATenthAndTen) {
+  const auto decades = [](double size) {
+    Scenario scenario = TwoBoxes();
+    std::get<Box>(scenario.contact.A.shape).half_extents[0] = size;
+    return SizeOf(scenario).decades;
+  };
+  for (const double ordinary : {0.1, 0.5, 1.0, 9.99}) EXPECT_EQ(decades(ordinary), 0);
+  EXPECT_EQ(decades(10), 1);
+  EXPECT_EQ(decades(2500), 3);
+  EXPECT_EQ(decades(0.0999), 1);
+  EXPECT_EQ(decades(3e-7), 6);
+  Scenario large = TwoBoxes();
+  std::get<Box>(large.contact.A.shape).half_extents[0] = 1000;
+  EXPECT_GT(SizeOf(large), SizeOf(TwoBoxes())) << "though it has fewer digits";
+}
+
 TEST(RoundToDigits, RoundsToDecimals) {
   EXPECT_EQ(RoundToDigits(0.3149, 3), 0.315);
   EXPECT_EQ(RoundToDigits(-1234.5, 2), -1200);
@@ -263,6 +279,22 @@ TEST(Shrink, StopsAfterTheTriesItIsGiven) {
   const Shrunk shrunk =
       Shrink(question, oracle, FirstFault(question, oracle), {.tries = 3});
   EXPECT_EQ(shrunk.tried, 3u);
+  EXPECT_FALSE(shrunk.is_smallest);
+}
+
+TEST(Shrink, EndsWithWhatItHasIfItIsStopped) {
+  const FakeOracle oracle =
+      FakeOracle::Wrong("wrong", [](const ContactQuery&, ContactAnswer& answer) {
+        answer.touching = !answer.touching;
+      });
+  const Question question = TwoBoxes();
+  std::size_t asked = 0;
+  const Shrunk shrunk = Shrink(
+      question, oracle, FirstFault(question, oracle),
+      {.on_try = [&](std::size_t n) { asked = n; }, .stop = [&] { return asked >= 2; }});
+  EXPECT_EQ(shrunk.tried, 2u);
+  EXPECT_GT(shrunk.accepted, 0u);
+  EXPECT_LT(SizeOf(shrunk.question), SizeOf(question));
   EXPECT_FALSE(shrunk.is_smallest);
 }
 

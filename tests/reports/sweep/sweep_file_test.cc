@@ -1,9 +1,9 @@
 #include "reports/sweep/sweep_file.h"
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <functional>
-#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -13,6 +13,7 @@
 
 #include "reports/sweep/merge.h"
 #include "reports/sweep/sweep.h"
+#include "tests/reports/sweep/bytes_of.h"
 #include "tests/reports/sweep/spheres.h"
 
 namespace touchstone {
@@ -20,12 +21,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using testing::HasSubstr;
-
-std::string BytesOf(const std::filesystem::path& file) {
-  std::ostringstream bytes;
-  bytes << std::ifstream(file, std::ios::binary).rdbuf();
-  return bytes.str();
-}
 
 class SweepFileTest : public testing::Test {
  protected:
@@ -35,12 +30,12 @@ class SweepFileTest : public testing::Test {
     std::filesystem::create_directories(folder_);
     // The last block of each series is smaller.
     for (const Family family : {Family::kRandom, Family::kDeep}) {
-      plan_.series.push_back({.family = family,
-                              .A = ShapeKind::kSphere,
-                              .B = ShapeKind::kSphere,
-                              .seed = 3,
-                              .first = 7,
-                              .count = 12 * kBlockSize + 10});
+      plan_.series.emplace_back(QuestionSeries{.family = family,
+                                               .A = ShapeKind::kSphere,
+                                               .B = ShapeKind::kSphere,
+                                               .seed = 3,
+                                               .first = 7,
+                                               .count = 12 * kContactBlock + 10});
     }
     plan_.subjects = {right_.get(), half_.get()};
   }
@@ -71,6 +66,7 @@ class SweepFileTest : public testing::Test {
   std::string MergeError(const std::vector<std::string>& names) const {
     return ErrorOf([&] {
       std::vector<SweepFile> parts;
+      parts.reserve(names.size());
       for (const std::string& name : names) parts.push_back(SweepFile::Open(Path(name)));
       WriteMerged(parts, Path("merged"));
     });
@@ -89,9 +85,14 @@ TEST_F(SweepFileTest, ReadsWhatItHasWritten) {
   SeriesTally sum;
   RunBlocks({.series = {plan_.series[0]}, .subjects = plan_.subjects}, {},
             [&sum](std::uint64_t, const SeriesTally& tally) { Merge(tally, sum); });
-  EXPECT_EQ(sum.oracles[0].asked, plan_.series[0].count);
+  EXPECT_EQ(sum.oracles[0].asked, CountOf(plan_.series[0]));
   EXPECT_TRUE(file.Read(0) == sum);
   EXPECT_EQ(FailureCount(sum.oracles[0]), 0U);
+  // So the tests of equal bytes are about causes that were not sought, too.
+  const auto& answers = sum.oracles[1].answers;
+  EXPECT_TRUE(std::any_of(answers.begin(), answers.end(), [](const auto& of_kind) {
+    return of_kind.first.cause == Cause::kNotExamined;
+  }));
   // Half of the depth is wrong wherever the spheres overlap, unless by a rounding.
   EXPECT_GT(FailureCount(sum.oracles[1]), sum.oracles[1].touching * 99 / 100);
   EXPECT_LE(FailureCount(sum.oracles[1]), sum.oracles[1].touching);
@@ -160,18 +161,18 @@ TEST_F(SweepFileTest, GoesOnAfterBeingStopped) {
 
 TEST_F(SweepFileTest, StartsOverFromAFileWithoutTables) {
   const std::string whole = Swept("whole", {});
-  std::ofstream(Path("empty.unfinished"));
+  std::ofstream(Path("empty.unfinished")).close();
   EXPECT_TRUE(Swept("empty", {}) == whole);
 }
 
 TEST_F(SweepFileTest, RefusesTheFileOfAnotherSweep) {
   Swept("some", {});
-  plan_.series[1].seed = 4;
+  std::get<QuestionSeries>(plan_.series[1]).seed = 4;
   const auto resume = [&] {
     SweepFile::Resume(Path("some.unfinished"), SettingsOf(plan_));
   };
   EXPECT_THAT(ErrorOf(resume), HasSubstr("another sweep: seed 3, not 4; expected"));
-  plan_.series[1].seed = 3;
+  std::get<QuestionSeries>(plan_.series[1]).seed = 3;
   plan_.subjects.pop_back();
   EXPECT_THAT(ErrorOf(resume), HasSubstr("another sweep: subjects "));
   plan_.subjects.push_back(half_.get());
@@ -187,18 +188,18 @@ TEST_F(SweepFileTest, RefusesToMergeOtherThanAllShardsOfOneSweep) {
   EXPECT_THAT(MergeError({"part0"}), HasSubstr("block 1 of 26 is missing; expected"));
   EXPECT_THAT(MergeError({"part0", "part1", "part0"}),
               HasSubstr("is in another file too; expected each shard once"));
-  plan_.series[0].seed = 5;
+  std::get<QuestionSeries>(plan_.series[0]).seed = 5;
   Swept("other", {.shard = {1, 2}});
   EXPECT_THAT(MergeError({"part0", "other"}),
               HasSubstr("it has seed 5, not 3; expected the settings of"));
-  EXPECT_THAT(MergeError({"part0", "absent"}), HasSubstr("unable to open"));
+  EXPECT_THAT(MergeError({"part0", "absent"}), HasSubstr("absent: does not exist"));
 }
 
 TEST_F(SweepFileTest, RefusesForeignAndDamagedFiles) {
   const std::string whole = Swept("whole", {});
   const auto error_of = [this](const std::string& bytes) {
     std::ofstream(Path("damaged"), std::ios::binary) << bytes;
-    const std::string error = ErrorOf([this] {
+    std::string error = ErrorOf([this] {
       const SweepFile file = SweepFile::Open(Path("damaged"));
       file.Read(0);
     });
@@ -216,7 +217,7 @@ TEST_F(SweepFileTest, RefusesForeignAndDamagedFiles) {
   }
   std::string version = whole;
   version[63] = 9;  // The last byte of the user version in SQLite's header.
-  EXPECT_THAT(error_of(version), HasSubstr("tables of version 9; expected version 1"));
+  EXPECT_THAT(error_of(version), HasSubstr("tables of version 9; expected version 3"));
 }
 
 TEST_F(SweepFileTest, RefusesAFileThatAnotherSweepWrites) {

@@ -21,13 +21,15 @@ SeriesTally OfQuestions(std::uint64_t first, std::uint64_t n) {
     const double value = 1e-3 * static_cast<double>(*rc::gen::inRange(0, 6));
     const auto measure = *rc::gen::element(MeasureKind::kExcess, MeasureKind::kSwap);
     const auto cause = *rc::gen::element(Cause::kDefect, Cause::kPrecision);
-    const FindingKind kind{measure, Verdict::kFail, Grade::kLarge, cause};
+    const std::string law = *rc::gen::element<std::string>("", "pendulum");
+    const FindingKind kind{measure, Verdict::kFail, Grade::kLarge, cause, law};
     ++oracle.answers[kind];
     ++oracle.findings[kind];
-    oracle.sketches[measure].Add(value);
-    Insert({i, value, 1e-3, value / 1e-3, value, Verdict::kFail}, oracle.worst[measure]);
+    oracle.sketches[{measure, law}].Add(value);
+    Insert({i, value, 1e-3, value / 1e-3, value, Verdict::kFail},
+           oracle.worst[{measure, law}]);
     Insert(FailedQuestion{i, kind, value, 1e-3, value, "proof", "file"},
-           oracle.failures[{measure, cause}]);
+           oracle.failures[{measure, cause, law}]);
   }
   return tally;
 }

@@ -28,6 +28,14 @@ TEST(TellApart, DistinguishesNeighbouringDoubles) {
   EXPECT_NE(difference, "0");
 }
 
+TEST(TellApart, WritesTwoDigitsOfTheDifferenceOfVectorsThatLookEqual) {
+  const Eigen::Vector3d a{-0.0003, 3.5e-05, -0.031};
+  const auto told = TellApart(a, Eigen::Vector3d(a + Eigen::Vector3d{0, 0, 3.5e-14}), 9);
+  EXPECT_EQ(told.a, "(-0.0003, 3.5e-05, -0.031)");
+  EXPECT_EQ(told.b, "(-0.0003, 3.5e-05, -0.030999999999965)");
+  EXPECT_EQ(told.difference, "3.5e-14");
+}
+
 TEST(TellApart, WritesNumbersWithoutDigits) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(TellApart(kInfinity, 0.1, 9).a, "inf");

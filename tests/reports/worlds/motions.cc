@@ -5,6 +5,7 @@
 
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/truth/mechanics.h"
+#include "tests/reports/worlds/unmistakable.h"
 
 namespace touchstone {
 namespace {
@@ -67,9 +68,26 @@ Trajectory WithError(const World& world, Trajectory motion, ErrorKind kind, doub
   return motion;
 }
 
+/** Succeeds if every finding beyond its tolerance cites what its sentence names. A wrong
+ position is shown as two points. */
+testing::AssertionResult FaultsCiteWhatTheySay(const World& world,
+                                               const std::vector<LawFinding>& findings) {
+  for (const LawFinding& finding : findings) {
+    if (!IsBeyond(finding)) continue;
+    const testing::AssertionResult cites =
+        CitesWhatItSays(world, finding.proof, finding.cited);
+    if (!cites) return cites;
+    const bool shows_vectors = finding.proof.find('(') != std::string::npos;
+    if (finding.measure == MeasureKind::kPositionError && shows_vectors &&
+        finding.cited.points_W.size() != 2)
+      return testing::AssertionFailure() << "cites no two points: " << finding.proof;
+  }
+  return testing::AssertionSuccess();
+}
+
 bool Fails(const std::vector<LawFinding>& findings) {
   return std::any_of(findings.begin(), findings.end(), [](const LawFinding& finding) {
-    return finding.recognised.empty() && !(finding.value <= finding.tolerance.value);
+    return finding.recognised.empty() && IsBeyond(finding);
   });
 }
 
@@ -100,6 +118,15 @@ RigidBody GroundOf(const Eigen::Vector3d& n_W) {
       Eigen::Vector3d::Zero(),
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), n_W));
   return ground;
+}
+
+World BallOnRoughGround() {
+  World world;
+  world.bodies = {BodyOf("ball", Sphere{0.2}, 1, {0, 0.2, 0}), GroundOf()};
+  world.bodies[0].friction = 0.25;  // The friction of two bodies is √(μ_A μ_B).
+  world.bodies[1].friction = 1;
+  world.steps = 10;
+  return world;
 }
 
 Trajectory Sampled(const World& world,
@@ -162,7 +189,7 @@ LawFinding Of(const std::vector<LawFinding>& findings, MeasureKind measure) {
 testing::AssertionResult Passes(const std::vector<LawFinding>& findings) {
   if (findings.empty()) return testing::AssertionFailure() << "nothing was measured";
   for (const LawFinding& finding : findings) {
-    if (finding.value <= finding.tolerance.value) continue;
+    if (!IsBeyond(finding)) continue;
     return testing::AssertionFailure()
            << NameOf(finding.measure) << " is " << finding.value << ", tolerance "
            << finding.tolerance.value << ": " << finding.proof << " ["
@@ -174,7 +201,7 @@ testing::AssertionResult Passes(const std::vector<LawFinding>& findings) {
 testing::AssertionResult Finds(const std::vector<LawFinding>& findings,
                                MeasureKind measure) {
   const LawFinding finding = Of(findings, measure);
-  if (finding.value <= finding.tolerance.value) {
+  if (!IsBeyond(finding)) {
     return testing::AssertionFailure() << NameOf(measure) << " is " << finding.value
                                        << ", tolerance " << finding.tolerance.value;
   }
@@ -183,9 +210,11 @@ testing::AssertionResult Finds(const std::vector<LawFinding>& findings,
   return testing::AssertionSuccess() << finding.proof;
 }
 
-testing::AssertionResult TurnsOnce(const World& world, const Trajectory& right,
-                                   const Claim& claim, const Eigen::Vector3d& direction,
+testing::AssertionResult TurnsOnce(const World& of_test, const Trajectory& right,
+                                   const Claim& claim_of_test,
+                                   const Eigen::Vector3d& direction,
                                    const OracleInfo& oracle) {
+  const auto [world, claim] = WithUnmistakableNames(of_test, claim_of_test);
   const testing::AssertionResult passes = Passes(Judge(world, right, claim, oracle));
   if (!passes) return passes;
   bool any_fails = false;
@@ -197,6 +226,8 @@ testing::AssertionResult TurnsOnce(const World& world, const Trajectory& right,
       const double size = std::pow(10, halves / 2.0);
       const Trajectory wrong = WithError(world, right, kind, size, direction);
       const std::vector<LawFinding> findings = Judge(world, wrong, claim, oracle);
+      const testing::AssertionResult cites = FaultsCiteWhatTheySay(world, findings);
+      if (!cites) return cites;
       const bool fails = Fails(findings);
       if (fails && failed_at == 0) failed_at = size;
       if (!fails && failed_at > 0) {

@@ -24,6 +24,10 @@ RigidBody BodyOf(std::string_view name, const Shape& shape, double mass,
 /** Returns a static half-space with outward normal `n_W` through the origin. */
 RigidBody GroundOf(const Eigen::Vector3d& n_W = Eigen::Vector3d::UnitY());
 
+/** Returns the world of a ball of 1 kg on the ground, in contact with a friction of 0.5.
+ */
+World BallOnRoughGround();
+
 /** Returns the motion with the states `state_at`, sampled as the world specifies. */
 Trajectory Sampled(const World& world, const std::function<WorldState(double)>& state_at);
 
@@ -62,7 +66,8 @@ testing::AssertionResult Finds(const std::vector<LawFinding>& findings,
 
  Succeeds if the law passes each error up to some size, and fails it at every larger size,
  half a decade apart from 1e-15 to 1e5 in SI units; and if it fails at least one kind. So
- no error grants itself its tolerance. */
+ no error grants itself its tolerance. Every fault must cite what its sentence names: the
+ bodies, whatever they are called, the moment and the points. */
 testing::AssertionResult TurnsOnce(const World& world, const Trajectory& right,
                                    const Claim& claim,
                                    const Eigen::Vector3d& direction = {0.2, -0.9, 0.3},

@@ -65,5 +65,22 @@ TEST(AnswersInWords, NamesBothKinds) {
               Eq("2 oracles answered 3 contact questions and 2 worlds."));
 }
 
+// Nothing is wrong with an engine, nor with a scenario.
+TEST(ConclusionOf, DoesNotCallAnImprovementAFault) {
+  RunReport report = WithFindings({Of("mine", Verdict::kPass)});
+  report.faults = {
+      "known.toml:17: improved: remove this entry, it hides nothing (ode in "
+      "contact/box_box/*).",
+      "known.toml:30: expired on 2026-01-01: review it."};
+  const std::vector<Outcome> outcomes = OutcomesOf(report);
+  EXPECT_THAT(
+      ConclusionOf(report, outcomes, FailOn::kAnything),
+      testing::EndsWith("; 1 entry of the ledger hides less than allowed: lower or "
+                        "remove it; 1 fault in the scenario files and the ledger"));
+  report.faults.pop_back();
+  EXPECT_THAT(ConclusionOf(report, outcomes, FailOn::kAnything),
+              testing::EndsWith("lower or remove it"));
+}
+
 }  // namespace
 }  // namespace touchstone

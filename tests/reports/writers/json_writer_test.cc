@@ -1,7 +1,11 @@
 #include "reports/writers/json_writer.h"
 
+#include <cmath>
 #include <fstream>
+#include <memory>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -49,6 +53,79 @@ TEST(WriteJson, RoundTripsEveryBitOfANumber) {
   const RunReport report = HandMadeReport();
   EXPECT_EQ(LinesOf(Written(report), "scenario")[0]["A"]["rotation"][1][2].get<double>(),
             report.scenarios[0].scenario.contact.A.X_WB.R_WB(1, 2));
+}
+
+/** A report with one finding that has the evidence `proof`. */
+RunReport ReportWith(const Proof& proof) {
+  RunReport report = HandMadeReport();
+  report.findings.resize(1);
+  report.findings[0].evidence = std::make_shared<const Proof>(proof);
+  return report;
+}
+
+TEST(WriteJson, WritesTheNumbersOfAProofThatApplyToIt) {
+  const Eigen::Vector3d n_W = Eigen::Vector3d(1, 2, -2) / 3;
+  const nlohmann::json finding =
+      LinesOf(Written(ReportWith({.kind = ProofKind::kTranslation,
+                                  .claim = ProofClaim::kSeparation,
+                                  .said = -0.3,
+                                  .bound = -0.1,
+                                  .n_W = n_W,
+                                  .points_W = {{0.1, 0.2, 0.3}}})),
+              "finding")[0];
+  const nlohmann::json expected = {{"kind", "translation"},
+                                   {"claim", "separation"},
+                                   {"said", -0.3},
+                                   {"bound", -0.1},
+                                   {"n", {n_W.x(), n_W.y(), n_W.z()}},
+                                   {"points", {{0.1, 0.2, 0.3}}}};
+  EXPECT_EQ(finding["evidence"], expected);
+}
+
+TEST(WriteJson, WritesTheEvidenceOfEveryKindByTheSchema) {
+  for (int kind = 1; kind <= static_cast<int>(ProofKind::kPlaces); ++kind) {
+    const Proof proof{.kind = static_cast<ProofKind>(kind),
+                      .claim = static_cast<ProofClaim>(
+                          kind % (static_cast<int>(ProofClaim::kContact) + 1)),
+                      .said = 1,
+                      .bound = -HUGE_VAL,
+                      .rest = 0.5,
+                      .n_W = Eigen::Vector3d::UnitX(),
+                      .offset = 2,
+                      .claimed_W = Eigen::Vector3d::UnitY(),
+                      .points_W = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()},
+                      .contacts = {1, 4},
+                      .change = "swap: A and B exchanged",
+                      .explained = 1e-9,
+                      .body = "lid",
+                      .time = 0.25};
+    const nlohmann::json finding = LinesOf(Written(ReportWith(proof)), "finding")[0];
+    EXPECT_EQ(SchemaFaults(Schema(), finding), std::vector<std::string>{}) << finding;
+    EXPECT_EQ(finding["evidence"]["kind"], NameOf(proof.kind));
+    EXPECT_EQ(finding["evidence"].contains("contacts"),
+              proof.kind == ProofKind::kCount || proof.kind == ProofKind::kUnspanned);
+  }
+}
+
+TEST(WriteJson, WritesTheStudyOfAFindingAndWhatItsProofNames) {
+  RunReport report = HandMadeReport();
+  report.findings.resize(1);
+  report.findings[0].study = StepStudy{{0.4, 0.2, 0.1}, "m/s"};
+  report.findings[0].cited = {{"lid", "pot"}, 0.32, {{0, 0.5, 1}}};
+  const nlohmann::json finding = LinesOf(Written(report), "finding")[0];
+  EXPECT_EQ(finding["study"],
+            nlohmann::json({{"errors", {0.4, 0.2, 0.1}}, {"unit", "m/s"}}));
+  EXPECT_EQ(finding["time"], 0.32);
+  EXPECT_EQ(
+      finding["cited"],
+      nlohmann::json::parse(R"({"names": ["lid", "pot"], "points": [[0, 0.5, 1]]})"));
+  EXPECT_EQ(SchemaFaults(Schema(), finding), std::vector<std::string>{});
+}
+
+TEST(WriteJson, OmitsEvidenceStudyMomentAndNamesOfAFindingWithoutThem) {
+  const nlohmann::json finding = LinesOf(Written(HandMadeReport()), "finding")[0];
+  for (const char* key : {"evidence", "study", "time", "cited"})
+    EXPECT_FALSE(finding.contains(key)) << key;
 }
 
 TEST(WriteJson, WritesNanAsAString) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -59,6 +61,15 @@ TEST(AddTrack, KeepsEveryValueToHalfAStep) {
   }
 }
 
+// A body that slides by 30 steps of the common rounding would move in visible jumps.
+TEST(SmoothStep, IsAFourHundredthOfWhatMovesAndTheCommonStepOfWhatStays) {
+  EXPECT_EQ(SmoothStep({0, 30, 12, NAN}, 1, 0.01), 30.0 / 400);
+  EXPECT_EQ(SmoothStep({5, 6.9, 5}, 1, 0.01), 1);
+  EXPECT_EQ(SmoothStep({0, 3}, 1, 0.01), 0.01);
+  EXPECT_EQ(SmoothStep({0, 4000}, 1, 0.01), 1);
+  EXPECT_EQ(SmoothStep({}, 1, 0.01), 1);
+}
+
 TEST(AddTrack, WidensAStepThatDoublesOfABrowserCannotCount) {
   std::string blob;
   const DataJson track = AddTrack({{{1e12, -1e12, NAN}, 1e-9}}, blob);
@@ -85,6 +96,8 @@ TEST(ReportData, HoldsQuestionsAnswersAndFindings) {
   EXPECT_EQ(data["format"], "touchstone report data");
   EXPECT_EQ(data["sentence"], "2 oracles answered 3 contact questions.");
   EXPECT_THAT(data["conclusion"].get<std::string>(), HasSubstr("FAILED: mine failed in"));
+  EXPECT_EQ(data["exit_code"], 1);
+  EXPECT_EQ(data["only_subject"], false);
   ASSERT_EQ(data["questions"].size(), 3U);
   const DataJson& question = data["questions"][0];
   EXPECT_EQ(question["title"], "A sphere in a <box> & out again");
@@ -116,6 +129,19 @@ TEST(ReportData, RanksClustersAndRefersToThem) {
   EXPECT_EQ(clusters[0]["title"], "theirs/float gives an invalid answer.");
   EXPECT_EQ(clusters[0]["extent"], "In 1 scenario.");
   EXPECT_EQ(data["ledger"][0]["fault"], "Float build.");
+}
+
+TEST(ReportData, SaysWhichQuestionsOnlyTheirFilesAsk) {
+  const RunFacts facts{.program = "touchstone 1",
+                       .command = "touchstone run mine",
+                       .own = {"contact/box_sphere/wrong"}};
+  const DataJson data =
+      UnpackData(ReportData(HandMadeReport(), facts), kMostReportData).file.value().json;
+  std::vector<std::string> own;
+  for (const DataJson& question : data["questions"]) {
+    if (question.contains("own")) own.push_back(question["id"].get<std::string>());
+  }
+  EXPECT_EQ(own, std::vector<std::string>{"contact/box_sphere/wrong"});
 }
 
 TEST(ReportData, IsTheSameForTheSameReport) {

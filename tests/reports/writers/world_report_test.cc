@@ -72,7 +72,7 @@ RunReport OneWorld() {
   RunReport report;
   report.subject = "mine";
   report.oracles = {Simulator("mine"), Simulator("light"), Simulator("none"), {}};
-  report.oracles[3].name = "contacts";
+  report.oracles[3].name = "contacts_only";
   report.oracles[3].capabilities[0][0].supported = true;
   WorldResult world;
   world.scenario.id = "world/test/fall";
@@ -149,6 +149,10 @@ TEST(WorldReport, DriftsHaveTheToleranceOfALawAndDepthsAreFindings) {
             "energy gained 0.001 J of 0.01 J, lost 0.002 J; momentum 0.003 N s; angular "
             "momentum 0.004 N m s; depth 0.001 m of 0.01 m");
   EXPECT_EQ(DriftsInWords(report.worlds[0], 2, {}), "");
+  // The law's worst instant is not the drift of the whole motion.
+  rise.value = 2e-4;
+  EXPECT_THAT(DriftsInWords(report.worlds[0], 0, {&rise, 1}),
+              HasSubstr("energy gained 0.001 J, at worst 0.0002 J of 0.01 J, lost"));
 }
 
 TEST(WorldReport, AUniversalLawIsCalledSo) {
@@ -178,7 +182,7 @@ TEST(WorldReport, ExplanationWritesEveryNumberNextToItsTolerance) {
   EXPECT_THAT(text, HasSubstr("unsupported no balls"));
   EXPECT_THAT(text, HasSubstr("\n    it printed: ODE <Message> 3\n"));
   EXPECT_THAT(text, HasSubstr("\nRight: mine\nWrong: light\n"));
-  EXPECT_THAT(text, Not(HasSubstr("contacts")));
+  EXPECT_THAT(text, Not(HasSubstr("contacts_only")));
 }
 
 TEST(WorldReport, NamesTheLegalModelNextToEveryVerdict) {
@@ -198,7 +202,7 @@ TEST(WorldReport, ExplanationTableHasALinePerWorld) {
   const std::string text =
       Written([](const auto& r, auto& out) { WriteExplanationTable(r, out); });
   // The one that it claims, and six that are universal.
-  EXPECT_THAT(text, HasSubstr("world/test/fall  7 laws"));
+  EXPECT_THAT(text, HasSubstr("world/test/fall  8 laws"));
   EXPECT_THAT(text, HasSubstr("light\n"));
 }
 
@@ -219,7 +223,57 @@ TEST(WorldReport, DataHaveTheCurvesWithTheTruthAndTheMomentOfAFault) {
   // Light gravity is 0.41 t² too high: beyond 1 cm from the second sample on.
   EXPECT_EQ(height["breaks"][1], 0.2);
   EXPECT_EQ(height["finding"], 1);
+  EXPECT_EQ(height["shows"][1], 1);
   EXPECT_EQ(file.json["findings"]["time"][1], 0.2);
+  EXPECT_EQ(file.json["findings"]["first"][1], 0.2);
+}
+
+TEST(WorldReport, DataHaveTheErrorOfAPlaceThatAClosedFormGives) {
+  const DataFile file =
+      UnpackData(ReportData(OneWorld(), {}), kMostReportData).file.value();
+  const DataJson& curves = file.json["questions"][0]["world"]["curves"];
+  ASSERT_EQ(curves.size(), 4U);
+  EXPECT_EQ(curves[1]["quantity"], "position error of ball");
+  EXPECT_EQ(curves[1]["tolerance"], 0.01);
+  EXPECT_EQ(curves[1]["shows"][1], 1);
+  EXPECT_EQ(curves[1]["breaks"][1], 0.2);
+}
+
+TEST(WorldReport, DataTellTheFirstBreakApartFromTheWorst) {
+  RunReport report = OneWorld();
+  report.findings[1].cited.time = 0.9;
+  report.findings[1].cited.first_time = 0.1;
+  const DataJson findings =
+      UnpackData(ReportData(report, {}), kMostReportData).file.value().json["findings"];
+  EXPECT_EQ(findings["time"][1], 0.9);
+  EXPECT_EQ(findings["first"][1], 0.1);
+}
+
+TEST(WorldReport, DataTellTheFirstVelocitiesOfAMotionThatDiverges) {
+  RunReport report = OneWorld();
+  Trajectory& motion = report.worlds[0].trajectories[1];
+  motion.samples.back().bodies[0].v_WB.y() = -1e5;
+  motion.diverged_at_step = 11;
+  const DataJson json =
+      UnpackData(ReportData(report, {}), kMostReportData).file.value().json;
+  // The ball falls at 0.9 m/s in the first sample.
+  const int y_of_velocity = 8;
+  EXPECT_LE(
+      json["questions"][0]["world"]["motions"][1]["bodies"][0]["scale"][y_of_velocity]
+          .get<double>(),
+      0.1);
+}
+
+TEST(WorldReport, DataHaveTheBodiesAndThePointsThatAProofNames) {
+  RunReport report = OneWorld();
+  // A node is no body of the page.
+  report.findings[1].cited = {{"node 3", "ball"}, 0.3, {{0, 1.0 / 3, 2}}};
+  report.findings[2].cited = {{"node 3"}, 0.3, {}};
+  const DataJson cited =
+      UnpackData(ReportData(report, {}), kMostReportData).file.value().json["cited"];
+  EXPECT_EQ(cited["finding"], DataJson({1}));
+  EXPECT_EQ(cited["bodies"], DataJson::parse("[[0]]"));
+  EXPECT_EQ(cited["points"], DataJson::parse("[[[0, 0.333333333, 2]]]"));
 }
 
 TEST(WorldReport, JsonFollowsItsSchema) {

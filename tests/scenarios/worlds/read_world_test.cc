@@ -256,8 +256,8 @@ TEST(ReadWorld, RefusesInvalidNumbers) {
                           "expected a number from 0 to 1"));
   EXPECT_THAT(ErrorsOf(With("position = [0, 2, 0]", "quaternion = [1, 0, 0, 1]")),
               ElementsAre("f.toml:19:14: bodies.ball.quaternion has norm "
-                          "1.4142135623730951; expected a unit quaternion w, x, y, z, "
-                          "to 1e-12"));
+                          "1.4142135623730951; expected a unit quaternion w, x, y, z: "
+                          "of norm 1 to 1e-06 in a file, to 1e-12 in a program"));
   EXPECT_THAT(ErrorsOf(With("members = 3", "members = 1")),
               ElementsAre("f.toml:72:11: ensemble.members is 1; "
                           "expected 2 worlds or more"));

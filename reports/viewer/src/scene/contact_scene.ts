@@ -1,15 +1,21 @@
 import * as three from "three";
 import type { Answer, Contact, Placed, Vec3 } from "../data";
 import { colourOf, prefersDark, type Look } from "../engines";
-import { add, dot, isFinite3, middle, norm, rotate, sub, times, unit } from "../vector";
-import { digits } from "../format";
+import { across, add, dot, isFinite3, middle, norm, rotate, sub, times, unit } from "../vector";
+import { digits, length, precise } from "../format";
+import type { Path } from "../performance";
 import { makeCut } from "./section";
 import { alignZ, arrow, ball, disc, dispose, hatched, planePatch, quaternion, rod, solid, spot, toScene, type Frame } from "./parts";
 import { formOf } from "./shapes";
-import { overlapAlong, reach } from "./support";
+import { overlapAlong, reach, support } from "./support";
 
-/** A moment of the animated proof: how far B has moved [m], and the gap between A and B [m], negative while they overlap. */
-export interface ProofState { moved: number; gap: number; claimMoved?: number; claimGap?: number }
+/** A copy of B in a moment of the animated proof: how far it has moved, how far the proof says that it moves, and the gap between A and the copy along
+ * its direction, negative while they overlap [m]. */
+export interface PathState { along: Vec3; moved: number; whole: number; gap: number }
+
+/** A moment of the animated proof: how far B has moved along the certified normal [m], and the gap between A and B [m], negative while they overlap;
+ * and the copies of B that move as an oracle says. */
+export interface ProofState { moved: number; gap: number; paths: PathState[] }
 
 export interface ContactScene {
   root: three.Group;
@@ -26,16 +32,18 @@ export interface ContactScene {
   B: () => three.Vector3;
   /** Whether there is a certificate that can be performed. */
   provable: boolean;
+  /** Radius, in units of the scene, of what is worth seeing while the proof is performed: B where it ends too, unless that is very far. */
+  radiusOfProof(): number;
   /** Performs the proof up to `part`, from 0 to 1. */
   prove(part: number): ProofState;
   show(oracle: number, visible: boolean): void;
-  /** Chooses the claimed direction that is performed beside the shortest: the oracle's normal, or `along`, the one of a variant of the question;
-   * -1 for none. */
-  explain(oracle: number, along?: Vec3): void;
-  /** Marks the point that is in both bodies; null for none. */
-  markCommon(p: Vec3 | null): void;
+  /** Chooses the ways that copies of B take beside the certified one, in the colour of an oracle; -1 for none.
+   * @param variant the normal of a variant of the question, mapped back, which is drawn */
+  explain(oracle: number, paths: readonly Path[], variant?: Vec3): void;
+  /** Marks at most two points that the proof is about. */
+  markPoints(points: Vec3[], name: "common point" | "point of the proof"): void;
   /** Texts that stay at points of the drawing; null while there is nothing to name. */
-  names: { text: string; at: () => three.Vector3 | null }[];
+  names: { text: string | (() => string); at: () => three.Vector3 | null }[];
 }
 
 /** Reach of a body, in units of the scene, beyond which single precision does not draw it well. */
@@ -75,8 +83,8 @@ function chooseFrame(contact: Contact): { frame: Frame; all: { centre: Vec3; rad
   const small = finite[0];
   const gap = contact.truth.touching === "apart" && Number.isFinite(contact.truth.lo) ? contact.truth.lo : 0;
   if (all.radius > 10 * reach(small.shape) && gap > reach(small.shape)) return { frame: { centre: middleOfAll, scale: 1 / (gap / 2 + 2.5 * reach(small.shape)) }, all };
-  // Beside something ten times its size, the small body is what the question is about.
-  if (all.radius > 10 * reach(small.shape)) return { frame: { centre: small.p, scale: 1 / (4 * reach(small.shape)) }, all };
+  // Beside something twenty times its size, the small body is what the question is about.
+  if (all.radius > 20 * reach(small.shape)) return { frame: { centre: small.p, scale: 1 / (4 * reach(small.shape)) }, all };
   return { frame: { centre: middleOfAll, scale: 1 / all.radius }, all };
 }
 
@@ -148,8 +156,11 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   if (n && truth.patch.length > 1) certificate.add(hatched(truth.patch.map((p) => toScene(frame, p)), n, truthColour, 0.05));
   const plane = n && surface && isFinite3(truth.pA) ? planePatch(toScene(frame, surface), n, 0.6, dark ? "#ff9ecf" : "#b3006b") : null;
   if (n && plane && isFinite3(truth.pB)) {
-    certificate.add(ball(toScene(frame, truth.pA), 0.018, truthColour), ball(toScene(frame, truth.pB), 0.018, truthColour), plane);
+    certificate.add(ball(toScene(frame, truth.pA), 0.018, truthColour), plane);
   }
+  // The extreme point b belongs to B and moves with it.
+  const dotB = n && plane && isFinite3(truth.pB) ? ball(toScene(frame, truth.pB), 0.018, truthColour) : null;
+  if (dotB) certificate.add(dotB);
 
   const layers = contact.answers.map((answer, o) => {
     const layer = answer.status === "answered" ? answerParts(answer, contact, frame, looks[o]) : new three.Group();
@@ -159,90 +170,143 @@ export function buildContact(contact: Contact, looks: Look[]): ContactScene {
   });
 
   const home = bodies[1].position.clone();
-  const common = spot(new three.Vector3(), 0.024, dark ? "#ff9ecf" : "#b3006b");
-  common.visible = false;
-  root.add(common);
+  const spots = [0, 1].map(() => spot(new three.Vector3(), 0.024, dark ? "#ff9ecf" : "#b3006b"));
+  for (const mark of spots) mark.visible = false;
+  root.add(...spots);
+  let nameOfSpots = "";
+  const spotNamed = (name: string, i: number): three.Vector3 | null => (spots[i].visible && nameOfSpots === name ? spots[i].position : null);
   const variant = new three.Group();
   root.add(variant);
   let variantTip: three.Vector3 | null = null;
-  const [a, b] = [truth.pA, truth.pB].map((p) => (plane && isFinite3(p) ? toScene(frame, p) : null));
-  const isOne = a !== null && b !== null && a.distanceTo(b) < 0.03;
+  const a = dotB ? toScene(frame, truth.pA) : null;
+  const homeOfB = dotB?.position.clone();
+  const isOne = (): boolean => a !== null && dotB !== null && a.distanceTo(dotB.position) < 0.03;
   const depth = -size;
   const apart = truth.touching === "apart";
-  const opened = 0.12 / frame.scale;
-  let claim: { n: Vec3; overlap: number; ghost: three.Group } | null = null;
+  interface Claim extends Path {
+    ghost: three.Group;
+    /** The way as far as it is seen [m]: the arrow of a longer one is broken, and says its length. A copy that comes nearer stays in sight. */
+    shown: number;
+  }
+  let claims: Claim[] = [];
   const rulers = new three.Group();
   root.add(rulers);
+  /** Lengths on the arrows. */
+  const mostWritten = 5;
+  let written: { text: string; at: three.Vector3 }[] = [];
+  /** Units of the scene beyond which an arrow is broken, and where a broken one ends. */
+  const [mostDrawn, brokenEnd] = [2.5, 1.15];
+  const isBroken = (way: number): boolean => way * frame.scale > mostDrawn;
+  const drawnWay = (way: number): number => (isBroken(way) ? brokenEnd / frame.scale : Math.max(-1 / frame.scale, way));
 
-  const drawRuler = (along: Vec3, size: number, colour: string): void => {
-    const start = toScene(frame, surface ?? touch);
+  /** Draws an arrow of a length along a direction, from a point, and writes a text on it. A broken one has two strokes across it. */
+  const drawRuler = (start: three.Vector3, along: Vec3, size: number, colour: string, text: string, thickness = 0.011, broken = false): three.Vector3 => {
     const way = new three.Vector3(...along).multiplyScalar(size * frame.scale);
-    rulers.add(arrow(start, way, 0.011, colour));
+    if (broken && way.length() > 0.2) {
+      const side = new three.Vector3(...across(along)).multiplyScalar(0.05);
+      const place = (part: number): three.Vector3 => start.clone().addScaledVector(way, part);
+      rulers.add(rod(start, place(0.56), thickness, colour), arrow(place(0.62), way.clone().multiplyScalar(0.38), thickness, colour));
+      for (const part of [0.56, 0.62]) {
+        const tilt = way.clone().setLength(0.02);
+        rulers.add(rod(place(part).add(side).add(tilt), place(part).sub(side).sub(tilt), thickness * 0.7, colour));
+      }
+    } else rulers.add(arrow(start, way, thickness, colour));
+    if (text !== "" && written.length < mostWritten) written.push({ text, at: start.clone().addScaledVector(way, 0.5) });
+    return start.clone().add(way);
+  };
+
+  /** The name of a body is midway between its middle and its end away from the other: away from the contact, where there is much to name. */
+  const nameAt = (i: number): three.Vector3 => {
+    const body = contact[i === 0 ? "A" : "B"];
+    const at = bodies[i].position.clone();
+    if (body.shape.type === "half_space") return at.add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[i].quaternion));
+    const away = n && times(i === 0 ? -1 : 1, n);
+    const end = away && reach(body.shape) * frame.scale < 2 ? support(body, away) : null;
+    return end && away ? at.addScaledVector(new three.Vector3(...away), 0.6 * dot(away, sub(end, body.p)) * frame.scale) : at;
   };
 
   return {
     root, frame, note, radius: 1, allRadius: all.radius * frame.scale, allCentre: toScene(frame, all.centre),
-    A: () => (A.shape.type === "half_space" ? bodies[0].position.clone().add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[0].quaternion)) : bodies[0].position),
-    B: () => (B.shape.type === "half_space" ? bodies[1].position.clone().add(new three.Vector3(1.2, 0, 0).applyQuaternion(bodies[1].quaternion)) : bodies[1].position),
+    A: () => nameAt(0), B: () => nameAt(1),
     provable: n !== null && Number.isFinite(depth),
+    radiusOfProof() {
+      const radius = reach(B.shape) * frame.scale;
+      if (!n || apart || !Number.isFinite(depth) || !(radius < 2)) return 1;
+      const ends = [[n, Math.max(depth, 0)] as const, ...claims.map(({ along, shown }) => [along, shown] as const)];
+      return Math.min(3, Math.max(1, ...ends.map(([along, way]) => home.clone().addScaledVector(new three.Vector3(...along), way * frame.scale).length() + radius)));
+    },
     prove(part) {
-      for (const ruler of [...rulers.children]) ruler.removeFromParent();
-      if (!n || !Number.isFinite(depth)) return { moved: 0, gap: NaN };
-      if (apart) {
-        // The plane sweeps the gap from A to B: it touches both only at the ends.
-        plane?.position.copy(toScene(frame, add(surface!, times(size * part, n))));
-        return { moved: 0, gap: -depth };
-      }
-      // The certified depth first, then an opening that can be seen.
-      const travel = (overlap: number): number => (Math.max(overlap, 0) + opened) * part;
-      const moved = travel(depth);
-      bodies[1].position.copy(home).addScaledVector(new three.Vector3(...n), moved * frame.scale);
-      const state: ProofState = { moved, gap: -overlapAlong(A, { ...B, p: add(B.p, times(moved, n)) }, n) };
-      if (part > 0) drawRuler(n, Math.min(moved, Math.max(depth, 0)), truthColour);
-      if (claim) {
-        const claimMoved = travel(claim.overlap);
-        claim.ghost.visible = part > 0;
-        claim.ghost.position.copy(home).addScaledVector(new three.Vector3(...claim.n), claimMoved * frame.scale);
-        state.claimMoved = claimMoved;
-        state.claimGap = -overlapAlong(A, { ...B, p: add(B.p, times(claimMoved, claim.n)) }, claim.n);
-        if (part > 0) drawRuler(claim.n, Math.min(claimMoved, Math.max(claim.overlap, 0)), (claim.ghost.userData.colour as string));
-      }
-      return state;
+      for (const ruler of [...rulers.children]) dispose(ruler);
+      written = [];
+      if (!n || !Number.isFinite(depth)) return { moved: 0, gap: NaN, paths: [] };
+      // The plane sweeps the gap from A to B: it touches both only at the ends.
+      if (apart) plane?.position.copy(toScene(frame, add(surface!, times(size * part, n))));
+      // B stops where it just touches A: the proof is about this length.
+      const moved = apart ? 0 : Math.max(depth, 0) * part;
+      const shift = new three.Vector3(...n).multiplyScalar(moved * frame.scale);
+      bodies[1].position.copy(home).add(shift);
+      if (dotB) dotB.position.copy(homeOfB!).add(shift);
+      const start = toScene(frame, surface ?? touch);
+      if (part > 0 && moved > 0) drawRuler(start, n, moved, truthColour, precise(moved));
+      const paths = claims.map(({ along, way, short, shown, ghost }): PathState => {
+        const seen = shown * part;
+        const state: PathState = { along, moved: isBroken(way) ? way * part : seen, whole: way, gap: NaN };
+        state.gap = -overlapAlong(A, { ...B, p: add(B.p, times(state.moved, along)) }, along);
+        ghost.visible = part > 0 && way !== 0;
+        ghost.position.copy(home).addScaledVector(new three.Vector3(...along), seen * frame.scale);
+        const colour = ghost.userData.colour as string;
+        const name = short === "" ? "" : `${short}: `;
+        if (part > 0) {
+          // Whatever comes nearer starts at B, which is beyond the gap.
+          const from = way < 0 && surface && n ? toScene(frame, add(surface, times(-depth, n))) : start;
+          const tip = drawRuler(from, along, seen, colour, way === 0 ? "" : `${name}${precise(state.moved)}`, 0.011, isBroken(way));
+          // The overlap that is left at the end of the way.
+          const left = -state.gap;
+          if (part === 1 && way >= 0 && left > touchingWithin(way)) drawRuler(tip, along, drawnWay(left), colour, `${length(left)} left`, 0.005, isBroken(left));
+        }
+        return state;
+      });
+      return { moved, gap: -overlapAlong(A, { ...B, p: add(B.p, times(moved, n)) }, n), paths };
     },
     show(oracle, visible) { layers[oracle].visible = visible; },
     names: [
-      { text: isOne ? "a, b" : "a", at: () => a },
-      { text: "b", at: () => (isOne ? null : b) },
-      { text: "common point", at: () => (common.visible ? common.position : null) },
+      { text: "a, b", at: () => (isOne() ? a : null) },
+      { text: "a", at: () => (isOne() ? null : a) },
+      { text: "b", at: () => (isOne() ? null : dotB?.position ?? null) },
+      { text: "common point", at: () => spotNamed("common point", 0) },
+      ...spots.map((_, i) => ({ text: "point of the proof", at: () => spotNamed("point of the proof", i) })),
       { text: "n of the variant", at: () => variantTip },
+      ...Array.from({ length: mostWritten }, (_, i) => ({ text: () => written[i]?.text ?? "", at: () => written[i]?.at ?? null })),
     ],
-    markCommon(p) {
-      common.visible = p !== null;
-      if (p) common.position.copy(toScene(frame, p));
+    markPoints(points, name) {
+      nameOfSpots = name;
+      spots.forEach((mark, i) => {
+        mark.visible = points[i] !== undefined;
+        if (mark.visible) mark.position.copy(toScene(frame, points[i]));
+      });
     },
-    explain(oracle, other) {
-      claim?.ghost.removeFromParent();
-      claim = null;
+    explain(oracle, paths, variantNormal) {
+      for (const { ghost } of claims) dispose(ghost);
       for (const old of [...variant.children]) dispose(old);
       variantTip = null;
-      if (hasNormal(other)) {
+      if (hasNormal(variantNormal)) {
         const from = toScene(frame, touch);
-        const way = new three.Vector3(...unit(other)).multiplyScalar(0.55);
+        const way = new three.Vector3(...unit(variantNormal)).multiplyScalar(0.55);
         variantTip = from.clone().add(way);
         variant.add(arrow(from, way, 0.013, colourOf(looks[oracle])));
       }
-      const said = other ?? contact.answers[oracle]?.n;
-      if (!n || !hasNormal(said)) return;
-      const along = unit(said);
-      const overlap = overlapAlong(A, B, along);
-      if (!Number.isFinite(overlap) || dot(along, n) > 1 - 1e-9) return;
-      const ghost = place(B, frame);
-      const colour = colourOf(looks[oracle]);
-      ghost.userData.colour = colour;
-      ghost.add(solid(formOf(B.shape, frame.scale, 1.5), { colour, opacity: 0.12, edgeOpacity: 0.8 }));
-      ghost.visible = false;
-      root.add(ghost);
-      claim = { n: along, overlap, ghost };
+      claims = !n ? [] : paths.map((path) => {
+        const ghost = place(B, frame);
+        const colour = colourOf(looks[oracle]);
+        ghost.userData.colour = colour;
+        ghost.add(solid(formOf(B.shape, frame.scale, 1.5), { colour, opacity: 0.12, edgeOpacity: 0.8 }));
+        ghost.visible = false;
+        root.add(ghost);
+        return { ...path, ghost, shown: drawnWay(path.way) };
+      });
     },
   };
 }
+
+/** The largest gap or overlap after a way of a length that is its rounding [m]. */
+export const touchingWithin = (way: number): number => 1e-6 * Math.abs(way);

@@ -32,8 +32,22 @@ export function drawScene(canvas: HTMLCanvasElement, scene: three.Object3D, came
       behind.push(inView.z > -camera.near);
       points.push(project(v));
     }
-    // A solid that reaches behind the camera has no outline; its edges before the camera still help.
-    if (behind.includes(true) && !(part instanceof three.LineSegments)) return;
+    // The part of a solid that is before the camera is convex, too.
+    if (behind.includes(true) && !(part instanceof three.Line)) {
+      const index = geometry.getIndex();
+      const corner = (k: number): number => index?.getX(k) ?? k;
+      const [from, to] = [new three.Vector3(), new three.Vector3()];
+      const kept = points.filter((_, i) => !behind[i]);
+      for (let k = 0; k < (index?.count ?? place.count); ++k) {
+        const [a, b] = [corner(k), corner(k % 3 === 2 ? k - 2 : k + 1)];
+        if (a >= count || b >= count || behind[a] === behind[b]) continue;
+        from.fromBufferAttribute(place, a).applyMatrix4(toWorld).applyMatrix4(camera.matrixWorldInverse);
+        to.fromBufferAttribute(place, b).applyMatrix4(toWorld).applyMatrix4(camera.matrixWorldInverse);
+        kept.push(project(from.lerp(to, (-2 * camera.near - from.z) / (to.z - from.z)).applyMatrix4(camera.matrixWorld)));
+      }
+      points.splice(0, points.length, ...kept);
+      if (points.length < 3) return;
+    }
     const colour = (material as three.MeshBasicMaterial).color.getStyle();
     const depth = -centre.applyMatrix4(camera.matrixWorldInverse).z;
     const line = part instanceof three.Line;

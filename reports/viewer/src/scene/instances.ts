@@ -22,7 +22,7 @@ export const isInstanced = (object: three.Object3D): object is Instanced => "isI
 export interface Batch { surfaces: three.InstancedMesh; edges: InstancedLines; set(index: number, matrix: three.Matrix4): void; commit(): void }
 
 export function makeBatch({ surface, edges }: Form, count: number, colour: string): Batch {
-  const surfaces = new three.InstancedMesh(surface, new three.MeshLambertMaterial({ color: colour, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }), count);
+  const surfaces = new three.InstancedMesh(surface, new three.MeshLambertMaterial({ color: colour, vertexColors: surface.hasAttribute("color"), polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }), count);
   surfaces.userData.convex = true;
   const lines = new InstancedLines(edges, new three.LineBasicMaterial({ color: colour, transparent: true, opacity: 0.8 }), count);
   // The instances are where the matrices say, not where the shape is.

@@ -49,13 +49,27 @@ function grid(extent: number): number[] {
 
 const sharp = (surface: three.BufferGeometry): three.BufferGeometry => new three.EdgesGeometry(surface, 1);
 
+/** A ball whose opposite quarters are darker: one of a single colour seems to slide where it rolls. */
+function quartered(ball: three.BufferGeometry): three.BufferGeometry {
+  const surface = ball.toNonIndexed();
+  const place = surface.getAttribute("position");
+  const tones: number[] = [];
+  // A face lies in one quarter, because the sides of its polygon are a multiple of four.
+  for (let face = 0; face + 2 < place.count; face += 3) {
+    const [x, z] = [0, 1, 2].reduce(([a, b], k) => [a + place.getX(face + k), b + place.getY(face + k)], [0, 0]);
+    const tone = x * z > 0 ? 0.62 : 1;
+    for (let k = 0; k < 9; ++k) tones.push(tone);
+  }
+  return surface.setAttribute("color", new three.Float32BufferAttribute(tones, 3));
+}
+
 /** Builds a shape, its lengths multiplied by `scale`. A half-space is a square patch with sides of 2 `extent`, in scaled units.
  * @param steps sides of the polygon that stands for a circle */
 export function formOf(shape: Shape, scale: number, extent: number, steps = 32): Form {
   switch (shape.type) {
     case "sphere": {
       const r = shape.radius * scale;
-      return { surface: new three.SphereGeometry(r, steps, steps / 2), edges: lines([...ring(r, 0, steps), ...ring(r, 0, steps, "x"), ...ring(r, 0, steps, "y")]) };
+      return { surface: quartered(new three.SphereGeometry(r, steps, steps / 2)), edges: lines([...ring(r, 0, steps), ...ring(r, 0, steps, "x"), ...ring(r, 0, steps, "y")]) };
     }
     case "box": {
       const surface = new three.BoxGeometry(...(shape.half.map((s) => 2 * s * scale) as [number, number, number]));

@@ -3,8 +3,11 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { Vec3 } from "../data";
 import { h } from "../dom";
 import { digits, length } from "../format";
+import { captionOf, composePicture, pictureWidth } from "../picture";
+import { startingView } from "./view_direction";
 import { across } from "../vector";
 import { drawScene } from "./drawing";
+import { overlap, separateLabels, type LabelBox } from "./label_places";
 import { dispose } from "./parts";
 
 /** A view of a scene with a camera to orbit, a scale bar and labels. It draws when something has changed, never in a loop. */
@@ -18,14 +21,25 @@ export interface Stage {
   lookFrom(direction: Vec3): void;
   /** Sees all of the ball around `centre`. */
   fit(centre: three.Vector3, radius: number): void;
+  /** Sees all of some balls, as near as they allow from where the camera looks. */
+  fitAll(balls: readonly Ball[]): void;
   /** Keeps the camera's offset to a point that moves. */
   follow(point: three.Vector3): void;
-  /** A text that stays at a point of the scene, or beside it, while there is one. */
-  label(text: string, at: () => three.Vector3 | null, beside?: boolean): void;
-  /** A picture of the view as it is. */
+  /** A text that stays at a point of the scene, or beside it, while there is one. Names of bodies never cover one another. */
+  label(text: string | (() => string), at: () => three.Vector3 | null, kind?: "body" | "beside"): void;
+  /** Shows the scene in the middle of what an inset at the right leaves free [px]. */
+  keepClear(width: () => number): void;
+  /** The middle and the half height of what is in sight at the distance of the middle, and the direction that is up in the picture. */
+  seen(): { centre: three.Vector3; radius: number; above: three.Vector3 };
+  /** Whether the reader has turned or moved the camera. */
+  isTouched(): boolean;
+  /** A picture of the view as it is, with what the page says beside it. */
   picture(): Promise<Blob | null>;
   dispose(): void;
 }
+
+/** A part of a scene that shall be seen. */
+export interface Ball { at: three.Vector3; radius: number }
 
 const fieldOfView = 28;
 
@@ -38,19 +52,45 @@ export function placeCamera(camera: three.PerspectiveCamera, centre: three.Vecto
   camera.lookAt(centre);
 }
 
+/** The part of a view that is left free on either side of what is fitted. */
+const margin = 1.12;
+
+/** Places a camera so that it sees all of some balls from a direction, in the middle. Returns the point that it looks at. */
+export function placeCameraAround(camera: three.PerspectiveCamera, balls: readonly Ball[], direction: three.Vector3): three.Vector3 {
+  const towards = direction.clone().normalize();
+  const right = camera.up.clone().cross(towards);
+  if (right.lengthSq() < 1e-12) right.set(...across(towards.toArray() as Vec3));
+  right.normalize();
+  const above = towards.clone().cross(right);
+  const slope = Math.tan((fieldOfView * Math.PI) / 360) / margin;
+  // A ball is in sight if |x − x₀| + r √(1 + s²) ≤ s (D − z), with D the place of the camera along its direction: a bound for either side.
+  const span = (axis: three.Vector3, s: number): { middle: number; distance: number } => {
+    let [low, high] = [-Infinity, -Infinity];
+    for (const { at, radius } of balls) {
+      const [x, z] = [at.dot(axis), at.dot(towards)];
+      const wide = radius * Math.hypot(1, s);
+      high = Math.max(high, x + wide + s * z);
+      low = Math.max(low, -x + wide + s * z);
+    }
+    return { middle: (high - low) / 2, distance: (high + low) / (2 * s) };
+  };
+  const [x, y] = [span(right, slope * camera.aspect), span(above, slope)];
+  const depths = balls.map(({ at, radius }) => at.dot(towards) + radius);
+  const nearest = depths.reduce((most, z) => Math.max(most, z), -Infinity);
+  const centre = balls.reduce((sum, { at }) => sum + at.dot(towards) / balls.length, 0);
+  const at = (along: number): three.Vector3 => right.clone().multiplyScalar(x.middle).addScaledVector(above, y.middle).addScaledVector(towards, along);
+  const target = at(centre);
+  camera.position.copy(at(Math.max(x.distance, y.distance, nearest + 0.05)));
+  camera.lookAt(target);
+  return target;
+}
+
 export function lights(): three.Object3D[] {
   const sun = new three.DirectionalLight(0xffffff, 1.6);
   sun.position.set(2, -3, 5);
   const fill = new three.DirectionalLight(0xffffff, 0.5);
   fill.position.set(-3, 2, -2);
   return [new three.AmbientLight(0xffffff, 1.4), sun, fill];
-}
-
-/** The direction from which a scene is seen at first. */
-export function startingView(up: Vec3): Vec3 {
-  const side = across(up);
-  const other = new three.Vector3(...up).cross(new three.Vector3(...side));
-  return new three.Vector3(...side).multiplyScalar(0.55).addScaledVector(other, 0.75).addScaledVector(new three.Vector3(...up), 0.45).toArray() as Vec3;
 }
 
 let software: boolean | undefined;
@@ -97,9 +137,11 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
   controls.enableDamping = false;
   controls.zoomToCursor = true;
 
-  let seen = { centre: new three.Vector3(), radius: 1 };
+  let seen: { centre: three.Vector3; radius: number } | { balls: readonly Ball[] } = { centre: new three.Vector3(), radius: 1 };
   let waiting = 0;
-  const labels: { element: HTMLElement; at: () => three.Vector3 | null }[] = [];
+  interface Label { element: HTMLElement; words: string | (() => string); at: () => three.Vector3 | null; kind: "body" | "beside" }
+  const labels: Label[] = [];
+  let covered = (): number => 0;
 
   const drawBar = (): void => {
     const distance = camera.position.distanceTo(controls.target);
@@ -111,33 +153,53 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
     bar.style.setProperty("width", `${size / metresPerPixel}px`);
     bar.firstElementChild!.textContent = size < 1e-9 ? `${digits(size)} m` : length(size);
   };
+  const drawLabels = (): void => {
+    const { clientWidth: width, clientHeight: height } = overlay;
+    const seen: { text: HTMLElement; x: number; y: number; kind: Label["kind"] }[] = [];
+    for (const { element: text, words, at, kind } of labels) {
+      const p = at()?.clone().project(camera);
+      if (typeof words !== "string" && text.textContent !== words()) text.textContent = words();
+      // A point behind the camera has a place in the picture, too.
+      text.hidden = p === undefined || Math.abs(p.z) > 1;
+      if (p && !text.hidden) seen.push({ text, x: ((p.x + 1) * width) / 2, y: ((1 - p.y) * height) / 2, kind });
+    }
+    // Names side by side keep a gap, or they would be read as one.
+    const boxOf = ({ text, x, y }: { text: HTMLElement; x: number; y: number }): LabelBox => ({ x: x + text.offsetLeft, y: y + text.offsetTop, width: text.offsetWidth + (element.classList.contains("of-world") ? 12 : 4), height: text.offsetHeight });
+    // Points close together that have the same name are labelled once.
+    seen.forEach((label, i) => { label.text.hidden = seen.slice(0, i).some((other) => !other.text.hidden && other.text.textContent === label.text.textContent && other.kind === label.kind && other.kind === "beside" && overlap(boxOf(other), boxOf(label))); });
+    // Names of points keep their places, and those of bodies give way to them.
+    const named = (["beside", "body"] as const).flatMap((kind) => seen.filter((label) => label.kind === kind && !label.text.hidden));
+    const shifts = separateLabels(named.map(boxOf));
+    named.forEach((label, i) => { label.x += shifts[i][0]; label.y += shifts[i][1]; });
+    for (const { text, x, y } of seen) text.style.setProperty("transform", `translate(${x}px, ${y}px)`);
+  };
   const draw = (): void => {
     waiting = 0;
     if (renderer) {
       renderer.render(scene, camera);
       element.dataset.calls = String(renderer.info.render.calls);
     } else drawScene(canvas, scene, camera);
-    for (const { element: text, at } of labels) {
-      const place = at();
-      text.hidden = place === null;
-      if (!place) continue;
-      const p = place.clone().project(camera);
-      text.style.setProperty("transform", `translate(${(p.x + 1) * overlay.clientWidth / 2}px, ${(1 - p.y) * overlay.clientHeight / 2}px)`);
-    }
+    drawLabels();
     drawBar();
   };
   const invalidate = (): void => { if (!waiting) waiting = requestAnimationFrame(draw); };
   controls.addEventListener("change", invalidate);
+  let touched = false;
+  controls.addEventListener("start", () => { touched = true; });
 
   const resize = (): void => {
     const { clientWidth: width, clientHeight: height } = element;
     if (!width || !height) return;
     const before = camera.aspect;
+    // Half of what is covered: the middle of the scene is then in the middle of the rest.
+    const cover = Math.min(covered(), width / 2);
     camera.aspect = width / height;
+    if (cover > 0) camera.setViewOffset(width, height, cover / 2, 0, width, height);
+    else camera.clearViewOffset();
     camera.updateProjectionMatrix();
     if (renderer) renderer.setSize(width, height, false);
     else { canvas.width = width * devicePixelRatio; canvas.height = height * devicePixelRatio; }
-    if (Math.min(1, before) !== Math.min(1, camera.aspect)) refit();
+    if ("balls" in seen ? before !== camera.aspect && !touched : Math.min(1, before) !== Math.min(1, camera.aspect)) refit();
     draw();
   };
   const observer = new ResizeObserver(resize);
@@ -145,8 +207,12 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
 
   const refit = (): void => {
     const direction = camera.position.clone().sub(controls.target);
-    placeCamera(camera, seen.centre, seen.radius, direction.lengthSq() > 0 ? direction : new three.Vector3(1, 1, 1));
-    controls.target.copy(seen.centre);
+    if (direction.lengthSq() === 0) direction.set(1, 1, 1);
+    if ("balls" in seen) controls.target.copy(placeCameraAround(camera, seen.balls, direction));
+    else {
+      placeCamera(camera, seen.centre, seen.radius, direction);
+      controls.target.copy(seen.centre);
+    }
     controls.update();
     invalidate();
   };
@@ -157,29 +223,50 @@ export function makeStage(metresPerUnit: number, up: Vec3, name: string): Stage 
       const d = new three.Vector3(...direction).normalize();
       // Straight from above the camera has no up; a tilt too small to see gives it one.
       if (Math.abs(d.dot(camera.up)) > 0.9999) d.addScaledVector(new three.Vector3(...across(up)), 2e-3).normalize();
-      camera.position.copy(controls.target).addScaledVector(d, camera.position.distanceTo(controls.target));
+      const distance = camera.position.distanceTo(controls.target);
+      camera.position.copy(controls.target).addScaledVector(d, distance);
+      // Long motions are wider from one side than from another.
+      if ("balls" in seen && !touched) refit();
       controls.update();
       invalidate();
     },
     fit(centre, radius) {
       seen = { centre: centre.clone(), radius };
+      touched = false;
+      refit();
+    },
+    fitAll(balls) {
+      seen = { balls };
+      touched = false;
       refit();
     },
     follow(point) {
+      if ("balls" in seen) seen = { centre: point.clone(), radius: (camera.position.distanceTo(controls.target) * Math.sin((fieldOfView * Math.PI) / 360) * Math.min(1, camera.aspect)) / 1.08 };
       const shift = point.clone().sub(controls.target);
       controls.target.add(shift);
       camera.position.add(shift);
       controls.update();
       invalidate();
     },
-    label(text, at, beside = false) {
-      const place = h("span", { class: beside ? "label beside" : "label" }, text);
+    label(text, at, kind = "body") {
+      const place = h("span", { class: kind === "beside" ? "label beside" : "label" }, typeof text === "string" ? text : text());
       overlay.append(place);
-      labels.push({ element: place, at });
+      labels.push({ element: place, words: text, at, kind });
     },
-    picture() {
+    keepClear(width) { covered = width; },
+    seen: () => ({ centre: controls.target.clone(), radius: camera.position.distanceTo(controls.target) * Math.tan((fieldOfView * Math.PI) / 360), above: new three.Vector3(0, 1, 0).applyQuaternion(camera.quaternion) }),
+    isTouched: () => touched,
+    async picture() {
+      // The picture is drawn anew at the width of a slide: an enlarged one would be blurred.
+      const { clientWidth: width, clientHeight: height } = element;
+      const copy = h("canvas", { width: pictureWidth, height: Math.round((pictureWidth * height) / width) });
+      renderer?.setPixelRatio(pictureWidth / width);
+      renderer?.setSize(width, height, false);
       draw();
-      return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+      copy.getContext("2d")?.drawImage(canvas, 0, 0, copy.width, copy.height);
+      renderer?.setPixelRatio(Math.min(devicePixelRatio, 2));
+      resize();
+      return composePicture(copy, element, captionOf(element));
     },
     dispose() {
       cancelAnimationFrame(waiting);

@@ -1,38 +1,51 @@
 import * as three from "three";
 import type { Run } from "../run";
-import type { Motion, Vec3, World } from "../data";
+import type { Vec3, World } from "../data";
 import { colourOf, prefersDark } from "../engines";
 import { dot, rotate, sub, times, unit } from "../vector";
 import { arrow, ball, dispose, path, quaternion, solid, spot, toScene, type Frame } from "./parts";
+import { groundGrid, makeDropLines } from "./ground";
 import { makeBatch } from "./instances";
+import type { Ball } from "./stage";
+import { answered, motionExtent } from "./motion_extent";
 import { formOf, type Form } from "./shapes";
-import { reach } from "./support";
 
 export interface WorldScene {
   root: three.Group;
   frame: Frame;
   radius: number;
   centre: three.Vector3;
+  /** Balls that hold all that moves over the whole motion, in the scene. */
+  extent: Ball[];
+  /** The oracles whose motion leaves the extent, and when [s]. */
+  left: Map<number, number>;
   up: Vec3;
   /** Shows the world at a time [s]. */
   setTime(time: number): void;
   /** Shows an oracle solid, as a ghost or not at all. */
   show(oracle: number, how: "solid" | "ghost" | "hidden"): void;
+  /** Whether the motion of an oracle has ended before the time that is shown: it has diverged, and is drawn no more. */
+  hasEnded(oracle: number): boolean;
   showTrails(visible: boolean): void;
   showImpulses(visible: boolean): void;
-  /** Marks points, joined by a line. */
-  mark(points: Vec3[]): void;
+  /** Draws impulses, and the grid of the ground, for a view of that radius around a point, in units of the scene; without a point for the whole. */
+  sizeImpulses(seen: number, around?: three.Vector3): void;
+  /** Marks points, joined by a line.
+   * @param seen radius of what is in sight, in units of the scene */
+  mark(points: Vec3[], seen?: number): void;
   /** A marked point in the scene; null if there is none. */
   marked(index: number): three.Vector3 | null;
-  /** Position of a moving thing in the scene at the time that is shown. */
+  /** Position of a body in the scene at the time that is shown; that at the start of one that is fixed. */
   bodyAt(oracle: number, body: number): three.Vector3;
+  /** Position of a particle in the scene at the time that is shown; null if the oracle has none. */
+  particleAt(oracle: number, particle: number): three.Vector3 | null;
+  /** Where a fixed body is named: on the part of it that is drawn. */
+  groundAt(body: number): three.Vector3;
 }
 
 /** Channels of the track of a body. */
 export const channel = { x: 0, y: 1, z: 2, qw: 3, qx: 4, qy: 5, qz: 6, vx: 7, vy: 8, vz: 9, wx: 10, wy: 11, wz: 12 } as const;
 const impulseChannels = { sample: 0, p: 3, J: 9 } as const;
-
-export const answered = (motion: Motion | undefined): boolean => motion !== undefined && (motion.bodies.some((b) => b !== null) || motion.points !== undefined);
 
 export function upOf(world: World): Vec3 {
   const up = unit(times(-1, world.gravity));
@@ -57,35 +70,8 @@ const mix = (values: Float64Array, { sample, part }: { sample: number; part: num
   return a + part * (values[Math.min(sample + 1, last)] - a);
 };
 
-/** Bounds of what moves: its start, and its path as the first oracle tells it that keeps within reason. */
-function bounds(run: Run, world: World, order: number[]): three.Box3 {
-  const box = new three.Box3();
-  const grow = (p: Vec3, r: number): void => {
-    box.expandByPoint(new three.Vector3(p[0] - r, p[1] - r, p[2] - r));
-    box.expandByPoint(new three.Vector3(p[0] + r, p[1] + r, p[2] + r));
-  };
-  const first = order.find((o) => answered(world.motions[o]));
-  world.bodies.forEach((body, b) => {
-    if (body.fixed) return;
-    const r = reach(body.shape);
-    grow(body.start.p, r);
-    const track = first === undefined ? null : world.motions[first].bodies[b];
-    if (!track) return;
-    const c = run.channels(track);
-    for (let i = 0; i < c[0].length; ++i) grow([c[0][i], c[1][i], c[2][i]], r);
-  });
-  const points = first === undefined ? undefined : world.motions[first].points;
-  if (points) {
-    const c = run.channels(points);
-    for (let k = 0; k + 2 < c.length; k += 3) for (let i = 0; i < c[k].length; ++i) grow([c[k][i], c[k + 1][i], c[k + 2][i]], world.particles[k / 3]?.radius ?? 0);
-  }
-  if (box.isEmpty()) for (const body of world.bodies) grow(body.start.p, Math.max(reach(body.shape), 0.5));
-  if (box.isEmpty()) grow([0, 0, 0], 1);
-  return box;
-}
-
 /** The part of one engine in a world: its bodies, particles, cloths, joints and trails. */
-interface Actor { group: three.Group; trails: three.Object3D; setPose(time: { sample: number; part: number }): void; restyle(how: "solid" | "ghost"): void; bodies: (Pose | null)[] }
+interface Actor { group: three.Group; trails: three.Object3D; setPose(time: { sample: number; part: number }): void; restyle(how: "solid" | "ghost"): void; bodies: (Pose | null)[]; balls: three.Object3D[] }
 
 interface Pose { position: three.Vector3; quaternion: three.Quaternion }
 
@@ -112,9 +98,9 @@ function makeTrails(tracks: (Float64Array[] | null)[], { centre, scale }: Frame,
   return { trails, drawn };
 }
 
-/** @param order the oracles, the most trusted first: the view fits the path of the first */
-export function buildWorld(run: Run, world: World, order: number[]): WorldScene {
-  const box = bounds(run, world, order);
+/** @param trusted the oracles whose motion is right, the most trusted first: the view fits theirs, and those that keep near */
+export function buildWorld(run: Run, world: World, trusted: number[]): WorldScene {
+  const { box, balls: extent, left } = motionExtent(run, world, trusted);
   const middle = box.getCenter(new three.Vector3()).toArray() as Vec3;
   const radiusInMetres = Math.max(box.getSize(new three.Vector3()).length() / 2, 1e-9);
   const frame: Frame = { centre: middle, scale: 1 / radiusInMetres };
@@ -134,6 +120,7 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     if (!form) forms.set(key, form = formOf(shape, frame.scale, 2.2, crowded ? 16 : 32));
     return form;
   };
+  const grounds = new Map<number, three.Vector3>();
   world.bodies.forEach((body, b) => {
     if (!body.fixed) return;
     const ground = solid(formFor(b), { colour: dark ? "#5c6470" : "#c3c8d0", edge: dark ? "#8a93a1" : "#7c8694", opacity: 0.28, edgeOpacity: 0.55 });
@@ -145,6 +132,8 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     ground.position.copy(toScene(frame, p));
     ground.quaternion.copy(quaternion(body.start.q));
     root.add(ground);
+    // A half-space fills the picture: its name is beside what moves on it.
+    grounds.set(b, body.shape.type === "half_space" ? new three.Vector3(0.8, 0, 0).applyQuaternion(ground.quaternion).add(ground.position) : ground.position.clone());
   });
 
   const anchor = (bodies: (Pose | null)[], balls: three.Object3D[], index: number, p: Vec3): three.Vector3 => {
@@ -201,7 +190,7 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
     const { trails, drawn } = makeTrails(tracks, frame, colour);
     group.add(trails);
     return {
-      group, trails, bodies,
+      group, trails, bodies, balls,
       setPose(at) {
         tracks.forEach((c, b) => {
           const pose = bodies[b];
@@ -283,6 +272,24 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
   let impulsesShown = true;
   let solidOracle = -1;
   let impulseSample = -1;
+  let seenRadius = 1;
+  const drops = makeDropLines(world, frame, up, dark ? "#9aa4b2" : "#626c7a");
+  root.add(drops.lines);
+  let grid: three.LineSegments | null = null;
+  const drawDrops = (): void => {
+    const poses = hasEnded(solidOracle) ? undefined : actors.get(solidOracle)?.bodies;
+    drops.set(world.bodies.map((_, b): Vec3 | null => {
+      const pose = poses?.[b];
+      return pose ? [pose.position.x / frame.scale + middle[0], pose.position.y / frame.scale + middle[1], pose.position.z / frame.scale + middle[2]] : null;
+    }));
+  };
+  const hidden = new Set<number>();
+  /** The last time of each motion that ends before the others [s]: a pose that is kept would be read as one at rest. */
+  const ends = world.motions.map((motion) => {
+    const samples = Math.max(motion.points?.samples ?? 0, ...motion.bodies.map((track) => track?.samples ?? 0));
+    return samples > 0 && samples < world.times.length ? world.times[samples - 1] : Infinity;
+  });
+  const hasEnded = (oracle: number): boolean => time > (ends[oracle] ?? Infinity) + 1e-9;
   const marks = new three.Group();
   let markedPoints: three.Vector3[] = [];
   root.add(marks);
@@ -309,21 +316,30 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
       const [A, B] = [c[1][i], c[2][i]];
       if (world.bodies[B]?.fixed && world.bodies[A]?.fixed === false) J.negate();
       // The length is the square root of the impulse, so that weak impulses next to an impact are visible.
-      J.setLength(0.5 * Math.sqrt(size(i) / most));
-      impulses.add(arrow(toScene(frame, [c[3][i], c[4][i], c[5][i]]), J, 0.006, colour));
+      J.setLength(0.32 * seenRadius * Math.sqrt(size(i) / most));
+      impulses.add(arrow(toScene(frame, [c[3][i], c[4][i], c[5][i]]), J, 0.006 * seenRadius, colour));
       ++drawn;
     }
   };
 
   return {
-    root, frame, up, radius: 1, centre: new three.Vector3(),
+    root, frame, up, left, radius: 1, centre: new three.Vector3(),
+    extent: extent.map(({ at, radius }) => ({ at: toScene(frame, at), radius: radius * frame.scale })),
+    hasEnded,
     setTime(now) {
       time = now;
       const at = sampleAt(world.times, now);
-      for (const actor of actors.values()) if (actor?.group.visible) actor.setPose(at);
+      for (const [oracle, actor] of actors) {
+        if (!actor || hidden.has(oracle)) continue;
+        actor.group.visible = !hasEnded(oracle);
+        if (actor.group.visible) actor.setPose(at);
+      }
       drawImpulses(at.part > 0 ? at.sample + 1 : at.sample, false);
+      drawDrops();
     },
     show(oracle, how) {
+      if (how === "hidden") hidden.add(oracle);
+      else hidden.delete(oracle);
       if (how === "hidden") {
         const actor = actors.get(oracle);
         if (actor) actor.group.visible = false;
@@ -332,9 +348,10 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
       const actor = actorOf(oracle);
       if (how === "solid" && solidOracle !== oracle) { solidOracle = oracle; drawImpulses(impulseSample, true); }
       if (!actor) return;
-      actor.group.visible = true;
+      actor.group.visible = !hasEnded(oracle);
       actor.restyle(how);
       actor.setPose(sampleAt(world.times, time));
+      drawDrops();
     },
     showTrails(visible) {
       trailsShown = visible;
@@ -344,14 +361,23 @@ export function buildWorld(run: Run, world: World, order: number[]): WorldScene 
       impulsesShown = visible;
       drawImpulses(impulseSample, true);
     },
-    mark(points) {
+    sizeImpulses(seen, around) {
+      seenRadius = Math.min(1, seen);
+      if (grid) dispose(grid);
+      grid = around ? groundGrid(world, frame, around, seenRadius, dark ? "#8a93a1" : "#7c8694") : null;
+      if (grid) root.add(grid);
+      drawImpulses(impulseSample, true);
+    },
+    mark(points, seen = 1) {
       for (const old of [...marks.children]) dispose(old);
       const colour = dark ? "#ff9ecf" : "#b3006b";
       markedPoints = points.map((p) => toScene(frame, p));
       const apart = markedPoints.length > 1 ? markedPoints[0].distanceTo(markedPoints[1]) : Infinity;
-      marks.add(...markedPoints.map((p) => spot(p, Math.max(0.003, Math.min(0.022, apart / 8)), colour)), path(markedPoints, colour));
+      marks.add(...markedPoints.map((p) => spot(p, seen * Math.max(0.003, Math.min(0.022, apart / seen / 8)), colour)), path(markedPoints, colour));
     },
     marked: (index) => markedPoints[index] ?? null,
     bodyAt: (oracle, body) => actors.get(oracle)?.bodies[body]?.position.clone() ?? toScene(frame, world.bodies[body]?.start.p ?? middle),
+    particleAt: (oracle, particle) => actors.get(oracle)?.balls[particle]?.position ?? null,
+    groundAt: (body) => grounds.get(body) ?? toScene(frame, world.bodies[body]?.start.p ?? middle),
   };
 }

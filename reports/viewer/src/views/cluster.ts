@@ -1,29 +1,38 @@
-import { address } from "../address";
 import { h } from "../dom";
-import { downloadFindings, findingAddress, findingsAddress, findingsTable, nounOf } from "../findings_table";
-import { counted, digits, share } from "../format";
-import { logHistogram } from "../histogram";
+import { faultAddress, faultName, faultOf } from "../fault_address";
+import { downloadFindings, findingAddress, findingsAddress, findingsTable, isLength, nounOf, shareInWords } from "../findings_table";
+import { errorOf } from "../error_in_proof";
+import { capital, counted } from "../format";
+import { leftOut, logHistogram } from "../histogram";
 import { barChart } from "../charts";
 import { orderBy } from "../filter";
-import { bandOfCluster } from "../run";
+import { bandOfCluster, extentOf } from "../run";
 import { thumbnail } from "../scene/thumbnail";
+import { responsibleMark, responsibleOf, responsibleTexts } from "../responsible";
+import { statusOf } from "../status";
 import type { MakeView } from "../view";
-import { badge, button, command, engine, upstreamLink } from "../widgets";
+import { badge, button, commands, engine, upstreamLink, versionOf } from "../widgets";
+import { proofText } from "../proof_text";
 import { prose } from "../symbols";
 import { contactLegend } from "./contact";
 import { notFound } from "./not_found";
 
+/** Ends of the axis of errors, as exponents of the share of the size. */
+const [lowest, highest] = [-17, 2];
+
 export const clusterView: MakeView = (run, at) => {
   const { report } = run;
   const { findings: f } = report;
-  const number = Number(at.path[1]);
+  const number = faultOf(run, at.path[1] ?? "");
   const cluster = report.clusters[number];
-  if (!cluster) return notFound(`There is no fault number ${at.path[1] ?? ""}`);
+  if (!cluster) return notFound(`There is no fault “${at.path[1] ?? ""}”`);
   const found = [...orderBy(run, "gravity")].filter((i) => f.cluster[i] === number);
   const question = report.questions[f.question[cluster.worst] ?? cluster.questions[0]];
   const worst = findingAddress(run, cluster.worst);
   const band = bandOfCluster(run, cluster);
-  const shares = found.filter((i) => report.names.measure[f.measure[i]]?.kind === "length").map((i) => Math.abs(f.share[i])).filter((s) => s > 0);
+  const status = statusOf(run, cluster);
+  const lengths = found.filter((i) => isLength(run, i)).map((i) => Math.abs(f.share[i]));
+  const shares = lengths.filter((s) => s > 0);
   const table = findingsTable(run);
   const proof = run.text(f.proof[cluster.worst] ?? -1);
   const cause = report.names.cause[cluster.cause];
@@ -34,32 +43,33 @@ export const clusterView: MakeView = (run, at) => {
   const rest = cluster.reason.slice(said).replace(/^[.:;,\s]+/, "");
   const why = said > 0 ? rest.charAt(0).toUpperCase() + rest.slice(1) : rest;
   const element = h("section", { class: "cluster" },
-    h("p", { class: "card-head" }, badge(band), h("span", { class: cluster.is_new ? "new" : "quiet" }, cluster.is_new ? "new: not in the ledger" : "known: in the ledger"), upstreamLink(cluster.upstream)),
+    h("p", { class: "card-head" }, badge(band), responsibleMark(cluster), status.name !== "" && h("span", { class: status.isFailure ? "new" : "quiet" }, `${status.name}: ${status.meaning}`), upstreamLink(cluster.upstream)),
     h("h1", { dir: "auto" }, prose(cluster.title)),
-    h("p", { class: "extent" }, cluster.extent),
+    h("p", { class: "extent" }, extentOf(cluster)),
     h("div", { class: "columns" },
       h("div", { class: "main-column" },
         question && h("a", { href: worst, class: "large-picture", "aria-label": `Open ${question.id}` },
-          thumbnail(run, question, cluster.oracles, f.time?.[cluster.worst] ?? -1, 840, 420)),
-        question?.contact && contactLegend(question.contact.truth.patch.length > 1),
+          thumbnail(run, question, [...new Set([f.oracle[cluster.worst], ...cluster.oracles])], cluster.worst, 840, 420)),
+        question?.contact && contactLegend(question.contact.truth.patch.length),
         question?.world && h("p", { class: "marks" }, "Solid: the first of the oracles that simulates it. Edges: the second."),
         question && h("p", {}, "Its worst question: ", h("a", { href: worst, dir: "auto" }, question.title), ".")),
       h("div", { class: "side-column" },
-        h("h2", {}, "Oracles"), h("p", { class: "engines" }, cluster.oracles.map((o) => engine(run, o))),
+        h("h2", {}, "Oracles"), h("p", { class: "engines" }, cluster.oracles.map((o) => h("span", {}, engine(run, o), " ", versionOf(run, o)))),
         h("h2", {}, "How large"),
-        h("p", {}, `The worst: ${nounOf(run, cluster.worst)}`, cluster.unit === "m" && `, ${share(cluster.share)}`, `; ${counted(cluster.questions.length, "question")} in all.`),
-        shares.length > 1 && h("figure", {}, barChart(logHistogram(shares, -17, 2, 38), -17, 2, "Number of findings by error as a share of the size"), h("figcaption", {}, `${counted(shares.length, "finding")} by error as a share of the size, logarithmic`)),
+        h("p", {}, `The worst: ${nounOf(run, cluster.worst)}`, shareInWords(run, cluster.worst) !== "" && `, ${shareInWords(run, cluster.worst)}`, `; ${counted(cluster.questions.length, "question")} in all.`),
+        shares.length > 1 && h("figure", {}, barChart(logHistogram(shares, lowest, highest, 38), lowest, highest, "Number of findings by error as a share of the size"), h("figcaption", {}, leftOut(found.length, lengths, [lowest, highest]))),
         why && [h("h2", {}, "Why"), h("p", { dir: "auto" }, prose(why))],
         cause && h("p", {}, h("b", {}, "Cause: "), cause),
-        proof && [h("h2", {}, "Proof of the worst"), h("p", { dir: "auto", class: "proof" }, prose(proof))],
-        h("h2", {}, "See it yourself"), question && command(`touchstone explain ${question.id}`))),
+        responsibleOf(cluster) !== "engine" && h("p", {}, h("b", {}, `${capital(responsibleTexts[responsibleOf(cluster)].name)}: `), responsibleTexts[responsibleOf(cluster)].meaning),
+        proof && [h("h2", {}, "Proof of the worst"), h("p", { dir: "auto", class: "proof" }, proofText(proof, errorOf(run, cluster.worst)))],
+        h("h2", {}, "See it yourself"), question && commands(question, "", [["", "touchstone explain ID"]]))),
     h("h2", {}, "Its findings"),
-    h("p", { class: "count" }, counted(found.length, "finding"), " ", h("a", { href: findingsAddress({ cluster: String(number) }) }, "filter and sort them"), " ", button("CSV", () => downloadFindings(run, found), { class: "small" })),
+    h("p", { class: "count" }, counted(found.length, "finding"), " ", h("a", { href: findingsAddress({ cluster: faultName(run, number) }) }, "filter and sort them"), " ", button("CSV", () => downloadFindings(run, found), { class: "small" })),
     table.element);
   queueMicrotask(() => table.set(found));
-  const step = (by: number): void => { if (report.clusters[number + by]) location.hash = address(["f", String(number + by)]); };
+  const step = (by: number): void => { if (report.clusters[number + by]) location.hash = faultAddress(run, number + by); };
   return {
-    title: `Fault ${number + 1}, ${digits(found.length)} findings`, element,
+    title: cluster.title, element,
     keys: [
       { keys: ["j"], does: "next fault", run: () => step(1) },
       { keys: ["k"], does: "previous fault", run: () => step(-1) },

@@ -1,25 +1,27 @@
-import { address, toggled, valuesOf, withValue, type Address } from "../address";
-import { bands, bandTexts, faultBands, type Band } from "../bands";
-import { countsList } from "../counts";
-import { fill, h } from "../dom";
-import { findingsAddress, headingOf } from "../findings_table";
-import { counted } from "../format";
+import { address, questionAddress, toggled, valuesOf, withValue, type Address } from "../address";
+import { bands, bandTexts, faultBands, sizeMeaning, type Band } from "../bands";
+import { countsList, countsOf } from "../counts";
+import { fill, h, type Child } from "../dom";
+import { faultRow, faultRowHeight } from "../fault_row";
+import { findingAddress, findingsAddress, silentNouns, wordsOf } from "../findings_table";
+import { capital, counted } from "../format";
 import { bandOfCluster, type Run } from "../run";
-import { thumbnail } from "../scene/thumbnail";
-import { prose } from "../symbols";
+import { responsibleOf, responsibles, responsibleTexts } from "../responsible";
+import { hasLedger } from "../status";
 import type { MakeView } from "../view";
 import { virtualList } from "../virtual";
-import { badge, engine, upstreamLink } from "../widgets";
+import { badge, engine } from "../widgets";
 import { smallMatrix } from "./matrix";
 
 /** Orders of the faults: the largest value first, and equal ones in the order of the report. */
-const orders: { key: string; name: string; of(run: Run, cluster: number): number }[] = [
-  { key: "harm", name: "worst for a user first", of: () => 0 },
-  { key: "share", name: "largest error of the size first", of: ({ report }, c) => (report.clusters[c].unit === "m" ? report.clusters[c].share : -1) },
-  { key: "questions", name: "most questions first", of: ({ report }, c) => report.clusters[c].questions.length },
-  { key: "oracles", name: "most oracles first", of: ({ report }, c) => report.clusters[c].oracles.length },
-  { key: "ordinary", name: "most ordinary question first", of: ({ report }, c) => report.clusters[c].ordinary },
-  { key: "new", name: "new ones first", of: ({ report }, c) => (report.clusters[c].is_new ? 1 : 0) },
+const orders: { key: string; name: string; weighs: string; of(run: Run, cluster: number): number }[] = [
+  { key: "harm", name: "worst for a user first", weighs: "Graver first. 4 × the engines or 10 × the questions count as a band more, only unusual questions as up to one less.", of: () => 0 },
+  { key: "share", name: "largest share of the size first", weighs: "By the largest error as a share of the size. No usable answer comes first, counts come last.", of: (run, c) => (wordsOf(run, run.report.clusters[c].worst) in silentNouns ? Infinity : run.report.clusters[c].unit === "" ? -1 : run.report.clusters[c].share) },
+  { key: "metres", name: "largest error in metres first", weighs: "By the largest error that is a length, in metres. Others come last.", of: ({ report }, c) => (report.clusters[c].unit === "m" && typeof report.clusters[c].error === "number" ? report.clusters[c].error : -1) },
+  { key: "questions", name: "most questions first", weighs: "By the number of questions that show the fault.", of: ({ report }, c) => report.clusters[c].questions.length },
+  { key: "oracles", name: "most oracles first", weighs: "By the number of oracles that share the fault.", of: ({ report }, c) => report.clusters[c].oracles.length },
+  { key: "ordinary", name: "most ordinary question first", weighs: "By how ordinary the most ordinary of its questions is: sizes, masses, steps and distances that every engine is used for.", of: ({ report }, c) => report.clusters[c].ordinary },
+  { key: "new", name: "new ones first", weighs: "Faults that the ledger does not know, or allows less of, come first.", of: ({ report }, c) => (report.clusters[c].is_new || report.clusters[c].has_outgrown ? 1 : 0) },
 ];
 
 /** The oracles that passed something and have no fault. */
@@ -40,24 +42,93 @@ function faultsByOracle(run: Run, clusterBands: Band[]): HTMLElement {
     return { o, all: own.length, grave: own.filter((c) => clusterBands[c] === "grave" || clusterBands[c] === "crash").length };
   }).filter(({ all }) => all > 0).sort((a, b) => b.grave - a.grave || b.all - a.all || a.o - b.o);
   return h("table", { class: "plain" },
-    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), ["Grave", "All"].map((t) => h("th", { scope: "col", class: "number" }, t)))),
+    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Oracle"), ["Unusable or grave", "All"].map((t) => h("th", { scope: "col", class: "number" }, t)))),
     h("tbody", {}, rows.map(({ o, all, grave }) => h("tr", {}, h("th", { scope: "row" }, engine(run, o)), h("td", { class: "number" }, grave), h("td", { class: "number" }, all)))));
 }
 
-/** Whether the run passes, and which faults it knows: two statements, so that neither is taken for the other. */
+/** A list of clauses as one sentence: "a, b and c". */
+const inARow = (parts: Child[]): Child[] => parts.flatMap((part, i) => (i === 0 ? [part] : [i + 1 === parts.length ? " and " : ", ", part]));
+
+/** Why a run fails, in clauses: nothing verified, new faults, known ones that have grown, the files. */
+function reasonsToFail(run: Run): Child[] {
+  const { failed, subject, exit_code, only_subject } = run.report;
+  if (exit_code === 2) return [`no answer of ${run.report.oracles[subject].name} was verified`];
+  // A run fails by what counts for the exit code, and by nothing else.
+  const counts = (oracles: number[]): boolean => !failed || !only_subject || oracles.includes(subject);
+  const clusters = run.report.clusters.filter(({ oracles }) => counts(oracles));
+  const regressions = run.report.regressions;
+  // Remarks on the files would fail the run.
+  const faults = failed ? run.report.faults : [];
+  const verb = (n: number, one: string, many: string): string => (n === 1 ? one : many);
+  const outgrown = clusters.filter((c) => c.has_outgrown).length;
+  const fresh = clusters.filter((c) => c.is_new).length;
+  const improved = faults.filter(isImproved).length;
+  const link = (text: string): HTMLElement => h("a", { href: address([], { sort: "new" }) }, text);
+  return [
+    fresh > 0 && link(`${counted(fresh, "fault")} ${verb(fresh, "is", "are")} ${hasLedger(run) ? "not in the ledger" : "found"}`),
+    outgrown > 0 && link(`${counted(outgrown, "known fault")} ${verb(outgrown, "is", "are")} now larger than the ledger allows`),
+    improved > 0 && `${counted(improved, "entry", "entries")} of the ledger ${verb(improved, "hides", "hide")} less than ${verb(improved, "it allows", "they allow")} and can be lowered or removed`,
+    faults.length > improved && `${counted(faults.length - improved, "scenario file or entry", "scenario files or entries")} of the ledger ${verb(faults.length - improved, "is", "are")} at fault`,
+    regressions.length > 0 && `${counted(regressions.length, "finding")} ${verb(regressions.length, "is", "are")} worse than in the baseline`,
+  ].filter((reason) => reason !== false);
+}
+
+/** Whether a remark says that an entry of the ledger has become needless: nothing is wrong but the ledger. */
+const isImproved = (fault: string): boolean => fault.includes(": improved: ");
+
+/** Whether the run passes, and why it may pass with faults. */
 function conclusionOf(run: Run): HTMLElement {
   const { report } = run;
-  const fresh = report.clusters.filter((c) => c.is_new).length;
-  const known = report.clusters.filter((c) => !c.is_new);
-  const engines = new Set(known.flatMap((c) => c.oracles.map((o) => report.oracles[o].library)));
-  const outside = `${counted(fresh, "fault")} ${fresh === 1 ? "is" : "are"} not in the ledger`;
-  const why = report.failed ? (fresh > 0 ? `. ${outside}.` : ".")
-    : report.clusters.length === 0 ? ": no fault was found." : fresh === 0 ? ": every failure is in the ledger of known faults." : `, although ${outside}.`;
-  return h("div", { class: report.failed ? "conclusion failed" : "conclusion" },
-    h("p", { class: "passes" }, h("b", {}, report.failed ? "✗ The run fails" : "✓ The run passes"), why),
-    known.length > 0 && h("p", { class: "faulty" }, h("b", {}, `${counted(known.length, "fault")} of ${counted(engines.size, "engine")}`), ` ${known.length === 1 ? "is" : "are"} proved and known.`),
-    h("p", { class: "quiet" }, report.conclusion));
+  if (report.sweep) return h("div", { class: "conclusion" }, h("p", {}, "These are failures that the sweep has kept, asked again, and the worst cases of each measure. ", h("a", { href: address(["sweep"]) }, "The sweep"), " says how often faults occur."));
+  const reasons = reasonsToFail(run);
+  const why: Child = report.failed ? (reasons.length ? [": ", inARow(reasons), "."] : ["."])
+    : report.clusters.length === 0 ? [": no fault was found."] : reasons.length === 0 ? [": every fault is in the ledger of accepted ones. A new one would fail it."] : [", although ", inARow(reasons), "."];
+  return h("p", { class: report.failed ? "conclusion failed" : "conclusion" },
+    h("span", { class: "passes" }, h("b", {}, report.failed ? "✗ The run fails" : "✓ The run passes"), why), " ", subjectOf(run));
 }
+
+/** The subject, and how it did. */
+function subjectOf({ report, band }: Run): Child {
+  const subject = report.oracles[report.subject];
+  if (!subject) return null;
+  const own = report.clusters.filter((c) => c.oracles.includes(report.subject)).length;
+  const passed = report.findings.oracle.some((o, i) => o === report.subject && bands[band[i]] === "passed");
+  const answered = new Set(report.findings.question.filter((_, i) => report.findings.oracle[i] === report.subject && bands[band[i]] !== "unasked")).size;
+  const others = report.oracles.length - 1;
+  return [h("a", { href: address(["oracles", subject.name]) }, subject.name), `, ${subject.library === "Touchstone" ? "the engine of this repository" : `${subject.library} ${subject.version}`}, is the engine under examination: `,
+    own > 0 ? `it has a part in ${counted(own, "fault")}` : passed ? `it answers ${answered.toLocaleString("en")} of ${counted(report.questions.length, "question")} and was never proved wrong` : "it answered nothing here",
+    others > 0 && `. ${others === 1 ? "The other oracle is" : `The other ${others} oracles are`} measured by the same truth`, "."];
+}
+
+/** Says what a run without a fault has verified. Lists its questions, one in a line, at most as many as a first screen has faults. */
+function verified(run: Run): HTMLElement {
+  const { report, band } = run;
+  const ofQuestion = report.questions.map(() => ({ passed: new Set<number>(), open: new Set<number>() }));
+  let [passed, undecidable] = [0, 0];
+  report.findings.question.forEach((q, i) => {
+    const kind = bands[band[i]];
+    if (kind === "passed") { ++passed; ofQuestion[q].passed.add(report.findings.oracle[i]); }
+    if (kind === "undecidable") { ++undecidable; ofQuestion[q].open.add(report.findings.oracle[i]); }
+  });
+  const { allAnswers, measurements } = countsOf(run);
+  const of = `${counted(allAnswers, "answer")} to ${counted(report.questions.length, "question")}`;
+  const sentence = passed === 0 ? "No answer could be measured, so nothing was verified."
+    : undecidable === 0 ? `Verified: ${measurements === 1 ? "the only measurement" : `all ${counted(measurements, "measurement")}`} of ${of} ${measurements === 1 ? "is" : "are"} right to within the derived tolerance.`
+      : `Verified: ${passed.toLocaleString("en")} of ${counted(measurements, "measurement")} of ${of} are right to within the derived tolerance. ${undecidable === 1 ? "One is" : `${undecidable.toLocaleString("en")} are`} undecidable: nobody can prove such an answer right or wrong.`;
+  // Those that leave something open come first.
+  const asked = report.questions.map((_, q) => q).sort((a, b) => Number(ofQuestion[b].open.size > 0) - Number(ofQuestion[a].open.size > 0) || a - b).slice(0, firstFaults);
+  const anyOpen = asked.some((q) => ofQuestion[q].open.size > 0);
+  const cell = (name: string, oracles: Set<number>): HTMLElement => h("td", { "data-label": oracles.size > 0 ? name : undefined }, oracles.size === 0 ? null : oracles.size > 3 ? counted(oracles.size, "oracle") : h("span", { class: "engines" }, [...oracles].map((o) => engine(run, o))));
+  return h("div", { class: "verified" }, h("p", { class: "sentence" }, sentence),
+    h("table", { class: "plain stacked" },
+      h("thead", {}, h("tr", {}, ["Question", "Right in every measure", anyOpen && "Undecidable in part"].map((name) => name !== false && h("th", { scope: "col" }, name)))),
+      h("tbody", {}, asked.map((q) => h("tr", {},
+        h("th", { scope: "row" }, h("a", { href: questionAddress(report.questions[q].id), dir: "auto", title: report.questions[q].id }, report.questions[q].title)),
+        cell("right", new Set([...ofQuestion[q].passed].filter((o) => !ofQuestion[q].open.has(o)))), anyOpen && cell("undecidable in part", ofQuestion[q].open))))));
+}
+
+/** Faults on the first screen; the rest is one click away. */
+const firstFaults = 10;
 
 export const frontView: MakeView = (run, start) => {
   const { report } = run;
@@ -65,68 +136,69 @@ export const frontView: MakeView = (run, start) => {
   let shown: number[] = [];
   let chosen = -1;
 
-  const card = (place: number): HTMLElement => {
-    const c = shown[place];
-    const cluster = report.clusters[c];
-    const question = report.questions[report.findings.question[cluster.worst] ?? cluster.questions[0]];
-    const proof = run.text(report.findings.proof[cluster.worst] ?? -1) || headingOf(run, cluster.worst);
-    return h("div", { role: "listitem", class: "card" },
-      h("a", { href: address(["f", String(c)]), class: "card-picture", tabindex: "-1", "aria-hidden": "true" },
-        question && thumbnail(run, question, cluster.oracles, report.findings.time?.[cluster.worst] ?? -1)),
-      h("div", { class: "card-text" },
-        h("p", { class: "card-head" }, badge(clusterBands[c]), h("span", { class: cluster.is_new ? "new" : "quiet", title: cluster.is_new ? "not in the ledger" : "in the ledger of known and accepted faults" }, cluster.is_new ? "new" : "known"), upstreamLink(cluster.upstream),
-          h("a", { href: findingsAddress({ cluster: String(c) }) }, counted(cluster.questions.length, "question"))),
-        h("h2", {}, h("a", { href: address(["f", String(c)]), dir: "auto", title: cluster.title }, cluster.title)),
-        h("p", { class: "extent" }, cluster.extent),
-        h("p", { class: "proof-line", dir: "auto", title: proof }, prose(proof)),
-        h("p", { class: "engines" }, cluster.oracles.slice(0, 8).map((o) => engine(run, o)), cluster.oracles.length > 8 && h("span", { class: "quiet" }, `and ${cluster.oracles.length - 8} more`))));
-  };
-  const list = virtualList("list", () => (innerWidth < 760 ? 268 : innerWidth < 1400 ? 194 : 186), card);
+  const list = virtualList("list", faultRowHeight, (place) => faultRow(run, shown[place], place + 1), true);
   let current = start.query;
   const sort = h("select", { "aria-label": "Order of the faults", on: { change: () => { location.hash = address([], withValue(current, "sort", sort.value === orders[0].key ? "" : sort.value)); } } },
     orders.map(({ key, name }) => h("option", { value: key }, name)));
+  const perWho = responsibles.map((key) => ({ key, count: report.clusters.filter((cluster) => responsibleOf(cluster) === key).length })).filter(({ count }) => count > 0);
+  const who = h("select", { "aria-label": "Whose faults", title: perWho.map(({ key }) => `${capital(responsibleTexts[key].name)}: ${responsibleTexts[key].meaning}`).join("\n"), on: { change: () => { location.hash = address([], withValue(current, "whose", who.value)); } } },
+    h("option", { value: "" }, "any responsible"), perWho.map(({ key, count }) => h("option", { value: key }, `${responsibleTexts[key].name} (${count})`)));
   const chips = h("div", { class: "chips", role: "group", "aria-label": "Bands" });
+  const weighs = h("p", { class: "card-first", role: "status" });
+  const more = h("p", { class: "more" });
   const show = (query: URLSearchParams): void => {
     current = query;
     const wanted = valuesOf(query, "band");
-    shown = report.clusters.map((_, c) => c).filter((c) => wanted.length === 0 || wanted.includes(clusterBands[c]));
+    const whose = valuesOf(query, "whose");
+    shown = report.clusters.map((_, c) => c).filter((c) => (wanted.length === 0 || wanted.includes(clusterBands[c])) && (whose.length === 0 || whose.includes(responsibleOf(report.clusters[c]))));
     chosen = -1;
     fill(chips, faultBands.map((band) => h("a", {
       class: `chip ${band}`, href: address([], toggled(query, "band", band)), "aria-current": wanted.includes(band) ? "true" : undefined, title: bandTexts[band].meaning,
     }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, clusterBands.filter((b) => b === band).length))));
+    who.value = whose[0] ?? "";
     const order = orders.find(({ key }) => key === query.get("sort")) ?? orders[0];
     sort.value = order.key;
+    fill(weighs, order.weighs);
     const values = shown.map((c) => order.of(run, c));
     shown = shown.map((c, i) => [c, i] as const).sort((a, b) => values[b[1]] - values[a[1]] || a[1] - b[1]).map(([c]) => c);
+    const all = shown.length;
+    const isAll = query.get("all") === "1";
+    if (!isAll) shown = shown.slice(0, firstFaults);
     list.setCount(shown.length);
+    fill(more, all === 0 ? [wanted.length + whose.length > 0 && ["No fault is like this. ", h("a", { href: address([], withValue(withValue(query, "band", ""), "whose", "")) }, "Show all faults")]]
+      : all > firstFaults && h("a", { class: "all", href: address([], withValue(query, "all", isAll ? "" : "1")) }, isAll ? `Show the first ${firstFaults} only` : `Show all ${all}`),
+      report.clusters.length > 0 ? h("a", { href: findingsAddress({}) }, "Search every finding") : h("a", { href: findingsAddress({ band: "all", sort: "question" }) }, "Every measurement"));
   };
 
   const perVerdict = report.names.verdict.map(() => 0);
   for (const v of report.findings.verdict) ++perVerdict[v];
-  const graves = clusterBands.filter((b) => b === "grave" || b === "crash").length;
-  const fresh = report.clusters.filter((c) => c.is_new).length;
-  const ours = report.clusters.filter((c) => c.oracles.includes(report.subject)).length;
   const right = neverWrong(run);
-  const subject = report.oracles[report.subject]?.name ?? "the subject";
+  const improved = report.faults.filter(isImproved);
+  const wrongFiles = report.faults.filter((fault) => !isImproved(fault));
+  const remarks = (list: string[], name: string): Child => list.length > 0 && h("details", { class: "notes" }, h("summary", {}, name), h("ul", {}, list.slice(0, 200).map((fault) => h("li", {}, fault))));
   const element = h("section", { class: "front" },
-    h("h1", { class: "visually-hidden" }, "What the run found"),
-    h("p", { class: "sentence" }, report.sentence, " ",
-      report.clusters.length === 0 ? "No fault was found."
-        : `They show ${counted(report.clusters.length, "fault")}; ${graves === 0 ? "none" : graves} of them ${graves === 1 ? "is" : "are"} grave or leave no usable answer, ${fresh === 0 ? "none" : fresh} ${fresh === 1 ? "is" : "are"} new, ${ours === 0 ? "none" : ours} ${ours === 1 ? "is" : "are"} in ${subject}.`),
-    conclusionOf(run), countsList(run),
-    right.length > 0 && h("p", { class: "engines" }, h("span", {}, "Never proved wrong:"), right.map((o) => engine(run, o))),
-    report.faults.length > 0 && h("details", { class: "notes" }, h("summary", {}, counted(report.faults.length, "remark") + " on the scenario files and the ledger"), h("ul", {}, report.faults.slice(0, 200).map((fault) => h("li", {}, fault)))),
+    conclusionOf(run),
     report.regressions.length > 0 && h("details", { class: "notes", open: true }, h("summary", {}, counted(report.regressions.length, "regression")), h("ul", {}, report.regressions.slice(0, 200).map((r) => h("li", {}, h("b", {}, r.oracle), " ", r.what)))),
-    h("div", { class: "columns" },
-      h("div", { class: "main-column" }, h("div", { class: "toolbar" }, chips, h("div", { class: "sort" }, sort)), list.element),
-      h("div", { class: "side-column" },
-        h("h2", {}, h("a", { href: "#/matrix" }, "Groups × oracles")), smallMatrix(run),
-        h("h2", {}, h("a", { href: "#/oracles" }, "Faults by oracle")), faultsByOracle(run, clusterBands),
+    h("div", { class: "toolbar" }, h("h1", {}, report.clusters.length > 0 ? "What is wrong" : "No fault was found"), report.clusters.length > 0 && [chips, h("div", { class: "sort" }, perWho.length > 1 && [who, " "], sort)]),
+    report.clusters.length > 0 && h("div", { class: "card card-names" }, weighs, ["Engines", "At worst", "Band and cause"].map((name) => h("span", { "aria-hidden": "true" }, name))),
+    report.clusters.length === 0 && verified(run), list.element, more,
+    h("div", { class: "bookkeeping" },
+      h("div", {},
+        h("h2", {}, h("a", { href: "#/matrix" }, "Groups × oracles")), smallMatrix(run)),
+      h("div", {},
+        h("h2", {}, "What was asked"), h("p", { class: "sentence" }, report.sentence, " An oracle is an engine with one entry point and one precision."), countsList(run),
+        right.length > 0 && h("p", { class: "engines" }, h("span", {}, "Never proved wrong:"), right.map((o) => engine(run, o))),
+        remarks(improved, `${counted(improved.length, "entry", "entries")} of the ledger can be lowered or removed`),
+        remarks(wrongFiles, `${counted(wrongFiles.length, "remark")} on the scenario files and the ledger`),
+        !report.sweep && h("p", { class: "quiet" }, "The last line of the program: ", report.conclusion)),
+      report.clusters.length > 0 && h("div", {},
+        h("h2", {}, h("a", { href: "#/oracles" }, "Faults by oracle")), faultsByOracle(run, clusterBands)),
+      h("div", {},
         h("h2", {}, "Measurements by verdict"),
         h("table", { class: "plain" }, h("tbody", {}, report.names.verdict.map((verdict, v) => perVerdict[v] > 0 && h("tr", {},
           h("th", { scope: "row" }, h("a", { href: findingsAddress({ verdict }) }, verdict)), h("td", { class: "number" }, perVerdict[v].toLocaleString("en")))))),
         h("h2", {}, "Bands"),
-        h("dl", { class: "bands" }, bands.map((band) => [h("dt", {}, badge(band)), h("dd", {}, bandTexts[band].meaning)])))));
+        h("dl", { class: "bands" }, bands.map((band) => [h("dt", {}, badge(band)), h("dd", {}, bandTexts[band].meaning)])), h("p", { class: "quiet" }, sizeMeaning))));
   queueMicrotask(() => show(start.query));
 
   const move = (step: number): void => {
@@ -140,7 +212,7 @@ export const frontView: MakeView = (run, start) => {
     keys: [
       { keys: ["j"], does: "next fault", run: () => move(1) },
       { keys: ["k"], does: "previous fault", run: () => move(-1) },
-      { keys: ["o"], does: "open the fault", run: () => { if (chosen >= 0) location.hash = address(["f", String(shown[chosen])]); } },
+      { keys: ["o"], does: "open the worst question of the fault", run: () => { if (chosen >= 0) location.hash = findingAddress(run, report.clusters[shown[chosen]].worst); } },
     ],
     update(next: Address) { show(next.query); return true; },
     dispose: () => list.dispose(),

@@ -30,9 +30,10 @@ export const ledgerView: MakeView = (run, at) => {
   } } });
   const draw = (): void => {
     const q = query.get("q") ?? "";
-    const matching = sorted.filter(([fault, entries]) => run.search.matches([fault, ...entries.flatMap((e) => [e.reason, e.oracle, e.cause, ...e.scenarios])].join(" "), q));
+    // Entry by entry: another entry of a fault may have another reason, and its findings are not found by these words either.
+    const matching = sorted.map(([fault, entries]) => [fault, entries.filter((e) => run.search.matches([fault, e.reason, e.upstream, e.oracle, e.cause, ...e.scenarios].join(" "), q))] as const).filter(([, entries]) => entries.length > 0);
     const page = Math.max(0, Math.min(Math.ceil(matching.length / pageSize) - 1, Number(query.get("page")) || 0));
-    fill(words, `${counted(matching.length, "fault")}, ${counted(matching.reduce((sum, [, e]) => sum + e.length, 0), "entry", "entries")}, ${counted(matching.reduce((sum, [, e]) => sum + uses(e), 0), "finding")} hidden. `, button("CSV", save, { class: "small" }));
+    fill(words, `${counted(matching.length, "fault")}, ${counted(matching.reduce((sum, [, e]) => sum + e.length, 0), "entry", "entries")}, ${counted(matching.reduce((sum, [, e]) => sum + uses(e), 0), "finding")} accepted. `, button("CSV", save, { class: "small" }));
     fill(list, matching.slice(page * pageSize, (page + 1) * pageSize).map(([fault, entries]) => {
       const body = h("div", { class: "entries" });
       const upstreams = [...new Set(entries.map((e) => e.upstream))].filter((u) => u !== "");
@@ -55,7 +56,7 @@ export const ledgerView: MakeView = (run, at) => {
   draw();
   return {
     title: "Ledger",
-    element: h("section", { class: "ledger" }, h("h1", {}, "Ledger"), h("p", {}, "The known and accepted faults; what hides most in this run comes first. Each opens to its entries, with the reason of each."), h("p", {}, input), words, list),
+    element: h("section", { class: "ledger" }, h("h1", {}, "Ledger"), h("p", {}, `The known and accepted faults; ${ledger.some((e) => e.uses > 0) ? "what hides most in this run comes first" : "this run needed none of them"}. Each opens to its entries, with the reason of each.`), h("p", {}, input), words, list),
     update(next) { query = next.query; if (document.activeElement !== input) input.value = query.get("q") ?? ""; draw(); return true; },
   };
 };

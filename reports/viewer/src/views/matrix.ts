@@ -10,8 +10,8 @@ import type { MakeView } from "../view";
 import { address } from "../address";
 import { badge, button } from "../widgets";
 
-/** The gravest band of each group and oracle, and how many questions of the group have it. */
-interface Matrix { band(group: number, oracle: number): Band; count(group: number, oracle: number): number; size(group: number): number }
+/** The gravest band of each group and oracle, how many questions of the group have it, and how many passed. */
+interface Matrix { band(group: number, oracle: number): Band; count(group: number, oracle: number): number; passed(group: number, oracle: number): number; size(group: number): number }
 
 const made = new WeakMap<Run, Matrix>();
 
@@ -26,12 +26,14 @@ function matrixOf(run: Run): Matrix {
   }
   const worst = new Uint8Array(run.groups.length * oracles.length).fill(bands.indexOf("unasked"));
   const counts = new Uint16Array(worst.length);
+  const passed = new Uint16Array(worst.length);
   const sizes = new Uint16Array(run.groups.length);
   questions.forEach((_, q) => {
     ++sizes[run.groupOf[q]];
     for (let o = 0; o < oracles.length; ++o) {
       const at = run.groupOf[q] * oracles.length + o;
       const band = perQuestion[q * oracles.length + o];
+      if (bands[band] === "passed") ++passed[at];
       if (band < worst[at]) { worst[at] = band; counts[at] = 0; }
       if (band === worst[at]) ++counts[at];
     }
@@ -39,6 +41,7 @@ function matrixOf(run: Run): Matrix {
   const matrix: Matrix = {
     band: (g, o) => bands[worst[g * oracles.length + o]],
     count: (g, o) => counts[g * oracles.length + o],
+    passed: (g, o) => passed[g * oracles.length + o],
     size: (g) => sizes[g],
   };
   made.set(run, matrix);
@@ -61,9 +64,12 @@ export function smallMatrix(run: Run): HTMLElement {
   const { oracles } = run.report;
   // The names are whole unless they are very long, and a column is never narrower than the letters of its name.
   const widest = (names: string[], limit: number): number => Math.min(limit, Math.ceil(Math.max(0, ...names.map(widthOf))) + 8);
-  const [left, top, hh] = [widest(run.groups, 200), widest(oracles.map(({ name }) => name), 150), 12];
+  const isAnswered = (g: number): boolean => oracles.some((_, o) => matrix.band(g, o) !== "unasked");
+  const rows = run.groups.map((_, g) => g).filter(isAnswered);
+  const leftOut = run.groups.length - rows.length;
+  const [left, top, hh] = [widest(rows.map((g) => run.groups[g]), 200), widest(oracles.map(({ name }) => name), 150), 12];
   const w = Math.max(12, Math.min(18, Math.floor((400 - left) / oracles.length)));
-  const [width, height] = [left + oracles.length * w, top + run.groups.length * hh];
+  const [width, height] = [left + oracles.length * w, top + rows.length * hh];
   const canvas = h("canvas", { width: width * 2, height: height * 2, role: "img", "aria-label": "Matrix of groups of questions, down, and oracles, across, coloured by the gravest band" });
   canvas.style.setProperty("width", `${width}px`);
   const draw = (): void => {
@@ -88,12 +94,12 @@ export function smallMatrix(run: Run): HTMLElement {
       context.fillText(cut(name, top - 6), 0, 0);
       context.restore();
     });
-    run.groups.forEach((group, g) => {
+    rows.forEach((g, row) => {
       context.fillStyle = ink;
-      context.fillText(cut(group, left - 6), 0, top + (g + 0.5) * hh);
+      context.fillText(cut(run.groups[g], left - 6), 0, top + (row + 0.5) * hh);
       oracles.forEach((_o, o) => {
         context.fillStyle = style.getPropertyValue(`--${matrix.band(g, o)}-cell`);
-        context.fillRect(left + o * w, top + g * hh, w - 1, hh - 1);
+        context.fillRect(left + o * w, top + row * hh, w - 1, hh - 1);
       });
     });
   };
@@ -101,8 +107,9 @@ export function smallMatrix(run: Run): HTMLElement {
     mousemove: (event: MouseEvent) => {
       const box = canvas.getBoundingClientRect();
       const zoom = width / box.width;
-      const [o, g] = [Math.floor(((event.clientX - box.left) * zoom - left) / w), Math.floor(((event.clientY - box.top) * zoom - top) / hh)];
+      const [o, row] = [Math.floor(((event.clientX - box.left) * zoom - left) / w), Math.floor(((event.clientY - box.top) * zoom - top) / hh)];
       const oracle = oracles[o];
+      const g = rows[row] ?? -1;
       const group = run.groups[g];
       link.title = oracle && group ? wordsOf(matrix, g, o, group, oracle.name) : "";
       link.href = oracle && group ? findingsAddress({ group, oracle: oracle.name, band: matrix.band(g, o) }) : "#/matrix";
@@ -110,12 +117,16 @@ export function smallMatrix(run: Run): HTMLElement {
     mouseleave: () => { link.href = "#/matrix"; link.title = ""; },
   } }, canvas);
   queueMicrotask(draw);
-  return h("div", {}, h("p", { class: "quiet" }, "Down: groups of questions. Across: oracles. Colour: the gravest band, as below. A cell opens its findings."), link);
+  return h("div", {}, h("p", { class: "quiet" }, "Down: groups of questions. Across: oracles. Colour: the gravest band. A cell opens its findings."),
+    h("ul", { class: "marks cells", "aria-label": "Colours of the matrix" }, bands.map((band) => h("li", { title: bandTexts[band].meaning }, h("span", { class: `cell-key ${band}`, "aria-hidden": "true" }), bandTexts[band].name))), link,
+    leftOut > 0 && h("p", { class: "quiet" }, `Left out: ${counted(leftOut, "group")} that no oracle of this run supports.`));
 }
 
 /** The tooltip of a cell. */
-const wordsOf = (matrix: Matrix, g: number, o: number, group: string, oracle: string): string =>
-  `${group}, ${oracle}: ${bandTexts[matrix.band(g, o)].name} in ${matrix.count(g, o)} of ${counted(matrix.size(g), "question")}`;
+function wordsOf(matrix: Matrix, g: number, o: number, group: string, oracle: string): string {
+  const band = matrix.band(g, o);
+  return `${group}, ${oracle}: ${bandTexts[band].name} in ${matrix.count(g, o)} of ${counted(matrix.size(g), "question")}${band !== "passed" && band !== "unasked" ? `, passed ${matrix.passed(g, o)}` : ""}`;
+}
 
 export const matrixView: MakeView = (run) => {
   const matrix = matrixOf(run);
@@ -125,19 +136,20 @@ export const matrixView: MakeView = (run) => {
     h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Group"),
       oracles.map((o, i) => h("th", { scope: "col" }, h("a", { href: address(["oracles", o.name]), class: "upright" }, marker(run.looks[i]), o.name))))),
     h("tbody", {}, run.groups.map((group, g) => h("tr", {},
-      h("th", { scope: "row" }, h("a", { href: findingsAddress({ group }) }, group), h("span", { class: "quiet" }, ` ${matrix.size(g)}`)),
+      h("th", { scope: "row" }, h("a", { href: findingsAddress({ group }) }, group.split(/(?<=[/_])/).map((part, i) => [i > 0 && h("wbr"), part])), h("span", { class: "quiet" }, ` ${matrix.size(g)}`)),
       oracles.map((o, i) => {
         const band = matrix.band(g, i);
         const count = matrix.count(g, i);
         const words = wordsOf(matrix, g, i, group, o.name);
-        return h("td", { class: `cell ${band}` }, h("a", { href: findingsAddress({ group, oracle: o.name, band }), title: words, "aria-label": words }, bandTexts[band].glyph, band === "unasked" || band === "passed" ? "" : ` ${count}`));
+        return h("td", { class: `cell ${band}` }, h("a", { href: findingsAddress({ group, oracle: o.name, band }), title: words, "aria-label": words }, bandTexts[band].glyph, band === "unasked" ? "" : ` ${count}`,
+          matrix.passed(g, i) > 0 && h("span", { class: "passes-bar", style: { width: `${(100 * matrix.passed(g, i)) / matrix.size(g)}%` } })));
       })))));
   const save = (): void => downloadCsv("matrix.csv", [["group", ...oracles.map((o) => o.name)],
     ...run.groups.map((group, g) => [group, ...oracles.map((_, o) => `${matrix.band(g, o)} ${matrix.count(g, o)}`)])]);
   const element = h("section", {}, h("h1", {}, "Groups × oracles"),
-    h("p", {}, "A cell shows the gravest band of an oracle in a group of questions, and, of faults, the number of its questions with that band. It opens their findings. ", button("CSV", save, { class: "small" })),
+    h("p", {}, "A cell shows the gravest band of an oracle in a group of questions, and the number of its questions with that band. The line at its foot is the part of the questions that passed. A cell opens its findings. ", button("CSV", save, { class: "small" })),
     countsList(run),
     h("p", { class: "legend" }, bands.map((band) => badge(band))),
-    h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Matrix" }, table));
+    h("div", { class: "scroll matrix-scroll", tabindex: "0", role: "region", "aria-label": "Matrix" }, table));
   return { title: "Groups × oracles", element };
 };

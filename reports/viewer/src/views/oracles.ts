@@ -1,8 +1,9 @@
-import { address } from "../address";
 import { bands, bandTexts, faultBands } from "../bands";
 import { h } from "../dom";
+import { faultAddress } from "../fault_address";
 import { findingsAddress } from "../findings_table";
 import { counted, digits } from "../format";
+import { bandOfCluster, extentOf } from "../run";
 import type { MakeView } from "../view";
 import { badge, engine } from "../widgets";
 import { notFound } from "./not_found";
@@ -25,11 +26,11 @@ export const oraclesView: MakeView = (run, at) => {
   if (!oracle) return notFound(`There is no oracle “${name}”`);
   const per = bands.map(() => 0);
   for (let k = 0; k < findings.oracle.length; ++k) if (findings.oracle[k] === index) ++per[run.band[k]];
-  const mine = clusters.map((c, i) => ({ c, i })).filter(({ c }) => c.oracles.includes(index)).slice(0, 30);
+  const mine = clusters.map((c, i) => ({ c, i })).filter(({ c }) => c.oracles.includes(index));
   const element = h("section", {}, h("h1", {}, engine(run, index)),
     h("p", {}, `${oracle.library} ${oracle.version}, ${arithmetic(oracle.unit_roundoff)}; answers ${kinds(oracle)}`, oracle.isolated && ", in a process of its own", index === subject && "; the subject of this run", "."),
     h("p", { class: "chips" }, bands.map((band, b) => per[b] > 0 && h("a", { class: `chip ${band}`, href: findingsAddress({ oracle: oracle.name, band }) }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, per[b].toLocaleString("en"))))),
-    mine.length > 0 && [h("h2", {}, "Its faults, the gravest first"), h("ol", {}, mine.map(({ c, i }) => h("li", { dir: "auto" }, h("a", { href: address(["f", String(i)]) }, c.title), " ", h("span", { class: "quiet" }, c.extent))))],
+    mine.length > 0 && [h("h2", {}, "Its faults, the worst for a user first"), h("ol", {}, mine.map(({ c, i }) => h("li", { dir: "auto" }, badge(bandOfCluster(run, c)), " ", h("a", { href: faultAddress(run, i) }, c.title), " ", h("span", { class: "quiet" }, extentOf(c)))))],
     h("h2", {}, "Settings of the adapter"),
     oracle.settings.length === 0 ? h("p", { class: "quiet" }, "None.") : h("table", { class: "plain" },
       h("thead", {}, h("tr", {}, ["Setting", "Value", "Why"].map((t) => h("th", { scope: "col" }, t)))),

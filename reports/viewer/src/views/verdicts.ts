@@ -1,9 +1,13 @@
 import { bands } from "../bands";
 import { fill, h, type Child } from "../dom";
-import { headingOf, measureOf, valueOf } from "../findings_table";
-import { quantity, share, spaced } from "../format";
+import { errorOf } from "../error_in_proof";
+import { withoutPlace } from "../expectation";
+import { headingOf, measureOf, shareInWords, valueOf } from "../findings_table";
+import { quantity, spaced } from "../format";
+import { proofText } from "../proof_text";
+import { causeOf } from "../responsible";
 import type { Run } from "../run";
-import { badge, engine, upstreamLink } from "../widgets";
+import { badge, badgeOf, engine, modelOf, upstreamLink } from "../widgets";
 
 /** The oracles with a finding on a question, the gravest first. */
 export function oraclesOf(run: Run, question: number): number[] {
@@ -21,28 +25,56 @@ function findingsIn(run: Run, question: number, oracle: number): number[] {
 /** Those of them that are faults. */
 export const faultsIn = (run: Run, question: number, oracle: number): number[] => findingsIn(run, question, oracle).filter((i) => run.band[i] < bands.indexOf("undecidable"));
 
+/** The cause of a finding, and what it was told from. */
+function causeLine(run: Run, finding: number): Child {
+  const { verdict, meaning, measured } = causeOf(run, finding);
+  if (verdict === "") return null;
+  return meaning === "" ? h("p", {}, h("b", {}, "Cause: "), verdict, measured && [": ", proofText(measured)])
+    : [h("p", { title: meaning }, h("b", {}, "Cause: "), verdict), measured && h("p", {}, h("b", {}, "Measured: "), proofText(measured))];
+}
+
+/** The numbers of what was measured of an oracle on a question: "passed 6, 1 undecidable"; the badge alone would say only the worst. */
+export function countsOf(run: Run, question: number, oracle: number): { passed: number; undecidable: number } {
+  const { oracle: of } = run.report.findings;
+  const own = [...run.findingsOf(question)].filter((i) => of[i] === oracle);
+  const count = (band: (typeof bands)[number]): number => own.filter((i) => bands[run.band[i]] === band).length;
+  return { passed: count("passed"), undecidable: count("undecidable") };
+}
+
+/** The badge of an oracle on a question: that of its worst finding, or what it passed if only some measurements are undecidable. */
+export function badgeOn(run: Run, question: number, oracle: number, worst: number): HTMLElement {
+  const { passed, undecidable } = countsOf(run, question, oracle);
+  return bands[run.band[worst]] === "undecidable" && passed > 0 ? badge("undecidable", `passed ${passed}, ${undecidable} undecidable`) : badgeOf(run, worst);
+}
+
 /** Shows the faults of an oracle on a question, with proof, cause and ledger entry.
- * @param more what a view adds to the proof of a finding */
-export function faultsOf(run: Run, question: number, oracle: number, more: (finding: number) => Child = () => null): Child {
+ * @param more what a view adds to the proof of a finding
+ * @param asked the finding that comes first, if it is one of these: that of the address */
+export function faultsOf(run: Run, question: number, oracle: number, more: (finding: number) => Child = () => null, asked = -1): Child {
   const { findings: f, names, ledger, oracles } = run.report;
   const all = findingsIn(run, question, oracle);
   const faults = faultsIn(run, question, oracle);
-  const told = faults.length ? faults : all.filter((i) => run.text(f.proof[i]) !== "").slice(0, 3);
+  const isFirst = (i: number): number => Number(i === asked);
+  const told = faults.length ? [...faults].sort((a, b) => isFirst(b) - isFirst(a)) : all.filter((i) => run.text(f.proof[i]) !== "").slice(0, 3);
+  const { passed, undecidable } = countsOf(run, question, oracle);
+  if (told.length === 0 && undecidable > 0) return h("p", {}, `No measurement of ${oracles[oracle].name} shows a fault: ${passed} ${passed === 1 ? "is" : "are"} within tolerance, and ${undecidable} cannot be decided: `, [...new Set(all.filter((i) => bands[run.band[i]] === "undecidable").map((i) => `${measureOf(run, i)} (${names.undecided[f.undecided[i]] || "truth unknown"})`))].join(", "), ".");
   if (told.length === 0) return h("p", {}, `Nothing is wrong with the answer of ${oracles[oracle].name}: ${all.length === 1 ? "its one measurement is" : `its ${all.length} measurements are`} within tolerance.`);
   const undecided = (i: number): string => (run.band[i] === bands.indexOf("undecidable") ? names.undecided[f.undecided[i]] ?? "" : "");
   const reasons = new Set<number>();
   return told.slice(0, 30).map((i) => {
-    const entry = ledger[f.ledger[i]];
-    const first = entry && !reasons.has(f.ledger[i]);
-    if (entry) reasons.add(f.ledger[i]);
+    const isExcused = f.ledger[i] >= 0;
+    const place = isExcused ? f.ledger[i] : f.outgrown?.[i] ?? -1;
+    const entry = ledger[place];
+    const first = entry && !reasons.has(place);
+    if (entry) reasons.add(place);
     const shipped = names.shipped[f.shipped[i]] ?? "";
     return h("article", { class: "fault" },
-      h("h3", {}, badge(bands[run.band[i]], names.verdict[f.verdict[i]]), " ", headingOf(run, i), names.measure[f.measure[i]]?.kind === "length" && ` (${share(f.share[i])})`, undecided(i) && `: ${undecided(i)}`),
-      run.text(f.proof[i]) && h("p", { class: "proof", dir: "auto" }, run.text(f.proof[i])),
+      h("h3", {}, badge(bands[run.band[i]], names.verdict[f.verdict[i]]), " ", headingOf(run, i), shareInWords(run, i) !== "" && ` (${shareInWords(run, i)})`, undecided(i) && `: ${undecided(i)}`),
+      run.text(f.proof[i]) && h("p", { class: "proof", dir: "auto" }, proofText(withoutPlace(run.text(f.proof[i])), errorOf(run, i))),
       more(i),
-      f.cause[i] >= 0 && names.cause[f.cause[i]] && h("p", {}, h("b", {}, "Cause: "), names.cause[f.cause[i]], run.text(f.cause_because[i]) && `: ${run.text(f.cause_because[i])}`),
-      shipped && run.text(f.shipped_because[i]) && h("p", {}, h("b", {}, `Fails ${shipped}: `), run.text(f.shipped_because[i])),
-      first && h("p", { dir: "auto" }, h("b", {}, "Known: "), entry.reason, " ", upstreamLink(entry.upstream)));
+      causeLine(run, i),
+      shipped && run.text(f.shipped_because[i]) && h("p", {}, h("b", {}, `Fails ${shipped}: `), proofText(run.text(f.shipped_because[i]))),
+      first && h("p", { dir: "auto" }, h("b", {}, isExcused ? "Known: " : "Known, now larger than its bound: "), entry.reason, " ", upstreamLink(entry.upstream)));
   });
 }
 
@@ -52,9 +84,9 @@ export function measuresTable(run: Run, question: number, oracle: number): HTMLE
   const body = h("tbody");
   const rows = [...run.findingsOf(question)].filter((i) => oracle < 0 || f.oracle[i] === oracle).sort((a, b) => run.band[a] - run.band[b] || f.oracle[a] - f.oracle[b]);
   fill(body, rows.slice(0, 400).map((i) => h("tr", {},
-    h("td", {}, badge(bands[run.band[i]], names.verdict[f.verdict[i]])),
+    h("td", {}, modelOf(run, i) ? badgeOf(run, i) : badge(bands[run.band[i]], names.verdict[f.verdict[i]])),
     oracle < 0 && h("td", {}, engine(run, f.oracle[i])),
-    h("td", {}, measureOf(run, i), run.text(f.reference[i]) && h("span", { class: "quiet" }, ` against ${spaced(run.text(f.reference[i]))}`)),
+    h("td", {}, measureOf(run, i), run.text(f.reference[i]) && h("span", { class: "quiet" }, ` against ${spaced(run.text(f.reference[i]))}`), modelOf(run, i) !== "" && h("span", { class: "quiet" }, `, follows its documented model: ${modelOf(run, i)}`)),
     h("td", { class: "number" }, valueOf(run, i)),
     h("td", { class: "number", title: run.text(f.because[i]) }, quantity(f.tolerance[i], names.measure[f.measure[i]]?.unit ?? "")))));
   return h("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Measures" },

@@ -4,7 +4,7 @@ import { h, svg, type Child } from "../dom";
 import { colourOf, cornersOf, type Look } from "../engines";
 import { measureOf, valueOf } from "../findings_table";
 import { numberOf, quantity } from "../format";
-import { stepStudy, type StepStudy } from "../proof_text";
+import type { StepStudy } from "../proofs";
 import type { Run } from "../run";
 import { engine } from "../widgets";
 
@@ -25,7 +25,7 @@ function mark(x: number, look: Look, words: string): SVGElement {
 
 /** The errors of one finding at the step, a half and a quarter of it: a line over two logarithmic axes. */
 function studyPlot(run: Run, finding: number, study: StepStudy): HTMLElement {
-  const { findings: f, oracles, names } = run.report;
+  const { findings: f, oracles } = run.report;
   const [w, hh, margin] = [104, 64, 10];
   const logs = study.errors.map((e) => Math.log10(Math.max(Math.abs(e), 1e-300)));
   const top = Math.max(...logs);
@@ -33,8 +33,7 @@ function studyPlot(run: Run, finding: number, study: StepStudy): HTMLElement {
   const bottom = Math.min(...logs, top - 2);
   const points = logs.map((l, i) => [margin + (i / 2) * (w - 2 * margin), margin + ((top - l) / (top - bottom)) * (hh - 2 * margin)] as const);
   const colour = colourOf(run.looks[f.oracle[finding]]);
-  const unit = names.measure[f.measure[finding]]?.unit ?? "";
-  const said = study.errors.map((e) => quantity(e, unit)).join(", ");
+  const said = study.errors.map((e) => quantity(e, study.unit)).join(", ");
   return h("figure", { class: "study" },
     svg("svg", { viewBox: `0 0 ${w} ${hh}`, role: "img", "aria-label": `${oracles[f.oracle[finding]].name}, ${measureOf(run, finding)}: ${said} at the step, a half and a quarter of it` },
       svg("rect", { x: 0.5, y: 0.5, width: w - 1, height: hh - 1 }),
@@ -44,7 +43,7 @@ function studyPlot(run: Run, finding: number, study: StepStudy): HTMLElement {
 
 /** The step study: what becomes of each fault at smaller steps, in small plots with the same axes. */
 function stepStudies(run: Run, question: number): Child {
-  const studies = [...run.findingsOf(question)].map((i) => ({ i, study: stepStudy(run.text(run.report.findings.cause_because[i])) }))
+  const studies = [...run.findingsOf(question)].map((i) => ({ i, study: run.study(i) }))
     .filter((s): s is { i: number; study: StepStudy } => s.study !== null);
   if (studies.length === 0) return null;
   return [

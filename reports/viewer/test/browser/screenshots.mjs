@@ -26,7 +26,7 @@ for (const colorScheme of ["light", "dark"]) {
       await page.screenshot({ path: join(folder, `${name}-${size}-${colorScheme}.png`) });
     };
     await snap("front", "#/");
-    const firstFault = await page.getAttribute("h2 a[href^='#/f/']", "href").catch(() => "#/f/0");
+    const firstFault = await page.getAttribute(".card .extent a", "href").catch(() => "#/f/0");
     await snap("fault", firstFault);
     await snap("findings", "#/findings");
     const rows = await page.$$eval(".c-question a", (links) => links.map((a) => a.getAttribute("href")));

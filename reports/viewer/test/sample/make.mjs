@@ -13,7 +13,9 @@ function makeRandom(seed) {
   };
 }
 
-const oracleNames = [["cookbook", "Touchstone"], ["bullet", "Bullet"], ["bullet/gjk", "Bullet"], ["bullet_float", "Bullet"], ["ode", "ODE"], ["ode/quick", "ODE"], ["fcl/collide", "FCL"], ["libccd/epa", "libccd"], ["dart", "DART"], ["mujoco", "MuJoCo"]];
+const tenOracles = [["cookbook", "Touchstone"], ["bullet", "Bullet"], ["bullet/gjk", "Bullet"], ["bullet_float", "Bullet"], ["ode", "ODE"], ["ode/quick", "ODE"], ["fcl/collide", "FCL"], ["libccd/epa", "libccd"], ["dart", "DART"], ["mujoco", "MuJoCo"]];
+/** All oracles of a full run. */
+export const allOracles = [...tenOracles.slice(0, 1), ["cookbook/batch", "Touchstone"], ...tenOracles.slice(1, 4), ["bullet_float/gjk", "Bullet"], ...tenOracles.slice(4, 7), ...["fcl/distance", "fcl/signed_distance", "fcl/collide_indep", "fcl/distance_indep", "fcl/signed_distance_indep"].map((name) => [name, "FCL"]), ["libccd/epa", "libccd"], ["libccd/mpr", "libccd"], ["dart", "DART"], ["mujoco", "MuJoCo"], ["mujoco/rk4", "MuJoCo"]];
 const shapes = {
   sphere: { type: "sphere", radius: 0.5 }, box: { type: "box", half: [0.5, 0.4, 0.3] }, capsule: { type: "capsule", radius: 0.3, length: 0.8 },
   cylinder: { type: "cylinder", radius: 0.4, length: 1 }, cone: { type: "cone", radius: 0.5, length: 1 }, half_space: { type: "half_space" },
@@ -23,12 +25,14 @@ const shapes = {
 const lowest = { sphere: 0.5, box: 0.3, capsule: 0.7, cylinder: 0.5, cone: 0.5, hull: 0.5 };
 const highest = { sphere: 0.5, box: 0.3, capsule: 0.7, cylinder: 0.5, cone: 0.5, half_space: 0, hull: 0.5 };
 
-/** A proof that states a point in both bodies, or the normal for a variant. */
-const geometricProof = (q, { truth: { pA, n } }) => q % 2
-  ? `bullet says apart; the point (${pA.join(", ")}) lies 0.01 m inside both.`
-  : `bullet says n = (${n.join(", ")}), along which max_A n·x − min_B n·x is 0.1 m; for its variant (swap: A and B exchanged), mapped back, it says n = (0, 0.6, 0.8), along which that is 0.3 m: a difference of 0.2 m.`;
+const proofKinds = ["", "plane", "common point", "variant normal", "variant separation", "places"];
 
-export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed = 7 } = {}) {
+/** A proof with a point in both bodies, the normal for a variant, or the separation of one. */
+const geometricProof = (q, { truth: { pA, n, hi } }) => q % 3 === 1 ? { kind: 2, claim: 2, bound: -0.01, points: [pA], words: `bullet says apart; the point (${pA.join(", ")}) lies 0.01 m inside both.` }
+  : q % 3 === 0 ? { kind: 3, said: 0.1, bound: 0.3, n: [0, 0.6, 0.8], claimed: n, change: "swap: A and B exchanged", words: `bullet says n = (${n.join(", ")}); for its variant (swap: A and B exchanged) it says another.` }
+    : { kind: 4, said: hi, bound: hi / 2, change: "scaling: all lengths times 2", words: "bullet says one depth; for its variant (scaling: all lengths times 2) it says half of it." };
+
+export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed = 7, names: oracleNames = tenOracles } = {}) {
   const random = makeRandom(seed);
   const blob = new Blob();
   const texts = [];
@@ -44,7 +48,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   const names = {
     verdict: ["pass", "fail", "disagree", "known", "undecidable", "unsupported", "crashed", "timed out", "invalid"], undecided: ["", "truth unknown"],
     grade: ["", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong hit or miss"], cause: ["", "convention", "tie", "precision", "discretisation", "model", "defect"],
-    shipped: ["", "both as set here and as shipped", "as set here only", "as shipped only"],
+    shipped: ["", "both as set here and as shipped", "as set here only", "as shipped only"], proof: proofKinds, claim: ["", "touching", "apart"],
     measure: [{ name: "separation_error", unit: "m", kind: "length" }, { name: "excess", unit: "m", kind: "length" }, { name: "touching", unit: "", kind: "count" }, { name: "position_error", unit: "m", kind: "length" }, { name: "energy_drift", unit: "J", kind: "other" }, { name: "answering", unit: "", kind: "count" }, { name: "stability", unit: "m", kind: "length" }],
   };
 
@@ -84,6 +88,13 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   const per = Math.max(1, Math.round(findings / (questions.length * oracles.length)));
   const perCluster = Array.from({ length: 30 }, () => ({ oracles: new Set(), questions: new Set(), worst: -1, share: -1, findings: 0 }));
   let n = 0;
+  const proofs = Object.fromEntries(["finding", "kind", "claim", "said", "bound", "n", "offset", "claimed", "points", "change", "body", "time"].map((c) => [c, []]));
+  const studies = { finding: [], errors: [], unit: [] };
+  const cited = { finding: [], bodies: [], points: [] };
+  const addProof = (finding, { kind, claim = 0, said = null, bound = null, n = null, claimed = null, points = [], change, body, time = null }) => {
+    const put = { finding, kind, claim, said, bound, n, offset: null, claimed, points, change: change ? text(change) : -1, body: body ? text(body) : -1, time };
+    for (const [column, value] of Object.entries(put)) proofs[column].push(value);
+  };
   questions.forEach((question, q) => oracles.forEach((_, o) => {
     for (let k = 0; k < per; ++k, ++n) {
       const world = question.kind === "world";
@@ -97,10 +108,15 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
         c.oracles.add(o); c.questions.add(q); ++c.findings;
         if (share > c.share) { c.share = share; c.worst = n; }
       }
+      const geometric = fault && o === 1 && k === 0 && question.contact ? geometricProof(q, question.contact) : null;
+      if (geometric) addProof(n, geometric);
+      else if (fault && world && k % 2 && q % 3 === 0) addProof(n, { kind: 5, points: [[0, 0, 1], [0.1, 0, 1]], body: "ball", time: question.world.times[20] });
+      if (fault && world && k % 2) { cited.finding.push(n); cited.bodies.push([1]); cited.points.push([]); }
+      if (fault && world) { studies.finding.push(n); studies.errors.push([0.6, 0.3, 0.15]); studies.unit.push("m"); }
       const put = { question: q, oracle: o, measure: verdict === 5 || crashed ? 5 : world ? (k % 2 ? (q % 3 ? 4 : 6) : 3) : k % 3, law: world ? text(k % 2 ? "conserves_energy" : "bounce_series") : -1, reference: text("referee"), verdict, undecided: verdict === 4 ? 1 : 0,
         grade: fault && !world ? 1 + (share > 1e-6) + (share > 1e-3) + (share > 0.1) : 0, cause: fault ? 3 + (n % 4) : 0, shipped: fault && world ? 1 : 0,
         value: crashed ? 1 : n === 17 ? "inf" : share * question.size, tolerance: 1e-12, share, because: text("64 roundings of 2^-53"), cause_because: fault ? text(world ? "0.6, 0.3 and 0.15 at the step, a half and a quarter of it: it vanishes with the step" : "no known convention accounts for it") : -1, shipped_because: fault && world ? text("1.1 m where 0.3 m is allowed as shipped") : -1,
-        proof: fault ? text(o === 1 && k === 0 && question.contact ? geometricProof(q, question.contact) : n % 50 === 0 ? hostile[n % 4] : `${oracles[o].name} says ${n % 1000} mm, a separated pair ${n % 13}`) : -1, ledger: verdict === 3 ? cluster : -1, cluster, time: fault && world ? question.world.times[Math.floor(question.world.times.length * (0.2 + 0.5 * random()))] : -1 };
+        proof: fault ? text(geometric ? geometric.words : n % 50 === 0 ? hostile[n % 4] : `${oracles[o].name} says ${n % 1000} mm, a separated pair ${n % 13}`) : -1, ledger: verdict === 3 ? cluster : -1, cluster, time: fault && world ? question.world.times[Math.floor(question.world.times.length * (0.2 + 0.5 * random()))] : -1 };
       for (const c of columns) f[c].push(put[c]);
     }
   }));
@@ -109,16 +125,81 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   f.cluster = f.cluster.map((c) => (c < 0 ? -1 : place.get(c)));
   const clusters = kept.map(({ c, i }) => ({
     title: i === 5 ? hostile[0] : `Case ${i} prefers an axis unless another is ${i + 1} % shallower.`,
-    extent: `${[...c.oracles].map((o) => oracles[o].name).join(", ")}, in ${c.questions.size} scenarios, at worst ${(c.share * 80).toPrecision(2)} cm, ${(c.share * 100).toPrecision(2)} % of the size.`,
+    extent: `${[...c.oracles].map((o) => oracles[o].name).join(", ")}, in ${c.questions.size} scenarios, at worst ${(c.share * 80).toPrecision(2)} cm, ${(c.share * 100).toPrecision(2)} % of the smaller body.`,
     reason: reasons[i], upstream: ledger[i].upstream, is_new: i % 4 === 3, grade: c.share > 0.1 ? 4 : c.share > 1e-3 ? 3 : c.share > 1e-6 ? 2 : 1, cause: 6, oracles: [...c.oracles], questions: [...c.questions].sort((a, b) => (a === f.question[c.worst] ? -1 : b === f.question[c.worst] ? 1 : a - b)),
     worst: c.worst, error: f.value[c.worst] === "inf" ? 1 : f.value[c.worst], unit: "m", share: c.share, ordinary: 0.5,
   }));
   const report = {
     format: "touchstone report data", version: 1, program: "touchstone 0.1.0", command: "touchstone run", sentence: `${oracles.length} oracles answered ${contacts} contact questions and ${worlds} worlds.`, conclusion: "OK: every fault is known.", failed: false, subject: 0,
-    oracles, questions, texts, names, findings: f, clusters, ledger, faults: [hostile[0]], regressions: [],
+    oracles, questions, texts, names, findings: f, proofs, cited, studies, clusters, ledger, faults: [hostile[0]], regressions: [],
     compare: { old: "yesterday", new: "today", rows: ["worse", "no longer judged", "new", "better", "gone"].flatMap((kind, k) => [0, 1].map((j) => ({ kind, question: questions[k + j].id, oracle: "bullet", measure: "separation_error", law: "", before: kind === "new" ? null : 1e-5, after: kind === "gone" ? null : 2e-3, unit: "m", what: hostile[j] }))) },
   };
   return { report, blob };
+}
+
+const add = (table, row) => { for (const [column, value] of Object.entries(row)) (table[column] ??= []).push(value); };
+
+/** The rows of a sweep's failures and worst findings: faults of the sample, and passes of its worst. */
+function addLists(report, names, { failures: most, law }) {
+  const f = report.findings;
+  const verdictOf = (i) => report.names.verdict[f.verdict[i]];
+  const own = f.question.map((_, i) => i).filter((i) => f.oracle[i] < names.oracle.length).sort((a, b) => f.share[b] - f.share[a]);
+  const rowOf = (i) => ({ question: f.question[i], family: f.question[i] % 2, pair: names.pair.indexOf(report.questions[f.question[i]].pair ?? ""), oracle: f.oracle[i], measure: law ? names.measure.indexOf(report.names.measure[f.measure[i]].name) : 0, law: law ? names.law.indexOf(report.texts[f.law[i]]) : -1, value: f.value[i], share: f.share[i] });
+  const [failures, worst] = [{}, {}];
+  own.filter((i) => ["fail", "known"].includes(verdictOf(i)) && rowOf(i).measure >= 0).slice(0, most)
+    .forEach((i, k) => add(failures, { ...rowOf(i), verdict: 1, band: names.band.length - 1, proof: k === 0 ? hostile[1] : report.texts[f.proof[i]], is_new: k % 2 === 1 }));
+  own.filter((i) => rowOf(i).measure >= 0 && ["pass", "known"].includes(verdictOf(i)) && (law || report.names.measure[f.measure[i]].name === "separation_error")).slice(0, 400)
+    .forEach((i, k) => add(worst, { ...rowOf(i), verdict: verdictOf(i) === "pass" ? 0 : 1, tolerance: 1e-12, tolerances: k === 0 ? "inf" : Math.abs(f.share[i]) * 1e12 }));
+  return { failures, worst };
+}
+
+/** The page of a sweep: two families, two pairs, and the failures of the sample's contact questions. */
+export function makeSweepSample() {
+  const sample = makeSample({ contacts: 30, worlds: 0, findings: 600 });
+  const { report } = sample;
+  const names = { oracle: report.oracles.slice(0, 8).map((o) => o.name), family: ["random", "edge_edge"], pair: ["sphere–box", "box–box"], measure: ["separation_error", "excess"], law: [], verdict: ["pass", "fail", "unsupported", "crashed"], band: ["over 1e-6", "over 10 %"] };
+  const [answers, findings, sketches] = [{}, {}, {}];
+  names.oracle.forEach((_, oracle) => names.pair.forEach((_p, pair) => {
+    names.family.forEach((_f, family) => {
+      if (oracle === 7) { add(answers, { family, pair, oracle, verdict: 2, band: -1, count: 1000 }); return; }
+      add(answers, { family, pair, oracle, verdict: 0, band: -1, count: 900 });
+      // The bullets (1, 2 and 3) are wrong in the second family.
+      add(answers, { family, pair, oracle, verdict: 1, band: family, count: family === 1 && oracle >= 1 && oracle <= 3 ? 100 : 1 });
+      if (pair === 0) for (const measure of [0, 1]) { add(findings, { family, oracle, measure, law: -1, verdict: 0, band: -1, count: 1500 }); add(findings, { family, oracle, measure, law: -1, verdict: 1, band: 1, count: measure ? 500 : 0 }); }
+    });
+    if (oracle < 7) for (const measure of [0, 1]) add(sketches, { pair, oracle, measure, law: -1, zeros: 500, infinite: 0, bins: [-64, 400, -63, 90, -4 - oracle, 10] });
+  }));
+  report.questions[0].own = true;
+  report.ledger = [];
+  report.findings.ledger = report.findings.ledger.map(() => -1);
+  report.sweep = { kind: "contact", settings: [{ name: "touchstone", value: hostile[0] }], asked: 2000, failed: 614, kept: 4321, answers, findings, bins_per_decade: 4, sketches, ...addLists(report, names, { failures: 70, law: false }), names };
+  return sample;
+}
+
+/** The page of a sweep of worlds: two families, three laws. */
+export function makeWorldSweepSample() {
+  const sample = makeSample({ contacts: 0, worlds: 12, findings: 600 });
+  const { report } = sample;
+  const names = { oracle: report.oracles.filter((o) => o.worlds).map((o) => o.name), family: ["drops", "rods"], pair: [], measure: ["position_error", "energy_drift", "stability"], law: ["conserves_energy", "bounce_series"], verdict: ["pass", "fail"], band: ["over 10 %"] };
+  const [answers, findings, sketches] = [{}, {}, {}];
+  names.oracle.forEach((_, oracle) => names.family.forEach((_f, family) => {
+    add(answers, { family, pair: -1, oracle, verdict: 0, band: -1, count: 90 });
+    add(answers, { family, pair: -1, oracle, verdict: 1, band: 0, count: 10 });
+    // One energy in five is lost among the rods.
+    [[1, 0, family ? 20 : 0], [0, 1, 10]].forEach(([measure, law, wrong]) => {
+      add(findings, { family, oracle, measure, law, verdict: 0, band: -1, count: 100 - wrong });
+      if (wrong) add(findings, { family, oracle, measure, law, verdict: 1, band: 0, count: wrong });
+      if (family === 0) add(sketches, { pair: -1, oracle, measure, law, zeros: 5, infinite: 0, bins: [-20, 150, -3, 45] });
+    });
+  }));
+  report.ledger = [];
+  report.findings.ledger = report.findings.ledger.map(() => -1);
+  // The first oracle is one that simulates, and so are all that were swept.
+  report.sweep = { kind: "world", settings: [], asked: 200, failed: 20 * names.oracle.length, kept: 30, answers, findings, bins_per_decade: 4, sketches, failures: {}, worst: {}, names };
+  const own = report.oracles.map((o) => names.oracle.indexOf(o.name));
+  const keep = report.findings.oracle.map((o) => own[o] >= 0);
+  Object.assign(report.sweep, addLists({ ...report, findings: Object.fromEntries(Object.entries(report.findings).map(([key, column]) => [key, (key === "oracle" ? column.map((o) => own[o]) : column).filter((_, i) => keep[i])])) }, names, { failures: 70, law: true }));
+  return sample;
 }
 
 /** A ball that falls and bounces beside a box that slides, as each engine has it; some worlds have a cloth or a pendulum. */

@@ -59,7 +59,7 @@ describe("formats", () => {
   // The program writes the same numbers into its sentences: tests/reports/clusters/clusters_test.cc has the same pairs.
   it("write a number as the program does", () => {
     expect([0.048, 0.0099999, 1.3e-5, 0.0021, 659.2, 2084, 99.7, 2e-16].map((x) => length(x))).toEqual(["4.8 cm", "1 cm", "13 µm", "2.1 mm", "659 m", "2080 m", "100 m", "2e-16 m"]);
-    expect([0.05, 1.5, 12, 2e-5, 2e-4, 1.8e6].map((x) => share(x))).toEqual(["5 % of the size", "150 % of the size", "12 × the size", "2e-5 of the size", "0.02 % of the size", "1.8e6 × the size"]);
+    expect([0.05, 1.02, 4.03, 12, 2e-5, 2e-4, 1.8e6].map((x) => share(x, "it"))).toEqual(["5 % of it", "102 % of it", "4 times it", "12 times it", "2e-5 of it", "0.02 % of it", "1.8e6 times it"]);
     expect([short(-528.3), short(0.00094), short(9.4e-7), short(99.7), short(NaN)]).toEqual(["−528", "0.00094", "9.4e-7", "100", "not a number"]);
   });
 

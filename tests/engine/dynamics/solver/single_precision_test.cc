@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -128,9 +129,9 @@ void ExpectOnlyRounding(const Eigen::Vector3d& frame) {
   single.Step(kH);
   exact.Step(kH);
   ASSERT_GT(CountActingContacts(exact), 100);
-  // Each of about 30 operations in seven iterations rounds by 6e-8 of the approach speed.
+  // Each of about 30 operations in ten iterations rounds by 6e-8 of the approach speed.
   // An iteration is linear in its initial values, except for the clamping.
-  EXPECT_LT(MaxDifference(single, exact), 7 * 30 * 6e-8 * kApproach);
+  EXPECT_LT(MaxDifference(single, exact), 10 * 30 * 6e-8 * kApproach);
   EXPECT_NE(MaxDifference(single, exact), 0) << "Both were solved in double precision.";
 }
 
@@ -205,22 +206,26 @@ TEST(SinglePrecision, BodiesFarFromTheCentreOfTheGroundStayAtRest) {
   for (int k = 0; k < 240; ++k) world.Step(kH);
   ASSERT_GT(CountActingContacts(world), 100);
   for (int i = 1; i < world.body_count(); ++i) {
-    // Rounding of seven iterations, relative to the speed that gravity adds in a step.
-    EXPECT_LT(world.state(i).v_WB.norm(), 7 * 30 * 6e-8 * 9.82 * kH) << i;
+    // Rounding of ten iterations, relative to the speed that gravity adds in a step.
+    EXPECT_LT(world.state(i).v_WB.norm(), 10 * 30 * 6e-8 * 9.82 * kH) << i;
   }
 }
 
-TEST(SinglePrecision, RemovesOverlapDownToTheSlop) {
+TEST(SinglePrecision, RemovesOverlapDownToTheSlopAndTheSagOfTheSprings) {
   Settings settings = WithoutBudget();
   settings.gravity_W = {0, -9.82, 0};
   World world(settings);
   const double slop = 2 * 9.82 * kH * kH;
+  // The spring of a contact sags by g/ω² when a quarter of its box lies on it: at a
+  // corner it has the effective mass m/4.
+  const double omega = 2 * std::numbers::pi * settings.contact_frequency;
+  const double tolerated = slop + 9.82 / (omega * omega);
   AddBoxesOnWideFloor(world, 5 * slop);
   for (int k = 0; k < 120; ++k) world.Step(kH);
   for (int i = 1; i < world.body_count(); ++i) {
     // A step removes a fifth of the depth beyond the slop: 4 · 0.8¹²⁰ of a slop remains,
     // and the rounding error of the depth as a float.
-    EXPECT_NEAR(0.05 - world.state(i).p_WB.y(), slop, 1e-6 * slop) << i;
+    EXPECT_NEAR(0.05 - world.state(i).p_WB.y(), tolerated, 1e-6 * slop) << i;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/contacts/body_size.h"
 #include "reports/contacts/causes/convention.h"
 #include "reports/contacts/causes/margin.h"
 #include "reports/contacts/causes/precision.h"
@@ -29,6 +30,7 @@ std::vector<std::string> Conventions(const Specimen& s) {
   scenario.contact = s.query;
   std::vector<Finding> findings = JudgeAnswer(scenario, s.truth, oracle.info(), s.right);
   std::vector<Finding*> all;
+  all.reserve(findings.size());
   for (Finding& finding : findings) all.push_back(&finding);
   ExplainByConvention(scenario, s.truth, oracle.info(), s.right, all);
   std::vector<std::string> conventions;
@@ -163,13 +165,13 @@ Finding Failure(MeasureKind measure, double value) {
   return finding;
 }
 
-/** Returns why rounding explains the failure `measure` of an answer to a specimen, if its
- neighbours are answered by `neighbours` and have the truth of the specimen moved by
- `truth_moves`. [m] */
-std::optional<std::string> Precision(const Specimen& s, const ContactAnswer& answer,
-                                     MeasureKind measure, std::string reference,
-                                     const std::vector<ContactAnswer>& neighbours,
-                                     double truth_moves = 0) {
+/** Returns what rounding says about the failure `measure`, by `error`, of an answer to a
+ specimen, if its neighbours are answered by `neighbours` and have the truth of the
+ specimen moved by `truth_moves`. [m] */
+std::optional<Explanation> ByRounding(const Specimen& s, const ContactAnswer& answer,
+                                      MeasureKind measure, std::string reference,
+                                      const std::vector<ContactAnswer>& neighbours,
+                                      double truth_moves = 0, double error = 3e-4) {
   const FakeOracle oracle("mine");
   Scenario scenario;
   scenario.id = "contact/specimen";
@@ -179,11 +181,23 @@ std::optional<std::string> Precision(const Specimen& s, const ContactAnswer& ans
   moved.separation.hi += truth_moves;
   const std::vector<ContactQuery> queries(neighbours.size(), s.query);
   const std::vector<ContactTruth> truths(neighbours.size(), moved);
-  Finding finding = Failure(measure, 3e-4);
+  Finding finding = Failure(measure, error);
   finding.reference = std::move(reference);
-  return PrecisionOf(finding, s.query, s.truth, answer,
-                     Judged(scenario, oracle.info(), queries, truths, neighbours),
-                     0x1p-53);
+  return ExplanationByRounding(finding, s.query, s.truth, answer,
+                               Judged(scenario, oracle.info(), queries, truths,
+                                      neighbours, std::span(&finding, 1)),
+                               0x1p-53);
+}
+
+/** As ByRounding(), but returns only why the cause is `precision`. */
+std::optional<std::string> Precision(const Specimen& s, const ContactAnswer& answer,
+                                     MeasureKind measure, std::string reference,
+                                     const std::vector<ContactAnswer>& neighbours,
+                                     double truth_moves = 0) {
+  const auto why =
+      ByRounding(s, answer, measure, std::move(reference), neighbours, truth_moves);
+  if (!why || why->cause != Cause::kPrecision) return std::nullopt;
+  return why->because;
 }
 
 TEST(Precision, ExplainsAnErrorIfANeighbourIsAnsweredRightly) {
@@ -217,6 +231,43 @@ TEST(Precision, ExplainsAnErrorIfRoundingMovesTheTruthAsFar) {
   EXPECT_THAT(why.value(), HasSubstr("move the truth by 0.0002 m"));
   EXPECT_EQ(Precision(s, wrong, MeasureKind::kSeparationError, "referee", {wrong}, 1e-4),
             std::nullopt);
+}
+
+TEST(Precision, IsNoExcuseForAGrossErrorAtATie) {
+  const Specimen s = BoxOnBoxFace(kDepth);
+  const double gross = 0.2 * SmallerExtent(s.query);
+  ContactAnswer wrong = s.right;
+  *wrong.separation -= gross;
+  const auto why = ByRounding(s, wrong, MeasureKind::kSeparationError, "referee",
+                              {wrong, s.right}, 0, gross);
+  EXPECT_EQ(why.value().cause, Cause::kDefect);
+  EXPECT_THAT(why->because, HasSubstr("not that it errs by"));
+  // Unless the truth itself is as uncertain.
+  EXPECT_EQ(ByRounding(s, wrong, MeasureKind::kSeparationError, "referee",
+                       {wrong, s.right}, 0.6 * gross, gross)
+                .value()
+                .cause,
+            Cause::kPrecision);
+  // The patch of flush faces jumps at a rounding, so an answer may, too.
+  EXPECT_EQ(ByRounding(s, wrong, MeasureKind::kContactOffPatch, "referee",
+                       {wrong, s.right}, 0, gross)
+                .value()
+                .cause,
+            Cause::kPrecision);
+  // At a tie another answer may be as right, so a comparison proves nothing gross.
+  EXPECT_EQ(
+      ByRounding(s, wrong, MeasureKind::kSwap, "", {s.right}, 0, gross).value().cause,
+      Cause::kPrecision);
+}
+
+TEST(Precision, IsNoExcuseForAMissOfADeepOverlap) {
+  const Specimen s = BoxOnBoxFace(0.4);
+  ContactAnswer missed = s.right;
+  missed.touching = false;
+  ASSERT_GT(-s.truth.separation.hi, 0.1 * SmallerExtent(s.query));
+  EXPECT_EQ(
+      ByRounding(s, missed, MeasureKind::kTouching, "referee", {s.right}).value().cause,
+      Cause::kDefect);
 }
 
 TEST(Precision, ExplainsATouchingVerdictThatBecomesRight) {

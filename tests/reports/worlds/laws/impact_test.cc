@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -316,6 +317,21 @@ TEST(RowImpact, RecognisesSimultaneousImpacts) {
     EXPECT_GT(finding.value, finding.tolerance.value);
     EXPECT_EQ(finding.recognised, "simultaneous impacts");
   }
+}
+
+// Compared with sequential impacts, the first ball would be off by 0.9 m/s.
+TEST(RowImpact, ComparesAMotionThatFollowsNoRuleWithTheNearest) {
+  const World world = Cradle(0);
+  Impacts impacts;
+  impacts.at_once = true;
+  Trajectory motion = Struck(world, impacts);
+  for (WorldState& state : motion.samples) state.bodies[4].v_WB *= 0.999;
+  const LawFinding finding =
+      Of(Judge(world, motion, ClaimOf("row_impact")), MeasureKind::kVelocityError);
+  EXPECT_EQ(finding.recognised, "");
+  EXPECT_NEAR(finding.value, 0.001 * 0.4 * 1.5, 1e-6);
+  EXPECT_THAT(finding.proof,
+              testing::HasSubstr("after simultaneous impacts it moves at"));
 }
 
 TEST(RowImpact, FindsTooLittleRestitution) {

@@ -1,5 +1,7 @@
 #include <cmath>
+#include <numbers>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -155,6 +157,19 @@ TEST(TorqueFree, FindsAMissingGyroscopicTerm) {
   const World world = TumblingBox(1e-3);
   EXPECT_TRUE(Finds(Judge(world, TurningSteadily(world), ClaimOf("torque_free")),
                     MeasureKind::kOrientationError));
+}
+
+TEST(TorqueFree, LeavesOutWhatAnyOrientationAndNoSpinAtAllWouldPass) {
+  // The tolerance is that of schemes which have long lost the body.
+  const World world = TumblingBox(0.04);
+  const std::vector<LawFinding> findings =
+      Judge(world, Turning(world, GyroscopicScheme::kImplicit), ClaimOf("torque_free"));
+  EXPECT_TRUE(Passes(findings));
+  EXPECT_LT(Of(findings, MeasureKind::kOrientationError).tolerance.value,
+            std::numbers::pi);
+  EXPECT_LT(Of(findings, MeasureKind::kSpinError).tolerance.value, 5.01);
+  for (const LawFinding& finding : findings)
+    EXPECT_THAT(finding.tolerance.because, testing::HasSubstr("left out"));
 }
 
 TEST(TorqueFree, FindsInertiaThatDoesNotRotateWithTheBody) {

@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "reports/worlds/study/examine_world.h"
+#include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/motions.h"
 #include "tests/reports/worlds/study/studied.h"
+#include "tests/reports/worlds/study/tie.h"
 
 namespace touchstone {
 namespace {
@@ -137,6 +139,94 @@ TEST(CompareWithShipped, NamesAllSettingsIfNoneDecidesAlone) {
   EXPECT_EQ(place.shipped, Shipped::kHereOnly);
   EXPECT_THAT(place.shipped_because,
               HasSubstr("no default alone is enough, of first = 0, 1 here; second = 0"));
+}
+
+// A variant costs as many motions as it has worlds; a law needs one.
+TEST(CompareWithShipped, AsksForVariantsAgainOnlyWhereASettingMayDecideThem) {
+  const DriftingOracle oracle({1, 0}, {1, 2});
+  const WorldScenario scenario = TwoBallsInFlight();
+  std::vector<Finding> findings = ExamineWorld(scenario, oracle).findings;
+  const int of_study = oracle.begun;
+  ASSERT_GT(of_study, 5);
+  // The default restores the limit of smaller steps and the heading, too, and either
+  // needs several motions.
+  std::erase_if(findings, [](const Finding& finding) {
+    return finding.reference != "law" || finding.measure == MeasureKind::kLimitError ||
+           finding.measure == MeasureKind::kObservedOrder;
+  });
+  // A variant that fails here and has no counterpart as shipped.
+  Finding planted;
+  planted.scenario = scenario.id;
+  planted.oracle = "drifting";
+  planted.law = "another";
+  planted.measure = MeasureKind::kMirror;
+  planted.verdict = Verdict::kFail;
+  findings.push_back(planted);
+  CompareWithShipped(scenario, oracle, findings);
+  // Once as shipped with all variants, and one motion for either setting.
+  EXPECT_EQ(oracle.begun, 2 * of_study + 2);
+}
+
+// The motion itself, half the step, two moved starts and the variant.
+TEST(CompareWithShipped, AsksForNoOtherVariantThanTheOneThatASettingMayDecide) {
+  const DriftingOracle oracle({1, 0}, {1, 1});
+  const WorldScenario scenario = TwoBallsInFlight();
+  std::vector<Finding> findings = ExamineWorld(scenario, oracle).findings;
+  const int of_study = oracle.begun;
+  std::erase_if(findings, [](const Finding& finding) {
+    return finding.measure != MeasureKind::kHeading;
+  });
+  ASSERT_THAT(findings, testing::SizeIs(1));
+  ASSERT_EQ(findings.front().verdict, Verdict::kFail);
+  CompareWithShipped(scenario, oracle, findings);
+  EXPECT_EQ(findings.front().shipped, Shipped::kHereOnly);
+  EXPECT_THAT(findings.front().shipped_because,
+              HasSubstr("the default first = 0, 1 here, is enough"));
+  // All as shipped, and these five with the default of the only other setting.
+  EXPECT_EQ(oracle.begun, 2 * of_study + 5);
+}
+
+// As set here a ball drifts by its place in the world, so that every variant fails. As
+// shipped a rounding decides when it turns back.
+TEST(CompareWithShipped, SaysNothingOfAFaultThatIsUndecidableAsShipped) {
+  class Drifts final : public FakeSimulator {
+   public:
+    Drifts()
+        : FakeSimulator("engine", [](const World& world) {
+            return Stepped(world, [&](WorldState& state) {
+              BodyState& ball = state.bodies[BallOf(world)];
+              ball.p_WB += world.dt * (ball.v_WB + Eigen::Vector3d(ball.p_WB.x(), 0, 0));
+            });
+          }) {
+      info_ = FakeSimulator::info();
+      info_.parameters = DriftingOracle({1, 0}, {1, 1}).info().parameters;
+    }
+    const OracleInfo& info() const override { return info_; }
+    std::unique_ptr<Oracle> SetUp(const WorldSetup&) const override {
+      return std::make_unique<FakeSimulator>("engine", TurnsBackNear);
+    }
+
+   private:
+    OracleInfo info_;
+  };
+  const WorldScenario scenario = Tie();
+  const Drifts oracle;
+  const std::vector<Finding> shipped =
+      ExamineWorld(scenario, *oracle.SetUp({.as_shipped = true, .chosen = {}})).findings;
+  std::vector<Finding> findings = ExamineWorld(scenario, oracle).findings;
+  CompareWithShipped(scenario, oracle, findings);
+  int undecidable = 0;
+  for (const Finding& finding : findings) {
+    if (finding.verdict != Verdict::kFail) continue;
+    for (const Finding& other : shipped) {
+      if (other.measure != finding.measure || other.law != finding.law ||
+          other.verdict != Verdict::kUndecidable)
+        continue;
+      ++undecidable;
+      EXPECT_EQ(finding.shipped, Shipped::kNotAsked) << NameOf(finding.measure);
+    }
+  }
+  EXPECT_GT(undecidable, 0);
 }
 
 TEST(CompareWithShipped, MarksAPassThatFailsAsShippedIfAnotherFaultHasItAskedAgain) {

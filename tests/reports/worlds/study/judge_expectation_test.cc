@@ -52,8 +52,12 @@ TEST(JudgeExpectation, APlaceHoldsToItsTolerance) {
   EXPECT_EQ(wrong.measure, MeasureKind::kPositionError);
   EXPECT_NEAR(wrong.value, 0.005, 1e-12);
   EXPECT_THAT(wrong.proof,
-              AllOf(HasSubstr("ball is expected a position of (0.205, 1, 0)"),
+              AllOf(HasSubstr("“ball” is expected a position of (0.205, 1, 0)"),
                     HasSubstr("at 0.2 s"), HasSubstr(" has (0.2, 1, 0) m")));
+  EXPECT_EQ(wrong.cited.names, std::vector<std::string>{"ball"});
+  EXPECT_EQ(wrong.cited.time, 0.2);
+  ASSERT_EQ(wrong.cited.points_W.size(), 2U);
+  EXPECT_EQ(wrong.cited.points_W[0], Eigen::Vector3d(0.205, 1, 0));
 }
 
 TEST(JudgeExpectation, AComponentLeavesTheOthersOpen) {
@@ -116,7 +120,8 @@ TEST(JudgeExpectation, ATouchIsSeenWhereBodiesMeet) {
   EXPECT_FALSE(Holds(late));
   EXPECT_EQ(late.measure, MeasureKind::kEventTime);
   EXPECT_NEAR(late.value, 0.1, 0.02);
-  EXPECT_THAT(late.proof, HasSubstr("ball is expected to touch post first at 0.7 s"));
+  EXPECT_THAT(late.proof, HasSubstr("“ball” is expected to touch “post” first at 0.7 s"));
+  EXPECT_EQ(late.cited, (Cited{{"ball", "post"}, 0.7, {}, 0.7}));
   world.steps = 50;
   const LawFinding never = judged(0.5);
   EXPECT_EQ(never.value, std::numeric_limits<double>::infinity());
@@ -199,7 +204,10 @@ TEST(JudgeExpectation, AReferenceTrajectoryHoldsEveryPointOfABody) {
   EXPECT_NEAR(judged().value, 0.02, 1e-9);
   reference.states[0].p_W.z() = 0.03;
   EXPECT_FALSE(Holds(judged()));
-  EXPECT_THAT(judged().proof, HasSubstr("r.csv:2 expects ball at (0.2, 1, 0.03)"));
+  EXPECT_THAT(judged().proof, HasSubstr("r.csv:2 expects “ball” at (0.2, 1, 0.03)"));
+  EXPECT_EQ(judged().cited.names, std::vector<std::string>{"ball"});
+  EXPECT_THAT(judged().cited.points_W,
+              testing::ElementsAre(Eigen::Vector3d(0.2, 1, 0.03)));
 }
 
 TEST(JudgeExpectation, AFailureFailsTheMotionAndNamesTheExpectation) {
@@ -219,7 +227,7 @@ TEST(JudgeExpectation, AFailureFailsTheMotionAndNamesTheExpectation) {
     EXPECT_FALSE(finding.universal);
     ++judged;
     if (finding.verdict != Verdict::kFail) continue;
-    EXPECT_THAT(finding.proof, HasSubstr("expect[1]: ball is expected a position of"));
+    EXPECT_THAT(finding.proof, HasSubstr("expect[1]: “ball” is expected a position of"));
     EXPECT_THAT(finding.tolerance_because, HasSubstr("Measured."));
   }
   EXPECT_EQ(judged, 2);

@@ -1,8 +1,10 @@
 #include "reports/worlds/study/judge_world.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -42,6 +44,23 @@ TEST(JudgeWorld, CallsAnErrorThatVanishesWithTheStepDiscretisation) {
   EXPECT_THAT(position->proof, HasSubstr("ballistic: off has"));
 }
 
+TEST(JudgeWorld, CarriesWhatTheProofNames) {
+  const Studied studied(TwoBallsInFlight(), OffBy(1000, 1));
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* position = Find(findings, MeasureKind::kPositionError);
+  ASSERT_TRUE(position != nullptr && position->cited.time);
+  EXPECT_THAT(position->proof,
+              HasSubstr(fmt::format("after {:.6g} s", *position->cited.time)));
+  ASSERT_EQ(position->cited.names.size(), 1U);
+  EXPECT_THAT(position->proof,
+              HasSubstr(fmt::format("off has “{}” at", position->cited.names[0])));
+  EXPECT_EQ(position->cited.points_W.size(), 2U);
+  for (const Finding& finding : findings) {
+    if (finding.verdict != Verdict::kPass) continue;
+    EXPECT_EQ(finding.cited, Cited()) << finding.law;
+  }
+}
+
 TEST(JudgeWorld, QuotesWhatTheEnginePrintedInAFailure) {
   Studied studied(TwoBallsInFlight(), OffBy(1, 0));
   studied.whole.complaint = "LCP internal error";
@@ -60,6 +79,25 @@ TEST(JudgeWorld, CallsAnErrorThatStaysADefect) {
   EXPECT_EQ(position->cause, Cause::kDefect);
   EXPECT_THAT(position->cause_because,
               HasSubstr("would have to fall to 1/1.4 at each halving"));
+  EXPECT_THAT(position->cause_because, Not(HasSubstr("hardly smaller")));
+}
+
+// A body that passes through a wall at two steps and not at the third: no error that
+// falls with the step, and yet a reader who sees its 0 is owed the reason.
+TEST(JudgeWorld, SaysThatAnErrorIsGoneAtAQuarterOfTheStepThoughNotAtAHalf) {
+  const World world = TwoBallsInFlight().world;
+  const FakeSimulator engine("threshold", [&](const World& refined) {
+    const double off = refined.dt < 0.4 * world.dt ? 0 : 1;
+    return FreeFlight(refined,
+                      [=](double t) { return Eigen::Vector3d(t > 0 ? off : 0, 0, 0); });
+  });
+  const Studied studied(TwoBallsInFlight(), engine);
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* position = Find(findings, MeasureKind::kPositionError);
+  ASSERT_NE(position, nullptr);
+  EXPECT_EQ(position->cause, Cause::kDefect);
+  EXPECT_THAT(position->cause_because,
+              HasSubstr("it passes at a quarter but is hardly smaller at a half"));
 }
 
 TEST(JudgeWorld, FailsTheOrderOfAnErrorThatHardlyFallsWithTheStep) {
@@ -203,20 +241,22 @@ TEST(JudgeWorld, CallsADivergedMotionInvalidAndNamesTheStep) {
 TEST(JudgeWorld, CallsAMotionWithAnotherStartInvalidEvenWithoutAClaim) {
   struct Case {
     std::string_view said;
+    std::string_view cited;  // A name; empty: no part of the world.
+    std::size_t points;
     void (*change)(WorldState&);
   };
   for (const Case& planted :
-       {Case{"the position of near at",
+       {Case{"the position of “near” at", "near", 2,
              [](WorldState& state) { state.bodies[0].p_WB.x() += 1e-9; }},
-        Case{"the velocity of far at",
+        Case{"the velocity of “far” at", "far", 0,
              [](WorldState& state) { state.bodies[1].v_WB *= 0.99; }},
-        Case{"the spin of near at",
+        Case{"the spin of “near” at", "near", 0,
              [](WorldState& state) { state.bodies[0].w_WB.setZero(); }},
-        Case{"near turned by 0.01 rad",
+        Case{"“near” turned by 0.01 rad", "near", 0,
              [](WorldState& state) {
                state.bodies[0].q_WB = Turned(state.bodies[0].q_WB, {0, 0.01, 0});
              }},
-        Case{"other bodies or points",
+        Case{"other bodies or points", "", 0,
              [](WorldState& state) { state.bodies.pop_back(); }}}) {
     WorldScenario scenario = TwoBallsInFlight();
     scenario.claims.clear();
@@ -231,6 +271,14 @@ TEST(JudgeWorld, CallsAMotionWithAnotherStartInvalidEvenWithoutAClaim) {
     EXPECT_EQ(findings[0].verdict, Verdict::kInvalid);
     EXPECT_EQ(findings[0].measure, MeasureKind::kAnswering);
     EXPECT_THAT(findings[0].proof, HasSubstr(planted.said));
+    const Cited& cited = findings[0].cited;
+    EXPECT_EQ(cited.points_W.size(), planted.points) << planted.said;
+    if (planted.cited.empty()) {
+      EXPECT_EQ(cited, Cited());
+    } else {
+      EXPECT_THAT(cited.names, testing::ElementsAre(planted.cited));
+      EXPECT_EQ(cited.time, 0);
+    }
   }
 }
 
@@ -292,7 +340,8 @@ TEST(JudgeRepetition, FailsADifferenceOfOneBit) {
   x = std::nextafter(x, std::numeric_limits<double>::infinity());
   const Finding finding = JudgeRepetition(studied.study(), again);
   EXPECT_EQ(finding.verdict, Verdict::kFail);
-  EXPECT_THAT(finding.proof, HasSubstr("at 0.07 s body 1 position.x"));
+  EXPECT_THAT(finding.proof, HasSubstr("at 0.07 s “far” position.x"));
+  EXPECT_EQ(finding.cited, (Cited{{"far"}, studied.whole.times[7], {}}));
 }
 
 TEST(JudgeWorld, ComparesTheImpulsesOfStepsAsForces) {
@@ -339,6 +388,35 @@ TEST(JudgeWorld, ExcusesNoErrorByTheStepThatIsGrantedRoundingAlone) {
   EXPECT_EQ(balance->verdict, Verdict::kFail);
   EXPECT_EQ(balance->cause, Cause::kDefect);
   EXPECT_EQ(balance->safety, 1);
+}
+
+TEST(JudgeWorld, DecidesNothingByAToleranceThatIsNotFinite) {
+  // A reported impulse so large that sums over it overflow, and in a later step a body
+  // that jumps through a wall.
+  const FakeSimulator overflows("overflows", [](const World& world) {
+    Trajectory trajectory = FreeFlight(world);
+    trajectory.gives_impulses = true;
+    trajectory.impulses.push_back({1, 0, 1, {0, 0, 0}, {0, 1, 0}, {0, 1.7e308, 0}, 0});
+    return trajectory;
+  });
+  WorldScenario scenario;
+  scenario.id = "world/overflow";
+  scenario.world.bodies = {BodyOf("bullet", Sphere{0.01}, 0.01, {-1, 0, 0}),
+                           BodyOf("wall", Box{{0.005, 9, 9}}, 0, {0, 0, 0})};
+  scenario.world.bodies[0].v_WB = {100, 0, 0};
+  scenario.world.gravity_W.setZero();
+  scenario.world.steps = 4;
+  const Studied studied(scenario, overflows);
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* balance = Find(findings, MeasureKind::kMomentumBalance);
+  ASSERT_NE(balance, nullptr);
+  EXPECT_FALSE(std::isfinite(balance->tolerance));
+  EXPECT_EQ(balance->verdict, Verdict::kUndecidable);
+  EXPECT_THAT(balance->proof, HasSubstr("no number follows for its tolerance"));
+  // An impulse excuses nothing in another step.
+  const Finding* passage = Find(findings, MeasureKind::kPassage);
+  ASSERT_NE(passage, nullptr);
+  EXPECT_EQ(passage->verdict, Verdict::kFail);
 }
 
 TEST(JudgeWorld, StatesTheFactorOfSafetyOfAnErrorLaw) {

@@ -54,6 +54,16 @@ TEST(ScaleOf, GivesABodyAtRestTheSpeedOfAFallOverItsSize) {
   EXPECT_NEAR(ScaleOf(Ball(), {}).speed, std::sqrt(10 * 0.2), 1e-12);
 }
 
+// Two balls at rest that a rod of 1e-10 m too much moves are no fault of their motion.
+TEST(ScaleOf, TakesNoMotionThatNobodySees) {
+  World world = Ball();
+  world.gravity_W.setZero();
+  world.dt = 0.01;
+  world.steps = 200;
+  EXPECT_NEAR(ScaleOf(world, Moving(1e-10, 0)).speed, 1e-6 * 0.2 / 2, 1e-15);
+  EXPECT_NEAR(ScaleOf(world, Moving(3, 0)).speed, 3, 1e-12);
+}
+
 TEST(ScaleOf, TakesTheWayOfParticlesWhereNoBodyMoves) {
   World world;
   world.particles.emplace_back();

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/reports/worlds/fake_simulator.h"
@@ -54,14 +55,41 @@ TEST(LargestDifference, NamesBothPositions) {
   const World world = OneBall();
   const Trajectory a = FreeFlight(world);
   Trajectory b = a;
-  EXPECT_EQ(LargestDifference(world, a, b, kEver), "");
+  const auto words = [&](double until) {
+    return InWords(LargestDifference(world, a, b, until), "");
+  };
+  EXPECT_EQ(LargestDifference(world, a, b, kEver).kind, ProofKind::kNone);
+  EXPECT_EQ(words(kEver), "");
   b.samples[3].bodies[0].p_WB.x() += 1;
   b.samples[30].particles[0].p_W = {1, 2, 3};
-  EXPECT_NE(LargestDifference(world, a, b, kEver).find("at 0.3 s drop is at (-0.98, "),
-            std::string::npos);
-  EXPECT_NE(LargestDifference(world, a, b, kEver).find(" and (1, 2, 3)"),
-            std::string::npos);
-  EXPECT_EQ(LargestDifference(world, a, b, 0.1).find("at 0.03 s ball is at (0.3, "), 0u);
+  const Proof whole = LargestDifference(world, a, b, kEver);
+  EXPECT_EQ(whole.kind, ProofKind::kPlaces);
+  EXPECT_EQ(whole.time, a.times[30]);
+  EXPECT_EQ(whole.body, "drop");
+  ASSERT_EQ(whole.points_W.size(), 2U);
+  EXPECT_EQ(whole.points_W[1], Eigen::Vector3d(1, 2, 3));
+  EXPECT_NE(words(kEver).find("at 0.3 s “drop” is at (-0.98, "), std::string::npos);
+  EXPECT_NE(words(kEver).find(" and (1, 2, 3)"), std::string::npos);
+  EXPECT_EQ(words(0.1).find("at 0.03 s “ball” is at (0.3, "), 0u);
+}
+
+TEST(LargestDifference, IsWrittenWithTheDigitsThatShowIt) {
+  const Proof near{.kind = ProofKind::kPlaces,
+                   .points_W = {{0.2, 0.29, -0.1}, {0.2, 0.29, -0.1 - 3e-11}},
+                   .body = "box",
+                   .time = 2};
+  EXPECT_EQ(InWords(near, ""),
+            "at 2 s “box” is at (0.2, 0.29, -0.1) and (0.2, 0.29, -0.10000000003), 3e-11 "
+            "m apart");
+  // The measure is distance + angle × radius: each part is told.
+  const Proof turned{.kind = ProofKind::kPlaces,
+                     .rest = 3.04,
+                     .points_W = {{0, 0, 0}, {0, 0.3, 0.4}},
+                     .body = "ball",
+                     .time = 1.35};
+  EXPECT_EQ(
+      InWords(turned, ""),
+      "at 1.35 s “ball” is at (0, 0, 0) and (0, 0.3, 0.4), 0.5 m and 3.04 rad apart");
 }
 
 TEST(DistanceBetween, TreatsANanAsTheLargest) {
@@ -72,23 +100,29 @@ TEST(DistanceBetween, TreatsANanAsTheLargest) {
   EXPECT_FALSE(DistanceBetween(a, b, 0, kEver) <= 1);
 }
 
-TEST(AreIdentical, TreatsZerosOfEitherSignAsEqual) {
-  Trajectory a = FreeFlight(OneBall());
+TEST(FirstDifference, TreatsZerosOfEitherSignAsEqual) {
+  const World world = OneBall();
+  Trajectory a = FreeFlight(world);
   a.samples[0].bodies[0].w_WB.x() = 0.0;
   Trajectory b = a;
   b.samples[0].bodies[0].w_WB.x() = -0.0;
-  EXPECT_TRUE(AreIdentical(a, b));
+  EXPECT_EQ(FirstDifference(world, a, b).sentence, "");
   b.samples.pop_back();
-  EXPECT_FALSE(AreIdentical(a, b));
+  const CitingProof shorter = FirstDifference(world, a, b);
+  EXPECT_THAT(shorter.sentence, testing::HasSubstr("one ends and the other goes on"));
+  EXPECT_EQ(shorter.cited.time, a.times.back());
 }
 
 TEST(FirstDifference, NamesTimeBodyAndField) {
-  const Trajectory a = FreeFlight(OneBall());
+  const World world = OneBall();
+  const Trajectory a = FreeFlight(world);
   Trajectory b = a;
   b.samples[20].bodies[0].v_WB.y() = 8.5;
   b.samples[30].bodies[0].p_WB.x() = 1;
-  EXPECT_EQ(FirstDifference(a, b).substr(0, 35), "at 0.2 s body 0 velocity.y is -1.96");
-  EXPECT_EQ(FirstDifference(a, a), "");
+  const CitingProof first = FirstDifference(world, a, b);
+  EXPECT_THAT(first.sentence, testing::StartsWith("at 0.2 s “ball” velocity.y is -1.96"));
+  EXPECT_EQ(first.cited, (Cited{{"ball"}, a.times[20], {}}));
+  EXPECT_EQ(FirstDifference(world, a, a).sentence, "");
 }
 
 TEST(ExtrapolatedToZeroStep, RemovesTheErrorOfFirstOrder) {

@@ -43,9 +43,9 @@ const Claim* Find(const std::vector<Claim>& claims, const std::string& law) {
 
 TEST(UniversalClaims, AWorldWithoutAnyClaimHasThoseThatApply) {
   EXPECT_THAT(LawsOf(TwoBalls()),
-              UnorderedElementsAre("angular_momentum_balance", "energy_never_rises",
-                                   "momentum_balance", "never_passes_through",
-                                   "never_penetrates"));
+              UnorderedElementsAre("angular_momentum_balance", "contacts_on_bodies",
+                                   "energy_never_rises", "momentum_balance",
+                                   "never_passes_through", "never_penetrates"));
 }
 
 TEST(UniversalClaims, ConservesTheMomentaOfWhatTouchesNothingFixed) {
@@ -55,6 +55,17 @@ TEST(UniversalClaims, ConservesTheMomentaOfWhatTouchesNothingFixed) {
   EXPECT_NE(Find(UniversalClaims(scenario), "conserves_angular_momentum"), nullptr);
   scenario.world.springs = {{{AnchorKind::kBody, 0, {0, 0, 0}}, {}, 1, 0, 1}};
   EXPECT_EQ(Find(UniversalClaims(scenario), "conserves_momentum"), nullptr);
+}
+
+TEST(UniversalClaims, RodsKeepTheirLength) {
+  WorldScenario scenario = TwoBalls();
+  EXPECT_EQ(Find(UniversalClaims(scenario), "joint_length"), nullptr);
+  scenario.world.joints = {
+      {{AnchorKind::kBody, 0, {0, 0, 0}}, {AnchorKind::kBody, 1, {0, 0, 0}}, 2}};
+  const std::vector<Claim> claims = UniversalClaims(scenario);
+  const Claim* rods = Find(claims, "joint_length");
+  ASSERT_NE(rods, nullptr);
+  EXPECT_THAT(rods->about, UnorderedElementsAre("near", "far"));
 }
 
 TEST(UniversalClaims, LeaveOutWhatDrivesAWorld) {
@@ -141,6 +152,39 @@ TEST(UniversalLaws, FailAMotionThatSinksAndSayThatNoFileClaimsIt) {
   ASSERT_NE(found, findings.end());
   EXPECT_EQ(found->verdict, Verdict::kFail);
   EXPECT_THAT(found->proof, HasSubstr("never_penetrates, true of every motion: mine"));
+}
+
+// The ball of 0.2 m moves by 0.5 m a step and bounces where a step ends. That excuses
+// 0.75 m of depth, and less than its radius of it is a pass.
+TEST(UniversalLaws, DoNotPassABodyThatIsDeeperThanItsRadius) {
+  const Shape ball = Sphere{0.2};
+  const Shape plate = Box{{0.4, 0.05, 0.4}};
+  const auto found = [](double height, const Shape& shape) {
+    WorldScenario scenario = TwoBalls();
+    scenario.world.bodies[0].placed.shape = shape;
+    scenario.world.gravity_W.setZero();
+    scenario.world.dt = 0.01;
+    scenario.world.bodies[0].placed.X_WB.p_WB.y() = height;
+    scenario.world.bodies[0].v_WB = {0, -50, 0};
+    // A body that no finding is about changes nothing.
+    scenario.world.bodies[1].placed.shape = Sphere{0.001};
+    const std::vector<Finding> findings = Judged(scenario, [&](const World& world) {
+      return Stepped(world, [&](WorldState& state) {
+        BodyState& body = state.bodies[0];
+        if (body.p_WB.y() < 0.2) body.v_WB.y() = 50;
+        body.p_WB += world.dt * body.v_WB;
+      });
+    });
+    return *std::find_if(findings.begin(), findings.end(), [](const Finding& finding) {
+      return finding.measure == MeasureKind::kPenetration;
+    });
+  };
+  for (const Shape& shape : {ball, plate}) {
+    // The centre gets to 1 cm above the ground, or below it.
+    EXPECT_EQ(found(0.51, shape).verdict, Verdict::kPass);
+    EXPECT_EQ(found(0.49, shape).verdict, Verdict::kUndecidable);
+    EXPECT_EQ(found(0.49, shape).undecided, Undecided::kCoarse);
+  }
 }
 
 TEST(UniversalLaws, JudgeThePairsThatNoClaimJudges) {

@@ -1,0 +1,70 @@
+#include "reports/finding/decisive.h"
+
+#include "reports/finding/tolerance.h"
+
+namespace touchstone {
+namespace {
+
+/** Returns the severity of a verdict. */
+int Gravity(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kUnsupported:
+      return 0;
+    case Verdict::kPass:
+      return 1;
+    case Verdict::kUndecidable:
+      return 2;
+    case Verdict::kKnown:
+      return 3;
+    case Verdict::kDisagree:
+      return 4;
+    case Verdict::kFail:
+      return 5;
+    case Verdict::kInvalid:
+      return 6;
+    case Verdict::kTimedOut:
+      return 7;
+    case Verdict::kCrashed:
+      return 8;
+  }
+  return 8;
+}
+
+/** Returns the severity of a finding. A wrong hit or miss outweighs a field that is
+ missing because of it. */
+int Gravity(const Finding& finding) {
+  const bool wrong_touch =
+      finding.verdict == Verdict::kFail && finding.grade == Grade::kWrongTouch;
+  return Gravity(wrong_touch ? Verdict::kInvalid : finding.verdict);
+}
+
+/** Returns whether `finding` shows a graver fault than `than`, or a reason that leaves
+ more open, or else is a simpler or stronger proof of the same. Measures are enumerated
+ from simple to complex: a separating plane, a number that the truth contradicts, then
+ metamorphic variants. For the same measure, the finding farther beyond its tolerance is
+ better. */
+bool IsBetterProof(const Finding& finding, const Finding& than) {
+  if (finding.grade != than.grade) return finding.grade > than.grade;
+  if (finding.verdict == Verdict::kUndecidable && finding.undecided != than.undecided)
+    return finding.undecided > than.undecided;
+  if (finding.measure != than.measure) return finding.measure < than.measure;
+  return RelativeToTolerance(finding) > RelativeToTolerance(than);
+}
+
+}  // namespace
+
+double RelativeToTolerance(const Finding& finding) {
+  return InTolerances(finding.value, finding.tolerance);
+}
+
+const Finding* DecisiveOf(std::span<const Finding> of_one_answer) {
+  const Finding* decisive = nullptr;
+  for (const Finding& finding : of_one_answer) {
+    if (decisive == nullptr || Gravity(finding) > Gravity(*decisive) ||
+        (Gravity(finding) == Gravity(*decisive) && IsBetterProof(finding, *decisive)))
+      decisive = &finding;
+  }
+  return decisive;
+}
+
+}  // namespace touchstone

@@ -1,0 +1,45 @@
+#include "reports/reproduce/project_files.h"
+
+#include <fmt/format.h>
+
+#include "reports/clusters/measure_words.h"
+
+namespace touchstone {
+
+std::string TitleOf(const OracleInfo& oracle, const Finding& finding) {
+  return fmt::format("{} {} {}", oracle.library, oracle.version,
+                     FaultInWords(finding.measure));
+}
+
+std::string BuildFile(const EngineCode& engine) {
+  return "cmake_minimum_required(VERSION 3.24)\nproject(reproduce LANGUAGES C CXX)\n"
+         "set(CMAKE_CXX_STANDARD 17)\nset(CMAKE_CXX_STANDARD_REQUIRED ON)\n" +
+         engine.find +
+         "add_executable(reproduce reproduce.cc)\n"
+         "target_link_libraries(reproduce PRIVATE engine)\n";
+}
+
+std::string ReportFile(const ReportParts& parts, const OracleInfo& oracle,
+                       const EngineCode& engine, const Finding& finding) {
+  const std::string truth =
+      parts.truth.empty() ? "" : fmt::format("## Truth\n\n{}\n\n", parts.truth);
+  return fmt::format(
+      "# {title}\n\n## Asked\n\n{call}, {library} {version} as on Debian 12.\n\n{asked}\n"
+      "`reproduce.cc` has the exact numbers.\n\n"
+      "## Answer and proof\n\n{proof}\n\n{truth}"
+      "The error is {value:.3g} where {tolerance:.3g} is allowed: {because}.\n\n"
+      "## Build and run\n\n    apt-get install g++ cmake make pkg-config {package}\n"
+      "    cmake -S . -B build && cmake --build build && build/reproduce\n\n"
+      "The program prints the answer, the truth and the error. It exits 1 if the fault "
+      "is there and 0 if it is gone.\n\n## Output\n\nPaste the output of the program "
+      "here. It has not been run yet.\n",
+      fmt::arg("title", parts.title), fmt::arg("call", engine.call),
+      fmt::arg("library", oracle.library), fmt::arg("version", oracle.version),
+      fmt::arg("asked", parts.asked), fmt::arg("proof", finding.proof),
+      fmt::arg("truth", truth), fmt::arg("value", finding.value),
+      fmt::arg("tolerance", finding.tolerance),
+      fmt::arg("because", finding.tolerance_because),
+      fmt::arg("package", engine.package));
+}
+
+}  // namespace touchstone

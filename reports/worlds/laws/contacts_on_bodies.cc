@@ -1,0 +1,324 @@
+#include "reports/worlds/laws/contacts_on_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "reports/text/format_vector.h"
+#include "reports/worlds/law_support/allowed_motion.h"
+#include "reports/worlds/law_support/citing.h"
+#include "reports/worlds/law_support/contact_history.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/numbers.h"
+#include "reports/worlds/law_support/overlap.h"
+#include "reports/worlds/law_support/placed_contact.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/surface_line.h"
+#include "reports/worlds/law_support/universal.h"
+#include "reports/worlds/law_support/worst.h"
+#include "reports/worlds/truth/mechanics.h"
+
+namespace touchstone {
+namespace {
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  std::vector<Fault> faults = FaultsOfSubjects(world, claim, {.bodies = true});
+  if (!faults.empty()) return faults;
+  for (const int i : SubjectsOf(world, claim).bodies) {
+    const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
+    if (!HasChords(body.placed.shape))
+      faults.push_back(FaultAbout(claim, body.name, "is neither a sphere nor a box",
+                                  "a sphere or a box"));
+  }
+  return Joined(std::move(faults), FaultsOfNumbers(claim, {}));
+}
+
+/** The speed of a light body after an elastic impact by a heavy one, over that one's. [-]
+ */
+constexpr double kGainOfImpact = 2;
+
+/** Returns the outward normal of the one that is a half-space, out of A into B. */
+std::optional<Eigen::Vector3d> NormalOfHalfSpace(const Body& A, const Body& B) {
+  if (std::holds_alternative<HalfSpace>(A.shape)) return A.X_WB.R_WB.col(2);
+  if (std::holds_alternative<HalfSpace>(B.shape)) return -B.X_WB.R_WB.col(2);
+  return std::nullopt;
+}
+
+/** Returns how fast any point of a body's surface moves. A spinning sphere's does not. */
+double SurfaceSpeed(const RigidBody& body, const BodyState& at) {
+  const double lever = std::holds_alternative<Sphere>(body.placed.shape)
+                           ? 0
+                           : BoundingRadius(body.placed.shape);
+  return at.v_WB.norm() + at.w_WB.norm() * lever;
+}
+
+/** Returns the most by which an impulse of 1 N s at a surface speeds that surface up.
+ [1/kg] */
+double MobilityOf(const RigidBody& body) {
+  const double R = std::holds_alternative<Sphere>(body.placed.shape)
+                       ? 0
+                       : BoundingRadius(body.placed.shape);
+  return 1 / body.mass + R * R / InertiaOf(body).minCoeff();
+}
+
+/** Returns the radius of a body; infinite for a half-space. [m] */
+double RadiusOf(const Body& body) {
+  return std::holds_alternative<HalfSpace>(body.shape)
+             ? std::numeric_limits<double>::infinity()
+             : BoundingRadius(body.shape);
+}
+
+/** Bodies that touch each other in one step, directly or through others. */
+class Groups {
+ public:
+  Groups(const World& world, std::span<const ContactImpulse> contacts)
+      : parents_(world.bodies.size()) {
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+    for (const ContactImpulse& contact : contacts) {
+      const auto A = static_cast<std::size_t>(contact.A);
+      const auto B = static_cast<std::size_t>(contact.B);
+      if (world.bodies[A].mass > 0 && world.bodies[B].mass > 0)
+        parents_[RootOf(A)] = RootOf(B);
+    }
+  }
+
+  std::size_t RootOf(std::size_t body) const {
+    while (parents_[body] != body) body = parents_[body];
+    return body;
+  }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+/** The contact impulses on one body in a step. */
+struct ImpulsesOnBody {
+  double J = 0;      ///< Sum of the lengths of their impulses. [N s]
+  int contacts = 0;  ///< Number of contacts.
+};
+
+/** The contacts of one step that starts at a sample, and how fast they let bodies be. */
+class JudgedStep {
+ public:
+  JudgedStep(const Motion& motion, const AllowedMotion& allowed,
+             std::span<const ContactImpulse> contacts, std::size_t sample)
+      : motion_(motion),
+        allowed_(allowed),
+        s_(sample),
+        groups_(motion.world, contacts),
+        impulses_(motion.world.bodies.size()),
+        fastest_(motion.world.bodies.size(), 0),
+        is_held_(motion.world.bodies.size(), false) {
+    for (const ContactImpulse& contact : contacts) {
+      for (const int index : {contact.A, contact.B}) {
+        ImpulsesOnBody& on_body = impulses_[static_cast<std::size_t>(index)];
+        on_body.J += contact.J_B_W.norm();
+        ++on_body.contacts;
+      }
+    }
+    const World& world = motion.world;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+      if (world.bodies[i].mass == 0) continue;
+      const std::size_t root = groups_.RootOf(i);
+      const double speed = std::max(SpeedAt(i, s_), SpeedAt(i, s_ + 1)) + PushedSpeed(i);
+      fastest_[root] = std::max(fastest_[root], speed);
+      fastest_of_all_ = std::max(fastest_of_all_, speed);
+      if (IsHeld(world, AnchorKind::kBody, static_cast<int>(i))) is_held_[root] = true;
+    }
+  }
+
+  void Take(const ContactImpulse& contact, Worst& worst) const {
+    const World& world = motion_.world;
+    const WorldState& state = motion_.trajectory.samples[s_];
+    const Body A = PlacedAt(world, state, contact.A);
+    const Body B = PlacedAt(world, state, contact.B);
+    if (!HasChords(A.shape) || !HasChords(B.shape)) return;
+    const double length = contact.n_AB_W.norm();
+    const double R = std::min(RadiusOf(A), RadiusOf(B));
+    const double size = (contact.p_WC - A.X_WB.p_WB).norm() + R +
+                        (contact.p_WC - B.X_WB.p_WB).norm() +
+                        std::abs(contact.separation);
+    const Capability& pair = motion_.oracle.For(KindOf(A.shape), KindOf(B.shape));
+    const double far = A.X_WB.p_WB.norm() + B.X_WB.p_WB.norm() + 2 * R;
+    const double rounding = RoundingOf(motion_.oracle, 1) * far + pair.documented_error;
+    const double speed_A = SpeedOf(contact.A);
+    const double speed_B = SpeedOf(contact.B);
+    const double fastest = std::max(speed_A, speed_B);
+    const auto share_of = [&](int index, double speed) {
+      if (world.bodies[static_cast<std::size_t>(index)].mass == 0) return 0.0;
+      return fastest > 0 ? speed / fastest : 1.0;
+    };
+    double error = std::numeric_limits<double>::quiet_NaN();
+    double turned = 0;
+    if (std::isfinite(size) && std::isfinite(length) && length > 0) {
+      const PlacedContact placed{contact,
+                                 A,
+                                 B,
+                                 contact.n_AB_W / length,
+                                 TurnOf(contact.A, speed_A),
+                                 TurnOf(contact.B, speed_B),
+                                 share_of(contact.A, speed_A),
+                                 share_of(contact.B, speed_B),
+                                 rounding};
+      error = std::max({placed.LeastError(size), placed.LeastErrorOfNormal(),
+                        R * std::abs(length - 1)});
+      turned = placed.TurnOfNormal();
+      // No motion turns a half-space.
+      if (const auto n_W = NormalOfHalfSpace(A, B)) {
+        const double across = R * (contact.n_AB_W - *n_W).norm();
+        worst.Take(across, RoundingOf(motion_.oracle, 1) * R + pair.documented_error,
+                   [&] { return ProofOfNormal(contact, *n_W, across); });
+      }
+    }
+    worst.Take(error, kSafety * (world.dt * fastest + turned) + rounding,
+               [&] { return ProofOf(contact, A, B, error); });
+  }
+
+ private:
+  double SpeedAt(std::size_t i, std::size_t s) const {
+    return SurfaceSpeed(motion_.world.bodies[i], allowed_.At(s).bodies[i]);
+  }
+
+  /** Returns by how much a body may turn in the step if its surface moves at `speed`.
+   [rad] */
+  double TurnOf(int index, double speed) const {
+    const auto i = static_cast<std::size_t>(index);
+    const RigidBody& body = motion_.world.bodies[i];
+    if (body.mass == 0 || std::holds_alternative<Sphere>(body.placed.shape)) return 0;
+    return motion_.world.dt * speed / BoundingRadius(body.placed.shape) +
+           RoundingOf(motion_.oracle, 1);
+  }
+
+  /** Returns how fast the surface of a body may move in the step, at speeds that the
+   truth allows. [m/s] */
+  double SpeedOf(int index) const {
+    const World& world = motion_.world;
+    const auto i = static_cast<std::size_t>(index);
+    const RigidBody& body = world.bodies[i];
+    if (body.mass == 0) return 0;
+    double speed = SpeedAt(i, s_);
+    if (world.sample_every == 1) speed = std::max(speed, SpeedAt(i, s_ + 1));
+    // Between several contacts of a step it may be faster than at either end of it.
+    if (impulses_[i].contacts > 1 || world.sample_every > 1) {
+      const std::size_t root = groups_.RootOf(i);
+      const double struck =
+          kGainOfImpact * (is_held_[root] ? fastest_of_all_ : fastest_[root]);
+      speed = std::max(
+          speed, std::min(struck, SpeedAt(i, s_) + impulses_[i].J * MobilityOf(body)));
+    }
+    return speed + PushedSpeed(i) + AccelerationOf(world, body).norm() * world.dt;
+  }
+
+  /** Returns the speed that pushes give to the surface of a body between the samples,
+   which an impact may take again before the later one. [m/s] */
+  double PushedSpeed(std::size_t i) const {
+    const RigidBody& body = motion_.world.bodies[i];
+    double speed = 0;
+    for (const Push* push :
+         PushesBetween(motion_.world, static_cast<int>(i), motion_.trajectory.times[s_],
+                       motion_.trajectory.times[s_ + 1])) {
+      const double lever = BoundingRadius(body.placed.shape);
+      speed += push->J_W.norm() *
+               (1 / body.mass + lever * push->p_BoP.norm() / InertiaOf(body).minCoeff());
+    }
+    return speed;
+  }
+
+  const std::string& NameOf(int index) const {
+    return motion_.world.bodies[static_cast<std::size_t>(index)].name;
+  }
+
+  CitingProof ProofOfNormal(const ContactImpulse& contact, const Eigen::Vector3d& n_W,
+                            double error) const {
+    return Citing(
+        "{} reports a contact of {} and {} in the step after {:.6g} s with the normal "
+        "{}; that of the plane is {}, so over the smaller body they differ by {:.3g} m",
+        motion_.oracle.name, CitedName{NameOf(contact.A)}, CitedName{NameOf(contact.B)},
+        CitedTime{motion_.trajectory.times[s_]}, FormatVector(contact.n_AB_W, 9),
+        FormatVector(n_W, 9), error);
+  }
+
+  CitingProof ProofOf(const ContactImpulse& contact, const Body& A, const Body& B,
+                      double error) const {
+    const Eigen::Vector3d n_W = contact.n_AB_W.normalized();
+    const std::optional<Chord> a = ChordThrough(A, 0, contact.p_WC, n_W);
+    const std::optional<Chord> b = ChordThrough(B, 0, contact.p_WC, n_W);
+    std::string truth;
+    if (a && b) {
+      truth = fmt::format("along that line {} ends at {:.6g} m and {} begins at {:.6g} m",
+                          NameOf(contact.A), a->leaves, NameOf(contact.B), b->enters);
+    } else {
+      truth = fmt::format("that line misses {}", NameOf(a ? contact.B : contact.A));
+    }
+    return Citing(
+        "{} reports a contact of {} and {} in the step after {:.6g} s at {} with the "
+        "normal {} and the separation {:.6g} m; {}, so surfaces would have to be "
+        "{:.3g} m elsewhere",
+        motion_.oracle.name, CitedName{NameOf(contact.A)}, CitedName{NameOf(contact.B)},
+        CitedTime{motion_.trajectory.times[s_]}, CitedPoint{contact.p_WC},
+        FormatVector(contact.n_AB_W, 9), contact.separation, truth, error);
+  }
+
+  const Motion& motion_;
+  const AllowedMotion& allowed_;
+  std::size_t s_;
+  Groups groups_;
+  std::vector<ImpulsesOnBody> impulses_;  ///< Indexed by body.
+  /** The fastest surface of a group, indexed by its root. [m/s] */
+  std::vector<double> fastest_;
+  std::vector<bool> is_held_;  ///< Whether a spring or joint holds one of a group.
+  double fastest_of_all_ = 0;
+};
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  const World& world = motion.world;
+  const Trajectory& trajectory = motion.trajectory;
+  if (!trajectory.gives_impulses) return {};
+  const std::vector<int> subjects = SubjectsOf(world, claim).bodies;
+  const auto is_subject = [&](int index) {
+    return std::find(subjects.begin(), subjects.end(), index) != subjects.end();
+  };
+  Worst worst(
+      MeasureKind::kContactPlace,
+      "1.5 × V h, V the speed of the faster of the two surfaces, at most what the "
+      "truth allows; 64 roundings of the positions; and the documented error of "
+      "the pair");
+  const AllowedMotion allowed(motion);
+  const std::span<const ContactImpulse> all(trajectory.impulses);
+  for (std::size_t first = 0; first < all.size();) {
+    std::size_t last = first;
+    while (last < all.size() && all[last].step == all[first].step) ++last;
+    const std::span<const ContactImpulse> contacts = all.subspan(first, last - first);
+    first = last;
+    const int before = contacts.front().step - 1;
+    if (before % world.sample_every != 0) continue;
+    const auto s = static_cast<std::size_t>(before / world.sample_every);
+    if (s + 1 >= trajectory.samples.size()) continue;
+    const JudgedStep step(motion, allowed, contacts, s);
+    for (const ContactImpulse& contact : contacts)
+      if (is_subject(contact.A) || is_subject(contact.B)) step.Take(contact, worst);
+  }
+  return FindingsOf({worst});
+}
+
+}  // namespace
+
+constinit const Law kContactsOnBodies = {
+    .name = "contacts_on_bodies",
+    .documentation =
+        "Every reported contact lies on both bodies, with the separation it states.",
+    .faults = Faults,
+    .judge = Judge,
+    .universal =
+        [](const World& world) { return ClaimAboutEach(kContactsOnBodies, world); },
+};
+
+}  // namespace touchstone
