@@ -235,6 +235,10 @@ class CommandLine {
                     "report.jsonl of an earlier run: a finding with a worse verdict or "
                     "twice its error fails this run")
         ->type_name("FILE");
+    app->add_option("--audit", run_.audit,
+                    "docs/accuracy.md: errors that are not those of its table, and a "
+                    "ledger that `ledger --audit` finds not in order, fail this run")
+        ->type_name("FILE");
     app->add_option_function<std::string>(
            "--fail-on",
            [this](const std::string& whose) {

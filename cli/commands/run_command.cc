@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cli/commands/audit_run.h"
 #include "cli/input_error.h"
 #include "cli/interrupt.h"
 #include "cli/open_page.h"
@@ -149,6 +150,13 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
                  !std::all_of(oracles.begin(), oracles.end(), IsSetUpByDefault) ||
                  arguments.scenarios.catalogues != std::vector{session.catalogue()},
       .quiet = arguments.quiet};
+  if (arguments.audit && options.partial) {
+    throw InputError(
+        "--audit is about the whole built-in catalogue on all oracles; expected no "
+        "patterns, no --against and no --set");
+  }
+  std::optional<std::string> accuracy;
+  if (arguments.audit) accuracy = ReadAccuracy(*arguments.audit);
   std::optional<std::filesystem::path> folder = arguments.out;
   if (!folder && arguments.open) folder = kFolderToOpen;
   std::optional<OutputFolder> out;
@@ -177,6 +185,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
                          "there\n");
     return 128 + signal;
   }
+  if (accuracy) AuditRun(report, *accuracy);
   if (baseline) CompareWithBaseline(report, *baseline);
 
   WriteTable(report,

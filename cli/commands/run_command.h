@@ -16,6 +16,8 @@ struct RunArguments {
   std::optional<std::filesystem::path> ledger;  ///< Replaces the built-in ledger.
   /** The report.jsonl of an earlier run. A finding that got worse fails this run. */
   std::optional<std::filesystem::path> baseline;
+  /** The published table of accuracy, docs/accuracy.md: the run is audited, too. */
+  std::optional<std::filesystem::path> audit;
   std::optional<std::filesystem::path>
       out;  ///< Folder for the page, its data, the JSON Lines and the JUnit file.
   /** Whether results that an interrupted run left in `out` are used. */

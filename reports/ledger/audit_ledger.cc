@@ -60,19 +60,24 @@ void WriteLarge(const LedgerAudit& audit, std::ostream& out) {
   }
 }
 
+std::string SentenceOf(const RunReport& report,
+                       const LedgerAudit::Contradiction& contradiction) {
+  const auto& [index, cause, findings] = contradiction;
+  const LedgerEntry& entry = report.ledger.entries[index];
+  return fmt::format("{}: says {}, but {} ({} in {})", PlaceOf(report, index),
+                     CausesOf(entry),
+                     findings == 0   ? fmt::format("none is {}", NameOf(cause))
+                     : findings == 1 ? fmt::format("1 is {}", NameOf(cause))
+                                     : fmt::format("{} are {}", findings, NameOf(cause)),
+                     entry.oracle, fmt::join(entry.scenarios, ", "));
+}
+
 void WriteContradictions(const RunReport& report, const LedgerAudit& audit,
                          std::ostream& out) {
   out << fmt::format("\n{} of causes\n",
                      Counted(audit.contradictions.size(), "contradiction"));
-  for (const auto& [index, cause, findings] : audit.contradictions) {
-    const LedgerEntry& entry = report.ledger.entries[index];
-    out << fmt::format(
-        "  {}: says {}, but {} ({} in {})\n", PlaceOf(report, index), CausesOf(entry),
-        findings == 0   ? fmt::format("none is {}", NameOf(cause))
-        : findings == 1 ? fmt::format("1 is {}", NameOf(cause))
-                        : fmt::format("{} are {}", findings, NameOf(cause)),
-        entry.oracle, fmt::join(entry.scenarios, ", "));
-  }
+  for (const LedgerAudit::Contradiction& contradiction : audit.contradictions)
+    out << "  " << SentenceOf(report, contradiction) << '\n';
 }
 
 void WriteEntries(const RunReport& report, std::ostream& out) {
@@ -144,6 +149,20 @@ void WriteAudit(const RunReport& report, const LedgerAudit& audit, std::ostream&
   WriteLarge(audit, out);
   WriteContradictions(report, audit, out);
   WriteEntries(report, out);
+}
+
+std::vector<std::string> FaultsOf(const RunReport& report, const LedgerAudit& audit) {
+  std::vector<std::string> faults;
+  if (audit.Seen() < kLeastSeen) {
+    faults.push_back(fmt::format(
+        "{}: would excuse an error of {:g} of the scene in {} of {} passing cells; "
+        "expected at most {:.1f} %",
+        report.ledger.file.filename().string(), kSoughtError, audit.excusable,
+        audit.passing, 100 * (1 - kLeastSeen)));
+  }
+  for (const LedgerAudit::Contradiction& contradiction : audit.contradictions)
+    faults.push_back(SentenceOf(report, contradiction));
+  return faults;
 }
 
 bool IsInOrder(const LedgerAudit& audit) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "reports/run_report.h"
@@ -56,7 +57,11 @@ LedgerAudit AuditLedger(const RunReport& report, bool partial = false);
  oldest date of expiry, and the findings that each entry hides, if the run tested it. */
 void WriteAudit(const RunReport& report, const LedgerAudit& audit, std::ostream& out);
 
-/** Returns whether an audit is in order: enough is seen, and no cause contradicts. */
+/** Returns what is not in order in an audit, one sentence each: too little is seen, or a
+ cause contradicts. */
+std::vector<std::string> FaultsOf(const RunReport& report, const LedgerAudit& audit);
+
+/** Returns whether an audit is in order: there are no such faults. */
 bool IsInOrder(const LedgerAudit& audit);
 
 }  // namespace touchstone

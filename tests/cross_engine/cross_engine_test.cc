@@ -2,19 +2,14 @@
 // (contact query or world) and oracle that answers such scenarios. All tests of an oracle
 // share one run. Known discrepancies pass, as they do for `touchstone run`.
 //
-// CTest has the entry cross_engine.catalogue, which runs all scenarios on all oracles
-// once. It also has one entry per oracle, which runs all scenarios on that oracle alone,
-// for `ctest -R fcl`. These have the label each_engine, and scripts/test leaves them out.
+// CTest has one entry per oracle, which runs all scenarios on that oracle alone, for
+// `ctest -R fcl`. They have the label each_engine, and scripts/test leaves them out.
 // --write-ctest FILE writes the entries.
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <fstream>
-#include <iostream>
-#include <iterator>
 #include <map>
 #include <span>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,8 +18,6 @@
 #include <gtest/gtest.h>
 
 #include "cli/select_oracles.h"
-#include "reports/accuracy/accuracy.h"
-#include "reports/ledger/audit_ledger.h"
 #include "reports/ledger/ledger_file.h"
 #include "reports/run.h"
 #include "reports/writers/outcome.h"
@@ -54,17 +47,6 @@ class Suite {
   const Questions& questions() const { return questions_; }
   const std::vector<const Oracle*>& oracles() const { return oracles_; }
 
-  std::vector<Diagnostic> Diagnostics() const {
-    std::vector<Diagnostic> all = catalogue_diagnostics_;
-    all.insert(all.end(), ledger_.diagnostics.begin(), ledger_.diagnostics.end());
-    return all;
-  }
-
-  // Runs all questions on all oracles.
-  RunReport Report() const {
-    return Run(questions_, oracles_, ledger_.ledger.value_or(Ledger{}), {});
-  }
-
   // The results of one oracle on all questions, for one CTest entry.
   struct Part {
     RunReport report;
@@ -86,7 +68,6 @@ class Suite {
 
   explicit Suite(Catalogue catalogue)
       : questions_{std::move(catalogue.scenarios), std::move(catalogue.worlds)},
-        catalogue_diagnostics_(std::move(catalogue.diagnostics)),
         ledger_(ReadLedgerFile(std::filesystem::path(TOUCHSTONE_DATA_DIR) /
                                "known_discrepancies.toml")),
         registry_(OracleRegistry::BuiltIn()),
@@ -94,7 +75,6 @@ class Suite {
             registry_, {.subject = "cookbook", .tolerance = {}, .against = {}})) {}
 
   Questions questions_;
-  std::vector<Diagnostic> catalogue_diagnostics_;
   LedgerResult ledger_;
   OracleRegistry registry_;
   std::vector<const Oracle*> oracles_;
@@ -130,36 +110,6 @@ class ScenarioTest : public testing::Test {
   std::size_t oracle_;
 };
 
-class CatalogueTest : public testing::Test {
- public:
-  void TestBody() override {
-    for (const Diagnostic& diagnostic : Suite::Instance().Diagnostics()) {
-      ADD_FAILURE() << ToString(diagnostic);
-    }
-    const RunReport report = Suite::Instance().Report();
-    for (const Outcome& outcome : OutcomesOf(report)) {
-      if (IsFailure(outcome.verdict)) ADD_FAILURE() << FailuresOf(report, outcome);
-    }
-    for (const Finding& finding : report.findings) {
-      if (std::isnan(finding.tolerance))
-        ADD_FAILURE() << "no tolerance: " << Sentence(finding);
-    }
-    EXPECT_EQ(ExitCode(report, FailOn::kAnything), 0);
-    for (const std::string& fault : report.faults) ADD_FAILURE() << fault;
-    const LedgerAudit audit = AuditLedger(report);
-    if (!IsInOrder(audit)) {
-      std::ostringstream text;
-      WriteAudit(report, audit, text);
-      ADD_FAILURE() << text.str();
-    }
-    std::ifstream table(TOUCHSTONE_DATA_DIR "/../docs/accuracy.md");
-    const std::string published(std::istreambuf_iterator<char>(table), {});
-    for (const std::string& fault : CheckAccuracy(report, published)) {
-      ADD_FAILURE() << "docs/accuracy.md: " << fault;
-    }
-  }
-};
-
 std::string SuiteName(const OracleInfo& info) {
   return "CrossEngine/" + TestName(info.name);
 }
@@ -181,9 +131,6 @@ void RegisterTests() {
     for (const WorldScenario& world : suite.questions().worlds)
       add(world.id, info.simulates);
   }
-  testing::RegisterTest("CrossEngine/catalogue", "HasNoFaults", nullptr, nullptr,
-                        __FILE__, __LINE__,
-                        []() -> testing::Test* { return new CatalogueTest; });
 }
 
 void WriteCTest(const std::string& program, const char* file) {
@@ -192,7 +139,6 @@ void WriteCTest(const std::string& program, const char* file) {
     out << "add_test([=[cross_engine." << name << "]=] [=[" << program
         << "]=] [=[--gtest_filter=" << suite << ".*]=] --gtest_brief=1)\n";
   };
-  add("catalogue", "CrossEngine/catalogue");
   for (const Oracle* oracle : Suite::Instance().oracles()) {
     const std::string& name = oracle->info().name;
     add(name, SuiteName(oracle->info()));

@@ -13,7 +13,9 @@
 #include <gtest/gtest.h>
 
 #include "oracles/oracle_registry.h"
+#include "reports/referee/referee.h"
 #include "reports/run.h"
+#include "reports/threads/parallel_for.h"
 #include "reports/worlds/study/run_worlds.h"
 #include "scenarios/scenario_file.h"
 
@@ -42,12 +44,31 @@ std::map<std::string, int> FailuresAmong(const std::vector<Finding>& findings) {
   return failures;
 }
 
+// The truths of the contact queries of the catalogue, computed once for all specimens.
+const std::vector<ContactTruth>& TheTruths() {
+  static const std::vector<ContactTruth> truths = [] {
+    std::vector<ContactTruth> all(TheCatalogue().scenarios.size());
+    ParallelFor(all.size(), 0, [&](std::size_t i) {
+      all[i] = ComputeContactTruth(TheCatalogue().scenarios[i].contact);
+    });
+    return all;
+  }();
+  return truths;
+}
+
 // The failures per measure of an oracle in the contact queries of the catalogue.
 std::map<std::string, int> FailuresOf(const std::string& oracle_name) {
   const Oracle* oracle = OracleNamed(oracle_name);
   if (oracle == nullptr) return {};
+  // The same for all specimens, which differ in their answers only.
+  static TruthsOfNeighbours truths_of_neighbours;
+  static VariantsOfAll variants;
+  RunOptions options;
+  options.truths = TheTruths();
+  options.truths_of_neighbours = &truths_of_neighbours;
+  options.variants = &variants;
   return FailuresAmong(
-      Run(TheCatalogue().scenarios, std::span(&oracle, 1), {}, {}).findings);
+      Run(TheCatalogue().scenarios, std::span(&oracle, 1), {}, options).findings);
 }
 
 // The failures per measure of an oracle in the worlds whose ids start with `beginning`.
