@@ -11,6 +11,7 @@
 #include "cli/input_error.h"
 #include "reports/accuracy/accuracy.h"
 #include "reports/ledger/audit_ledger.h"
+#include "reports/writers/outcome.h"
 
 namespace touchstone {
 
