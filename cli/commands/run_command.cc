@@ -4,8 +4,10 @@
 #include <array>
 #include <atomic>
 #include <exception>
+#include <fstream>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -15,12 +17,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "cli/commands/audit_run.h"
 #include "cli/input_error.h"
 #include "cli/interrupt.h"
 #include "cli/open_page.h"
 #include "cli/output_folder.h"
 #include "cli/program_identity.h"
+#include "reports/accuracy/audit_run.h"
 #include "reports/baseline/baseline.h"
 #include "reports/journal/run_journal.h"
 #include "reports/sweep/question_id.h"
@@ -48,6 +50,17 @@ Baseline BaselineIn(const std::filesystem::path& file) {
   BaselineResult result = ReadBaselineFile(file);
   if (!result.baseline) throw InputError(ToString(result.diagnostics.front()));
   return std::move(*result.baseline);
+}
+
+/** Reads a table of accuracy. Throws InputError. */
+std::string AccuracyIn(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(in), {});
+  if (text.empty()) {
+    throw InputError(fmt::format(
+        "cannot read {}; expected what `touchstone accuracy` prints", file.string()));
+  }
+  return text;
 }
 
 /** Returns the command that asks the same again, without what it does with the answers.
@@ -156,7 +169,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
         "patterns, no --against and no --set");
   }
   std::optional<std::string> accuracy;
-  if (arguments.audit) accuracy = ReadAccuracy(*arguments.audit);
+  if (arguments.audit) accuracy = AccuracyIn(*arguments.audit);
   std::optional<std::filesystem::path> folder = arguments.out;
   if (!folder && arguments.open) folder = kFolderToOpen;
   std::optional<OutputFolder> out;
@@ -185,7 +198,10 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
                          "there\n");
     return 128 + signal;
   }
-  if (accuracy) AuditRun(report, *accuracy);
+  if (accuracy) {
+    const std::vector<std::string> faults = AuditRun(report, *accuracy);
+    report.faults.insert(report.faults.end(), faults.begin(), faults.end());
+  }
   if (baseline) CompareWithBaseline(report, *baseline);
 
   WriteTable(report,

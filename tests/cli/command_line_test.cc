@@ -334,6 +334,17 @@ TEST_F(CommandLineTest, RequiresOneActionOfTheLedger) {
   }
 }
 
+TEST_F(CommandLineTest, AuditsOnlyTheWholeCatalogueAndWithATable) {
+  Write("accuracy.md", "# Accuracy\n");
+  const Ended part =
+      Touchstone("run --audit " + Path("accuracy.md") + " " + Path("mine"));
+  EXPECT_EQ(part.code, 2);
+  EXPECT_THAT(part.err, HasSubstr("--audit is about the whole built-in catalogue"));
+  const Ended no_table = Touchstone("run --audit " + Path("nowhere.md"));
+  EXPECT_EQ(no_table.code, 2);
+  EXPECT_THAT(no_table.err, HasSubstr("cannot read " + Path("nowhere.md")));
+}
+
 TEST_F(CommandLineTest, NamesWhatGotWorseThanInABaseline) {
   const std::string file = " --against thrower " + Path("mine/deep.toml");
   EXPECT_EQ(Touchstone("run --out " + Path("before") + file).code, 1);

@@ -1,8 +1,11 @@
 #include "reports/accuracy/accuracy.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/accuracy/audit_run.h"
 #include "tests/reports/specimens.h"
 
 namespace touchstone {
@@ -103,6 +106,18 @@ TEST(CheckAccuracy, FailsARowThatIsMissingOrSaysSomethingElse) {
       CheckAccuracy(ReportOf(1e-15, 0),
                     "| ode | 0.16.2 | sphere, box | 1.2e-15 | 1e-9 | - |\n"),
       ElementsAre("ode on sphere, box: excess: the table says 1e-9, but it is \"-\""));
+}
+
+TEST(AuditRun, FindsErrorsOffTheirTableAndFindingsWithoutTolerance) {
+  RunReport report = ReportOf(1e-15, 2e-15);
+  const std::string published = AccuracyTable(report);
+  EXPECT_THAT(AuditRun(report, published), IsEmpty());
+  report.findings[0].tolerance = std::numeric_limits<double>::quiet_NaN();
+  report.findings[1].value *= 2;
+  EXPECT_THAT(
+      AuditRun(report, published),
+      ElementsAre("contact/sphere_box/0: separation_error of ode has no tolerance",
+                  HasSubstr("accuracy of ode on sphere, box: separation_error: ")));
 }
 
 }  // namespace

@@ -88,6 +88,23 @@ TEST(AuditLedger, FindsCausesThatContradictTheirFindings) {
   EXPECT_TRUE(IsInOrder(AuditOf(report)));
 }
 
+TEST(FaultsOfAnAudit, AreSentencesWithPlaceAndNumbers) {
+  RunReport report = ReportOfFailures({0.04, 0, 0}, 0.05);
+  report.ledger.bounds.erase(CellOfFailure(1));
+  report.ledger.entries[0].causes = {Cause::kDefect};
+  report.findings[0].cause = Cause::kPrecision;
+  const LedgerAudit audit = AuditOf(report);
+  EXPECT_THAT(
+      FaultsOf(report, audit),
+      testing::ElementsAre("known_discrepancies.toml: would excuse an error of 0.001 of "
+                           "the scene in 1 of 2 passing cells; expected at most 0.5 %",
+                           HasSubstr(":17: says defect, but 1 is precision"),
+                           HasSubstr(":17: says defect, but none is defect")));
+  EXPECT_FALSE(IsInOrder(audit));
+  report = ReportOfFailures({0.04, 0}, 0.0009);
+  EXPECT_THAT(FaultsOf(report, AuditOf(report)), testing::IsEmpty());
+}
+
 TEST(RewriteCauses, WritesTheCausesOfTheFindingsOverTheLineOfTheEntry) {
   const std::string before =
       "[[entry]]\nreason = \"A\"\ncause = \"defect\"\n\n[[entry]]\n"
