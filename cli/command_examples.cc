@@ -36,6 +36,7 @@ settings of the adapters: it hides no failure in a world of an oracle that is se
   touchstone run mine.toml --out report          also write report/report.html
   touchstone run --open                          show the page in the browser
   touchstone run mine.toml --as-shipped --set ode:contact_erp=0.1
+  touchstone run world --timings                 also print where the time went
 )",
      "0 all pass or known; 1 failures of the subject, a reference or a file\n"
      "(references do not count with --fail-on subject); 2 bad input, or nothing of the\n"

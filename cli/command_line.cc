@@ -249,6 +249,9 @@ class CommandLine {
         ->check(OneOf({"subject", "anything"}))
         ->type_name("SCOPE");
     AddJobs(app, run_.jobs);
+    app->add_flag("--timings", run_.timings,
+                  "print the twenty longest answers and worlds, and the sums by oracle, "
+                  "kind of motion, law and kind of contact query");
     app->add_flag("--quiet", run_.quiet,
                   "print only the failures that count and the last line");
   }

@@ -51,6 +51,9 @@ struct ContactAnswer {
   std::optional<double> separation;       ///< Signed: < 0 penetrating, > 0 apart. [m]
   std::vector<ContactPoint> points;       ///< Empty if apart or not provided. Unordered.
   std::optional<WitnessPoints> witnesses;
+  /** The time that the oracle took, by the clock on the wall; 0 if nobody looked. No
+   judgement depends on it. [s] */
+  double seconds = 0;
 };
 
 }  // namespace touchstone

@@ -4,6 +4,7 @@
 
 #include "oracles/no_answer.h"
 #include "oracles/standard_arithmetic.h"
+#include "oracles/stopwatch.h"
 
 namespace touchstone {
 
@@ -59,14 +60,16 @@ Trajectory Oracle::Simulate(const World& world) const {
   trajectory.reason = CannotSimulate(world);
   if (!trajectory.reason.empty()) return trajectory;
   const StandardArithmetic arithmetic;
+  const Stopwatch watch;
   try {
-    return RunToEnd(*Begin(world), world);
+    trajectory = RunToEnd(*Begin(world), world);
   } catch (...) {
     const ContactAnswer crash = CrashedByException();
     trajectory.status = crash.status;
     trajectory.reason = crash.reason;
-    return trajectory;
   }
+  trajectory.seconds = watch.seconds();
+  return trajectory;
 }
 
 std::vector<Trajectory> Oracle::SimulateEach(std::span<const World> worlds) const {

@@ -167,7 +167,8 @@ class Oracle {
 
   virtual const OracleInfo& info() const = 0;
 
-  /** Answers every query; `answers[i]` is overwritten with the answer to `queries[i]`.
+  /** Answers every query; `answers[i]` is overwritten with the answer to `queries[i]`,
+   which states the time that it took.
    @pre The sizes are equal and every query is valid (scenarios/validate.h). */
   virtual void Answer(std::span<const ContactQuery> queries,
                       std::span<ContactAnswer> answers) const = 0;
@@ -206,8 +207,8 @@ class Oracle {
   virtual std::unique_ptr<Simulation> BeginInThreads(const World& world,
                                                      int threads) const;
 
-  /** Returns how `world` moves; kUnsupported, with the reason, if the oracle cannot
-   simulate it.
+  /** Returns how `world` moves, and the time that this took; kUnsupported, with the
+   reason, if the oracle cannot simulate it.
    @pre The world is valid (scenarios/worlds/validate_world.h). */
   virtual Trajectory Simulate(const World& world) const;
 

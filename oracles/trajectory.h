@@ -64,6 +64,9 @@ struct Trajectory {
    simulation, e.g. "LCP internal error": a sign of an internal failure, whatever the
    answer. Empty if it printed nothing. */
   std::string complaint;
+  /** The time that the oracle took, by the clock on the wall; 0 if nobody looked. No
+   judgement depends on it. [s] */
+  double seconds = 0;
 };
 
 }  // namespace touchstone

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <string>
+#include <string_view>
 #include <tuple>
 
+#include "oracles/stopwatch.h"
 #include "reports/contacts/causes/precision.h"
 #include "reports/contacts/consensus.h"
 #include "reports/contacts/explain.h"
@@ -194,9 +197,17 @@ class Suite {
  private:
   void EstablishTruth() {
     if (!options_.truths.empty()) return;
-    ForEachScenario([](ScenarioResult& result, std::vector<Finding>&) {
+    ForEachScenario([this](ScenarioResult& result, std::vector<Finding>&) {
+      const Stopwatch watch;
       result.truth = ComputeContactTruth(result.scenario.contact);
+      AddSeconds("truth", watch.seconds());
     });
+  }
+
+  /** Adds time that contact queries took. May be called from any thread. */
+  void AddSeconds(std::string_view kind, double seconds) {
+    const std::scoped_lock lock(progress_);
+    report_.seconds_of_contacts[std::string(kind)] += seconds;
   }
 
   void AskQuestions() {
@@ -210,6 +221,7 @@ class Suite {
     });
     for (std::size_t s = 0; s < report_.scenarios.size(); ++s) {
       for (auto& answers : round.answers) {
+        AddSeconds("itself", answers[s].seconds);
         report_.scenarios[s].answers.push_back(std::move(answers[s]));
       }
     }
@@ -291,6 +303,7 @@ class Suite {
                                     result.answers[i].touching);
           last = i;
         }
+        AddSeconds(NameOf(variants[s][v].measure), round.answers[i][place].seconds);
         auto finding = JudgeVariant(
             result.scenario, result.truth, report_.oracles[i], result.answers[i],
             variants[s][v], round.answers[i][place], tolerances, options_.reasons);
@@ -381,6 +394,8 @@ class Suite {
         const auto queries = std::span(round.queries[i]).subspan(begin, end - begin);
         std::vector<ContactTruth>& of_neighbours =
             truths[s][report_.oracles[i].unit_roundoff];
+        for (std::size_t q = begin; q < end; ++q)
+          AddSeconds("neighbour", round.answers[i][q].seconds);
         if (of_neighbours.empty()) {
           for (const ContactQuery& query : queries)
             of_neighbours.push_back(ComputeContactTruth(query));

@@ -5,6 +5,13 @@
 
 namespace touchstone {
 
+double SecondsOf(const RunReport& report, std::size_t oracle, std::size_t i) {
+  const std::size_t contacts = report.scenarios.size();
+  if (i < contacts) return report.scenarios[i].answers[oracle].seconds;
+  const std::vector<WorldSeconds>& seconds = report.worlds[i - contacts].seconds;
+  return oracle < seconds.size() ? seconds[oracle].all : 0;
+}
+
 std::size_t QuestionCount(const RunReport& report) {
   return report.scenarios.size() + report.worlds.size();
 }

@@ -9,6 +9,7 @@
 #include "reports/finding/finding.h"
 #include "reports/finding/ledger.h"
 #include "reports/worlds/study/world_result.h"
+#include "reports/worlds/study/world_seconds.h"
 
 namespace touchstone {
 
@@ -29,6 +30,10 @@ struct RunReport {
    applies; a question that an oracle does not support has one kUnsupported finding. An
    oracle has no findings on questions of a kind that it does not answer at all. */
   std::vector<Finding> findings;
+  /** The time that contact queries took by the clock on the wall, by kind of question:
+   "truth", "itself", the names of variants, "neighbour" (asked for a cause). Those of
+   single answers and worlds are with them. No judgement depends on it. [s] */
+  SecondsByName seconds_of_contacts;
   Ledger ledger;
   std::vector<LedgerUse> ledger_use;  ///< Indexed by entry of the ledger.
   /** Faults of the scenario files and the ledger that fail the run: an expectation that
@@ -40,6 +45,10 @@ struct RunReport {
    as the failures of its oracle do. */
   std::vector<Regression> regressions;
 };
+
+/** Returns the time that oracle and judge took for question i: for a contact query that
+ of the answer alone. [s] */
+double SecondsOf(const RunReport& report, std::size_t oracle, std::size_t i);
 
 /** Returns the number of questions of either kind. */
 std::size_t QuestionCount(const RunReport& report);

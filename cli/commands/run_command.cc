@@ -31,6 +31,7 @@
 #include "reports/writers/junit_writer.h"
 #include "reports/writers/report_data.h"
 #include "reports/writers/table_writer.h"
+#include "reports/writers/timings_writer.h"
 
 namespace touchstone {
 namespace {
@@ -210,6 +211,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
               .width = session.terminal.width,
               .fail_on = arguments.fail_on},
              std::cout);
+  if (arguments.timings) WriteTimings(report, std::cout);
   if (!session.registry.missing().empty() && arguments.oracles.against.empty()) {
     std::vector<std::string_view> names;
     for (const MissingOracle& missing : session.registry.missing())

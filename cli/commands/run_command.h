@@ -25,6 +25,7 @@ struct RunArguments {
   bool open = false;  ///< Whether to show the page in the browser.
   FailOn fail_on = FailOn::kAnything;
   int jobs = 0;
+  bool timings = false;  ///< Whether to print where the time went.
   bool quiet = false;
 };
 

@@ -8,6 +8,7 @@
 #include "oracles/bullet/bullet_world.h"
 #include "oracles/bullet/closest_points.h"
 #include "oracles/bullet/world_dispatch.h"
+#include "oracles/stopwatch.h"
 
 namespace touchstone {
 namespace {
@@ -28,7 +29,9 @@ void Answer(BulletPath path, const ContactQuery* const* queries,
             ContactAnswer* const* answers, std::size_t count) {
   const std::unique_ptr<BulletAlgorithm> algorithm = AlgorithmOf(path);
   for (std::size_t i = 0; i < count; ++i) {
+    const Stopwatch watch;
     *answers[i] = algorithm->Answer(BulletPair(*queries[i]));
+    answers[i]->seconds = watch.seconds();
   }
 }
 

@@ -7,6 +7,7 @@
 #include "oracles/cookbook/cookbook_world.h"
 #include "oracles/cookbook/translate.h"
 #include "oracles/no_answer.h"
+#include "oracles/stopwatch.h"
 
 namespace touchstone {
 namespace {
@@ -118,8 +119,10 @@ void CookbookOracle::DescribeSleep() {
 void CookbookOracle::Answer(std::span<const ContactQuery> queries,
                             std::span<ContactAnswer> answers) const {
   for (std::size_t k = 0; k < queries.size(); ++k) {
+    const Stopwatch watch;
     answers[k] = info_.AnswersContacts() ? AnswerOne(queries[k])
                                          : UnsupportedAnswer(kStepsWorldsOnly);
+    answers[k].seconds = watch.seconds();
   }
 }
 

@@ -7,6 +7,7 @@
 #include "engine/printed/collide.h"
 #include "oracles/cookbook/printed_simulation.h"
 #include "oracles/cookbook/translate.h"
+#include "oracles/stopwatch.h"
 
 namespace touchstone {
 namespace {
@@ -56,7 +57,11 @@ class PrintedOracle final : public Oracle {
 
   void Answer(std::span<const ContactQuery> queries,
               std::span<ContactAnswer> answers) const override {
-    for (std::size_t k = 0; k < queries.size(); ++k) answers[k] = AnswerOne(queries[k]);
+    for (std::size_t k = 0; k < queries.size(); ++k) {
+      const Stopwatch watch;
+      answers[k] = AnswerOne(queries[k]);
+      answers[k].seconds = watch.seconds();
+    }
   }
 
   std::unique_ptr<Simulation> Begin(const World& world) const override {

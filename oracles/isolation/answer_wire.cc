@@ -98,6 +98,7 @@ std::string ToWire(const ContactAnswer& answer) {
     writer.Put(static_cast<std::uint8_t>(point.n_AB_W ? 1 : 0));
     if (point.n_AB_W) writer.Put(*point.n_AB_W);
   }
+  writer.Put(answer.seconds);
   return writer.Take();
 }
 
@@ -130,6 +131,7 @@ std::optional<ContactAnswer> FromWire(std::string_view bytes) {
     if (has_normal == 1) point.n_AB_W = reader.GetVector();
     answer.points.push_back(point);
   }
+  answer.seconds = reader.Get<double>();
   if (!reader.AtEndWithoutFailure()) return std::nullopt;
   return answer;
 }
@@ -157,6 +159,7 @@ std::string ToWire(const Trajectory& trajectory) {
   }
   writer.Put(static_cast<std::uint64_t>(trajectory.impulses.size()));
   for (const ContactImpulse& impulse : trajectory.impulses) Put(writer, impulse);
+  writer.Put(trajectory.seconds);
   return writer.Take();
 }
 
@@ -194,6 +197,7 @@ std::optional<Trajectory> TrajectoryFromWire(std::string_view bytes) {
   const auto impulses = reader.GetCount<std::uint64_t>(kImpulse);
   trajectory.impulses.resize(impulses);
   for (ContactImpulse& impulse : trajectory.impulses) Get(reader, impulse);
+  trajectory.seconds = reader.Get<double>();
   if (!reader.AtEndWithoutFailure()) return std::nullopt;
   return trajectory;
 }

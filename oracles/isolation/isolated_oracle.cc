@@ -1,5 +1,6 @@
 #include "oracles/isolation/isolated_oracle.h"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "oracles/isolation/child_process.h"
 #include "oracles/isolation/recording_child.h"
 #include "oracles/no_answer.h"
+#include "oracles/stopwatch.h"
 
 namespace touchstone {
 namespace {
@@ -155,6 +157,8 @@ class IsolatedOracle final : public Oracle {
   void AnswerUntilDeath(std::span<const ContactQuery> queries,
                         std::span<ContactAnswer> answers, std::size_t& next) const {
     const std::span<const ContactQuery> left = queries.subspan(next);
+    const Stopwatch watch;
+    double told = 0;  // What the answers say that they took. [s]
     RecordingChild child(
         left.size(),
         [&](std::size_t i) { return ToWire(AnswerOrCrash(*oracle_, left[i])); },
@@ -166,9 +170,11 @@ class IsolatedOracle final : public Oracle {
         ChildProcess::Ending ending = child.LastWords();
         answers[next] = ContactAnswer{};
         answers[next].status = ending.status;
+        answers[next].seconds = std::max(0.0, watch.seconds() - told);
         answers[next++].reason = std::move(ending.reason);
         return;
       }
+      told += answer->seconds;
       answers[next++] = *std::move(answer);
     }
   }
@@ -188,11 +194,13 @@ class IsolatedOracle final : public Oracle {
         },
         {limits_.world_cpu, limits_.world_wall, limits_.memory, limits_.memory});
     while (!left.empty()) {
+      const Stopwatch watch;
       std::optional<Trajectory> trajectory = child.Next(&TrajectoryFromWire);
       const bool died = !trajectory;
       if (died) {
         ChildProcess::Ending ending = child.LastWords();
         trajectory = NoTrajectory(ending.status, std::move(ending.reason));
+        trajectory->seconds = watch.seconds();
       }
       trajectories[left.front()] = *std::move(trajectory);
       left = left.subspan(1);

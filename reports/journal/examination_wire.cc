@@ -164,6 +164,29 @@ void ForEachDrift(SomeDrifts& drifts, Each each) {
   each(angular_momentum);
 }
 
+void Put(WireWriter& to, const SecondsByName& seconds) {
+  to.Put(static_cast<std::uint32_t>(seconds.size()));
+  for (const auto& [name, value] : seconds) {
+    Put(to, name);
+    Put(to, value);
+  }
+}
+void Get(WireReader& from, SecondsByName& seconds) {
+  const std::uint32_t count = from.GetCount(kSmallestText + sizeof(double));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::string name = from.GetText();
+    Get(from, seconds[name]);
+  }
+}
+
+template <typename SomeSeconds, typename Each>
+void ForEachSecond(SomeSeconds& seconds, Each each) {
+  auto& [all, motions, laws] = seconds;
+  each(all);
+  each(motions);
+  each(laws);
+}
+
 template <typename SomeStatistics, typename Each>
 void ForEachStatistic(SomeStatistics& statistics, Each each) {
   auto& [members, kinetic_energy, height, width] = statistics;
@@ -184,6 +207,7 @@ std::string ToWire(const Examination& examination) {
   ForEachStatistic(examination.ensemble, put);
   to.Put(static_cast<std::uint32_t>(examination.findings.size()));
   for (const Finding& finding : examination.findings) ForEachField(finding, put);
+  ForEachSecond(examination.seconds, put);
   return to.Take();
 }
 
@@ -200,6 +224,7 @@ std::optional<Examination> ExaminationFromWire(std::string_view bytes) {
   const std::uint32_t count = from.GetCount(kSmallestFinding);
   examination.findings.resize(count);
   for (Finding& finding : examination.findings) ForEachField(finding, get);
+  ForEachSecond(examination.seconds, get);
   if (!from.AtEndWithoutFailure()) return std::nullopt;
   return examination;
 }

@@ -417,6 +417,27 @@ Json ToJson(const VerdictCounts& counts) {
   return json;
 }
 
+Json ToJson(const SecondsByName& seconds) {
+  Json json = Json::object();
+  for (const auto& [name, value] : seconds) json[name] = ToJson(value);
+  return json;
+}
+
+/** Returns the time of one answer or world. */
+Json SecondsToJson(const RunReport& report, std::size_t question, std::size_t oracle) {
+  Json json;
+  json["scenario"] = IdOf(report, question);
+  json["oracle"] = report.oracles[oracle].name;
+  json["seconds"] = ToJson(SecondsOf(report, oracle, question));
+  const std::size_t contacts = report.scenarios.size();
+  if (question < contacts) return json;
+  const std::vector<WorldSeconds>& of_world = report.worlds[question - contacts].seconds;
+  if (oracle >= of_world.size()) return json;
+  json["motions"] = ToJson(of_world[oracle].motions);
+  json["laws"] = ToJson(of_world[oracle].laws);
+  return json;
+}
+
 // Writes an object as one line that names its kind first.
 void WriteLine(std::string_view kind, const Json& object, std::ostream& out) {
   Json line = {{"kind", kind}};
@@ -447,6 +468,10 @@ void WriteJson(const RunReport& report, std::ostream& out) {
     WriteLine("world", WorldToJson(report, outcomes, i), out);
   for (const Finding& finding : report.findings)
     WriteLine("finding", ToJson(finding), out);
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.asked)
+      WriteLine("seconds", SecondsToJson(report, outcome.scenario, outcome.oracle), out);
+  }
   for (std::size_t i = 0; i < report.ledger.entries.size(); ++i)
     WriteLine("ledger", LedgerEntryToJson(report, i), out);
   for (const std::string& fault : report.faults)

@@ -16,9 +16,11 @@ struct SuiteCounts {
   int failures = 0;
   int errors = 0;
   int skipped = 0;
+  double seconds = 0;
 
-  void Add(Verdict verdict) {
+  void Add(Verdict verdict, double took) {
     ++tests;
+    seconds += took;
     if (verdict == Verdict::kCrashed || verdict == Verdict::kTimedOut) {
       ++errors;
     } else if (IsFailure(verdict)) {
@@ -29,8 +31,9 @@ struct SuiteCounts {
   }
 
   std::string Attributes() const {
-    return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}")", tests,
-                       failures, errors, skipped);
+    return fmt::format(
+        R"(tests="{}" failures="{}" errors="{}" skipped="{}" time="{:.6f}")", tests,
+        failures, errors, skipped, seconds);
   }
 };
 
@@ -59,9 +62,10 @@ std::string AllSentences(const Outcome& outcome) {
 }
 
 void WriteCase(const RunReport& report, const Outcome& outcome, std::ostream& out) {
-  out << fmt::format(R"(    <testcase classname="{}" name="{}")",
+  out << fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.6f}")",
                      XmlText(report.oracles[outcome.oracle].name),
-                     XmlText(IdOf(report, outcome.scenario)));
+                     XmlText(IdOf(report, outcome.scenario)),
+                     SecondsOf(report, outcome.oracle, outcome.scenario));
   if (outcome.verdict == Verdict::kPass) {
     out << "/>\n";
     return;
@@ -94,8 +98,9 @@ void WriteJUnit(const RunReport& report, std::ostream& out) {
   SuiteCounts total;
   for (const Outcome& outcome : outcomes) {
     if (!outcome.asked) continue;
-    suites[outcome.oracle].Add(outcome.verdict);
-    total.Add(outcome.verdict);
+    const double seconds = SecondsOf(report, outcome.oracle, outcome.scenario);
+    suites[outcome.oracle].Add(outcome.verdict, seconds);
+    total.Add(outcome.verdict, seconds);
   }
   const int faults = static_cast<int>(report.faults.size());
   total.tests += faults;

@@ -11,8 +11,8 @@ namespace touchstone {
 
  A dashboard shows: pass and undecidable as passed; known and unsupported as skipped, each
  with its reason (as pytest writes its expected failures); proved wrong, disagreeing and
- invalid as failures; crashed and timed out as errors. The output contains no times, so
- the same report gives the same bytes. */
+ invalid as failures; crashed and timed out as errors. `time` is SecondsOf() the answer
+ or world. */
 void WriteJUnit(const RunReport& report, std::ostream& out);
 
 }  // namespace touchstone

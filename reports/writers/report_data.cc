@@ -19,6 +19,7 @@
 #include "reports/writers/data/texts.h"
 #include "reports/writers/data/world_data.h"
 #include "reports/writers/outcome.h"
+#include "reports/writers/world_sums.h"
 #include "scenarios/scenario_file.h"
 
 namespace touchstone {
@@ -169,6 +170,25 @@ class Scenes {
   std::vector<Moment> moments_;
 };
 
+/** Returns the time of each question by each oracle, null where it is not asked. [s] */
+DataJson SecondsData(const RunReport& report) {
+  DataJson data = DataJson::array();
+  for (std::size_t i = 0; i < QuestionCount(report); ++i) {
+    DataJson& of_question = data.emplace_back(DataJson::array());
+    for (std::size_t o = 0; o < report.oracles.size(); ++o) {
+      of_question.push_back(Answers(report, o, i) ? ToData(SecondsOf(report, o, i), 3)
+                                                  : DataJson(nullptr));
+    }
+  }
+  return data;
+}
+
+DataJson SumsData(const SecondsByName& sums) {
+  DataJson data = DataJson::object();
+  for (const auto& [name, seconds] : sums) data[name] = ToData(seconds, 3);
+  return data;
+}
+
 }  // namespace
 
 std::string ReportData(const RunReport& report, const RunFacts& facts) {
@@ -213,6 +233,10 @@ std::string ReportData(const RunReport& report, const RunFacts& facts) {
     data["regressions"].push_back(
         {{"oracle", regression.oracle}, {"what", regression.what}});
   }
+  data["seconds"] = SecondsData(report);
+  data["spent"] = {{"motions", SumsData(SecondsOfMotions(report))},
+                   {"laws", SumsData(SecondsOfLaws(report))},
+                   {"contacts", SumsData(report.seconds_of_contacts)}};
   data["texts"] = texts.all();
   return PackData({std::move(data), std::move(blob)});
 }

@@ -60,15 +60,15 @@ list(APPEND own_rules
   "reports/worlds/law_support/ => reports/(text|finding|referee|worlds/truth)/|oracles/(oracle|trajectory)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/worlds/laws/ => reports/(text|worlds/(truth|law_support))/"
   # The study finds a law by its name and includes no single law.
-  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/(nearest_name|scenario_schema)[.]h|(generators|worlds)/)"
+  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|stopwatch|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/(nearest_name|scenario_schema)[.]h|(generators|worlds)/)"
   # Only the benchmark runs engines in child processes of its own.
   "reports/bench/ => reports/(text|referee|measures)/|oracles/(isolation/[a-z_]+|oracle|simulation|trajectory)[.]h|scenarios/([a-z_]+[.]h|(generators|worlds)/)"
-  "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_result[.]h)|oracles/oracle[.]h"
+  "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_(result|seconds)[.]h)|oracles/oracle[.]h"
   "reports/ledger/ => reports/((text|finding|referee|measures|contacts)/|run_report[.]h)|scenarios/(diagnostic|validate_scenario|schema/nearest_name)[.]h"
   "reports/accuracy/ => reports/(ledger/|run_report[.]h)"
   "reports/clusters/ => reports/((text|finding|contacts)/|worlds/study/motion_scale[.]h|run_report[.]h|referee/contact_truth[.]h)|scenarios/(contact_query|measure_kind|worlds/world)[.]h"
   "reports/baseline/ => reports/((finding|ledger|contacts|worlds/study)/|run_report[.]h)|scenarios/diagnostic[.]h"
-  "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/oracle[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
+  "reports/run[.] => reports/((threads|finding|referee|measures|contacts|worlds/study|ledger)/|run_report[.]h)|oracles/(oracle|stopwatch)[.]h|scenarios/(scenario|worlds/world_scenario)[.]h"
   "reports/writers/ => scenarios/diagnostic[.]h|reports/((baseline|text|finding|referee|contacts|clusters|worlds/study)/|run_report[.]h)|oracles/(contact_answer|stated_tolerance|trajectory)[.]h|scenarios/(contact_query|scenario_file|worlds/world_scenario)[.]h"
   "reports/sweep/ => reports/((threads|finding|referee|contacts|writers|worlds/study)/|run(_report)?[.]h)|oracles/(oracle|stated_tolerance|world_setup)[.]h|scenarios/(generators/|(scenario|scenario_file|shape|validate|worlds/world_scenario)[.]h)"
   "reports/journal/ => reports/(finding/|sweep/database[.]h|worlds/study/examine_world[.]h)|oracles/(isolation/(answer_wire|wire)|oracle|stated_tolerance|world_setup)[.]h|scenarios/scenario_file[.]h"

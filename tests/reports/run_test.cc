@@ -155,6 +155,18 @@ TEST(Run, DoesNotDependOnTheNumberOfJobs) {
   EXPECT_NE(ExitCode(serial, FailOn::kAnything), 0);
 }
 
+TEST(Run, AddsUpTheSecondsOfContactQueriesByKind) {
+  const FakeOracle slow = FakeOracle::Wrong(
+      "slow", [](const ContactQuery&, ContactAnswer& answer) { answer.seconds = 1; });
+  const std::vector<Scenario> scenarios = Sweep(1);
+  const RunReport report = RunAll(scenarios, {&slow}, {}, {});
+  EXPECT_EQ(SecondsOf(report, 0, 0), 1);
+  const auto count = static_cast<double>(scenarios.size());
+  EXPECT_EQ(report.seconds_of_contacts.at("itself"), count);
+  EXPECT_EQ(report.seconds_of_contacts.at("swap"), count);
+  EXPECT_GT(report.seconds_of_contacts.at("truth"), 0);
+}
+
 TEST(Run, SortsByScenarioOracleAndMeasure) {
   const FakeOracle second("b");
   const FakeOracle first("z");

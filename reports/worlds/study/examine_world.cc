@@ -29,6 +29,22 @@ void Append(std::vector<Finding>& findings, std::vector<Finding> more) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
 }
 
+/** The name in WorldSeconds::motions of worlds with a moved start. */
+constexpr std::string_view kMovedStart = "moved start";
+
+/** Adds the times of the neighbours to `motions`. */
+void AddSeconds(const Neighbours& neighbours, SecondsByName& motions) {
+  const auto add = [&](std::string_view kind, const Trajectory& motion) {
+    if (motion.seconds > 0) motions[std::string(kind)] += motion.seconds;
+  };
+  add("half step", neighbours.half);
+  add("quarter step", neighbours.quarter);
+  for (const Trajectory& motion : neighbours.nudged) add(kMovedStart, motion);
+  for (const VariantMotion& variant : neighbours.variants)
+    add(NameOf(variant.variant.measure), variant.trajectory);
+  add("again", neighbours.again);
+}
+
 /** Returns the findings that the motions of a studied world at other steps and with a
  moved start were not answered. The first unanswered move speaks for all. */
 std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neighbours,
@@ -53,9 +69,10 @@ std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neig
 constexpr std::size_t kNudgesOfUnstable = 4;
 
 /** Returns the growth of rounding by the answered motion that amplifies it most. Asks the
- oracle what the roundings of all steps move if that gain is beyond kLargestGain. */
+ oracle what the roundings of all steps move if that gain is beyond kLargestGain, and
+ adds the time that this takes to `seconds`. */
 RoundingGrowth LargestGrowth(const Study& study, const Oracle& oracle,
-                             std::span<const Trajectory> nudged) {
+                             std::span<const Trajectory> nudged, double& seconds) {
   RoundingGrowth growth;
   for (const Trajectory& other : nudged) {
     if (!study.half || !IsWhole(other)) continue;
@@ -64,8 +81,10 @@ RoundingGrowth LargestGrowth(const Study& study, const Oracle& oracle,
   }
   if (growth.gain <= kLargestGain) return growth;
   const double all_roundings = RoundingOf(study, study.scenario.world.steps);
-  growth.most = MostThatRoundingExplains(
-      study, SimulateNudged(study.scenario, oracle, all_roundings, kNudgesOfUnstable));
+  const std::vector<Trajectory> moved =
+      SimulateNudged(study.scenario, oracle, all_roundings, kNudgesOfUnstable);
+  for (const Trajectory& other : moved) seconds += other.seconds;
+  growth.most = MostThatRoundingExplains(study, moved);
   return growth;
 }
 
@@ -111,7 +130,10 @@ std::vector<Finding> BrokenBy(const VariantMotion& moved, const Study& study,
   asked.claims = ClaimsOf(moved.variant, study.scenario.claims);
   asked.expectations.clear();  // They are about places in the world itself.
   std::vector<Finding> broken;
-  for (Finding& found : JudgeWorld({asked, study.oracle, moved.trajectory})) {
+  for (Finding& found : JudgeWorld({.scenario = asked,
+                        .oracle = study.oracle,
+                        .trajectory = moved.trajectory,
+                        .seconds_of_laws = study.seconds_of_laws})) {
     if (found.verdict != Verdict::kFail) continue;
     const bool is_known =
         std::any_of(of_world.begin(), of_world.end(), [&](const Finding& known) {
@@ -194,13 +216,15 @@ std::vector<Finding> FindingsOfVariant(const Study& study, const RoundingGrowth&
 }
 
 /** Adds the findings of the wanted neighbours of a studied world to `of_world`, those of
- the world itself, and returns all. */
+ the world itself, and returns all. Adds the time of further motions to `motions`. */
 std::vector<Finding> WithNeighbours(const Study& study, const Oracle& oracle,
                                     const Neighbours& neighbours,
                                     const WantedNeighbours& wanted,
-                                    std::vector<Finding> of_world) {
+                                    std::vector<Finding> of_world,
+                                    SecondsByName& motions) {
   Append(of_world, FailuresToAnswer(study, neighbours, wanted));
-  RoundingGrowth growth = LargestGrowth(study, oracle, neighbours.nudged);
+  RoundingGrowth growth =
+      LargestGrowth(study, oracle, neighbours.nudged, motions[std::string(kMovedStart)]);
   if (const Claim* stable = FindClaim(study.scenario, kStable)) {
     const double most = stable->numbers.at(std::string(kStableGain));
     of_world.push_back(JudgeStable(study, most, neighbours.nudged));
@@ -219,24 +243,31 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
   Examination examined;
   examined.trajectory = oracle.Simulate(scenario.world);
   const Trajectory& trajectory = examined.trajectory;
+  SecondsByName& motions = examined.seconds.motions;
+  motions["itself"] = trajectory.seconds;
   Neighbours neighbours;
   if (IsWhole(trajectory)) {
     examined.drifts = DriftsOf(scenario.world, trajectory);
     const double nudge = RoundingOf({scenario, oracle.info(), trajectory}, 1);
     neighbours = SimulateNeighbours(scenario, oracle, nudge, wanted);
+    AddSeconds(neighbours, motions);
   }
   const bool studied = IsWhole(trajectory) && IsStudied(scenario);
   const bool refined = studied && IsWhole(neighbours.half) &&
                        (!wanted.quarter || IsWhole(neighbours.quarter));
-  const Study study{scenario, oracle.info(), trajectory,
+  const Study study{scenario,
+                    oracle.info(),
+                    trajectory,
                     refined ? &neighbours.half : nullptr,
-                    refined && wanted.quarter ? &neighbours.quarter : nullptr};
+                    refined && wanted.quarter ? &neighbours.quarter : nullptr,
+                    &examined.seconds.laws};
 
   std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(study);
   const bool answered = groups.front().front().verdict == Verdict::kPass;
   if (answered && scenario.ensemble) {
-    EnsembleJudgement ensemble =
-        JudgeEnsemble(scenario, oracle, trajectory, std::move(groups));
+    EnsembleJudgement ensemble = JudgeEnsemble(scenario, oracle, trajectory,
+                                               std::move(groups), &examined.seconds.laws);
+    motions["ensemble"] = ensemble.seconds;
     groups = std::move(ensemble.groups);
     examined.ensemble = ensemble.statistics;
   }
@@ -245,7 +276,8 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
   if (answered && FindClaim(scenario, kDeterministic))
     findings.push_back(JudgeRepetition(study, neighbours.again));
   if (answered && studied)
-    findings = WithNeighbours(study, oracle, neighbours, wanted, std::move(findings));
+    findings =
+        WithNeighbours(study, oracle, neighbours, wanted, std::move(findings), motions);
   RefuseModelsOfDefects(findings);
   examined.findings = std::move(findings);
   return examined;

@@ -7,6 +7,7 @@
 #include "reports/worlds/study/ensemble_statistics.h"
 #include "reports/worlds/study/motion_drifts.h"
 #include "reports/worlds/study/wanted_neighbours.h"
+#include "reports/worlds/study/world_seconds.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
@@ -17,6 +18,7 @@ struct Examination {
   MotionDrifts drifts;          ///< Those of that motion.
   EnsembleStatistics ensemble;  ///< 0 members unless the world has an ensemble.
   std::vector<Finding> findings;
+  WorldSeconds seconds;
 };
 
 /** Simulates the world, its wanted neighbours and the members of its ensemble, and judges

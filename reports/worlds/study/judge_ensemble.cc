@@ -44,16 +44,22 @@ void KeepWorst(std::vector<Finding>& findings, const std::vector<Finding>& other
 
 EnsembleJudgement JudgeEnsemble(const WorldScenario& scenario, const Oracle& oracle,
                                 const Trajectory& first,
-                                std::vector<std::vector<Finding>> groups) {
+                                std::vector<std::vector<Finding>> groups,
+                                SecondsByName* seconds_of_laws) {
   std::vector<World> worlds;
   for (int index = 1; index < scenario.ensemble->members; ++index)
     worlds.push_back(MemberOf(scenario, index));
   std::vector<Trajectory> trajectories = oracle.SimulateEach(worlds);
   WorldScenario member = scenario;
+  double seconds = 0;
   member.expectations.clear();  // They are about the world without jitter.
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     member.world = std::move(worlds[i]);
-    auto more = JudgeWorldByClaim({member, oracle.info(), trajectories[i]});
+    seconds += trajectories[i].seconds;
+    auto more = JudgeWorldByClaim({.scenario = member,
+                                   .oracle = oracle.info(),
+                                   .trajectory = trajectories[i],
+                                   .seconds_of_laws = seconds_of_laws});
     for (std::size_t group = 0; group < more.size(); ++group) {
       for (Finding& finding : more[group])
         if (!finding.proof.empty())
@@ -63,7 +69,7 @@ EnsembleJudgement JudgeEnsemble(const WorldScenario& scenario, const Oracle& ora
     }
   }
   trajectories.push_back(first);
-  return {std::move(groups), StatisticsOf(scenario.world, trajectories)};
+  return {std::move(groups), StatisticsOf(scenario.world, trajectories), seconds};
 }
 
 }  // namespace touchstone

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "oracles/stopwatch.h"
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/laws/laws.h"
@@ -140,6 +141,7 @@ class Judgement {
   }
 
   void Hold(const Law& law, const Claim& claim) {
+    const Stopwatch watch;
     const std::vector<LawFinding> all = law.judge(motion_, claim);
     if (all.empty()) {
       Finding& unverified =
@@ -152,14 +154,21 @@ class Judgement {
     for (const LawFinding& found : all) Add(found, law, claim, law.name);
     if (law.smooth && study_.half && study_.quarter) JudgeConvergence();
     if (law.has_impacts && study_.quarter) JudgeNearLimit(law, claim);
+    AddSeconds(claim.law, watch);
   }
 
   /** Judges by a law that no claim of the file states. Engines that give it nothing to
    judge promised nothing. */
   void HoldUniversal(const Law& law, const Claim& claim) {
+    const Stopwatch watch;
     const std::string true_of_all = fmt::format("{}, true of every motion", law.name);
     for (const LawFinding& found : law.judge(motion_, claim))
       Add(found, law, claim, true_of_all).universal = true;
+    AddSeconds(claim.law, watch);
+  }
+
+  void AddSeconds(const std::string& law, const Stopwatch& watch) const {
+    if (study_.seconds_of_laws) (*study_.seconds_of_laws)[law] += watch.seconds();
   }
 
   /** Judges by one plain expectation of the file. */

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "oracles/stopwatch.h"
 #include "reports/threads/parallel_for.h"
 #include "reports/worlds/study/as_shipped.h"
 #include "reports/worlds/study/body_steps.h"
@@ -60,10 +61,14 @@ Examination Examined(const WorldScenario& scenario, const Oracle& oracle,
   if (options.find) {
     if (auto kept = options.find(scenario, oracle.info())) return std::move(*kept);
   }
+  const Stopwatch all;
   Examination examined = ExamineWorld(scenario, oracle);
+  const Stopwatch shipped;
   CompareWithShipped(scenario, oracle, examined.findings);
+  examined.seconds.motions["as shipped"] = shipped.seconds();
   GradeFaults(ScaleOf(scenario.world, examined.trajectory), examined.findings);
   SortByMeasure(examined.findings);
+  examined.seconds.all = all.seconds();
   // The signal that stops this program may have killed the engine's process, too.
   const bool is_stopped = options.stop && options.stop();
   if (options.keep && !is_stopped) options.keep(scenario, oracle.info(), examined);
@@ -91,7 +96,8 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
   for (const WorldScenario& scenario : worlds)
     report.worlds.push_back({scenario, std::vector<Trajectory>(oracles.size()),
                              std::vector<MotionDrifts>(oracles.size()),
-                             std::vector<EnsembleStatistics>(oracles.size())});
+                             std::vector<EnsembleStatistics>(oracles.size()),
+                             std::vector<WorldSeconds>(oracles.size())});
   const std::vector<Pair> pairs = PairsOf(worlds, oracles);
   std::vector<std::vector<Finding>> findings(pairs.size());
   const std::vector<std::size_t> order = LongestFirst(pairs, worlds);
@@ -103,6 +109,7 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
     report.worlds[w].trajectories[o] = std::move(examined.trajectory);
     report.worlds[w].drifts[o] = examined.drifts;
     report.worlds[w].ensembles[o] = examined.ensemble;
+    report.worlds[w].seconds[o] = std::move(examined.seconds);
     findings[i] = std::move(examined.findings);
     if (options.on_done) options.on_done(WorkOf(worlds[w]));
   });

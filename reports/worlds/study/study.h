@@ -1,6 +1,7 @@
 #pragma once
 
 #include "oracles/oracle.h"
+#include "reports/worlds/study/world_seconds.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
@@ -13,6 +14,8 @@ struct Study {
   const Trajectory& trajectory;
   const Trajectory* half = nullptr;     ///< Null if not simulated.
   const Trajectory* quarter = nullptr;  ///< Null if not simulated.
+  /** Where the judgement adds the time that each law takes; null: nobody asks. */
+  SecondsByName* seconds_of_laws = nullptr;
 };
 
 /** Returns the largest change of positions by rounding within `steps` steps. [m] */

@@ -5,6 +5,7 @@
 #include "oracles/trajectory.h"
 #include "reports/worlds/study/ensemble_statistics.h"
 #include "reports/worlds/study/motion_drifts.h"
+#include "reports/worlds/study/world_seconds.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
@@ -18,6 +19,8 @@ struct WorldResult {
   std::vector<MotionDrifts> drifts;
   /** Statistics of the world's ensemble, indexed by oracle; 0 members without one. */
   std::vector<EnsembleStatistics> ensembles;
+  /** Indexed by oracle, 0 for those that were not asked; empty if nobody looked. */
+  std::vector<WorldSeconds> seconds = {};
 };
 
 }  // namespace touchstone

@@ -24,6 +24,7 @@ ContactAnswer FullAnswer() {
   answer.witnesses = WitnessPoints{{1, 2, 3}, {0.1, 0.2, 0.3}};
   answer.points.push_back({{4, 5, 6}, -0.25, std::nullopt});
   answer.points.push_back({{7, 8, 9}, -0.0, Vector3d(0, 0, -1)});
+  answer.seconds = 1e-7;
   return answer;
 }
 
@@ -45,6 +46,7 @@ TEST(AnswerWire, KeepsEveryFieldBitForBit) {
   EXPECT_EQ(received->status, sent.status);
   EXPECT_EQ(received->reason, sent.reason);
   EXPECT_EQ(received->touching, sent.touching);
+  EXPECT_EQ(received->seconds, sent.seconds);
   EXPECT_TRUE(SameBits(*received->n_AB_W, *sent.n_AB_W));
   EXPECT_EQ(received->separation, sent.separation);
   EXPECT_TRUE(SameBits(received->witnesses->p_WCa, sent.witnesses->p_WCa));
@@ -118,6 +120,7 @@ Trajectory FullTrajectory() {
   trajectory.complaint = "LCP internal error";
   trajectory.gives_impulses = true;
   trajectory.diverged_at_step = 7;
+  trajectory.seconds = 0.3;
   for (int i = 0; i < 3; ++i) {
     const double t = 0.1 * i;
     trajectory.times.push_back(t);
@@ -147,6 +150,7 @@ TEST(TrajectoryWire, KeepsEveryFieldBitForBit) {
   EXPECT_EQ(received->times, sent.times);
   EXPECT_TRUE(received->gives_impulses);
   EXPECT_EQ(received->diverged_at_step, 7);
+  EXPECT_EQ(received->seconds, 0.3);
   ASSERT_EQ(received->samples.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const WorldState& a = received->samples[i];

@@ -296,6 +296,7 @@ TEST(IsolatedOracle, StopsAnEngineThatWorksForever) {
   const ContactAnswer answer = AnswerTo(kHang);
   EXPECT_EQ(answer.status, AnswerStatus::kTimedOut);
   EXPECT_EQ(answer.reason, "no answer after 1 s of CPU time");
+  EXPECT_GT(answer.seconds, 0.5);
 }
 
 TEST(IsolatedOracle, StopsAnEngineThatWaitsForever) {
@@ -443,6 +444,7 @@ TEST(IsolatedWorlds, HaveTheEnginesTrajectoryAndItsLastLineOfOutput) {
   ASSERT_EQ(quiet.samples.size(), 6u);
   EXPECT_EQ(quiet.samples[5].bodies[0].p_WB.x(), 5);
   EXPECT_EQ(quiet.complaint, "");
+  EXPECT_GT(quiet.seconds, 0);
   const Trajectory loud = Isolated()->Simulate(WorldOf(kFlood));
   EXPECT_EQ(loud.samples.size(), 6u);
   EXPECT_EQ(loud.complaint, std::string(3000, 'w'));
@@ -454,6 +456,7 @@ TEST(IsolatedWorlds, HaveNoSamplesAndAReasonIfTheEngineFails) {
     EXPECT_TRUE(trajectory.samples.empty());
     EXPECT_EQ(trajectory.status,
               deed == kHang ? AnswerStatus::kTimedOut : AnswerStatus::kCrashed);
+    EXPECT_GT(trajectory.seconds, deed == kHang ? 0.5 : 0);
     return trajectory.reason;
   };
   EXPECT_EQ(ending(kAssert), "aborted: engine.cc:7: Assertion `depth >= 0' failed.");

@@ -62,6 +62,7 @@ Examination SomeResult() {
   finding.cited = {{"ball", ""}, 0.25, {{0.1, -0.0, 1e-300}, {1, 2, 3}}, 0.125};
   finding.ledger_entry = 3;
   result.findings = {Finding{}, finding};
+  result.seconds = {1.5, {{"itself", 0.5}, {"mirror", 0.25}}, {{"ballistic", 0.125}}};
   return result;
 }
 
@@ -80,6 +81,9 @@ TEST(ExaminationWire, CarriesEveryFieldBitForBit) {
   EXPECT_EQ(received->ensemble.width.deviation, 6);
   EXPECT_TRUE(std::signbit(received->drifts.angular_momentum));
   EXPECT_EQ(received->trajectory.complaint, "LCP internal error");
+  EXPECT_EQ(received->seconds.all, 1.5);
+  EXPECT_EQ(received->seconds.motions, SomeResult().seconds.motions);
+  EXPECT_EQ(received->seconds.laws, SomeResult().seconds.laws);
 }
 
 TEST(ExaminationWire, IsRefusedIfItIsCutOrContinued) {

@@ -30,8 +30,9 @@ nlohmann::json Schema() {
 
 TEST(WriteJson, EveryLineFollowsThePublishedSchema) {
   const std::vector<nlohmann::json> lines = LinesOf(Written(HandMadeReport()));
-  // The run, 2 oracles, 3 scenarios, 7 findings, 2 entries of the ledger, 1 fault.
-  EXPECT_EQ(lines.size(), 16U);
+  // The run, 2 oracles, 3 scenarios, 7 findings, 6 answers' seconds, 2 entries of the
+  // ledger, 1 fault.
+  EXPECT_EQ(lines.size(), 22U);
   EXPECT_EQ(lines.front()["kind"], "run");
   for (const nlohmann::json& line : lines)
     EXPECT_EQ(SchemaFaults(Schema(), line), std::vector<std::string>{}) << line;
@@ -53,6 +54,17 @@ TEST(WriteJson, RoundTripsEveryBitOfANumber) {
   const RunReport report = HandMadeReport();
   EXPECT_EQ(LinesOf(Written(report), "scenario")[0]["A"]["rotation"][1][2].get<double>(),
             report.scenarios[0].scenario.contact.A.X_WB.R_WB(1, 2));
+}
+
+TEST(WriteJson, SaysHowLongEachAnswerTook) {
+  RunReport report = HandMadeReport();
+  report.scenarios[1].answers[1].seconds = 0.25;
+  const std::vector<nlohmann::json> lines = LinesOf(Written(report), "seconds");
+  ASSERT_EQ(lines.size(), 6U);
+  EXPECT_EQ(lines[2]["seconds"], 0);
+  EXPECT_EQ(lines[3]["scenario"], "contact/box_sphere/wrong");
+  EXPECT_EQ(lines[3]["oracle"], "theirs/float");
+  EXPECT_EQ(lines[3]["seconds"], 0.25);
 }
 
 /** A report with one finding that has the evidence `proof`. */

@@ -10,6 +10,7 @@
 namespace touchstone {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -24,7 +25,18 @@ TEST(WriteJUnit, CountsFailuresAndSkipsForADashboard) {
   // known, one unsupported.
   EXPECT_THAT(JUnit(HandMadeReport()),
               HasSubstr("<testsuites name=\"touchstone\" tests=\"7\" failures=\"3\" "
-                        "errors=\"0\" skipped=\"2\">"));
+                        "errors=\"0\" skipped=\"2\" time=\"0.000000\">"));
+}
+
+TEST(WriteJUnit, SaysHowLongAnAnswerTookAndItsSuite) {
+  RunReport report = HandMadeReport();
+  report.scenarios[0].answers[1].seconds = 0.25;
+  report.scenarios[1].answers[1].seconds = 1;
+  EXPECT_THAT(JUnit(report), HasSubstr("classname=\"theirs/float\" "
+                                       "name=\"contact/box_sphere/deep\" "
+                                       "time=\"0.250000\""));
+  EXPECT_THAT(JUnit(report),
+              ContainsRegex("testsuite name=\"theirs/float\".* time=\"1.250000\">"));
 }
 
 TEST(WriteJUnit, SkipsKnownWithTheReasonOfTheLedger) {

@@ -117,6 +117,18 @@ TEST(ReportData, HoldsQuestionsAnswersAndFindings) {
   EXPECT_EQ(findings["value"][4], "nan");
 }
 
+TEST(ReportData, SaysHowLongEachAnswerTook) {
+  RunReport report = HandMadeReport();
+  report.scenarios[1].answers[0].seconds = 0.012345;
+  report.seconds_of_contacts = {{"truth", 1.5}};
+  report.oracles.emplace_back().name = "worlds only";
+  for (ScenarioResult& result : report.scenarios) result.answers.emplace_back();
+  const DataJson data = JsonOf(report);
+  ASSERT_EQ(data["seconds"].size(), report.scenarios.size());
+  EXPECT_EQ(data["seconds"][1], DataJson({0.0123, 0.0, nullptr}));
+  EXPECT_EQ(data["spent"]["contacts"]["truth"], 1.5);
+}
+
 TEST(ReportData, RanksClustersAndRefersToThem) {
   const DataJson data = JsonOf(HandMadeReport());
   const DataJson& clusters = data["clusters"];

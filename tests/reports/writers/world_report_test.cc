@@ -95,6 +95,7 @@ RunReport OneWorld() {
                      {4, {40.5, 0.1}, {-2.912, 0.002}, {0.3, 0}},
                      {},
                      {}};
+  world.seconds = {{2, {{"itself", 1.5}}, {{"ballistic", 0.25}}}, {}, {}, {}};
   report.worlds.push_back(world);
   report.findings = {FindingOf("mine", 0.001), FindingOf("light", 0.41),
                      FindingOf("none", 0)};

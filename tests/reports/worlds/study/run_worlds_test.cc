@@ -146,6 +146,27 @@ TEST(RunWorlds, ReturnsTheSameReportForAnyNumberOfThreads) {
   EXPECT_THAT(one, Contains("world/test/b b determinism"));
 }
 
+TEST(RunWorlds, SaysHowLongEachKindOfMotionAndEachLawTook) {
+  const FakeSimulator engine("engine", [](const World& world) {
+    Trajectory motion = Exact(world);
+    motion.seconds = 1;
+    return motion;
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  const WorldScenario scenario = Flight("world/test/flight", 8);
+  const WorldSeconds seconds =
+      RunWorlds({&scenario, 1}, oracles, {}).worlds[0].seconds[0];
+  EXPECT_EQ(seconds.motions.at("itself"), 1);
+  EXPECT_EQ(seconds.motions.at("half step"), 1);
+  EXPECT_EQ(seconds.motions.at("quarter step"), 1);
+  EXPECT_EQ(seconds.motions.at("moved start"), 2);
+  EXPECT_EQ(seconds.motions.at("mirror"), 1);
+  EXPECT_EQ(seconds.motions.at("again"), 1);
+  EXPECT_LT(seconds.motions.at("as shipped"), 1) << "no failure, so it is not asked";
+  EXPECT_TRUE(seconds.laws.contains("ballistic"));
+  EXPECT_GE(seconds.all, seconds.laws.at("ballistic"));
+}
+
 TEST(RunWorlds, SimulatesOnlySmallWorldsAtSmallerSteps) {
   std::atomic<int> runs = 0;
   const FakeSimulator engine("engine", [&](const World& world) {
