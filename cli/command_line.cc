@@ -65,7 +65,8 @@ const std::string kPatterns =
 class CommandLine {
  public:
   CommandLine(OracleRegistry registry, const CommandLineDefaults& defaults)
-      : session_{std::move(registry), defaults, DetectTerminal()}, app_(kIntroduction) {
+      : session_{std::move(registry), defaults.subject, defaults.data, DetectTerminal()},
+        app_(kIntroduction) {
     app_.name("touchstone");
     app_.require_subcommand(1);
     app_.set_version_flag("--version", TOUCHSTONE_VERSION);
@@ -137,7 +138,7 @@ class CommandLine {
   }
 
   void AddOracleOptions(CLI::App* app, OracleSelection& selection) {
-    selection.subject = session_.defaults.subject;
+    selection.subject = session_.default_subject;
     app->add_option("--subject", selection.subject, "oracle under examination")
         ->type_name("ORACLE")
         ->capture_default_str();

@@ -23,7 +23,7 @@ std::string Today() {
 }
 
 std::filesystem::path BuiltInLedgerFile(const Session& session) {
-  return session.defaults.data / "known_discrepancies.toml";
+  return session.data / "known_discrepancies.toml";
 }
 
 }  // namespace

@@ -2,11 +2,12 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "cli/command_line.h"
 #include "cli/select_scenarios.h"
 #include "cli/terminal.h"
+#include "oracles/oracle_registry.h"
 #include "reports/run.h"
 
 namespace touchstone {
@@ -14,10 +15,11 @@ namespace touchstone {
 /** The state that every command uses. */
 struct Session {
   OracleRegistry registry;
-  CommandLineDefaults defaults;
+  std::string default_subject;  ///< Same as CommandLineDefaults::subject.
+  std::filesystem::path data;   ///< Same as CommandLineDefaults::data.
   Terminal terminal;
 
-  std::filesystem::path catalogue() const { return defaults.data / "catalogue"; }
+  std::filesystem::path catalogue() const { return data / "catalogue"; }
 };
 
 /** Reads a ledger file. Throws InputError with all its errors. */

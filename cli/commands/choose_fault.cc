@@ -42,7 +42,7 @@ std::vector<const Oracle*> OraclesOf(const Session& session, const std::string& 
   if (const Oracle* const exact = session.registry.Find(pattern)) return {exact};
   if (!pattern.empty()) return OraclesNamed(session.registry, pattern);
   OracleSelection all;
-  all.subject = session.defaults.subject;
+  all.subject = session.default_subject;
   return SelectOracles(session.registry, all);
 }
 

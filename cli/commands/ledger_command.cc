@@ -121,7 +121,7 @@ int AccuracyCommand(const Session& session) {
       .action = LedgerAction::kPropose,
       .causes = false,
       .scenarios = {.patterns = {}, .catalogues = {session.catalogue()}},
-      .oracles = {.subject = session.defaults.subject, .tolerance = {}, .against = {}},
+      .oracles = {.subject = session.default_subject, .tolerance = {}, .against = {}},
       .ledger = {}};
   std::cout << AccuracyTable(RunAll(session, everything));
   return 0;

@@ -12,11 +12,25 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 
 namespace touchstone {
 namespace {
 
 using Eigen::Vector3d;
+
+/** Returns memory for MuJoCo, which aligns to 64 bytes, in pages of 2 MiB from that size
+ on. MuJoCo clears all memory of a world, and for a pile of boxes most of that time goes
+ into faults of small pages: clearing 280 MB took 0.29 s, and 0.06 s with large ones. */
+void* Allocate(std::size_t bytes) {
+  constexpr std::size_t kLine = 64;
+  constexpr std::size_t kLargePage = std::size_t{1} << 21;
+  const std::size_t alignment = bytes < kLargePage ? kLine : kLargePage;
+  const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
+  void* const memory = std::aligned_alloc(alignment, size);
+  if (memory != nullptr && alignment == kLargePage) madvise(memory, size, MADV_HUGEPAGE);
+  return memory;
+}
 
 std::string Text(const Vector3d& v) {
   return fmt::format("{} {} {}", v.x(), v.y(), v.z());
@@ -193,6 +207,8 @@ class Writer {
 }  // namespace
 
 void InitialiseMujoco() {
+  mju_user_malloc = &Allocate;
+  mju_user_free = &std::free;
   mju_user_warning = [](const char* what) { std::fprintf(stderr, "%s\n", what); };
   mju_user_error = [](const char* what) {
     std::fprintf(stderr, "%s\n", what);

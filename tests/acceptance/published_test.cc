@@ -20,6 +20,7 @@
 
 #include "oracles/oracle_registry.h"
 #include "tests/acceptance/published_worlds.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -42,7 +43,7 @@ struct Row {
 };
 
 std::vector<Row> ReadTable() {
-  std::ifstream file(PUBLISHED_TABLE);
+  std::ifstream file(InSourceTree("tests/acceptance/published.csv"));
   std::vector<Row> rows;
   std::string line;
   while (std::getline(file, line)) {

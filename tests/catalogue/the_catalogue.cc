@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "tests/source_tree.h"
+
 namespace touchstone {
 
 const Catalogue& TheCatalogue() {
-  static const Catalogue catalogue = ReadCatalogue(CATALOGUE_DIR);
+  static const Catalogue catalogue = ReadCatalogue(InSourceTree("scenarios/catalogue"));
   return catalogue;
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/catalogue/the_catalogue.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -102,7 +103,7 @@ TEST(Zoo, ContainsEveryReportedCaseOfMotion) {
 }
 
 TEST(Zoo, ListsTheOmittedCasesInTheDocument) {
-  std::ifstream file(CATALOGUE_DOC);
+  std::ifstream file(InSourceTree("docs/catalogue.md"));
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   for (const std::string& name : kNotAsked)
     EXPECT_THAT(text, HasSubstr("`" + name + "`"));

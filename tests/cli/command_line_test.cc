@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "programs.h"
 #include "run_program.h"
+#include "tests/source_tree.h"
 #include "without_seconds.h"
 
 namespace touchstone {
@@ -74,7 +76,7 @@ class CommandLineTest : public testing::Test {
   std::string Path(const std::string& name) const { return (folder_ / name).string(); }
 
   std::string Command(const std::string& arguments) const {
-    return std::string(TOUCHSTONE_PROGRAM) + " " + arguments;
+    return ProgramWithFaults() + " " + arguments;
   }
 
   Ended Touchstone(const std::string& arguments) const {
@@ -83,7 +85,7 @@ class CommandLineTest : public testing::Test {
 
   // Runs the program with every engine.
   Ended Itself(const std::string& arguments) const {
-    return InPipe(TOUCHSTONE_ITSELF " " + arguments);
+    return InPipe(TouchstoneProgram() + " " + arguments);
   }
 
   std::filesystem::path folder_;
@@ -137,8 +139,7 @@ kill -KILL $!; wait $!' )sh";
 TEST_F(CommandLineTest, GoesOnWithARunThatWasKilledAndEndsWithTheSameReport) {
   const std::string run = "run 'world/impact/oblique*' --quiet --out ";
   const Ended whole = Itself(run + Path("whole"));
-  const Ended killed =
-      InPipe(kKilled + std::string(TOUCHSTONE_ITSELF) + " " + Path("killed"));
+  const Ended killed = InPipe(kKilled + TouchstoneProgram() + " " + Path("killed"));
   EXPECT_EQ(killed.code, 137) << killed.err;
   EXPECT_TRUE(std::filesystem::exists(Path("killed/run.unfinished.sqlite")));
   const Ended resumed = Itself(run + Path("killed") + " --resume");
@@ -547,7 +548,7 @@ TEST_F(CommandLineTest, AnswersTheQuestionsThatItsHelpShows) {
     if (!line.starts_with(start)) continue;
     // Without the redirection, which would leave a file behind.
     line = line.substr(start.size(), line.find(" > ") - start.size());
-    EXPECT_EQ(InPipe(TOUCHSTONE_ITSELF " ask " + line).code, 0) << line;
+    EXPECT_EQ(InPipe(TouchstoneProgram() + " ask " + line).code, 0) << line;
     ++asked;
   }
   EXPECT_GT(asked, 0);
@@ -593,7 +594,7 @@ TEST_F(CommandLineTest, ListsTheCapabilitiesAndSettingsOfOracles) {
 }
 
 TEST_F(CommandLineTest, ListsTheWorldFeaturesThatOraclesSimulate) {
-  EXPECT_THAT(InPipe(TOUCHSTONE_ITSELF " oracles").out,
+  EXPECT_THAT(InPipe(TouchstoneProgram() + " oracles").out,
               HasSubstr("simulates worlds with\n        sphere, box, "));
   // One oracle of this program simulates.
   const std::string simulates = "simulates worlds with";
@@ -603,7 +604,7 @@ TEST_F(CommandLineTest, ListsTheWorldFeaturesThatOraclesSimulate) {
 }
 
 TEST_F(CommandLineTest, ListsOncePerOracleWhatItDoesNotSupport) {
-  std::istringstream lines(InPipe(TOUCHSTONE_ITSELF " oracles").out);
+  std::istringstream lines(InPipe(TouchstoneProgram() + " oracles").out);
   int of_the_cookbook = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line == "    unsupported: the cookbook has recipes for spheres and boxes only") {
@@ -1141,7 +1142,7 @@ std::vector<std::string> FencedToml(const std::string& page) {
 
 TEST_F(CommandLineTest, RunsTheFilesThatTheDescriptionOfTheFormatShows) {
   const std::vector<std::string> blocks =
-      FencedToml(TextOf(TOUCHSTONE_SOURCE_DIR "/docs/scenario_format.md"));
+      FencedToml(TextOf(InSourceTree("docs/scenario_format.md")));
   ASSERT_EQ(blocks.size(), 4U);
   std::filesystem::create_directories(folder_ / "shown/mine");
   Write("shown/mine/ball_on_tilted_box.toml", blocks[0]);
@@ -1155,7 +1156,7 @@ TEST_F(CommandLineTest, RunsTheFilesThatTheDescriptionOfTheFormatShows) {
 }
 
 TEST_F(CommandLineTest, RunsTheScenarioThatTheUserGuideShows) {
-  const std::string guide = TextOf(TOUCHSTONE_SOURCE_DIR "/docs/using.md");
+  const std::string guide = TextOf(InSourceTree("docs/using.md"));
   std::istringstream lines(guide.substr(guide.find("    id = \"mine/ball_on_post\"")));
   std::string file;
   for (std::string line; std::getline(lines, line);) {

@@ -22,6 +22,7 @@
 #include "reports/run.h"
 #include "reports/writers/outcome.h"
 #include "scenarios/scenario_file.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -63,13 +64,11 @@ class Suite {
   }
 
  private:
-  Suite()
-      : Suite(ReadCatalogue(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "catalogue")) {}
+  Suite() : Suite(ReadCatalogue(InSourceTree("scenarios/catalogue"))) {}
 
   explicit Suite(Catalogue catalogue)
       : questions_{std::move(catalogue.scenarios), std::move(catalogue.worlds)},
-        ledger_(ReadLedgerFile(std::filesystem::path(TOUCHSTONE_DATA_DIR) /
-                               "known_discrepancies.toml")),
+        ledger_(ReadLedgerFile(InSourceTree("scenarios/known_discrepancies.toml"))),
         registry_(OracleRegistry::BuiltIn()),
         oracles_(SelectOracles(
             registry_, {.subject = "cookbook", .tolerance = {}, .against = {}})) {}

@@ -18,13 +18,13 @@
 #include "reports/threads/parallel_for.h"
 #include "reports/worlds/study/run_worlds.h"
 #include "scenarios/scenario_file.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
 
 const Catalogue& TheCatalogue() {
-  static const Catalogue catalogue =
-      ReadCatalogue(std::filesystem::path(TOUCHSTONE_DATA_DIR) / "catalogue");
+  static const Catalogue catalogue = ReadCatalogue(InSourceTree("scenarios/catalogue"));
   return catalogue;
 }
 

@@ -18,6 +18,7 @@
 #include "reports/run.h"
 #include "reports/worlds/study/run_worlds.h"
 #include "scenarios/scenario_file.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -25,7 +26,7 @@ namespace {
 using testing::IsEmpty;
 
 const Catalogue& TheFindings() {
-  static const Catalogue findings = ReadCatalogue(std::filesystem::path(FINDINGS_DIR));
+  static const Catalogue findings = ReadCatalogue(InSourceTree("docs/findings"));
   return findings;
 }
 
@@ -127,12 +128,13 @@ TEST(FilesOfFindings, HaveNoErrorsAndAccuseAnEngineThatIsWrongToday) {
 }
 
 TEST(FilesOfFindings, ShareNoIdWithTheCatalogue) {
-  const std::vector<std::filesystem::path> folders = {FINDINGS_DIR, CATALOGUE_DIR};
+  const std::vector<std::filesystem::path> folders = {
+      InSourceTree("docs/findings"), InSourceTree("scenarios/catalogue")};
   EXPECT_THAT(ReadCatalogue(folders).diagnostics, IsEmpty());
 }
 
 TEST(FilesOfFindings, AreThoseOfTheDocument) {
-  std::ifstream file(FINDINGS_DOC);
+  std::ifstream file(InSourceTree("docs/findings.md"));
   const std::string text(std::istreambuf_iterator<char>(file), {});
   const std::regex name("docs/(findings/[a-z_]+)\\.toml");
   std::set<std::string> named;

@@ -13,6 +13,7 @@
 #include "tests/fuzz/bounds_file_property.h"
 #include "tests/fuzz/report_data_property.h"
 #include "tests/fuzz/scenario_file_property.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -21,8 +22,8 @@ namespace {
 TEST(ScenarioFileCorpus, IsReadWithoutFault) {
   int files = 0;
   int accepted = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(TOUCHSTONE_CORPUS "/scenario_file")) {
+  for (const auto& entry : std::filesystem::directory_iterator(
+           InSourceTree("tests/fuzz/corpus/scenario_file"))) {
     std::ostringstream text;
     text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
     EXPECT_EQ(FaultOfReading(text.str()), "") << entry.path();
@@ -39,8 +40,8 @@ TEST(ScenarioFileCorpus, IsReadWithoutFault) {
 
 TEST(BoundsFileCorpus, IsReadWithoutFault) {
   int files = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(TOUCHSTONE_CORPUS "/bounds_file")) {
+  for (const auto& entry : std::filesystem::directory_iterator(
+           InSourceTree("tests/fuzz/corpus/bounds_file"))) {
     std::ostringstream text;
     text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
     EXPECT_EQ(FaultOfReadingBounds(text.str()), "") << entry.path();
@@ -54,8 +55,8 @@ TEST(BoundsFileCorpus, IsReadWithoutFault) {
 
 TEST(ReportDataCorpus, IsReadWithoutFault) {
   int files = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(TOUCHSTONE_CORPUS "/report_data")) {
+  for (const auto& entry : std::filesystem::directory_iterator(
+           InSourceTree("tests/fuzz/corpus/report_data"))) {
     std::ostringstream bytes;
     bytes << std::ifstream(entry.path(), std::ios::binary).rdbuf();
     EXPECT_EQ(FaultOfReadingReportData(bytes.str()), "") << entry.path();

@@ -14,6 +14,7 @@
 #include "reports/worlds/study/check_claims.h"
 #include "scenarios/schema/scenario_keys.h"
 #include "tests/reports/writers/json_schema.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -21,15 +22,16 @@ namespace {
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-std::string ContentsOf(const std::string& path) {
+std::string ContentsOf(const std::filesystem::path& path) {
   std::ostringstream contents;
   contents << std::ifstream(path, std::ios::binary).rdbuf();
   return contents.str();
 }
 
 TEST(ScenarioSchema, EqualsTheCommittedFile) {
-  const std::string committed = TOUCHSTONE_SOURCE_DIR "/docs/scenario.schema.json";
-  const std::string generated = TOUCHSTONE_BINARY_DIR "/scenario.schema.json";
+  const auto committed = InSourceTree("docs/scenario.schema.json");
+  const auto generated =
+      std::filesystem::path(testing::TempDir()) / "scenario.schema.json";
   std::ofstream(generated, std::ios::binary) << ScenarioSchema(ClaimNames());
   // Compared as a bool, since two pages of JSON would bury the instruction.
   EXPECT_TRUE(ContentsOf(committed) == ScenarioSchema(ClaimNames()))
@@ -107,7 +109,7 @@ TEST(ScenarioSchema, AcceptsTheWholeCatalogue) {
   const nlohmann::json schema = Schema();
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(
-           TOUCHSTONE_SOURCE_DIR "/scenarios/catalogue")) {
+           InSourceTree("scenarios/catalogue"))) {
     if (entry.path().extension() != ".toml") continue;
     ++files;
     EXPECT_THAT(SchemaFaults(schema, ToJson(toml::parse_file(entry.path().string()))),

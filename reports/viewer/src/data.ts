@@ -38,6 +38,10 @@ export interface Report {
   ledger: LedgerEntry[];
   faults: string[];               // of the scenario files and the ledger
   regressions: { oracle: string; what: string }[];
+  /** Times on the clock that the oracles took, by question and oracle; null where one was not asked [s]. */
+  seconds?: (number | null)[][];
+  /** Sums over all worlds by kind of motion and by law, and over all contact questions by kind [s]. */
+  spent?: { motions: Record<string, number>; laws: Record<string, number>; contacts: Record<string, number> };
   sweep?: Sweep;
   compare?: { old: string; new: string; rows: { kind: "worse" | "no longer judged" | "new" | "gone" | "better"; question: string; oracle: string; measure: string; law: string;
     before: number | string | null; after: number | string | null; unit: string; what: string }[] };

@@ -16,10 +16,11 @@ import { matrixView } from "./views/matrix";
 import { notFound } from "./views/not_found";
 import { oraclesView } from "./views/oracles";
 import { questionView } from "./views/question";
+import { secondsView } from "./views/seconds";
 import { sweepView } from "./views/sweep";
 
 const screens: Record<string, MakeView> = {
-  "": frontView, findings: findingsView, f: clusterView, matrix: matrixView, s: questionView, accuracy: accuracyView, oracles: oraclesView, ledger: ledgerView, compare: compareView, sweep: sweepView,
+  "": frontView, findings: findingsView, f: clusterView, matrix: matrixView, s: questionView, accuracy: accuracyView, oracles: oraclesView, ledger: ledgerView, seconds: secondsView, compare: compareView, sweep: sweepView,
 };
 
 /** After so long without a letter, the next one begins another search [ms]. */
@@ -54,7 +55,7 @@ function start(run: Run, main: HTMLElement, bar: HTMLElement): void {
       },
     },
   });
-  const links = [...(run.report.sweep ? [["sweep", "Sweep"], ["", "Kept failures"]] : [["", "Overview"]]), ["findings", "Findings"], ["matrix", "Matrix"], ["accuracy", "Accuracy"], ["oracles", "Oracles"], ...(hasLedger(run) ? [["ledger", "Ledger"]] : []), ...(run.report.compare ? [["compare", "Compare"]] : [])]
+  const links = [...(run.report.sweep ? [["sweep", "Sweep"], ["", "Kept failures"]] : [["", "Overview"]]), ["findings", "Findings"], ["matrix", "Matrix"], ["accuracy", "Accuracy"], ["oracles", "Oracles"], ...(hasLedger(run) ? [["ledger", "Ledger"]] : []), ...(run.report.seconds ? [["seconds", "Seconds"]] : []), ...(run.report.compare ? [["compare", "Compare"]] : [])]
     .map(([path, text]) => ({ path, link: h("a", { href: address(path ? [path] : []) }, text) }));
   fill(bar, h("a", { href: "#/", class: "brand", title: `${run.report.program}: ${run.report.command}` }, h("span", { class: "brand-mark", "aria-hidden": "true" }, "◭"), " Touchstone"),
     h("nav", { "aria-label": "Screens" }, links.map((l) => l.link)), search,

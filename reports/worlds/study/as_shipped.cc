@@ -54,17 +54,20 @@ Findings JudgedFromOneMotion(const WorldScenario& scenario, const Oracle& oracle
   return all;
 }
 
+/** The neighbours that every finding needs for its verdict. Its cause is known. */
+const WantedNeighbours kForVerdicts{.limit = true, .causes = false, .variant = {}};
+
 /** Returns the neighbours that judge again the findings for which `counts` holds. */
 template <typename Counts>
 WantedNeighbours WantedFor(std::span<const Finding> findings, Counts counts) {
   const auto needs_few = [](const Finding& finding) {
     return NeedsOneMotion(finding) || NeedsNoQuarterStep(finding);
   };
-  if (!All(findings, counts, needs_few)) return {};
+  if (!All(findings, counts, needs_few)) return kForVerdicts;
   std::set<MeasureKind> measures;
   for (const Finding& finding : findings)
     if (counts(finding)) measures.insert(finding.measure);
-  return {.quarter = false, .variant = [measures](MeasureKind measure) {
+  return {.limit = false, .causes = false, .variant = [measures](MeasureKind measure) {
             return measures.contains(measure);
           }};
 }
@@ -153,9 +156,10 @@ void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
   if (differences.empty()) return;
   const std::unique_ptr<Oracle> untouched =
       oracle.SetUp({.as_shipped = true, .chosen = {}});
-  const Findings shipped = All(findings, fails, NeedsOneMotion)
-                               ? JudgedFromOneMotion(scenario, *untouched)
-                               : ExamineWorld(scenario, *untouched).findings;
+  const Findings shipped =
+      All(findings, fails, NeedsOneMotion)
+          ? JudgedFromOneMotion(scenario, *untouched)
+          : ExamineWorld(scenario, *untouched, kForVerdicts).findings;
   const Finding* silent = FailureToAnswer(shipped);
   if (silent && silent->verdict == Verdict::kUnsupported) return;
   for (std::size_t i = 0; i < findings.size(); ++i) {

@@ -12,6 +12,7 @@
 
 #include "reports/worlds/law_support/box_cone.h"
 #include "reports/worlds/law_support/cone_models.h"
+#include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/body_steps.h"
 #include "reports/worlds/study/judge_ensemble.h"
 #include "reports/worlds/study/judge_stability.h"
@@ -32,23 +33,45 @@ void Append(std::vector<Finding>& findings, std::vector<Finding> more) {
 /** The name in WorldSeconds::motions of worlds with a moved start. */
 constexpr std::string_view kMovedStart = "moved start";
 
+/** The name of the motion at a quarter of the step. */
+constexpr std::string_view kQuarterStep = "quarter step";
+
 /** Adds the times of the neighbours to `motions`. */
 void AddSeconds(const Neighbours& neighbours, SecondsByName& motions) {
   const auto add = [&](std::string_view kind, const Trajectory& motion) {
     if (motion.seconds > 0) motions[std::string(kind)] += motion.seconds;
   };
   add("half step", neighbours.half);
-  add("quarter step", neighbours.quarter);
+  if (neighbours.quarter) add(kQuarterStep, *neighbours.quarter);
   for (const Trajectory& motion : neighbours.nudged) add(kMovedStart, motion);
   for (const VariantMotion& variant : neighbours.variants)
     add(NameOf(variant.variant.measure), variant.trajectory);
   add("again", neighbours.again);
 }
 
+/** Gives a study the motions at smaller steps, unless one was not answered. */
+void Refine(const Neighbours& neighbours, Study& study) {
+  const bool answered =
+      IsWhole(neighbours.half) && (!neighbours.quarter || IsWhole(*neighbours.quarter));
+  study.half = answered ? &neighbours.half : nullptr;
+  study.quarter = answered && neighbours.quarter ? &*neighbours.quarter : nullptr;
+}
+
+/** Returns whether a law fails, and only smaller steps tell whether its error vanishes
+ with the step. */
+bool LacksACause(std::span<const std::vector<Finding>> groups) {
+  const auto lacks = [](const Finding& finding) {
+    return finding.verdict == Verdict::kFail && finding.cause_because.empty() &&
+           FindLaw(finding.law) != nullptr;
+  };
+  return std::ranges::any_of(groups, [&](const std::vector<Finding>& group) {
+    return std::ranges::any_of(group, lacks);
+  });
+}
+
 /** Returns the findings that the motions of a studied world at other steps and with a
  moved start were not answered. The first unanswered move speaks for all. */
-std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neighbours,
-                                      const WantedNeighbours& wanted) {
+std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neighbours) {
   std::vector<Finding> failures;
   const auto add = [&](const Trajectory& other, std::string_view asked, double step) {
     const std::optional<Finding> failure = FailureToAnswer(study, other, asked, step);
@@ -56,7 +79,7 @@ std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neig
   };
   const double dt = study.scenario.world.dt;
   add(neighbours.half, "at half the step", dt / 2);
-  if (wanted.quarter) add(neighbours.quarter, "at a quarter of the step", dt / 4);
+  if (neighbours.quarter) add(*neighbours.quarter, "at a quarter of the step", dt / 4);
   const auto unanswered =
       std::find_if_not(neighbours.nudged.begin(), neighbours.nudged.end(), IsWhole);
   if (unanswered != neighbours.nudged.end())
@@ -219,10 +242,9 @@ std::vector<Finding> FindingsOfVariant(const Study& study, const RoundingGrowth&
  the world itself, and returns all. Adds the time of further motions to `motions`. */
 std::vector<Finding> WithNeighbours(const Study& study, const Oracle& oracle,
                                     const Neighbours& neighbours,
-                                    const WantedNeighbours& wanted,
                                     std::vector<Finding> of_world,
                                     SecondsByName& motions) {
-  Append(of_world, FailuresToAnswer(study, neighbours, wanted));
+  Append(of_world, FailuresToAnswer(study, neighbours));
   RoundingGrowth growth =
       LargestGrowth(study, oracle, neighbours.nudged, motions[std::string(kMovedStart)]);
   if (const Claim* stable = FindClaim(study.scenario, kStable)) {
@@ -253,16 +275,18 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
     AddSeconds(neighbours, motions);
   }
   const bool studied = IsWhole(trajectory) && IsStudied(scenario);
-  const bool refined = studied && IsWhole(neighbours.half) &&
-                       (!wanted.quarter || IsWhole(neighbours.quarter));
-  const Study study{scenario,
-                    oracle.info(),
-                    trajectory,
-                    refined ? &neighbours.half : nullptr,
-                    refined && wanted.quarter ? &neighbours.quarter : nullptr,
-                    &examined.seconds.laws};
-
+  Study study{.scenario = scenario,
+              .oracle = oracle.info(),
+              .trajectory = trajectory,
+              .seconds_of_laws = &examined.seconds.laws};
+  if (studied) Refine(neighbours, study);
   std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(study);
+  if (wanted.causes && study.half && !neighbours.quarter && LacksACause(groups)) {
+    neighbours.quarter = oracle.Simulate(Refined(scenario.world, 4));
+    motions[std::string(kQuarterStep)] += neighbours.quarter->seconds;
+    Refine(neighbours, study);
+    groups = JudgeWorldByClaim(study);
+  }
   const bool answered = groups.front().front().verdict == Verdict::kPass;
   if (answered && scenario.ensemble) {
     EnsembleJudgement ensemble = JudgeEnsemble(scenario, oracle, trajectory,
@@ -276,8 +300,7 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
   if (answered && FindClaim(scenario, kDeterministic))
     findings.push_back(JudgeRepetition(study, neighbours.again));
   if (answered && studied)
-    findings =
-        WithNeighbours(study, oracle, neighbours, wanted, std::move(findings), motions);
+    findings = WithNeighbours(study, oracle, neighbours, std::move(findings), motions);
   RefuseModelsOfDefects(findings);
   examined.findings = std::move(findings);
   return examined;

@@ -1,8 +1,10 @@
 #include "reports/worlds/study/neighbours.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
+#include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/body_steps.h"
 #include "reports/worlds/study/run_claims.h"
 #include "reports/worlds/study/world_size.h"
@@ -43,6 +45,15 @@ World Nudged(WorldScenario scenario, double nudge, unsigned seed) {
   return world;
 }
 
+/** Returns whether a claim is judged by order or limit. */
+bool HasLimit(const WorldScenario& scenario) {
+  return std::any_of(scenario.claims.begin(), scenario.claims.end(),
+                     [](const Claim& claim) {
+                       const Law* law = FindLaw(claim.law);
+                       return law != nullptr && (law->smooth || law->has_impacts);
+                     });
+}
+
 /** Returns the n-th copy with a moved start. */
 World NudgedCopy(const WorldScenario& scenario, double nudge, std::size_t n) {
   return Nudged(scenario, n % 2 == 0 ? nudge : -nudge, static_cast<unsigned>(n / 2) + 1);
@@ -71,7 +82,8 @@ Neighbours SimulateNeighbours(const WorldScenario& scenario, const Oracle& oracl
   Neighbours motions;
   if (IsStudied(scenario)) {
     ask(Refined(scenario.world, 2), motions.half);
-    if (wanted.quarter) ask(Refined(scenario.world, 4), motions.quarter);
+    if (wanted.limit && HasLimit(scenario))
+      ask(Refined(scenario.world, 4), motions.quarter.emplace());
     motions.nudged.resize(FindClaim(scenario, kStable) ? kNudgesOfStable : kNudges);
     for (std::size_t n = 0; n < motions.nudged.size(); ++n)
       ask(NudgedCopy(scenario, nudge, n), motions.nudged[n]);

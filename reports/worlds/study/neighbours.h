@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -19,9 +20,9 @@ struct VariantMotion {
 /** The motions of the changed copies of a world by one oracle. All but `again` are left
  empty unless IsStudied(), and those that are not wanted. */
 struct Neighbours {
-  Trajectory half;                 ///< At half the step.
-  Trajectory quarter;              ///< At a quarter of the step.
-  std::vector<Trajectory> nudged;  ///< With the start moved, one way and the other.
+  Trajectory half;                    ///< At half the step.
+  std::optional<Trajectory> quarter;  ///< At a quarter of the step.
+  std::vector<Trajectory> nudged;     ///< With the start moved, one way and the other.
   std::vector<VariantMotion> variants;
   Trajectory again;  ///< A second run; only with the claim `deterministic`.
 };
@@ -32,8 +33,10 @@ std::vector<Trajectory> SimulateNudged(const WorldScenario& scenario,
                                        const Oracle& oracle, double nudge,
                                        std::size_t count);
 
-/** Simulates the wanted ones in one batch, so that an isolated oracle forks only once.
- `nudge` is the largest move of a start along each axis. [m] */
+/** Simulates the wanted ones in one batch, so that an isolated oracle forks only once. A
+ quarter of the step is among them only if a claim is judged by order or limit; whether
+ causes need it, the judgement of the others tells. `nudge` is the largest move of a start
+ along each axis. [m] */
 Neighbours SimulateNeighbours(const WorldScenario& scenario, const Oracle& oracle,
                               double nudge, const WantedNeighbours& wanted);
 

@@ -18,8 +18,8 @@ namespace {
 /** Returns the approximate cost of all simulations of one world by one oracle.
  [body-steps] */
 double WorkOf(const WorldScenario& scenario) {
-  // The step itself, half and a quarter of it, a moved start, and five variants.
-  const double times = IsStudied(scenario) ? 1 + 2 + 4 + 1 + 5 : 1;
+  // The step itself, half and a quarter of it, two moved starts, and five variants.
+  const double times = IsStudied(scenario) ? 1 + 2 + 4 + 2 + 5 : 1;
   const int members = scenario.ensemble ? scenario.ensemble->members : 1;
   return BodySteps(scenario.world) * (times + members - 1);
 }

@@ -39,8 +39,9 @@ struct WorldsReport {
 };
 
 /** Simulates every world with every oracle that can simulate, and judges the motions.
- Each world is simulated at its step; if IsStudied(), also at half and a quarter of it,
- with a moved start and in its variants. Each member of an ensemble is simulated once, and
+ Each world is simulated at its step; if IsStudied(), also at half of it, with a moved
+ start and in its variants, and at a quarter of it where a claim is judged by order or
+ limit, or a failure needs its cause. Each member of an ensemble is simulated once, and
  the worst finding per claim and measure is kept. Larger worlds are simulated once only. A
  world with a failure is asked again as shipped, see CompareWithShipped().
 

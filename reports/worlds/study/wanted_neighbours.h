@@ -9,7 +9,10 @@ namespace touchstone {
 /** The changed copies of a world that a judgement needs, besides the one at half the step
  and those with a moved start. */
 struct WantedNeighbours {
-  bool quarter = true;                         ///< For the convergence and the limit.
+  /** A quarter of the step for claims that are judged by order or limit. */
+  bool limit = true;
+  /** A quarter of the step for the causes of failures. */
+  bool causes = true;
   std::function<bool(MeasureKind)> variant{};  ///< All variants if empty.
 };
 

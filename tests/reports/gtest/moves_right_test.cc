@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "docs/examples/my_world.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* kWorlds = TOUCHSTONE_EXAMPLES "/worlds";
+const std::filesystem::path kWorlds = InSourceTree("docs/examples/worlds");
 
 /** The example engine with gravity that is `factor` times as strong. */
 std::unique_ptr<Oracle> WithGravity(double factor) {
@@ -58,7 +59,7 @@ class MovesRightInFolder : public testing::Test {
 
   /** Writes the example's world with `from` replaced by `to`, and returns its path. */
   std::filesystem::path Changed(const std::string& from, const std::string& to) const {
-    std::ifstream in(TOUCHSTONE_EXAMPLES "/worlds/bouncing_ball.toml");
+    std::ifstream in(InSourceTree("docs/examples/worlds/bouncing_ball.toml"));
     std::string text(std::istreambuf_iterator<char>(in), {});
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;

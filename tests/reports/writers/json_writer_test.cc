@@ -13,6 +13,7 @@
 #include "hand_made_report.h"
 #include "json_lines.h"
 #include "json_schema.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -24,7 +25,7 @@ std::string Written(const RunReport& report) {
 }
 
 nlohmann::json Schema() {
-  std::ifstream file(TOUCHSTONE_REPORT_SCHEMA);
+  std::ifstream file(InSourceTree("docs/report.schema.json"));
   return nlohmann::json::parse(file);
 }
 

@@ -18,6 +18,7 @@
 #include "reports/writers/report_data.h"
 #include "reports/writers/table_writer.h"
 #include "reports/writers/world_words.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -279,7 +280,7 @@ TEST(WorldReport, DataHaveTheBodiesAndThePointsThatAProofNames) {
 
 TEST(WorldReport, JsonFollowsItsSchema) {
   const std::string text = Written([](const auto& r, auto& out) { WriteJson(r, out); });
-  std::ifstream in(TOUCHSTONE_REPORT_SCHEMA);
+  std::ifstream in(InSourceTree("docs/report.schema.json"));
   const nlohmann::json schema = nlohmann::json::parse(in);
   for (const nlohmann::json& line : LinesOf(text))
     EXPECT_THAT(SchemaFaults(schema, line), testing::IsEmpty()) << line;

@@ -64,7 +64,7 @@ class ReadExpectations : public testing::Test {
   }
 
   std::filesystem::path folder_ =
-      std::filesystem::path(TOUCHSTONE_BINARY_DIR) /
+      std::filesystem::path(testing::TempDir()) /
       testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 

@@ -19,7 +19,7 @@ const deep = contactId((c) => c.truth.touching === "touching" && c.truth.lo < -0
 const apart = contactId((c) => c.truth.touching === "apart");
 const shallow = contactId((c) => c.truth.touching === "touching" && c.truth.lo > -1e-5);
 const views = {
-  front: "#/", fault: "#/f/0", findings: "#/findings", matrix: "#/matrix", accuracy: "#/accuracy", engines: "#/oracles", engine: "#/oracles/bullet%2Fgjk", ledger: "#/ledger", compare: "#/compare",
+  front: "#/", fault: "#/f/0", findings: "#/findings", matrix: "#/matrix", accuracy: "#/accuracy", engines: "#/oracles", engine: "#/oracles/bullet%2Fgjk", ledger: "#/ledger", seconds: "#/seconds", compare: "#/compare",
   contact: `#/s/${encodeURIComponent(deep)}`, shallow: `#/s/${encodeURIComponent(shallow)}`, world: "#/s/world%2Fbounce%2Fball_002", cloth: "#/s/world%2Fbounce%2Fball_001", missing: "#/s/nothing",
 };
 
@@ -800,6 +800,25 @@ test("a fault has a legend, and no reason that repeats its heading", () => withP
     const [title, why] = await page.evaluate(() => [document.querySelector("h1").textContent, [...document.querySelectorAll("h2")].find((e) => e.textContent === "Why")?.nextElementSibling.textContent]);
     assert.ok(!why?.startsWith(title));
   }
+}));
+
+test("the times of answers are listed longest first, and by oracle", () => withPage({}, async (page) => {
+  const { seconds, oracles } = sample.report;
+  const longest = Math.max(...seconds.flat());
+  const asked = seconds.flat().filter((time) => time !== null).length;
+  await page.click("nav >> text=Seconds");
+  const first = page.locator("table.seconds tbody tr").first();
+  assert.ok((await first.locator("td").first().textContent()).startsWith(longest.toPrecision(3).replace(/0+$/, "").replace(/[.]$/, "")));
+  assert.ok((await page.textContent(".count")).includes(asked.toLocaleString("en")));
+  await page.click("table.seconds thead >> text=Oracle");
+  assert.equal(await page.getAttribute("table.seconds th:has(a:text('Oracle'))", "aria-sort"), "ascending");
+  assert.equal(await first.locator(".engine .name").textContent(), oracles.map((o) => o.name).sort()[0]);
+  await page.selectOption("select[aria-label=Oracle]", "bullet");
+  assert.equal(new Set(await page.locator("table.seconds .engine .name").allTextContents()).size, 1);
+  await first.locator("th a").click();
+  await page.waitForFunction(() => location.hash.startsWith("#/s/") && location.hash.includes("o=bullet"));
+  const bare = { report: { ...sample.report, seconds: undefined, spent: undefined }, blob: sample.blob };
+  await withPage({}, async (old) => assert.equal(await old.locator("nav >> text=Seconds").count(), 0), await writePage(folder, "without_seconds.html", bare));
 }));
 
 test("all oracles are offered only while one is hidden", () => withPage({}, async (page) => {

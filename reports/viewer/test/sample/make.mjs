@@ -132,6 +132,8 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   const report = {
     format: "touchstone report data", version: 1, program: "touchstone 0.1.0", command: "touchstone run", sentence: `${oracles.length} oracles answered ${contacts} contact questions and ${worlds} worlds.`, conclusion: "OK: every fault is known.", failed: false, subject: 0,
     oracles, questions, texts, names, findings: f, proofs, cited, studies, clusters, ledger, faults: [hostile[0]], regressions: [],
+    seconds: questions.map((q, i) => oracles.map((o, k) => ((q.contact ? o.contacts : o.worlds) ? (q.contact ? 1e-6 : 0.1) * (1 + ((7 * i + 3 * k) % 11)) : null))),
+    spent: { motions: { itself: 2, "half step": 4.5, mirror: 1 }, laws: { never_penetrates: 0.5 }, contacts: { truth: 0.25, swap: 0.125 } },
     compare: { old: "yesterday", new: "today", rows: ["worse", "no longer judged", "new", "better", "gone"].flatMap((kind, k) => [0, 1].map((j) => ({ kind, question: questions[k + j].id, oracle: "bullet", measure: "separation_error", law: "", before: kind === "new" ? null : 1e-5, after: kind === "gone" ? null : 2e-3, unit: "m", what: hostile[j] }))) },
   };
   return { report, blob };

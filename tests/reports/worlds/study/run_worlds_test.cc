@@ -167,6 +167,37 @@ TEST(RunWorlds, SaysHowLongEachKindOfMotionAndEachLawTook) {
   EXPECT_GE(seconds.all, seconds.laws.at("ballistic"));
 }
 
+/** Returns how often `motion` is asked for a world at a quarter of the step of the one
+ that the claim is about. */
+int QuartersOf(const Claim& claim, Trajectory (*motion)(const World&)) {
+  WorldScenario scenario = Flight("world/test/flight", 8);
+  scenario.claims = {claim};
+  std::atomic<int> quarters = 0;
+  const double quarter = scenario.world.dt / 4;
+  const FakeSimulator engine("engine", [&](const World& world) {
+    quarters += world.dt == quarter;
+    return motion(world);
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  RunWorlds({&scenario, 1}, oracles, {});
+  return quarters;
+}
+
+/** Falls with nine tenths of the gravity. */
+Trajectory TooSlow(const World& world) {
+  World light = world;
+  light.gravity_W *= 0.9;
+  return FreeFlight(light);
+}
+
+TEST(RunWorlds, SimulatesAQuarterOfTheStepOnlyForAnOrderOrForACause) {
+  EXPECT_EQ(QuartersOf(ClaimOf("ballistic"), Exact), 1) << "its order is judged";
+  EXPECT_EQ(QuartersOf(ClaimOf("never_penetrates"), Exact), 0);
+  const Claim conserves = ClaimOf("conserves_energy");
+  EXPECT_EQ(QuartersOf(conserves, Exact), 0);
+  EXPECT_EQ(QuartersOf(conserves, TooSlow), 1) << "a failure needs its cause";
+}
+
 TEST(RunWorlds, SimulatesOnlySmallWorldsAtSmallerSteps) {
   std::atomic<int> runs = 0;
   const FakeSimulator engine("engine", [&](const World& world) {
