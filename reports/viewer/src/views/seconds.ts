@@ -11,10 +11,10 @@ const columns: [CellOrder, string][] = [["seconds", "Time"], ["question", "Quest
 
 const bar = (part: number): HTMLElement => h("td", { class: "whole" }, h("span", { class: "time-bar", "aria-hidden": "true", style: { width: `${100 * part}%` } }));
 
-/** A table of sums with bars, each with its share of `whole` [s]. Sums below a thousandth of the largest are left out. */
+/** A table of sums with bars, each with its share of `whole` [s]. Sums below a hundredth of the largest are left out. */
 function sums(title: string, meaning: string, rows: [name: Child, seconds: number][], whole: number): Child {
   const most = Math.max(...rows.map(([, seconds]) => seconds));
-  const shown = rows.filter(([, seconds]) => seconds > 0 && seconds >= most / 1000).sort((a, b) => b[1] - a[1]);
+  const shown = rows.filter(([, seconds]) => seconds > 0 && seconds >= most / 100).sort((a, b) => b[1] - a[1]);
   return shown.length > 0 && h("div", { class: "time-sums" }, h("h2", {}, title), h("p", { class: "quiet" }, meaning), h("table", { class: "plain", "aria-label": title },
     h("tbody", {}, shown.map(([name, seconds]) => h("tr", {}, h("th", { scope: "row" }, name), h("td", { class: "number" }, duration(seconds)), h("td", { class: "number" }, ratio(seconds / whole)), bar(seconds / most))))));
 }
