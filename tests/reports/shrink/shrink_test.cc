@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -18,6 +17,7 @@
 #include "reports/shrink/size.h"
 #include "scenarios/scenario_file.h"
 #include "tests/reports/fake_oracle.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -310,7 +310,7 @@ TEST_P(ShrinkOfAKnownFault, IsSmallerIsRepeatableAndIsFoundAgainInItsFile) {
   static const OracleRegistry registry = OracleRegistry::BuiltIn();
   const Oracle* const oracle = registry.Find(GetParam().oracle);
   if (oracle == nullptr) GTEST_SKIP() << GetParam().oracle << " is not in this build";
-  const ReadResult read = ReadScenarioFile(std::filesystem::path(TOUCHSTONE_CATALOGUE) /
+  const ReadResult read = ReadScenarioFile(InSourceTree("scenarios/catalogue") /
                                            (std::string(GetParam().scenario) + ".toml"));
   const Question question =
       read.world ? Question(*read.world) : Question(read.scenario.value());

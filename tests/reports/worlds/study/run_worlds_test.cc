@@ -19,6 +19,7 @@
 #include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/motions.h"
 #include "tests/reports/worlds/study/tie.h"
+#include "tests/source_tree.h"
 
 namespace touchstone {
 namespace {
@@ -519,7 +520,7 @@ TEST(ErrorsOfClaims, CarryTheirPositionInTheFile) {
 
 TEST(Laws, AreDescribedWithTheirNumbers) {
   std::ostringstream page;
-  page << std::ifstream(TOUCHSTONE_LAWS_PAGE).rdbuf();
+  page << std::ifstream(InSourceTree("docs/laws.md")).rdbuf();
   std::istringstream rows(page.str().substr(page.str().find("## Numbers")));
   std::map<std::string, std::string> row_of;  // Indexed by the name of a law.
   for (std::string row; std::getline(rows, row);) {
