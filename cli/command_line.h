@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "cli/data_folder.h"
 #include "oracles/oracle_registry.h"
 
 namespace touchstone {
@@ -11,7 +12,11 @@ namespace touchstone {
 struct CommandLineDefaults {
   std::string subject = "cookbook";  ///< The oracle under examination.
   /** Folder that holds catalogue/ and known_discrepancies.toml. */
+#ifdef TOUCHSTONE_DATA_DIR  // Defined by the installed package, which can be moved.
   std::filesystem::path data = TOUCHSTONE_DATA_DIR;
+#else
+  std::filesystem::path data = DataFolderOfSources();
+#endif
 };
 
 /** The whole `touchstone` program, with the oracles of `registry`. To add your own, add
