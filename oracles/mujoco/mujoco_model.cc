@@ -28,6 +28,7 @@ void* Allocate(std::size_t bytes) {
   const std::size_t alignment = bytes < kLargePage ? kLine : kLargePage;
   const std::size_t size = (bytes + alignment - 1) / alignment * alignment;
   void* const memory = std::aligned_alloc(alignment, size);
+  // Advice only: without large pages the memory is as good, but slower to clear.
   if (memory != nullptr && alignment == kLargePage) madvise(memory, size, MADV_HUGEPAGE);
   return memory;
 }
@@ -207,13 +208,17 @@ class Writer {
 }  // namespace
 
 void InitialiseMujoco() {
-  mju_user_malloc = &Allocate;
-  mju_user_free = &std::free;
-  mju_user_warning = [](const char* what) { std::fprintf(stderr, "%s\n", what); };
-  mju_user_error = [](const char* what) {
-    std::fprintf(stderr, "%s\n", what);
-    std::abort();
-  };
+  // A registry of oracles may be made while another thread simulates with these hooks.
+  static std::once_flag once;
+  std::call_once(once, [] {
+    mju_user_malloc = &Allocate;
+    mju_user_free = &std::free;
+    mju_user_warning = [](const char* what) { std::fprintf(stderr, "%s\n", what); };
+    mju_user_error = [](const char* what) {
+      std::fprintf(stderr, "%s\n", what);
+      std::abort();
+    };
+  });
 }
 
 MujocoModel Compile(const std::string& mjcf) {

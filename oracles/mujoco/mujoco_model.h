@@ -19,7 +19,8 @@ using MujocoModel = std::unique_ptr<mjModel, DeleteMujoco>;
 using MujocoData = std::unique_ptr<mjData, DeleteMujoco>;
 
 /** Makes MuJoCo print to the standard error instead of a file in the working directory,
- and abort instead of exit. Affects the whole process; to be called once. */
+ abort instead of exit, and use large pages for its memory. Affects the whole process;
+ only the first call has an effect. Thread safe. */
 void InitialiseMujoco();
 
 /** Returns the model compiled from `mjcf`, MuJoCo's own text format. Thread safe.
