@@ -21,6 +21,7 @@
 #include "reports/referee/referee.h"
 #include "reports/threads/parallel_for.h"
 #include "reports/worlds/study/check_claims.h"
+#include "reports/worlds/study/doubt_expectations.h"
 #include "reports/worlds/study/run_worlds.h"
 
 namespace touchstone {
@@ -184,6 +185,7 @@ class Suite {
     Collect();
     ExplainTheRest(report_.scenarios, report_.oracles, report_.findings);
     RunTheWorlds();
+    DoubtFiles();
     report_.ledger = ledger;
     ApplyLedger(report_, options_.today, options_.partial, options_.is_oracle);
     for (const WorldResult& result : report_.worlds) {
@@ -244,8 +246,25 @@ class Suite {
     options.on_done = [this](double body_steps) { Progress(1, body_steps); };
     WorldsReport worlds = RunWorlds(world_scenarios_, oracles_, options);
     report_.worlds = std::move(worlds.worlds);
+    contact_findings_ = report_.findings.size();
     std::move(worlds.findings.begin(), worlds.findings.end(),
               std::back_inserter(report_.findings));
+  }
+
+  /** Withdraws what worlds' files expect against all engines. */
+  void DoubtFiles() {
+    std::span<Finding> rest = report_.findings;
+    rest = rest.subspan(std::min(rest.size(), contact_findings_));
+    for (const WorldResult& result : report_.worlds) {
+      const auto end = std::ranges::find_if(rest, [&](const Finding& finding) {
+        return finding.scenario != result.scenario.id;
+      });
+      const auto count = static_cast<std::size_t>(end - rest.begin());
+      const std::vector<std::string> faults =
+          DoubtExpectations(result, report_.oracles, rest.first(count));
+      report_.faults.insert(report_.faults.end(), faults.begin(), faults.end());
+      rest = rest.subspan(count);
+    }
   }
 
   void Judge() {
@@ -445,6 +464,7 @@ class Suite {
   double total_work_ = 0;  ///< [body-steps]
   RunReport report_;
   std::vector<std::vector<Finding>> findings_;  ///< Indexed by scenario.
+  std::size_t contact_findings_ = 0;            ///< Those before the findings of worlds.
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "reports/worlds/law_support/law.h"
 #include "scenarios/worlds/motion_expectation.h"
 
@@ -13,5 +15,11 @@ namespace touchstone {
  topple the time between samples is added, and to that of a touch one step more: contacts
  may act a step late. @pre The expectation has no faults in the world. */
 LawFinding JudgeExpectation(const Motion& motion, const MotionExpectation& expectation);
+
+/** Returns the statement in place of `expectation` that the motion meets exactly: its own
+ place, angle, moment. So the error of another motion by it is what the two differ by.
+ Nothing for rest: motions that do not rest agree in nothing. */
+std::optional<MotionExpectation> MetBy(const Motion& motion,
+                                       const MotionExpectation& expectation);
 
 }  // namespace touchstone

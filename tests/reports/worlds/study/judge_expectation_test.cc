@@ -1,8 +1,10 @@
 #include "reports/worlds/study/judge_expectation.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -126,6 +128,31 @@ TEST(JudgeExpectation, ATouchIsSeenWhereBodiesMeet) {
   const LawFinding never = judged(0.5);
   EXPECT_EQ(never.value, std::numeric_limits<double>::infinity());
   EXPECT_THAT(never.proof, HasSubstr("has never"));
+}
+
+TEST(MetBy, AMotionMeetsWhatItHas) {
+  World world = Flight();
+  world.steps = 100;
+  const Trajectory motion = FreeFlight(world);
+  const ReferenceState elsewhere{
+      0.3, "ball", {9, 9, 9}, Eigen::Quaterniond(0, 1, 0, 0), 2};
+  const auto stated = std::to_array<decltype(MotionExpectation::what)>(
+      {ExpectedVector{Of::kPosition, {9, 9, 9}, {}},
+       ExpectedVector{Of::kVelocity, {9, 9, 9}, Eigen::Vector3d(1, 2, 3)},
+       ExpectedVector{Of::kSpin, {9, 9, 9}, {}},
+       ExpectedOrientation{Eigen::Quaterniond(0, 1, 0, 0)}, ExpectedAngle{2, {0, 1, 2}},
+       ExpectedTouch{"post"}, ExpectedTopple{false},
+       ExpectedTrajectory{"other.csv", {elsewhere}}});
+  for (const auto& what : stated) {
+    const MotionExpectation expected{"ball", 0.9, 1e-9, what, ""};
+    const Motion seen{world, DoubleEngine(), motion};
+    EXPECT_GT(JudgeExpectation(seen, expected).value, 0.1) << what.index();
+    const std::optional<MotionExpectation> met = MetBy(seen, expected);
+    ASSERT_TRUE(met) << what.index();
+    EXPECT_NEAR(JudgeExpectation(seen, *met).value, 0, 1e-12) << what.index();
+  }
+  EXPECT_FALSE(
+      MetBy({world, DoubleEngine(), motion}, {"ball", 0.9, 1e-9, ExpectedRest{}, ""}));
 }
 
 TEST(JudgeExpectation, ATouchIsSeenInTheImpulsesOfAnEngine) {

@@ -1,0 +1,111 @@
+#include "reports/worlds/study/doubt_expectations.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "reports/worlds/study/judge_world.h"
+#include "tests/reports/worlds/fake_simulator.h"
+#include "tests/reports/worlds/motions.h"
+
+namespace touchstone {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/** An engine: its library, and where it has the ball, off the truth along z. [m] */
+using Engine = std::pair<std::string, double>;
+
+/** A ball in flight, with its place at 0.2 s as the file states it; the true one is (0.2,
+ 1, 0). */
+WorldScenario FlightTo(const Eigen::Vector3d& p_W) {
+  WorldScenario scenario;
+  scenario.id = "world/test/flight";
+  scenario.world.gravity_W.setZero();
+  scenario.world.bodies = {BodyOf("ball", Sphere{0.2}, 1, {0, 1, 0})};
+  scenario.world.bodies[0].v_WB = {1, 0, 0};
+  scenario.world.dt = 0.01;
+  scenario.world.steps = 50;
+  scenario.expectations = {
+      {"ball", 0.2, 0.01, ExpectedVector{ExpectedVector::Of::kPosition, p_W, {}}, ""}};
+  return scenario;
+}
+
+/** The judgement of a world, and of its file. */
+struct Judged {
+  std::vector<Finding> findings;  ///< Those about the expectation.
+  std::vector<std::string> faults;
+};
+
+Judged Judge(const WorldScenario& scenario, const std::vector<Engine>& engines) {
+  WorldResult result{scenario, {}, {}, {}};
+  std::vector<OracleInfo> oracles;
+  for (const auto& [library, off] : engines) {
+    OracleInfo& info = oracles.emplace_back(DoubleEngine());
+    info.name = "engine" + std::to_string(oracles.size());
+    info.library = library;
+    result.trajectories.push_back(FreeFlight(scenario.world, [off = off](double t) {
+      return Eigen::Vector3d(0, 0, t > 0 ? off : 0);
+    }));
+  }
+  Judged judged;
+  for (std::size_t o = 0; o < oracles.size(); ++o) {
+    for (Finding& finding : JudgeWorld({scenario, oracles[o], result.trajectories[o]}))
+      if (finding.law == "expect[0]") judged.findings.push_back(std::move(finding));
+  }
+  judged.faults = DoubtExpectations(result, oracles, judged.findings);
+  return judged;
+}
+
+std::vector<Verdict> VerdictsOf(const Judged& judged) {
+  std::vector<Verdict> verdicts;
+  for (const Finding& finding : judged.findings) verdicts.push_back(finding.verdict);
+  return verdicts;
+}
+
+TEST(DoubtExpectations, BlameAFileThatAgreeingEnginesContradict) {
+  const Judged judged =
+      Judge(FlightTo({0.2, 1, 3}), {{"A", 0}, {"B", 0.001}, {"C", -0.7}});
+  EXPECT_THAT(
+      VerdictsOf(judged),
+      ElementsAre(Verdict::kUndecidable, Verdict::kUndecidable, Verdict::kUndecidable));
+  for (const Finding& finding : judged.findings) {
+    EXPECT_EQ(finding.proof, "");
+    EXPECT_EQ(finding.cause, Cause::kNone);
+  }
+  EXPECT_THAT(
+      judged.faults,
+      ElementsAre("world/test/flight: “ball” is expected a position of (0.2, "
+                  "1, 3) m at 0.2 s, but engine1 has (0.2, 1, 0) m; none of 3 engines "
+                  "meets this, and engine1 and engine2 agree to 0.001 m. Correct it."));
+}
+
+TEST(DoubtExpectations, LeaveAnExpectationThatAnEngineMeets) {
+  const Judged judged = Judge(FlightTo({0.2, 1, 3}), {{"A", 0}, {"B", 0}, {"C", 3}});
+  EXPECT_THAT(VerdictsOf(judged),
+              ElementsAre(Verdict::kFail, Verdict::kFail, Verdict::kPass));
+  EXPECT_THAT(judged.faults, IsEmpty());
+}
+
+// Two builds of one library have the same faults.
+TEST(DoubtExpectations, LeaveAnExpectationThatOneLibraryContradicts) {
+  const Judged judged = Judge(FlightTo({0.2, 1, 3}), {{"A", 0}, {"A", 0}});
+  EXPECT_THAT(VerdictsOf(judged), ElementsAre(Verdict::kFail, Verdict::kFail));
+  EXPECT_THAT(judged.faults, IsEmpty());
+}
+
+// The errors are of one size, to either side.
+TEST(DoubtExpectations, LeaveAnExpectationOnWhichEnginesDoNotAgree) {
+  const Judged judged = Judge(FlightTo({0.2, 1, 0}), {{"A", 0.5}, {"B", -0.5}});
+  EXPECT_THAT(VerdictsOf(judged), ElementsAre(Verdict::kFail, Verdict::kFail));
+  EXPECT_THAT(judged.faults, IsEmpty());
+}
+
+}  // namespace
+}  // namespace touchstone
