@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/contacts/exact_scene.h"
 #include "reports/contacts/proof.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/excess.h"
@@ -41,10 +42,19 @@ std::string PlaceOf(const ScenarioResult& result, std::string_view path) {
   return PlaceOf(result.scenario.id, result.scenario.places, path);
 }
 
+/** Returns whether the bodies touch; nothing if the rounding of the input decides it. */
+std::optional<bool> TouchingOf(const ScenarioResult& result) {
+  if (result.truth.touching != Touching::kUndecided)
+    return result.truth.touching == Touching::kTouching;
+  if (!IsExactScene(result.scenario.contact, 0x1p-53)) return std::nullopt;
+  return TouchingInExactScene(result.scenario.contact, result.truth);
+}
+
 void CheckTouching(const ScenarioResult& result, std::vector<std::string>& faults) {
   const std::optional<bool> expected = result.scenario.expect.touching;
   if (!expected) return;
-  if (result.truth.touching == Touching::kUndecided) {
+  const std::optional<bool> touching = TouchingOf(result);
+  if (!touching) {
     faults.push_back(fmt::format(
         "{}: expects touching = {}, which cannot be checked: the separation is "
         "certified to be in [{:.9g}, {:.9g}] m, and the input is rounded by "
@@ -53,8 +63,7 @@ void CheckTouching(const ScenarioResult& result, std::vector<std::string>& fault
         result.truth.separation.hi, result.truth.input_rounding));
     return;
   }
-  const bool touching = result.truth.touching == Touching::kTouching;
-  if (touching == *expected) return;
+  if (*touching == *expected) return;
   faults.push_back(
       fmt::format("{}: expects touching = {}, but the separation is certified to be in "
                   "[{:.9g}, {:.9g}] m.",

@@ -595,6 +595,29 @@ TEST(CheckCatalogue, RefutesExpectationsThatAreFalse) {
               ElementsAre(HasSubstr("expects 1 contact, but it takes 4")));
 }
 
+/** Returns the faults of a file that expects `touching` of two cubes, whose faces are
+ exactly `gap` apart. */
+std::vector<std::string> FaultsOfCubes(double gap, bool touching) {
+  const Body cube{Box{{0.5, 0.5, 0.5}}, {}};
+  Body other = cube;
+  other.X_WB.p_WB = {0, 0, 1 + gap};
+  RunReport report;
+  ScenarioResult& result = report.scenarios.emplace_back();
+  result.scenario = ScenarioOf("contact/x", {cube, other});
+  result.scenario.expect.touching = touching;
+  result.truth = ComputeContactTruth(result.scenario.contact);
+  CheckCatalogue(report);
+  return report.faults;
+}
+
+// So that an engine with `<` for `<=` is caught.
+TEST(CheckCatalogue, DecidesWhetherBodiesTouchWhereNothingIsRounded) {
+  EXPECT_THAT(FaultsOfCubes(0, true), IsEmpty());
+  EXPECT_THAT(FaultsOfCubes(0, false),
+              ElementsAre(HasSubstr("expects touching = false, but")));
+  EXPECT_THAT(FaultsOfCubes(0x1p-20, false), IsEmpty());
+}
+
 TEST(CheckCatalogue, FaultsAnExpectationThatCannotBeChecked) {
   ContactExpectation expect;
   expect.touching = true;
