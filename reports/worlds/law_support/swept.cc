@@ -16,8 +16,12 @@ using Points = std::vector<Eigen::Vector3d>;
 /** Number of points on each circle of a curved shape. */
 constexpr int kPointsOfCircle = 12;
 
-/** The largest turn between two states at which a shape is swept. [rad] */
-constexpr double kMostTurn = 1;
+/** The largest turn at which the hull of a shape before and after it says whether the
+ shape may meet another on the way. [rad] */
+constexpr double kSmallTurn = 1;
+
+/** The largest turn of A seen from B that is known to be the shorter way round. [rad] */
+constexpr double kHalfRound = 3;
 
 /** The largest turn that a piece of the way leaves out, to either side: it grants less
  than 1 % of the body's radius. [rad] */
@@ -182,7 +186,7 @@ std::vector<SweptOverlap> SweptOverlapsOf(const World& world, const WorldState& 
       !std::holds_alternative<Sphere>(
           world.bodies[static_cast<std::size_t>(A)].placed.shape)) {
     std::vector<SweptOverlap> overlaps =
-        SweptOverlapsOf(world, from, to, B, A, {turns.B, turns.A});
+        SweptOverlapsOf(world, from, to, B, A, {turns.B, turns.A, turns.followed});
     for (SweptOverlap& overlap : overlaps) std::swap(overlap.lever_A, overlap.lever_B);
     return overlaps;
   }
@@ -191,7 +195,7 @@ std::vector<SweptOverlap> SweptOverlapsOf(const World& world, const WorldState& 
   const bool has_ball = std::holds_alternative<Sphere>(A_from.shape);
   // A ball looks the same along all axes.
   const bool B_as_ball =
-      std::holds_alternative<Sphere>(B_from.shape) || turns.B > kMostTurn;
+      std::holds_alternative<Sphere>(B_from.shape) || turns.B > turns.followed;
   const double B_ball = std::visit(BallIn{}, B_from.shape);
   if (B_as_ball && B_ball <= 0) return {{}};
   const Body A_to = PlacedAt(world, to, A);
@@ -218,13 +222,15 @@ std::vector<SweptOverlap> SweptOverlapsOf(const World& world, const WorldState& 
   // Two balls pass each other whatever both turn.
   if (B_turn > 0 && B_ball > 0)
     overlaps.push_back({.depth = way_past(Sphere{B_ball}, false).DepthOfBall()});
-  if (has_ball || turns.A > kMostTurn || B_as_ball) return overlaps;
-  const bool is_apart = DepthOf(HullAt(way.shape, way.start, way.end), way.other) == 0;
+  const double turn = turns.A + B_turn;
+  if (has_ball || turns.A > turns.followed || turn > kHalfRound || B_as_ball)
+    return overlaps;
+  const bool is_apart = turn <= kSmallTurn &&
+                        DepthOf(HullAt(way.shape, way.start, way.end), way.other) == 0;
   // The hull of points on a curved surface is smaller than the shape.
   if (is_apart && of_ball.depth == 0 && IsPolytope(way.shape)) return {};
   if (is_apart) return overlaps;
   const double radius = BoundingRadius(way.shape);
-  const double turn = turns.A + B_turn;
   const int pieces = std::max(1, static_cast<int>(std::ceil(turn / (2 * kFineTurn))));
   // Along B's axes the axis of A's turn turns with B.
   overlaps.push_back(

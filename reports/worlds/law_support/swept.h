@@ -25,6 +25,9 @@ struct SweptOverlap {
 struct Turns {
   double A = 0;
   double B = 0;
+  /** Up to which turn a body is known to turn evenly, the shorter way round; less than
+   π. One that turns further is replaced by a ball in it. */
+  double followed = 1;
 };
 
 /** Returns how A sweeps over B between two states in which they are apart, in up to three
@@ -36,7 +39,7 @@ struct Turns {
  - The same with a ball in B, if B turns: two balls do not know that they turn.
  - A box or a hull moves in pieces of the way, in each without turning, and half the turn
    of a piece is part of `bend`. Another shape is replaced by the hull of points on its
-   surface. Left out if a body turns by more than a radian.
+   surface. Left out if a body turns by more than Turns::followed.
 
  Take the way of a piece, with the turn of A at its middle, and let β bound the distance
  of a point's true place from its place there. At every instant a plane separates the

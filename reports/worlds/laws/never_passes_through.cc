@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "reports/worlds/law_support/allowed_motion.h"
@@ -32,6 +33,18 @@ namespace {
 /** A body that has moved by less than this share of its bounding radius is where it was:
  resting bodies are not looked at again. [-] */
 constexpr double kUnmoved = 1e-3;
+
+/** The largest turn between two samples that is followed: rods, springs and gyroscopic
+ terms may bend a longer one unseen. [rad] */
+constexpr double kMostTurn = 1;
+
+/** The same within a step, in which an engine has one spin: the shorter way round is then
+ the one that the body took. [rad] */
+constexpr double kMostTurnOfAStep = 3;
+
+/** The largest difference of the turn that a step made from that by its spin, for a turn
+ that is followed so far. [rad] */
+constexpr double kUneven = 0.1;
 
 /** Returns the pairs that the claim is about: half-spaces have no other side. */
 std::vector<std::pair<int, int>> PairsOf(const World& world, const Claim& claim) {
@@ -200,7 +213,23 @@ class Passage {
       return SumBetween(bends.turn, from, to);
     };
     return SweptOverlapsOf(motion_.world, At(from), At(to), A_, B_,
-                           {turn(bends_A_), turn(bends_B_)});
+                           {turn(bends_A_), turn(bends_B_), Followed(from, to)});
+  }
+
+  /** Returns up to which turn a body turns evenly, see Turns::followed. */
+  double Followed(std::size_t from, std::size_t to) const {
+    if (to - from > 1 || motion_.world.sample_every > 1) return kMostTurn;
+    const auto is_even = [&](int body, const Bends& bends) {
+      const BodyState& was = Body(from, body);
+      const BodyState& is = Body(to, body);
+      const Eigen::AngleAxisd turn(is.q_WB.normalized() *
+                                   was.q_WB.normalized().conjugate());
+      const Eigen::Vector3d made_W = turn.angle() * turn.axis();
+      const double dt = motion_.world.dt;
+      return !bends.is_held && std::min((made_W - dt * was.w_WB).norm(),
+                                        (made_W - dt * is.w_WB).norm()) <= kUneven;
+    };
+    return is_even(A_, bends_A_) && is_even(B_, bends_B_) ? kMostTurnOfAStep : kMostTurn;
   }
 
   void Take(const SweptOverlap& overlap, std::size_t from, std::size_t to, Worst& worst) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "reports/worlds/law_support/overlap.h"
@@ -372,6 +373,49 @@ TEST(NeverPassesThrough, LetsABallFlyPastASpinningCube) {
     });
     EXPECT_TRUE(Passes(Judge(world, passed, kClaim))) << spin;
   }
+}
+
+/** A blade of 1 m to either side turns by 1.2 rad a step about a fixed hub; a post stands
+ `away` from the hub, between two places of the blade. */
+World BladeAndPost(double away, int sample_every = 1) {
+  World world;
+  world.bodies = {BodyOf("post", Box{{0.02, 0.02, 1}}, 0, {away, 0, 0}),
+                  BodyOf("blade", Box{{1, 0.02, 0.02}}, 1, {0, 0, 0})};
+  world.bodies[1].placed.X_WB = Pose::FromQuaternion(
+      {0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(-0.6, Eigen::Vector3d::UnitZ())));
+  world.bodies[1].w_WB = {0, 0, 72};
+  world.gravity_W.setZero();
+  world.dt = 1.0 / 60;
+  world.steps = 4;
+  world.sample_every = sample_every;
+  return world;
+}
+
+/** Each step turns the blade by `turn` [rad]. */
+Trajectory Turning(const World& world, double turn) {
+  return Stepped(world, [turn](WorldState& state) {
+    state.bodies[1].q_WB = Turned(state.bodies[1].q_WB, {0, 0, turn});
+  });
+}
+
+TEST(NeverPassesThrough, FollowsABladeThatTurnsOverARadianAStep) {
+  for (const double away : {0.8, 0.95}) {
+    const World world = BladeAndPost(away);
+    EXPECT_TRUE(Finds(Judge(world, Turning(world, 1.2), kClaim), MeasureKind::kPassage))
+        << away;
+  }
+  const World clear = BladeAndPost(1.05);
+  EXPECT_TRUE(Passes(Judge(clear, Turning(clear, 1.2), kClaim)));
+}
+
+TEST(NeverPassesThrough, ClaimsNoWayRoundThatItDoesNotKnow) {
+  // Between two samples the blade turns by 2.4 rad in two steps.
+  const World seldom = BladeAndPost(0.8, 2);
+  EXPECT_TRUE(Passes(Judge(seldom, Turning(seldom, 1.2), kClaim)));
+  // The spins say 1.2 rad a step, the places another turn.
+  const World world = BladeAndPost(0.8);
+  for (const double turn : {1.4, -1.2})
+    EXPECT_TRUE(Passes(Judge(world, Turning(world, turn), kClaim))) << turn;
 }
 
 /** A ball at two samples, on both sides of a post. */
