@@ -122,18 +122,27 @@ std::string_view ChangeOf(MeasureKind measure) {
 Finding JudgeVariant(const Study& study, const RoundingGrowth& growth,
                      MeasureKind measure, const Trajectory& seen_in_world) {
   Finding finding = JudgeWithoutEvents(study, growth, measure, seen_in_world);
-  if (finding.verdict != Verdict::kFail) return finding;
+  if (finding.verdict == Verdict::kPass) return finding;
+  // A fall may be the jump that makes the growth beyond the horizon: it is looked for
+  // without that growth.
+  RoundingGrowth before = growth;
+  if (finding.verdict == Verdict::kUndecidable)
+    before = {.gain = growth.gain_before,
+              .gain_before = growth.gain_before,
+              .late = growth.late};
+  const double tolerance =
+      JudgeWithoutEvents(study, before, measure, seen_in_world).tolerance;
   std::vector<LateFall> falls = LateFallsOf(study);
   double longest = 0;
   for (LateFall& fall : falls) {
     // Next to a tolerance of an eighth of a fall, a number of half falls explains
     // nothing.
-    if (fall.each_W.norm() < 8 * finding.tolerance) fall = {};
+    if (fall.each_W.norm() < 8 * tolerance) fall = {};
     longest = std::max(longest, fall.most * fall.each_W.norm());
   }
   if (longest == 0) return finding;
   Finding without = JudgeWithoutEvents(
-      study, growth, measure, WithoutLateFalls(seen_in_world, study.trajectory, falls));
+      study, before, measure, WithoutLateFalls(seen_in_world, study.trajectory, falls));
   if (without.verdict == Verdict::kFail) return finding;
   without.value = finding.value;
   without.tolerance += longest;

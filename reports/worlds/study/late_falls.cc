@@ -2,15 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "reports/worlds/law_support/clusters.h"
+#include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/overlap.h"
 #include "reports/worlds/law_support/pairs.h"
-#include "reports/worlds/study/world_size.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
+
+/** Returns the size relative to which the place of a body's surface is rounded. [m] */
+double ReachOf(const Body& body) {
+  const double place = body.X_WB.p_WB.cwiseAbs().maxCoeff();
+  return std::holds_alternative<HalfSpace>(body.shape)
+             ? place
+             : place + BoundingRadius(body.shape);
+}
 
 bool JustTouch(const World& world, const WorldState& start, int A, int B,
                double rounding) {
@@ -25,9 +34,12 @@ bool JustTouch(const World& world, const WorldState& start, int A, int B,
 std::vector<LateFall> LateFallsOf(const Study& study) {
   const World& world = study.scenario.world;
   const WorldState start = StateAtStart(world);
-  const double rounding = RoundingOf(study, 1);
   Clusters clusters(world.bodies.size());  // With the number of contacts.
   for (const auto& [A, B] : CollidingPairs(world, SubjectsOf(world, {}))) {
+    // That of a large floor decides, too.
+    const double rounding =
+        RoundingOf(study.oracle, 0) *
+        (ReachOf(PlacedAt(world, start, A)) + ReachOf(PlacedAt(world, start, B)));
     if (!JustTouch(world, start, A, B, rounding)) continue;
     clusters.Add(A, 1);
     if (world.bodies[static_cast<std::size_t>(B)].mass > 0) clusters.Join(A, B);

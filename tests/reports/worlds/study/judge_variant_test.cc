@@ -203,6 +203,46 @@ TEST(JudgeVariant, GrantsTheFallOfAStepToAContactThatRoundingDecides) {
       << "no contact at the start";
 }
 
+// The top of the ground is as exact as its place: a rounding of 1000 m.
+TEST(JudgeVariant, GrantsTheFallOffALargeFloorToo) {
+  constexpr double kFall = 9.82 * 0.01 * 0.01;  // [m]
+  WorldScenario scenario = StandingBox(1e-12);
+  scenario.world.bodies[1] = BodyOf("floor", Box{{5000, 1000, 5000}}, 0, {0, -1000, 0});
+  EXPECT_EQ(OffInAMovedWorld(scenario, {0, -kFall, 0}), Verdict::kPass);
+  EXPECT_EQ(OffInAMovedWorld(scenario, {0, -1.1 * kFall, 0}), Verdict::kFail);
+}
+
+/** The verdict on the moved world of an engine whose box falls by `off` at 0.5 s if its
+ start is moved, by however little. */
+Verdict FallsIfMoved(const Eigen::Vector3d& off) {
+  const WorldScenario scenario = StandingBox(0);
+  const Eigen::Vector3d& p_W = scenario.world.bodies[0].placed.X_WB.p_WB;
+  const FakeSimulator engine("engine", [&](const World& world) {
+    const Pose& X_WB = world.bodies[0].placed.X_WB;
+    const bool is_moved = X_WB.p_WB != p_W && X_WB.R_WB.diagonal().minCoeff() > 0.999;
+    return Sampled(world, [&](double t) {
+      WorldState state = FreeFlight(world).samples.front();
+      if (is_moved && t > 0.495) state.bodies[0].p_WB += off;
+      return state;
+    });
+  });
+  const std::vector<const Oracle*> oracles = {&engine};
+  const std::vector<WorldScenario> worlds = {scenario};
+  for (const Finding& finding : RunWorlds(worlds, oracles, {.jobs = 1}).findings) {
+    if (finding.measure == MeasureKind::kTranslation) return finding.verdict;
+  }
+  ADD_FAILURE() << "no translation was judged";
+  return Verdict::kUnsupported;
+}
+
+// The fall is seen with a moved start, too: the motion amplifies a rounding 1e10 times.
+TEST(JudgeVariant, TellsAFallFromAJumpOfUnknownSize) {
+  constexpr double kFall = 9.82 * 0.01 * 0.01;  // [m]
+  EXPECT_EQ(FallsIfMoved({0, -kFall, 0}), Verdict::kPass);
+  EXPECT_EQ(FallsIfMoved({0, -0.3 * kFall, 0}), Verdict::kUndecidable);
+  EXPECT_EQ(FallsIfMoved({kFall, 0, 0}), Verdict::kUndecidable) << "across the load";
+}
+
 TEST(UnstableMotion, DoesNotFailARightEngineForAmplifiedRounding) {
   const std::vector<Finding> findings = FindingsOnTheHump([](double) { return 0.0; });
   for (const Finding& finding : findings) {
