@@ -88,7 +88,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       "1.5 × the loss of first-order schemes: h ∫ |ω × (ω × L)| of the gyroscopic term, "
       "½ h ∫ m v³/L of rods, V h J of contacts, at speeds that the truth allows and at "
       "most |L|; "
-      "64 roundings per step; and Σ m |x − c| δv of velocities δv that are roundings of "
+      "64 roundings per step of I_max |ω| and m |x| |v|; and Σ m |x − c| δv of "
+      "velocities δv that are roundings of "
       "positions over h");
   double terms = 0;
   double size = 0;
@@ -102,7 +103,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
     fastest = std::max(fastest, 2 * FastestOf(slowed, subjects));
     // Positions are rounded relative to their distance from the origin.
     terms = std::max(terms, AngularMomentumSize(world, slowed, subjects, c_W));
-    size = std::max(size, terms + c_W.norm() * MomentumSize(world, slowed, subjects));
+    size = std::max(size, GreatestAngularMomentum(world, slowed, subjects, c_W) +
+                              c_W.norm() * MomentumSize(world, slowed, subjects));
     if (s > 0) {
       levers += fastest * world.dt *
                 ImpulsesBetween(world, allowed.At(s - 1), slowed,

@@ -65,7 +65,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       Eigen::Vector3d P_W = body.mass * before.v_WB + loads_W;
       Eigen::Vector3d L_W = L_before;
       double size = body.mass * (before.v_WB.norm() + after.v_WB.norm()) + loads_W.norm();
-      double L_size = L_before.norm() + L_after.norm();
+      // A rounding of the orientation turns I, by the largest moment.
+      double L_size =
+          InertiaOf(body).maxCoeff() * (before.w_WB.norm() + after.w_WB.norm());
       double turned = 0;
       for (const Push* push : pushes) {
         P_W += push->J_W;

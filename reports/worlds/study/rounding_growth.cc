@@ -35,7 +35,7 @@ RoundingGrowth GrowthOf(const Study& study, const Trajectory& nudged) {
     const double time = study.trajectory.times[s];
     growth.gain = std::max(growth.gain, apart[s] / moved);
     discretisation = std::max(discretisation, 4 * halved[s]);
-    const double rounding = 2 * growth.gain * RoundingOf(study, time / world.dt);
+    const double rounding = 2 * growth.gain * moved * time / world.dt;
     if (time >= growth.horizon) continue;
     if (growth.gain > kLargestGain && rounding > discretisation)
       growth.horizon = time;

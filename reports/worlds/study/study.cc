@@ -11,8 +11,11 @@ double RoundingOf(const Study& study, double steps) {
   // coordinate in force, velocity and position, and those of the contact or joint solver.
   // They add up over the steps, linearly in the worst case.
   constexpr double kRoundingsOfAStep = 64;
-  return kRoundingsOfAStep * study.oracle.unit_roundoff *
-         SizeOf(study.scenario.world, study.trajectory) * steps;
+  const World& world = study.scenario.world;
+  double size = SizeOf(world, study.trajectory);
+  // An engine that keeps the angular momentum to its own error takes the spin from it.
+  if (study.oracle.documented_rotation_error) size += SpinSizeOf(world, study.trajectory);
+  return kRoundingsOfAStep * study.oracle.unit_roundoff * steps * size;
 }
 
 double UntilOf(const Study& study) {

@@ -27,4 +27,21 @@ double SizeOf(const World& world, const Trajectory& trajectory) {
   return farthest + LargestRadius(world);
 }
 
+double SpinSizeOf(const World& world, const Trajectory& trajectory) {
+  double largest = 0;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const RigidBody& body = world.bodies[i];
+    if (body.mass == 0) continue;
+    const Eigen::Vector3d inertia = InertiaOf(body);
+    const double unequal = inertia.maxCoeff() / inertia.minCoeff() - 1;
+    double fastest = 0;
+    for (const WorldState& state : trajectory.samples)
+      fastest = std::max(fastest, state.bodies[i].w_WB.norm());
+    const double time = world.dt * world.steps;
+    largest =
+        std::max(largest, BoundingRadius(body.placed.shape) * unequal * fastest * time);
+  }
+  return largest;
+}
+
 }  // namespace touchstone

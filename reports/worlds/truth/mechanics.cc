@@ -11,7 +11,8 @@ struct Mass {
   double mass;
   PointState at;
   Eigen::Vector3d spin_W = Eigen::Vector3d::Zero();  ///< R I Rᵀ ω. [N m s]
-  Eigen::Vector3d w_W = Eigen::Vector3d::Zero();
+  double spin_energy = 0;                            ///< ½ ω·R I Rᵀ ω. [J]
+  double greatest_spin = 0;                          ///< I_max |ω|. [N m s]
   Eigen::Vector3d force_W = Eigen::Vector3d::Zero();
 };
 
@@ -21,10 +22,17 @@ void ForEachMass(const World& world, const WorldState& state, const Subjects& su
   for (const int i : subjects.bodies) {
     const RigidBody& body = world.bodies[static_cast<std::size_t>(i)];
     const BodyState& at = state.bodies[static_cast<std::size_t>(i)];
+    // Along the axes of the body: the matrix R I Rᵀ has roundings of I_max, which are no
+    // energy of a spin about the axis of I_min.
+    const Eigen::Quaterniond q_WB = at.q_WB.normalized();
+    const Eigen::Vector3d w_B = q_WB.conjugate() * at.w_WB;
+    const Eigen::Vector3d inertia = InertiaOf(body);
+    const Eigen::Vector3d spin_B = inertia.cwiseProduct(w_B);
     visit(Mass{body.mass,
                {at.p_WB, at.v_WB},
-               InertiaInWorld(body, at.q_WB) * at.w_WB,
-               at.w_WB,
+               q_WB * spin_B,
+               w_B.dot(spin_B) / 2,
+               inertia.maxCoeff() * at.w_WB.norm(),
                body.force_W});
   }
   for (const int i : subjects.particles) {
@@ -156,12 +164,21 @@ double AngularMomentumSize(const World& world, const WorldState& state,
   return sum;
 }
 
+double GreatestAngularMomentum(const World& world, const WorldState& state,
+                               const Subjects& subjects, const Eigen::Vector3d& c_W) {
+  double sum = 0;
+  ForEachMass(world, state, subjects, [&](const Mass& mass) {
+    sum +=
+        (mass.at.p_W - c_W).norm() * mass.mass * mass.at.v_W.norm() + mass.greatest_spin;
+  });
+  return sum;
+}
+
 Energy EnergyOf(const World& world, const WorldState& state, const Subjects& subjects) {
   Energy energy;
   ForEachMass(world, state, subjects, [&](const Mass& mass) {
     const Eigen::Vector3d force_W = mass.mass * world.gravity_W + mass.force_W;
-    energy.kinetic +=
-        mass.mass * mass.at.v_W.squaredNorm() / 2 + mass.w_W.dot(mass.spin_W) / 2;
+    energy.kinetic += mass.mass * mass.at.v_W.squaredNorm() / 2 + mass.spin_energy;
     energy.potential -= force_W.dot(mass.at.p_W);
     energy.power -= force_W.dot(mass.at.v_W);
     energy.size += force_W.norm() * mass.at.p_W.norm();

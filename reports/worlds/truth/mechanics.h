@@ -64,6 +64,12 @@ Eigen::Vector3d AngularMomentumOf(const World& world, const WorldState& state,
 double AngularMomentumSize(const World& world, const WorldState& state,
                            const Subjects& subjects, const Eigen::Vector3d& c_W);
 
+/** Returns Σ |x − c| m |v| + I_max |ω|, the most that AngularMomentumOf() could be at
+ these speeds. Roundings of the state change it in multiples of this: one of the
+ orientation turns I, by the greatest moment even about the axis of the least. [N m s] */
+double GreatestAngularMomentum(const World& world, const WorldState& state,
+                               const Subjects& subjects, const Eigen::Vector3d& c_W);
+
 /** The energy of some things, and its rate of conversion. */
 struct Energy {
   double kinetic = 0;    ///< Σ ½ m v² + ½ ω·L. [J]

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -93,6 +94,53 @@ TEST(ConservesAngularMomentum, ASpringPassesToRounding) {
       Judge(world, Swung(world), ClaimOf("conserves_angular_momentum"));
   EXPECT_TRUE(Passes(findings));
   EXPECT_LE(findings[0].tolerance.value, 1e-9);
+}
+
+/** A rod that spins about its own axis, which lies along no axis of the world. */
+World SpinningRod() {
+  World world;
+  RigidBody rod = BodyOf("rod", Box{{0.66, 0.03, 0.04}}, 1, {0, 0, 0});
+  rod.placed.X_WB = Pose::FromQuaternion(
+      {0, 0, 0}, Eigen::Quaterniond(0.4, -0.2, 0.8, 0.4).normalized());
+  rod.w_WB = 5 * rod.placed.X_WB.R_WB.col(0);
+  world.bodies = {rod};
+  world.dt = 1e-3;
+  world.steps = 20;
+  return world;
+}
+
+/** The rod turns at a constant spin. Its axis is `off` [rad] away from the spin. */
+Trajectory Spun(const World& world, double off) {
+  const RigidBody& rod = world.bodies[0];
+  const Eigen::Vector3d across_W = off * rod.placed.X_WB.R_WB.col(1);
+  return Stepped(world, [&world, across_W, first = true](WorldState& state) mutable {
+    BodyState& at = state.bodies[0];
+    if (std::exchange(first, false)) at.q_WB = Turned(at.q_WB, across_W);
+    at.q_WB = Turned(at.q_WB, world.dt * at.w_WB);
+  });
+}
+
+// One rounding of the orientation is 175 roundings of |R I Rᵀ ω|, since I_max is 175
+// I_min.
+TEST(ConservesAngularMomentum, GrantsARoundingOfTheAxisOfASpinningRod) {
+  const World world = SpinningRod();
+  const Claim claim = ClaimOf("conserves_angular_momentum");
+  for (const double roundings : {0, 1, 10})
+    EXPECT_TRUE(Passes(Judge(world, Spun(world, roundings * 0x1p-53), claim)));
+  EXPECT_TRUE(
+      Finds(Judge(world, Spun(world, 1e-9), claim), MeasureKind::kAngularMomentumDrift));
+}
+
+// Some 40 roundings: the axis (5), its quaternion (4) and its rotation (6), squared, and
+// a sum. The matrix R I Rᵀ would have 10 of I_max, which are 1750 of this energy.
+TEST(EnergyOf, ASpinAboutTheAxisOfARodHasItsOwnRoundingsOnly) {
+  const World world = SpinningRod();
+  const RigidBody& rod = world.bodies[0];
+  const double exact = InertiaOf(rod).minCoeff() * 25 / 2;
+  for (const WorldState& state : Spun(world, 0).samples) {
+    const double energy = EnergyOf(world, state, {{0}, {}, {}}).total();
+    EXPECT_NEAR(energy, exact, 40 * 0x1p-53 * exact);
+  }
 }
 
 TEST(ConservesAngularMomentum, FindsAForceThatIsNotAlongTheSpring) {
