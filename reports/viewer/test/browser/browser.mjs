@@ -22,9 +22,23 @@ export async function writePage(folder, name, { report, blob }) {
   return pathToFileURL(path).href;
 }
 
+/** Waits until a page has drawn what it was asked to draw before. */
+export const redrawn = (page) => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
 /** Goes to an address of an open page, and waits until it is drawn. */
 export async function go(page, hash) {
   await page.evaluate((h) => { location.hash = h; }, hash);
   await page.waitForTimeout(120);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await redrawn(page);
+}
+
+/** Makes every act of a user on a page end when the page has drawn its answer: on a busy machine, what is read at once is the picture before. */
+export function drawAfterActs(page) {
+  const acts = [[page, ["check", "click", "fill", "goBack", "goForward", "selectOption", "uncheck"]], [page.keyboard, ["press", "type"]], [page.mouse, ["click", "move", "up", "wheel"]]];
+  for (const [owner, names] of acts) {
+    for (const name of names) {
+      const act = owner[name].bind(owner);
+      owner[name] = async (...given) => { await act(...given); await redrawn(page); };
+    }
+  }
 }

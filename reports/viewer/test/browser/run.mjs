@@ -8,7 +8,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { allOracles, makeSample, makeSweepSample, makeWorldSweepSample, hostile } from "../sample/make.mjs";
 import { Blob, pack, fillPage } from "../sample/encode.mjs";
 import { passThroughWall } from "../sample/passage.mjs";
-import { go, here, openBrowser, temporaryFolder, writePage } from "./browser.mjs";
+import { drawAfterActs, go, here, openBrowser, redrawn, temporaryFolder, writePage } from "./browser.mjs";
 
 const axe = await readFile(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 const folder = temporaryFolder();
@@ -32,6 +32,7 @@ const test = (name, run) => tests.push({ name, run });
 async function withPage(options, run, address = url) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, reducedMotion: "no-preference", acceptDownloads: true, ...options });
   const page = await context.newPage();
+  drawAfterActs(page);
   const troubles = [];
   page.on("console", (message) => { if (message.type() === "error") troubles.push(message.text()); });
   page.on("pageerror", (error) => troubles.push(error.stack ?? String(error)));
@@ -109,7 +110,7 @@ test("the views along the axes and the normal show the bodies, and those of a co
     const scale = () => page.$eval(".scale-bar", (bar) => bar.textContent);
     const before = await scale();
     for (const view of buttons) {
-      await page.locator(`button:text-is("${view}")`).first().click();
+      await page.click(`button:text-is("${view}")`);
       await page.waitForTimeout(100);
       // The camera comes as near as the whole motion of a world allows from each side.
       if (name === "contact") assert.equal(await scale(), before, `${name} from ${view}`);
@@ -163,7 +164,7 @@ test("coming back to a list finds the place where it was left", () => withPage({
   await go(page, "#/findings");
   await page.evaluate(() => scrollTo(0, 3000));
   await page.waitForTimeout(300);
-  await page.locator(".virtual .c-question a").nth(9).click();
+  await page.click(".virtual .c-question a >> nth=9");
   await page.waitForSelector(".stage");
   assert.equal(await page.evaluate(() => scrollY), 0);
   await page.goBack();
@@ -190,7 +191,7 @@ test("a sweep opens on its own screen: how often, how large, and the gravest kep
     // Half of 2,000 are 0, and 99 % of them below 1e-15.5.
     assert.match(await page.textContent(".accuracy tbody tr:nth-child(2)"), /2,000.*0.*3\.2e-16/s);
     assert.match(await page.textContent("section.sweep"), /70 failures asked again, the gravest 60 shown, of 4,321/);
-    await page.locator("[aria-label='Gravest kept failures'] a[href^='#/s/']").first().click();
+    await page.click("[aria-label='Gravest kept failures'] a[href^='#/s/']");
     await page.waitForSelector(".stage");
     assert.match(await page.textContent(".verdicts tr.chosen"), /./);
     await go(page, "#/");
@@ -233,7 +234,7 @@ test("a sweep tells its measures apart, and opens the worst of each, also those 
     await page.waitForSelector(".stage");
     assert.equal(await page.textContent("h1"), title);
     await go(page, "#/sweep");
-    await page.locator("[aria-label='Distributions'] tbody a[href^='#/s/']").first().click();
+    await page.click("[aria-label='Distributions'] tbody a[href^='#/s/']");
     await page.waitForSelector(".stage");
   }, await writePage(folder, "measures.html", sample));
 });
@@ -256,7 +257,7 @@ test("a sweep of worlds has its families by law, and its failures open as worlds
     await page.waitForFunction(() => location.hash.includes("measure=bounce_series"));
     const laws = await page.$$eval("[aria-label='Gravest kept failures'] tbody td:nth-child(4)", (cells) => [...new Set(cells.map((c) => c.textContent))]);
     assert.deepEqual(laws, ["bounce series: position error"]);
-    await page.locator("[aria-label='Gravest kept failures'] a[href^='#/s/']").first().click();
+    await page.click("[aria-label='Gravest kept failures'] a[href^='#/s/']");
     await page.waitForSelector(".stage");
     assert.match(await page.textContent(".time-panel .reading"), /^Opened at .* just before the moment of the proof/);
     assert.ok(await page.locator(".plot canvas").count() > 0);
@@ -325,7 +326,7 @@ test("keys move through the findings and open one", () => withPage({}, async (pa
 
 test("the proof ends where B just touches A, and a claimed direction takes longer", () => withPage({}, async (page) => {
   await go(page, views.contact);
-  await page.locator(`tr:has-text("bullet") input[type=radio]`).first().check();
+  await page.check(`tr:has-text("bullet") input[type=radio]`);
   const gap = () => page.$eval(".stage", (stage) => Number(stage.dataset.gap));
   const before = await page.locator(".stage canvas").screenshot();
   assert.ok(await gap() < 0, "the bodies overlap at first");
@@ -399,7 +400,7 @@ test("another oracle is explained from the same place, and the address names its
   const before = await canvas();
   const others = page.locator(".verdicts tr:not(.chosen):has(.badge:not(.passed):not(.unasked)) input[type=radio]");
   const label = await others.first().getAttribute("aria-label");
-  await page.locator(`input[aria-label="${label}"]`).check();
+  await page.check(`input[aria-label="${label}"]`);
   await page.waitForTimeout(100);
   assert.deepEqual(await canvas(), before, "the camera has turned");
   const query = new URLSearchParams((await page.evaluate(() => location.hash)).split("?")[1]);
@@ -413,7 +414,7 @@ test("the extreme point of B moves with B, and that of A stays", () => withPage(
   const placeOf = (text) => page.$$eval(".stage .label:not([hidden])", (all, t) => { const label = all.find((l) => l.textContent === t) ?? all.find((l) => l.textContent === `a, b`); const box = label?.getBoundingClientRect(); return box && [box.x, box.y]; }, text);
   const seek = async (value) => {
     await page.$eval("input[aria-label='Progress of the proof']", (slider, v) => { slider.value = String(v); slider.dispatchEvent(new Event("input")); }, value);
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await redrawn(page);
   };
   await page.click("text=Play the proof");
   await page.waitForSelector("text=Play again");
@@ -824,7 +825,7 @@ test("the times of answers are listed longest first, and by oracle", () => withP
 test("all oracles are offered only while one is hidden", () => withPage({}, async (page) => {
   await go(page, views.world);
   assert.equal(await page.isVisible("button:text-is('Show all')"), false);
-  await page.locator(".verdicts input[type=checkbox]:checked").first().click();
+  await page.click(".verdicts input[type=checkbox]:checked");
   await page.waitForSelector("button:text-is('Show all')");
   await page.click("button:text-is('Show all')");
   assert.equal(await page.isVisible("button:text-is('Show all')"), false);
@@ -844,7 +845,7 @@ test("the ten worst faults are read on the first screen: what, whose, how large,
   await page.click(".more .all");
   await page.waitForFunction(() => location.hash === "#/?all=1");
   await page.waitForSelector(`.virtual .card[aria-setsize="${sample.report.clusters.length}"]`);
-  await page.locator(".virtual .card h2 a").first().click();
+  await page.click(".virtual .card h2 a");
   await page.waitForSelector(".stage");
   assert.match(await page.textContent(".verdicts tr.chosen"), /./);
 }));
@@ -983,7 +984,7 @@ test("a body that passes through a wall is seen from the side, from before they 
     await page.keyboard.press(" ");
     await page.$eval("input[aria-label='Time']", (slider) => { slider.value = "3"; slider.dispatchEvent(new Event("input")); });
     await page.waitForFunction(() => document.querySelector(".stage").dataset.time === "0.06");
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await redrawn(page);
     const after = await places();
     assert.ok(Math.abs(after.wall - before.wall) < 1e-6, "the wall has moved in the picture");
     assert.ok(after.thrown > after.wall + 0.1 && after.thrown < 1, "the ball is not seen behind the wall");
@@ -1105,7 +1106,7 @@ test("the difference to the truth is offered where a truth is known, and the lan
     await go(page, addressOf(own, finding));
     assert.match(await page.textContent(".plots select >> nth=0 >> option:checked"), /height/);
     assert.ok(await page.isEnabled("#to-truth"));
-    for (const select of [0, 1]) await page.locator(".plots select").nth(select).selectOption("x2");
+    for (const select of [0, 1]) await page.selectOption(`.plots select >> nth=${select}`, "x2");
     assert.ok(await page.isDisabled("#to-truth"));
     assert.match(await page.textContent("label[for=to-truth]"), /no formula of these is known/);
     const lanes = await page.$$eval(".lane-name[title]", (all) => all.map((e) => e.title));
@@ -1187,16 +1188,15 @@ test("a wrong depth is performed beside the certified one, and moves across the 
   await withPage({ reducedMotion: "reduce" }, async (page) => {
     await go(page, `#/s/${encodeURIComponent(id)}?o=bullet`);
     const place = async () => { const box = await page.locator(".stage .label:text-is('B')").boundingBox(); return [box.x, box.y]; };
-    const drawn = () => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     await page.click("text=Play the proof");
-    await drawn();
+    await redrawn(page);
     const said = await page.textContent(".reading");
     const pixels = await page.$eval(".scale-bar", (bar) => bar.getBoundingClientRect().width / (parseFloat(bar.textContent) * (bar.textContent.includes("cm") ? 0.01 : 1)));
     assert.match(said, /^B moved .*: A and B just touch; along the certified direction, as deep as bullet says, moved .*: still .* too deep\. The error: .*\.$/);
     const [, moved, unit] = /^B moved ([\d.]+) (cm|m):/.exec(said);
     const after = await place();
     await page.$eval("input[aria-label='Progress of the proof']", (slider) => { slider.value = "0"; slider.dispatchEvent(new Event("input")); });
-    await drawn();
+    await redrawn(page);
     const before = await place();
     const seen = Math.hypot(after[0] - before[0], after[1] - before[1]) / pixels;
     assert.ok(Math.abs(seen / (Number(moved) * (unit === "cm" ? 0.01 : 1)) - 1) < 0.15, `B moves ${seen} m of ${moved} ${unit} across the screen`);
@@ -1260,7 +1260,7 @@ test("axe finds no fault in any view, light and dark", async () => {
 
 test("pictures and tables are saved", () => withPage({}, async (page) => {
   const save = async (text) => {
-    const [download] = await Promise.all([page.waitForEvent("download"), page.locator(`button:has-text("${text}"):visible`).first().click()]);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click(`button:has-text("${text}"):visible`)]);
     return readFile(await download.path());
   };
   await go(page, views.contact);
@@ -1373,7 +1373,7 @@ test("all that moves is in sight from the start to the end, and what flies away 
       } else before = await scale(page);
       for (const sample of ["0", "30", "100"]) {
         await page.$eval("input[aria-label=Time]", (slider, value) => { slider.value = value; slider.dispatchEvent(new Event("input")); }, sample);
-        await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+        await redrawn(page);
         const places = await namesInStage(page, ["ball", "box"]);
         assert.equal(places.length, 2);
         for (const place of places) assert.ok(place && place.every((x) => x > 0.02 && x < 0.98), `at sample ${sample} a body is at ${place}`);
@@ -1449,7 +1449,7 @@ test("what is our setting or a documented model is marked apart from the faults 
     await page.selectOption("select[aria-label='Whose faults']", "adapter");
     await page.waitForFunction(() => location.hash === "#/?whose=adapter");
     assert.equal(await page.locator(".virtual .card").count(), 1);
-    await page.locator(".virtual .card h2 a").click();
+    await page.click(".virtual .card h2 a");
     await page.waitForSelector(".told .responsible");
     assert.equal(await page.textContent(".told .responsible"), "our setting");
     await go(page, "#/f/2");
@@ -1620,7 +1620,7 @@ test("opening the list of faults measures no texts", async () => {
 test("the heading tells of the oracle that the reader has explained", () => withPage({}, async (page) => {
   await go(page, `${views.contact}?o=bullet`);
   assert.match(await page.textContent(".told"), /bullet [\d.]+: /);
-  await page.locator("tr:has(.name:text-is('cookbook')) input[type=radio]").check();
+  await page.check("tr:has(.name:text-is('cookbook')) input[type=radio]");
   assert.match(await page.textContent(".told"), /cookbook .+: no measurement of it shows a fault/);
 }));
 
@@ -1691,7 +1691,7 @@ test("the names of two bodies in one place do not cover each other", async () =>
 
 const seekProof = async (page, value) => {
   await page.$eval("input[aria-label='Progress of the proof']", (slider, v) => { slider.value = String(v); slider.dispatchEvent(new Event("input")); }, value);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await redrawn(page);
 };
 
 test("the close-up follows what is performed", () => withPage({}, async (page) => {
