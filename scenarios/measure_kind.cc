@@ -40,6 +40,8 @@ constexpr std::array<MeasureNames, kMeasureKinds> kMeasures = {{
     {"energy_drift", "J"},
     {"momentum_balance", "N s"},
     {"angular_momentum_balance", "N m s"},
+    {"travel_error", "m"},
+    {"turn_error", "rad"},
     {"contact_place", "m"},
     {"penetration", "m"},
     {"passage", "m"},
@@ -85,6 +87,7 @@ std::optional<MeasureKind> MeasureNamed(std::string_view name) {
 
 std::vector<MeasureKind> AllMeasures() {
   std::vector<MeasureKind> measures;
+  measures.reserve(kMeasureKinds);
   for (int i = 0; i < kMeasureKinds; ++i) {
     measures.push_back(static_cast<MeasureKind>(i));
   }

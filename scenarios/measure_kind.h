@@ -40,6 +40,8 @@ enum class MeasureKind {
   kEnergyDrift,             ///< Energy gained, or lost where it is conserved. [J]
   kMomentumBalance,         ///< |ΔP − Σ J − h Σ F| over a step. [N s]
   kAngularMomentumBalance,  ///< |ΔL − Σ r × J| about the centre over a step. [N m s]
+  kTravelError,             ///< How far from any place that the velocities allow. [m]
+  kTurnError,               ///< The same of a turn. [rad]
   kContactPlace,            ///< How far surfaces are from where a contact needs them. [m]
   kPenetration,             ///< Deepest overlap of two bodies. [m]
   kPassage,                 ///< Overlap on the way from one side to the other. [m]

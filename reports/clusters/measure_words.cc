@@ -35,6 +35,8 @@ std::string_view FaultInWords(MeasureKind measure) {
       "makes or loses energy",
       "reports impulses that do not add up to the change of momentum",
       "reports impulses that do not add up to the change of angular momentum",
+      "moves a body otherwise than at its velocity",
+      "turns a body otherwise than at its spin",
       "reports contacts that are not on the bodies",
       "lets bodies sink into each other",
       "lets a body pass through another",

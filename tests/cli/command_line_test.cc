@@ -690,7 +690,7 @@ TEST_F(CommandLineTest, SweepsWorldsAndWritesFailedOnesAsScenariosThatCanBeRun) 
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("drops"), HasSubstr(" failed of 80"),
                     HasSubstr("  touchstone sweep world --family rods --seed 3 --first "),
-                    HasSubstr(" (joint_length)")));
+                    HasSubstr(" (moves_at_its_velocity)")));
   const std::string file =
       Path("worlds/sweep/world/rods/seed_3/00000000000000000000.toml");
   EXPECT_EQ(Touchstone("run --subject drifter --against drifter " + file).code, 1);

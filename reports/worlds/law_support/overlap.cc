@@ -56,6 +56,11 @@ DeepestOverlap OverlapOf(const World& world, const WorldState& state, int A, int
           A_is_smaller ? truth.certificate.p_WCa : truth.certificate.p_WCb};
 }
 
+double DepthOfPoint(const World& world, const WorldState& state, int index,
+                    const Eigen::Vector3d& p_W) {
+  return std::max(0.0, -SignedDistance(PlacedAt(world, state, index), p_W).hi);
+}
+
 Gap GapBetween(const World& world, const WorldState& state, int A, int B) {
   const ContactTruth truth =
       ComputeContactTruth({PlacedAt(world, state, A), PlacedAt(world, state, B)});

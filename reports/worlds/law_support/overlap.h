@@ -23,6 +23,11 @@ struct DeepestOverlap {
  @pre Not both are half-spaces. */
 DeepestOverlap OverlapOf(const World& world, const WorldState& state, int A, int B);
 
+/** Returns a certified lower bound of how deep a point is in body `index`; 0 outside.
+ [m] */
+double DepthOfPoint(const World& world, const WorldState& state, int index,
+                    const Eigen::Vector3d& p_W);
+
 /** The nearest points of two bodies. */
 struct Gap {
   double length = 0;  ///< A certified upper bound; 0 if they touch or penetrate. [m]

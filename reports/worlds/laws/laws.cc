@@ -19,6 +19,7 @@
 #include "reports/worlds/laws/joint_length.h"
 #include "reports/worlds/laws/minimum_energy.h"
 #include "reports/worlds/laws/momentum_balance.h"
+#include "reports/worlds/laws/moves_at_its_velocity.h"
 #include "reports/worlds/laws/never_passes_through.h"
 #include "reports/worlds/laws/never_penetrates.h"
 #include "reports/worlds/laws/oblique_impact.h"
@@ -58,6 +59,7 @@ std::span<const Law> Laws() {
       kJointLength,
       kMinimumEnergy,
       kMomentumBalance,
+      kMovesAtItsVelocity,
       kNeverPassesThrough,
       kNeverPenetrates,
       kObliqueImpact,

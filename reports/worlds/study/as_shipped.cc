@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "reports/worlds/study/every_step.h"
 #include "reports/worlds/study/examine_world.h"
 #include "reports/worlds/study/judge_ensemble.h"
 #include "reports/worlds/study/judge_world.h"
@@ -44,8 +45,12 @@ bool All(std::span<const Finding> findings, Counts counts, Property has) {
 }
 
 Findings JudgedFromOneMotion(const WorldScenario& scenario, const Oracle& oracle) {
-  const Trajectory trajectory = oracle.Simulate(scenario.world);
-  std::vector<Findings> groups = JudgeWorldByClaim({scenario, oracle.info(), trajectory});
+  const Trajectory of_steps = oracle.Simulate(EveryStep(scenario.world));
+  const Trajectory trajectory = SampledAs(scenario.world, of_steps);
+  std::vector<Findings> groups = JudgeWorldByClaim({.scenario = scenario,
+                                                    .oracle = oracle.info(),
+                                                    .trajectory = trajectory,
+                                                    .of_steps = &of_steps});
   if (groups.front().front().verdict == Verdict::kPass && scenario.ensemble)
     groups = JudgeEnsemble(scenario, oracle, trajectory, std::move(groups)).groups;
   Findings all;

@@ -14,6 +14,7 @@
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/body_steps.h"
+#include "reports/worlds/study/every_step.h"
 #include "reports/worlds/study/judge_ensemble.h"
 #include "reports/worlds/study/judge_stability.h"
 #include "reports/worlds/study/judge_variant.h"
@@ -263,7 +264,8 @@ std::vector<Finding> WithNeighbours(const Study& study, const Oracle& oracle,
 Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
                          const WantedNeighbours& wanted) {
   Examination examined;
-  examined.trajectory = oracle.Simulate(scenario.world);
+  const Trajectory of_steps = oracle.Simulate(EveryStep(scenario.world));
+  examined.trajectory = SampledAs(scenario.world, of_steps);
   const Trajectory& trajectory = examined.trajectory;
   SecondsByName& motions = examined.seconds.motions;
   motions["itself"] = trajectory.seconds;
@@ -278,6 +280,7 @@ Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
   Study study{.scenario = scenario,
               .oracle = oracle.info(),
               .trajectory = trajectory,
+              .of_steps = &of_steps,
               .seconds_of_laws = &examined.seconds.laws};
   if (studied) Refine(neighbours, study);
   std::vector<std::vector<Finding>> groups = JudgeWorldByClaim(study);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reports/worlds/study/body_steps.h"
+#include "reports/worlds/study/every_step.h"
 #include "reports/worlds/study/judge_world.h"
 #include "reports/worlds/study/motion_scale.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 using Groups = std::vector<std::vector<Finding>>;
 
+/** Returns the motions with a sample at every step. */
 std::vector<Trajectory> MotionsOf(std::span<const WorldScenario> scenarios,
                                   const Oracle& oracle) {
   if (!oracle.info().simulates) {
@@ -22,7 +24,8 @@ std::vector<Trajectory> MotionsOf(std::span<const WorldScenario> scenarios,
   }
   std::vector<World> worlds;
   worlds.reserve(scenarios.size());
-  for (const WorldScenario& scenario : scenarios) worlds.push_back(scenario.world);
+  for (const WorldScenario& scenario : scenarios)
+    worlds.push_back(EveryStep(scenario.world));
   return oracle.SimulateEach(worlds);
 }
 
@@ -46,7 +49,8 @@ void TakeCauses(Groups refined, Groups& groups) {
 
 /** Looks for the causes of the failures in smaller steps. */
 void FindCauses(std::span<const WorldScenario> scenarios, const Oracle& oracle,
-                std::span<const Trajectory> motions, std::span<Groups> judged) {
+                std::span<const Trajectory> of_steps, std::span<const Trajectory> motions,
+                std::span<Groups> judged) {
   std::vector<std::size_t> failed;
   std::vector<World> worlds;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
@@ -61,9 +65,13 @@ void FindCauses(std::span<const WorldScenario> scenarios, const Oracle& oracle,
     const Trajectory& quarter = refined[2 * f + 1];
     if (!IsWhole(half) || !IsWhole(quarter)) continue;
     const std::size_t i = failed[f];
-    TakeCauses(
-        JudgeWorldByClaim({scenarios[i], oracle.info(), motions[i], &half, &quarter}),
-        judged[i]);
+    TakeCauses(JudgeWorldByClaim({.scenario = scenarios[i],
+                                  .oracle = oracle.info(),
+                                  .trajectory = motions[i],
+                                  .half = &half,
+                                  .quarter = &quarter,
+                                  .of_steps = &of_steps[i]}),
+               judged[i]);
   }
 }
 
@@ -71,11 +79,17 @@ void FindCauses(std::span<const WorldScenario> scenarios, const Oracle& oracle,
 
 std::vector<JudgedMotion> JudgeOnce(std::span<const WorldScenario> scenarios,
                                     const Oracle& oracle) {
-  std::vector<Trajectory> motions = MotionsOf(scenarios, oracle);
+  const std::vector<Trajectory> of_steps = MotionsOf(scenarios, oracle);
+  std::vector<Trajectory> motions;
   std::vector<Groups> judged;
-  for (std::size_t i = 0; i < scenarios.size(); ++i)
-    judged.push_back(JudgeWorldByClaim({scenarios[i], oracle.info(), motions[i]}));
-  FindCauses(scenarios, oracle, motions, judged);
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    motions.push_back(SampledAs(scenarios[i].world, of_steps[i]));
+    judged.push_back(JudgeWorldByClaim({.scenario = scenarios[i],
+                                        .oracle = oracle.info(),
+                                        .trajectory = motions.back(),
+                                        .of_steps = &of_steps[i]}));
+  }
+  FindCauses(scenarios, oracle, of_steps, motions, judged);
   std::vector<JudgedMotion> results;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
     JudgedMotion& result = results.emplace_back();

@@ -14,6 +14,7 @@
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/laws/laws.h"
+#include "reports/worlds/study/every_step.h"
 #include "reports/worlds/study/judge_expectation.h"
 #include "reports/worlds/study/starting_state.h"
 #include "reports/worlds/study/trajectory_difference.h"
@@ -140,9 +141,19 @@ class Judgement {
     return false;
   }
 
+  /** Returns what a law finds in the motion, with a sample at every step if the law is
+   about steps; nothing if it is and nobody took them. */
+  std::vector<LawFinding> FoundBy(const Law& law, const Claim& claim) const {
+    if (!law.of_steps || motion_.world.sample_every == 1)
+      return law.judge(motion_, claim);
+    if (!study_.of_steps) return {};
+    const World world = EveryStep(motion_.world);
+    return law.judge({world, study_.oracle, *study_.of_steps}, claim);
+  }
+
   void Hold(const Law& law, const Claim& claim) {
     const Stopwatch watch;
-    const std::vector<LawFinding> all = law.judge(motion_, claim);
+    const std::vector<LawFinding> all = FoundBy(law, claim);
     if (all.empty()) {
       Finding& unverified =
           Add(MeasureKind::kAnswering, 0, {0, "an answer is an answer"});
@@ -162,7 +173,7 @@ class Judgement {
   void HoldUniversal(const Law& law, const Claim& claim) {
     const Stopwatch watch;
     const std::string true_of_all = fmt::format("{}, true of every motion", law.name);
-    for (const LawFinding& found : law.judge(motion_, claim))
+    for (const LawFinding& found : FoundBy(law, claim))
       Add(found, law, claim, true_of_all).universal = true;
     AddSeconds(claim.law, watch);
   }

@@ -14,6 +14,8 @@ struct Study {
   const Trajectory& trajectory;
   const Trajectory* half = nullptr;     ///< Null if not simulated.
   const Trajectory* quarter = nullptr;  ///< Null if not simulated.
+  /** The first motion with a sample at every step; null if nobody took them. */
+  const Trajectory* of_steps = nullptr;
   /** Where the judgement adds the time that each law takes; null: nobody asks. */
   SecondsByName* seconds_of_laws = nullptr;
 };

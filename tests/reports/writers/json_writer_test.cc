@@ -51,6 +51,12 @@ TEST(WriteJson, FollowsASchemaThatForbidsUnknownProperties) {
     EXPECT_FALSE(SchemaFaults(Schema(), line).empty()) << line["kind"];
 }
 
+TEST(WriteJson, ThePublishedSchemaKnowsEveryMeasure) {
+  std::vector<std::string_view> names;
+  for (const MeasureKind measure : AllMeasures()) names.push_back(NameOf(measure));
+  EXPECT_EQ(Schema()["$defs"]["measure"]["enum"], nlohmann::json(names));
+}
+
 TEST(WriteJson, RoundTripsEveryBitOfANumber) {
   const RunReport report = HandMadeReport();
   EXPECT_EQ(LinesOf(Written(report), "scenario")[0]["A"]["rotation"][1][2].get<double>(),

@@ -204,7 +204,7 @@ TEST(WorldReport, ExplanationTableHasALinePerWorld) {
   const std::string text =
       Written([](const auto& r, auto& out) { WriteExplanationTable(r, out); });
   // The one that it claims, and six that are universal.
-  EXPECT_THAT(text, HasSubstr("world/test/fall  8 laws"));
+  EXPECT_THAT(text, HasSubstr("world/test/fall  9 laws"));
   EXPECT_THAT(text, HasSubstr("light\n"));
 }
 

@@ -246,6 +246,8 @@ TEST(JudgeVariant, TellsAFallFromAJumpOfUnknownSize) {
 TEST(UnstableMotion, DoesNotFailARightEngineForAmplifiedRounding) {
   const std::vector<Finding> findings = FindingsOnTheHump([](double) { return 0.0; });
   for (const Finding& finding : findings) {
+    // OverTheHump() states no velocities.
+    if (finding.law == "moves_at_its_velocity") continue;
     EXPECT_TRUE(finding.verdict == Verdict::kPass ||
                 finding.verdict == Verdict::kUndecidable)
         << finding.proof;

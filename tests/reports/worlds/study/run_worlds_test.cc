@@ -14,6 +14,7 @@
 
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/check_claims.h"
+#include "reports/worlds/study/judge_once.h"
 #include "reports/worlds/study/run_claims.h"
 #include "reports/worlds/study/world_variants.h"
 #include "tests/reports/worlds/fake_simulator.h"
@@ -50,6 +51,46 @@ std::vector<std::string> Described(const WorldsReport& report) {
     lines.push_back(finding.scenario + " " + finding.oracle + " " +
                     std::string(NameOf(finding.measure)));
   return lines;
+}
+
+/** Returns the verdict of moves_at_its_velocity on an engine whose ball is 1 cm off in
+ step 4 alone, where the world asks for a sample every 10 steps. */
+template <typename Judge>
+Verdict OffBetweenSamples(double off, Judge&& judge) {
+  WorldScenario scenario = Flight("world/test/flight", 20);
+  scenario.world.sample_every = 10;
+  const FakeSimulator engine("engine", [off](const World& world) {
+    return FreeFlight(world, [&](double t) {
+      const bool is_step_4 = std::abs(t / world.dt - 4) < 0.5;
+      return Eigen::Vector3d(is_step_4 ? off : 0, 0, 0);
+    });
+  });
+  for (const Finding& finding : judge(scenario, engine))
+    if (finding.measure == MeasureKind::kTravelError) return finding.verdict;
+  ADD_FAILURE() << "nothing was judged";
+  return Verdict::kUnsupported;
+}
+
+TEST(RunWorlds, JudgesEveryStepWhereAWorldAsksForFewSamples) {
+  const auto run = [](const WorldScenario& scenario, const Oracle& engine) {
+    const std::vector<const Oracle*> oracles = {&engine};
+    const std::vector<WorldScenario> worlds = {scenario};
+    WorldsReport report = RunWorlds(worlds, oracles, {.jobs = 1});
+    EXPECT_EQ(report.worlds[0].trajectories[0].samples.size(), 3U);
+    return report.findings;
+  };
+  EXPECT_EQ(OffBetweenSamples(0, run), Verdict::kPass);
+  EXPECT_EQ(OffBetweenSamples(0.01, run), Verdict::kFail);
+}
+
+TEST(JudgeOnce, JudgesEveryStepWhereAWorldAsksForFewSamples) {
+  const auto once = [](const WorldScenario& scenario, const Oracle& engine) {
+    JudgedMotion judged = std::move(JudgeOnce(std::span(&scenario, 1), engine).front());
+    EXPECT_EQ(judged.trajectory.samples.size(), 3U);
+    return judged.findings;
+  };
+  EXPECT_EQ(OffBetweenSamples(0, once), Verdict::kPass);
+  EXPECT_EQ(OffBetweenSamples(0.01, once), Verdict::kFail);
 }
 
 TEST(RunWorlds, TellsNothingFromAnEventThatARoundingPutsOffByAStep) {

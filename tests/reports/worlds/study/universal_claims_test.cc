@@ -45,7 +45,8 @@ TEST(UniversalClaims, AWorldWithoutAnyClaimHasThoseThatApply) {
   EXPECT_THAT(LawsOf(TwoBalls()),
               UnorderedElementsAre("angular_momentum_balance", "contacts_on_bodies",
                                    "energy_never_rises", "momentum_balance",
-                                   "never_passes_through", "never_penetrates"));
+                                   "moves_at_its_velocity", "never_passes_through",
+                                   "never_penetrates"));
 }
 
 TEST(UniversalClaims, ConservesTheMomentaOfWhatTouchesNothingFixed) {
