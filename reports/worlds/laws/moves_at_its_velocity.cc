@@ -33,7 +33,7 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   return FaultsOfNumbers(claim, {});
 }
 
-/** The causes of a change of velocity in a step, linear or angular. [m/s] or [rad/s] */
+/** The known changes of a velocity in a step. [m/s] or [rad/s] */
 struct Causes {
   Vector3d sum = Vector3d::Zero();
   double size = 0;  ///< Sum of the magnitudes.
@@ -43,8 +43,8 @@ struct Causes {
     size += change.norm();
   }
 
-  /** Returns how much a velocity varies that these causes and one more change by `gained`
-   in all. */
+  /** Returns the total variation of a velocity that changes by `gained` in all: one more
+   change explains the rest. */
   double VariationOf(const Vector3d& gained) const {
     return size + (gained - sum).norm();
   }
@@ -68,26 +68,25 @@ Vector3d TurnBetween(const Eigen::Quaterniond& from, const Eigen::Quaterniond& t
   return axis * (angle + 2 * std::numbers::pi * turns);
 }
 
-/** How much more than its own change the velocity of a thing may vary in a step by what
- nobody reports: contacts act twice in a corner, and forces at each of the four
- evaluations of Runge and Kutta. [-] */
+/** Factor on the bounds of forces and contacts that are not reported: contacts can act
+ twice in a corner, and both act at each of the four stages of a Runge–Kutta step. [-] */
 constexpr double kUnreported = 4;
 
-/** The velocities of one thing in a step, and its way. [m/s] and [m], or [rad/s] and
- [rad] */
+/** One step of a translation or of a rotation. */
 struct StepOf {
-  Vector3d moved;
-  Vector3d from;
-  Vector3d to;
-  double variation;
+  Vector3d moved;    ///< Displacement or rotation vector. [m] or [rad]
+  Vector3d from;     ///< Velocity at the start. [m/s] or [rad/s]
+  Vector3d to;       ///< Velocity at the end. [m/s] or [rad/s]
+  double variation;  ///< Total variation of the velocity, at most. [m/s] or [rad/s]
 
+  /** Returns how far `moved` is at least from all that a step of `h` [s] allows. */
   double Excess(double h) const {
     return std::max(0.0, ((moved - h * from).norm() + (moved - h * to).norm()) / 2 -
                              h * variation / 2);
   }
 };
 
-/** What the rods of the world may do in a step. */
+/** Upper bounds of the forces and impulses of all rods in a step. */
 struct Linkage {
   double energy = 0;         ///< Kinetic energy of all that rods hold, at most. [J]
   double force = 0;          ///< Of a rod, at most. [N]
@@ -148,7 +147,8 @@ class Judgement {
   const WorldState& Before() const { return motion_.trajectory.samples[s_ - 1]; }
   const WorldState& After() const { return motion_.trajectory.samples[s_]; }
 
-  /** Returns what is known to change the velocity and the spin of a body in the step. */
+  /** Returns the changes of the velocity and the spin of a body by loads, contacts and
+   pushes. */
   BodyCauses CausesOf(int index) const {
     const RigidBody& body = world_.bodies[static_cast<std::size_t>(index)];
     const BodyState& from = Before().bodies[static_cast<std::size_t>(index)];
@@ -187,7 +187,7 @@ class Judgement {
       turn.variation +=
           ChangesAround([&](const WorldState& state) { return state.bodies[i].w_WB; });
     }
-    // Most steps need no more than this, which costs little.
+    // Most steps pass without the bounds below, which take longer to compute.
     double corrected = 0;
     if (travel.Excess(h_) > GrantedTravel(from.p_WB, to.p_WB, travel) ||
         turn.Excess(h_) > GrantedTurn(turn)) {
@@ -260,8 +260,8 @@ class Judgement {
     return sum;
   }
 
-  /** Returns whether a thing that is as fast as `speed`, body `index` if it is one, may
-   touch a body in the step. */
+  /** Returns whether `thing` may touch another body in the step. `index`: its own index,
+   −1 for a point; `speed`: its largest speed. [m/s] */
   bool MayTouch(const Body& thing, int index, double speed) const {
     for (int other = 0; other < static_cast<int>(world_.bodies.size()); ++other) {
       const auto o = static_cast<std::size_t>(other);
@@ -306,8 +306,8 @@ class Judgement {
            from.w_WB.cross(p_W - from.p_WB);
   }
 
-  /** Returns what the rods of the world may do in this step. The force of a rod is that
-   of all the energy on a circle of the least radius there is. */
+  /** Returns the bounds for this step. The force of a rod is the centripetal force of all
+   the energy on the circle with the least radius. */
   const Linkage& LinkageInStep() {
     if (linkage_) return *linkage_;
     linkage_.emplace();
@@ -347,9 +347,9 @@ class Judgement {
     return *linkage_;
   }
 
-  /** Returns how much the rods of the world may change a velocity of something with that
-   mass, or a spin of something with that moment of inertia and that lever, in a step:
-   beside their forces, they pass on all impulses that what they hold takes. */
+  /** Returns the variation by rods of the velocity of a mass `inertia` [kg] with `lever`
+   1, or of the spin of a moment of inertia [kg m²] with a lever arm [m]. Rods exert
+   forces, and transmit the impulses of contacts. [m/s] or [rad/s] */
   double VariationBy(const Linkage& linkage, double inertia, double lever) const {
     return kUnreported *
            (h_ * linkage.force * lever / inertia +
@@ -376,8 +376,8 @@ class Judgement {
     return sum;
   }
 
-  /** Returns by how much the rods of the world have wrong lengths at the start of the
-   step, and by how much steps along tangents stretch them, in all. [m] */
+  /** Returns the sum over all rods of the length error at the start of the step and the
+   stretch by a step along the tangent. [m] */
   double JointErrors() const {
     const auto centripetal = [&](const WorldState& state, const Anchor& end) {
       if (end.on != AnchorKind::kBody) return 0.0;
@@ -439,7 +439,8 @@ class Judgement {
 
 constinit const Law kMovesAtItsVelocity = {
     .name = "moves_at_its_velocity",
-    .documentation = "Whatever moves does so at the velocities that it has.",
+    .documentation =
+        "Bodies, particles and cloths move and turn at their own velocities.",
     .faults = Faults,
     .judge = [](const Motion& motion,
                 const Claim& claim) { return Judgement(motion, claim).Findings(); },

@@ -4,34 +4,39 @@
 
 namespace touchstone {
 
-/** In each step a thing moves and turns at the velocities that it has: Δx = ∫ v dt and
- ΔR = exp ∫ ω dt, for any integrator. [m], [rad]
+/** In each step, a body, particle or node moves and turns at its own velocities:
+ Δx = ∫ v dt and ΔR = exp ∫ ω dt, for any integrator. [m], [rad]
 
- A scheme moves a thing by the mean of the velocities that it passes through in a step.
- They start at v₀, end at v₁ and vary by V in all, so each of them, and hence their mean
- Δx/h, lies in the ellipsoid |v − v₀| + |v − v₁| ≤ V. The value is half of what
- |Δx − h v₀| + |Δx − h v₁| exceeds h V by: no place within that of Δx is allowed. V is the
- variation by loads, pushes and the reported contacts, and what they leave unexplained of
- v₁ − v₀. What nobody reports is granted four times where it may be: contacts, which act
- twice in a corner and at each evaluation of Runge and Kutta; and the forces of rods, at
- most 2 E/L for the kinetic energy E of all that rods hold and the shortest length L of a
- rod or its lever, as well as the impulses that rods pass on, at most √(2 E m) if anything
- touches what they hold. Springs and joints pull smoothly, so what they hold is granted
- the changes of its velocity in the steps before and after, too.
+ A scheme moves a body by the mean of the velocities that the body has during the step.
+ They start at v₀, end at v₁, and their total variation is V. So their mean Δx/h lies in
+ the ellipsoid |v − v₀| + |v − v₁| ≤ V. The value is half the amount by which
+ |Δx − h v₀| + |Δx − h v₁| exceeds h V: every allowed place is at least that far away.
 
- The tolerance is 64 roundings, and of a turn by θ that varies by δ in its step also
- θ − atan θ + θ δ. The matrix R (I + h [ω]) made orthonormal turns by atan θ. Turns about
- different axes do not commute, by θ δ/4 (Magnus, 1954), and the arms of impulses and the
- moments of inertia turn with the body, so that each change of spin is known to θ of it.
- Turns whose tolerance is half a turn are left out.
+ V is the sum of the changes by loads, pushes and reported contacts, and of the part of
+ v₁ − v₀ that these do not explain. Unreported causes are bounded, and the bounds are
+ multiplied by four:
+ - contacts of an engine that reports none, and contacts of particles. They can act twice
+   in a corner, and at each of the four stages of a Runge–Kutta step;
+ - the force of a rod, at most 2 E/L. E is the kinetic energy of all bodies on rods, L
+   the shortest length of a rod or of its lever arm;
+ - the impulse that a rod transmits if a body on a rod has a contact, at most √(2 E m).
+ The forces of springs and joints are smooth, so the changes of velocity in the steps
+ before and after are added to V, too.
 
- A correction of positions changes no velocity. It moves a body by no more than the sum of
- all overlaps that are linked to it, at the start of the step or made by it, and of the
- errors of all rods if one holds it; and turns it by no more than that over twice the
- least radius of gyration k: an impulse at the arm a that moves its own point by d turns
- the body by d a/(k² + a²).
+ The tolerance is 64 roundings. A turn by θ whose spin varies by δ/h is also granted
+ θ − atan θ + θ δ: the matrix R (I + h [ω]) made orthonormal turns by atan θ; turns about
+ different axes do not commute, by θ δ/4 (Magnus, 1954); and the lever arms of impulses
+ and the moments of inertia turn with the body. Turns with a tolerance of half a turn or
+ more are left out.
 
- About: whatever moves. Numbers: none. */
+ Position correction changes no velocity. It moves a body by at most the sum of all
+ overlaps that are linked to the body, at the start of the step or made in it. If the
+ body has a joint or spring, the length errors of all rods are added. It turns a body by
+ at most that sum over twice the least radius of gyration k: an impulse at the lever arm
+ a that moves its own point by d turns the body by d a/(k² + a²).
+
+ Judges only motions with a sample at every step. About: bodies, particles and cloths.
+ Numbers: none. */
 extern const Law kMovesAtItsVelocity;
 
 }  // namespace touchstone

@@ -162,22 +162,6 @@ std::optional<Trajectory> TakesOtherSteps(const RightMotion& right, double size,
   });
 }
 
-/** Changes a number of all bodies; `number(body)` is a reference, below 1 if `most` is.
- */
-template <typename Number>
-std::optional<Trajectory> WithNumber(const RightMotion& right, double size,
-                                     Number number) {
-  return InAnotherWorld(right, [&](World& world) {
-    bool changed = false;
-    for (RigidBody& body : world.bodies) {
-      const double before = number(body);
-      number(body) *= 1 + size;
-      changed = changed || number(body) != before;
-    }
-    return changed;
-  });
-}
-
 std::optional<Trajectory> HasAnotherRestitution(const RightMotion& right, double size,
                                                 RandomScene&) {
   return InAnotherWorld(right, [&](World& world) {
@@ -194,8 +178,14 @@ std::optional<Trajectory> HasAnotherRestitution(const RightMotion& right, double
 
 std::optional<Trajectory> HasAnotherFriction(const RightMotion& right, double size,
                                              RandomScene&) {
-  return WithNumber(right, size,
-                    [](RigidBody& body) -> double& { return body.friction; });
+  return InAnotherWorld(right, [&](World& world) {
+    bool changed = false;
+    for (RigidBody& body : world.bodies) {
+      changed = changed || body.friction > 0;
+      body.friction *= 1 + size;
+    }
+    return changed;
+  });
 }
 
 std::optional<Trajectory> HasAnotherSize(const RightMotion& right, double size,

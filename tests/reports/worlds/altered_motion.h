@@ -21,7 +21,7 @@ struct RightMotion {
 /** One kind of error of an engine. */
 struct MotionAlteration {
   std::string_view name;
-  /** Whether no law of motion allows it, however small it is beyond rounding. */
+  /** Whether the motion jumps from one step to the next, which no scheme does. */
   bool is_never_legal;
   /** Returns the motion of an engine with this error, of the relative size `size`: of the
    smallest body, of a speed or impulse, of a radian, or of a quantity of the world. Empty

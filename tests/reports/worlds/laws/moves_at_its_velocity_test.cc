@@ -68,7 +68,7 @@ TEST(MovesAtItsVelocity, FindsABodyThatNeverTurns) {
 }
 
 TEST(TurnsOnce, moves_at_its_velocity) {
-  // Of more than half a turn a step nobody knows how many turns it was.
+  // The step is short: two samples do not tell a spin of more than half a turn a step.
   World world = SpinningBox();
   world.dt = 1e-5;
   EXPECT_TRUE(TurnsOnce(world, Flown(world, 1), kClaim));
@@ -224,7 +224,7 @@ TEST(MovesAtItsVelocity, ACorrectionMovesAllBodiesThatOverlapsLink) {
   };
   EXPECT_TRUE(Passes(upper(0.004)));
   EXPECT_TRUE(Finds(upper(0.0041), MeasureKind::kTravelError));
-  // What overlaps elsewhere moves nothing here.
+  // An overlap of other bodies grants nothing to this one.
   std::swap(world.bodies[0], world.bodies[3]);
   EXPECT_TRUE(Finds(upper(1e-6), MeasureKind::kTravelError));
 }
