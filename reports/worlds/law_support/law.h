@@ -86,7 +86,8 @@ struct Law {
    subjects is about each of them by itself. Null if the law is not universal: a file
    claims it. */
   std::optional<Claim> (*universal)(const World& world) = nullptr;
-  /** Whether the law is about single steps: it judges a motion with a sample at each. */
+  /** Whether the law sees more if there is a sample at every step: it then judges the
+   motion with those, if somebody took them. */
   bool of_steps = false;
 };
 

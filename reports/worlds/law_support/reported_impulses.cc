@@ -25,6 +25,7 @@ ReportedImpulses ReportedBefore(const Motion& motion, std::size_t s) {
   reported.on_body.resize(motion.world.bodies.size());
   const std::vector<const ContactImpulse*> all = ImpulsesBetween(motion, s - 1, s);
   for (const ContactImpulse* contact : all) {
+    reported.total += contact->J_B_W.norm();
     for (const int body : {contact->A, contact->B})
       reported.on_body[static_cast<std::size_t>(body)].push_back(contact);
   }

@@ -14,6 +14,7 @@ struct ReportedImpulses {
   std::vector<std::vector<const ContactImpulse*>> on_body;
   /** Number of contacts in a step of this interval, on average, at least 1. */
   double contacts_per_step = 1;
+  double total = 0;  ///< Sum of the magnitudes of all impulses. [N s]
 };
 
 /** Returns the impulses of the steps after sample `s` − 1 up to sample `s`. */

@@ -99,6 +99,7 @@ constinit const Law kConservesEnergy = {
     .numbers = kNumbers,
     .faults = Faults,
     .judge = Judge,
+    .of_steps = true,
 };
 
 }  // namespace touchstone

@@ -88,6 +88,7 @@ constinit const Law kConservesMomentum = {
     .faults = Faults,
     .judge = Judge,
     .universal = Universal,
+    .of_steps = true,
 };
 
 }  // namespace touchstone

@@ -319,6 +319,7 @@ constinit const Law kContactsOnBodies = {
     .judge = Judge,
     .universal =
         [](const World& world) { return ClaimAboutEach(kContactsOnBodies, world); },
+    .of_steps = true,
 };
 
 }  // namespace touchstone

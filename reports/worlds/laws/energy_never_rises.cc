@@ -77,6 +77,7 @@ constinit const Law kEnergyNeverRises = {
     .judge = Judge,
     .universal =
         [](const World& world) { return ClaimAboutAll(kEnergyNeverRises, world); },
+    .of_steps = true,
 };
 
 }  // namespace touchstone

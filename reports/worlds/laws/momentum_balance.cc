@@ -1,5 +1,6 @@
 #include "reports/worlds/laws/momentum_balance.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "reports/text/told_apart.h"
@@ -21,10 +22,11 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(
       MeasureKind::kMomentumBalance,
       WithSleep(
-          "64 roundings per step: every scheme sums the impulses that it applies; for "
-          "each contact of a step, the impulses times the square root of the unit "
-          "roundoff, the error of a solver that minimises a cost; and velocities that "
-          "are roundings of positions over a step",
+          "64 roundings per step: every scheme sums the impulses that it applies; the "
+          "square root of the unit roundoff, the error of a solver that minimises a "
+          "cost, times the impulses on the body for each contact of a step, or all "
+          "impulses of a step; and velocities that are roundings of positions over a "
+          "step",
           motion.oracle),
       Grants::kRounding);
   const std::vector<int> bodies = SubjectsOf(world, claim).bodies;
@@ -52,9 +54,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       }
       size += pushed;
       // Each contact of a step rounds what all of them have given, through the bodies
-      // between them.
+      // between them; and a cost is one of all impulses of a step.
       const double solver =
-          SolverRoundingOf(motion.oracle) * reported.contacts_per_step * pushed;
+          SolverRoundingOf(motion.oracle) *
+          std::max(reported.contacts_per_step * pushed, pushed > 0 ? reported.total : 0);
       const Eigen::Vector3d gained_W =
           body.mass * (trajectory.samples[s].bodies[i].v_WB -
                        trajectory.samples[s - 1].bodies[i].v_WB);
@@ -88,6 +91,7 @@ constinit const Law kMomentumBalance = {
     .judge = Judge,
     .universal =
         [](const World& world) { return ClaimAboutEach(kMomentumBalance, world); },
+    .of_steps = true,
 };
 
 }  // namespace touchstone

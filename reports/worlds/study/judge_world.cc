@@ -141,12 +141,10 @@ class Judgement {
     return false;
   }
 
-  /** Returns what a law finds in the motion, with a sample at every step if the law is
-   about steps; nothing if it is and nobody took them. */
+  /** Returns what a law finds in the motion, with a sample at every step if it wants them
+   and somebody took them. */
   std::vector<LawFinding> FoundBy(const Law& law, const Claim& claim) const {
-    if (!law.of_steps || motion_.world.sample_every == 1)
-      return law.judge(motion_, claim);
-    if (!study_.of_steps) return {};
+    if (!law.of_steps || !study_.of_steps) return law.judge(motion_, claim);
     const World world = EveryStep(motion_.world);
     return law.judge({world, study_.oracle, *study_.of_steps}, claim);
   }

@@ -17,6 +17,7 @@
 #include "reports/worlds/study/judge_once.h"
 #include "reports/worlds/study/run_claims.h"
 #include "reports/worlds/study/world_variants.h"
+#include "reports/worlds/truth/mechanics.h"
 #include "tests/reports/worlds/fake_simulator.h"
 #include "tests/reports/worlds/motions.h"
 #include "tests/reports/worlds/study/tie.h"
@@ -91,6 +92,33 @@ TEST(JudgeOnce, JudgesEveryStepWhereAWorldAsksForFewSamples) {
   };
   EXPECT_EQ(OffBetweenSamples(0, once), Verdict::kPass);
   EXPECT_EQ(OffBetweenSamples(0.01, once), Verdict::kFail);
+}
+
+TEST(JudgeOnce, JudgesTheContactsOfEveryStep) {
+  WorldScenario scenario;
+  scenario.id = "world/test/lies";
+  scenario.world = BallOnRoughGround();
+  scenario.world.steps = 20;
+  scenario.world.sample_every = 10;
+  const auto verdict = [&](double aside) {
+    const FakeSimulator engine("engine", [&](const World& world) {
+      Trajectory still = Sampled(world, [&](double) { return StateAtStart(world); });
+      still.gives_impulses = true;
+      const Eigen::Vector3d J_W = -world.dt * world.bodies[0].mass * world.gravity_W;
+      for (int step = 1; step <= world.steps; ++step) {
+        const Eigen::Vector3d p_W(step == 4 ? aside : 0, 0, 0);
+        still.impulses.push_back({step, 1, 0, p_W, {0, 1, 0}, J_W, 0});
+      }
+      return still;
+    });
+    for (const Finding& finding :
+         JudgeOnce(std::span(&scenario, 1), engine).front().findings)
+      if (finding.measure == MeasureKind::kContactPlace) return finding.verdict;
+    ADD_FAILURE() << "no contact was judged";
+    return Verdict::kUnsupported;
+  };
+  EXPECT_EQ(verdict(0), Verdict::kPass);
+  EXPECT_EQ(verdict(0.15), Verdict::kFail);
 }
 
 TEST(RunWorlds, TellsNothingFromAnEventThatARoundingPutsOffByAStep) {
