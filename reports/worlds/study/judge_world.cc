@@ -260,6 +260,14 @@ class Judgement {
       return;
     }
     if (!study_.half || !study_.quarter) return;
+    // Smaller steps are known at the samples alone, and like is compared with like.
+    std::optional<double> sampled = finding.value;
+    if (law.of_steps && study_.of_steps)
+      sampled = ValueOf(law, motion_, claim, finding.measure);
+    if (!sampled || *sampled <= finding.tolerance) {
+      finding.cause_because = "it shows between the samples, where no smaller step was judged";
+      return;
+    }
     const World half_world = Refined(study_.scenario.world, 2);
     const World quarter_world = Refined(study_.scenario.world, 4);
     const auto half =
@@ -275,7 +283,7 @@ class Judgement {
                                                                   : "";
     const bool is_of_step = !unit.empty();
     const double h = is_of_step ? study_.scenario.world.dt : 1;
-    const double at_step = finding.value / h;
+    const double at_step = *sampled / h;
     const double at_half = *half / (is_of_step ? h / 2 : 1);
     const double at_quarter = *quarter / (is_of_step ? h / 4 : 1);
     const double shrinks = std::exp2(-kLeastOrder);
