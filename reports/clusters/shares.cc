@@ -41,7 +41,7 @@ std::vector<double> SharesOf(const RunReport& report,
     }
     if (question != of_scale.question || oracle != of_scale.oracle) {
       const WorldResult& world = report.worlds[question - contacts];
-      scale = ScaleOf(world.scenario.world, world.trajectories[oracle]);
+      scale = ScaleOf(world.scenario.world, world.trajectories[oracle].samples);
       of_scale = places[f];
     }
     shares.push_back(ShareOf(finding, scale));
@@ -56,7 +56,8 @@ double SizeOfQuestion(const RunReport& report, std::size_t i) {
   const auto motion = std::ranges::find_if(
       world.trajectories, [](const Trajectory& t) { return !t.samples.empty(); });
   return ScaleOf(world.scenario.world,
-                 motion == world.trajectories.end() ? Trajectory{} : *motion)
+                 motion == world.trajectories.end() ? std::vector<WorldState>()
+                                                    : motion->samples)
       .length;
 }
 

@@ -39,7 +39,7 @@ SeriesTally AskWorlds(const SweepPlan& plan, const WorldSeries& block) {
     for (std::uint64_t i = 0; i < block.count; ++i) {
       const WorldScenario& scenario = scenarios[i];
       const MotionScale scale =
-          ScaleOf(scenario.world, report.worlds[i].trajectories.front());
+          ScaleOf(scenario.world, report.worlds[i].trajectories.front().samples);
       CountAnswer(
           {.question = block.first + i,
            .outcome = outcomes[i],

@@ -64,8 +64,7 @@ Ids MissedWith(double left) {
 }
 
 /** Worlds in which standing still is the truth, or a legal answer to an overlap. */
-const Ids kRest = {"world/cloth/strip",
-                   "world/pile/boxes_at_rest_150",
+const Ids kRest = {"world/pile/boxes_at_rest_150",
                    "world/rest/box_on_a_slope",
                    "world/rest/boxes_set_down_askew",
                    "world/rest/card_leans_on_a_wall",

@@ -62,6 +62,7 @@ AllowedMotion::AllowedMotion(const Motion& motion)
     if (world.pushes.empty()) {
       const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
       allowed = std::min(allowed, std::max(0.0, start.total() - energy.potential) +
+                                      std::max(0.0, -h * energy.power) +
                                       kSafety * h * h * loads + rounding * start.size);
     }
     if (energy.kinetic > kDrifted * allowed)

@@ -17,8 +17,9 @@ namespace touchstone {
  at most √(2H) A with A² = Σ m |g + F/m|², by the inequality of Cauchy and Schwarz. Hence
  √(2H) grows by at most A t, and by √(J·M⁻¹J) at a push J. Without pushes the kinetic
  energy is also at most E(0) − U, with the potential energy U at the places of the motion
- itself. The smaller bound counts. One more step of the loads is added, since engines
- update velocities before positions. The bound is on the sum over everything that moves.
+ itself. The smaller bound counts. One more step of the loads and the springs is added,
+ since velocities may belong to the places of the next step. The bound is on the sum over
+ everything that moves.
 
  A legal scheme may gain energy, and the gain grows with the energy. No gain above the
  true kinetic energy is granted. So a sample with more than twice the kinetic energy of
@@ -29,6 +30,9 @@ class AllowedMotion {
 
   /** Returns the state of the motion at sample `s`, slowed if it is too fast. */
   const WorldState& At(std::size_t s) const { return states_[s]; }
+
+  /** Returns the states at all samples. */
+  const std::vector<WorldState>& states() const { return states_; }
 
   /** Returns the most kinetic energy that the truth allows at the samples up to `s`,
    without drift. [J] */

@@ -30,12 +30,28 @@ enum class Grants {
   kStep,      ///< The error law of the step too, with the factor of safety kSafety.
 };
 
-/** One number of a motion, judged by a law. */
+/** A number, and the tolerance that it is within. */
+struct Within {
+  double value = 0;
+  double tolerance = 0;
+};
+
+/** A scheme of integration, and how far a motion is from the scheme's own closed form. A
+ motion that follows a scheme has its error, which is known, however large it is. */
+struct NearestScheme {
+  std::string_view name;  ///< "semi-implicit Euler"; empty: none is known.
+  double error = 0;       ///< The largest at any sample. [unit of the measure]
+};
+
+/** The worst number of one measure of a motion, judged by a law. */
 struct LawFinding {
   MeasureKind measure;
   double value = 0;
   Tolerance tolerance;  ///< Derived from rounding or from the error law of the step.
   Grants grants = Grants::kStep;
+  /** The largest of all numbers that are within their own tolerances. It need not be the
+   worst one, since tolerances differ; and it may be too large to be called right. */
+  Within largest;
   /** The reason for the value: "drop says y = 0.493 of ball at 1.2 s; ½ g t² from 1 m
    says 0.5". Shown if the value exceeds the tolerance, and with `recognised`. */
   std::string proof;
@@ -43,6 +59,8 @@ struct LawFinding {
    it is not the model of the truth: "L∞ friction cone", "reflects the velocity after
    gravity". The finding then does not fail, and its cause is `model`. Empty: none. */
   std::string recognised;
+  /** The scheme of integration whose own closed form is nearest to the motion. */
+  NearestScheme scheme;
   /** The parts of the world that `proof` names; `time` is the sample of the value. */
   Cited cited;
 };

@@ -6,8 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include <fmt/format.h>
-
 namespace touchstone {
 namespace {
 
@@ -28,10 +26,6 @@ std::optional<double> Earlier(const std::optional<double>& a,
 LawFinding Worst::RecognisedAs(std::string_view model) const {
   LawFinding finding = finding_;
   if (IsBeyond()) finding.recognised = model;
-  if (!left_out_.empty()) {
-    finding.tolerance.because +=
-        fmt::format("; samples at which that grants {} are left out", left_out_);
-  }
   return finding;
 }
 
@@ -64,7 +58,9 @@ std::vector<LawFinding> WorstOfEach(
       }
       const std::optional<double> first =
           Earlier(same->cited.first_time, finding.cited.first_time);
+      const Within largest = std::ranges::max(same->largest, finding.largest, {}, &Within::value);
       if (RankOf(finding) > RankOf(*same)) *same = std::move(finding);
+      same->largest = largest;
       same->cited.first_time = first;
     }
   }

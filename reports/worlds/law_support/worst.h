@@ -13,8 +13,8 @@
 
 namespace touchstone {
 
-/** The worst of many numbers of one measure, each with its own tolerance. Tolerances grow
- with time, so the largest number need not be the worst one. */
+/** The worst of many numbers of one measure, each with its own tolerance, and the largest
+ within its own. Tolerances grow with time, so the two may differ. */
 class Worst {
  public:
   Worst(MeasureKind measure, std::string because, Grants grants = Grants::kStep) {
@@ -27,6 +27,8 @@ class Worst {
    so far. */
   template <typename Proof>
   void Take(double value, double tolerance, Proof&& proof) {
+    if (value <= tolerance && value > finding_.largest.value)
+      finding_.largest = {value, tolerance};
     // A value of zero is never the worst, even with a tolerance of zero. Written so that
     // a NaN is the worst of all.
     const double share = value == 0 ? 0 : value / tolerance;
@@ -44,19 +46,6 @@ class Worst {
     if (first_time_ < HUGE_VAL) finding_.cited.first_time = first_time_;
   }
 
-  /** Takes a number as Take() does, unless it is within a tolerance of `vague` or more.
-   Such a tolerance tells nothing: it grants an error of that size, which `because` names,
-   e.g. "half a turn". The origin of the tolerance says that such samples are left out. */
-  template <typename Proof>
-  void TakeUnlessVague(double value, double tolerance, double vague,
-                       std::string_view because, Proof&& proof) {
-    if (vague > 0 && tolerance >= vague && value <= tolerance) {
-      left_out_ = because;
-    } else {
-      Take(value, tolerance, std::forward<Proof>(proof));
-    }
-  }
-
   /** Returns whether any number was taken. */
   bool IsTaken() const { return !(share_ < 0); }
 
@@ -71,12 +60,11 @@ class Worst {
   const LawFinding& finding() const { return finding_; }
 
   /** Returns the finding, recognised as that of a legal model if it is beyond its
-   tolerance. Its tolerance says which samples are left out. */
+   tolerance. */
   LawFinding RecognisedAs(std::string_view model) const;
 
  private:
   LawFinding finding_;
-  std::string_view left_out_;     ///< The error that the samples left out are granted.
   double share_ = -1;             ///< The worst value over its tolerance.
   double first_time_ = HUGE_VAL;  ///< The first moment beyond its tolerance. [s]
 };

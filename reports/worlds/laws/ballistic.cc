@@ -1,5 +1,6 @@
 #include "reports/worlds/laws/ballistic.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       "64 roundings per step: every scheme integrates a constant force exactly",
       Grants::kRounding);
   const std::vector<Flight> flights = FlightsOf(world, claim);
+  NearestScheme scheme{"semi-implicit Euler"};
   for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
     const double t = motion.trajectory.times[s];
     const double rounding = RoundingOf(motion.oracle, StepsBefore(motion, s));
@@ -89,14 +91,17 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const PointState is = flight.point.In(motion.trajectory.samples[s]);
       const PointState truth = flight.At(t, world.dt);
       const AtSample at{motion, s, flight.point.name};
+      const Eigen::Vector3d euler_W = flight.point.a_W * (world.dt * t / 2);
       at.Compare(position, is.p_W, truth.p_W,
-                 kSafety * flight.point.a_W.norm() * world.dt * t / 2 +
-                     rounding * flight.Reach(t),
+                 kSafety * euler_W.norm() + rounding * flight.Reach(t),
                  "x₀ + v₀ t + ½ a t² is");
+      scheme.error = std::max(scheme.error, (is.p_W - truth.p_W - euler_W).norm());
       at.Compare(velocity, is.v_W, truth.v_W, rounding * flight.Speed(t), "v₀ + a t is");
     }
   }
-  return FindingsOf({position, velocity});
+  std::vector<LawFinding> findings = FindingsOf({position, velocity});
+  findings.front().scheme = scheme;
+  return findings;
 }
 
 Eigen::Vector3d Place(const World& world, const Claim& claim, double t) {

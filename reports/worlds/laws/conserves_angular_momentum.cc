@@ -119,10 +119,10 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
         NoiseOfPositions(world, state, subjects, motion.oracle.unit_roundoff)
             .angular_momentum;
     if (s == 0) continue;  // The start is that of the world, whatever the law.
-    worst.TakeUnlessVague(
+    worst.Take(
         (kept * (L - L_0)).norm(),
         kSafety * std::min(gyroscopic[s] + rods[s] + contacts, terms) + rounding + floor,
-        terms, "as much as all its terms", [&] {
+        [&] {
           const ToldApart told = TellApart(L, L_0, 9);
           return Citing(
               "{} has an angular momentum of {} N m s after {:.6g} s; it started "

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "reports/text/format_vector.h"
@@ -105,6 +106,17 @@ struct ImpulsesOnBody {
   int contacts = 0;  ///< Number of contacts.
 };
 
+/** The two bodies of a contact at one moment. */
+struct BodiesOfContact {
+  Body A;
+  Body B;
+};
+
+/** Returns the rotation by |r| about r. [rad] */
+Eigen::Matrix3d RotationBy(const Eigen::Vector3d& r) {
+  return Eigen::AngleAxisd(r.norm(), r.stableNormalized()).toRotationMatrix();
+}
+
 /** The contacts of one step that starts at a sample, and how fast they let bodies be. */
 class JudgedStep {
  public:
@@ -158,19 +170,33 @@ class JudgedStep {
     };
     double error = std::numeric_limits<double>::quiet_NaN();
     double turned = 0;
+    BodiesOfContact nearest{A, B};
     if (std::isfinite(size) && std::isfinite(length) && length > 0) {
-      const PlacedContact placed{contact,
-                                 A,
-                                 B,
-                                 contact.n_AB_W / length,
-                                 TurnOf(contact.A, speed_A),
-                                 TurnOf(contact.B, speed_B),
-                                 share_of(contact.A, speed_A),
-                                 share_of(contact.B, speed_B),
-                                 rounding};
-      error = std::max({placed.LeastError(size), placed.LeastErrorOfNormal(),
-                        R * std::abs(length - 1)});
-      turned = placed.TurnOfNormal();
+      const auto place = [&](const Body& at_A, const Body& at_B) {
+        return PlacedContact{contact,
+                             at_A,
+                             at_B,
+                             contact.n_AB_W / length,
+                             TurnOf(contact.A, speed_A),
+                             TurnOf(contact.B, speed_B),
+                             share_of(contact.A, speed_A),
+                             share_of(contact.B, speed_B),
+                             rounding};
+      };
+      const auto error_of = [&](const PlacedContact& placed) {
+        return std::max({placed.LeastError(size), placed.LeastErrorOfNormal(),
+                         R * std::abs(length - 1)});
+      };
+      error = error_of(place(A, B));
+      turned = place(A, B).TurnOfNormal();
+      if (error > rounding) {
+        for (const BodiesOfContact& other : LaterInTheStep(contact)) {
+          const double less = error_of(place(other.A, other.B));
+          if (!(less < error)) continue;
+          error = less;
+          nearest = other;
+        }
+      }
       // No motion turns a half-space.
       if (const auto n_W = NormalOfHalfSpace(A, B)) {
         const double across = R * (contact.n_AB_W - *n_W).norm();
@@ -179,10 +205,61 @@ class JudgedStep {
       }
     }
     worst.Take(error, kSafety * (world.dt * fastest + turned) + rounding,
-               [&] { return ProofOf(contact, A, B, error); });
+               [&] { return ProofOf(contact, nearest, error); });
   }
 
  private:
+  /** Returns a body `later` [s] than at a sample, at the velocities that it has there. */
+  Body MovedOn(std::size_t sample, int index, double later) const {
+    Body body = PlacedAt(motion_.world, motion_.trajectory.samples[sample], index);
+    const auto i = static_cast<std::size_t>(index);
+    if (motion_.world.bodies[i].mass == 0) return body;
+    const BodyState& at = motion_.trajectory.samples[sample].bodies[i];
+    body.X_WB.p_WB += later * at.v_WB;
+    body.X_WB.R_WB = RotationBy(later * at.w_WB) * body.X_WB.R_WB;
+    return body;
+  }
+
+  /** Returns how long after a sample the surfaces have the separation of the contact along
+   its line, at the velocities there; negative: before it. Empty if they never have. [s] */
+  std::optional<double> TimeOfContact(const ContactImpulse& contact,
+                                      std::size_t sample) const {
+    const Eigen::Vector3d n_W = contact.n_AB_W.normalized();
+    const auto end_of = [&](int index, const Eigen::Vector3d& d_W) {
+      return ChordThrough(MovedOn(sample, index, 0), 0, contact.p_WC, d_W);
+    };
+    const auto speed_of = [&](int index) {
+      const auto i = static_cast<std::size_t>(index);
+      if (motion_.world.bodies[i].mass == 0) return 0.0;
+      const BodyState& at = motion_.trajectory.samples[sample].bodies[i];
+      return n_W.dot(at.v_WB + at.w_WB.cross(contact.p_WC - at.p_WB));
+    };
+    const std::optional<Chord> a = end_of(contact.A, n_W);
+    const std::optional<Chord> b = end_of(contact.B, n_W);
+    const double parting = speed_of(contact.B) - speed_of(contact.A);
+    if (!a || !b || parting == 0) return std::nullopt;
+    return (contact.separation - (b->enters - a->leaves)) / parting;
+  }
+
+  /** Returns the two bodies at other moments of the step, at which an engine may have
+   collided them: at its end, and at an impact that is reached from its start or left for
+   its end. */
+  std::vector<BodiesOfContact> LaterInTheStep(const ContactImpulse& contact) const {
+    std::vector<BodiesOfContact> moments;
+    const auto add = [&](std::size_t sample, double later) {
+      moments.push_back(
+          {MovedOn(sample, contact.A, later), MovedOn(sample, contact.B, later)});
+    };
+    const double h = motion_.world.dt;
+    const std::optional<double> from_start = TimeOfContact(contact, s_);
+    if (from_start && *from_start > 0 && *from_start <= h) add(s_, *from_start);
+    if (motion_.world.sample_every > 1) return moments;  // The end is not known.
+    add(s_ + 1, 0);
+    const std::optional<double> from_end = TimeOfContact(contact, s_ + 1);
+    if (from_end && *from_end < 0 && *from_end >= -h) add(s_ + 1, *from_end);
+    return moments;
+  }
+
   double SpeedAt(std::size_t i, std::size_t s) const {
     return SurfaceSpeed(motion_.world.bodies[i], allowed_.At(s).bodies[i]);
   }
@@ -246,11 +323,11 @@ class JudgedStep {
         FormatVector(n_W, 9), error);
   }
 
-  CitingProof ProofOf(const ContactImpulse& contact, const Body& A, const Body& B,
+  CitingProof ProofOf(const ContactImpulse& contact, const BodiesOfContact& nearest,
                       double error) const {
     const Eigen::Vector3d n_W = contact.n_AB_W.normalized();
-    const std::optional<Chord> a = ChordThrough(A, 0, contact.p_WC, n_W);
-    const std::optional<Chord> b = ChordThrough(B, 0, contact.p_WC, n_W);
+    const std::optional<Chord> a = ChordThrough(nearest.A, 0, contact.p_WC, n_W);
+    const std::optional<Chord> b = ChordThrough(nearest.B, 0, contact.p_WC, n_W);
     std::string truth;
     if (a && b) {
       truth = fmt::format("along that line {} ends at {:.6g} m and {} begins at {:.6g} m",

@@ -24,8 +24,11 @@ namespace touchstone {
  n. It also contains R ||n| − 1|.
 
  An engine collides its bodies at the start of a step, at an impact within it, or at its
- end. Between these poses no surface moves by more than V h. So the tolerance is 1.5 × V
- h, with the speed V of the faster of the two surfaces, at most what the truth allows; 64
+ end. The measure is that at the start; or, if that is more than rounding, the least of
+ those at the start, at the end, and where the surfaces have the separation s along the
+ line if the bodies move on at the velocities of the start, or back at those of the end.
+ The true moment may lie between impacts and have none of these poses, but from the start
+ no surface moves by more than V h. So the tolerance is 1.5 × V h, with the speed V of the faster of the two surfaces, at most what the truth allows; 64
  roundings of the positions; and the error that the engine documents for the pair. It is
  1.5 × a h² and rounding where bodies rest under the load a, since an engine may add the
  load before it collides. A body with several contacts in the step may be struck and

@@ -208,9 +208,9 @@ class Judgement {
     }
     travel_.Take(travel.Excess(h_), GrantedTravel(from.p_WB, to.p_WB, travel) + corrected,
                  [&] { return Proof(body.name, "move", travel); });
-    turn_.TakeUnlessVague(
-        turn.Excess(h_), GrantedTurn(turn) + corrected / (2 * LeastGyration(body)),
-        std::numbers::pi, "half a turn", [&] { return Proof(body.name, "turn", turn); });
+    turn_.Take(turn.Excess(h_),
+               GrantedTurn(turn) + corrected / (2 * LeastGyration(body)),
+               [&] { return Proof(body.name, "turn", turn); });
   }
 
   void JudgePoint(const std::string& name, std::vector<PointState> WorldState::*points,

@@ -15,6 +15,7 @@
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/body_steps.h"
 #include "reports/worlds/study/every_step.h"
+#include "reports/worlds/study/fine_tolerance.h"
 #include "reports/worlds/study/judge_ensemble.h"
 #include "reports/worlds/study/judge_stability.h"
 #include "reports/worlds/study/judge_variant.h"
@@ -256,6 +257,8 @@ std::vector<Finding> WithNeighbours(const Study& study, const Oracle& oracle,
   std::vector<Finding> findings = of_world;
   for (const VariantMotion& moved : neighbours.variants)
     Append(findings, FindingsOfVariant(study, growth, moved, of_world));
+  const FineTolerance fine({study.scenario.world, study.oracle, study.trajectory});
+  for (Finding& finding : findings) fine.Require(finding);
   return findings;
 }
 

@@ -95,7 +95,7 @@ std::vector<JudgedMotion> JudgeOnce(std::span<const WorldScenario> scenarios,
     JudgedMotion& result = results.emplace_back();
     for (std::vector<Finding>& group : judged[i])
       std::move(group.begin(), group.end(), std::back_inserter(result.findings));
-    GradeFaults(ScaleOf(scenarios[i].world, motions[i]), result.findings);
+    GradeFaults(ScaleOf(scenarios[i].world, motions[i].samples), result.findings);
     SortByMeasure(result.findings);
     result.trajectory = std::move(motions[i]);
   }

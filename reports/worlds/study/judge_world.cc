@@ -15,6 +15,7 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/laws/laws.h"
 #include "reports/worlds/study/every_step.h"
+#include "reports/worlds/study/fine_tolerance.h"
 #include "reports/worlds/study/judge_expectation.h"
 #include "reports/worlds/study/starting_state.h"
 #include "reports/worlds/study/trajectory_difference.h"
@@ -32,13 +33,6 @@ constexpr double kHalfAnOrder = 0.5;
  which every consistent scheme has, than to 0. Half the step must leave at most 2^-0.5 of
  it. */
 constexpr double kLeastOrder = 1 - kHalfAnOrder;
-
-/** Returns half the least extent of a box, and the bounding radius of another shape: a
- body that is deeper in this one is past its middle. [m] */
-double HalfThickness(const Shape& shape) {
-  const Box* const box = std::get_if<Box>(&shape);
-  return box ? box->half_extents.minCoeff() : BoundingRadius(shape);
-}
 
 /** The share of an error from which on its value at half the step counts as no smaller.
  [-] */
@@ -103,11 +97,13 @@ void DescribeAnswering(const Trajectory& trajectory, double dt, std::string_view
 class Judgement {
  public:
   explicit Judgement(const Study& study)
-      : study_(study), motion_{study.scenario.world, study.oracle, study.trajectory} {}
+      : study_(study),
+        motion_{study.scenario.world, study.oracle, study.trajectory} {}
 
   std::vector<std::vector<Finding>> Findings() && {
     groups_.resize(1);
     if (!JudgeAnswering()) return std::move(groups_);
+    fine_.emplace(motion_);
     for (const Claim& claim : study_.scenario.claims) {
       groups_.emplace_back();
       const Law* law = FindLaw(claim.law);
@@ -122,6 +118,8 @@ class Judgement {
       groups_.emplace_back();
       Expect(i);
     }
+    for (std::vector<Finding>& group : groups_)
+      for (Finding& finding : group) fine_->Require(finding);
     return std::move(groups_);
   }
 
@@ -199,40 +197,19 @@ class Judgement {
     Finding& finding = Add(found, found.measure, name);
     finding.law = claim.law;
     if (finding.verdict == Verdict::kFail) Attribute(finding, found.grants, law, claim);
-    WithdrawCoarsePass(finding, found.cited);
     return finding;
-  }
-
-  /** Withdraws a pass of two bodies that are deeper in each other than HalfThickness() of
-   one, or have their contact farther away than the bounding radius of one: no tolerance
-   can say that this is right. `cited`: the bodies. */
-  void WithdrawCoarsePass(Finding& finding, const Cited& cited) const {
-    const bool is_of_two_bodies = finding.law == "never_penetrates" ||
-                                  finding.law == "never_passes_through" ||
-                                  finding.law == "contacts_on_bodies";
-    if (!is_of_two_bodies || UnitOf(finding.measure) != "m" ||
-        finding.verdict != Verdict::kPass)
-      return;
-    const bool is_depth = finding.law == "never_penetrates";
-    double radius = std::numeric_limits<double>::infinity();
-    for (const RigidBody& body : study_.scenario.world.bodies) {
-      if (!std::holds_alternative<HalfSpace>(body.placed.shape) &&
-          std::ranges::find(cited.names, body.name) != cited.names.end())
-        radius = std::min(radius, is_depth ? HalfThickness(body.placed.shape)
-                                           : BoundingRadius(body.placed.shape));
-    }
-    if (!(finding.value > radius)) return;
-    finding.verdict = Verdict::kUndecidable;
-    finding.undecided = Undecided::kCoarse;
-    finding.tolerance_because =
-        fmt::format("wider than {:.2g} m, the size of the smaller body: {}", radius,
-                    finding.tolerance_because);
   }
 
   /** Adds what a law found, as a finding of `measure`, without law and cause of failure.
    `what` starts the proof of a failure. */
   Finding& Add(const LawFinding& found, MeasureKind measure, std::string_view what) {
-    Finding& finding = Add(measure, found.value, found.tolerance);
+    // The worst number is small next to its tolerance; a larger one decides.
+    const bool is_coarse =
+        !IsBeyond(found) && found.largest.value > fine_->Of(found.measure);
+    Finding& finding =
+        is_coarse ? Add(measure, found.largest.value,
+                        {found.largest.tolerance, found.tolerance.because})
+                  : Add(measure, found.value, found.tolerance);
     if (found.grants == Grants::kStep) finding.safety = kSafety;
     if (IsBeyond(found)) finding.cited = found.cited;
     if (!std::isfinite(found.tolerance.value) && found.value != 0) {
@@ -240,6 +217,10 @@ class Judgement {
       finding.verdict = Verdict::kUndecidable;
       finding.proof = fmt::format("{}: no number follows for its tolerance where {}",
                                   what, found.proof);
+    } else if (is_coarse && !found.scheme.name.empty() &&
+               found.scheme.error <= fine_->Of(found.measure)) {
+      finding.cause = Cause::kModel;
+      finding.cause_because = found.scheme.name;
     } else if (!found.recognised.empty()) {
       finding.cause = Cause::kModel;
       finding.cause_because = found.recognised;
@@ -399,6 +380,7 @@ class Judgement {
 
   const Study& study_;
   Motion motion_;
+  std::optional<FineTolerance> fine_;  ///< Of an answered motion.
   bool convergence_judged_ = false;
   /** Answering first, then one per claim, universal law and expectation. */
   std::vector<std::vector<Finding>> groups_;

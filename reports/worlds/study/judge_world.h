@@ -21,7 +21,9 @@ namespace touchstone {
  - a failure has the cause `discretisation` if its value falls to at most 1/√2 at each
    halving of the step, else the cause `defect`;
  - smooth laws are also judged on the order of convergence and on the limit, and laws with
-   impacts on the motion at a quarter of the step. */
+   impacts on the motion at a quarter of the step.
+
+ No pass is wider than its FineTolerance. */
 std::vector<Finding> JudgeWorld(const Study& study);
 
 /** Sorts findings by measure, and keeps the order of those with the same measure. */

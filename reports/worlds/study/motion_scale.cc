@@ -12,26 +12,26 @@ namespace touchstone {
 namespace {
 
 /** Returns the largest distance of any particle or node from where it starts. [m] */
-double FarthestPoint(const Trajectory& trajectory) {
+double FarthestPoint(std::span<const WorldState> states) {
   double farthest = 0;
   const auto reach = [&](const std::vector<PointState>& now,
                          const std::vector<PointState>& start) {
     for (std::size_t i = 0; i < now.size(); ++i)
       farthest = std::max(farthest, (now[i].p_W - start[i].p_W).norm());
   };
-  for (const WorldState& state : trajectory.samples) {
-    reach(state.particles, trajectory.samples.front().particles);
-    reach(state.nodes, trajectory.samples.front().nodes);
+  for (const WorldState& state : states) {
+    reach(state.particles, states.front().particles);
+    reach(state.nodes, states.front().nodes);
   }
   return farthest;
 }
 
-double LengthOf(const World& world, const Trajectory& trajectory) {
+double LengthOf(const World& world, std::span<const WorldState> states) {
   double least = std::numeric_limits<double>::infinity();
   for (const RigidBody& body : world.bodies) {
     if (body.mass > 0) least = std::min(least, 2 * BoundingRadius(body.placed.shape));
   }
-  return std::isinf(least) ? FarthestPoint(trajectory) : least;
+  return std::isinf(least) ? FarthestPoint(states) : least;
 }
 
 double FastestOf(const World& world, const WorldState& state) {
@@ -69,41 +69,44 @@ double MovingMassOf(const World& world) {
 /** The share of its length by which a body moves unseen. [-] */
 constexpr double kUnseen = 1e-6;
 
-double SizeFor(std::string_view unit, const MotionScale& of) {
-  if (unit == "m") return of.length;
-  if (unit == "m/s") return of.speed;
-  if (unit == "rad/s") return of.speed / of.length;
-  if (unit == "N s") return of.mass * of.speed;
-  if (unit == "N m s") return of.mass * of.speed * of.length;
-  if (unit == "J") return of.mass * of.speed * of.speed / 2;
-  if (unit == "N") return of.mass * of.speed * of.speed / of.length;
-  if (unit == "s") return of.length / of.speed;
-  return 1;
-}
-
 }  // namespace
 
-MotionScale ScaleOf(const World& world, const Trajectory& trajectory) {
-  MotionScale scale{.length = LengthOf(world, trajectory), .mass = MovingMassOf(world)};
+MotionScale ScaleOf(const World& world, std::span<const WorldState> states) {
+  MotionScale scale{.length = LengthOf(world, states), .mass = MovingMassOf(world)};
   scale.speed = std::sqrt(LargestLoadOf(world) * scale.length);
   const double duration = world.steps * world.dt;
   if (duration > 0)
     scale.speed = std::max(scale.speed, kUnseen * scale.length / duration);
-  for (const WorldState& state : trajectory.samples)
+  for (const WorldState& state : states)
     scale.speed = std::max(scale.speed, FastestOf(world, state));
   return scale;
 }
 
+bool HasSize(MeasureKind measure) {
+  return measure != MeasureKind::kAnswering && measure != MeasureKind::kDeterminism &&
+         measure != MeasureKind::kObservedOrder;
+}
+
+double SizeFor(MeasureKind measure, const MotionScale& scale) {
+  const auto& [length, speed, mass] = scale;
+  const std::string_view unit = UnitOf(measure);
+  if (unit == "m") return length;
+  if (unit == "m/s") return speed;
+  if (unit == "rad/s") return speed / length;
+  if (unit == "N s") return mass * speed;
+  if (unit == "N m s") return mass * speed * length;
+  if (unit == "J") return mass * speed * speed / 2;
+  if (unit == "N") return mass * speed * speed / length;
+  if (unit == "s") return length / speed;
+  return 1;
+}
+
 double ShareOf(const Finding& finding, const MotionScale& scale) {
-  return finding.value == 0 ? 0 : finding.value / SizeFor(UnitOf(finding.measure), scale);
+  return finding.value == 0 ? 0 : finding.value / SizeFor(finding.measure, scale);
 }
 
 Grade GradeOf(const Finding& finding, const MotionScale& scale) {
-  if (finding.measure == MeasureKind::kAnswering ||
-      finding.measure == MeasureKind::kDeterminism ||
-      finding.measure == MeasureKind::kObservedOrder) {
-    return Grade::kNone;
-  }
+  if (!HasSize(finding.measure)) return Grade::kNone;
   const Grade grade = GradeOfShare(ShareOf(finding, scale));
   return finding.measure == MeasureKind::kPassage && grade != Grade::kRounding
              ? Grade::kWrongTouch

@@ -28,18 +28,25 @@ struct MotionScale {
   double mass = 0;    ///< M. [kg]
 };
 
-/** Returns the scale of a motion of `world`. A body of mass m
- that explodes makes V large: the shares of energy and momentum are then about m/M. */
-MotionScale ScaleOf(const World& world, const Trajectory& trajectory);
+/** Returns the scale of a motion of `world` by its states, in the order of time. A body
+ of mass m that explodes makes V large: the shares of energy and momentum are then about
+ m/M. */
+MotionScale ScaleOf(const World& world, std::span<const WorldState> states);
 
-/** Returns the value of a finding of a motion as a share of its scale, by the unit of the
- measure. Angles [rad] and dimensionless numbers are unchanged. 0 for 0; infinite for a
- positive value whose scale is 0. [-] */
+/** Returns whether the values of a measure have a size: not whether the oracle answers,
+ whether it repeats itself, and the order of convergence. */
+bool HasSize(MeasureKind measure);
+
+/** Returns what the values of a measure are divided by, by its unit: 1 for angles [rad]
+ and dimensionless numbers. [unit of the measure] */
+double SizeFor(MeasureKind measure, const MotionScale& scale);
+
+/** Returns the value of a finding of a motion as a share of SizeFor() its measure. 0 for
+ 0; infinite for a positive value whose size is 0. [-] */
 double ShareOf(const Finding& finding, const MotionScale& scale);
 
 /** Returns the grade of a fault of a motion, by its share. A body that passes through
- another is a wrong hit or miss. kNone for measures without a size: whether the oracle
- answers, whether it repeats itself, and the order of convergence. */
+ another is a wrong hit or miss. kNone for measures without a size. */
 Grade GradeOf(const Finding& finding, const MotionScale& scale);
 
 /** Sets the grade of every finding on that motion that is proved wrong. */

@@ -66,7 +66,7 @@ Examination Examined(const WorldScenario& scenario, const Oracle& oracle,
   const Stopwatch shipped;
   CompareWithShipped(scenario, oracle, examined.findings);
   examined.seconds.motions["as shipped"] = shipped.seconds();
-  GradeFaults(ScaleOf(scenario.world, examined.trajectory), examined.findings);
+  GradeFaults(ScaleOf(scenario.world, examined.trajectory.samples), examined.findings);
   SortByMeasure(examined.findings);
   examined.seconds.all = all.seconds();
   // The signal that stops this program may have killed the engine's process, too.

@@ -55,7 +55,7 @@ Eigen::Quaterniond TurnedBy(const Eigen::Quaterniond& q_WB, double angle,
 std::optional<Trajectory> Jumps(const RightMotion& right, double size,
                                 RandomScene& random) {
   const Vector3d way =
-      size * ScaleOf(right.world, right.trajectory).length * Direction(random);
+      size * ScaleOf(right.world, right.trajectory.samples).length * Direction(random);
   return WithOneBody(right, random, [&](BodyState& body, std::size_t, const BodyState&) {
     body.p_WB += way;
   });
@@ -64,7 +64,7 @@ std::optional<Trajectory> Jumps(const RightMotion& right, double size,
 std::optional<Trajectory> JumpsForAStep(const RightMotion& right, double size,
                                         RandomScene& random) {
   const Vector3d way =
-      size * ScaleOf(right.world, right.trajectory).length * Direction(random);
+      size * ScaleOf(right.world, right.trajectory.samples).length * Direction(random);
   return WithOneBody(right, random,
                      [&](BodyState& body, std::size_t since, const BodyState&) {
                        if (since == 0) body.p_WB += way;
@@ -113,7 +113,7 @@ std::optional<Trajectory> StatesAnotherSpin(const RightMotion& right, double siz
 std::optional<Trajectory> IsPushedByNobody(const RightMotion& right, double size,
                                            RandomScene& random) {
   const Vector3d v_W =
-      size * ScaleOf(right.world, right.trajectory).speed * Direction(random);
+      size * ScaleOf(right.world, right.trajectory.samples).speed * Direction(random);
   return WithOneBody(right, random,
                      [&](BodyState& body, std::size_t since, const BodyState&) {
                        body.v_WB += v_W;
@@ -225,7 +225,7 @@ std::optional<Trajectory> TiltsNormals(const RightMotion& right, double size,
 std::optional<Trajectory> ShiftsPoints(const RightMotion& right, double size,
                                        RandomScene& random) {
   const Vector3d way =
-      size * ScaleOf(right.world, right.trajectory).length * Direction(random);
+      size * ScaleOf(right.world, right.trajectory.samples).length * Direction(random);
   return WithImpulses(right, [&](ContactImpulse& contact) { contact.p_WC += way; });
 }
 
@@ -262,7 +262,7 @@ std::span<const MotionAlteration> MotionAlterations() {
 
 double DeviationBetween(const World& world, const Trajectory& right,
                         const Trajectory& altered) {
-  const MotionScale scale = ScaleOf(world, right);
+  const MotionScale scale = ScaleOf(world, right.samples);
   const double size = scale.length;
   const double speed = scale.speed;
   double deviation = 0;

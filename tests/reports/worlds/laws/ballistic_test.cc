@@ -48,6 +48,19 @@ TEST(Ballistic, SemiImplicitEulerIsOffByHalfAHT) {
   EXPECT_NEAR(position.value / position.tolerance.value, 1 / 1.5, 1e-6);
 }
 
+TEST(Ballistic, KnowsHowFarAMotionIsFromSemiImplicitEuler) {
+  const World world = FlyingBox();
+  const auto position = [&](double early) {
+    return Of(Judge(world, Flown(world, early), kClaim), MeasureKind::kPositionError);
+  };
+  // The midpoint is ½ a h t away, explicit Euler twice as far.
+  const double error = position(0.5).scheme.error;
+  EXPECT_EQ(position(1).scheme.name, "semi-implicit Euler");
+  EXPECT_LE(position(1).scheme.error, 1e-10 * error);
+  EXPECT_NEAR(position(0.9).scheme.error, 0.2 * error, 1e-3 * error);
+  EXPECT_NEAR(position(0).scheme.error, 2 * error, 1e-3 * error);
+}
+
 TEST(Ballistic, TheMidpointIsTheTruthItself) {
   const World world = FlyingBox();
   EXPECT_LE(

@@ -102,21 +102,39 @@ TEST(WorstOfEach, IsTheGravestNumberInAnyOrder) {
   }
 }
 
-TEST(Worst, LeavesOutWhatAVagueToleranceGrants) {
+// A number that is larger than the worst one, and smaller next to its own tolerance.
+TEST(Worst, KnowsTheLargestNumberWithinItsTolerance) {
   Worst worst(MeasureKind::kExcess, "why");
   const auto take = [&](double value, double tolerance) {
-    worst.TakeUnlessVague(value, tolerance, 3, "anything", [] { return Named(""); });
+    worst.Take(value, tolerance, [] { return Named(""); });
   };
-  take(2.9, 3);
-  EXPECT_FALSE(worst.IsTaken());
-  take(0.5, 1);
-  take(4, 5);
+  take(0.5, 0.6);
+  take(2, 8);
+  take(1, 9);
   EXPECT_EQ(worst.finding().value, 0.5);
-  EXPECT_EQ(FindingsOf({worst}).front().tolerance.because,
-            "why; samples at which that grants anything are left out");
+  EXPECT_EQ(worst.finding().largest.value, 2);
+  EXPECT_EQ(worst.finding().largest.tolerance, 8);
   take(6, 5);
   EXPECT_TRUE(worst.IsBeyond());
   EXPECT_EQ(worst.finding().value, 6);
+  EXPECT_EQ(worst.finding().largest.value, 2);
+}
+
+TEST(WorstOfEach, KnowsTheLargestOfAllSubjects) {
+  for (const int larger : {0, 1}) {
+    const auto found = WorstOfEach({0, 1}, [&](int subject) {
+      LawFinding finding;
+      finding.measure = MeasureKind::kExcess;
+      finding.value = subject == larger ? 0.1 : 0.9;
+      finding.tolerance.value = 1;
+      finding.largest = subject == larger ? Within{3, 40} : Within{2, 30};
+      return std::vector<LawFinding>{finding};
+    });
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].value, 0.9);
+    EXPECT_EQ(found[0].largest.value, 3);
+    EXPECT_EQ(found[0].largest.tolerance, 40);
+  }
 }
 
 TEST(Worst, SharesNothingFiniteIfItIsNoNumber) {

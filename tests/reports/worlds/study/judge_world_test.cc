@@ -181,8 +181,47 @@ TEST(JudgeWorld, HoldsImpactsToTheToleranceOfAQuarterOfTheStep) {
   };
   EXPECT_EQ(verdict(0, MeasureKind::kLimitError), Verdict::kPass);
   // The error is below V h, but above the V h of a quarter of the step.
-  EXPECT_EQ(verdict(0.05, MeasureKind::kPositionError), Verdict::kPass);
+  EXPECT_EQ(verdict(0.05, MeasureKind::kPositionError), Verdict::kUndecidable);
   EXPECT_EQ(verdict(0.05, MeasureKind::kLimitError), Verdict::kFail);
+}
+
+// In the first step the motion has 0.9 of the error that is allowed, next to nothing.
+// Later it has half of a tolerance that is as wide as a body.
+TEST(JudgeWorld, CallsNoMotionRightForItsNarrowestTolerance) {
+  const FakeSimulator engine("engine", [](const World& world) {
+    return FreeFlight(world, [&](double t) {
+      const double allowed = 1.5 * world.gravity_W.norm() * world.dt * t / 2;
+      return Eigen::Vector3d((t > world.dt ? 0.5 : 0.9) * allowed, 0, 0);
+    });
+  });
+  const Studied studied(TwoBallsInFlight(), engine);
+  const std::vector<Finding> findings = JudgeWorld(studied.study());
+  const Finding* position = Find(findings, MeasureKind::kPositionError);
+  ASSERT_NE(position, nullptr);
+  EXPECT_EQ(position->verdict, Verdict::kUndecidable);
+  EXPECT_EQ(position->undecided, Undecided::kCoarse);
+  EXPECT_GT(position->value, 0.03);
+  EXPECT_GT(position->tolerance, 0.07);
+}
+
+// Two balls of 0.4 m and more that are 9 cm off after 2 s, by that scheme and no more.
+TEST(JudgeWorld, PassesAnErrorThatIsAllOfAKnownScheme) {
+  WorldScenario scenario = TwoBallsInFlight();
+  scenario.world.steps = 200;
+  const auto judged = [&](double share) {
+    const FakeSimulator engine("engine", [share](const World& world) {
+      return FreeFlight(world, [&](double t) {
+        return Eigen::Vector3d(share * world.gravity_W * world.dt * t / 2);
+      });
+    });
+    const Studied studied(scenario, engine);
+    return *Find(JudgeWorld(studied.study()), MeasureKind::kPositionError);
+  };
+  const Finding finding = judged(1);
+  EXPECT_EQ(finding.verdict, Verdict::kPass);
+  EXPECT_EQ(RecognisedModelOf(finding), "semi-implicit Euler");
+  EXPECT_GT(finding.value, 0.09);
+  EXPECT_EQ(judged(0.9).verdict, Verdict::kUndecidable);
 }
 
 TEST(JudgeWorld, ReportsAClaimWithNothingToJudgeAsUnverified) {

@@ -43,14 +43,14 @@ TEST(ScaleOf, TakesTheFastestOfAMotionAndItsSmallestBody) {
   world.bodies[1].mass = 0;  // The ground does not count.
   Trajectory motion = Moving(3, 10);
   motion.samples[0].bodies.push_back(motion.samples[0].bodies[0]);
-  const MotionScale scale = ScaleOf(world, motion);
+  const MotionScale scale = ScaleOf(world, motion.samples);
   EXPECT_EQ(scale.length, 0.2);
   EXPECT_NEAR(scale.speed, 3 + 10 * 0.1, 1e-12);
   EXPECT_EQ(scale.mass, 2);
 }
 
 TEST(ScaleOf, GivesABodyAtRestTheSpeedOfAFallOverItsSize) {
-  EXPECT_NEAR(ScaleOf(Ball(), Moving(0, 0)).speed, std::sqrt(10 * 0.2), 1e-12);
+  EXPECT_NEAR(ScaleOf(Ball(), Moving(0, 0).samples).speed, std::sqrt(10 * 0.2), 1e-12);
   EXPECT_NEAR(ScaleOf(Ball(), {}).speed, std::sqrt(10 * 0.2), 1e-12);
 }
 
@@ -60,8 +60,8 @@ TEST(ScaleOf, TakesNoMotionThatNobodySees) {
   world.gravity_W.setZero();
   world.dt = 0.01;
   world.steps = 200;
-  EXPECT_NEAR(ScaleOf(world, Moving(1e-10, 0)).speed, 1e-6 * 0.2 / 2, 1e-15);
-  EXPECT_NEAR(ScaleOf(world, Moving(3, 0)).speed, 3, 1e-12);
+  EXPECT_NEAR(ScaleOf(world, Moving(1e-10, 0).samples).speed, 1e-6 * 0.2 / 2, 1e-15);
+  EXPECT_NEAR(ScaleOf(world, Moving(3, 0).samples).speed, 3, 1e-12);
 }
 
 TEST(ScaleOf, TakesTheWayOfParticlesWhereNoBodyMoves) {
@@ -71,7 +71,7 @@ TEST(ScaleOf, TakesTheWayOfParticlesWhereNoBodyMoves) {
   motion.times = {0, 1};
   motion.samples = {{{}, {{Eigen::Vector3d(1, 0, 0), Eigen::Vector3d::Zero()}}, {}},
                     {{}, {{Eigen::Vector3d(1, -4, 0), Eigen::Vector3d::Zero()}}, {}}};
-  EXPECT_EQ(ScaleOf(world, motion).length, 4);
+  EXPECT_EQ(ScaleOf(world, motion.samples).length, 4);
 }
 
 // L = 0.2 m, V = 4 m/s, M = 2 kg.
