@@ -55,9 +55,9 @@ double SizeOfQuestion(const RunReport& report, std::size_t i) {
   const WorldResult& world = report.worlds[i - contacts];
   const auto motion = std::ranges::find_if(
       world.trajectories, [](const Trajectory& t) { return !t.samples.empty(); });
-  return ScaleOf(world.scenario.world,
-                 motion == world.trajectories.end() ? std::vector<WorldState>()
-                                                    : motion->samples)
+  return ScaleOf(world.scenario.world, motion == world.trajectories.end()
+                                           ? std::vector<WorldState>()
+                                           : motion->samples)
       .length;
 }
 

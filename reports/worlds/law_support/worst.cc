@@ -58,7 +58,8 @@ std::vector<LawFinding> WorstOfEach(
       }
       const std::optional<double> first =
           Earlier(same->cited.first_time, finding.cited.first_time);
-      const Within largest = std::ranges::max(same->largest, finding.largest, {}, &Within::value);
+      const Within largest =
+          std::ranges::max(same->largest, finding.largest, {}, &Within::value);
       if (RankOf(finding) > RankOf(*same)) *same = std::move(finding);
       same->largest = largest;
       same->cited.first_time = first;

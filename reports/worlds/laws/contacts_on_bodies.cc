@@ -220,8 +220,9 @@ class JudgedStep {
     return body;
   }
 
-  /** Returns how long after a sample the surfaces have the separation of the contact along
-   its line, at the velocities there; negative: before it. Empty if they never have. [s] */
+  /** Returns how long after a sample the surfaces have the separation of the contact
+   along its line, at the velocities there; negative: before it. Empty if they never have.
+   [s] */
   std::optional<double> TimeOfContact(const ContactImpulse& contact,
                                       std::size_t sample) const {
     const Eigen::Vector3d n_W = contact.n_AB_W.normalized();

@@ -28,16 +28,16 @@ namespace touchstone {
  those at the start, at the end, and where the surfaces have the separation s along the
  line if the bodies move on at the velocities of the start, or back at those of the end.
  The true moment may lie between impacts and have none of these poses, but from the start
- no surface moves by more than V h. So the tolerance is 1.5 × V h, with the speed V of the faster of the two surfaces, at most what the truth allows; 64
- roundings of the positions; and the error that the engine documents for the pair. It is
- 1.5 × a h² and rounding where bodies rest under the load a, since an engine may add the
- load before it collides. A body with several contacts in the step may be struck and
- stopped again before its end: V is then up to twice that of the fastest body that touches
- it in the step, directly or through others, at most its own and what the impulses of the
- step give. Twice is what a light body gains from a heavy one. Springs and joints reach
- farther, so bodies that they hold are granted the fastest of all. No other body counts.
- Only contacts of the steps that start at a sample are judged, since only those poses are
- known.
+ no surface moves by more than V h. So the tolerance is 1.5 × V h, with the speed V of the
+ faster of the two surfaces, at most what the truth allows; 64 roundings of the positions;
+ and the error that the engine documents for the pair. It is 1.5 × a h² and rounding where
+ bodies rest under the load a, since an engine may add the load before it collides. A body
+ with several contacts in the step may be struck and stopped again before its end: V is
+ then up to twice that of the fastest body that touches it in the step, directly or
+ through others, at most its own and what the impulses of the step give. Twice is what a
+ light body gains from a heavy one. Springs and joints reach farther, so bodies that they
+ hold are granted the fastest of all. No other body counts. Only contacts of the steps
+ that start at a sample are judged, since only those poses are known.
 
  The law does not ask whether all contacts are there, nor whether the n of two boxes is
  the direction of least depth: engines choose among several.

@@ -208,8 +208,7 @@ class Judgement {
     }
     travel_.Take(travel.Excess(h_), GrantedTravel(from.p_WB, to.p_WB, travel) + corrected,
                  [&] { return Proof(body.name, "move", travel); });
-    turn_.Take(turn.Excess(h_),
-               GrantedTurn(turn) + corrected / (2 * LeastGyration(body)),
+    turn_.Take(turn.Excess(h_), GrantedTurn(turn) + corrected / (2 * LeastGyration(body)),
                [&] { return Proof(body.name, "turn", turn); });
   }
 

@@ -121,19 +121,17 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const BodyState& is = trajectory.samples[s].bodies[static_cast<std::size_t>(i)];
       const Apart apart = Between({is.q_WB, is.w_WB}, truth[s]);
       const double own = RoundingOf(motion.oracle, StepsBefore(motion, s));
-      orientation.Take(
-          apart.angle, kSafety * schemes[s].angle + rounding[s].angle + own,
-          [&] {
-            return Citing(
-                "{} has {} rotated {:.9g} rad from the orientation by "
-                "Euler's equations after {:.6g} s",
-                motion.oracle.name, CitedName{name}, apart.angle,
-                CitedTime{trajectory.times[s]});
-          });
+      orientation.Take(apart.angle, kSafety * schemes[s].angle + rounding[s].angle + own,
+                       [&] {
+                         return Citing(
+                             "{} has {} rotated {:.9g} rad from the orientation by "
+                             "Euler's equations after {:.6g} s",
+                             motion.oracle.name, CitedName{name}, apart.angle,
+                             CitedTime{trajectory.times[s]});
+                       });
       spin.Take(
           apart.spin,
-          kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(),
-          [&] {
+          kSafety * schemes[s].spin + rounding[s].spin + own * truth[s].w_WB.norm(), [&] {
             const ToldApart told = TellApart(is.w_WB, truth[s].w_WB, 9);
             return Citing(
                 "{} has {} spinning at {} rad/s after {:.6g} s; Euler's equations say {}",

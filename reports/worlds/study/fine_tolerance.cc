@@ -61,13 +61,13 @@ void FineTolerance::Require(Finding& finding) const {
     return;
   const bool is_fine = finding.value <= fine;
   const std::string_view unit = UnitOf(finding.measure);
-  finding.tolerance_because = fmt::format(
-      "{} {:.2g}{}{}, {}: {}", is_fine ? "narrowed to" : "wider than", fine,
-      unit.empty() ? "" : " ", unit,
-      IsDepth(finding.measure) && fine == half_thickness_
-          ? "half the thickness of the thinnest box"
-          : SizedBy(unit),
-      finding.tolerance_because);
+  finding.tolerance_because =
+      fmt::format("{} {:.2g}{}{}, {}: {}", is_fine ? "narrowed to" : "wider than", fine,
+                  unit.empty() ? "" : " ", unit,
+                  IsDepth(finding.measure) && fine == half_thickness_
+                      ? "half the thickness of the thinnest box"
+                      : SizedBy(unit),
+                  finding.tolerance_because);
   if (is_fine) {
     finding.tolerance = fine;
     return;

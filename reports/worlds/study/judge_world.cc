@@ -97,8 +97,7 @@ void DescribeAnswering(const Trajectory& trajectory, double dt, std::string_view
 class Judgement {
  public:
   explicit Judgement(const Study& study)
-      : study_(study),
-        motion_{study.scenario.world, study.oracle, study.trajectory} {}
+      : study_(study), motion_{study.scenario.world, study.oracle, study.trajectory} {}
 
   std::vector<std::vector<Finding>> Findings() && {
     groups_.resize(1);
@@ -206,10 +205,9 @@ class Judgement {
     // The worst number is small next to its tolerance; a larger one decides.
     const bool is_coarse =
         !IsBeyond(found) && found.largest.value > fine_->Of(found.measure);
-    Finding& finding =
-        is_coarse ? Add(measure, found.largest.value,
-                        {found.largest.tolerance, found.tolerance.because})
-                  : Add(measure, found.value, found.tolerance);
+    Finding& finding = is_coarse ? Add(measure, found.largest.value,
+                                       {found.largest.tolerance, found.tolerance.because})
+                                 : Add(measure, found.value, found.tolerance);
     if (found.grants == Grants::kStep) finding.safety = kSafety;
     if (IsBeyond(found)) finding.cited = found.cited;
     if (!std::isfinite(found.tolerance.value) && found.value != 0) {
@@ -246,7 +244,8 @@ class Judgement {
     if (law.of_steps && study_.of_steps)
       sampled = ValueOf(law, motion_, claim, finding.measure);
     if (!sampled || *sampled <= finding.tolerance) {
-      finding.cause_because = "it shows between the samples, where no smaller step was judged";
+      finding.cause_because =
+          "it shows between the samples, where no smaller step was judged";
       return;
     }
     const World half_world = Refined(study_.scenario.world, 2);

@@ -279,6 +279,33 @@ TEST(ContactsOnBodies, GrantsTheMotionOfAStepAndJudgesOnlyThoseThatStartAtASampl
   EXPECT_TRUE(Passes(Judge(rare, rests, ClaimOf("contacts_on_bodies"))));
 }
 
+/** Returns how far off the contact of a ball is that bounces off the ground in the middle
+ of a step of 0.1 m, if it is reported `aside` of where they touch then. */
+double OffAtAnImpact(double aside) {
+  World world;
+  RigidBody ball = BodyOf("ball", Sphere{0.2}, 1, {0, 0.25, 0});
+  ball.v_WB = {6, -10, 0};
+  world.bodies = {ball, GroundOf(Eigen::Vector3d::UnitY())};
+  world.gravity_W = {0, 0, 0};
+  world.dt = 0.01;
+  world.steps = 1;
+  Trajectory motion = Stepped(world, [](WorldState& state) {
+    state.bodies[0].p_WB.x() += 0.06;
+    state.bodies[0].v_WB.y() = 10;
+  });
+  motion.gives_impulses = true;
+  motion.impulses = {{1, 1, 0, {0.03 + aside, 0, 0}, {0, 1, 0}, {0, 20, 0}, 0}};
+  return Of(Judge(world, motion, ClaimOf("contacts_on_bodies")),
+            MeasureKind::kContactPlace)
+      .value;
+}
+
+// At either end of the step the ball is 5 cm above the ground.
+TEST(ContactsOnBodies, KnowsTheMomentOfAnImpactWithinAStep) {
+  EXPECT_LE(OffAtAnImpact(0), 1e-12);
+  EXPECT_GE(OffAtAnImpact(0.3), 0.05);
+}
+
 TEST(ContactsOnBodies, IsSilentAboutEnginesWithoutImpulsesAndAboutOtherShapes) {
   const World world = Tilted(0.004);
   Trajectory silent = Resting(world, {});

@@ -158,7 +158,8 @@ TEST(TorqueFree, FindsAMissingGyroscopicTerm) {
 }
 
 TEST(TorqueFree, KnowsThatSchemesHaveLostTheBody) {
-  // The tolerance is that of such schemes. It passes an error that cannot be called right.
+  // The tolerance is that of such schemes. It passes an error that cannot be called
+  // right.
   const World world = TumblingBox(0.04);
   const std::vector<LawFinding> findings =
       Judge(world, Turning(world, GyroscopicScheme::kImplicit), ClaimOf("torque_free"));
