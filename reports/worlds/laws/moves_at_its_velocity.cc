@@ -79,10 +79,16 @@ struct StepOf {
   Vector3d to;       ///< Velocity at the end. [m/s] or [rad/s]
   double variation;  ///< Total variation of the velocity, at most. [m/s] or [rad/s]
 
-  /** Returns how far `moved` is at least from all that a step of `h` [s] allows. */
+  /** Returns how far `moved` is at least from all that steps of `h` [s] at velocities
+   between the two make: half of what the way by `moved` is longer than the straight. */
   double Excess(double h) const {
-    return std::max(0.0, ((moved - h * from).norm() + (moved - h * to).norm()) / 2 -
-                             h * variation / 2);
+    const double way = (moved - h * from).norm() + (moved - h * to).norm();
+    return std::max(0.0, way - h * (to - from).norm()) / 2;
+  }
+
+  /** Returns the same of all that velocities make which vary by `variation`. */
+  double Detour(double h) const {
+    return std::max(0.0, h * (variation - (to - from).norm()) / 2);
   }
 };
 
@@ -238,14 +244,16 @@ class Judgement {
 
   double GrantedTravel(const Vector3d& from, const Vector3d& to,
                        const StepOf& travel) const {
-    return rounding_ * (from.norm() + to.norm() +
-                        h_ * (travel.from.norm() + travel.to.norm() + travel.variation));
+    const double size = from.norm() + to.norm() +
+                        h_ * (travel.from.norm() + travel.to.norm() + travel.variation);
+    return travel.Detour(h_) + rounding_ * size;
   }
 
   double GrantedTurn(const StepOf& turn) const {
     const double angle = h_ * std::max(turn.from.norm(), turn.to.norm());
     const double varied = h_ * turn.variation;
-    return rounding_ * (1 + angle + varied) + angle - std::atan(angle) + angle * varied;
+    return turn.Detour(h_) + rounding_ * (1 + angle + varied) + angle - std::atan(angle) +
+           angle * varied;
   }
 
   /** Returns the changes of a velocity in the steps before and after. */

@@ -10,7 +10,8 @@ namespace touchstone {
  A scheme moves a body by the mean of the velocities that the body has during the step.
  They start at v₀, end at v₁, and their total variation is V. So their mean Δx/h lies in
  the ellipsoid |v − v₀| + |v − v₁| ≤ V. The value is half the amount by which
- |Δx − h v₀| + |Δx − h v₁| exceeds h V: every allowed place is at least that far away.
+ |Δx − h v₀| + |Δx − h v₁| exceeds h |v₁ − v₀|, which is 0 for velocities between v₀ and
+ v₁. The tolerance is h (V − |v₁ − v₀|)/2, and what follows.
 
  V is the sum of the changes by loads, pushes and reported contacts, and of the part of
  v₁ − v₀ that these do not explain. Unreported causes are bounded, and the bounds are
@@ -23,11 +24,10 @@ namespace touchstone {
  The forces of springs and joints are smooth, so the changes of velocity in the steps
  before and after are added to V, too.
 
- The tolerance is 64 roundings. A turn by θ whose spin varies by δ/h is also granted
+ The tolerance contains 64 roundings. A turn by θ whose spin varies by δ/h is also granted
  θ − atan θ + θ δ: the matrix R (I + h [ω]) made orthonormal turns by atan θ; turns about
  different axes do not commute, by θ δ/4 (Magnus, 1954); and the lever arms of impulses
- and the moments of inertia turn with the body. Turns with a tolerance of half a turn or
- more are left out.
+ and the moments of inertia turn with the body.
 
  Position correction changes no velocity. It moves a body by at most the sum of all
  overlaps that are linked to the body, at the start of the step or made in it. If the

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <string_view>
 #include <variant>
 
@@ -33,7 +32,7 @@ bool IsDepth(MeasureKind measure) {
 /** Returns the size of which a fine tolerance is a share, as words. */
 std::string_view SizedBy(std::string_view unit) {
   if (unit == "m") return "a hundredth of the smallest moving body";
-  if (unit == "rad") return "a hundredth of half a turn";
+  if (unit == "rad") return "a turn that moves a surface by a hundredth of its radius";
   if (unit == "m/s" || unit == "rad/s") return "a hundredth of the speed of the motion";
   if (unit == "N s") return "a hundredth of the momentum of the motion";
   if (unit == "N m s") return "a hundredth of the angular momentum of the motion";
@@ -49,8 +48,7 @@ FineTolerance::FineTolerance(const Motion& motion)
 
 double FineTolerance::Of(MeasureKind measure) const {
   if (!HasSize(measure)) return std::numeric_limits<double>::infinity();
-  const double turn = UnitOf(measure) == "rad" ? std::numbers::pi : 1;
-  const double fine = kFineShare * turn * SizeFor(measure, scale_);
+  const double fine = kFineShare * SizeFor(measure, scale_);
   return IsDepth(measure) ? std::min(fine, half_thickness_) : fine;
 }
 

@@ -7,9 +7,9 @@
 namespace touchstone {
 
 /** The largest tolerances of a pass of one motion: a hundredth of the size by which
- ShareOf() divides. Of an angle it is a hundredth of half a turn; of a depth, no more than
- half the thickness of the thinnest box. The speed is that of the AllowedMotion, so that
- no engine widens them by its own speed. */
+ ShareOf() divides. Of an angle it is 0.01 rad, which moves a surface by a hundredth of
+ its radius; of a depth, no more than half the thickness of the thinnest box. The speed is
+ that of the AllowedMotion, so that no engine widens them by its own speed. */
 class FineTolerance {
  public:
   explicit FineTolerance(const Motion& motion);
