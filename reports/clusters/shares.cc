@@ -68,7 +68,7 @@ std::string_view SizedPartOf(const RunReport& report, std::size_t i) {
   return std::ranges::any_of(world.bodies,
                              [](const RigidBody& body) { return body.mass > 0; })
              ? "the smallest moving body"
-             : "the way of its points";
+             : "the extent of its points";
 }
 
 }  // namespace touchstone

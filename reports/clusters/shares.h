@@ -27,8 +27,8 @@ std::vector<double> SharesOf(const RunReport& report,
 double SizeOfQuestion(const RunReport& report, std::size_t i);
 
 /** Returns what has the length of SizeOfQuestion(), as words that follow "5 % of": "the
- smaller body", "the smallest moving body" of a world, "the way of its points" of a world
- without moving bodies. */
+ smaller body", "the smallest moving body" of a world, "the extent of its points" of a
+ world without moving bodies. */
 std::string_view SizedPartOf(const RunReport& report, std::size_t i);
 
 }  // namespace touchstone

@@ -88,7 +88,7 @@ export function valueOf(run: Run, finding: number): string {
 
 /** The body by whose size an error is divided, in words that follow "5 % of". */
 export const sizedPartOf = ({ world }: Question): string =>
-  !world ? "the smaller body" : world.bodies.some((body) => !body.fixed) ? "the smallest moving body" : "the way of its points";
+  !world ? "the smaller body" : world.bodies.some((body) => !body.fixed) ? "the smallest moving body" : "the extent of its points";
 
 /** Whether the value of a finding is a length by which something is wrong. */
 export function isLength(run: Run, finding: number): boolean {

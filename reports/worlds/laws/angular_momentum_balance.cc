@@ -56,11 +56,10 @@ class Balance {
     const std::vector<const ContactImpulse*>& contacts = reported.on_body[Index()];
     const Eigen::Vector3d c_W = (At(s - 1).p_WB + At(s).p_WB) / 2;
     Eigen::Vector3d given_W = Eigen::Vector3d::Zero();
-    for (const ContactImpulse* contact : contacts)
-      given_W += (contact->p_WC - c_W).cross(ImpulseOn(*contact, index_));
     for (const Push* push : PushesBetween(motion_.world, index_, start, end))
       given_W += PushLever(*push, s).cross(push->J_W);
     const Eigen::Vector3d gained_W = MomentumOf(At(s)) - MomentumOf(At(s - 1));
+    given_W += NearestMoment(contacts, s, gained_W - given_W);
     const double error = (gained_W - given_W).norm();
     // Depths are measured only where they decide: that takes a referee.
     ContactGrant grant = GrantOf(contacts, s, c_W, [](const auto&) { return 0.0; });
@@ -82,6 +81,41 @@ class Balance {
   }
 
  private:
+  /** Returns the moment of the contacts about a centre on the way of the body's, the
+   moment nearest to `gained_W`: nobody tells where the centre was. It is on the straight
+   way between the samples; or, if they are a step apart, on the way on from the first or
+   back from the second. [N m s] */
+  Eigen::Vector3d NearestMoment(const std::vector<const ContactImpulse*>& contacts,
+                                std::size_t s, const Eigen::Vector3d& gained_W) const {
+    const BodyState& from = At(s - 1);
+    const BodyState& to = At(s);
+    Eigen::Vector3d impulse_W = Eigen::Vector3d::Zero();
+    Eigen::Vector3d moment_W = Eigen::Vector3d::Zero();
+    for (const ContactImpulse* contact : contacts) {
+      const Eigen::Vector3d J_W = ImpulseOn(*contact, index_);
+      impulse_W += J_W;
+      moment_W += (contact->p_WC - from.p_WB).cross(J_W);
+    }
+    Eigen::Vector3d nearest_W = moment_W;
+    const auto take = [&](const Eigen::Vector3d& first_W, const Eigen::Vector3d& way_W) {
+      const Eigen::Vector3d at_first_W =
+          moment_W - (first_W - from.p_WB).cross(impulse_W);
+      const Eigen::Vector3d change_W = way_W.cross(impulse_W);
+      const double size = change_W.squaredNorm();
+      const double share =
+          size > 0 ? std::clamp(change_W.dot(at_first_W - gained_W) / size, 0.0, 1.0) : 0;
+      const Eigen::Vector3d moved_W = at_first_W - share * change_W;
+      if ((moved_W - gained_W).norm() < (nearest_W - gained_W).norm())
+        nearest_W = moved_W;
+    };
+    take(from.p_WB, to.p_WB - from.p_WB);
+    if (motion_.world.sample_every == 1) {
+      take(from.p_WB, motion_.world.dt * from.v_WB);
+      take(to.p_WB, -motion_.world.dt * to.v_WB);
+    }
+    return nearest_W;
+  }
+
   /** Returns the sums over `contacts`, whose separations [m] `depth_of` returns. */
   template <typename DepthOf>
   ContactGrant GrantOf(const std::vector<const ContactImpulse*>& contacts, std::size_t s,
@@ -210,11 +244,12 @@ class Balance {
     return speeds;
   }
 
-  /** Returns how far the levers of contacts may move between two samples. [m] */
+  /** Returns how far the lever of a contact may be from that to NearestMoment()'s centre:
+   the point by a step, and the centre by half of what samples are farther apart. [m] */
   double LeverMotion(std::size_t s) const {
     const Speeds speeds = SpeedsOf(index_, s);
-    return speeds.centre * SampleSpacing(motion_.world) / 2 +
-           speeds.surface * motion_.world.dt;
+    const double h = motion_.world.dt;
+    return speeds.centre * (SampleSpacing(motion_.world) - h) / 2 + speeds.surface * h;
   }
 
   /** Returns how far the surface of a body may move between two samples. [m] */
@@ -235,7 +270,8 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   Worst worst(
       MeasureKind::kAngularMomentumBalance,
       WithSleep(
-          "1.5 × what a legal scheme differs by: levers that move by |v| Δt/2 + V h or "
+          "1.5 × what a legal scheme differs by: levers that move by |v| (Δt − h)/2 + V "
+          "h or "
           "lie a separation away, at most that of the bodies; h ∫ |ω × (ω × L)| and "
           "h (|ω| |ΔL| + |Δω| |L|) of the gyroscopic term, and |L| |s|/|p − c| of "
           "position correction, at most |L| |s|/2k with the least radius of gyration k; "

@@ -9,13 +9,15 @@ namespace touchstone {
 
     Δ(R I Rᵀ ω) = Σ (p − c) × J.  [N m s]
 
- Gravity and the body's force act at c. The points p are those that the engine reports, c
- is taken half way between the samples. The tolerance is what a legal scheme may differ
- by, × 1.5, at speeds that the truth allows:
+ Gravity and the body's force act at c. The points p are those that the engine reports.
+ Nobody tells where c was when the contacts acted. It is taken where it explains most on
+ three ways: straight from sample to sample; and if these are a step h apart, on from the
+ first at its velocity, and back from the second. The tolerance is what a legal scheme may
+ differ by, × 1.5, at speeds that the truth allows:
 
- - levers: |v| Δt/2 |J|, since c moves between the samples; V h |J| and |s| |J|, since p
-   may be a point on either body at the start or at the end of its step. V is |v| + |ω| R,
-   for a sphere |v|, and s the separation;
+ - levers: |v| (Δt − h)/2 |J|, since c may leave the straight way between distant samples;
+   V h |J| and |s| |J|, since p may be a point on either body at the start or at the end
+   of its step. V is |v| + |ω| R, for a sphere |v|, and s the separation;
  - the gyroscopic term: h ∫ |ω × (ω × L)| (law_support/scheme_drift.h), and h (|ω| |ΔL| +
    |Δω| |L|), since it acts on the spin before or after the impulses. Zero for bodies with
    equal moments of inertia;

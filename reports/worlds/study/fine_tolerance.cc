@@ -68,6 +68,7 @@ void FineTolerance::Require(Finding& finding) const {
                   finding.tolerance_because);
   if (is_fine) {
     finding.tolerance = fine;
+    finding.safety = 1;
     return;
   }
   finding.verdict = Verdict::kUndecidable;

@@ -5,25 +5,23 @@
 #include <limits>
 #include <string_view>
 
+#include <Eigen/Geometry>
+
 #include "reports/finding/grade.h"
 #include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
 
-/** Returns the largest distance of any particle or node from where it starts. [m] */
-double FarthestPoint(std::span<const WorldState> states) {
-  double farthest = 0;
-  const auto reach = [&](const std::vector<PointState>& now,
-                         const std::vector<PointState>& start) {
-    for (std::size_t i = 0; i < now.size(); ++i)
-      farthest = std::max(farthest, (now[i].p_W - start[i].p_W).norm());
-  };
+/** Returns the diagonal of the box, along the axes, that contains all particles and nodes
+ at all times. [m] */
+double ExtentOfPoints(std::span<const WorldState> states) {
+  Eigen::AlignedBox3d box;
   for (const WorldState& state : states) {
-    reach(state.particles, states.front().particles);
-    reach(state.nodes, states.front().nodes);
+    for (const PointState& point : state.particles) box.extend(point.p_W);
+    for (const PointState& point : state.nodes) box.extend(point.p_W);
   }
-  return farthest;
+  return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 double LengthOf(const World& world, std::span<const WorldState> states) {
@@ -31,7 +29,7 @@ double LengthOf(const World& world, std::span<const WorldState> states) {
   for (const RigidBody& body : world.bodies) {
     if (body.mass > 0) least = std::min(least, 2 * BoundingRadius(body.placed.shape));
   }
-  return std::isinf(least) ? FarthestPoint(states) : least;
+  return std::isinf(least) ? ExtentOfPoints(states) : least;
 }
 
 double FastestOf(const World& world, const WorldState& state) {

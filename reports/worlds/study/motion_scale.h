@@ -12,7 +12,7 @@ namespace touchstone {
 
  The length L is the greatest extent of the smallest body that moves: twice its bounding
  radius. A world without moving bodies has particles and nodes, which are points: L is
- then the largest distance of any of them from its start.
+ then the diagonal of the box that contains all of them at all times.
 
  The speed V is the greatest |v| + |ω| r of the motion, r the bounding radius, but at
  least √(a L), with a the greatest |g + F/m|: the speed that its load gives to a body over

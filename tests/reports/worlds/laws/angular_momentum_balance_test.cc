@@ -74,6 +74,19 @@ TEST(AngularMomentumBalance, GrantsTheLeverOfOneStepAndNoMore) {
   EXPECT_TRUE(Finds(off(0.005), MeasureKind::kAngularMomentumBalance));
 }
 
+// In a step the ball moves by 1 mm, and friction acts at the centre that it had before.
+TEST(AngularMomentumBalance, TakesTheCentreThatExplainsTheLevers) {
+  const World world = Slipping();
+  const auto error = [&](double share) {
+    const LawFinding found =
+        Of(Judge(world, Slipped(world, share), ClaimOf("angular_momentum_balance")),
+           MeasureKind::kAngularMomentumBalance);
+    return found.value / found.tolerance.value;
+  };
+  EXPECT_LE(error(1), 1e-9);
+  EXPECT_GE(error(0.9), 1);
+}
+
 TEST(AngularMomentumBalance, CountsAPushAtItsLever) {
   World world;
   world.bodies = {BodyOf("ball", Sphere{kRadius}, 2, {0, 1, 0})};

@@ -64,7 +64,7 @@ TEST(ScaleOf, TakesNoMotionThatNobodySees) {
   EXPECT_NEAR(ScaleOf(world, Moving(3, 0).samples).speed, 3, 1e-12);
 }
 
-TEST(ScaleOf, TakesTheWayOfParticlesWhereNoBodyMoves) {
+TEST(ScaleOf, TakesTheExtentOfParticlesWhereNoBodyMoves) {
   World world;
   world.particles.emplace_back();
   Trajectory motion;
@@ -72,6 +72,11 @@ TEST(ScaleOf, TakesTheWayOfParticlesWhereNoBodyMoves) {
   motion.samples = {{{}, {{Eigen::Vector3d(1, 0, 0), Eigen::Vector3d::Zero()}}, {}},
                     {{}, {{Eigen::Vector3d(1, -4, 0), Eigen::Vector3d::Zero()}}, {}}};
   EXPECT_EQ(ScaleOf(world, motion.samples).length, 4);
+  // Two that hang still have an extent, too.
+  for (WorldState& state : motion.samples)
+    state.particles = {{Eigen::Vector3d(1, 0, 0), Eigen::Vector3d::Zero()},
+                       {Eigen::Vector3d(1, 3, 4), Eigen::Vector3d::Zero()}};
+  EXPECT_EQ(ScaleOf(world, motion.samples).length, 5);
 }
 
 // L = 0.2 m, V = 4 m/s, M = 2 kg.
