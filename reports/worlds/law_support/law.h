@@ -30,14 +30,14 @@ enum class Grants {
   kStep,      ///< The error law of the step too, with the factor of safety kSafety.
 };
 
-/** A number, and the tolerance that it is within. */
+/** A value that is within its tolerance. */
 struct Within {
-  double value = 0;
-  double tolerance = 0;
+  double value = 0;      ///< [unit of the measure]
+  double tolerance = 0;  ///< [unit of the measure]
 };
 
-/** A scheme of integration, and how far a motion is from the scheme's own closed form. A
- motion that follows a scheme has its error, which is known, however large it is. */
+/** An integration scheme, and the distance of a motion from the closed form of the
+ scheme. The error of a motion that follows a scheme is known. */
 struct NearestScheme {
   std::string_view name;  ///< "semi-implicit Euler"; empty: none is known.
   double error = 0;       ///< The largest at any sample. [unit of the measure]

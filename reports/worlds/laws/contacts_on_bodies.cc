@@ -106,13 +106,14 @@ struct ImpulsesOnBody {
   int contacts = 0;  ///< Number of contacts.
 };
 
-/** The two bodies of a contact at one moment. */
+/** The two bodies of a contact at one moment of a step. */
 struct BodiesOfContact {
   Body A;
   Body B;
+  double time = 0;  ///< Since the start of the step. [s]
 };
 
-/** Returns the rotation by |r| about r. [rad] */
+/** Returns the rotation with the rotation vector `r`. [rad] */
 Eigen::Matrix3d RotationBy(const Eigen::Vector3d& r) {
   return Eigen::AngleAxisd(r.norm(), r.stableNormalized()).toRotationMatrix();
 }
@@ -187,8 +188,9 @@ class JudgedStep {
         return std::max({placed.LeastError(size), placed.LeastErrorOfNormal(),
                          R * std::abs(length - 1)});
       };
-      error = error_of(place(A, B));
-      turned = place(A, B).TurnOfNormal();
+      const PlacedContact at_start = place(A, B);
+      error = error_of(at_start);
+      turned = at_start.TurnOfNormal();
       if (error > rounding) {
         for (const BodiesOfContact& other : LaterInTheStep(contact)) {
           const double less = error_of(place(other.A, other.B));
@@ -209,7 +211,8 @@ class JudgedStep {
   }
 
  private:
-  /** Returns a body `later` [s] than at a sample, at the velocities that it has there. */
+  /** Returns a body extrapolated by `later` [s] from a sample, with its velocities there.
+   */
   Body MovedOn(std::size_t sample, int index, double later) const {
     Body body = PlacedAt(motion_.world, motion_.trajectory.samples[sample], index);
     const auto i = static_cast<std::size_t>(index);
@@ -247,11 +250,12 @@ class JudgedStep {
    its end. */
   std::vector<BodiesOfContact> LaterInTheStep(const ContactImpulse& contact) const {
     std::vector<BodiesOfContact> moments;
-    const auto add = [&](std::size_t sample, double later) {
-      moments.push_back(
-          {MovedOn(sample, contact.A, later), MovedOn(sample, contact.B, later)});
-    };
     const double h = motion_.world.dt;
+    const auto add = [&](std::size_t sample, double later) {
+      const double time = sample == s_ ? later : h + later;
+      moments.push_back(
+          {MovedOn(sample, contact.A, later), MovedOn(sample, contact.B, later), time});
+    };
     const std::optional<double> from_start = TimeOfContact(contact, s_);
     if (from_start && *from_start > 0 && *from_start <= h) add(s_, *from_start);
     if (motion_.world.sample_every > 1) return moments;  // The end is not known.
@@ -330,11 +334,15 @@ class JudgedStep {
     const std::optional<Chord> a = ChordThrough(nearest.A, 0, contact.p_WC, n_W);
     const std::optional<Chord> b = ChordThrough(nearest.B, 0, contact.p_WC, n_W);
     std::string truth;
+    if (nearest.time > 0)
+      truth =
+          fmt::format("with the bodies where they are {:.6g} s later, ", nearest.time);
     if (a && b) {
-      truth = fmt::format("along that line {} ends at {:.6g} m and {} begins at {:.6g} m",
-                          NameOf(contact.A), a->leaves, NameOf(contact.B), b->enters);
+      truth +=
+          fmt::format("along that line {} ends at {:.6g} m and {} begins at {:.6g} m",
+                      NameOf(contact.A), a->leaves, NameOf(contact.B), b->enters);
     } else {
-      truth = fmt::format("that line misses {}", NameOf(a ? contact.B : contact.A));
+      truth += fmt::format("that line misses {}", NameOf(a ? contact.B : contact.A));
     }
     return Citing(
         "{} reports a contact of {} and {} in the step after {:.6g} s at {} with the "

@@ -6,10 +6,11 @@
 
 namespace touchstone {
 
-/** The largest tolerances of a pass of one motion: a hundredth of the size by which
- ShareOf() divides. Of an angle it is 0.01 rad, which moves a surface by a hundredth of
- its radius; of a depth, no more than half the thickness of the thinnest box. The speed is
- that of the AllowedMotion, so that no engine widens them by its own speed. */
+/** The largest tolerance with which a measure of one motion can pass. It is 1 % of
+ SizeFor() the measure: of the smallest body, of the speed, of the energy, and so on. For
+ angles it is 0.01 rad, because such a rotation moves a surface by 1 % of its radius. For
+ penetration it is at most half the thickness of the thinnest box. The scale is that of
+ the AllowedMotion: an engine that gains speed does not get larger tolerances. */
 class FineTolerance {
  public:
   explicit FineTolerance(const Motion& motion);

@@ -87,6 +87,27 @@ TEST(AllowedMotion, KnowsTheWorkOfLoadsSpringsAndPushes) {
   EXPECT_GE(K, allowed.KineticEnergy(last) / 2);
 }
 
+// A scheme that updates positions first has a velocity before the spring has moved.
+TEST(AllowedMotion, LetsVelocitiesBeAStepAheadOfASpringAndNoMore) {
+  World world;
+  world.gravity_W.setZero();
+  world.bodies = {BodyOf("ball", Sphere{0.1}, 2, {0, 0, 0})};
+  world.springs = {{{AnchorKind::kBody, 0, {0, 0, 0}},
+                    {AnchorKind::kWorld, -1, {0, -1, 0}},
+                    5,
+                    0,
+                    0.5}};
+  world.steps = 1;
+  const double gained = world.dt * 5 * 0.5 / 2;  // h F/m
+  const auto speed = [&](double steps) {
+    const Trajectory motion = Stepped(
+        world, [&](WorldState& state) { state.bodies[0].v_WB.y() = -steps * gained; });
+    return AllowedMotion({world, DoubleEngine(), motion}).At(1).bodies[0].v_WB.norm();
+  };
+  EXPECT_NEAR(speed(1), gained, 1e-12);
+  EXPECT_LT(speed(10), 7 * gained);
+}
+
 TEST(EnergyNeverRises, FindsAnExplosionOfAFastSpin) {
   const World world = SpinningBar();
   for (const double gain : {2.2, 7.0, 1e6}) {

@@ -155,8 +155,9 @@ TEST(UniversalLaws, FailAMotionThatSinksAndSayThatNoFileClaimsIt) {
   EXPECT_THAT(found->proof, HasSubstr("never_penetrates, true of every motion: mine"));
 }
 
-// The ball of 0.2 m and the plate of 0.1 m move by 0.5 m a step and bounce where a step
-// ends. That excuses 0.75 m of depth; a hundredth of their size of it is a pass.
+// The bodies move by 0.5 m a step and bounce at the end of a step. The law allows 0.75 m
+// of depth. A pass allows 4 mm for the ball, 1 % of its diameter, and 2 mm for the plate,
+// half of its thickness.
 TEST(UniversalLaws, PassNoDepthThatShowsNextToABody) {
   const Shape ball = Sphere{0.2};
   const Shape plate = Box{{0.4, 0.002, 0.4}};
@@ -179,7 +180,6 @@ TEST(UniversalLaws, PassNoDepthThatShowsNextToABody) {
       return finding.measure == MeasureKind::kPenetration;
     });
   };
-  // A hundredth of the ball's diameter, and half of the plate's thickness.
   EXPECT_EQ(found(0.0039, ball, 0.2).verdict, Verdict::kPass);
   EXPECT_EQ(found(0.0041, ball, 0.2).verdict, Verdict::kUndecidable);
   EXPECT_EQ(found(0.0041, ball, 0.2).undecided, Undecided::kCoarse);
