@@ -374,33 +374,8 @@ class Suite {
     }
   }
 
-  /** Finds causes: first those that the answers show. For failures still without a cause
-   it then asks the oracle about neighbouring questions, again in one round. */
+  /** Finds the causes that an answer and roundings of its question show. */
   void Explain() {
-    ForEachScenario([this](const ScenarioResult& result, std::vector<Finding>& findings) {
-      ForEachOracle(findings, [&](std::size_t i, std::span<Finding> of_oracle) {
-        ExplainByAnswer(result, report_.oracles[i], result.answers[i], of_oracle);
-      });
-    });
-    Round round(oracles_.size());
-    struct Asked {
-      std::size_t begin = 0;  ///< Index into the queries of the round.
-      std::size_t end = 0;
-    };
-    std::vector<std::vector<Asked>> asked(report_.scenarios.size(),
-                                          std::vector<Asked>(oracles_.size()));
-    for (std::size_t s = 0; s < report_.scenarios.size(); ++s) {
-      ForEachOracle(findings_[s], [&](std::size_t i, std::span<Finding> of_oracle) {
-        if (std::none_of(of_oracle.begin(), of_oracle.end(), IsUnexplained)) return;
-        const std::vector<ContactQuery> neighbours = NeighboursOf(
-            report_.scenarios[s].scenario.contact, report_.oracles[i].unit_roundoff);
-        asked[s][i].begin = round.queries[i].size();
-        round.queries[i].insert(round.queries[i].end(), neighbours.begin(),
-                                neighbours.end());
-        asked[s][i].end = round.queries[i].size();
-      });
-    }
-    round.Ask(oracles_, options_.jobs, nullptr);
     TruthsOfNeighbours own;
     TruthsOfNeighbours& truths =
         options_.truths_of_neighbours ? *options_.truths_of_neighbours : own;
@@ -408,20 +383,22 @@ class Suite {
     ParallelFor(findings_.size(), options_.jobs, [&](std::size_t s) {
       const ScenarioResult& result = report_.scenarios[s];
       ForEachOracle(findings_[s], [&](std::size_t i, std::span<Finding> of_oracle) {
-        const auto& [begin, end] = asked[s][i];
-        if (begin == end) return;
-        const auto queries = std::span(round.queries[i]).subspan(begin, end - begin);
-        std::vector<ContactTruth>& of_neighbours =
-            truths[s][report_.oracles[i].unit_roundoff];
-        for (std::size_t q = begin; q < end; ++q)
-          AddSeconds("neighbour", round.answers[i][q].seconds);
+        const OracleInfo& oracle = report_.oracles[i];
+        ExplainByAnswer(result, oracle, result.answers[i], of_oracle);
+        const ContactQuery& query = result.scenario.contact;
+        const double u = oracle.unit_roundoff;
+        const auto may_be_rounding = [&](const Finding& finding) {
+          return RoundingMayExplain(finding, query, result.truth, u);
+        };
+        if (std::ranges::none_of(of_oracle, may_be_rounding)) return;
+        const std::vector<ContactQuery> neighbours = NeighboursOf(query, u);
+        std::vector<ContactTruth>& of_neighbours = truths[s][u];
         if (of_neighbours.empty()) {
-          for (const ContactQuery& query : queries)
-            of_neighbours.push_back(ComputeContactTruth(query));
+          for (const ContactQuery& neighbour : neighbours)
+            of_neighbours.push_back(ComputeContactTruth(neighbour));
         }
-        ExplainByNeighbours(
-            result, report_.oracles[i], result.answers[i], queries, of_neighbours,
-            std::span(round.answers[i]).subspan(begin, end - begin), of_oracle);
+        ExplainByRounding(result.scenario, oracle, result.answers[i], neighbours,
+                          of_neighbours, of_oracle);
       });
     });
   }

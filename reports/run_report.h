@@ -31,7 +31,7 @@ struct RunReport {
    oracle has no findings on questions of a kind that it does not answer at all. */
   std::vector<Finding> findings;
   /** The time that contact queries took by the clock on the wall, by kind of question:
-   "truth", "itself", the names of variants, "neighbour" (asked for a cause). Those of
+   "truth", "itself" and the names of variants. Those of
    single answers and worlds are with them. No judgement depends on it. [s] */
   SecondsByName seconds_of_contacts;
   Ledger ledger;

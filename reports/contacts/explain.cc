@@ -1,14 +1,12 @@
 #include "reports/contacts/explain.h"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "reports/contacts/causes/convention.h"
 #include "reports/contacts/causes/over_geometries.h"
-#include "reports/contacts/causes/precision.h"
 #include "reports/contacts/causes/tie.h"
 #include "reports/contacts/normal_claim.h"
 #include "reports/contacts/tolerances.h"
@@ -37,11 +35,11 @@ void ExplainByModel(const ScenarioResult& result, const OracleInfo& oracle,
                   stated ? "granted as stated by " + oracle.tolerance.by : "");
 }
 
-}  // namespace
-
 bool IsUnexplained(const Finding& finding) {
   return IsProvedWrong(finding) && finding.cause == Cause::kNone;
 }
+
+}  // namespace
 
 void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
                      const ContactAnswer& answer, std::span<Finding> findings) {
@@ -66,41 +64,10 @@ void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
   if (any) ExplainByConvention(result.scenario, result.truth, oracle, answer, of_answer);
 }
 
-void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
-                         const ContactAnswer& answer,
-                         std::span<const ContactQuery> queries,
-                         std::span<const ContactTruth> truths,
-                         std::span<const ContactAnswer> answers,
-                         std::span<Finding> findings) {
-  const std::vector<JudgedNeighbour> neighbours =
-      Judged(result.scenario, oracle, queries, truths, answers, findings);
-  std::vector<std::pair<Finding*, Explanation>> explained;
-  for (Finding& finding : findings) {
-    if (!IsUnexplained(finding)) continue;
-    const auto why = ExplanationByRounding(finding, result.scenario.contact, result.truth,
-                                           answer, neighbours, oracle.unit_roundoff);
-    if (why) explained.emplace_back(&finding, *why);
-  }
-  const auto gross = std::ranges::find_if(explained, [](const auto& of_finding) {
-    return of_finding.second.cause == Cause::kDefect;
-  });
-  for (const auto& [finding, why] : explained) {
-    finding->cause = why.cause;
-    finding->cause_because = why.because;
-    if (gross == explained.end() || why.cause == Cause::kDefect || why.moves_truth)
-      continue;
-    finding->cause = Cause::kDefect;  // One answer has one cause.
-    finding->cause_because =
-        fmt::format("{}; but its {} is more than a tenth of the smaller body",
-                    why.because, NameOf(gross->first->measure));
-  }
-}
-
 void ExplainTheRest(std::span<const ScenarioResult> results,
                     std::span<const OracleInfo> oracles, std::span<Finding> findings) {
   ExplainByMargins(results, oracles, findings);
   RefuseConventions(results, oracles, findings);
-  RefusePrecisionSharedWithDouble(results, oracles, findings);
   for (Finding& finding : findings) {
     if (IsUnexplained(finding)) {
       finding.cause = Cause::kDefect;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "oracles/oracle.h"
 #include "reports/contacts/contact_result.h"
@@ -15,27 +14,10 @@ namespace touchstone {
 void ExplainByAnswer(const ScenarioResult& result, const OracleInfo& oracle,
                      const ContactAnswer& answer, std::span<Finding> findings);
 
-/** Returns whether a failure still has no cause, so that querying the oracle again may
- find one. */
-bool IsUnexplained(const Finding& finding);
-
-/** Sets the cause of those failures of one scenario and one oracle that roundings of the
- question explain, see ExplanationByRounding(). If one of them is too gross for rounding,
- none is `precision` unless the truth itself moves: one answer has one cause. `queries`
- are NeighboursOf() the question at the precision of the oracle; `truths` and `answers`
- belong to them. */
-void ExplainByNeighbours(const ScenarioResult& result, const OracleInfo& oracle,
-                         const ContactAnswer& answer,
-                         std::span<const ContactQuery> queries,
-                         std::span<const ContactTruth> truths,
-                         std::span<const ContactAnswer> answers,
-                         std::span<Finding> findings);
-
 /** Settles the causes by all questions of a run. A margin is found where many share one
  error. A convention that only one geometry shows, or that another answer of the same
- oracle contradicts, is a defect, and so is a fault of a float engine that the same engine
- has in double. All failures without a cause are defects. Unproved differences keep no
- cause. */
+ oracle contradicts, is a defect. All failures without a cause are defects. Unproved
+ differences keep no cause. */
 void ExplainTheRest(std::span<const ScenarioResult> results,
                     std::span<const OracleInfo> oracles, std::span<Finding> findings);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <type_traits>
 #include <utility>
 
@@ -45,8 +44,7 @@ constexpr std::size_t kMostFindings = 16;
 class Judgement {
  public:
   Judgement(const Scenario& scenario, const ContactTruth& truth, const OracleInfo& oracle,
-            const ContactAnswer& answer, Reasons reasons,
-            std::span<const MeasureKind> wanted)
+            const ContactAnswer& answer, Reasons reasons)
       : scenario_(scenario),
         query_(scenario.contact),
         truth_(truth),
@@ -56,7 +54,6 @@ class Judgement {
         tolerances_(TolerancesOf(oracle, scenario, truth, answer.touching)),
         because_(oracle, scenario, truth, answer.touching, tolerances_),
         reasons_(reasons),
-        wanted_(wanted),
         dispute_{query_, truth, answer},
         n_W_(NormalOf(answer)),
         separation_(SeparationOf(answer)) {}
@@ -76,25 +73,14 @@ class Judgement {
     JudgeSeparation();
     JudgeNormal();
     JudgeWitnesses();
-    // Whether a contact may be off the patch depends on whether it is on both surfaces.
-    if (IsWanted({MeasureKind::kContactSurfaceError, MeasureKind::kContactSeparationError,
-                  MeasureKind::kContactOffPatch}))
-      JudgeContacts();
-    if (IsWanted({MeasureKind::kContactOffPatch, MeasureKind::kPatchCoverage,
-                  MeasureKind::kContactCount, MeasureKind::kContactTooDeep}))
-      JudgePatch();
+    JudgeContacts();
+    JudgePatch();
     JudgeMixedNormals();
     Add(MeasureKind::kAnswering, 0, 0, AnswerIsAnswer, [] { return ""; });
     return std::move(findings_);
   }
 
  private:
-  bool IsWanted(std::initializer_list<MeasureKind> measures) const {
-    return wanted_.empty() ||
-           std::find_first_of(wanted_.begin(), wanted_.end(), measures.begin(),
-                              measures.end()) != wanted_.end();
-  }
-
   /** Adds a finding. `because` is called for the reason of the tolerance if the finding
    carries it, and `prove` to make the proof of a failure. */
   template <typename Because, typename Prove>
@@ -624,7 +610,6 @@ class Judgement {
   const Tolerances tolerances_;
   const ToleranceReasons because_;
   const Reasons reasons_;
-  const std::span<const MeasureKind> wanted_;
   const Dispute dispute_;
   const std::optional<Eigen::Vector3d> n_W_;
   const std::optional<double> separation_;
@@ -638,8 +623,8 @@ class Judgement {
 
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
                                  const OracleInfo& oracle, const ContactAnswer& answer,
-                                 Reasons reasons, std::span<const MeasureKind> wanted) {
-  return Judgement(scenario, truth, oracle, answer, reasons, wanted).Findings();
+                                 Reasons reasons) {
+  return Judgement(scenario, truth, oracle, answer, reasons).Findings();
 }
 
 }  // namespace touchstone

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -20,12 +19,9 @@ namespace touchstone {
  reports/contacts/consensus.h. If the enclosure is wider than the tolerance, a value
  passes only if it is within the tolerance of every point of it. An invalid answer is
  judged no further.
- @param reasons The findings that carry Finding::tolerance_because.
- @param wanted If not empty, the only measures whose findings are needed: those of others
-   may be missing. */
+ @param reasons The findings that carry Finding::tolerance_because. */
 std::vector<Finding> JudgeAnswer(const Scenario& scenario, const ContactTruth& truth,
                                  const OracleInfo& oracle, const ContactAnswer& answer,
-                                 Reasons reasons = Reasons::kOfAll,
-                                 std::span<const MeasureKind> wanted = {});
+                                 Reasons reasons = Reasons::kOfAll);
 
 }  // namespace touchstone

@@ -40,11 +40,6 @@ class Index {
   const ContactAnswer& Answer(const Finding& finding) const {
     return Result(finding).answers[places_.at(finding.oracle)];
   }
-  const Capability& CapabilityFor(const Finding& finding,
-                                  const OracleInfo& oracle) const {
-    const ContactQuery& query = Result(finding).scenario.contact;
-    return oracle.For(KindOf(query.A.shape), KindOf(query.B.shape));
-  }
 
  private:
   std::span<const ScenarioResult> results_;
@@ -198,39 +193,6 @@ void RefuseConventions(std::span<const ScenarioResult> results,
         is_contradicted
             ? fmt::format("{} contradicts such a convention", contradiction->second)
             : "one geometry shows no convention");
-  }
-}
-
-void RefusePrecisionSharedWithDouble(std::span<const ScenarioResult> results,
-                                     std::span<const OracleInfo> oracles,
-                                     std::span<Finding> findings) {
-  if (std::none_of(findings.begin(), findings.end(), IsProvedWrong)) return;
-  const Index index(results, oracles);
-  using Place = std::tuple<std::string_view, MeasureKind, std::string_view>;
-  std::map<Place, std::vector<const Finding*>> failures;
-  for (const Finding& finding : findings) {
-    if (IsProvedWrong(finding) && finding.cause != Cause::kPrecision &&
-        finding.cause != Cause::kNotExamined)
-      failures[{finding.scenario, finding.measure, finding.reference}].push_back(
-          &finding);
-  }
-  for (Finding& finding : findings) {
-    if (!IsProvedWrong(finding) || finding.cause != Cause::kPrecision) continue;
-    const auto found =
-        failures.find({finding.scenario, finding.measure, finding.reference});
-    if (found == failures.end()) continue;
-    const OracleInfo& coarse = index.Oracle(finding);
-    const Capability& of_coarse = index.CapabilityFor(finding, coarse);
-    for (const Finding* other : found->second) {
-      const OracleInfo& fine = index.Oracle(*other);
-      const Capability& of_fine = index.CapabilityFor(finding, fine);
-      if (fine.library != coarse.library || fine.unit_roundoff >= coarse.unit_roundoff ||
-          of_fine.family != of_coarse.family || of_fine.distance != of_coarse.distance)
-        continue;
-      finding.cause = Cause::kDefect;
-      finding.cause_because = fmt::format(
-          "{}, the same in a finer arithmetic, has this fault too", fine.name);
-    }
   }
 }
 

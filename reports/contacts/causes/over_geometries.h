@@ -22,10 +22,4 @@ void ExplainByMargins(std::span<const ScenarioResult> results,
 void RefuseConventions(std::span<const ScenarioResult> results,
                        std::span<const OracleInfo> oracles, std::span<Finding> findings);
 
-/** Turns `precision` into `defect` where the same algorithm of the same library fails the
- same measure of the same question in a finer arithmetic, too, and not by rounding. */
-void RefusePrecisionSharedWithDouble(std::span<const ScenarioResult> results,
-                                     std::span<const OracleInfo> oracles,
-                                     std::span<Finding> findings);
-
 }  // namespace touchstone

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include "reports/contacts/body_size.h"
 #include "reports/contacts/judge_answer.h"
-#include "reports/finding/grade.h"
-#include "reports/measures/answer_change.h"
 #include "reports/measures/outside.h"
 
 namespace touchstone {
@@ -54,42 +50,12 @@ struct RoundShape {
   void operator()(HalfSpace&) const {}
 };
 
-/** Returns the distance between two enclosures; 0 if they meet. [m] */
-double GapOf(const Enclosure& a, const Enclosure& b) {
-  return std::max({0.0, a.lo - b.hi, b.lo - a.hi});
-}
-
-/** Returns whether the answer that a finding is about has a fault. */
-bool HasFailed(const Finding& finding) {
-  return IsFailure(finding.verdict);
-}
-
-bool IsByReferee(const Finding& finding) {
-  return finding.reference == "referee";
-}
-
-/** Returns whether an answer that is right for a question is right, to a few roundings,
- for one that is moved by roundings. Separations, excess and overlaps at points change no
- more than the bodies move. A patch jumps where faces become flush. So may an answer that
- is compared with another: at a tie, two normals are equally right. */
-bool IsStable(const Finding& finding) {
+/** Returns whether the measured length changes no faster than the bodies move. The patch
+ jumps where faces become flush, and with it the contacts that it needs. */
+bool IsContinuous(const Finding& finding) {
   const bool has_length =
       finding.measure == MeasureKind::kTouching || UnitOf(finding.measure) == "m";
-  return IsByReferee(finding) && has_length &&
-         finding.measure != MeasureKind::kContactOffPatch;
-}
-
-/** Returns the measures of a neighbour's answer that decide whether rounding explains the
- failures that have no cause yet; empty: all of them, since an answer that is compared
- with another must not fail at all. */
-std::vector<MeasureKind> WantedFor(std::span<const Finding> findings) {
-  std::vector<MeasureKind> wanted;
-  for (const Finding& finding : findings) {
-    if (!IsProvedWrong(finding) || finding.cause != Cause::kNone) continue;
-    if (!IsByReferee(finding)) return {};
-    wanted.push_back(finding.measure);
-  }
-  return wanted;
+  return has_length && finding.measure != MeasureKind::kContactOffPatch;
 }
 
 Body Rounded(Body body) {
@@ -124,78 +90,39 @@ std::vector<ContactQuery> NeighboursOf(const ContactQuery& query, double u) {
   return neighbours;
 }
 
-std::vector<JudgedNeighbour> Judged(const Scenario& scenario, const OracleInfo& oracle,
-                                    std::span<const ContactQuery> queries,
-                                    std::span<const ContactTruth> truths,
-                                    std::span<const ContactAnswer> answers,
-                                    std::span<const Finding> findings) {
-  const std::vector<MeasureKind> wanted = WantedFor(findings);
-  std::vector<JudgedNeighbour> judged;
-  Scenario moved = scenario;
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    if (answers[i].status != AnswerStatus::kAnswered) continue;
-    moved.contact = queries[i];
-    judged.push_back(
-        {truths[i], answers[i],
-         JudgeAnswer(moved, truths[i], oracle, answers[i], Reasons::kNone, wanted)});
-  }
-  return judged;
+bool RoundingMayExplain(const Finding& finding, const ContactQuery& query,
+                        const ContactTruth& truth, double u) {
+  if (!IsProvedWrong(finding) || finding.cause != Cause::kNone) return false;
+  if (finding.reference != "referee") return false;
+  // Shifted by kAway roundings, or turned by as many about its own origin.
+  const double farthest = 2 * kAway * u * SceneSize(query);
+  return !IsContinuous(finding) || Outside(0, truth.separation) <= farthest;
 }
 
-std::optional<Explanation> ExplanationByRounding(
-    const Finding& finding, const ContactQuery& query, const ContactTruth& truth,
-    const ContactAnswer& answer, std::span<const JudgedNeighbour> neighbours, double u) {
-  const bool by_referee = IsByReferee(finding);
-  double error = std::numeric_limits<double>::infinity();
-  if (finding.measure == MeasureKind::kTouching) {
-    error = Outside(0, truth.separation);
-  } else if (UnitOf(finding.measure) == "m") {
-    error = finding.value;
+void ExplainByRounding(const Scenario& scenario, const OracleInfo& oracle,
+                       const ContactAnswer& answer,
+                       std::span<const ContactQuery> neighbours,
+                       std::span<const ContactTruth> truths,
+                       std::span<Finding> findings) {
+  Scenario moved = scenario;
+  for (std::size_t i = 0; i < neighbours.size(); ++i) {
+    moved.contact = neighbours[i];
+    const std::vector<Finding> there =
+        JudgeAnswer(moved, truths[i], oracle, answer, Reasons::kNone);
+    if (std::ranges::any_of(there, &IsProvedWrong)) continue;
+    for (Finding& finding : findings) {
+      if (!IsProvedWrong(finding) || finding.cause != Cause::kNone) continue;
+      const bool passes = std::ranges::any_of(there, [&](const Finding& other) {
+        return other.measure == finding.measure && other.verdict == Verdict::kPass;
+      });
+      if (!passes) continue;
+      finding.cause = Cause::kPrecision;
+      finding.cause_because = fmt::format(
+          "the answer is right for an input that differs by {:.0f} roundings "
+          "of 2^{:.0f}",
+          kAway, std::log2(oracle.unit_roundoff));
+    }
   }
-  // An error without a size, in a scene that is exactly flush, has no rounding to
-  // explain.
-  if (!(error > 0)) return std::nullopt;
-  const auto is_pass = [&](const Finding& other) {
-    return other.measure == finding.measure && other.verdict == Verdict::kPass;
-  };
-  double truth_moves = 0;
-  double answer_moves = 0;
-  bool is_right_nearby = false;
-  for (const JudgedNeighbour& neighbour : neighbours) {
-    truth_moves =
-        std::max(truth_moves, GapOf(truth.separation, neighbour.truth.separation));
-    const std::vector<Finding>& findings = neighbour.findings;
-    is_right_nearby = is_right_nearby || std::ranges::any_of(findings, is_pass);
-    if (std::none_of(findings.begin(), findings.end(), HasFailed))
-      answer_moves = std::max(
-          answer_moves, AnswerChange(query, truth, answer, neighbour.answer).Largest());
-  }
-  const std::string roundings =
-      fmt::format("{:.0f} roundings of 2^{:.0f}", kAway, std::log2(u));
-  if (truth_moves >= kExplains * error) {
-    return Explanation{
-        Cause::kPrecision,
-        fmt::format("{} on the input move the truth by {:.3g} m", roundings, truth_moves),
-        true};
-  }
-  const bool moves = by_referee ? is_right_nearby : answer_moves >= kExplains * error;
-  if (!moves) return std::nullopt;
-  const double share = error / SmallerExtent(query);
-  if (IsStable(finding) && GradeOfShare(share) == Grade::kGross) {
-    return Explanation{
-        Cause::kDefect,
-        fmt::format("{} on its input make its answer right, but move the truth by {:.3g} "
-                    "m only: rounding decides that it errs, not that it errs by {:.3g} m",
-                    roundings, truth_moves, error)};
-  }
-  if (by_referee) {
-    return Explanation{Cause::kPrecision,
-                       fmt::format("{} on its input make its answer right", roundings)};
-  }
-  return Explanation{
-      Cause::kPrecision,
-      fmt::format("{} on its input move its answer by {:.3g} m, to a right one",
-                  roundings, answer_moves)};
 }
 
 }  // namespace touchstone

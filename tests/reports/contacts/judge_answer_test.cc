@@ -73,32 +73,6 @@ TEST(Judge, AppliesEveryMeasureToATouchingManifold) {
 }
 
 // The patch needs the normal and the points to be judged, which it is not asked for.
-TEST(Judge, JudgesAWantedMeasureAsIfAllWereWanted) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  const FakeOracle oracle("mine");
-  Scenario scenario;
-  scenario.id = "contact/specimen";
-  scenario.contact = s.query;
-  std::vector<ContactAnswer> answers(6, s.right);
-  *answers[1].separation *= 1.5;
-  answers[2].points.pop_back();
-  answers[3].points[0].p_WC += 0.01 * *s.right.n_AB_W;
-  answers[4].points[0].p_WC += 0.3 * s.right.n_AB_W->unitOrthogonal();
-  answers[5].n_AB_W =
-      (*s.right.n_AB_W + 0.1 * s.right.n_AB_W->unitOrthogonal()).normalized();
-  for (const ContactAnswer& answer : answers) {
-    for (const Finding& whole : Judged(s.query, answer)) {
-      const Finding alone =
-          Of(whole.measure,
-             JudgeAnswer(scenario, ComputeContactTruth(s.query), oracle.info(), answer,
-                         Reasons::kOfAll, std::span(&whole.measure, 1)));
-      EXPECT_EQ(alone.verdict, whole.verdict) << NameOf(whole.measure);
-      EXPECT_EQ(alone.value, whole.value) << NameOf(whole.measure);
-      EXPECT_EQ(alone.tolerance, whole.tolerance) << NameOf(whole.measure);
-    }
-  }
-}
-
 TEST(Judge, ProvesAMissedContactByAPointInsideBoth) {
   Specimen s = BoxOnBoxFace(kDepth);
   s.right.touching = false;

@@ -165,145 +165,70 @@ Finding Failure(MeasureKind measure, double value) {
   return finding;
 }
 
-/** Returns what rounding says about the failure `measure`, by `error`, of an answer to a
- specimen, if its neighbours are answered by `neighbours` and have the truth of the
- specimen moved by `truth_moves`. [m] */
-std::optional<Explanation> ByRounding(const Specimen& s, const ContactAnswer& answer,
-                                      MeasureKind measure, std::string reference,
-                                      const std::vector<ContactAnswer>& neighbours,
-                                      double truth_moves = 0, double error = 3e-4) {
-  const FakeOracle oracle("mine");
-  Scenario scenario;
-  scenario.id = "contact/specimen";
-  scenario.contact = s.query;
-  ContactTruth moved = s.truth;
-  moved.separation.lo += truth_moves;
-  moved.separation.hi += truth_moves;
-  const std::vector<ContactQuery> queries(neighbours.size(), s.query);
-  const std::vector<ContactTruth> truths(neighbours.size(), moved);
-  Finding finding = Failure(measure, error);
+bool MayBeRounding(MeasureKind measure, std::string reference, double depth,
+                   Cause cause = Cause::kNone) {
+  const Specimen s = BoxOnBoxFace(depth);
+  Finding finding = Failure(measure, 3e-4);
   finding.reference = std::move(reference);
-  return ExplanationByRounding(finding, s.query, s.truth, answer,
-                               Judged(scenario, oracle.info(), queries, truths,
-                                      neighbours, std::span(&finding, 1)),
-                               0x1p-53);
+  finding.cause = cause;
+  return RoundingMayExplain(finding, s.query, s.truth, 0x1p-53);
 }
 
-/** As ByRounding(), but returns only why the cause is `precision`. */
-std::optional<std::string> Precision(const Specimen& s, const ContactAnswer& answer,
-                                     MeasureKind measure, std::string reference,
-                                     const std::vector<ContactAnswer>& neighbours,
-                                     double truth_moves = 0) {
-  const auto why =
-      ByRounding(s, answer, measure, std::move(reference), neighbours, truth_moves);
-  if (!why || why->cause != Cause::kPrecision) return std::nullopt;
-  return why->because;
-}
-
-TEST(Precision, ExplainsAnErrorIfANeighbourIsAnsweredRightly) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  ContactAnswer wrong = s.right;
-  *wrong.separation -= 3e-4;
-  const auto why =
-      Precision(s, wrong, MeasureKind::kSeparationError, "referee", {wrong, s.right});
-  EXPECT_THAT(why.value(),
-              HasSubstr("4 roundings of 2^-53 on its input make its answer right"));
-}
-
-TEST(Precision, DoesNotExplainAnErrorThatStaysOrOneThatMovesToAnother) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  ContactAnswer wrong = s.right;
-  *wrong.separation -= 3e-4;
-  ContactAnswer as_wrong = s.right;
-  *as_wrong.separation += 3e-4;
-  for (const ContactAnswer& neighbour : {wrong, as_wrong}) {
-    EXPECT_EQ(Precision(s, wrong, MeasureKind::kSeparationError, "referee", {neighbour}),
-              std::nullopt);
+TEST(Precision, IsNoExcuseForALengthUnlessTheBodiesTouch) {
+  for (const MeasureKind measure :
+       {MeasureKind::kSeparationError, MeasureKind::kTouching, MeasureKind::kExcess}) {
+    EXPECT_FALSE(MayBeRounding(measure, "referee", kDepth));
+    EXPECT_FALSE(MayBeRounding(measure, "referee", -kDepth));
+    EXPECT_TRUE(MayBeRounding(measure, "referee", 1e-16));
   }
 }
 
-TEST(Precision, ExplainsAnErrorIfRoundingMovesTheTruthAsFar) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  ContactAnswer wrong = s.right;
-  *wrong.separation -= 3e-4;
-  const auto why =
-      Precision(s, wrong, MeasureKind::kSeparationError, "referee", {wrong}, 2e-4);
-  EXPECT_THAT(why.value(), HasSubstr("move the truth by 0.0002 m"));
-  EXPECT_EQ(Precision(s, wrong, MeasureKind::kSeparationError, "referee", {wrong}, 1e-4),
-            std::nullopt);
+TEST(Precision, MayExplainWhatJumpsWithThePatch) {
+  EXPECT_TRUE(MayBeRounding(MeasureKind::kContactOffPatch, "referee", kDepth));
+  EXPECT_TRUE(MayBeRounding(MeasureKind::kContactCount, "referee", kDepth));
+  EXPECT_FALSE(
+      MayBeRounding(MeasureKind::kContactCount, "referee", kDepth, Cause::kConvention));
 }
 
-TEST(Precision, IsNoExcuseForAGrossErrorAtATie) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  const double gross = 0.2 * SmallerExtent(s.query);
-  ContactAnswer wrong = s.right;
-  *wrong.separation -= gross;
-  const auto why = ByRounding(s, wrong, MeasureKind::kSeparationError, "referee",
-                              {wrong, s.right}, 0, gross);
-  EXPECT_EQ(why.value().cause, Cause::kDefect);
-  EXPECT_THAT(why->because, HasSubstr("not that it errs by"));
-  // Unless the truth itself is as uncertain.
-  EXPECT_EQ(ByRounding(s, wrong, MeasureKind::kSeparationError, "referee",
-                       {wrong, s.right}, 0.6 * gross, gross)
-                .value()
-                .cause,
-            Cause::kPrecision);
-  // The patch of flush faces jumps at a rounding, so an answer may, too.
-  EXPECT_EQ(ByRounding(s, wrong, MeasureKind::kContactOffPatch, "referee",
-                       {wrong, s.right}, 0, gross)
-                .value()
-                .cause,
-            Cause::kPrecision);
-  // At a tie another answer may be as right, so a comparison proves nothing gross.
-  EXPECT_EQ(
-      ByRounding(s, wrong, MeasureKind::kSwap, "", {s.right}, 0, gross).value().cause,
-      Cause::kPrecision);
+TEST(Precision, ExplainsNoDifferenceOfTwoAnswers) {
+  EXPECT_FALSE(MayBeRounding(MeasureKind::kSwap, "", 1e-16));
 }
 
-TEST(Precision, IsNoExcuseForAMissOfADeepOverlap) {
-  const Specimen s = BoxOnBoxFace(0.4);
-  ContactAnswer missed = s.right;
-  missed.touching = false;
-  ASSERT_GT(-s.truth.separation.hi, 0.1 * SmallerExtent(s.query));
-  EXPECT_EQ(
-      ByRounding(s, missed, MeasureKind::kTouching, "referee", {s.right}).value().cause,
-      Cause::kDefect);
+/** Returns the question how two cubes of 2 m overlap: by 0.1 m along x, and by `overlap`
+ along y. [m] */
+ContactQuery CubesOnOneAnother(double overlap) {
+  const Shape cube = Box{Eigen::Vector3d::Ones()};
+  const Eigen::Vector3d p_WB(1.9, 2 - overlap, 0);
+  return {{cube, Pose{}}, {cube, Pose::FromMatrix(p_WB, Eigen::Matrix3d::Identity())}};
 }
 
-TEST(Precision, ExplainsATouchingVerdictThatBecomesRight) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  ContactAnswer missed = s.right;
-  missed.touching = false;
-  EXPECT_NE(Precision(s, missed, MeasureKind::kTouching, "referee", {s.right}),
-            std::nullopt);
-  EXPECT_EQ(Precision(s, missed, MeasureKind::kTouching, "referee", {missed}),
-            std::nullopt);
+/** Returns the causes of all failures of the answer that is right where the cubes overlap
+ by 0.0999 m along y, if they overlap by 0.1003 m and a neighbour by `overlap`. */
+std::vector<Cause> CausesNear(double overlap) {
+  FakeOracle oracle("mine");
+  oracle.ForEachPair([](Capability& capability) { capability.manifold = false; });
+  ContactAnswer answer = RightAnswer(CubesOnOneAnother(0.0999));
+  answer.points.clear();
+  Scenario scenario;
+  scenario.id = "contact/cubes";
+  scenario.contact = CubesOnOneAnother(0.1003);
+  std::vector<Finding> findings =
+      JudgeAnswer(scenario, ComputeContactTruth(scenario.contact), oracle.info(), answer);
+  const ContactQuery neighbour = CubesOnOneAnother(overlap);
+  const ContactTruth truth = ComputeContactTruth(neighbour);
+  ExplainByRounding(scenario, oracle.info(), answer, std::span(&neighbour, 1),
+                    std::span(&truth, 1), findings);
+  std::vector<Cause> causes;
+  for (const Finding& finding : findings)
+    if (IsProvedWrong(finding)) causes.push_back(finding.cause);
+  return causes;
 }
 
-TEST(Precision, ExplainsAVariantIfTheAnswerMovesAsFarToARightOne) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  ContactAnswer off = s.right;
-  *off.separation -= 3e-4;
-  EXPECT_THAT(Precision(s, off, MeasureKind::kSwap, "", {s.right}).value(),
-              HasSubstr("move its answer by 0.0003 m, to a right one"));
-  EXPECT_EQ(Precision(s, s.right, MeasureKind::kSwap, "", {off}), std::nullopt);
-}
-
-TEST(Precision, LearnsNothingFromNeighboursWithoutAUsableAnswer) {
-  const Specimen s = BoxOnBoxFace(kDepth);
-  ContactAnswer wrong = s.right;
-  *wrong.separation -= 3e-4;
-  ContactAnswer broken = s.right;
-  broken.n_AB_W->setZero();
-  ContactAnswer crashed;
-  crashed.status = AnswerStatus::kCrashed;
-  ContactAnswer nan = s.right;
-  nan.separation = NAN;
-  for (const std::string reference : {"referee", ""}) {
-    EXPECT_EQ(Precision(s, wrong, MeasureKind::kSeparationError, reference,
-                        {broken, crashed, nan}),
-              std::nullopt);
-  }
+TEST(Precision, IsTheCauseIfTheWholeAnswerIsRightForANeighbour) {
+  EXPECT_THAT(CausesNear(0.0999), testing::AllOf(testing::Not(testing::IsEmpty()),
+                                                 testing::Each(Cause::kPrecision)));
+  EXPECT_THAT(CausesNear(0.1), testing::AllOf(testing::Not(testing::IsEmpty()),
+                                              testing::Each(Cause::kNone)));
 }
 
 /** Returns the causes found for separations of shapes of different sizes that are off by
