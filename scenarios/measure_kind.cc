@@ -74,6 +74,10 @@ std::string_view NameOf(MeasureKind measure) {
   return NamesOf(measure).name;
 }
 
+bool CountsContacts(MeasureKind measure) {
+  return measure == MeasureKind::kContactCount || measure == MeasureKind::kPatchCoverage;
+}
+
 std::string_view UnitOf(MeasureKind measure) {
   return NamesOf(measure).unit;
 }

@@ -69,6 +69,9 @@ inline constexpr int kMeasureKinds = static_cast<int>(MeasureKind::kMassScaling)
 std::string_view NameOf(MeasureKind measure);
 /** Returns the unit, e.g. "m", "rad"; "" for a dimensionless measure. */
 std::string_view UnitOf(MeasureKind measure);
+/** Returns whether the measure is a number of contacts or the part of a patch that they
+ leave out. Such a fault has no size that compares with a length. */
+bool CountsContacts(MeasureKind measure);
 /** Returns the measure with that name; empty if there is none. */
 std::optional<MeasureKind> MeasureNamed(std::string_view name);
 /** Returns every measure, in the order of the enumeration. */

@@ -124,6 +124,8 @@ void Sum(const RunReport& report, const Clusters& all,
     cluster.responsible = entry->responsible;
   } else if (finding.cause == Cause::kModel) {
     cluster.responsible = Responsible::kModel;
+  } else if (finding.cause == Cause::kSetting) {
+    cluster.responsible = Responsible::kAdapter;
   }
   cluster.share = all.shares[cluster.worst];
   const bool is_touch = finding.measure == MeasureKind::kTouching;
@@ -210,10 +212,7 @@ Band BandOf(const Finding& finding, std::span<const LedgerEntry> entries, double
     default:
       return Band::kNone;
   }
-  const bool has_no_size = finding.measure == MeasureKind::kContactCount ||
-                           finding.measure == MeasureKind::kPatchCoverage;
-  const auto band = static_cast<Band>(finding.grade);
-  return has_no_size ? std::min(band, Band::kLarge) : band;
+  return static_cast<Band>(finding.grade);
 }
 
 Clusters ClustersOf(const RunReport& report) {

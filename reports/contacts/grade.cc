@@ -1,5 +1,7 @@
 #include "reports/contacts/grade.h"
 
+#include <algorithm>
+
 #include "reports/contacts/body_size.h"
 #include "reports/finding/grade.h"
 #include "reports/measures/outside.h"
@@ -18,6 +20,7 @@ double ShareOf(const Finding& finding, const ContactQuery& query,
 Grade GradeOf(const Finding& finding, const ContactQuery& query,
               const ContactTruth& truth) {
   const Grade grade = GradeOfShare(ShareOf(finding, query, truth));
+  if (CountsContacts(finding.measure)) return std::min(grade, Grade::kLarge);
   return finding.measure == MeasureKind::kTouching && grade != Grade::kRounding
              ? Grade::kWrongTouch
              : grade;

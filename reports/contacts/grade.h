@@ -13,7 +13,8 @@ double ShareOf(const Finding& finding, const ContactQuery& query,
                const ContactTruth& truth);
 
 /** Returns the grade of a fault in the answer to `query`, by its share. A wrong hit or
- miss beyond rounding has a grade of its own. A missing or repeated contact is gross. */
+ miss beyond rounding has a grade of its own. A fault without a size, such as a missing or
+ repeated contact, is kLarge at most. */
 Grade GradeOf(const Finding& finding, const ContactQuery& query,
               const ContactTruth& truth);
 

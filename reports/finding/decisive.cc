@@ -39,11 +39,14 @@ int Gravity(const Finding& finding) {
 }
 
 /** Returns whether `finding` shows a graver fault than `than`, or a reason that leaves
- more open, or else is a simpler or stronger proof of the same. Measures are enumerated
+ more open, or else is a simpler or stronger proof of the same. What has a size comes
+ before a number of contacts, whatever the grades. Measures are enumerated
  from simple to complex: a separating plane, a number that the truth contradicts, then
  metamorphic variants. For the same measure, the finding farther beyond its tolerance is
  better. */
 bool IsBetterProof(const Finding& finding, const Finding& than) {
+  if (CountsContacts(finding.measure) != CountsContacts(than.measure))
+    return CountsContacts(than.measure);
   if (finding.grade != than.grade) return finding.grade > than.grade;
   if (finding.verdict == Verdict::kUndecidable && finding.undecided != than.undecided)
     return finding.undecided > than.undecided;

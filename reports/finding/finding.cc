@@ -80,9 +80,9 @@ std::string_view NameOf(Shipped shipped) {
 }
 
 std::string_view NameOf(Cause cause) {
-  constexpr std::array<std::string_view, 8> kNames = {
-      "",      "convention", "tie",         "precision", "discretisation",
-      "model", "defect",     "not examined"};
+  constexpr std::array<std::string_view, 9> kNames = {
+      "",      "convention", "tie",    "precision",   "discretisation",
+      "model", "setting",    "defect", "not examined"};
   return kNames[static_cast<std::size_t>(cause)];
 }
 

@@ -51,11 +51,12 @@ enum class Cause {
   kNone,        ///< The answer does not differ, or its cause is unknown.
   kConvention,  ///< Converting from a known convention brings it to the truth.
   kTie,         ///< Several answers are equally right.
-  kPrecision,   ///< The engine's arithmetic: rounding the input at the engine's precision
-                ///< moves the truth, or its answer, as much as the error.
+  kPrecision,  ///< The engine's arithmetic: the answer is right for an input that differs
+               ///< by roundings.
   kDiscretisation,  ///< The time step: the error vanishes with dt.
-  kModel,   ///< A documented model (rounded corners, a margin) solves another problem.
-  kDefect,  ///< None of these.
+  kModel,    ///< A documented model (rounded corners, a margin) solves another problem.
+  kSetting,  ///< A setting that the adapter chose: as the engine ships, it passes.
+  kDefect,   ///< None of these.
   kNotExamined,  ///< It was not sought: a sweep examines few of many similar failures.
 };
 

@@ -26,7 +26,8 @@ constexpr std::array kVerdicts = {Verdict::kFail, Verdict::kDisagree, Verdict::k
                                   Verdict::kCrashed, Verdict::kTimedOut};
 
 constexpr std::array kCauses = {Cause::kConvention,     Cause::kTie,   Cause::kPrecision,
-                                Cause::kDiscretisation, Cause::kModel, Cause::kDefect};
+                                Cause::kDiscretisation, Cause::kModel, Cause::kSetting,
+                                Cause::kDefect};
 
 constexpr std::array kResponsible = {Responsible::kEngine, Responsible::kAdapter,
                                      Responsible::kModel};

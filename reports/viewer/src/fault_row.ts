@@ -15,9 +15,10 @@ import { marker } from "./engines";
 export const causeTexts: Record<string, { name: string; meaning: string }> = {
   convention: { name: "a convention", meaning: "Converted from another known convention, the answer is right." },
   tie: { name: "a tie", meaning: "Several answers are equally right, and a rounding decides between them." },
-  precision: { name: "rounding", meaning: "The arithmetic of the engine: a rounding of the input moves the answer as much." },
+  precision: { name: "rounding", meaning: "The arithmetic of the engine: the answer is right for an input that differs by roundings." },
   discretisation: { name: "the time step", meaning: "The error vanishes as the time step gets smaller." },
   model: { name: "its model", meaning: "The engine solves another problem on purpose: rounded corners, a margin, another law." },
+  setting: { name: "our setting", meaning: "A setting that the adapter of this repository chooses. As the engine ships, it is right." },
   defect: { name: "a defect", meaning: "No convention, tie, rounding, time step or model accounts for it." },
 };
 

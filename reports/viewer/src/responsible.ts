@@ -12,11 +12,13 @@ export const responsibleTexts: Record<Responsible, { name: string; meaning: stri
 
 export const responsibleOf = (cluster: Cluster): Responsible => cluster.responsible ?? "engine";
 
-/** The party that is responsible for one finding: the one that its entry of the ledger names, or a model that was recognised. */
+/** The party that is responsible for one finding: the one that its entry of the ledger names, or what its cause shows. */
 export function responsibleFor({ report: { clusters, findings: f, ledger, names } }: Run, finding: number): Responsible {
   const entry = ledger[f.ledger[finding] >= 0 ? f.ledger[finding] : f.outgrown?.[finding] ?? -1];
   const who = entry?.responsible ?? clusters[f.cluster[finding]]?.responsible ?? "engine";
-  return who === "engine" && names.cause[f.cause[finding]] === "model" ? "model" : who;
+  if (who !== "engine") return who;
+  const cause = names.cause[f.cause[finding]];
+  return cause === "model" ? "model" : cause === "setting" ? "adapter" : who;
 }
 
 /** The cause of a finding, as the page tells it: one verdict. Where the ledger names who is responsible, that is the verdict. A cause that follows from

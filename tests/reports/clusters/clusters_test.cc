@@ -143,7 +143,7 @@ TEST(ClustersOf, StatesTheLargestErrorAlsoNextToAWrongHit) {
   missed.grade = Grade::kWrongTouch;
   Finding count = Known(Fault("b", "ode", 3), 0);
   count.measure = MeasureKind::kContactCount;
-  count.grade = Grade::kGross;
+  count.grade = Grade::kLarge;
   report.findings = {missed, Known(Fault("b", "ode", 1), 0), count};
   const Clusters clusters = ClustersOf(report);
   ASSERT_EQ(clusters.ranked.size(), 1U);
@@ -211,7 +211,7 @@ TEST(ClustersOf, RanksACountOfContactsBelowAnEqualLength) {
   RunReport report = Report();
   Finding count = Fault("a", "ode", 3);
   count.measure = MeasureKind::kContactCount;
-  count.grade = Grade::kGross;
+  count.grade = Grade::kLarge;
   report.findings = {count, Fault("a", "bullet", 1)};
   const Clusters clusters = ClustersOf(report);
   ASSERT_EQ(clusters.ranked.size(), 2U);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "oracles/stated_tolerance.h"
+#include "reports/finding/decisive.h"
 #include "reports/referee/referee.h"
 #include "tests/reports/fake_oracle.h"
 #include "tests/reports/specimens.h"
@@ -189,6 +190,20 @@ TEST(Judge, FindsMissingAndRepeatedContacts) {
   s.right.points.push_back(s.right.points[1]);
   EXPECT_THAT(Failed(Judged(s.query, s.right)),
               testing::ElementsAre(MeasureKind::kContactCount));
+}
+
+// Half a depth weighs more than five contacts too many.
+TEST(Judge, LetsALengthDecideBeforeANumberOfContacts) {
+  Specimen s = BoxOnBoxFace(kDepth);
+  for (int i = 0; i < 5; ++i) s.right.points.push_back(s.right.points[1]);
+  for (ContactPoint& contact : s.right.points) contact.separation /= 2;
+  *s.right.separation /= 2;
+  const std::vector<Finding> findings = Judged(s.query, s.right);
+  const Finding count = Of(MeasureKind::kContactCount, findings);
+  EXPECT_EQ(count.verdict, Verdict::kFail);
+  EXPECT_EQ(count.value, 5);
+  EXPECT_EQ(count.grade, Grade::kLarge);
+  EXPECT_EQ(DecisiveOf(findings)->measure, MeasureKind::kSeparationError);
 }
 
 // The proof names a point that the contacts leave out and both bodies reach.

@@ -158,7 +158,7 @@ TEST(ReadLedger, ListsTheValidMeasuresVerdictsAndCauses) {
   EXPECT_THAT(
       Complaints(With("\"defect\"", "\"bug\"")),
       ElementsAre("ledger.toml:7:9: cause is \"bug\"; expected one of convention, tie, "
-                  "precision, discretisation, model, defect"));
+                  "precision, discretisation, model, setting, defect"));
 }
 
 TEST(ReadLedger, SaysWhoWritesBounds) {

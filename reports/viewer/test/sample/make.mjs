@@ -47,7 +47,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   }));
   const names = {
     verdict: ["pass", "fail", "disagree", "known", "undecidable", "unsupported", "crashed", "timed out", "invalid"], undecided: ["", "truth unknown"],
-    grade: ["", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong hit or miss"], cause: ["", "convention", "tie", "precision", "discretisation", "model", "defect"],
+    grade: ["", "rounding", "over 1e-6", "over 0.001", "over 10 %", "wrong hit or miss"], cause: ["", "convention", "tie", "precision", "discretisation", "model", "setting", "defect"],
     shipped: ["", "both as set here and as shipped", "as set here only", "as shipped only"], proof: proofKinds, claim: ["", "touching", "apart"],
     measure: [{ name: "separation_error", unit: "m", kind: "length" }, { name: "excess", unit: "m", kind: "length" }, { name: "touching", unit: "", kind: "count" }, { name: "position_error", unit: "m", kind: "length" }, { name: "energy_drift", unit: "J", kind: "other" }, { name: "answering", unit: "", kind: "count" }, { name: "stability", unit: "m", kind: "length" }],
   };
@@ -126,7 +126,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
   const clusters = kept.map(({ c, i }) => ({
     title: i === 5 ? hostile[0] : `Case ${i} prefers an axis unless another is ${i + 1} % shallower.`,
     extent: `${[...c.oracles].map((o) => oracles[o].name).join(", ")}, in ${c.questions.size} scenarios, at worst ${(c.share * 80).toPrecision(2)} cm, ${(c.share * 100).toPrecision(2)} % of the smaller body.`,
-    reason: reasons[i], upstream: ledger[i].upstream, is_new: i % 4 === 3, grade: c.share > 0.1 ? 4 : c.share > 1e-3 ? 3 : c.share > 1e-6 ? 2 : 1, cause: 6, oracles: [...c.oracles], questions: [...c.questions].sort((a, b) => (a === f.question[c.worst] ? -1 : b === f.question[c.worst] ? 1 : a - b)),
+    reason: reasons[i], upstream: ledger[i].upstream, is_new: i % 4 === 3, grade: c.share > 0.1 ? 4 : c.share > 1e-3 ? 3 : c.share > 1e-6 ? 2 : 1, cause: 7, oracles: [...c.oracles], questions: [...c.questions].sort((a, b) => (a === f.question[c.worst] ? -1 : b === f.question[c.worst] ? 1 : a - b)),
     worst: c.worst, error: f.value[c.worst] === "inf" ? 1 : f.value[c.worst], unit: "m", share: c.share, ordinary: 0.5,
   }));
   const report = {

@@ -64,13 +64,14 @@ describe("a clause of a proof", () => {
 describe("the cause of a finding", () => {
   const run = (responsible: string | undefined, cause: number): Run => ({
     text: () => "it stays at smaller steps",
-    report: { clusters: [], ledger: [{ responsible }], names: { cause: ["", "model", "defect"] }, findings: { ledger: [0], cluster: [-1], cause: [cause], cause_because: [0] } },
+    report: { clusters: [], ledger: [{ responsible }], names: { cause: ["", "model", "defect", "setting"] }, findings: { ledger: [0], cluster: [-1], cause: [cause], cause_because: [0] } },
   } as unknown as Run);
   it("is one verdict: what the ledger says, and what was measured apart from it", () => {
     expect(causeOf(run("model", 2), 0)).toMatchObject({ verdict: "documented model", measured: "it stays at smaller steps" });
     expect(causeOf(run("adapter", 2), 0).verdict).toBe("our setting");
     expect(causeOf(run("engine", 2), 0)).toMatchObject({ verdict: "defect", meaning: "" });
     expect(causeOf(run("engine", 1), 0).verdict).toBe("documented model");
+    expect(causeOf(run("engine", 3), 0).verdict).toBe("our setting");
   });
 });
 
