@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "reports/finding/decisive.h"
+
 namespace touchstone {
 
 void State(Proof proof, Finding& finding) {
@@ -38,10 +40,11 @@ bool IsVerified(std::span<const Finding> of_one_answer) {
   };
   const bool has_unverified =
       std::any_of(of_one_answer.begin(), of_one_answer.end(), is_unverified);
+  const Finding* decisive = DecisiveOf(of_one_answer);
+  if (decisive != nullptr && decisive->verdict == Verdict::kUndecidable) return false;
   return std::any_of(
       of_one_answer.begin(), of_one_answer.end(), [&](const Finding& finding) {
         return finding.measure != MeasureKind::kAnswering && !is_unverified(finding) &&
-               finding.verdict != Verdict::kUndecidable &&
                !(has_unverified && finding.reference.empty());
       });
 }

@@ -141,7 +141,7 @@ inline bool IsProvedWrong(const Finding& finding) {
 /** Returns whether the findings of one answer compare it with anything: the referee, a
  law, another engine; or its own variants, provided that no claim is left unverified. The
  mere existence of an answer proves nothing, and a body that never moves passes every
- change of frame. */
+ change of frame. An undecidable answer is not verified, whatever else of it passes. */
 bool IsVerified(std::span<const Finding> of_one_answer);
 
 /** Returns the legal model that a motion follows instead of the truth's, e.g.

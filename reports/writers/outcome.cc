@@ -211,7 +211,7 @@ std::string WhyNotExamined(const RunReport& report, std::span<const Outcome> out
     if (outcome.oracle != 0) continue;
     std::string_view reason = ReasonOf(report, outcome);
     if (reason.ends_with('.')) reason.remove_suffix(1);
-    reasons.insert(fmt::format("{}{}{}", NameOf(outcome.verdict),
+    reasons.insert(fmt::format("{}{}{}", VerdictInWords(outcome),
                                reason.empty() ? "" : ": ", reason));
   }
   return fmt::format("{} was not examined: {}", report.subject, fmt::join(reasons, "; "));

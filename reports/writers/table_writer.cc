@@ -320,6 +320,11 @@ void WriteUnsupported(const RunReport& report, std::span<const Outcome> outcomes
   WriteCounted(report, paint, "Unsupported", "", reasons, out);
 }
 
+bool IsTooCoarse(const Outcome& outcome) {
+  return outcome.verdict == Verdict::kUndecidable && outcome.decisive != nullptr &&
+         outcome.decisive->undecided == Undecided::kCoarse;
+}
+
 void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
                  const TableStyle& style, const Painter& paint, std::ostream& out) {
   VerdictCounts counts;
@@ -337,6 +342,12 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
   }
   out << fmt::format("\n{} × {}: {}\n", Counted(QuestionCount(report), "scenario"),
                      Counted(report.oracles.size(), "oracle"), list);
+  const std::size_t contacts = report.scenarios.size();
+  if (std::ranges::any_of(outcomes, [&](const Outcome& outcome) {
+        return outcome.scenario >= contacts && IsTooCoarse(outcome);
+      }))
+    out << "tolerance too coarse: at the step of the world a law must allow more than "
+           "1 % of the size; a smaller dt allows less\n";
   const int code = ExitCode(report, style.fail_on);
   out << paint(code == 0 ? Colour::kGood : Colour::kBad,
                ConclusionOf(report, outcomes, style.fail_on))

@@ -114,7 +114,7 @@ function verified(run: Run): HTMLElement {
   const of = `${counted(allAnswers, "answer")} to ${counted(report.questions.length, "question")}`;
   const sentence = passed === 0 ? "No answer could be measured, so nothing was verified."
     : undecidable === 0 ? `Verified: ${measurements === 1 ? "the only measurement" : `all ${counted(measurements, "measurement")}`} of ${of} ${measurements === 1 ? "is" : "are"} right to within the derived tolerance.`
-      : `Verified: ${passed.toLocaleString("en")} of ${counted(measurements, "measurement")} of ${of} are right to within the derived tolerance. ${undecidable === 1 ? "One is" : `${undecidable.toLocaleString("en")} are`} undecidable: nobody can prove such an answer right or wrong.`;
+      : `Verified: ${passed.toLocaleString("en")} of ${counted(measurements, "measurement")} of ${of} are right to within the derived tolerance. ${undecidable === 1 ? "One is" : `${undecidable.toLocaleString("en")} are`} undecidable: the truth is not known, or what must be allowed is more than a hundredth of the size.`;
   // Those that leave something open come first.
   const asked = report.questions.map((_, q) => q).sort((a, b) => Number(ofQuestion[b].open.size > 0) - Number(ofQuestion[a].open.size > 0) || a - b).slice(0, firstFaults);
   const anyOpen = asked.some((q) => ofQuestion[q].open.size > 0);
