@@ -14,6 +14,7 @@ namespace touchstone {
 /** The energy of a motion at its samples, and the largest error of a first-order
  scheme. */
 struct EnergyAlong {
+  double dt = 0;  ///< The step h. [s]
   std::vector<Energy> energies;
   double at_start = 0;  ///< Total energy of the start that the world specifies. [J]
   /** The error between any two samples that does not accumulate, indexed by the later.
@@ -27,6 +28,8 @@ struct EnergyAlong {
    rest, the energy of velocities that are roundings of positions (NoiseOfPositions()).
    Moving apart what overlaps at the start does work (WorkOfParting()). */
   std::vector<double> oscillations;
+  /** What is left of that if ½ h dU/dt is known. [J] */
+  std::vector<double> second_orders;
   /** The losses of the gyroscopic term and of rods from the start to each sample
    (law_support/scheme_drift.h), × 1.5. [J] */
   std::vector<double> drifts;
@@ -54,7 +57,8 @@ struct EnergyAlong {
   std::vector<std::array<std::size_t, 2>> WorstEarlier(double sign) const;
 
   /** Returns whether a rise of the energy by `rise` [J] from sample `from` to sample `to`
-   is what such a rule adds; that is nothing if no fall was reversed between them. */
+   is what such a rule adds. Never if no fall was reversed between them, or if what the
+   rule adds is not known to a tenth. */
   bool ReflectsAfterGravity(double rise, std::size_t from, std::size_t to) const;
 };
 

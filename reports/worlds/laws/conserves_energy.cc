@@ -50,6 +50,7 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
   const Subjects subjects = SubjectsOf(world, claim);
   const EnergyAlong along = EnergyAlongOf(motion, subjects);
   Worst worst(MeasureKind::kEnergyDrift, BecauseOfEnergy());
+  bool reflects = true;
   for (const double sign : {1.0, -1.0}) {
     const auto earlier = along.WorstEarlier(sign);
     // The start is that of the world, whatever the law.
@@ -57,19 +58,17 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
       const double E = along.energies[s].total();
       for (const std::size_t from : earlier[s]) {
         const double before = along.Earlier(from);
-        worst.Take(std::abs(E - before), along.Tolerance(from, s), [&] {
+        const double tolerance = along.Tolerance(from, s);
+        worst.Take(std::abs(E - before), tolerance, [&] {
           const ToldApart told = TellApart(E, before, 9);
           return Citing("{} has {} J after {:.6g} s; it had {} J after {:.6g} s",
                         motion.oracle.name, told.a, CitedTime{motion.trajectory.times[s]},
                         told.b, motion.trajectory.times[from]);
         });
+        reflects = reflects && (std::abs(E - before) <= tolerance ||
+                                along.ReflectsAfterGravity(E - before, from, s));
       }
     }
-  }
-  bool reflects = true;
-  for (std::size_t s = 0; s < along.energies.size(); ++s) {
-    reflects = reflects && along.ReflectsAfterGravity(
-                               along.energies[s].total() - along.at_start, 0, s);
   }
   return FindingsOf({worst}, reflects ? kReflectsAfterGravity : "");
 }
