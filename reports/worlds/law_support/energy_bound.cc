@@ -81,6 +81,7 @@ EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
   const double second_order = world.dt * world.dt * SquaredLoadsOf(world, subjects);
   const std::vector<double> gyroscopic = GyroscopicEnergyDrift(motion, allowed, subjects);
   const std::vector<double> rods = RodEnergyDrift(motion, allowed, subjects);
+  const std::vector<double> impacts = ImpactEnergyDrift(motion, allowed, subjects);
   const double overlaps = WorkOfParting(motion, subjects);
   EnergyAlong along;
   along.dt = world.dt;
@@ -106,7 +107,7 @@ EnergyAlong EnergyAlongOf(const Motion& motion, const Subjects& subjects) {
                                   RoundingOf(motion.oracle, StepsBefore(motion, s)) *
                                       size);
     along.oscillations.push_back(kSafety * world.dt * power + along.second_orders.back());
-    along.drifts.push_back(kSafety * (gyroscopic[s] + rods[s]));
+    along.drifts.push_back(kSafety * (gyroscopic[s] + rods[s] + impacts[s]));
     along.most_kinetic.push_back(allowed.KineticEnergy(s));
     along.reflected_gravity.push_back(reflected.energy);
     along.reflected_slack.push_back(reflected.slack);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <variant>
 
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/truth/mechanics.h"
@@ -156,6 +157,34 @@ std::vector<double> RodEnergyDrift(const Motion& motion, const AllowedMotion& al
     });
     return sum;
   });
+}
+
+std::vector<double> ImpactEnergyDrift(const Motion& motion, const AllowedMotion& allowed,
+                                      const Subjects& subjects) {
+  const World& world = motion.world;
+  const std::vector<double>& times = allowed.times();
+  std::vector<double> drift(times.size(), 0);
+  for (std::size_t s = 1; s < times.size(); ++s) {
+    drift[s] = drift[s - 1];
+    for (const int index : subjects.bodies) {
+      const auto i = static_cast<std::size_t>(index);
+      const RigidBody& body = world.bodies[i];
+      if (!body.collides || std::holds_alternative<Sphere>(body.placed.shape)) continue;
+      const double R = BoundingRadius(body.placed.shape);
+      double acceleration = 0;
+      for (const std::size_t k : {s - 1, s}) {
+        const Spin spin = SpinOf(world, allowed.At(k), index);
+        acceleration = std::max(
+            acceleration, R * (spin.w.squaredNorm() +
+                               spin.w.cross(spin.L).cwiseQuotient(spin.inertia).norm()));
+      }
+      const Eigen::Vector3d J_W =
+          body.mass * (allowed.At(s).bodies[i].v_WB - allowed.At(s - 1).bodies[i].v_WB) -
+          (times[s] - times[s - 1]) * (body.mass * world.gravity_W + body.force_W);
+      drift[s] += J_W.norm() * world.dt * acceleration / 2;
+    }
+  }
+  return drift;
 }
 
 std::vector<double> IntegralAlong(const AllowedMotion& allowed,

@@ -46,6 +46,14 @@ std::vector<double> RodMomentumDrift(const Motion& motion, const AllowedMotion& 
 std::vector<double> RodEnergyDrift(const Motion& motion, const AllowedMotion& allowed,
                                    const Subjects& subjects);
 
+/** Returns the drift of energy by impacts of turning bodies. A rule of restitution takes
+ the velocity of the contact point before the step or after its forces; in between the
+ point is accelerated by a = I⁻¹ (ω × L) × r + ω × (ω × r), and the impulse J gives up to
+ ½ J h |a| more or less. With |r| at most the bounding radius, and J the change of
+ momentum beyond the loads. The contact point of a sphere does not turn with it. [J] */
+std::vector<double> ImpactEnergyDrift(const Motion& motion, const AllowedMotion& allowed,
+                                      const Subjects& subjects);
+
 /** Returns ∫ rate dt from the start to each sample of the allowed motion, with the larger
  of the rates at the two ends of an interval. [unit of the rate × s] */
 std::vector<double> IntegralAlong(const AllowedMotion& allowed,
