@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/law_support/impact_gain.h"
+#include "reports/worlds/law_support/scheme_drift.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/truth/impact.h"
 #include "reports/worlds/truth/mechanics.h"
@@ -217,6 +219,103 @@ TEST(ConservesEnergy, DoesNotMistakeAWrongStartForABounceRule) {
     EXPECT_TRUE(Finds(Judge(world, flew, ClaimOf("energy_never_rises")),
                       MeasureKind::kEnergyDrift));
   }
+}
+
+/** Returns a plank of 3 kg that tumbles freely, without gravity. */
+World TumblingPlank() {
+  World world;
+  world.gravity_W.setZero();
+  world.dt = 0.01;
+  world.steps = 400;
+  world.bodies = {BodyOf("plank", Box{{1, 0.2, 0.05}}, 3, {0, 0, 0})};
+  world.bodies[0].w_WB = {3, 4, 1};
+  return world;
+}
+
+// The drift of the gyroscopic term that adds up since the start is no excuse for a jump,
+// and without gravity no rule reflects a velocity after it.
+TEST(ConservesEnergy, RecognisesNoBounceRuleWhereNothingFalls) {
+  const World world = TumblingPlank();
+  const Trajectory stopped = Sampled(world, [&](double t) {
+    const Eigen::Vector3d w_WB = t < 2 ? world.bodies[0].w_WB : Eigen::Vector3d::Zero();
+    return WorldState{{{Eigen::Vector3d::Zero(), Eigen::Quaterniond::Identity(),
+                        Eigen::Vector3d::Zero(), w_WB}},
+                      {},
+                      {}};
+  });
+  EXPECT_TRUE(Finds(Judge(world, stopped, ClaimOf("conserves_energy")),
+                    MeasureKind::kEnergyDrift));
+}
+
+// Reflecting the velocity after gravity adds m g h v. Samples that are a quarter of the
+// flight apart leave open at which speed the ball was reflected, so they show no rule.
+TEST(ConservesEnergy, RecognisesABounceRuleOnlyByWhatItAdds) {
+  World world;
+  world.gravity_W = {0, -10, 0};
+  world.dt = 0.01;
+  world.steps = 80;
+  world.bodies = {BodyOf("ball", Sphere{0.1}, 2, {0, 10, 0})};
+  world.bodies[0].v_WB = {0, -5, 0};
+  const auto bounced = [&](double gains) {
+    return Sampled(world, [&](double t) {
+      BodyState ball{{0, 10, 0}, Eigen::Quaterniond::Identity(), {0, 0, 0}, {0, 0, 0}};
+      const double fall = std::min(t, 0.4);
+      const double impact = 5 + 10 * 0.4;
+      const double after =
+          std::sqrt(impact * impact + gains * 2 * world.dt * 10 * impact);
+      ball.p_WB.y() -= fall * (5 + 5 * fall);
+      ball.v_WB.y() = -5 - 10 * fall;
+      if (t > 0.4) {
+        ball.v_WB.y() = after - 10 * (t - 0.4);
+        ball.p_WB.y() += (t - 0.4) * (after - 5 * (t - 0.4));
+      }
+      return WorldState{{ball}, {}, {}};
+    });
+  };
+  const auto recognised = [&](double gains) {
+    return Of(Judge(world, bounced(gains), ClaimOf("conserves_energy")),
+              MeasureKind::kEnergyDrift);
+  };
+  world.sample_every = 1;
+  EXPECT_EQ(recognised(2).recognised, "");
+  EXPECT_GT(recognised(2).value, recognised(2).tolerance.value);
+  world.sample_every = 20;
+  EXPECT_EQ(recognised(2).recognised, "");
+  EXPECT_GT(recognised(2).value, recognised(2).tolerance.value);
+}
+
+TEST(ConservesEnergy, GrantsAnImpactTheAccelerationOfACornerForAStep) {
+  World world = TumblingPlank();
+  const Eigen::Vector3d J_W(0, 2, 0);
+  const auto struck = [&] {
+    return Sampled(world, [&](double t) {
+      const Eigen::Vector3d v_WB =
+          t < 2 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(J_W / 3);
+      return WorldState{{{Eigen::Vector3d::Zero(), Eigen::Quaterniond::Identity(), v_WB,
+                          world.bodies[0].w_WB}},
+                        {},
+                        {}};
+    });
+  };
+  const auto drift = [&] {
+    const Trajectory trajectory = struck();
+    const Motion motion{world, DoubleEngine(), trajectory};
+    return ImpactEnergyDrift(motion, AllowedMotion(motion), SubjectsOf(world, {})).back();
+  };
+  const Eigen::Vector3d I = Eigen::Vector3d(0.0425, 1.0025, 1.04);  // m (b² + c²)/3, …
+  const Eigen::Vector3d w = world.bodies[0].w_WB;
+  const double R = Eigen::Vector3d(1, 0.2, 0.05).norm();
+  const double a =
+      R * (w.squaredNorm() + w.cross(I.cwiseProduct(w)).cwiseQuotient(I).norm());
+  EXPECT_NEAR(drift(), 0.5 * 2 * world.dt * a, 1e-9);
+  world.bodies[0].w_WB.setZero();
+  EXPECT_EQ(drift(), 0);
+  world.bodies[0].w_WB = w;
+  world.bodies[0].collides = false;
+  EXPECT_EQ(drift(), 0);
+  world.bodies[0].collides = true;
+  world.bodies[0].placed.shape = Sphere{1};
+  EXPECT_EQ(drift(), 0);
 }
 
 TEST(ConservesEnergy, DistinguishesNearlyEqualEnergiesInItsProof) {
