@@ -57,7 +57,7 @@ std::string ComplaintAboutWorlds(const Oracle& subject,
   if (verified) return "";
   return fmt::format(
       "nothing of {} was verified in {}; expected a world that it "
-      "simulates, to which a law applies",
+      "simulates, to which a law applies, at a step that is small enough to decide",
       name, all);
 }
 

@@ -44,9 +44,9 @@ std::string SubjectInWords(std::string_view subject, const VerdictCounts& counts
     return fmt::format("{} answered no scenario of {}", subject, questions);
   const auto undecidable = static_cast<std::size_t>(counts[Verdict::kUndecidable]);
   if (unsupported + undecidable == questions)
-    return undecidable == 1
-               ? fmt::format("the only answer of {} is undecidable", subject)
-               : fmt::format("all {} answers of {} are undecidable", undecidable, subject);
+    return undecidable == 1 ? fmt::format("the only answer of {} is undecidable", subject)
+                            : fmt::format("all {} answers of {} are undecidable",
+                                          undecidable, subject);
   const std::string failures =
       FailuresInWords(counts.failed(), counts[Verdict::kKnown], "scenario");
   if (unsupported == 0)

@@ -112,17 +112,19 @@ TEST_F(CommandLineTest, ExitsWithOneAndAProofIfTheSubjectIsWrong) {
                                HasSubstr("Proof: half_depth says")));
 }
 
-// The spheres are 0.1 m deep in each other, and half_depth says 0.05 m.
+// The spheres are 0.1 m deep in each other, and half_depth says 0.05 m. A tolerance that
+// wide decides nothing.
 TEST_F(CommandLineTest, GrantsTheSubjectAStatedToleranceAndNoMoreAndSaysSo) {
   const std::string file = " --subject half_depth " + Path("mine/deep.toml");
   const Ended granted = Touchstone("run --fail-on subject --tolerance 0.0501" + file);
-  EXPECT_EQ(granted.code, 0) << granted.out << granted.err;
+  EXPECT_EQ(granted.code, 2) << granted.out << granted.err;
+  EXPECT_THAT(granted.out, HasSubstr("the only answer of half_depth is undecidable"));
   EXPECT_THAT(granted.out, HasSubstr("Granted to half_depth beyond rounding: 0.0501 m, "
                                      "stated by --tolerance"));
   const Ended refused = Touchstone("run --tolerance 0.0499" + file);
   EXPECT_EQ(refused.code, 1);
   EXPECT_THAT(refused.out, HasSubstr("0.0499 m stated by --tolerance)"));
-  EXPECT_EQ(Touchstone("run --fail-on subject --tolerance-share 0.5" + file).code, 0);
+  EXPECT_EQ(Touchstone("run --fail-on subject --tolerance-share 0.5" + file).code, 2);
   EXPECT_EQ(Touchstone("run --fail-on subject --tolerance-share 0.001" + file).code, 1);
   EXPECT_THAT(Touchstone("explain --tolerance 0.0501" + file).out,
               AllOf(HasSubstr("Granted to half_depth"), Not(HasSubstr("Wrong: half"))));
