@@ -1013,7 +1013,7 @@ test("the finding of the address comes first, and one party is responsible for i
   const asked = all.find((i) => i !== gravest);
   // A lesser fault, which the ledger calls a documented model although its experiments found no cause: a defect.
   for (const column of ["verdict", "cluster", "cause", "cause_because", "grade"]) f[column][asked] = f[column][gravest];
-  f.cause[asked] = f.cause[gravest] = 6;
+  f.cause[asked] = f.cause[gravest] = own.report.names.cause.indexOf("defect");
   f.share[asked] = f.share[gravest] / 10;
   texts.push("the proof that was asked for");
   f.proof[asked] = texts.length - 1;

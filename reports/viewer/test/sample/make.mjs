@@ -114,7 +114,7 @@ export function makeSample({ contacts = 120, worlds = 12, findings = 3000, seed 
       if (fault && world && k % 2) { cited.finding.push(n); cited.bodies.push([1]); cited.points.push([]); }
       if (fault && world) { studies.finding.push(n); studies.errors.push([0.6, 0.3, 0.15]); studies.unit.push("m"); }
       const put = { question: q, oracle: o, measure: verdict === 5 || crashed ? 5 : world ? (k % 2 ? (q % 3 ? 4 : 6) : 3) : k % 3, law: world ? text(k % 2 ? "conserves_energy" : "bounce_series") : -1, reference: text("referee"), verdict, undecided: verdict === 4 ? 1 : 0,
-        grade: fault && !world ? 1 + (share > 1e-6) + (share > 1e-3) + (share > 0.1) : 0, cause: fault ? 3 + (n % 4) : 0, shipped: fault && world ? 1 : 0,
+        grade: fault && !world ? 1 + (share > 1e-6) + (share > 1e-3) + (share > 0.1) : 0, cause: fault ? [3, 4, 5, 7][n % 4] : 0, shipped: fault && world ? 1 : 0,
         value: crashed ? 1 : n === 17 ? "inf" : share * question.size, tolerance: 1e-12, share, because: text("64 roundings of 2^-53"), cause_because: fault ? text(world ? "0.6, 0.3 and 0.15 at the step, a half and a quarter of it: it vanishes with the step" : "no known convention accounts for it") : -1, shipped_because: fault && world ? text("1.1 m where 0.3 m is allowed as shipped") : -1,
         proof: fault ? text(geometric ? geometric.words : n % 50 === 0 ? hostile[n % 4] : `${oracles[o].name} says ${n % 1000} mm, a separated pair ${n % 13}`) : -1, ledger: verdict === 3 ? cluster : -1, cluster, time: fault && world ? question.world.times[Math.floor(question.world.times.length * (0.2 + 0.5 * random()))] : -1 };
       for (const c of columns) f[c].push(put[c]);
