@@ -89,6 +89,8 @@ int World::Impl::AddBody(const BodyDefinition& definition) {
   const bool is_solid = std::holds_alternative<Box>(body.shape) ||
                         std::holds_alternative<HalfSpace>(body.shape);
   if (body.is_static() && body.collides && is_solid) static_colliders_.push_back(added);
+  if (body.is_static() && body.collides && std::holds_alternative<Box>(body.shape))
+    ++static_boxes_;
   return added;
 }
 
@@ -369,6 +371,7 @@ bool World::Impl::UpdateContacts(double h) {
   contact_cache_.Update(bodies_,
                         {loads_.max_speculative_margin(), settings_.reduce_manifolds},
                         settings_.continuous_collision ? h : 0, pool_);
+  if (static_boxes_ > 1) seams_.RemoveContacts(bodies_, contact_cache_);
   // Again, because new contacts change the islands.
   UpdateLoads();
   return !contact_cache_.pairs().empty();

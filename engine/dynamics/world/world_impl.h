@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/dynamics/contacts/contact_cache.h"
+#include "engine/dynamics/contacts/seams.h"
 #include "engine/dynamics/impacts/impact_solver.h"
 #include "engine/dynamics/joints/direct_joint_solver.h"
 #include "engine/dynamics/joints/joint_solver.h"
@@ -156,6 +157,8 @@ class World::Impl {
   std::vector<RigidBody> bodies_;
   ThreadPool pool_;
   ContactCache contact_cache_;
+  Seams seams_;
+  int static_boxes_ = 0;  ///< Number of static boxes that collide.
   Sleep sleep_;
   std::vector<DistanceJoint> joints_;
   std::vector<Spring> springs_;
