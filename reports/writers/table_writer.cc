@@ -255,8 +255,8 @@ void WriteCounted(const RunReport& report, const Painter& paint, std::string_vie
     out << fmt::format("  {:>5}  {}: {}\n", times, what.first, what.second);
 }
 
-/** Writes the claims that could not be verified although the oracle simulated the world.
- */
+/** Writes the claims that could not be verified although the oracle simulated the world,
+ and the variants that could not be compared with it. */
 void WriteUnverified(const RunReport& report, std::span<const Outcome> outcomes,
                      const Painter& paint, std::ostream& out) {
   std::map<std::pair<std::string_view, std::string_view>, int> claims;
@@ -268,14 +268,15 @@ void WriteUnverified(const RunReport& report, std::span<const Outcome> outcomes,
     if (std::none_of(outcome.findings.begin(), outcome.findings.end(), answered))
       continue;
     for (const Finding& finding : outcome.findings) {
-      if (finding.verdict != Verdict::kUnsupported || finding.reference != "law")
-        continue;
+      if (finding.verdict != Verdict::kUnsupported) continue;
       ++claims[{finding.oracle, finding.proof}];
       ++all;
     }
   }
   WriteCounted(report, paint, "Unverified",
-               fmt::format(": {} of worlds", Counted(all, "claim")), claims, out);
+               fmt::format(": {} of worlds",
+                           Counted(all, "claim or variant", "claims or variants")),
+               claims, out);
 }
 
 /** Writes the drifts and depths of a run that asks about a single world. */

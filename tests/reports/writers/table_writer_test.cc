@@ -112,7 +112,7 @@ TEST(WriteTable, CountsUnverifiedClaims) {
   unverified.verdict = Verdict::kUnsupported;
   unverified.proof = "coulomb_cone: nothing";
   report.findings.insert(report.findings.begin() + 1, 2, unverified);
-  EXPECT_THAT(Table(report), HasSubstr("Unverified: 2 claims of worlds\n"
+  EXPECT_THAT(Table(report), HasSubstr("Unverified: 2 claims or variants of worlds\n"
                                        "      2  mine: coulomb_cone: nothing\n"));
 }
 
