@@ -27,6 +27,14 @@ std::string OracleInfo::CannotSimulate(const World& world) const {
   return "";
 }
 
+double SoftnessOf(const OracleInfo& oracle) {
+  if (oracle.softness.empty()) return 0;
+  const std::vector<double> values = ValuesOf(oracle.parameters, oracle.setup);
+  const auto found =
+      std::ranges::find(oracle.parameters, oracle.softness, &WorldParameter::name);
+  return values.at(static_cast<std::size_t>(found - oracle.parameters.begin()));
+}
+
 std::string Oracle::CannotSimulate(const World& world) const {
   return info().CannotSimulate(world);
 }

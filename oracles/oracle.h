@@ -104,6 +104,9 @@ struct OracleInfo {
   /** The numbers that may be chosen for its worlds; empty if the adapter offers none. */
   std::vector<WorldParameter> parameters;
   WorldSetup setup;  ///< The setup of its worlds; set by Oracle::SetUp() only.
+  /** The parameter that is the softness of contacts and joints, the speed at which they
+   yield to a force, in m/(N s); empty if they are rigid. */
+  std::string softness;
   std::array<WorldCapability, kWorldFeatures> world_capabilities;
 
   /** Returns the capability for A of kind `a` and B of kind `b`. */
@@ -125,6 +128,10 @@ struct OracleInfo {
   /** Returns why this oracle cannot simulate `world`; empty if it can. */
   std::string CannotSimulate(const World& world) const;
 };
+
+/** Returns the softness of contacts and joints in the setup of `oracle`; 0 if they are
+ rigid. [m/(N s)] */
+double SoftnessOf(const OracleInfo& oracle);
 
 /** Returns the table of `capability_of(a, b)` over all kinds of A and of B. */
 template <class CapabilityOf>

@@ -349,6 +349,7 @@ std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper,
 
 void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
   info.simulates = true;
+  info.softness = "cfm";
   for (int i = 0; i < kWorldFeatures; ++i) {
     const std::string reason = WhyNot(static_cast<WorldFeature>(i));
     info.world_capabilities[static_cast<std::size_t>(i)] = {reason.empty(), reason};

@@ -10,6 +10,7 @@
 #include "reports/worlds/study/late_falls.h"
 #include "reports/worlds/study/trajectory_difference.h"
 #include "reports/worlds/study/world_size.h"
+#include "reports/worlds/truth/mechanics.h"
 
 namespace touchstone {
 namespace {
@@ -21,15 +22,16 @@ struct Comparison {
   double rounding;        ///< Sum for both motions, before amplification. [m]
   double most;            ///< The most that rounding explains. [m]
   double late;            ///< Due to events a step late. [m]
+  double yielding;        ///< Due to the softness of contacts and joints. [m]
 
   double Granted(double gain) const {
-    return discretisation + std::min(gain * rounding, most) + late;
+    return discretisation + std::min(gain * rounding, most) + late + yielding;
   }
   std::string Because(double gain) const {
     return fmt::format(
         "two approximations of one motion: each is off by twice the change from halving "
         "the step ({:.3g} m), and by 64 roundings a step ({:.3g} m for both), which the "
-        "motion amplifies {:.3g} times{}{}",
+        "motion amplifies {:.3g} times{}{}{}",
         discretisation / 4, rounding, gain,
         gain * rounding > most
             ? fmt::format(
@@ -39,9 +41,36 @@ struct Comparison {
             : "",
         late > 0
             ? fmt::format("; {:.3g} m for a contact that is detected a step late", late)
-            : "");
+            : "",
+        yielding > 0 ? fmt::format("; {:.3g} m that contacts as soft as documented yield",
+                                   yielding)
+                     : "");
   }
 };
+
+/** Returns how far apart soft contacts and joints may bring a world and a variant. With
+ the softness σ a contact yields by σ ∫F dt, and all impulses on what it bears are at most
+ those of its loads and twice its greatest momentum. A variant may have three times the
+ masses, and each body may rest on all others. [m] */
+double YieldingOf(const Study& study, double until) {
+  const double softness = SoftnessOf(study.oracle);
+  if (softness == 0) return 0;
+  const World& world = study.scenario.world;
+  const double time = std::min(until, world.dt * world.steps);
+  double impulse = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const RigidBody& body = world.bodies[i];
+    if (body.mass == 0) continue;
+    double fastest = 0;
+    for (const WorldState& state : study.trajectory.samples)
+      fastest = std::max(fastest, state.bodies[i].v_WB.norm());
+    impulse += body.mass * (time * AccelerationOf(world, body).norm() + 2 * fastest);
+    ++count;
+  }
+  constexpr double kMasses = 1 + 3;  // Those of the world and of its heavier variant.
+  return kMasses * count * softness * impulse;
+}
 
 Comparison Compare(const Study& study, const Trajectory& seen_in_world, double until,
                    const RoundingGrowth& growth) {
@@ -50,7 +79,10 @@ Comparison Compare(const Study& study, const Trajectory& seen_in_world, double u
   const double steps = std::min<double>(world.steps, until / world.dt);
   return {DistanceBetween(study.trajectory, seen_in_world, radius, until),
           4 * DistanceBetween(study.trajectory, *study.half, radius, until),
-          2 * RoundingOf(study, steps), growth.most, growth.late};
+          2 * RoundingOf(study, steps),
+          growth.most,
+          growth.late,
+          YieldingOf(study, until)};
 }
 
 /** Judges by rounding and discretisation alone. */

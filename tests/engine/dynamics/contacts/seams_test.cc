@@ -144,17 +144,17 @@ TEST(Seams, AreNoStepsAndNoWalls) {
     step.shape = Box{{0.5, 0.5, 0.5}};
     step.mass = 0;
     step.restitution = 0;
-    step.state.p_WB = {kCubes / 2 + 0.5, rise - 0.5, 0.5};
+    step.state.p_WB = {0.5 * kCubes + 0.5, rise - 0.5, 0.5};
     world.AddBody(step);
     BodyDefinition box;
     box.shape = Box{{0.3, 0.1, 0.2}};
     box.restitution = 0;
     box.friction = 0;
-    box.state.p_WB = {kCubes / 2 - 1, 0.1, 0.5};
+    box.state.p_WB = {0.5 * kCubes - 1, 0.1, 0.5};
     box.state.v_WB = {1, 0, 0};
     const int sliding = world.AddBody(box);
     for (int i = 0; i < 240; ++i) world.Step(1.0 / 120);
-    EXPECT_LE(world.state(sliding).p_WB.x() + 0.3, kCubes / 2 + 1e-3) << rise;
+    EXPECT_LE(world.state(sliding).p_WB.x() + 0.3, 0.5 * kCubes + 1e-3) << rise;
   }
 }
 

@@ -212,6 +212,36 @@ TEST(JudgeVariant, GrantsTheFallOffALargeFloorToo) {
   EXPECT_EQ(OffInAMovedWorld(scenario, {0, -1.1 * kFall, 0}), Verdict::kFail);
 }
 
+// A force of m g on a contact as soft as 1e-9 m/(N s) lets it sink by 1e-8 m in a second;
+// the variant of three times the mass by three times as much.
+TEST(JudgeVariant, GrantsWhatSoftContactsYield) {
+  const Studied studied(StandingBox(0), FakeSimulator("engine", [](const World& world) {
+                          return FreeFlight(world);
+                        }));
+  OracleInfo soft = studied.info;
+  soft.parameters = {{.name = "cfm",
+                      .here = 1e-9,
+                      .shipped = 1e-6,
+                      .least = 0,
+                      .most = 1,
+                      .whole = false,
+                      .what = "softness",
+                      .why = ""}};
+  Trajectory sunk = studied.whole;
+  for (std::size_t s = 0; s < sunk.samples.size(); ++s)
+    sunk.samples[s].bodies[0].p_WB.y() -= 2 * 9.82e-9 * sunk.times[s];
+  const auto verdict = [&] {
+    const Study study{studied.scenario, soft, studied.whole, &studied.whole};
+    return JudgeVariant(study, {}, MeasureKind::kMassScaling, sunk).verdict;
+  };
+  EXPECT_EQ(verdict(), Verdict::kFail);
+  soft.softness = "cfm";
+  EXPECT_EQ(SoftnessOf(soft), 1e-9);
+  EXPECT_EQ(verdict(), Verdict::kPass);
+  soft.setup.chosen["cfm"] = 1e-10;
+  EXPECT_EQ(verdict(), Verdict::kFail);
+}
+
 /** The verdict on the moved world of an engine whose box falls by `off` at 0.5 s if its
  start is moved, by however little. */
 Verdict FallsIfMoved(const Eigen::Vector3d& off) {
