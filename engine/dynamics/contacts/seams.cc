@@ -38,20 +38,44 @@ bool IsPointWithoutNormal(const RigidBody& box, const Eigen::Vector3d& p_W,
   return !is_normal;
 }
 
-/** Returns whether all contact points of `pair`, of a dynamic body and a static box, are
- points of `other` at which their normal is none. */
-bool IsOnSeamWith(const RigidBody& other, const ContactPair& pair,
-                  std::span<const RigidBody> bodies) {
+/** A contact pair of a dynamic body and a static box. */
+struct Support {
+  const RigidBody& box;
+  std::span<const ContactPoint> contacts;
+  Eigen::Vector3d n_W;  ///< Out of the box.
+  double tolerance;     ///< How far apart flush surfaces may be. [m]
+
+  /** Returns the contact point on the box; `contact` has that on the dynamic body. */
+  Eigen::Vector3d OnBox(const ContactPoint& contact) const {
+    return contact.p_WC - contact.separation * n_W;
+  }
+};
+
+Support SupportOf(const ContactPair& pair, std::span<const RigidBody> bodies) {
   const RigidBody& A = bodies[static_cast<std::size_t>(pair.A)];
   const RigidBody& B = bodies[static_cast<std::size_t>(pair.B)];
-  const double out = A.is_static() ? 1 : -1;
-  const Eigen::Vector3d n_W = out * pair.manifold.n_AB_W;  // Out of the static box.
-  const double tolerance = kFlush * SmallerRadius(A, B);
-  return std::ranges::all_of(pair.manifold.points(), [&](const ContactPoint& contact) {
-    // The contact point is on the dynamic body.
-    const Eigen::Vector3d p_W = contact.p_WC - contact.separation * n_W;
-    return IsPointWithoutNormal(other, p_W, n_W, tolerance);
-  });
+  const Eigen::Vector3d& n_AB_W = pair.manifold.n_AB_W;
+  return {A.is_static() ? A : B, pair.manifold.points(),
+          A.is_static() ? n_AB_W : Eigen::Vector3d(-n_AB_W),
+          kFlush * SmallerRadius(A, B)};
+}
+
+/** Returns whether `box` is nowhere above the plane of the contact with `support`. */
+bool IsBelow(const RigidBody& box, const Support& support) {
+  const Eigen::Vector3d& n_W = support.n_W;
+  const Eigen::Vector3d& half = std::get<Box>(box.shape).half_extents;
+  const double reach = half.dot((box.R_WB.transpose() * n_W).cwiseAbs());
+  const Eigen::Vector3d p_W = support.OnBox(support.contacts.front());
+  return n_W.dot(box.state.p_WB - p_W) + reach <= support.tolerance;
+}
+
+/** Returns whether a contact is one with a seam of its box and that of `other`. */
+bool IsOnSeam(const Support& contact, const Support& other) {
+  return IsBelow(contact.box, other) &&
+         std::ranges::all_of(contact.contacts, [&](const ContactPoint& point) {
+           return IsPointWithoutNormal(other.box, contact.OnBox(point), contact.n_W,
+                                       contact.tolerance);
+         });
 }
 
 }  // namespace
@@ -63,10 +87,6 @@ void Seams::RemoveContacts(std::span<const RigidBody> bodies, ContactCache& cach
   found_.clear();
   const auto is_box = [&](int body) {
     return IsStaticBox(bodies[static_cast<std::size_t>(body)]);
-  };
-  const auto box_of = [&](std::size_t pair) -> const RigidBody& {
-    const auto& [A, B, count] = summaries[pair];
-    return bodies[static_cast<std::size_t>(is_box(A) ? A : B)];
   };
   for (std::size_t k = 0; k < summaries.size(); ++k) {
     const auto& [A, B, count] = summaries[k];
@@ -81,8 +101,8 @@ void Seams::RemoveContacts(std::span<const RigidBody> bodies, ContactCache& cach
       const auto pair = static_cast<std::size_t>(k);
       for (int j = last; j >= 0; j = previous_[static_cast<std::size_t>(j)]) {
         const auto other = static_cast<std::size_t>(j);
-        if (j == k || !IsOnSeamWith(box_of(other), pairs[pair], bodies) ||
-            IsOnSeamWith(box_of(pair), pairs[other], bodies))
+        if (j == k ||
+            !IsOnSeam(SupportOf(pairs[pair], bodies), SupportOf(pairs[other], bodies)))
           continue;
         found_.push_back(pair);
         break;

@@ -16,8 +16,8 @@ namespace cookbook {
  no edge there: where a point is on the surface of two solids, the normals of their union
  are at most those that both have. So a contact is one with a seam if each of its points
  is also a point of another static box that the body touches, and the normal is none of
- that box there. It stays if the other box's contact is one with the same seam: then the
- body is in a corner that both boxes make. */
+ that box there. The first box must be nowhere above the plane of the other contact, which
+ then keeps the body out of it, too. A wall on a floor is above the floor. */
 class Seams {
  public:
   /** Clears those of `cache`, which was updated for `bodies`. */
