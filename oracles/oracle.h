@@ -104,8 +104,8 @@ struct OracleInfo {
   /** The numbers that may be chosen for its worlds; empty if the adapter offers none. */
   std::vector<WorldParameter> parameters;
   WorldSetup setup;  ///< The setup of its worlds; set by Oracle::SetUp() only.
-  /** The parameter that is the softness of contacts and joints, the speed at which they
-   yield to a force, in m/(N s); empty if they are rigid. */
+  /** The name of the parameter that is the softness of contacts and joints: the speed at
+   which they yield, per force. Empty if they are rigid. [m/(N s)] */
   std::string softness;
   std::array<WorldCapability, kWorldFeatures> world_capabilities;
 

@@ -8,6 +8,7 @@
 #include "reports/contacts/causes/convention.h"
 #include "reports/contacts/causes/over_geometries.h"
 #include "reports/contacts/causes/tie.h"
+#include "reports/contacts/causes/unexplained.h"
 #include "reports/contacts/normal_claim.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/stated.h"
@@ -33,10 +34,6 @@ void ExplainByModel(const ScenarioResult& result, const OracleInfo& oracle,
                   documented ? "documented: " + capability.documented_by : "",
                   documented && stated ? "; " : "",
                   stated ? "granted as stated by " + oracle.tolerance.by : "");
-}
-
-bool IsUnexplained(const Finding& finding) {
-  return IsProvedWrong(finding) && finding.cause == Cause::kNone;
 }
 
 }  // namespace

@@ -39,9 +39,9 @@ int Gravity(const Finding& finding) {
 }
 
 /** Returns whether `finding` shows a graver fault than `than`, or a reason that leaves
- more open, or else is a simpler or stronger proof of the same. What has a size comes
- before a number of contacts, whatever the grades. Measures are enumerated
- from simple to complex: a separating plane, a number that the truth contradicts, then
+ more open, or else is a simpler or stronger proof of the same. A wrong length is graver
+ than a wrong number of contacts, whatever their grades. Measures are enumerated from
+ simple to complex: a separating plane, a number that the truth contradicts, then
  metamorphic variants. For the same measure, the finding farther beyond its tolerance is
  better. */
 bool IsBetterProof(const Finding& finding, const Finding& than) {

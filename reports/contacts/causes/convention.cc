@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/contacts/causes/unexplained.h"
 #include "reports/contacts/judge_answer.h"
 #include "reports/contacts/tolerances.h"
 #include "reports/measures/excess.h"
@@ -144,7 +145,7 @@ void ExplainByConvention(const Scenario& scenario, const ContactTruth& truth,
         JudgeAnswer(scenario, truth, oracle, reading.answer, Reasons::kNone);
     if (Breaks(judged, findings)) continue;
     for (Finding* finding : findings) {
-      if (!IsProvedWrong(*finding) || finding->cause != Cause::kNone) continue;
+      if (!IsUnexplained(*finding)) continue;
       const Finding* again = Find(judged, finding->measure);
       if (again == nullptr || again->verdict != Verdict::kPass) continue;
       finding->cause = Cause::kConvention;

@@ -14,6 +14,7 @@
 
 #include "reports/contacts/causes/convention.h"
 #include "reports/contacts/causes/margin.h"
+#include "reports/contacts/causes/unexplained.h"
 #include "reports/measures/excess.h"
 #include "reports/measures/outside.h"
 #include "reports/measures/stated.h"
@@ -122,10 +123,7 @@ std::optional<SignedError> ErrorOf(const Index& index, Finding& finding) {
 
 void ExplainByMargins(std::span<const ScenarioResult> results,
                       std::span<const OracleInfo> oracles, std::span<Finding> findings) {
-  const auto is_unexplained = [](const Finding& finding) {
-    return IsProvedWrong(finding) && finding.cause == Cause::kNone;
-  };
-  if (std::none_of(findings.begin(), findings.end(), is_unexplained)) return;
+  if (std::none_of(findings.begin(), findings.end(), IsUnexplained)) return;
   const Index index(results, oracles);
   struct Group {
     std::vector<SignedError> failures;
@@ -134,7 +132,7 @@ void ExplainByMargins(std::span<const ScenarioResult> results,
   std::map<Alike, Group> groups;
   for (Finding& finding : findings) {
     if (finding.measure != MeasureKind::kSeparationError) continue;
-    const bool failed = is_unexplained(finding);
+    const bool failed = IsUnexplained(finding);
     if (!failed && finding.verdict != Verdict::kPass) continue;
     const std::optional<SignedError> error = ErrorOf(index, finding);
     if (!error) continue;

@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "reports/contacts/causes/unexplained.h"
 #include "reports/contacts/judge_answer.h"
 #include "reports/measures/outside.h"
 
@@ -92,8 +93,7 @@ std::vector<ContactQuery> NeighboursOf(const ContactQuery& query, double u) {
 
 bool RoundingMayExplain(const Finding& finding, const ContactQuery& query,
                         const ContactTruth& truth, double u) {
-  if (!IsProvedWrong(finding) || finding.cause != Cause::kNone) return false;
-  if (finding.reference != "referee") return false;
+  if (!IsUnexplained(finding) || finding.reference != "referee") return false;
   // Shifted by kAway roundings, or turned by as many about its own origin.
   const double farthest = 2 * kAway * u * SceneSize(query);
   return !IsContinuous(finding) || Outside(0, truth.separation) <= farthest;
@@ -111,7 +111,7 @@ void ExplainByRounding(const Scenario& scenario, const OracleInfo& oracle,
         JudgeAnswer(moved, truths[i], oracle, answer, Reasons::kNone);
     if (std::ranges::any_of(there, &IsProvedWrong)) continue;
     for (Finding& finding : findings) {
-      if (!IsProvedWrong(finding) || finding.cause != Cause::kNone) continue;
+      if (!IsUnexplained(finding)) continue;
       const bool passes = std::ranges::any_of(there, [&](const Finding& other) {
         return other.measure == finding.measure && other.verdict == Verdict::kPass;
       });

@@ -18,7 +18,7 @@ export const causeTexts: Record<string, { name: string; meaning: string }> = {
   precision: { name: "rounding", meaning: "The arithmetic of the engine: the answer is right for an input that differs by roundings." },
   discretisation: { name: "the time step", meaning: "The error vanishes as the time step gets smaller." },
   model: { name: "its model", meaning: "The engine solves another problem on purpose: rounded corners, a margin, another law." },
-  setting: { name: "our setting", meaning: "A setting that the adapter of this repository chooses. As the engine ships, it is right." },
+  setting: { name: "our setting", meaning: "The adapter of this repository changes a default of the engine. With the defaults, the engine is right." },
   defect: { name: "a defect", meaning: "No convention, tie, rounding, time step or model accounts for it." },
 };
 

@@ -28,7 +28,7 @@ struct EnergyAlong {
    rest, the energy of velocities that are roundings of positions (NoiseOfPositions()).
    Moving apart what overlaps at the start does work (WorkOfParting()). */
   std::vector<double> oscillations;
-  /** What is left of that if ½ h dU/dt is known. [J] */
+  /** The same without the term ½ h dU/dt. [J] */
   std::vector<double> second_orders;
   /** The losses of the gyroscopic term and of rods from the start to each sample
    (law_support/scheme_drift.h), × 1.5. [J] */

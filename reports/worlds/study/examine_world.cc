@@ -236,7 +236,7 @@ std::vector<Finding> FindingsOfVariant(const Study& study, const RoundingGrowth&
   AttributeToCone(study, of_world, finding);
   if (finding.verdict != Verdict::kFail)
     Append(findings, BrokenBy(moved, study, of_world));
-  // That a motion cannot be compared with a variant leaves nothing open about itself.
+  // The laws decide whether the motion is right, also if the variant says nothing.
   if (finding.verdict == Verdict::kUndecidable) finding.verdict = Verdict::kUnsupported;
   findings.push_back(std::move(finding));
   return findings;

@@ -1,12 +1,14 @@
 #include "reports/worlds/study/judge_variant.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "reports/worlds/law_support/allowed_motion.h"
 #include "reports/worlds/study/late_falls.h"
 #include "reports/worlds/study/trajectory_difference.h"
 #include "reports/worlds/study/world_size.h"
@@ -48,26 +50,27 @@ struct Comparison {
   }
 };
 
-/** Returns how far apart soft contacts and joints may bring a world and a variant. With
- the softness σ a contact yields by σ ∫F dt, and all impulses on what it bears are at most
- those of its loads and twice its greatest momentum. A variant may have three times the
- masses, and each body may rest on all others. [m] */
+/** Returns how far apart soft contacts may bring a world and a variant. A contact of the
+ softness σ yields by σ ∫F dt. The impulses on what it carries are at most those of the
+ loads, and twice the momentum √(2 H Σm), H the most kinetic energy that the truth allows.
+ A variant may have three times the masses, and every body may stand on all others. [m] */
 double YieldingOf(const Study& study, double until) {
   const double softness = SoftnessOf(study.oracle);
   if (softness == 0) return 0;
   const World& world = study.scenario.world;
   const double time = std::min(until, world.dt * world.steps);
-  double impulse = 0;
+  double load = 0;
+  double mass = 0;
   double count = 0;
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    const RigidBody& body = world.bodies[i];
+  for (const RigidBody& body : world.bodies) {
     if (body.mass == 0) continue;
-    double fastest = 0;
-    for (const WorldState& state : study.trajectory.samples)
-      fastest = std::max(fastest, state.bodies[i].v_WB.norm());
-    impulse += body.mass * (time * AccelerationOf(world, body).norm() + 2 * fastest);
+    load += body.mass * AccelerationOf(world, body).norm();
+    mass += body.mass;
     ++count;
   }
+  const AllowedMotion allowed({world, study.oracle, study.trajectory});
+  const double H = allowed.KineticEnergyBetween(study.trajectory.samples.size() - 1);
+  const double impulse = time * load + 2 * std::sqrt(2 * H * mass);
   constexpr double kMasses = 1 + 3;  // Those of the world and of its heavier variant.
   return kMasses * count * softness * impulse;
 }

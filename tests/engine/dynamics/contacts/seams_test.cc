@@ -158,6 +158,34 @@ TEST(Seams, AreNoStepsAndNoWalls) {
   }
 }
 
+BodyDefinition StaticBox(const Eigen::Vector3d& half, const Eigen::Vector3d& p_W) {
+  BodyDefinition box;
+  box.shape = Box{half};
+  box.mass = 0;
+  box.state.p_WB = p_W;
+  return box;
+}
+
+// The ball lies in the floor, and its contact with the wall too. But the wall goes on
+// above the floor, which alone would not keep the ball out of it.
+TEST(Seams, AreNoWallsThatAreSunkIntoAFloor) {
+  BodyDefinition ball;
+  ball.shape = Sphere{0.3};
+  ball.state.p_WB = {0.2, -0.05, 0};
+  const std::vector<RigidBody> bodies = {
+      MakeRigidBody(StaticBox({5, 0.5, 5}, {0, -0.5, 0})),  // The floor, up to y = 0.
+      MakeRigidBody(StaticBox({0.5, 2, 5}, {-0.5, 0, 0})),  // The wall, up to x = 0.
+      MakeRigidBody(ball)};
+  ContactCache cache;
+  for (const RigidBody& body : bodies) cache.Add(body);
+  ThreadPool pool(1);
+  cache.Update(bodies, {0.001, true}, 0, pool);
+  Seams seams;
+  seams.RemoveContacts(bodies, cache);
+  ASSERT_EQ(cache.summaries().size(), 2U);
+  for (const PairSummary& pair : cache.summaries()) EXPECT_EQ(pair.count, 1);
+}
+
 // Inside a corner of two boxes that reach into each other, each holds the ball.
 TEST(Seams, AreNoCornersOfBoxesThatOverlap) {
   World world{Settings()};
