@@ -24,6 +24,8 @@ enum BulletParameter : std::size_t {
   kBulletFrictionDirections,
   kBulletProcessingThreshold,
   kBulletRestitutionThreshold,
+  kBulletMargin,
+  kBulletSleeping,
   kBulletParameters,
 };
 

@@ -131,7 +131,6 @@ std::vector<Setting> WorldSettings() {
        "gCalculateCombinedFrictionCallback; Bullet's default is the product."},
       {"world: gyroscopic term", "implicit, body frame", "Bullet's default."},
       {"world: damping", "0", "Bullet's default."},
-      {"world: sleeping", "off", "DISABLE_DEACTIVATION."},
       {"world: inertia", "as stated, else that of the uniform solid",
        "Passed to Bullet, which does not compute it."},
       {"world: impulses", "those of the manifold points, normal and both lateral",
@@ -219,6 +218,28 @@ std::vector<WorldParameter> ParametersOf(BulletPrecision precision) {
           "approach in m/s below which nothing bounces; "
           "m_restitutionVelocityThreshold",
       .why = "Bullet's default ends a bounce early."};
+  parameters[kBulletMargin] = {
+      .name = "margin",
+      .here = 0,
+      .shipped = 0.04,  // CONVEX_DISTANCE_MARGIN.
+      .least = 0,
+      .most = 1e3,
+      .whole = false,
+      .what =
+          "margin in m by which hulls and cones are enlarged, and boxes and cylinders "
+          "rounded within their size, at most a tenth of it; setMargin",
+      .why = "Bullet's default lets a hull float 4 cm above what it rests on."};
+  parameters[kBulletSleeping] = {
+      .name = "sleeping",
+      .here = 0,
+      .shipped = 1,
+      .least = 0,
+      .most = 1,
+      .whole = true,
+      .what =
+          "whether bodies slower than 0.8 m/s and 1 rad/s for 2 s are stopped; "
+          "DISABLE_DEACTIVATION if not",
+      .why = "A body that falls asleep loses its momentum."};
   return parameters;
 }
 

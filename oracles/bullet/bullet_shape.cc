@@ -1,5 +1,6 @@
 #include "oracles/bullet/bullet_shape.h"
 
+#include <algorithm>
 #include <variant>
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
@@ -13,38 +14,45 @@
 namespace touchstone {
 namespace {
 
-/* Bullet stores half extents minus the margin, and adds the margin back when it changes.
- This round trip loses digits of a small shape, so the half extents are set once more. */
+/* Returns a shape whose margin is within its half extents, and at most a tenth of them,
+ as Bullet's constructors have it. Bullet stores half extents minus the margin, and adds
+ the margin back when it changes. This round trip loses digits of a small shape, so the
+ half extents are set once more. */
 template <typename BulletShape>
-std::unique_ptr<btCollisionShape> WithoutMargin(const btVector3& half_extents) {
+std::unique_ptr<btCollisionShape> Rounded(const btVector3& half_extents,
+                                          btScalar margin) {
   auto shape = std::make_unique<BulletShape>(half_extents);
-  shape->setMargin(0);
-  shape->setImplicitShapeDimensions(half_extents);
+  const btScalar least = half_extents[half_extents.minAxis()];
+  const btScalar inner = std::min(margin, btScalar(0.1) * least);
+  shape->setMargin(inner);
+  shape->setImplicitShapeDimensions(half_extents - btVector3(inner, inner, inner));
   return shape;
 }
 
 struct MakeShape {
   using Result = std::unique_ptr<btCollisionShape>;
 
+  btScalar margin;
+
   Result operator()(const Sphere& sphere) const {
     return std::make_unique<btSphereShape>(ToBullet(sphere.radius));
   }
   Result operator()(const Box& box) const {
-    return WithoutMargin<btBoxShape>(ToBullet(box.half_extents));
+    return Rounded<btBoxShape>(ToBullet(box.half_extents), margin);
   }
   Result operator()(const Capsule& capsule) const {
     return std::make_unique<btCapsuleShapeZ>(ToBullet(capsule.radius),
                                              ToBullet(2 * capsule.half_length));
   }
   Result operator()(const Cylinder& cylinder) const {
-    return WithoutMargin<btCylinderShapeZ>(btVector3(ToBullet(cylinder.radius),
-                                                     ToBullet(cylinder.radius),
-                                                     ToBullet(cylinder.half_length)));
+    const btVector3 half_extents(ToBullet(cylinder.radius), ToBullet(cylinder.radius),
+                                 ToBullet(cylinder.half_length));
+    return Rounded<btCylinderShapeZ>(half_extents, margin);
   }
   Result operator()(const Cone& cone) const {
     auto shape = std::make_unique<btConeShapeZ>(ToBullet(cone.radius),
                                                 ToBullet(2 * cone.half_height));
-    shape->setMargin(0);
+    shape->setMargin(margin);
     return shape;
   }
   Result operator()(const ConvexHull& hull) const {
@@ -52,7 +60,7 @@ struct MakeShape {
     for (const Eigen::Vector3d& vertex : hull.vertices) {
       shape->addPoint(ToBullet(vertex), false);
     }
-    shape->setMargin(0);
+    shape->setMargin(margin);
     shape->recalcLocalAabb();
     return shape;
   }
@@ -73,11 +81,11 @@ btTransform ToBullet(const Pose& X_WB) {
   return btTransform(basis, ToBullet(X_WB.p_WB));
 }
 
-std::unique_ptr<btCollisionShape> ToBullet(const Shape& shape) {
-  return std::visit(MakeShape{}, shape);
+std::unique_ptr<btCollisionShape> ToBullet(const Shape& shape, btScalar margin) {
+  return std::visit(MakeShape{margin}, shape);
 }
 
-BulletBody::BulletBody(const Body& body) : shape_(ToBullet(body.shape)) {
+BulletBody::BulletBody(const Body& body) : shape_(ToBullet(body.shape, 0)) {
   object_.setCollisionShape(shape_.get());
   object_.setWorldTransform(ToBullet(body.X_WB));
 }

@@ -23,8 +23,9 @@ inline btVector3 ToBullet(const Eigen::Vector3d& v) {
 /** Returns the pose in Bullet's type, rounded. */
 btTransform ToBullet(const Pose& X_WB);
 
-/** Returns `shape` in Bullet's type, without margins that round or enlarge it. */
-std::unique_ptr<btCollisionShape> ToBullet(const Shape& shape);
+/** Returns `shape` in Bullet's type. `margin` enlarges hulls and cones, and rounds boxes
+ and cylinders within their size; 0 keeps every shape as it is. [m] */
+std::unique_ptr<btCollisionShape> ToBullet(const Shape& shape, btScalar margin);
 
 /** A body in Bullet's types. Its shape is exact up to rounding to btScalar: every margin
  that would round or enlarge it is 0. */

@@ -32,7 +32,9 @@ BulletWorld::BulletWorld(const World& world, const std::vector<Eigen::Vector3d>&
   gCalculateCombinedFrictionCallback = &Friction;
 
   world_.setGravity(ToBullet(world.gravity_W));
-  for (std::size_t i = 0; i < world.bodies.size(); ++i) Add(world.bodies[i], inertias[i]);
+  const btScalar margin = ToBullet(values[kBulletMargin]);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i)
+    Add(world.bodies[i], inertias[i], margin);
   SetUp(values);
 }
 
@@ -48,11 +50,16 @@ void BulletWorld::SetUp(const std::vector<double>& values) {
     info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
   info.m_restitutionVelocityThreshold = ToBullet(values[kBulletRestitutionThreshold]);
   const btScalar threshold = ToBullet(values[kBulletProcessingThreshold]);
-  for (const auto& body : bodies_) body->setContactProcessingThreshold(threshold);
+  const bool sleeps = values[kBulletSleeping] != 0;
+  for (const auto& body : bodies_) {
+    body->setContactProcessingThreshold(threshold);
+    if (!sleeps) body->setActivationState(DISABLE_DEACTIVATION);
+  }
 }
 
-void BulletWorld::Add(const RigidBody& body, const Eigen::Vector3d& inertia) {
-  shapes_.push_back(ToBullet(body.placed.shape));
+void BulletWorld::Add(const RigidBody& body, const Eigen::Vector3d& inertia,
+                      btScalar margin) {
+  shapes_.push_back(ToBullet(body.placed.shape, margin));
   btRigidBody::btRigidBodyConstructionInfo info(ToBullet(body.mass), nullptr,
                                                 shapes_.back().get(), ToBullet(inertia));
   info.m_startWorldTransform = ToBullet(body.placed.X_WB);
@@ -63,7 +70,6 @@ void BulletWorld::Add(const RigidBody& body, const Eigen::Vector3d& inertia) {
 
   btRigidBody& added = *bodies_.back();
   added.setUserIndex(static_cast<int>(bodies_.size()) - 1);
-  added.setActivationState(DISABLE_DEACTIVATION);
   const bool is_static = body.mass == 0;
   if (!is_static) {
     added.setLinearVelocity(ToBullet(body.v_WB));
@@ -76,6 +82,7 @@ void BulletWorld::Add(const RigidBody& body, const Eigen::Vector3d& inertia) {
 
 void BulletWorld::Push(int body, const Eigen::Vector3d& p_W, const Eigen::Vector3d& J_W) {
   btRigidBody& pushed = *bodies_[static_cast<std::size_t>(body)];
+  pushed.activate();
   pushed.applyImpulse(ToBullet(J_W), ToBullet(p_W) - pushed.getCenterOfMassPosition());
 }
 

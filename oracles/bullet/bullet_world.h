@@ -35,7 +35,7 @@ class BulletWorld {
 
  private:
   void SetUp(const std::vector<double>& values);
-  void Add(const RigidBody& body, const Eigen::Vector3d& inertia);
+  void Add(const RigidBody& body, const Eigen::Vector3d& inertia, btScalar margin);
 
   btScalar dt_;
   std::vector<btVector3> forces_;  // External forces without gravity, one per body.
