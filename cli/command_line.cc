@@ -375,7 +375,8 @@ class CommandLine {
            "families of contact questions: random, near_parallel, edge_edge, "
            "vertex_face, touching, deep, slabs_and_needles, extreme_scales, symmetries, "
            "grazing, mixed_sizes, far_from_origin, large_hulls; of worlds: drops, "
-           "impacts, slides, rods, stacks, mass_ratios, step_lengths, linkages; or all")
+           "impacts, slides, rods, stacks, mass_ratios, step_lengths, linkages, bars; or "
+           "all")
         ->type_name("FAMILY")
         ->delimiter(',')
         ->allow_extra_args(false)

@@ -10,9 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/** Least distance between the bounding spheres of two bodies at the start. [m] */
-constexpr double kGap = 0.02;
-
 /** Returns a sphere, a box of any form, or a bar of up to 1 : 20. */
 Shape AnyShape(Random& random) {
   const int kind = random.Below(3);
@@ -35,22 +32,6 @@ Vector3d AnyPointOf(const Shape& shape, Random& random) {
   if (is_centre) return Vector3d::Zero();
   if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius * direction;
   return std::get<Box>(shape).half_extents.cwiseProduct(Vector3d(x, y, z));
-}
-
-/** Returns a place whose distance from `near_W` is about `distance` and where a ball of
- `radius` touches nothing: random places, each farther away than the last. [m] */
-Vector3d FreePlace(const World& world, const Vector3d& near_W, double distance,
-                   double radius, Random& random) {
-  for (;;) {
-    const Vector3d p_W = near_W + distance * random.Direction();
-    const bool is_free =
-        std::all_of(world.bodies.begin(), world.bodies.end(), [&](const RigidBody& body) {
-          const double reach = radius + BoundingRadius(body.placed.shape) + kGap;
-          return Norm(body.placed.X_WB.p_WB - p_W) > reach;
-        });
-    if (is_free) return p_W;
-    distance *= 1.25;
-  }
 }
 
 Vector3d AnchorPlace(const World& world, int body, const Vector3d& point) {

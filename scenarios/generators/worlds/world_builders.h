@@ -40,6 +40,10 @@ WorldScenario HangingBars(WorldDraw& draw);
  joint_length. */
 WorldScenario Linkage(WorldDraw& draw);
 
+/** Two to four boxes, bars and plates fly at the first, which may be fixed: coulomb_cone,
+ or conserves_momentum if nothing acts from outside. */
+WorldScenario Bars(WorldDraw& draw);
+
 /** `height` boxes at rest on each other: rests, stack_support. */
 WorldScenario Stack(WorldDraw& draw, int height);
 

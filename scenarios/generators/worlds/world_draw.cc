@@ -13,6 +13,9 @@ namespace {
  */
 constexpr int kMostSamples = 120;
 
+/** Least distance between the bounding spheres of two bodies at the start. [m] */
+constexpr double kGap = 0.02;
+
 }  // namespace
 
 double WorldDraw::Coefficient() {
@@ -59,6 +62,20 @@ void AddGround(WorldScenario& scenario, WorldDraw& draw, double reach) {
   } else {
     AddBody(scenario, "ground", Box{{reach, reach, depth}}, 0,
             Pose::FromMatrix({0, 0, -depth}, Eigen::Matrix3d::Identity()));
+  }
+}
+
+Eigen::Vector3d FreePlace(const World& world, const Eigen::Vector3d& near_W,
+                          double distance, double radius, Random& random) {
+  for (;;) {
+    const Eigen::Vector3d p_W = near_W + distance * random.Direction();
+    const bool is_free =
+        std::all_of(world.bodies.begin(), world.bodies.end(), [&](const RigidBody& body) {
+          const double reach = radius + BoundingRadius(body.placed.shape) + kGap;
+          return Norm(body.placed.X_WB.p_WB - p_W) > reach;
+        });
+    if (is_free) return p_W;
+    distance *= 1.25;
   }
 }
 

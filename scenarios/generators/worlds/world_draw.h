@@ -40,6 +40,12 @@ RigidBody& AddBody(WorldScenario& scenario, const std::string& named, const Shap
  a box that is `reach` [m] wide to every side. */
 void AddGround(WorldScenario& scenario, WorldDraw& draw, double reach);
 
+/** Returns a place whose distance from `near_W` is about `distance` and where a ball of
+ `radius` is at least 2 cm from the bounding spheres of all bodies: random places, each
+ farther away than the last. [m] */
+Eigen::Vector3d FreePlace(const World& world, const Eigen::Vector3d& near_W,
+                          double distance, double radius, Random& random);
+
 /** Gives every body that restitution and that friction. */
 void SetContacts(WorldScenario& scenario, double restitution, double friction);
 

@@ -8,12 +8,12 @@
 namespace touchstone {
 namespace {
 
-constexpr std::array<std::string_view, 8> kNames = {
-    "drops",  "impacts",     "slides",       "rods",
-    "stacks", "mass_ratios", "step_lengths", "linkages"};
+constexpr std::array<std::string_view, 9> kNames = {
+    "drops",       "impacts",      "slides",   "rods", "stacks",
+    "mass_ratios", "step_lengths", "linkages", "bars"};
 
-/** Steps per second of the families kStepLengths and kLinkages: those that games,
- simulators and controllers use, and others. [1/s] */
+/** Steps per second of the families kStepLengths, kLinkages and kBars: those that
+ games, simulators and controllers use, and others. [1/s] */
 constexpr std::array<int, 16> kRates = {30,  40,  50,  60,  75,  90,  100, 120,
                                         144, 200, 240, 300, 400, 500, 750, 1000};
 
@@ -117,6 +117,8 @@ WorldScenario UpIsZ(WorldFamily family, WorldDraw& draw) {
       return Any(draw);
     case WorldFamily::kLinkages:
       return Linkage(draw);
+    case WorldFamily::kBars:
+      return Bars(draw);
   }
   return {};
 }
@@ -144,8 +146,9 @@ WorldScenario GenerateWorld(WorldFamily family, std::uint64_t seed, std::uint64_
   // The constant keeps worlds apart from the contact questions of the same seed.
   constexpr std::uint64_t kWorlds = 0x776f726c64;
   Random random({seed, index, static_cast<std::uint64_t>(family), kWorlds});
-  const bool steps_vary =
-      family == WorldFamily::kStepLengths || family == WorldFamily::kLinkages;
+  const bool steps_vary = family == WorldFamily::kStepLengths ||
+                          family == WorldFamily::kLinkages ||
+                          family == WorldFamily::kBars;
   WorldDraw draw{.random = random,
                  .dt = steps_vary ? AnyStep(random) : UsualStep(random)};
   WorldScenario scenario = UpIsZ(family, draw);

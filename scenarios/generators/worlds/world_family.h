@@ -33,13 +33,17 @@ enum class WorldFamily {
   /** Two to six spheres, boxes and bars of up to 1 : 20 on rods, thrown at the ground, at
    a wall and at each other. Masses differ by up to 100; the step is 1/30 to 1/1000 s. */
   kLinkages,
+  /** Two to four boxes, bars and plates, thin ones down to 1 : 50, that fly at each other
+   and past each other and turn by up to 1.5 rad in a step; the first may be fixed. Masses
+   differ by up to 100; the step is 1/30 to 1/1000 s. */
+  kBars,
 };
 
 /** Returns the families in the order of the enumeration. */
 std::vector<WorldFamily> AllWorldFamilies();
 
 /** Returns the name used on the command line and in reports: "drops", "impacts",
- "slides", "rods", "stacks", "mass_ratios", "step_lengths", "linkages". */
+ "slides", "rods", "stacks", "mass_ratios", "step_lengths", "linkages", "bars". */
 std::string_view NameOf(WorldFamily family);
 
 /** Returns the family with that name; empty if there is none. */

@@ -95,6 +95,7 @@ TEST(WorldFamily, ClaimsTheLawsOfItsKindsOfWorld) {
            {WorldFamily::kRods, {"pendulum", "double_pendulum", "conserves_energy"}},
            {WorldFamily::kStacks, {"rests", "stack_support"}},
            {WorldFamily::kLinkages, {"joint_length"}},
+           {WorldFamily::kBars, {"coulomb_cone", "conserves_momentum"}},
            {WorldFamily::kStepLengths, {"ballistic", "torque_free", "rests"}}}) {
     const std::map<std::string, int> claimed = LawsOf(family);
     for (const std::string& law : laws) {
