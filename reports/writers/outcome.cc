@@ -189,6 +189,13 @@ std::string_view RecognisedModelOf(const Outcome& outcome) {
   return "";
 }
 
+const Finding* FailureAsShippedOnly(const Outcome& outcome) {
+  if (outcome.verdict != Verdict::kPass) return nullptr;
+  const auto found =
+      std::ranges::find(outcome.findings, Shipped::kShippedOnly, &Finding::shipped);
+  return found == outcome.findings.end() ? nullptr : &*found;
+}
+
 std::string_view ReasonOf(const RunReport& report, const Outcome& outcome) {
   if (outcome.verdict != Verdict::kUnsupported) return "";
   const std::size_t contacts = report.scenarios.size();

@@ -74,6 +74,10 @@ std::vector<Outcome> OutcomesOf(const RunReport& report);
  follow, see RecognisedModelOf(finding). Empty if none. */
 std::string_view RecognisedModelOf(const Outcome& outcome);
 
+/** Returns the first measure by which an answer that passes here fails as the engine
+ ships; null if there is none. */
+const Finding* FailureAsShippedOnly(const Outcome& outcome);
+
 /** Returns the reason of an `unsupported` outcome; empty for any other verdict. */
 std::string_view ReasonOf(const RunReport& report, const Outcome& outcome);
 

@@ -279,6 +279,32 @@ void WriteUnverified(const RunReport& report, std::span<const Outcome> outcomes,
                claims, out);
 }
 
+/** Writes what a user gets who sets nothing, where it is wrong and what the adapter has
+ set is right. This is not a failure. */
+void WriteShippedOnly(const RunReport& report, std::span<const Outcome> outcomes,
+                      const TableStyle& style, const Painter& paint, std::ostream& out) {
+  constexpr int kMost = 10;
+  int count = 0;
+  for (const Outcome& outcome : outcomes) {
+    const Finding* finding = FailureAsShippedOnly(outcome);
+    if (finding == nullptr || ++count > kMost) continue;
+    if (count == 1)
+      out << '\n'
+          << paint(Colour::kBold, "As shipped only")
+          << ": right as set here, wrong with the engine's own settings\n";
+    out << "  "
+        << Wrapped(fmt::format("{}, {}: {}, {}.", finding->oracle,
+                               IdOf(report, outcome.scenario), NameOf(finding->measure),
+                               finding->shipped_because),
+                   WidthWithin(style), 4)
+        << '\n';
+  }
+  if (count > kMost)
+    out << fmt::format(
+        "  and {} more, on the pages of the oracles of --out DIR or --open\n",
+        count - kMost);
+}
+
 /** Writes the drifts and depths of a run that asks about a single world. */
 void WriteDrifts(const RunReport& report, std::span<const Outcome> outcomes,
                  const Painter& paint, std::ostream& out) {
@@ -349,6 +375,14 @@ void WriteCounts(const RunReport& report, std::span<const Outcome> outcomes,
       }))
     out << "tolerance too coarse: at the step of the world a law must allow more than "
            "1 % of the size; a smaller dt allows less\n";
+  const auto shipped_only = std::ranges::count_if(outcomes, [](const Outcome& outcome) {
+    return FailureAsShippedOnly(outcome) != nullptr;
+  });
+  if (shipped_only > 0)
+    out << fmt::format(
+        "as shipped only: {} of the passes fail with the engine's own "
+        "settings; --as-shipped judges those\n",
+        shipped_only);
   const int code = ExitCode(report, style.fail_on);
   out << paint(code == 0 ? Colour::kGood : Colour::kBad,
                ConclusionOf(report, outcomes, style.fail_on))
@@ -375,6 +409,7 @@ void WriteTable(const RunReport& report, const TableStyle& style, std::ostream& 
   if (!style.quiet) {
     WriteDrifts(report, outcomes, paint, out);
     WriteRecognised(report, outcomes, paint, out);
+    WriteShippedOnly(report, outcomes, style, paint, out);
     WriteUnverified(report, outcomes, paint, out);
     WriteUnsupported(report, outcomes, paint, out);
     WriteVoidEntries(report, paint, out);

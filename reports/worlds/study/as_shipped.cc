@@ -5,12 +5,14 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "reports/worlds/study/body_steps.h"
+#include "reports/worlds/study/deciding_defaults.h"
 #include "reports/worlds/study/every_step.h"
 #include "reports/worlds/study/examine_world.h"
 #include "reports/worlds/study/judge_ensemble.h"
@@ -36,6 +38,13 @@ bool NeedsNoQuarterStep(const Finding& finding) {
          finding.measure <= MeasureKind::kMassScaling;
 }
 
+/** Returns whether a world without a failure is asked again: whether all motions of one
+ judgement take about as long as one of a studied world. */
+bool IsCheap(const WorldScenario& scenario) {
+  const int motions = scenario.ensemble ? scenario.ensemble->members : 1;
+  return BodySteps(scenario.world) * motions <= kStudiedBodySteps;
+}
+
 /** Returns whether every finding for which `counts` holds has the property. */
 template <typename Counts, typename Property>
 bool All(std::span<const Finding> findings, Counts counts, Property has) {
@@ -44,8 +53,28 @@ bool All(std::span<const Finding> findings, Counts counts, Property has) {
   });
 }
 
-Findings JudgedFromOneMotion(const WorldScenario& scenario, const Oracle& oracle) {
-  const Trajectory of_steps = oracle.Simulate(EveryStep(scenario.world));
+bool IsSameState(const BodyState& a, const BodyState& b) {
+  return a.p_WB == b.p_WB && a.q_WB.coeffs() == b.q_WB.coeffs() && a.v_WB == b.v_WB &&
+         a.w_WB == b.w_WB;
+}
+
+bool IsSamePoint(const PointState& a, const PointState& b) {
+  return a.p_W == b.p_W && a.v_W == b.v_W;
+}
+
+/** Returns whether two motions have the same states at all samples, bit by bit. */
+bool IsSameMotion(const Trajectory& a, const Trajectory& b) {
+  const auto is_same = [](const WorldState& x, const WorldState& y) {
+    return std::ranges::equal(x.bodies, y.bodies, IsSameState) &&
+           std::ranges::equal(x.particles, y.particles, IsSamePoint) &&
+           std::ranges::equal(x.nodes, y.nodes, IsSamePoint);
+  };
+  return a.status == b.status && std::ranges::equal(a.samples, b.samples, is_same);
+}
+
+/** Judges one motion of a world, without changed copies. */
+Findings JudgedFromOneMotion(const WorldScenario& scenario, const Oracle& oracle,
+                             const Trajectory& of_steps) {
   const Trajectory trajectory = SampledAs(scenario.world, of_steps);
   std::vector<Findings> groups = JudgeWorldByClaim({.scenario = scenario,
                                                     .oracle = oracle.info(),
@@ -59,16 +88,14 @@ Findings JudgedFromOneMotion(const WorldScenario& scenario, const Oracle& oracle
   return all;
 }
 
-/** The neighbours that every finding needs for its verdict. Its cause is known. */
-const WantedNeighbours kForVerdicts{.limit = true, .causes = false, .variant = {}};
-
 /** Returns the neighbours that judge again the findings for which `counts` holds. */
 template <typename Counts>
 WantedNeighbours WantedFor(std::span<const Finding> findings, Counts counts) {
   const auto needs_few = [](const Finding& finding) {
     return NeedsOneMotion(finding) || NeedsNoQuarterStep(finding);
   };
-  if (!All(findings, counts, needs_few)) return kForVerdicts;
+  if (!All(findings, counts, needs_few))
+    return {.limit = true, .causes = false, .variant = {}};
   std::set<MeasureKind> measures;
   for (const Finding& finding : findings)
     if (counts(finding)) measures.insert(finding.measure);
@@ -84,7 +111,7 @@ bool IsSame(const Finding& a, const Finding& b) {
 /** Returns the counterpart in `findings` of `all[index]`, or null: of the findings of the
  same law and measure, the one in the same place. Several claims of one law have several.
  */
-const Finding* Find(const Findings& findings, std::span<const Finding> all,
+const Finding* Find(std::span<const Finding> findings, std::span<const Finding> all,
                     std::size_t index) {
   const auto is_same = [&](const Finding& finding) {
     return IsSame(finding, all[index]);
@@ -97,7 +124,7 @@ const Finding* Find(const Findings& findings, std::span<const Finding> all,
 }
 
 /** Returns whether a world gave no motion to judge. */
-const Finding* FailureToAnswer(const Findings& findings) {
+const Finding* FailureToAnswer(std::span<const Finding> findings) {
   const Finding& answering = findings.front();
   return answering.verdict == Verdict::kPass ? nullptr : &answering;
 }
@@ -109,98 +136,95 @@ std::string Measured(const Finding& finding) {
                      finding.tolerance, space, unit);
 }
 
-/** A parameter in force with another value than the engine's default. */
-struct Difference {
-  const WorldParameter* parameter;
-  double value;      ///< The value in force.
-  Findings shipped;  ///< The findings with the default of this parameter alone.
-
-  std::string InWords() const {
-    return fmt::format("{} = {}, {} here", parameter->name, parameter->shipped, value);
-  }
-};
-
-std::vector<Difference> DifferencesOf(const OracleInfo& info) {
-  const std::vector<double> values = ValuesOf(info.parameters, info.setup);
-  std::vector<Difference> differences;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (values[i] != info.parameters[i].shipped)
-      differences.push_back({&info.parameters[i], values[i], {}});
-  }
-  return differences;
+/** Returns whether a finding fails as set here or as shipped, and not both. */
+bool DependsOnSettings(const Finding& finding) {
+  return finding.shipped == Shipped::kHereOnly ||
+         finding.shipped == Shipped::kShippedOnly;
 }
 
-/** Returns the parameters whose default lets `findings[index]` pass, as the end of a
- * sentence.
- */
-std::string WhatDecides(std::span<const Finding> findings, std::size_t index,
-                        std::span<const Difference> differences) {
-  std::vector<std::string> all;
-  std::vector<std::string> alone;
-  for (const Difference& difference : differences) {
-    all.push_back(difference.InWords());
-    if (FailureToAnswer(difference.shipped)) continue;
-    const Finding* found = Find(difference.shipped, findings, index);
-    if (found && found->verdict == Verdict::kPass) alone.push_back(difference.InWords());
-  }
-  if (!alone.empty())
-    return fmt::format("; the default {}, is enough", fmt::join(alone, "; or "));
-  if (all.empty()) return "";
-  return fmt::format("; no default alone is enough, of {}", fmt::join(all, "; "));
-}
-
-}  // namespace
-
-void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
-                        std::span<Finding> findings) {
-  const OracleInfo& info = oracle.info();
-  const auto fails = [](const Finding& finding) { return IsFailure(finding.verdict); };
-  if (info.setup.as_shipped || std::none_of(findings.begin(), findings.end(), fails))
-    return;
-  std::vector<Difference> differences = DifferencesOf(info);
-  if (differences.empty()) return;
-  const std::unique_ptr<Oracle> untouched =
-      oracle.SetUp({.as_shipped = true, .chosen = {}});
-  const Findings shipped =
-      All(findings, fails, NeedsOneMotion)
-          ? JudgedFromOneMotion(scenario, *untouched)
-          : ExamineWorld(scenario, *untouched, kForVerdicts).findings;
+/** Compares each finding with its counterpart as shipped. */
+void Compare(std::span<const Finding> shipped, std::span<Finding> findings) {
   const Finding* silent = FailureToAnswer(shipped);
-  if (silent && silent->verdict == Verdict::kUnsupported) return;
   for (std::size_t i = 0; i < findings.size(); ++i) {
     Finding& finding = findings[i];
-    const Finding* found = silent ? silent : Find(shipped, findings, i);
-    if (found == nullptr || (!fails(finding) && (silent || !fails(*found)))) continue;
-    const bool is_decided = fails(*found) || found->verdict == Verdict::kPass;
-    if (!is_decided) continue;
-    finding.shipped = !fails(finding) ? Shipped::kShippedOnly
-                      : fails(*found) ? Shipped::kBoth
+    const bool fails = IsFailure(finding.verdict);
+    const Finding* found = fails && silent ? silent : Find(shipped, findings, i);
+    if (found == nullptr) continue;
+    const bool fails_shipped = IsFailure(found->verdict);
+    const bool is_decided = fails_shipped || found->verdict == Verdict::kPass;
+    // The first finding is that the world was answered.
+    const bool fails_only_shipped = fails_shipped && finding.verdict == Verdict::kPass &&
+                                    (NeedsOneMotion(finding) || i == 0);
+    if (fails ? !is_decided : !fails_only_shipped) continue;
+    finding.shipped = !fails          ? Shipped::kShippedOnly
+                      : fails_shipped ? Shipped::kBoth
                                       : Shipped::kHereOnly;
     finding.shipped_because =
         silent ? fmt::format("as shipped it gives no motion: {}", silent->proof)
                : Measured(*found) + " as shipped";
   }
-  const auto here_only = [](const Finding& finding) {
-    return finding.shipped == Shipped::kHereOnly;
+}
+
+/** Judges a world again, from the motions that the findings need for which `counts`
+ holds. `known` are the findings of `motion`. An oracle that moves in that way has them,
+ too: a setting that does not change the motion changes no variant. */
+template <typename Counts>
+Findings JudgedAgain(const WorldScenario& scenario, const Oracle& oracle,
+                     const Trajectory& motion, std::span<const Finding> known,
+                     Counts counts) {
+  const Trajectory of_steps = oracle.Simulate(EveryStep(scenario.world));
+  if (!scenario.ensemble && IsSameMotion(SampledAs(scenario.world, of_steps), motion))
+    return {known.begin(), known.end()};
+  if (All(known, counts, NeedsOneMotion))
+    return JudgedFromOneMotion(scenario, oracle, of_steps);
+  return ExamineWorld(scenario, oracle, WantedFor(known, counts)).findings;
+}
+
+/** Says which settings decide the findings that depend on them. */
+void NameSettings(const WorldScenario& scenario, const Oracle& oracle,
+                  const Trajectory& motion, bool one_motion,
+                  std::span<Finding> findings) {
+  const auto counts = [&](const Finding& finding) {
+    return DependsOnSettings(finding) && NeedsOneMotion(finding) == one_motion;
   };
-  if (std::none_of(findings.begin(), findings.end(), here_only)) return;
-  const bool needs_one_motion = All(findings, here_only, NeedsOneMotion);
-  const WantedNeighbours wanted = WantedFor(findings, here_only);
-  for (Difference& difference : differences) {
-    WorldSetup setup = info.setup;
-    setup.chosen[difference.parameter->name] = difference.parameter->shipped;
-    const std::unique_ptr<Oracle> changed = oracle.SetUp(setup);
-    difference.shipped = needs_one_motion
-                             ? JudgedFromOneMotion(scenario, *changed)
-                             : ExamineWorld(scenario, *changed, wanted).findings;
-  }
+  DecidingDefaults defaults(oracle, [&](const Oracle& changed) {
+    return JudgedAgain(scenario, changed, motion, findings, counts);
+  });
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    if (!here_only(findings[i])) continue;
-    findings[i].shipped_because += WhatDecides(findings, i, differences);
-    if (findings[i].cause != Cause::kDefect) continue;
-    findings[i].cause = Cause::kSetting;
-    findings[i].cause_because = "it passes as the engine ships";
+    Finding& finding = findings[i];
+    if (!counts(finding)) continue;
+    const bool fails = finding.shipped == Shipped::kShippedOnly;
+    const auto is_as_shipped = [&](const Findings& changed) {
+      const Finding* found = Find(changed, findings, i);
+      if (FailureToAnswer(changed)) return fails && found;
+      return found &&
+             (fails ? IsFailure(found->verdict) : found->verdict == Verdict::kPass);
+    };
+    const bool together = one_motion && IsCheap(scenario);
+    finding.shipped_because += defaults.Name(is_as_shipped, together);
+    if (finding.cause != Cause::kDefect) continue;
+    finding.cause = Cause::kSetting;
+    finding.cause_because = "it passes as the engine ships";
   }
+}
+
+}  // namespace
+
+void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
+                        const Trajectory& motion, std::span<Finding> findings) {
+  const auto fails = [](const Finding& finding) { return IsFailure(finding.verdict); };
+  const bool is_asked = std::any_of(findings.begin(), findings.end(), fails) ||
+                        (IsWhole(motion) && IsCheap(scenario));
+  if (oracle.info().setup.as_shipped || !is_asked) return;
+  if (DecidingDefaults(oracle, {}).empty()) return;
+  const std::unique_ptr<Oracle> untouched =
+      oracle.SetUp({.as_shipped = true, .chosen = {}});
+  const Findings shipped = JudgedAgain(scenario, *untouched, motion, findings, fails);
+  const Finding* silent = FailureToAnswer(shipped);
+  if (silent && silent->verdict == Verdict::kUnsupported) return;
+  Compare(shipped, findings);
+  for (const bool one_motion : {true, false})
+    NameSettings(scenario, oracle, motion, one_motion, findings);
 }
 
 }  // namespace touchstone

@@ -3,18 +3,20 @@
 #include <span>
 
 #include "oracles/oracle.h"
+#include "oracles/trajectory.h"
 #include "reports/finding/finding.h"
 #include "scenarios/worlds/world_scenario.h"
 
 namespace touchstone {
 
-/** Says of the findings of one world and one oracle whose fault a failure is: that of the
- engine or that of the settings of its adapter. If any finding fails, the world is asked
- again with the engine's shipped settings, and Finding::shipped is set for each finding
- that either setup fails. A finding that fails as set here only names the parameter whose
- default alone lets it pass. Worlds without a failure, and oracles set up as shipped, are
- not asked again. */
+/** Says of the findings of one world and one oracle whether they depend on the settings
+ of its adapter. `motion` is the motion of the world that they judge. The world is asked
+ again with the engine's shipped settings if any finding fails, or if that is about as
+ cheap as a motion of a studied world: from one motion unless a failure needs more.
+ Finding::shipped is set for each finding that either setup fails; what passes here is
+ compared by what one motion tells. What only one of them fails names the settings that
+ decide, see DecidingDefaults. An oracle that is set up as shipped is not asked again. */
 void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
-                        std::span<Finding> findings);
+                        const Trajectory& motion, std::span<Finding> findings);
 
 }  // namespace touchstone

@@ -64,7 +64,7 @@ Examination Examined(const WorldScenario& scenario, const Oracle& oracle,
   const Stopwatch all;
   Examination examined = ExamineWorld(scenario, oracle);
   const Stopwatch shipped;
-  CompareWithShipped(scenario, oracle, examined.findings);
+  CompareWithShipped(scenario, oracle, examined.trajectory, examined.findings);
   examined.seconds.motions["as shipped"] = shipped.seconds();
   GradeFaults(ScaleOf(scenario.world, examined.trajectory.samples), examined.findings);
   SortByMeasure(examined.findings);

@@ -43,7 +43,7 @@ struct WorldsReport {
  start and in its variants, and at a quarter of it where a claim is judged by order or
  limit, or a failure needs its cause. Each member of an ensemble is simulated once, and
  the worst finding per claim and measure is kept. Larger worlds are simulated once only. A
- world with a failure is asked again as shipped, see CompareWithShipped().
+ world is asked again as shipped, see CompareWithShipped().
 
  The report does not depend on the number of jobs. */
 WorldsReport RunWorlds(std::span<const WorldScenario> worlds,

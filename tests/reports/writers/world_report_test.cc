@@ -123,6 +123,34 @@ TEST(WorldReport, ExplanationComparesTheStatisticsOfEnsembles) {
   EXPECT_THAT(text, ContainsRegex("light +40.5 ± 0.05 +≠ +-2.912 ± 0.001 +0.3 ± 0 "));
 }
 
+TEST(WorldReport, APassThatFailsAsShippedIsListedAndCountedAndFailsNoRun) {
+  RunReport report = OneWorld();
+  report.findings.resize(1);
+  report.findings[0].shipped = Shipped::kShippedOnly;
+  report.findings[0].shipped_because =
+      "0.3 m where 0.01 m is allowed as shipped; the default margin = 0.04, 0 here, is "
+      "enough";
+  const auto table = [&](const TableStyle& style) {
+    std::ostringstream out;
+    WriteTable(report, style, out);
+    return out.str();
+  };
+  constexpr std::string_view kCount =
+      "as shipped only: 1 of the passes fail with the engine's own settings";
+  EXPECT_THAT(
+      table({}),
+      AllOf(HasSubstr("As shipped only: right as set here, wrong with the engine's own "
+                      "settings\n  mine, world/test/fall: position_error, 0.3 m where "
+                      "0.01 m is allowed as shipped; the default margin = 0.04, 0 here, "
+                      "is enough.\n"),
+            HasSubstr(kCount), HasSubstr("OK: mine never failed")));
+  EXPECT_THAT(table({.quiet = true}), AllOf(HasSubstr(kCount), Not(HasSubstr("margin"))));
+
+  // An answer that is wrong either way is listed as wrong.
+  report.findings.push_back(FindingOf("mine", 0.41));
+  EXPECT_THAT(table({}), Not(HasSubstr("s shipped only")));
+}
+
 TEST(WorldReport, DriftsAreShownWhateverTheWorldClaims) {
   constexpr std::string_view kMine =
       "energy gained 0.001 J, lost 0.002 J; momentum 0.003 N s; angular momentum 0.004 N "

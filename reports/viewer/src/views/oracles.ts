@@ -1,9 +1,12 @@
+import { questionAddress } from "../address";
 import { bands, bandTexts, faultBands } from "../bands";
-import { h } from "../dom";
+import { h, type Child } from "../dom";
 import { faultAddress } from "../fault_address";
-import { findingsAddress } from "../findings_table";
+import { findingsAddress, measureOf } from "../findings_table";
 import { counted, digits } from "../format";
-import { bandOfCluster, extentOf } from "../run";
+import { proofText } from "../proof_text";
+import { bandOfCluster, extentOf, type Run } from "../run";
+import { shippedOnlyOf } from "../shipped_only";
 import type { MakeView } from "../view";
 import { badge, engine } from "../widgets";
 import { notFound } from "./not_found";
@@ -31,6 +34,7 @@ export const oraclesView: MakeView = (run, at) => {
     h("p", {}, `${oracle.library} ${oracle.version}, ${arithmetic(oracle.unit_roundoff)}; answers ${kinds(oracle)}`, oracle.isolated && ", in a process of its own", index === subject && "; the subject of this run", "."),
     h("p", { class: "chips" }, bands.map((band, b) => per[b] > 0 && h("a", { class: `chip ${band}`, href: findingsAddress({ oracle: oracle.name, band }) }, h("span", { "aria-hidden": "true" }, bandTexts[band].glyph), ` ${bandTexts[band].name} `, h("b", {}, per[b].toLocaleString("en"))))),
     mine.length > 0 && [h("h2", {}, "Its faults, the worst for a user first"), h("ol", {}, mine.map(({ c, i }) => h("li", { dir: "auto" }, badge(bandOfCluster(run, c)), " ", h("a", { href: faultAddress(run, i) }, c.title), " ", h("span", { class: "quiet" }, extentOf(c)))))],
+    shippedOnly(run, index),
     h("h2", {}, "Settings of the adapter"),
     oracle.settings.length === 0 ? h("p", { class: "quiet" }, "None.") : h("table", { class: "plain" },
       h("thead", {}, h("tr", {}, ["Setting", "Value", "Why"].map((t) => h("th", { scope: "col" }, t)))),
@@ -41,6 +45,16 @@ export const oraclesView: MakeView = (run, at) => {
     h("p", { class: "quiet" }, counted(per.reduce((a, b) => a + b, 0), "measurement") + " in this run."));
   return { title: oracle.name, element };
 };
+
+/** What a user gets who sets nothing, where the settings of the adapter make it right: a line a question. */
+function shippedOnly(run: Run, oracle: number): Child {
+  const { findings: f, questions } = run.report;
+  const first = new Map<number, number>();
+  for (const i of shippedOnlyOf(run, oracle)) if (!first.has(f.question[i])) first.set(f.question[i], i);
+  if (first.size === 0) return null;
+  return [h("h2", {}, "Right as set here, wrong as the engine ships"), h("ul", {}, [...first].map(([q, i]) => h("li", { dir: "auto" },
+    h("a", { href: questionAddress(questions[q].id, { o: run.report.oracles[oracle].name }), title: questions[q].id }, questions[q].title), ": ", measureOf(run, i), ", ", proofText(run.text(f.shipped_because[i])), ".")))];
+}
 
 const kinds = (o: { contacts: boolean; worlds: boolean }): string => [o.contacts && "contacts", o.worlds && "worlds"].filter(Boolean).join(" and ") || "nothing";
 const arithmetic = (roundoff: number): string => (roundoff < 1e-12 ? "double precision" : roundoff < 1e-5 ? "single precision" : `rounds to ${digits(roundoff)}`);

@@ -7,6 +7,7 @@ import { quantity, spaced } from "../format";
 import { proofText } from "../proof_text";
 import { causeOf } from "../responsible";
 import type { Run } from "../run";
+import { shippedOnlyOf } from "../shipped_only";
 import { badge, badgeOf, engine, modelOf, upstreamLink } from "../widgets";
 
 /** The oracles with a finding on a question, the gravest first. */
@@ -58,7 +59,8 @@ export function faultsOf(run: Run, question: number, oracle: number, more: (find
   const told = faults.length ? [...faults].sort((a, b) => isFirst(b) - isFirst(a)) : all.filter((i) => run.text(f.proof[i]) !== "").slice(0, 3);
   const { passed, undecidable } = countsOf(run, question, oracle);
   if (told.length === 0 && undecidable > 0) return h("p", {}, `No measurement of ${oracles[oracle].name} shows a fault: ${passed} ${passed === 1 ? "is" : "are"} within tolerance, and ${undecidable} cannot be decided: `, [...new Set(all.filter((i) => bands[run.band[i]] === "undecidable").map((i) => `${measureOf(run, i)} (${names.undecided[f.undecided[i]] || "truth unknown"})`))].join(", "), ".");
-  if (told.length === 0) return h("p", {}, `Nothing is wrong with the answer of ${oracles[oracle].name}: ${all.length === 1 ? "its one measurement is" : `its ${all.length} measurements are`} within tolerance.`);
+  if (told.length === 0) return [h("p", {}, `Nothing is wrong with the answer of ${oracles[oracle].name}: ${all.length === 1 ? "its one measurement is" : `its ${all.length} measurements are`} within tolerance.`),
+    shippedOnlyOf(run, oracle, question).map((i) => h("p", {}, h("b", {}, "Fails as shipped only: "), measureOf(run, i), ", ", proofText(run.text(f.shipped_because[i])), "."))];
   const undecided = (i: number): string => (run.band[i] === bands.indexOf("undecidable") ? names.undecided[f.undecided[i]] ?? "" : "");
   const reasons = new Set<number>();
   return told.slice(0, 30).map((i) => {

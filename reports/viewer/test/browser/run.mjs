@@ -1046,6 +1046,20 @@ test("an oracle of which one measurement is undecidable says how many it passed"
   }, await writePage(folder, "undecidable.html", own));
 });
 
+test("what is right only by the settings of its adapter is listed on the page of its oracle, and told where it is opened", async () => {
+  const own = makeSample({ contacts: 10, worlds: 6, findings: 1500 });
+  const { findings: f, texts, oracles, questions } = own.report;
+  const { all } = worldFinding(own);
+  texts.push("0.32 m where 0.01 m is allowed as shipped; the default processing_threshold = 1e+18, 0 here, is enough");
+  all.forEach((i, k) => { f.verdict[i] = 0; f.cause[i] = 0; f.cluster[i] = -1; f.proof[i] = -1; f.shipped[i] = k === 0 ? 3 : 0; f.shipped_because[i] = k === 0 ? texts.length - 1 : -1; });
+  await withPage({}, async (page) => {
+    await go(page, `#/oracles/${encodeURIComponent(oracles[f.oracle[all[0]]].name)}`);
+    assert.match(await page.textContent("h2:text-is('Right as set here, wrong as the engine ships') + ul li"), /processing_threshold = 1e\+18, 0 here, is enough\./);
+    await page.click(`h2:text-is('Right as set here, wrong as the engine ships') + ul a:has-text("${questions[f.question[all[0]]].title}")`);
+    assert.match(await page.textContent("#tab-panel"), /Fails as shipped only: .*0\.32 m where 0\.01 m is allowed as shipped/);
+  }, await writePage(folder, "shipped.html", own));
+});
+
 test("a motion that has diverged is not drawn on at its last pose, and its plot is logarithmic at first", async () => {
   const own = makeSample({ contacts: 10, worlds: 6, findings: 1500 });
   const { findings: f, questions, names, cited } = own.report;

@@ -1,0 +1,11 @@
+import type { Run } from "./run";
+
+/** The findings of an oracle that pass as set here and fail as the engine ships, in the order of the questions.
+ * @param question the only question that counts; -1 for all */
+export function shippedOnlyOf(run: Run, oracle: number, question = -1): number[] {
+  const { findings: f, names } = run.report;
+  const found: number[] = [];
+  for (let i = 0; i < f.oracle.length; ++i)
+    if (f.oracle[i] === oracle && (question < 0 || f.question[i] === question) && names.shipped[f.shipped[i]] === "as shipped only") found.push(i);
+  return found;
+}
