@@ -24,9 +24,15 @@ namespace hn = hwy::HWY_NAMESPACE;
 static_assert(kPairsPerBatch == kMostPairs);
 
 /** Cosine of the angle between the normal of two edges and that of a face. For smaller
- angles the contact is on the face. The corners of the patch of two nearly parallel faces
- have their own depths; on the one contact of two edges the boxes would rock. */
+ angles the contact is on the face, unless the boxes are much deeper in each other along
+ it. The corners of the patch of two nearly parallel faces have their own depths; on the
+ one contact of two edges the boxes would rock. */
 constexpr double kMinFaceCosine = 0.98;
+
+/** How much deeper the boxes may be along such a face than along the normal of the edges,
+ as a fraction of the least half extent. The end of a long bar that leans on an edge is
+ far below the face that the bar crosses at a small angle. */
+constexpr double kFaceDepth = 0.05;
 
 /** The input of a batch as a structure of arrays, indexed by pair. */
 struct alignas(64) BatchInput {
@@ -181,10 +187,18 @@ void CollideLanes(const BatchInput& input, std::size_t lane, BatchResults& resul
   const SupportingFaces face_B =
       FindSupportingFaces(n_B, seen.p_AB_B, seen.reach_B, axes_B);
 
-  const PairMask is_not_face = hn::Lt(
-      hn::Max(hn::Abs(face_A.cosine), hn::Abs(face_B.cosine)), All(kMinFaceCosine));
-  const PairMask edge_contacts = hn::And(
-      is_not_face, hn::Gt(found.separation, hn::Max(face_A.gap, face_B.gap) + margin));
+  PairVector thinnest = hn::Min(h_A[0], h_B[0]);
+  for (std::size_t k = 1; k < 3; ++k)
+    thinnest = hn::Min(thinnest, hn::Min(h_A[k], h_B[k]));
+  const PairVector least_gap =
+      found.separation - hn::Max(margin, All(kFaceDepth) * thinnest);
+  const auto is_near = [&](const SupportingFaces& face) HWY_ATTR {
+    return hn::And(hn::Ge(hn::Abs(face.cosine), All(kMinFaceCosine)),
+                   hn::Ge(face.gap, least_gap));
+  };
+  const PairMask edge_contacts =
+      hn::AndNot(hn::Or(is_near(face_A), is_near(face_B)),
+                 hn::Gt(found.separation, hn::Max(face_A.gap, face_B.gap) + margin));
   // The face with the greater gap is the reference face. Rounding must not decide it, so
   // the reference face of the last step stays within half the margin. Without a last step
   // it is that of A.

@@ -148,6 +148,28 @@ TEST(CollideBoxesSimd, ContactsAreMidwayBetweenTheSurfaces) {
   EXPECT_GT(contacts, 2000);
 }
 
+// The end of a long bar that leans on an edge at a small angle is far below the face, and
+// an impulse along the normal of that face would not stop the bar.
+TEST(CollideBoxesSimd, AFaceIsNotMuchDeeperThanTheEdgesThatItReplaces) {
+  Random random(12);
+  int faces_for_edges = 0;
+  int edges = 0;
+  for (int n = 0; n < 20000 && !testing::Test::HasFailure(); ++n) {
+    const BoxQuestion q = AnyBoxes(random);
+    const Manifold least = Collide(q.A, q.X_WA, q.B, q.X_WB);
+    if (!least.touching) continue;
+    const Pair pair = CollideAlone(kMargin, q);
+    const double thinnest =
+        std::min(q.A.half_extents.minCoeff(), q.B.half_extents.minCoeff());
+    EXPECT_GE(pair.manifold.separation,
+              least.separation - std::max(kMargin, 0.05 * thinnest) - 1e-12);
+    faces_for_edges += pair.manifold.separation < least.separation - 1e-9;
+    edges += pair.edge_contact;
+  }
+  EXPECT_GT(faces_for_edges, 10);
+  EXPECT_GT(edges, 1000);
+}
+
 TEST(CollideBoxesSimd, WithoutMarginFaceContactsAreThoseOfCollide) {
   Random random(13);
   int compared = 0;
