@@ -194,8 +194,14 @@ class Balance {
     // The two momenta are themselves measured with the rounding of a step each: a
     // quaternion is normalised (9) and made a matrix (10), which turns I (10) and meets
     // the spin (5).
+    // A torque that is rounded by u |L| |ω| changes the spin about the axis of the least
+    // moment by u |L| |ω| h/I_min, which turns L until the next step.
+    const double fastest = std::max(from.w_WB.norm(), to.w_WB.norm());
+    const double wobble = fastest * time * spins * InertiaOf(body_).maxCoeff() /
+                          InertiaOf(body_).minCoeff();
     const double rounding =
         RoundingOf(motion_.oracle, world.sample_every + 2) * spins +
+        (is_isotropic_ ? 0 : RoundingOf(motion_.oracle, 1) * wobble) +
         RoundingOf(motion_.oracle, world.sample_every) *
             (moments + reach * grant.impulses) +
         InertiaOf(body_).maxCoeff() * motion_.oracle.unit_roundoff / world.dt;
