@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "cli/output_folder.h"
 #include "reports/reproduce/engine_code.h"
 #include "reports/reproduce/reproduction.h"
+#include "reports/worlds/study/every_step.h"
 #include "reports/writers/outcome.h"
 
 namespace touchstone {
@@ -21,10 +23,23 @@ struct Written {
   const Finding* finding;
 };
 
+/** Returns the motion of the fault, at every step if the finding is about a moment
+ between two samples. */
+WorldResult MotionOf(const ChosenFault& fault, const Finding& finding) {
+  WorldResult result = fault.report.worlds.front();
+  Trajectory& motion = result.trajectories.front();
+  const std::optional<double>& time = finding.cited.time;
+  if (time && std::ranges::find(motion.times, *time) == motion.times.end()) {
+    result.scenario.world = EveryStep(result.scenario.world);
+    motion = fault.oracle->Simulate(result.scenario.world);
+  }
+  return result;
+}
+
 Reproduction FilesOf(const ChosenFault& fault, const Finding& finding) {
   const OracleInfo& oracle = fault.oracle->info();
   if (std::holds_alternative<WorldScenario>(fault.question))
-    return Reproduce(fault.report.worlds.front(), oracle, finding);
+    return Reproduce(MotionOf(fault, finding), oracle, finding);
   return Reproduce(fault.report.scenarios.front(), oracle, finding);
 }
 

@@ -21,8 +21,10 @@ class MyWorld final : public touchstone::Simulation {
       const touchstone::RigidBody& ball = world_.bodies[i];
       if (ball.mass == 0) continue;  // Static.
       touchstone::BodyState& at = state_.bodies[i];
-      at.v_WB += world_.dt * world_.gravity_W;
+      // A bounce between two halves of gravity's impulse neither gains nor loses energy.
+      at.v_WB += world_.dt / 2 * world_.gravity_W;
       for (const touchstone::RigidBody& ground : world_.bodies) Bounce(ball, ground, at);
+      at.v_WB += world_.dt / 2 * world_.gravity_W;
       at.p_WB += world_.dt * at.v_WB;
       const double angle = world_.dt * at.w_WB.norm();  // Nothing changes the spin.
       const Eigen::AngleAxisd turn(angle, at.w_WB.stableNormalized());

@@ -142,8 +142,10 @@ bool DependsOnSettings(const Finding& finding) {
          finding.shipped == Shipped::kShippedOnly;
 }
 
-/** Compares each finding with its counterpart as shipped. */
-void Compare(std::span<const Finding> shipped, std::span<Finding> findings) {
+/** Compares each finding with its counterpart as shipped; those that pass here, only if
+ `passes_too`. */
+void Compare(std::span<const Finding> shipped, bool passes_too,
+             std::span<Finding> findings) {
   const Finding* silent = FailureToAnswer(shipped);
   for (std::size_t i = 0; i < findings.size(); ++i) {
     Finding& finding = findings[i];
@@ -153,7 +155,8 @@ void Compare(std::span<const Finding> shipped, std::span<Finding> findings) {
     const bool fails_shipped = IsFailure(found->verdict);
     const bool is_decided = fails_shipped || found->verdict == Verdict::kPass;
     // The first finding is that the world was answered.
-    const bool fails_only_shipped = fails_shipped && finding.verdict == Verdict::kPass &&
+    const bool fails_only_shipped = passes_too && fails_shipped &&
+                                    finding.verdict == Verdict::kPass &&
                                     (NeedsOneMotion(finding) || i == 0);
     if (fails ? !is_decided : !fails_only_shipped) continue;
     finding.shipped = !fails          ? Shipped::kShippedOnly
@@ -222,7 +225,7 @@ void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
   const Findings shipped = JudgedAgain(scenario, *untouched, motion, findings, fails);
   const Finding* silent = FailureToAnswer(shipped);
   if (silent && silent->verdict == Verdict::kUnsupported) return;
-  Compare(shipped, findings);
+  Compare(shipped, IsCheap(scenario), findings);
   for (const bool one_motion : {true, false})
     NameSettings(scenario, oracle, motion, one_motion, findings);
 }
