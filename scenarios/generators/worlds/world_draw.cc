@@ -68,7 +68,7 @@ void AddGround(WorldScenario& scenario, WorldDraw& draw, double reach) {
 Eigen::Vector3d FreePlace(const World& world, const Eigen::Vector3d& near_W,
                           double distance, double radius, Random& random) {
   for (;;) {
-    const Eigen::Vector3d p_W = near_W + distance * random.Direction();
+    Eigen::Vector3d p_W = near_W + distance * random.Direction();
     const bool is_free =
         std::all_of(world.bodies.begin(), world.bodies.end(), [&](const RigidBody& body) {
           const double reach = radius + BoundingRadius(body.placed.shape) + kGap;
