@@ -11,7 +11,6 @@
 #include "cli/output_folder.h"
 #include "reports/reproduce/engine_code.h"
 #include "reports/reproduce/reproduction.h"
-#include "reports/worlds/study/every_step.h"
 #include "reports/writers/outcome.h"
 
 namespace touchstone {
@@ -30,7 +29,7 @@ WorldResult MotionOf(const ChosenFault& fault, const Finding& finding) {
   Trajectory& motion = result.trajectories.front();
   const std::optional<double>& time = finding.cited.time;
   if (time && std::ranges::find(motion.times, *time) == motion.times.end()) {
-    result.scenario.world = EveryStep(result.scenario.world);
+    result.scenario.world.sample_every = 1;
     motion = fault.oracle->Simulate(result.scenario.world);
   }
   return result;
