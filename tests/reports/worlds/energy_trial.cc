@@ -1,0 +1,145 @@
+// Asks an engine for random worlds in which nothing adds energy, and looks for gains.
+//
+//     energy_trial [COUNT [SEED [ENGINE [NAME=VALUE]]]]
+//
+// Simulates COUNT worlds of each family with ENGINE (cookbook), set up with NAME=VALUE,
+// and prints how many of them gain energy from one step to a later one, by how much: as a
+// fraction of the greatest kinetic energy so far and of what the weights of all bodies do
+// over the way of the fastest. Returns 1 if a gain exceeds 1e-9.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "oracles/oracle_registry.h"
+#include "reports/threads/parallel_for.h"
+#include "reports/worlds/study/every_step.h"
+#include "scenarios/generators/worlds/world_family.h"
+
+namespace touchstone {
+namespace {
+
+/** The most that a motion may gain. [-] */
+constexpr double kMost = 1e-9;
+
+constexpr std::array kLimits = {1e-15, 1e-12, kMost, 1e-6, 1e-3, 1.0};
+
+/** The motion of one world. */
+struct Gain {
+  bool is_answered = false;
+  double gain = 0;  ///< As a fraction of the energy. [-]
+};
+
+/** The energy of a world without springs and cloths. */
+struct Energy {
+  double total = 0;  ///< Kinetic, and potential relative to the start. [J]
+  double size =
+      0;  ///< Kinetic, and the sum of |weight| times the way from the start. [J]
+};
+
+void Add(double mass, const Eigen::Vector3d& v_W, const Eigen::Vector3d& way_W,
+         const World& world, Energy& energy) {
+  const double kinetic = 0.5 * mass * v_W.squaredNorm();
+  energy.total += kinetic - mass * world.gravity_W.dot(way_W);
+  energy.size += kinetic + mass * world.gravity_W.norm() * way_W.norm();
+}
+
+Energy EnergyAt(const World& world, const WorldState& state) {
+  Energy energy;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const RigidBody& body = world.bodies[i];
+    if (body.mass == 0) continue;
+    const BodyState& at = state.bodies[i];
+    const Eigen::Vector3d w_B = at.q_WB.normalized().conjugate() * at.w_WB;
+    const double turning = 0.5 * w_B.dot(InertiaOf(body).cwiseProduct(w_B));
+    energy.total += turning;
+    energy.size +=
+        turning + body.mass * world.gravity_W.norm() * BoundingRadius(body.placed.shape);
+    Add(body.mass, at.v_WB, at.p_WB - body.placed.X_WB.p_WB, world, energy);
+  }
+  for (std::size_t i = 0; i < world.particles.size(); ++i) {
+    const PointState& at = state.particles[i];
+    Add(world.particles[i].mass, at.v_W, at.p_W - world.particles[i].p_W, world, energy);
+  }
+  return energy;
+}
+
+Gain GainOf(const Oracle& oracle, const World& world) {
+  if (!oracle.info().CannotSimulate(world).empty()) return {};
+  const Trajectory motion = oracle.Simulate(EveryStep(world));
+  if (motion.status != AnswerStatus::kAnswered || motion.diverged_at_step > 0) return {};
+  const double start = EnergyAt(world, motion.samples.front()).total;
+  Gain gain{.is_answered = true};
+  double size = 0;
+  for (const WorldState& state : motion.samples) {
+    const Energy energy = EnergyAt(world, state);
+    size = std::max(size, energy.size);
+    if (energy.total > start)
+      gain.gain = std::max(gain.gain, (energy.total - start) / size);
+  }
+  return gain;
+}
+
+/** Prints a row of the table; returns whether no motion gains too much. */
+bool Report(WorldFamily family, const std::vector<Gain>& gains) {
+  std::string row = fmt::format("{:<14}", NameOf(family));
+  std::size_t worst = 0;
+  int answered = 0;
+  for (std::size_t i = 0; i < gains.size(); ++i) {
+    answered += gains[i].is_answered;
+    if (gains[i].gain > gains[worst].gain) worst = i;
+  }
+  row += fmt::format("{:>9}", answered);
+  for (const double limit : kLimits)
+    row += fmt::format("{:>9}", std::ranges::count_if(gains, [&](const Gain& gain) {
+                         return gain.gain > limit;
+                       }));
+  std::puts(
+      fmt::format("{}   {:.2g} in world {}", row, gains[worst].gain, worst).c_str());
+  return answered > 0 && gains[worst].gain <= kMost;
+}
+
+int Try(int count, std::uint64_t seed, const Oracle& oracle) {
+  std::string heading = fmt::format("{:<14}{:>9}", "family", "answered");
+  for (const double limit : kLimits)
+    heading += fmt::format("{:>9}", fmt::format(">{:g}", limit));
+  std::puts((heading + "   most").c_str());
+  bool is_right = true;
+  for (const WorldFamily family : AllWorldFamilies()) {
+    std::vector<Gain> gains(static_cast<std::size_t>(count));
+    ParallelFor(gains.size(), 0, [&](std::size_t i) {
+      gains[i] = GainOf(oracle, GenerateWorld(family, seed, i).world);
+    });
+    is_right &= Report(family, gains);
+  }
+  return is_right ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace touchstone
+
+int main(int argc, char** argv) {
+  using namespace touchstone;
+  const int count = argc > 1 ? std::atoi(argv[1]) : 100;
+  const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  const std::string name = argc > 3 ? argv[3] : "cookbook";
+  const OracleRegistry registry = OracleRegistry::BuiltIn();
+  const Oracle* oracle = registry.Find(name);
+  if (oracle == nullptr || count < 1) {
+    std::fputs("usage: energy_trial [COUNT [SEED [ENGINE [NAME=VALUE]]]]\n", stderr);
+    return 2;
+  }
+  WorldSetup setup;
+  if (argc > 4) {
+    const std::string choice = argv[4];
+    const std::size_t equals = choice.find('=');
+    setup.chosen[choice.substr(0, equals)] = std::atof(choice.c_str() + equals + 1);
+  }
+  return Try(count, seed, *oracle->SetUp(setup));
+}
