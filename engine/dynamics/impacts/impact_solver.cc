@@ -99,6 +99,7 @@ ImpactSolver::ImpactSolver() {
 void ImpactSolver::Clear() {
   std::fill(impact_count_.begin(), impact_count_.end(), 0);
   impact_contacts_.clear();
+  deep_free_pairs_.clear();
   supports_.clear();
   queue_.Clear();
 }
@@ -121,6 +122,12 @@ void ImpactSolver::Begin(const StepStart& start, ContactCache& cache,
   if (!FindFreeBodies(start, cache, step.pool)) return;
   FindIslands();
   FindCandidates(start, cache, step.pool);
+}
+
+bool ImpactSolver::HasHit(int A, int B) const {
+  return std::ranges::any_of(impact_contacts_, [&](const ContactPair& pair) {
+    return (pair.A == A && pair.B == B) || (pair.A == B && pair.B == A);
+  });
 }
 
 ContactPhase ImpactSolver::PhaseOf(const ContactPair& pair,
@@ -244,6 +251,12 @@ bool ImpactSolver::FindFreeBodies(const StepStart& start, ContactCache& cache,
   for (std::size_t k = 0; k < touching_pairs_.size(); ++k) {
     if (!IsInFreeFlight(touching_pairs_[k].A) && !IsInFreeFlight(touching_pairs_[k].B))
       continue;
+    const auto& [A, B, phase] = touching_pairs_[k];
+    const double slop = SlopBetween(start.bodies[Index(A)], start.bodies[Index(B)]);
+    if (std::ranges::any_of(cache.pairs()[k].manifold.points(), [&](const auto& contact) {
+          return contact.separation < -slop;
+        }))
+      deep_free_pairs_.emplace_back(A, B);
     cache.ClearContacts(k);
   }
   return any_is_free();

@@ -67,6 +67,15 @@ class ImpactSolver {
   /** Removes the impacts of the last step. */
   void Clear();
 
+  /** The pairs of bodies that Begin() has found in free flight and deeper in each other
+   than their slop: their contacts are released. */
+  std::span<const std::pair<int, int>> deep_free_pairs() const {
+    return deep_free_pairs_;
+  }
+
+  /** Returns whether two bodies had an impact with each other in the last step. */
+  bool HasHit(int A, int B) const;
+
   /** Contacts of the impacts of the last step, each at its time of impact. */
   std::span<const ContactPair> impact_contacts() const { return impact_contacts_; }
 
@@ -111,7 +120,8 @@ class ImpactSolver {
   /** Whether a body is dynamic and not in free flight. */
   bool IsConstrained(int body) const { return !IsInFreeFlight(body) && !IsStatic(body); }
 
-  /** Finds the bodies in free flight. Returns whether there are any. */
+  /** Finds the bodies in free flight and releases their pairs. Returns whether there are
+   any. */
   bool FindFreeBodies(const StepStart& start, ContactCache& cache, ThreadPool& pool);
   /** Fills touching_pairs_, one for each pair of `cache`. Constrains the bodies of pairs
    that rest. */
@@ -197,6 +207,7 @@ class ImpactSolver {
   ImpactQueue queue_;
   std::vector<int> neighbours_;  ///< New neighbours of one body.
   std::vector<ContactPair> impact_contacts_;
+  std::vector<std::pair<int, int>> deep_free_pairs_;
   std::vector<TouchingPair> touching_pairs_;
   PerChunk<NearPair> near_pairs_;
   std::vector<int> flights_to_begin_;  ///< Indices of bodies.
