@@ -136,12 +136,6 @@ std::string Measured(const Finding& finding) {
                      finding.tolerance, space, unit);
 }
 
-/** Returns whether a finding fails as set here or as shipped, and not both. */
-bool DependsOnSettings(const Finding& finding) {
-  return finding.shipped == Shipped::kHereOnly ||
-         finding.shipped == Shipped::kShippedOnly;
-}
-
 /** Compares each finding with its counterpart as shipped; those that pass here, only if
  `passes_too`. */
 void Compare(std::span<const Finding> shipped, bool passes_too,
@@ -183,12 +177,12 @@ Findings JudgedAgain(const WorldScenario& scenario, const Oracle& oracle,
   return ExamineWorld(scenario, oracle, WantedFor(known, counts)).findings;
 }
 
-/** Says which settings decide the findings that depend on them. */
+/** Says which settings decide the findings that fail here only, or as shipped only. */
 void NameSettings(const WorldScenario& scenario, const Oracle& oracle,
-                  const Trajectory& motion, bool one_motion,
+                  const Trajectory& motion, Shipped which, bool one_motion,
                   std::span<Finding> findings) {
   const auto counts = [&](const Finding& finding) {
-    return DependsOnSettings(finding) && NeedsOneMotion(finding) == one_motion;
+    return finding.shipped == which && NeedsOneMotion(finding) == one_motion;
   };
   DecidingDefaults defaults(oracle, [&](const Oracle& changed) {
     return JudgedAgain(scenario, changed, motion, findings, counts);
@@ -196,7 +190,7 @@ void NameSettings(const WorldScenario& scenario, const Oracle& oracle,
   for (std::size_t i = 0; i < findings.size(); ++i) {
     Finding& finding = findings[i];
     if (!counts(finding)) continue;
-    const bool fails = finding.shipped == Shipped::kShippedOnly;
+    const bool fails = which == Shipped::kShippedOnly;
     const auto is_as_shipped = [&](const Findings& changed) {
       const Finding* found = Find(changed, findings, i);
       if (FailureToAnswer(changed)) return fails && found;
@@ -216,8 +210,8 @@ void NameSettings(const WorldScenario& scenario, const Oracle& oracle,
 void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
                         const Trajectory& motion, std::span<Finding> findings) {
   const auto fails = [](const Finding& finding) { return IsFailure(finding.verdict); };
-  const bool is_asked = std::any_of(findings.begin(), findings.end(), fails) ||
-                        (IsWhole(motion) && IsCheap(scenario));
+  const bool any_fails = std::any_of(findings.begin(), findings.end(), fails);
+  const bool is_asked = any_fails || (IsWhole(motion) && IsCheap(scenario));
   if (oracle.info().setup.as_shipped || !is_asked) return;
   if (DecidingDefaults(oracle, {}).empty()) return;
   const std::unique_ptr<Oracle> untouched =
@@ -226,8 +220,11 @@ void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
   const Finding* silent = FailureToAnswer(shipped);
   if (silent && silent->verdict == Verdict::kUnsupported) return;
   Compare(shipped, IsCheap(scenario), findings);
+  // Of an answer that fails, what else fails as shipped is of less interest than its
+  // cost.
+  const Shipped named = any_fails ? Shipped::kHereOnly : Shipped::kShippedOnly;
   for (const bool one_motion : {true, false})
-    NameSettings(scenario, oracle, motion, one_motion, findings);
+    NameSettings(scenario, oracle, motion, named, one_motion, findings);
 }
 
 }  // namespace touchstone
