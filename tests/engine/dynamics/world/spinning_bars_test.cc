@@ -18,8 +18,8 @@ double DepthOf(const Box& A, const BodyState& a, const Box& B, const BodyState& 
   return -Collide(A, pose(a), B, pose(b)).separation;
 }
 
-/** Returns the greatest depth of two bars that lie on each other and spin, without gravity,
- friction and restitution, in a fifth of a second. [m] */
+/** Returns the greatest depth of two bars that lie on each other and spin, without
+ gravity, friction and restitution, in a fifth of a second. [m] */
 double DeepestOf(const Box& bar, const Eigen::Vector3d& w_A, const Eigen::Vector3d& w_B,
                  double h) {
   Settings settings;
@@ -36,7 +36,7 @@ double DeepestOf(const Box& bar, const Eigen::Vector3d& w_A, const Eigen::Vector
     world.AddBody(body);
   }
   double deepest = 0;
-  for (double t = 0; t < 0.2; t += h) {
+  for (int step = 0; step * h < 0.2; ++step) {
     world.Step(h);
     deepest = std::max(deepest, DepthOf(bar, world.state(0), bar, world.state(1)));
   }
