@@ -42,17 +42,18 @@ Reproduction FilesOf(const ChosenFault& fault, const Finding& finding) {
   return Reproduce(fault.report.scenarios.front(), oracle, finding);
 }
 
-/** Returns the files for the chosen finding or, if no program can check its measure and
- the user named none, for the gravest of the others. */
+/** Returns the files for the chosen finding or, if no program can check it, for the
+ gravest of the others: of the same measure, if the user named one. */
 Written FilesOf(const ChosenFault& fault, bool is_measure_named) {
   std::vector<const Finding*> candidates = {&fault.finding};
-  if (!is_measure_named) {
-    for (const Finding& finding : fault.report.findings)
-      if (IsFailure(finding.verdict)) candidates.push_back(&finding);
-    std::stable_sort(
-        candidates.begin() + 1, candidates.end(),
-        [](const Finding* a, const Finding* b) { return a->grade > b->grade; });
+  for (const Finding& finding : fault.report.findings) {
+    const bool is_eligible =
+        !is_measure_named || finding.measure == fault.finding.measure;
+    if (is_eligible && IsFailure(finding.verdict)) candidates.push_back(&finding);
   }
+  std::stable_sort(
+      candidates.begin() + 1, candidates.end(),
+      [](const Finding* a, const Finding* b) { return a->grade > b->grade; });
   std::string reason;
   for (const Finding* const finding : candidates) {
     try {
