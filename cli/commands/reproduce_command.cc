@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <optional>
 #include <vector>
 
 #include <fmt/format.h>
@@ -22,23 +21,27 @@ struct Written {
   const Finding* finding;
 };
 
-/** Returns the motion of the fault, at every step if the finding is about a moment
- between two samples. */
-WorldResult MotionOf(const ChosenFault& fault, const Finding& finding) {
+/** Returns the motion of the fault at every step: some laws judge steps between two
+ * samples.
+ */
+WorldResult OfEveryStep(const ChosenFault& fault) {
   WorldResult result = fault.report.worlds.front();
-  Trajectory& motion = result.trajectories.front();
-  const std::optional<double>& time = finding.cited.time;
-  if (time && std::ranges::find(motion.times, *time) == motion.times.end()) {
-    result.scenario.world.sample_every = 1;
-    motion = fault.oracle->Simulate(result.scenario.world);
-  }
+  result.scenario.world.sample_every = 1;
+  result.trajectories.front() = fault.oracle->Simulate(result.scenario.world);
   return result;
 }
 
 Reproduction FilesOf(const ChosenFault& fault, const Finding& finding) {
   const OracleInfo& oracle = fault.oracle->info();
-  if (std::holds_alternative<WorldScenario>(fault.question))
-    return Reproduce(MotionOf(fault, finding), oracle, finding);
+  if (std::holds_alternative<WorldScenario>(fault.question)) {
+    const WorldResult& sampled = fault.report.worlds.front();
+    try {
+      return Reproduce(sampled, oracle, finding);
+    } catch (const CannotReproduce&) {
+      if (sampled.scenario.world.sample_every == 1) throw;
+      return Reproduce(OfEveryStep(fault), oracle, finding);
+    }
+  }
   return Reproduce(fault.report.scenarios.front(), oracle, finding);
 }
 

@@ -20,9 +20,9 @@ bool AreBoxes(const RigidBody& A, const RigidBody& B);
  surface of the sphere if the other is a box, else midway. So the lever arm of friction on
  a sphere is its radius, at any depth.
 
- For boxes with nearly parallel faces within the margin, the manifold is the patch of
- these faces, even if Collide() returns the one contact of two edges. The axis of two
- edges may be less deep by very little, but one contact point cannot support a stack.
+ For boxes with nearly parallel faces, the manifold is the patch of these faces, even if
+ Collide() returns the one contact of two edges: unless the boxes are much deeper along
+ the faces, see kFaceDepth. One contact point cannot support a stack.
  `n_guess_W` is the normal of the pair in the previous step, or zero; it decides ties.
  @pre Not two half-spaces, and no points. */
 void CollideSpeculative(double margin, const RigidBody& A, const RigidBody& B,

@@ -99,7 +99,7 @@ ImpactSolver::ImpactSolver() {
 void ImpactSolver::Clear() {
   std::fill(impact_count_.begin(), impact_count_.end(), 0);
   impact_contacts_.clear();
-  deep_free_pairs_.clear();
+  deep_pairs_.clear();
   supports_.clear();
   queue_.Clear();
 }
@@ -124,9 +124,15 @@ void ImpactSolver::Begin(const StepStart& start, ContactCache& cache,
   FindCandidates(start, cache, step.pool);
 }
 
-bool ImpactSolver::HasHit(int A, int B) const {
-  return std::ranges::any_of(impact_contacts_, [&](const ContactPair& pair) {
-    return (pair.A == A && pair.B == B) || (pair.A == B && pair.B == A);
+void ImpactSolver::KeepDeepPairsThatHit() {
+  if (deep_pairs_.empty()) return;
+  std::vector<std::pair<int, int>> hit;
+  for (const ContactPair& pair : impact_contacts_)
+    hit.push_back(std::minmax(pair.A, pair.B));
+  std::ranges::sort(hit);
+  std::erase_if(deep_pairs_, [&](const std::pair<int, int>& pair) {
+    return !std::ranges::binary_search(
+        hit, std::pair<int, int>(std::minmax(pair.first, pair.second)));
   });
 }
 
@@ -256,7 +262,7 @@ bool ImpactSolver::FindFreeBodies(const StepStart& start, ContactCache& cache,
     if (std::ranges::any_of(cache.pairs()[k].manifold.points(), [&](const auto& contact) {
           return contact.separation < -slop;
         }))
-      deep_free_pairs_.emplace_back(A, B);
+      deep_pairs_.emplace_back(A, B);
     cache.ClearContacts(k);
   }
   return any_is_free();
@@ -352,7 +358,10 @@ void ImpactSolver::CountIslandBodies() {
 
 void ImpactSolver::Solve(std::span<RigidBody> bodies, std::span<const Velocity> mean,
                          ContactCache& cache, const StepContext& step) {
-  if (queue_.size() == 0) return;
+  if (queue_.size() == 0) {
+    deep_pairs_.clear();
+    return;
+  }
   const StepEnd end{bodies, mean, cache.pairs(), cache.summaries()};
   has_contact_lists_ = false;
   for (const int body : flights_to_begin_) {
@@ -376,6 +385,7 @@ void ImpactSolver::Solve(std::span<RigidBody> bodies, std::span<const Velocity> 
     bodies[i].R_WB = end_state.q_WB.toRotationMatrix();
     cache.AddTravel(i, Travel(before, bodies[i]));
   }
+  KeepDeepPairsThatHit();
 }
 
 bool ImpactSolver::MayCollide(const ImpactCandidate& candidate) const {

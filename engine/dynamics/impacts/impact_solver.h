@@ -67,14 +67,10 @@ class ImpactSolver {
   /** Removes the impacts of the last step. */
   void Clear();
 
-  /** The pairs of bodies that Begin() has found in free flight and deeper in each other
-   than their slop: their contacts are released. */
-  std::span<const std::pair<int, int>> deep_free_pairs() const {
-    return deep_free_pairs_;
-  }
-
-  /** Returns whether two bodies had an impact with each other in the last step. */
-  bool HasHit(int A, int B) const;
+  /** The pairs of bodies in free flight that were deeper in each other than their slop at
+   the start of the last step, and had an impact with each other in it. Begin() has
+   released their contacts. */
+  std::span<const std::pair<int, int>> deep_hit_pairs() const { return deep_pairs_; }
 
   /** Contacts of the impacts of the last step, each at its time of impact. */
   std::span<const ContactPair> impact_contacts() const { return impact_contacts_; }
@@ -120,6 +116,8 @@ class ImpactSolver {
   /** Whether a body is dynamic and not in free flight. */
   bool IsConstrained(int body) const { return !IsInFreeFlight(body) && !IsStatic(body); }
 
+  /** Leaves those pairs in deep_pairs_ that had an impact. */
+  void KeepDeepPairsThatHit();
   /** Finds the bodies in free flight and releases their pairs. Returns whether there are
    any. */
   bool FindFreeBodies(const StepStart& start, ContactCache& cache, ThreadPool& pool);
@@ -207,7 +205,7 @@ class ImpactSolver {
   ImpactQueue queue_;
   std::vector<int> neighbours_;  ///< New neighbours of one body.
   std::vector<ContactPair> impact_contacts_;
-  std::vector<std::pair<int, int>> deep_free_pairs_;
+  std::vector<std::pair<int, int>> deep_pairs_;  ///< See deep_hit_pairs().
   std::vector<TouchingPair> touching_pairs_;
   PerChunk<NearPair> near_pairs_;
   std::vector<int> flights_to_begin_;  ///< Indices of bodies.

@@ -887,17 +887,17 @@ void World::Impl::CorrectPositions(double h) {
     moved |= joint_solver_.CorrectPositions(
         joints_, settings_.position_correction_fraction, bodies_, corrections_);
   }
-  const auto free_pairs = impact_solver_.deep_free_pairs();
-  if (!moved && !free_pairs.empty())
-    std::fill(corrections_.begin(), corrections_.end(), Velocity{});
-  for (const auto& [A, B] : free_pairs) {
-    // Two bodies without an impact in this step move apart.
-    if (!impact_solver_.HasHit(A, B)) continue;
-    const auto a = static_cast<std::size_t>(A);
-    const auto b = static_cast<std::size_t>(B);
-    moved |=
-        CorrectFreePair(bodies_[a], bodies_[b], settings.position_correction_fraction,
-                        settings.position_iterations, corrections_[a], corrections_[b]);
+  if (settings.stabilisation == Stabilisation::kSplitImpulse) {
+    const auto free_pairs = impact_solver_.deep_hit_pairs();
+    if (!moved && !free_pairs.empty())
+      std::fill(corrections_.begin(), corrections_.end(), Velocity{});
+    for (const auto& [A, B] : free_pairs) {
+      const auto a = static_cast<std::size_t>(A);
+      const auto b = static_cast<std::size_t>(B);
+      moved |=
+          CorrectFreePair(bodies_[a], bodies_[b], settings.position_correction_fraction,
+                          settings.position_iterations, corrections_[a], corrections_[b]);
+    }
   }
   if (!moved) return;
   IntegrateInBatches(

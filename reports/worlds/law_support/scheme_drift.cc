@@ -63,10 +63,7 @@ double MomentumChange(const Spin& spin, double h,
   const Eigen::Vector3d torque = spin.w.cross(spin.L);
   const Eigen::Vector3d w_dot = -torque.cwiseQuotient(spin.inertia);
   const Eigen::Vector3d half = spin.w.cross(torque) / 2;
-  const double kappa =
-      h * h * spin.L.squaredNorm() / (spin.inertia.minCoeff() * spin.inertia.maxCoeff());
-  return std::max({h * h * (w_dot.cross(spin.L) - half).norm(), h * h * half.norm(),
-                   h * torque.norm() * kappa / (1 + kappa)});
+  return h * h * std::max((w_dot.cross(spin.L) - half).norm(), half.norm());
 }
 
 /** Returns the change of the energy of a body in a step of `h` [s]. [J] */

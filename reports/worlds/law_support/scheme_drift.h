@@ -20,10 +20,8 @@ namespace touchstone {
 
  With L = R I Rᵀ ω and ω̇ = −I⁻¹ (ω × L), one step I (ω' − ω) = −h ω × L followed by the
  rotation by h ω' leaves L' − L = h² (ω̇ × L − ½ ω × (ω × L)) + O(h³). The implicit steps I
- (ω' − ω) = −h ω' × I ω' and I ω' = L − h ω' × L leave ±½ h² ω × (ω × L). The linear
- implicit step (I − h [L]×) (ω' − ω) = −h ω × L is stiff about the axis of a small moment
- of inertia: with κ = h² L²/(I_min I_max) it leaves about h |ω × L| κ/(1 + κ). The largest
- of the magnitudes is taken and summed over the bodies. An engine with a
+ (ω' − ω) = −h ω' × I ω' and I ω' = L − h ω' × L leave ±½ h² ω × (ω × L). The larger of
+ the two magnitudes is taken and summed over the bodies. An engine with a
  documented_rotation_error is granted that fraction of L per step instead. */
 std::vector<double> GyroscopicMomentumDrift(const Motion& motion,
                                             const AllowedMotion& allowed,

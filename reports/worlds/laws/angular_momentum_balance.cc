@@ -174,6 +174,7 @@ class Balance {
           allowed_.At(s - 1).bodies[Index()].w_WB.norm() * (time - world.dt);
       legal += std::min(turn, 2.0) * moment;
     }
+    double wobble = 0;
     if (!is_isotropic_) {
       const BodyState& before = allowed_.At(s - 1).bodies[Index()];
       const BodyState& after = allowed_.At(s).bodies[Index()];
@@ -183,6 +184,10 @@ class Balance {
       const double change = (after.w_WB - before.w_WB).norm();
       if (moments > 0) legal += time * (spin * moments + change * largest);
       legal += std::min(grant.turned, 1.0) * largest;
+      // A step rounds the spin about the axis of the least moment like the torques of the
+      // other axes, by I_max/I_min u |ω|. The spins at both ends turn L in between.
+      const Eigen::Vector3d inertia = InertiaOf(body_);
+      wobble = inertia.maxCoeff() / inertia.minCoeff() * spin * time * largest;
     }
     // A rounding of the orientation turns I, by the largest moment even about the axis of
     // the smallest.
@@ -194,14 +199,9 @@ class Balance {
     // The two momenta are themselves measured with the rounding of a step each: a
     // quaternion is normalised (9) and made a matrix (10), which turns I (10) and meets
     // the spin (5).
-    // A torque that is rounded by u |L| |ω| changes the spin about the axis of the least
-    // moment by u |L| |ω| h/I_min, which turns L until the next step.
-    const double fastest = std::max(from.w_WB.norm(), to.w_WB.norm());
-    const double wobble = fastest * time * spins * InertiaOf(body_).maxCoeff() /
-                          InertiaOf(body_).minCoeff();
     const double rounding =
         RoundingOf(motion_.oracle, world.sample_every + 2) * spins +
-        (is_isotropic_ ? 0 : RoundingOf(motion_.oracle, 1) * wobble) +
+        RoundingOf(motion_.oracle, 1) * wobble +
         RoundingOf(motion_.oracle, world.sample_every) *
             (moments + reach * grant.impulses) +
         InertiaOf(body_).maxCoeff() * motion_.oracle.unit_roundoff / world.dt;
@@ -281,8 +281,9 @@ std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
           "lie a separation away, at most that of the bodies; h ∫ |ω × (ω × L)| and "
           "h (|ω| |ΔL| + |Δω| |L|) of the gyroscopic term, and |L| |s|/|p − c| of "
           "position correction, at most |L| |s|/2k with the least radius of gyration k; "
-          "64 roundings per step, and for each contact of a step the moments times "
-          "the square root of the unit roundoff",
+          "64 roundings per step and of I_max/I_min |ω| |L| Δt, and for each contact of "
+          "a "
+          "step the moments times the square root of the unit roundoff",
           motion.oracle));
   const AllowedMotion allowed(motion);
   std::vector<Balance> balances;

@@ -62,14 +62,22 @@ bool IsSamePoint(const PointState& a, const PointState& b) {
   return a.p_W == b.p_W && a.v_W == b.v_W;
 }
 
-/** Returns whether two motions have the same states at all samples, bit by bit. */
+bool IsSameImpulse(const ContactImpulse& a, const ContactImpulse& b) {
+  return a.step == b.step && a.A == b.A && a.B == b.B && a.p_WC == b.p_WC &&
+         a.n_AB_W == b.n_AB_W && a.J_B_W == b.J_B_W && a.separation == b.separation &&
+         a.t_W == b.t_W;
+}
+
+/** Returns whether two motions have the same states at all samples and the same impulses
+ in all steps, bit by bit. */
 bool IsSameMotion(const Trajectory& a, const Trajectory& b) {
   const auto is_same = [](const WorldState& x, const WorldState& y) {
     return std::ranges::equal(x.bodies, y.bodies, IsSameState) &&
            std::ranges::equal(x.particles, y.particles, IsSamePoint) &&
            std::ranges::equal(x.nodes, y.nodes, IsSamePoint);
   };
-  return a.status == b.status && std::ranges::equal(a.samples, b.samples, is_same);
+  return a.status == b.status && std::ranges::equal(a.samples, b.samples, is_same) &&
+         std::ranges::equal(a.impulses, b.impulses, IsSameImpulse);
 }
 
 /** Judges one motion of a world, without changed copies. */

@@ -27,9 +27,8 @@ class DecidingDefaults {
 
   /** Returns each default that changes the verdict alone, as the end of a sentence. If
    there is none and `together`, it drops one default after the other from all of them, as
-   long as the rest still changes the verdict, and returns the rest: none of them can be
-   missed, and two are found if two are enough. Each question is asked once, whatever the
-   number of verdicts. */
+   long as the rest still changes the verdict, and returns the rest. No question is asked
+   twice, whatever the number of verdicts. */
   std::string Name(const IsAsShipped& is_as_shipped, bool together);
 
  private:

@@ -1052,8 +1052,14 @@ test("what is right only by the settings of its adapter is listed on the page of
   const { all } = worldFinding(own);
   texts.push("0.32 m where 0.01 m is allowed as shipped; the default processing_threshold = 1e+18, 0 here, is enough");
   all.forEach((i, k) => { f.verdict[i] = 0; f.cause[i] = 0; f.cluster[i] = -1; f.proof[i] = -1; f.shipped[i] = k === 0 ? 3 : 0; f.shipped_because[i] = k === 0 ? texts.length - 1 : -1; });
+  // An answer of the same oracle that is wrong anyway is not among them.
+  const wrong = f.verdict.findIndex((v, i) => v === 1 && f.oracle[i] === f.oracle[all[0]] && f.question[i] !== f.question[all[0]]);
+  assert.ok(wrong >= 0, "the sample has no such answer");
+  f.shipped[wrong] = 3;
+  f.shipped_because[wrong] = texts.length - 1;
   await withPage({}, async (page) => {
     await go(page, `#/oracles/${encodeURIComponent(oracles[f.oracle[all[0]]].name)}`);
+    assert.equal(await page.locator("h2:text-is('Right as set here, wrong as the engine ships') + ul li").count(), 1);
     assert.match(await page.textContent("h2:text-is('Right as set here, wrong as the engine ships') + ul li"), /processing_threshold = 1e\+18, 0 here, is enough\./);
     await page.click(`h2:text-is('Right as set here, wrong as the engine ships') + ul a:has-text("${questions[f.question[all[0]]].title}")`);
     assert.match(await page.textContent("#tab-panel"), /Fails as shipped only: .*0\.32 m where 0\.01 m is allowed as shipped/);
