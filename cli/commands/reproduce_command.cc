@@ -21,9 +21,8 @@ struct Written {
   const Finding* finding;
 };
 
-/** Returns the motion of the fault at every step: some laws judge steps between two
- * samples.
- */
+/** Returns the motion of the fault with a sample at every step. Some laws also judge the
+ steps between two samples. */
 WorldResult OfEveryStep(const ChosenFault& fault) {
   WorldResult result = fault.report.worlds.front();
   result.scenario.world.sample_every = 1;

@@ -279,8 +279,8 @@ void WriteUnverified(const RunReport& report, std::span<const Outcome> outcomes,
                claims, out);
 }
 
-/** Writes what a user gets who sets nothing, where it is wrong and what the adapter has
- set is right. This is not a failure. */
+/** Writes the answers that are right with the settings of the adapter and wrong with the
+ engine's own. This is not a failure. */
 void WriteShippedOnly(const RunReport& report, std::span<const Outcome> outcomes,
                       const TableStyle& style, const Painter& paint, std::ostream& out) {
   constexpr int kMost = 10;

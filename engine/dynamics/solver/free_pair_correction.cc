@@ -7,12 +7,12 @@
 namespace cookbook {
 namespace {
 
-/** What a body does at a point when it is pushed along a direction there. */
+/** How a body moves if an impulse pushes it at a point p along a unit vector n. */
 struct Lever {
-  Eigen::Vector3d r_W;     ///< From the centre of mass. [m]
+  Eigen::Vector3d r_W;     ///< Of p, from the centre of mass. [m]
   Eigen::Vector3d turn_W;  ///< I⁻¹ (r × n). [1/(kg m)]
   double inverse_mass;     ///< [1/kg]
-  double response;         ///< Displacement along n by a push of 1. [1/kg]
+  double response;         ///< Of p along n, per impulse. [1/kg]
 };
 
 Lever LeverOf(const RigidBody& body, const Eigen::Vector3d& p_W,

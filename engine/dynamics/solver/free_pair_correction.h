@@ -1,16 +1,16 @@
 #pragma once
 
 #include "engine/dynamics/body/rigid_body.h"
-#include "engine/dynamics/body/settings.h"
 
 namespace cookbook {
 
 /** Position correction of two bodies in free flight that are deeper in each other than
- their slop. Their impacts stop the approach of contact points, but bodies that turn about
- each other sink in by ω² r h² a step, and have an impact in every one. Adds the
- displacements
- ([m], [rad]) that remove `fraction` of the depth of each contact to `moved_A` and
- `moved_B`. Returns whether there is any. */
+ their slop. An impact stops the approach of their contact points. But bodies that turn
+ about each other have an impact in every step, and sink in by up to ω² r h² in each.
+
+ Adds displacements to `moved_A` and `moved_B` ([m] in `v`, [rad] in `w`, world frame).
+ They remove `fraction` of the depth beyond the slop at each contact, in `iterations` of
+ projected Gauss-Seidel. Returns whether a contact is deeper than the slop. */
 bool CorrectFreePair(const RigidBody& A, const RigidBody& B, double fraction,
                      int iterations, Velocity& moved_A, Velocity& moved_B);
 

@@ -38,8 +38,8 @@ bool NeedsNoQuarterStep(const Finding& finding) {
          finding.measure <= MeasureKind::kMassScaling;
 }
 
-/** Returns whether a world without a failure is asked again: whether all motions of one
- judgement take about as long as one of a studied world. */
+/** Returns whether a world is small enough to be asked again although nothing fails: its
+ motion, or those of its ensemble together, have at most kStudiedBodySteps. */
 bool IsCheap(const WorldScenario& scenario) {
   const int motions = scenario.ensemble ? scenario.ensemble->members : 1;
   return BodySteps(scenario.world) * motions <= kStudiedBodySteps;
@@ -228,8 +228,7 @@ void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
   const Finding* silent = FailureToAnswer(shipped);
   if (silent && silent->verdict == Verdict::kUnsupported) return;
   Compare(shipped, IsCheap(scenario), findings);
-  // Of an answer that fails, what else fails as shipped is of less interest than its
-  // cost.
+  // In an answer that fails here, only the failures are worth the search for settings.
   const Shipped named = any_fails ? Shipped::kHereOnly : Shipped::kShippedOnly;
   for (const bool one_motion : {true, false})
     NameSettings(scenario, oracle, motion, named, one_motion, findings);

@@ -9,14 +9,16 @@
 
 namespace touchstone {
 
-/** Says of the findings of one world and one oracle whether they depend on the settings
- of its adapter. `motion` is the motion of the world that they judge. The world is asked
- again with the engine's shipped settings if any finding fails, or if that is about as
- cheap as a motion of a studied world: from one motion unless a failure needs more.
- Finding::shipped is set for each finding that either setup fails; what passes here is
- compared if that is cheap, by what one motion tells. What fails here only names the
- settings that decide, see DecidingDefaults; so does what fails as shipped only if nothing
- fails here. An oracle that is set up as shipped is not asked again. */
+/** Asks a world again with the engine's shipped settings, and sets Finding::shipped for
+ each finding that fails with either setup. `motion` is the motion that `findings` judge.
+
+ A world with a failure is always asked again, with as many motions as its failures need.
+ A world without one is asked again if it is small, with one motion. A finding that passes
+ here is compared only in a small world, and only if one motion is enough to judge it.
+
+ The settings that decide (DecidingDefaults) are named for what fails here only and, if
+ nothing fails here, for what fails as shipped only. An oracle that is set up as shipped
+ is not asked again. */
 void CompareWithShipped(const WorldScenario& scenario, const Oracle& oracle,
                         const Trajectory& motion, std::span<Finding> findings);
 

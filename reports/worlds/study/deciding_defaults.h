@@ -25,10 +25,11 @@ class DecidingDefaults {
   /** Returns whether every setting has its default. */
   bool empty() const { return differences_.empty(); }
 
-  /** Returns each default that changes the verdict alone, as the end of a sentence. If
-   there is none and `together`, it drops one default after the other from all of them, as
-   long as the rest still changes the verdict, and returns the rest. No question is asked
-   twice, whatever the number of verdicts. */
+  /** Returns the settings that decide, as the end of a sentence: each one whose default
+   changes the verdict alone. If there is none and `together` is true, all settings get
+   their defaults, and one after the other goes back to its value if the verdict stays
+   changed; those that still have their defaults are returned. Each setup is asked once,
+   also for several verdicts. */
   std::string Name(const IsAsShipped& is_as_shipped, bool together);
 
  private:

@@ -42,8 +42,8 @@ struct WorldsReport {
  Each world is simulated at its step; if IsStudied(), also at half of it, with a moved
  start and in its variants, and at a quarter of it where a claim is judged by order or
  limit, or a failure needs its cause. Each member of an ensemble is simulated once, and
- the worst finding per claim and measure is kept. Larger worlds are simulated once only. A
- world is asked again as shipped, see CompareWithShipped().
+ the worst finding per claim and measure is kept. Larger worlds are simulated once only.
+ CompareWithShipped() then asks with the engine's shipped settings.
 
  The report does not depend on the number of jobs. */
 WorldsReport RunWorlds(std::span<const WorldScenario> worlds,

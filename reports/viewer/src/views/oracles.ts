@@ -46,7 +46,7 @@ export const oraclesView: MakeView = (run, at) => {
   return { title: oracle.name, element };
 };
 
-/** What a user gets who sets nothing, where the settings of the adapter make it right: a line a question. */
+/** The questions that the oracle answers right with the adapter's settings and wrong with the engine's own, one line each. */
 function shippedOnly(run: Run, oracle: number): Child {
   const { findings: f, questions } = run.report;
   const first = new Map<number, number>();
