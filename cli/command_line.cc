@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <iostream>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -24,10 +25,12 @@
 #include "cli/commands/report_command.h"
 #include "cli/commands/reproduce_command.h"
 #include "cli/commands/run_command.h"
+#include "cli/commands/serve_command.h"
 #include "cli/commands/shrink_command.h"
 #include "cli/commands/simulate_command.h"
 #include "cli/commands/sweep_command.h"
 #include "cli/expected.h"
+#include "cli/external_oracles.h"
 #include "cli/input_error.h"
 #include "cli/line_error.h"
 #include "reports/bench/scene.h"
@@ -83,6 +86,7 @@ class CommandLine {
     AddReproduce();
     AddBench();
     AddSimulate();
+    AddServe();
     AddSchema();
     AddLedger();
   }
@@ -103,6 +107,8 @@ class CommandLine {
       return 2;
     }
     try {
+      if (asking_.contains(app_.get_subcommands().front()))
+        AddExternalOracles(external_, session_.registry);
       GrantTolerance();
       ChooseSetups(setups_, session_.registry);
       const int code = command_();
@@ -156,6 +162,7 @@ class CommandLine {
                     "the same as a fraction of the size of the scene")
         ->check(NotNegative())
         ->type_name("SHARE");
+    AddExternal(app);
   }
 
   /** Grants the subject the tolerance of the options, if one is given. */
@@ -194,13 +201,56 @@ class CommandLine {
         ->type_name("N");
   }
 
-  static CLI::Option* AddOracleList(CLI::App* app, std::vector<std::string>& oracles) {
+  /** Adds the options for oracles that are programs of their own. */
+  void AddExternal(CLI::App* app) {
+    asking_.insert(app);
+    app->add_option("--oracle", external_.commands,
+                    "a program that speaks the oracle protocol, as one more oracle; may "
+                    "be repeated")
+        ->type_name("NAME=COMMAND")
+        ->allow_extra_args(false);
+    app->add_option("--oracles", external_.file,
+                    fmt::format("file of such programs (default: {} in the working "
+                                "folder, if it exists)",
+                                kOraclesFile))
+        ->type_name("FILE");
+  }
+
+  // A list of oracles. Programs may be among the names that --oracle gives, and a file of
+  // programs among those of --oracles.
+  CLI::Option* AddOracleList(CLI::App* app, std::vector<std::string>& oracles) {
+    asking_.insert(app);
+    app->add_option_function<std::vector<std::string>>(
+           "--oracle",
+           [this, &oracles](const std::vector<std::string>& texts) {
+             for (const std::string& text : texts)
+               (IsProgram(text) ? external_.commands : oracles).push_back(text);
+           },
+           "an oracle of --oracles, or a program that speaks the oracle protocol as one "
+           "more; may be repeated")
+        ->type_name("ORACLE|NAME=COMMAND")
+        ->allow_extra_args(false)
+        ->trigger_on_parse(false);
     return app
-        ->add_option("--oracles,--oracle", oracles,
-                     "oracles, e.g. cookbook,bullet (default: all)")
+        ->add_option_function<std::vector<std::string>>(
+            "--oracles",
+            [this, &oracles](const std::vector<std::string>& texts) {
+              for (const std::string& text : texts) {
+                if (text.ends_with(".toml"))
+                  external_.file = text;
+                else
+                  oracles.push_back(text);
+              }
+            },
+            "oracles, e.g. cookbook,bullet (default: all); or a file of programs, "
+            "mine.toml")
         ->type_name("ORACLE")
         ->delimiter(',')
         ->allow_extra_args(false);
+  }
+
+  static bool IsProgram(const std::string& text) {
+    return text.find('=') != std::string::npos;
   }
 
   // A number of questions, an index or a seed.
@@ -327,6 +377,7 @@ class CommandLine {
   void AddOracles() {
     CLI::App* app = AddCommand("oracles", "List the oracles and their capabilities",
                                [this] { return OraclesCommand(session_, settings_); });
+    AddExternal(app);
     app->add_flag("--settings", settings_,
                   "print the settings and conversions of each adapter instead, and those "
                   "that --set chooses");
@@ -534,7 +585,9 @@ class CommandLine {
     app->get_option("PATTERN")->required()->description(kPatterns);
     AddOracleList(app, simulate_.oracles)
         ->description(
-            "oracles, e.g. cookbook,bullet (default: all that simulate worlds)");
+            "oracles, e.g. cookbook,bullet (default: all that simulate worlds); or a "
+            "file "
+            "of programs, mine.toml");
     AddSetups(app);
     app->add_option("--csv", simulate_.csv,
                     "file for the table, - for standard output (default: -)")
@@ -545,9 +598,22 @@ class CommandLine {
     AddScenarios(app, fault.scenarios);
     app->get_option("PATTERN")->required()->description(
         "a scenario id, or your own TOML file");
-    app->add_option("--oracle,--for", fault.oracle,
-                    "oracle whose fault it is (default: the only one that is wrong)")
-        ->type_name("ORACLE");
+    AddExternal(app);
+    app->remove_option(app->get_option("--oracle"));
+    app->add_option_function<std::vector<std::string>>(
+           "--oracle,--for",
+           [this, &fault](const std::vector<std::string>& texts) {
+             for (const std::string& text : texts) {
+               if (IsProgram(text))
+                 external_.commands.push_back(text);
+               else
+                 fault.oracle = text;
+             }
+           },
+           "oracle whose fault it is (default: the only one that is wrong); or a program "
+           "that speaks the oracle protocol, as one more oracle")
+        ->type_name("ORACLE|NAME=COMMAND")
+        ->allow_extra_args(false);
     app->add_option("--measure", fault.measure,
                     "measure that finds it, e.g. separation_error (default: the simplest "
                     "proof of the gravest fault)")
@@ -605,6 +671,13 @@ class CommandLine {
                [this] { return AccuracyCommand(session_); });
   }
 
+  void AddServe() {
+    CLI::App* app =
+        AddCommand("serve", "Answer the oracle protocol for one of the oracles",
+                   [this] { return ServeCommand(session_, served_); });
+    app->add_option("ORACLE", served_, "name of the oracle")->required()->type_name("");
+  }
+
   void AddSchema() {
     AddCommand("schema", "Print the JSON Schema of scenario files", [] {
       std::cout << ScenarioSchema(ClaimNames());
@@ -615,6 +688,9 @@ class CommandLine {
   Session session_;
   CLI::App app_;
   std::function<int()> command_;
+  std::set<const CLI::App*> asking_;  ///< The commands that ask oracles.
+  ExternalOracleArguments external_;
+  std::string served_;
   SetupArguments setups_;
   RunArguments run_;
   ReportArguments report_;

@@ -131,6 +131,10 @@ void OracleRegistry::Add(std::unique_ptr<Oracle> oracle) {
   oracles_.push_back(std::move(oracle));
 }
 
+void OracleRegistry::AddMissing(MissingOracle missing) {
+  if (Find(missing.name) == nullptr) missing_.push_back(std::move(missing));
+}
+
 template <typename Change>
 void OracleRegistry::Replace(std::string_view name, Change change) {
   const auto replace = [&](std::unique_ptr<Oracle>& oracle) {

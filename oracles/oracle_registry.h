@@ -11,7 +11,7 @@
 
 namespace touchstone {
 
-/** An oracle that this build cannot offer. */
+/** An oracle that cannot be offered here. */
 struct MissingOracle {
   std::string name;
   /** E.g. "ODE was not found: apt-get install libode-dev, rebuild". */
@@ -29,6 +29,9 @@ class OracleRegistry {
   /** Adds a user's oracle.
    @throws std::invalid_argument if the name exists already. */
   void Add(std::unique_ptr<Oracle> oracle);
+
+  /** Records an oracle that cannot be offered, unless one of its name exists. */
+  void AddMissing(MissingOracle missing);
 
   /** Replaces the stated tolerance of the oracle `name`, see WithTolerance(). Does
    nothing if there is no such oracle. Pointers to it that Find() returned stay valid, but

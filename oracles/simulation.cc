@@ -11,6 +11,10 @@ bool IsSane(const Eigen::Vector3d& v) {
   return v.allFinite() && v.cwiseAbs().maxCoeff() < kMostReached;
 }
 
+}  // namespace
+
+void Simulation::ReadImpulses(std::vector<ContactImpulse>&) const {}
+
 bool IsSane(const WorldState& state) {
   for (const BodyState& body : state.bodies) {
     if (!IsSane(body.p_WB) || !IsSane(body.v_WB) || !IsSane(body.w_WB) ||
@@ -32,10 +36,6 @@ bool IsSane(const ContactImpulse& contact) {
   return IsSane(contact.p_WC) && IsSane(contact.n_AB_W) && contact.J_B_W.allFinite() &&
          contact.J_B_W.cwiseAbs().maxCoeff() < kLargestImpulse;
 }
-
-}  // namespace
-
-void Simulation::ReadImpulses(std::vector<ContactImpulse>&) const {}
 
 Trajectory RunToEnd(Simulation& simulation, const World& world) {
   Trajectory trajectory;

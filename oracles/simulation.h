@@ -29,6 +29,13 @@ class Simulation {
   virtual bool GivesImpulses() const { return false; }
 };
 
+/** Returns whether every number is finite, and every position and speed is below
+ kMostReached (scenarios/worlds/magnitudes.h): the motion has not diverged. */
+bool IsSane(const WorldState& state);
+
+/** Returns the same of an impulse: it is one that a valid world can have. */
+bool IsSane(const ContactImpulse& contact);
+
 /** Runs `simulation` of `world` from start to end. Applies the pushes at their times,
  takes a sample every World::sample_every steps, and stops when a state diverges. */
 Trajectory RunToEnd(Simulation& simulation, const World& world);

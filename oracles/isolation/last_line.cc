@@ -28,18 +28,22 @@ std::string ShortAssertion(std::string line) {
 
 }  // namespace
 
+std::string LastLineIn(std::string_view tail) {
+  std::string text(tail);
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }, ' ');
+  text.erase(text.find_last_not_of(" \n") + 1);
+  text.erase(0, text.find_last_of('\n') + 1);
+  return ShortAssertion(text);
+}
+
 std::string LastLineOf(int fd) {
   struct stat file {};
   if (fstat(fd, &file) != 0) return "";
   std::array<char, kTail> bytes;
   const ssize_t count =
       pread(fd, bytes.data(), bytes.size(), std::max<off_t>(0, file.st_size - kTail));
-  std::string text(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count)));
-  std::ranges::replace_if(
-      text, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n'; }, ' ');
-  text.erase(text.find_last_not_of(" \n") + 1);
-  text.erase(0, text.find_last_of('\n') + 1);
-  return ShortAssertion(text);
+  return LastLineIn({bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count))});
 }
 
 }  // namespace touchstone

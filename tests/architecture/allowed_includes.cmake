@@ -30,7 +30,8 @@ set(own_rules
 
   # The interface of the oracles, and the child processes.
   "oracles/[a-z_]+[.] => scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
-  "oracles/isolation/ => oracles/[a-z_]+[.]h")
+  "oracles/isolation/ => oracles/[a-z_]+[.]h"
+  "oracles/protocol/ => oracles/(isolation/(last_line|sanitized_fork|unique_fd)|[a-z_]+)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h")
 
 # No adapter includes another.
 foreach(adapter bullet cookbook dart fcl libccd mujoco ode)
@@ -76,10 +77,10 @@ list(APPEND own_rules
   "reports/reproduce/ => reports/(clusters/measure_words[.]h|(text|finding|referee|writers|worlds/truth)/|contacts/contact_result[.]h|worlds/(study/world_result|law_support/(overlap|subjects)|laws/laws)[.]h)|oracles/(oracle|convex_facets|trajectory|world_setup)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/gtest/ => reports/((shrink|sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
-  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|sweep/question_id[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry)[.]h|scenarios/"
+  "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|sweep/question_id[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry|protocol/(command|external_oracle|oracles_file))[.]h|scenarios/"
   # The only files that call a cluster; they know nothing of sweeps.
   "cli/slurm/ => cli/input_error[.]h"
-  "cli/commands/ => cli/|reports/(accuracy|baseline|bench|journal|ledger|referee|reproduce|shrink|sweep|text|writers)/|scenarios/"
+  "cli/commands/ => cli/|oracles/protocol/serve[.]h|reports/(accuracy|baseline|bench|journal|ledger|referee|reproduce|shrink|sweep|text|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
   "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")
 
@@ -92,12 +93,12 @@ set(library_rules
   "mujoco/ => oracles/mujoco/"
   "(bt[A-Z]|Bullet|LinearMath/) => oracles/bullet/"
   "hwy/ => engine/"
-  "toml[+][+]/ => scenarios/toml/parser[.]h|reports/.*[.]cc"
+  "toml[+][+]/ => scenarios/toml/parser[.]h|oracles/protocol/oracles_file[.]cc|reports/.*[.]cc"
   "(boost/multiprecision|mpfr) => reports/referee/"
   "boost/math => reports/worlds/.*[.]cc"
   "sqlite3[.]h => reports/sweep/database[.]cc"
   "zlib[.]h => reports/writers/data/deflate[.]cc"
-  "nlohmann/ => ((reports|scenarios|cli)/.*[.]cc|reports/writers/data/json_values[.]h)"
+  "nlohmann/ => ((reports|scenarios|cli|oracles/protocol)/.*[.]cc|reports/writers/data/json_values[.]h|oracles/protocol/json[.]h)"
   "CLI/ => cli/.*[.]cc"
   "CGAL/ => tests/")
 
