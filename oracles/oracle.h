@@ -77,6 +77,8 @@ struct OracleInfo {
   /** Whether contact queries are answered in a forked child with a deadline, because the
    engine can abort, crash or hang. */
   bool isolated = false;
+  /** Whether it is a program of its own, asked through the oracle protocol. */
+  bool external = false;
   /** The tolerance that its contact answers are granted; set by SetTolerance() only. */
   StatedTolerance tolerance;
   std::vector<Setting> settings;

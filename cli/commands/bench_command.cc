@@ -49,7 +49,12 @@ void BenchPair(ShapeKind A, ShapeKind B, std::span<const Oracle* const> oracles,
   const bool all_timed =
       std::all_of(bench.rows.begin(), bench.rows.end(),
                   [](const TimedQueries& row) { return row.nanoseconds.has_value(); });
+  const bool any_external =
+      std::any_of(bench.rows.begin(), bench.rows.end(),
+                  [](const TimedQueries& row) { return row.oracle->info().external; });
   Print(std::move(bench.rows));
+  if (any_external)
+    std::cout << "  a program of its own: wall time, the oracle protocol included\n";
   if (!all_timed)
     std::cout << "  not timed: the oracle has no bare call to time, or runs in its own "
                  "process because it may hang\n";

@@ -120,7 +120,9 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
     std::vector<const Oracle*> able;
     std::copy_if(oracles.begin(), oracles.end(), std::back_inserter(able),
                  [&](const Oracle* oracle) {
-                   return oracle->info().CannotSimulate(world).empty();
+                   // A program is asked for whole motions, so its steps have no times.
+                   return !oracle->info().external &&
+                          oracle->info().CannotSimulate(world).empty();
                  });
     if (able.empty()) {
       std::cout << scene.name << ": none of these oracles simulates it\n\n";

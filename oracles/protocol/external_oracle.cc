@@ -202,6 +202,7 @@ class ExternalOracle final : public Oracle {
   Trajectory MotionOf(const World& world) const {
     std::unique_ptr<Program> program = programs_->Take();
     Message message = Asking("world");
+    if (frames_) message.line["in_frame"] = true;
     message.line["world"] = ToJson(world);
     if (info_.HasSetups())
       message.line["parameters"] = ParametersJson(info_.parameters, info_.setup);
@@ -220,7 +221,7 @@ class ExternalOracle final : public Oracle {
     } catch (const ProtocolError& error) {
       throw NoReply{AnswerStatus::kCrashed, error.what()};
     }
-    trajectory.complaint = program->LastLine();
+    if (trajectory.complaint.empty()) trajectory.complaint = program->LastLine();
     programs_->GiveBack(std::move(program));
     return trajectory;
   }
@@ -272,6 +273,7 @@ std::unique_ptr<Oracle> MakeExternalOracle(std::string name, const Command& comm
     OracleInfo& info = hello.info;
     if (!name.empty()) info.name = std::move(name);
     info.isolated = true;
+    info.external = true;
     info.settings.push_back(
         {"program", command.line,
          "A process of its own that speaks the oracle protocol; a question on which it "

@@ -100,7 +100,7 @@ void AnswerWorld(const Oracle& oracle, const Message& asked, Message& answer) {
   else if (trajectory.status != AnswerStatus::kAnswered)
     answer.line["error"] = trajectory.reason;
   else
-    PutTrajectory(trajectory, true, answer);
+    PutTrajectory(trajectory, asked.line.value("in_frame", Json()) == true, answer);
 }
 
 // Adds the answer to `asked` to `answer`.

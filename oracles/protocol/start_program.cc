@@ -66,6 +66,15 @@ std::vector<std::string> Environment() {
   return variables;
 }
 
+// The command as the shell gets it. A single program takes the place of the shell, whose
+// own messages and exit status would otherwise hide how it ended.
+std::string LineFor(const std::string& command) {
+  const std::string first_word = command.substr(0, command.find(' '));
+  const bool is_single = command.find_first_of(";&|<>()\n") == std::string::npos &&
+                         first_word.find('=') == std::string::npos;
+  return is_single ? "exec " + command : command;
+}
+
 std::vector<char*> Pointers(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   for (std::string& text : texts) pointers.push_back(text.data());
@@ -137,7 +146,7 @@ StartedProgram Start(const Command& command) {
   Ends input = Socket();
   Ends output = Pipe();
   Ends messages = Pipe();
-  std::vector<std::string> words = {"/bin/sh", "-c", command.line};
+  std::vector<std::string> words = {"/bin/sh", "-c", LineFor(command.line)};
   std::vector<std::string> variables = Environment();
   const std::vector<char*> arguments = Pointers(words);
   const std::vector<char*> environment = Pointers(variables);

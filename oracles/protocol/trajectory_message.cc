@@ -205,6 +205,7 @@ void PutTrajectory(const Trajectory& trajectory, bool in_frame, Message& message
   Json& line = message.line;
   if (trajectory.diverged_at_step != 0)
     line["diverged_at_step"] = trajectory.diverged_at_step;
+  if (!trajectory.complaint.empty()) line["complaint"] = trajectory.complaint;
   if (in_frame) {
     line["sample_count"] = trajectory.samples.size();
     if (trajectory.gives_impulses) line["impulse_count"] = trajectory.impulses.size();
@@ -241,6 +242,8 @@ Trajectory TrajectoryFrom(const Message& message, const World& world) {
   trajectory.status = AnswerStatus::kAnswered;
   if (const auto step = line.Find("diverged_at_step"))
     trajectory.diverged_at_step = step->Whole(0, world.steps);
+  if (const auto complaint = line.Find("complaint"))
+    trajectory.complaint = complaint->Text();
   ExpectSamples(rows, world, trajectory.diverged_at_step);
   std::vector<ContactImpulse> impulses;
   if (rows.impulses) {

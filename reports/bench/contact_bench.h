@@ -43,8 +43,10 @@ struct ContactBench {
 
 /** Times random contact queries of A and B in each of `oracles` that supports the pair.
  The time is the median of several passes over the same poses, with the engine objects
- created beforehand. The oracles take turns, so that a temporary slowdown of the machine
- affects all of them alike. No rows, and no queries, if no oracle supports the pair. */
+ created beforehand; that of an external oracle is the time until its program has
+ answered, messages included. The oracles take turns, so that a temporary slowdown of the
+ machine affects all of them alike. No rows, and no queries, if no oracle supports the
+ pair. */
 ContactBench BenchContacts(ShapeKind A, ShapeKind B,
                            std::span<const Oracle* const> oracles,
                            const ContactBenchSettings& settings);
