@@ -157,6 +157,31 @@ submits again the shards that failed, which go on from where they were.
 )",
      "0 no failures; 1 failures, of the band of --fail-on or worse; 2 bad input or\n"
      "nothing verified; 130 after Ctrl-C; with --status, 1 until it is complete"},
+    {"serve", R"(
+
+Speaks the oracle protocol (docs/oracle_protocol.md) on standard input and output for one of the
+oracles of this program, so that another harness, or another build of Touchstone, may ask it. That
+is how two versions of a library stand side by side: each in a program of its own.
+)",
+     R"(
+  touchstone serve fcl/distance
+  touchstone run --oracle 'fcl@0.7=/opt/old/bin/touchstone serve fcl/distance' --subject fcl@0.7
+)",
+     "0 after the end of the input; 1 the output is closed; 2 bad input"},
+    {"check-oracle", R"(
+
+Puts questions to a program that speaks the oracle protocol (docs/oracle_protocol.md), and says in
+sentences what is wrong with its answers: a normal that points the wrong way, half extents taken for
+edges, another order of quaternions, degrees, a position that is that of a corner, answers that
+depend on earlier questions. Where no such mistake explains the answers, it shows the proof
+against the first of them: then it may be the engine.
+)",
+     R"(
+  touchstone check-oracle -- python3 my_oracle.py
+  touchstone check-oracle -- ./my_engine --precise
+  touchstone check-oracle ode                    check an oracle of this program
+)",
+     "0 nothing is wrong; 1 something is; 2 bad input, or nothing could be asked"},
     {"merge", R"(
 
 Joins the files of all shards of one sweep. The result is, byte for byte, the file of the sweep

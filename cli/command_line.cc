@@ -17,6 +17,7 @@
 #include "cli/command_examples.h"
 #include "cli/commands/bench_command.h"
 #include "cli/commands/bench_worlds_command.h"
+#include "cli/commands/check_oracle_command.h"
 #include "cli/commands/explain_command.h"
 #include "cli/commands/ledger_command.h"
 #include "cli/commands/list_command.h"
@@ -87,6 +88,7 @@ class CommandLine {
     AddBench();
     AddSimulate();
     AddServe();
+    AddCheckOracle();
     AddSchema();
     AddLedger();
   }
@@ -678,6 +680,16 @@ class CommandLine {
     app->add_option("ORACLE", served_, "name of the oracle")->required()->type_name("");
   }
 
+  void AddCheckOracle() {
+    CLI::App* app =
+        AddCommand("check-oracle", "Say what is wrong with a program as an oracle",
+                   [this] { return CheckOracleCommand(session_, checked_); });
+    app->add_option("COMMAND", checked_,
+                    "the program and its arguments, after --; or the name of an oracle")
+        ->required()
+        ->type_name("");
+  }
+
   void AddSchema() {
     AddCommand("schema", "Print the JSON Schema of scenario files", [] {
       std::cout << ScenarioSchema(ClaimNames());
@@ -691,6 +703,7 @@ class CommandLine {
   std::set<const CLI::App*> asking_;  ///< The commands that ask oracles.
   ExternalOracleArguments external_;
   std::string served_;
+  std::vector<std::string> checked_;
   SetupArguments setups_;
   RunArguments run_;
   ReportArguments report_;

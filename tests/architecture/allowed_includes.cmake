@@ -75,12 +75,13 @@ list(APPEND own_rules
   "reports/journal/ => reports/(finding/|sweep/database[.]h|worlds/study/examine_world[.]h)|oracles/(isolation/(answer_wire|wire)|oracle|stated_tolerance|world_setup)[.]h|scenarios/scenario_file[.]h"
   "reports/shrink/ => reports/((text|finding|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/oracle[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/reproduce/ => reports/(clusters/measure_words[.]h|(text|finding|referee|writers|worlds/truth)/|contacts/contact_result[.]h|worlds/(study/world_result|law_support/(overlap|subjects)|laws/laws)[.]h)|oracles/(oracle|convex_facets|trajectory|world_setup)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
+  "reports/adapter_check/ => reports/((finding|referee)/|contacts/judge_answer[.]h)|oracles/(isolation/answer_wire|contact_answer|oracle|trajectory)[.]h|scenarios/(generators/generate[.]h|[a-z_]+[.]h|worlds/world[.]h)"
   "reports/gtest/ => reports/((shrink|sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 
   "cli/[a-z_]+[.] => reports/((text|ledger)/|run[.]h|sweep/question_id[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|oracle_registry|protocol/(command|external_oracle|oracles_file))[.]h|scenarios/"
   # The only files that call a cluster; they know nothing of sweeps.
   "cli/slurm/ => cli/input_error[.]h"
-  "cli/commands/ => cli/|oracles/protocol/serve[.]h|reports/(accuracy|baseline|bench|journal|ledger|referee|reproduce|shrink|sweep|text|writers)/|scenarios/"
+  "cli/commands/ => cli/|oracles/protocol/(command|external_oracle|serve)[.]h|reports/(accuracy|adapter_check|baseline|bench|journal|ledger|referee|reproduce|shrink|sweep|text|writers)/|scenarios/"
   # The command line is the only file that knows the commands.
   "cli/command_line[.]cc => cli/|reports/(bench/scene|worlds/study/check_claims)[.]h|scenarios/schema/")
 

@@ -152,14 +152,14 @@ INSTANTIATE_TEST_SUITE_P(
     TestName);
 
 INSTANTIATE_TEST_SUITE_P(, ServedSimulator,
-                         testing::ValuesIn(NamesWhere([](const OracleInfo& info) {
-                           return info.simulates;
+                         testing::ValuesIn(NamesWhere([](const OracleInfo& of) {
+                           return of.simulates;
                          })),
                          TestName);
 
 INSTANTIATE_TEST_SUITE_P(, ServedOracleWithSetups,
-                         testing::ValuesIn(NamesWhere([](const OracleInfo& info) {
-                           return info.HasSetups();
+                         testing::ValuesIn(NamesWhere([](const OracleInfo& of) {
+                           return of.HasSetups();
                          })),
                          TestName);
 
