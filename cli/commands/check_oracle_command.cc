@@ -21,8 +21,7 @@ namespace touchstone {
 namespace {
 
 const std::string kUnexplained =
-    "wrong, and no mistake of adapters that we know explains it, so that it may be the "
-    "engine";
+    "no mistake of adapters that we know explains this, so that it may be the engine";
 
 // One word of a command, so that the shell does not take it apart.
 std::string Quoted(const std::string& word) {
@@ -121,7 +120,7 @@ bool PrintWorlds(const std::vector<WorldCheck>& worlds) {
       PrintParagraph("✓", world.world);
     } else {
       is_wrong = true;
-      PrintParagraph("✗", fmt::format("{}: {}. {}", world.world, world.wrong,
+      PrintParagraph("✗", fmt::format("{}: {}; {}", world.world, world.wrong,
                                       world.mistakes.empty() ? kUnexplained
                                                              : AnyOf(world.mistakes)));
     }

@@ -23,8 +23,12 @@ class MyWorld final : public touchstone::Simulation {
       touchstone::BodyState& at = state_.bodies[i];
       // A bounce between two halves of gravity's impulse neither gains nor loses energy.
       at.v_WB += world_.dt / 2 * world_.gravity_W;
-      for (const touchstone::RigidBody& ground : world_.bodies) Bounce(ball, ground, at);
+      for (const touchstone::RigidBody& ground : world_.bodies)
+        Bounce(ball, ground, std::min(ball.restitution, ground.restitution), at);
       at.v_WB += world_.dt / 2 * world_.gravity_W;
+      // Without this, the second half would sink a ball at rest a little in every step.
+      for (const touchstone::RigidBody& ground : world_.bodies)
+        Bounce(ball, ground, 0, at);
       at.p_WB += world_.dt * at.v_WB;
       const double angle = world_.dt * at.w_WB.norm();  // Nothing changes the spin.
       const Eigen::AngleAxisd turn(angle, at.w_WB.stableNormalized());
@@ -38,15 +42,15 @@ class MyWorld final : public touchstone::Simulation {
   void Push(int, const Eigen::Vector3d&, const Eigen::Vector3d&) override {}
 
  private:
-  /** Reflects a ball that is in the ground and moves deeper. */
+  /** Reflects a ball that is in the ground and moves deeper, at `e` of its speed. */
   static void Bounce(const touchstone::RigidBody& ball,
-                     const touchstone::RigidBody& ground, touchstone::BodyState& at) {
+                     const touchstone::RigidBody& ground, double e,
+                     touchstone::BodyState& at) {
     if (ground.mass > 0 || !ground.collides || !ball.collides) return;
     const Eigen::Vector3d n_W = ground.placed.X_WB.R_WB.col(2);
     const double gap = n_W.dot(at.p_WB - ground.placed.X_WB.p_WB) -
                        std::get<touchstone::Sphere>(ball.placed.shape).radius;
     const double speed = n_W.dot(at.v_WB);
-    const double e = std::min(ball.restitution, ground.restitution);
     if (gap <= 0 && speed < 0) at.v_WB -= (1 + e) * speed * n_W;
   }
 

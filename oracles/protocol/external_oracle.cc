@@ -35,8 +35,8 @@ Message Asking(const char* method) {
 /** The running programs of one external oracle, shared by all its setups. */
 class Programs {
  public:
-  Programs(Command command, const ExternalLimits& limits)
-      : command_(std::move(command)), limits_(limits) {}
+  Programs(std::string name, Command command, const ExternalLimits& limits)
+      : name_(std::move(name)), command_(std::move(command)), limits_(limits) {}
 
   /** Returns a program that has described itself, and its description.
    Throws NoReply. */
@@ -45,7 +45,7 @@ class Programs {
       auto program = std::make_unique<Program>(command_);
       Message message = Asking("hello");
       message.line["protocol"] = kProtocolVersion;
-      Hello hello = HelloFrom(program->Ask(std::move(message), limits_.hello));
+      Hello hello = HelloFrom(program->Ask(std::move(message), limits_.hello), name_);
       return {std::move(program), std::move(hello)};
     } catch (const ProtocolError& error) {
       throw NoReply{AnswerStatus::kCrashed, error.what()};
@@ -77,6 +77,7 @@ class Programs {
   const ExternalLimits& limits() const { return limits_; }
 
  private:
+  std::string name_;  // Empty: the one that the program states.
   Command command_;
   ExternalLimits limits_;
   std::mutex mutex_;
@@ -266,12 +267,11 @@ std::unique_ptr<PreparedBatch> ExternalOracle::Prepare(
 
 std::unique_ptr<Oracle> MakeExternalOracle(std::string name, const Command& command,
                                            const ExternalLimits& limits) {
-  auto programs = std::make_shared<Programs>(command, limits);
+  auto programs = std::make_shared<Programs>(std::move(name), command, limits);
   try {
     auto [program, hello] = programs->StartOne();
     programs->GiveBack(std::move(program));
     OracleInfo& info = hello.info;
-    if (!name.empty()) info.name = std::move(name);
     info.isolated = true;
     info.external = true;
     info.settings.push_back(

@@ -275,14 +275,14 @@ void PutHello(const OracleInfo& info, bool frames, Message& message) {
   if (info.simulates) line["world"] = WorldJson(info);
 }
 
-Hello HelloFrom(const Message& message) {
+Hello HelloFrom(const Message& message, const std::string& name) {
   const Received line(message.line, "hello");
   if (const auto error = line.Find("error"))
     throw ProtocolError("answered hello with an error: " + error->Text());
   line["protocol"].Whole(kProtocolVersion, kProtocolVersion);
   Hello hello;
   OracleInfo& info = hello.info;
-  info.name = line["name"].Text();
+  info.name = name.empty() ? line["name"].Text() : name;
   info.library = line["library"].Text();
   info.version = line["version"].Text();
   for (const char* key : {"name", "library", "version"}) {

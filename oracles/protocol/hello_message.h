@@ -17,9 +17,10 @@ struct Hello {
   bool frames = false;
 };
 
-/** Returns the description in the answer to "hello".
+/** Returns the description in the answer to "hello". The oracle is called `name`, or as
+ it calls itself if that is empty.
  @throws ProtocolError if it is not one, or is of another version of the protocol; for an
  error beyond rounding or a slop without its source. */
-Hello HelloFrom(const Message& message);
+Hello HelloFrom(const Message& message, const std::string& name = "");
 
 }  // namespace touchstone

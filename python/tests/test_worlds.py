@@ -92,7 +92,7 @@ class Engine(Oracle):
 
 def motion(oracle, asked, parameters=None):
     """Returns times, rows of samples, and the line of the answer in either form."""
-    message = {"id": 2, "method": "world", "world": asked}
+    message = {"id": 2, "method": "world", "in_frame": oracle.frames, "world": asked}
     if parameters is not None:
         message["parameters"] = parameters
     line, frame = ask(oracle, message)

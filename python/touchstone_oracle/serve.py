@@ -79,6 +79,6 @@ def _world(oracle: Oracle, message: Message) -> Tuple[Dict[str, Any], Optional[A
     if not isinstance(motion, Motion):
         kind = type(motion).__name__
         raise WrongAnswer(f"simulate() returned {kind}; expected a Motion")
-    if oracle.frames:
+    if message.line.get("in_frame"):
         return frames.put_motion(motion, world)
     return answers.put_motion(motion, world), None

@@ -11,6 +11,7 @@
 #include "reports/writers/read_report_data.h"
 #include "scenarios/scenario_file.h"
 #include "tests/fuzz/bounds_file_property.h"
+#include "tests/fuzz/protocol_property.h"
 #include "tests/fuzz/report_data_property.h"
 #include "tests/fuzz/scenario_file_property.h"
 #include "tests/source_tree.h"
@@ -51,6 +52,18 @@ TEST(BoundsFileCorpus, IsReadWithoutFault) {
     ++files;
   }
   EXPECT_GE(files, 7);
+}
+
+TEST(ProtocolCorpus, IsReadWithoutFault) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(InSourceTree("tests/fuzz/corpus/protocol"))) {
+    std::ostringstream bytes;
+    bytes << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    EXPECT_EQ(FaultOfReadingProtocol(bytes.str()), "") << entry.path();
+    ++files;
+  }
+  EXPECT_GE(files, 20);
 }
 
 TEST(ReportDataCorpus, IsReadWithoutFault) {

@@ -1,13 +1,15 @@
 #!/bin/bash
 # Runs one of the programs of docs/examples/oracles as the subject of Touchstone.
 #
-#   examples_test.sh TOUCHSTONE balls.py|bouncing_ball.py|rust|node BUILD_FOLDER
+#   examples_test.sh TOUCHSTONE package|balls.py|bouncing_ball.py|rust|node BUILD_FOLDER
 #
-# Exit code 77 if what the example needs is not installed. BUILD_FOLDER is for rust only.
+# "package" runs the tests of the Python package and of the schema. Exit code 77 if what the example needs is
+# not installed.
 set -euo pipefail
 
 touchstone=$(realpath "$1")
 example=$2
+build=$(realpath -m "$3")
 root=$(realpath "$(dirname "$0")/../..")
 folder=$root/docs/examples/oracles
 
@@ -21,7 +23,8 @@ check_balls() {
   "$touchstone" run contact/sphere_sphere --oracle "mine=$1" --subject mine \
     --against cookbook --fail-on subject
   "$touchstone" sweep contact --pair sphere sphere --oracle "mine=$1" --subject mine \
-    --count 2000
+    --count 500
+  "$touchstone" check-oracle -- sh -c "exec $1"
 }
 
 check_bouncing_ball() {
@@ -29,27 +32,42 @@ check_bouncing_ball() {
     --subject mine --against cookbook --fail-on subject
   # Few worlds of the family are of nothing but balls without friction on a half-space.
   "$touchstone" sweep world --family drops --oracle "mine=$1" --subject mine --count 300
+  "$touchstone" check-oracle -- sh -c "exec $1"
 }
 
+# Sets `python` to a Python that has the package, numpy and jsonschema: that of the machine,
+# else one in BUILD_FOLDER.
 need_python() {
+  export PYTHONPATH=$root/python PYTHONDONTWRITEBYTECODE=1
   python3 -c 'import sys; assert sys.version_info >= (3, 9)' 2>/dev/null ||
     skip "no python3 of version 3.9 or later"
-  python3 -c 'import numpy' 2>/dev/null || skip "python3 has no numpy"
-  export PYTHONPATH=$root/python
-  export PYTHONDONTWRITEBYTECODE=1
+  python=python3
+  python3 -c 'import numpy, jsonschema' 2>/dev/null && return
+  mkdir -p "$build"
+  python=$build/python/bin/python3
+  (flock 9
+    "$python" -c 'import numpy, jsonschema' 2>/dev/null ||
+      { python3 -m venv --clear "$build/python" &&
+        "$python" -m pip install --quiet numpy jsonschema; }
+  ) 9>"$build/python.lock" || skip "numpy and jsonschema cannot be installed"
 }
 
 case $example in
+  package)
+    need_python
+    "$python" -m unittest discover -s "$root/python/tests"
+    "$python" "$root/tests/protocol/schema_test.py" \
+      "$root/docs/oracle_protocol.schema.json" "$root"/tests/oracles/protocol/transcripts/*.txt
+    ;;
   balls.py)
     need_python
-    check_balls "python3 '$folder/balls.py'"
+    check_balls "$python '$folder/balls.py'"
     ;;
   bouncing_ball.py)
     need_python
-    check_bouncing_ball "python3 '$folder/bouncing_ball.py'"
+    check_bouncing_ball "$python '$folder/bouncing_ball.py'"
     ;;
   rust)
-    build=$(realpath -m "$3")
     command -v cargo >/dev/null || skip "no cargo"
     crate=(--manifest-path "$folder/rust/Cargo.toml" --locked)
     cargo fetch "${crate[@]}" || cargo fetch --offline "${crate[@]}" ||
@@ -64,7 +82,7 @@ case $example in
     check_balls "node '$folder/node/balls.mjs'"
     ;;
   *)
-    echo "no example \"$example\"; expected balls.py, bouncing_ball.py, rust or node"
+    echo "no example \"$example\"; expected package, balls.py, bouncing_ball.py, rust or node"
     exit 2
     ;;
 esac

@@ -37,7 +37,7 @@ std::unique_ptr<Oracle> Faulty(const std::string& how, const std::string& file =
   if (how == "hang") limits.contact.wall = milliseconds(3'000);
   if (how == "work") limits.contact.cpu = milliseconds(1'000);
   return MakeExternalOracle(
-      "faulty", {std::string(FAULTY_PROGRAM) + " '" + how + "' '" + file + "'"}, limits);
+      "mine", {std::string(FAULTY_PROGRAM) + " '" + how + "' '" + file + "'"}, limits);
 }
 
 ContactQuery Balls(double radius) {
@@ -79,12 +79,12 @@ void ExpectAnswersExcept(const std::vector<ContactAnswer>& answers, std::size_t 
 TEST(ExternalOracle, IsDescribedByItsProgram) {
   const auto oracle = Faulty("");
   const OracleInfo& info = oracle->info();
-  EXPECT_EQ(info.name, "faulty");
+  EXPECT_EQ(info.name, "mine");
   EXPECT_EQ(info.version, "1");
   EXPECT_TRUE(info.For(ShapeKind::kSphere, ShapeKind::kSphere).depth);
   const Capability& other = info.For(ShapeKind::kBox, ShapeKind::kSphere);
   EXPECT_FALSE(other.supported);
-  EXPECT_EQ(other.reason, "faulty does not answer this pair");
+  EXPECT_EQ(other.reason, "mine does not answer this pair");
   EXPECT_TRUE(info.isolated);
 }
 
