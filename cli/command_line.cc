@@ -6,6 +6,7 @@
 #include <iostream>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -225,8 +226,15 @@ class CommandLine {
     app->add_option_function<std::vector<std::string>>(
            "--oracle",
            [this, &oracles](const std::vector<std::string>& texts) {
-             for (const std::string& text : texts)
-               (IsProgram(text) ? external_.commands : oracles).push_back(text);
+             for (const std::string& text : texts) {
+               if (IsProgram(text)) {
+                 external_.commands.push_back(text);
+                 continue;
+               }
+               std::istringstream names(text);
+               for (std::string name; std::getline(names, name, ',');)
+                 oracles.push_back(name);
+             }
            },
            "an oracle of --oracles, or a program that speaks the oracle protocol as one "
            "more; may be repeated")

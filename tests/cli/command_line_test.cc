@@ -1182,6 +1182,90 @@ TEST_F(CommandLineTest, SimulatesWorldsIntoATable) {
   EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 1 + 3 * 6);
 }
 
+TEST_F(CommandLineTest, AsksAProgramLikeAnyOtherOracle) {
+  const std::string program =
+      " --oracle 'mine=" + TouchstoneProgram() + " serve cookbook'";
+  const Ended run = Itself("run contact/sphere_sphere --subject mine --against cookbook" +
+                           program + " --fail-on subject");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out, HasSubstr("OK: mine never failed"));
+
+  Write("mine/drop.toml", kDrop);
+  const Ended motion =
+      Itself("simulate " + Path("mine/drop.toml") + program + " --oracle mine");
+  EXPECT_EQ(motion.code, 0) << motion.err;
+  EXPECT_THAT(motion.out, HasSubstr("\nmine/drop,mine,0.1,ball,0,1.9"));
+
+  const Ended timed = Itself(
+      "bench contact --pair sphere sphere --count 100 --oracles "
+      "cookbook,mine" +
+      program);
+  EXPECT_EQ(timed.code, 0) << timed.err;
+  EXPECT_THAT(timed.out, HasSubstr("a program of its own: wall time"));
+}
+
+TEST_F(CommandLineTest, HasTheSameReportOfAProgramForAnyNumberOfJobs) {
+  for (const char* jobs : {"1", "3"}) {
+    const Ended ended = Itself(
+        std::string("run contact/box_box world/free --subject mine --against cookbook "
+                    "--oracle 'mine=") +
+        TouchstoneProgram() + " serve cookbook' --jobs " + jobs + " --out " +
+        Path(std::string("jobs") + jobs));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  }
+  EXPECT_EQ(WithoutSeconds(Path("jobs1/report.jsonl")),
+            WithoutSeconds(Path("jobs3/report.jsonl")));
+}
+
+TEST_F(CommandLineTest, ReadsTheProgramsOfAFile) {
+  Write("oracles.toml", "mine = \"" + TouchstoneProgram() +
+                            " serve cookbook\"\ngone = \"no_such_program\"\n");
+  const std::string file = " --oracles " + Path("oracles.toml");
+  const Ended listed = Itself("oracles" + file);
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  EXPECT_THAT(listed.out, HasSubstr("\nmine  Touchstone 0.1.0"));
+  EXPECT_THAT(listed.out, HasSubstr("its program cannot be asked: exited with status 127"));
+  // The file of the working folder needs no option.
+  const Ended in_folder = InPipe("cd " + folder_.string() + " && " + TouchstoneProgram() +
+                                 " ask --A 'sphere 1' --B 'sphere 1 @ 1 0 0' "
+                                 "--against mine");
+  EXPECT_EQ(in_folder.code, 0) << in_folder.err;
+  EXPECT_THAT(in_folder.out, HasSubstr("mine"));
+  EXPECT_EQ(Itself("run contact --subject gone" + file).code, 2);
+
+  Write("oracles.toml", "mine = 3\n");
+  const Ended wrong = Itself("oracles" + file);
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("oracles.toml:1:8: mine has no command; expected"));
+}
+
+TEST_F(CommandLineTest, SaysWhyAProgramIsNoOracle) {
+  const Ended ended = Itself("run contact --oracle mine=false --subject mine");
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_EQ(
+      ended.err,
+      "touchstone: the oracle mine cannot be asked: exited with status 1; expected a "
+      "program that speaks the oracle protocol (docs/oracle_protocol.md)\n");
+  EXPECT_THAT(Itself("run contact --oracle mine").err,
+              HasSubstr("--oracle mine is no program; expected NAME=COMMAND"));
+  EXPECT_THAT(Itself("run contact --oracle 'ode=true'").err, HasSubstr("ode"));
+  EXPECT_THAT(Itself("run contact --oracle 'a b=true'").err,
+              HasSubstr("--oracle: \"a b\" is no name; expected"));
+}
+
+TEST_F(CommandLineTest, ChecksThatAProgramIsAnOracle) {
+  const Ended right =
+      Itself("check-oracle -- " + TouchstoneProgram() + " serve cookbook");
+  EXPECT_EQ(right.code, 0) << right.out << right.err;
+  EXPECT_THAT(right.out, HasSubstr("Nothing is wrong: 4 pairs and 4 worlds checked"));
+  const Ended wrong = Itself("check-oracle fcl/collide_indep");
+  EXPECT_EQ(wrong.code, 1) << wrong.err;
+  EXPECT_THAT(wrong.out, HasSubstr("its normal is in the frame of A"));
+  const Ended none = Itself("check-oracle -- false");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_THAT(none.err, HasSubstr("`false` is no oracle: exited with status 1"));
+}
+
 TEST_F(CommandLineTest, SimulatesNoContactQueries) {
   const Ended ended = Itself("simulate " + Path("mine/deep.toml"));
   EXPECT_EQ(ended.code, 2);
