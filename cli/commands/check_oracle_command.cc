@@ -42,6 +42,7 @@ std::string Quoted(const std::string& word) {
 std::string LineOf(const std::vector<std::string>& words) {
   if (words.size() == 1) return words.front();
   std::vector<std::string> quoted;
+  quoted.reserve(words.size());
   for (const std::string& word : words) quoted.push_back(Quoted(word));
   return fmt::format("{}", fmt::join(quoted, " "));
 }

@@ -107,7 +107,7 @@ int OraclesCommand(const Session& session, bool settings) {
     std::cout << '\n';
   }
   for (const MissingOracle& missing : session.registry.missing()) {
-    std::cout << fmt::format("{}  not installed: {}\n", missing.name, missing.how_to_get);
+    std::cout << fmt::format("{}  not available: {}\n", missing.name, missing.how_to_get);
   }
   return 0;
 }

@@ -216,7 +216,7 @@ int RunCommand(const Session& session, const RunArguments& arguments) try {
     std::vector<std::string_view> names;
     for (const MissingOracle& missing : session.registry.missing())
       names.push_back(missing.name);
-    std::cout << fmt::format("not installed: {}; see `touchstone oracles`\n",
+    std::cout << fmt::format("not available: {}; see `touchstone oracles`\n",
                              fmt::join(names, ", "));
   }
   if (out) {

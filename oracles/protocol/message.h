@@ -14,6 +14,7 @@ namespace touchstone {
 inline constexpr int kProtocolVersion = 1;
 
 /** A message: a line of JSON, and doubles that follow it if the line states "frame". */
+// NOLINTNEXTLINE(bugprone-exception-escape): the move of nlohmann's JSON only asserts.
 struct Message {
   Json line;
   std::vector<double> frame;

@@ -203,6 +203,17 @@ std::optional<ContactAnswer> WithPointsMoved(const ContactAnswer& answer, double
   return meant;
 }
 
+// An answer whose separations are ours divided by `factor`.
+ContactMistake OfSeparations(std::string sentence, double factor) {
+  return OfAnswers(std::move(sentence),
+                   [factor](const ContactQuery&,
+                            const ContactAnswer& answer) -> std::optional<ContactAnswer> {
+                     EachOf each;
+                     each.separation = [factor](double s) { return factor * s; };
+                     return each.Of(answer);
+                   });
+}
+
 std::vector<ContactMistake> MistakesWithAnswers() {
   const auto flip = [](const Vector3d& n) { return Vector3d(-n); };
   std::vector<ContactMistake> mistakes;
@@ -232,18 +243,10 @@ std::vector<ContactMistake> MistakesWithAnswers() {
         each.separation = [](double s) { return -s; };
         return each.Of(answer);
       }));
-  for (const auto& [factor, sentence] :
-       {std::pair(2.0, "its separation is half of what it is along the normal"),
-        std::pair(0.5, "its separation is twice what it is along the normal")}) {
-    mistakes.push_back(
-        OfAnswers(sentence,
-                  [factor](const ContactQuery&,
-                           const ContactAnswer& answer) -> std::optional<ContactAnswer> {
-                    EachOf each;
-                    each.separation = [factor](double s) { return factor * s; };
-                    return each.Of(answer);
-                  }));
-  }
+  mistakes.push_back(
+      OfSeparations("its separation is half of what it is along the normal", 2));
+  mistakes.push_back(
+      OfSeparations("its separation is twice what it is along the normal", 0.5));
   mistakes.push_back(OfAnswers(
       "its contact points lie on the surface of A; expected midway between the surfaces",
       [](const ContactQuery&, const ContactAnswer& answer) {

@@ -180,11 +180,13 @@ TEST(ExternalOracle, LosesOneAnswerToADeathThatDoesNotComeBack) {
 TEST(ExternalOracle, AnswersAlikeWhenSeveralThreadsAsk) {
   const auto oracle = Faulty("");
   std::vector<ContactQuery> queries;
+  queries.reserve(200);
   for (int i = 0; i < 200; ++i) queries.push_back(Balls(0.01 * (i + 1)));
   const std::vector<ContactAnswer> expected = Ask(*oracle, queries);
   std::vector<std::vector<ContactAnswer>> given(4);
   {
     std::vector<std::jthread> threads;
+    threads.reserve(given.size());
     for (std::vector<ContactAnswer>& answers : given)
       threads.emplace_back([&] { answers = Ask(*oracle, queries); });
   }

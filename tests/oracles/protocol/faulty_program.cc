@@ -2,7 +2,9 @@
 // radius kFatal. Its first argument says how.
 
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -73,16 +75,13 @@ void FailBefore(const std::string& how, const std::string& file) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const std::string how = argc > 1 ? argv[1] : "";
-  const std::string file = argc > 2 ? argv[2] : "";
+// Answers until the end of the input.
+void Converse(const std::string& how, const std::string& file) {
   if (how == "banner") std::cout << "faulty engine, build 7\n" << std::flush;
   if (how == "pid") std::ofstream(file) << getpid();
   for (std::string text; std::getline(std::cin, text);) {
     const Json message = Json::parse(text);
-    if (message["method"] == "bye") return 0;
+    if (message["method"] == "bye") return;
     Json answer = {{"id", message["id"]}};
     if (message["method"] == "hello") {
       answer.update(Hello());
@@ -108,5 +107,17 @@ int main(int argc, char** argv) {
         answer = {{"id", message["id"]}, {"error", "tired"}};
     }
     std::cout << answer.dump() << '\n' << std::flush;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    Converse(argc > 1 ? argv[1] : "", argc > 2 ? argv[2] : "");
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
   }
 }

@@ -14,8 +14,8 @@ namespace {
 using testing::ElementsAre;
 
 std::filesystem::path FileOf(const std::string& text) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
-                                     ("oracles" + std::to_string(getpid()) + ".toml");
+  std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
+                               ("oracles" + std::to_string(getpid()) + ".toml");
   std::ofstream(file) << text;
   return file;
 }

@@ -86,7 +86,7 @@ class Falling final : public Simulation {
 
 std::string Line(const std::string& text, std::size_t& begin) {
   const std::size_t end = text.find('\n', begin);
-  const std::string line = text.substr(begin, end - begin);
+  std::string line = text.substr(begin, end - begin);
   begin = end == std::string::npos ? text.size() : end + 1;
   return line;
 }
