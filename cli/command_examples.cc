@@ -58,11 +58,15 @@ scenario. It is worse if its verdict is, or if its error has more than doubled a
 what rounding can cause. It is no longer judged if it passed and is now undecidable,
 unsupported or not measured. New are faults that only NEW has, gone those that only OLD has.
 Run both on the same machine, and let the exit code guard your own CI.
+
+With --oracle and --with, compares two oracles of one run instead, for example two versions of an
+engine: what the second does worse than the first.
 )",
      R"(
   touchstone run --out yesterday                 run, keep the data
   touchstone compare yesterday today             print what changed
   touchstone compare yesterday today --html changes.html --junit changes.xml
+  touchstone compare today --oracle mujoco --with mujoco@new
 )",
      "0 nothing is worse; 1 something is worse or no longer judged; 2 bad input"},
     {"explain", R"(

@@ -338,9 +338,14 @@ class CommandLine {
                     "folder that `touchstone run --out` wrote, or its report.data")
         ->required()
         ->type_name("");
-    app->add_option("NEW", compare_.after, "the same of the later run")
-        ->required()
+    app->add_option("NEW", compare_.after,
+                    "the same of the later run; not needed with --oracle")
         ->type_name("");
+    app->add_option("--oracle", compare_.oracle,
+                    "compare this oracle, e.g. a version of an engine, …")
+        ->type_name("ORACLE");
+    app->add_option("--with", compare_.with, "… with this one, in the same run or in NEW")
+        ->type_name("ORACLE");
     app->add_option("--json", compare_.json, "file for all changes as JSON")
         ->type_name("FILE");
     app->add_option("--junit", compare_.junit, "file for all changes as JUnit XML")

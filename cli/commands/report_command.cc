@@ -5,10 +5,14 @@
 #include <iostream>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/input_error.h"
 #include "cli/output_folder.h"
@@ -93,6 +97,17 @@ std::string DataOfSweep(const Session& session, const std::filesystem::path& fil
   throw InputError(error.what());
 }
 
+// Returns the findings of an oracle of a run, under the name `as`. Throws InputError.
+Baseline OfOracle(const ReadReportData& run, const std::string& oracle,
+                  const std::string& as) {
+  Baseline findings = FindingsOf(run.baseline, oracle, as);
+  if (!findings.cells.empty()) return findings;
+  std::set<std::string> names;
+  for (const auto& [cell, measured] : run.baseline.cells) names.insert(cell.oracle);
+  throw InputError(fmt::format("the run has no findings of {}; expected one of: {}",
+                               oracle, fmt::join(names, ", ")));
+}
+
 void WriteIfAsked(const std::optional<std::filesystem::path>& file,
                   const std::function<void(std::ostream&)>& write) {
   if (file) OutputFile(*file).Write(write);
@@ -113,12 +128,21 @@ int ReportCommand(const Session& session, const ReportArguments& arguments) {
 }
 
 int CompareCommand(const CompareArguments& arguments) {
+  const bool of_oracles = !arguments.oracle.empty() || !arguments.with.empty();
+  if (of_oracles && (arguments.oracle.empty() || arguments.with.empty()))
+    throw InputError("compare: expected --oracle ORACLE with --with ORACLE");
+  if (!of_oracles && arguments.after.empty())
+    throw InputError("compare: expected NEW, or --oracle and --with for two oracles");
   const ReadReportData before = DataIn(arguments.before);
-  const ReadReportData after = DataIn(arguments.after);
-  const std::vector<Change> changes = Compare(before.baseline, after.baseline);
-  const Comparison comparison{.before = arguments.before.string(),
-                              .after = arguments.after.string(),
-                              .changes = changes};
+  const ReadReportData after = arguments.after.empty() ? before : DataIn(arguments.after);
+  const std::vector<Change> changes =
+      of_oracles ? Compare(OfOracle(before, arguments.oracle, arguments.with),
+                           OfOracle(after, arguments.with, arguments.with))
+                 : Compare(before.baseline, after.baseline);
+  const Comparison comparison{
+      .before = of_oracles ? arguments.oracle : arguments.before.string(),
+      .after = of_oracles ? arguments.with : arguments.after.string(),
+      .changes = changes};
   WriteComparison(comparison, std::cout);
   WriteIfAsked(arguments.json,
                [&](std::ostream& to) { WriteComparisonJson(comparison, to); });

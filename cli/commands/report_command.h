@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "cli/session.h"
 
@@ -23,13 +24,17 @@ int ReportCommand(const Session& session, const ReportArguments& arguments);
 /** The arguments of `touchstone compare`. */
 struct CompareArguments {
   std::filesystem::path before;
-  std::filesystem::path after;
+  std::filesystem::path
+      after;           ///< Empty: the same run, of which two oracles are compared.
+  std::string oracle;  ///< Compares this oracle …
+  std::string with;    ///< … with this one; empty: each with itself.
   std::optional<std::filesystem::path> json;
   std::optional<std::filesystem::path> junit;
   std::optional<std::filesystem::path> html;
 };
 
-/** Prints what changed from one run to another and writes it to files. Returns 1 if
+/** Prints what changed from one run to another, or from one oracle to another, and writes
+ it to files. Returns 1 if
  anything got worse, otherwise 0. */
 int CompareCommand(const CompareArguments& arguments);
 

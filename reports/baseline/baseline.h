@@ -28,6 +28,10 @@ struct Baseline {
   void Add(const LedgerCell& cell, const Measured& measured);
 };
 
+/** Returns the findings of one oracle of a run, under the name `as`, so that two oracles
+ of one run, such as two versions of an engine, can be compared like two runs. */
+Baseline FindingsOf(const Baseline& run, std::string_view oracle, std::string_view as);
+
 /** A baseline, or the errors of its file. */
 struct BaselineResult {
   std::optional<Baseline> baseline;  ///< Present if and only if there are no diagnostics.

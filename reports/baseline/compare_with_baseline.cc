@@ -54,6 +54,17 @@ std::string WhatItIs(std::string_view verb, MeasureKind measure,
 
 }  // namespace
 
+Baseline FindingsOf(const Baseline& run, std::string_view oracle, std::string_view as) {
+  Baseline findings;
+  for (const auto& [cell, measured] : run.cells) {
+    if (cell.oracle != oracle) continue;
+    LedgerCell renamed = cell;
+    renamed.oracle = as;
+    findings.cells.emplace(std::move(renamed), measured);
+  }
+  return findings;
+}
+
 double RoundingLength(const RunReport& report, std::size_t question, std::size_t oracle) {
   constexpr double kRoundingsOfAStep = 64;
   const OracleInfo& info = report.oracles[oracle];

@@ -371,6 +371,23 @@ TEST_F(CommandLineTest, NamesWhatGotWorseThanInABaseline) {
                                      "report.jsonl of `touchstone run --out DIR`"));
 }
 
+TEST_F(CommandLineTest, ComparesTwoOraclesOfOneRun) {
+  Touchstone("run --subject right --against half_depth --out " + Path("both") + " " +
+             Path("mine/deep.toml"));
+  const std::string compare = "compare " + Path("both");
+  const Ended worse = Touchstone(compare + " --oracle right --with half_depth");
+  EXPECT_EQ(worse.code, 1) << worse.err;
+  EXPECT_THAT(worse.out,
+              HasSubstr("mine/deep: half_depth separation_error: was pass, is fail"));
+  EXPECT_EQ(Touchstone(compare + " --oracle half_depth --with right").code, 0);
+  const Ended nobody = Touchstone(compare + " --oracle right --with nobody");
+  EXPECT_EQ(nobody.code, 2);
+  EXPECT_THAT(nobody.err, HasSubstr("the run has no findings of nobody; expected one of: "
+                                    "half_depth, right"));
+  EXPECT_EQ(Touchstone(compare + " --oracle right").code, 2);
+  EXPECT_EQ(Touchstone(compare).code, 2);
+}
+
 TEST_F(CommandLineTest, ComparesTwoRunsAndFailsWhatGotWorse) {
   const std::string file = " --against thrower " + Path("mine/deep.toml");
   Touchstone("run --subject right --out " + Path("right") + file);
@@ -1224,7 +1241,8 @@ TEST_F(CommandLineTest, ReadsTheProgramsOfAFile) {
   const Ended listed = Itself("oracles" + file);
   EXPECT_EQ(listed.code, 0) << listed.err;
   EXPECT_THAT(listed.out, HasSubstr("\nmine  Touchstone 0.1.0"));
-  EXPECT_THAT(listed.out, HasSubstr("its program cannot be asked: exited with status 127"));
+  EXPECT_THAT(listed.out,
+              HasSubstr("its program cannot be asked: exited with status 127"));
   // The file of the working folder needs no option.
   const Ended in_folder = InPipe("cd " + folder_.string() + " && " + TouchstoneProgram() +
                                  " ask --A 'sphere 1' --B 'sphere 1 @ 1 0 0' "

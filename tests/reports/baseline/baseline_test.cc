@@ -118,6 +118,23 @@ TEST(Compare, TellsWorseNoLongerJudgedNewGoneAndBetterApart) {
                           "better b: was 0.001, is 0.0004 m"));
 }
 
+// A regression from one version of an engine to the next, in one run that asks both.
+TEST(Compare, TellsTwoOraclesOfOneRunApart) {
+  const auto cell = [](const char* scenario, const char* oracle) {
+    return LedgerCell{scenario, oracle, MeasureKind::kExcess, ""};
+  };
+  const Baseline run{{{cell("s", "engine"), {0, Verdict::kPass, 1e-9}},
+                      {cell("s", "engine@2"), {1e-3, Verdict::kFail, 1e-9}},
+                      {cell("t", "engine"), {1e-3, Verdict::kKnown, 1e-9}},
+                      {cell("t", "engine@2"), {1e-3, Verdict::kFail, 1e-9}},
+                      {cell("s", "other"), {1, Verdict::kFail, 1e-9}}}};
+  const std::vector<Change> changes = Compare(FindingsOf(run, "engine", "engine@2"),
+                                              FindingsOf(run, "engine@2", "engine@2"));
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].what, "was pass, is fail");
+  EXPECT_EQ(changes[0].cell, cell("s", "engine@2"));
+}
+
 TEST(CompareWithBaseline, FindsNothingInTheSameRun) {
   EXPECT_THAT(Worse(Report(), Report()), IsEmpty());
 }
