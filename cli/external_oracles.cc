@@ -79,7 +79,7 @@ void AddExternalOracles(const ExternalOracleArguments& arguments,
       registry.AddMissing(
           {one.name, std::string("its program cannot be asked: ") + error.what()});
     } catch (const std::invalid_argument& error) {
-      throw InputError(fmt::format("--oracle: {}; expected another name", error.what()));
+      throw InputError(fmt::format("{}; expected another name", error.what()));
     }
   }
 }

@@ -16,6 +16,12 @@
 namespace touchstone {
 namespace {
 
+// A ratio in at most seven characters, as far as programs of their own reach.
+std::string Ratio(double ratio) {
+  constexpr double kLarge = 1000;
+  return ratio < kLarge ? fmt::format("{:.1f}", ratio) : fmt::format("{:.0f}", ratio);
+}
+
 void Print(std::vector<TimedQueries> rows) {
   std::stable_sort(
       rows.begin(), rows.end(), [](const TimedQueries& a, const TimedQueries& b) {
@@ -23,8 +29,8 @@ void Print(std::vector<TimedQueries> rows) {
       });
   for (const TimedQueries& row : rows) {
     const std::string time =
-        row.nanoseconds ? fmt::format("{:>10.0f}{:>7.1f}×", *row.nanoseconds,
-                                      *row.nanoseconds / *rows.front().nanoseconds)
+        row.nanoseconds ? fmt::format("{:>10.0f}{:>7}×", *row.nanoseconds,
+                                      Ratio(*row.nanoseconds / *rows.front().nanoseconds))
                         : fmt::format("{:>18}", "not timed");
     const SampleAccuracy& accuracy = row.accuracy;
     const std::string error = accuracy.measured == 0

@@ -69,6 +69,23 @@ std::string NameOf(const PairCheck& pair) {
   return fmt::format("{} {}", NameOf(pair.A), NameOf(pair.B));
 }
 
+// What is neither right nor wrong about a pair: " (3 inexact, 1 undecidable)".
+std::string RestOf(const PairCheck& pair) {
+  const std::size_t undecidable =
+      pair.asked - pair.right - pair.wrong - pair.inexact - pair.unsupported;
+  std::vector<std::string> parts;
+  for (const auto& [count, what] :
+       {std::pair(pair.inexact, "inexact"), std::pair(pair.unsupported, "unsupported"),
+        std::pair(undecidable, "undecidable")}) {
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, what));
+  }
+  return parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", "));
+}
+
+bool IsChecked(const PairCheck& pair) {
+  return pair.right + pair.inexact + pair.wrong > 0;
+}
+
 std::string AnyOf(const std::vector<std::string>& mistakes) {
   return fmt::format("{}", fmt::join(mistakes, "; or "));
 }
@@ -82,13 +99,12 @@ bool PrintPairs(const std::vector<PairCheck>& pairs) {
       "certified truth\n",
       pairs.front().asked);
   std::vector<std::string> right;
+  std::vector<std::string> undecided;
   std::map<std::string, std::vector<std::string>> wrong;  // By what explains them.
   const PairCheck* unexplained = nullptr;
   for (const PairCheck& pair : pairs) {
     if (pair.wrong == 0) {
-      right.push_back(pair.inexact == 0
-                          ? NameOf(pair)
-                          : fmt::format("{} ({} inexact)", NameOf(pair), pair.inexact));
+      (IsChecked(pair) ? right : undecided).push_back(NameOf(pair) + RestOf(pair));
       continue;
     }
     if (pair.mistakes.empty() && unexplained == nullptr) unexplained = &pair;
@@ -97,6 +113,8 @@ bool PrintPairs(const std::vector<PairCheck>& pairs) {
   }
   if (!right.empty())
     PrintParagraph("✓", fmt::format("right: {}", fmt::join(right, ", ")));
+  if (!undecided.empty())
+    PrintParagraph("–", fmt::format("nothing decided: {}", fmt::join(undecided, ", ")));
   for (const auto& [mistake, names] : wrong) {
     PrintParagraph("✗", fmt::format("{}: {}", mistake.empty() ? kUnexplained : mistake,
                                     fmt::join(names, ", ")));
@@ -157,7 +175,8 @@ int CheckOracleCommand(const Session& session, const std::vector<std::string>& w
 
   const auto simulated = std::ranges::count_if(
       worlds, [](const WorldCheck& world) { return world.reason.empty(); });
-  if (pairs.empty() && simulated == 0) {
+  const auto checked = std::ranges::count_if(pairs, IsChecked);
+  if (checked == 0 && simulated == 0) {
     throw InputError(fmt::format(
         "nothing of {} was checked; expected an oracle that answers a pair of shapes, or "
         "simulates a moving sphere or box",
@@ -165,7 +184,7 @@ int CheckOracleCommand(const Session& session, const std::vector<std::string>& w
   }
   std::cout << fmt::format("{}: {} and {} checked\n",
                            is_wrong ? "Something is wrong" : "Nothing is wrong",
-                           Counted(pairs.size(), "pair"),
+                           Counted(static_cast<std::size_t>(checked), "pair"),
                            Counted(static_cast<std::size_t>(simulated), "world"));
   return is_wrong ? 1 : 0;
 }

@@ -110,11 +110,18 @@ void AppendAnswer(std::vector<double>& frame, const ContactAnswer& answer) {
   }
 }
 
+bool Truth(FrameReader& frame) {
+  const double number = frame.Number();
+  if (number == 0 || number == 1) return number == 1;
+  throw ProtocolError(
+      fmt::format("frame: {} for true or false; expected 1 or 0", number));
+}
+
 ContactPoint PointFrom(FrameReader& frame) {
   ContactPoint point;
   point.p_WC = frame.Vector();
   point.separation = frame.Number();
-  const bool has_normal = frame.Number() != 0;
+  const bool has_normal = Truth(frame);
   const Vector3d normal = frame.Vector();
   if (has_normal) point.n_AB_W = normal;
   return point;
@@ -123,7 +130,7 @@ ContactPoint PointFrom(FrameReader& frame) {
 ContactAnswer AnswerFrom(FrameReader& frame, const std::string& reason) {
   ContactAnswer answer;
   const double status = frame.Number();
-  answer.touching = frame.Number() != 0;
+  answer.touching = Truth(frame);
   const double provided = frame.Number();
   const int fields = provided >= 0 && provided <= kAll ? static_cast<int>(provided) : -1;
   const Vector3d normal = frame.Vector();
@@ -181,8 +188,8 @@ void PutAnswers(std::span<const ContactAnswer> answers, bool in_frame, Message& 
 }
 
 std::vector<ContactAnswer> AnswersFrom(const Message& message, std::size_t count) {
-  if (message.line.contains("count")) return AnswersFromFrame(message, count);
   const Received line(message.line, "answer");
+  if (line.Find("count")) return AnswersFromFrame(message, count);
   std::vector<ContactAnswer> answers;
   for (const Received& json : line["answers"].Items(count)) {
     try {

@@ -1,6 +1,7 @@
 #include "oracles/protocol/external_oracle.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -76,12 +77,22 @@ class Programs {
 
   const ExternalLimits& limits() const { return limits_; }
 
+  /** The most questions in a message: fewer once a batch has taken longer than one
+   question may. */
+  std::size_t batch(bool frames) const {
+    return std::min(most_together_.load(), frames ? kBatchInFrames : kBatch);
+  }
+  void AskFewerTogether(std::size_t than) {
+    most_together_ = std::max<std::size_t>(1, than / 4);
+  }
+
  private:
   std::string name_;  // Empty: the one that the program states.
   Command command_;
   ExternalLimits limits_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Program>> idle_;
+  std::atomic<std::size_t> most_together_ = kBatchInFrames;
 };
 
 ContactAnswer Answered(const NoReply& failure) {
@@ -113,13 +124,14 @@ class ExternalOracle final : public Oracle {
       supported.push_back(queries[i]);
       places.push_back(i);
     }
-    const std::size_t batch = frames_ ? kBatchInFrames : kBatch;
-    for (std::size_t begin = 0; begin < supported.size(); begin += batch) {
-      const std::size_t count = std::min(batch, supported.size() - begin);
+    for (std::size_t begin = 0; begin < supported.size();) {
+      const std::size_t count =
+          std::min(programs_->batch(frames_), supported.size() - begin);
       std::vector<ContactAnswer> given =
           AnswersTo(std::span(supported).subspan(begin, count));
       for (std::size_t i = 0; i < count; ++i)
         answers[places[begin + i]] = std::move(given[i]);
+      begin += count;
     }
   }
 
@@ -154,18 +166,22 @@ class ExternalOracle final : public Oracle {
     std::unique_ptr<Program> program = programs_->Take();
     Message message = Asking("contact");
     PutQueries(queries, frames_, message);
+    // The time is that of one question: a program that hangs is not waited for longer.
     AnswerLimits limits = programs_->limits().contact;
     limits.line *= queries.size();
     const Message reply = program->Ask(std::move(message), limits);
     std::vector<ContactAnswer> answers;
+    std::optional<NoReply> refusal;  // Of the whole message, by a program that goes on.
     try {
-      const auto error = Received(reply.line, "answer").Find("error");
-      answers = error ? std::vector(queries.size(), CrashedAnswer(error->Text()))
-                      : AnswersFrom(reply, queries.size());
+      if (const auto error = Received(reply.line, "answer").Find("error"))
+        refusal = NoReply{AnswerStatus::kCrashed, error->Text()};
+      else
+        answers = AnswersFrom(reply, queries.size());
     } catch (const ProtocolError& error) {
       throw NoReply{AnswerStatus::kCrashed, error.what()};
     }
     programs_->GiveBack(std::move(program));
+    if (refusal) throw NoReply(*std::move(refusal));
     const double seconds = watch.seconds() / static_cast<double>(queries.size());
     for (ContactAnswer& answer : answers) answer.seconds = seconds;
     return answers;
@@ -189,8 +205,12 @@ class ExternalOracle final : public Oracle {
       has_failed = has_failed || alone == AnswerStatus::kCrashed ||
                    alone == AnswerStatus::kTimedOut;
     }
-    // A failure is never passed over, even one that does not come back.
-    if (!has_failed) {
+    if (has_failed) return answers;
+    if (status == AnswerStatus::kTimedOut) {
+      // The limit is that of one question, and each has kept it.
+      programs_->AskFewerTogether(queries.size());
+    } else {
+      // A failure is never passed over, even one that does not come back.
       answers.front() = Answered(
           {status, fmt::format("{}, when this question and the {} after it were asked "
                                "together; each is answered when it is asked alone",
@@ -207,7 +227,9 @@ class ExternalOracle final : public Oracle {
     message.line["world"] = ToJson(world);
     if (info_.HasSetups())
       message.line["parameters"] = ParametersJson(info_.parameters, info_.setup);
-    const Message reply = program->Ask(std::move(message), programs_->limits().world);
+    AnswerLimits limits = programs_->limits().world;
+    limits.line = std::max(limits.line, MostBytesOf(world));
+    const Message reply = program->Ask(std::move(message), limits);
     Trajectory trajectory;
     try {
       const Received line(reply.line, "answer");
@@ -222,7 +244,6 @@ class ExternalOracle final : public Oracle {
     } catch (const ProtocolError& error) {
       throw NoReply{AnswerStatus::kCrashed, error.what()};
     }
-    if (trajectory.complaint.empty()) trajectory.complaint = program->LastLine();
     programs_->GiveBack(std::move(program));
     return trajectory;
   }

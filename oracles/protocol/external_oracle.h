@@ -13,10 +13,11 @@ namespace touchstone {
 /** How much an external oracle may use. Its clock includes the start of its language and
  the compilation of its kernels, so that the limits are above those of IsolationLimits. */
 struct ExternalLimits {
-  AnswerLimits hello{std::chrono::minutes(2), std::chrono::minutes(2), 1 << 24};
-  /** For one contact question. */
-  AnswerLimits contact{std::chrono::seconds(10), std::chrono::seconds(60), 1 << 24};
-  AnswerLimits world{std::chrono::seconds(60), std::chrono::hours(1), 1 << 30};
+  AnswerLimits hello{std::chrono::minutes(2), std::chrono::minutes(2), 1 << 20};
+  /** For one contact question: the longest line is a hundred times that of any engine. */
+  AnswerLimits contact{std::chrono::seconds(10), std::chrono::seconds(60), 1 << 18};
+  /** The longest line, or what the samples of the world need if that is more. */
+  AnswerLimits world{std::chrono::seconds(60), std::chrono::minutes(10), 1 << 26};
 };
 
 /** Returns an oracle that is a program of its own, which speaks the oracle protocol
@@ -33,8 +34,9 @@ struct ExternalLimits {
  - waits for too long: kTimedOut, "no answer after 60 s, blocked".
 
  Contact questions are sent in batches. If a program fails on one, its questions are asked
- again one by one, by which the one that is to blame shows itself; if each is then
- answered, the failure is that of the first.
+ again one by one, by which the one that is to blame shows itself. If each is then
+ answered, the failure is that of the first; but a batch that took too long was only too
+ large.
 
  It simulates whole motions only: Begin() and its kin return null. Thread safe.
  @throws std::runtime_error if the program does not start or does not describe itself. */

@@ -101,7 +101,8 @@ Json WorldJson(const OracleInfo& info) {
                            {"by", info.sleep_documented_by}};
   }
   if (info.documented_rotation_error)
-    json["rotation_error"] = ToJson(*info.documented_rotation_error);
+    json["rotation_error"] = {{"error", ToJson(*info.documented_rotation_error)},
+                              {"by", "the oracle " + info.name}};
   if (info.stated_order != 1) {
     json["order"] = {{"order", ToJson(info.stated_order)}, {"by", info.order_stated_by}};
   }
@@ -154,6 +155,7 @@ Capability CapabilityFrom(const Received& json) {
     capability.documented_error = StatedFrom(*error, "length", capability.documented_by);
     capability.documented_relative_error =
         StatedFrom(*error, "share", capability.documented_by);
+    if (capability.documented_relative_error > 1) (*error)["share"].Fail("at most 1");
   }
   return capability;
 }
@@ -192,7 +194,7 @@ std::size_t FeatureNamed(const std::string& name, const Received& json) {
   for (int i = 0; i < kWorldFeatures; ++i) {
     if (name == NameOf(static_cast<WorldFeature>(i))) return static_cast<std::size_t>(i);
   }
-  json.Fail("names of features of a world");
+  json.Fail("the name of a feature of a world");
 }
 
 WorldParameter ParameterFrom(const Received& json) {
@@ -228,8 +230,15 @@ void SetWorlds(const Received& json, OracleInfo& info) {
   if (const auto sleep = json.Find("sleep_speed"))
     info.sleep_speed = StatedFrom(*sleep, "speed", info.sleep_documented_by);
   if (const auto error = json.Find("rotation_error")) {
-    info.documented_rotation_error = error->Number();
-    if (!(*info.documented_rotation_error >= 0)) error->Fail("a number >= 0");
+    std::string by;
+    info.documented_rotation_error = StatedFrom(*error, "error", by);
+    if (*info.documented_rotation_error > 1) (*error)["error"].Fail("at most 1");
+    info.settings.push_back(
+        {"rotation error", fmt::format("{:.3g}", *info.documented_rotation_error),
+         fmt::format(
+             "the error of a step of free rotation that is granted, documented by "
+             "{}",
+             by)});
   }
   if (const auto order = json.Find("order")) {
     info.stated_order = StatedFrom(*order, "order", info.order_stated_by);
@@ -286,7 +295,10 @@ Hello HelloFrom(const Message& message, const std::string& name) {
   info.library = line["library"].Text();
   info.version = line["version"].Text();
   for (const char* key : {"name", "library", "version"}) {
-    if (line[key].Text().empty()) line[key].Fail("a name");
+    const std::string text = line[key].Text();
+    const bool is_printable =
+        std::ranges::none_of(text, [](unsigned char c) { return c < ' ' || c == 127; });
+    if (text.empty() || !is_printable) line[key].Fail("a name that can be printed");
   }
   info.unit_roundoff = RoundoffFrom(line["precision"]);
   if (const auto subtracts = line.Find("subtracts_first"))

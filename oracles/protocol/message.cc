@@ -11,6 +11,39 @@ namespace touchstone {
 // Every processor that the engines run on is little-endian; a frame is its memory.
 static_assert(std::endian::native == std::endian::little);
 
+namespace {
+
+// Throws unless the text is one that the parser can be trusted with: it compares a key
+// with all others of its object, and prints and destroys nested values by recursion. No
+// message is near these limits.
+void ExpectReadable(std::string_view text) {
+  constexpr int kMostNested = 64;
+  constexpr int kMostKeys = 100'000;
+  int nested = 0;
+  int keys = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      in_string = c != '"';
+      continue;
+    }
+    in_string = c == '"';
+    if (c == '[' || c == '{') ++nested;
+    if (c == ']' || c == '}') --nested;
+    if (c == ':') ++keys;
+    if (nested > kMostNested || keys > kMostKeys) {
+      throw ProtocolError(
+          fmt::format("sent a line with {}; expected at most {} nested lists and {} keys",
+                      nested > kMostNested ? "too many nested lists" : "too many keys",
+                      kMostNested, kMostKeys));
+    }
+  }
+}
+
+}  // namespace
+
 std::string BytesOf(Message message) {
   const std::size_t size = message.frame.size() * sizeof(double);
   if (size > 0) message.line["frame"] = size;
@@ -23,6 +56,7 @@ std::string BytesOf(Message message) {
 }
 
 Json LineFrom(std::string_view text) {
+  ExpectReadable(text);
   // Without an exception, an error of the parser is a discarded value.
   Json line = Json::parse(text, nullptr, false);
   if (line.is_object()) return line;
@@ -34,7 +68,7 @@ Json LineFrom(std::string_view text) {
 
 std::size_t FrameSizeOf(const Json& line, std::size_t most) {
   const auto found = line.find("frame");
-  if (found == line.end()) return 0;
+  if (found == line.end() || found->is_null()) return 0;
   const double size = found->is_number() ? found->get<double>() : -1;
   constexpr double kUnit = sizeof(double);
   if (size >= 0 && size <= static_cast<double>(most) && std::fmod(size, kUnit) == 0)

@@ -108,7 +108,8 @@ class Program::Exchange {
   Message Run() {
     while (true) {
       if (std::optional<Message> message = Complete()) return *std::move(message);
-      Wait();
+      // Only of a program that has not answered: this one may have slept itself.
+      if (!Wait()) CheckTime();
     }
   }
 
@@ -137,8 +138,9 @@ class Program::Exchange {
     return message;
   }
 
-  // Waits until there is something to do, and does it.
-  void Wait() {
+  // Waits until there is something to do, and does it. Returns whether bytes of the
+  // answer have come.
+  bool Wait() {
     const StartedProgram& streams = program_.started_;
     std::array<pollfd, 3> waiting = {
         pollfd{streams.output.get(), POLLIN, 0},
@@ -146,14 +148,14 @@ class Program::Exchange {
         pollfd{unsent_.empty() ? -1 : streams.input.get(), POLLOUT, 0}};
     const int ready =
         poll(waiting.data(), waiting.size(), static_cast<int>(kLook.count()));
-    CheckTime();
-    if (ready <= 0) return;
+    if (ready <= 0) return false;
     if (waiting[2].revents != 0) Send();
     if (waiting[1].revents != 0) program_.ReadMessages();
-    if (waiting[0].revents != 0 &&
-        Read(streams.output.get(), program_.received_) == Reading::kEnd) {
-      throw program_.Ended();
-    }
+    if (waiting[0].revents == 0) return false;
+    const Reading reading = Read(streams.output.get(), program_.received_);
+    if (reading == Reading::kEnd) throw program_.Ended();
+    // An answer that never ends keeps nobody from looking at the clock.
+    return reading == Reading::kBytes && Clock::now() < next_look_;
   }
 
   void Send() {
@@ -198,17 +200,25 @@ Program::~Program() {
   const std::string_view bye = "{\"method\":\"bye\"}\n";
   send(started_.input.get(), bye.data(), bye.size(), MSG_NOSIGNAL);
   started_.input.Reset();
-  const Clock::time_point deadline =
-      Clock::now() + (failed_ ? milliseconds(0) : kFarewell);
-  while (!has_ended_ && Clock::now() < deadline) {
-    if (waitpid(started_.pid, &status_, WNOHANG) != 0) {
-      has_ended_ = true;
-      break;
-    }
-    std::this_thread::sleep_for(milliseconds(1));
-  }
+  if (!failed_) AwaitEnd();
+  // Before it is waited for: after that, its number may be that of another group.
   kill(-started_.pid, SIGKILL);
-  if (!has_ended_) waitpid(started_.pid, &status_, 0);
+  while (waitpid(started_.pid, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+// Waits for a moment until the program has ended, and returns how; nothing if it lives
+// on. WNOWAIT leaves it to the destructor to wait for it.
+std::optional<siginfo_t> Program::AwaitEnd() const {
+  const Clock::time_point deadline = Clock::now() + kFarewell;
+  do {
+    siginfo_t info{};
+    const int result = waitid(P_PID, static_cast<id_t>(started_.pid), &info,
+                              WEXITED | WNOHANG | WNOWAIT);
+    if (result == 0 && info.si_pid == started_.pid) return info;
+    std::this_thread::sleep_for(milliseconds(1));
+  } while (Clock::now() < deadline);
+  return std::nullopt;
 }
 
 Message Program::Ask(Message message, const AnswerLimits& limits) {
@@ -242,8 +252,10 @@ std::string Program::LastLine() const {
 }
 
 void Program::ReadMessages() {
+  // A program that never stops writing gets no more attention than this at once.
+  constexpr int kMost = 64;
   Reading reading = Reading::kBytes;
-  while (reading == Reading::kBytes) {
+  for (int i = 0; i < kMost && reading == Reading::kBytes; ++i) {
     reading = Read(started_.messages.get(), tail_);
     if (tail_.size() > kTail) tail_.erase(0, tail_.size() - kTail);
   }
@@ -253,22 +265,17 @@ void Program::ReadMessages() {
 
 // Returns how the program ended that has closed its output.
 NoReply Program::Ended() {
-  const Clock::time_point deadline = Clock::now() + kFarewell;
-  while (!has_ended_ && Clock::now() < deadline) {
-    has_ended_ = waitpid(started_.pid, &status_, WNOHANG) != 0;
-    if (!has_ended_) std::this_thread::sleep_for(milliseconds(1));
-  }
+  const std::optional<siginfo_t> end = AwaitEnd();
   ReadMessages();
   const std::string line = LastLine();
   const std::string said = line.empty() ? "" : ": " + line;
-  if (!has_ended_) return {AnswerStatus::kCrashed, "closed its standard output" + said};
-  if (WIFEXITED(status_)) {
+  if (!end) return {AnswerStatus::kCrashed, "closed its standard output" + said};
+  if (end->si_code == CLD_EXITED) {
     return {AnswerStatus::kCrashed,
-            fmt::format("exited with status {}{}", WEXITSTATUS(status_), said)};
+            fmt::format("exited with status {}{}", end->si_status, said)};
   }
-  const int signal = WTERMSIG(status_);
-  if (signal == SIGABRT) return {AnswerStatus::kCrashed, "aborted" + said};
-  const char* name = sigabbrev_np(signal);
+  if (end->si_status == SIGABRT) return {AnswerStatus::kCrashed, "aborted" + said};
+  const char* name = sigabbrev_np(end->si_status);
   return {AnswerStatus::kCrashed,
           fmt::format("killed by SIG{}{}", name != nullptr ? name : "?", said)};
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <csignal>
+#include <optional>
 #include <string>
 
 #include "oracles/contact_answer.h"
@@ -41,15 +43,14 @@ class Program {
   class Exchange;
 
   void ReadMessages();
+  std::optional<siginfo_t> AwaitEnd() const;
   NoReply Ended();
 
   StartedProgram started_;
   std::string received_;  // From its standard output, not yet part of an answer.
   std::string tail_;      // The end of its standard error since the last Ask() began.
   int next_id_ = 0;
-  bool failed_ = false;     // It has given no answer, and is not asked again.
-  bool has_ended_ = false;  // It has been waited for; `status_` is its wait status.
-  int status_ = 0;
+  bool failed_ = false;  // It has given no answer, and is not asked again.
 };
 
 }  // namespace touchstone

@@ -71,7 +71,8 @@ std::vector<std::string> Environment() {
 std::string LineFor(const std::string& command) {
   const std::string first_word = command.substr(0, command.find(' '));
   const bool is_single = command.find_first_of(";&|<>()\n") == std::string::npos &&
-                         first_word.find('=') == std::string::npos;
+                         first_word.find('=') == std::string::npos &&
+                         first_word != "exec" && first_word != "cd";
   return is_single ? "exec " + command : command;
 }
 

@@ -15,9 +15,10 @@ struct StartedProgram {
   UniqueFd messages;  ///< A pipe: its standard error.
 };
 
-/** Starts `command` by /bin/sh in a process group of its own. It is killed when this
- process ends, however it ends. Libraries of linear algebra are told to use one thread,
- unless the environment says otherwise: two of our threads ask two programs.
+/** Starts `command` by /bin/sh in a process group of its own. A single program is killed
+ when this process ends, however it ends; of several, e.g. "cd x && ./y", those that read
+ their standard input end at its end. Libraries of linear algebra are told to use one
+ thread, unless the environment says otherwise: two of our threads ask two programs.
  @throws std::system_error if the system provides no process, socket or pipe. */
 StartedProgram Start(const Command& command);
 

@@ -1,5 +1,6 @@
 #include "oracles/protocol/trajectory_message.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -66,6 +67,17 @@ PointState PointFrom(FrameReader& numbers) {
   return point;
 }
 
+// No engine's rounding changes the length of a quaternion by a thousandth. One that is
+// not filled in, or is in degrees, must not pass for an orientation.
+void ExpectUnit(const Eigen::Quaterniond& q_WB, std::size_t body) {
+  constexpr double kSlack = 1e-3;
+  const double length = q_WB.coeffs().stableNorm();
+  if (!std::isfinite(length) || std::abs(length - 1) <= kSlack) return;
+  throw ProtocolError(fmt::format(
+      "an orientation of body {} has the length {}; expected a unit quaternion", body,
+      length));
+}
+
 WorldState StateFrom(std::span<const double> all, const World& world) {
   FrameReader numbers(all);
   WorldState state;
@@ -74,6 +86,7 @@ WorldState StateFrom(std::span<const double> all, const World& world) {
     body.p_WB = numbers.Vector();
     const std::span<const double> q = numbers.Numbers(4);
     body.q_WB = {q[0], q[1], q[2], q[3]};
+    ExpectUnit(body.q_WB, i);
     body.v_WB = numbers.Vector();
     body.w_WB = numbers.Vector();
   }
@@ -236,7 +249,7 @@ void PutTrajectory(const Trajectory& trajectory, bool in_frame, Message& message
 
 Trajectory TrajectoryFrom(const Message& message, const World& world) {
   const Received line(message.line, "answer");
-  const bool in_frame = message.line.contains("sample_count");
+  const bool in_frame = line.Find("sample_count").has_value();
   const Rows rows = in_frame ? RowsFromFrame(message, world) : RowsFromLine(line, world);
   Trajectory trajectory;
   trajectory.status = AnswerStatus::kAnswered;
@@ -251,6 +264,8 @@ Trajectory TrajectoryFrom(const Message& message, const World& world) {
     for (const std::vector<double>& numbers : *rows.impulses)
       impulses.push_back(ImpulseFrom(numbers, world));
   }
+  // The order of contacts in a step is the program's own, that of steps is not.
+  std::ranges::stable_sort(impulses, {}, &ContactImpulse::step);
   std::vector<WorldState> states;
   for (const std::vector<double>& numbers : rows.samples)
     states.push_back(StateFrom(numbers, world));
@@ -267,6 +282,14 @@ Trajectory TrajectoryFrom(const Message& message, const World& world) {
     if (end == 0 || impulse.step <= end) trajectory.impulses.push_back(impulse);
   }
   return trajectory;
+}
+
+std::size_t MostBytesOf(const World& world) {
+  constexpr std::size_t kNumber = 32;  // More than any double in JSON. [bytes]
+  const auto steps = static_cast<std::size_t>(world.steps);
+  const std::size_t samples = steps / static_cast<std::size_t>(world.sample_every) + 1;
+  const std::size_t impulses = 16 * (world.bodies.size() + 1) * kImpulseNumbers;
+  return kNumber * (samples * (SampleNumbers(world) + 1) + steps * impulses);
 }
 
 }  // namespace touchstone

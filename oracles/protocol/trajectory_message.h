@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "oracles/protocol/message.h"
 #include "oracles/trajectory.h"
 #include "scenarios/worlds/world.h"
@@ -22,5 +24,9 @@ void PutTrajectory(const Trajectory& trajectory, bool in_frame, Message& message
  of its divergence, unless the message states one.
  @throws ProtocolError if the message has other samples than the world. */
 Trajectory TrajectoryFrom(const Message& message, const World& world);
+
+/** Returns a length that the line or the frame of the samples of `world` does not exceed,
+ with a few contact impulses in each step. [bytes] */
+std::size_t MostBytesOf(const World& world);
 
 }  // namespace touchstone

@@ -69,7 +69,7 @@ class Hello(unittest.TestCase):
             slop = Documented(0.005, "manual, p. 4")
             sleep_speed = Documented(0.05, "manual, p. 5")
             order = Documented(2, "manual, p. 6")
-            rotation_error = 1e-3
+            rotation_error = Documented(1e-3, "manual")
 
             def begin(self, world, parameters):
                 raise NotImplementedError
@@ -97,7 +97,7 @@ class Hello(unittest.TestCase):
         self.assertEqual(world["slop"], {"length": 0.005, "by": "manual, p. 4"})
         self.assertEqual(world["sleep_speed"], {"speed": 0.05, "by": "manual, p. 5"})
         self.assertEqual(world["order"], {"order": 2.0, "by": "manual, p. 6"})
-        self.assertEqual(world["rotation_error"], 1e-3)
+        self.assertEqual(world["rotation_error"], {"error": 1e-3, "by": "manual"})
 
     def test_refuses_an_oracle_that_answers_nothing(self):
         class Nothing(Oracle):

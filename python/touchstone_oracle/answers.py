@@ -91,4 +91,6 @@ def put_motion(motion: Motion, world: World) -> Dict[str, Any]:
         ]
     if motion.diverged_at_step is not None:
         line["diverged_at_step"] = motion.diverged_at_step
+    if motion.complaint:
+        line["complaint"] = motion.complaint
     return line

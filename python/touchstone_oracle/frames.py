@@ -7,7 +7,7 @@ from typing import Any, Dict, List, Sequence, Tuple
 import numpy as np
 
 from .answers import Answer, Refusal
-from .arrays import Array, vector
+from .arrays import Array, WrongAnswer, vector
 from .contact import Contact
 from .motion import Motion, impulse_row, row_of
 from .shapes import (
@@ -111,6 +111,11 @@ def put_motion(motion: Motion, world: World) -> Tuple[Dict[str, Any], Array]:
     line: Dict[str, Any] = {"sample_count": len(motion.samples)}
     if motion.diverged_at_step is not None:
         line["diverged_at_step"] = motion.diverged_at_step
+    if motion.complaint:
+        line["complaint"] = motion.complaint
+    if len(motion.times) != len(motion.samples):
+        count = f"{len(motion.times)} times of {len(motion.samples)} samples"
+        raise WrongAnswer(f"simulate() returned {count}; expected one each")
     rows: List[Array] = []
     for i, (time, sample) in enumerate(zip(motion.times, motion.samples)):
         rows.append(np.array([time], dtype=np.float64))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List
 
 from .arrays import to_json
 from .oracle import Capability, DocumentedError, Oracle, Parameter
@@ -84,14 +84,16 @@ def _world(oracle: Oracle) -> Dict[str, Any]:
     }
     if oracle.softness:
         json["softness"] = oracle.softness
-    for key, number_key in (("slop", "length"), ("sleep_speed", "speed"), ("order", "order")):
+    for key, number_key in (
+        ("slop", "length"),
+        ("sleep_speed", "speed"),
+        ("order", "order"),
+        ("rotation_error", "error"),
+    ):
         documented = getattr(oracle, key)
         if documented is not None:
             value = to_json(float(documented.value))
             json[key] = {number_key: value, "by": documented.by}
-    rotation_error: Optional[float] = oracle.rotation_error
-    if rotation_error is not None:
-        json["rotation_error"] = to_json(float(rotation_error))
     return json
 
 

@@ -85,6 +85,8 @@ class Motion:
     """None if the engine does not give them."""
     diverged_at_step: Optional[int] = None
     """First step that reached a number that is not finite. The samples end before it."""
+    complaint: str = ""
+    """A sign of an internal failure that the engine gives, such as a warning of its solver."""
 
 
 def row_of(state: Any, world: World, said: str) -> Array:

@@ -128,7 +128,7 @@ class Oracle:
     """The speed below which a body is put to sleep. [m/s]"""
     order: Optional[Documented] = None
     """The order of its scheme in the step, if it is not 1."""
-    rotation_error: Optional[float] = None
+    rotation_error: Optional[Documented] = None
     """The documented relative error of energy and angular momentum in a step of free
     rotation."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from typing import Any, List, Optional
 
 import numpy as np
@@ -61,6 +62,8 @@ def run_to_end(simulation: Any, world: World) -> Motion:
         if new_impulses is not None:
             impulses = [] if impulses is None else impulses
             for impulse in new_impulses:
+                # An engine may return its own objects, which the next step changes.
+                impulse = copy.deepcopy(impulse)
                 impulse.step = step
                 is_sane = is_sane and _is_finite(impulse)
                 impulses.append(impulse)

@@ -28,6 +28,11 @@ constexpr std::uint64_t kSeed = 20261128;
 // faults of its own.
 constexpr double kLeftOver = 0.1;
 
+// A mistake is named on the evidence of so many wrong answers, which it makes right, and
+// of so large a part of the answers that it concerns: one or two may be chance.
+constexpr std::ptrdiff_t kLeastEvidence = 4;
+constexpr std::ptrdiff_t kLeastShare = 4;  // A quarter.
+
 /** A question, its certified truth, and the answer to it. */
 struct Asked {
   Scenario scenario;
@@ -36,7 +41,7 @@ struct Asked {
 };
 
 /** How an answer is judged. */
-enum class Judged { kRight, kUndecidable, kInexact, kWrong };
+enum class Judged { kRight, kUndecidable, kUnsupported, kInexact, kWrong };
 
 // Returns the first finding that proves the answer wrong, and not only inexact.
 std::optional<Finding> FaultOf(const std::vector<Finding>& findings) {
@@ -49,6 +54,7 @@ std::optional<Finding> FaultOf(const std::vector<Finding>& findings) {
 
 Judged Judge(const Scenario& scenario, const ContactTruth& truth,
              const OracleInfo& oracle, const ContactAnswer& answer) {
+  if (answer.status == AnswerStatus::kUnsupported) return Judged::kUnsupported;
   if (answer.status != AnswerStatus::kAnswered) return Judged::kWrong;
   const std::vector<Finding> findings =
       JudgeAnswer(scenario, truth, oracle, answer, Reasons::kNone);
@@ -98,17 +104,21 @@ bool Explain(std::span<const ContactMistake* const> mistakes, const OracleInfo& 
   const auto allowed =
       static_cast<std::ptrdiff_t>(kLeftOver * static_cast<double>(wrong));
   std::ptrdiff_t left = 0;
+  std::ptrdiff_t concerned = 0;
+  std::ptrdiff_t repaired = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].answer.status != AnswerStatus::kAnswered) {
-      ++left;
-    } else {
-      const Judged now = JudgeWith(mistakes, oracle, all[i]).value_or(judged[i]);
-      if (now == Judged::kWrong && judged[i] != Judged::kWrong) return false;
-      if (now == Judged::kWrong) ++left;
-    }
-    if (left > allowed) return false;
+    if (judged[i] == Judged::kUnsupported) continue;
+    std::optional<Judged> now;
+    if (all[i].answer.status == AnswerStatus::kAnswered)
+      now = JudgeWith(mistakes, oracle, all[i]);
+    if (now) ++concerned;
+    const bool is_wrong = now.value_or(judged[i]) == Judged::kWrong;
+    if (is_wrong && judged[i] != Judged::kWrong) return false;
+    if (is_wrong && ++left > allowed) return false;
+    const bool is_right = now == Judged::kRight || now == Judged::kInexact;
+    if (judged[i] == Judged::kWrong && is_right) ++repaired;
   }
-  return left < wrong;
+  return repaired >= kLeastEvidence && kLeastShare * repaired >= concerned;
 }
 
 std::vector<std::string> MistakesThatExplain(const OracleInfo& oracle,
@@ -124,11 +134,16 @@ std::vector<std::string> MistakesThatExplain(const OracleInfo& oracle,
   for (std::size_t i = 0; i < known.size(); ++i) {
     for (std::size_t j = i + 1; j < known.size(); ++j) {
       const ContactMistake* const two[] = {&known[i], &known[j]};
-      if (!Explain(two, oracle, all, judged)) continue;
-      return {fmt::format("{}; and {}", known[i].sentence, known[j].sentence)};
+      if (Explain(two, oracle, all, judged)) {
+        sentences.push_back(
+            fmt::format("{}, and {}", known[i].sentence, known[j].sentence));
+      }
     }
   }
-  return {};
+  // Of many pairs that would do, none is known to be it.
+  constexpr std::size_t kMost = 2;
+  if (sentences.size() > kMost) sentences.clear();
+  return sentences;
 }
 
 std::string ExampleOf(const OracleInfo& oracle, const Asked& asked) {
@@ -157,7 +172,8 @@ PairCheck CheckPair(const Oracle& oracle, ShapeKind A, ShapeKind B) {
     const Asked& asked = all.back();
     judged.push_back(Judge(asked.scenario, asked.truth, info, asked.answer));
     if (asked.truth.touching == Touching::kTouching) ++check.touching;
-    if (judged.back() == Judged::kUndecidable) ++check.undecidable;
+    if (judged.back() == Judged::kRight) ++check.right;
+    if (judged.back() == Judged::kUnsupported) ++check.unsupported;
     if (judged.back() == Judged::kInexact) ++check.inexact;
     if (judged.back() != Judged::kWrong) continue;
     if (check.wrong++ == 0) check.example = ExampleOf(info, asked);
@@ -166,39 +182,42 @@ PairCheck CheckPair(const Oracle& oracle, ShapeKind A, ShapeKind B) {
   return check;
 }
 
-// The bytes of an answer, without the time that it took.
+// The bytes of an answer, without the time that it took. Why there is none is in words,
+// which may name an address or a place in a batch.
 std::string BytesOf(ContactAnswer answer) {
   answer.seconds = 0;
+  if (answer.status != AnswerStatus::kAnswered) answer.reason.clear();
   return ToWire(answer);
+}
+
+// The pairs that an oracle supports, A first.
+std::vector<std::pair<ShapeKind, ShapeKind>> SupportedPairs(const OracleInfo& oracle) {
+  std::vector<std::pair<ShapeKind, ShapeKind>> pairs;
+  for (int a = 0; a < kShapeKinds; ++a) {
+    for (int b = 0; b < kShapeKinds; ++b) {
+      const auto A = static_cast<ShapeKind>(a);
+      const auto B = static_cast<ShapeKind>(b);
+      const bool are_planes = A == ShapeKind::kHalfSpace && B == ShapeKind::kHalfSpace;
+      if (!are_planes && oracle.For(A, B).supported) pairs.emplace_back(A, B);
+    }
+  }
+  return pairs;
 }
 
 }  // namespace
 
 std::vector<PairCheck> CheckContacts(const Oracle& oracle) {
   std::vector<PairCheck> checks;
-  for (int a = 0; a < kShapeKinds; ++a) {
-    for (int b = 0; b < kShapeKinds; ++b) {
-      const auto A = static_cast<ShapeKind>(a);
-      const auto B = static_cast<ShapeKind>(b);
-      const bool are_planes = A == ShapeKind::kHalfSpace && B == ShapeKind::kHalfSpace;
-      if (are_planes || !oracle.info().For(A, B).supported) continue;
-      checks.push_back(CheckPair(oracle, A, B));
-    }
-  }
+  for (const auto& [A, B] : SupportedPairs(oracle.info()))
+    checks.push_back(CheckPair(oracle, A, B));
   return checks;
 }
 
 std::string CheckRepeatability(const Oracle& oracle) {
   std::vector<ContactQuery> queries;
-  for (int a = 0; a < kShapeKinds; ++a) {
-    for (int b = 0; b < kShapeKinds; ++b) {
-      const auto A = static_cast<ShapeKind>(a);
-      const auto B = static_cast<ShapeKind>(b);
-      const bool are_planes = A == ShapeKind::kHalfSpace && B == ShapeKind::kHalfSpace;
-      if (are_planes || !oracle.info().For(A, B).supported) continue;
-      for (std::uint64_t i = 0; i < 4; ++i)
-        queries.push_back(Generate(Family::kRandom, A, B, kSeed, i));
-    }
+  for (const auto& [A, B] : SupportedPairs(oracle.info())) {
+    for (std::uint64_t i = 0; i < 4; ++i)
+      queries.push_back(Generate(Family::kRandom, A, B, kSeed, i));
   }
   std::vector<ContactAnswer> together(queries.size());
   oracle.Answer(queries, together);

@@ -109,6 +109,12 @@ Difference DifferenceOf(const Trajectory& motion, const Trajectory& right) {
     if (i >= motion.samples.size())
       return {HUGE_VAL, fmt::format("the motion ends before {:.3g} s", t)};
     const BodyState& is = motion.samples[i].bodies[0];
+    const double length = is.q_WB.coeffs().stableNorm();
+    // Written so that a NaN is not right.
+    if (!(std::abs(length - 1) <= 1e-3))
+      return {HUGE_VAL,
+              fmt::format("after {:.3g} s the length of its quaternion is {:.3g}", t,
+                          length)};
     const BodyState& should = right.samples[i].bodies[0];
     take((is.p_WB - should.p_WB).norm(), scale.length, t, "the position [m] is");
     take(AngleBetween(is.q_WB, should.q_WB), scale.angle, t, "the orientation [rad] is");

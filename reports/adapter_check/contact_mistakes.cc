@@ -92,7 +92,8 @@ ShapeChange CapsuleLongerBy(double radii) {
     const auto* capsule = std::get_if<Capsule>(&shape);
     if (capsule == nullptr) return std::nullopt;
     const double half_length = capsule->half_length + radii * capsule->radius;
-    if (half_length <= 0) return std::nullopt;
+    // A capsule whose segment vanishes is a ball.
+    if (half_length <= 0) return Sphere{capsule->radius};
     return Capsule{capsule->radius, half_length};
   };
 }
@@ -229,7 +230,7 @@ std::vector<ContactMistake> MistakesWithAnswers() {
       "number",
       [](const ContactQuery&,
          const ContactAnswer& answer) -> std::optional<ContactAnswer> {
-        if (!answer.touching) return answer;
+        if (!answer.touching) return std::nullopt;
         EachOf each;
         each.separation = [](double s) { return -s; };
         return each.Of(answer);
@@ -242,6 +243,17 @@ std::vector<ContactMistake> MistakesWithAnswers() {
         EachOf each;
         each.separation = [](double s) { return -s; };
         return each.Of(answer);
+      }));
+  mistakes.push_back(OfAnswers(
+      "its separation has the wrong sign, and `touching` with it; expected a negative "
+      "separation of bodies that overlap",
+      [](const ContactQuery&,
+         const ContactAnswer& answer) -> std::optional<ContactAnswer> {
+        EachOf each;
+        each.separation = [](double s) { return -s; };
+        ContactAnswer meant = each.Of(answer);
+        meant.touching = !answer.touching;
+        return meant;
       }));
   mistakes.push_back(
       OfSeparations("its separation is half of what it is along the normal", 2));
@@ -333,6 +345,12 @@ std::vector<ContactMistake> MistakesWithQuestions() {
       "it reads the quaternion w, x, y, z as x, y, z, w", Turned([](const Pose& pose) {
         const Quaterniond q = QuaternionOf(pose);
         return Quaterniond(q.z(), q.w(), q.x(), q.y()).toRotationMatrix();
+      })));
+  mistakes.push_back(OfPoses(
+      "it gives its engine the quaternion as x, y, z, w, which reads it as w, x, y, z",
+      Turned([](const Pose& pose) {
+        const Quaterniond q = QuaternionOf(pose);
+        return Quaterniond(q.x(), q.y(), q.z(), q.w()).toRotationMatrix();
       })));
   mistakes.push_back(
       OfPoses("it turns bodies by the inverse rotation",

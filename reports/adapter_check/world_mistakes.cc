@@ -144,6 +144,12 @@ std::vector<WorldMistake> MistakesWithQuestions() {
         const Quaterniond q = OrientationOf(body);
         Turn(body, Quaterniond(q.z(), q.w(), q.x(), q.y()).toRotationMatrix());
       }));
+  mistakes.push_back(OfBodies(
+      "it gives its engine the quaternion as x, y, z, w, which reads it as w, x, y, z",
+      [](RigidBody& body) {
+        const Quaterniond q = OrientationOf(body);
+        Turn(body, Quaterniond(q.x(), q.y(), q.z(), q.w()).toRotationMatrix());
+      }));
   mistakes.push_back(
       OfBodies("it turns bodies by the inverse rotation",
                [](RigidBody& body) { Turn(body, body.placed.X_WB.R_WB.transpose()); }));

@@ -144,6 +144,7 @@ TEST_P(ServedOracleWithSetups, TakesTheSetupOfTheOracle) {
   setup.as_shipped = true;
   const Trajectory trajectory = oracle().SetUp(setup)->Simulate(world);
   const Trajectory received = served().SetUp(setup)->Simulate(world);
+  EXPECT_EQ(trajectory.status, AnswerStatus::kAnswered) << trajectory.reason;
   EXPECT_EQ(BytesOf(received), BytesOf(trajectory));
 }
 

@@ -234,6 +234,35 @@ TEST_P(MotionForms, WithOtherTimesAreRefused) {
               ThrowsMessage<ProtocolError>(HasSubstr("times[1]: 0.1 s; expected 0.2 s")));
 }
 
+TEST_P(MotionForms, HaveTheirImpulsesInTheOrderOfSteps) {
+  const World world = BallWorld();
+  Trajectory trajectory = BallMotion(world);
+  trajectory.gives_impulses = true;
+  for (const int step : {3, 1, 2}) {
+    ContactImpulse& impulse = trajectory.impulses.emplace_back();
+    impulse.step = step;
+    impulse.p_WC.setZero();
+    impulse.n_AB_W.setZero();
+    impulse.J_B_W.setZero();
+  }
+  Message message;
+  PutTrajectory(trajectory, GetParam(), message);
+  const Trajectory received = TrajectoryFrom(Sent(message), world);
+  for (int i = 0; i < 3; ++i)
+    EXPECT_EQ(received.impulses[static_cast<std::size_t>(i)].step, i + 1);
+}
+
+TEST_P(MotionForms, WithAnOrientationThatIsNoneAreRefused) {
+  const World world = BallWorld();
+  Trajectory trajectory = BallMotion(world);
+  trajectory.samples[2].bodies[0].q_WB.coeffs().setZero();
+  Message message;
+  PutTrajectory(trajectory, GetParam(), message);
+  EXPECT_THAT([&] { TrajectoryFrom(Sent(message), world); },
+              ThrowsMessage<ProtocolError>(
+                  HasSubstr("has the length 0; expected a unit quaternion")));
+}
+
 INSTANTIATE_TEST_SUITE_P(, MotionForms, testing::Bool(), [](const auto& instance) {
   return instance.param ? "Frame" : "Line";
 });
@@ -281,6 +310,18 @@ TEST(HelloMessage, GrantsNothingWithoutASource) {
   EXPECT_THAT(RefusalOf(line), HasSubstr("expected a finite number >= 0"));
 }
 
+TEST(LineFrom, RefusesALineThatIsTooDeepOrHasTooManyKeys) {
+  const std::string deep(200'000, '[');
+  EXPECT_THAT([&] { LineFrom("{\"id\":" + deep); },
+              ThrowsMessage<ProtocolError>(HasSubstr("too many nested lists")));
+  std::string wide = "{\"a\":0";
+  for (int i = 0; i < 200'000; ++i) wide += ",\"a\":0";
+  EXPECT_THAT([&] { LineFrom(wide + "}"); },
+              ThrowsMessage<ProtocolError>(HasSubstr("too many keys")));
+  // Those in a string do not count.
+  EXPECT_EQ(LineFrom("{\"a\":\"" + deep + "\\\"[\"}").size(), 1U);
+}
+
 TEST(HelloMessage, SaysWhatIsWrongWithIt) {
   Json line = HelloLine();
   line.erase("version");
@@ -291,9 +332,9 @@ TEST(HelloMessage, SaysWhatIsWrongWithIt) {
               HasSubstr("hello.contact[0].gives[0]: \"dept\"; expected"));
   line = HelloLine();
   line["world"]["supports"] = {"spheres"};
-  EXPECT_EQ(
-      RefusalOf(line),
-      "hello.world.supports[0]: \"spheres\"; expected names of features of a world");
+  EXPECT_EQ(RefusalOf(line),
+            "hello.world.supports[0]: \"spheres\"; expected the name of a feature of a "
+            "world");
   line.erase("contact");
   line.erase("world");
   EXPECT_THAT(RefusalOf(line), HasSubstr("expected \"contact\" or \"world\" in it"));
