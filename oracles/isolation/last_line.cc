@@ -43,7 +43,8 @@ std::string LastLineOf(int fd) {
   std::array<char, kTail> bytes;
   const ssize_t count =
       pread(fd, bytes.data(), bytes.size(), std::max<off_t>(0, file.st_size - kTail));
-  return LastLineIn({bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count))});
+  return LastLineIn(
+      {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(0, count))});
 }
 
 }  // namespace touchstone
