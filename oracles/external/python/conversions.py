@@ -55,3 +55,15 @@ def spin_change(body, rotation, lever, impulse):
     """
     torque_B = rotation.T @ np.cross(lever, impulse)
     return rotation @ (torque_B / body.inertia)
+
+
+def product_restitutions(world, why_not):
+    """Returns a coefficient of restitution for each body, whose products are the smaller ones.
+
+    That needs one coefficient of all moving bodies. Raises `why_not` otherwise.
+    """
+    moving = {b.restitution for b in world.bodies if b.collides and b.mass > 0}
+    if len(moving) > 1:
+        raise why_not
+    e = moving.pop() if moving else 0.0
+    return [min(b.restitution, e) / np.sqrt(e) if e > 0 else 0.0 for b in world.bodies]
