@@ -236,9 +236,10 @@ class Drake(Oracle):
         parameter("stiffness", 1e9, 0, 0, 1e15,
                   "stiffness of a body's contacts in N/m; 0: estimated from "
                   "penetration_allowance", "Bodies are rigid."),
-        parameter("dissipation", 1e3, -1, -1, 1e9,
+        parameter("dissipation", 30, -1, -1, 1e9,
                   "Hunt-Crossley dissipation in s/m; -1: estimated",
-                  "Contacts separate no faster than its inverse, so that they do not bounce."),
+                  "Contacts separate no faster than its inverse, so that they hardly bounce. "
+                  "With 1000, the solver often fails to converge."),
         parameter("relaxation_time", 0.1, 0.1, 0, 1e6, "dissipation of SAP in s",
                   "Drake's default."),
         parameter("penetration_allowance", 1e-3, 1e-3, 1e-9, 1,
