@@ -62,6 +62,7 @@ def add(asked, mass, margin):
 class World(Simulation):
     def __init__(self, world, values):
         self.asked = world
+        self.solved_up_to = values["processing_threshold"]
         e = product_restitutions(world, Unsupported(
             "Bullet multiplies the restitutions of two bodies: all moving bodies must have "
             "the same"))
@@ -121,6 +122,8 @@ class World(Simulation):
         impulses = []
         for contact in p.getContactPoints():
             normal_on_B, distance, force = np.array(contact[7]), contact[8], contact[9]
+            if distance > self.solved_up_to:
+                continue  # It was not solved: its friction is that of an earlier step.
             friction = sum(f * np.array(t) for f, t in (contact[10:12], contact[12:14]))
             # Forces act on the first body, along the normal that points into it.
             impulses.append(ContactImpulse(

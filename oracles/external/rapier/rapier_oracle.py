@@ -84,6 +84,7 @@ class World(Simulation):
             if moves:
                 body = body.linvel(vec(asked.velocity)).angvel(vec(asked.spin))
                 body = body.gyroscopic_forces(values["gyroscopic"] != 0)
+                body = body.ccd_enabled(values["ccd"] != 0)
                 body = body.allow_fast_rotation(values["fast_rotation"] != 0)
                 body = body.additional_mass_properties(rapier.MassProperties(
                     rapier.Point3(0.0, 0.0, 0.0), asked.mass, vec(asked.inertia)))
@@ -180,6 +181,8 @@ class Rapier(Oracle):
                   "Every contact counts.", True),
         parameter("ccd_substeps", 1, 1, 0, 100, "steps of continuous collision; 0: none",
                   "Fast bodies would pass through static ones.", True),
+        parameter("ccd", 1, 0, 0, 1, "continuous collision of moving bodies; ccd_enabled",
+                  "Fast bodies would pass through others.", True),
         parameter("coulomb", 1, 0, 0, 1, "friction: 1 Coulomb's, 0 simplified",
                   "Coulomb's law.", True),
         parameter("contact_frequency", 30, 30, 1e-3, 1e9, "softness of contacts in Hz"),
