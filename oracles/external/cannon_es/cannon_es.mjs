@@ -11,11 +11,11 @@ const CANNON = await common.load("cannon-es/dist/cannon-es.js");
 const SHAPES = ["sphere", "box", "half_space"];
 
 const parameters = [
-  parameter("iterations", 200, 10, 1, 10000, "iterations of the solver; GSSolver.iterations",
+  parameter("iterations", 100, 10, 1, 10000, "iterations of the solver; GSSolver.iterations",
     "The engine's default leaves a residual that would hide its contact law.", true),
-  parameter("tolerance", 0, 1e-7, 0, 1,
-    "change of the sum of all impulses at which the solver stops; GSSolver.tolerance",
-    "The engine's default is not a share of the impulses."),
+  parameter("tolerance", 1e-9, 1e-7, 0, 1,
+    "change of the sum of all forces at which the solver stops; GSSolver.tolerance",
+    "The solver then ends for its iterations or its convergence."),
   parameter("contact_stiffness", 1e7, 1e7, 0, 1e30,
     "stiffness of contacts in N/m; contactEquationStiffness", "The engine's default."),
   parameter("contact_relaxation", 3, 3, 0, 1e6,

@@ -17,18 +17,18 @@ const isPlane = (shape) => shape === "half_space";
 const gives = ["depth", "distance", "normal", "witnesses", "penetrating_witnesses"];
 
 const parameters = [
-  parameter("velocity_iterations", 200, 10, 1, 1000, "iterations for velocities",
+  parameter("velocity_iterations", 50, 10, 1, 1000, "iterations for velocities",
     "The engine's default leaves a residual that would hide its contact law.", true),
   parameter("position_iterations", 2, 2, 0, 1000, "iterations for positions",
     "The engine's default.", true),
-  parameter("baumgarte", 0, 0.2, 0, 1, "fraction of an overlap that is pushed out in a step, "
+  parameter("baumgarte", 0.2, 0.2, 0, 1, "fraction of an overlap that is pushed out in a step, "
     + "without a change of velocity; baumgarteFactor",
-    "Overlap is not pushed out, which would add energy."),
+    "The engine's default. Without it rods drift, too."),
   parameter("slop", 0, 0.02, 0, 1, "overlap in m that is left; penetrationSlop",
     "The engine's default leaves bodies 2 cm deep in each other."),
-  parameter("speculative_distance", 1e-3, 0.02, 0, 1,
+  parameter("speculative_distance", 0.02, 0.02, 0, 1,
     "gap in m at which a contact is solved in advance; speculativeContactDistance",
-    "The engine's default lets contacts act early, with 0 they are lost between steps."),
+    "The engine's default. With 0, contacts are lost between steps."),
   parameter("manifold_tolerance", 1e-3, 1e-3, 0, 1,
     "distance in m within which vertices count as one face; manifoldTolerance",
     "The engine's default."),

@@ -26,18 +26,18 @@ const settings = [
 ];
 
 const parameters = [
-  parameter("velocity_steps", 200, 10, 1, 1000, "iterations for velocities; mNumVelocitySteps",
+  parameter("velocity_steps", 50, 10, 1, 1000, "iterations for velocities; mNumVelocitySteps",
     "Jolt's default leaves a residual that would hide its contact law.", true),
   parameter("position_steps", 2, 2, 0, 1000, "iterations for positions; mNumPositionSteps",
     "The engine's default.", true),
-  parameter("baumgarte", 0, 0.2, 0, 1, "fraction of an overlap that is pushed out in a step, "
+  parameter("baumgarte", 0.2, 0.2, 0, 1, "fraction of an overlap that is pushed out in a step, "
     + "without a change of velocity; mBaumgarte",
-    "Overlap is not pushed out, which would add energy."),
+    "The engine's default. Without it rods drift, too."),
   parameter("slop", 0, 0.02, 0, 1, "overlap in m that is left; mPenetrationSlop",
     "Jolt's default leaves bodies 2 cm deep in each other."),
-  parameter("speculative_distance", 1e-3, 0.02, 0, 1,
+  parameter("speculative_distance", 0.02, 0.02, 0, 1,
     "gap in m at which a contact is solved in advance; mSpeculativeContactDistance",
-    "Jolt's default lets contacts act early, with 0 they are lost between steps."),
+    "The engine's default. With 0, contacts are lost between steps."),
   parameter("manifold_tolerance", 1e-3, 1e-3, 0, 1,
     "distance in m within which vertices count as one face; mManifoldTolerance",
     "The engine's default."),
