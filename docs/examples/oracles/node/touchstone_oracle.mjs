@@ -8,6 +8,7 @@
  * - begin(world, parameters) returns a simulation with the functions step(), read() and, if
  *   it supports them, push(body, point, impulse) and readImpulses(). read() returns the row
  *   of numbers of the protocol: position, quaternion, velocity and spin of each body, …
+ *   end(), if it exists, is called last: there an engine frees what it does not collect.
  * - simulate(world, parameters) replaces begin() in an engine that does not move in steps. It
  *   returns {times, samples}, and may add {impulses, diverged_at_step}.
  *
@@ -66,6 +67,14 @@ async function answerTo(oracle, message) {
 
 /** Runs a simulation from start to end, with its pushes and samples. */
 export async function runToEnd(simulation, world) {
+  try {
+    return await motionOf(simulation, world);
+  } finally {
+    await simulation.end?.();
+  }
+}
+
+async function motionOf(simulation, world) {
   let state = [...(await simulation.read())];
   const motion = { times: [0], samples: [state] };
   for (let step = 1; step <= world.steps; ++step) {
