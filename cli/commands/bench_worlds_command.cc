@@ -120,7 +120,7 @@ int BenchWorldsCommand(const Session& session, const BenchWorldsArguments& argum
     std::vector<const Oracle*> able;
     std::copy_if(oracles.begin(), oracles.end(), std::back_inserter(able),
                  [&](const Oracle* oracle) {
-                   // A program is asked for whole motions, so its steps have no times.
+                   // A program returns whole motions, so single steps cannot be timed.
                    return !oracle->info().external &&
                           oracle->info().CannotSimulate(world).empty();
                  });

@@ -69,7 +69,7 @@ std::string NameOf(const PairCheck& pair) {
   return fmt::format("{} {}", NameOf(pair.A), NameOf(pair.B));
 }
 
-// What is neither right nor wrong about a pair: " (3 inexact, 1 undecidable)".
+// Counts the answers that are neither right nor wrong: " (3 inexact, 1 undecidable)".
 std::string RestOf(const PairCheck& pair) {
   const std::size_t undecidable =
       pair.asked - pair.right - pair.wrong - pair.inexact - pair.unsupported;

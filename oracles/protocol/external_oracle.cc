@@ -198,12 +198,14 @@ class ExternalOracle final : public Oracle {
       reason = failure.reason;
     }
     std::vector<ContactAnswer> answers;
-    bool has_failed = false;
+    bool has_failed = false;  // Not by an error that the program itself states.
     for (const ContactQuery& query : queries) {
-      answers.push_back(AnswersTo(std::span(&query, 1)).front());
-      const AnswerStatus alone = answers.back().status;
-      has_failed = has_failed || alone == AnswerStatus::kCrashed ||
-                   alone == AnswerStatus::kTimedOut;
+      try {
+        answers.push_back(AskTogether(std::span(&query, 1)).front());
+      } catch (const NoReply& failure) {
+        answers.push_back(Answered(failure));
+        has_failed = true;
+      }
     }
     if (has_failed) return answers;
     if (status == AnswerStatus::kTimedOut) {

@@ -289,7 +289,10 @@ std::size_t MostBytesOf(const World& world) {
   const auto steps = static_cast<std::size_t>(world.steps);
   const std::size_t samples = steps / static_cast<std::size_t>(world.sample_every) + 1;
   const std::size_t impulses = 16 * (world.bodies.size() + 1) * kImpulseNumbers;
-  return kNumber * (samples * (SampleNumbers(world) + 1) + steps * impulses);
+  // As much memory as an isolated oracle may use (IsolationLimits).
+  constexpr std::size_t kMost = std::size_t{4} << 30;
+  return std::min(kMost,
+                  kNumber * (samples * (SampleNumbers(world) + 1) + steps * impulses));
 }
 
 }  // namespace touchstone

@@ -25,8 +25,8 @@ void PutTrajectory(const Trajectory& trajectory, bool in_frame, Message& message
  @throws ProtocolError if the message has other samples than the world. */
 Trajectory TrajectoryFrom(const Message& message, const World& world);
 
-/** Returns a length that the line or the frame of the samples of `world` does not exceed,
- with a few contact impulses in each step. [bytes] */
+/** Returns the longest line or frame that is accepted as the motion of `world`: room for
+ its samples and for a few contact impulses in each step, at most 4 GiB. [bytes] */
 std::size_t MostBytesOf(const World& world);
 
 }  // namespace touchstone

@@ -177,6 +177,15 @@ TEST(ExternalOracle, LosesOneAnswerToADeathThatDoesNotComeBack) {
   ExpectAnswersExcept(Ask(*oracle, FiveQuestions()), 5);
 }
 
+TEST(ExternalOracle, LosesOneAnswerToADeathAlsoIfAnotherQuestionIsRefused) {
+  const auto oracle = Faulty("die once and refuse", FreshFile("die_once_and_refuse"));
+  const std::vector<ContactAnswer> answers = Ask(*oracle, FiveQuestions());
+  EXPECT_EQ(answers[0].status, AnswerStatus::kCrashed);
+  EXPECT_THAT(answers[0].reason,
+              HasSubstr("aborted, when this question and the 4 after"));
+  EXPECT_EQ(answers[kFatalIndex].reason, "no such ball");
+}
+
 TEST(ExternalOracle, AnswersAlikeWhenSeveralThreadsAsk) {
   const auto oracle = Faulty("");
   std::vector<ContactQuery> queries;

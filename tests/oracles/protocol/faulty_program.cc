@@ -69,7 +69,7 @@ void FailBefore(const std::string& how, const std::string& file) {
   if (how == "messages") {
     for (int i = 0; i < 100'000; ++i) std::cerr << "a warning, again and again\n";
   }
-  if (how == "die once" && !std::ifstream(file)) {
+  if (how.starts_with("die once") && !std::ifstream(file)) {
     std::ofstream(file) << getpid();
     std::abort();
   }
@@ -97,7 +97,8 @@ void Converse(const std::string& how, const std::string& file) {
           FailBefore(how, file);
           if (how == "nan") one["separation"] = "NaN";
           if (how == "short normal") one["normal"] = {1, 0};
-          if (how == "refuse") one = {{"error", "no such ball"}};
+          if (how == "refuse" || how == "die once and refuse")
+            one = {{"error", "no such ball"}};
         }
         answers.push_back(one);
       }
