@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include <fmt/format.h>
+
 #include "engine/dynamics/world/cloth.h"
 #include "engine/dynamics/world/world.h"
 #include "oracles/cookbook/translate.h"
@@ -167,12 +169,14 @@ class CookbookSimulation final : public Simulation {
 decltype(OracleInfo::world_capabilities) CookbookWorldCapabilities() {
   decltype(OracleInfo::world_capabilities) capabilities;
   for (WorldCapability& capability : capabilities) capability.supported = true;
-  const auto refuse = [&](WorldFeature feature, const char* reason) {
-    capabilities[static_cast<std::size_t>(feature)] = {false, reason};
-  };
-  refuse(WorldFeature::kOtherShape, "the cookbook moves spheres and boxes");
-  refuse(WorldFeature::kStaticOtherShape,
-         "the cookbook knows static spheres, boxes and half-spaces");
+  for (const WorldFeature feature :
+       {WorldFeature::kCapsule, WorldFeature::kCylinder, WorldFeature::kCone,
+        WorldFeature::kConvexHull, WorldFeature::kStaticCapsule,
+        WorldFeature::kStaticCylinder, WorldFeature::kStaticCone,
+        WorldFeature::kStaticConvexHull}) {
+    capabilities[static_cast<std::size_t>(feature)] = {
+        false, fmt::format("the cookbook has no {}", NameOf(feature))};
+  }
   return capabilities;
 }
 

@@ -1,5 +1,7 @@
 #include "oracles/cookbook/printed_simulation.h"
 
+#include <fmt/format.h>
+
 #include "engine/printed/world.h"
 
 namespace touchstone {
@@ -119,10 +121,12 @@ void SetPrintedWorldCapabilities(OracleInfo& info) {
   info.simulates = true;
   for (WorldCapability& capability : info.world_capabilities) capability = {true, ""};
   for (const WorldFeature feature :
-       {WorldFeature::kOtherShape, WorldFeature::kStaticHalfSpace,
-        WorldFeature::kStaticOtherShape}) {
+       {WorldFeature::kCapsule, WorldFeature::kCylinder, WorldFeature::kCone,
+        WorldFeature::kConvexHull, WorldFeature::kStaticCapsule,
+        WorldFeature::kStaticCylinder, WorldFeature::kStaticCone,
+        WorldFeature::kStaticConvexHull, WorldFeature::kStaticHalfSpace}) {
     info.world_capabilities[static_cast<std::size_t>(feature)] = {
-        false, "the recipes handle spheres and boxes only"};
+        false, fmt::format("the recipes have no {}", NameOf(feature))};
   }
 }
 

@@ -14,6 +14,7 @@
 #include <dart/dynamics/Skeleton.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
+#include <fmt/format.h>
 
 #include "oracles/dart/dart_shape.h"
 #include "oracles/dart/dart_surfaces.h"
@@ -168,11 +169,19 @@ class DartSimulation final : public Simulation {
 // Returns why DART does not simulate `feature`; empty if it does.
 std::string WhyNot(WorldFeature feature) {
   switch (feature) {
-    case WorldFeature::kOtherShape:
-    case WorldFeature::kStaticOtherShape:
+    case WorldFeature::kCapsule:
+    case WorldFeature::kCylinder:
+    case WorldFeature::kCone:
+    case WorldFeature::kConvexHull:
+    case WorldFeature::kStaticCapsule:
+    case WorldFeature::kStaticCylinder:
+    case WorldFeature::kStaticCone:
+    case WorldFeature::kStaticConvexHull:
     case WorldFeature::kStaticHalfSpace:
-      return "DART's own collision detector handles spheres and boxes only; its others "
-             "turn spheres into polyhedra";
+      return fmt::format(
+          "DART's own collision detector has no {}; its others turn "
+          "spheres into polyhedra",
+          NameOf(feature));
     case WorldFeature::kParticle:
     case WorldFeature::kCloth:
       return "DART has no point masses that bounce";

@@ -12,7 +12,7 @@
 #include <fcl/geometry/shape/halfspace.h>
 #include <fcl/geometry/shape/sphere.h>
 
-#include "oracles/convex_facets.h"
+#include "scenarios/convex_facets.h"
 
 namespace touchstone {
 namespace {

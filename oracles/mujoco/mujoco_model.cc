@@ -37,13 +37,28 @@ std::string Text(const Vector3d& v) {
   return fmt::format("{} {} {}", v.x(), v.y(), v.z());
 }
 
-// The attributes `type` and `size`. The size of a plane is only used for rendering.
-std::string GeomOf(const Shape& shape) {
+// The attributes of a shape. The size of a plane is only used for rendering. A hull is
+// the mesh of the given name.
+std::string GeomOf(const Shape& shape, const std::string& mesh) {
   if (const auto* sphere = std::get_if<Sphere>(&shape))
     return fmt::format(R"(type="sphere" size="{}")", sphere->radius);
   if (const auto* box = std::get_if<Box>(&shape))
     return fmt::format(R"(type="box" size="{}")", Text(box->half_extents));
+  if (const auto* capsule = std::get_if<Capsule>(&shape))
+    return fmt::format(R"(type="capsule" size="{} {}")", capsule->radius,
+                       capsule->half_length);
+  if (const auto* cylinder = std::get_if<Cylinder>(&shape))
+    return fmt::format(R"(type="cylinder" size="{} {}")", cylinder->radius,
+                       cylinder->half_length);
+  if (std::holds_alternative<ConvexHull>(shape))
+    return fmt::format(R"(type="mesh" mesh="{}")", mesh);
   return R"(type="plane" size="0 0 1")";
+}
+
+std::string Mesh(const std::string& name, const ConvexHull& hull) {
+  std::string vertices;
+  for (const Vector3d& vertex : hull.vertices) vertices += Text(vertex) + "  ";
+  return fmt::format(R"(<mesh name="{}" vertex="{}"/>)", name, vertices);
 }
 
 std::string PlaceOf(const Pose& X_WB) {
@@ -94,10 +109,11 @@ class Writer {
     }
     return fmt::format(
         R"(<mujoco><compiler angle="radian"/><size nconmax="{}" njmax="{}" nstack="{}"/>)"
-        R"(<option collision="{}"/><worldbody>{}{}</worldbody><contact>{}</contact>)"
+        R"(<option collision="{}"/><asset>{}</asset><worldbody>{}{}</worldbody>)"
+        R"(<contact>{}</contact>)"
         R"(<tendon>{}</tendon><equality>{}</equality></mujoco>)",
         contacts, rows, StackFor(rows), pairs_.empty() ? "dynamic" : "predefined",
-        world_sites_, bodies_, pairs_, tendons_, equalities_);
+        meshes_, world_sites_, bodies_, pairs_, tendons_, equalities_);
   }
 
  private:
@@ -159,9 +175,12 @@ class Writer {
     const bool moves = body.mass > 0;
     std::string geom;
     if (body.collides) {
-      geom =
-          fmt::format(R"(<geom name="g{}" {} {} {}/>)", i, GeomOf(body.placed.shape),
-                      moves ? "" : PlaceOf(body.placed.X_WB), FrictionOf(body.friction));
+      const std::string mesh = fmt::format("m{}", i);
+      if (const auto* hull = std::get_if<ConvexHull>(&body.placed.shape))
+        meshes_ += Mesh(mesh, *hull);
+      geom = fmt::format(
+          R"(<geom name="g{}" {} {} {}/>)", i, GeomOf(body.placed.shape, mesh),
+          moves ? "" : PlaceOf(body.placed.X_WB), FrictionOf(body.friction));
     }
     if (!moves) {
       bodies_ += geom;
@@ -199,6 +218,7 @@ class Writer {
   std::size_t room_;
   std::vector<std::string> sites_;  // Sites indexed by body.
   std::string world_sites_;
+  std::string meshes_;
   std::string bodies_;
   std::string pairs_;
   std::string tendons_;

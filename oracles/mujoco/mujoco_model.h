@@ -33,7 +33,8 @@ MujocoModel Compile(const std::string& mjcf);
  anything are left out. The model can hold `contacts` contacts, or fewer if the world
  cannot have that many: MuJoCo clears memory that grows with their square. Options keep
  their default values.
- @pre Shapes are spheres, boxes and static half-spaces; no anchor is on a particle.
+ @pre No shape is a cone, hulls have volume and half-spaces are static; no anchor is on a
+ particle.
  @throws std::runtime_error if MuJoCo cannot hold that many contacts. */
 std::string ToMjcf(const World& world, std::size_t contacts);
 

@@ -37,6 +37,11 @@ class MujocoOracle final : public Oracle {
     AnswerByMujoco(info_, queries, answers);
   }
 
+  std::string CannotSimulate(const World& world) const override {
+    const std::string reason = Oracle::CannotSimulate(world);
+    return reason.empty() ? WhyNoMujocoWorld(world) : reason;
+  }
+
   std::unique_ptr<Simulation> BeginWith(const World& world,
                                         std::span<const double> values) const override {
     return MujocoWorld(world, integrator_, values);

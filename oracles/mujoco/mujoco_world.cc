@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "oracles/mujoco/mujoco_model.h"
+#include "scenarios/worlds/solid.h"
 
 namespace touchstone {
 namespace {
@@ -259,10 +261,9 @@ class MujocoSimulation final : public Simulation {
 // Returns why MuJoCo does not simulate `feature`; empty if it does.
 std::string WhyNot(WorldFeature feature) {
   switch (feature) {
-    case WorldFeature::kOtherShape:
-    case WorldFeature::kStaticOtherShape:
-      return "MuJoCo has no cone; this adapter simulates spheres, boxes and static "
-             "half-spaces only";
+    case WorldFeature::kCone:
+    case WorldFeature::kStaticCone:
+      return "MuJoCo has no cone";
     case WorldFeature::kRestitution:
       return "MuJoCo has no coefficient of restitution: its contacts are damped springs";
     case WorldFeature::kParticle:
@@ -353,6 +354,16 @@ std::vector<WorldParameter> Parameters() {
 
 }  // namespace
 
+std::string WhyNoMujocoWorld(const World& world) {
+  const bool all_fit = std::ranges::all_of(world.bodies, [](const RigidBody& body) {
+    if (!body.collides || KindOf(body.placed.shape) != ShapeKind::kConvexHull)
+      return true;
+    const std::optional<Solid> solid = UniformSolid(body.placed.shape, body.mass);
+    return solid && solid->volume > mjMINVAL;
+  });
+  return all_fit ? "" : "MuJoCo refuses hulls of less than 1e-15 m³";
+}
+
 std::unique_ptr<Simulation> MujocoWorld(const World& world, MujocoIntegrator integrator,
                                         std::span<const double> values) {
   return std::make_unique<MujocoSimulation>(world, integrator, values);
@@ -379,6 +390,7 @@ void DescribeMujocoWorlds(MujocoIntegrator integrator, OracleInfo& info) {
        "Set by explicit pairs if bodies differ: MuJoCo's default is the larger one."},
       {"world: friction of spin and roll", "none", "condim 3; 1 where friction is 0."},
       {"world: contact margin", "0", "MuJoCo's default."},
+      {"world: convex hull", "mesh", "MuJoCo stores its vertices in single precision."},
       {"world: distance joint", "equality of a tendon's length",
        "Between two sites; with joint_time 0 a fifth of its error is corrected in a "
        "step, as in ODE. A rod of length L whose end moves across it at speed v is too "

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "oracles/oracle.h"
 #include "oracles/simulation.h"
@@ -14,9 +15,12 @@ enum class MujocoIntegrator {
   kRk4,    ///< Fourth-order Runge-Kutta method.
 };
 
+/** Returns why MuJoCo cannot simulate `world`, whose features it has; empty if it can. */
+std::string WhyNoMujocoWorld(const World& world);
+
 /** Returns a simulation of `world` by MuJoCo, with `values` for the parameters that
  DescribeMujocoWorlds() declares.
- @pre MuJoCo can simulate it (DescribeMujocoWorlds) and is initialised.
+ @pre MuJoCo can simulate it (DescribeMujocoWorlds, WhyNoMujocoWorld) and is initialised.
  @throws std::runtime_error if MuJoCo refuses the model. */
 std::unique_ptr<Simulation> MujocoWorld(const World& world, MujocoIntegrator integrator,
                                         std::span<const double> values);

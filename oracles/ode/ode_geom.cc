@@ -6,7 +6,7 @@
 
 #include <ode/ode.h>
 
-#include "oracles/convex_facets.h"
+#include "scenarios/convex_facets.h"
 
 namespace touchstone {
 namespace {
@@ -57,6 +57,12 @@ OdeGeom::OdeGeom(const Body& body) {
   dGeomSetRotation(geom_.get(), rows);
   const Vector3d origin_W = p + R * origin_B_;
   dGeomSetPosition(geom_.get(), origin_W.x(), origin_W.y(), origin_W.z());
+}
+
+void OdeGeom::AttachTo(dxBody* body) {
+  dGeomSetBody(geom_.get(), body);
+  if (!origin_B_.isZero(0))
+    dGeomSetOffsetPosition(geom_.get(), origin_B_.x(), origin_B_.y(), origin_B_.z());
 }
 
 void OdeGeom::MakeConvex(const ConvexHull& hull) {

@@ -7,9 +7,14 @@
 
 #include "scenarios/contact_query.h"
 
-struct dxGeom;  // ODE's dGeomID is a pointer to it.
+// ODE's dGeomID and dBodyID are pointers to these.
+struct dxGeom;
+struct dxBody;
 
 namespace touchstone {
+
+/** Why ODE has no geom for a convex hull in a plane. */
+inline constexpr const char* kNoFlatHull = "ODE requires convex hulls with volume";
 
 /** An ODE geom with a pose, outside any space. It owns the arrays of a convex geom, which
  stores only pointers to them. */
@@ -18,6 +23,10 @@ class OdeGeom {
   /** Creates the geom for `body`, or an empty one if ODE has no such shape: a cone, or a
    convex hull without volume. */
   explicit OdeGeom(const Body& body);
+
+  /** Hangs it on a body of ODE, which then moves it: the geom keeps its pose relative to
+   the frame of the shape. */
+  void AttachTo(dxBody* body);
 
   dxGeom* get() const { return geom_.get(); }
   explicit operator bool() const { return geom_ != nullptr; }

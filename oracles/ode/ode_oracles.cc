@@ -190,6 +190,11 @@ class OdeOracle final : public Oracle {
     return std::make_unique<OdeBatch>(queries);
   }
 
+  std::string CannotSimulate(const World& world) const override {
+    const std::string reason = Oracle::CannotSimulate(world);
+    return reason.empty() ? WhyNoOdeWorld(world) : reason;
+  }
+
   std::unique_ptr<Simulation> BeginWith(const World& world,
                                         std::span<const double> values) const override {
     return OdeWorld(world, OdeStepper::kStep, values);
@@ -199,7 +204,7 @@ class OdeOracle final : public Oracle {
   static ContactAnswer AnswerOne(const ContactQuery& query) {
     const OdeGeom a(query.A);
     const OdeGeom b(query.B);
-    if (!a || !b) return UnsupportedAnswer("ODE requires convex hulls with volume");
+    if (!a || !b) return UnsupportedAnswer(kNoFlatHull);
     Contacts contacts;
     const int count = Collide(a, b, contacts);
     return Translate(query, contacts, count);
@@ -219,6 +224,11 @@ class QuickStepOracle final : public Oracle {
               std::span<ContactAnswer> answers) const override {
     for (std::size_t i = 0; i < queries.size(); ++i)
       answers[i] = UnsupportedAnswer(info_.capabilities[0][0].reason);
+  }
+
+  std::string CannotSimulate(const World& world) const override {
+    const std::string reason = Oracle::CannotSimulate(world);
+    return reason.empty() ? WhyNoOdeWorld(world) : reason;
   }
 
   std::unique_ptr<Simulation> BeginWith(const World& world,

@@ -193,8 +193,8 @@ class OdeSimulation final : public Simulation {
       dBodySetAngularVel(body, asked.w_WB.x(), asked.w_WB.y(), asked.w_WB.z());
     }
     if (!asked.collides) return;
-    const OdeGeom& geom = geoms_.emplace_back(asked.placed);
-    if (body != nullptr) dGeomSetBody(geom.get(), body);
+    OdeGeom& geom = geoms_.emplace_back(asked.placed);
+    if (body != nullptr) geom.AttachTo(body);
     // ODE's user pointer stores the index here. NOLINTNEXTLINE(*-no-int-to-ptr)
     dGeomSetData(geom.get(), reinterpret_cast<void*>(index));
     dSpaceAdd(space_.get(), geom.get());
@@ -280,10 +280,9 @@ class OdeSimulation final : public Simulation {
 // Returns why ODE does not simulate `feature`; empty if it does.
 std::string WhyNot(WorldFeature feature) {
   switch (feature) {
-    case WorldFeature::kOtherShape:
-    case WorldFeature::kStaticOtherShape:
-      return "ODE has no cone; this adapter simulates spheres, boxes and static "
-             "half-spaces only";
+    case WorldFeature::kCone:
+    case WorldFeature::kStaticCone:
+      return "ODE has no cone";
     case WorldFeature::kParticle:
     case WorldFeature::kCloth:
       return "ODE has no point masses";
@@ -342,6 +341,13 @@ std::vector<WorldParameter> ParametersOf(OdeStepper stepper) {
 
 }  // namespace
 
+std::string WhyNoOdeWorld(const World& world) {
+  const bool all_fit = std::ranges::all_of(world.bodies, [](const RigidBody& body) {
+    return !body.collides || OdeGeom(body.placed);
+  });
+  return all_fit ? "" : kNoFlatHull;
+}
+
 std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper,
                                      std::span<const double> values) {
   return std::make_unique<OdeSimulation>(world, stepper, values);
@@ -364,6 +370,9 @@ void DescribeOdeWorlds(OdeStepper stepper, OracleInfo& info) {
        "ODE's finite rotation mode is off, as it is by default."},
       {"world: contacts", "dHashSpace, up to 8 points a pair",
        "The maximum for box on box."},
+      {"world: convex hull",
+       "faces computed here, geom moved inside if the origin is not",
+       "dCreateConvex takes planes and polygons; MPR starts from the geom's origin."},
       {"world: restitution", "min(e_A, e_B)",
        "Set per contact: ODE leaves the rule to the user."},
       {"world: restitution velocity threshold", "0", "bounce_vel."},

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "oracles/oracle.h"
@@ -15,9 +16,12 @@ enum class OdeStepper {
   kQuickStep,  ///< dWorldQuickStep: successive over-relaxation.
 };
 
+/** Returns why ODE cannot simulate `world`, whose features it has; empty if it can. */
+std::string WhyNoOdeWorld(const World& world);
+
 /** Returns a simulation of `world` by ODE, with `values` for the parameters that
  DescribeOdeWorlds() declares.
- @pre ODE can simulate it (DescribeOdeWorlds). ODE is initialised. */
+ @pre ODE can simulate it (DescribeOdeWorlds, WhyNoOdeWorld). ODE is initialised. */
 std::unique_ptr<Simulation> OdeWorld(const World& world, OdeStepper stepper,
                                      std::span<const double> values);
 

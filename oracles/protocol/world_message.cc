@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "oracles/protocol/query_message.h"
+#include "scenarios/worlds/solid.h"
 #include "scenarios/worlds/validate_world.h"
 
 namespace touchstone {
@@ -44,8 +45,7 @@ Json ToJson(const RigidBody& body) {
 }
 
 bool HasMoments(const RigidBody& body) {
-  const ShapeKind kind = KindOf(body.placed.shape);
-  return body.mass == 0 || kind == ShapeKind::kSphere || kind == ShapeKind::kBox;
+  return body.mass == 0 || UniformMoments(body.placed.shape, body.mass);
 }
 
 RigidBody BodyOfWorldFrom(const Received& json) {

@@ -112,8 +112,9 @@ class Oracle:
 
     supports: Sequence[str] = ()
     """The features of worlds that it simulates beyond gravity and free motion: "sphere",
-    "box", "other shape", "static sphere", "static box", "static half-space",
-    "static other shape", "stated inertia", "restitution", "friction", "unequal friction",
+    "box", "capsule", "cylinder", "cone", "convex hull", "static sphere", "static box",
+    "static capsule", "static cylinder", "static cone", "static convex hull",
+    "static half-space", "stated inertia", "restitution", "friction", "unequal friction",
     "two moving bodies that may meet", "force", "particle", "spring", "distance joint",
     "cloth", "push"."""
     unsupported: Mapping[str, str] = {}

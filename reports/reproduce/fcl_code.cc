@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "oracles/convex_facets.h"
 #include "reports/reproduce/cpp_text.h"
 #include "reports/reproduce/engine_code.h"
+#include "scenarios/convex_facets.h"
 
 namespace touchstone {
 namespace {

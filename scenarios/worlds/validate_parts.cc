@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "scenarios/validate_scenario.h"
+#include "scenarios/worlds/solid.h"
 #include "scenarios/worlds/validate_world.h"
 
 namespace touchstone {
@@ -54,14 +56,35 @@ class Check {
   std::vector<Fault> faults;
 };
 
+/** Checks that the moments of a moving body follow from its shape. */
+void CheckSolid(const Shape& shape, Check& check) {
+  // Faults of its sizes are reported elsewhere.
+  if (!FaultsOf(Body{shape, {}}).empty() || UniformMoments(shape, 1)) return;
+  const std::string kind = fmt::format("is \"{}\"", NameOf(KindOf(shape)));
+  const std::optional<Solid> solid = UniformSolid(shape, 1);
+  if (!solid) {
+    check.Add("shape", kind + " without volume", "a stated inertia");
+  } else if (const Eigen::Vector3d& c = solid->centre_B;
+             c.norm() > kAligned * BoundingRadius(shape)) {
+    check.Add(
+        "shape",
+        fmt::format("{} with its uniform solid's centre of mass at [{:.6g}, {:.6g}, "
+                    "{:.6g}]",
+                    kind, c.x(), c.y(), c.z()),
+        "a stated inertia, or a shape about its centre of mass: that is the origin "
+        "of a body that moves");
+  } else {
+    check.Add("shape", kind + " whose principal axes are not its body axes",
+              "a stated inertia, or a shape turned to its principal axes");
+  }
+}
+
 void CheckInertia(const RigidBody& body, Check& check) {
   const ShapeKind kind = KindOf(body.placed.shape);
   if (kind == ShapeKind::kHalfSpace) {
     if (body.mass != 0) check.Add("shape", "is \"half_space\", which moves", "mass = 0");
-  } else if (!body.inertia && body.mass != 0 && kind != ShapeKind::kSphere &&
-             kind != ShapeKind::kBox) {
-    check.Add("shape", fmt::format("is \"{}\" without an inertia", NameOf(kind)),
-              "inertia, since only that of spheres and boxes is implied");
+  } else if (!body.inertia && body.mass != 0) {
+    CheckSolid(body.placed.shape, check);
   }
   if (!body.inertia) return;
   const Eigen::Vector3d& moments = *body.inertia;

@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <array>
 
+#include "scenarios/worlds/solid.h"
+
 namespace touchstone {
 namespace {
 
+/** @pre The body is static if it is a half-space. */
 WorldFeature FeatureOf(const RigidBody& body) {
-  const bool is_static = body.mass == 0;
-  switch (KindOf(body.placed.shape)) {
-    case ShapeKind::kSphere:
-      return is_static ? WorldFeature::kStaticSphere : WorldFeature::kSphere;
-    case ShapeKind::kBox:
-      return is_static ? WorldFeature::kStaticBox : WorldFeature::kBox;
-    case ShapeKind::kHalfSpace:
-      return is_static ? WorldFeature::kStaticHalfSpace : WorldFeature::kOtherShape;
-    default:
-      return is_static ? WorldFeature::kStaticOtherShape : WorldFeature::kOtherShape;
-  }
+  // Both lists have the order of ShapeKind.
+  const WorldFeature sphere =
+      body.mass == 0 ? WorldFeature::kStaticSphere : WorldFeature::kSphere;
+  return static_cast<WorldFeature>(static_cast<int>(sphere) +
+                                   static_cast<int>(KindOf(body.placed.shape)));
 }
 
 }  // namespace
@@ -33,12 +30,7 @@ World Refined(const World& world, int factor) {
 Eigen::Vector3d InertiaOf(const RigidBody& body) {
   if (body.mass == 0) return Eigen::Vector3d::Zero();
   if (body.inertia) return *body.inertia;
-  if (const auto* sphere = std::get_if<Sphere>(&body.placed.shape)) {
-    return Eigen::Vector3d::Constant(0.4 * body.mass * sphere->radius * sphere->radius);
-  }
-  const Eigen::Vector3d squares =
-      std::get<Box>(body.placed.shape).half_extents.cwiseAbs2();
-  return body.mass / 3 * (Eigen::Vector3d::Constant(squares.sum()) - squares);
+  return *UniformMoments(body.placed.shape, body.mass);
 }
 
 Eigen::Vector3d StartOf(const World& world, const Anchor& anchor) {
@@ -58,11 +50,17 @@ std::string_view NameOf(WorldFeature feature) {
   static constexpr std::array<std::string_view, kWorldFeatures> kNames = {
       "sphere",
       "box",
-      "other shape",
+      "capsule",
+      "cylinder",
+      "cone",
+      "convex hull",
       "static sphere",
       "static box",
+      "static capsule",
+      "static cylinder",
+      "static cone",
+      "static convex hull",
       "static half-space",
-      "static other shape",
       "stated inertia",
       "restitution",
       "friction",

@@ -127,9 +127,8 @@ struct World {
 World Refined(const World& world, int factor);
 
 /** Returns the principal moments of inertia of `body` about its centre: the stated ones,
- else those of its shape at uniform density (sphere: 2/5 m r²; box with full sizes X, Y,
- Z: m/12 (Y²+Z², X²+Z², X²+Y²)). Zero for a static body. [kg m²]
- @pre The inertia is stated, or the shape is a sphere or a box. */
+ else those of its shape at uniform density. Zero for a static body. [kg m²]
+ @pre The inertia is stated, or the shape has UniformMoments(). */
 Eigen::Vector3d InertiaOf(const RigidBody& body);
 
 /** Returns the initial position of `anchor`. World frame. [m]
@@ -138,13 +137,19 @@ Eigen::Vector3d StartOf(const World& world, const Anchor& anchor);
 
 /** A feature that a world may require of an engine, beyond gravity and free motion. */
 enum class WorldFeature {
-  kSphere,      ///< A moving sphere that collides.
-  kBox,         ///< A moving box that collides.
-  kOtherShape,  ///< A moving body of any other shape that collides.
+  kSphere,  ///< A moving sphere that collides; likewise up to kConvexHull.
+  kBox,
+  kCapsule,
+  kCylinder,
+  kCone,
+  kConvexHull,
   kStaticSphere,
   kStaticBox,
+  kStaticCapsule,
+  kStaticCylinder,
+  kStaticCone,
+  kStaticConvexHull,
   kStaticHalfSpace,
-  kStaticOtherShape,
   kStatedInertia,    ///< A moving body with an explicit inertia.
   kRestitution,      ///< At least two colliding bodies with e > 0.
   kFriction,         ///< At least two colliding bodies with μ > 0.

@@ -74,7 +74,7 @@ list(APPEND own_rules
   "reports/sweep/ => reports/((threads|finding|referee|contacts|writers|worlds/study)/|run(_report)?[.]h)|oracles/(oracle|stated_tolerance|world_setup)[.]h|scenarios/(generators/|(scenario|scenario_file|shape|validate|worlds/world_scenario)[.]h)"
   "reports/journal/ => reports/(finding/|sweep/database[.]h|worlds/study/examine_world[.]h)|oracles/(isolation/(answer_wire|wire)|oracle|stated_tolerance|world_setup)[.]h|scenarios/scenario_file[.]h"
   "reports/shrink/ => reports/((text|finding|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/oracle[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
-  "reports/reproduce/ => reports/(clusters/measure_words[.]h|(text|finding|referee|writers|worlds/truth)/|contacts/contact_result[.]h|worlds/(study/world_result|law_support/(overlap|subjects)|laws/laws)[.]h)|oracles/(oracle|convex_facets|trajectory|world_setup)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
+  "reports/reproduce/ => reports/(clusters/measure_words[.]h|(text|finding|referee|writers|worlds/truth)/|contacts/contact_result[.]h|worlds/(study/world_result|law_support/(overlap|subjects)|laws/laws)[.]h)|oracles/(oracle|trajectory|world_setup)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/adapter_check/ => reports/((finding|referee)/|contacts/judge_answer[.]h)|oracles/(isolation/answer_wire|contact_answer|oracle|trajectory)[.]h|scenarios/(generators/generate[.]h|[a-z_]+[.]h|worlds/world[.]h)"
   "reports/gtest/ => reports/((shrink|sweep|text|writers)/|run(_report)?[.]h|worlds/study/check_claims[.]h)|oracles/(oracle|stated_tolerance)[.]h|scenarios/(scenario_file|worlds/world_scenario)[.]h"
 

@@ -42,32 +42,38 @@ struct Simulator {
   bool is_staged = false;
 };
 
+/** Those of the shapes beyond spheres, boxes and static half-spaces. */
+const std::vector<WorldFeature> kOtherShapes = {
+    kCapsule,       kCylinder,       kCone,       kConvexHull,
+    kStaticCapsule, kStaticCylinder, kStaticCone, kStaticConvexHull};
+
+std::vector<WorldFeature> OtherShapesAnd(std::vector<WorldFeature> more) {
+  more.insert(more.end(), kOtherShapes.begin(), kOtherShapes.end());
+  return more;
+}
+
 const std::vector<Simulator> kSimulators = {
     {"bullet", {kParticle, kSpring, kDistanceJoint, kCloth}},
     {"bullet_float", {kParticle, kSpring, kDistanceJoint, kCloth}},
-    {"cookbook", {kOtherShape, kStaticOtherShape}},
-    {"cookbook/sleeping", {kOtherShape, kStaticOtherShape}},
+    {"cookbook", kOtherShapes},
+    {"cookbook/sleeping", kOtherShapes},
     // The softness is its constraint force mixing, relative to the diagonal of its
     // matrix.
     {"dart",
-     {kOtherShape, kStaticHalfSpace, kStaticOtherShape, kParticle, kSpring,
-      kDistanceJoint, kCloth},
+     OtherShapesAnd({kStaticHalfSpace, kParticle, kSpring, kDistanceJoint, kCloth}),
      1e-9},
     // The softness follows from mjMAXIMP: a contact reaches at most 0.9999 of its target.
-    {"mujoco",
-     {kOtherShape, kStaticOtherShape, kRestitution, kParticle, kCloth},
-     1 - 0.9999,
-     true},
+    {"mujoco", {kCone, kStaticCone, kRestitution, kParticle, kCloth}, 1 - 0.9999, true},
     {"mujoco/rk4",
-     {kOtherShape, kStaticOtherShape, kRestitution, kParticle, kCloth},
+     {kCone, kStaticCone, kRestitution, kParticle, kCloth},
      1 - 0.9999,
      true,
      true},
     // Its constraints yield by CFM = 1e-12 (m/s)/N, which is m CFM/h = 1.3e-9 of an
     // impulse.
-    {"ode", {kOtherShape, kStaticOtherShape, kParticle, kCloth}, 1.3e-9},
-    {"ode/quick", {kOtherShape, kStaticOtherShape, kParticle, kCloth}, 1.3e-9},
-    {"printed:none", {kOtherShape, kStaticHalfSpace, kStaticOtherShape}},
+    {"ode", {kCone, kStaticCone, kParticle, kCloth}, 1.3e-9},
+    {"ode/quick", {kCone, kStaticCone, kParticle, kCloth}, 1.3e-9},
+    {"printed:none", OtherShapesAnd({kStaticHalfSpace})},
 };
 
 const Simulator* RowOf(std::string_view oracle) {
@@ -99,6 +105,10 @@ RigidBody SlabOfBox() {
   return Slab(Box{{20, 20, 0.7}}, {0, 0, -0.7});
 }
 
+ConvexHull Octahedron(double r) {
+  return {{{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}}};
+}
+
 /* Returns a short world that needs `feature` and, if possible, no other feature except
  spheres. */
 World WorldWith(WorldFeature feature) {
@@ -115,9 +125,18 @@ World WorldWith(WorldFeature feature) {
     case kBox:
       ball.placed.shape = Box{{0.3, 0.2, 0.1}};
       break;
-    case kOtherShape:
+    case kCapsule:
       ball.placed.shape = Capsule{0.3, 0.2};
+      break;
+    case kCylinder:
+      ball.placed.shape = Cylinder{0.3, 0.2};
+      break;
+    case kCone:
+      ball.placed.shape = Cone{0.3, 0.2};
       ball.inertia = Vector3d(0.1, 0.1, 0.05);
+      break;
+    case kConvexHull:
+      ball.placed.shape = Octahedron(0.3);
       break;
     case kStaticSphere:
       world.bodies.push_back(Slab(Sphere{0.4}, {0, 0, -0.4}));
@@ -128,8 +147,17 @@ World WorldWith(WorldFeature feature) {
     case kStaticHalfSpace:
       world.bodies.push_back(Slab(HalfSpace{}, Vector3d::Zero()));
       break;
-    case kStaticOtherShape:
+    case kStaticCapsule:
       world.bodies.push_back(Slab(Capsule{0.4, 0.2}, {0, 0, -0.6}));
+      break;
+    case kStaticCylinder:
+      world.bodies.push_back(Slab(Cylinder{0.4, 0.2}, {0, 0, -0.2}));
+      break;
+    case kStaticCone:
+      world.bodies.push_back(Slab(Cone{0.4, 0.2}, {0, 0, -0.2}));
+      break;
+    case kStaticConvexHull:
+      world.bodies.push_back(Slab(Octahedron(0.4), {0, 0, -0.4}));
       break;
     case kStatedInertia:
       ball.inertia = Vector3d(0.1, 0.09, 0.05);

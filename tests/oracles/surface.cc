@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "oracles/convex_facets.h"
+#include "scenarios/convex_facets.h"
 
 namespace touchstone {
 namespace {

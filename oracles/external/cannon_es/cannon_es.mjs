@@ -79,8 +79,12 @@ const about = {
       "spring", "push",
     ],
     unsupported: {
-      "other shape": "cannon-es has no capsules, and cylinders only as prisms",
-      "static other shape": "cannon-es has no capsules, and cylinders only as prisms",
+      ...Object.fromEntries(["", "static "].flatMap((which) => [
+        [`${which}capsule`, "cannon-es has no capsule"],
+        [`${which}cylinder`, "the cylinders of cannon-es are prisms"],
+        [`${which}cone`, "the cones of cannon-es are pyramids"],
+        [`${which}convex hull`, "cannon-es does not find the faces of a hull"],
+      ])),
       particle: "the particles of cannon-es have no bounce of their own",
       cloth: "cannon-es has no cloth",
       "distance joint": "the DistanceConstraint of cannon-es joins centres of mass only",

@@ -109,11 +109,14 @@ const about = {
   ],
   world: {
     supports: [
-      "sphere", "box", "other shape", "static sphere", "static box", "static half-space",
-      "static other shape", "stated inertia", "restitution", "friction", "unequal friction",
+      "sphere", "box", "capsule", "cylinder", "convex hull", "static sphere", "static box",
+      "static half-space", "static capsule", "static cylinder", "static convex hull",
+      "stated inertia", "restitution", "friction", "unequal friction",
       "two moving bodies that may meet", "force", "spring", "distance joint", "push",
     ],
     unsupported: {
+      cone: "crashcat has no cone",
+      "static cone": "crashcat has no cone",
       particle: "crashcat has no point masses",
       cloth: "crashcat has no cloth",
     },

@@ -201,11 +201,14 @@ class Dart(Oracle):
         Setting("world: damping", "none", "DART's default."),
     ]
     supports = [
-        "sphere", "box", "other shape", "static sphere", "static box", "static half-space",
-        "static other shape", "stated inertia", "restitution", "friction",
-        "unequal friction", "two moving bodies that may meet", "force", "push",
+        "sphere", "box", "capsule", "cylinder", "cone", "static sphere", "static box",
+        "static half-space", "static capsule", "static cylinder", "static cone",
+        "stated inertia", "restitution", "friction", "unequal friction",
+        "two moving bodies that may meet", "force", "push",
     ]
     unsupported = {
+        "convex hull": "dartpy makes no hull of points: its meshes come from files",
+        "static convex hull": "dartpy makes no hull of points: its meshes come from files",
         "particle": "DART has no point masses that bounce",
         "cloth": "DART has no point masses that bounce",
         "spring": "DART has springs along its joints but none between two points",

@@ -217,11 +217,14 @@ class Drake(Oracle):
         Setting("world: damping, sleeping", "none", "Drake's default."),
     ]
     supports = [
-        "sphere", "box", "other shape", "static sphere", "static box", "static half-space",
-        "static other shape", "stated inertia", "friction",
+        "sphere", "box", "capsule", "cylinder", "convex hull", "static sphere",
+        "static box", "static half-space", "static capsule", "static cylinder",
+        "static convex hull", "stated inertia", "friction",
         "two moving bodies that may meet", "force", "spring", "distance joint", "push",
     ]
     unsupported = {
+        "cone": "Drake has no cone",
+        "static cone": "Drake has no cone",
         "restitution": "Drake has no coefficient of restitution: contacts are damped springs",
         "unequal friction": "Drake takes 2 a b / (a + b) of two coefficients, not the root "
                             "of a b",

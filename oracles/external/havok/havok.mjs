@@ -74,11 +74,14 @@ const about = {
   ],
   world: {
     supports: [
-      "sphere", "box", "other shape", "static sphere", "static box", "static other shape",
-      "stated inertia", "restitution", "friction", "unequal friction",
-      "two moving bodies that may meet", "force", "spring", "distance joint", "push",
+      "sphere", "box", "capsule", "cylinder", "convex hull", "static sphere", "static box",
+      "static capsule", "static cylinder", "static convex hull", "stated inertia",
+      "restitution", "friction", "unequal friction", "two moving bodies that may meet",
+      "force", "spring", "distance joint", "push",
     ],
     unsupported: {
+      cone: "the package has no cone",
+      "static cone": "the package has no cone",
       "static half-space": "the package has no half-space",
       particle: "Havok has no point masses",
       cloth: "the package has no cloth",

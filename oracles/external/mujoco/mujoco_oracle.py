@@ -306,11 +306,14 @@ class Mujoco(Oracle):
                 "A world that diverges shows its numbers: autoreset is MuJoCo's default."),
     ]
     supports = [
-        "sphere", "box", "other shape", "static sphere", "static box", "static half-space",
-        "static other shape", "stated inertia", "friction", "unequal friction",
+        "sphere", "box", "capsule", "cylinder", "convex hull", "static sphere",
+        "static box", "static half-space", "static capsule", "static cylinder",
+        "static convex hull", "stated inertia", "friction", "unequal friction",
         "two moving bodies that may meet", "force", "spring", "distance joint", "push",
     ]
     unsupported = {
+        "cone": "MuJoCo has no cone",
+        "static cone": "MuJoCo has no cone",
         "restitution": "MuJoCo has no coefficient of restitution: contacts are damped springs",
         "particle": "MuJoCo has no point masses that bounce",
         "cloth": "MuJoCo has no point masses that bounce",

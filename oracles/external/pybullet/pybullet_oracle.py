@@ -189,11 +189,14 @@ class PyBullet(Oracle):
         Setting("world: push", "velocities set", "pybullet has no impulses."),
     ]
     supports = [
-        "sphere", "box", "other shape", "static sphere", "static box", "static half-space",
-        "static other shape", "stated inertia", "restitution", "friction",
+        "sphere", "box", "capsule", "cylinder", "convex hull", "static sphere",
+        "static box", "static half-space", "static capsule", "static cylinder",
+        "static convex hull", "stated inertia", "restitution", "friction",
         "unequal friction", "two moving bodies that may meet", "force", "push",
     ]
     unsupported = {
+        "cone": "pybullet has no cone",
+        "static cone": "pybullet has no cone",
         "particle": "pybullet has no point masses",
         "spring": "pybullet has no spring between two points",
         "distance joint": "pybullet has no joint that keeps two points at a distance",

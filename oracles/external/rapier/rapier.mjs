@@ -92,8 +92,9 @@ const about = {
   ],
   world: {
     supports: [
-      "sphere", "box", "other shape", "static sphere", "static box", "static half-space",
-      "static other shape", "stated inertia", "restitution", "friction", "unequal friction",
+      "sphere", "box", "capsule", "cylinder", "cone", "convex hull", "static sphere",
+      "static box", "static half-space", "static capsule", "static cylinder", "static cone",
+      "static convex hull", "stated inertia", "restitution", "friction", "unequal friction",
       "two moving bodies that may meet", "force", "spring", "push",
     ],
     unsupported,

@@ -152,8 +152,9 @@ class Rapier(Oracle):
         Setting("world: damping", "0", "Rapier's default."),
     ]
     supports = [
-        "sphere", "box", "other shape", "static sphere", "static box", "static half-space",
-        "static other shape", "stated inertia", "restitution", "friction",
+        "sphere", "box", "capsule", "cylinder", "cone", "convex hull", "static sphere",
+        "static box", "static half-space", "static capsule", "static cylinder",
+        "static cone", "static convex hull", "stated inertia", "restitution", "friction",
         "unequal friction", "two moving bodies that may meet", "force", "push",
     ]
     unsupported = {

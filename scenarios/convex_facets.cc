@@ -1,4 +1,4 @@
-#include "oracles/convex_facets.h"
+#include "scenarios/convex_facets.h"
 
 #include <algorithm>
 #include <array>
