@@ -1,20 +1,45 @@
 #include "reports/worlds/law_support/ball_on_plane.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/slop.h"
-#include "reports/worlds/law_support/sphere.h"
 
 namespace touchstone {
+namespace {
+
+/** Largest cosine of an angle that counts as right; quaternions have 16 digits. [-] */
+constexpr double kAcross = 1e-9;
+
+}  // namespace
 
 std::string WhyNoBallOnPlane(const World& world, int index) {
   std::string why = WhyNotOnPlane(world, index);
   if (!why.empty()) return why;
   if (!IsEvenSphere(world.bodies[static_cast<std::size_t>(index)]))
     return "is no sphere with equal moments of inertia";
+  return "";
+}
+
+std::string WhyNoRollerOnPlane(const World& world, int index) {
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  if (!IsEvenRoller(body)) return WhyNoBallOnPlane(world, index);
+  std::string why = WhyNotOnPlane(world, index);
+  if (!why.empty()) return why;
+  const OnPlane on = OnPlaneOf(world, index);
+  const Eigen::Vector3d axis_W = body.placed.X_WB.R_WB.col(2);
+  const auto is_across = [&](const Eigen::Vector3d& x_W) {
+    return std::abs(axis_W.dot(x_W)) <= kAcross * x_W.norm();
+  };
+  if (!is_across(on.plane.n_W)) return "does not lie on its side";
+  if (!is_across(on.along_W) || !is_across(on.v_along_W))
+    return "does not move across its axis";
+  if (axis_W.cross(body.w_WB).norm() > kAcross * body.w_WB.norm())
+    return "does not spin about its axis";
   return "";
 }
 

@@ -13,7 +13,12 @@ namespace touchstone {
  starts on a static plane; empty if it is. */
 std::string WhyNoBallOnPlane(const World& world, int index);
 
-/** Checks a ball that rolls or slips on a plane against its closed-form motion.
+/** The same for a ball, or for a capsule or a cylinder that lies on its side and moves and
+ spins as it rolls: along the plane across its axis, and about its axis. */
+std::string WhyNoRollerOnPlane(const World& world, int index);
+
+/** Checks a ball that rolls or slips on a plane, or a roller, against its closed-form
+ motion.
 
  Friction acts on whatever presses the contact. So a velocity may be off by (1 + μ) of the
  ball's own velocity along the normal, and by δ/r of the velocity for a contact at depth
@@ -29,8 +34,8 @@ class BallOnPlane {
     double lag;      ///< Distance by which the scheme is behind or ahead. [m]
   };
 
-  /** `how` says how the ball moves, as in "rolling it moves at". @pre The body is a
-   sphere. */
+  /** `how` says how the ball moves, as in "rolling it moves at". @pre WhyNoRollerOnPlane() is
+   empty. */
   BallOnPlane(const Motion& motion, int body, const OnPlane& on, std::string how,
               const std::string& velocity_because, const std::string& position_because);
 

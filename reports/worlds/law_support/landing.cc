@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+
+#include <Eigen/Geometry>
+
+#include "scenarios/convex_facets.h"
 
 namespace touchstone {
 namespace {
+
+using Eigen::Vector3d;
 
 /** Largest angle of a face to the plane it lies on; quaternions have 16 digits. [rad] */
 constexpr double kFlat = 1e-9;
@@ -34,12 +41,83 @@ std::optional<Plane> PlaneUnder(const Body& ground, const Eigen::Vector3d& p_W) 
                ground.X_WB.p_WB + side * box->half_extents[axis] * R.col(axis)};
 }
 
+/** Returns the farthest point of a shape along d_B. Body frame. [m] */
+struct Farthest {
+  Vector3d d_B;
+
+  /** The farthest point of a disc of that radius across the z axis, about the origin. */
+  Vector3d OnDisc(double radius) const {
+    const Vector3d out(d_B.x(), d_B.y(), 0);
+    return out.isZero(0) ? out : Vector3d(radius * out.normalized());
+  }
+
+  Vector3d operator()(const Sphere& s) const { return s.radius * d_B.normalized(); }
+  Vector3d operator()(const Box& s) const {
+    Vector3d corner;
+    for (int axis = 0; axis < 3; ++axis)
+      corner[axis] = std::copysign(s.half_extents[axis], d_B[axis]);
+    return corner;
+  }
+  Vector3d operator()(const Capsule& s) const {
+    return Vector3d(0, 0, std::copysign(s.half_length, d_B.z())) +
+           s.radius * d_B.normalized();
+  }
+  Vector3d operator()(const Cylinder& s) const {
+    return OnDisc(s.radius) + Vector3d(0, 0, std::copysign(s.half_length, d_B.z()));
+  }
+  Vector3d operator()(const Cone& s) const {
+    const Vector3d apex(0, 0, s.half_height);
+    const Vector3d rim = OnDisc(s.radius) - apex;
+    return d_B.dot(apex) > d_B.dot(rim) ? apex : rim;
+  }
+  Vector3d operator()(const ConvexHull& s) const {
+    return *std::ranges::max_element(
+        s.vertices, {}, [this](const Vector3d& vertex) { return d_B.dot(vertex); });
+  }
+  Vector3d operator()(const HalfSpace&) const { return Vector3d::Zero(); }
+};
+
+/** See LiesFlat(). */
+struct IsFlat {
+  Vector3d down_B;  ///< Unit vector.
+
+  bool IsAlongAxis() const { return !(std::abs(down_B.z()) < 1 - kFlat); }
+  bool IsAcrossAxis() const { return std::abs(down_B.z()) <= kFlat; }
+
+  bool operator()(const Sphere&) const { return true; }
+  bool operator()(const Box&) const {
+    return !(down_B.cwiseAbs().maxCoeff() < 1 - kFlat);
+  }
+  bool operator()(const Capsule&) const { return IsAlongAxis() || IsAcrossAxis(); }
+  bool operator()(const Cylinder&) const { return IsAlongAxis() || IsAcrossAxis(); }
+  bool operator()(const Cone&) const { return IsAlongAxis(); }
+  bool operator()(const ConvexHull& s) const {
+    const std::optional<ConvexFacets> boundary = BoundaryOf(s);
+    return boundary && std::ranges::any_of(boundary->facets, [&](const ConvexFacet& f) {
+             return f.n_B.dot(down_B) >= 1 - kFlat && IsOverFace(*boundary, f);
+           });
+  }
+  bool operator()(const HalfSpace&) const { return false; }
+
+  /** Returns whether the centre of mass is above the inside of `face`. */
+  static bool IsOverFace(const ConvexFacets& boundary, const ConvexFacet& face) {
+    for (std::size_t i = 0; i < face.corners.size(); ++i) {
+      const auto corner = [&](std::size_t n) -> const Vector3d& {
+        const int index = face.corners[n % face.corners.size()];
+        return boundary.corners[static_cast<std::size_t>(index)];
+      };
+      const Vector3d edge = corner(i + 1) - corner(i);
+      if (!(face.n_B.cross(edge).dot(-corner(i)) > 0)) return false;
+    }
+    return true;
+  }
+};
+
 }  // namespace
 
 bool LiesFlat(const RigidBody& body, const Eigen::Vector3d& n_W) {
-  if (!std::holds_alternative<Box>(body.placed.shape)) return true;
-  const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * n_W;
-  return !(n_B.cwiseAbs().maxCoeff() < 1 - kFlat);
+  const Eigen::Vector3d down_B = body.placed.X_WB.R_WB.transpose() * -n_W;
+  return std::visit(IsFlat{down_B}, body.placed.shape);
 }
 
 Arrival ArrivalAt(const Landing& landing, const Eigen::Vector3d& v_W,
@@ -58,19 +136,12 @@ Eigen::Vector3d SupportOf(const RigidBody& body, const Eigen::Vector3d& d_W) {
   const Pose& pose = body.placed.X_WB;
   if (const auto* sphere = std::get_if<Sphere>(&body.placed.shape))
     return pose.p_WB + sphere->radius * d_W.normalized();
-  const Eigen::Vector3d& half = std::get<Box>(body.placed.shape).half_extents;
-  const Eigen::Vector3d d_B = pose.R_WB.transpose() * d_W;
-  Eigen::Vector3d corner;
-  for (int axis = 0; axis < 3; ++axis)
-    corner[axis] = std::copysign(half[axis], d_B[axis]);
-  return pose * corner;
+  return pose * std::visit(Farthest{pose.R_WB.transpose() * d_W}, body.placed.shape);
 }
 
 std::optional<Landing> LandingOf(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
-  const bool known = std::holds_alternative<Sphere>(body.placed.shape) ||
-                     std::holds_alternative<Box>(body.placed.shape);
-  if (!body.collides || !known) return std::nullopt;
+  if (!body.collides) return std::nullopt;
   std::optional<Landing> nearest;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const RigidBody& ground = world.bodies[i];

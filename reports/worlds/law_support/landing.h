@@ -27,8 +27,10 @@ std::optional<Landing> LandingOf(const World& world, int body);
 /** Returns the same for a point at `p_W`, without restitution and friction. */
 std::optional<Landing> LandingOfPoint(const World& world, const Eigen::Vector3d& p_W);
 
-/** Returns whether `body` lands on a plane of normal `n_W` with a face, if it is a box.
- */
+/** Returns whether `body` lands on a plane of normal `n_W` without being turned: the
+ points that arrive first are below its centre of mass, or around the point that is. They
+ are those of a face, of a side that is parallel to the plane, or one end of an axis that
+ is normal to it. */
 bool LiesFlat(const RigidBody& body, const Eigen::Vector3d& n_W);
 
 /** The arrival of a body at the plane that it faces. */
@@ -43,7 +45,7 @@ Arrival ArrivalAt(const Landing& landing, const Eigen::Vector3d& v_W,
                   const Eigen::Vector3d& a_W);
 
 /** Returns the support point of `body` along `d_W` at the start, the farthest point of
- its shape. [m] @pre A sphere or a box. */
+ its shape. [m] @pre It is no half-space. */
 Eigen::Vector3d SupportOf(const RigidBody& body, const Eigen::Vector3d& d_W);
 
 }  // namespace touchstone

@@ -55,10 +55,10 @@ OnPlane OnPlaneOf(const Motion& motion, int index) {
 std::string WhyNotOnPlane(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const std::optional<Landing> plane = LandingOf(world, index);
-  if (!plane) return "is no sphere or box on a static half-space or box";
+  if (!plane) return "is not on a static half-space or box";
   const double size = BoundingRadius(body.placed.shape);
   if (std::abs(plane->gap) > kSurfaceSlack * size) return "does not start on the ground";
-  if (!LiesFlat(body, plane->n_W)) return "is a box that does not lie flat";
+  if (!LiesFlat(body, plane->n_W)) return "does not lie flat";
   const OnPlane on = OnPlaneOf(world, index);
   if (on.press <= 0) return "is not pressed against the ground";
   if (std::abs(on.v_out) > kParallel * body.v_WB.norm())

@@ -45,7 +45,7 @@ OnPlane OnPlaneOf(const World& world, int index);
 OnPlane OnPlaneOf(const Motion& motion, int index);
 
 /** Returns the reason why body `index` does not start on a static plane, to within a
- thousandth of its size, with a face if it is a box; empty if it does. */
+ thousandth of its size, as LiesFlat() says; empty if it does. */
 std::string WhyNotOnPlane(const World& world, int index);
 
 }  // namespace touchstone

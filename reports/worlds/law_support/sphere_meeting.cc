@@ -10,7 +10,7 @@
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/impact_errors.h"
-#include "reports/worlds/law_support/sphere.h"
+#include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/truth/mechanics.h"
 

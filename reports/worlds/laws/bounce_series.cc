@@ -31,14 +31,14 @@ Fall FallOf(const World& world, int index) {
 std::string WhyNot(const World& world, int index) {
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const std::optional<Landing> landing = LandingOf(world, index);
-  if (!landing) return "is no sphere or box above a static half-space or box";
+  if (!landing) return "is not above a static half-space or box";
   const Fall fall = FallOf(world, index);
   if (fall.gravity <= 0 || !IsAlong(AccelerationOf(world, body), landing->n_W))
     return "does not fall along the normal of the ground";
   if (!IsAlong(body.v_WB, landing->n_W) || !body.w_WB.isZero(0))
     return "does not start straight down";
   if (landing->gap < 0) return "starts inside the ground";
-  if (!LiesFlat(body, landing->n_W)) return "is a box that does not lie flat";
+  if (!LiesFlat(body, landing->n_W)) return "does not lie flat";
   if (IsHeld(world, AnchorKind::kBody, index) || IsPushed(world, index))
     return "is held or pushed";
   return "";
@@ -52,8 +52,8 @@ std::vector<Fault> Faults(const World& world, const Claim& claim) {
   return FaultsOfEachBody(
       world, claim,
       {.why_not = WhyNot,
-       .expected = "a sphere, or a box that lies flat, falling straight onto a static "
-                   "half-space or box",
+       .expected = "a sphere, or another shape that lies flat, falling straight onto a "
+                   "static half-space or box",
        .numbers = NumbersOfBody});
 }
 

@@ -13,8 +13,8 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/flat_box.h"
 #include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/slop.h"
-#include "reports/worlds/law_support/sphere.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
@@ -47,9 +47,9 @@ std::string WhyNot(const World& world, int index) {
   if (!why.empty()) return why;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   if (!body.v_WB.isZero(0) || !body.w_WB.isZero(0)) return "does not start at rest";
-  if (std::holds_alternative<Sphere>(body.placed.shape) && !IsEvenSphere(body))
-    return "is a sphere with unequal moments of inertia";
-  if (!std::holds_alternative<Box>(body.placed.shape)) return "";
+  if (IsEvenSphere(body)) return "";
+  if (!std::holds_alternative<Box>(body.placed.shape))
+    return "is neither a box nor a sphere with equal moments of inertia";
   const OnPlane on = OnPlaneOf(world, index);
   if (Tips(body, on, std::min(on.plane.friction * on.press, on.along_W.norm())))
     return "is so tall that friction tips it";

@@ -35,6 +35,7 @@
 #include "reports/worlds/laws/slide_to_stop.h"
 #include "reports/worlds/laws/slip_to_roll.h"
 #include "reports/worlds/laws/sphere_impact.h"
+#include "reports/worlds/laws/spins_on_plane.h"
 #include "reports/worlds/laws/spring_oscillation.h"
 #include "reports/worlds/laws/stack_support.h"
 #include "reports/worlds/laws/torque_free.h"
@@ -75,6 +76,7 @@ std::span<const Law> Laws() {
       kSlideToStop,
       kSlipToRoll,
       kSphereImpact,
+      kSpinsOnPlane,
       kSpringOscillation,
       kStackSupport,
       kTorqueFree,

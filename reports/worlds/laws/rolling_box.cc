@@ -12,7 +12,7 @@
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/on_plane.h"
 #include "reports/worlds/law_support/slop.h"
-#include "reports/worlds/law_support/sphere.h"
+#include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {

@@ -6,18 +6,18 @@
 #include "reports/worlds/law_support/ball_on_plane.h"
 #include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/on_plane.h"
-#include "reports/worlds/law_support/sphere.h"
+#include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 
 namespace touchstone {
 namespace {
 
-/** Largest initial slip of a rolling sphere, over its speed. [-] */
+/** Largest initial slip of a rolling body, over its speed. [-] */
 constexpr double kRolling = 1e-9;
 
 std::string WhyNot(const World& world, int index) {
-  std::string why = WhyNoBallOnPlane(world, index);
+  std::string why = WhyNoRollerOnPlane(world, index);
   if (!why.empty()) return why;
   const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
   const OnPlane on = OnPlaneOf(world, index);
@@ -37,10 +37,12 @@ ExpectedNumbers NumbersOfBody(const World& world, int index) {
 }
 
 std::vector<Fault> Faults(const World& world, const Claim& claim) {
-  return FaultsOfEachBody(world, claim,
-                          {.why_not = WhyNot,
-                           .expected = "a sphere that rolls on a static plane",
-                           .numbers = NumbersOfBody});
+  return FaultsOfEachBody(
+      world, claim,
+      {.why_not = WhyNot,
+       .expected = "a sphere, or a capsule or cylinder on its side, that rolls on "
+                   "a static plane",
+       .numbers = NumbersOfBody});
 }
 
 std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
@@ -55,7 +57,7 @@ std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
   const Eigen::Vector3d a_W = on.along_W / (1 + k);
   const double pull = on.along_W.norm() + on.plane.friction * on.press;
   BallOnPlane ball(motion, index, on, "rolling",
-                   "1.5 × ((1 + μ) |v_n| of the sphere's own velocity along the normal, "
+                   "1.5 × ((1 + μ) |v_n| of the body's own velocity along the normal, "
                    "and δ/r of the velocity for a contact at depth δ), 1e-5 of the "
                    "velocity for the solver, and 64 roundings per step",
                    "1.5 × (½ a h t and the settling distance), 1e-5 of the distance for "
@@ -86,7 +88,9 @@ constexpr std::array<std::string_view, 1> kNumbers = {"expected_acceleration"};
 constinit const Law kRolls = {
     .name = "rolls",
     .documentation =
-        "A sphere that rolls on a static plane keeps rolling; a slope accelerates it.",
+        "A sphere, or a capsule or cylinder on its side, that rolls on a static plane "
+        "keeps "
+        "rolling; a slope accelerates it.",
     .numbers = kNumbers,
     .faults = Faults,
     .judge = Judge,

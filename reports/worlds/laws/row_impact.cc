@@ -11,7 +11,7 @@
 #include "reports/worlds/law_support/at_sample.h"
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
-#include "reports/worlds/law_support/sphere.h"
+#include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/subjects.h"
 #include "reports/worlds/law_support/worst.h"
 #include "reports/worlds/truth/row_of_balls.h"

@@ -8,7 +8,7 @@
 #include "reports/worlds/law_support/cone_models.h"
 #include "reports/worlds/law_support/each_subject.h"
 #include "reports/worlds/law_support/on_plane.h"
-#include "reports/worlds/law_support/sphere.h"
+#include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {

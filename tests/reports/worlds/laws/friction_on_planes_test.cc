@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/worlds/law_support/round_body.h"
 #include "reports/worlds/truth/sliding.h"
 #include "tests/reports/worlds/motions.h"
 
@@ -42,14 +43,15 @@ Eigen::Vector2d Held(FrictionCone cone, Eigen::Vector2d J, double limit) {
 }
 
 /** Moreau's scheme for the one body of `world` on the plane y = 0: a box that only
- slides, or a sphere whose contact is at `lever` times its radius. */
+ slides, or a sphere or roller whose contact is at `lever` times its radius. */
 Trajectory Rubbed(const World& world, FrictionCone cone, double mu, double lever = 1) {
   const RigidBody& body = world.bodies[0];
-  const auto* sphere = std::get_if<Sphere>(&body.placed.shape);
-  const double height =
-      sphere ? sphere->radius : std::get<Box>(body.placed.shape).half_extents.y();
-  const double r = sphere ? lever * sphere->radius : 0;
-  const double inverse_k = sphere ? body.mass * r * r / InertiaOf(body).x() : 0;
+  const auto* box = std::get_if<Box>(&body.placed.shape);
+  const double height = box ? box->half_extents.y() : RadiusOf(body);
+  const double r = box ? 0 : lever * height;
+  // The rolling axis is the z axis of the body.
+  const double inertia = InertiaOf(body).z();
+  const double inverse_k = body.mass * r * r / inertia;
   return Stepped(world, [=, &world](WorldState& state) {
     BodyState& is = state.bodies[0];
     is.v_WB +=
@@ -63,8 +65,7 @@ Trajectory Rubbed(const World& world, FrictionCone cone, double mu, double lever
           Held(cone, Eigen::Vector2d(-u.x(), -u.z()) / (1 + inverse_k), mu * normal);
       const Eigen::Vector3d J_W(J.x(), 0, J.y());
       is.v_WB += J_W;
-      if (sphere)
-        is.w_WB += world.bodies[0].mass * arm.cross(J_W) / InertiaOf(world.bodies[0]).x();
+      is.w_WB += world.bodies[0].mass * arm.cross(J_W) / inertia;
     }
     is.p_WB += world.dt * is.v_WB;
   });
@@ -472,6 +473,138 @@ TEST(Rolls, RefusesSlipAndTooLittleFriction) {
   EXPECT_EQ(FaultsOf(world, ClaimOf("rolls")).size(), 1U);
 }
 
+/** A roller that starts up a slope of 15°. Its axis is the world's z axis. */
+World RollerUp(const Shape& shape) {
+  World world = Slope(shape, 0.5, 15, 0.6);
+  world.bodies[0].v_WB = {-2, 0, 0};
+  world.bodies[0].w_WB = {0, 0, 4};
+  return world;
+}
+
+TEST(Rolls, OnTheSideOfACylinderOrACapsule) {
+  for (const Shape& shape : {Shape(Cylinder{0.5, 0.7}), Shape(Capsule{0.5, 0.7})}) {
+    const World world = RollerUp(shape);
+    EXPECT_TRUE(Passes(
+        Judge(world, Rubbed(world, FrictionCone::kCircle, 0.6), ClaimOf("rolls"))));
+  }
+  // g sin 15°/(1 + 1/2); in a capsule 3·0.7/(3·0.7 + 2·0.5) = 21/31 of the mass is tube.
+  EXPECT_TRUE(FaultsOf(RollerUp(Cylinder{0.5, 0.7}),
+                       ClaimOf("rolls", {"body"}, {{"expected_acceleration", 1.692677}}))
+                  .empty());
+  EXPECT_TRUE(FaultsOf(RollerUp(Capsule{0.5, 0.7}),
+                       ClaimOf("rolls", {"body"}, {{"expected_acceleration", 1.729878}}))
+                  .empty());
+}
+
+TEST(Rolls, FindsARollerWithTheInertiaOfABall) {
+  const World world = RollerUp(Cylinder{0.5, 0.7});
+  World wrong = world;
+  wrong.bodies[0].inertia = Eigen::Vector3d(0.2, 0.2, 0.4 * 1.5 * 0.25);
+  const Trajectory motion = Rubbed(wrong, FrictionCone::kCircle, 0.6);
+  EXPECT_TRUE(Finds(Judge(world, motion, ClaimOf("rolls")), MeasureKind::kVelocityError));
+}
+
+TEST(Rolls, RefusesARollerThatStandsMovesAlongItsAxisOrSpinsAboutAnother) {
+  const auto refuses = [](const World& world) {
+    return FaultsOf(world, ClaimOf("rolls")).size() == 1U;
+  };
+  World world = RollerUp(Cylinder{0.5, 0.7});
+  const auto turn = [&](const Eigen::Vector3d& angle_W) {
+    world.bodies[0].placed.X_WB =
+        Pose::FromQuaternion(world.bodies[0].placed.X_WB.p_WB,
+                             Turned(Eigen::Quaterniond::Identity(), angle_W));
+  };
+  turn({kDegree * 90, 0, 0});
+  world.bodies[0].placed.X_WB.p_WB.y() = 0.7;
+  EXPECT_TRUE(refuses(world));
+  world.bodies[0].placed.X_WB.p_WB.y() = 0.5;
+  turn({0, kDegree * 1, 0});
+  EXPECT_TRUE(refuses(world));
+  world = RollerUp(Cylinder{0.5, 0.7});
+  world.bodies[0].w_WB.y() = 1e-3;
+  EXPECT_TRUE(refuses(world));
+  world = RollerUp(Cylinder{0.5, 0.7});
+  world.bodies[0].inertia = Eigen::Vector3d(0.2, 0.3, 0.15);
+  EXPECT_TRUE(refuses(world));
+}
+
+/** A puck that spins about y on the ground; √2 μ g m R/I = 2 √2 μ g/r = 27.7 rad/s². */
+World SpinningPuck(double mu = 0.5) {
+  World world;
+  RigidBody puck = BodyOf("puck", Cylinder{0.5, 0.1}, 2, {0.4, 0.1, -0.3});
+  puck.placed.X_WB = Pose::FromQuaternion(
+      {0.4, 0.1, -0.3},
+      Turned(Eigen::Quaterniond::Identity(), {-std::numbers::pi / 2, 0, 0}));
+  puck.w_WB = {0, 30, 0};
+  puck.restitution = 0;
+  puck.friction = mu;
+  RigidBody ground = GroundOf();
+  ground.friction = mu;
+  world.bodies = {puck, ground};
+  world.gravity_W = {0, -9.81, 0};
+  world.dt = 1e-3;
+  world.steps = 1500;
+  return world;
+}
+
+/** The motion of the puck if its spin falls by `brake` [rad/s²] to `end` [rad/s]. */
+Trajectory Braked(const World& world, double brake, double end = 0) {
+  return Sampled(world, [=, &world](double t) {
+    WorldState state;
+    for (const RigidBody& body : world.bodies)
+      state.bodies.push_back(
+          {body.placed.X_WB.p_WB, Eigen::Quaterniond::Identity(), body.v_WB, body.w_WB});
+    state.bodies[0].w_WB.y() = std::max(end, 30 - brake * t);
+    return state;
+  });
+}
+
+TEST(SpinsOnPlane, AllowsEveryTorqueUpToThatOfTheRim) {
+  const World world = SpinningPuck();
+  for (const double brake : {0.0, 13.08, 19.62, 27.7}) {
+    EXPECT_TRUE(Passes(Judge(world, Braked(world, brake), ClaimOf("spins_on_plane"))))
+        << brake;
+  }
+}
+
+TEST(SpinsOnPlane, FindsASpinThatGrowsReversesOrFallsTooFast) {
+  const World world = SpinningPuck();
+  for (const auto& [brake, end] :
+       {std::pair(-1e-2, 0.0), std::pair(25.0, -0.1), std::pair(28.1, 0.0)}) {
+    EXPECT_TRUE(Finds(Judge(world, Braked(world, brake, end), ClaimOf("spins_on_plane")),
+                      MeasureKind::kSpinError))
+        << brake;
+  }
+}
+
+TEST(SpinsOnPlane, FindsAnyBrakeWithoutFriction) {
+  const World world = SpinningPuck(0);
+  EXPECT_TRUE(Passes(Judge(world, Braked(world, 0), ClaimOf("spins_on_plane"))));
+  EXPECT_TRUE(Finds(Judge(world, Braked(world, 1e-3), ClaimOf("spins_on_plane")),
+                    MeasureKind::kSpinError));
+}
+
+TEST(SpinsOnPlane, RefusesBallsSlopesMotionAndOtherAxes) {
+  const auto refuses = [](const World& world) {
+    return FaultsOf(world, ClaimOf("spins_on_plane")).size() == 1U;
+  };
+  World world = SpinningPuck();
+  EXPECT_TRUE(FaultsOf(world, ClaimOf("spins_on_plane", {"puck"})).empty());
+  world.bodies[0].v_WB.x() = 0.1;
+  EXPECT_TRUE(refuses(world));
+  world = SpinningPuck();
+  world.bodies[0].w_WB.x() = 0.1;
+  EXPECT_TRUE(refuses(world));
+  world = SpinningPuck();
+  world.gravity_W.x() = 0.1;
+  EXPECT_TRUE(refuses(world));
+  world = SpinningPuck();
+  world.bodies[0].placed = BodyOf("", kBall, 2, {0, 0.5, 0}).placed;
+  EXPECT_TRUE(refuses(world));
+  world.bodies[0].placed = BodyOf("", Cylinder{0.5, 0.1}, 2, {0, 0.5, 0}).placed;
+  EXPECT_TRUE(refuses(world));
+}
+
 /** SimBenchmark's rolling scene, with a force at 60° to the x axis. */
 World PulledBox(double degrees) {
   World world;
@@ -596,6 +729,11 @@ TEST(TurnsOnce, rolls) {
   const World world = RollingUp(15);
   EXPECT_TRUE(
       TurnsOnce(world, Rubbed(world, FrictionCone::kCircle, 0.6), ClaimOf("rolls")));
+}
+
+TEST(TurnsOnce, spins_on_plane) {
+  const World world = SpinningPuck();
+  EXPECT_TRUE(TurnsOnce(world, Braked(world, 10), ClaimOf("spins_on_plane")));
 }
 
 TEST(TurnsOnce, rolling_box) {

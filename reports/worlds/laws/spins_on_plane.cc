@@ -1,0 +1,124 @@
+#include "reports/worlds/laws/spins_on_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <variant>
+
+#include <Eigen/Geometry>
+
+#include "reports/worlds/law_support/citing.h"
+#include "reports/worlds/law_support/each_subject.h"
+#include "reports/worlds/law_support/error_laws.h"
+#include "reports/worlds/law_support/on_plane.h"
+#include "reports/worlds/law_support/slop.h"
+#include "reports/worlds/law_support/subjects.h"
+#include "reports/worlds/law_support/worst.h"
+
+namespace touchstone {
+namespace {
+
+/** Largest sine of the angle of the spin to the normal; quaternions have 16 digits. [-]
+ */
+constexpr double kAlong = 1e-9;
+
+/** Returns the distance of the farthest point of the sole from the axis. [m] */
+double RimOf(const RigidBody& body, const Eigen::Vector3d& n_W) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&body.placed.shape))
+    return cylinder->radius;
+  const Eigen::Vector3d& half = std::get<Box>(body.placed.shape).half_extents;
+  const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * n_W;
+  int up = 0;
+  n_B.cwiseAbs().maxCoeff(&up);
+  return std::hypot(half[(up + 1) % 3], half[(up + 2) % 3]);
+}
+
+std::string WhyNot(const World& world, int index) {
+  std::string why = WhyNotOnPlane(world, index);
+  if (!why.empty()) return why;
+  const RigidBody& body = world.bodies[static_cast<std::size_t>(index)];
+  const OnPlane on = OnPlaneOf(world, index);
+  const Eigen::Vector3d& n_W = on.plane.n_W;
+  const bool is_cylinder = std::holds_alternative<Cylinder>(body.placed.shape);
+  if (!is_cylinder && !std::holds_alternative<Box>(body.placed.shape))
+    return "is neither a box nor a cylinder";
+  if (is_cylinder && std::abs(body.placed.X_WB.R_WB.col(2).dot(n_W)) < 0.5)
+    return "is a cylinder that does not stand on its base";
+  if (!on.IsLevel()) return "is not on a level plane";
+  if (!body.v_WB.isZero(0)) return "moves along the plane";
+  if (!(body.w_WB.cross(n_W).norm() <= kAlong * std::abs(body.w_WB.dot(n_W))) ||
+      body.w_WB.isZero(0)) {
+    return "does not spin about the normal of the plane";
+  }
+  return "";
+}
+
+std::vector<Fault> Faults(const World& world, const Claim& claim) {
+  return FaultsOfEachBody(
+      world, claim,
+      {.why_not = WhyNot,
+       .expected = "a box or a cylinder that spins flat on a level static plane",
+       .numbers = [](const World&, int) { return ExpectedNumbers(); }});
+}
+
+std::vector<LawFinding> JudgeBody(const Motion& motion, int index) {
+  const World& world = motion.world;
+  const auto i = static_cast<std::size_t>(index);
+  const RigidBody& body = world.bodies[i];
+  const OnPlane on = OnPlaneOf(motion, index);
+  const Eigen::Vector3d& n_W = on.plane.n_W;
+  const double start = body.w_WB.dot(n_W);
+  const Eigen::Vector3d axis_W = std::copysign(1.0, start) * n_W;
+  const Eigen::Vector3d n_B = body.placed.X_WB.R_WB.transpose() * n_W;
+  const double inertia = n_B.cwiseAbs2().dot(InertiaOf(body));
+  // The change of the spin by a normal impulse of one unit per mass at the rim. [1/m]
+  const double grip =
+      std::numbers::sqrt2 * on.plane.friction * body.mass * RimOf(body, n_W) / inertia;
+  // Energy of the fall while it settles could turn into spin, by ½ I (ω² − ω₀²).
+  const double gained = kSafety * body.mass * on.press * on.Settling(world.dt) /
+                        (inertia * std::abs(start));
+  const double lost = kSafety * grip * on.SettlingSpeed(world.dt);
+  Worst spin(
+      MeasureKind::kSpinError,
+      WithSlop("1.5 × what settling may give or take: the spin of its energy, or "
+               "the friction of its speed at the rim; 1e-5 of the spin and of what "
+               "friction may take for the solver, and 64 roundings per step",
+               motion.oracle));
+  for (std::size_t s = 0; s < motion.trajectory.samples.size(); ++s) {
+    const double t = motion.trajectory.times[s];
+    const double is = motion.trajectory.samples[s].bodies[i].w_WB.dot(axis_W);
+    const double most = std::abs(start);
+    const double least = std::max(0.0, most - grip * on.press * t);
+    const double share =
+        kSolverResidual + RoundingOf(motion.oracle, StepsBefore(motion, s));
+    const auto proof = [&] {
+      return Citing(
+          "{} has {} spinning at {:.9g} rad/s after {:.6g} s; friction leaves it from "
+          "{:.9g} to {:.9g} rad/s",
+          motion.oracle.name, CitedName{body.name}, is, CitedTime{t}, least, most);
+    };
+    spin.Take(std::max(is - most, 0.0), gained + share * most, proof);
+    spin.Take(std::max(least - is, 0.0), lost + share * (most + (most - least)), proof);
+  }
+  return FindingsOf({spin});
+}
+
+std::vector<LawFinding> Judge(const Motion& motion, const Claim& claim) {
+  return WorstOfEach(SubjectsOf(motion.world, claim).bodies,
+                     [&](int body) { return JudgeBody(motion, body); });
+}
+
+}  // namespace
+
+constinit const Law kSpinsOnPlane = {
+    .name = "spins_on_plane",
+    .documentation =
+        "A box or cylinder that spins flat on a level plane is not spun up, and friction "
+        "slows it no faster than at the rim of its sole.",
+    .numbers = {},
+    .faults = Faults,
+    .judge = Judge,
+};
+
+}  // namespace touchstone

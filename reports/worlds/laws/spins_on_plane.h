@@ -1,0 +1,25 @@
+#pragma once
+
+#include "reports/worlds/law_support/law.h"
+
+namespace touchstone {
+
+/** A body that spins on a flat sole, about the normal of a level static plane, is not
+ spun up, and friction slows it no faster than at the rim of the sole: with the spin ω₀ at
+ the start, the weight m g on the plane, the inertia I about the normal and the farthest
+ point of the sole R from the axis
+
+   ω₀ − √2 μ m g R/I t <= ω <= ω₀, and ω >= 0 in the sense of ω₀. [rad/s]
+
+ Where on a flat sole a rigid body presses is not determined, so neither is the torque.
+ √2 is the corner of a friction cone that is a square, the widest in use. Without friction
+ the spin is constant.
+
+ Tolerance: what settling (law_support/on_plane.h) may give or take, the spin of its
+ energy or the friction of its speed at the rim; the residual of the solver, rounding.
+
+ About: boxes on a face and cylinders on a base that start with a spin about the normal
+ alone. Numbers: none. */
+extern const Law kSpinsOnPlane;
+
+}  // namespace touchstone
