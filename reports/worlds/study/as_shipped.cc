@@ -182,7 +182,7 @@ Findings JudgedAgain(const WorldScenario& scenario, const Oracle& oracle,
     return {known.begin(), known.end()};
   if (All(known, counts, NeedsOneMotion))
     return JudgedFromOneMotion(scenario, oracle, of_steps);
-  return ExamineWorld(scenario, oracle, WantedFor(known, counts)).findings;
+  return ExamineMotion(scenario, oracle, of_steps, WantedFor(known, counts)).findings;
 }
 
 /** Says which settings decide the findings that fail here only, or as shipped only. */
