@@ -10,10 +10,10 @@
 
 namespace touchstone {
 
-/** Keeps motions outside the memory of this process, in an unnamed file that never reaches
- a disk. A fork copies the tables of all pages of the process that forks: children that
- simulate for milliseconds would spend most of their time on the motions of worlds that
- have long been judged. */
+/** Keeps motions outside the memory of this process, in an unnamed file that never
+ reaches a disk. A fork copies the tables of all pages of the process that forks: children
+ that simulate for milliseconds would spend most of their time on the motions of worlds
+ that have long been judged. */
 class MotionStore {
  public:
   /** The place of a motion in the store. */

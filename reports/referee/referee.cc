@@ -137,8 +137,7 @@ bool AreProvedApart(const ContactQuery& query) {
   const MinkowskiDifference M(query.A, query.B);
   const Simplex<double> nearest = FindNearest<double>(M, {});
   const Eigen::Vector3d n = -Direction(nearest.v);
-  return !nearest.encloses_origin && !n.isZero(0) &&
-         OverlapIn<double>(query, n).hi < 0;
+  return !nearest.encloses_origin && !n.isZero(0) && OverlapIn<double>(query, n).hi < 0;
 }
 
 Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {

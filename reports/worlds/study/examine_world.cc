@@ -104,8 +104,8 @@ RoundingGrowth LargestGrowth(const Study& study, std::span<const Trajectory> nud
   return growth;
 }
 
-/** Asks the oracle what the roundings of all steps move, and returns RoundingGrowth::most.
- Adds the time that this takes to `seconds`. */
+/** Asks the oracle what the roundings of all steps move, and returns
+ RoundingGrowth::most. Adds the time that this takes to `seconds`. */
 double MostMoved(const Study& study, const Oracle& oracle, double& seconds) {
   const double all_roundings = RoundingOf(study, study.scenario.world.steps);
   const std::vector<Trajectory> moved =
