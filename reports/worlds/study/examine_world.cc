@@ -256,6 +256,7 @@ std::vector<Finding> WithNeighbours(const Study& study, const Oracle& oracle,
     of_world.push_back(JudgeStable(study, most, neighbours.nudged));
     growth = GrowthIfStable(study, growth.gain, most, of_world.back());
   } else if (growth.gain > kLargestGain && !neighbours.variants.empty()) {
+    // Only variants are judged by it, and those of a stable world by what it claims.
     growth.most = MostMoved(study, oracle, motions[std::string(kMovedStart)]);
   }
   std::vector<Finding> findings = of_world;
