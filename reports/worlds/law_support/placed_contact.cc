@@ -10,6 +10,9 @@
 namespace touchstone {
 namespace {
 
+/** The share of itself to which the least error is found. [-] */
+constexpr double kAccuracy = 1e-6;
+
 /** An interval of places on a line. [m] */
 struct Range {
   double least;
@@ -97,9 +100,17 @@ bool PlacedContact::IsTrueWithin(double error, const Lines& lines) const {
   return s < 0 ? b->least <= 0 && a->most >= 0 : a->least <= 0 && b->most >= 0;
 }
 
+PlacedContact::Lines PlacedContact::LinesOf() const {
+  return {SeenFrom(A.X_WB, contact.p_WC, n_W), SeenFrom(B.X_WB, contact.p_WC, -n_W)};
+}
+
+bool PlacedContact::IsWithin(double error) const {
+  // LeastError() may exceed the least error by its accuracy.
+  return error > 0 && IsTrueWithin((1 - 10 * kAccuracy) * error, LinesOf());
+}
+
 double PlacedContact::LeastError(double most) const {
-  const Lines lines{SeenFrom(A.X_WB, contact.p_WC, n_W),
-                    SeenFrom(B.X_WB, contact.p_WC, -n_W)};
+  const Lines lines = LinesOf();
   if (IsTrueWithin(most, lines)) return LeastTrueError(most, lines);
   PlacedContact alike = *this;
   alike.share_A = 1;
@@ -116,7 +127,7 @@ double PlacedContact::LeastTrueError(double most, const Lines& lines) const {
     high = low;
     low /= 16;
   }
-  while (high - low > 1e-6 * high) {
+  while (high - low > kAccuracy * high) {
     const double middle = (low + high) / 2;
     (IsTrueWithin(middle, lines) ? high : low) = middle;
   }
