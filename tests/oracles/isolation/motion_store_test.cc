@@ -34,6 +34,7 @@ TEST(MotionStore, KeepsMotionsBitForBitInAnyOrder) {
   MotionStore store;
   const std::vector<int> samples = {3, 0, 4000, 1};
   std::vector<MotionStore::Place> places;
+  places.reserve(samples.size());
   for (const int count : samples) places.push_back(store.Keep(Motion(count)));
   for (const std::size_t i : {2, 0, 3, 1})
     EXPECT_EQ(ToWire(store.Take(places[i])), ToWire(Motion(samples[i]))) << i;
@@ -53,6 +54,7 @@ TEST(MotionStore, KeepsTheMotionsOfManyThreads) {
   MotionStore store;
   std::vector<std::vector<MotionStore::Place>> places(2);
   std::vector<std::jthread> threads;
+  threads.reserve(places.size());
   for (std::vector<MotionStore::Place>& of_thread : places) {
     threads.emplace_back([&] {
       for (int i = 0; i < kMotions; ++i) of_thread.push_back(store.Keep(Motion(i)));
