@@ -10,9 +10,6 @@
 namespace touchstone {
 namespace {
 
-/** The share of itself to which the least error is found. [-] */
-constexpr double kAccuracy = 1e-6;
-
 /** An interval of places on a line. [m] */
 struct Range {
   double least;
@@ -100,17 +97,9 @@ bool PlacedContact::IsTrueWithin(double error, const Lines& lines) const {
   return s < 0 ? b->least <= 0 && a->most >= 0 : a->least <= 0 && b->most >= 0;
 }
 
-PlacedContact::Lines PlacedContact::LinesOf() const {
-  return {SeenFrom(A.X_WB, contact.p_WC, n_W), SeenFrom(B.X_WB, contact.p_WC, -n_W)};
-}
-
-bool PlacedContact::IsWithin(double error) const {
-  // LeastError() may exceed the least error by its accuracy.
-  return error > 0 && IsTrueWithin((1 - 10 * kAccuracy) * error, LinesOf());
-}
-
 double PlacedContact::LeastError(double most) const {
-  const Lines lines = LinesOf();
+  const Lines lines{SeenFrom(A.X_WB, contact.p_WC, n_W),
+                    SeenFrom(B.X_WB, contact.p_WC, -n_W)};
   if (IsTrueWithin(most, lines)) return LeastTrueError(most, lines);
   PlacedContact alike = *this;
   alike.share_A = 1;
@@ -127,7 +116,7 @@ double PlacedContact::LeastTrueError(double most, const Lines& lines) const {
     high = low;
     low /= 16;
   }
-  while (high - low > kAccuracy * high) {
+  while (high - low > 1e-6 * high) {
     const double middle = (low + high) / 2;
     (IsTrueWithin(middle, lines) ? high : low) = middle;
   }

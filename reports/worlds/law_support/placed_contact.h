@@ -28,9 +28,6 @@ struct PlacedContact {
    motion of the other body brings a point out of a static one: then both move alike. */
   double LeastError(double most) const;
 
-  /** Returns whether LeastError() is certainly at most `error` [m], in one step. */
-  bool IsWithin(double error) const;
-
   /** Returns the least error within which `n_W` is the normal of a sphere with a sphere
    or a box; 0 for other pairs. The vector from the nearest point of a convex body to a
    point moves no more than the point does: so the two move by the distance of that vector
@@ -47,8 +44,6 @@ struct PlacedContact {
     BodyLine out_of_A;
     BodyLine out_of_B;
   };
-
-  Lines LinesOf() const;
 
   /** Returns whether it is true of surfaces that are within their share of `error` [m] of
    their place. */

@@ -46,12 +46,6 @@ class Worst {
     if (first_time_ < HUGE_VAL) finding_.cited.first_time = first_time_;
   }
 
-  /** Returns the number up to which Take() with this tolerance would change nothing.
-   Negative if nothing was taken yet; NaN, which nothing is below, if one of both is. */
-  double Unnoticed(double tolerance) const {
-    return std::min(share_ * tolerance, finding_.largest.value);
-  }
-
   /** Returns whether any number was taken. */
   bool IsTaken() const { return !(share_ < 0); }
 

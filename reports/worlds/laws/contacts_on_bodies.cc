@@ -171,9 +171,6 @@ class JudgedStep {
     };
     double error = std::numeric_limits<double>::quiet_NaN();
     double turned = 0;
-    const auto granted = [&] {
-      return kSafety * (world.dt * fastest + turned) + rounding;
-    };
     BodiesOfContact nearest{A, B};
     if (std::isfinite(size) && std::isfinite(length) && length > 0) {
       const auto place = [&](const Body& at_A, const Body& at_B) {
@@ -187,19 +184,13 @@ class JudgedStep {
                              share_of(contact.B, speed_B),
                              rounding};
       };
-      const auto error_of_normal = [&](const PlacedContact& placed) {
-        return std::max(placed.LeastErrorOfNormal(), R * std::abs(length - 1));
-      };
       const auto error_of = [&](const PlacedContact& placed) {
-        return std::max(placed.LeastError(size), error_of_normal(placed));
+        return std::max({placed.LeastError(size), placed.LeastErrorOfNormal(),
+                         R * std::abs(length - 1)});
       };
       const PlacedContact at_start = place(A, B);
+      error = error_of(at_start);
       turned = at_start.TurnOfNormal();
-      // Most contacts are not the worst: they are not measured.
-      const double unnoticed = worst.Unnoticed(granted());
-      const bool is_unnoticed =
-          error_of_normal(at_start) <= unnoticed && at_start.IsWithin(unnoticed);
-      error = is_unnoticed ? 0 : error_of(at_start);
       if (error > rounding) {
         for (const BodiesOfContact& other : LaterInTheStep(contact)) {
           const double less = error_of(place(other.A, other.B));
@@ -215,7 +206,8 @@ class JudgedStep {
                    [&] { return ProofOfNormal(contact, *n_W, across); });
       }
     }
-    worst.Take(error, granted(), [&] { return ProofOf(contact, nearest, error); });
+    worst.Take(error, kSafety * (world.dt * fastest + turned) + rounding,
+               [&] { return ProofOf(contact, nearest, error); });
   }
 
  private:
