@@ -9,6 +9,7 @@
 #include "reports/referee/half_space.h"
 #include "reports/referee/input_rounding.h"
 #include "reports/referee/nearest_in_core.h"
+#include "reports/referee/nearest_point.h"
 #include "reports/referee/overlap_in.h"
 #include "reports/referee/proved.h"
 #include "reports/referee/unit_scale.h"
@@ -129,6 +130,14 @@ ContactTruth ComputeContactTruth(const ContactQuery& query) {
   truth.input_rounding = InputRounding(query);
   truth.touching = Decide(truth.separation, truth.input_rounding);
   return truth;
+}
+
+bool AreProvedApart(const ContactQuery& query) {
+  if (HasHalfSpace(query)) return false;
+  const MinkowskiDifference M(query.A, query.B);
+  const Simplex<double> nearest = FindNearest<double>(M, {});
+  const Eigen::Vector3d n = -Direction(nearest.v);
+  return !nearest.encloses_origin && !n.isZero(0) && OverlapIn<double>(query, n).hi < 0;
 }
 
 Enclosure Overlap(const ContactQuery& query, const Eigen::Vector3d& n_W) {

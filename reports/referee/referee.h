@@ -16,6 +16,12 @@ namespace touchstone {
  @pre `query` is valid (scenarios/validate.h) and not two half-spaces. */
 ContactTruth ComputeContactTruth(const ContactQuery& query);
 
+/** Returns whether doubles prove two bounded shapes apart, along the direction that a
+ search in doubles finds: a fraction of the work of ComputeContactTruth(), which proves
+ them apart, too. Says nothing if it returns false.
+ @pre `query` is valid. */
+bool AreProvedApart(const ContactQuery& query);
+
 /** Returns an enclosure of the overlap o(n) = max_A n·x − min_B n·x along the unit vector
  that `n_W` normalises to. Moving B by o(n) along n just separates the shapes, so o(n) is
  an upper bound on the depth for every n. A negative overlap is a gap, and proves the

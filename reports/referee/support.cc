@@ -96,6 +96,7 @@ Bounded<Real> SupportOf(const Body& body, const Eigen::Vector3d& n_W) {
          std::visit(Reach<Real>{body.X_WB.R_WB, n_W}, body.shape);
 }
 
+template Bounded<double> SupportOf(const Body&, const Eigen::Vector3d&);
 template Bounded<DoubleDouble> SupportOf(const Body&, const Eigen::Vector3d&);
 template Bounded<Precise> SupportOf(const Body&, const Eigen::Vector3d&);
 

@@ -61,7 +61,7 @@ list(APPEND own_rules
   "reports/worlds/law_support/ => reports/(text|finding|referee|worlds/truth)/|oracles/(oracle|trajectory)[.]h|scenarios/([a-z_]+|worlds/[a-z_]+)[.]h"
   "reports/worlds/laws/ => reports/(text|worlds/(truth|law_support))/"
   # The study finds a law by its name and includes no single law.
-  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(oracle|stopwatch|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/(nearest_name|scenario_schema)[.]h|(generators|worlds)/)"
+  "reports/worlds/study/ => reports/((text|threads|finding|worlds/(truth|law_support))/|worlds/laws/laws[.]h)|oracles/(isolation/motion_store|oracle|stopwatch|trajectory)[.]h|scenarios/(diagnostic[.]h|schema/(nearest_name|scenario_schema)[.]h|(generators|worlds)/)"
   # Only the benchmark runs engines in child processes of its own.
   "reports/bench/ => reports/(text|referee|measures)/|oracles/(isolation/[a-z_]+|oracle|simulation|trajectory)[.]h|scenarios/([a-z_]+[.]h|(generators|worlds)/)"
   "reports/run_report[.] => reports/(finding/|contacts/contact_result[.]h|worlds/study/world_(result|seconds)[.]h)|oracles/oracle[.]h"

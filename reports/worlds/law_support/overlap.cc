@@ -46,6 +46,7 @@ DeepestOverlap OverlapOf(const World& world, const WorldState& state, int A, int
         distance > 0 ? Eigen::Vector3d(p_AB / distance) : Eigen::Vector3d::UnitX();
     return {depth, n_W, query.B.X_WB.p_WB - sphere_B->radius * n_W};
   }
+  if (AreProvedApart(query)) return {};
   const ContactTruth truth = ComputeContactTruth(query);
   const double depth = -truth.separation.hi;
   if (!(depth > 0)) return {};

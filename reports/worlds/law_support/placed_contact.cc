@@ -7,8 +7,6 @@
 #include <optional>
 #include <variant>
 
-#include "reports/worlds/law_support/surface_line.h"
-
 namespace touchstone {
 namespace {
 
@@ -22,10 +20,8 @@ struct Range {
  n, moved inwards by `error`. A contact of a box is on that face or at its border: edges
  and corners that face n are part of it. It is any of the faces that may be the one
  nearest to n after a turn by `turn` [rad]. */
-double EndOfFace(const Box& box, const Pose& X_WB, double error, double turn,
-                 const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_W) {
-  const Eigen::Vector3d p = X_WB.R_WB.transpose() * (p_W - X_WB.p_WB);
-  const Eigen::Vector3d n = X_WB.R_WB.transpose() * n_W;
+double EndOfFace(const Box& box, double error, double turn, const BodyLine& line) {
+  const auto& [p, n] = line;
   // A turn changes the difference of two cosines by at most |m₁ − m₂| = √2 times it.
   const double nearest = n.cwiseAbs().maxCoeff() - std::numbers::sqrt2 * turn;
   double least = std::numeric_limits<double>::infinity();
@@ -40,20 +36,20 @@ double EndOfFace(const Box& box, const Pose& X_WB, double error, double turn,
 
 /** Returns where A may end on the line if its surface is anywhere within `error` of its
  place; empty if the line then passes A. */
-std::optional<Range> EndOf(const Body& A, double error, double turn,
-                           const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_W) {
-  const std::optional<Chord> outer = ChordThrough(A, error, p_W, n_W);
+std::optional<Range> EndOf(const Shape& A, double error, double turn,
+                           const BodyLine& line) {
+  const std::optional<Chord> outer = ChordThrough(A, error, line);
   if (!outer) return std::nullopt;
-  if (const Box* const box = std::get_if<Box>(&A.shape))
-    return Range{EndOfFace(*box, A.X_WB, error, turn, p_W, n_W), outer->leaves};
-  const std::optional<Chord> inner = ChordThrough(A, -error, p_W, n_W);
+  if (const Box* const box = std::get_if<Box>(&A))
+    return Range{EndOfFace(*box, error, turn, line), outer->leaves};
+  const std::optional<Chord> inner = ChordThrough(A, -error, line);
   return Range{inner ? inner->leaves : outer->enters, outer->leaves};
 }
 
-/** Returns where B may begin. */
-std::optional<Range> BeginOf(const Body& B, double error, double turn,
-                             const Eigen::Vector3d& p_W, const Eigen::Vector3d& n_W) {
-  const std::optional<Range> end = EndOf(B, error, turn, p_W, -n_W);
+/** Returns where B may begin; `line` runs from B to A. */
+std::optional<Range> BeginOf(const Shape& B, double error, double turn,
+                             const BodyLine& line) {
+  const std::optional<Range> end = EndOf(B, error, turn, line);
   if (!end) return std::nullopt;
   return Range{-end->most, -end->least};
 }
@@ -90,10 +86,11 @@ std::optional<Eigen::Vector3d> CentreLine(const Body& A, const Body& B) {
 
 }  // namespace
 
-bool PlacedContact::IsTrueWithin(double error) const {
+bool PlacedContact::IsTrueWithin(double error, const Lines& lines) const {
   const auto within = [&](double share) { return share > 0 ? share * error : rounding; };
-  const std::optional<Range> a = EndOf(A, within(share_A), turn_A, contact.p_WC, n_W);
-  const std::optional<Range> b = BeginOf(B, within(share_B), turn_B, contact.p_WC, n_W);
+  const std::optional<Range> a = EndOf(A.shape, within(share_A), turn_A, lines.out_of_A);
+  const std::optional<Range> b =
+      BeginOf(B.shape, within(share_B), turn_B, lines.out_of_B);
   if (!a || !b) return false;
   const double s = contact.separation;
   if (s < b->least - a->most || s > b->most - a->least) return false;
@@ -101,25 +98,27 @@ bool PlacedContact::IsTrueWithin(double error) const {
 }
 
 double PlacedContact::LeastError(double most) const {
-  if (IsTrueWithin(most)) return LeastTrueError(most);
+  const Lines lines{SeenFrom(A.X_WB, contact.p_WC, n_W),
+                    SeenFrom(B.X_WB, contact.p_WC, -n_W)};
+  if (IsTrueWithin(most, lines)) return LeastTrueError(most, lines);
   PlacedContact alike = *this;
   alike.share_A = 1;
   alike.share_B = 1;
-  return alike.LeastTrueError(most);
+  return alike.LeastTrueError(most, lines);
 }
 
-double PlacedContact::LeastTrueError(double most) const {
-  if (IsTrueWithin(0)) return 0;
-  if (!IsTrueWithin(most)) return most;
+double PlacedContact::LeastTrueError(double most, const Lines& lines) const {
+  if (IsTrueWithin(0, lines)) return 0;
+  if (!IsTrueWithin(most, lines)) return most;
   double high = most;
   double low = most;
-  while (low > 0 && IsTrueWithin(low)) {
+  while (low > 0 && IsTrueWithin(low, lines)) {
     high = low;
     low /= 16;
   }
   while (high - low > 1e-6 * high) {
     const double middle = (low + high) / 2;
-    (IsTrueWithin(middle) ? high : low) = middle;
+    (IsTrueWithin(middle, lines) ? high : low) = middle;
   }
   return high;
 }

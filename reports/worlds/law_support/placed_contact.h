@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "oracles/trajectory.h"
+#include "reports/worlds/law_support/surface_line.h"
 #include "scenarios/contact_query.h"
 
 namespace touchstone {
@@ -21,11 +22,9 @@ struct PlacedContact {
   double share_B;
   double rounding;  ///< By which the surface of a static body may be off. [m]
 
-  /** Returns whether it is true of surfaces that are within their share of `error` [m] of
-   their place. */
-  bool IsTrueWithin(double error) const;
-
-  /** Returns the least error within which it is true, to one in 10^6; at most `most`. No
+  /** Returns the least error within which it is true: the least `error` [m] such that
+   surfaces within their share of it of their place have this contact, to one in 10^6; at
+   most `most`. No
    motion of the other body brings a point out of a static one: then both move alike. */
   double LeastError(double most) const;
 
@@ -40,8 +39,18 @@ struct PlacedContact {
   double TurnOfNormal() const;
 
  private:
+  /** The contact's line along the normal and against it, in the frames of the bodies. */
+  struct Lines {
+    BodyLine out_of_A;
+    BodyLine out_of_B;
+  };
+
+  /** Returns whether it is true of surfaces that are within their share of `error` [m] of
+   their place. */
+  bool IsTrueWithin(double error, const Lines& lines) const;
+
   /** LeastError() with the shares as they are. */
-  double LeastTrueError(double most) const;
+  double LeastTrueError(double most, const Lines& lines) const;
 };
 
 }  // namespace touchstone

@@ -69,20 +69,28 @@ bool HasChords(const Shape& shape) {
   return std::visit([]<class T>(const T&) { return kHasChords<T>; }, shape);
 }
 
-std::optional<Chord> ChordThrough(const Body& body, double offset,
-                                  const Eigen::Vector3d& p_W,
-                                  const Eigen::Vector3d& d_W) {
-  const Eigen::Vector3d p = body.X_WB.R_WB.transpose() * (p_W - body.X_WB.p_WB);
-  const Eigen::Vector3d d = body.X_WB.R_WB.transpose() * d_W;
+BodyLine SeenFrom(const Pose& X_WB, const Eigen::Vector3d& p_W,
+                  const Eigen::Vector3d& d_W) {
+  return {X_WB.R_WB.transpose() * (p_W - X_WB.p_WB), X_WB.R_WB.transpose() * d_W};
+}
+
+std::optional<Chord> ChordThrough(const Shape& shape, double offset,
+                                  const BodyLine& line) {
   return std::visit(
-      [&]<class T>(const T& shape) -> std::optional<Chord> {
+      [&]<class T>(const T& known) -> std::optional<Chord> {
         if constexpr (kHasChords<T>) {
-          return Through(shape, offset, p, d);
+          return Through(known, offset, line.p_Bo, line.d_B);
         } else {
           return std::nullopt;
         }
       },
-      body.shape);
+      shape);
+}
+
+std::optional<Chord> ChordThrough(const Body& body, double offset,
+                                  const Eigen::Vector3d& p_W,
+                                  const Eigen::Vector3d& d_W) {
+  return ChordThrough(body.shape, offset, SeenFrom(body.X_WB, p_W, d_W));
 }
 
 }  // namespace touchstone

@@ -24,4 +24,19 @@ bool HasChords(const Shape& shape);
 std::optional<Chord> ChordThrough(const Body& body, double offset,
                                   const Eigen::Vector3d& p_W, const Eigen::Vector3d& d_W);
 
+/** A line p + t d in the frame of a body. */
+struct BodyLine {
+  Eigen::Vector3d p_Bo;  ///< From the origin of the body. [m]
+  Eigen::Vector3d d_B;   ///< Unit.
+};
+
+/** Returns the line p_W + t d_W in the frame of a body. */
+BodyLine SeenFrom(const Pose& X_WB, const Eigen::Vector3d& p_W,
+                  const Eigen::Vector3d& d_W);
+
+/** The same as above for a line in the frame of the body, which is found once for several
+ offsets. */
+std::optional<Chord> ChordThrough(const Shape& shape, double offset,
+                                  const BodyLine& line);
+
 }  // namespace touchstone

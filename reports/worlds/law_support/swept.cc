@@ -114,6 +114,7 @@ Body HullAt(const Shape& shape, const Pose& from, const Pose& to) {
 }
 
 double DepthOf(const Body& volume, const Body& other) {
+  if (AreProvedApart({volume, other})) return 0;
   return std::max(0.0, -ComputeContactTruth({volume, other}).separation.hi);
 }
 

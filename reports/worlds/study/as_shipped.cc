@@ -17,6 +17,7 @@
 #include "reports/worlds/study/examine_world.h"
 #include "reports/worlds/study/judge_ensemble.h"
 #include "reports/worlds/study/judge_world.h"
+#include "reports/worlds/study/trajectory_difference.h"
 
 namespace touchstone {
 namespace {
@@ -53,15 +54,6 @@ bool All(std::span<const Finding> findings, Counts counts, Property has) {
   });
 }
 
-bool IsSameState(const BodyState& a, const BodyState& b) {
-  return a.p_WB == b.p_WB && a.q_WB.coeffs() == b.q_WB.coeffs() && a.v_WB == b.v_WB &&
-         a.w_WB == b.w_WB;
-}
-
-bool IsSamePoint(const PointState& a, const PointState& b) {
-  return a.p_W == b.p_W && a.v_W == b.v_W;
-}
-
 bool IsSameImpulse(const ContactImpulse& a, const ContactImpulse& b) {
   return a.step == b.step && a.A == b.A && a.B == b.B && a.p_WC == b.p_WC &&
          a.n_AB_W == b.n_AB_W && a.J_B_W == b.J_B_W && a.separation == b.separation &&
@@ -71,12 +63,7 @@ bool IsSameImpulse(const ContactImpulse& a, const ContactImpulse& b) {
 /** Returns whether two motions have the same states at all samples and the same impulses
  in all steps, bit by bit. */
 bool IsSameMotion(const Trajectory& a, const Trajectory& b) {
-  const auto is_same = [](const WorldState& x, const WorldState& y) {
-    return std::ranges::equal(x.bodies, y.bodies, IsSameState) &&
-           std::ranges::equal(x.particles, y.particles, IsSamePoint) &&
-           std::ranges::equal(x.nodes, y.nodes, IsSamePoint);
-  };
-  return a.status == b.status && std::ranges::equal(a.samples, b.samples, is_same) &&
+  return a.status == b.status && std::ranges::equal(a.samples, b.samples, AreEqual) &&
          std::ranges::equal(a.impulses, b.impulses, IsSameImpulse);
 }
 
@@ -182,7 +169,7 @@ Findings JudgedAgain(const WorldScenario& scenario, const Oracle& oracle,
     return {known.begin(), known.end()};
   if (All(known, counts, NeedsOneMotion))
     return JudgedFromOneMotion(scenario, oracle, of_steps);
-  return ExamineWorld(scenario, oracle, WantedFor(known, counts)).findings;
+  return ExamineMotion(scenario, oracle, of_steps, WantedFor(known, counts)).findings;
 }
 
 /** Says which settings decide the findings that fail here only, or as shipped only. */

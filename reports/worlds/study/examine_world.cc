@@ -93,24 +93,25 @@ std::vector<Finding> FailuresToAnswer(const Study& study, const Neighbours& neig
  their opposites: whether such a move makes a motion jump is chance. */
 constexpr std::size_t kNudgesOfUnstable = 4;
 
-/** Returns the growth of rounding by the answered motion that amplifies it most. Asks the
- oracle what the roundings of all steps move if that gain is beyond kLargestGain, and
- adds the time that this takes to `seconds`. */
-RoundingGrowth LargestGrowth(const Study& study, const Oracle& oracle,
-                             std::span<const Trajectory> nudged, double& seconds) {
+/** Returns the growth of rounding by the answered motion that amplifies it most. */
+RoundingGrowth LargestGrowth(const Study& study, std::span<const Trajectory> nudged) {
   RoundingGrowth growth;
   for (const Trajectory& other : nudged) {
     if (!study.half || !IsWhole(other)) continue;
     const RoundingGrowth more = GrowthOf(study, other);
     if (more.gain > growth.gain) growth = more;
   }
-  if (growth.gain <= kLargestGain) return growth;
+  return growth;
+}
+
+/** Asks the oracle what the roundings of all steps move, and returns
+ RoundingGrowth::most. Adds the time that this takes to `seconds`. */
+double MostMoved(const Study& study, const Oracle& oracle, double& seconds) {
   const double all_roundings = RoundingOf(study, study.scenario.world.steps);
   const std::vector<Trajectory> moved =
       SimulateNudged(study.scenario, oracle, all_roundings, kNudgesOfUnstable);
   for (const Trajectory& other : moved) seconds += other.seconds;
-  growth.most = MostThatRoundingExplains(study, moved);
-  return growth;
+  return MostThatRoundingExplains(study, moved);
 }
 
 /** Returns the finding that the claim of that law could not be judged. */
@@ -249,12 +250,14 @@ std::vector<Finding> WithNeighbours(const Study& study, const Oracle& oracle,
                                     std::vector<Finding> of_world,
                                     SecondsByName& motions) {
   Append(of_world, FailuresToAnswer(study, neighbours));
-  RoundingGrowth growth =
-      LargestGrowth(study, oracle, neighbours.nudged, motions[std::string(kMovedStart)]);
+  RoundingGrowth growth = LargestGrowth(study, neighbours.nudged);
   if (const Claim* stable = FindClaim(study.scenario, kStable)) {
     const double most = stable->numbers.at(std::string(kStableGain));
     of_world.push_back(JudgeStable(study, most, neighbours.nudged));
     growth = GrowthIfStable(study, growth.gain, most, of_world.back());
+  } else if (growth.gain > kLargestGain && !neighbours.variants.empty()) {
+    // Only variants are judged by it, and those of a stable world by what it claims.
+    growth.most = MostMoved(study, oracle, motions[std::string(kMovedStart)]);
   }
   std::vector<Finding> findings = of_world;
   for (const VariantMotion& moved : neighbours.variants)
@@ -266,10 +269,13 @@ std::vector<Finding> WithNeighbours(const Study& study, const Oracle& oracle,
 
 }  // namespace
 
-Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
-                         const WantedNeighbours& wanted) {
+Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle) {
+  return ExamineMotion(scenario, oracle, oracle.Simulate(EveryStep(scenario.world)), {});
+}
+
+Examination ExamineMotion(const WorldScenario& scenario, const Oracle& oracle,
+                          const Trajectory& of_steps, const WantedNeighbours& wanted) {
   Examination examined;
-  const Trajectory of_steps = oracle.Simulate(EveryStep(scenario.world));
   examined.trajectory = SampledAs(scenario.world, of_steps);
   const Trajectory& trajectory = examined.trajectory;
   SecondsByName& motions = examined.seconds.motions;

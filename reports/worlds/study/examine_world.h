@@ -21,9 +21,13 @@ struct Examination {
   WorldSeconds seconds;
 };
 
-/** Simulates the world, its wanted neighbours and the members of its ensemble, and judges
- the motions. */
-Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle,
-                         const WantedNeighbours& wanted = {});
+/** Simulates the world, its neighbours and the members of its ensemble, and judges the
+ motions. */
+Examination ExamineWorld(const WorldScenario& scenario, const Oracle& oracle);
+
+/** The same for a world whose motion is known already: `of_steps` is that of
+ EveryStep(scenario.world) by `oracle`. */
+Examination ExamineMotion(const WorldScenario& scenario, const Oracle& oracle,
+                          const Trajectory& of_steps, const WantedNeighbours& wanted);
 
 }  // namespace touchstone

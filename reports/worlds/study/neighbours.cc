@@ -81,16 +81,17 @@ Neighbours SimulateNeighbours(const WorldScenario& scenario, const Oracle& oracl
   };
   Neighbours motions;
   if (IsStudied(scenario)) {
-    ask(Refined(scenario.world, 2), motions.half);
+    for (WorldVariant& variant : VariantsOf(scenario.world)) {
+      if (!wanted.variant || wanted.variant(variant.measure))
+        motions.variants.push_back({std::move(variant), {}});
+    }
+    if (wanted.limit || wanted.causes || !motions.variants.empty())
+      ask(Refined(scenario.world, 2), motions.half);
     if (wanted.limit && HasLimit(scenario))
       ask(Refined(scenario.world, 4), motions.quarter.emplace());
     motions.nudged.resize(FindClaim(scenario, kStable) ? kNudgesOfStable : kNudges);
     for (std::size_t n = 0; n < motions.nudged.size(); ++n)
       ask(NudgedCopy(scenario, nudge, n), motions.nudged[n]);
-    for (WorldVariant& variant : VariantsOf(scenario.world)) {
-      if (!wanted.variant || wanted.variant(variant.measure))
-        motions.variants.push_back({std::move(variant), {}});
-    }
     for (VariantMotion& motion : motions.variants)
       ask(motion.variant.world, motion.trajectory);
   }

@@ -33,10 +33,11 @@ std::vector<Trajectory> SimulateNudged(const WorldScenario& scenario,
                                        const Oracle& oracle, double nudge,
                                        std::size_t count);
 
-/** Simulates the wanted ones in one batch, so that an isolated oracle forks only once. A
- quarter of the step is among them only if a claim is judged by order or limit; whether
- causes need it, the judgement of the others tells. `nudge` is the largest move of a start
- along each axis. [m] */
+/** Simulates the wanted ones in one batch, so that an isolated oracle forks only once.
+ Half the step is among them unless the moved starts alone are wanted, which say whether a
+ world is stable. A quarter of the step is among them only if a claim is judged by order
+ or limit; whether causes need it, the judgement of the others tells. `nudge` is the
+ largest move of a start along each axis. [m] */
 Neighbours SimulateNeighbours(const WorldScenario& scenario, const Oracle& oracle,
                               double nudge, const WantedNeighbours& wanted);
 

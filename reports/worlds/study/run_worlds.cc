@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include <malloc.h>
+
+#include "oracles/isolation/motion_store.h"
 #include "oracles/stopwatch.h"
 #include "reports/threads/parallel_for.h"
 #include "reports/worlds/study/as_shipped.h"
@@ -100,19 +104,30 @@ WorldsReport RunWorlds(std::span<const WorldScenario> worlds,
                              std::vector<WorldSeconds>(oracles.size())});
   const std::vector<Pair> pairs = PairsOf(worlds, oracles);
   std::vector<std::vector<Finding>> findings(pairs.size());
+  MotionStore motions;
+  std::vector<std::optional<MotionStore::Place>> places(pairs.size());
   const std::vector<std::size_t> order = LongestFirst(pairs, worlds);
   ParallelFor(pairs.size(), options.jobs, [&](std::size_t turn) {
     const std::size_t i = order[turn];
     const auto [w, o] = pairs[i];
     if (options.stop && options.stop()) return;
     Examination examined = Examined(worlds[w], *oracles[o], options);
-    report.worlds[w].trajectories[o] = std::move(examined.trajectory);
+    places[i] = motions.Keep(examined.trajectory);
     report.worlds[w].drifts[o] = examined.drifts;
     report.worlds[w].ensembles[o] = examined.ensemble;
     report.worlds[w].seconds[o] = std::move(examined.seconds);
     findings[i] = std::move(examined.findings);
+    // Children are forked all the time. What a motion has left in the allocator would be
+    // copied with each.
+    examined = {};
+    malloc_trim(0);
     if (options.on_done) options.on_done(WorkOf(worlds[w]));
   });
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (places[i])
+      report.worlds[pairs[i].world].trajectories[pairs[i].oracle] =
+          motions.Take(*places[i]);
+  }
   for (std::vector<Finding>& of_pair : findings)
     std::move(of_pair.begin(), of_pair.end(), std::back_inserter(report.findings));
   return report;

@@ -26,6 +26,10 @@ double DistanceBetween(const Trajectory& a, const Trajectory& b, double radius,
 Proof LargestDifference(const World& world, const Trajectory& a, const Trajectory& b,
                         double until);
 
+/** Returns whether two states are equal in every number. −0 equals 0, and a NaN nothing.
+ */
+bool AreEqual(const WorldState& a, const WorldState& b);
+
 /** Returns the first difference of two trajectories in words: the time of the sample, the
  name of the body or particle or the index of the node, the field, and both numbers. An
  empty sentence if they agree bit for bit; −0 equals 0, and a NaN equals itself. */

@@ -6,8 +6,8 @@
 
 namespace touchstone {
 
-/** The changed copies of a world that a judgement needs, besides the one at half the step
- and those with a moved start. */
+/** The changed copies of a world that a judgement needs, besides those with a moved
+ start. Any of them needs the one at half the step, too. */
 struct WantedNeighbours {
   /** A quarter of the step for claims that are judged by order or limit. */
   bool limit = true;

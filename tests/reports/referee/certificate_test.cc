@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -86,6 +87,25 @@ TEST(Certificate, ProvesItsBoundsForEveryPairOfShapes) {
   }
   EXPECT_GT(apart, 250);
   EXPECT_GT(touching, 250);
+}
+
+TEST(AreProvedApart, AgreesWithTheCertificateForEveryPairOfShapes) {
+  RandomScene random(31);
+  int apart = 0;
+  int proved = 0;
+  for (int i = 0; i < 1008; ++i) {
+    const ContactQuery query = SomePair(random, i);
+    const Enclosure separation = ComputeContactTruth(query).separation;
+    const bool is_clear = !std::holds_alternative<HalfSpace>(query.B.shape) &&
+                          separation.lo > 1e-9 * SceneSize(query);
+    apart += is_clear;
+    if (!AreProvedApart(query)) continue;
+    EXPECT_GT(separation.lo, 0) << "pair " << i;
+    proved += is_clear;
+  }
+  EXPECT_GT(apart, 200);
+  // A search in doubles may end before the direction that separates round shapes.
+  EXPECT_GT(proved, apart - apart / 20);
 }
 
 // A box 0.1 m above another, and the certificate of a search that went well.
