@@ -65,21 +65,6 @@ TEST(Worst, KnowsTheFirstMomentBeyondItsTolerance) {
   EXPECT_EQ(worst.finding().cited.first_time, 1.5);
 }
 
-TEST(Worst, KnowsWhichNumbersItWillNotNotice) {
-  Worst worst(MeasureKind::kExcess, "");
-  const auto take = [&](double value, double tolerance) {
-    worst.Take(value, tolerance, [] { return Named(""); });
-  };
-  EXPECT_LT(worst.Unnoticed(1), 0);
-  take(0.5, 1);
-  EXPECT_EQ(worst.Unnoticed(0.5), 0.25);
-  // A larger number within a wider tolerance is the largest.
-  EXPECT_EQ(worst.Unnoticed(8), 0.5);
-  EXPECT_TRUE(std::isnan(worst.Unnoticed(kNoNumber)));
-  take(kNoNumber, 1);
-  EXPECT_TRUE(std::isnan(worst.Unnoticed(1)));
-}
-
 TEST(WorstOfEach, KnowsTheFirstMomentOfAllSubjects) {
   const std::vector<LawFinding> found = WorstOfEach({0, 1}, [](int subject) {
     LawFinding finding;
