@@ -13,8 +13,8 @@ namespace touchstone {
  starts on a static plane; empty if it is. */
 std::string WhyNoBallOnPlane(const World& world, int index);
 
-/** The same for a ball, or for a capsule or a cylinder that lies on its side and moves and
- spins as it rolls: along the plane across its axis, and about its axis. */
+/** The same for a ball, or for a capsule or a cylinder that lies on its side and moves
+ and spins as it rolls: along the plane across its axis, and about its axis. */
 std::string WhyNoRollerOnPlane(const World& world, int index);
 
 /** Checks a ball that rolls or slips on a plane, or a roller, against its closed-form
@@ -34,8 +34,8 @@ class BallOnPlane {
     double lag;      ///< Distance by which the scheme is behind or ahead. [m]
   };
 
-  /** `how` says how the ball moves, as in "rolling it moves at". @pre WhyNoRollerOnPlane() is
-   empty. */
+  /** `how` says how the ball moves, as in "rolling it moves at". @pre
+   WhyNoRollerOnPlane() is empty. */
   BallOnPlane(const Motion& motion, int body, const OnPlane& on, std::string how,
               const std::string& velocity_because, const std::string& position_because);
 

@@ -7,8 +7,8 @@ namespace touchstone {
 /** Returns the radius of a sphere, a capsule or a cylinder. [m] */
 double RadiusOf(const RigidBody& round);
 
-/** Returns I/(m r²) of a round body about the axis on which it rolls, its inertia relative
- to that of a thin ring: 2/5 of a solid sphere, 1/2 of a solid cylinder. [-]
+/** Returns I/(m r²) of a round body about the axis on which it rolls, its inertia
+ relative to that of a thin ring: 2/5 of a solid sphere, 1/2 of a solid cylinder. [-]
  @pre IsEvenSphere() or IsEvenRoller() */
 double InertiaRatioOf(const RigidBody& round);
 

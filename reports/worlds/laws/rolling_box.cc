@@ -11,8 +11,8 @@
 #include "reports/worlds/law_support/error_laws.h"
 #include "reports/worlds/law_support/numbers.h"
 #include "reports/worlds/law_support/on_plane.h"
-#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/round_body.h"
+#include "reports/worlds/law_support/slop.h"
 #include "reports/worlds/law_support/subjects.h"
 
 namespace touchstone {
